@@ -1,0 +1,45 @@
+// The one seam through which a running solver meets the world: cancellation,
+// deadlines, memory budgets and progress.
+
+#ifndef GEODESIC_CHECKPOINT_H_
+#define GEODESIC_CHECKPOINT_H_
+
+#include <cstdint>
+
+#include "absl/status/status.h"
+
+namespace geodesic {
+
+// A snapshot of a running computation.
+struct Progress {
+  // Every distance <= settled_radius is final (file units). Never decreases.
+  double settled_radius = 0;
+  // Vertices relaxed at least once; with `vertices` it makes a fair, monotone
+  // progress bar.
+  uint64_t vertices_reached = 0;
+  uint64_t vertices = 0;
+  uint64_t live_windows = 0;
+  uint64_t windows_propagated = 0;
+  // Bytes the solver holds beyond the mesh.
+  uint64_t solver_bytes = 0;
+};
+
+class Checkpoint {
+ public:
+  virtual ~Checkpoint() = default;
+
+  // Called by the solver from its own thread: once before the first window,
+  // then at least every few thousand windows (well under 10 ms apart). A
+  // status that is not OK stops the solver, which returns that status.
+  virtual absl::Status Poll(const Progress& progress) = 0;
+};
+
+// Never stops anything.
+class NoCheckpoint final : public Checkpoint {
+ public:
+  absl::Status Poll(const Progress&) override { return absl::OkStatus(); }
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_CHECKPOINT_H_

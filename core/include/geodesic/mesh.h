@@ -1,0 +1,131 @@
+// An immutable triangle mesh, packed for window propagation.
+//
+//   absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
+//       Mesh::Build(std::move(soup));
+//
+// Half-edge 3f + i is side i of face f: it runs from the face's corner i to
+// corner i + 1 (mod 3) and belongs to the face on its left. Everything else is
+// arithmetic on that number, so connectivity is one array of twins.
+//
+// Guarantees:
+//   1. vertex and face numbers are the caller's; nothing is renumbered,
+//      merged, duplicated or dropped;
+//   2. boundaries, holes, several components, isolated vertices, zero-area
+//      faces and coincident vertices are ordinary input;
+//   3. positions() holds the caller's bits.
+
+#ifndef GEODESIC_MESH_H_
+#define GEODESIC_MESH_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic/triangle_soup.h"
+
+namespace geodesic {
+
+// A 32-bit number of a half-edge; kNoHalfEdge stands beyond a boundary.
+using HalfEdge = uint32_t;
+inline constexpr HalfEdge kNoHalfEdge = 0xffffffffu;
+
+inline HalfEdge Next(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
+inline HalfEdge Prev(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+// One cache line: the face left of half-edge A -> B, laid into the plane with
+// A = (0, 0), B = (length, 0) and the apex C above, plus where the two other
+// sides lead. Lengths are in the mesh's scaled unit (see Mesh::scale_exponent).
+struct alignas(64) HalfEdgeFrame {
+  double length;                   // |AB|
+  double apex_x, apex_y;           // C; apex_y >= 0
+  double left_x, left_y;           // unit vector A -> C
+  double right_x, right_y;         // unit vector B -> C
+  HalfEdge left_exit, right_exit;  // twins of C -> A and of B -> C
+};
+static_assert(sizeof(HalfEdgeFrame) == 64);
+
+class Mesh {
+ public:
+  // Checks the soup and builds the connectivity. O(V + F log F) time.
+  // Errors, all INVALID_ARGUMENT and naming the first offender: no face; a
+  // coordinate that is not finite; an index out of range; a face that repeats
+  // a vertex; an edge with three faces or more; two faces that run along an
+  // edge in the same direction; a vertex that joins two closed fans of faces.
+  // RESOURCE_EXHAUSTED: more faces or vertices than 32-bit numbers can name.
+  static absl::StatusOr<std::shared_ptr<const Mesh>> Build(TriangleSoup soup);
+
+  // An upper bound on what Build needs at its peak and on what stays resident,
+  // for admission before any memory is taken.
+  static uint64_t EstimateBuildBytes(uint64_t vertices, uint64_t faces);
+  static uint64_t EstimateResidentBytes(uint64_t vertices, uint64_t faces);
+
+  Mesh(const Mesh&) = delete;
+  Mesh& operator=(const Mesh&) = delete;
+
+  uint32_t vertex_count() const { return positions_.size(); }
+  uint32_t face_count() const { return triangles_.size(); }
+  uint32_t half_edge_count() const { return 3 * face_count(); }
+
+  std::span<const Point> positions() const { return positions_; }
+  std::span<const Triangle> triangles() const { return triangles_; }
+
+  // The half-edge on the other side of h, or kNoHalfEdge at a boundary. O(1).
+  HalfEdge Twin(HalfEdge h) const {
+    return frames_[Next(h)].left_exit;
+  }
+  uint32_t From(HalfEdge h) const { return triangles_[h / 3][h % 3]; }
+  uint32_t To(HalfEdge h) const { return From(Next(h)); }
+  uint32_t Apex(HalfEdge h) const { return From(Prev(h)); }
+  const HalfEdgeFrame& frame(HalfEdge h) const { return frames_[h]; }
+
+  // The half-edges that leave vertex v, one per incident face.
+  std::span<const HalfEdge> Outgoing(uint32_t v) const {
+    return {outgoing_.data() + outgoing_begin_[v],
+            outgoing_.data() + outgoing_begin_[v + 1]};
+  }
+
+  // Whether shortest paths may bend at v: a saddle (cone angle above 2 pi), a
+  // boundary vertex, or a vertex where the surface pinches or an edge has no
+  // length.
+  bool IsPseudoSource(uint32_t v) const { return kinds_[v] & kPseudoSource; }
+  bool IsSaddle(uint32_t v) const { return kinds_[v] & kSaddle; }
+  bool IsBoundary(uint32_t v) const { return kinds_[v] & kBoundary; }
+
+  // Solver lengths are file lengths times 2^-scale_exponent, so that the
+  // longest extent of the mesh is about 1 and no square overflows.
+  int scale_exponent() const { return scale_exponent_; }
+
+  // Mean over all edges (a boundary edge counts once), in the scaled unit.
+  double mean_edge_length() const { return mean_edge_length_; }
+
+  // Bytes held by this object.
+  uint64_t resident_bytes() const;
+
+ private:
+  enum VertexKind : uint8_t {
+    kPseudoSource = 1,
+    kSaddle = 2,
+    kBoundary = 4,
+  };
+
+  explicit Mesh(TriangleSoup soup);
+  void BuildFrames(std::span<const HalfEdge> twins);
+  void BuildOutgoing();
+  void ClassifyVertices();
+
+  std::vector<Point> positions_;
+  std::vector<Triangle> triangles_;
+  std::vector<HalfEdgeFrame> frames_;     // one per half-edge
+  std::vector<uint32_t> outgoing_begin_;  // V + 1
+  std::vector<HalfEdge> outgoing_;        // 3F
+  std::vector<uint8_t> kinds_;            // V, VertexKind bits
+  int scale_exponent_ = 0;
+  double mean_edge_length_ = 0;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_MESH_H_

@@ -1,0 +1,59 @@
+// Bounded readers for mesh files held in memory: OBJ, PLY, OFF, STL.
+//
+//   absl::StatusOr<MeshFormat> format = MeshFormatFromPath("horse.ply");
+//   absl::StatusOr<TriangleSoup> soup = ReadMesh(bytes, *format);
+//   absl::StatusOr<std::shared_ptr<const Mesh>> mesh = Mesh::Build(*soup);
+//
+// The bytes are taken for hostile. A reader
+//   1. opens no file and follows no reference (an OBJ's mtllib is ignored);
+//   2. allocates nothing on the word of a header: memory grows with bytes that
+//      have been read, and stays within a small factor of the input's size;
+//   3. keeps doubles as doubles (correctly rounded) and the file's vertex
+//      order, unused vertices included; STL, which has no indices, is welded
+//      by exact coordinates in order of first appearance;
+//   4. turns a polygon with k corners into k - 2 triangles fanned from its
+//      first corner;
+//   5. returns only finite coordinates and indices within range.
+
+#ifndef GEODESIC_READ_MESH_H_
+#define GEODESIC_READ_MESH_H_
+
+#include <cstdint>
+#include <string_view>
+
+#include "absl/status/statusor.h"
+#include "geodesic/triangle_soup.h"
+
+namespace geodesic {
+
+enum class MeshFormat {
+  kObj,  // Wavefront OBJ: v and f statements; negative indices, a/b/c corners.
+  kPly,  // Stanford PLY: ASCII, binary little endian, binary big endian.
+  kOff,  // OFF, COFF, NOFF, STOFF..., ASCII.
+  kStl,  // STL, ASCII or binary, told apart by content.
+};
+
+// "obj", "ply", "off" or "stl".
+std::string_view MeshFormatName(MeshFormat format);
+
+// The format a path's ending names, in any case ("a/b.PLY" -> kPly).
+// Errors: INVALID_ARGUMENT naming the path and the endings that are known.
+absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path);
+
+struct ReadLimits {
+  // DEFAULT: what 32-bit half-edge indices can address.
+  uint64_t max_vertices = uint64_t{1} << 31;
+  uint64_t max_triangles = (uint64_t{1} << 32) / 3 - 1;
+};
+
+// Reads a whole file. Thread-safe; linear in the size of `bytes`.
+// Errors: INVALID_ARGUMENT for a malformed file, naming the line (text) or the
+// byte offset (binary) and the element; RESOURCE_EXHAUSTED when a limit is
+// passed, naming it. A file without faces is not an error here.
+absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes,
+                                      MeshFormat format,
+                                      const ReadLimits& limits = {});
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_READ_MESH_H_
