@@ -1,0 +1,97 @@
+// Concurrent identical queries share one computation, a flight. Each waiter
+// may leave on its own; when the last has left, the flight is called off.
+
+#ifndef GEODESIC_SERVER_ENGINE_FIELD_FLIGHT_H_
+#define GEODESIC_SERVER_ENGINE_FIELD_FLIGHT_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "server/engine/clock.h"
+#include "server/engine/field_cache.h"
+#include "server/engine/field_key.h"
+#include "server/engine/scheduler.h"
+
+namespace geodesic::server {
+
+// Who waits for a field. Calls come from a solver's thread, one at a time, and
+// must be short; they may still arrive while and just after the waiter leaves.
+class FieldObserver {
+ public:
+  virtual ~FieldObserver() = default;
+
+  // A later call replaces what an earlier one said.
+  virtual void OnProgress(const Progress& progress) = 0;
+
+  // The last call, at most once: the field or why there is none.
+  virtual void OnField(const absl::StatusOr<FieldHandle>& field) = 0;
+};
+
+struct Waiter {
+  std::shared_ptr<FieldObserver> observer;
+  TimePoint deadline = kNoDeadline;
+};
+
+// Thread-safe. Observers are never called under a lock.
+class FieldFlights {
+ public:
+  class Flight;
+
+  // A waiter's place in a flight.
+  struct Seat {
+    std::shared_ptr<Flight> flight;
+    uint64_t number = 0;
+    // The first in its flight, who has to see to it that it takes place.
+    bool is_first = false;
+  };
+
+  // Boards the flight to `key`; opens it when there is none.
+  Seat Join(const FieldKey& key, Waiter waiter);
+
+  // Gives the seat up. When nobody is left, the flight is closed to others and
+  // its job, if it has one already, is returned for the caller to cancel.
+  std::optional<Scheduler::JobId> Leave(const Seat& seat);
+
+  // Tells which job does the work.
+  void SetJob(Flight& flight, Scheduler::JobId job);
+
+  // For the thread that does the work, and for nobody else at the same time:
+
+  // Takes out the waiters whose deadline has come and tells them so. Returns
+  // DEADLINE_EXCEEDED or CANCELLED when nobody is left.
+  absl::Status Expire(Flight& flight, TimePoint now);
+
+  void Publish(Flight& flight, const Progress& progress);
+
+  // Ends the flight and tells everybody. Whoever asks from now on opens a new
+  // one: what should be found then must be in the cache before.
+  void Complete(Flight& flight, const absl::StatusOr<FieldHandle>& field);
+
+  size_t size() const;
+  // Waiters on all flights.
+  size_t waiters() const;
+
+ private:
+  using Observers = std::vector<std::shared_ptr<FieldObserver>>;
+
+  // REQUIRES: mutex_ held.
+  void Close(Flight& flight);
+
+  mutable std::mutex mutex_;
+  // Guarded by mutex_, as the content of every flight is:
+  std::map<FieldKey, std::shared_ptr<Flight>> open_;
+  uint64_t next_number_ = 0;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_FIELD_FLIGHT_H_

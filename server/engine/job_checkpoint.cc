@@ -1,0 +1,46 @@
+#include "server/engine/job_checkpoint.h"
+
+#include <utility>
+
+namespace geodesic::server {
+namespace {
+
+// The reservation runs ahead of the solver in steps of this size, so that
+// growth between two polls is covered as well.
+constexpr uint64_t kMemoryStep = uint64_t{16} << 20;
+
+}  // namespace
+
+JobCheckpoint::JobCheckpoint(FieldFlights& flights,
+                             FieldFlights::Flight& flight, const Clock& clock,
+                             std::stop_token stop, ByteReservation memory,
+                             Duration progress_interval)
+    : flights_(flights),
+      flight_(flight),
+      clock_(clock),
+      stop_(std::move(stop)),
+      progress_interval_(progress_interval),
+      memory_(std::move(memory)),
+      next_progress_(clock.Now()) {}
+
+absl::Status JobCheckpoint::Poll(const Progress& progress) {
+  const TimePoint now = clock_.Now();
+  if (absl::Status status = flights_.Expire(flight_, now); !status.ok()) {
+    return status;
+  }
+  // Waiters that leave are seen above; this comes from a shutdown.
+  if (stop_.stop_requested()) {
+    return absl::UnavailableError("the server is shutting down");
+  }
+  if (progress.solver_bytes > memory_.bytes()) {
+    absl::Status status = memory_.GrowTo(progress.solver_bytes + kMemoryStep);
+    if (!status.ok()) return status;
+  }
+  if (now >= next_progress_) {
+    next_progress_ = now + progress_interval_;
+    flights_.Publish(flight_, progress);
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace geodesic::server

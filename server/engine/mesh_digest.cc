@@ -1,0 +1,35 @@
+#include "server/engine/mesh_digest.h"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <string_view>
+
+#include "server/engine/sha256.h"
+
+namespace geodesic::server {
+namespace {
+
+// The arrays are hashed as they lie in memory.
+static_assert(std::endian::native == std::endian::little);
+static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12);
+
+template <typename T>
+std::string_view AsBytes(std::span<const T> values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
+}  // namespace
+
+std::string MeshDigest(std::span<const Point> positions,
+                       std::span<const Triangle> triangles) {
+  const std::array<uint64_t, 2> counts = {positions.size(), triangles.size()};
+  Sha256 hash;
+  hash.Update("geodesic.mesh.v1\n");
+  hash.Update(AsBytes(std::span<const uint64_t>(counts)));
+  hash.Update(AsBytes(positions));
+  hash.Update(AsBytes(triangles));
+  return hash.FinishHex();
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,215 @@
+#include "server/engine/mesh_upload.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/mesh.h"
+#include "geodesic/read_mesh.h"
+#include "server/engine/status_details.h"
+
+namespace geodesic::server {
+namespace {
+
+// Canonical arrays are copied as they lie in memory.
+static_assert(std::endian::native == std::endian::little);
+
+// The buffer starts with the size of a usual chunk and then doubles.
+constexpr uint64_t kFirstCapacity = uint64_t{1} << 20;
+
+// Triangles take more memory than the text they are read from: "f 1 2 3\n" is
+// 8 bytes and makes 12, "v 0 0 0\n" makes 24, and a growing vector holds up to
+// twice its content.
+constexpr uint64_t kParseFactor = 3;
+
+absl::Status CheckLimit(std::string_view what, uint64_t value,
+                        std::string_view limit_name, uint64_t limit) {
+  if (value <= limit) return absl::OkStatus();
+  return absl::ResourceExhaustedError(absl::StrCat(
+      "the upload announces ", value, " ",
+      absl::string_view(what.data(), what.size()), "; ",
+      absl::string_view(limit_name.data(), limit_name.size()), " is ", limit));
+}
+
+absl::Status CheckArraysHeader(const UploadHeader& header,
+                               const Limits& limits) {
+  // The counts are checked first, so that the sizes below cannot overflow.
+  for (const absl::Status& status :
+       {CheckLimit("vertices", header.vertex_count, "max_vertices",
+                   limits.max_vertices),
+        CheckLimit("faces", header.face_count, "max_faces",
+                   limits.max_faces)}) {
+    if (!status.ok()) return status;
+  }
+  const uint64_t size = header.vertex_count * sizeof(Point) +
+                        header.face_count * sizeof(Triangle);
+  if (size == header.size_bytes) return absl::OkStatus();
+  return InvalidField(
+      "header.size_bytes",
+      absl::StrCat("header.size_bytes is ", header.size_bytes, ", but ",
+                   header.vertex_count, " vertices and ", header.face_count,
+                   " faces take ", size, " bytes"));
+}
+
+absl::Status CheckHeader(const UploadHeader& header, const Limits& limits) {
+  if (!header.expected_digest.empty() && !IsSha256Hex(header.expected_digest)) {
+    return InvalidField("header.expected_digest",
+                        "header.expected_digest must be empty or 64 lower-case "
+                        "hexadecimal digits");
+  }
+  if (header.size_bytes == 0) {
+    return InvalidField("header.size_bytes",
+                        "header.size_bytes is 0: an empty file is no mesh");
+  }
+  absl::Status status = CheckLimit("bytes", header.size_bytes,
+                                   "max_upload_bytes", limits.max_upload_bytes);
+  if (!status.ok()) return status;
+  if (header.format == UploadFormat::kArrays) {
+    return CheckArraysHeader(header, limits);
+  }
+  if (header.vertex_count != 0 || header.face_count != 0) {
+    return InvalidField(
+        header.vertex_count != 0 ? "header.vertex_count" : "header.face_count",
+        "header.vertex_count and header.face_count belong to uploads of "
+        "arrays; a file says itself what it holds");
+  }
+  return absl::OkStatus();
+}
+
+MeshFormat FileFormat(UploadFormat format) {
+  switch (format) {
+    case UploadFormat::kPly:
+      return MeshFormat::kPly;
+    case UploadFormat::kOff:
+      return MeshFormat::kOff;
+    case UploadFormat::kStl:
+      return MeshFormat::kStl;
+    case UploadFormat::kObj:
+    case UploadFormat::kArrays:
+      break;
+  }
+  return MeshFormat::kObj;
+}
+
+uint64_t SoupBytes(const TriangleSoup& soup) {
+  return soup.positions.capacity() * sizeof(Point) +
+         soup.triangles.capacity() * sizeof(Triangle);
+}
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<MeshUpload>> MeshUpload::Start(
+    UploadHeader header, const Limits& limits,
+    std::shared_ptr<ByteBudget> budget) {
+  if (absl::Status status = CheckHeader(header, limits); !status.ok()) {
+    return status;
+  }
+  absl::StatusOr<ByteReservation> nothing = ByteReservation::Make(budget, 0);
+  if (!nothing.ok()) return nothing.status();
+  auto upload = std::unique_ptr<MeshUpload>(
+      new MeshUpload(std::move(header), limits, std::move(budget)));
+  upload->reservation_ = *std::move(nothing);
+  return upload;
+}
+
+MeshUpload::MeshUpload(UploadHeader header, const Limits& limits,
+                       std::shared_ptr<ByteBudget> budget)
+    : header_(std::move(header)), limits_(limits), budget_(std::move(budget)) {}
+
+absl::Status MeshUpload::Append(uint64_t offset, std::string_view data) {
+  if (offset != bytes_.size()) {
+    return InvalidField("chunk.offset",
+                        absl::StrCat("chunk.offset is ", offset, ", but ",
+                                     bytes_.size(), " bytes came before it"));
+  }
+  if (data.size() > header_.size_bytes - bytes_.size()) {
+    return InvalidField(
+        "chunk.data",
+        absl::StrCat("the chunk at offset ", offset, " brings ", data.size(),
+                     " bytes, beyond the ", header_.size_bytes,
+                     " that header.size_bytes announced"));
+  }
+  if (const uint64_t needed = bytes_.size() + data.size();
+      needed > bytes_.capacity()) {
+    // Old and new buffer live side by side while the bytes move over.
+    const uint64_t held = bytes_.capacity();
+    const uint64_t capacity = std::min(
+        header_.size_bytes, std::max({needed, 2 * held, kFirstCapacity}));
+    absl::Status status = reservation_.GrowTo(held + capacity);
+    if (!status.ok()) return status;
+    bytes_.reserve(capacity);
+    reservation_.ShrinkTo(capacity);
+  }
+  bytes_.insert(bytes_.end(), data.begin(), data.end());
+  hash_.Update(data);
+  return absl::OkStatus();
+}
+
+absl::Status MeshUpload::Finish() {
+  if (bytes_.size() != header_.size_bytes) {
+    return InvalidField(
+        "header.size_bytes",
+        absl::StrCat("the upload ended after ", bytes_.size(), " of the ",
+                     header_.size_bytes,
+                     " bytes that header.size_bytes announced"));
+  }
+  file_ = {header_.format, hash_.FinishHex()};
+  return absl::OkStatus();
+}
+
+absl::StatusOr<TriangleSoup> MeshUpload::Parse() {
+  const bool arrays = header_.format == UploadFormat::kArrays;
+  const uint64_t soup_bound =
+      arrays ? bytes_.size() : kParseFactor * bytes_.size();
+  absl::Status status = reservation_.GrowTo(bytes_.capacity() + soup_bound);
+  if (!status.ok()) return status;
+  absl::StatusOr<TriangleSoup> soup = arrays ? ParseArrays() : ParseFile();
+  std::vector<char>().swap(bytes_);
+  if (!soup.ok()) {
+    reservation_.ShrinkTo(0);
+    return absl::IsInvalidArgument(soup.status())
+               ? WithField(soup.status(), "chunk.data")
+               : soup.status();
+  }
+  reservation_.ShrinkTo(SoupBytes(*soup));
+  if (status = reservation_.GrowTo(SoupBytes(*soup)); !status.ok()) {
+    return status;
+  }
+  return soup;
+}
+
+absl::Status MeshUpload::ReserveForBuild(uint64_t vertices, uint64_t faces) {
+  const uint64_t peak = Mesh::EstimateBuildBytes(vertices, faces);
+  const uint64_t resident = Mesh::EstimateResidentBytes(vertices, faces);
+  return reservation_.GrowTo(reservation_.bytes() +
+                             (peak > resident ? peak - resident : 0));
+}
+
+absl::StatusOr<TriangleSoup> MeshUpload::ParseArrays() const {
+  TriangleSoup soup;
+  soup.positions.resize(header_.vertex_count);
+  soup.triangles.resize(header_.face_count);
+  const size_t position_bytes = soup.positions.size() * sizeof(Point);
+  if (position_bytes != 0) {
+    std::memcpy(soup.positions.data(), bytes_.data(), position_bytes);
+  }
+  if (!soup.triangles.empty()) {
+    std::memcpy(soup.triangles.data(), bytes_.data() + position_bytes,
+                soup.triangles.size() * sizeof(Triangle));
+  }
+  return soup;
+}
+
+absl::StatusOr<TriangleSoup> MeshUpload::ParseFile() const {
+  const ReadLimits core_limits;
+  return ReadMesh(
+      {bytes_.data(), bytes_.size()}, FileFormat(header_.format),
+      {.max_vertices = std::min(limits_.max_vertices, core_limits.max_vertices),
+       .max_triangles =
+           std::min(limits_.max_faces, core_limits.max_triangles)});
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,76 @@
+// One upload: bytes as they arrive, checked and counted before they are kept.
+
+#ifndef GEODESIC_SERVER_ENGINE_MESH_UPLOAD_H_
+#define GEODESIC_SERVER_ENGINE_MESH_UPLOAD_H_
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/triangle_soup.h"
+#include "server/engine/byte_budget.h"
+#include "server/engine/limits.h"
+#include "server/engine/sha256.h"
+#include "server/engine/upload_header.h"
+
+namespace geodesic::server {
+
+// Not thread-safe. Call Append for each chunk, then Finish, then Parse.
+class MeshUpload {
+ public:
+  // Nothing is allocated on the word of the header.
+  // Errors: INVALID_ARGUMENT naming the field of the header;
+  // RESOURCE_EXHAUSTED naming the limit that the header exceeds.
+  static absl::StatusOr<std::unique_ptr<MeshUpload>> Start(
+      UploadHeader header, const Limits& limits,
+      std::shared_ptr<ByteBudget> budget);
+
+  // Takes the bytes at `offset`.
+  // Errors: INVALID_ARGUMENT when the offset is not the number of bytes so far
+  // or more bytes come than were announced; RESOURCE_EXHAUSTED when the budget
+  // has no room. An upload that has failed is of no further use.
+  absl::Status Append(uint64_t offset, std::string_view data);
+
+  // Says that no more will come.
+  // Errors: INVALID_ARGUMENT when bytes are missing.
+  absl::Status Finish();
+
+  // The name of the bytes. REQUIRES: Finish succeeded.
+  const FileKey& file() const { return file_; }
+
+  // Makes triangles of the bytes, which are gone afterwards. Linear in their
+  // number: not for a thread that must not wait. REQUIRES: Finish succeeded.
+  // Errors: INVALID_ARGUMENT naming line, byte or element; RESOURCE_EXHAUSTED
+  // when a limit is passed or memory is short.
+  absl::StatusOr<TriangleSoup> Parse();
+
+  // Takes from the upload budget what a build of this size needs beyond what
+  // stays resident.
+  // Errors: RESOURCE_EXHAUSTED.
+  absl::Status ReserveForBuild(uint64_t vertices, uint64_t faces);
+
+  const UploadHeader& header() const { return header_; }
+  uint64_t received_bytes() const { return bytes_.size(); }
+
+ private:
+  MeshUpload(UploadHeader header, const Limits& limits,
+             std::shared_ptr<ByteBudget> budget);
+
+  absl::StatusOr<TriangleSoup> ParseArrays() const;
+  absl::StatusOr<TriangleSoup> ParseFile() const;
+
+  const UploadHeader header_;
+  const Limits limits_;
+  const std::shared_ptr<ByteBudget> budget_;
+  ByteReservation reservation_;  // covers bytes_.capacity(), later the soup
+  std::vector<char> bytes_;
+  Sha256 hash_;
+  FileKey file_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_MESH_UPLOAD_H_

@@ -1,0 +1,339 @@
+#include "server/engine/query_engine.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "server/engine/job_checkpoint.h"
+#include "server/engine/mesh_digest.h"
+#include "server/engine/sha256.h"
+#include "server/engine/status_details.h"
+
+namespace geodesic::server {
+namespace {
+
+constexpr size_t kMaxDigestsPerRequest = 1000;
+constexpr int kDefaultPageSize = 100;
+constexpr int kMaxPageSize = 1000;
+
+absl::Status ShuttingDown() {
+  return absl::UnavailableError("the server is shutting down");
+}
+
+absl::Status CheckDigest(std::string_view field, const std::string& digest) {
+  if (IsSha256Hex(digest)) return absl::OkStatus();
+  const absl::string_view name(field.data(), field.size());
+  return InvalidField(
+      field,
+      absl::StrCat(name, " must be 64 lower-case hexadecimal digits, not \"",
+                   digest.substr(0, 80), "\""));
+}
+
+absl::Status NotResident(const std::string& digest) {
+  return absl::NotFoundError(
+      absl::StrCat("mesh ", digest, " is not resident; upload it again"));
+}
+
+// No exception may leave a job: the thread and the server live on.
+template <typename Work>
+auto Guarded(std::string_view what, Work work) -> decltype(work()) {
+  const absl::string_view name(what.data(), what.size());
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return absl::ResourceExhaustedError(
+        absl::StrCat("the server ran out of memory while it ", name));
+  } catch (const std::exception& error) {
+    return absl::InternalError(
+        absl::StrCat("exception while the server ", name, ": ", error.what()));
+  }
+}
+
+}  // namespace
+
+QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
+                         Executor& executor, SolveFunction solve)
+    : limits_(limits),
+      clock_(clock),
+      solve_(std::move(solve)),
+      upload_memory_(std::make_shared<ByteBudget>("upload memory",
+                                                  limits.upload_memory_bytes)),
+      solver_memory_(std::make_shared<ByteBudget>("solver memory",
+                                                  limits.solver_memory_bytes)),
+      meshes_(limits.mesh_store_bytes),
+      fields_("field cache", limits.field_cache_bytes),
+      scheduler_(executor, limits.max_concurrent_jobs, limits.max_queued_jobs) {
+}
+
+QueryEngine::~QueryEngine() { StopAll(); }
+
+absl::StatusOr<MissingMeshes> QueryEngine::FindMissing(
+    const std::vector<std::string>& mesh_digests,
+    const std::vector<FileKey>& files) {
+  if (mesh_digests.size() + files.size() > kMaxDigestsPerRequest) {
+    return InvalidField(
+        "mesh_digests",
+        absl::StrCat("mesh_digests and files have ",
+                     mesh_digests.size() + files.size(),
+                     " items together; at most ", kMaxDigestsPerRequest,
+                     " are answered at once"));
+  }
+  MissingMeshes missing;
+  for (size_t i = 0; i < mesh_digests.size(); ++i) {
+    absl::Status status =
+        CheckDigest(absl::StrCat("mesh_digests[", i, "]"), mesh_digests[i]);
+    if (!status.ok()) return status;
+    // Marks the mesh as used, so that it outlives the client's next step.
+    if (meshes_.Find(mesh_digests[i]) == nullptr) {
+      missing.mesh_digests.push_back(mesh_digests[i]);
+    }
+  }
+  for (size_t i = 0; i < files.size(); ++i) {
+    absl::Status status =
+        CheckDigest(absl::StrCat("files[", i, "].sha256"), files[i].sha256);
+    if (!status.ok()) return status;
+    const std::optional<std::string> digest = meshes_.FindFile(files[i]);
+    if (digest && meshes_.Find(*digest) != nullptr) {
+      missing.known_files.push_back({files[i], *digest});
+    } else {
+      missing.files.push_back(files[i]);
+    }
+  }
+  return missing;
+}
+
+absl::StatusOr<std::unique_ptr<MeshUpload>> QueryEngine::StartUpload(
+    UploadHeader header) {
+  if (draining_) return ShuttingDown();
+  return MeshUpload::Start(std::move(header), limits_, upload_memory_);
+}
+
+absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
+    std::unique_ptr<MeshUpload> upload, UploadCallback done) {
+  if (absl::Status status = upload->Finish(); !status.ok()) return status;
+  const std::string& expected = upload->header().expected_digest;
+  if (const auto digest = meshes_.FindFile(upload->file());
+      digest && (expected.empty() || expected == *digest)) {
+    if (MeshHandle mesh = meshes_.Find(*digest)) {
+      upload.reset();
+      done(UploadResult{std::move(mesh), true});
+      return std::nullopt;
+    }
+  }
+  // Both callbacks share what only one of them will use.
+  auto shared = std::make_shared<UploadCallback>(std::move(done));
+  absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
+      {.priority = JobPriority::kBuild,
+       .run =
+           [this, shared, work = std::move(upload)](std::stop_token) mutable {
+             auto result =
+                 Guarded("built a mesh", [&] { return BuildMesh(*work); });
+             work.reset();
+             (*shared)(result);
+           },
+       .abandon = [shared](const absl::Status& status) { (*shared)(status); }});
+  if (!job.ok()) return job.status();
+  return *job;
+}
+
+void QueryEngine::CancelUpload(Scheduler::JobId job) { scheduler_.Cancel(job); }
+
+absl::StatusOr<UploadResult> QueryEngine::BuildMesh(MeshUpload& upload) {
+  absl::StatusOr<TriangleSoup> soup = upload.Parse();
+  if (!soup.ok()) return soup.status();
+  std::string digest = MeshDigest(soup->positions, soup->triangles);
+  const std::string& expected = upload.header().expected_digest;
+  if (!expected.empty() && expected != digest) {
+    return InvalidField("header.expected_digest",
+                        absl::StrCat("the mesh has digest ", digest,
+                                     ", not the expected ", expected));
+  }
+  if (MeshHandle mesh = meshes_.Find(digest)) {
+    meshes_.AddFile(upload.file(), digest);
+    return UploadResult{std::move(mesh), true};
+  }
+
+  const uint64_t vertices = soup->positions.size();
+  const uint64_t faces = soup->triangles.size();
+  if (absl::Status status = upload.ReserveForBuild(vertices, faces);
+      !status.ok()) {
+    return status;
+  }
+  absl::StatusOr<ByteReservation> room =
+      meshes_.Reserve(Mesh::EstimateResidentBytes(vertices, faces) +
+                      sizeof(ResidentMesh) + digest.capacity());
+  if (!room.ok()) return room.status();
+  absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
+      Mesh::Build(*std::move(soup));
+  if (!mesh.ok()) {
+    return absl::IsInvalidArgument(mesh.status())
+               ? WithField(mesh.status(), "chunk.data")
+               : mesh.status();
+  }
+  MeshStore::Inserted inserted = meshes_.Insert(
+      {std::move(digest), *mesh, Summarize(**mesh)}, *std::move(room));
+  meshes_.AddFile(upload.file(), inserted.mesh->digest);
+  ++meshes_built_;
+  return UploadResult{std::move(inserted.mesh), !inserted.is_new};
+}
+
+absl::StatusOr<MeshHandle> QueryEngine::GetMesh(const std::string& digest) {
+  if (absl::Status status = CheckDigest("digest", digest); !status.ok()) {
+    return status;
+  }
+  MeshHandle mesh = meshes_.Find(digest);
+  if (mesh == nullptr) return NotResident(digest);
+  return mesh;
+}
+
+absl::StatusOr<MeshPage> QueryEngine::ListMeshes(int page_size,
+                                                 const std::string& token) {
+  if (page_size < 0) {
+    return InvalidField("page_size", absl::StrCat("page_size is ", page_size,
+                                                  "; it must not be negative"));
+  }
+  // A token is the last digest of the page before.
+  if (!token.empty() && !IsSha256Hex(token)) {
+    return InvalidField("page_token",
+                        "page_token is none that this server gave out");
+  }
+  const size_t count =
+      page_size == 0 ? kDefaultPageSize : std::min(page_size, kMaxPageSize);
+  MeshPage page;
+  page.meshes = meshes_.List(token, count + 1);
+  if (page.meshes.size() > count) {
+    page.meshes.pop_back();
+    page.next_token = page.meshes.back()->digest;
+  }
+  return page;
+}
+
+absl::Status QueryEngine::DeleteMesh(const std::string& digest) {
+  if (absl::Status status = CheckDigest("digest", digest); !status.ok()) {
+    return status;
+  }
+  const bool was_resident = meshes_.Erase(digest);
+  fields_.EraseIf(
+      [&](const FieldKey& key) { return key.mesh_digest == digest; });
+  return was_resident ? absl::OkStatus() : NotResident(digest);
+}
+
+absl::StatusOr<FieldCall> QueryEngine::ComputeField(
+    const FieldRequest& request, std::shared_ptr<FieldObserver> observer) {
+  const Query& query = request.query;
+  if (query.sources.size() > limits_.max_sources) {
+    return absl::ResourceExhaustedError(
+        absl::StrCat("the query has ", query.sources.size(),
+                     " sources; max_sources is ", limits_.max_sources));
+  }
+  absl::Status status = CheckDigest("mesh_digest", request.mesh_digest);
+  if (!status.ok()) return status;
+  MeshHandle mesh = meshes_.Find(request.mesh_digest);
+  if (mesh == nullptr) return NotResident(request.mesh_digest);
+  const uint64_t vertices = mesh->mesh->vertex_count();
+  if (status = Validate(query, vertices); !status.ok()) {
+    return WithField(status, "sources");
+  }
+
+  const FieldKey key = MakeFieldKey(mesh->digest, query, solve_options_);
+  FieldCall call{.vertex_count = vertices, .algorithm = query.algorithm};
+  const auto find_cached = [&] {
+    call.field = fields_.Find(key);
+    if (call.field == nullptr) return false;
+    call.origin = FieldOrigin::kCached;
+    ++queries_cached_;
+    return true;
+  };
+  if (find_cached()) return call;
+
+  call.seat = flights_.Join(key, {std::move(observer), request.deadline});
+  if (!call.seat.is_first) {
+    call.origin = FieldOrigin::kJoined;
+    ++queries_joined_;
+    return call;
+  }
+  const std::shared_ptr<FieldFlights::Flight> flight = call.seat.flight;
+  // The flight before this one may have landed after the first look.
+  if (find_cached()) {
+    flights_.Leave(call.seat);
+    flights_.Complete(*flight, call.field);
+    return call;
+  }
+  absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
+      {.priority = JobPriority::kSolve,
+       .run =
+           [this, mesh = std::move(mesh), key, flight](std::stop_token stop) {
+             flights_.Complete(*flight, Guarded("computed a field", [&] {
+               return SolveField(*mesh, key, *flight, std::move(stop));
+             }));
+           },
+       .abandon =
+           [this, flight](const absl::Status& why) {
+             flights_.Complete(*flight, why);
+           }});
+  if (!job.ok()) {
+    flights_.Leave(call.seat);
+    flights_.Complete(*flight, job.status());
+    return job.status();
+  }
+  flights_.SetJob(*flight, *job);
+  return call;
+}
+
+absl::StatusOr<FieldHandle> QueryEngine::SolveField(
+    const ResidentMesh& mesh, const FieldKey& key, FieldFlights::Flight& flight,
+    std::stop_token stop) {
+  // The cache's room is taken first: a field that nobody could keep while it
+  // is streamed would be memory out of all bounds.
+  absl::StatusOr<ByteReservation> room =
+      fields_.Reserve(FieldBytes(key, mesh.mesh->vertex_count()));
+  if (!room.ok()) return room.status();
+  absl::StatusOr<ByteReservation> memory =
+      ByteReservation::Make(solver_memory_, 0);
+  if (!memory.ok()) return memory.status();
+
+  ++solves_started_;
+  JobCheckpoint checkpoint(flights_, flight, clock_, std::move(stop),
+                           *std::move(memory), limits_.progress_interval);
+  absl::StatusOr<DistanceField> field =
+      solve_(*mesh.mesh, {.sources = key.sources, .algorithm = key.algorithm},
+             solve_options_, checkpoint);
+  if (!field.ok()) {
+    ++solves_stopped_;
+    return field.status();
+  }
+  ++solves_finished_;
+  return fields_.Insert(key, *std::move(field), *std::move(room)).value;
+}
+
+void QueryEngine::Cancel(const FieldCall& call) {
+  if (call.seat.flight == nullptr) return;
+  if (const auto job = flights_.Leave(call.seat)) scheduler_.Cancel(*job);
+}
+
+void QueryEngine::BeginDrain() {
+  draining_ = true;
+  scheduler_.BeginDrain();
+}
+
+void QueryEngine::StopAll() {
+  draining_ = true;
+  scheduler_.StopAll();
+}
+
+bool QueryEngine::WaitIdle(std::chrono::milliseconds limit) {
+  return scheduler_.WaitIdle(limit);
+}
+
+EngineCounters QueryEngine::counters() const {
+  return {.solves_started = solves_started_,
+          .solves_finished = solves_finished_,
+          .solves_stopped = solves_stopped_,
+          .queries_joined = queries_joined_,
+          .queries_cached = queries_cached_,
+          .meshes_built = meshes_built_};
+}
+
+}  // namespace geodesic::server

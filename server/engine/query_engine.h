@@ -1,0 +1,196 @@
+// The service without its wire: resident meshes, uploads and field queries.
+//
+//   SteadyClock clock;
+//   ThreadPool pool(limits.max_concurrent_jobs);
+//   QueryEngine engine(limits, clock, pool);
+//   absl::StatusOr<FieldCall> call = engine.ComputeField(request, observer);
+//   ...                    // observer->OnField brings the field
+//   engine.Cancel(*call);  // or nobody needs it any more
+
+#ifndef GEODESIC_SERVER_ENGINE_QUERY_ENGINE_H_
+#define GEODESIC_SERVER_ENGINE_QUERY_ENGINE_H_
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/query.h"
+#include "geodesic/solve.h"
+#include "server/engine/byte_budget.h"
+#include "server/engine/clock.h"
+#include "server/engine/executor.h"
+#include "server/engine/field_cache.h"
+#include "server/engine/field_flight.h"
+#include "server/engine/limits.h"
+#include "server/engine/mesh_store.h"
+#include "server/engine/mesh_upload.h"
+#include "server/engine/scheduler.h"
+
+namespace geodesic::server {
+
+using SolveFunction = std::function<absl::StatusOr<DistanceField>(
+    const Mesh&, const Query&, const SolveOptions&, Checkpoint&)>;
+
+struct FieldRequest {
+  std::string mesh_digest;
+  Query query;
+  TimePoint deadline = kNoDeadline;
+};
+
+enum class FieldOrigin { kSolved, kJoined, kCached };
+
+// What a query was answered with at once.
+struct FieldCall {
+  FieldOrigin origin = FieldOrigin::kSolved;
+  uint64_t vertex_count = 0;
+  Algorithm algorithm = kDefaultAlgorithm;
+  // Set when origin is kCached; the observer is then never called.
+  FieldHandle field;
+  // Otherwise, for Cancel.
+  FieldFlights::Seat seat;
+};
+
+struct UploadResult {
+  MeshHandle mesh;
+  bool already_resident = false;
+};
+using UploadCallback = std::function<void(const absl::StatusOr<UploadResult>&)>;
+
+struct MissingMeshes {
+  std::vector<std::string> mesh_digests;
+  std::vector<FileKey> files;
+  struct KnownFile {
+    FileKey file;
+    std::string mesh_digest;
+  };
+  std::vector<KnownFile> known_files;
+};
+
+struct MeshPage {
+  std::vector<MeshHandle> meshes;
+  // Empty on the last page.
+  std::string next_token;
+};
+
+// How often things have happened since the start.
+struct EngineCounters {
+  uint64_t solves_started = 0;
+  uint64_t solves_finished = 0;
+  // Cancelled, late, out of memory, or failed.
+  uint64_t solves_stopped = 0;
+  uint64_t queries_joined = 0;
+  uint64_t queries_cached = 0;
+  uint64_t meshes_built = 0;
+};
+
+// Thread-safe. No call waits for a job. No exception leaves a job: bad_alloc
+// becomes RESOURCE_EXHAUSTED, anything else INTERNAL.
+class QueryEngine {
+ public:
+  // `clock` and `executor` outlive the engine. `solve` is the seam where tests
+  // hold a solver up.
+  QueryEngine(const Limits& limits, const Clock& clock, Executor& executor,
+              SolveFunction solve = &Solve);
+
+  // Stops all jobs and waits for them.
+  // REQUIRES: the executor runs what it has been given.
+  ~QueryEngine();
+
+  const Limits& limits() const { return limits_; }
+
+  // Errors: INVALID_ARGUMENT naming a malformed digest, or the number of items
+  // when there are more than 1000.
+  absl::StatusOr<MissingMeshes> FindMissing(
+      const std::vector<std::string>& mesh_digests,
+      const std::vector<FileKey>& files);
+
+  // Errors: as MeshUpload::Start; UNAVAILABLE while shutting down.
+  absl::StatusOr<std::unique_ptr<MeshUpload>> StartUpload(UploadHeader header);
+
+  // Parses and builds the mesh in a job and calls `done` from there, once,
+  // unless the job is cancelled before it starts. Calls it at once, from here,
+  // when the file is known.
+  // Errors, here or in `done`: INVALID_ARGUMENT (bytes missing; a malformed
+  // file; a refused mesh; another digest than expected); RESOURCE_EXHAUSTED;
+  // UNAVAILABLE.
+  absl::StatusOr<std::optional<Scheduler::JobId>> FinishUpload(
+      std::unique_ptr<MeshUpload> upload, UploadCallback done);
+
+  // Drops an upload's job that waits for a thread.
+  void CancelUpload(Scheduler::JobId job);
+
+  // Errors: INVALID_ARGUMENT: malformed digest; NOT_FOUND: not resident.
+  absl::StatusOr<MeshHandle> GetMesh(const std::string& digest);
+
+  // `page_size` 0 means 100, above 1000 is taken as 1000.
+  // Errors: INVALID_ARGUMENT: negative size or malformed token.
+  absl::StatusOr<MeshPage> ListMeshes(int page_size, const std::string& token);
+
+  // Drops the mesh and the fields computed on it; running jobs are left alone.
+  // Errors: as GetMesh.
+  absl::Status DeleteMesh(const std::string& digest);
+
+  // Starts, joins or finds the computation of a field.
+  // Errors: INVALID_ARGUMENT, NOT_FOUND, RESOURCE_EXHAUSTED (too many sources;
+  // queue full), UNAVAILABLE; `observer` is then not called. It may already be
+  // called before this returns.
+  absl::StatusOr<FieldCall> ComputeField(
+      const FieldRequest& request, std::shared_ptr<FieldObserver> observer);
+
+  // The caller of `call` waits no longer. When it was the last, the solver
+  // stops at its next poll.
+  void Cancel(const FieldCall& call);
+
+  // From now on uploads and queries that need a job fail with UNAVAILABLE.
+  void BeginDrain();
+  // BeginDrain, and what waits or runs is stopped with UNAVAILABLE.
+  void StopAll();
+  // Waits until there is no job. False when `limit` passed first.
+  bool WaitIdle(std::chrono::milliseconds limit);
+
+  EngineCounters counters() const;
+  const MeshStore& meshes() const { return meshes_; }
+  const FieldCache& fields() const { return fields_; }
+  const FieldFlights& flights() const { return flights_; }
+  const Scheduler& scheduler() const { return scheduler_; }
+
+ private:
+  absl::StatusOr<UploadResult> BuildMesh(MeshUpload& upload);
+  absl::StatusOr<FieldHandle> SolveField(const ResidentMesh& mesh,
+                                         const FieldKey& key,
+                                         FieldFlights::Flight& flight,
+                                         std::stop_token stop);
+
+  const Limits limits_;
+  const SolveOptions solve_options_;
+  const Clock& clock_;
+  const SolveFunction solve_;
+  const std::shared_ptr<ByteBudget> upload_memory_;
+  const std::shared_ptr<ByteBudget> solver_memory_;
+  MeshStore meshes_;
+  FieldCache fields_;
+  FieldFlights flights_;
+
+  std::atomic<bool> draining_ = false;
+  std::atomic<uint64_t> solves_started_ = 0;
+  std::atomic<uint64_t> solves_finished_ = 0;
+  std::atomic<uint64_t> solves_stopped_ = 0;
+  std::atomic<uint64_t> queries_joined_ = 0;
+  std::atomic<uint64_t> queries_cached_ = 0;
+  std::atomic<uint64_t> meshes_built_ = 0;
+
+  // Last, so that no job is left when the others go.
+  Scheduler scheduler_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_QUERY_ENGINE_H_

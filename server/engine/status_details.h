@@ -1,0 +1,33 @@
+// What the engine tells besides a code and a message, carried as payloads of
+// absl::Status so that it survives every layer in between.
+
+#ifndef GEODESIC_SERVER_ENGINE_STATUS_DETAILS_H_
+#define GEODESIC_SERVER_ENGINE_STATUS_DETAILS_H_
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "absl/status/status.h"
+
+namespace geodesic::server {
+
+// Names the part of the request at fault, e.g. "header.size_bytes". The
+// status's message describes the fault. OK stays OK.
+absl::Status WithField(absl::Status status, std::string_view field);
+
+// INVALID_ARGUMENT with that field.
+absl::Status InvalidField(std::string_view field, std::string_view message);
+
+std::optional<std::string> FieldAtFault(const absl::Status& status);
+
+// Says that the same request may succeed after `delay`. OK stays OK.
+absl::Status WithRetryAfter(absl::Status status,
+                            std::chrono::milliseconds delay);
+
+std::optional<std::chrono::milliseconds> RetryAfter(const absl::Status& status);
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_STATUS_DETAILS_H_
