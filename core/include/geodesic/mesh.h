@@ -10,8 +10,9 @@
 // Guarantees:
 //   1. vertex and face numbers are the caller's; nothing is renumbered,
 //      merged, duplicated or dropped;
-//   2. boundaries, holes, several components, isolated vertices, zero-area
-//      faces and coincident vertices are ordinary input;
+//   2. boundaries, holes, several components, isolated vertices, vertices where
+//      surfaces touch, zero-area faces and coincident vertices are ordinary
+//      input;
 //   3. positions() holds the caller's bits.
 
 #ifndef GEODESIC_MESH_H_
@@ -53,7 +54,7 @@ class Mesh {
   // Errors, all INVALID_ARGUMENT and naming the first offender: no face; a
   // coordinate that is not finite; an index out of range; a face that repeats
   // a vertex; an edge with three faces or more; two faces that run along an
-  // edge in the same direction; a vertex that joins two closed fans of faces.
+  // edge in the same direction.
   // RESOURCE_EXHAUSTED: more faces or vertices than 32-bit numbers can name.
   static absl::StatusOr<std::shared_ptr<const Mesh>> Build(TriangleSoup soup);
 

@@ -1,0 +1,158 @@
+// solve: exact geodesic distances of a mesh file, timed, as one line of JSON.
+// It is how this project's speed is compared with other programs'.
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/mesh.h"
+#include "geodesic/read_mesh.h"
+#include "geodesic/solve.h"
+
+namespace geodesic {
+namespace {
+
+struct Options {
+  std::string mesh_file;
+  uint32_t source = 0;
+  std::string algorithm{AlgorithmName(kDefaultAlgorithm)};
+  int repeat = 1;
+  int threads = 1;
+  double bucket_width = SolveOptions().bucket_width;
+  std::string output;
+};
+
+double SecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+absl::StatusOr<std::shared_ptr<const Mesh>> Load(const std::string& path) {
+  absl::StatusOr<MeshFormat> format = MeshFormatFromPath(path);
+  if (!format.ok()) return format.status();
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return absl::NotFoundError("cannot open " + path);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  absl::StatusOr<TriangleSoup> soup = ReadMesh(bytes, *format);
+  if (!soup.ok()) return soup.status();
+  return Mesh::Build(*std::move(soup));
+}
+
+absl::Status Write(const std::string& path, const std::vector<double>& values) {
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(values.data()),
+             static_cast<std::streamsize>(values.size() * sizeof(double)));
+  if (!file.flush()) return absl::UnavailableError("cannot write " + path);
+  return absl::OkStatus();
+}
+
+double Median(std::vector<double> values) {
+  const auto middle =
+      values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double PeakRssMb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+absl::Status Run(const Options& options) {
+  absl::StatusOr<Algorithm> algorithm = AlgorithmFromName(options.algorithm);
+  if (!algorithm.ok()) return algorithm.status();
+
+  const auto start = std::chrono::steady_clock::now();
+  absl::StatusOr<std::shared_ptr<const Mesh>> mesh = Load(options.mesh_file);
+  if (!mesh.ok()) return mesh.status();
+  const double setup_seconds = SecondsSince(start);
+
+  const Query query{.sources = {{.vertex = options.source}},
+                    .algorithm = *algorithm};
+  NoCheckpoint checkpoint;
+  std::vector<double> seconds;
+  DistanceField field;
+  for (int i = 0; i < options.repeat; ++i) {
+    absl::StatusOr<DistanceField> solved =
+        Solve(**mesh, query, {.bucket_width = options.bucket_width},
+              checkpoint);
+    if (!solved.ok()) return solved.status();
+    field = *std::move(solved);
+    seconds.push_back(field.statistics.solve_seconds);
+  }
+  if (!options.output.empty()) {
+    if (absl::Status status = Write(options.output, field.distances);
+        !status.ok()) {
+      return status;
+    }
+  }
+  const SolveStatistics& statistics = field.statistics;
+  std::cout << nlohmann::ordered_json{
+                   {"faces", (*mesh)->face_count()},
+                   {"vertices", (*mesh)->vertex_count()},
+                   {"algorithm", options.algorithm},
+                   {"threads", options.threads},
+                   {"setup_s", setup_seconds},
+                   {"solve_s", Median(seconds)},
+                   {"solve_s_all", seconds},
+                   {"windows_created", statistics.windows_created},
+                   {"windows_propagated", statistics.windows_propagated},
+                   {"iterations", statistics.iterations},
+                   {"peak_windows", statistics.peak_windows},
+                   {"peak_rss_mb", PeakRssMb()}}
+                   .dump()
+            << "\n";
+  return absl::OkStatus();
+}
+
+}  // namespace
+}  // namespace geodesic
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Solves exact geodesic distances on a mesh file and prints the cost as "
+      "one line of JSON."};
+  geodesic::Options options;
+  app.add_option("MESH_FILE", options.mesh_file, "OBJ, PLY, OFF or STL file")
+      ->required()
+      ->check(CLI::ExistingFile);
+  app.add_option("SOURCE", options.source, "source vertex, 0-based")
+      ->required();
+  app.add_option("--algorithm", options.algorithm,
+                 "fwp-ch, fwp-mmp, ich or mmp")
+      ->capture_default_str();
+  app.add_option("--threads", options.threads,
+                 "threads to solve with; one query runs on one thread")
+      ->check(CLI::Range(1, 1))
+      ->capture_default_str();
+  app.add_option("--repeat", options.repeat, "solve this many times")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--bucket-width", options.bucket_width,
+                 "FWP bucket width in units of h / sqrt(n)")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--output", options.output,
+                 "write the field to this file, raw little-endian doubles");
+  CLI11_PARSE(app, argc, argv);
+  if (absl::Status status = geodesic::Run(options); !status.ok()) {
+    std::cerr << "solve: " << std::string(status.message()) << "\n";
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,232 @@
+#include "geodesic/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "connectivity.h"
+#include "tolerances.h"
+
+namespace geodesic {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+double Dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector Cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+          a[0] * b[1] - a[1] * b[0]};
+}
+
+double Norm(const Vector& a) { return std::sqrt(Dot(a, a)); }
+
+absl::Status CheckSoup(const TriangleSoup& soup) {
+  constexpr uint64_t kMostVertices = std::numeric_limits<uint32_t>::max() / 2;
+  constexpr uint64_t kMostFaces = (kNoHalfEdge - 1) / 3;
+  const uint64_t vertices = soup.positions.size();
+  const uint64_t faces = soup.triangles.size();
+  if (vertices > kMostVertices || faces > kMostFaces) {
+    return absl::ResourceExhaustedError(
+        absl::StrCat("a mesh of ", vertices, " vertices and ", faces,
+                     " faces is too large: at most ", kMostVertices,
+                     " vertices and ", kMostFaces, " faces are possible"));
+  }
+  if (faces == 0) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("the mesh has no faces (", vertices,
+                     " vertices): there is no surface to measure on"));
+  }
+  for (uint64_t v = 0; v < vertices; ++v) {
+    for (double x : soup.positions[v]) {
+      if (!std::isfinite(x)) {
+        return absl::InvalidArgumentError(absl::StrCat(
+            "vertex ", v, " has a coordinate that is not finite (", x, ")"));
+      }
+    }
+  }
+  for (uint64_t f = 0; f < faces; ++f) {
+    const auto& [a, b, c] = soup.triangles[f];
+    for (uint32_t v : {a, b, c}) {
+      if (v >= vertices) {
+        return absl::InvalidArgumentError(
+            absl::StrCat("face ", f, " names vertex ", v, ", but there are ",
+                         vertices, " vertices"));
+      }
+    }
+    if (a == b || b == c || c == a) {
+      return absl::InvalidArgumentError(absl::StrCat(
+          "face ", f, " repeats vertex ", a == b || c == a ? a : b));
+    }
+  }
+  return absl::OkStatus();
+}
+
+// The exponent e for which the mesh's longest extent lies in [2^(e-1), 2^e).
+int ScaleExponent(std::span<const Point> positions) {
+  double longest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = positions[0][axis], high = low;
+    for (const Point& p : positions) {
+      low = std::min(low, p[axis]);
+      high = std::max(high, p[axis]);
+    }
+    longest = std::max(longest, high / 4 - low / 4);
+  }
+  if (longest == 0) return 0;
+  // 2^(2 - e) must stay a normal number.
+  return std::clamp(std::ilogb(longest) + 3, -1000, 1027);
+}
+
+// Differences of points in the scaled unit. Quarters first: no difference of
+// doubles then overflows, and none loses a bit above the subnormal range.
+class ScaledDifference {
+ public:
+  explicit ScaledDifference(int scale_exponent)
+      : factor_(std::ldexp(1.0, 2 - scale_exponent)) {}
+
+  Vector operator()(const Point& from, const Point& to) const {
+    return {(to[0] / 4 - from[0] / 4) * factor_,
+            (to[1] / 4 - from[1] / 4) * factor_,
+            (to[2] / 4 - from[2] / 4) * factor_};
+  }
+
+ private:
+  double factor_;
+};
+
+}  // namespace
+
+absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(TriangleSoup soup) {
+  if (absl::Status status = CheckSoup(soup); !status.ok()) return status;
+  absl::StatusOr<std::vector<HalfEdge>> twins =
+      FindTwins(soup.triangles, soup.positions.size());
+  if (!twins.ok()) return twins.status();
+  std::shared_ptr<Mesh> mesh(new Mesh(std::move(soup)));
+  mesh->BuildFrames(*twins);
+  mesh->BuildOutgoing();
+  mesh->ClassifyVertices();
+  return mesh;
+}
+
+uint64_t Mesh::EstimateResidentBytes(uint64_t vertices, uint64_t faces) {
+  return sizeof(Mesh) + faces * (3 * sizeof(HalfEdgeFrame) + sizeof(Triangle) +
+                                 3 * sizeof(HalfEdge)) +
+         vertices * (sizeof(Point) + sizeof(uint32_t) + sizeof(uint8_t)) +
+         sizeof(uint32_t);
+}
+
+uint64_t Mesh::EstimateBuildBytes(uint64_t vertices, uint64_t faces) {
+  constexpr uint64_t kTwinAndSidePerHalfEdge = 12, kCursorsPerVertex = 8;
+  return EstimateResidentBytes(vertices, faces) +
+         3 * faces * kTwinAndSidePerHalfEdge + vertices * kCursorsPerVertex;
+}
+
+uint64_t Mesh::resident_bytes() const {
+  return sizeof(Mesh) + positions_.capacity() * sizeof(Point) +
+         triangles_.capacity() * sizeof(Triangle) +
+         frames_.capacity() * sizeof(HalfEdgeFrame) +
+         outgoing_begin_.capacity() * sizeof(uint32_t) +
+         outgoing_.capacity() * sizeof(HalfEdge) + kinds_.capacity();
+}
+
+Mesh::Mesh(TriangleSoup soup)
+    : positions_(std::move(soup.positions)),
+      triangles_(std::move(soup.triangles)),
+      scale_exponent_(ScaleExponent(positions_)) {
+  positions_.shrink_to_fit();
+  triangles_.shrink_to_fit();
+}
+
+void Mesh::BuildFrames(std::span<const HalfEdge> twins) {
+  const ScaledDifference difference(scale_exponent_);
+  frames_.resize(twins.size());
+  double sum = 0;
+  uint64_t edges = 0;
+  for (HalfEdge h = 0; h < twins.size(); ++h) {
+    const Point& a = positions_[From(h)];
+    const Point& b = positions_[To(h)];
+    const Point& c = positions_[Apex(h)];
+    const Vector ab = difference(a, b), ac = difference(a, c),
+                 bc = difference(b, c);
+    HalfEdgeFrame& frame = frames_[h];
+    frame.length = Norm(ab);
+    const double left = Norm(ac), right = Norm(bc);
+    if (frame.length > 0) {
+      // Coordinates rather than the three lengths: a cap's height is far below
+      // one rounding of its lengths.
+      frame.apex_x = Dot(ab, ac) / frame.length;
+      frame.apex_y = std::max(Norm(Cross(ab, ac)) / frame.length, kLeastHeight);
+    } else {
+      frame.apex_x = 0;
+      frame.apex_y = std::max(left, kLeastHeight);
+    }
+    // A side without length carries no window; any unit vector will do.
+    frame.left_x = left > 0 ? frame.apex_x / left : 1;
+    frame.left_y = left > 0 ? frame.apex_y / left : 0;
+    frame.right_x = right > 0 ? (frame.apex_x - frame.length) / right : -1;
+    frame.right_y = right > 0 ? frame.apex_y / right : 0;
+    frame.left_exit = twins[Prev(h)];
+    frame.right_exit = twins[Next(h)];
+    if (twins[h] == kNoHalfEdge || h < twins[h]) {
+      sum += frame.length;
+      ++edges;
+    }
+  }
+  mean_edge_length_ = sum / static_cast<double>(edges);
+}
+
+void Mesh::BuildOutgoing() {
+  outgoing_begin_.assign(vertex_count() + 1, 0);
+  for (HalfEdge h = 0; h < half_edge_count(); ++h) {
+    ++outgoing_begin_[From(h) + 1];
+  }
+  for (uint32_t v = 0; v < vertex_count(); ++v) {
+    outgoing_begin_[v + 1] += outgoing_begin_[v];
+  }
+  outgoing_.resize(half_edge_count());
+  std::vector<uint32_t> fill(outgoing_begin_.begin(), outgoing_begin_.end() - 1);
+  for (HalfEdge h = 0; h < half_edge_count(); ++h) {
+    outgoing_[fill[From(h)]++] = h;
+  }
+}
+
+void Mesh::ClassifyVertices() {
+  kinds_.assign(vertex_count(), 0);
+  for (uint32_t v = 0; v < vertex_count(); ++v) {
+    const std::span<const HalfEdge> outgoing = Outgoing(v);
+    if (outgoing.empty()) continue;
+    double angle = 0;
+    for (HalfEdge h : outgoing) {
+      const HalfEdgeFrame& frame = frames_[h];
+      angle += std::atan2(frame.apex_y, frame.apex_x);
+      if (Twin(h) == kNoHalfEdge || Twin(Prev(h)) == kNoHalfEdge) {
+        kinds_[v] |= kBoundary | kPseudoSource;
+      }
+      const double longest = std::max(
+          {frame.length, frames_[Next(h)].length, frames_[Prev(h)].length});
+      if (frame.length <= kCollapsedEdge * longest ||
+          frames_[Prev(h)].length <= kCollapsedEdge * longest) {
+        kinds_[v] |= kPseudoSource;
+      }
+    }
+    // One closed fan comes back to its first face after all of them.
+    size_t fan = 0;
+    for (HalfEdge h = outgoing[0];;) {
+      ++fan;
+      h = Twin(Prev(h));
+      if (h == kNoHalfEdge || h == outgoing[0]) break;
+    }
+    if (fan < outgoing.size()) kinds_[v] |= kPseudoSource;
+    if (!(kinds_[v] & kBoundary) && angle > 2 * std::numbers::pi + kFlatAngle) {
+      kinds_[v] |= kSaddle | kPseudoSource;
+    }
+  }
+}
+
+}  // namespace geodesic

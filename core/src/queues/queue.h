@@ -1,0 +1,49 @@
+// What a queue of windows is. A queue knows 32-bit numbers and labels, nothing
+// of windows: rules and queues combine freely.
+
+#ifndef GEODESIC_QUEUES_QUEUE_H_
+#define GEODESIC_QUEUES_QUEUE_H_
+
+#include <concepts>
+#include <cstdint>
+
+namespace geodesic {
+
+// Numbers with this bit stand for pseudo-source events (the rest is the
+// vertex), the others for windows.
+inline constexpr uint32_t kVertexEvent = 0x80000000u;
+inline constexpr uint32_t kNothing = 0xffffffffu;
+
+// Push(id, label): label is finite and not below the label of what was popped
+//   last by more than rounding.
+// Pop(): the next id, kNothing when empty.
+// Upcoming(k): the id that the k-th Pop from now will give, if that is known
+//   and stays likely; kNothing otherwise. A hint for prefetching.
+// MarkVoid(): an id still in the queue has become void; it stays in place (its
+//   label is a valid lower bound, trap 7) but no longer counts into size().
+// DropVoid(): the id just popped was void.
+// SettledRadius(): a lower bound on every label pending, never decreasing.
+// size(): the wavefront, void ids left out. iterations(): batches begun.
+template <typename Q>
+concept WindowQueue = requires(Q queue, const Q& view, uint32_t id,
+                               double label) {
+  queue.Push(id, label);
+  { queue.Pop() } -> std::same_as<uint32_t>;
+  { view.Upcoming(1) } -> std::same_as<uint32_t>;
+  queue.MarkVoid();
+  queue.DropVoid();
+  { view.SettledRadius() } -> std::same_as<double>;
+  { view.size() } -> std::same_as<uint64_t>;
+  { view.iterations() } -> std::same_as<uint64_t>;
+  { view.bytes() } -> std::same_as<uint64_t>;
+};
+
+// What a queue may know about the mesh and the caller's wishes.
+struct QueueTuning {
+  double bucket_width = 1;  // in the mesh's scaled unit
+  uint32_t max_batch = 20000;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_QUEUES_QUEUE_H_

@@ -1,0 +1,218 @@
+// The Chen-Han rule with the Xin-Wang filter.
+//
+// Chen, Han: Shortest paths on a polyhedron. SoCG 1990: one angle, one split.
+// Xin, Wang: Improving Chen and Han's algorithm on the discrete geodesic
+// problem. ACM TOG 28(4), 2009: the window filter.
+//
+// A window is propagated once and then freed. It has two children only if its
+// distance at the apex is the best yet across its half-edge; a worse one keeps
+// the child on its own side of the best one's ray.
+
+#ifndef GEODESIC_RULES_CH_RULE_H_
+#define GEODESIC_RULES_CH_RULE_H_
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "rules/front.h"
+#include "windows/window.h"
+#include "windows/window_pool.h"
+
+namespace geodesic {
+
+template <WindowQueue Queue>
+class ChRule {
+ public:
+  explicit ChRule(Front<Queue>& front)
+      : front_(front),
+        mesh_(front.mesh()),
+        best_(front.mesh().half_edge_count()) {}
+
+  // Adds the window of pseudo-source v over a whole half-edge.
+  void Open(HalfEdge half_edge, uint32_t v, const Origin& origin) {
+    const Interval whole{0, mesh_.frame(half_edge).length};
+    if (whole.width() > 0) Add({whole, origin, half_edge, v});
+  }
+
+  // Propagates window `id` across its face and frees it. False if the window
+  // turned out to be useless: it does not count as propagated.
+  bool Propagate(uint32_t id);
+
+  void PrefetchWindow(uint32_t id) const { pool_.Prefetch(id); }
+  void PrefetchFace(uint32_t id) const {
+    const HalfEdge h = pool_[id].half_edge;
+    __builtin_prefetch(&mesh_.frame(h));
+    __builtin_prefetch(&mesh_.triangles()[h / 3]);
+    __builtin_prefetch(&best_[h]);
+  }
+
+  uint64_t created() const { return created_; }
+  uint64_t peak_windows() const { return pool_.peak(); }
+  uint64_t bytes() const {
+    return pool_.bytes() + best_.capacity() * sizeof(Best);
+  }
+
+ private:
+  struct Window {
+    Interval interval;
+    Origin origin;
+    HalfEdge half_edge;
+    uint32_t pseudo_source;
+  };
+  static_assert(sizeof(Window) == 48);
+
+  // The best window so far to reach the apex across a half-edge.
+  struct Best {
+    double distance = std::numeric_limits<double>::infinity();
+    double crossing = 0;
+  };
+
+  // The face a window crosses.
+  struct Crossing {
+    const HalfEdgeFrame& frame;
+    uint32_t from, to, apex;
+    double left_length, right_length;
+  };
+
+  void Add(const Window& window) {
+    ++created_;
+    front_.queue().Push(pool_.Allocate(window),
+                        Label(window.origin, window.interval));
+  }
+
+  void PropagateLeft(const Window& parent, const Crossing& face,
+                     bool ends_at_apex);
+  void PropagateRight(const Window& parent, const Crossing& face,
+                      bool starts_at_apex);
+
+  // The Xin-Wang filter's first two conditions, for an interval of the edge
+  // from -> to: whether a path through one of the edge's ends is shorter at
+  // the interval's other end.
+  bool IsDominated(const Origin& origin, const Interval& interval,
+                   double length, uint32_t from, uint32_t to) const {
+    return Loses(origin, interval.end,
+                 front_.distance(from) + interval.end) ||
+           Loses(origin, interval.begin,
+                 front_.distance(to) + (length - interval.begin));
+  }
+
+  // Whether the window's distance at a point exceeds that of a known path.
+  static bool Loses(const Origin& origin, double at, double known) {
+    return origin.sigma + origin.DistanceTo(at) > known * (1 + kDominance);
+  }
+
+  Front<Queue>& front_;
+  const Mesh& mesh_;
+  WindowPool<Window> pool_;
+  std::vector<Best> best_;  // one per half-edge
+  uint64_t created_ = 0;
+};
+
+template <WindowQueue Queue>
+bool ChRule<Queue>::Propagate(uint32_t id) {
+  const Window window = pool_[id];
+  pool_.Free(id);
+  const auto& [interval, origin, h, pseudo_source] = window;
+  // The pseudo-source has improved since: its newer windows replace this one.
+  if (origin.sigma > front_.distance(pseudo_source) * (1 + kDominance)) {
+    return false;
+  }
+  const HalfEdgeFrame& frame = mesh_.frame(h);
+  const Crossing face{frame,
+                      mesh_.From(h),
+                      mesh_.To(h),
+                      mesh_.Apex(h),
+                      mesh_.frame(Prev(h)).length,
+                      mesh_.frame(Next(h)).length};
+  // Distances have improved since the window was made: test it again.
+  if (IsDominated(origin, interval, frame.length, face.from, face.to)) {
+    return false;
+  }
+
+  const double crossing = ApexCrossing(origin, frame);
+  const double near_miss = kNearMiss * frame.length;
+  if (crossing <= interval.begin) {
+    if (crossing > interval.begin - near_miss) {
+      front_.Relax(face.apex, origin.sigma + origin.DistanceTo(interval.begin) +
+                                  EdgePointToApex(interval.begin, frame));
+    }
+    PropagateRight(window, face, false);
+    return true;
+  }
+  if (crossing >= interval.end) {
+    if (crossing < interval.end + near_miss) {
+      front_.Relax(face.apex, origin.sigma + origin.DistanceTo(interval.end) +
+                                  EdgePointToApex(interval.end, frame));
+    }
+    PropagateLeft(window, face, false);
+    return true;
+  }
+
+  const double at_apex = origin.sigma + DistanceToApex(origin, frame);
+  front_.Relax(face.apex, at_apex);
+  Best& best = best_[h];
+  const bool splits = at_apex <= best.distance * (1 + kDominance);
+  const bool goes_left = splits || crossing < best.crossing;
+  const bool goes_right = splits || !goes_left;
+  if (at_apex < best.distance) best = {at_apex, crossing};
+  if (goes_left) PropagateLeft(window, face, true);
+  if (goes_right) PropagateRight(window, face, true);
+  return true;
+}
+
+template <WindowQueue Queue>
+void ChRule<Queue>::PropagateLeft(const Window& parent, const Crossing& face,
+                                  bool ends_at_apex) {
+  const HalfEdge exit = face.frame.left_exit;
+  if (exit == kNoHalfEdge) return;
+  const double length = face.left_length;
+  const Interval interval{
+      ProjectLeft(parent.origin, parent.interval.begin, face.frame, length),
+      ends_at_apex ? length
+                   : ProjectLeft(parent.origin, parent.interval.end,
+                                 face.frame, length)};
+  if (interval.width() <= kLeastWidth * length) return;
+  const Origin origin = UnfoldLeft(parent.origin, face.frame);
+  if (IsDominated(origin, interval, length, face.from, face.apex)) return;
+  // Third condition: through the far end B of the parent's edge.
+  const double dx = interval.begin * face.frame.left_x - face.frame.length;
+  const double dy = interval.begin * face.frame.left_y;
+  if (Loses(origin, interval.begin,
+            front_.distance(face.to) + std::sqrt(dx * dx + dy * dy))) {
+    return;
+  }
+  Add({interval, origin, exit, parent.pseudo_source});
+}
+
+template <WindowQueue Queue>
+void ChRule<Queue>::PropagateRight(const Window& parent, const Crossing& face,
+                                   bool starts_at_apex) {
+  const HalfEdge exit = face.frame.right_exit;
+  if (exit == kNoHalfEdge) return;
+  const double length = face.right_length;
+  const double from_b =
+      ProjectRight(parent.origin, parent.interval.end, face.frame, length);
+  const Interval interval{
+      starts_at_apex
+          ? 0
+          : length - ProjectRight(parent.origin, parent.interval.begin,
+                                  face.frame, length),
+      length - from_b};
+  if (interval.width() <= kLeastWidth * length) return;
+  const Origin origin = UnfoldRight(parent.origin, face.frame, length);
+  if (IsDominated(origin, interval, length, face.apex, face.to)) return;
+  // Third condition: through the far end A of the parent's edge.
+  const double dx = face.frame.length + from_b * face.frame.right_x;
+  const double dy = from_b * face.frame.right_y;
+  if (Loses(origin, interval.end,
+            front_.distance(face.from) + std::sqrt(dx * dx + dy * dy))) {
+    return;
+  }
+  Add({interval, origin, exit, parent.pseudo_source});
+}
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_RULES_CH_RULE_H_

@@ -1,0 +1,98 @@
+// What every rule shares: the distances of the vertices, and the pseudo-source
+// events that a better distance sets off.
+
+#ifndef GEODESIC_RULES_FRONT_H_
+#define GEODESIC_RULES_FRONT_H_
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "geodesic/mesh.h"
+#include "geodesic/query.h"
+#include "queues/queue.h"
+#include "tolerances.h"
+#include "windows/window.h"
+
+namespace geodesic {
+
+template <WindowQueue Queue>
+class Front {
+ public:
+  Front(const Mesh& mesh, const Query& query, Queue& queue)
+      : mesh_(mesh),
+        queue_(queue),
+        distances_(mesh.vertex_count(),
+                   std::numeric_limits<double>::infinity()),
+        states_(mesh.vertex_count(), 0) {
+    for (const Source& source : query.sources) {
+      states_[source.vertex] |= kSource;
+    }
+  }
+
+  const Mesh& mesh() const { return mesh_; }
+  Queue& queue() { return queue_; }
+  double distance(uint32_t v) const { return distances_[v]; }
+  std::vector<double> TakeDistances() && { return std::move(distances_); }
+  uint64_t reached() const { return reached_; }
+  uint64_t bytes() const {
+    return distances_.capacity() * sizeof(double) + states_.capacity();
+  }
+  void PrefetchDistance(uint32_t v) const {
+    __builtin_prefetch(&distances_[v]);
+  }
+
+  // Takes `distance` for v if it is better. A vertex that paths may bend at is
+  // then queued with its distance as label (trap 8: otherwise no bound on
+  // what is pending holds).
+  void Relax(uint32_t v, double distance) {
+    double& best = distances_[v];
+    if (distance >= best * (1 - kImprovement)) return;
+    reached_ += std::isinf(best);
+    best = distance;
+    if (!(states_[v] & kSource) && !mesh_.IsPseudoSource(v)) return;
+    states_[v] |= kPending;
+    queue_.Push(kVertexEvent | v, distance);
+  }
+
+  // Handles the event of v: relaxes v's neighbours along their edges and calls
+  // open(half_edge, origin) for every edge opposite to v, where the half-edge
+  // enters the face beyond. Does nothing if v has not improved since it was
+  // last expanded.
+  template <typename Open>
+  void Expand(uint32_t v, Open open) {
+    if (!(states_[v] & kPending)) return;
+    states_[v] &= ~kPending;
+    const double sigma = distances_[v];
+    for (HalfEdge h : mesh_.Outgoing(v)) {
+      const HalfEdge opposite = Next(h);
+      const HalfEdgeFrame& frame = mesh_.frame(opposite);
+      Relax(mesh_.To(h), sigma + mesh_.frame(h).length);
+      Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length);
+      const HalfEdge beyond = mesh_.Twin(opposite);
+      if (beyond == kNoHalfEdge) continue;
+      // Seen from beyond, the edge runs the other way.
+      open(beyond, Origin{.x = frame.length - frame.apex_x,
+                          .depth = frame.apex_y,
+                          .sigma = sigma});
+    }
+  }
+
+ private:
+  enum State : uint8_t {
+    kSource = 1,
+    kPending = 2,  // improved since it was last expanded
+  };
+
+  const Mesh& mesh_;
+  Queue& queue_;
+  std::vector<double> distances_;
+  std::vector<uint8_t> states_;
+  uint64_t reached_ = 0;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_RULES_FRONT_H_

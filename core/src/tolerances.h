@@ -1,0 +1,50 @@
+// Every tolerance of the solver, with its reason. Lengths are in the mesh's
+// scaled unit unless a ratio is named.
+
+#ifndef GEODESIC_TOLERANCES_H_
+#define GEODESIC_TOLERANCES_H_
+
+namespace geodesic {
+
+// A vertex whose cone angle exceeds 2 pi by no more than this is flat: it
+// hides nothing from the windows on both its sides, so paths need not bend
+// there. Angle sums of flat vertices are off by about 1e-15 a corner; treating
+// every one of them as a saddle doubles the windows of a plane.
+inline constexpr double kFlatAngle = 1e-9;
+
+// An edge shorter than this fraction of its face's longest edge cannot carry
+// windows with meaningful ends. Its vertices become pseudo-sources, so that
+// paths pass through them instead of through the edge.
+inline constexpr double kCollapsedEdge = 1e-12;
+
+// Least distance of an apex or a pseudo-source from an edge's line. It keeps
+// quotients defined on faces without area; it is far below one rounding of any
+// length in use.
+inline constexpr double kLeastHeight = 1e-100;
+
+// A window narrower than this fraction of its edge is dropped. It is a few
+// thousand roundings of a position, and no vertex is lost with it: vertices
+// are relaxed through the nearest end of a window that misses them narrowly.
+inline constexpr double kLeastWidth = 1e-12;
+
+// A window that misses the apex by no more than this fraction of the edge
+// relaxes it through its nearest end, which is a real path. On regular grids
+// rays run exactly into vertices and rounding puts them on either side.
+inline constexpr double kNearMiss = 1e-9;
+
+// A distance is replaced only when it improves by more than this fraction:
+// one rounding. Equal paths found twice would otherwise restart propagation.
+inline constexpr double kImprovement = 1e-15;
+
+// A window is discarded as dominated only when it loses by more than this
+// fraction. Equality happens by construction (a window that bounds a vertex's
+// own distance), and must not discard it.
+inline constexpr double kDominance = 1e-12;
+
+// Two windows on an edge whose distances differ by no more than this fraction
+// at a point are tied there, and the older keeps the point.
+inline constexpr double kTie = 1e-15;
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_TOLERANCES_H_
