@@ -1,0 +1,152 @@
+// Every algorithm against brute force on small meshes of every kind. A case
+// computes its reference once, so the algorithms are a loop inside the test.
+
+#include "tests/support/brute_force.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/support/curved_meshes.h"
+#include "tests/support/developable_meshes.h"
+#include "tests/support/field_check.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/random.h"
+
+namespace geodesic::test {
+namespace {
+
+// Compares `fields` fields of random sources, the last of them of three
+// sources with offsets.
+void ExpectBruteForce(const NamedMesh& named, uint32_t fields, uint64_t seed) {
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  ASSERT_NE(mesh, nullptr);
+  const BruteForce brute_force(named.soup);
+  Random random(seed);
+  const auto any_vertex = [&] { return random.Below(mesh->vertex_count()); };
+  for (uint32_t i = 0; i < fields; ++i) {
+    std::vector<Source> sources = {{.vertex = any_vertex()}};
+    if (i + 1 == fields) {
+      sources.push_back({any_vertex(), random.Uniform(0, 0.5)});
+      sources.push_back({any_vertex(), random.Uniform(0, 0.5)});
+    }
+    const std::vector<double> expected = brute_force.Distances(sources);
+    for (const AlgorithmInfo& info : kAlgorithms) {
+      EXPECT_TRUE(FieldsAgree({named.name, sources, info.name}, expected,
+                              SolveOrFail(*mesh, info.algorithm, sources)));
+    }
+  }
+}
+
+TEST(BruteForceComparison, Icospheres) {
+  for (uint32_t levels = 0; levels <= 2; ++levels) {
+    ExpectBruteForce({"icosphere", Icosphere(levels)}, 6, levels);
+  }
+}
+
+TEST(BruteForceComparison, UvSpheres) {
+  ExpectBruteForce({"sphere by meridians", UvSphere(12, 8)}, 8, 1);
+  ExpectBruteForce({"sphere of thin bands", UvSphere(30, 4)}, 8, 2);
+}
+
+TEST(BruteForceComparison, Tori) {
+  ExpectBruteForce({"torus", Torus({})}, 8, 1);
+  ExpectBruteForce({"anisotropic torus", Torus({.around = 5, .across = 30})}, 8,
+                   2);
+  ExpectBruteForce({"noisy torus", Torus({.noise = 0.3})}, 8, 3);
+}
+
+// Two copies of one disc in one plane, joined along their rim.
+TEST(BruteForceComparison, DiscsBackToBack) {
+  constexpr uint32_t kSpokes = 10, kRings = 3;
+  const TriangleSoup above = Fan({.spokes = kSpokes,
+                                  .rings = kRings,
+                                  .total_angle = 2 * std::numbers::pi})
+                                 .soup();
+  const uint32_t first_on_rim = 1 + kSpokes * (kRings - 1);
+  const uint32_t vertices = static_cast<uint32_t>(above.positions.size());
+  TriangleSoup soup = above;
+  for (uint32_t v = 0; v < first_on_rim; ++v) {
+    soup.positions.push_back(above.positions[v]);
+  }
+  const auto below = [&](uint32_t v) {
+    return v < first_on_rim ? vertices + v : v;
+  };
+  for (const Triangle& t : above.triangles) {
+    soup.triangles.push_back({below(t[0]), below(t[2]), below(t[1])});
+  }
+  ExpectBruteForce({"discs back to back", soup}, 10, 1);
+}
+
+// Random small meshes. Each case is one number: it fixes the mesh and the
+// sources.
+class RandomMeshes : public testing::TestWithParam<uint64_t> {
+ protected:
+  static constexpr uint64_t kCasesPerShard = 50;
+
+  template <typename MakeMesh>
+  void ExpectBruteForceOnMany(const std::string& name, MakeMesh make) const {
+    for (uint64_t i = 0; i < kCasesPerShard; ++i) {
+      const uint64_t seed = GetParam() * kCasesPerShard + i;
+      ExpectBruteForce({name + " " + std::to_string(seed), make(seed)}, 3,
+                       seed);
+    }
+  }
+};
+
+TEST_P(RandomMeshes, Terrains) {
+  ExpectBruteForceOnMany("terrain", [](uint64_t seed) {
+    Random random(seed);
+    return Terrain(3 + random.Below(4), 3 + random.Below(4),
+                   random.Below(2) ? 0.3 : 2.0, seed);
+  });
+}
+
+TEST_P(RandomMeshes, FlippedEdges) {
+  ExpectBruteForceOnMany("terrain with flipped edges", [](uint64_t seed) {
+    return FlipEdges(Terrain(4, 5, 1, seed), 40, seed);
+  });
+}
+
+TEST_P(RandomMeshes, Needles) {
+  ExpectBruteForceOnMany("terrain with needles", [](uint64_t seed) {
+    return InsertNeedles(Terrain(3, 4, 0.5, seed), 8, seed);
+  });
+}
+
+TEST_P(RandomMeshes, ClosedAndFlipped) {
+  ExpectBruteForceOnMany("noisy torus with flipped edges", [](uint64_t seed) {
+    return FlipEdges(
+        Torus({.around = 6, .across = 5, .noise = 0.4, .seed = seed}), 15,
+        seed);
+  });
+}
+
+TEST_P(RandomMeshes, ZeroAreaFaces) {
+  ExpectBruteForceOnMany("terrain with zero-area faces", [](uint64_t seed) {
+    std::vector<uint32_t> doubled;
+    const TriangleSoup soup =
+        DoubleVertices(Terrain(4, 4, 0.5, seed), 2, seed, &doubled);
+    return InsertZeroAreaFaces(soup, 5, seed);
+  });
+}
+
+// Heights of a few steps on a regular grid: coplanar faces and ties next to
+// folds.
+TEST_P(RandomMeshes, SteppedTerrains) {
+  ExpectBruteForceOnMany("stepped terrain", [](uint64_t seed) {
+    Random random(seed);
+    TriangleSoup soup = MakeGrid(
+        {.columns = 5, .rows = 5, .diagonals = Diagonals::kAlternating});
+    for (Point& p : soup.positions) p[2] = random.Below(3) == 0 ? 1 : 0;
+    return soup;
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Shards, RandomMeshes, testing::Range<uint64_t>(0, 2));
+
+}  // namespace
+}  // namespace geodesic::test

@@ -1,0 +1,183 @@
+// Meshes on the edge of what is a mesh: faces without area, vertices on top of
+// each other, pieces apart, single faces.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/polyhedra.h"
+#include "tests/support/vec.h"
+
+namespace geodesic::test {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class DegenerateMeshes : public EveryAlgorithm {
+ protected:
+  void ExpectEuclid(const NamedMesh& mesh,
+                    const std::vector<uint32_t>& sources) const {
+    const std::vector<Point>& p = mesh.soup.positions;
+    ExpectDistances(mesh, sources, [&](uint32_t s, uint32_t v) {
+      return static_cast<double>(Distance(p[s], p[v]));
+    });
+  }
+};
+
+TEST_P(DegenerateMeshes, SingleFace) {
+  ExpectEuclid({"one face", {{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}}},
+               {0, 1, 2});
+  ExpectEuclid(
+      {"one needle", {{{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}}, {{0, 1, 2}}}},
+      {0, 1, 2});
+  ExpectEuclid({"one face without area",
+                {{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{0, 1, 2}}}},
+               {0, 1, 2});
+  ExpectEuclid({"one point three times",
+                {{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {{0, 1, 2}}}},
+               {0, 1, 2});
+}
+
+// Straight lines that go through faces without area, and start in them.
+TEST_P(DegenerateMeshes, ZeroAreaFacesInAGrid) {
+  for (const double jitter : {0.0, 0.2}) {
+    for (const uint64_t seed : {1, 2, 3}) {
+      const TriangleSoup grid =
+          MakeGrid({.columns = 12, .rows = 10, .jitter = jitter, .seed = seed});
+      const TriangleSoup soup = InsertZeroAreaFaces(grid, 40, seed);
+      ExpectEuclid({"grid with zero-area faces", soup},
+                   SpreadVertices(soup, 12));
+    }
+  }
+}
+
+// The added vertices are the doubles: each is at distance 0 from its original.
+TEST_P(DegenerateMeshes, CoincidentVerticesInAGrid) {
+  for (const double jitter : {0.0, 0.2}) {
+    for (const uint64_t seed : {1, 2, 3}) {
+      const TriangleSoup grid =
+          MakeGrid({.columns = 12, .rows = 10, .jitter = jitter, .seed = seed});
+      std::vector<uint32_t> doubled;
+      const TriangleSoup soup = DoubleVertices(grid, 20, seed, &doubled);
+      ASSERT_EQ(doubled.size(), 20);
+      ExpectEuclid({"grid with doubled vertices", soup},
+                   SpreadVertices(soup, 12));
+    }
+  }
+}
+
+TEST_P(DegenerateMeshes, NeedlesInAGrid) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    const TriangleSoup soup = InsertNeedles(
+        MakeGrid({.columns = 12, .rows = 10, .jitter = 0.2, .seed = seed}), 60,
+        seed);
+    ExpectEuclid({"grid with needles", soup}, SpreadVertices(soup, 12));
+  }
+}
+
+// A face so thin that its height drowns in rounding.
+TEST_P(DegenerateMeshes, NeedlesDownToRounding) {
+  for (const double height : {1e-9, 1e-12, 1e-15, 1e-18, 1e-300}) {
+    const TriangleSoup soup = {
+        {{0, 0, 0}, {1, 0, 0}, {0.5, height, 0}, {0.5, 1, 0}, {0.5, -1, 0}},
+        {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {1, 0, 4}}};
+    ExpectEuclid({absl::StrCat("needle of height ", height), soup},
+                 {0, 1, 2, 3, 4});
+  }
+}
+
+TEST_P(DegenerateMeshes, OtherPiecesAreInfinitelyFar) {
+  const TriangleSoup box = BoxGrid(1, 1, 1, 3, 3, 3);
+  const uint32_t first = static_cast<uint32_t>(box.positions.size());
+  const NamedMesh named{"two boxes and lone vertices",
+                        AddIsolatedVertices(Join(box, box), 3)};
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  ASSERT_NE(mesh, nullptr);
+  const std::vector<double> field = SolveOn(*mesh, {{.vertex = 4}});
+  ASSERT_EQ(field.size(), 2 * first + 3);
+  for (uint32_t v = 0; v < first; ++v) EXPECT_LT(field[v], 3) << v;
+  for (uint32_t v = first; v < field.size(); ++v) {
+    EXPECT_EQ(field[v], kInfinity) << v;
+  }
+  // A lone vertex is at 0 from itself and infinitely far from all else.
+  const std::vector<double> lone = SolveOn(*mesh, {{.vertex = 2 * first + 1}});
+  ASSERT_EQ(lone.size(), field.size());
+  for (uint32_t v = 0; v < lone.size(); ++v) {
+    EXPECT_EQ(lone[v], v == 2 * first + 1 ? 0 : kInfinity) << v;
+  }
+  // A source in each piece: the fields do not mix.
+  const std::vector<double> both =
+      SolveOn(*mesh, {{.vertex = 4}, {first + 4, 0.25}});
+  ASSERT_EQ(both.size(), field.size());
+  for (uint32_t v = 0; v < first; ++v) {
+    EXPECT_EQ(both[v], field[v]) << v;
+    EXPECT_NEAR(both[first + v], field[v] + 0.25, 1e-14) << v;
+  }
+}
+
+// Two squares that touch in one vertex: every path between them bends there.
+TEST_P(DegenerateMeshes, PathsGoThroughAPinchedVertex) {
+  const NamedMesh named{"two squares that touch",
+                        {{{0, 0, 0},
+                          {1, 0, 0},
+                          {1, 1, 0},
+                          {0, 1, 0},
+                          {2, 1, 0},
+                          {2, 2, 0},
+                          {1, 2, 0}},
+                         {{0, 1, 2}, {0, 2, 3}, {2, 4, 5}, {2, 5, 6}}}};
+  const BruteForce brute_force(named.soup);
+  ExpectDistances(named, {0, 1, 2, 3, 4, 5, 6}, [&](uint32_t s, uint32_t v) {
+    return brute_force.Distances(s)[v];
+  });
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  ASSERT_NE(mesh, nullptr);
+  EXPECT_NEAR(SolveOn(*mesh, {{.vertex = 1}})[6], 2, 1e-14);
+}
+
+// A slit from the middle to the rim: the same segment twice, on either side of
+// a gap without width. Paths across bend at its tip.
+TEST_P(DegenerateMeshes, PathsGoRoundASlit) {
+  TriangleSoup soup = MakeGrid({.columns = 8, .rows = 8});
+  constexpr uint32_t kTip = 4 * 9 + 4;  // (4, 4); doubles from (4, 5) on
+  const uint32_t first_double = static_cast<uint32_t>(soup.positions.size());
+  for (uint32_t y = 5; y <= 8; ++y) {
+    soup.positions.push_back({4, static_cast<double>(y), 0});
+  }
+  const auto is_right = [&](uint32_t v) {
+    return v >= first_double || v % 9 > 4;
+  };
+  for (Triangle& t : soup.triangles) {
+    if (std::none_of(t.begin(), t.end(), is_right)) continue;
+    for (uint32_t& v : t) {
+      if (v % 9 == 4 && v > kTip) v = first_double + v / 9 - 5;
+    }
+  }
+  const auto distance = [&](uint32_t s, uint32_t v) {
+    const Point &p = soup.positions[s], &q = soup.positions[v];
+    const Point& tip = soup.positions[kTip];
+    bool direct = is_right(s) == is_right(v);
+    if (!direct && p[0] != q[0]) {
+      const double t = (tip[0] - p[0]) / (q[0] - p[0]);
+      direct = p[1] + t * (q[1] - p[1]) <= tip[1];
+    }
+    return static_cast<double>(direct ? Distance(p, q)
+                                      : Distance(p, tip) + Distance(tip, q));
+  };
+  ExpectDistances({"slit grid", soup},
+                  {0, 8, kTip, kTip + 9, 9 * 8 + 4, first_double + 3, 9 * 7},
+                  distance);
+}
+
+GEODESIC_TEST_EVERY_ALGORITHM(DegenerateMeshes);
+
+}  // namespace
+}  // namespace geodesic::test

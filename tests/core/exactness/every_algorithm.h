@@ -1,0 +1,85 @@
+// A test per algorithm of the table, and the one way these tests compare a
+// field with an oracle's.
+
+#ifndef GEODESIC_TESTS_CORE_EXACTNESS_EVERY_ALGORITHM_H_
+#define GEODESIC_TESTS_CORE_EXACTNESS_EVERY_ALGORITHM_H_
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "geodesic/algorithm.h"
+#include "tests/support/field_check.h"
+
+namespace geodesic {
+
+inline void PrintTo(const AlgorithmInfo& info, std::ostream* out) {
+  *out << info.name;
+}
+
+namespace test {
+
+class EveryAlgorithm : public testing::TestWithParam<AlgorithmInfo> {
+ protected:
+  std::vector<double> SolveOn(const Mesh& mesh,
+                              const std::vector<Source>& sources) const {
+    return SolveOrFail(mesh, GetParam().algorithm, sources);
+  }
+
+  // Compares the field of each of `sources`, one at a time, with
+  // `distance(source, vertex)`.
+  template <typename DistanceFunction>
+  void ExpectDistances(const NamedMesh& named,
+                       const std::vector<uint32_t>& sources,
+                       DistanceFunction distance) const {
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    for (const uint32_t s : sources) {
+      std::vector<double> expected;
+      for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+        expected.push_back(distance(s, v));
+      }
+      ExpectField(named.name, *mesh, {{.vertex = s}}, expected);
+    }
+  }
+
+  void ExpectField(const std::string& name, const Mesh& mesh,
+                   const std::vector<Source>& sources,
+                   const std::vector<double>& expected) const {
+    EXPECT_TRUE(FieldsAgree({name, sources, GetParam().name}, expected,
+                            SolveOn(mesh, sources)));
+  }
+};
+
+// `count` vertices spread over the numbers of a mesh, the first and the last
+// among them.
+inline std::vector<uint32_t> SpreadVertices(const TriangleSoup& soup,
+                                            uint32_t count) {
+  const uint32_t last = static_cast<uint32_t>(soup.positions.size() - 1);
+  std::vector<uint32_t> vertices;
+  for (uint32_t i = 0; i < count; ++i) {
+    vertices.push_back(last * i / (count - 1));
+  }
+  return vertices;
+}
+
+inline std::string AlgorithmTestName(
+    const testing::TestParamInfo<AlgorithmInfo>& info) {
+  std::string name(info.param.name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+}  // namespace test
+}  // namespace geodesic
+
+// Runs the TEST_Ps of `suite`, a subclass of EveryAlgorithm.
+#define GEODESIC_TEST_EVERY_ALGORITHM(suite)                                  \
+  INSTANTIATE_TEST_SUITE_P(Algorithms, suite, testing::ValuesIn(kAlgorithms), \
+                           AlgorithmTestName)
+
+#endif  // GEODESIC_TESTS_CORE_EXACTNESS_EVERY_ALGORITHM_H_

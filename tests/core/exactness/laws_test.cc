@@ -1,0 +1,237 @@
+// Laws that every distance field obeys, whatever the mesh.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/edge_dijkstra.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/polyhedra.h"
+#include "tests/support/vec.h"
+
+namespace geodesic::test {
+namespace {
+
+std::vector<NamedMesh> Surfaces() {
+  return {{"icosphere", Icosphere(3)},
+          {"sphere by meridians", UvSphere(24, 20)},
+          {"anisotropic torus", Torus({.around = 10, .across = 60})},
+          {"noisy torus", Torus({.around = 30, .across = 18, .noise = 0.15})},
+          {"terrain", Terrain(24, 20, 1.5, 7)},
+          {"box", BoxGrid(1, 2, 3, 4, 6, 8)},
+          {"grid with a hole",
+           MakeGrid(WithHole({.columns = 18, .rows = 18, .jitter = 0.2}))}};
+}
+
+class Laws : public EveryAlgorithm {
+ protected:
+  // The field of one source on a mesh made of `soup`.
+  std::vector<double> Field(const NamedMesh& named, uint32_t source) const {
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    if (mesh == nullptr) return {};
+    return SolveOn(*mesh, {{.vertex = source}});
+  }
+};
+
+TEST_P(Laws, SourceIsAtZeroAndDistanceIsSymmetric) {
+  for (const NamedMesh& named : Surfaces()) {
+    const std::vector<uint32_t> vertices = SpreadVertices(named.soup, 6);
+    std::vector<std::vector<double>> from;
+    for (const uint32_t s : vertices) from.push_back(Field(named, s));
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      ASSERT_EQ(from[i].size(), named.soup.positions.size());
+      EXPECT_EQ(from[i][vertices[i]], 0) << named.name;
+      for (size_t j = 0; j < i; ++j) {
+        const double there = from[i][vertices[j]];
+        EXPECT_NEAR(from[j][vertices[i]], there, kRelativeTolerance * there)
+            << named.name << ", vertices " << vertices[i] << " and "
+            << vertices[j];
+      }
+    }
+  }
+}
+
+TEST_P(Laws, TriangleInequality) {
+  for (const NamedMesh& named : Surfaces()) {
+    const std::vector<uint32_t> vertices = SpreadVertices(named.soup, 4);
+    std::vector<std::vector<double>> from;
+    for (const uint32_t s : vertices) from.push_back(Field(named, s));
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      for (size_t j = 0; j < vertices.size(); ++j) {
+        for (size_t v = 0; v < from[i].size(); ++v) {
+          const double through = from[i][vertices[j]] + from[j][v];
+          ASSERT_LE(from[i][v], through * (1 + kRelativeTolerance))
+              << named.name << ": from " << vertices[i] << " to " << v
+              << " by way of " << vertices[j];
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Laws, BetweenEuclidAndEdgePaths) {
+  for (const NamedMesh& named : Surfaces()) {
+    for (const uint32_t s : SpreadVertices(named.soup, 3)) {
+      const std::vector<double> field = Field(named, s);
+      const std::vector<Real> edges = EdgeDistances(named.soup, s);
+      for (size_t v = 0; v < field.size(); ++v) {
+        const double straight = static_cast<double>(
+            Distance(named.soup.positions[s], named.soup.positions[v]));
+        ASSERT_GE(field[v], straight * (1 - kRelativeTolerance))
+            << named.name << ", from " << s << " to " << v;
+        ASSERT_LE(field[v], edges[v] * (1 + kRelativeTolerance))
+            << named.name << ", from " << s << " to " << v;
+      }
+    }
+  }
+}
+
+TEST_P(Laws, ChangesByNoMoreThanTheEdgeAlongAnEdge) {
+  for (const NamedMesh& named : Surfaces()) {
+    for (const uint32_t s : SpreadVertices(named.soup, 3)) {
+      const std::vector<double> field = Field(named, s);
+      ASSERT_EQ(field.size(), named.soup.positions.size());
+      for (const Triangle& t : named.soup.triangles) {
+        for (int i = 0; i < 3; ++i) {
+          const uint32_t u = t[i], v = t[(i + 1) % 3];
+          const double length = static_cast<double>(
+              Distance(named.soup.positions[u], named.soup.positions[v]));
+          ASSERT_LE(std::abs(field[u] - field[v]),
+                    length + kRelativeTolerance * field[u])
+              << named.name << ", source " << s << ", edge " << u << " " << v;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Laws, RigidMotionChangesNothing) {
+  for (const NamedMesh& named : Surfaces()) {
+    const NamedMesh moved{named.name + ", moved",
+                          RotateAndShift(named.soup, 11)};
+    for (const uint32_t s : SpreadVertices(named.soup, 3)) {
+      EXPECT_TRUE(FieldsAgree({moved.name, {{.vertex = s}}, GetParam().name},
+                              Field(named, s), Field(moved, s)));
+    }
+  }
+}
+
+// Up to where squares of coordinates overflow or vanish.
+TEST_P(Laws, ScalingScalesDistances) {
+  for (const NamedMesh& named : Surfaces()) {
+    const uint32_t s = static_cast<uint32_t>(named.soup.positions.size() / 3);
+    const std::vector<double> field = Field(named, s);
+    for (const double factor :
+         {3.7, 0x1p40, 0x1p-500, 0x1p500, 1e-150, 1e150, 1e-290, 1e300}) {
+      std::vector<double> expected = field;
+      for (double& d : expected) d *= factor;
+      const NamedMesh scaled{absl::StrCat(named.name, " times ", factor),
+                             Scale(named.soup, factor)};
+      EXPECT_TRUE(FieldsAgree({scaled.name, {{.vertex = s}}, GetParam().name},
+                              expected, Field(scaled, s)));
+    }
+  }
+}
+
+TEST_P(Laws, RelabellingRelabelsDistances) {
+  for (const NamedMesh& named : Surfaces()) {
+    const Relabelled relabelled = Relabel(named.soup, 5);
+    const NamedMesh shuffled{named.name + ", relabelled", relabelled.soup};
+    for (const uint32_t s : SpreadVertices(named.soup, 3)) {
+      const std::vector<double> field = Field(named, s);
+      ASSERT_EQ(field.size(), relabelled.new_number.size());
+      std::vector<double> expected(field.size());
+      for (size_t v = 0; v < field.size(); ++v) {
+        expected[relabelled.new_number[v]] = field[v];
+      }
+      const uint32_t source = relabelled.new_number[s];
+      EXPECT_TRUE(
+          FieldsAgree({shuffled.name, {{.vertex = source}}, GetParam().name},
+                      expected, Field(shuffled, source)));
+    }
+  }
+}
+
+// Faces cut up in their own plane are the same surface.
+TEST_P(Laws, SubdivisionInPlaneKeepsDistances) {
+  for (const NamedMesh& named : Surfaces()) {
+    const uint32_t faces = static_cast<uint32_t>(named.soup.triangles.size());
+    const std::vector<NamedMesh> finer = {
+        {named.name + ", cut at midpoints", SubdivideAtMidpoints(named.soup)},
+        {named.name + ", faces split", SplitFaces(named.soup, faces / 2, 3)},
+        {named.name + ", with needles", InsertNeedles(named.soup, 40, 3)},
+        {named.name + ", with zero-area faces",
+         InsertZeroAreaFaces(named.soup, 20, 3)}};
+    for (const uint32_t s : SpreadVertices(named.soup, 3)) {
+      const std::vector<double> expected = Field(named, s);
+      for (const NamedMesh& fine : finer) {
+        std::vector<double> field = Field(fine, s);
+        field.resize(expected.size());  // the old vertices come first
+        EXPECT_TRUE(FieldsAgree({fine.name, {{.vertex = s}}, GetParam().name},
+                                expected, field));
+      }
+    }
+  }
+}
+
+TEST_P(Laws, ManySourcesGiveTheLeastOfTheSingleFields) {
+  for (const NamedMesh& named : Surfaces()) {
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    std::vector<Source> sources;
+    std::vector<double> expected(mesh->vertex_count(),
+                                 std::numeric_limits<double>::infinity());
+    for (const uint32_t v : SpreadVertices(named.soup, 6)) {
+      const Source source{.vertex = v, .offset = 0.1 * sources.size()};
+      sources.push_back(source);
+      const std::vector<double> single = SolveOn(*mesh, {{.vertex = v}});
+      ASSERT_EQ(single.size(), expected.size());
+      for (size_t i = 0; i < single.size(); ++i) {
+        expected[i] = std::min(expected[i], single[i] + source.offset);
+      }
+    }
+    ExpectField(named.name, *mesh, sources, expected);
+    // All vertices at once.
+    std::vector<Source> everywhere;
+    for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+      everywhere.push_back({.vertex = v});
+    }
+    ExpectField(named.name, *mesh, everywhere,
+                std::vector<double>(mesh->vertex_count(), 0));
+  }
+}
+
+// A source whose offset exceeds its distance from the others adds nothing, not
+// even at its own vertex; one given twice counts with its least offset.
+TEST_P(Laws, DominatedSourcesAddNothing) {
+  for (const NamedMesh& named : Surfaces()) {
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    const std::vector<uint32_t> v = SpreadVertices(named.soup, 4);
+    const std::vector<double> expected = SolveOn(*mesh, {{.vertex = v[1]}});
+    ASSERT_EQ(expected.size(), mesh->vertex_count());
+    ExpectField(named.name, *mesh,
+                {{v[0], expected[v[0]] * (1 + 1e-6)},
+                 {v[1], 0},
+                 {v[2], expected[v[2]] + 1},
+                 {v[1], 3},
+                 {v[3], 1e9}},
+                expected);
+    // Exactly as far as the other: a tie.
+    ExpectField(named.name, *mesh, {{v[1], 0}, {v[2], expected[v[2]]}},
+                expected);
+  }
+}
+
+GEODESIC_TEST_EVERY_ALGORITHM(Laws);
+
+}  // namespace
+}  // namespace geodesic::test

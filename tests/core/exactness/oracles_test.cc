@@ -1,0 +1,150 @@
+// The oracles against each other, no solver involved: brute force has to find
+// what the closed forms say.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/support/brute_force.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/developable_meshes.h"
+#include "tests/support/field_check.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_domain.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/polyhedra.h"
+
+namespace geodesic::test {
+namespace {
+
+// Compares brute force with `distance(v, w)` from every vertex.
+template <typename DistanceFunction>
+void ExpectBruteForce(const NamedMesh& mesh, DistanceFunction distance) {
+  const BruteForce brute_force(mesh.soup);
+  for (uint32_t s = 0; s < mesh.soup.positions.size(); ++s) {
+    std::vector<double> expected;
+    for (uint32_t v = 0; v < mesh.soup.positions.size(); ++v) {
+      expected.push_back(distance(s, v));
+    }
+    ASSERT_TRUE(FieldsAgree({mesh.name, {{.vertex = s}}, "brute-force"},
+                            expected, brute_force.Distances(s)));
+  }
+}
+
+TEST(Oracles, BruteForceFindsShortestPathsInPlanarDomains) {
+  for (const double jitter : {0.0, 0.2}) {
+    for (const Diagonals diagonals :
+         {Diagonals::kParallel, Diagonals::kAlternating, Diagonals::kRandom}) {
+      const GridOptions grid{.columns = 6,
+                             .rows = 5,
+                             .cell_width = 0.3,
+                             .cell_height = 0.7,
+                             .diagonals = diagonals,
+                             .jitter = jitter};
+      for (const GridOptions& options :
+           {grid, WithHole(grid), LShape(grid), UShape(grid)}) {
+        const PlanarDomain domain(options);
+        const TriangleSoup soup = MakeGrid(options);
+        std::vector<std::vector<double>> distances;
+        for (const Point& p : soup.positions) {
+          distances.push_back(domain.Distances(p, soup.positions));
+        }
+        ExpectBruteForce({"planar domain", soup}, [&](uint32_t s, uint32_t v) {
+          return distances[s][v];
+        });
+      }
+    }
+  }
+}
+
+TEST(Oracles, BruteForceSeesThroughFacesWithoutArea) {
+  const TriangleSoup grid = MakeGrid({.columns = 4, .rows = 4, .jitter = 0.1});
+  std::vector<uint32_t> doubled;
+  const std::vector<NamedMesh> meshes = {
+      {"grid with faces without area", InsertZeroAreaFaces(grid, 8, 3)},
+      {"grid with doubled vertices", DoubleVertices(grid, 4, 4, &doubled)},
+      {"grid with needles", InsertNeedles(grid, 8, 5)}};
+  for (const NamedMesh& mesh : meshes) {
+    for (const TriangleSoup& soup : {mesh.soup, RotateAndShift(mesh.soup, 8)}) {
+      ExpectBruteForce({mesh.name, soup}, [&](uint32_t s, uint32_t v) {
+        return static_cast<double>(
+            Distance(soup.positions[s], soup.positions[v]));
+      });
+    }
+  }
+}
+
+TEST(Oracles, BruteForceUnfoldsFansPrismsAndFoldedSheets) {
+  for (const double angle : {1.0, 3.0, 5.5, 6.283185307179586, 7.0, 11.0}) {
+    for (const bool closed : {true, false}) {
+      const Fan fan(
+          {.spokes = 8, .rings = 3, .total_angle = angle, .closed = closed});
+      ExpectBruteForce(
+          {"fan of angle " + std::to_string(angle), fan.soup()},
+          [&](uint32_t s, uint32_t v) { return fan.Distance(s, v); });
+    }
+  }
+  const Prism prism({.sides = 7, .rows = 4});
+  ExpectBruteForce({"prism", prism.soup()}, [&](uint32_t s, uint32_t v) {
+    return prism.Distance(s, v);
+  });
+  const FoldedSheet sheet(6, 4, 5);
+  ExpectBruteForce({"folded sheet", sheet.soup()}, [&](uint32_t s, uint32_t v) {
+    return sheet.Distance(s, v);
+  });
+}
+
+TEST(Oracles, BruteForceUnfoldsConvexPolyhedra) {
+  for (const Polyhedron& polyhedron :
+       {Tetrahedron(), Octahedron(), Icosahedron(), Box(1, 2, 0.5),
+        Box(3, 1, 0.01)}) {
+    TriangleSoup soup = SplitFaces(Triangulate(polyhedron), 6, 2);
+    if (polyhedron.name == "tetrahedron") soup = SubdivideAtMidpoints(soup);
+    ExpectBruteForce({polyhedron.name, soup}, [&](uint32_t s, uint32_t v) {
+      return DistanceOnConvex(polyhedron, soup.positions[s], soup.positions[v]);
+    });
+  }
+}
+
+// The spider and the fly: from 1 below the ceiling to 1 above the floor of the
+// opposite wall takes 40 in a 30 x 12 x 12 room (Dudeney 1903).
+TEST(Oracles, ConvexDistanceSolvesSpiderAndFly) {
+  EXPECT_NEAR(DistanceOnConvex(Box(30, 12, 12), {0, 6, 11}, {30, 6, 1}), 40,
+              1e-13);
+}
+
+// From a box's corner to the opposite one: over the two faces whose sides add
+// up to the longest side last.
+TEST(Oracles, ConvexDistanceCrossesBoxCornerToCorner) {
+  EXPECT_NEAR(DistanceOnConvex(Box(1, 2, 4), {0, 0, 0}, {1, 2, 4}), 5, 1e-14);
+}
+
+TEST(Oracles, BruteForceLeavesOtherPiecesOutOfReach) {
+  const TriangleSoup piece = Triangulate(Tetrahedron());
+  const TriangleSoup soup = AddIsolatedVertices(Join(piece, piece), 1);
+  const std::vector<double> distances = BruteForce(soup).Distances(1);
+  for (uint32_t v = 0; v < 4; ++v) EXPECT_LT(distances[v], 3) << v;
+  for (uint32_t v = 4; v < 9; ++v) EXPECT_EQ(distances[v], HUGE_VAL) << v;
+}
+
+// On a closed mesh without symmetry the direct distances are found from either
+// end by different windows.
+TEST(Oracles, BruteForceIsSymmetric) {
+  const TriangleSoup soup =
+      Torus({.around = 8, .across = 5, .noise = 0.2, .seed = 3});
+  const BruteForce brute_force(soup);
+  std::vector<std::vector<double>> from;
+  for (uint32_t s = 0; s < soup.positions.size(); ++s) {
+    from.push_back(brute_force.Distances(s));
+  }
+  for (uint32_t s = 0; s < soup.positions.size(); ++s) {
+    for (uint32_t v = 0; v < s; ++v) {
+      ASSERT_NEAR(from[s][v], from[v][s], 1e-15 * from[s][v] * 10)
+          << "vertices " << s << " and " << v;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace geodesic::test

@@ -1,0 +1,106 @@
+// Planar meshes against Euclid and the visibility graph. A regular grid is the
+// hardest of them: rays run along edges and through vertices everywhere.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/planar_domain.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/vec.h"
+
+namespace geodesic::test {
+namespace {
+
+class PlanarMeshes : public EveryAlgorithm {
+ protected:
+  void ExpectEuclid(const NamedMesh& mesh,
+                    const std::vector<uint32_t>& sources) const {
+    const std::vector<Point>& p = mesh.soup.positions;
+    ExpectDistances(mesh, sources, [&](uint32_t s, uint32_t v) {
+      return static_cast<double>(Distance(p[s], p[v]));
+    });
+  }
+};
+
+TEST_P(PlanarMeshes, RegularGrid) {
+  for (const Diagonals diagonals :
+       {Diagonals::kParallel, Diagonals::kAlternating, Diagonals::kRandom}) {
+    // Unit cells have exact coordinates; the others do not.
+    for (const double cell_width : {1.0, 0.3}) {
+      const TriangleSoup soup = MakeGrid({.columns = 30,
+                                          .rows = 24,
+                                          .cell_width = cell_width,
+                                          .diagonals = diagonals});
+      const uint32_t middle = 12 * 31 + 15;
+      ExpectEuclid({"regular grid", soup}, {0, 30, 15, middle, 31 * 7 + 3});
+    }
+  }
+}
+
+TEST_P(PlanarMeshes, JitteredGrid) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    const TriangleSoup soup = MakeGrid({.columns = 30,
+                                        .rows = 24,
+                                        .diagonals = Diagonals::kRandom,
+                                        .jitter = 0.24,
+                                        .seed = seed});
+    ExpectEuclid({"jittered grid", soup}, SpreadVertices(soup, 5));
+  }
+}
+
+TEST_P(PlanarMeshes, LargeRegularGrid) {
+  const TriangleSoup soup = MakeGrid({.columns = 100, .rows = 100});
+  ExpectEuclid({"large regular grid", soup}, {50 * 101 + 37});
+}
+
+TEST_P(PlanarMeshes, NeedleGrid) {
+  // Faces a million times as high as wide, and the other way round.
+  const TriangleSoup high = MakeGrid({.columns = 20,
+                                      .rows = 6,
+                                      .cell_width = 0x1p-20,
+                                      .diagonals = Diagonals::kRandom});
+  ExpectEuclid({"needle grid", high}, SpreadVertices(high, 6));
+  const TriangleSoup wide = MakeGrid({.columns = 12,
+                                      .rows = 30,
+                                      .cell_height = 1e-6,
+                                      .diagonals = Diagonals::kAlternating,
+                                      .jitter = 0.2});
+  ExpectEuclid({"jittered needle grid", wide}, SpreadVertices(wide, 6));
+}
+
+// Around reflex corners, in regular grids and jittered ones.
+TEST_P(PlanarMeshes, HolesAndNotches) {
+  for (const double jitter : {0.0, 0.2}) {
+    const GridOptions grid{.columns = 18,
+                           .rows = 15,
+                           .cell_width = 0.3,
+                           .diagonals = Diagonals::kAlternating,
+                           .jitter = jitter};
+    GridOptions two_holes = grid;
+    two_holes.removed = {{3, 3, 6, 12}, {9, 2, 14, 9}};
+    const std::vector<std::pair<std::string, GridOptions>> domains = {
+        {"grid with a hole", WithHole(grid)},
+        {"L shape", LShape(grid)},
+        {"U shape", UShape(grid)},
+        {"grid with two holes", two_holes}};
+    for (const auto& [name, options] : domains) {
+      const PlanarDomain domain(options);
+      const NamedMesh named{name, MakeGrid(options)};
+      const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+      ASSERT_NE(mesh, nullptr);
+      for (const uint32_t s : SpreadVertices(named.soup, 7)) {
+        ExpectField(
+            name, *mesh, {{.vertex = s}},
+            domain.Distances(named.soup.positions[s], named.soup.positions));
+      }
+    }
+  }
+}
+
+GEODESIC_TEST_EVERY_ALGORITHM(PlanarMeshes);
+
+}  // namespace
+}  // namespace geodesic::test

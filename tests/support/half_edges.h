@@ -1,0 +1,39 @@
+// Connectivity of a triangle soup for the oracles, worked out apart from
+// geodesic::Mesh, which is under test. Half-edge 3f + i is side i of face f,
+// from corner i to corner i + 1.
+
+#ifndef GEODESIC_TESTS_SUPPORT_HALF_EDGES_H_
+#define GEODESIC_TESTS_SUPPORT_HALF_EDGES_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "geodesic/triangle_soup.h"
+
+namespace geodesic::test {
+
+inline constexpr uint32_t kBorder = 0xffffffffu;
+
+inline uint32_t NextSide(uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+inline uint32_t PreviousSide(uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+class HalfEdges {
+ public:
+  // REQUIRES: edges have at most two faces, and these agree in orientation.
+  // `soup` must outlive this object.
+  explicit HalfEdges(const TriangleSoup& soup);
+
+  uint32_t size() const { return static_cast<uint32_t>(twins_.size()); }
+  uint32_t Twin(uint32_t h) const { return twins_[h]; }
+  uint32_t From(uint32_t h) const { return soup_.triangles[h / 3][h % 3]; }
+  uint32_t To(uint32_t h) const { return From(NextSide(h)); }
+  uint32_t Opposite(uint32_t h) const { return From(PreviousSide(h)); }
+
+ private:
+  const TriangleSoup& soup_;
+  std::vector<uint32_t> twins_;
+};
+
+}  // namespace geodesic::test
+
+#endif  // GEODESIC_TESTS_SUPPORT_HALF_EDGES_H_

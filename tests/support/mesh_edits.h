@@ -1,0 +1,54 @@
+// Ways to make another mesh of a mesh.
+
+#ifndef GEODESIC_TESTS_SUPPORT_MESH_EDITS_H_
+#define GEODESIC_TESTS_SUPPORT_MESH_EDITS_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "geodesic/triangle_soup.h"
+
+namespace geodesic::test {
+
+// The same surface with finer faces. The old vertices keep their numbers.
+
+// Each face becomes four.
+TriangleSoup SubdivideAtMidpoints(const TriangleSoup& soup);
+// `count` times a face, drawn at random, becomes three around a point inside.
+TriangleSoup SplitFaces(TriangleSoup soup, uint32_t count, uint64_t seed);
+// As SplitFaces, with the new point within 1e-6 of an edge or a corner.
+TriangleSoup InsertNeedles(TriangleSoup soup, uint32_t count, uint64_t seed);
+// `count` times a point goes onto an edge between two faces, drawn at random:
+// one of the two is cut in two, and a face without area fills the gap.
+TriangleSoup InsertZeroAreaFaces(TriangleSoup soup, uint32_t count,
+                                 uint64_t seed);
+// `count` times a vertex inside the surface, drawn at random, gets a double at
+// the same place (numbered last), an edge without length to it and two faces
+// without area beside that edge.
+TriangleSoup DoubleVertices(TriangleSoup soup, uint32_t count, uint64_t seed,
+                            std::vector<uint32_t>* doubled);
+
+// Another surface on the same vertices: `count` times an edge between two
+// faces, drawn at random, is turned to the other diagonal, where that is not
+// an edge already.
+TriangleSoup FlipEdges(TriangleSoup soup, uint32_t count, uint64_t seed);
+
+// The same surface elsewhere, in another order or at another size.
+
+struct Relabelled {
+  TriangleSoup soup;
+  std::vector<uint32_t> new_number;  // of each old vertex
+};
+// Shuffles vertices and faces and turns each face's corners.
+Relabelled Relabel(const TriangleSoup& soup, uint64_t seed);
+TriangleSoup RotateAndShift(TriangleSoup soup, uint64_t seed);
+TriangleSoup Scale(TriangleSoup soup, double factor);
+
+// Both, not connected; the vertices of `b` come last.
+TriangleSoup Join(TriangleSoup a, const TriangleSoup& b);
+// With `count` more vertices that no face uses.
+TriangleSoup AddIsolatedVertices(TriangleSoup soup, uint32_t count);
+
+}  // namespace geodesic::test
+
+#endif  // GEODESIC_TESTS_SUPPORT_MESH_EDITS_H_
