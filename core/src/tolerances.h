@@ -45,6 +45,11 @@ inline constexpr double kDominance = 1e-12;
 // at a point are tied there, and the older keeps the point.
 inline constexpr double kTie = 1e-15;
 
+// Where two windows change over, their distances agree within this many times
+// kTie. Closer is not worth an iteration: the closed form's rounding alone
+// gives a few.
+inline constexpr double kCrossingRoundings = 8;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_

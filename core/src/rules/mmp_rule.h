@@ -6,19 +6,21 @@
 // Comput. 16(4), 1987. Windows as in Surazhsky et al.: Fast exact and
 // approximate geodesics on meshes. ACM TOG 24(3), 2005.
 //
-// Windows of a half-edge form a list, sorted and disjoint. Propagated windows
-// stay in it for trimming those that come later.
+// The windows of a half-edge are disjoint. Propagated ones stay in its list, to
+// trim those that come later.
 
 #ifndef GEODESIC_RULES_MMP_RULE_H_
 #define GEODESIC_RULES_MMP_RULE_H_
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "rules/front.h"
 #include "rules/trimming.h"
 #include "windows/window.h"
+#include "windows/window_lists.h"
 #include "windows/window_pool.h"
 
 namespace geodesic {
@@ -29,7 +31,7 @@ class MmpRule {
   explicit MmpRule(Front<Queue>& front)
       : front_(front),
         mesh_(front.mesh()),
-        first_(front.mesh().half_edge_count(), kNothing) {}
+        lists_(front.mesh().half_edge_count()) {}
 
   // Adds the window of pseudo-source v over a whole half-edge.
   void Open(HalfEdge half_edge, uint32_t v, const Origin& origin) {
@@ -49,9 +51,7 @@ class MmpRule {
 
   uint64_t created() const { return created_; }
   uint64_t peak_windows() const { return pool_.peak(); }
-  uint64_t bytes() const {
-    return pool_.bytes() + first_.capacity() * sizeof(uint32_t);
-  }
+  uint64_t bytes() const { return pool_.bytes() + lists_.bytes(); }
 
  private:
   enum State : uint32_t {
@@ -60,32 +60,31 @@ class MmpRule {
     kVoid,        // in the queue only: nothing of it is left
   };
 
-  struct Window {
+  struct alignas(64) Window {
     Interval interval;
     Origin origin;
     HalfEdge half_edge;
     uint32_t pseudo_source;
-    uint32_t next;  // on the half-edge; kNothing at the end
     State state;
   };
-  static_assert(sizeof(Window) == 56);
+  static_assert(sizeof(Window) == 64);
 
   // Adds a window, as far as it beats those on the half-edge already.
   void Insert(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
               Interval interval);
-  // Makes a window and links it in at *link; returns where the next link is.
-  uint32_t LinkBehind(uint32_t previous, const Window& window, bool queue);
-  void Unlink(uint32_t previous, uint32_t id);
-  uint32_t& LinkOf(HalfEdge half_edge, uint32_t previous) {
-    return previous == kNothing ? first_[half_edge] : pool_[previous].next;
-  }
+  // Makes a window, appends it to parts_, and queues it unless it is the rest
+  // of one that has been propagated.
+  void Add(const Window& window);
+  // Forgets a window of which nothing is left.
+  void Discard(uint32_t id);
 
   void Cross(const Window& window);
 
   Front<Queue>& front_;
   const Mesh& mesh_;
   WindowPool<Window> pool_;
-  std::vector<uint32_t> first_;  // one per half-edge
+  WindowLists lists_;
+  std::vector<WindowLists::Entry> parts_;  // of Insert, kept for its memory
   uint64_t created_ = 0;
 };
 
@@ -102,13 +101,13 @@ bool MmpRule<Queue>::Propagate(uint32_t id) {
       front_.distance(window.pseudo_source) * (1 + kDominance)) {
     return false;
   }
-  Cross(Window(window));  // a copy: children may move the pool
+  Cross(window);
   return true;
 }
 
 template <WindowQueue Queue>
 void MmpRule<Queue>::Cross(const Window& window) {
-  const auto& [interval, origin, h, pseudo_source, next, state] = window;
+  const auto& [interval, origin, h, pseudo_source, state] = window;
   const HalfEdgeFrame& frame = mesh_.frame(h);
   const double left_length = mesh_.frame(Prev(h)).length;
   const double right_length = mesh_.frame(Next(h)).length;
@@ -148,102 +147,81 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
                             const Origin& origin, Interval interval) {
   const double least_width = kLeastWidth * mesh_.frame(half_edge).length;
   if (interval.width() <= least_width) return;
-  Window window{interval, origin, half_edge, pseudo_source, kNothing, kQueued};
+  const std::span<const WindowLists::Entry> list = lists_.Of(half_edge);
 
-  uint32_t previous = kNothing;
-  uint32_t at = first_[half_edge];
-  while (at != kNothing && pool_[at].interval.end <= interval.begin) {
-    previous = at;
-    at = pool_[at].next;
+  // The entries [first, last) that overlap the new window give way to parts_.
+  uint32_t first = 0;
+  while (first < list.size() && list[first].begin <= interval.begin) ++first;
+  if (first > 0 && pool_[list[first - 1].id].interval.end > interval.begin) {
+    --first;
   }
-  // What the new window has won so far ends at `won_until`, and began at
-  // `won_from`; it is put down when an older window keeps a part.
-  double won_from = interval.begin;
-  const auto put_down = [&](double won_until) {
-    window.interval = {won_from, won_until};
-    if (window.interval.width() > least_width) {
-      previous = LinkBehind(previous, window, true);
+  uint32_t last = first;
+  parts_.clear();
+
+  // The new window holds [held_from, ...) until an older one keeps a part.
+  double held_from = interval.begin;
+  const auto put_down = [&](double held_until) {
+    const Interval held{held_from, held_until};
+    if (held.width() > least_width) {
+      Add({held, origin, half_edge, pseudo_source, kQueued});
     }
   };
-  while (at != kNothing && pool_[at].interval.begin < interval.end) {
-    const Window older = pool_[at];
+  for (; last < list.size() && list[last].begin < interval.end; ++last) {
+    const uint32_t id = list[last].id;
+    const Window older = pool_[id];
     const Interval overlap{std::max(older.interval.begin, interval.begin),
                            std::min(older.interval.end, interval.end)};
-    Contest contest = Contend(older.origin, origin, overlap);
-    // The part of the overlap that the new window wins.
-    Interval won = overlap;
-    switch (contest.outcome) {
-      case Contest::kOlderWins:
-        won.end = won.begin;
-        break;
-      case Contest::kNewerWins:
-        break;
-      case Contest::kNewerBefore:
-        won.end = contest.crossing;
-        break;
-      case Contest::kNewerAfter:
-        won.begin = contest.crossing;
-        break;
-    }
-    if (won.width() <= 0) {  // the older window keeps everything
+    const Interval won = WonByNewer(older.origin, origin, overlap);
+    if (won.begin > overlap.begin || won.width() <= 0) {
       put_down(overlap.begin);
-      won_from = overlap.end;
-      previous = at;
-      at = older.next;
+      held_from = won.begin;
+    }
+    if (won.width() <= 0) {
+      parts_.push_back(list[last]);
+      held_from = overlap.end;
       continue;
     }
     const Interval before{older.interval.begin, won.begin};
     const Interval after{won.end, older.interval.end};
     const bool keeps_before = before.width() > least_width;
     const bool keeps_after = after.width() > least_width;
-    if (won.begin > overlap.begin) {
-      put_down(overlap.begin);
-      won_from = won.begin;
-    }
     if (keeps_before) {
-      pool_[at].interval = before;
-      previous = at;
-      if (keeps_after) {
-        // Won in the middle, or at one end with the older reaching beyond.
-        put_down(won.end);
-        won_from = overlap.end;
-        Window rest = older;
-        rest.interval = after;
-        previous = LinkBehind(previous, rest, older.state == kQueued);
-      }
-    } else if (keeps_after) {
-      pool_[at].interval = after;
-      put_down(won.end);
-      won_from = overlap.end;
-      previous = at;
-    } else {
-      Unlink(previous, at);
+      pool_[id].interval = before;
+      parts_.push_back({before.begin, id});
     }
-    at = LinkOf(half_edge, previous);
+    if (keeps_after) {
+      put_down(won.end);
+      held_from = overlap.end;
+    }
+    if (keeps_after && keeps_before) {
+      Window rest = older;
+      rest.interval = after;
+      Add(rest);
+    } else if (keeps_after) {
+      pool_[id].interval = after;
+      parts_.push_back({after.begin, id});
+    } else if (!keeps_before) {
+      Discard(id);
+    }
   }
   put_down(interval.end);
+  lists_.Replace(half_edge, first, last, parts_);
 }
 
 template <WindowQueue Queue>
-uint32_t MmpRule<Queue>::LinkBehind(uint32_t previous, const Window& window,
-                                    bool queue) {
+void MmpRule<Queue>::Add(const Window& window) {
   const uint32_t id = pool_.Allocate(window);
-  uint32_t& link = LinkOf(window.half_edge, previous);
-  pool_[id].next = link;
-  link = id;
-  if (queue) {
+  parts_.push_back({window.interval.begin, id});
+  if (window.state == kQueued) {
     ++created_;
     front_.queue().Push(id, Label(window.origin, window.interval));
   }
-  return id;
 }
 
 template <WindowQueue Queue>
-void MmpRule<Queue>::Unlink(uint32_t previous, uint32_t id) {
-  Window& window = pool_[id];
-  LinkOf(window.half_edge, previous) = window.next;
-  if (window.state == kQueued) {
-    window.state = kVoid;
+void MmpRule<Queue>::Discard(uint32_t id) {
+  if (pool_[id].state == kQueued) {
+    pool_[id].state = kVoid;
     front_.queue().MarkVoid();
   } else {
     pool_.Free(id);

@@ -5,24 +5,27 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace geodesic {
 
 // Numbers are dense and reused, most recently freed first, so that a live
-// wavefront stays in cache. References are invalidated by Allocate.
+// wavefront stays in cache. Windows lie in chunks that never move: growing
+// copies nothing, and references stay valid until Free.
 template <typename Window>
 class WindowPool {
  public:
   uint32_t Allocate(const Window& window) {
     peak_ = std::max(peak_, ++live_);
-    if (free_.empty()) {
-      windows_.push_back(window);
-      return static_cast<uint32_t>(windows_.size() - 1);
+    uint32_t id = used_;
+    if (!free_.empty()) {
+      id = free_.back();
+      free_.pop_back();
+    } else if (used_++ % kChunk == 0) {
+      chunks_.push_back(std::make_unique_for_overwrite<Window[]>(kChunk));
     }
-    const uint32_t id = free_.back();
-    free_.pop_back();
-    windows_[id] = window;
+    (*this)[id] = window;
     return id;
   }
 
@@ -31,20 +34,25 @@ class WindowPool {
     --live_;
   }
 
-  Window& operator[](uint32_t id) { return windows_[id]; }
-  const Window& operator[](uint32_t id) const { return windows_[id]; }
+  Window& operator[](uint32_t id) { return chunks_[id / kChunk][id % kChunk]; }
+  const Window& operator[](uint32_t id) const {
+    return chunks_[id / kChunk][id % kChunk];
+  }
 
-  void Prefetch(uint32_t id) const { __builtin_prefetch(&windows_[id]); }
+  void Prefetch(uint32_t id) const { __builtin_prefetch(&(*this)[id]); }
 
   uint64_t live() const { return live_; }
   uint64_t peak() const { return peak_; }
   uint64_t bytes() const {
-    return windows_.capacity() * sizeof(Window) +
+    return chunks_.size() * kChunk * sizeof(Window) +
            free_.capacity() * sizeof(uint32_t);
   }
 
  private:
-  std::vector<Window> windows_;
+  static constexpr uint32_t kChunk = 4096;
+
+  std::vector<std::unique_ptr<Window[]>> chunks_;
+  uint32_t used_ = 0;
   std::vector<uint32_t> free_;
   uint64_t live_ = 0;
   uint64_t peak_ = 0;
