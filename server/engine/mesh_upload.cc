@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -140,7 +141,12 @@ absl::Status MeshUpload::Append(uint64_t offset, std::string_view data) {
         header_.size_bytes, std::max({needed, 2 * held, kFirstCapacity}));
     absl::Status status = reservation_.GrowTo(held + capacity);
     if (!status.ok()) return status;
-    bytes_.reserve(capacity);
+    try {
+      bytes_.reserve(capacity);
+    } catch (const std::bad_alloc&) {
+      return absl::ResourceExhaustedError(absl::StrCat(
+          "the server has no memory for an upload of ", capacity, " bytes"));
+    }
     reservation_.ShrinkTo(capacity);
   }
   bytes_.insert(bytes_.end(), data.begin(), data.end());

@@ -1,8 +1,11 @@
 #include "server/engine/status_details.h"
 
+#include <algorithm>
 #include <cstdint>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/cord.h"
+#include "absl/strings/escaping.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 
@@ -47,6 +50,14 @@ std::optional<std::chrono::milliseconds> RetryAfter(
     return std::nullopt;
   }
   return std::chrono::milliseconds(count);
+}
+
+std::string PrintableMessage(const absl::Status& status) {
+  const absl::string_view message = status.message();
+  const bool printable =
+      std::all_of(message.begin(), message.end(),
+                  [](char c) { return absl::ascii_isprint(c); });
+  return printable ? std::string(message) : absl::CHexEscape(message);
 }
 
 }  // namespace geodesic::server

@@ -28,6 +28,10 @@ absl::Status WithRetryAfter(absl::Status status,
 
 std::optional<std::chrono::milliseconds> RetryAfter(const absl::Status& status);
 
+// The message in printable ASCII: bytes of a file or request that it quotes
+// beyond that are escaped.
+std::string PrintableMessage(const absl::Status& status);
+
 }  // namespace geodesic::server
 
 #endif  // GEODESIC_SERVER_ENGINE_STATUS_DETAILS_H_

@@ -1,0 +1,66 @@
+// geodesicd: the geodesic query server.
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "server/options.h"
+#include "server/server.h"
+#include "server/termination_signals.h"
+
+namespace geodesic::server {
+namespace {
+
+constexpr int kCannotStart = 1;
+constexpr int kRequestsCancelled = 3;
+
+bool WritePort(const std::string& path, int port) {
+  std::ofstream file(path);
+  file << port << '\n' << std::flush;
+  return file.good();
+}
+
+int Run(const ServerOptions& options) {
+  BlockTerminationSignals();
+  const std::shared_ptr<spdlog::logger> logger =
+      spdlog::stderr_color_mt("geodesicd");
+  logger->set_level(spdlog::level::from_str(options.log_level));
+
+  Server server(options, logger);
+  if (const absl::Status status = server.Start(); !status.ok()) {
+    logger->critical("{}", status.ToString());
+    return kCannotStart;
+  }
+  if (!options.port_file.empty() &&
+      !WritePort(options.port_file, server.port())) {
+    logger->critical("cannot write --port-file {}", options.port_file);
+    return kCannotStart;
+  }
+  const size_t colon = options.listen.rfind(':');
+  logger->info("geodesicd {} serves on {}:{}", ServerVersion(),
+               options.listen.substr(0, colon), server.port());
+  const TerminationSignals signals(
+      [&](int) { server.Shutdown(options.drain); });
+  return server.Wait() ? EXIT_SUCCESS : kRequestsCancelled;
+}
+
+}  // namespace
+}  // namespace geodesic::server
+
+int main(int argc, char** argv) {
+  using geodesic::server::CommandLine;
+  const CommandLine command_line = geodesic::server::ParseCommandLine(
+      argc, argv, std::string(geodesic::server::ServerVersion()));
+  if (command_line.exit_code) return *command_line.exit_code;
+  try {
+    return geodesic::server::Run(command_line.options);
+  } catch (const std::exception& error) {
+    spdlog::critical("geodesicd: {}", error.what());
+    return geodesic::server::kCannotStart;
+  }
+}

@@ -1,0 +1,197 @@
+#include "server/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <thread>
+
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_replace.h"
+
+namespace geodesic::server {
+namespace {
+
+constexpr int kUsageError = 2;
+
+constexpr uint64_t kMaxBytes = uint64_t{1} << 50;
+
+// The bound of core's 32-bit half-edge numbers.
+constexpr uint64_t kMaxFaces = (uint64_t{1} << 32) / 3 - 1;
+constexpr uint64_t kMaxVertices = uint64_t{1} << 31;
+
+std::string InUnits(uint64_t bytes) {
+  for (const auto& [shift, unit] :
+       {std::pair{30, "GiB"}, {20, "MiB"}, {10, "KiB"}}) {
+    const uint64_t size = uint64_t{1} << shift;
+    if (bytes >= size && bytes % size == 0) {
+      return absl::StrCat(bytes / size, unit);
+    }
+  }
+  return absl::StrCat(bytes, "B");
+}
+
+void AddBytes(CLI::App& app, const std::string& flag, uint64_t& value,
+              const std::string& help) {
+  app.add_option(flag, value, help)
+      ->transform(CLI::AsSizeValue(/*kb_is_1000=*/true))
+      ->check(CLI::Range(uint64_t{1}, kMaxBytes, "BYTES"))
+      ->default_str(InUnits(value))
+      ->type_name("BYTES");
+}
+
+void AddCount(CLI::App& app, const std::string& flag, uint64_t& value,
+              uint64_t most, const std::string& help) {
+  app.add_option(flag, value, help)
+      ->check(CLI::Range(uint64_t{1}, most, "N"))
+      ->capture_default_str()
+      ->type_name("N");
+}
+
+void AddNetworkOptions(CLI::App& app, ServerOptions& options) {
+  app.add_option("--listen", options.listen,
+                 "Address and port to serve on; port 0 takes a free port")
+      ->check([](const std::string& address) {
+        const size_t colon = address.rfind(':');
+        const std::string port =
+            colon == std::string::npos ? "" : address.substr(colon + 1);
+        const bool digits =
+            !port.empty() && port.size() <= 5 &&
+            std::all_of(port.begin(), port.end(), absl::ascii_isdigit);
+        return digits && colon > 0 && std::stoi(port) <= 65535
+                   ? std::string()
+                   : absl::StrCat("\"", address, "\" is not HOST:PORT");
+      })
+      ->capture_default_str()
+      ->type_name("HOST:PORT");
+  app.add_option("--port-file", options.port_file,
+                 "Write the port that is served on to this file, for scripts")
+      ->type_name("PATH");
+  AddBytes(app, "--max-message-bytes", options.max_message_bytes,
+           "Largest gRPC message taken from a client");
+}
+
+void AddWorkOptions(CLI::App& app, ServerOptions& options) {
+  Limits& limits = options.limits;
+  limits.max_concurrent_jobs =
+      std::max<uint64_t>(1, std::thread::hardware_concurrency());
+  AddCount(app, "--threads", limits.max_concurrent_jobs, 4096,
+           "Jobs (solves and mesh builds) that run at once, one thread each");
+  AddCount(app, "--max-queued-jobs", limits.max_queued_jobs, 1'000'000,
+           "Jobs that may wait for a thread; more are refused, to be retried");
+  AddCount(app, "--max-sources", limits.max_sources, 100'000'000,
+           "Sources of one query");
+}
+
+void AddMemoryOptions(CLI::App& app, ServerOptions& options) {
+  Limits& limits = options.limits;
+  AddBytes(app, "--mesh-store", limits.mesh_store_bytes,
+           "Memory for resident meshes; the least recently used are evicted");
+  AddBytes(app, "--field-cache", limits.field_cache_bytes,
+           "Memory for finished fields; the least recently used are evicted");
+  AddBytes(app, "--upload-memory", limits.upload_memory_bytes,
+           "Memory for uploads on their way to become meshes, all together");
+  AddBytes(app, "--solver-memory", limits.solver_memory_bytes,
+           "Memory for running solvers, all together");
+}
+
+void AddMeshOptions(CLI::App& app, ServerOptions& options) {
+  Limits& limits = options.limits;
+  AddBytes(app, "--max-upload-bytes", limits.max_upload_bytes,
+           "Largest mesh file or pair of arrays a client may upload");
+  AddCount(app, "--max-vertices", limits.max_vertices, kMaxVertices,
+           "Vertices of one mesh");
+  AddCount(app, "--max-faces", limits.max_faces, kMaxFaces,
+           "Triangles of one mesh");
+}
+
+void AddOperationOptions(CLI::App& app, ServerOptions& options,
+                         int64_t& drain_seconds) {
+  app.add_option("--drain-seconds", drain_seconds,
+                 "After SIGTERM or SIGINT, how long requests may go on before "
+                 "they are cancelled; a second signal cancels them at once")
+      ->check(CLI::Range(int64_t{0}, int64_t{86400}, "SECONDS"))
+      ->capture_default_str()
+      ->type_name("SECONDS");
+  app.add_option("--log-level", options.log_level,
+                 "Least level that is logged; requests are logged at info")
+      ->check(CLI::IsMember(
+          {"trace", "debug", "info", "warn", "error", "critical", "off"}))
+      ->capture_default_str()
+      ->type_name("LEVEL");
+}
+
+// Puts what `add` adds under a heading of the help.
+template <typename Add>
+void AddGroup(CLI::App& app, const std::string& heading, Add add) {
+  const size_t before = app.get_options().size();
+  add();
+  const std::vector<CLI::Option*> all = app.get_options();
+  for (size_t i = before; i < all.size(); ++i) all[i]->group(heading);
+}
+
+// --max-faces is GEODESICD_MAX_FACES.
+void NameEnvironmentVariables(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_lnames().empty()) continue;
+    const std::string name = option->get_lnames().front();
+    if (name == "help" || name == "version") continue;
+    option->envname(absl::StrCat(
+        "GEODESICD_",
+        absl::AsciiStrToUpper(absl::StrReplaceAll(name, {{"-", "_"}}))));
+  }
+}
+
+std::string CheckTogether(const Limits& limits) {
+  if (limits.max_upload_bytes > limits.upload_memory_bytes) {
+    return absl::StrCat("--max-upload-bytes (",
+                        InUnits(limits.max_upload_bytes),
+                        ") must not exceed --upload-memory (",
+                        InUnits(limits.upload_memory_bytes), ")");
+  }
+  return "";
+}
+
+}  // namespace
+
+CommandLine ParseCommandLine(int argc, const char* const* argv,
+                             const std::string& version) {
+  CommandLine result;
+  ServerOptions& options = result.options;
+  int64_t drain_seconds = options.drain.count();
+
+  CLI::App app("Serves exact geodesic distances on triangle meshes over gRPC.",
+               "geodesicd");
+  app.set_version_flag("--version", "geodesicd " + version);
+  app.set_config("--config", "", "Read settings from this TOML or INI file")
+      ->type_name("FILE");
+  AddGroup(app, "Network", [&] { AddNetworkOptions(app, options); });
+  AddGroup(app, "Work", [&] { AddWorkOptions(app, options); });
+  AddGroup(app, "Memory", [&] { AddMemoryOptions(app, options); });
+  AddGroup(app, "Meshes", [&] { AddMeshOptions(app, options); });
+  AddGroup(app, "Operation",
+           [&] { AddOperationOptions(app, options, drain_seconds); });
+  NameEnvironmentVariables(app);
+  app.footer(
+      "BYTES take a unit: B, KiB, MiB, GiB, or KB, MB, GB. A setting comes\n"
+      "from its flag, else from its environment variable, else from the file,\n"
+      "where it has the flag's name without dashes in front:\n"
+      "  listen = \"0.0.0.0:50051\"\n"
+      "  field-cache = \"2GiB\"\n"
+      "Exit codes: 0 stopped in order; 1 could not start; 2 wrong usage;\n"
+      "3 stopped, but requests had to be cancelled.");
+
+  try {
+    app.parse(argc, argv);
+    if (const std::string error = CheckTogether(options.limits);
+        !error.empty()) {
+      throw CLI::ValidationError(error);
+    }
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    result.exit_code = code == 0 ? 0 : kUsageError;
+  }
+  options.drain = std::chrono::seconds(drain_seconds);
+  return result;
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,42 @@
+// geodesicd's settings: flags, environment variables and a file.
+
+#ifndef GEODESIC_SERVER_OPTIONS_H_
+#define GEODESIC_SERVER_OPTIONS_H_
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "server/engine/limits.h"
+
+namespace geodesic::server {
+
+struct ServerOptions {
+  // HOST:PORT; port 0 takes a free one.
+  std::string listen = "127.0.0.1:50051";
+  // Where to write the port that was taken; empty: nowhere.
+  std::string port_file;
+  // Largest gRPC message taken.
+  uint64_t max_message_bytes = uint64_t{4} << 20;
+  // How long requests may go on after SIGTERM.
+  std::chrono::seconds drain{30};
+  // A level of spdlog.
+  std::string log_level = "info";
+  Limits limits;
+};
+
+// What the command line asks for: to run with `options`, or, when `exit_code`
+// is set, to exit with it (help or an error has been printed).
+struct CommandLine {
+  ServerOptions options;
+  std::optional<int> exit_code;
+};
+
+// A flag wins over its environment variable, and that over the file.
+CommandLine ParseCommandLine(int argc, const char* const* argv,
+                             const std::string& version);
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_OPTIONS_H_

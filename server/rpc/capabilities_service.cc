@@ -1,0 +1,49 @@
+#include "server/rpc/capabilities_service.h"
+
+#include <utility>
+
+#include "geodesic/algorithm.h"
+#include "server/rpc/message_translation.h"
+#include "server/rpc/unary_call.h"
+
+namespace geodesic::server {
+
+CapabilitiesService::CapabilitiesService(const Limits& limits,
+                                         uint64_t max_message_bytes,
+                                         std::string version, RequestLog& log)
+    : log_(log) {
+  capabilities_.set_version(std::move(version));
+  for (const AlgorithmInfo& info : kAlgorithms) {
+    v1::AlgorithmCapability& algorithm = *capabilities_.add_algorithms();
+    algorithm.set_algorithm(ToProto(info.algorithm));
+    algorithm.set_name(info.name.data(), info.name.size());
+    algorithm.set_summary(info.summary.data(), info.summary.size());
+    algorithm.set_is_default(info.algorithm == kDefaultAlgorithm);
+  }
+  for (const v1::MeshFormat format :
+       {v1::MESH_FORMAT_ARRAYS, v1::MESH_FORMAT_OBJ, v1::MESH_FORMAT_PLY,
+        v1::MESH_FORMAT_OFF, v1::MESH_FORMAT_STL}) {
+    capabilities_.add_formats(format);
+  }
+  v1::Limits& published = *capabilities_.mutable_limits();
+  published.set_max_upload_bytes(limits.max_upload_bytes);
+  published.set_max_vertices(limits.max_vertices);
+  published.set_max_faces(limits.max_faces);
+  published.set_max_sources(limits.max_sources);
+  published.set_max_message_bytes(max_message_bytes);
+  published.set_max_concurrent_jobs(limits.max_concurrent_jobs);
+  published.set_max_queued_jobs(limits.max_queued_jobs);
+  published.set_mesh_store_bytes(limits.mesh_store_bytes);
+  published.set_field_cache_bytes(limits.field_cache_bytes);
+}
+
+grpc::ServerUnaryReactor* CapabilitiesService::GetCapabilities(
+    grpc::CallbackServerContext* context, const v1::GetCapabilitiesRequest*,
+    v1::GetCapabilitiesResponse* response) {
+  return AnswerUnary(context, log_, "GetCapabilities", [&](RequestLog::Entry&) {
+    *response = capabilities_;
+    return absl::OkStatus();
+  });
+}
+
+}  // namespace geodesic::server

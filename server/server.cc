@@ -1,0 +1,114 @@
+#include "server/server.h"
+
+#include <grpcpp/ext/proto_server_reflection_plugin.h>
+#include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/security/server_credentials.h>
+#include <grpcpp/server.h>
+#include <grpcpp/server_builder.h>
+#include <spdlog/spdlog.h>
+
+#include <string>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+
+namespace geodesic::server {
+namespace {
+
+// How long the last reactions of cancelled calls may take.
+constexpr std::chrono::seconds kCancelGrace{10};
+
+}  // namespace
+
+std::string_view ServerVersion() { return GEODESIC_VERSION; }
+
+Server::Server(const ServerOptions& options,
+               std::shared_ptr<spdlog::logger> logger, SolveFunction solve)
+    : options_(options),
+      logger_(std::move(logger)),
+      log_(logger_),
+      pool_(options.limits.max_concurrent_jobs),
+      engine_(options.limits, clock_, pool_, std::move(solve)),
+      mesh_service_(engine_, log_),
+      field_service_(engine_, std::string(ServerVersion()), log_),
+      capabilities_service_(options.limits, options.max_message_bytes,
+                            std::string(ServerVersion()), log_) {}
+
+Server::~Server() {
+  if (grpc_server_ == nullptr) return;
+  Shutdown(std::chrono::milliseconds(0));
+  Wait();
+}
+
+absl::Status Server::Start() {
+  // Both act on every server that is built afterwards; there is one.
+  grpc::EnableDefaultHealthCheckService(true);
+  grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+
+  grpc::ServerBuilder builder;
+  // Without it two servers could share a port, each with half of the meshes.
+  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
+  builder.SetMaxReceiveMessageSize(
+      static_cast<int>(options_.max_message_bytes));
+  builder.AddListeningPort(options_.listen, grpc::InsecureServerCredentials(),
+                           &port_);
+  builder.RegisterService(&mesh_service_);
+  builder.RegisterService(&field_service_);
+  builder.RegisterService(&capabilities_service_);
+  grpc_server_ = builder.BuildAndStart();
+  if (grpc_server_ == nullptr || port_ == 0) {
+    grpc_server_.reset();
+    return absl::UnavailableError(absl::StrCat(
+        "cannot listen on ", options_.listen,
+        ": the port is in use or the address is not of this machine"));
+  }
+  SetServing(true);
+  return absl::OkStatus();
+}
+
+void Server::Shutdown(std::chrono::milliseconds grace) {
+  std::lock_guard lock(mutex_);
+  if (draining_) {
+    hurry_.request_stop();
+    return;
+  }
+  draining_ = true;
+  drain_until_ = clock_.Now() + grace;
+  SetServing(false);
+  engine_.BeginDrain();
+  logger_->info("draining: {} requests go on for at most {:.0f} s",
+                log_.active(), std::chrono::duration<double>(grace).count());
+  shutdown_.notify_all();
+}
+
+bool Server::Wait() {
+  TimePoint until;
+  {
+    std::unique_lock lock(mutex_);
+    shutdown_.wait(lock, [this] { return draining_; });
+    until = drain_until_;
+  }
+  const bool in_order = log_.WaitIdle(until, hurry_.get_token());
+  if (!in_order) {
+    logger_->warn("{} requests are cancelled", log_.active());
+  }
+  // Their streams are told why, if they can still be reached.
+  engine_.StopAll();
+  grpc_server_->Shutdown(std::chrono::system_clock::now());
+  log_.WaitIdle(clock_.Now() + kCancelGrace, std::stop_token());
+  grpc_server_.reset();
+  logger_->info("stopped");
+  return in_order;
+}
+
+void Server::SetServing(bool serving) {
+  grpc::HealthCheckServiceInterface* health =
+      grpc_server_->GetHealthCheckService();
+  for (const char* service :
+       {"", "geodesic.v1.MeshService", "geodesic.v1.FieldService",
+        "geodesic.v1.CapabilitiesService"}) {
+    health->SetServingStatus(service, serving);
+  }
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,91 @@
+// The one place that wires the service: clock, threads, engine, gRPC.
+//
+//   Server server(options, logger);
+//   absl::Status status = server.Start();
+//   ...  // elsewhere, on a signal: server.Shutdown(grace);
+//   bool in_order = server.Wait();
+
+#ifndef GEODESIC_SERVER_SERVER_H_
+#define GEODESIC_SERVER_SERVER_H_
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string_view>
+
+#include "absl/status/status.h"
+#include "server/engine/clock.h"
+#include "server/engine/query_engine.h"
+#include "server/engine/thread_pool.h"
+#include "server/options.h"
+#include "server/rpc/capabilities_service.h"
+#include "server/rpc/field_service.h"
+#include "server/rpc/mesh_service.h"
+#include "server/rpc/request_log.h"
+
+namespace grpc {
+class Server;
+}
+
+namespace geodesic::server {
+
+// Version of this program.
+std::string_view ServerVersion();
+
+class Server {
+ public:
+  // `solve` is the seam where tests hold a solver up.
+  Server(const ServerOptions& options, std::shared_ptr<spdlog::logger> logger,
+         SolveFunction solve = &Solve);
+
+  // Shuts down without grace if that was not done before.
+  ~Server();
+
+  // Binds the address and serves. Call once.
+  // Errors: UNAVAILABLE naming the address that could not be bound.
+  absl::Status Start();
+
+  // The port served on. REQUIRES: Start succeeded.
+  int port() const { return port_; }
+
+  // Begins to drain and returns at once: health checks answer NOT_SERVING, new
+  // work is refused, and Wait cancels what has not ended after `grace`. A
+  // second call cuts the grace short. Thread-safe.
+  void Shutdown(std::chrono::milliseconds grace);
+
+  // Waits for Shutdown and for the drain. Whether every request ended within
+  // the grace period. Call once, after Start succeeded.
+  bool Wait();
+
+  const QueryEngine& engine() const { return engine_; }
+
+ private:
+  void SetServing(bool serving);
+
+  const ServerOptions options_;
+  const std::shared_ptr<spdlog::logger> logger_;
+
+  SteadyClock clock_;
+  RequestLog log_;
+  ThreadPool pool_;
+  QueryEngine engine_;
+  MeshService mesh_service_;
+  FieldService field_service_;
+  CapabilitiesService capabilities_service_;
+  std::unique_ptr<grpc::Server> grpc_server_;
+  int port_ = 0;
+
+  std::stop_source hurry_;  // cuts the grace short
+
+  std::mutex mutex_;
+  std::condition_variable shutdown_;
+  // Guarded by mutex_:
+  bool draining_ = false;
+  TimePoint drain_until_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_SERVER_H_
