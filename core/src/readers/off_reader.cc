@@ -61,17 +61,19 @@ class OffReader {
     if (!NextLine()) return AtLine(1, "the file holds no OFF header");
     const std::string_view token = TakeToken(rest_);
     std::string_view keyword = token;
+    bool three_space = true;
     for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) {
       if (!keyword.starts_with(prefix)) continue;
       keyword.remove_prefix(prefix.size());
-      if (prefix == "4" || prefix == "n") {
-        return AtLine(scanner_.line_number(), "'", Printable(token),
-                      "' holds points that are not in 3-space");
-      }
+      three_space = prefix != "4" && prefix != "n";
     }
     if (!keyword.starts_with("OFF")) {
       return AtLine(scanner_.line_number(), "'", Printable(token),
                     "' is no OFF header");
+    }
+    if (!three_space) {
+      return AtLine(scanner_.line_number(), "'", Printable(token),
+                    "' holds points that are not in 3-space");
     }
     // A well-known data set writes the counts right behind: "OFF8 6 12".
     const std::string_view glued = keyword.substr(3);

@@ -1,0 +1,394 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "absl/status/statusor.h"
+#include "geodesic/read_mesh.h"
+#include "tests/core/readers/byte_writer.h"
+#include "tests/core/readers/soup_checks.h"
+
+namespace geodesic {
+namespace {
+
+using test::ByteWriter;
+using test::ExpectRead;
+using test::IsInvalid;
+using test::IsInvalidWith;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+absl::StatusOr<TriangleSoup> Read(std::string_view bytes) {
+  return ReadMesh(bytes, MeshFormat::kPly);
+}
+
+std::string Header(std::string_view format, std::string_view elements) {
+  return "ply\nformat " + std::string(format) + " 1.0\n" +
+         std::string(elements) + "end_header\n";
+}
+
+std::string_view FormatName(std::endian order) {
+  return order == std::endian::little ? "binary_little_endian"
+                                      : "binary_big_endian";
+}
+
+constexpr std::string_view kFourVertices =
+    "element vertex 4\nproperty double x\nproperty double y\n"
+    "property double z\n";
+constexpr std::string_view kOneFace =
+    "element face 1\nproperty list uchar int vertex_indices\n";
+
+std::string FourAndOne() {
+  return std::string(kFourVertices) + std::string(kOneFace);
+}
+
+class PlyBinaryTest : public testing::TestWithParam<std::endian> {
+ protected:
+  ByteWriter Begin(std::string_view elements) const {
+    ByteWriter writer(GetParam());
+    writer.Text(Header(FormatName(GetParam()), elements));
+    return writer;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(ByteOrders, PlyBinaryTest,
+                         testing::Values(std::endian::little, std::endian::big),
+                         [](const auto& parameter) {
+                           return std::string(
+                               parameter.param == std::endian::little ? "Little"
+                                                                      : "Big");
+                         });
+
+TEST_P(PlyBinaryTest, KeepsDoublesAndTheOrderOfTheFile) {
+  ByteWriter file = Begin(FourAndOne());
+  file.Put<double>(0.1, 1e-300, -1e300, 9, 9, 9, 0.5, 5, 1, 1, 2, 3)
+      .Put<uint8_t>(3)
+      .Put<int32_t>(0, 2, 3);
+  const TriangleSoup soup = ExpectRead(Read(file.bytes()));
+  EXPECT_THAT(soup.positions,
+              ElementsAre(Point{0.1, 1e-300, -1e300}, Point{9, 9, 9},
+                          Point{0.5, 5, 1}, Point{1, 2, 3}));
+  EXPECT_THAT(soup.triangles, ElementsAre(Triangle{0, 2, 3}));
+}
+
+TEST_P(PlyBinaryTest, TakesPropertiesOfAnyTypeInAnyOrder) {
+  ByteWriter file = Begin(
+      "comment mixed\nobj_info x\nelement vertex 3\nproperty uchar red\n"
+      "property short z\nproperty float32 nx\nproperty uint8 x\n"
+      "property list uint16 double neighbours\nproperty float64 quality\n"
+      "property float y\nelement face 2\nproperty ushort flags\n"
+      "property list uint uint16 vertex_index\nproperty list char float uv\n"
+      "property int64_like_name x\n");
+  EXPECT_THAT(Read(file.bytes()),
+              IsInvalid("line 17: unknown type 'int64_like_name'"));
+  file = Begin(
+      "comment mixed\nobj_info x\nelement vertex 3\nproperty uchar red\n"
+      "property short z\nproperty float32 nx\nproperty uint8 x\n"
+      "property list uint16 double neighbours\nproperty float64 quality\n"
+      "property float y\nelement face 2\nproperty ushort flags\n"
+      "property list uint uint16 vertex_index\nproperty list char float uv\n");
+  for (int i = 0; i < 3; ++i) {
+    file.Put<uint8_t>(255).Put<int16_t>(-300 * i);
+    file.Put<float>(std::nanf("")).Put<uint8_t>(200 + i);
+    file.Put<uint16_t>(i);
+    for (int k = 0; k < i; ++k) file.Put<double>(k);
+    file.Put<double>(std::numeric_limits<double>::infinity());
+    file.Put<float>(0.25f * i);
+  }
+  file.Put<uint16_t>(7).Put<uint32_t>(3).Put<uint16_t>(0, 1, 2);
+  file.Put<int8_t>(2).Put<float>(0, 1);
+  file.Put<uint16_t>(7).Put<uint32_t>(4).Put<uint16_t>(2, 1, 0, 1);
+  file.Put<int8_t>(0);
+  const TriangleSoup soup = ExpectRead(Read(file.bytes()));
+  EXPECT_THAT(soup.positions,
+              ElementsAre(Point{200, 0, 0}, Point{201, 0.25, -300},
+                          Point{202, 0.5, -600}));
+  EXPECT_THAT(soup.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 0},
+                                          Triangle{2, 0, 1}));
+}
+
+TEST_P(PlyBinaryTest, SkipsOtherElementsWhereverTheyStand) {
+  ByteWriter file = Begin(
+      "element camera 2\nproperty float view\nproperty list uchar short path\n"
+      "element nothing 99\n" +
+      std::string(kOneFace) +
+      "element edge 2\nproperty int a\nproperty int b\n" +
+      std::string(kFourVertices) + "element extra 1\nproperty uchar a\n");
+  file.Put<float>(1).Put<uint8_t>(2).Put<int16_t>(1, 2);
+  file.Put<float>(1).Put<uint8_t>(0);
+  file.Put<uint8_t>(3).Put<int32_t>(3, 2, 1);
+  file.Put<int32_t>(0, 1, 1, 2);
+  file.Put<double>(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+  file.Put<uint8_t>(1);
+  const TriangleSoup soup = ExpectRead(Read(file.bytes()));
+  EXPECT_THAT(soup.positions, SizeIs(4));
+  EXPECT_THAT(soup.triangles, ElementsAre(Triangle{3, 2, 1}));
+}
+
+TEST_P(PlyBinaryTest, MessagesNameByteAndElement) {
+  const std::string start = Begin(FourAndOne()).bytes();
+  ByteWriter file = Begin(FourAndOne());
+  file.Put<double>(0, 0, 0, 1, std::nan(""), 0, 0, 1, 0, 0, 0, 1)
+      .Put<uint8_t>(3)
+      .Put<int32_t>(0, 1, 2);
+  EXPECT_THAT(Read(file.bytes()),
+              IsInvalid("byte " + std::to_string(start.size() + 32) +
+                        ": vertex 1: coordinate y is not a finite number"));
+
+  ByteWriter vertices = Begin(FourAndOne());
+  vertices.Put<double>(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+  const size_t faces_at = vertices.bytes().size();
+  const auto with_face = [&](int corners, int a, int b, int c) {
+    ByteWriter copy = vertices;
+    copy.Put<uint8_t>(corners).Put<int32_t>(a, b, c);
+    return copy.bytes();
+  };
+  EXPECT_THAT(Read(with_face(3, 0, 99, 1)),
+              IsInvalid("byte " + std::to_string(faces_at + 5) +
+                        ": face 0 names vertex 99, but there are 4 vertices, "
+                        "counted from 0"));
+  EXPECT_THAT(Read(with_face(3, 0, -1, 1)),
+              IsInvalidWith("face 0 names vertex -1"));
+  EXPECT_THAT(Read(with_face(2, 0, 1, 2)),
+              IsInvalid("byte " + std::to_string(faces_at) +
+                        ": face 0 has 2 corners; at least 3 are needed"));
+  EXPECT_THAT(Read(with_face(255, 0, 1, 2)),
+              IsInvalid("byte " + std::to_string(faces_at) +
+                        ": face 0 has a list of 255 items of 4 bytes, but only "
+                        "12 bytes are left"));
+  EXPECT_THAT(Read(with_face(3, 0, 1, 2) + "more"),
+              IsInvalid("byte " + std::to_string(faces_at + 13) +
+                        ": 4 bytes more than the header declares"));
+  EXPECT_THAT(ExpectRead(Read(with_face(3, 0, 1, 2) + "\r\n")).triangles,
+              SizeIs(1));
+}
+
+TEST_P(PlyBinaryTest, CountsThatCannotBeThereAreRefusedAtOnce) {
+  for (const std::string count :
+       {"1000", "2000000000", "9223372036854775807"}) {
+    ByteWriter file = Begin("element vertex " + count +
+                            "\nproperty float x\nproperty float y\n"
+                            "property float z\n");
+    const size_t at = file.bytes().size();
+    file.Put<float>(0, 0, 0);
+    EXPECT_THAT(Read(file.bytes()),
+                IsInvalid("byte " + std::to_string(at) + ": " + count +
+                          " rows of element vertex take at least 12 bytes "
+                          "each, but only 12 bytes are left"));
+    EXPECT_THAT(
+        Read(Begin("element x " + count + "\nproperty list int int a\n" +
+                   std::string(kFourVertices))
+                 .bytes()),
+        IsInvalidWith(count + " rows of element x"));
+  }
+  EXPECT_THAT(Read(Begin("element vertex 18446744073709551616\n").bytes()),
+              IsInvalid("line 3: '18446744073709551616' is not a count of "
+                        "elements"));
+  // Lists whose bytes would overflow, or that run backwards.
+  ByteWriter file =
+      Begin("element x 1\nproperty list uint double a\n" + FourAndOne());
+  file.Put<uint32_t>(4294967295u).Put<double>(0);
+  EXPECT_THAT(Read(file.bytes()), IsInvalidWith("a list of 4294967295 items"));
+  file = Begin("element x 1\nproperty list int double a\n" + FourAndOne());
+  file.Put<int32_t>(-1).Put<double>(0);
+  EXPECT_THAT(Read(file.bytes()), IsInvalidWith("x 0 has a list of length -1"));
+}
+
+TEST_P(PlyBinaryTest, AnyLineEndMayPrecedeTheBody) {
+  // The first coordinate begins with the byte of a line feed in both orders.
+  const double feed = std::bit_cast<double>(uint64_t{0x0a0000000000000a});
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    const ByteWriter with_line_feeds = Begin(FourAndOne());
+    std::string header;
+    for (const char c : with_line_feeds.bytes()) {
+      header += c == '\n' ? std::string(end) : std::string(1, c);
+    }
+    ByteWriter file(GetParam());
+    file.Text(header)
+        .Put<double>(feed, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1)
+        .Put<uint8_t>(3)
+        .Put<int32_t>(0, 1, 2);
+    const TriangleSoup soup = ExpectRead(Read(file.bytes()));
+    ASSERT_THAT(soup.positions, SizeIs(4));
+    EXPECT_EQ(soup.positions[0][0], feed);
+    EXPECT_THAT(soup.triangles, ElementsAre(Triangle{0, 1, 2}));
+  }
+}
+
+TEST(PlyAsciiTest, KeepsDoublesAndTheOrderOfTheFile) {
+  const TriangleSoup soup = ExpectRead(
+      Read(Header("ascii", FourAndOne()) +
+           "0.1 1e-300 -1e300\n9 9 9\n\n.5 5. +1\n1 2 3\n  3 0 2 3  \n\n"));
+  EXPECT_THAT(soup.positions,
+              ElementsAre(Point{0.1, 1e-300, -1e300}, Point{9, 9, 9},
+                          Point{0.5, 5, 1}, Point{1, 2, 3}));
+  EXPECT_THAT(soup.triangles, ElementsAre(Triangle{0, 2, 3}));
+}
+
+TEST(PlyAsciiTest, TakesPropertiesOfAnyTypeInAnyOrder) {
+  const TriangleSoup soup = ExpectRead(Read(
+      Header("ascii",
+             "comment mixed\nelement camera 1\nproperty float view\n"
+             "element vertex 4\nproperty uchar red\nproperty float z\n"
+             "property list uchar int n\nproperty double x\nproperty int y\n"
+             "element face 2\nproperty list uchar float uv\n"
+             "property list uint uint vertex_index\nproperty uchar flag\n"
+             "element nothing 7\n") +
+      "nan\n255 0.1 0 1 2\nnan 0.2 2 7 8 3 4\n0 0 0 0 0\n0 0 1 7 1 1\n"
+      "0 3 0 1 2 0\n2 0.5 nan 5 3 2 1 0 1 255\n"));
+  EXPECT_THAT(soup.positions, ElementsAre(Point{1, 2, 0.1}, Point{3, 4, 0.2},
+                                          Point{0, 0, 0}, Point{1, 1, 0}));
+  EXPECT_THAT(soup.triangles,
+              ElementsAre(Triangle{0, 1, 2}, Triangle{3, 2, 1},
+                          Triangle{3, 1, 0}, Triangle{3, 0, 1}));
+}
+
+TEST(PlyAsciiTest, TakesEveryLineEnd) {
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    std::string text;
+    for (const char c : Header("ascii", FourAndOne()) +
+                            "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n") {
+      text += c == '\n' ? std::string(end) : std::string(1, c);
+    }
+    EXPECT_THAT(ExpectRead(Read(text)).triangles, SizeIs(1));
+  }
+}
+
+TEST(PlyAsciiTest, AFileWithoutFacesIsNoError) {
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  EXPECT_THAT(
+      ExpectRead(Read(Header("ascii", kFourVertices) + vertices)).positions,
+      SizeIs(4));
+  EXPECT_THAT(ExpectRead(Read(Header("ascii", std::string(kFourVertices) +
+                                                  "element face 0\n") +
+                              vertices))
+                  .triangles,
+              IsEmpty());
+}
+
+TEST(PlyAsciiTest, MessagesNameLineAndElement) {
+  const std::string header = Header("ascii", FourAndOne());  // 9 lines
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  EXPECT_THAT(Read(header + "0 0 0\n1 x 0\n0 1 0\n0 0 1\n3 0 1 2\n"),
+              IsInvalid("line 11: vertex 1: 'x' is not a finite number"));
+  EXPECT_THAT(Read(header + "0 0 0\n1 0\n0 1 0\n0 0 1\n3 0 1 2\n"),
+              IsInvalid("line 11: vertex 1 ends within or before property z"));
+  EXPECT_THAT(Read(header + "0 0 0\n1 0 0 5\n0 1 0\n0 0 1\n3 0 1 2\n"),
+              IsInvalid("line 11: vertex 1: '5' is more than the header "
+                        "declares"));
+  EXPECT_THAT(Read(header + vertices + "3 0 1 4\n"),
+              IsInvalid("line 14: face 0 names vertex 4, but there are 4 "
+                        "vertices, counted from 0"));
+  EXPECT_THAT(Read(header + vertices + "3 0 1 -1\n"),
+              IsInvalidWith("line 14: face 0 names vertex -1"));
+  EXPECT_THAT(Read(header + vertices + "3 0 1    \n"),
+              IsInvalid("line 14: face 0 ends within or before property "
+                        "vertex_indices"));
+  EXPECT_THAT(Read(header + vertices + "2 0 1    \n"),
+              IsInvalid("line 14: face 0 has 2 corners; at least 3 are "
+                        "needed"));
+  EXPECT_THAT(Read(header + vertices + "3 0 1 1.5\n"),
+              IsInvalid("line 14: face 0: '1.5' is not a vertex number"));
+  EXPECT_THAT(Read(header + vertices + "-3 0 1 1\n"),
+              IsInvalid("line 14: face 0: '-3' is not the length of a list"));
+  EXPECT_THAT(Read(header + vertices + "          \n"),
+              IsInvalid("line 14: the file ends before face 0 of 1"));
+  EXPECT_THAT(Read(header + vertices + "3 0 1 2\n3 1 2 3\n"),
+              IsInvalid("line 15: more rows than the header declares"));
+}
+
+TEST(PlyAsciiTest, CountsThatCannotBeThereAreRefusedAtOnce) {
+  for (const std::string count :
+       {"1000", "2000000000", "9223372036854775807"}) {
+    EXPECT_THAT(Read(Header("ascii", "element vertex " + count +
+                                         "\nproperty float x\n"
+                                         "property float y\n"
+                                         "property float z\n") +
+                     "0 0 0\n"),
+                IsInvalid("line 3: " + count +
+                          " rows of element vertex cannot fit the 6 bytes "
+                          "that are left for them"));
+  }
+  EXPECT_THAT(Read(Header("ascii", FourAndOne()) +
+                   "0 0 0\n1 0 0\n0 1 0\n0 0 1\n9223372036854775807 0 1 2\n"),
+              IsInvalidWith("line 14: face 0 ends within"));
+}
+
+TEST(PlyHeaderTest, MessagesNameTheLine) {
+  EXPECT_THAT(Read("plyx\nformat ascii 1.0\nend_header\n"),
+              IsInvalid("line 1: the file does not begin with 'ply'"));
+  EXPECT_THAT(Read("ply\nformat ascii 1.0\nelement vertex 4\n"),
+              IsInvalid("line 3: the file ends before end_header"));
+  EXPECT_THAT(Read("ply\nformat binary 1.0\n"),
+              IsInvalid("line 2: unknown format 'binary'"));
+  EXPECT_THAT(Read("ply\nformat ascii 1.0\nformat ascii 1.0\n"),
+              IsInvalid("line 3: a second format"));
+  EXPECT_THAT(Read("ply\nelement vertex 0\nend_header\n"),
+              IsInvalid("line 3: the header names no format"));
+  EXPECT_THAT(Read("ply\nproperty float x\n"),
+              IsInvalid("line 2: a property before any element"));
+  EXPECT_THAT(Read("ply\nelement vertex\n"),
+              IsInvalid("line 2: '' is not a count of elements"));
+  EXPECT_THAT(Read("ply\nelement vertex -1\n"),
+              IsInvalid("line 2: '-1' is not a count of elements"));
+  EXPECT_THAT(Read("ply\nelement vertex 1\nproperty quad x\n"),
+              IsInvalid("line 3: unknown type 'quad'"));
+  EXPECT_THAT(Read("ply\nelement vertex 1\nproperty float\n"),
+              IsInvalid("line 3: a property without a name"));
+  EXPECT_THAT(Read("ply\nelement face 1\nproperty list float int a\n"),
+              IsInvalid("line 3: 'float' is not a type that can count a list"));
+  EXPECT_THAT(Read("ply\nelemnt vertex 1\n"),
+              IsInvalid("line 2: 'elemnt' is not a word of a PLY header"));
+  EXPECT_THAT(Read("ply\nformat ascii 1.0\nCreated by Blender3D 247\n"
+                   "element vertex 0\nend_header\n"),
+              IsInvalid("line 4: element vertex has no property x"));
+}
+
+TEST(PlyHeaderTest, VerticesAndFacesMustBeWhatTheyClaim) {
+  EXPECT_THAT(Read(Header("ascii",
+                          "element vertex 1\nproperty float x\n"
+                          "property float y\n")),
+              IsInvalid("line 3: element vertex has no property z"));
+  EXPECT_THAT(Read(Header("ascii",
+                          "element vertex 1\nproperty float x\n"
+                          "property float y\nproperty float x\n")),
+              IsInvalid("line 3: vertex property x is not one single number"));
+  EXPECT_THAT(Read(Header("ascii",
+                          "element vertex 1\n"
+                          "property list uchar float x\n")),
+              IsInvalid("line 3: vertex property x is not one single number"));
+  EXPECT_THAT(Read(Header("ascii", "element face 0\n")),
+              IsInvalid("line 4: the header declares no element vertex"));
+  EXPECT_THAT(Read(Header("ascii", std::string(kFourVertices) +
+                                       std::string(kFourVertices))),
+              IsInvalid("line 7: a second element vertex"));
+  EXPECT_THAT(Read(Header("ascii", FourAndOne() + std::string(kOneFace))),
+              IsInvalid("line 9: a second element face"));
+  EXPECT_THAT(Read(Header("ascii", std::string(kFourVertices) +
+                                       "element face 1\nproperty int a\n")),
+              IsInvalid("line 7: element face has no list vertex_indices or "
+                        "vertex_index"));
+  for (const char* property : {"property int vertex_indices\n",
+                               "property list uchar float vertex_index\n",
+                               "property list uchar int vertex_index\n"
+                               "property list uchar int vertex_indices\n"}) {
+    EXPECT_THAT(Read(Header("ascii", std::string(kFourVertices) +
+                                         "element face 1\n" + property)),
+                IsInvalidWith("is not one list of whole numbers"))
+        << property;
+  }
+  EXPECT_THAT(
+      Read(Header("ascii", std::string(kFourVertices) + "element tristrips 1\n"
+                                                        "property list int int "
+                                                        "vertex_indices\n")),
+      IsInvalidWith("line 7: triangle strips are not supported"));
+}
+
+}  // namespace
+}  // namespace geodesic

@@ -1,0 +1,212 @@
+// What holds for the readers of all formats.
+
+#include "geodesic/read_mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "tests/core/readers/byte_writer.h"
+#include "tests/core/readers/soup_checks.h"
+
+namespace geodesic {
+namespace {
+
+using test::ByteWriter;
+using test::ExpectRead;
+using test::ExpectSound;
+using test::IsInvalid;
+using test::IsInvalidWith;
+using ::testing::HasSubstr;
+
+struct Sample {
+  std::string name;
+  MeshFormat format;
+  std::string bytes;
+  // How many of the last bytes may be cut off without an error: line ends,
+  // digits of the last number, names.
+  size_t spare;
+};
+
+std::string PlyHeader(std::string_view format) {
+  return "ply\nformat " + std::string(format) +
+         " 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+         "property float z\nproperty uchar red\nelement face 2\n"
+         "property list uchar int vertex_indices\nend_header\n";
+}
+
+Sample BinaryPly(std::endian order) {
+  const bool little = order == std::endian::little;
+  ByteWriter file(order);
+  file.Text(PlyHeader(little ? "binary_little_endian" : "binary_big_endian"));
+  for (int i = 0; i < 4; ++i) {
+    file.Put<float>(i == 1, i == 2, i == 3).Put<uint8_t>(200);
+  }
+  file.Put<uint8_t>(3).Put<int32_t>(0, 1, 2);
+  file.Put<uint8_t>(4).Put<int32_t>(3, 2, 1, 0x00);
+  return {little ? "PlyLittle" : "PlyBig", MeshFormat::kPly, file.bytes(), 0};
+}
+
+Sample BinaryStl() {
+  ByteWriter file;
+  file.Text(std::string(80, ' ')).Put<uint32_t>(3);
+  for (int i = 0; i < 3; ++i) {
+    file.Put<float>(0, 0, 1, 0, 0, 0, 1, 0, 0, i, 1, 1).Put<uint16_t>(0);
+  }
+  return {"StlBinary", MeshFormat::kStl, file.bytes(), 0};
+}
+
+// Each has four or five vertices and three triangles.
+std::vector<Sample> Samples() {
+  const std::string rows = "0 0 0 9\n1 0 0 9\n0 1 0 9\n0 0 1 9\n";
+  return {
+      {"Obj", MeshFormat::kObj,
+       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 4/1 3/1 2/1 -4//7\n",
+       1000},
+      {"Off", MeshFormat::kOff,
+       "OFF\n4 2 0\n" + rows + "3 0 1 2\n4 3 2 1 0 255\n", 5},
+      {"PlyAscii", MeshFormat::kPly,
+       PlyHeader("ascii") + rows + "3 0 1 2\n4 3 2 1 0\n", 1},
+      BinaryPly(std::endian::little),
+      BinaryPly(std::endian::big),
+      {"StlAscii", MeshFormat::kStl,
+       "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+       "vertex 0 1 0\nendloop\nendfacet\nfacet\nouter loop\nvertex 0 0 1\n"
+       "vertex 1 0 0\nvertex 0 1 0\nvertex 0 0.5 1\nendloop\nendfacet\n"
+       "endsolid s\n",
+       3},
+      BinaryStl(),
+  };
+}
+
+class EveryFormatTest : public testing::TestWithParam<Sample> {};
+
+INSTANTIATE_TEST_SUITE_P(Formats, EveryFormatTest, testing::ValuesIn(Samples()),
+                         [](const auto& parameter) {
+                           return parameter.param.name;
+                         });
+
+TEST_P(EveryFormatTest, TheSampleIsRead) {
+  const TriangleSoup soup =
+      ExpectRead(ReadMesh(GetParam().bytes, GetParam().format));
+  EXPECT_GE(soup.positions.size(), 4u);
+  EXPECT_EQ(soup.triangles.size(), 3u);
+}
+
+TEST_P(EveryFormatTest, ATruncatedFileIsAnErrorOrSmaller) {
+  const Sample& sample = GetParam();
+  const TriangleSoup full = ExpectRead(ReadMesh(sample.bytes, sample.format));
+  for (size_t size = 0; size < sample.bytes.size(); ++size) {
+    // A copy of its own, so that AddressSanitizer sees reads past the end.
+    const std::string start(sample.bytes, 0, size);
+    const absl::StatusOr<TriangleSoup> soup = ReadMesh(start, sample.format);
+    if (!soup.ok()) {
+      EXPECT_EQ(soup.status().code(), absl::StatusCode::kInvalidArgument);
+      EXPECT_FALSE(soup.status().message().empty());
+      continue;
+    }
+    EXPECT_GE(size + sample.spare, sample.bytes.size()) << size;
+    ExpectSound(*soup);
+    EXPECT_LE(soup->positions.size(), full.positions.size());
+    EXPECT_LE(soup->triangles.size(), full.triangles.size());
+  }
+}
+
+TEST_P(EveryFormatTest, AChangedByteIsAnErrorOrASoundSoup) {
+  const Sample& sample = GetParam();
+  for (size_t at = 0; at < sample.bytes.size(); ++at) {
+    for (const char byte :
+         {'\0', '\xff', '\x7f', '\n', '\r', ' ', '-', '9', '#', '\\', 'e'}) {
+      std::string bytes = sample.bytes;
+      bytes[at] = byte;
+      const absl::StatusOr<TriangleSoup> soup = ReadMesh(bytes, sample.format);
+      if (soup.ok()) {
+        ExpectSound(*soup);
+      } else {
+        EXPECT_TRUE(absl::IsInvalidArgument(soup.status())) << soup.status();
+      }
+    }
+  }
+}
+
+TEST_P(EveryFormatTest, LimitsAreKeptAndNamed) {
+  const Sample& sample = GetParam();
+  const TriangleSoup full = ExpectRead(ReadMesh(sample.bytes, sample.format));
+  const uint64_t vertices = full.positions.size();
+  EXPECT_TRUE(ReadMesh(sample.bytes, sample.format,
+                       {.max_vertices = vertices, .max_triangles = 3})
+                  .ok());
+  const absl::Status too_many_vertices =
+      ReadMesh(sample.bytes, sample.format, {.max_vertices = vertices - 1})
+          .status();
+  EXPECT_TRUE(absl::IsResourceExhausted(too_many_vertices));
+  EXPECT_THAT(std::string(too_many_vertices.message()),
+              HasSubstr("limit of " + std::to_string(vertices - 1) +
+                        " (max_vertices)"));
+  for (const uint64_t limit : {0, 1, 2}) {
+    const absl::Status too_many_triangles =
+        ReadMesh(sample.bytes, sample.format, {.max_triangles = limit})
+            .status();
+    EXPECT_TRUE(absl::IsResourceExhausted(too_many_triangles));
+    EXPECT_THAT(
+        std::string(too_many_triangles.message()),
+        HasSubstr("limit of " + std::to_string(limit) + " (max_triangles)"));
+  }
+}
+
+TEST_P(EveryFormatTest, AnEmptyFileIsRefused) {
+  EXPECT_THAT(ReadMesh("", GetParam().format), IsInvalid("the file is empty"));
+}
+
+TEST_P(EveryFormatTest, ForeignBytesAreCalledByTheirName) {
+  const MeshFormat format = GetParam().format;
+  EXPECT_THAT(ReadMesh("\x1f\x8b\x08 and so on", format),
+              IsInvalidWith("the bytes look like gzip, not "));
+  EXPECT_THAT(ReadMesh("\x1f\x8b\x08 and so on", format),
+              IsInvalidWith(": decompress first"));
+  EXPECT_THAT(ReadMesh("PK\x03\x04 and so on", format),
+              IsInvalidWith("the bytes look like zip, not "));
+  EXPECT_THAT(ReadMesh("\xfe\xff and so on", format),
+              IsInvalidWith("the bytes look like UTF-16 text, not "));
+  EXPECT_THAT(ReadMesh("<!DOCTYPE html>\n<title>404", format),
+              IsInvalidWith("the bytes look like HTML, not "));
+}
+
+TEST_P(EveryFormatTest, AMeshOfAnotherFormatIsCalledByItsName) {
+  for (const Sample& other : Samples()) {
+    const absl::StatusOr<TriangleSoup> soup =
+        ReadMesh(other.bytes, GetParam().format);
+    EXPECT_EQ(soup.ok(), other.format == GetParam().format) << other.name;
+    // The header of a binary STL says nothing.
+    if (soup.ok() || other.name == "StlBinary") continue;
+    std::string name;
+    for (const char c : MeshFormatName(other.format)) name += c - 'a' + 'A';
+    EXPECT_THAT(soup, IsInvalidWith("the bytes look like " + name + ", not "));
+  }
+}
+
+TEST(ReadMeshTest, BinaryBytesAreNoObj) {
+  EXPECT_THAT(ReadMesh(std::string("v 0 0 0\n\0\1\2", 11), MeshFormat::kObj),
+              IsInvalid("byte 8 is zero: the bytes look like binary data, not "
+                        "OBJ"));
+}
+
+TEST(ReadMeshTest, MemoryStaysWithinASmallFactorOfTheInput) {
+  for (const Sample& sample : Samples()) {
+    const TriangleSoup soup = ExpectRead(ReadMesh(sample.bytes, sample.format));
+    EXPECT_LE(soup.positions.capacity() * sizeof(Point) +
+                  soup.triangles.capacity() * sizeof(Triangle),
+              8 * sample.bytes.size())
+        << sample.name;
+  }
+}
+
+}  // namespace
+}  // namespace geodesic
