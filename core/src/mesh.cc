@@ -196,6 +196,13 @@ void Mesh::BuildOutgoing() {
   }
 }
 
+bool Mesh::IsCollapsed(uint32_t face) const {
+  const HalfEdgeFrame& first = frames_[3 * face];
+  const double longest = std::max({first.length, frames_[3 * face + 1].length,
+                                   frames_[3 * face + 2].length});
+  return first.length * first.apex_y <= kCollapsedFace * longest * longest;
+}
+
 void Mesh::ClassifyVertices() {
   kinds_.assign(vertex_count(), 0);
   for (uint32_t v = 0; v < vertex_count(); ++v) {
@@ -208,12 +215,7 @@ void Mesh::ClassifyVertices() {
       if (Twin(h) == kNoHalfEdge || Twin(Prev(h)) == kNoHalfEdge) {
         kinds_[v] |= kBoundary | kPseudoSource;
       }
-      const double longest = std::max(
-          {frame.length, frames_[Next(h)].length, frames_[Prev(h)].length});
-      if (frame.length <= kCollapsedEdge * longest ||
-          frames_[Prev(h)].length <= kCollapsedEdge * longest) {
-        kinds_[v] |= kPseudoSource;
-      }
+      if (IsCollapsed(h / 3)) kinds_[v] |= kPseudoSource;
     }
     // One closed fan comes back to its first face after all of them.
     size_t fan = 0;

@@ -29,9 +29,11 @@ class Propagation {
  private:
   // Under a millisecond of work between two polls.
   static constexpr uint64_t kPollPeriod = 2048;
-  // How far ahead of use windows and faces are fetched into cache.
-  static constexpr uint32_t kWindowAhead = 8;
-  static constexpr uint32_t kFaceAhead = 4;
+  // How many windows ahead of its use what is fetched into cache: a latency of
+  // memory each, as the later needs the earlier.
+  static constexpr uint32_t kWindowAhead = 12;
+  static constexpr uint32_t kFaceAhead = 8;
+  static constexpr uint32_t kCornersAhead = 4;
 
   void Seed();
   void Step(uint32_t id);
@@ -115,6 +117,8 @@ void Propagation<Rule, Queue>::PrefetchUpcoming() const {
   if (!(window & kVertexEvent)) rule_.PrefetchWindow(window);
   const uint32_t face = queue_.Upcoming(kFaceAhead);
   if (!(face & kVertexEvent)) rule_.PrefetchFace(face);
+  const uint32_t corners = queue_.Upcoming(kCornersAhead);
+  if (!(corners & kVertexEvent)) rule_.PrefetchCorners(corners);
 }
 
 template <template <typename> typename Rule, WindowQueue Queue>

@@ -12,10 +12,10 @@ namespace geodesic {
 // every one of them as a saddle doubles the windows of a plane.
 inline constexpr double kFlatAngle = 1e-9;
 
-// An edge shorter than this fraction of its face's longest edge cannot carry
-// windows with meaningful ends. Its vertices become pseudo-sources, so that
-// paths pass through them instead of through the edge.
-inline constexpr double kCollapsedEdge = 1e-12;
+// A face whose height over its longest edge is below this fraction of that edge
+// lets no ray of any width through along itself. Its corners become
+// pseudo-sources, so that paths pass through them and along its edges.
+inline constexpr double kCollapsedFace = 1e-12;
 
 // Least distance of an apex or a pseudo-source from an edge's line. It keeps
 // quotients defined on faces without area; it is far below one rounding of any

@@ -89,8 +89,8 @@ class Mesh {
   }
 
   // Whether shortest paths may bend at v: a saddle (cone angle above 2 pi), a
-  // boundary vertex, or a vertex where the surface pinches or an edge has no
-  // length.
+  // boundary vertex, or a vertex where the surface pinches or a face has no
+  // area.
   bool IsPseudoSource(uint32_t v) const { return kinds_[v] & kPseudoSource; }
   bool IsSaddle(uint32_t v) const { return kinds_[v] & kSaddle; }
   bool IsBoundary(uint32_t v) const { return kinds_[v] & kBoundary; }
@@ -115,6 +115,8 @@ class Mesh {
   explicit Mesh(TriangleSoup soup);
   void BuildFrames(std::span<const HalfEdge> twins);
   void BuildOutgoing();
+  // Whether the face has no area to speak of.
+  bool IsCollapsed(uint32_t face) const;
   void ClassifyVertices();
 
   std::vector<Point> positions_;

@@ -6,7 +6,8 @@
 //
 // A window is propagated once and then freed. It has two children only if its
 // distance at the apex is the best yet across its half-edge; a worse one keeps
-// the child on its own side of the best one's ray.
+// the child on its own side of the best one's ray. Sides are told by the slope
+// of the rays at the apex, which differs even where the apex lies on the edge.
 
 #ifndef GEODESIC_RULES_CH_RULE_H_
 #define GEODESIC_RULES_CH_RULE_H_
@@ -43,9 +44,11 @@ class ChRule {
   void PrefetchWindow(uint32_t id) const { pool_.Prefetch(id); }
   void PrefetchFace(uint32_t id) const {
     const HalfEdge h = pool_[id].half_edge;
-    __builtin_prefetch(&mesh_.frame(h));
-    __builtin_prefetch(&mesh_.triangles()[h / 3]);
+    front_.PrefetchFace(h);
     __builtin_prefetch(&best_[h]);
+  }
+  void PrefetchCorners(uint32_t id) const {
+    front_.PrefetchCorners(pool_[id].half_edge);
   }
 
   uint64_t created() const { return created_; }
@@ -66,7 +69,7 @@ class ChRule {
   // The best window so far to reach the apex across a half-edge.
   struct Best {
     double distance = std::numeric_limits<double>::infinity();
-    double crossing = 0;
+    double slope = 0;
   };
 
   // The face a window crosses.
@@ -154,9 +157,10 @@ bool ChRule<Queue>::Propagate(uint32_t id) {
   front_.Relax(face.apex, at_apex);
   Best& best = best_[h];
   const bool splits = at_apex <= best.distance * (1 + kDominance);
-  const bool goes_left = splits || crossing < best.crossing;
+  const double slope = ApexSlope(origin, frame);
+  const bool goes_left = splits || slope > best.slope;
   const bool goes_right = splits || !goes_left;
-  if (at_apex < best.distance) best = {at_apex, crossing};
+  if (at_apex < best.distance) best = {at_apex, slope};
   if (goes_left) PropagateLeft(window, face, true);
   if (goes_right) PropagateRight(window, face, true);
   return true;

@@ -40,8 +40,19 @@ class Front {
   uint64_t bytes() const {
     return distances_.capacity() * sizeof(double) + states_.capacity();
   }
-  void PrefetchDistance(uint32_t v) const {
-    __builtin_prefetch(&distances_[v]);
+  // Fetches the face of h, then (once that has arrived) the distances of its
+  // corners into cache.
+  void PrefetchFace(HalfEdge h) const {
+    const HalfEdge first = h - h % 3;
+    __builtin_prefetch(&mesh_.frame(first));
+    __builtin_prefetch(&mesh_.frame(first + 1));
+    __builtin_prefetch(&mesh_.frame(first + 2));
+    __builtin_prefetch(&mesh_.triangles()[h / 3]);
+  }
+  void PrefetchCorners(HalfEdge h) const {
+    for (uint32_t v : mesh_.triangles()[h / 3]) {
+      __builtin_prefetch(&distances_[v]);
+    }
   }
 
   // Takes `distance` for v if it is better. A vertex that paths may bend at is

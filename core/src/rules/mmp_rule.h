@@ -44,9 +44,13 @@ class MmpRule {
 
   void PrefetchWindow(uint32_t id) const { pool_.Prefetch(id); }
   void PrefetchFace(uint32_t id) const {
+    front_.PrefetchFace(pool_[id].half_edge);
+  }
+  void PrefetchCorners(uint32_t id) const {
     const HalfEdge h = pool_[id].half_edge;
-    __builtin_prefetch(&mesh_.frame(h));
-    __builtin_prefetch(&mesh_.triangles()[h / 3]);
+    front_.PrefetchCorners(h);
+    lists_.PrefetchHead(mesh_.frame(h).left_exit);
+    lists_.PrefetchHead(mesh_.frame(h).right_exit);
   }
 
   uint64_t created() const { return created_; }
