@@ -1,8 +1,11 @@
 // solve: exact geodesic distances of a mesh file, timed, as one line of JSON.
 // It is how this project's speed is compared with other programs'.
 
+#include "geodesic/solve.h"
+
 #include <sys/resource.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -10,18 +13,15 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/mesh.h"
 #include "geodesic/read_mesh.h"
-#include "geodesic/solve.h"
 
 namespace geodesic {
 namespace {
@@ -88,9 +88,8 @@ absl::Status Run(const Options& options) {
   std::vector<double> seconds;
   DistanceField field;
   for (int i = 0; i < options.repeat; ++i) {
-    absl::StatusOr<DistanceField> solved =
-        Solve(**mesh, query, {.bucket_width = options.bucket_width},
-              checkpoint);
+    absl::StatusOr<DistanceField> solved = Solve(
+        **mesh, query, {.bucket_width = options.bucket_width}, checkpoint);
     if (!solved.ok()) return solved.status();
     field = *std::move(solved);
     seconds.push_back(field.statistics.solve_seconds);
@@ -102,19 +101,20 @@ absl::Status Run(const Options& options) {
     }
   }
   const SolveStatistics& statistics = field.statistics;
-  std::cout << nlohmann::ordered_json{
-                   {"faces", (*mesh)->face_count()},
-                   {"vertices", (*mesh)->vertex_count()},
-                   {"algorithm", options.algorithm},
-                   {"threads", options.threads},
-                   {"setup_s", setup_seconds},
-                   {"solve_s", Median(seconds)},
-                   {"solve_s_all", seconds},
-                   {"windows_created", statistics.windows_created},
-                   {"windows_propagated", statistics.windows_propagated},
-                   {"iterations", statistics.iterations},
-                   {"peak_windows", statistics.peak_windows},
-                   {"peak_rss_mb", PeakRssMb()}}
+  std::cout << nlohmann::ordered_json{{"faces", (*mesh)->face_count()},
+                                      {"vertices", (*mesh)->vertex_count()},
+                                      {"algorithm", options.algorithm},
+                                      {"threads", options.threads},
+                                      {"setup_s", setup_seconds},
+                                      {"solve_s", Median(seconds)},
+                                      {"solve_s_all", seconds},
+                                      {"windows_created",
+                                       statistics.windows_created},
+                                      {"windows_propagated",
+                                       statistics.windows_propagated},
+                                      {"iterations", statistics.iterations},
+                                      {"peak_windows", statistics.peak_windows},
+                                      {"peak_rss_mb", PeakRssMb()}}
                    .dump()
             << "\n";
   return absl::OkStatus();

@@ -22,9 +22,8 @@ absl::StatusOr<Algorithm> AlgorithmFromName(std::string_view name) {
       kAlgorithms, ", ", [](std::string* out, const AlgorithmInfo& info) {
         out->append(info.name);
       });
-  return absl::InvalidArgumentError(
-      absl::StrCat("unknown algorithm \"", std::string(name),
-                   "\"; known are: ", known));
+  return absl::InvalidArgumentError(absl::StrCat(
+      "unknown algorithm \"", std::string(name), "\"; known are: ", known));
 }
 
 }  // namespace geodesic

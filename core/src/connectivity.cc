@@ -62,10 +62,10 @@ absl::Status RefuseCrowdedEdge(uint32_t lower, std::span<const Side> sides) {
                       absl::StrAppend(out, side.half_edge / 3);
                     });
   if (sides.size() > kMostNamed) absl::StrAppend(&faces, ", ...");
-  return absl::InvalidArgumentError(absl::StrCat(
-      "the mesh is not manifold: edge (", lower, ", ", sides[0].upper,
-      ") belongs to ", sides.size(), " faces: ", faces,
-      "; at most two faces may share an edge"));
+  return absl::InvalidArgumentError(
+      absl::StrCat("the mesh is not manifold: edge (", lower, ", ",
+                   sides[0].upper, ") belongs to ", sides.size(),
+                   " faces: ", faces, "; at most two faces may share an edge"));
 }
 
 absl::Status RefuseOrientation(uint32_t lower, std::span<const Side> sides) {

@@ -115,8 +115,9 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(TriangleSoup soup) {
 }
 
 uint64_t Mesh::EstimateResidentBytes(uint64_t vertices, uint64_t faces) {
-  return sizeof(Mesh) + faces * (3 * sizeof(HalfEdgeFrame) + sizeof(Triangle) +
-                                 3 * sizeof(HalfEdge)) +
+  return sizeof(Mesh) +
+         faces * (3 * sizeof(HalfEdgeFrame) + sizeof(Triangle) +
+                  3 * sizeof(HalfEdge)) +
          vertices * (sizeof(Point) + sizeof(uint32_t) + sizeof(uint8_t)) +
          sizeof(uint32_t);
 }
@@ -166,11 +167,14 @@ void Mesh::BuildFrames(std::span<const HalfEdge> twins) {
       frame.apex_x = 0;
       frame.apex_y = std::max(left, kLeastHeight);
     }
-    // A side without length carries no window; any unit vector will do.
+    // Each direction from its own side's coordinates: apex_x - length cancels
+    // where the side is short. A side without length carries no window, and
+    // any unit vector will do.
     frame.left_x = left > 0 ? frame.apex_x / left : 1;
     frame.left_y = left > 0 ? frame.apex_y / left : 0;
-    frame.right_x = right > 0 ? (frame.apex_x - frame.length) / right : -1;
-    frame.right_y = right > 0 ? frame.apex_y / right : 0;
+    frame.right_x =
+        right > 0 && frame.length > 0 ? Dot(ab, bc) / frame.length / right : -1;
+    frame.right_y = right > 0 && frame.length > 0 ? frame.apex_y / right : 0;
     frame.left_exit = twins[Prev(h)];
     frame.right_exit = twins[Next(h)];
     if (twins[h] == kNoHalfEdge || h < twins[h]) {
@@ -190,7 +194,8 @@ void Mesh::BuildOutgoing() {
     outgoing_begin_[v + 1] += outgoing_begin_[v];
   }
   outgoing_.resize(half_edge_count());
-  std::vector<uint32_t> fill(outgoing_begin_.begin(), outgoing_begin_.end() - 1);
+  std::vector<uint32_t> fill(outgoing_begin_.begin(),
+                             outgoing_begin_.end() - 1);
   for (HalfEdge h = 0; h < half_edge_count(); ++h) {
     outgoing_[fill[From(h)]++] = h;
   }

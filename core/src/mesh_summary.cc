@@ -142,12 +142,11 @@ MeshSummary Summarize(const Mesh& mesh) {
   const Pieces pieces = CountPieces(mesh);
   summary.components = pieces.through_vertices;
   // Euler's formula for the surface with touching fans pulled apart.
-  summary.genus =
-      (2 * static_cast<int64_t>(pieces.through_edges) -
-       static_cast<int64_t>(summary.boundary_loops + CountFans(mesh) +
-                            summary.faces) +
-       static_cast<int64_t>(summary.edges)) /
-      2;
+  summary.genus = (2 * static_cast<int64_t>(pieces.through_edges) -
+                   static_cast<int64_t>(summary.boundary_loops +
+                                        CountFans(mesh) + summary.faces) +
+                   static_cast<int64_t>(summary.edges)) /
+                  2;
 
   summary.bounding_box_min.fill(std::numeric_limits<double>::infinity());
   summary.bounding_box_max.fill(-std::numeric_limits<double>::infinity());

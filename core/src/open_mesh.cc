@@ -20,8 +20,8 @@ void LinkBoundary(TriConnectivity& kernel) {
     while (!kernel.is_boundary(out)) {
       // Within a triangle the previous half-edge is the next of the next; its
       // own link may not be set on a boundary.
-      const HalfedgeHandle into = kernel.next_halfedge_handle(
-          kernel.next_halfedge_handle(out));
+      const HalfedgeHandle into =
+          kernel.next_halfedge_handle(kernel.next_halfedge_handle(out));
       out = kernel.opposite_halfedge_handle(into);
     }
     kernel.set_next_halfedge_handle(boundary, out);
@@ -43,8 +43,8 @@ TriConnectivity ToOpenMesh(const Mesh& mesh) {
     if (twin != kNoHalfEdge && twin < h) {
       handles[h] = kernel.opposite_halfedge_handle(handles[twin]);
     } else {
-      handles[h] = kernel.new_edge(VertexHandle(mesh.From(h)),
-                                   VertexHandle(mesh.To(h)));
+      handles[h] =
+          kernel.new_edge(VertexHandle(mesh.From(h)), VertexHandle(mesh.To(h)));
     }
   }
   for (uint32_t f = 0; f < mesh.face_count(); ++f) {

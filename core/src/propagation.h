@@ -21,7 +21,9 @@ template <template <typename> typename Rule, WindowQueue Queue>
 class Propagation {
  public:
   Propagation(const Mesh& mesh, const Query& query, const QueueTuning& tuning)
-      : query_(query), queue_(tuning), front_(mesh, query, queue_),
+      : query_(query),
+        queue_(tuning),
+        front_(mesh, query, queue_),
         rule_(front_) {}
 
   absl::StatusOr<DistanceField> Run(Checkpoint& checkpoint);

@@ -26,11 +26,10 @@ absl::Status Validate(const Query& query, uint64_t vertex_count) {
                        " is not a finite number >= 0"));
     }
   }
-  const bool known = std::any_of(
-      kAlgorithms.begin(), kAlgorithms.end(),
-      [&](const AlgorithmInfo& info) {
-        return info.algorithm == query.algorithm;
-      });
+  const bool known = std::any_of(kAlgorithms.begin(), kAlgorithms.end(),
+                                 [&](const AlgorithmInfo& info) {
+                                   return info.algorithm == query.algorithm;
+                                 });
   if (!known) return absl::InvalidArgumentError("algorithm is unknown");
   return absl::OkStatus();
 }
@@ -41,9 +40,9 @@ Query Canonicalize(Query query) {
   const auto same_vertex = [](const Source& a, const Source& b) {
     return a.vertex == b.vertex;
   };
-  query.sources.erase(std::unique(query.sources.begin(), query.sources.end(),
-                                  same_vertex),
-                      query.sources.end());
+  query.sources.erase(
+      std::unique(query.sources.begin(), query.sources.end(), same_vertex),
+      query.sources.end());
   return query;
 }
 

@@ -74,9 +74,7 @@ class Mesh {
   std::span<const Triangle> triangles() const { return triangles_; }
 
   // The half-edge on the other side of h, or kNoHalfEdge at a boundary. O(1).
-  HalfEdge Twin(HalfEdge h) const {
-    return frames_[Next(h)].left_exit;
-  }
+  HalfEdge Twin(HalfEdge h) const { return frames_[Next(h)].left_exit; }
   uint32_t From(HalfEdge h) const { return triangles_[h / 3][h % 3]; }
   uint32_t To(HalfEdge h) const { return From(Next(h)); }
   uint32_t Apex(HalfEdge h) const { return From(Prev(h)); }

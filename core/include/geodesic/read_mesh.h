@@ -50,8 +50,7 @@ struct ReadLimits {
 // Errors: INVALID_ARGUMENT for a malformed file, naming the line (text) or the
 // byte offset (binary) and the element; RESOURCE_EXHAUSTED when a limit is
 // passed, naming it. A file without faces is not an error here.
-absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes,
-                                      MeshFormat format,
+absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes, MeshFormat format,
                                       const ReadLimits& limits = {});
 
 }  // namespace geodesic

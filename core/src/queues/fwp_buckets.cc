@@ -81,8 +81,7 @@ bool FwpBuckets::Advance() {
 void FwpBuckets::AdaptBatch() {
   // The first K is the whole front of the seeds (trap 3).
   batch_ += iterations_ == 0 ? far_ : far_ - near_;
-  const int64_t most =
-      std::min(std::max<int64_t>(size(), 1), max_batch_);
+  const int64_t most = std::min(std::max<int64_t>(size(), 1), max_batch_);
   batch_ = std::clamp<int64_t>(batch_, 1, most);
   near_ = far_ = 0;
 }

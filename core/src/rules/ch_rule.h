@@ -95,8 +95,7 @@ class ChRule {
   // the interval's other end.
   bool IsDominated(const Origin& origin, const Interval& interval,
                    double length, uint32_t from, uint32_t to) const {
-    return Loses(origin, interval.end,
-                 front_.distance(from) + interval.end) ||
+    return Loses(origin, interval.end, front_.distance(from) + interval.end) ||
            Loses(origin, interval.begin,
                  front_.distance(to) + (length - interval.begin));
   }
@@ -175,8 +174,8 @@ void ChRule<Queue>::PropagateLeft(const Window& parent, const Crossing& face,
   const Interval interval{
       ProjectLeft(parent.origin, parent.interval.begin, face.frame, length),
       ends_at_apex ? length
-                   : ProjectLeft(parent.origin, parent.interval.end,
-                                 face.frame, length)};
+                   : ProjectLeft(parent.origin, parent.interval.end, face.frame,
+                                 length)};
   if (interval.width() <= kLeastWidth * length) return;
   const Origin origin = UnfoldLeft(parent.origin, face.frame);
   if (IsDominated(origin, interval, length, face.from, face.apex)) return;

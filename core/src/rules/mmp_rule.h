@@ -139,8 +139,8 @@ void MmpRule<Queue>::Cross(const Window& window) {
            UnfoldRight(origin, frame, right_length),
            {crossing > interval.begin
                 ? 0
-                : right_length - ProjectRight(origin, interval.begin, frame,
-                                              right_length),
+                : right_length -
+                      ProjectRight(origin, interval.begin, frame, right_length),
             right_length -
                 ProjectRight(origin, interval.end, frame, right_length)});
   }

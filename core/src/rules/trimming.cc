@@ -33,10 +33,10 @@ double SolveCrossing(const Origin& older, const Origin& newer, double low,
                      double high) {
   const double x_gap = older.x - newer.x;
   const double d = older.sigma - newer.sigma;
-  const double q = (x_gap * x_gap +
-                    (newer.depth - older.depth) * (newer.depth + older.depth) -
-                    d * d) /
-                   2;
+  const double q =
+      (x_gap * x_gap +
+       (newer.depth - older.depth) * (newer.depth + older.depth) - d * d) /
+      2;
   const double a = (x_gap - d) * (x_gap + d);
   const double s_squared = q * q + a * older.depth * older.depth;
   const double b = q * x_gap;
@@ -44,8 +44,7 @@ double SolveCrossing(const Origin& older, const Origin& newer, double low,
   const double r =
       -(b + std::copysign(d * std::sqrt(std::max(s_squared, 0.0)), b));
   const double x0 = older.x + r / a;
-  const double x1 =
-      older.x + (q - d * older.depth) * (q + d * older.depth) / r;
+  const double x1 = older.x + (q - d * older.depth) * (q + d * older.depth) / r;
   const bool first = x0 >= low && x0 <= high;
   const bool second = x1 >= low && x1 <= high;
   if (first == second) return std::numeric_limits<double>::quiet_NaN();
@@ -93,8 +92,8 @@ Interval WonByNewer(const Origin& older, const Origin& newer,
   const bool loses_begin = at_begin.value > at_begin.tie;
   const bool loses_end = at_end.value > at_end.tie;
   if (!loses_begin && !loses_end) return overlap;
-  const double crossing = FindCrossing(older, newer, begin, at_begin.value,
-                                       end, at_end.value);
+  const double crossing =
+      FindCrossing(older, newer, begin, at_begin.value, end, at_end.value);
   return wins_begin ? Interval{begin, crossing} : Interval{crossing, end};
 }
 

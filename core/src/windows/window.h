@@ -76,11 +76,11 @@ inline double EdgePointToApex(double at, const HalfEdgeFrame& frame) {
 // The pseudo-source in the frame of frame.left_exit, which runs A -> C: a
 // rotation about A.
 inline Origin UnfoldLeft(const Origin& origin, const HalfEdgeFrame& frame) {
-  return {.x = origin.x * frame.left_x - origin.depth * frame.left_y,
-          .depth = std::max(
-              origin.x * frame.left_y + origin.depth * frame.left_x,
-              kLeastHeight),
-          .sigma = origin.sigma};
+  return {
+      .x = origin.x * frame.left_x - origin.depth * frame.left_y,
+      .depth = std::max(origin.x * frame.left_y + origin.depth * frame.left_x,
+                        kLeastHeight),
+      .sigma = origin.sigma};
 }
 
 // The pseudo-source in the frame of frame.right_exit, which runs C -> B and is
@@ -88,11 +88,11 @@ inline Origin UnfoldLeft(const Origin& origin, const HalfEdgeFrame& frame) {
 inline Origin UnfoldRight(const Origin& origin, const HalfEdgeFrame& frame,
                           double right_length) {
   const double x = origin.x - frame.length;  // from B
-  return {.x = right_length - (x * frame.right_x - origin.depth * frame.right_y),
-          .depth = std::max(
-              -(x * frame.right_y + origin.depth * frame.right_x),
-              kLeastHeight),
-          .sigma = origin.sigma};
+  return {
+      .x = right_length - (x * frame.right_x - origin.depth * frame.right_y),
+      .depth = std::max(-(x * frame.right_y + origin.depth * frame.right_x),
+                        kLeastHeight),
+      .sigma = origin.sigma};
 }
 
 // Distance from A along A -> C, which is `left_length` long, where the ray

@@ -41,8 +41,8 @@ void WindowLists::Grow(Head& head, uint32_t size) {
 }
 
 uint64_t WindowLists::bytes() const {
-  uint64_t bytes = heads_.capacity() * sizeof(Head) +
-                   arena_.capacity() * sizeof(Entry);
+  uint64_t bytes =
+      heads_.capacity() * sizeof(Head) + arena_.capacity() * sizeof(Entry);
   for (const std::vector<uint32_t>& offsets : free_) {
     bytes += offsets.capacity() * sizeof(uint32_t);
   }
