@@ -1,0 +1,65 @@
+// capabilities, and the choice among all commands.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
+#include "client/cli/commands.h"
+#include "client/cli/text.h"
+
+namespace geodesic::client {
+
+absl::Status RunCapabilities(const Session& session) {
+  absl::StatusOr<Capabilities> capabilities =
+      session.client.GetCapabilities(session.call);
+  if (!capabilities.ok()) return capabilities.status();
+  if (session.arguments.json) {
+    PrintJson(ToJson(*capabilities), &session.out);
+    return absl::OkStatus();
+  }
+  const ServerLimits& limits = capabilities->limits;
+  std::vector<Fact> facts = {
+      {"server", session.arguments.server},
+      {"version", capabilities->version},
+      {"formats", absl::StrJoin(capabilities->formats, ", ")}};
+  for (const AlgorithmCapability& algorithm : capabilities->algorithms) {
+    facts.push_back({absl::StrCat("algorithm ", algorithm.name),
+                     absl::StrCat(algorithm.summary,
+                                  algorithm.is_default ? " (default)" : "")});
+  }
+  const std::vector<Fact> limit_facts = {
+      {"largest upload", ByteCount(limits.max_upload_bytes)},
+      {"most vertices", GroupedNumber(limits.max_vertices)},
+      {"most faces", GroupedNumber(limits.max_faces)},
+      {"most sources", GroupedNumber(limits.max_sources)},
+      {"largest message", ByteCount(limits.max_message_bytes)},
+      {"concurrent jobs", GroupedNumber(limits.max_concurrent_jobs)},
+      {"queued jobs", GroupedNumber(limits.max_queued_jobs)},
+      {"mesh store", ByteCount(limits.mesh_store_bytes)},
+      {"field cache", ByteCount(limits.field_cache_bytes)}};
+  facts.insert(facts.end(), limit_facts.begin(), limit_facts.end());
+  PrintFacts(facts, &session.out);
+  return absl::OkStatus();
+}
+
+absl::Status RunCommand(const Session& session) {
+  switch (session.arguments.command) {
+    case Command::kUpload:
+      return RunUpload(session);
+    case Command::kMeshes:
+      return RunMeshes(session);
+    case Command::kInfo:
+      return RunInfo(session);
+    case Command::kDelete:
+      return RunDelete(session);
+    case Command::kField:
+      return RunField(session);
+    case Command::kCapabilities:
+      return RunCapabilities(session);
+  }
+  return absl::InternalError("unknown command");
+}
+
+}  // namespace geodesic::client

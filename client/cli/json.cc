@@ -1,0 +1,67 @@
+#include "client/cli/json.h"
+
+#include <string>
+
+namespace geodesic::client {
+
+Json ToJson(const MeshInfo& mesh) {
+  return {{"digest", mesh.digest},
+          {"vertices", mesh.vertex_count},
+          {"faces", mesh.face_count},
+          {"edges", mesh.edge_count},
+          {"boundary_edges", mesh.boundary_edge_count},
+          {"boundary_loops", mesh.boundary_loop_count},
+          {"components", mesh.component_count},
+          {"isolated_vertices", mesh.isolated_vertex_count},
+          {"genus", mesh.genus},
+          {"saddle_vertices", mesh.saddle_vertex_count},
+          {"degenerate_faces", mesh.degenerate_face_count},
+          {"bounding_box_min", mesh.bounding_box_min},
+          {"bounding_box_max", mesh.bounding_box_max},
+          {"mean_edge_length", mesh.mean_edge_length},
+          {"anisotropy", mesh.anisotropy},
+          {"resident_bytes", mesh.resident_bytes}};
+}
+
+Json ToJson(const Capabilities& capabilities) {
+  Json algorithms = Json::array();
+  for (const AlgorithmCapability& algorithm : capabilities.algorithms) {
+    algorithms.push_back({{"name", algorithm.name},
+                          {"summary", algorithm.summary},
+                          {"is_default", algorithm.is_default}});
+  }
+  const ServerLimits& limits = capabilities.limits;
+  return {{"version", capabilities.version},
+          {"algorithms", algorithms},
+          {"formats", capabilities.formats},
+          {"limits",
+           {{"max_upload_bytes", limits.max_upload_bytes},
+            {"max_vertices", limits.max_vertices},
+            {"max_faces", limits.max_faces},
+            {"max_sources", limits.max_sources},
+            {"max_message_bytes", limits.max_message_bytes},
+            {"max_concurrent_jobs", limits.max_concurrent_jobs},
+            {"max_queued_jobs", limits.max_queued_jobs},
+            {"mesh_store_bytes", limits.mesh_store_bytes},
+            {"field_cache_bytes", limits.field_cache_bytes}}}};
+}
+
+Json ToJson(const FieldStatistics& statistics) {
+  return {{"iterations", statistics.iterations},
+          {"windows_created", statistics.windows_created},
+          {"windows_propagated", statistics.windows_propagated},
+          {"peak_wavefront", statistics.peak_wavefront},
+          {"mean_wavefront", statistics.mean_wavefront},
+          {"peak_windows", statistics.peak_windows},
+          {"peak_solver_bytes", statistics.peak_solver_bytes},
+          {"solve_seconds", statistics.solve_seconds}};
+}
+
+Json ErrorToJson(const absl::Status& status, ExitCode exit_code) {
+  return {{"error",
+           {{"code", absl::StatusCodeToString(status.code())},
+            {"message", std::string(status.message())},
+            {"exit_code", static_cast<int>(exit_code)}}}};
+}
+
+}  // namespace geodesic::client

@@ -1,0 +1,82 @@
+#include "client/cli/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "absl/strings/str_cat.h"
+
+namespace geodesic::client {
+namespace {
+
+std::string Padded(const std::string& text, size_t width, bool to_the_right) {
+  const std::string spaces(width - std::min(width, text.size()), ' ');
+  return to_the_right ? spaces + text : text + spaces;
+}
+
+}  // namespace
+
+std::string GroupedNumber(uint64_t number) {
+  std::string digits = absl::StrCat(number);
+  for (auto i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) {
+    digits.insert(static_cast<size_t>(i), ",");
+  }
+  return digits;
+}
+
+std::string ByteCount(uint64_t bytes) {
+  constexpr std::array kUnits = {"B", "KiB", "MiB", "GiB", "TiB"};
+  size_t unit = 0;
+  auto amount = static_cast<double>(bytes);
+  while (amount >= 1024 && unit + 1 < kUnits.size()) {
+    amount /= 1024;
+    ++unit;
+  }
+  char text[32];
+  std::snprintf(text, sizeof(text), unit == 0 ? "%.0f %s" : "%.1f %s", amount,
+                kUnits[unit]);
+  return text;
+}
+
+std::string ShortNumber(double number) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.6g", number);
+  return text;
+}
+
+std::string Seconds(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof(text), seconds < 1 ? "%.3g ms" : "%.3g s",
+                seconds < 1 ? 1000 * seconds : seconds);
+  return text;
+}
+
+void PrintFacts(const std::vector<Fact>& facts, std::ostream* out) {
+  size_t width = 0;
+  for (const Fact& fact : facts) width = std::max(width, fact.first.size());
+  for (const Fact& fact : facts) {
+    *out << Padded(fact.first, width + 2, false) << fact.second << '\n';
+  }
+}
+
+void PrintTable(const std::vector<std::string>& header,
+                const std::vector<std::vector<std::string>>& rows,
+                std::ostream* out) {
+  std::vector<size_t> widths;
+  for (size_t column = 0; column < header.size(); ++column) {
+    size_t width = header[column].size();
+    for (const auto& row : rows) width = std::max(width, row[column].size());
+    widths.push_back(width);
+  }
+  const auto print = [&](const std::vector<std::string>& row) {
+    for (size_t column = 0; column < row.size(); ++column) {
+      *out << (column == 0 ? "" : "  ")
+           << Padded(row[column], widths[column], column != 0);
+    }
+    *out << '\n';
+  };
+  print(header);
+  for (const auto& row : rows) print(row);
+}
+
+}  // namespace geodesic::client

@@ -1,0 +1,42 @@
+// What a server can do and where its limits are.
+
+#ifndef GEODESIC_CLIENT_CAPABILITIES_H_
+#define GEODESIC_CLIENT_CAPABILITIES_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace geodesic::client {
+
+struct AlgorithmCapability {
+  // As FieldQuery::algorithm spells it.
+  std::string name;
+  std::string summary;
+  bool is_default = false;
+};
+
+// Limits of a server; what passes them is refused with RESOURCE_EXHAUSTED.
+struct ServerLimits {
+  uint64_t max_upload_bytes = 0;
+  uint64_t max_vertices = 0;
+  uint64_t max_faces = 0;
+  uint64_t max_sources = 0;
+  uint64_t max_message_bytes = 0;
+  uint64_t max_concurrent_jobs = 0;
+  uint64_t max_queued_jobs = 0;
+  uint64_t mesh_store_bytes = 0;
+  uint64_t field_cache_bytes = 0;
+};
+
+struct Capabilities {
+  std::string version;
+  std::vector<AlgorithmCapability> algorithms;
+  // Names of the mesh formats the server reads, "arrays" among them.
+  std::vector<std::string> formats;
+  ServerLimits limits;
+};
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_CAPABILITIES_H_

@@ -1,0 +1,130 @@
+// A connection to a geodesic server.
+//
+//   geodesic::client::Client client("127.0.0.1:50051");
+//   auto upload = client.UploadFile("horse.ply");
+//   if (!upload.ok()) return upload.status();
+//   auto field = client.ComputeField({.mesh_digest = upload->mesh.digest,
+//                                     .sources = {{.vertex = 0}}});
+//   if (!field.ok()) return field.status();
+//   double distance_to_vertex_7 = field->distances[7];
+
+#ifndef GEODESIC_CLIENT_CLIENT_H_
+#define GEODESIC_CLIENT_CLIENT_H_
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic_client/capabilities.h"
+#include "geodesic_client/field.h"
+#include "geodesic_client/mesh.h"
+
+namespace geodesic::client {
+
+// How long a call may take, and a way to end it from another thread.
+struct CallOptions {
+  // Of each RPC of the call. DEFAULT: none, the call takes what it takes.
+  std::optional<std::chrono::duration<double>> timeout;
+  // A request to stop ends the call, and the work on the server, with
+  // CANCELLED. DEFAULT: a token that never stops anything.
+  std::stop_token stop;
+};
+
+// Called with the bytes sent so far and the bytes there are to send.
+using UploadProgressCallback =
+    std::function<void(uint64_t sent, uint64_t total)>;
+
+// Calls block until the server has answered; callbacks run on the calling
+// thread. Thread-safe: calls of several threads share one connection.
+//
+// Errors have the server's code and message, and name the field of the request
+// the server points at. Besides the errors listed with each method any call may
+// fail with
+//   UNAVAILABLE: no server there, or it is shutting down;
+//   DEADLINE_EXCEEDED, CANCELLED: by CallOptions;
+//   DATA_LOSS: the server's answer contradicts itself;
+//   INTERNAL: a defect of the server.
+class Client {
+ public:
+  // Connects to "HOST:PORT" at the first call, without encryption.
+  explicit Client(const std::string& server);
+  ~Client();
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+
+  // Makes a mesh file resident. The file is hashed first and sent only if the
+  // server does not know it. An upload the connection loses is tried once more.
+  // Errors: those of CreateMesh in mesh_service.proto; NOT_FOUND or
+  // PERMISSION_DENIED if the file cannot be opened, INVALID_ARGUMENT if it is
+  // no regular file; DATA_LOSS if it changes while it is read.
+  absl::StatusOr<UploadOutcome> UploadFile(
+      const std::string& path, MeshFormat format,
+      const CallOptions& options = {},
+      const UploadProgressCallback& progress = nullptr);
+
+  // The same; the format is the one the path's ending names.
+  // Errors: INVALID_ARGUMENT if it names none.
+  absl::StatusOr<UploadOutcome> UploadFile(
+      const std::string& path, const CallOptions& options = {},
+      const UploadProgressCallback& progress = nullptr);
+
+  // Makes a mesh in memory resident; sent only if the server lacks it.
+  absl::StatusOr<UploadOutcome> UploadArrays(
+      const MeshArrays& mesh, const CallOptions& options = {},
+      const UploadProgressCallback& progress = nullptr);
+
+  // The digest of the resident mesh that has come from this very file before;
+  // nothing if the server does not know the file. Errors: as UploadFile.
+  absl::StatusOr<std::optional<std::string>> FindFile(
+      const std::string& path, MeshFormat format,
+      const CallOptions& options = {});
+
+  // Which of these meshes are not resident, in the order given.
+  // Errors: INVALID_ARGUMENT for a malformed digest, or more than 1000.
+  absl::StatusOr<std::vector<std::string>> FindMissing(
+      const std::vector<std::string>& mesh_digests,
+      const CallOptions& options = {});
+
+  // Errors: INVALID_ARGUMENT for a malformed digest; NOT_FOUND: not resident,
+  // upload it again. Likewise for ReadMesh and DeleteMesh.
+  absl::StatusOr<MeshInfo> GetMesh(const std::string& digest,
+                                   const CallOptions& options = {});
+
+  // The mesh's vertices and faces, as the server holds them.
+  absl::StatusOr<MeshArrays> ReadMesh(const std::string& digest,
+                                      const CallOptions& options = {});
+
+  // All resident meshes, ordered by digest.
+  absl::StatusOr<std::vector<MeshInfo>> ListMeshes(
+      const CallOptions& options = {});
+
+  // Drops a mesh and the fields computed on it.
+  absl::Status DeleteMesh(const std::string& digest,
+                          const CallOptions& options = {});
+
+  // Computes a distance field, or has it from the server's cache.
+  // Errors: INVALID_ARGUMENT for an unknown algorithm (naming the known ones)
+  // and as ComputeField in field_service.proto; NOT_FOUND: the mesh is not
+  // resident, upload it again; RESOURCE_EXHAUSTED: too many sources, or the
+  // server is busy and says when to try again.
+  absl::StatusOr<Field> ComputeField(
+      const FieldQuery& query, const CallOptions& options = {},
+      const FieldProgressCallback& progress = nullptr);
+
+  absl::StatusOr<Capabilities> GetCapabilities(const CallOptions& options = {});
+
+ private:
+  struct Connection;
+  std::unique_ptr<Connection> connection_;
+};
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_CLIENT_H_

@@ -1,0 +1,79 @@
+// Meshes as a client holds and names them.
+
+#ifndef GEODESIC_CLIENT_MESH_H_
+#define GEODESIC_CLIENT_MESH_H_
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+
+namespace geodesic::client {
+
+// A point in space, in the unit of the mesh's file.
+using Point = std::array<double, 3>;
+
+// Three vertex indices, 0-based.
+using Triangle = std::array<uint32_t, 3>;
+
+// A mesh's canonical arrays.
+struct MeshArrays {
+  std::vector<Point> positions;
+  std::vector<Triangle> triangles;
+};
+
+// The name every server gives this mesh: 64 lower-case hexadecimal digits of
+// sha-256, as geodesic/v1/mesh.proto defines it. Thread-safe; linear.
+std::string MeshDigest(const MeshArrays& mesh);
+
+// Whether `text` has the form of a mesh's name.
+bool IsMeshDigest(std::string_view text);
+
+enum class MeshFormat { kObj, kPly, kOff, kStl };
+
+// "obj", "ply", "off" or "stl".
+std::string_view MeshFormatName(MeshFormat format);
+
+// The format a path's ending names, in any case ("a/b.PLY" is kPly).
+// Errors: INVALID_ARGUMENT naming the path and the endings that are known.
+absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path);
+
+// A mesh that is resident on the server.
+struct MeshInfo {
+  std::string digest;
+  uint64_t vertex_count = 0;
+  uint64_t face_count = 0;
+  uint64_t edge_count = 0;
+  uint64_t boundary_edge_count = 0;
+  uint64_t boundary_loop_count = 0;
+  // Connected pieces that have at least one face.
+  uint64_t component_count = 0;
+  uint64_t isolated_vertex_count = 0;
+  int64_t genus = 0;
+  // Interior vertices whose cone angle exceeds 2 pi.
+  uint64_t saddle_vertex_count = 0;
+  uint64_t degenerate_face_count = 0;
+  Point bounding_box_min = {};
+  Point bounding_box_max = {};
+  double mean_edge_length = 0;
+  // 1 for equilateral faces, larger for slimmer ones.
+  double anisotropy = 0;
+  // Memory the mesh takes on the server.
+  uint64_t resident_bytes = 0;
+};
+
+// What became of an upload.
+struct UploadOutcome {
+  MeshInfo mesh;
+  // The server had the mesh already.
+  bool already_resident = false;
+  // Bytes of mesh data that went over the wire; 0 if the server knew the file.
+  uint64_t bytes_sent = 0;
+};
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_MESH_H_

@@ -1,0 +1,54 @@
+// A file that appears under its name when it is complete, or not at all.
+
+#ifndef GEODESIC_CLIENT_OUTPUT_ATOMIC_FILE_H_
+#define GEODESIC_CLIENT_OUTPUT_ATOMIC_FILE_H_
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+
+namespace geodesic::client {
+
+// Writes to "<path>.part-<process>" beside the file and renames it at the end.
+// Not thread-safe.
+class AtomicFile {
+ public:
+  // Errors: those of opening a file for writing, naming the path.
+  static absl::StatusOr<AtomicFile> Create(const std::string& path);
+
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+  // Removes what has been written unless Commit succeeded.
+  ~AtomicFile();
+
+  // Once a write has failed the following ones do nothing; Commit tells.
+  void Append(std::string_view bytes);
+  void Append(const void* bytes, size_t size) {
+    Append({static_cast<const char*>(bytes), size});
+  }
+
+  // Bytes appended so far.
+  uint64_t size() const { return size_; }
+
+  // Puts the file in its place, over one that may be there.
+  // Errors: what went wrong first, naming the path.
+  absl::Status Commit();
+
+ private:
+  AtomicFile(std::string path, std::string partial_path, std::FILE* file);
+
+  std::string path_;
+  std::string partial_path_;
+  std::FILE* file_;
+  uint64_t size_ = 0;
+  // errno of the first write that failed.
+  int error_ = 0;
+};
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_OUTPUT_ATOMIC_FILE_H_

@@ -1,0 +1,25 @@
+// A view that shows much of a mesh, and the sources on it.
+
+#ifndef GEODESIC_CLIENT_PICTURE_DEFAULT_VIEW_H_
+#define GEODESIC_CLIENT_PICTURE_DEFAULT_VIEW_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "client/picture/camera.h"
+#include "geodesic_client/mesh.h"
+
+namespace geodesic::client {
+
+// z for a mesh that is flat along z, as terrains are, or that would stand on a
+// floor along z but fall over along y; y otherwise, as in most models.
+UpAxis GuessUpAxis(const std::vector<Point>& positions);
+
+// Tries oblique views from all around and takes the one that covers most of the
+// screen, preferring those that see the first source.
+View ChooseView(const MeshArrays& mesh, const std::vector<uint64_t>& sources,
+                UpAxis up);
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_PICTURE_DEFAULT_VIEW_H_

@@ -1,0 +1,49 @@
+// Which triangle is seen at each sample of the screen.
+
+#ifndef GEODESIC_CLIENT_PICTURE_RASTERIZER_H_
+#define GEODESIC_CLIENT_PICTURE_RASTERIZER_H_
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "client/picture/image.h"
+#include "client/picture/vector3.h"
+#include "geodesic_client/mesh.h"
+
+namespace geodesic::client {
+
+inline constexpr uint32_t kNoTriangle = std::numeric_limits<uint32_t>::max();
+
+struct VisibleSample {
+  // Toward the viewer; the nearest triangle's.
+  float depth = -std::numeric_limits<float>::infinity();
+  uint32_t triangle = kNoTriangle;
+};
+
+using VisibilityBuffer = Raster<VisibleSample>;
+
+// The weights of a triangle's corners at a point of the screen; they add up to
+// one, and all are >= 0 inside.
+struct Barycentric {
+  double a = 0;
+  double b = 0;
+  double c = 0;
+};
+
+// REQUIRES: the triangle has area on the screen.
+Barycentric BarycentricAt(const Vector3& a, const Vector3& b, const Vector3& c,
+                          double x, double y);
+
+// Draws `triangles` with the corners `screen` (x and y in samples, z toward the
+// viewer) into a buffer of the given size. Samples are taken at the middle of
+// their square; edges belong to both of their triangles, so that no seam shows.
+// Triangles without area on the screen are not drawn. Linear in the triangles
+// and the samples they cover.
+VisibilityBuffer Rasterize(const std::vector<Vector3>& screen,
+                           const std::vector<Triangle>& triangles, int width,
+                           int height);
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_PICTURE_RASTERIZER_H_

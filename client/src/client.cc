@@ -1,0 +1,124 @@
+#include "geodesic_client/client.h"
+
+#include <grpcpp/create_channel.h>
+#include <grpcpp/security/credentials.h>
+#include <grpcpp/support/channel_arguments.h>
+
+#include <utility>
+
+#include "call.h"
+#include "connection.h"
+#include "rpc_status.h"
+#include "translate.h"
+
+namespace geodesic::client {
+namespace {
+
+constexpr int kMebibyte = 1 << 20;
+
+std::shared_ptr<grpc::Channel> Connect(const std::string& server) {
+  grpc::ChannelArguments arguments;
+  // A page of meshes or a chunk of a field is far smaller; the server's own
+  // limit on requests is its own affair.
+  arguments.SetMaxReceiveMessageSize(64 * kMebibyte);
+  arguments.SetMaxSendMessageSize(64 * kMebibyte);
+  // A dead peer is noticed while a call waits. Servers by default hang up on
+  // clients that ping more often than every five minutes.
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, 5 * 60 * 1000 + 10 * 1000);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20 * 1000);
+  // Time for one attempt to connect; gRPC's 20 s is long for someone waiting.
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 5 * 1000);
+  // Clients of one process that name the same server do not share a
+  // connection, so that closing one means closing it.
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  return grpc::CreateCustomChannel(server, grpc::InsecureChannelCredentials(),
+                                   arguments);
+}
+
+// The largest page ListMeshes serves.
+constexpr int kPageSize = 1000;
+
+}  // namespace
+
+Client::Connection::Connection(const std::string& server)
+    : channel(Connect(server)),
+      meshes(v1::MeshService::NewStub(channel)),
+      capabilities(v1::CapabilitiesService::NewStub(channel)),
+      fields(channel) {}
+
+Client::Client(const std::string& server)
+    : connection_(std::make_unique<Connection>(server)) {}
+
+Client::~Client() = default;
+
+absl::StatusOr<std::vector<std::string>> Client::FindMissing(
+    const std::vector<std::string>& mesh_digests, const CallOptions& options) {
+  v1::FindMissingMeshesRequest request;
+  request.mutable_mesh_digests()->Add(mesh_digests.begin(), mesh_digests.end());
+  v1::FindMissingMeshesResponse response;
+  Call call(options);
+  absl::Status status = FromRpcStatus(connection_->meshes->FindMissingMeshes(
+      call.context(), request, &response));
+  if (!status.ok()) return status;
+  return std::vector<std::string>(response.missing_mesh_digests().begin(),
+                                  response.missing_mesh_digests().end());
+}
+
+absl::StatusOr<MeshInfo> Client::GetMesh(const std::string& digest,
+                                         const CallOptions& options) {
+  v1::GetMeshRequest request;
+  request.set_digest(digest);
+  v1::GetMeshResponse response;
+  Call call(options);
+  absl::Status status = FromRpcStatus(
+      connection_->meshes->GetMesh(call.context(), request, &response));
+  if (!status.ok()) return status;
+  return FromProto(response.mesh());
+}
+
+absl::StatusOr<std::vector<MeshInfo>> Client::ListMeshes(
+    const CallOptions& options) {
+  std::vector<MeshInfo> meshes;
+  v1::ListMeshesRequest request;
+  request.set_page_size(kPageSize);
+  v1::ListMeshesResponse response;
+  do {
+    Call call(options);
+    absl::Status status = FromRpcStatus(
+        connection_->meshes->ListMeshes(call.context(), request, &response));
+    if (!status.ok()) return status;
+    if (!response.next_page_token().empty() &&
+        response.next_page_token() == request.page_token()) {
+      return absl::DataLossError("the server's list of meshes does not end");
+    }
+    for (const v1::Mesh& mesh : response.meshes()) {
+      meshes.push_back(FromProto(mesh));
+    }
+    request.set_page_token(response.next_page_token());
+  } while (!request.page_token().empty());
+  return meshes;
+}
+
+absl::Status Client::DeleteMesh(const std::string& digest,
+                                const CallOptions& options) {
+  v1::DeleteMeshRequest request;
+  request.set_digest(digest);
+  v1::DeleteMeshResponse response;
+  Call call(options);
+  return FromRpcStatus(
+      connection_->meshes->DeleteMesh(call.context(), request, &response));
+}
+
+absl::StatusOr<Capabilities> Client::GetCapabilities(
+    const CallOptions& options) {
+  v1::GetCapabilitiesRequest request;
+  v1::GetCapabilitiesResponse response;
+  Call call(options);
+  absl::Status status =
+      FromRpcStatus(connection_->capabilities->GetCapabilities(
+          call.context(), request, &response));
+  if (!status.ok()) return status;
+  return FromProto(response);
+}
+
+}  // namespace geodesic::client

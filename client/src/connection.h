@@ -1,0 +1,35 @@
+// The channel of a Client and the stubs on it.
+
+#ifndef GEODESIC_CLIENT_CONNECTION_H_
+#define GEODESIC_CLIENT_CONNECTION_H_
+
+#include <grpcpp/channel.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/support/byte_buffer.h>
+
+#include <memory>
+#include <string>
+
+#include "geodesic/v1/capabilities_service.grpc.pb.h"
+#include "geodesic/v1/field_service.grpc.pb.h"
+#include "geodesic/v1/mesh_service.grpc.pb.h"
+#include "geodesic_client/client.h"
+
+namespace geodesic::client {
+
+// Its answers stay serialized: see field_assembler.h.
+using FieldStub =
+    grpc::TemplatedGenericStub<v1::ComputeFieldRequest, grpc::ByteBuffer>;
+
+struct Client::Connection {
+  explicit Connection(const std::string& server);
+
+  std::shared_ptr<grpc::Channel> channel;
+  std::unique_ptr<v1::MeshService::Stub> meshes;
+  std::unique_ptr<v1::CapabilitiesService::Stub> capabilities;
+  FieldStub fields;
+};
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_CONNECTION_H_

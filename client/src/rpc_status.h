@@ -1,0 +1,18 @@
+// Statuses as gRPC gives them -> statuses as this library gives them.
+
+#ifndef GEODESIC_CLIENT_RPC_STATUS_H_
+#define GEODESIC_CLIENT_RPC_STATUS_H_
+
+#include <grpcpp/support/status.h>
+
+#include "absl/status/status.h"
+
+namespace geodesic::client {
+
+// Keeps code and message; what google.rpc.BadRequest and google.rpc.RetryInfo
+// in the details say is appended to the message in brackets.
+absl::Status FromRpcStatus(const grpc::Status& status);
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_RPC_STATUS_H_

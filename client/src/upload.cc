@@ -1,0 +1,211 @@
+// Client::UploadFile, UploadArrays and FindFile: ask first, then send.
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "call.h"
+#include "connection.h"
+#include "file_reader.h"
+#include "rpc_status.h"
+#include "sha256.h"
+#include "translate.h"
+
+namespace geodesic::client {
+namespace {
+
+constexpr size_t kChunkBytes = size_t{1} << 20;
+
+// Fills `chunk` with the next bytes of an upload, from its start or from where
+// the last one ended; an empty chunk ends it.
+using ChunkSource =
+    std::function<absl::Status(bool restart, std::string* chunk)>;
+
+absl::StatusOr<UploadOutcome> SendOnce(v1::MeshService::Stub* stub,
+                                       const v1::UploadHeader& header,
+                                       const ChunkSource& next_chunk,
+                                       const CallOptions& options,
+                                       const UploadProgressCallback& progress) {
+  v1::CreateMeshResponse response;
+  Call call(options);
+  auto writer = stub->CreateMesh(call.context(), &response);
+  v1::CreateMeshRequest request;
+  *request.mutable_header() = header;
+  bool open = writer->Write(request);
+  uint64_t sent = 0;
+  absl::Status local;
+  for (bool restart = true; open; restart = false) {
+    v1::UploadChunk* chunk = request.mutable_chunk();
+    chunk->mutable_data()->resize(kChunkBytes);
+    local = next_chunk(restart, chunk->mutable_data());
+    if (!local.ok()) {
+      call.context()->TryCancel();
+      break;
+    }
+    if (chunk->data().empty()) break;
+    chunk->set_offset(sent);
+    open = writer->Write(request);
+    sent += chunk->data().size();
+    if (progress != nullptr) progress(sent, header.size_bytes());
+  }
+  writer->WritesDone();
+  // A write that failed has its reason here.
+  const absl::Status status = FromRpcStatus(writer->Finish());
+  if (!local.ok()) return local;
+  if (!status.ok()) return status;
+  return UploadOutcome{.mesh = FromProto(response.mesh()),
+                       .already_resident = response.already_resident(),
+                       .bytes_sent = sent};
+}
+
+// Once more if the connection broke: the server keeps nothing of an upload that
+// did not end, and one that did is merely found resident.
+absl::StatusOr<UploadOutcome> Send(v1::MeshService::Stub* stub,
+                                   const v1::UploadHeader& header,
+                                   const ChunkSource& next_chunk,
+                                   const CallOptions& options,
+                                   const UploadProgressCallback& progress) {
+  absl::StatusOr<UploadOutcome> outcome =
+      SendOnce(stub, header, next_chunk, options, progress);
+  if (absl::IsUnavailable(outcome.status())) {
+    outcome = SendOnce(stub, header, next_chunk, options, progress);
+  }
+  return outcome;
+}
+
+absl::StatusOr<std::string> HashFile(FileReader* file,
+                                     const CallOptions& options) {
+  Sha256 hash;
+  std::string buffer;
+  do {
+    if (options.stop.stop_requested()) {
+      return absl::CancelledError("stopped while hashing the file");
+    }
+    buffer.resize(kChunkBytes);
+    if (absl::Status status = file->Read(&buffer); !status.ok()) return status;
+    hash.Update(buffer.data(), buffer.size());
+  } while (!buffer.empty());
+  return hash.FinishHex();
+}
+
+// The digest of the mesh that came from this file; nothing if unknown.
+absl::StatusOr<std::optional<std::string>> AskForFile(
+    v1::MeshService::Stub* stub, MeshFormat format, const std::string& sha256,
+    const CallOptions& options) {
+  v1::FindMissingMeshesRequest request;
+  v1::FileDigest* file = request.add_files();
+  file->set_format(ToProto(format));
+  file->set_sha256(sha256);
+  v1::FindMissingMeshesResponse response;
+  Call call(options);
+  absl::Status status = FromRpcStatus(
+      stub->FindMissingMeshes(call.context(), request, &response));
+  if (!status.ok()) return status;
+  if (response.known_files().empty()) return std::nullopt;
+  return response.known_files(0).mesh_digest();
+}
+
+}  // namespace
+
+absl::StatusOr<std::optional<std::string>> Client::FindFile(
+    const std::string& path, MeshFormat format, const CallOptions& options) {
+  absl::StatusOr<FileReader> file = FileReader::Open(path);
+  if (!file.ok()) return file.status();
+  absl::StatusOr<std::string> sha256 = HashFile(&*file, options);
+  if (!sha256.ok()) return sha256.status();
+  return AskForFile(connection_->meshes.get(), format, *sha256, options);
+}
+
+absl::StatusOr<UploadOutcome> Client::UploadFile(
+    const std::string& path, MeshFormat format, const CallOptions& options,
+    const UploadProgressCallback& progress) {
+  absl::StatusOr<FileReader> file = FileReader::Open(path);
+  if (!file.ok()) return file.status();
+  absl::StatusOr<std::string> sha256 = HashFile(&*file, options);
+  if (!sha256.ok()) return sha256.status();
+  absl::StatusOr<std::optional<std::string>> known =
+      AskForFile(connection_->meshes.get(), format, *sha256, options);
+  if (!known.ok()) return known.status();
+  if (known->has_value()) {
+    absl::StatusOr<MeshInfo> mesh = GetMesh(**known, options);
+    if (mesh.ok()) {
+      return UploadOutcome{.mesh = *std::move(mesh), .already_resident = true};
+    }
+    // It may have been evicted since it was asked for.
+    if (!absl::IsNotFound(mesh.status())) return mesh.status();
+  }
+
+  v1::UploadHeader header;
+  header.set_format(ToProto(format));
+  header.set_size_bytes(file->size());
+  uint64_t left = 0;
+  auto next_chunk = [&](bool restart, std::string* chunk) {
+    if (restart) {
+      file->Rewind();
+      left = file->size();
+    }
+    chunk->resize(std::min<uint64_t>(chunk->size(), left));
+    const size_t wanted = chunk->size();
+    absl::Status status = file->Read(chunk);
+    if (status.ok() && chunk->size() != wanted) {
+      return absl::DataLossError(
+          absl::StrCat(path, " became shorter while it was read"));
+    }
+    left -= chunk->size();
+    return status;
+  };
+  return Send(connection_->meshes.get(), header, next_chunk, options, progress);
+}
+
+absl::StatusOr<UploadOutcome> Client::UploadFile(
+    const std::string& path, const CallOptions& options,
+    const UploadProgressCallback& progress) {
+  absl::StatusOr<MeshFormat> format = MeshFormatFromPath(path);
+  if (!format.ok()) return format.status();
+  return UploadFile(path, *format, options, progress);
+}
+
+absl::StatusOr<UploadOutcome> Client::UploadArrays(
+    const MeshArrays& mesh, const CallOptions& options,
+    const UploadProgressCallback& progress) {
+  const std::string digest = MeshDigest(mesh);
+  absl::StatusOr<MeshInfo> resident = GetMesh(digest, options);
+  if (resident.ok()) {
+    return UploadOutcome{.mesh = *std::move(resident),
+                         .already_resident = true};
+  }
+  if (!absl::IsNotFound(resident.status())) return resident.status();
+
+  const uint64_t position_bytes = mesh.positions.size() * sizeof(Point);
+  const uint64_t triangle_bytes = mesh.triangles.size() * sizeof(Triangle);
+  v1::UploadHeader header;
+  header.set_format(v1::MESH_FORMAT_ARRAYS);
+  header.set_size_bytes(position_bytes + triangle_bytes);
+  header.set_vertex_count(mesh.positions.size());
+  header.set_face_count(mesh.triangles.size());
+  header.set_expected_digest(digest);
+  uint64_t offset = 0;
+  auto next_chunk = [&](bool restart, std::string* chunk) {
+    if (restart) offset = 0;
+    // A chunk holds bytes of one array only.
+    const bool in_positions = offset < position_bytes;
+    const uint64_t begin = in_positions ? offset : offset - position_bytes;
+    const uint64_t end = in_positions ? position_bytes : triangle_bytes;
+    const void* array = in_positions
+                            ? static_cast<const void*>(mesh.positions.data())
+                            : mesh.triangles.data();
+    chunk->resize(std::min<uint64_t>(chunk->size(), end - begin));
+    if (!chunk->empty()) {
+      std::memcpy(chunk->data(), static_cast<const char*>(array) + begin,
+                  chunk->size());
+    }
+    offset += chunk->size();
+    return absl::OkStatus();
+  };
+  return Send(connection_->meshes.get(), header, next_chunk, options, progress);
+}
+
+}  // namespace geodesic::client
