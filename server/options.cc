@@ -15,6 +15,9 @@ constexpr int kUsageError = 2;
 
 constexpr uint64_t kMaxBytes = uint64_t{1} << 50;
 
+// gRPC counts a message's bytes in an int.
+constexpr uint64_t kMaxMessageBytes = uint64_t{1} << 30;
+
 // The bound of core's 32-bit half-edge numbers.
 constexpr uint64_t kMaxFaces = (uint64_t{1} << 32) / 3 - 1;
 constexpr uint64_t kMaxVertices = uint64_t{1} << 31;
@@ -31,10 +34,10 @@ std::string InUnits(uint64_t bytes) {
 }
 
 void AddBytes(CLI::App& app, const std::string& flag, uint64_t& value,
-              const std::string& help) {
+              const std::string& help, uint64_t most = kMaxBytes) {
   app.add_option(flag, value, help)
-      ->transform(CLI::AsSizeValue(/*kb_is_1000=*/true))
-      ->check(CLI::Range(uint64_t{1}, kMaxBytes, "BYTES"))
+      ->transform(CLI::AsSizeValue(/*kb_is_1000=*/true).description(""))
+      ->check(CLI::Range(uint64_t{1}, most).description(""))
       ->default_str(InUnits(value))
       ->type_name("BYTES");
 }
@@ -42,7 +45,7 @@ void AddBytes(CLI::App& app, const std::string& flag, uint64_t& value,
 void AddCount(CLI::App& app, const std::string& flag, uint64_t& value,
               uint64_t most, const std::string& help) {
   app.add_option(flag, value, help)
-      ->check(CLI::Range(uint64_t{1}, most, "N"))
+      ->check(CLI::Range(uint64_t{1}, most).description(""))
       ->capture_default_str()
       ->type_name("N");
 }
@@ -67,7 +70,7 @@ void AddNetworkOptions(CLI::App& app, ServerOptions& options) {
                  "Write the port that is served on to this file, for scripts")
       ->type_name("PATH");
   AddBytes(app, "--max-message-bytes", options.max_message_bytes,
-           "Largest gRPC message taken from a client");
+           "Largest gRPC message taken from a client", kMaxMessageBytes);
 }
 
 void AddWorkOptions(CLI::App& app, ServerOptions& options) {
@@ -109,7 +112,7 @@ void AddOperationOptions(CLI::App& app, ServerOptions& options,
   app.add_option("--drain-seconds", drain_seconds,
                  "After SIGTERM or SIGINT, how long requests may go on before "
                  "they are cancelled; a second signal cancels them at once")
-      ->check(CLI::Range(int64_t{0}, int64_t{86400}, "SECONDS"))
+      ->check(CLI::Range(int64_t{0}, int64_t{86400}).description(""))
       ->capture_default_str()
       ->type_name("SECONDS");
   app.add_option("--log-level", options.log_level,

@@ -6,7 +6,7 @@ namespace geodesic::server {
 namespace {
 
 // The reservation runs ahead of the solver in steps of this size, so that
-// growth between two polls is covered as well.
+// growth between two polls is covered as well, while there is room.
 constexpr uint64_t kMemoryStep = uint64_t{16} << 20;
 
 }  // namespace
@@ -34,6 +34,7 @@ absl::Status JobCheckpoint::Poll(const Progress& progress) {
   }
   if (progress.solver_bytes > memory_.bytes()) {
     absl::Status status = memory_.GrowTo(progress.solver_bytes + kMemoryStep);
+    if (!status.ok()) status = memory_.GrowTo(progress.solver_bytes);
     if (!status.ok()) return status;
   }
   if (now >= next_progress_) {

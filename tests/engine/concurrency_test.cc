@@ -1,0 +1,186 @@
+// Many threads at once; meant for ThreadSanitizer as much as for its results.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "server/engine/query_engine.h"
+#include "server/engine/thread_pool.h"
+#include "tests/engine/uploads.h"
+#include "tests/support/curved_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+constexpr int kThreads = 8;
+
+void OnThreads(const std::function<void(int)>& work) {
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < kThreads; ++i) threads.emplace_back(work, i);
+}
+
+// A value that knows whether it has been destroyed.
+struct Canary {
+  explicit Canary(int v) : value(v), twin(std::make_unique<int>(v)) {}
+  int value;
+  std::unique_ptr<int> twin;
+};
+
+TEST(Concurrency, TheStoreStaysWithinItsBudget) {
+  constexpr uint64_t kCapacity = 1000;
+  LruStore<int, Canary> store("test store", kCapacity);
+  std::atomic<uint64_t> refused = 0;
+  std::atomic<bool> exceeded = false;
+  OnThreads([&](int thread) {
+    uint64_t state = thread + 1;
+    std::shared_ptr<const Canary> held;
+    for (int i = 0; i < 5000; ++i) {
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      const int key = static_cast<int>(state >> 33) % 64;
+      if (auto found = store.Find(key)) {
+        ASSERT_EQ(found->value, key);
+        ASSERT_EQ(*found->twin, key);
+        held = std::move(found);
+      } else if (auto room = store.Reserve(50 + key); room.ok()) {
+        held = store.Insert(key, Canary(key), *std::move(room)).value;
+        ASSERT_EQ(*held->twin, key);
+      } else {
+        ++refused;
+        held.reset();
+      }
+      if (i % 97 == 0) store.Erase(key);
+      if (store.used_bytes() > kCapacity) exceeded = true;
+    }
+  });
+  EXPECT_FALSE(exceeded);
+  // Nobody holds anything any more.
+  EXPECT_TRUE(store.Reserve(kCapacity).ok());
+  EXPECT_EQ(store.size(), 0);
+}
+
+// Waits for its field.
+class WaitingObserver final : public FieldObserver {
+ public:
+  void OnProgress(const Progress&) override {}
+  void OnField(const absl::StatusOr<FieldHandle>& field) override {
+    std::lock_guard lock(mutex_);
+    field_ = field;
+    changed_.notify_all();
+  }
+  absl::StatusOr<FieldHandle> Wait() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return field_.has_value(); });
+    return *field_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<absl::StatusOr<FieldHandle>> field_;
+};
+
+class EngineConcurrencyTest : public ::testing::Test {
+ protected:
+  std::string Upload(const TriangleSoup& soup) {
+    auto upload = engine_.StartUpload(test::ArrayHeader(soup));
+    EXPECT_TRUE(upload.ok()) << upload.status();
+    EXPECT_TRUE((*upload)->Append(0, test::ArrayBytes(soup)).ok());
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::string digest;
+    const auto job = engine_.FinishUpload(
+        *std::move(upload), [&](const absl::StatusOr<UploadResult>& result) {
+          std::lock_guard lock(mutex);
+          EXPECT_TRUE(result.ok()) << result.status();
+          digest = result.ok() ? result->mesh->digest : "failed";
+          changed.notify_all();
+        });
+    EXPECT_TRUE(job.ok()) << job.status();
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [&] { return !digest.empty(); });
+    return digest;
+  }
+
+  SteadyClock clock_;
+  ThreadPool pool_{4};
+  QueryEngine engine_{{.max_concurrent_jobs = 4}, clock_, pool_};
+};
+
+TEST_F(EngineConcurrencyTest, EveryoneGetsTheSameField) {
+  const std::string digest = Upload(geodesic::test::Icosphere(3));
+  std::mutex mutex;
+  std::vector<FieldHandle> fields[4];
+  OnThreads([&](int thread) {
+    for (int i = 0; i < 20; ++i) {
+      const uint32_t vertex = (thread + i) % 4;
+      const auto observer = std::make_shared<WaitingObserver>();
+      const auto call =
+          engine_.ComputeField({digest, {.sources = {{vertex, 0}}}}, observer);
+      ASSERT_TRUE(call.ok()) << call.status();
+      const auto field = call->field != nullptr
+                             ? absl::StatusOr<FieldHandle>(call->field)
+                             : observer->Wait();
+      ASSERT_TRUE(field.ok()) << field.status();
+      std::lock_guard lock(mutex);
+      fields[vertex].push_back(*field);
+    }
+  });
+  for (const auto& same : fields) {
+    EXPECT_FALSE(same.empty());
+    for (const FieldHandle& field : same) EXPECT_EQ(field, same.front());
+  }
+  EXPECT_EQ(engine_.counters().solves_finished, 4);
+}
+
+TEST_F(EngineConcurrencyTest, CancelsAndDeletesLeaveNothingBehind) {
+  const TriangleSoup soup = geodesic::test::Icosphere(3);
+  const std::string digest = Upload(soup);
+  OnThreads([&](int thread) {
+    for (int i = 0; i < 30; ++i) {
+      const uint32_t vertex = (thread * 7 + i) % 16;
+      const auto observer = std::make_shared<WaitingObserver>();
+      const auto call =
+          engine_.ComputeField({digest, {.sources = {{vertex, 0}}}}, observer);
+      if (!call.ok()) {
+        EXPECT_TRUE(absl::IsNotFound(call.status())) << call.status();
+        Upload(soup);
+        continue;
+      }
+      if (i % 2 == 0) {
+        engine_.Cancel(*call);
+      } else if (call->field == nullptr) {
+        EXPECT_TRUE(observer->Wait().ok());
+      }
+      if (thread == 0 && i % 10 == 9) (void)engine_.DeleteMesh(digest);
+    }
+  });
+  EXPECT_TRUE(engine_.WaitIdle(std::chrono::seconds(60)));
+  EXPECT_EQ(engine_.flights().size(), 0);
+  const EngineCounters counters = engine_.counters();
+  EXPECT_EQ(counters.solves_started,
+            counters.solves_finished + counters.solves_stopped);
+}
+
+TEST_F(EngineConcurrencyTest, TheSameMeshFromEveryoneIsKeptOnce) {
+  const TriangleSoup soup = geodesic::test::Icosphere(2);
+  OnThreads([&](int) {
+    for (int i = 0; i < 5; ++i) Upload(soup);
+  });
+  const auto page = engine_.ListMeshes(0, "");
+  ASSERT_TRUE(page.ok());
+  ASSERT_EQ(page->meshes.size(), 1);
+  EXPECT_LT(engine_.meshes().used_bytes(),
+            page->meshes[0]->mesh->resident_bytes() + 1024);
+}
+
+}  // namespace
+}  // namespace geodesic::server

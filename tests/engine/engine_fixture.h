@@ -1,0 +1,77 @@
+// An engine on one thread with time standing still.
+
+#ifndef GEODESIC_TESTS_ENGINE_ENGINE_FIXTURE_H_
+#define GEODESIC_TESTS_ENGINE_ENGINE_FIXTURE_H_
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "server/engine/query_engine.h"
+#include "tests/engine/fakes.h"
+#include "tests/engine/uploads.h"
+
+namespace geodesic::server::test {
+
+class EngineTest : public ::testing::Test {
+ protected:
+  explicit EngineTest(Limits limits = SmallLimits())
+      : engine_(limits, clock_, executor_,
+                [this](const Mesh& mesh, const Query& query,
+                       const SolveOptions& options, Checkpoint& checkpoint) {
+                  return solve_(mesh, query, options, checkpoint);
+                }) {}
+
+  // The engine's end waits for its tasks.
+  ~EngineTest() override {
+    engine_.StopAll();
+    executor_.RunAll();
+  }
+
+  static Limits SmallLimits() {
+    constexpr uint64_t kMiB = uint64_t{1} << 20;
+    return {.max_upload_bytes = 16 * kMiB,
+            .max_vertices = 100'000,
+            .max_faces = 200'000,
+            .max_sources = 10,
+            .max_concurrent_jobs = 1,
+            .max_queued_jobs = 2,
+            .mesh_store_bytes = 64 * kMiB,
+            .field_cache_bytes = 16 * kMiB,
+            .upload_memory_bytes = 256 * kMiB,
+            .solver_memory_bytes = 256 * kMiB};
+  }
+
+  absl::StatusOr<UploadResult> Upload(const UploadHeader& header,
+                                      std::string_view bytes) {
+    auto upload = engine_.StartUpload(header);
+    if (!upload.ok()) return upload.status();
+    absl::Status status = (*upload)->Append(0, bytes);
+    if (!status.ok()) return status;
+    std::optional<absl::StatusOr<UploadResult>> result;
+    auto job = engine_.FinishUpload(
+        *std::move(upload),
+        [&](const absl::StatusOr<UploadResult>& r) { result = r; });
+    if (!job.ok()) return job.status();
+    executor_.RunAll();
+    EXPECT_TRUE(result.has_value());
+    return *std::move(result);
+  }
+
+  absl::StatusOr<UploadResult> Upload(const TriangleSoup& soup) {
+    return Upload(ArrayHeader(soup), ArrayBytes(soup));
+  }
+
+  FakeClock clock_;
+  ManualExecutor executor_;
+  SolveFunction solve_ = &Solve;
+  QueryEngine engine_;
+};
+
+}  // namespace geodesic::server::test
+
+#endif  // GEODESIC_TESTS_ENGINE_ENGINE_FIXTURE_H_

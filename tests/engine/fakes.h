@@ -1,0 +1,73 @@
+// Time, threads and solvers under a test's control.
+
+#ifndef GEODESIC_TESTS_ENGINE_FAKES_H_
+#define GEODESIC_TESTS_ENGINE_FAKES_H_
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "server/engine/clock.h"
+#include "server/engine/executor.h"
+#include "server/engine/field_flight.h"
+
+namespace geodesic::server::test {
+
+// Stands still until it is told to move.
+class FakeClock final : public Clock {
+ public:
+  TimePoint Now() const override { return now_; }
+  void Advance(Duration by) { now_ += by; }
+
+ private:
+  TimePoint now_ = TimePoint() + std::chrono::hours(1);
+};
+
+// Runs tasks when, and on the thread where, the test says so.
+class ManualExecutor final : public Executor {
+ public:
+  void Schedule(Task task) override { tasks_.push_back(std::move(task)); }
+
+  bool RunOne() {
+    if (tasks_.empty()) return false;
+    Task task = std::move(tasks_.front());
+    tasks_.pop_front();
+    std::move(task)();
+    return true;
+  }
+
+  size_t RunAll() {
+    size_t count = 0;
+    while (RunOne()) ++count;
+    return count;
+  }
+
+  size_t size() const { return tasks_.size(); }
+
+ private:
+  std::deque<Task> tasks_;
+};
+
+// Remembers what it was told. For tests on one thread.
+class RecordingObserver final : public FieldObserver {
+ public:
+  void OnProgress(const Progress& progress) override {
+    seen.push_back(progress);
+  }
+  void OnField(const absl::StatusOr<FieldHandle>& f) override {
+    ++calls;
+    field = f;
+  }
+
+  std::vector<Progress> seen;
+  std::optional<absl::StatusOr<FieldHandle>> field;
+  int calls = 0;
+};
+
+}  // namespace geodesic::server::test
+
+#endif  // GEODESIC_TESTS_ENGINE_FAKES_H_

@@ -1,0 +1,350 @@
+// The part of QueryEngine that deals with fields.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "server/engine/status_details.h"
+#include "tests/engine/engine_fixture.h"
+#include "tests/support/curved_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+using test::RecordingObserver;
+using ::testing::HasSubstr;
+
+class FieldQueryTest : public test::EngineTest {
+ protected:
+  using EngineTest::EngineTest;
+
+  void SetUp() override {
+    const auto uploaded = Upload(geodesic::test::Icosphere(2));
+    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
+    digest_ = uploaded->mesh->digest;
+    solve_ = [this](const Mesh& mesh, const Query& query,
+                    const SolveOptions& options, Checkpoint& checkpoint) {
+      ++solves_;
+      return Solve(mesh, query, options, checkpoint);
+    };
+  }
+
+  absl::StatusOr<FieldCall> Ask(
+      uint32_t vertex, const std::shared_ptr<RecordingObserver>& observer,
+      TimePoint deadline = kNoDeadline) {
+    return engine_.ComputeField({digest_, {.sources = {{vertex, 0}}}, deadline},
+                                observer);
+  }
+
+  // A solver that polls `polls` times and does `at_poll` before each.
+  SolveFunction PollingSolver(int polls, std::function<void(int)> at_poll) {
+    return [this, polls, at_poll](
+               const Mesh& mesh, const Query&, const SolveOptions&,
+               Checkpoint& checkpoint) -> absl::StatusOr<DistanceField> {
+      ++solves_;
+      for (int poll = 0; poll < polls; ++poll) {
+        at_poll(poll);
+        polls_ = poll + 1;
+        absl::Status status =
+            checkpoint.Poll({.vertices_reached = static_cast<uint64_t>(poll)});
+        if (!status.ok()) return status;
+      }
+      return DistanceField{.distances =
+                               std::vector<double>(mesh.vertex_count())};
+    };
+  }
+
+  std::string digest_;
+  int solves_ = 0;
+  int polls_ = 0;
+  std::shared_ptr<RecordingObserver> a_ = std::make_shared<RecordingObserver>();
+  std::shared_ptr<RecordingObserver> b_ = std::make_shared<RecordingObserver>();
+};
+
+TEST_F(FieldQueryTest, SolvesExactly) {
+  const auto call = Ask(0, a_);
+  ASSERT_TRUE(call.ok()) << call.status();
+  EXPECT_EQ(call->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(call->vertex_count, 162);
+  EXPECT_EQ(a_->calls, 0);
+  executor_.RunAll();
+  ASSERT_TRUE(a_->field.has_value());
+  ASSERT_TRUE(a_->field->ok()) << a_->field->status();
+  NoCheckpoint checkpoint;
+  const auto direct = Solve(*(*engine_.GetMesh(digest_))->mesh,
+                            {.sources = {{0, 0}}}, {}, checkpoint);
+  EXPECT_EQ((**a_->field)->distances, direct->distances);
+  EXPECT_EQ(engine_.counters().solves_finished, 1);
+}
+
+TEST_F(FieldQueryTest, TheCacheAnswersTheSecondTime) {
+  ASSERT_TRUE(Ask(0, a_).ok());
+  executor_.RunAll();
+  const auto again = Ask(0, b_);
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->origin, FieldOrigin::kCached);
+  EXPECT_EQ(again->field, **a_->field);
+  EXPECT_EQ(b_->calls, 0);
+  EXPECT_EQ(solves_, 1);
+  EXPECT_EQ(executor_.size(), 0);
+}
+
+TEST_F(FieldQueryTest, TheOrderOfSourcesDoesNotMatter) {
+  const auto ask = [&](std::vector<Source> sources) {
+    const auto call =
+        engine_.ComputeField({digest_, {.sources = std::move(sources)}}, a_);
+    executor_.RunAll();
+    return call->origin;
+  };
+  EXPECT_EQ(ask({{1, 0.5}, {0, 0}}), FieldOrigin::kSolved);
+  EXPECT_EQ(ask({{0, 0}, {1, 0.5}, {1, 0.75}}), FieldOrigin::kCached);
+  EXPECT_EQ(ask({{0, 0}, {1, 0.25}}), FieldOrigin::kSolved);
+}
+
+TEST_F(FieldQueryTest, ConcurrentEqualQueriesAreSolvedOnce) {
+  ASSERT_TRUE(Ask(0, a_).ok());
+  const auto joined = Ask(0, b_);
+  ASSERT_TRUE(joined.ok());
+  EXPECT_EQ(joined->origin, FieldOrigin::kJoined);
+  executor_.RunAll();
+  EXPECT_EQ(solves_, 1);
+  EXPECT_EQ(**a_->field, **b_->field);
+  EXPECT_EQ(engine_.counters().queries_joined, 1);
+}
+
+TEST_F(FieldQueryTest, AlgorithmsAreDifferentQuestions) {
+  ASSERT_TRUE(Ask(0, a_).ok());
+  const auto other = engine_.ComputeField(
+      {digest_, {.sources = {{0, 0}}, .algorithm = Algorithm::kMmp}}, b_);
+  ASSERT_TRUE(other.ok());
+  EXPECT_EQ(other->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(other->algorithm, Algorithm::kMmp);
+}
+
+TEST_F(FieldQueryTest, CancelWhileQueuedNeverSolves) {
+  const auto call = Ask(0, a_);
+  engine_.Cancel(*call);
+  EXPECT_EQ(engine_.scheduler().queued(), 0);
+  executor_.RunAll();
+  EXPECT_EQ(solves_, 0);
+  EXPECT_EQ(a_->calls, 0);
+  EXPECT_EQ(engine_.flights().size(), 0);
+}
+
+TEST_F(FieldQueryTest, CancelWhileRunningStopsAtTheNextPoll) {
+  absl::StatusOr<FieldCall> call;
+  solve_ = PollingSolver(100, [&](int poll) {
+    if (poll == 7) engine_.Cancel(*call);
+  });
+  call = Ask(0, a_);
+  executor_.RunAll();
+  EXPECT_EQ(polls_, 8);
+  EXPECT_EQ(a_->calls, 0);
+  EXPECT_EQ(engine_.counters().solves_stopped, 1);
+  EXPECT_EQ(engine_.counters().solves_finished, 0);
+  EXPECT_EQ(engine_.fields().used_bytes(), 0);
+}
+
+TEST_F(FieldQueryTest, TheSolverRunsWhileAnyoneWaits) {
+  absl::StatusOr<FieldCall> first;
+  solve_ = PollingSolver(10, [&](int poll) {
+    if (poll == 3) engine_.Cancel(*first);
+  });
+  first = Ask(0, a_);
+  ASSERT_TRUE(Ask(0, b_).ok());
+  executor_.RunAll();
+  EXPECT_EQ(polls_, 10);
+  EXPECT_EQ(a_->calls, 0);
+  EXPECT_TRUE(b_->field->ok());
+}
+
+TEST_F(FieldQueryTest, WhoComesAfterTheLastHasLeftGetsANewSolver) {
+  absl::StatusOr<FieldCall> first;
+  absl::StatusOr<FieldCall> second;
+  solve_ = PollingSolver(10, [&](int poll) {
+    if (poll != 3 || solves_ != 1) return;
+    engine_.Cancel(*first);
+    second = Ask(0, b_);
+  });
+  first = Ask(0, a_);
+  executor_.RunAll();
+  EXPECT_EQ(second->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(solves_, 2);
+  EXPECT_TRUE(b_->field->ok());
+}
+
+TEST_F(FieldQueryTest, DeadlinesStopTheSolver) {
+  solve_ = PollingSolver(100, [&](int poll) {
+    if (poll == 5) clock_.Advance(std::chrono::seconds(2));
+  });
+  ASSERT_TRUE(Ask(0, a_, clock_.Now() + std::chrono::seconds(1)).ok());
+  executor_.RunAll();
+  EXPECT_EQ(polls_, 6);
+  EXPECT_TRUE(absl::IsDeadlineExceeded(a_->field->status()));
+  EXPECT_EQ(engine_.counters().solves_stopped, 1);
+}
+
+TEST_F(FieldQueryTest, ADeadlineMayPassInTheQueue) {
+  ASSERT_TRUE(Ask(0, a_, clock_.Now() + std::chrono::seconds(1)).ok());
+  clock_.Advance(std::chrono::seconds(1));
+  executor_.RunAll();
+  EXPECT_TRUE(absl::IsDeadlineExceeded(a_->field->status()));
+  EXPECT_EQ(engine_.counters().solves_finished, 0);
+}
+
+TEST_F(FieldQueryTest, ProgressReachesTheObserver) {
+  solve_ = PollingSolver(
+      11, [&](int) { clock_.Advance(std::chrono::milliseconds(25)); });
+  ASSERT_TRUE(Ask(0, a_).ok());
+  executor_.RunAll();
+  // Every 50 ms of 275, the first at once.
+  EXPECT_EQ(a_->seen.size(), 6);
+}
+
+TEST_F(FieldQueryTest, AFullQueueRefuses) {
+  for (uint32_t vertex = 0; vertex < 3; ++vertex) {
+    ASSERT_TRUE(Ask(vertex, a_).ok());
+  }
+  const absl::Status status = Ask(3, b_).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(status));
+  EXPECT_TRUE(RetryAfter(status).has_value());
+  // Joining takes no place in the queue.
+  EXPECT_TRUE(Ask(0, b_).ok());
+  executor_.RunAll();
+  EXPECT_TRUE(Ask(3, b_).ok());
+}
+
+TEST_F(FieldQueryTest, ArgumentsAreChecked) {
+  const auto ask = [&](std::vector<Source> sources) {
+    return engine_.ComputeField({digest_, {.sources = std::move(sources)}}, a_)
+        .status();
+  };
+  EXPECT_EQ(FieldAtFault(ask({})), "sources");
+  const absl::Status range = ask({{0, 0}, {162, 0}});
+  EXPECT_TRUE(absl::IsInvalidArgument(range));
+  EXPECT_THAT(std::string(range.message()), HasSubstr("sources[1]"));
+  EXPECT_TRUE(absl::IsInvalidArgument(ask({{0, -1}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(
+      ask({{0, std::numeric_limits<double>::quiet_NaN()}})));
+  EXPECT_TRUE(
+      absl::IsResourceExhausted(ask(std::vector<Source>(11, Source{0, 0}))));
+  EXPECT_TRUE(absl::IsNotFound(
+      engine_.ComputeField({std::string(64, '0'), {.sources = {{0, 0}}}}, a_)
+          .status()));
+  EXPECT_EQ(
+      FieldAtFault(
+          engine_.ComputeField({"x", {.sources = {{0, 0}}}}, a_).status()),
+      "mesh_digest");
+  EXPECT_EQ(a_->calls, 0);
+}
+
+TEST_F(FieldQueryTest, ExceptionsBecomeStatuses) {
+  solve_ = [](const auto&...) -> absl::StatusOr<DistanceField> {
+    throw std::bad_alloc();
+  };
+  ASSERT_TRUE(Ask(0, a_).ok());
+  executor_.RunAll();
+  EXPECT_TRUE(absl::IsResourceExhausted(a_->field->status()));
+
+  solve_ = [](const auto&...) -> absl::StatusOr<DistanceField> {
+    throw std::logic_error("a bug");
+  };
+  ASSERT_TRUE(Ask(0, b_).ok());
+  executor_.RunAll();
+  EXPECT_TRUE(absl::IsInternal(b_->field->status()));
+  EXPECT_THAT(std::string(b_->field->status().message()), HasSubstr("a bug"));
+
+  solve_ = &Solve;
+  ASSERT_TRUE(Ask(0, a_).ok());
+  executor_.RunAll();
+  EXPECT_TRUE(a_->field->ok());
+}
+
+TEST_F(FieldQueryTest, DeletingAMeshDropsItsFieldsOnly) {
+  const std::string other = Upload(test::Tetrahedron())->mesh->digest;
+  ASSERT_TRUE(Ask(0, a_).ok());
+  ASSERT_TRUE(engine_.ComputeField({other, {.sources = {{0, 0}}}}, b_).ok());
+  executor_.RunAll();
+  EXPECT_EQ(engine_.fields().size(), 2);
+  EXPECT_TRUE(engine_.DeleteMesh(digest_).ok());
+  EXPECT_EQ(engine_.fields().size(), 1);
+}
+
+TEST_F(FieldQueryTest, ADeletedMeshServesThoseWhoUseIt) {
+  ASSERT_TRUE(Ask(0, a_).ok());
+  EXPECT_TRUE(engine_.DeleteMesh(digest_).ok());
+  executor_.RunAll();
+  EXPECT_TRUE(a_->field->ok());
+  EXPECT_TRUE(absl::IsNotFound(Ask(0, b_).status()));
+}
+
+TEST_F(FieldQueryTest, DrainingFinishesWhatIsThereAndTakesNothingNew) {
+  ASSERT_TRUE(Ask(0, a_).ok());
+  engine_.BeginDrain();
+  EXPECT_TRUE(absl::IsUnavailable(Ask(1, b_).status()));
+  executor_.RunAll();
+  EXPECT_TRUE(a_->field->ok());
+  EXPECT_TRUE(engine_.WaitIdle(std::chrono::milliseconds(0)));
+  EXPECT_EQ(Ask(0, b_)->origin, FieldOrigin::kCached);
+}
+
+TEST_F(FieldQueryTest, StoppingTellsThoseWhoWait) {
+  solve_ = PollingSolver(100, [&](int poll) {
+    if (poll == 2) engine_.StopAll();
+  });
+  ASSERT_TRUE(Ask(0, a_).ok());
+  ASSERT_TRUE(Ask(1, b_).ok());
+  executor_.RunAll();
+  EXPECT_EQ(polls_, 3);
+  EXPECT_TRUE(absl::IsUnavailable(a_->field->status()));
+  EXPECT_TRUE(absl::IsUnavailable(b_->field->status()));
+}
+
+class TinyCacheTest : public FieldQueryTest {
+ protected:
+  // Room for two fields of 162 vertices.
+  static Limits TinyCache() {
+    Limits limits = SmallLimits();
+    limits.field_cache_bytes = 4000;
+    return limits;
+  }
+  TinyCacheTest() : FieldQueryTest(TinyCache()) {}
+};
+
+TEST_F(TinyCacheTest, OldFieldsMakeWay) {
+  for (uint32_t vertex = 0; vertex < 3; ++vertex) {
+    const auto observer = std::make_shared<RecordingObserver>();
+    ASSERT_TRUE(Ask(vertex, observer).ok());
+    executor_.RunAll();
+    ASSERT_TRUE(observer->field->ok()) << observer->field->status();
+  }
+  EXPECT_EQ(engine_.fields().size(), 2);
+  EXPECT_EQ(Ask(2, a_)->origin, FieldOrigin::kCached);
+  EXPECT_EQ(Ask(0, a_)->origin, FieldOrigin::kSolved);
+}
+
+// Slow readers hold fields; they must not add up beyond the budget.
+TEST_F(TinyCacheTest, FieldsInUseBoundWhatIsSolved) {
+  ASSERT_TRUE(Ask(0, a_).ok());
+  ASSERT_TRUE(Ask(1, b_).ok());
+  executor_.RunAll();
+  const auto c = std::make_shared<RecordingObserver>();
+  ASSERT_TRUE(Ask(2, c).ok());
+  executor_.RunAll();
+  EXPECT_TRUE(absl::IsResourceExhausted(c->field->status()));
+  EXPECT_TRUE(RetryAfter(c->field->status()).has_value());
+  EXPECT_EQ(solves_, 2);
+  a_->field.reset();
+  ASSERT_TRUE(Ask(2, c).ok());
+  executor_.RunAll();
+  EXPECT_TRUE(c->field->ok());
+}
+
+}  // namespace
+}  // namespace geodesic::server

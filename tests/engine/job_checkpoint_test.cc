@@ -1,0 +1,99 @@
+#include "server/engine/job_checkpoint.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <stop_token>
+
+#include "tests/engine/fakes.h"
+
+namespace geodesic::server {
+namespace {
+
+using std::chrono::milliseconds;
+using test::RecordingObserver;
+
+constexpr uint64_t kMiB = uint64_t{1} << 20;
+
+class JobCheckpointTest : public ::testing::Test {
+ protected:
+  JobCheckpoint MakeCheckpoint() {
+    return JobCheckpoint(flights_, *seat_.flight, clock_, stop_.get_token(),
+                         *ByteReservation::Make(memory_, 0), milliseconds(50));
+  }
+
+  FieldFlights flights_;
+  test::FakeClock clock_;
+  std::stop_source stop_;
+  std::shared_ptr<ByteBudget> memory_ =
+      std::make_shared<ByteBudget>("solver memory", 100 * kMiB);
+  std::shared_ptr<RecordingObserver> observer_ =
+      std::make_shared<RecordingObserver>();
+  FieldFlights::Seat seat_ = flights_.Join(
+      {.mesh_digest = "mesh"}, {observer_, clock_.Now() + milliseconds(500)});
+};
+
+TEST_F(JobCheckpointTest, LetsTheSolverGoOn) {
+  JobCheckpoint checkpoint = MakeCheckpoint();
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(checkpoint.Poll({}).ok());
+}
+
+TEST_F(JobCheckpointTest, PublishesAtABoundedRate) {
+  JobCheckpoint checkpoint = MakeCheckpoint();
+  for (uint64_t i = 0; i < 100; ++i) {
+    ASSERT_TRUE(checkpoint.Poll({.windows_propagated = i}).ok());
+    clock_.Advance(milliseconds(1));
+  }
+  // At 0 and 50 ms of 100.
+  ASSERT_EQ(observer_->seen.size(), 2);
+  EXPECT_EQ(observer_->seen[0].windows_propagated, 0);
+  EXPECT_EQ(observer_->seen[1].windows_propagated, 50);
+}
+
+TEST_F(JobCheckpointTest, StopsWhenNobodyWaits) {
+  JobCheckpoint checkpoint = MakeCheckpoint();
+  EXPECT_TRUE(checkpoint.Poll({}).ok());
+  flights_.Leave(seat_);
+  EXPECT_TRUE(absl::IsCancelled(checkpoint.Poll({})));
+}
+
+TEST_F(JobCheckpointTest, StopsAtTheLastDeadline) {
+  JobCheckpoint checkpoint = MakeCheckpoint();
+  clock_.Advance(milliseconds(499));
+  EXPECT_TRUE(checkpoint.Poll({}).ok());
+  clock_.Advance(milliseconds(1));
+  EXPECT_TRUE(absl::IsDeadlineExceeded(checkpoint.Poll({})));
+  EXPECT_TRUE(absl::IsDeadlineExceeded(observer_->field->status()));
+}
+
+TEST_F(JobCheckpointTest, StopsWhenAsked) {
+  JobCheckpoint checkpoint = MakeCheckpoint();
+  stop_.request_stop();
+  EXPECT_TRUE(absl::IsUnavailable(checkpoint.Poll({})));
+}
+
+TEST_F(JobCheckpointTest, StopsASolverThatOutgrowsTheBudget) {
+  {
+    JobCheckpoint checkpoint = MakeCheckpoint();
+    EXPECT_TRUE(checkpoint.Poll({.solver_bytes = 10 * kMiB}).ok());
+    EXPECT_GE(memory_->used(), 10 * kMiB);
+    EXPECT_TRUE(checkpoint.Poll({.solver_bytes = 80 * kMiB}).ok());
+    const absl::Status status = checkpoint.Poll({.solver_bytes = 101 * kMiB});
+    EXPECT_TRUE(absl::IsResourceExhausted(status));
+    EXPECT_THAT(std::string(status.message()),
+                ::testing::HasSubstr("solver memory"));
+  }
+  EXPECT_EQ(memory_->used(), 0);
+}
+
+TEST_F(JobCheckpointTest, SolversShareTheBudget) {
+  JobCheckpoint first = MakeCheckpoint();
+  JobCheckpoint second = MakeCheckpoint();
+  EXPECT_TRUE(first.Poll({.solver_bytes = 50 * kMiB}).ok());
+  EXPECT_TRUE(
+      absl::IsResourceExhausted(second.Poll({.solver_bytes = 50 * kMiB})));
+}
+
+}  // namespace
+}  // namespace geodesic::server

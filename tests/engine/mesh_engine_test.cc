@@ -1,0 +1,238 @@
+// The part of QueryEngine that deals with meshes.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "server/engine/mesh_digest.h"
+#include "server/engine/sha256.h"
+#include "server/engine/status_details.h"
+#include "tests/engine/engine_fixture.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/planar_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+using MeshEngineTest = test::EngineTest;
+
+std::string Sha256Of(std::string_view bytes) {
+  Sha256 hash;
+  hash.Update(bytes);
+  return hash.FinishHex();
+}
+
+TEST_F(MeshEngineTest, AnUploadBecomesResident) {
+  const TriangleSoup soup = geodesic::test::Icosphere(1);
+  const auto uploaded = Upload(soup);
+  ASSERT_TRUE(uploaded.ok()) << uploaded.status();
+  EXPECT_FALSE(uploaded->already_resident);
+  EXPECT_EQ(uploaded->mesh->digest, MeshDigest(soup.positions, soup.triangles));
+  EXPECT_EQ(uploaded->mesh->summary.faces, 80);
+  EXPECT_EQ(*engine_.GetMesh(uploaded->mesh->digest), uploaded->mesh);
+}
+
+TEST_F(MeshEngineTest, BuildingHappensInAJob) {
+  const TriangleSoup soup = test::Tetrahedron();
+  auto upload = *engine_.StartUpload(test::ArrayHeader(soup));
+  ASSERT_TRUE(upload->Append(0, test::ArrayBytes(soup)).ok());
+  bool done = false;
+  ASSERT_TRUE(
+      engine_.FinishUpload(std::move(upload), [&](const auto&) { done = true; })
+          .ok());
+  EXPECT_FALSE(done);
+  EXPECT_EQ(executor_.size(), 1);
+  executor_.RunAll();
+  EXPECT_TRUE(done);
+}
+
+TEST_F(MeshEngineTest, TheSameMeshInAnotherFormatIsTheSameMesh) {
+  const auto arrays = Upload(test::Tetrahedron());
+  ASSERT_TRUE(arrays.ok());
+  const auto off = Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff);
+  ASSERT_TRUE(off.ok()) << off.status();
+  EXPECT_TRUE(off->already_resident);
+  EXPECT_EQ(off->mesh, arrays->mesh);
+  EXPECT_EQ(engine_.counters().meshes_built, 1);
+}
+
+TEST_F(MeshEngineTest, AKnownFileIsNotParsedAgain) {
+  ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
+  auto upload = *engine_.StartUpload(test::TetrahedronOffHeader());
+  ASSERT_TRUE(upload->Append(0, test::kTetrahedronOff).ok());
+  absl::StatusOr<UploadResult> result = absl::UnknownError("not called");
+  const auto job = engine_.FinishUpload(std::move(upload),
+                                        [&](const auto& r) { result = r; });
+  ASSERT_TRUE(job.ok());
+  EXPECT_EQ(*job, std::nullopt);
+  ASSERT_TRUE(result.ok());
+  EXPECT_TRUE(result->already_resident);
+}
+
+TEST_F(MeshEngineTest, ExpectedDigestsAreChecked) {
+  const TriangleSoup soup = test::Tetrahedron();
+  UploadHeader header = test::ArrayHeader(soup);
+  header.expected_digest = std::string(64, '0');
+  const absl::Status status = Upload(header, test::ArrayBytes(soup)).status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status));
+  EXPECT_EQ(FieldAtFault(status), "header.expected_digest");
+  EXPECT_EQ(engine_.meshes().used_bytes(), 0);
+
+  header.expected_digest = MeshDigest(soup.positions, soup.triangles);
+  ASSERT_TRUE(Upload(header, test::ArrayBytes(soup)).ok());
+  // Nor does the shortcut for known files overlook it.
+  header.expected_digest = std::string(64, '0');
+  EXPECT_TRUE(
+      absl::IsInvalidArgument(Upload(header, test::ArrayBytes(soup)).status()));
+}
+
+TEST_F(MeshEngineTest, ARefusedMeshLeavesNothingBehind) {
+  TriangleSoup soup = test::Tetrahedron();
+  soup.triangles[2] = {0, 3, 77};
+  const absl::Status status = Upload(soup).status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr("77"));
+  EXPECT_EQ(FieldAtFault(status), "chunk.data");
+  EXPECT_EQ(engine_.meshes().used_bytes(), 0);
+}
+
+TEST_F(MeshEngineTest, ACancelledUploadIsNotBuilt) {
+  const TriangleSoup soup = test::Tetrahedron();
+  auto upload = *engine_.StartUpload(test::ArrayHeader(soup));
+  ASSERT_TRUE(upload->Append(0, test::ArrayBytes(soup)).ok());
+  bool called = false;
+  const auto job = engine_.FinishUpload(std::move(upload),
+                                        [&](const auto&) { called = true; });
+  ASSERT_TRUE(job.ok());
+  engine_.CancelUpload(**job);
+  executor_.RunAll();
+  EXPECT_FALSE(called);
+  EXPECT_EQ(engine_.counters().meshes_built, 0);
+}
+
+TEST_F(MeshEngineTest, FindMissingTellsWhatToUpload) {
+  const std::string digest = Upload(test::Tetrahedron())->mesh->digest;
+  ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
+  const FileKey known = {UploadFormat::kOff, Sha256Of(test::kTetrahedronOff)};
+  const FileKey unknown = {UploadFormat::kOff, Sha256Of("something else")};
+  const std::string other(64, '0');
+
+  const auto missing = engine_.FindMissing({other, digest}, {unknown, known});
+  ASSERT_TRUE(missing.ok());
+  EXPECT_THAT(missing->mesh_digests, ElementsAre(other));
+  EXPECT_THAT(missing->files, ElementsAre(unknown));
+  ASSERT_EQ(missing->known_files.size(), 1);
+  EXPECT_EQ(missing->known_files[0].file, known);
+  EXPECT_EQ(missing->known_files[0].mesh_digest, digest);
+}
+
+TEST_F(MeshEngineTest, FindMissingChecksItsArguments) {
+  const std::string good(64, '0');
+  const absl::Status digest = engine_.FindMissing({good, "x"}, {}).status();
+  EXPECT_EQ(FieldAtFault(digest), "mesh_digests[1]");
+  const absl::Status file =
+      engine_.FindMissing({}, {{UploadFormat::kObj, "X"}}).status();
+  EXPECT_EQ(FieldAtFault(file), "files[0].sha256");
+  EXPECT_TRUE(
+      engine_.FindMissing(std::vector<std::string>(1000, good), {}).ok());
+  EXPECT_TRUE(absl::IsInvalidArgument(
+      engine_.FindMissing(std::vector<std::string>(1001, good), {}).status()));
+}
+
+TEST_F(MeshEngineTest, AMissingMeshIsToBeUploadedAgain) {
+  const absl::Status status = engine_.GetMesh(std::string(64, '0')).status();
+  EXPECT_TRUE(absl::IsNotFound(status));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("upload it again"));
+  EXPECT_TRUE(absl::IsInvalidArgument(engine_.GetMesh("no\n").status()));
+}
+
+TEST_F(MeshEngineTest, ListsInPages) {
+  std::vector<std::string> digests;
+  for (uint32_t columns = 1; columns <= 5; ++columns) {
+    digests.push_back(
+        Upload(geodesic::test::MakeGrid({.columns = columns, .rows = 1}))
+            ->mesh->digest);
+  }
+  std::sort(digests.begin(), digests.end());
+
+  std::vector<std::string> listed;
+  std::string token;
+  int pages = 0;
+  do {
+    const auto page = engine_.ListMeshes(2, token);
+    ASSERT_TRUE(page.ok());
+    for (const MeshHandle& mesh : page->meshes) listed.push_back(mesh->digest);
+    token = page->next_token;
+    ++pages;
+  } while (!token.empty());
+  EXPECT_EQ(listed, digests);
+  EXPECT_EQ(pages, 3);
+  EXPECT_EQ(engine_.ListMeshes(0, "")->meshes.size(), 5);
+  EXPECT_EQ(engine_.ListMeshes(5, "")->next_token, "");
+}
+
+TEST_F(MeshEngineTest, ListChecksItsArguments) {
+  EXPECT_EQ(FieldAtFault(engine_.ListMeshes(-1, "").status()), "page_size");
+  EXPECT_EQ(FieldAtFault(engine_.ListMeshes(1, "x").status()), "page_token");
+}
+
+TEST_F(MeshEngineTest, DeleteForgetsTheMesh) {
+  const std::string digest = Upload(test::Tetrahedron())->mesh->digest;
+  EXPECT_TRUE(engine_.DeleteMesh(digest).ok());
+  EXPECT_TRUE(absl::IsNotFound(engine_.DeleteMesh(digest)));
+  EXPECT_TRUE(absl::IsNotFound(engine_.GetMesh(digest).status()));
+  EXPECT_EQ(engine_.meshes().used_bytes(), 0);
+}
+
+TEST_F(MeshEngineTest, NoUploadsWhileDraining) {
+  engine_.BeginDrain();
+  EXPECT_TRUE(absl::IsUnavailable(
+      engine_.StartUpload(test::TetrahedronOffHeader()).status()));
+}
+
+// Room for one grid of 13 x 12 cells.
+class TinyStoreTest : public test::EngineTest {
+ protected:
+  static Limits TinyStore() {
+    Limits limits = SmallLimits();
+    limits.mesh_store_bytes = Mesh::EstimateResidentBytes(182, 312) + 4096;
+    return limits;
+  }
+  TinyStoreTest() : EngineTest(TinyStore()) {}
+};
+
+TEST_F(TinyStoreTest, OldMeshesMakeWay) {
+  const std::string first =
+      Upload(geodesic::test::MakeGrid({.columns = 12, .rows = 12}))
+          ->mesh->digest;
+  const auto second =
+      Upload(geodesic::test::MakeGrid({.columns = 13, .rows = 12}));
+  ASSERT_TRUE(second.ok()) << second.status();
+  EXPECT_TRUE(absl::IsNotFound(engine_.GetMesh(first).status()));
+}
+
+TEST_F(TinyStoreTest, MeshesInUseDoNot) {
+  const auto first =
+      Upload(geodesic::test::MakeGrid({.columns = 12, .rows = 12}));
+  ASSERT_TRUE(first.ok());
+  const absl::Status status =
+      Upload(geodesic::test::MakeGrid({.columns = 13, .rows = 12})).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(status));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("mesh store"));
+  EXPECT_TRUE(RetryAfter(status).has_value());
+}
+
+TEST_F(TinyStoreTest, AMeshThatNeverFitsIsRefusedForGood) {
+  const absl::Status status = Upload(geodesic::test::Icosphere(4)).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(status));
+  EXPECT_EQ(RetryAfter(status), std::nullopt);
+}
+
+}  // namespace
+}  // namespace geodesic::server

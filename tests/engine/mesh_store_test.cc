@@ -1,0 +1,94 @@
+#include "server/engine/mesh_store.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "server/engine/mesh_digest.h"
+#include "tests/engine/uploads.h"
+#include "tests/support/curved_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+constexpr uint64_t kMiB = uint64_t{1} << 20;
+
+ResidentMesh Resident(TriangleSoup soup) {
+  std::string digest = MeshDigest(soup.positions, soup.triangles);
+  auto mesh = *Mesh::Build(std::move(soup));
+  return {std::move(digest), mesh, Summarize(*mesh)};
+}
+
+MeshHandle Put(MeshStore& store, const ResidentMesh& mesh) {
+  return store.Insert(mesh, *store.Reserve(kMiB)).mesh;
+}
+
+FileKey File(char name) { return {UploadFormat::kObj, std::string(64, name)}; }
+
+TEST(MeshStore, ChargesWhatTheMeshTakes) {
+  MeshStore store(4 * kMiB);
+  const ResidentMesh mesh = Resident(test::Tetrahedron());
+  Put(store, mesh);
+  EXPECT_GE(store.used_bytes(), mesh.mesh->resident_bytes());
+  EXPECT_LT(store.used_bytes(), mesh.mesh->resident_bytes() + 1024);
+}
+
+TEST(MeshStore, TheSameMeshIsKeptOnce) {
+  MeshStore store(4 * kMiB);
+  const ResidentMesh mesh = Resident(test::Tetrahedron());
+  EXPECT_TRUE(store.Insert(mesh, *store.Reserve(kMiB)).is_new);
+  const uint64_t used = store.used_bytes();
+  EXPECT_FALSE(store.Insert(mesh, *store.Reserve(kMiB)).is_new);
+  EXPECT_EQ(store.used_bytes(), used);
+}
+
+TEST(MeshStore, FilesGoWithTheirMesh) {
+  MeshStore store(4 * kMiB);
+  const MeshHandle mesh = Put(store, Resident(test::Tetrahedron()));
+  store.AddFile(File('a'), mesh->digest);
+  store.AddFile(File('b'), mesh->digest);
+  EXPECT_EQ(store.FindFile(File('a')), mesh->digest);
+  EXPECT_EQ(store.FindFile(File('b')), mesh->digest);
+  EXPECT_EQ(store.FindFile(File('c')), std::nullopt);
+  // The same bytes in another format are another file.
+  EXPECT_EQ(store.FindFile({UploadFormat::kStl, File('a').sha256}),
+            std::nullopt);
+  EXPECT_TRUE(store.Erase(mesh->digest));
+  EXPECT_EQ(store.FindFile(File('a')), std::nullopt);
+  EXPECT_EQ(store.FindFile(File('b')), std::nullopt);
+}
+
+TEST(MeshStore, FilesGoWhenTheirMeshIsEvicted) {
+  MeshStore store(4 * kMiB);
+  const std::string digest = Put(store, Resident(test::Tetrahedron()))->digest;
+  store.AddFile(File('a'), digest);
+  ASSERT_TRUE(store.Reserve(4 * kMiB).ok());
+  EXPECT_EQ(store.Find(digest), nullptr);
+  EXPECT_EQ(store.FindFile(File('a')), std::nullopt);
+}
+
+TEST(MeshStore, AMeshRemembersItsLatestFiles) {
+  MeshStore store(4 * kMiB);
+  const std::string digest = Put(store, Resident(test::Tetrahedron()))->digest;
+  for (char name = 'a'; name <= 'z'; ++name) store.AddFile(File(name), digest);
+  EXPECT_EQ(store.FindFile(File('a')), std::nullopt);
+  EXPECT_EQ(store.FindFile(File('z')), digest);
+}
+
+TEST(MeshStore, AFileOfAMeshThatIsGoneIsForgotten) {
+  MeshStore store(4 * kMiB);
+  const std::string digest = Put(store, Resident(test::Tetrahedron()))->digest;
+  store.Erase(digest);
+  store.AddFile(File('a'), digest);
+  EXPECT_EQ(store.FindFile(File('a')), std::nullopt);
+}
+
+TEST(MeshStore, PinnedMeshesStay) {
+  MeshStore store(4 * kMiB);
+  const MeshHandle pinned = Put(store, Resident(test::Tetrahedron()));
+  EXPECT_FALSE(store.Reserve(4 * kMiB).ok());
+  EXPECT_EQ(store.Find(pinned->digest), pinned);
+}
+
+}  // namespace
+}  // namespace geodesic::server

@@ -1,0 +1,177 @@
+#include "server/engine/mesh_upload.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "server/engine/status_details.h"
+#include "tests/engine/uploads.h"
+#include "tests/support/curved_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class MeshUploadTest : public ::testing::Test {
+ protected:
+  absl::StatusOr<std::unique_ptr<MeshUpload>> Start(
+      const UploadHeader& header) {
+    return MeshUpload::Start(header, limits_, memory_);
+  }
+
+  // What is wrong with the header, and where.
+  void ExpectRefused(const UploadHeader& header, absl::StatusCode code,
+                     const std::string& field, const std::string& message) {
+    const absl::Status status = Start(header).status();
+    EXPECT_EQ(status.code(), code) << status;
+    EXPECT_EQ(FieldAtFault(status).value_or(""), field);
+    EXPECT_THAT(std::string(status.message()), HasSubstr(message));
+  }
+
+  Limits limits_ = {
+      .max_upload_bytes = 1 << 20, .max_vertices = 1000, .max_faces = 2000};
+  std::shared_ptr<ByteBudget> memory_ =
+      std::make_shared<ByteBudget>("upload memory", 16 << 20);
+};
+
+TEST_F(MeshUploadTest, ArraysArriveUnchanged) {
+  const TriangleSoup soup = geodesic::test::Icosphere(2);
+  const std::string bytes = test::ArrayBytes(soup);
+  auto upload = *Start(test::ArrayHeader(soup));
+  // Chunks that respect no element's bounds.
+  for (size_t at = 0; at < bytes.size(); at += 777) {
+    ASSERT_TRUE(upload->Append(at, bytes.substr(at, 777)).ok());
+  }
+  ASSERT_TRUE(upload->Finish().ok());
+  Sha256 hash;
+  hash.Update(bytes);
+  EXPECT_EQ(upload->file().sha256, hash.FinishHex());
+  const auto parsed = upload->Parse();
+  ASSERT_TRUE(parsed.ok()) << parsed.status();
+  EXPECT_EQ(parsed->positions, soup.positions);
+  EXPECT_EQ(parsed->triangles, soup.triangles);
+}
+
+TEST_F(MeshUploadTest, FilesAreRead) {
+  auto upload = *Start(test::TetrahedronOffHeader());
+  ASSERT_TRUE(upload->Append(0, test::kTetrahedronOff).ok());
+  ASSERT_TRUE(upload->Finish().ok());
+  const auto parsed = upload->Parse();
+  ASSERT_TRUE(parsed.ok()) << parsed.status();
+  EXPECT_EQ(parsed->positions, test::Tetrahedron().positions);
+  EXPECT_EQ(parsed->triangles, test::Tetrahedron().triangles);
+}
+
+TEST_F(MeshUploadTest, AMalformedFileIsNamedAsSuch) {
+  const std::string bytes = "OFF\n1 1 0\n0 0 zero\n3 0 0 0\n";
+  auto upload =
+      *Start({.format = UploadFormat::kOff, .size_bytes = bytes.size()});
+  ASSERT_TRUE(upload->Append(0, bytes).ok());
+  ASSERT_TRUE(upload->Finish().ok());
+  const absl::Status status = upload->Parse().status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_EQ(FieldAtFault(status), "chunk.data");
+}
+
+TEST_F(MeshUploadTest, BadHeadersAreRefused) {
+  using enum absl::StatusCode;
+  ExpectRefused({.format = UploadFormat::kObj}, kInvalidArgument,
+                "header.size_bytes", "is 0");
+  ExpectRefused({.format = UploadFormat::kObj, .size_bytes = (1 << 20) + 1},
+                kResourceExhausted, "", "max_upload_bytes");
+  ExpectRefused({.format = UploadFormat::kObj,
+                 .size_bytes = 10,
+                 .expected_digest = "short"},
+                kInvalidArgument, "header.expected_digest", "64");
+  ExpectRefused(
+      {.format = UploadFormat::kObj, .size_bytes = 10, .vertex_count = 3},
+      kInvalidArgument, "header.vertex_count", "arrays");
+  ExpectRefused(
+      {.format = UploadFormat::kObj, .size_bytes = 10, .face_count = 3},
+      kInvalidArgument, "header.face_count", "arrays");
+}
+
+TEST_F(MeshUploadTest, CountsOfArraysAreChecked) {
+  using enum absl::StatusCode;
+  ExpectRefused({.size_bytes = 100, .vertex_count = 3, .face_count = 1},
+                kInvalidArgument, "header.size_bytes", "84");
+  ExpectRefused({.size_bytes = 100, .vertex_count = 1001, .face_count = 1},
+                kResourceExhausted, "", "max_vertices");
+  ExpectRefused({.size_bytes = 100, .vertex_count = 3, .face_count = 2001},
+                kResourceExhausted, "", "max_faces");
+  // 24 V + 12 F = 36 in 64 bits.
+  ExpectRefused({.size_bytes = 36,
+                 .vertex_count = (uint64_t{1} << 61) + 1,
+                 .face_count = 1},
+                kResourceExhausted, "", "max_vertices");
+}
+
+TEST_F(MeshUploadTest, ChunksMustFollowEachOther) {
+  auto upload = *Start({.format = UploadFormat::kObj, .size_bytes = 10});
+  ASSERT_TRUE(upload->Append(0, "abc").ok());
+  for (const uint64_t offset : {0, 2, 4}) {
+    const absl::Status status = upload->Append(offset, "d");
+    EXPECT_TRUE(absl::IsInvalidArgument(status));
+    EXPECT_EQ(FieldAtFault(status), "chunk.offset");
+    EXPECT_THAT(std::string(status.message()), HasSubstr("3 bytes"));
+  }
+  EXPECT_TRUE(upload->Append(3, "d").ok());
+}
+
+TEST_F(MeshUploadTest, NoMoreNorLessThanAnnounced) {
+  auto upload = *Start({.format = UploadFormat::kObj, .size_bytes = 4});
+  ASSERT_TRUE(upload->Append(0, "abc").ok());
+  const absl::Status more = upload->Append(3, "de");
+  EXPECT_TRUE(absl::IsInvalidArgument(more));
+  EXPECT_EQ(FieldAtFault(more), "chunk.data");
+  const absl::Status less = upload->Finish();
+  EXPECT_TRUE(absl::IsInvalidArgument(less));
+  EXPECT_THAT(std::string(less.message()),
+              AllOf(HasSubstr("3"), HasSubstr("4")));
+  EXPECT_TRUE(upload->Append(3, "d").ok());
+  EXPECT_TRUE(upload->Finish().ok());
+}
+
+TEST_F(MeshUploadTest, AHeaderTakesNoMemory) {
+  limits_.max_upload_bytes = uint64_t{1} << 40;
+  auto upload =
+      *Start({.format = UploadFormat::kObj, .size_bytes = uint64_t{1} << 40});
+  EXPECT_EQ(memory_->used(), 0);
+  ASSERT_TRUE(upload->Append(0, "v").ok());
+  EXPECT_LE(memory_->used(), 2 << 20);
+}
+
+TEST_F(MeshUploadTest, BytesStayWithinTheBudget) {
+  limits_.max_upload_bytes = uint64_t{1} << 30;
+  auto upload =
+      *Start({.format = UploadFormat::kObj, .size_bytes = uint64_t{1} << 30});
+  const std::string chunk(1 << 20, '#');
+  absl::Status status;
+  uint64_t sent = 0;
+  while (status.ok() && sent < (uint64_t{64} << 20)) {
+    status = upload->Append(sent, chunk);
+    sent += chunk.size();
+  }
+  EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr("upload memory"));
+  upload.reset();
+  EXPECT_EQ(memory_->used(), 0);
+}
+
+TEST_F(MeshUploadTest, ParsingIsPaidForInAdvance) {
+  const std::string bytes(1 << 20, '\n');
+  auto tight = std::make_shared<ByteBudget>("upload memory", 2 << 20);
+  auto upload = *MeshUpload::Start(
+      {.format = UploadFormat::kObj, .size_bytes = bytes.size()}, limits_,
+      tight);
+  ASSERT_TRUE(upload->Append(0, bytes).ok());
+  ASSERT_TRUE(upload->Finish().ok());
+  EXPECT_TRUE(absl::IsResourceExhausted(upload->Parse().status()));
+}
+
+}  // namespace
+}  // namespace geodesic::server
