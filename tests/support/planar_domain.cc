@@ -25,22 +25,19 @@ PlanarDomain::PlanarDomain(const GridOptions& options) {
   const auto inside = [&](uint32_t x, uint32_t y) {
     return x > 0 && x < options.columns && y > 0 && y < options.rows;
   };
+  // Rounded as MakeGrid rounds its coordinates.
+  const auto to_x = [&](double x) -> Real { return x * options.cell_width; };
+  const auto to_y = [&](double y) -> Real { return y * options.cell_height; };
   for (const CellRect& r : options.removed) {
     // An obstacle that reaches the rim goes on beyond it, so that no path
     // slips along the rim.
-    const Real beyond = 1;
-    const Real x0 = r.x0 == 0 ? -beyond : r.x0;
-    const Real y0 = r.y0 == 0 ? -beyond : r.y0;
-    const Real x1 = r.x1 == options.columns ? r.x1 + beyond : r.x1;
-    const Real y1 = r.y1 == options.rows ? r.y1 + beyond : r.y1;
-    obstacles_.push_back({x0 * options.cell_width, y0 * options.cell_height,
-                          x1 * options.cell_width, y1 * options.cell_height});
+    obstacles_.push_back({to_x(r.x0 == 0 ? -1.0 : r.x0),
+                          to_y(r.y0 == 0 ? -1.0 : r.y0),
+                          to_x(r.x1 == options.columns ? r.x1 + 1.0 : r.x1),
+                          to_y(r.y1 == options.rows ? r.y1 + 1.0 : r.y1)});
     for (const uint32_t x : {r.x0, r.x1}) {
       for (const uint32_t y : {r.y0, r.y1}) {
-        if (inside(x, y)) {
-          corners_.push_back({static_cast<Real>(x) * options.cell_width,
-                              static_cast<Real>(y) * options.cell_height});
-        }
+        if (inside(x, y)) corners_.push_back({to_x(x), to_y(y)});
       }
     }
   }

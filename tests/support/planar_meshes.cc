@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tests/support/half_edges.h"
 #include "tests/support/random.h"
 
 namespace geodesic::test {
@@ -85,6 +86,26 @@ class GridBuilder {
 
 TriangleSoup MakeGrid(const GridOptions& options) {
   return GridBuilder(options).Build();
+}
+
+TriangleSoup MakePlate(const GridOptions& options, double thickness) {
+  const TriangleSoup top = MakeGrid(options);
+  const uint32_t below = static_cast<uint32_t>(top.positions.size());
+  TriangleSoup plate = top;
+  for (const Point& p : top.positions) {
+    plate.positions.push_back({p[0], p[1], -thickness});
+  }
+  const HalfEdges edges(top);
+  for (const auto& [a, b, c] : top.triangles) {
+    plate.triangles.push_back({below + a, below + c, below + b});
+  }
+  for (uint32_t h = 0; h < edges.size(); ++h) {
+    if (edges.Twin(h) != kBorder) continue;
+    const uint32_t a = edges.From(h), b = edges.To(h);
+    plate.triangles.push_back({b, a, below + a});
+    plate.triangles.push_back({b, below + a, below + b});
+  }
+  return plate;
 }
 
 GridOptions WithHole(GridOptions options) {

@@ -31,6 +31,10 @@ struct GridOptions {
 
 TriangleSoup MakeGrid(const GridOptions& options);
 
+// A plate with that outline, `thickness` thick, top, bottom and walls: a closed
+// surface, flat but for its edges, with saddles at reflex corners.
+TriangleSoup MakePlate(const GridOptions& options, double thickness);
+
 // Domains with reflex corners, `size` >= 3 cells a side.
 GridOptions WithHole(GridOptions options);
 GridOptions LShape(GridOptions options);

@@ -59,6 +59,22 @@ TEST(BruteForceComparison, Tori) {
   ExpectBruteForce({"noisy torus", Torus({.noise = 0.3})}, 8, 3);
 }
 
+// Right angles, ties and saddles, as machine parts have them.
+TEST(BruteForceComparison, Plates) {
+  for (const Diagonals diagonals :
+       {Diagonals::kParallel, Diagonals::kAlternating, Diagonals::kRandom}) {
+    for (const double jitter : {0.0, 0.2}) {
+      const GridOptions grid{
+          .columns = 6, .rows = 5, .diagonals = diagonals, .jitter = jitter};
+      for (const double thickness : {1.0, 0.1}) {
+        ExpectBruteForce(
+            {"plate with a hole", MakePlate(WithHole(grid), thickness)}, 6, 1);
+        ExpectBruteForce({"U plate", MakePlate(UShape(grid), thickness)}, 6, 2);
+      }
+    }
+  }
+}
+
 // Two copies of one disc in one plane, joined along their rim.
 TEST(BruteForceComparison, DiscsBackToBack) {
   constexpr uint32_t kSpokes = 10, kRings = 3;

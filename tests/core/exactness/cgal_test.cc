@@ -38,6 +38,8 @@ TEST(CgalComparison, GeneratedMeshes) {
            {"terrain", Terrain(24, 20, 1.5, 7)},
            {"saddle fan",
             Fan({.spokes = 16, .rings = 6, .total_angle = 9}).soup()},
+           {"plate with a hole",
+            MakePlate(WithHole({.columns = 12, .rows = 12}), 0.5)},
            {"jittered U",
             MakeGrid(UShape({.columns = 18, .rows = 18, .jitter = 0.2}))}}) {
     ExpectCgal(named, SpreadVertices(named.soup, 3));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -53,12 +54,33 @@ TEST_P(RealMeshes, AlgorithmsAgree) {
               kRelativeTolerance * field[farthest]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, RealMeshes,
-                         testing::Values("real/armadillo_86k.obj",
-                                         "real/boot_40k.obj",
-                                         "real/brain_icbm152_lh_82k.ply",
-                                         "real/bunny.obj",
-                                         "real/cgal_anchor_dense.off"));
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, RealMeshes,
+    testing::Values(
+        "real/armadillo_86k.obj", "real/boot_40k.obj",
+        "real/brain_icbm152_lh_82k.ply", "real/bunny.obj",
+        "real/bunny_closed.obj", "real/cgal_anchor_dense.off",
+        "real/cgal_blade.off", "real/cgal_blobby_3cc.off",
+        "real/cgal_bones.off", "real/cgal_bull.off", "real/cgal_bunny00.off",
+        "real/cgal_camel.off", "real/cgal_cheese.off",
+        "real/cgal_couplingdown.off", "real/cgal_cube.off",
+        "real/cgal_dino.off", "real/cgal_double-torus-example.off",
+        "real/cgal_eight.off", "real/cgal_elephant.off",
+        "real/cgal_fandisk_large.off", "real/cgal_femur.off",
+        "real/cgal_handle.off", "real/cgal_holes.off", "real/cgal_homer.off",
+        "real/cgal_icosahedron.off", "real/cgal_joint.off",
+        "real/cgal_knot2.off", "real/cgal_lion-head.off", "real/cgal_man.off",
+        "real/cgal_mannequin-devil.off", "real/cgal_oblong.off",
+        "real/cgal_pinion_small.off", "real/cgal_pipe.off",
+        "real/cgal_refined_elephant.off", "real/cgal_rotor_small.off",
+        "real/cgal_spool.off", "real/cgal_tetrahedron.off",
+        "real/cgal_three_peaks.off", "real/cgal_turbine.off",
+        "real/dragon_100k.obj", "real/fandisk.obj", "real/fertility_60k.obj",
+        "real/gargoyle_50k.obj", "real/gears_19k.ply", "real/horse_be.ply",
+        "real/laurana_50k.ply", "real/lucy_100k.ply", "real/maxplanck_100k.ply",
+        "real/mountain_51k.obj", "real/of_flange_6k.ply",
+        "real/of_propellertip_33k.obj", "real/rangemap_lato000_87k.ply",
+        "real/spot_23k.obj", "real/tray_bottom_4k.ply"));
 
 }  // namespace
 }  // namespace geodesic::test
