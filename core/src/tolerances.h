@@ -41,6 +41,11 @@ inline constexpr double kImprovement = 1e-15;
 // own distance), and must not discard it.
 inline constexpr double kDominance = 1e-12;
 
+// Two rays into an apex whose leans (sines) differ by no more than this may be
+// one ray: unfolded positions carry up to 1e-13 of rounding. Nothing is pruned
+// then, which costs windows on regular grids only.
+inline constexpr double kSameRay = 1e-9;
+
 // Two windows on an edge whose distances differ by no more than this fraction
 // at a point are tied there, and the older keeps the point.
 inline constexpr double kTie = 1e-15;

@@ -6,8 +6,12 @@
 //
 // A window is propagated once and then freed. It has two children only if its
 // distance at the apex is the best yet across its half-edge; a worse one keeps
-// the child on its own side of the best one's ray. Sides are told by the slope
-// of the rays at the apex, which differs even where the apex lies on the edge.
+// the child on its own side of the best one's ray, because its rays to the
+// other side cross that ray where the best one is nearer. Sides are told by the
+// lean of the rays at the apex, which differs even where the apex lies on the
+// edge. Where both rays lie on one line nothing crosses, and both children
+// stay: the worse window may come from behind the better one's pseudo-source,
+// past which its other rays go undisturbed.
 
 #ifndef GEODESIC_RULES_CH_RULE_H_
 #define GEODESIC_RULES_CH_RULE_H_
@@ -69,7 +73,7 @@ class ChRule {
   // The best window so far to reach the apex across a half-edge.
   struct Best {
     double distance = std::numeric_limits<double>::infinity();
-    double slope = 0;
+    double lean = 0;
   };
 
   // The face a window crosses.
@@ -152,14 +156,16 @@ bool ChRule<Queue>::Propagate(uint32_t id) {
     return true;
   }
 
-  const double at_apex = origin.sigma + DistanceToApex(origin, frame);
+  const double to_apex = DistanceToApex(origin, frame);
+  const double at_apex = origin.sigma + to_apex;
   front_.Relax(face.apex, at_apex);
+  // Grows as the ray into the apex comes from further left.
+  const double lean = (frame.apex_x - origin.x) / to_apex;
   Best& best = best_[h];
-  const bool splits = at_apex <= best.distance * (1 + kDominance);
-  const double slope = ApexSlope(origin, frame);
-  const bool goes_left = splits || slope > best.slope;
-  const bool goes_right = splits || !goes_left;
-  if (at_apex < best.distance) best = {at_apex, slope};
+  const bool is_worse = at_apex > best.distance * (1 + kDominance);
+  const bool goes_left = !is_worse || lean > best.lean - kSameRay;
+  const bool goes_right = !is_worse || lean < best.lean + kSameRay;
+  if (at_apex < best.distance) best = {at_apex, lean};
   if (goes_left) PropagateLeft(window, face, true);
   if (goes_right) PropagateRight(window, face, true);
   return true;

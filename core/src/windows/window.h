@@ -54,12 +54,6 @@ inline double ApexCrossing(const Origin& origin, const HalfEdgeFrame& frame) {
          (frame.apex_y + origin.depth);
 }
 
-// The inclination dx / dy of that line. Of two lines through the apex, the
-// one that leans further right comes from the left.
-inline double ApexSlope(const Origin& origin, const HalfEdgeFrame& frame) {
-  return (frame.apex_x - origin.x) / (frame.apex_y + origin.depth);
-}
-
 // Distance from the pseudo-source to the apex.
 inline double DistanceToApex(const Origin& origin, const HalfEdgeFrame& frame) {
   const double dx = frame.apex_x - origin.x;
