@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
+#include "client/cli/help_formatter.h"
 
 namespace geodesic::client {
 namespace {
@@ -58,6 +59,11 @@ class Parser {
     app_.require_subcommand(1);
     app_.fallthrough();
     app_.set_version_flag("--version", "geodesic " GEODESIC_VERSION);
+    app_.formatter(std::make_shared<HelpFormatter>());
+    app_.failure_message([](const CLI::App*, const CLI::Error& error) {
+      return absl::StrCat("geodesic: ", error.what(),
+                          "\nRun it with --help for more information.\n");
+    });
     app_.option_defaults()->always_capture_default();
     arguments_->server = kDefaultServer;
     app_.add_option("--server", arguments_->server, "Where the server listens")
@@ -69,7 +75,7 @@ class Parser {
     app_.add_option("--timeout", arguments_->timeout,
                     "Give up a call to the server after this time")
         ->type_name("SECONDS")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Validator(CLI::PositiveNumber).description(""));
     AddUpload();
     AddMeshes();
     AddInfo();
@@ -77,7 +83,7 @@ class Parser {
     AddField();
     AddCapabilities();
     app_.footer(absl::StrCat(
-        "\nExamples:\n"
+        "Examples:\n"
         "  geodesic upload horse.ply\n"
         "  geodesic field horse.ply --source 0 -o horse.png -o horse.npy\n"
         "  geodesic field 3f2a91bc --source 0 --source 77:0.5 -o d.csv\n"
@@ -94,7 +100,7 @@ class Parser {
     CLI::App* added = app_.add_subcommand(name, help);
     added->callback([this, command] { arguments_->command = command; });
     added->footer(
-        "\n--server, --json, --quiet and --timeout may follow too: see "
+        "--server, --json, --quiet and --timeout may follow too: see "
         "geodesic --help.");
     return added;
   }
@@ -108,7 +114,7 @@ class Parser {
             },
             "How to read the file, if its ending does not tell")
         ->type_name("obj|ply|off|stl")
-        ->check(CLI::IsMember(FormatNames()));
+        ->check(CLI::IsMember(FormatNames()).description(""));
   }
 
   void AddMesh(CLI::App* command, const std::string& help) {
@@ -163,7 +169,7 @@ class Parser {
                      "How windows are propagated; all give the same distances. "
                      "Default: the server's choice")
         ->type_name(absl::StrJoin(AlgorithmNames(), "|"))
-        ->check(CLI::IsMember(AlgorithmNames()));
+        ->check(CLI::IsMember(AlgorithmNames()).description(""));
     AddParsed(command, "-o,--output",
               absl::StrCat("Write the field here; may be repeated. The ending "
                            "says what: ",
@@ -194,7 +200,7 @@ class Parser {
             },
             "Axis that points up in the picture; default: guessed")
         ->type_name("y|z")
-        ->check(CLI::IsMember({"y", "z"}))
+        ->check(CLI::IsMember({"y", "z"}).description(""))
         ->group("Picture");
     AddParsed(command, "--size", "Size of the picture; default: 1600x1200",
               ParseSize,

@@ -19,8 +19,7 @@ constexpr milliseconds kLineDelay(1000);
 
 std::string Percent(double fraction) {
   const auto percent = static_cast<int>(std::floor(100 * fraction));
-  std::string text = absl::StrCat(percent, "%");
-  return std::string(4 - std::min<size_t>(4, text.size()), ' ') + text;
+  return absl::StrCat(absl::Dec(percent, absl::kSpacePad3), "%");
 }
 
 double Clamped(double fraction) {

@@ -11,7 +11,7 @@ namespace {
 
 std::string Padded(const std::string& text, size_t width, bool to_the_right) {
   const std::string spaces(width - std::min(width, text.size()), ' ');
-  return to_the_right ? spaces + text : text + spaces;
+  return to_the_right ? absl::StrCat(spaces, text) : absl::StrCat(text, spaces);
 }
 
 }  // namespace

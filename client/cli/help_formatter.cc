@@ -1,0 +1,57 @@
+#include "client/cli/help_formatter.h"
+
+#include <sstream>
+
+#include "absl/strings/str_cat.h"
+
+namespace geodesic::client {
+namespace {
+
+constexpr size_t kNameColumns = 30;
+constexpr size_t kDescriptionColumns = 50;
+
+// CLI11 indents what follows a newline.
+std::string Wrapped(const std::string& text) {
+  std::istringstream words(text);
+  std::string lines;
+  size_t column = 0;
+  for (std::string word; words >> word;) {
+    if (column > 0 && column + 1 + word.size() > kDescriptionColumns) {
+      lines.push_back('\n');
+      column = 0;
+    } else if (column > 0) {
+      lines.push_back(' ');
+      ++column;
+    }
+    lines.append(word);
+    column += word.size();
+  }
+  return lines;
+}
+
+}  // namespace
+
+HelpFormatter::HelpFormatter() { column_width(kNameColumns); }
+
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
+  const bool has_value = option->get_type_size() != 0;
+  return has_value && !option->get_type_name().empty()
+             ? absl::StrCat(" ", option->get_type_name())
+             : std::string();
+}
+
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
+  std::string text = option->get_description();
+  if (option->get_required() && !option->get_positional()) {
+    absl::StrAppend(&text, " (required)");
+  }
+  if (!option->get_default_str().empty()) {
+    absl::StrAppend(&text, " (default ", option->get_default_str(), ")");
+  }
+  if (!option->get_envname().empty()) {
+    absl::StrAppend(&text, " (or set ", option->get_envname(), ")");
+  }
+  return Wrapped(text);
+}
+
+}  // namespace geodesic::client
