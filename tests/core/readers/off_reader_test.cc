@@ -132,6 +132,9 @@ TEST(OffReaderTest, CountsThatCannotBeThereAreRefusedAtOnce) {
                         "bytes that follow"));
   EXPECT_THAT(Read("OFF\n99999999999999999999 1 0\n0 0 0\n"),
               IsInvalidWith("line 2: '99999999999999999999 1' is not a count"));
+  // Times 6 it wraps around to 2.
+  EXPECT_THAT(Read("OFF\n3074457345618258603 0 0\n0 0 0\n"),
+              IsInvalidWith("vertices cannot fit the 6 bytes"));
   EXPECT_THAT(Read("OFF\n1 9223372036854775807 0\n0 0 0\n"),
               IsInvalidWith("9223372036854775807 faces cannot fit the 6"));
   EXPECT_THAT(

@@ -171,7 +171,8 @@ TEST_P(PlyBinaryTest, MessagesNameByteAndElement) {
 
 TEST_P(PlyBinaryTest, CountsThatCannotBeThereAreRefusedAtOnce) {
   for (const std::string count :
-       {"1000", "2000000000", "9223372036854775807"}) {
+       {"1000", "2000000000", "9223372036854775807",
+        "4611686018427387904"}) {  // times 4 or 12 it wraps around to 0
     ByteWriter file = Begin("element vertex " + count +
                             "\nproperty float x\nproperty float y\n"
                             "property float z\n");
@@ -305,7 +306,8 @@ TEST(PlyAsciiTest, MessagesNameLineAndElement) {
 
 TEST(PlyAsciiTest, CountsThatCannotBeThereAreRefusedAtOnce) {
   for (const std::string count :
-       {"1000", "2000000000", "9223372036854775807"}) {
+       {"1000", "2000000000", "9223372036854775807",
+        "4611686018427387904"}) {  // times 4 or 12 it wraps around to 0
     EXPECT_THAT(Read(Header("ascii", "element vertex " + count +
                                          "\nproperty float x\n"
                                          "property float y\n"
