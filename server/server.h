@@ -59,7 +59,7 @@ class Server {
   // the grace period. Call once, after Start succeeded.
   bool Wait();
 
-  const QueryEngine& engine() const { return engine_; }
+  QueryEngine& engine() { return engine_; }
 
  private:
   void SetServing(bool serving);

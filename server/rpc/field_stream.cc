@@ -40,16 +40,20 @@ FieldStream::FieldStream(QueryEngine& engine, RequestLog& log,
   entry_.emplace(log, "ComputeField");
 }
 
+absl::StatusOr<FieldCall> FieldStream::Ask(
+    const grpc::CallbackServerContext& context,
+    const v1::ComputeFieldRequest& request) {
+  absl::StatusOr<FieldRequest> query = FromProto(request);
+  if (!query.ok()) return query.status();
+  query->deadline = CallDeadline(context);
+  return engine_.ComputeField(*query, shared_from_this());
+}
+
 void FieldStream::Begin(const grpc::CallbackServerContext& context,
                         const v1::ComputeFieldRequest& request) {
   entry_->set_subject(DigestPrefix(request.mesh_digest()));
-  absl::StatusOr<FieldRequest> query = FromProto(request);
-  absl::StatusOr<FieldCall> call = query.status();
-  if (query.ok()) {
-    query->deadline = CallDeadline(context);
-    // Without the lock: the engine may call back at once.
-    call = engine_.ComputeField(*query, shared_from_this());
-  }
+  // Without the lock: the engine may call back at once.
+  absl::StatusOr<FieldCall> call = Ask(context, request);
   std::lock_guard lock(mutex_);
   if (!call.ok()) {
     End(call.status());
@@ -58,7 +62,7 @@ void FieldStream::Begin(const grpc::CallbackServerContext& context,
   call_ = *std::move(call);
   if (call_.field != nullptr) field_ = std::move(call_.field);
   v1::FieldAccepted& accepted = *message_.mutable_accepted();
-  accepted.set_mesh_digest(query->mesh_digest);
+  accepted.set_mesh_digest(request.mesh_digest());
   accepted.set_vertex_count(call_.vertex_count);
   accepted.set_algorithm(ToProto(call_.algorithm));
   accepted.set_origin(ToProto(call_.origin));

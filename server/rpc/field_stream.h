@@ -49,6 +49,8 @@ class FieldStream final
  private:
   FieldStream(QueryEngine& engine, RequestLog& log, const std::string& version);
 
+  absl::StatusOr<FieldCall> Ask(const grpc::CallbackServerContext& context,
+                                const v1::ComputeFieldRequest& request);
   void Begin(const grpc::CallbackServerContext& context,
              const v1::ComputeFieldRequest& request);
 

@@ -1,0 +1,23 @@
+// Calls services of which the tests have no stubs.
+
+#ifndef GEODESIC_TESTS_RPC_GENERIC_CALL_H_
+#define GEODESIC_TESTS_RPC_GENERIC_CALL_H_
+
+#include <grpcpp/channel.h>
+
+#include <memory>
+#include <string>
+
+#include "absl/status/statusor.h"
+
+namespace geodesic::server::test {
+
+// Sends one serialized message to `method` ("/package.Service/Method") and
+// returns the first one that comes back.
+absl::StatusOr<std::string> CallMethod(
+    const std::shared_ptr<grpc::Channel>& channel, const std::string& method,
+    const std::string& request);
+
+}  // namespace geodesic::server::test
+
+#endif  // GEODESIC_TESTS_RPC_GENERIC_CALL_H_

@@ -1,0 +1,98 @@
+// What operators and tools ask: capabilities, health, reflection.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <spdlog/spdlog.h>
+
+#include <string>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/v1/capabilities_service.grpc.pb.h"
+#include "tests/rpc/generic_call.h"
+#include "tests/rpc/rpc_fixture.h"
+
+namespace geodesic::server {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr char kHealthCheck[] = "/grpc.health.v1.Health/Check";
+
+// HealthCheckRequest{service}; HealthCheckResponse{SERVING}.
+std::string HealthRequest(const std::string& service) {
+  return service.empty() ? ""
+                         : std::string("\x0a") +
+                               static_cast<char>(service.size()) + service;
+}
+const std::string kServing("\x08\x01", 2);
+
+class OperationsTest : public test::RpcTest {
+ protected:
+  void SetUp() override { Start(); }
+};
+
+TEST_F(OperationsTest, CapabilitiesTellTheLimits) {
+  const auto stub = v1::CapabilitiesService::NewStub(channel_);
+  grpc::ClientContext context;
+  v1::GetCapabilitiesResponse response;
+  ASSERT_TRUE(stub->GetCapabilities(&context, {}, &response).ok());
+  EXPECT_EQ(response.version(), ServerVersion());
+  ASSERT_EQ(response.algorithms_size(), kAlgorithms.size());
+  EXPECT_EQ(response.algorithms(0).name(), "fwp-ch");
+  EXPECT_EQ(response.algorithms(0).algorithm(), v1::ALGORITHM_FWP_CH);
+  EXPECT_TRUE(response.algorithms(0).is_default());
+  EXPECT_FALSE(response.algorithms(1).is_default());
+  EXPECT_FALSE(response.algorithms(3).summary().empty());
+  EXPECT_EQ(response.formats_size(), 5);
+  const ServerOptions options = SmallServer();
+  const v1::Limits& limits = response.limits();
+  EXPECT_EQ(limits.max_upload_bytes(), options.limits.max_upload_bytes);
+  EXPECT_EQ(limits.max_vertices(), options.limits.max_vertices);
+  EXPECT_EQ(limits.max_faces(), options.limits.max_faces);
+  EXPECT_EQ(limits.max_sources(), options.limits.max_sources);
+  EXPECT_EQ(limits.max_message_bytes(), options.max_message_bytes);
+  EXPECT_EQ(limits.max_concurrent_jobs(), options.limits.max_concurrent_jobs);
+  EXPECT_EQ(limits.max_queued_jobs(), options.limits.max_queued_jobs);
+  EXPECT_EQ(limits.mesh_store_bytes(), options.limits.mesh_store_bytes);
+  EXPECT_EQ(limits.field_cache_bytes(), options.limits.field_cache_bytes);
+}
+
+TEST_F(OperationsTest, HealthIsServing) {
+  for (const char* service :
+       {"", "geodesic.v1.MeshService", "geodesic.v1.FieldService",
+        "geodesic.v1.CapabilitiesService"}) {
+    const auto answer =
+        test::CallMethod(channel_, kHealthCheck, HealthRequest(service));
+    ASSERT_TRUE(answer.ok()) << answer.status();
+    EXPECT_EQ(*answer, kServing) << service;
+  }
+  EXPECT_TRUE(absl::IsNotFound(
+      test::CallMethod(channel_, kHealthCheck, HealthRequest("unknown"))
+          .status()));
+}
+
+TEST_F(OperationsTest, ReflectionListsTheServices) {
+  // ServerReflectionRequest{list_services: ""}.
+  const auto answer = test::CallMethod(
+      channel_,
+      "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo",
+      std::string("\x3a\x00", 2));
+  ASSERT_TRUE(answer.ok()) << answer.status();
+  for (const char* service :
+       {"geodesic.v1.MeshService", "geodesic.v1.FieldService",
+        "geodesic.v1.CapabilitiesService"}) {
+    EXPECT_THAT(*answer, HasSubstr(service));
+  }
+}
+
+TEST_F(OperationsTest, OnePortHasOneServer) {
+  ServerOptions options = SmallServer();
+  options.listen = absl::StrCat("127.0.0.1:", server_->port());
+  Server second(options, spdlog::default_logger());
+  const absl::Status status = second.Start();
+  EXPECT_TRUE(absl::IsUnavailable(status));
+  EXPECT_THAT(std::string(status.message()), HasSubstr(options.listen));
+}
+
+}  // namespace
+}  // namespace geodesic::server

@@ -1,0 +1,138 @@
+#include "server/options.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace geodesic::server {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class OptionsTest : public ::testing::Test {
+ protected:
+  ~OptionsTest() override {
+    for (const std::string& name : variables_) unsetenv(name.c_str());
+    std::filesystem::remove(config_);
+  }
+
+  void SetVariable(const std::string& name, const std::string& value) {
+    variables_.push_back(name);
+    setenv(name.c_str(), value.c_str(), 1);
+  }
+
+  void WriteConfig(const std::string& text) { std::ofstream(config_) << text; }
+
+  CommandLine Parse(std::vector<std::string> arguments) {
+    std::vector<const char*> argv = {"geodesicd"};
+    for (const std::string& argument : arguments) {
+      argv.push_back(argument.c_str());
+    }
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
+    CommandLine result =
+        ParseCommandLine(static_cast<int>(argv.size()), argv.data(), "1.2.3");
+    out_ = ::testing::internal::GetCapturedStdout();
+    err_ = ::testing::internal::GetCapturedStderr();
+    return result;
+  }
+
+  void ExpectUsageError(std::vector<std::string> arguments,
+                        const std::string& flag) {
+    EXPECT_EQ(Parse(std::move(arguments)).exit_code, 2);
+    EXPECT_THAT(err_, HasSubstr(flag));
+  }
+
+  const std::string config_ =
+      std::filesystem::temp_directory_path() /
+      ("geodesicd_options_test_" + std::to_string(getpid()) + ".toml");
+  std::vector<std::string> variables_;
+  std::string out_, err_;
+};
+
+TEST_F(OptionsTest, Defaults) {
+  const CommandLine result = Parse({});
+  EXPECT_FALSE(result.exit_code.has_value()) << err_;
+  EXPECT_EQ(result.options.listen, "127.0.0.1:50051");
+  EXPECT_EQ(result.options.drain, std::chrono::seconds(30));
+  EXPECT_GE(result.options.limits.max_concurrent_jobs, 1);
+}
+
+TEST_F(OptionsTest, Flags) {
+  const CommandLine result =
+      Parse({"--listen", "[::1]:0", "--mesh-store", "2GiB", "--field-cache=1MB",
+             "--threads", "3", "--drain-seconds", "0", "--log-level", "warn"});
+  ASSERT_FALSE(result.exit_code.has_value()) << err_;
+  EXPECT_EQ(result.options.listen, "[::1]:0");
+  EXPECT_EQ(result.options.limits.mesh_store_bytes, uint64_t{2} << 30);
+  EXPECT_EQ(result.options.limits.field_cache_bytes, 1'000'000);
+  EXPECT_EQ(result.options.limits.max_concurrent_jobs, 3);
+  EXPECT_EQ(result.options.drain, std::chrono::seconds(0));
+  EXPECT_EQ(result.options.log_level, "warn");
+}
+
+TEST_F(OptionsTest, FlagsWinOverVariablesAndThoseOverTheFile) {
+  WriteConfig("threads = 5\nmax-faces = 50\nfield-cache = \"7KiB\"\n");
+  SetVariable("GEODESICD_THREADS", "6");
+  SetVariable("GEODESICD_MAX_FACES", "60");
+  const CommandLine result = Parse({"--config", config_, "--threads", "7"});
+  ASSERT_FALSE(result.exit_code.has_value()) << err_;
+  EXPECT_EQ(result.options.limits.max_concurrent_jobs, 7);
+  EXPECT_EQ(result.options.limits.max_faces, 60);
+  EXPECT_EQ(result.options.limits.field_cache_bytes, 7 << 10);
+}
+
+TEST_F(OptionsTest, TheFileMayComeFromTheEnvironment) {
+  WriteConfig("max-sources = 17\n");
+  SetVariable("GEODESICD_CONFIG", config_);
+  EXPECT_EQ(Parse({}).options.limits.max_sources, 17);
+}
+
+TEST_F(OptionsTest, HelpExplainsEveryFlag) {
+  EXPECT_EQ(Parse({"--help"}).exit_code, 0);
+  for (const char* flag :
+       {"--listen", "--port-file", "--max-message-bytes", "--threads",
+        "--max-queued-jobs", "--max-sources", "--mesh-store", "--field-cache",
+        "--upload-memory", "--solver-memory", "--max-upload-bytes",
+        "--max-vertices", "--max-faces", "--drain-seconds", "--log-level",
+        "--config", "--version"}) {
+    EXPECT_THAT(out_, HasSubstr(flag));
+  }
+  EXPECT_THAT(out_, AllOf(HasSubstr("GEODESICD_MAX_UPLOAD_BYTES"),
+                          HasSubstr("4GiB"), HasSubstr("Exit codes")));
+}
+
+TEST_F(OptionsTest, Version) {
+  EXPECT_EQ(Parse({"--version"}).exit_code, 0);
+  EXPECT_EQ(out_, "geodesicd 1.2.3\n");
+}
+
+TEST_F(OptionsTest, ErrorsNameTheFlag) {
+  ExpectUsageError({"--listen", "somewhere"}, "--listen");
+  ExpectUsageError({"--listen", ":80"}, "--listen");
+  ExpectUsageError({"--listen", "127.0.0.1:70000"}, "--listen");
+  ExpectUsageError({"--threads", "0"}, "--threads");
+  ExpectUsageError({"--threads", "-1"}, "--threads");
+  ExpectUsageError({"--mesh-store", "lots"}, "--mesh-store");
+  ExpectUsageError({"--max-message-bytes", "3GiB"}, "--max-message-bytes");
+  ExpectUsageError({"--max-faces", "2000000000"}, "--max-faces");
+  ExpectUsageError({"--log-level", "loud"}, "--log-level");
+  ExpectUsageError({"--max-upload-bytes", "8GiB"}, "--upload-memory");
+  ExpectUsageError({"--no-such-flag"}, "--no-such-flag");
+  ExpectUsageError({"--config", "/nonexistent/file"}, "/nonexistent/file");
+}
+
+TEST_F(OptionsTest, ErrorsInTheFileNameTheSetting) {
+  WriteConfig("max-facez = 50\n");
+  ExpectUsageError({"--config", config_}, "max-facez");
+}
+
+}  // namespace
+}  // namespace geodesic::server

@@ -1,0 +1,190 @@
+#include "tests/rpc/rpc_fixture.h"
+
+#include <google/rpc/status.pb.h>
+#include <grpcpp/create_channel.h>
+#include <grpcpp/security/credentials.h>
+#include <spdlog/sinks/null_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+
+#include "absl/strings/str_cat.h"
+#include "tests/engine/uploads.h"
+
+namespace geodesic::server::test {
+namespace {
+
+constexpr size_t kChunkBytes = 256 << 10;
+
+google::rpc::Status Details(const grpc::Status& status) {
+  google::rpc::Status details;
+  EXPECT_TRUE(details.ParseFromString(status.error_details()));
+  return details;
+}
+
+template <typename Message>
+std::optional<Message> Detail(const grpc::Status& status) {
+  for (const auto& any : Details(status).details()) {
+    Message message;
+    if (any.UnpackTo(&message)) return message;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+absl::StatusOr<DistanceField> HeldSolver::operator()(
+    const Mesh& mesh, const Query& query, const SolveOptions& options,
+    Checkpoint& checkpoint) {
+  std::unique_lock lock(mutex_);
+  ++starts_;
+  changed_.notify_all();
+  while (held_) {
+    lock.unlock();
+    absl::Status status =
+        checkpoint.Poll({.vertices = mesh.vertex_count(), .live_windows = 1});
+    if (!status.ok()) return status;
+    lock.lock();
+    changed_.wait_for(lock, std::chrono::milliseconds(1),
+                      [this] { return !held_; });
+  }
+  lock.unlock();
+  return Solve(mesh, query, options, checkpoint);
+}
+
+void HeldSolver::LetGo() {
+  std::lock_guard lock(mutex_);
+  held_ = false;
+  changed_.notify_all();
+}
+
+void HeldSolver::WaitForStarts(int count) {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return starts_ >= count; });
+}
+
+RpcTest::RpcTest() = default;
+
+RpcTest::~RpcTest() {
+  solver_.LetGo();
+  server_.reset();
+}
+
+ServerOptions RpcTest::SmallServer() {
+  constexpr uint64_t kMiB = uint64_t{1} << 20;
+  return {.listen = "127.0.0.1:0",
+          .max_message_bytes = 2 * kMiB,
+          .limits = {.max_upload_bytes = 64 * kMiB,
+                     .max_vertices = 2'000'000,
+                     .max_faces = 1'000'000,
+                     .max_sources = 10,
+                     .max_concurrent_jobs = 2,
+                     .max_queued_jobs = 2,
+                     .mesh_store_bytes = 512 * kMiB,
+                     .field_cache_bytes = 64 * kMiB,
+                     .upload_memory_bytes = 1024 * kMiB,
+                     .solver_memory_bytes = 1024 * kMiB,
+                     .progress_interval = std::chrono::milliseconds(5)}};
+}
+
+void RpcTest::Start(const ServerOptions& options, bool held) {
+  const auto logger = std::make_shared<spdlog::logger>(
+      "test", std::make_shared<spdlog::sinks::null_sink_mt>());
+  const SolveFunction solve =
+      held ? SolveFunction([this](const auto&... query_and_mesh) {
+        return solver_(query_and_mesh...);
+      })
+           : SolveFunction(&Solve);
+  server_ = std::make_unique<Server>(options, logger, solve);
+  const absl::Status status = server_->Start();
+  ASSERT_TRUE(status.ok()) << status;
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(-1);
+  channel_ =
+      grpc::CreateCustomChannel(absl::StrCat("127.0.0.1:", server_->port()),
+                                grpc::InsecureChannelCredentials(), arguments);
+  meshes_ = v1::MeshService::NewStub(channel_);
+  fields_ = v1::FieldService::NewStub(channel_);
+}
+
+grpc::Status RpcTest::Upload(const v1::UploadHeader& header,
+                             const std::string& bytes,
+                             v1::CreateMeshResponse& response) {
+  grpc::ClientContext context;
+  const auto writer = meshes_->CreateMesh(&context, &response);
+  v1::CreateMeshRequest message;
+  *message.mutable_header() = header;
+  bool open = writer->Write(message);
+  for (size_t at = 0; open && at < bytes.size(); at += kChunkBytes) {
+    message.mutable_chunk()->set_offset(at);
+    message.mutable_chunk()->set_data(bytes.substr(at, kChunkBytes));
+    open = writer->Write(message);
+  }
+  writer->WritesDone();
+  return writer->Finish();
+}
+
+std::string RpcTest::Upload(const TriangleSoup& soup) {
+  const std::string bytes = ArrayBytes(soup);
+  v1::UploadHeader header;
+  header.set_format(v1::MESH_FORMAT_ARRAYS);
+  header.set_size_bytes(bytes.size());
+  header.set_vertex_count(soup.positions.size());
+  header.set_face_count(soup.triangles.size());
+  v1::CreateMeshResponse response;
+  const grpc::Status status = Upload(header, bytes, response);
+  EXPECT_TRUE(status.ok()) << status.error_message();
+  return response.mesh().digest();
+}
+
+v1::ComputeFieldRequest RpcTest::FieldRequest(const std::string& digest,
+                                              uint64_t vertex) {
+  v1::ComputeFieldRequest request;
+  request.set_mesh_digest(digest);
+  request.add_sources()->set_vertex(vertex);
+  return request;
+}
+
+FieldReply RpcTest::ComputeField(const v1::ComputeFieldRequest& request,
+                                 grpc::ClientContext& context) {
+  FieldReply reply;
+  const auto reader = fields_->ComputeField(&context, request);
+  v1::ComputeFieldResponse message;
+  while (reader->Read(&message)) {
+    if (message.has_chunk()) {
+      const std::string& bytes = message.chunk().distances();
+      EXPECT_EQ(message.chunk().offset(), reply.distances.size());
+      EXPECT_EQ(bytes.size() % sizeof(double), 0);
+      reply.distances.resize(reply.distances.size() +
+                             bytes.size() / sizeof(double));
+      std::memcpy(reply.distances.data() + message.chunk().offset(),
+                  bytes.data(), bytes.size());
+      message.mutable_chunk()->clear_distances();
+    }
+    reply.messages.push_back(message);
+  }
+  reply.status = reader->Finish();
+  return reply;
+}
+
+FieldReply RpcTest::ComputeField(const std::string& digest, uint64_t vertex) {
+  grpc::ClientContext context;
+  return ComputeField(FieldRequest(digest, vertex), context);
+}
+
+std::string FieldAtFault(const grpc::Status& status) {
+  const auto bad_request = Detail<google::rpc::BadRequest>(status);
+  if (!bad_request || bad_request->field_violations().empty()) return "";
+  EXPECT_EQ(bad_request->field_violations(0).description(),
+            status.error_message());
+  EXPECT_EQ(Details(status).code(), status.error_code());
+  return bad_request->field_violations(0).field();
+}
+
+std::optional<google::rpc::RetryInfo> RetryInfo(const grpc::Status& status) {
+  return Detail<google::rpc::RetryInfo>(status);
+}
+
+}  // namespace geodesic::server::test

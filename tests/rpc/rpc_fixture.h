@@ -1,0 +1,90 @@
+// A real server on a free loopback port, and stubs to talk to it.
+
+#ifndef GEODESIC_TESTS_RPC_RPC_FIXTURE_H_
+#define GEODESIC_TESTS_RPC_RPC_FIXTURE_H_
+
+#include <google/rpc/error_details.pb.h>
+#include <grpcpp/channel.h>
+#include <grpcpp/client_context.h>
+#include <grpcpp/support/status.h>
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geodesic/triangle_soup.h"
+#include "geodesic/v1/field_service.grpc.pb.h"
+#include "geodesic/v1/mesh_service.grpc.pb.h"
+#include "server/server.h"
+
+namespace geodesic::server::test {
+
+// Solves like Solve, but only once it is let go; until then it polls, as a
+// solver in a long computation would.
+class HeldSolver {
+ public:
+  absl::StatusOr<DistanceField> operator()(const Mesh& mesh, const Query& query,
+                                           const SolveOptions& options,
+                                           Checkpoint& checkpoint);
+
+  void LetGo();
+
+  // Returns when `count` computations have begun.
+  void WaitForStarts(int count);
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool held_ = true;
+  int starts_ = 0;
+};
+
+// Everything a ComputeField call brought.
+struct FieldReply {
+  grpc::Status status;
+  std::vector<v1::ComputeFieldResponse> messages;  // without the chunks' data
+  std::vector<double> distances;
+};
+
+class RpcTest : public ::testing::Test {
+ protected:
+  RpcTest();
+  ~RpcTest() override;
+
+  static ServerOptions SmallServer();
+
+  // Starts the server; once a test. `held` makes it wait in `solver_`.
+  void Start(const ServerOptions& options = SmallServer(), bool held = false);
+
+  // Streams `bytes` in chunks.
+  grpc::Status Upload(const v1::UploadHeader& header, const std::string& bytes,
+                      v1::CreateMeshResponse& response);
+  // Uploads as arrays; returns the digest.
+  std::string Upload(const TriangleSoup& soup);
+
+  static v1::ComputeFieldRequest FieldRequest(const std::string& digest,
+                                              uint64_t vertex);
+  FieldReply ComputeField(const v1::ComputeFieldRequest& request,
+                          grpc::ClientContext& context);
+  FieldReply ComputeField(const std::string& digest, uint64_t vertex);
+
+  HeldSolver solver_;
+  std::unique_ptr<Server> server_;
+  std::shared_ptr<grpc::Channel> channel_;
+  std::unique_ptr<v1::MeshService::Stub> meshes_;
+  std::unique_ptr<v1::FieldService::Stub> fields_;
+};
+
+// The field that the BadRequest of a status names, or "".
+std::string FieldAtFault(const grpc::Status& status);
+
+// The RetryInfo of a status.
+std::optional<google::rpc::RetryInfo> RetryInfo(const grpc::Status& status);
+
+}  // namespace geodesic::server::test
+
+#endif  // GEODESIC_TESTS_RPC_RPC_FIXTURE_H_
