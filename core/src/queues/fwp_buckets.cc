@@ -29,44 +29,43 @@ void FwpBuckets::Push(uint32_t id, double label) {
 }
 
 void FwpBuckets::Append(int64_t bucket, uint32_t id) {
-  std::vector<uint32_t>& ids = ring_[bucket & kMask].ids;
+  Bucket& ids = ring_[bucket & kMask];
   const size_t before = ids.capacity();
   ids.push_back(id);
   ring_bytes_ += (ids.capacity() - before) * sizeof(uint32_t);
   ++in_ring_;
 }
 
-uint32_t FwpBuckets::Pop() {
-  while (position_ == taken_) {
-    CloseBucket();
-    if (current_ + 1 < end_) {
-      OpenBucket(current_ + 1);
-    } else if (!StartIteration()) {
-      return kNothing;
-    }
-  }
-  --entries_;
-  --in_ring_;
-  Bucket& bucket = ring_[current_ & kMask];
-  ++bucket.begin;
-  return bucket.ids[position_++];
-}
-
-void FwpBuckets::OpenBucket(int64_t bucket) {
-  current_ = bucket;
-  position_ = ring_[bucket & kMask].begin;
-  taken_ = position_ + sizes_[bucket - batch_first_];
-}
-
-void FwpBuckets::CloseBucket() {
-  Bucket& bucket = ring_[current_ & kMask];
-  if (bucket.begin < bucket.ids.size()) return;
-  bucket.ids.clear();
-  bucket.begin = 0;
-}
-
-bool FwpBuckets::Advance() {
+bool FwpBuckets::StartIteration() {
   if (entries_ == 0) return false;
+  Advance();
+  AdaptLeast();
+  ++iterations_;
+  batch_.clear();
+  next_ = 0;
+  // The ring holds every bucket below first_ + kRing, and no iteration reaches
+  // further.
+  for (end_ = first_; in_ring_ > 0 && end_ < first_ + kRing &&
+                      static_cast<int64_t>(batch_.size()) < least_;
+       ++end_) {
+    Bucket& ids = ring_[end_ & kMask];
+    batch_.insert(batch_.end(), ids.begin(), ids.end());
+    in_ring_ -= ids.size();
+    ids.clear();
+  }
+  return true;
+}
+
+void FwpBuckets::AdaptLeast() {
+  // The first K is the whole front of the seeds (trap 3).
+  least_ += iterations_ == 0 ? far_ : far_ - near_;
+  const int64_t most =
+      std::min(std::max(static_cast<int64_t>(size()), int64_t{1}), max_batch_);
+  least_ = std::clamp(least_, int64_t{1}, most);
+  near_ = far_ = 0;
+}
+
+void FwpBuckets::Advance() {
   if (in_ring_ == 0) first_ = beyond_.front().bucket;
   for (;; ++first_) {
     while (!beyond_.empty() && beyond_.front().bucket < first_ + kRing) {
@@ -74,38 +73,8 @@ bool FwpBuckets::Advance() {
       Append(beyond_.back().bucket, beyond_.back().id);
       beyond_.pop_back();
     }
-    if (!ring_[first_ & kMask].ids.empty()) return true;
+    if (!ring_[first_ & kMask].empty()) return;
   }
-}
-
-void FwpBuckets::AdaptBatch() {
-  // The first K is the whole front of the seeds (trap 3).
-  batch_ += iterations_ == 0 ? far_ : far_ - near_;
-  const int64_t most = std::min(std::max<int64_t>(size(), 1), max_batch_);
-  batch_ = std::clamp<int64_t>(batch_, 1, most);
-  near_ = far_ = 0;
-}
-
-bool FwpBuckets::StartIteration() {
-  if (!Advance()) return false;
-  AdaptBatch();
-  ++iterations_;
-  sizes_.clear();
-  int64_t counted = 0;
-  // Beyond the ring's reach nothing is counted: the ring holds every bucket
-  // below first_ + kRing.
-  for (end_ = first_; counted < batch_ && end_ < first_ + kRing; ++end_) {
-    const Bucket& bucket = ring_[end_ & kMask];
-    sizes_.push_back(bucket.ids.size() - bucket.begin);
-    counted += static_cast<int64_t>(sizes_.back());
-    if (counted == static_cast<int64_t>(in_ring_)) {
-      ++end_;
-      break;
-    }
-  }
-  batch_first_ = first_;
-  OpenBucket(first_);
-  return true;
 }
 
 }  // namespace geodesic

@@ -6,7 +6,7 @@
 //   paper            here
 //   l                width_           bucket width
 //   P_first, P_end   first_, end_     buckets of an iteration, [first_, end_)
-//   K                batch_           windows an iteration takes at the least
+//   K                least_           windows an iteration takes at the least
 //   c_small, c_large near_, far_      windows born below / beyond end_
 //   K_max            max_batch_
 //
@@ -17,6 +17,7 @@
 #ifndef GEODESIC_QUEUES_FWP_BUCKETS_H_
 #define GEODESIC_QUEUES_FWP_BUCKETS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,17 +26,21 @@
 namespace geodesic {
 
 // A ring of first-in-first-out buckets, with a heap for labels beyond its
-// reach (the number of buckets a mesh asks for has no bound). Push and Pop
-// take constant time while labels stay within the ring.
+// reach (the number of buckets a mesh asks for has no bound). An iteration
+// first moves its windows into one batch, so that what comes next is known.
+// Push and Pop take constant time while labels stay within the ring.
 class FwpBuckets {
  public:
   explicit FwpBuckets(const QueueTuning& tuning);
 
   void Push(uint32_t id, double label);
-  uint32_t Pop();
+  uint32_t Pop() {
+    if (next_ == batch_.size() && !StartIteration()) return kNothing;
+    --entries_;
+    return batch_[next_++];
+  }
   uint32_t Upcoming(uint32_t k) const {
-    const uint64_t at = position_ + k - 1;
-    return at < taken_ ? ring_[current_ & kMask].ids[at] : kNothing;
+    return next_ + k <= batch_.size() ? batch_[next_ + k - 1] : kNothing;
   }
 
   void MarkVoid() { ++void_; }
@@ -46,17 +51,15 @@ class FwpBuckets {
   uint64_t size() const { return entries_ - void_; }
   uint64_t iterations() const { return iterations_; }
   uint64_t bytes() const {
-    return ring_bytes_ + beyond_.capacity() * sizeof(Far);
+    return ring_bytes_ + beyond_.capacity() * sizeof(Far) +
+           batch_.capacity() * sizeof(uint32_t);
   }
 
  private:
-  static constexpr int64_t kRing = 4096;
+  static constexpr int64_t kRing = 16384;
   static constexpr int64_t kMask = kRing - 1;
 
-  struct Bucket {
-    std::vector<uint32_t> ids;
-    uint64_t begin = 0;  // ids before it have been popped
-  };
+  using Bucket = std::vector<uint32_t>;
   struct Far {
     int64_t bucket;
     uint32_t id;
@@ -67,39 +70,34 @@ class FwpBuckets {
   }
 
   int64_t BucketOf(double label) const;
-  bool StartIteration();
-  // Moves first_ to the first bucket with entries and draws in far ones.
-  bool Advance();
-  void AdaptBatch();
-  void OpenBucket(int64_t bucket);
-  void CloseBucket();
   void Append(int64_t bucket, uint32_t id);
+  // Takes the windows of at least K smallest labels. False if none are left.
+  bool StartIteration();
+  void AdaptLeast();
+  // Moves first_ to the first bucket with entries and draws in far ones.
+  void Advance();
 
   const double inverse_width_;
   const double width_;
   const int64_t max_batch_;
 
   std::vector<Bucket> ring_{kRing};
+  uint64_t in_ring_ = 0;
   uint64_t ring_bytes_ = kRing * sizeof(Bucket);
   std::vector<Far> beyond_;  // heap by bucket
-  uint64_t entries_ = 0;
-  uint64_t in_ring_ = 0;
+
+  std::vector<uint32_t> batch_;  // the iteration's windows, in order
+  size_t next_ = 0;              // of the batch
+
+  uint64_t entries_ = 0;  // in the ring, beyond it and left in the batch
   uint64_t void_ = 0;
   uint64_t iterations_ = 0;
 
   int64_t first_ = 0;
   int64_t end_ = 0;
-  int64_t batch_ = 0;  // K; 0 before the first iteration
+  int64_t least_ = 0;
   int64_t near_ = 0;
   int64_t far_ = 0;
-
-  // The part of the iteration in hand: bucket current_, entries
-  // [position_, taken_) of it; sizes_[b - first bucket] were born earlier.
-  int64_t current_ = 0;
-  int64_t batch_first_ = 0;
-  uint64_t position_ = 0;
-  uint64_t taken_ = 0;
-  std::vector<uint64_t> sizes_;
 };
 
 }  // namespace geodesic

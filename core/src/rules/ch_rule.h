@@ -47,9 +47,10 @@ class ChRule {
 
   void PrefetchWindow(uint32_t id) const { pool_.Prefetch(id); }
   void PrefetchFace(uint32_t id) const {
-    const HalfEdge h = pool_[id].half_edge;
-    front_.PrefetchFace(h);
-    __builtin_prefetch(&best_[h]);
+    const Window& window = pool_[id];
+    front_.PrefetchFace(window.half_edge);
+    front_.PrefetchDistance(window.pseudo_source);
+    __builtin_prefetch(&best_[window.half_edge]);
   }
   void PrefetchCorners(uint32_t id) const {
     front_.PrefetchCorners(pool_[id].half_edge);

@@ -50,9 +50,10 @@ class Front {
     __builtin_prefetch(&mesh_.triangles()[h / 3]);
   }
   void PrefetchCorners(HalfEdge h) const {
-    for (uint32_t v : mesh_.triangles()[h / 3]) {
-      __builtin_prefetch(&distances_[v]);
-    }
+    for (uint32_t v : mesh_.triangles()[h / 3]) PrefetchDistance(v);
+  }
+  void PrefetchDistance(uint32_t v) const {
+    __builtin_prefetch(&distances_[v]);
   }
 
   // Takes `distance` for v if it is better. A vertex that paths may bend at is

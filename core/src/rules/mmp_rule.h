@@ -44,7 +44,9 @@ class MmpRule {
 
   void PrefetchWindow(uint32_t id) const { pool_.Prefetch(id); }
   void PrefetchFace(uint32_t id) const {
-    front_.PrefetchFace(pool_[id].half_edge);
+    const Window& window = pool_[id];
+    front_.PrefetchFace(window.half_edge);
+    front_.PrefetchDistance(window.pseudo_source);
   }
   void PrefetchCorners(uint32_t id) const {
     const HalfEdge h = pool_[id].half_edge;
