@@ -42,13 +42,19 @@ struct FieldContext {
   std::string_view algorithm;
 };
 
-// Success if at every vertex the two differ by at most `tolerance` relative to
-// `expected`, or are infinite both. Otherwise names the worst vertices. The
-// worst relative error is recorded as a property of the running test.
+// Success if at every vertex the two differ by at most kRelativeTolerance times
+// what is expected, plus `slack`, or are infinite both. Otherwise names the
+// worst vertices. The worst relative error is recorded as a property of the
+// running test.
 testing::AssertionResult FieldsAgree(const FieldContext& context,
                                      const std::vector<double>& expected,
                                      const std::vector<double>& got,
-                                     double tolerance = kRelativeTolerance);
+                                     double slack = 0);
+
+// The rounding of the mesh's largest coordinate: distances between vertices
+// that lie so close together are known no better. Slack for meshes that have
+// such vertices.
+double CoordinateRounding(const TriangleSoup& soup);
 
 }  // namespace geodesic::test
 

@@ -9,19 +9,23 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
+#include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
 #include "tests/support/field_check.h"
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/random.h"
+#include "tests/support/test_meshes.h"
 
 namespace geodesic::test {
 namespace {
 
 // Compares `fields` fields of random sources, the last of them of three
 // sources with offsets.
-void ExpectBruteForce(const NamedMesh& named, uint32_t fields, uint64_t seed) {
+void ExpectBruteForce(const NamedMesh& named, uint32_t fields, uint64_t seed,
+                      double slack = 0) {
   const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
   ASSERT_NE(mesh, nullptr);
   const BruteForce brute_force(named.soup);
@@ -36,7 +40,8 @@ void ExpectBruteForce(const NamedMesh& named, uint32_t fields, uint64_t seed) {
     const std::vector<double> expected = brute_force.Distances(sources);
     for (const AlgorithmInfo& info : kAlgorithms) {
       EXPECT_TRUE(FieldsAgree({named.name, sources, info.name}, expected,
-                              SolveOrFail(*mesh, info.algorithm, sources)));
+                              SolveOrFail(*mesh, info.algorithm, sources),
+                              slack));
     }
   }
 }
@@ -107,8 +112,7 @@ class RandomMeshes : public testing::TestWithParam<uint64_t> {
   void ExpectBruteForceOnMany(const std::string& name, MakeMesh make) const {
     for (uint64_t i = 0; i < kCasesPerShard; ++i) {
       const uint64_t seed = GetParam() * kCasesPerShard + i;
-      ExpectBruteForce({name + " " + std::to_string(seed), make(seed)}, 3,
-                       seed);
+      ExpectBruteForce({absl::StrCat(name, " ", seed), make(seed)}, 3, seed);
     }
   }
 };
@@ -127,10 +131,15 @@ TEST_P(RandomMeshes, FlippedEdges) {
   });
 }
 
+// A needle in a needle has sides of 1e-12, which the rounding of coordinates
+// reaches.
 TEST_P(RandomMeshes, Needles) {
-  ExpectBruteForceOnMany("terrain with needles", [](uint64_t seed) {
-    return InsertNeedles(Terrain(3, 4, 0.5, seed), 8, seed);
-  });
+  for (uint64_t i = 0; i < kCasesPerShard; ++i) {
+    const uint64_t seed = GetParam() * kCasesPerShard + i;
+    const TriangleSoup soup = InsertNeedles(Terrain(3, 4, 0.5, seed), 8, seed);
+    ExpectBruteForce({absl::StrCat("terrain with needles ", seed), soup}, 3,
+                     seed, CoordinateRounding(soup));
+  }
 }
 
 TEST_P(RandomMeshes, ClosedAndFlipped) {
@@ -163,6 +172,27 @@ TEST_P(RandomMeshes, SteppedTerrains) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shards, RandomMeshes, testing::Range<uint64_t>(0, 2));
+
+class BruteForceOnRealMesh : public testing::TestWithParam<const char*> {};
+
+TEST_P(BruteForceOnRealMesh, Agrees) {
+  const std::string name = absl::StrCat("real/", GetParam());
+  const absl::StatusOr<TriangleSoup> soup = LoadTestMesh(name);
+  if (absl::IsNotFound(soup.status())) GTEST_SKIP() << soup.status();
+  ASSERT_TRUE(soup.ok()) << soup.status();
+  ExpectBruteForce({name, *soup}, 12, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, BruteForceOnRealMesh,
+                         testing::Values("cgal_double-torus-example.off",
+                                         "cgal_eight.off",
+                                         "cgal_icosahedron.off",
+                                         "cgal_joint.off", "cgal_pipe.off"),
+                         MeshTestName);
+
+// Half a minute. CGAL 5.5 is off by 3e-4 at three vertices of this mesh.
+INSTANTIATE_TEST_SUITE_P(DISABLED_Meshes, BruteForceOnRealMesh,
+                         testing::Values("cgal_oblong.off"), MeshTestName);
 
 }  // namespace
 }  // namespace geodesic::test

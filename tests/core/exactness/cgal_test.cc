@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "tests/core/exactness/cgal_oracle.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/curved_meshes.h"
@@ -49,18 +50,29 @@ TEST(CgalComparison, GeneratedMeshes) {
 class CgalOnRealMesh : public testing::TestWithParam<const char*> {};
 
 TEST_P(CgalOnRealMesh, Agrees) {
-  const absl::StatusOr<TriangleSoup> soup = LoadTestMesh(GetParam());
+  const std::string name = absl::StrCat("real/", GetParam());
+  const absl::StatusOr<TriangleSoup> soup = LoadTestMesh(name);
   if (absl::IsNotFound(soup.status())) GTEST_SKIP() << soup.status();
   ASSERT_TRUE(soup.ok()) << soup.status();
-  ExpectCgal({GetParam(), *soup}, {soup->triangles[0][0]});
+  ExpectCgal({name, *soup}, {soup->triangles[0][0]});
 }
 
+// Scans, smooth shapes and machine parts; meshes with boundaries, handles and
+// several components. Not cgal_oblong.off, where CGAL 5.5 is too long by 3e-4
+// at three vertices: see brute_force_test.
 INSTANTIATE_TEST_SUITE_P(
     Meshes, CgalOnRealMesh,
-    testing::Values("real/cgal_elephant.off", "real/cgal_holes.off",
-                    "real/cgal_homer.off", "real/of_flange_6k.ply",
-                    "real/fandisk.obj", "real/cgal_knot2.off",
-                    "real/tray_bottom_4k.ply"));
+    testing::Values("cgal_anchor_dense.off", "cgal_blobby_3cc.off",
+                    "cgal_cheese.off", "cgal_couplingdown.off",
+                    "cgal_elephant.off", "cgal_holes.off", "cgal_homer.off",
+                    "cgal_joint.off", "cgal_knot2.off", "cgal_lion-head.off",
+                    "cgal_pinion_small.off", "cgal_pipe.off",
+                    "cgal_rotor_small.off", "cgal_spool.off",
+                    "cgal_three_peaks.off", "cgal_turbine.off",
+                    "cgal_mannequin-devil.off", "fandisk.obj", "gears_19k.ply",
+                    "of_flange_6k.ply", "spot_23k.obj", "tray_bottom_4k.ply",
+                    "of_propellertip_33k.obj", "bunny.obj"),
+    MeshTestName);
 
 }  // namespace
 }  // namespace geodesic::test

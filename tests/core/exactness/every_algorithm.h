@@ -6,12 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <memory>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "absl/strings/ascii.h"
 #include "geodesic/algorithm.h"
 #include "tests/support/field_check.h"
 
@@ -67,11 +68,24 @@ inline std::vector<uint32_t> SpreadVertices(const TriangleSoup& soup,
   return vertices;
 }
 
+// A name as GoogleTest wants it: letters, digits and underscores.
+inline std::string TestName(std::string_view text) {
+  std::string name(text);
+  for (char& c : name) {
+    if (!absl::ascii_isalnum(static_cast<unsigned char>(c))) c = '_';
+  }
+  return name;
+}
+
 inline std::string AlgorithmTestName(
     const testing::TestParamInfo<AlgorithmInfo>& info) {
-  std::string name(info.param.name);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return TestName(info.param.name);
+}
+
+// For tests whose parameter is the name of a mesh file.
+inline std::string MeshTestName(
+    const testing::TestParamInfo<const char*>& info) {
+  return TestName(info.param);
 }
 
 }  // namespace test

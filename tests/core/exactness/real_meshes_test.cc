@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/edge_dijkstra.h"
 #include "tests/support/test_meshes.h"
@@ -18,69 +19,75 @@ namespace {
 class RealMeshes : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    absl::StatusOr<TriangleSoup> soup = LoadTestMesh(GetParam());
+    const std::string name = absl::StrCat("real/", GetParam());
+    absl::StatusOr<TriangleSoup> soup = LoadTestMesh(name);
     if (absl::IsNotFound(soup.status())) GTEST_SKIP() << soup.status();
     ASSERT_TRUE(soup.ok()) << soup.status();
-    named_ = {GetParam(), *std::move(soup)};
+    named_ = {name, *std::move(soup)};
     mesh_ = BuildOrFail(named_);
     ASSERT_NE(mesh_, nullptr);
+  }
+
+  void ExpectAgreement() const {
+    const uint32_t source = named_.soup.triangles[0][0];
+    const std::vector<Source> sources = {{.vertex = source}};
+    const std::vector<double> field =
+        SolveOrFail(*mesh_, kDefaultAlgorithm, sources);
+    ASSERT_EQ(field.size(), mesh_->vertex_count());
+    for (const AlgorithmInfo& info : kAlgorithms) {
+      EXPECT_TRUE(FieldsAgree({named_.name, sources, info.name}, field,
+                              SolveOrFail(*mesh_, info.algorithm, sources)));
+    }
+    const std::vector<Real> edges = EdgeDistances(named_.soup, source);
+    uint32_t farthest = source;
+    for (uint32_t v = 0; v < field.size(); ++v) {
+      ASSERT_LE(field[v], edges[v] * (1 + kRelativeTolerance)) << v;
+      if (std::isfinite(field[v]) && field[v] > field[farthest]) farthest = v;
+    }
+    // And back again.
+    const std::vector<double> back =
+        SolveOrFail(*mesh_, kDefaultAlgorithm, {{.vertex = farthest}});
+    ASSERT_EQ(back.size(), field.size());
+    EXPECT_NEAR(back[source], field[farthest],
+                kRelativeTolerance * field[farthest]);
   }
 
   NamedMesh named_;
   std::shared_ptr<const Mesh> mesh_;
 };
 
-TEST_P(RealMeshes, AlgorithmsAgree) {
-  const uint32_t source = named_.soup.triangles[0][0];
-  const std::vector<Source> sources = {{.vertex = source}};
-  const std::vector<double> field =
-      SolveOrFail(*mesh_, kDefaultAlgorithm, sources);
-  ASSERT_EQ(field.size(), mesh_->vertex_count());
-  for (const AlgorithmInfo& info : kAlgorithms) {
-    EXPECT_TRUE(FieldsAgree({named_.name, sources, info.name}, field,
-                            SolveOrFail(*mesh_, info.algorithm, sources)));
-  }
-  const std::vector<Real> edges = EdgeDistances(named_.soup, source);
-  uint32_t farthest = source;
-  for (uint32_t v = 0; v < field.size(); ++v) {
-    ASSERT_LE(field[v], edges[v] * (1 + kRelativeTolerance)) << v;
-    if (std::isfinite(field[v]) && field[v] > field[farthest]) farthest = v;
-  }
-  // And back again.
-  const std::vector<double> back =
-      SolveOrFail(*mesh_, kDefaultAlgorithm, {{.vertex = farthest}});
-  ASSERT_EQ(back.size(), field.size());
-  EXPECT_NEAR(back[source], field[farthest],
-              kRelativeTolerance * field[farthest]);
-}
+TEST_P(RealMeshes, AlgorithmsAgree) { ExpectAgreement(); }
+
+// Half a minute more; run them with --gtest_also_run_disabled_tests.
+class LargeRealMeshes : public RealMeshes {};
+TEST_P(LargeRealMeshes, DISABLED_AlgorithmsAgree) { ExpectAgreement(); }
 
 INSTANTIATE_TEST_SUITE_P(
     Meshes, RealMeshes,
     testing::Values(
-        "real/armadillo_86k.obj", "real/boot_40k.obj",
-        "real/brain_icbm152_lh_82k.ply", "real/bunny.obj",
-        "real/bunny_closed.obj", "real/cgal_anchor_dense.off",
-        "real/cgal_blade.off", "real/cgal_blobby_3cc.off",
-        "real/cgal_bones.off", "real/cgal_bull.off", "real/cgal_bunny00.off",
-        "real/cgal_camel.off", "real/cgal_cheese.off",
-        "real/cgal_couplingdown.off", "real/cgal_cube.off",
-        "real/cgal_dino.off", "real/cgal_double-torus-example.off",
-        "real/cgal_eight.off", "real/cgal_elephant.off",
-        "real/cgal_fandisk_large.off", "real/cgal_femur.off",
-        "real/cgal_handle.off", "real/cgal_holes.off", "real/cgal_homer.off",
-        "real/cgal_icosahedron.off", "real/cgal_joint.off",
-        "real/cgal_knot2.off", "real/cgal_lion-head.off", "real/cgal_man.off",
-        "real/cgal_mannequin-devil.off", "real/cgal_oblong.off",
-        "real/cgal_pinion_small.off", "real/cgal_pipe.off",
-        "real/cgal_refined_elephant.off", "real/cgal_rotor_small.off",
-        "real/cgal_spool.off", "real/cgal_tetrahedron.off",
-        "real/cgal_three_peaks.off", "real/cgal_turbine.off",
-        "real/dragon_100k.obj", "real/fandisk.obj", "real/fertility_60k.obj",
-        "real/gargoyle_50k.obj", "real/gears_19k.ply", "real/horse_be.ply",
-        "real/laurana_50k.ply", "real/lucy_100k.ply", "real/maxplanck_100k.ply",
-        "real/mountain_51k.obj", "real/of_flange_6k.ply",
-        "real/of_propellertip_33k.obj", "real/rangemap_lato000_87k.ply",
-        "real/spot_23k.obj", "real/tray_bottom_4k.ply"));
+        "boot_40k.obj", "cgal_anchor_dense.off", "cgal_blade.off",
+        "cgal_blobby_3cc.off", "cgal_bones.off", "cgal_bull.off",
+        "cgal_camel.off", "cgal_cheese.off", "cgal_couplingdown.off",
+        "cgal_cube.off", "cgal_dino.off", "cgal_double-torus-example.off",
+        "cgal_eight.off", "cgal_elephant.off", "cgal_fandisk_large.off",
+        "cgal_femur.off", "cgal_handle.off", "cgal_holes.off", "cgal_homer.off",
+        "cgal_icosahedron.off", "cgal_joint.off", "cgal_knot2.off",
+        "cgal_lion-head.off", "cgal_man.off", "cgal_mannequin-devil.off",
+        "cgal_oblong.off", "cgal_pinion_small.off", "cgal_pipe.off",
+        "cgal_rotor_small.off", "cgal_spool.off", "cgal_tetrahedron.off",
+        "cgal_three_peaks.off", "cgal_turbine.off", "fandisk.obj",
+        "gears_19k.ply", "of_flange_6k.ply", "of_propellertip_33k.obj",
+        "rangemap_lato000_87k.ply", "spot_23k.obj", "tray_bottom_4k.ply",
+        "armadillo_86k.obj", "bunny.obj", "fertility_60k.obj", "horse_be.ply"),
+    MeshTestName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, LargeRealMeshes,
+    testing::Values("brain_icbm152_lh_82k.ply", "bunny_closed.obj",
+                    "cgal_bunny00.off", "cgal_refined_elephant.off",
+                    "dragon_100k.obj", "lucy_100k.ply", "maxplanck_100k.ply",
+                    "mountain_51k.obj", "gargoyle_50k.obj", "laurana_50k.ply"),
+    MeshTestName);
 
 }  // namespace
 }  // namespace geodesic::test
