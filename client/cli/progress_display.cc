@@ -74,7 +74,8 @@ void ProgressDisplay::Update(TimePoint now, std::string_view what,
   pause_ += pause_ / 2;
   const auto seconds =
       std::chrono::duration_cast<std::chrono::seconds>(now - start_).count();
-  *out_ << what << Percent(Clamped(fraction)) << " after " << seconds << " s";
+  *out_ << what << ' ' << Percent(Clamped(fraction)) << " after " << seconds
+        << " s";
   if (!detail.empty()) *out_ << ", " << detail;
   *out_ << std::endl;
 }

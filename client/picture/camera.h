@@ -40,6 +40,9 @@ class Camera {
   // Pixels to the right, pixels down, and pixels toward the viewer.
   Vector3 Project(const Point& point) const;
 
+  // Pixels that half the longest side of the points' bounding box takes.
+  double scale() const { return scale_; }
+
   // Unit vectors of the screen, in the mesh's axes.
   const Vector3& right() const { return right_; }
   const Vector3& up() const { return up_; }

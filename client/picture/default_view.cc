@@ -23,10 +23,17 @@ std::array<double, 3> BoxSides(const std::vector<Point>& positions) {
   return sides;
 }
 
-// How good a view is: the covered part of the screen, and more if the source is
-// seen.
-double Score(const MeshArrays& mesh, const std::vector<uint64_t>& sources,
-             const View& view) {
+// What a view shows.
+struct Trial {
+  View view;
+  // How much of the mesh's outline fills, in units of the mesh: not of the
+  // screen, where a long mesh seen from its end looks large.
+  double area = 0;
+  bool sees_source = false;
+};
+
+Trial Try(const MeshArrays& mesh, const std::vector<uint64_t>& sources,
+          const View& view) {
   const Camera camera(mesh.positions, view, {0, 0, kTrialSize, kTrialSize});
   std::vector<Vector3> screen;
   screen.reserve(mesh.positions.size());
@@ -39,15 +46,17 @@ double Score(const MeshArrays& mesh, const std::vector<uint64_t>& sources,
       std::ranges::count_if(buffer.pixels, [](const VisibleSample& sample) {
         return sample.triangle != kNoTriangle;
       });
-  double score = static_cast<double>(covered) / buffer.pixels.size();
+  Trial trial = {
+      .view = view,
+      .area = static_cast<double>(covered) / (camera.scale() * camera.scale())};
   if (!sources.empty() && sources[0] < screen.size()) {
     const Vector3& source = screen[sources[0]];
     const int x = std::clamp(static_cast<int>(source.x), 0, kTrialSize - 1);
     const int y = std::clamp(static_cast<int>(source.y), 0, kTrialSize - 1);
     // Within two samples of the surface, which may slope.
-    if (source.z + 2 >= buffer.At(x, y).depth) score += 0.25;
+    trial.sees_source = source.z + 2 >= buffer.At(x, y).depth;
   }
-  return score;
+  return trial;
 }
 
 // Whether the mesh would stand upright on the plane below it: its middle is
@@ -86,19 +95,21 @@ View ChooseView(const MeshArrays& mesh, const std::vector<uint64_t>& sources,
                 UpAxis up) {
   // Flat meshes are looked at from above.
   const double elevation = up == UpAxis::kZ ? 45 : 18;
-  View best = {up, 30, elevation};
-  double best_score = -std::numeric_limits<double>::infinity();
-  // In order of preference where scores are equal: the front first.
+  std::vector<Trial> trials;
+  double largest_area = 0;
+  // In order of preference where views are equally good: the front first.
   for (const double azimuth :
        {30.0, -30.0, 60.0, -60.0, 150.0, -150.0, 120.0, -120.0}) {
-    const View view = {up, azimuth, elevation};
-    const double score = Score(mesh, sources, view);
-    if (score > best_score + 1e-9) {
-      best = view;
-      best_score = score;
-    }
+    trials.push_back(Try(mesh, sources, {up, azimuth, elevation}));
+    largest_area = std::max(largest_area, trials.back().area);
   }
-  return best;
+  const auto score = [largest_area](const Trial& trial) {
+    // Steps of a hundredth, so that noise does not overrule the order.
+    const double area =
+        largest_area > 0 ? std::round(100 * trial.area / largest_area) : 0;
+    return area + (trial.sees_source ? 35 : 0);
+  };
+  return std::ranges::max_element(trials, {}, score)->view;
 }
 
 }  // namespace geodesic::client

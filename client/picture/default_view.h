@@ -15,8 +15,8 @@ namespace geodesic::client {
 // floor along z but fall over along y; y otherwise, as in most models.
 UpAxis GuessUpAxis(const std::vector<Point>& positions);
 
-// Tries oblique views from all around and takes the one that covers most of the
-// screen, preferring those that see the first source.
+// Tries oblique views from all around and takes the one that shows the largest
+// outline, preferring those that see the first source.
 View ChooseView(const MeshArrays& mesh, const std::vector<uint64_t>& sources,
                 UpAxis up);
 

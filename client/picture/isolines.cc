@@ -41,7 +41,7 @@ double IsolineCoverage(const IsolineScale& scale, double distance,
                        double gradient, double width) {
   if (!(scale.step > 0) || !(gradient > 0)) return 0;
   return std::max(
-      0.62 * LinesCoverage(scale.step, distance, gradient, width),
+      0.75 * LinesCoverage(scale.step, distance, gradient, width),
       LinesCoverage(scale.label_step(), distance, gradient, 2 * width));
 }
 

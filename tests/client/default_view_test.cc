@@ -1,0 +1,67 @@
+#include "client/picture/default_view.h"
+
+#include <gtest/gtest.h>
+
+namespace geodesic::client {
+namespace {
+
+// A box between two corners.
+MeshArrays Box(const Point& low, const Point& high) {
+  MeshArrays mesh;
+  for (int i = 0; i < 8; ++i) {
+    mesh.positions.push_back({(i & 1) != 0 ? high[0] : low[0],
+                              (i & 2) != 0 ? high[1] : low[1],
+                              (i & 4) != 0 ? high[2] : low[2]});
+  }
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
+                    {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
+                    {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+TEST(GuessUpAxisTest, YUnlessTheMeshSaysOtherwise) {
+  EXPECT_EQ(GuessUpAxis(Box({0, 0, 0}, {1, 1, 1}).positions), UpAxis::kY);
+  EXPECT_EQ(GuessUpAxis({}), UpAxis::kY);
+}
+
+TEST(GuessUpAxisTest, FlatAlongZIsATerrain) {
+  EXPECT_EQ(GuessUpAxis(Box({0, 0, 0}, {5, 4, 1}).positions), UpAxis::kZ);
+}
+
+TEST(GuessUpAxisTest, WhatWouldFallOverAlongYStandsAlongZ) {
+  // A pyramid with its base at z = 0 and its apex to one side.
+  EXPECT_EQ(GuessUpAxis({{0, 0, 0},
+                         {2, 0, 0},
+                         {0, 2, 0},
+                         {2, 2, 0},
+                         {1, 1, 3},
+                         {1, -0.5, 1.5}}),
+            UpAxis::kZ);
+}
+
+TEST(ChooseViewTest, SeesTheSource) {
+  // The side the source is on decides: a source in the middle of each wall.
+  MeshArrays mesh = Box({-1, -1, -1}, {1, 1, 1});
+  mesh.positions.push_back({0, 0, 1});
+  mesh.positions.push_back({0, 0, -1});
+  const View front = ChooseView(mesh, {8}, UpAxis::kY);
+  const View back = ChooseView(mesh, {9}, UpAxis::kY);
+  EXPECT_LT(std::abs(front.azimuth), 90);
+  EXPECT_GT(std::abs(back.azimuth), 90);
+}
+
+TEST(ChooseViewTest, ShowsTheLongSide) {
+  // Long along x is seen from the front, long along z from the side.
+  const View along_x = ChooseView(Box({-5, -1, -1}, {5, 1, 1}), {}, UpAxis::kY);
+  EXPECT_EQ(std::abs(along_x.azimuth), 30);
+  const View along_z = ChooseView(Box({-1, -1, -5}, {1, 1, 5}), {}, UpAxis::kY);
+  EXPECT_EQ(std::abs(along_z.azimuth), 60);
+}
+
+TEST(ChooseViewTest, SourcesOutOfRangeAndEmptyMeshesAreFine) {
+  ChooseView({}, {7}, UpAxis::kY);
+  EXPECT_GT(ChooseView({}, {}, UpAxis::kZ).elevation, 30);
+}
+
+}  // namespace
+}  // namespace geodesic::client

@@ -1,0 +1,204 @@
+#include "client/src/field_assembler.h"
+
+#include <gmock/gmock.h>
+#include <grpcpp/support/slice.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace geodesic::client {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using v1::ComputeFieldResponse;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// As it would arrive: in slices of `slice_size` bytes.
+grpc::ByteBuffer Serialized(const std::string& bytes, size_t slice_size) {
+  std::vector<grpc::Slice> slices;
+  for (size_t i = 0; i < bytes.size(); i += slice_size) {
+    slices.emplace_back(bytes.substr(i, slice_size));
+  }
+  return grpc::ByteBuffer(slices.data(), slices.size());
+}
+
+ComputeFieldResponse Accepted(uint64_t vertex_count) {
+  ComputeFieldResponse message;
+  message.mutable_accepted()->set_vertex_count(vertex_count);
+  message.mutable_accepted()->set_mesh_digest("abc");
+  message.mutable_accepted()->set_algorithm(v1::ALGORITHM_FWP_MMP);
+  return message;
+}
+
+ComputeFieldResponse Chunk(uint64_t offset, const std::vector<double>& values) {
+  ComputeFieldResponse message;
+  message.mutable_chunk()->set_offset(offset);
+  message.mutable_chunk()->set_distances(
+      std::string(reinterpret_cast<const char*>(values.data()),
+                  values.size() * sizeof(double)));
+  return message;
+}
+
+ComputeFieldResponse Trailer() {
+  ComputeFieldResponse message;
+  message.mutable_trailer()->set_origin(v1::FIELD_ORIGIN_CACHED);
+  message.mutable_trailer()->mutable_statistics()->set_iterations(7);
+  message.mutable_trailer()->set_relative_tolerance(1e-10);
+  message.mutable_trailer()->set_server_version("1.2.3");
+  return message;
+}
+
+class FieldAssemblerTest : public ::testing::Test {
+ protected:
+  absl::Status Consume(const ComputeFieldResponse& message,
+                       size_t slice_size = 1000) {
+    return ConsumeBytes(message.SerializeAsString(), slice_size);
+  }
+
+  absl::Status ConsumeBytes(const std::string& bytes,
+                            size_t slice_size = 1000) {
+    grpc::ByteBuffer buffer = Serialized(bytes, slice_size);
+    return assembler_.Consume(&buffer);
+  }
+
+  void ExpectDataLoss(const absl::Status& status, const std::string& words) {
+    EXPECT_EQ(status.code(), absl::StatusCode::kDataLoss) << status;
+    EXPECT_THAT(std::string(status.message()), HasSubstr(words));
+  }
+
+  std::vector<FieldProgress> progress_;
+  FieldAssembler assembler_{
+      [this](const FieldProgress& progress) { progress_.push_back(progress); }};
+};
+
+TEST_F(FieldAssemblerTest, PutsChunksTogether) {
+  ASSERT_TRUE(Consume(Accepted(4)).ok());
+  ASSERT_TRUE(Consume(Chunk(0, {0, 1.5})).ok());
+  ASSERT_TRUE(Consume(Chunk(2, {kInfinity, 2.25})).ok());
+  ASSERT_TRUE(Consume(Trailer()).ok());
+  absl::StatusOr<Field> field = std::move(assembler_).Finish();
+  ASSERT_TRUE(field.ok()) << field.status();
+  EXPECT_THAT(field->distances, ElementsAre(0, 1.5, kInfinity, 2.25));
+  EXPECT_EQ(field->mesh_digest, "abc");
+  EXPECT_EQ(field->algorithm, "fwp-mmp");
+  EXPECT_EQ(field->origin, FieldOrigin::kCached);
+  EXPECT_EQ(field->statistics.iterations, 7);
+  EXPECT_EQ(field->relative_tolerance, 1e-10);
+  EXPECT_EQ(field->server_version, "1.2.3");
+}
+
+TEST_F(FieldAssemblerTest, SlicesMayCutAnywhere) {
+  for (const size_t slice_size : {1, 2, 3, 7, 8, 13}) {
+    FieldAssembler assembler(nullptr);
+    for (const ComputeFieldResponse& message :
+         {Accepted(3), Chunk(0, {1}), Chunk(1, {2, 3}), Trailer()}) {
+      grpc::ByteBuffer buffer =
+          Serialized(message.SerializeAsString(), slice_size);
+      ASSERT_TRUE(assembler.Consume(&buffer).ok()) << slice_size;
+    }
+    absl::StatusOr<Field> field = std::move(assembler).Finish();
+    ASSERT_TRUE(field.ok()) << field.status();
+    EXPECT_THAT(field->distances, ElementsAre(1, 2, 3));
+  }
+}
+
+TEST_F(FieldAssemblerTest, ReportsProgress) {
+  ASSERT_TRUE(Consume(Accepted(10)).ok());
+  ComputeFieldResponse message;
+  message.mutable_progress()->set_settled_radius(0.5);
+  message.mutable_progress()->set_vertices_reached(4);
+  ASSERT_TRUE(Consume(message).ok());
+  ASSERT_EQ(progress_.size(), 1);
+  EXPECT_EQ(progress_[0].settled_radius, 0.5);
+  EXPECT_EQ(progress_[0].vertices_reached, 4);
+  EXPECT_EQ(progress_[0].vertex_count, 10);
+}
+
+TEST_F(FieldAssemblerTest, UnknownFieldsAreSkipped) {
+  ASSERT_TRUE(Consume(Accepted(1)).ok());
+  // A chunk with field 15 (varint 1) before the distances.
+  const double value = 3;
+  std::string chunk("\x78\x01\x12\x08", 4);
+  chunk.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  std::string message = "\x1a";
+  message.push_back(static_cast<char>(chunk.size()));
+  ASSERT_TRUE(ConsumeBytes(message + chunk).ok());
+  ASSERT_TRUE(Consume(Trailer()).ok());
+  absl::StatusOr<Field> field = std::move(assembler_).Finish();
+  ASSERT_TRUE(field.ok());
+  EXPECT_THAT(field->distances, ElementsAre(3));
+}
+
+TEST_F(FieldAssemblerTest, RefusesChunkBeforeAccepted) {
+  ExpectDataLoss(Consume(Chunk(0, {1})), "outside");
+}
+
+TEST_F(FieldAssemblerTest, RefusesChunkAfterTrailer) {
+  ASSERT_TRUE(Consume(Accepted(1)).ok());
+  ASSERT_TRUE(Consume(Trailer()).ok());
+  ExpectDataLoss(Consume(Chunk(0, {1})), "outside");
+}
+
+TEST_F(FieldAssemblerTest, RefusesGap) {
+  ASSERT_TRUE(Consume(Accepted(4)).ok());
+  ASSERT_TRUE(Consume(Chunk(0, {1})).ok());
+  ExpectDataLoss(Consume(Chunk(2, {1})), "from vertex 2 where");
+}
+
+TEST_F(FieldAssemblerTest, RefusesMoreThanAnnounced) {
+  ASSERT_TRUE(Consume(Accepted(2)).ok());
+  ExpectDataLoss(Consume(Chunk(0, {1, 2, 3})), "more than the 2");
+}
+
+TEST_F(FieldAssemblerTest, RefusesHalfAValue) {
+  ASSERT_TRUE(Consume(Accepted(2)).ok());
+  ComputeFieldResponse message;
+  message.mutable_chunk()->set_distances("0123456789");
+  ExpectDataLoss(Consume(message), "malformed");
+}
+
+TEST_F(FieldAssemblerTest, RefusesTruncatedChunk) {
+  ASSERT_TRUE(Consume(Accepted(2)).ok());
+  std::string bytes = Chunk(0, {1, 2}).SerializeAsString();
+  bytes.resize(bytes.size() - 3);
+  ExpectDataLoss(ConsumeBytes(bytes), "malformed");
+}
+
+TEST_F(FieldAssemblerTest, RefusesLengthsBeyondTheMessage) {
+  ASSERT_TRUE(Consume(Accepted(1000)).ok());
+  // A chunk that claims 2^31 - 1 bytes, and distances that claim 2^32 - 1.
+  ExpectDataLoss(
+      ConsumeBytes("\x1a\xff\xff\xff\xff\x07\x12\xff\xff\xff\xff\x0f"),
+      "malformed");
+}
+
+TEST_F(FieldAssemblerTest, RefusesEarlyEnd) {
+  ASSERT_TRUE(Consume(Accepted(2)).ok());
+  ASSERT_TRUE(Consume(Chunk(0, {1})).ok());
+  ASSERT_TRUE(Consume(Trailer()).ok());
+  ExpectDataLoss(std::move(assembler_).Finish().status(), "1 of 2");
+}
+
+TEST_F(FieldAssemblerTest, RefusesMissingTrailer) {
+  ASSERT_TRUE(Consume(Accepted(1)).ok());
+  ASSERT_TRUE(Consume(Chunk(0, {1})).ok());
+  ExpectDataLoss(std::move(assembler_).Finish().status(), "trailer");
+}
+
+TEST_F(FieldAssemblerTest, HugeVertexCountTakesNoMemory) {
+  ASSERT_TRUE(Consume(Accepted(std::numeric_limits<uint64_t>::max())).ok());
+  ASSERT_TRUE(Consume(Chunk(0, {1})).ok());
+  ASSERT_TRUE(Consume(Trailer()).ok());
+  ExpectDataLoss(std::move(assembler_).Finish().status(),
+                 "1 of 18446744073709551615");
+}
+
+}  // namespace
+}  // namespace geodesic::client

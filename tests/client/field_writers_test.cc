@@ -1,0 +1,163 @@
+#include "client/output/field_writers.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tests/client/temporary_folder.h"
+
+namespace geodesic::client {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// What a writer puts into a file.
+std::string Written(const std::function<void(AtomicFile*)>& write) {
+  TemporaryFolder folder;
+  absl::StatusOr<AtomicFile> file = AtomicFile::Create(folder / "out");
+  EXPECT_TRUE(file.ok());
+  write(&*file);
+  EXPECT_TRUE(file->Commit().ok());
+  return FileBytes(folder / "out");
+}
+
+const std::vector<double>& Distances() {
+  static const auto& distances =
+      *new std::vector<double>{0, 0.1, 1.0 / 3, kInfinity};
+  return distances;
+}
+
+MeshArrays Square() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.1}},
+          {{0, 1, 2}, {2, 1, 3}}};
+}
+
+template <typename Value>
+Value At(const std::string& bytes, size_t offset) {
+  Value value;
+  std::memcpy(&value, bytes.data() + offset, sizeof(value));
+  return value;
+}
+
+double BigEndianDouble(const std::string& bytes, size_t offset) {
+  const uint64_t swapped = __builtin_bswap64(At<uint64_t>(bytes, offset));
+  double value;
+  std::memcpy(&value, &swapped, sizeof(value));
+  return value;
+}
+
+TEST(FieldWritersTest, Npy) {
+  const std::string bytes =
+      Written([](AtomicFile* file) { WriteNpy(Distances(), file); });
+  // The layout of NumPy's format 1.0: magic, version, length of the header.
+  ASSERT_EQ(bytes.size(), 128 + 32);
+  EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
+  EXPECT_EQ(At<uint16_t>(bytes, 8), 118);
+  EXPECT_EQ(bytes.substr(10, 59),
+            "{'descr': '<f8', 'fortran_order': False, 'shape': (4,), }  ");
+  EXPECT_EQ(bytes[127], '\n');
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(At<double>(bytes, 128 + 8 * i), Distances()[i]);
+  }
+}
+
+TEST(FieldWritersTest, NpyHeaderFillsBlocksWhateverTheCount) {
+  for (const size_t count : {0, 9, 10, 99999}) {
+    const std::vector<double> distances(count, 1);
+    const std::string bytes =
+        Written([&](AtomicFile* file) { WriteNpy(distances, file); });
+    EXPECT_EQ((bytes.size() - 8 * count) % 64, 0);
+  }
+}
+
+TEST(FieldWritersTest, Csv) {
+  EXPECT_EQ(Written([](AtomicFile* file) { WriteCsv(Distances(), file); }),
+            "vertex,geodesic_distance\n"
+            "0,0\n"
+            "1,0.1\n"
+            "2,0.3333333333333333\n"
+            "3,inf\n");
+}
+
+TEST(FieldWritersTest, CsvGivesTheSameDoublesAgain) {
+  const std::vector<double> distances = {5e-324, 1.7976931348623157e308,
+                                         0.1 + 0.2, 123456789.123456789};
+  const std::string text =
+      Written([&](AtomicFile* file) { WriteCsv(distances, file); });
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  for (const double distance : distances) {
+    ASSERT_TRUE(std::getline(lines, line));
+    EXPECT_EQ(std::strtod(line.c_str() + 2, nullptr), distance) << line;
+  }
+}
+
+TEST(FieldWritersTest, Raw) {
+  const std::string bytes =
+      Written([](AtomicFile* file) { WriteRaw(Distances(), file); });
+  ASSERT_EQ(bytes.size(), 32);
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(At<double>(bytes, 8 * i), Distances()[i]);
+  }
+}
+
+TEST(FieldWritersTest, Ply) {
+  const std::string bytes =
+      Written([](AtomicFile* file) { WritePly(Square(), Distances(), file); });
+  const std::string header =
+      "ply\n"
+      "format binary_little_endian 1.0\n"
+      "comment distances in the unit of the coordinates\n"
+      "element vertex 4\n"
+      "property double x\n"
+      "property double y\n"
+      "property double z\n"
+      "property double geodesic_distance\n"
+      "element face 2\n"
+      "property list uchar int vertex_indices\n"
+      "end_header\n";
+  ASSERT_EQ(bytes.substr(0, header.size()), header);
+  ASSERT_EQ(bytes.size(), header.size() + 4 * 32 + 2 * 13);
+  // Vertex 3: z, then the distance.
+  EXPECT_EQ(At<double>(bytes, header.size() + 3 * 32 + 16), 0.1);
+  EXPECT_EQ(At<double>(bytes, header.size() + 3 * 32 + 24), kInfinity);
+  const size_t faces = header.size() + 4 * 32;
+  EXPECT_EQ(bytes[faces + 13], 3);
+  EXPECT_EQ(At<int32_t>(bytes, faces + 14), 2);
+  EXPECT_EQ(At<int32_t>(bytes, faces + 22), 3);
+}
+
+TEST(FieldWritersTest, Vtk) {
+  const std::string bytes =
+      Written([](AtomicFile* file) { WriteVtk(Square(), Distances(), file); });
+  const std::string head =
+      "# vtk DataFile Version 3.0\n"
+      "geodesic distance field\n"
+      "BINARY\n"
+      "DATASET POLYDATA\n"
+      "POINTS 4 double\n";
+  ASSERT_EQ(bytes.substr(0, head.size()), head);
+  EXPECT_EQ(BigEndianDouble(bytes, head.size() + 3 * 24 + 16), 0.1);
+  const std::string polygons = "\nPOLYGONS 2 8\n";
+  const size_t at_polygons = head.size() + 4 * 24;
+  ASSERT_EQ(bytes.substr(at_polygons, polygons.size()), polygons);
+  const size_t faces = at_polygons + polygons.size();
+  EXPECT_EQ(bytes.substr(faces, 8), std::string("\0\0\0\3\0\0\0\0", 8));
+  const std::string scalars =
+      "\nPOINT_DATA 4\nSCALARS geodesic_distance double 1\n"
+      "LOOKUP_TABLE default\n";
+  const size_t at_scalars = faces + 2 * 16;
+  ASSERT_EQ(bytes.substr(at_scalars, scalars.size()), scalars);
+  const size_t values = at_scalars + scalars.size();
+  ASSERT_EQ(bytes.size(), values + 32 + 1);
+  EXPECT_EQ(BigEndianDouble(bytes, values + 16), 1.0 / 3);
+  EXPECT_EQ(BigEndianDouble(bytes, values + 24), kInfinity);
+}
+
+}  // namespace
+}  // namespace geodesic::client

@@ -1,0 +1,52 @@
+#include "client/src/rpc_status.h"
+
+#include <gtest/gtest.h>
+
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+
+namespace geodesic::client {
+namespace {
+
+TEST(RpcStatusTest, KeepsCodeAndMessage) {
+  EXPECT_TRUE(FromRpcStatus(grpc::Status::OK).ok());
+  EXPECT_EQ(FromRpcStatus({grpc::StatusCode::NOT_FOUND, "no such mesh"}),
+            absl::NotFoundError("no such mesh"));
+}
+
+TEST(RpcStatusTest, NamesTheFieldsAtFault) {
+  google::rpc::BadRequest bad_request;
+  auto* same = bad_request.add_field_violations();
+  same->set_field("sources[0].vertex");
+  same->set_description("source 9 is out of range");
+  auto* other = bad_request.add_field_violations();
+  other->set_field("mesh_digest");
+  other->set_description("too short");
+  google::rpc::Status rich;
+  rich.add_details()->PackFrom(bad_request);
+  EXPECT_EQ(
+      FromRpcStatus({grpc::StatusCode::INVALID_ARGUMENT,
+                     "source 9 is out of range", rich.SerializeAsString()}),
+      absl::InvalidArgumentError(
+          "source 9 is out of range [field sources[0].vertex; field "
+          "mesh_digest: too short]"));
+}
+
+TEST(RpcStatusTest, SaysWhenToTryAgain) {
+  google::rpc::RetryInfo retry;
+  retry.mutable_retry_delay()->set_seconds(1);
+  retry.mutable_retry_delay()->set_nanos(500'000'000);
+  google::rpc::Status rich;
+  rich.add_details()->PackFrom(retry);
+  EXPECT_EQ(FromRpcStatus({grpc::StatusCode::RESOURCE_EXHAUSTED, "busy",
+                           rich.SerializeAsString()}),
+            absl::ResourceExhaustedError("busy [try again in 1.5 s]"));
+}
+
+TEST(RpcStatusTest, IgnoresDetailsItCannotRead) {
+  EXPECT_EQ(FromRpcStatus({grpc::StatusCode::INTERNAL, "oops", "\xff\xff\xff"}),
+            absl::InternalError("oops"));
+}
+
+}  // namespace
+}  // namespace geodesic::client

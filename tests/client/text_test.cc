@@ -1,0 +1,43 @@
+#include "client/cli/text.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace geodesic::client {
+namespace {
+
+TEST(TextTest, GroupedNumbers) {
+  EXPECT_EQ(GroupedNumber(0), "0");
+  EXPECT_EQ(GroupedNumber(999), "999");
+  EXPECT_EQ(GroupedNumber(1000), "1,000");
+  EXPECT_EQ(GroupedNumber(96966), "96,966");
+  EXPECT_EQ(GroupedNumber(18446744073709551615U), "18,446,744,073,709,551,615");
+}
+
+TEST(TextTest, ByteCounts) {
+  EXPECT_EQ(ByteCount(0), "0 B");
+  EXPECT_EQ(ByteCount(1023), "1023 B");
+  EXPECT_EQ(ByteCount(1536), "1.5 KiB");
+  EXPECT_EQ(ByteCount(uint64_t{3} << 40), "3.0 TiB");
+}
+
+TEST(TextTest, Times) {
+  EXPECT_EQ(Seconds(0.0123), "12.3 ms");
+  EXPECT_EQ(Seconds(4.5678), "4.57 s");
+}
+
+TEST(TextTest, FactsLineUp) {
+  std::ostringstream out;
+  PrintFacts({{"a", "1"}, {"long name", "2"}}, &out);
+  EXPECT_EQ(out.str(), "a          1\nlong name  2\n");
+}
+
+TEST(TextTest, TablesLineUp) {
+  std::ostringstream out;
+  PrintTable({"name", "n"}, {{"x", "1,000"}, {"longer", "2"}}, &out);
+  EXPECT_EQ(out.str(), "name        n\nx       1,000\nlonger      2\n");
+}
+
+}  // namespace
+}  // namespace geodesic::client
