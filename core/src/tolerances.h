@@ -18,9 +18,9 @@ inline constexpr double kFlatAngle = 1e-9;
 inline constexpr double kCollapsedFace = 1e-12;
 
 // Least distance of an apex or a pseudo-source from an edge's line. It keeps
-// quotients defined on faces without area; it is far below one rounding of any
-// length in use.
-inline constexpr double kLeastHeight = 1e-100;
+// quotients defined on faces without area. Its square vanishes, so it adds
+// nothing to any distance.
+inline constexpr double kLeastHeight = 1e-170;
 
 // A window narrower than this fraction of its edge is dropped. It is a few
 // thousand roundings of a position, and no vertex is lost with it: vertices

@@ -18,9 +18,12 @@ class AsciiBodyReader {
 
   absl::Status Read() {
     for (const PlyElement& element : header_.elements) {
+      const uint64_t row_bytes = LeastRowBytes(element);
       // A row without properties is a blank line, and those are skipped.
-      if (element.properties.empty()) continue;
-      if (absl::Status status = Prepare(element); !status.ok()) return status;
+      if (row_bytes == 0) continue;
+      if (absl::Status status = Prepare(element, row_bytes); !status.ok()) {
+        return status;
+      }
       for (uint64_t row = 0; row < element.count; ++row) {
         if (absl::Status status = ReadRow(element, row); !status.ok()) {
           return status;
@@ -35,13 +38,17 @@ class AsciiBodyReader {
   }
 
  private:
-  // Holds the header's count against the bytes that are left.
-  absl::Status Prepare(const PlyElement& element) {
-    // A value takes a digit and a blank or line end; a face has three corners.
-    uint64_t row_bytes = 0;
+  // A value takes a digit and a blank or line end; a face has three corners.
+  static uint64_t LeastRowBytes(const PlyElement& element) {
+    uint64_t bytes = 0;
     for (const PlyProperty& property : element.properties) {
-      row_bytes += property.role == PlyRole::kCorners ? 8 : 2;
+      bytes += property.role == PlyRole::kCorners ? 8 : 2;
     }
+    return bytes;
+  }
+
+  // Holds the header's count against the bytes that are left.
+  absl::Status Prepare(const PlyElement& element, uint64_t row_bytes) {
     // The last line may lack its end.
     if (element.count > (scanner_.remaining() + 1) / row_bytes) {
       return AtLine(element.line, element.count, " rows of element ",
@@ -67,7 +74,7 @@ class AsciiBodyReader {
     std::string_view rest = scanner_.line();
     Point point = {};
     for (const PlyProperty& property : element.properties) {
-      const absl::Status status =
+      absl::Status status =
           property.count_type.has_value()
               ? ReadList(element, row, property, rest)
               : ReadScalar(element, row, property, rest, point);
