@@ -2,7 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
+#include <istream>
+#include <memory>
 #include <thread>
+#include <vector>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
@@ -132,16 +136,48 @@ void AddGroup(CLI::App& app, const std::string& heading, Add add) {
   for (size_t i = before; i < all.size(); ++i) all[i]->group(heading);
 }
 
-// --max-faces is GEODESICD_MAX_FACES.
+// max-faces is GEODESICD_MAX_FACES.
+std::string EnvironmentName(const std::string& flag) {
+  return absl::StrCat("GEODESICD_", absl::AsciiStrToUpper(absl::StrReplaceAll(
+                                        flag, {{"-", "_"}})));
+}
+
 void NameEnvironmentVariables(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     if (option->get_lnames().empty()) continue;
     const std::string name = option->get_lnames().front();
     if (name == "help" || name == "version") continue;
-    option->envname(absl::StrCat(
-        "GEODESICD_",
-        absl::AsciiStrToUpper(absl::StrReplaceAll(name, {{"-", "_"}}))));
+    option->envname(EnvironmentName(name));
   }
+}
+
+// CLI11 lets a file win over the environment. In a container the file is in
+// the image and the environment is what the operator sets, so here it is the
+// other way round.
+class FileBelowEnvironment final : public CLI::ConfigBase {
+ public:
+  std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
+    std::vector<CLI::ConfigItem> settings = ConfigBase::from_config(input);
+    std::erase_if(settings, [](const CLI::ConfigItem& item) {
+      return std::getenv(EnvironmentName(item.name).c_str()) != nullptr;
+    });
+    return settings;
+  }
+};
+
+// The arguments in the order CLI11 takes them, last first. CLI11 reads the
+// file before the environment, so the file's own variable becomes a flag.
+std::vector<std::string> ArgumentsInReverse(int argc, const char* const* argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const bool has_flag = std::any_of(
+      arguments.begin(), arguments.end(),
+      [](const auto& argument) { return argument.rfind("--config", 0) == 0; });
+  const char* file = std::getenv("GEODESICD_CONFIG");
+  if (file != nullptr && !has_flag) {
+    arguments.insert(arguments.begin(), absl::StrCat("--config=", file));
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
 }
 
 std::string CheckTogether(const Limits& limits) {
@@ -167,6 +203,8 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
   app.set_version_flag("--version", "geodesicd " + version);
   app.set_config("--config", "", "Read settings from this TOML or INI file")
       ->type_name("FILE");
+  app.config_formatter(std::make_shared<FileBelowEnvironment>());
+  app.allow_config_extras(CLI::config_extras_mode::error);
   AddGroup(app, "Network", [&] { AddNetworkOptions(app, options); });
   AddGroup(app, "Work", [&] { AddWorkOptions(app, options); });
   AddGroup(app, "Memory", [&] { AddMemoryOptions(app, options); });
@@ -184,7 +222,7 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
       "3 stopped, but requests had to be cancelled.");
 
   try {
-    app.parse(argc, argv);
+    app.parse(ArgumentsInReverse(argc, argv));
     if (const std::string error = CheckTogether(options.limits);
         !error.empty()) {
       throw CLI::ValidationError(error);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <functional>
 
 #include "absl/strings/str_cat.h"
 #include "tests/engine/uploads.h"
@@ -26,7 +27,8 @@ google::rpc::Status Details(const grpc::Status& status) {
 
 template <typename Message>
 std::optional<Message> Detail(const grpc::Status& status) {
-  for (const auto& any : Details(status).details()) {
+  const google::rpc::Status details = Details(status);
+  for (const auto& any : details.details()) {
     Message message;
     if (any.UnpackTo(&message)) return message;
   }
@@ -93,10 +95,7 @@ void RpcTest::Start(const ServerOptions& options, bool held) {
   const auto logger = std::make_shared<spdlog::logger>(
       "test", std::make_shared<spdlog::sinks::null_sink_mt>());
   const SolveFunction solve =
-      held ? SolveFunction([this](const auto&... query_and_mesh) {
-        return solver_(query_and_mesh...);
-      })
-           : SolveFunction(&Solve);
+      held ? SolveFunction(std::ref(solver_)) : SolveFunction(&Solve);
   server_ = std::make_unique<Server>(options, logger, solve);
   const absl::Status status = server_->Start();
   ASSERT_TRUE(status.ok()) << status;
