@@ -19,7 +19,7 @@ std::string Padded(const std::string& text, size_t width, bool to_the_right) {
 std::string GroupedNumber(uint64_t number) {
   std::string digits = absl::StrCat(number);
   for (auto i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) {
-    digits.insert(static_cast<size_t>(i), ",");
+    digits.insert(static_cast<size_t>(i), 1, ',');
   }
   return digits;
 }
