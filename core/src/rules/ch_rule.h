@@ -95,21 +95,6 @@ class ChRule {
   void PropagateRight(const Window& parent, const Crossing& face,
                       bool starts_at_apex);
 
-  // The Xin-Wang filter's first two conditions, for an interval of the edge
-  // from -> to: whether a path through one of the edge's ends is shorter at
-  // the interval's other end.
-  bool IsDominated(const Origin& origin, const Interval& interval,
-                   double length, uint32_t from, uint32_t to) const {
-    return Loses(origin, interval.end, front_.distance(from) + interval.end) ||
-           Loses(origin, interval.begin,
-                 front_.distance(to) + (length - interval.begin));
-  }
-
-  // Whether the window's distance at a point exceeds that of a known path.
-  static bool Loses(const Origin& origin, double at, double known) {
-    return origin.sigma + origin.DistanceTo(at) > known * (1 + kDominance);
-  }
-
   Front<Queue>& front_;
   const Mesh& mesh_;
   WindowPool<Window> pool_;
@@ -134,7 +119,8 @@ bool ChRule<Queue>::Propagate(uint32_t id) {
                       mesh_.frame(Prev(h)).length,
                       mesh_.frame(Next(h)).length};
   // Distances have improved since the window was made: test it again.
-  if (IsDominated(origin, interval, frame.length, face.from, face.to)) {
+  if (front_.EndsAreNearer(origin, interval, frame.length, face.from,
+                           face.to)) {
     return false;
   }
 
@@ -185,7 +171,9 @@ void ChRule<Queue>::PropagateLeft(const Window& parent, const Crossing& face,
                                  length)};
   if (interval.width() <= kLeastWidth * length) return;
   const Origin origin = UnfoldLeft(parent.origin, face.frame);
-  if (IsDominated(origin, interval, length, face.from, face.apex)) return;
+  if (front_.EndsAreNearer(origin, interval, length, face.from, face.apex)) {
+    return;
+  }
   // Third condition: through the far end B of the parent's edge.
   const double dx = interval.begin * face.frame.left_x - face.frame.length;
   const double dy = interval.begin * face.frame.left_y;
@@ -212,7 +200,9 @@ void ChRule<Queue>::PropagateRight(const Window& parent, const Crossing& face,
       length - from_b};
   if (interval.width() <= kLeastWidth * length) return;
   const Origin origin = UnfoldRight(parent.origin, face.frame, length);
-  if (IsDominated(origin, interval, length, face.apex, face.to)) return;
+  if (front_.EndsAreNearer(origin, interval, length, face.apex, face.to)) {
+    return;
+  }
   // Third condition: through the far end A of the parent's edge.
   const double dx = face.frame.length + from_b * face.frame.right_x;
   const double dy = from_b * face.frame.right_y;

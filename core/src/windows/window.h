@@ -61,6 +61,11 @@ inline double DistanceToApex(const Origin& origin, const HalfEdgeFrame& frame) {
   return std::sqrt(dx * dx + dy * dy);
 }
 
+// Whether the window's distance at (at, 0) exceeds that of a known path.
+inline bool Loses(const Origin& origin, double at, double known) {
+  return origin.sigma + origin.DistanceTo(at) > known * (1 + kDominance);
+}
+
 // Distance from the point (at, 0) of AB to the apex.
 inline double EdgePointToApex(double at, const HalfEdgeFrame& frame) {
   const double dx = frame.apex_x - at;
