@@ -1,0 +1,99 @@
+// How fast a cached field streams from a running server to the C++ client.
+//
+//   stream_field [HOST:PORT] [--vertices V] [--repeat R]
+//
+// Uploads a flat triangulated strip of V vertices (default 200,000), has its
+// field computed once, and fetches it R more times (default 200). Prints one
+// JSON line: bytes of a field, median and best seconds of a call, and the
+// median's rate in GB/s.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "geodesic_client/client.h"
+
+namespace geodesic::client {
+namespace {
+
+// Two rows of vertices: quick to solve, whatever the count.
+MeshArrays Strip(uint32_t vertex_count) {
+  MeshArrays mesh;
+  const uint32_t columns = vertex_count / 2;
+  for (uint32_t i = 0; i < columns; ++i) {
+    mesh.positions.push_back({static_cast<double>(i), 0, 0});
+    mesh.positions.push_back({static_cast<double>(i), 1, 0});
+    if (i == 0) continue;
+    const uint32_t a = 2 * (i - 1);
+    mesh.triangles.push_back({a, a + 2, a + 1});
+    mesh.triangles.push_back({a + 1, a + 2, a + 3});
+  }
+  return mesh;
+}
+
+int Fail(const absl::Status& status) {
+  std::cerr << "stream_field: " << status << std::endl;
+  return 1;
+}
+
+int Measure(const std::string& server, uint32_t vertex_count, int repeat) {
+  Client client(server);
+  absl::StatusOr<UploadOutcome> upload =
+      client.UploadArrays(Strip(vertex_count));
+  if (!upload.ok()) return Fail(upload.status());
+  const FieldQuery query = {.mesh_digest = upload->mesh.digest,
+                            .sources = {{.vertex = 0}}};
+  absl::StatusOr<Field> field = client.ComputeField(query);
+  if (!field.ok()) return Fail(field.status());
+  const size_t bytes = field->distances.size() * sizeof(double);
+
+  std::vector<double> seconds;
+  for (int i = 0; i < repeat; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    field = client.ComputeField(query);
+    const std::chrono::duration<double> elapsed =
+        std::chrono::steady_clock::now() - start;
+    if (!field.ok()) return Fail(field.status());
+    if (field->origin != FieldOrigin::kCached) {
+      return Fail(absl::FailedPreconditionError("the field was not cached"));
+    }
+    seconds.push_back(elapsed.count());
+  }
+  std::ranges::sort(seconds);
+  const double median = seconds[seconds.size() / 2];
+  const nlohmann::ordered_json line = {
+      {"vertices", field->distances.size()},
+      {"bytes", bytes},
+      {"repeat", repeat},
+      {"median_s", median},
+      {"best_s", seconds.front()},
+      {"median_gb_per_s", 1e-9 * static_cast<double>(bytes) / median}};
+  std::cout << line.dump() << std::endl;
+  return 0;
+}
+
+}  // namespace
+}  // namespace geodesic::client
+
+int main(int argc, char** argv) {
+  CLI::App app("How fast a cached field streams from a geodesicd server",
+               "stream_field");
+  std::string server = "127.0.0.1:50051";
+  uint32_t vertices = 200'000;
+  int repeat = 200;
+  app.add_option("SERVER", server, "Where the server listens")
+      ->capture_default_str();
+  app.add_option("--vertices", vertices, "Vertices of the mesh")
+      ->check(CLI::Range(4, 100'000'000))
+      ->capture_default_str();
+  app.add_option("--repeat", repeat, "Calls that are timed")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  return geodesic::client::Measure(server, vertices, repeat);
+}

@@ -1,0 +1,111 @@
+// The commands one after the other, as someone would use them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/integration/meshes.h"
+#include "tests/integration/running_server.h"
+
+namespace geodesic::client {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+class CommandTest : public IntegrationTest {};
+
+TEST_F(CommandTest, UploadNamesTheMeshByItsContent) {
+  const MeshArrays mesh = PlanarGrid(8);
+  WriteFile(folder_ / "grid.off", OffText(mesh));
+  const json upload = GeodesicJson({"upload", folder_ / "grid.off"});
+  EXPECT_EQ(upload["mesh"]["digest"], MeshDigest(mesh));
+  EXPECT_EQ(upload["mesh"]["vertices"], 81);
+  EXPECT_EQ(upload["mesh"]["faces"], 128);
+  EXPECT_EQ(upload["mesh"]["boundary_loops"], 1);
+  EXPECT_EQ(upload["mesh"]["components"], 1);
+  EXPECT_EQ(upload["mesh"]["genus"], 0);
+  EXPECT_EQ(upload["already_resident"], false);
+  EXPECT_EQ(upload["bytes_sent"], OffText(mesh).size());
+}
+
+TEST_F(CommandTest, KnownFilesAreNotSentAgain) {
+  WriteFile(folder_ / "grid.off", OffText(PlanarGrid(8)));
+  const json first = GeodesicJson({"upload", folder_ / "grid.off"});
+  const json second = GeodesicJson({"upload", folder_ / "grid.off"});
+  EXPECT_EQ(second["mesh"], first["mesh"]);
+  EXPECT_EQ(second["already_resident"], true);
+  EXPECT_EQ(second["bytes_sent"], 0);
+}
+
+TEST_F(CommandTest, OtherFileWithTheSameMeshIsTheSameMesh) {
+  WriteFile(folder_ / "a.off", OffText(PlanarGrid(4)));
+  WriteFile(folder_ / "b.off", OffText(PlanarGrid(4)) + "\n");
+  const json a = GeodesicJson({"upload", folder_ / "a.off"});
+  const json b = GeodesicJson({"upload", folder_ / "b.off"});
+  EXPECT_EQ(a["mesh"]["digest"], b["mesh"]["digest"]);
+  EXPECT_EQ(b["already_resident"], true);
+  EXPECT_GT(b["bytes_sent"], 0);
+  EXPECT_EQ(GeodesicJson({"meshes"})["meshes"].size(), 1);
+}
+
+TEST_F(CommandTest, MeshesInfoAndDelete) {
+  EXPECT_EQ(GeodesicJson({"meshes"})["meshes"], json::array());
+  EXPECT_THAT(Geodesic({"meshes"}).out, HasSubstr("geodesic upload"));
+  WriteFile(folder_ / "grid.off", OffText(PlanarGrid(8)));
+  const std::string digest =
+      GeodesicJson({"upload", folder_ / "grid.off"})["mesh"]["digest"];
+  EXPECT_EQ(GeodesicJson({"meshes"})["meshes"][0]["digest"], digest);
+  EXPECT_THAT(Geodesic({"meshes"}).out, HasSubstr(digest.substr(0, 16)));
+  // By digest, by its beginning, by file.
+  for (const std::string& name :
+       {digest, digest.substr(0, 8), folder_ / "grid.off"}) {
+    EXPECT_EQ(GeodesicJson({"info", name})["digest"], digest);
+  }
+  EXPECT_THAT(Geodesic({"info", digest}).out, HasSubstr("bounding box"));
+  EXPECT_EQ(GeodesicJson({"delete", folder_ / "grid.off"})["deleted"], digest);
+  EXPECT_EQ(GeodesicJson({"meshes"})["meshes"], json::array());
+}
+
+TEST_F(CommandTest, ListsMeshesInOrder) {
+  for (uint32_t n = 1; n <= 12; ++n) {
+    const std::string path = folder_ / ("grid" + std::to_string(n) + ".off");
+    WriteFile(path, OffText(PlanarGrid(n)));
+    ASSERT_EQ(Geodesic({"upload", path}).exit_code, 0);
+  }
+  const json meshes = GeodesicJson({"meshes"})["meshes"];
+  ASSERT_EQ(meshes.size(), 12);
+  for (size_t i = 1; i < meshes.size(); ++i) {
+    EXPECT_LT(meshes[i - 1]["digest"], meshes[i]["digest"]);
+  }
+}
+
+TEST_F(CommandTest, FormatsCanBeNamed) {
+  WriteFile(folder_ / "grid.mesh", OffText(PlanarGrid(2)));
+  const json refused =
+      GeodesicJson({"upload", folder_ / "grid.mesh"}, /*exit code=*/3);
+  EXPECT_THAT(refused["error"]["message"].get<std::string>(),
+              HasSubstr("--format"));
+  GeodesicJson({"upload", folder_ / "grid.mesh", "--format", "off"});
+}
+
+TEST_F(CommandTest, Capabilities) {
+  const json capabilities = GeodesicJson({"capabilities"});
+  std::vector<std::string> names;
+  for (const json& algorithm : capabilities["algorithms"]) {
+    names.push_back(algorithm["name"]);
+  }
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("fwp-ch", "fwp-mmp", "ich",
+                                                     "mmp"));
+  EXPECT_GT(capabilities["limits"]["max_upload_bytes"], 0);
+  EXPECT_THAT(Geodesic({"capabilities"}).out, HasSubstr("fwp-ch"));
+}
+
+TEST_F(CommandTest, ServerMayBeNamedByTheEnvironment) {
+  const ProcessResult result =
+      RunProgram({"/usr/bin/env", "GEODESIC_SERVER=" + server_.address(),
+                  GEODESIC_BINARY, "meshes"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+}  // namespace
+}  // namespace geodesic::client

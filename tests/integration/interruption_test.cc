@@ -1,0 +1,80 @@
+// Ctrl-C, timeouts and stop requests, while the server computes.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "geodesic_client/client.h"
+#include "tests/integration/meshes.h"
+#include "tests/integration/running_server.h"
+
+namespace geodesic::client {
+namespace {
+
+using ::testing::HasSubstr;
+
+class InterruptionTest : public IntegrationTest {
+ protected:
+  // Far more than a second's work for any solver.
+  void SetUp() override {
+    absl::StatusOr<UploadOutcome> upload = client_.UploadArrays(HillyGrid(500));
+    ASSERT_TRUE(upload.ok()) << upload.status();
+    digest_ = upload->mesh.digest;
+  }
+
+  Client client_{server_.address()};
+  std::string digest_;
+};
+
+TEST_F(InterruptionTest, CtrlCEndsTheCommand) {
+  Process field(
+      CommandLine({"field", digest_, "-s", "0", "-o", folder_ / "d.npy"}));
+  // Not on a terminal: a line of progress after a second.
+  ASSERT_TRUE(field.AwaitError("solving"));
+  field.Signal(SIGINT);
+  const ProcessResult result = field.Wait();
+  EXPECT_EQ(result.exit_code, 130);
+  EXPECT_THAT(result.err, HasSubstr("geodesic: interrupted\n"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "d.npy"));
+  // The log has the request once the server has ended it.
+  server_.Terminate();
+  EXPECT_EQ(server_.Wait(), 0);
+  EXPECT_THAT(FileBytes(folder_ / "server.log"),
+              HasSubstr("ComputeField CANCELLED"));
+}
+
+TEST_F(InterruptionTest, TimeoutEndsTheCommand) {
+  const ProcessResult result =
+      Geodesic({"field", digest_, "-s", "0", "--timeout", "0.2"});
+  EXPECT_EQ(result.exit_code, 6) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("--timeout"));
+}
+
+TEST_F(InterruptionTest, StopRequestCancelsTheCall) {
+  std::stop_source stop;
+  size_t reports = 0;
+  absl::StatusOr<Field> field = client_.ComputeField(
+      {.mesh_digest = digest_, .sources = {{.vertex = 0}}},
+      {.stop = stop.get_token()}, [&](const FieldProgress& progress) {
+        EXPECT_EQ(progress.vertex_count, 501 * 501);
+        ++reports;
+        stop.request_stop();
+      });
+  EXPECT_EQ(field.status().code(), absl::StatusCode::kCancelled);
+  EXPECT_GE(reports, 1);
+}
+
+TEST_F(InterruptionTest, StopRequestedBeforehandCancelsAtOnce) {
+  std::stop_source stop;
+  stop.request_stop();
+  const CallOptions options = {.stop = stop.get_token()};
+  EXPECT_TRUE(absl::IsCancelled(client_.ListMeshes(options).status()));
+  EXPECT_TRUE(absl::IsCancelled(
+      client_
+          .ComputeField({.mesh_digest = digest_, .sources = {{.vertex = 0}}},
+                        options)
+          .status()));
+}
+
+}  // namespace
+}  // namespace geodesic::client

@@ -1,0 +1,152 @@
+// The client library against the real server.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "geodesic_client/client.h"
+#include "tests/integration/meshes.h"
+#include "tests/integration/running_server.h"
+
+namespace geodesic::client {
+namespace {
+
+using ::testing::ElementsAre;
+
+class LibraryTest : public IntegrationTest {
+ protected:
+  Client client_{server_.address()};
+};
+
+TEST_F(LibraryTest, ArraysComeBackAsTheyWent) {
+  const MeshArrays mesh = HillyGrid(30);
+  uint64_t last_sent = 0;
+  absl::StatusOr<UploadOutcome> upload =
+      client_.UploadArrays(mesh, {}, [&](uint64_t sent, uint64_t total) {
+        EXPECT_GT(sent, last_sent);
+        EXPECT_LE(sent, total);
+        last_sent = sent;
+      });
+  ASSERT_TRUE(upload.ok()) << upload.status();
+  EXPECT_EQ(upload->mesh.digest, MeshDigest(mesh));
+  EXPECT_EQ(upload->bytes_sent,
+            24 * mesh.positions.size() + 12 * mesh.triangles.size());
+  EXPECT_EQ(last_sent, upload->bytes_sent);
+  absl::StatusOr<MeshArrays> read = client_.ReadMesh(upload->mesh.digest);
+  ASSERT_TRUE(read.ok()) << read.status();
+  EXPECT_EQ(read->positions, mesh.positions);
+  EXPECT_EQ(read->triangles, mesh.triangles);
+}
+
+TEST_F(LibraryTest, ResidentArraysAreNotSent) {
+  const MeshArrays mesh = PlanarGrid(5);
+  ASSERT_TRUE(client_.UploadArrays(mesh).ok());
+  absl::StatusOr<UploadOutcome> again = client_.UploadArrays(mesh);
+  ASSERT_TRUE(again.ok());
+  EXPECT_TRUE(again->already_resident);
+  EXPECT_EQ(again->bytes_sent, 0);
+}
+
+TEST_F(LibraryTest, UploadsOfSeveralChunksArriveWhole) {
+  // 300 x 300: 2.2 MB of vertices and 2.2 MB of faces.
+  const MeshArrays mesh = HillyGrid(300);
+  absl::StatusOr<UploadOutcome> upload = client_.UploadArrays(mesh);
+  ASSERT_TRUE(upload.ok()) << upload.status();
+  EXPECT_EQ(upload->mesh.digest, MeshDigest(mesh));
+  // The same mesh as a file of many chunks.
+  WriteFile(folder_ / "mesh.off", OffText(mesh));
+  absl::StatusOr<UploadOutcome> file = client_.UploadFile(folder_ / "mesh.off");
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_EQ(file->mesh.digest, upload->mesh.digest);
+  EXPECT_TRUE(file->already_resident);
+}
+
+TEST_F(LibraryTest, FindMissingKeepsTheOrder) {
+  const MeshArrays mesh = PlanarGrid(3);
+  ASSERT_TRUE(client_.UploadArrays(mesh).ok());
+  const std::string a(64, 'a');
+  const std::string b(64, 'b');
+  absl::StatusOr<std::vector<std::string>> missing =
+      client_.FindMissing({b, MeshDigest(mesh), a});
+  ASSERT_TRUE(missing.ok()) << missing.status();
+  EXPECT_THAT(*missing, ElementsAre(b, a));
+}
+
+TEST_F(LibraryTest, ListsMoreMeshesThanAPageHolds) {
+  constexpr size_t kCount = 1003;  // A page holds a thousand.
+  for (size_t i = 1; i <= kCount; ++i) {
+    const auto x = static_cast<double>(i);
+    absl::StatusOr<UploadOutcome> upload =
+        client_.UploadArrays({{{0, 0, 0}, {x, 0, 0}, {0, x, 0}}, {{0, 1, 2}}});
+    ASSERT_TRUE(upload.ok()) << upload.status();
+  }
+  absl::StatusOr<std::vector<MeshInfo>> meshes = client_.ListMeshes();
+  ASSERT_TRUE(meshes.ok()) << meshes.status();
+  ASSERT_EQ(meshes->size(), kCount);
+  for (size_t i = 1; i < kCount; ++i) {
+    EXPECT_LT(meshes->at(i - 1).digest, meshes->at(i).digest);
+  }
+}
+
+TEST_F(LibraryTest, FindFileKnowsWhatCameFromIt) {
+  WriteFile(folder_ / "m.off", OffText(PlanarGrid(3)));
+  EXPECT_EQ(*client_.FindFile(folder_ / "m.off", MeshFormat::kOff),
+            std::nullopt);
+  ASSERT_TRUE(client_.UploadFile(folder_ / "m.off").ok());
+  EXPECT_EQ(*client_.FindFile(folder_ / "m.off", MeshFormat::kOff),
+            MeshDigest(PlanarGrid(3)));
+}
+
+TEST_F(LibraryTest, LocalFilesThatCannotBeReadAreNamed) {
+  absl::Status missing = client_.UploadFile(folder_ / "no.off").status();
+  EXPECT_TRUE(absl::IsNotFound(missing)) << missing;
+  EXPECT_NE(missing.message().find("no.off"), absl::string_view::npos);
+  WriteFile(folder_ / "m.xyz", "");
+  EXPECT_TRUE(
+      absl::IsInvalidArgument(client_.UploadFile(folder_ / "m.xyz").status()));
+}
+
+TEST_F(LibraryTest, UnknownAlgorithmIsRefusedHere) {
+  absl::Status status = client_
+                            .ComputeField({.mesh_digest = std::string(64, 'a'),
+                                           .sources = {{.vertex = 0}},
+                                           .algorithm = "heat"})
+                            .status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status));
+  EXPECT_NE(status.message().find("fwp-ch"), absl::string_view::npos);
+}
+
+TEST_F(LibraryTest, QueriesWithoutSourcesAreRefused) {
+  const MeshArrays mesh = PlanarGrid(3);
+  ASSERT_TRUE(client_.UploadArrays(mesh).ok());
+  EXPECT_TRUE(absl::IsInvalidArgument(
+      client_.ComputeField({.mesh_digest = MeshDigest(mesh)}).status()));
+}
+
+TEST_F(LibraryTest, ThreadsShareAClient) {
+  const MeshArrays mesh = PlanarGrid(24);
+  ASSERT_TRUE(client_.UploadArrays(mesh).ok());
+  const std::string digest = MeshDigest(mesh);
+  std::vector<std::thread> threads;
+  for (uint64_t source = 0; source < 8; ++source) {
+    threads.emplace_back([&, source] {
+      for (int repeat = 0; repeat < 10; ++repeat) {
+        absl::StatusOr<Field> field = client_.ComputeField(
+            {.mesh_digest = digest, .sources = {{.vertex = source}}});
+        ASSERT_TRUE(field.ok()) << field.status();
+        const Point& from = mesh.positions[source];
+        for (size_t v = 0; v < mesh.positions.size(); ++v) {
+          const Point& to = mesh.positions[v];
+          ASSERT_NEAR(field->distances[v],
+                      std::hypot(from[0] - to[0], from[1] - to[1]), 1e-10);
+        }
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+}
+
+}  // namespace
+}  // namespace geodesic::client

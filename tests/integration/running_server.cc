@@ -1,0 +1,81 @@
+#include "tests/integration/running_server.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <array>
+#include <stdexcept>
+
+namespace geodesic::client {
+namespace {
+
+// Reads the line that the server writes once it serves; throws if it ends
+// first, or takes a minute.
+std::string ReadLine(int pipe, pid_t server) {
+  const auto ended = static_cast<int>(syscall(SYS_pidfd_open, server, 0));
+  std::string line;
+  while (!line.ends_with('\n')) {
+    std::array<pollfd, 2> ready = {{{pipe, POLLIN, 0}, {ended, POLLIN, 0}}};
+    char c = 0;
+    if (poll(ready.data(), ready.size(), 60'000) <= 0 ||
+        (ready[0].revents & POLLIN) == 0 || read(pipe, &c, 1) != 1) {
+      throw std::runtime_error("the server does not start");
+    }
+    line.push_back(c);
+  }
+  close(ended);
+  line.pop_back();
+  return line;
+}
+
+}  // namespace
+
+RunningServer::RunningServer(const TemporaryFolder& folder,
+                             const std::vector<std::string>& flags) {
+  // A named pipe as the port file: reading it waits for the server.
+  const std::string port_file = folder / "port";
+  if (mkfifo(port_file.c_str(), 0600) != 0) {
+    throw std::runtime_error("cannot make a named pipe");
+  }
+  // Open for writing too, so that it never looks ended before it has begun.
+  const int pipe = open(port_file.c_str(), O_RDWR | O_CLOEXEC);
+  std::vector<std::string> arguments = {
+      GEODESICD_BINARY, "--listen", "127.0.0.1:0", "--port-file", port_file};
+  arguments.insert(arguments.end(), flags.begin(), flags.end());
+  process_.emplace(arguments, folder / "server.log");
+  address_ = "127.0.0.1:" + ReadLine(pipe, process_->id());
+  close(pipe);
+  std::filesystem::remove(port_file);
+}
+
+void RunningServer::Terminate() const { process_->Signal(SIGTERM); }
+
+std::vector<std::string> IntegrationTest::CommandLine(
+    const std::vector<std::string>& arguments) const {
+  std::vector<std::string> words = {GEODESIC_BINARY, "--server",
+                                    server_.address()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return words;
+}
+
+ProcessResult IntegrationTest::Geodesic(
+    const std::vector<std::string>& arguments) const {
+  return RunProgram(CommandLine(arguments));
+}
+
+nlohmann::json IntegrationTest::GeodesicJson(
+    const std::vector<std::string>& arguments, int expected_exit_code) const {
+  std::vector<std::string> words = arguments;
+  words.push_back("--json");
+  const ProcessResult result = Geodesic(words);
+  EXPECT_EQ(result.exit_code, expected_exit_code) << result.err;
+  nlohmann::json json = nlohmann::json::parse(result.out, nullptr, false);
+  EXPECT_FALSE(json.is_discarded()) << result.out;
+  return json;
+}
+
+}  // namespace geodesic::client

@@ -1,0 +1,61 @@
+// SIGTERM: what is under way ends, what is new is refused.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "geodesic_client/client.h"
+#include "tests/integration/meshes.h"
+#include "tests/integration/running_server.h"
+
+namespace geodesic::client {
+namespace {
+
+TEST(ShutdownTest, IdleServerStopsInOrder) {
+  TemporaryFolder folder;
+  RunningServer server(folder);
+  Client client(server.address());
+  ASSERT_TRUE(client.ListMeshes().ok());
+  server.Terminate();
+  EXPECT_EQ(server.Wait(), 0);
+  EXPECT_TRUE(absl::IsUnavailable(client.ListMeshes().status()));
+}
+
+TEST(ShutdownTest, WorkUnderWayIsFinished) {
+  TemporaryFolder folder;
+  RunningServer server(folder, {"--drain-seconds", "200"});
+  Client client(server.address());
+  const MeshArrays mesh = HillyGrid(150);
+  absl::StatusOr<UploadOutcome> upload = client.UploadArrays(mesh);
+  ASSERT_TRUE(upload.ok()) << upload.status();
+  bool terminated = false;
+  absl::StatusOr<Field> field = client.ComputeField(
+      {.mesh_digest = upload->mesh.digest, .sources = {{.vertex = 0}}}, {},
+      [&](const FieldProgress&) {
+        if (!terminated) server.Terminate();
+        terminated = true;
+      });
+  ASSERT_TRUE(terminated) << "the solver had ended before it reported";
+  ASSERT_TRUE(field.ok()) << field.status();
+  EXPECT_EQ(field->distances.size(), mesh.positions.size());
+  EXPECT_EQ(server.Wait(), 0);
+}
+
+TEST(ShutdownTest, WorkThatTakesLongerThanTheDrainIsCancelled) {
+  TemporaryFolder folder;
+  RunningServer server(folder, {"--drain-seconds", "0"});
+  Client client(server.address());
+  absl::StatusOr<UploadOutcome> upload = client.UploadArrays(HillyGrid(500));
+  ASSERT_TRUE(upload.ok()) << upload.status();
+  bool terminated = false;
+  absl::StatusOr<Field> field = client.ComputeField(
+      {.mesh_digest = upload->mesh.digest, .sources = {{.vertex = 0}}}, {},
+      [&](const FieldProgress&) {
+        if (!terminated) server.Terminate();
+        terminated = true;
+      });
+  EXPECT_FALSE(field.ok());
+  EXPECT_EQ(server.Wait(), 3);
+}
+
+}  // namespace
+}  // namespace geodesic::client
