@@ -15,6 +15,9 @@
 namespace geodesic::server {
 namespace {
 
+// How long the answers of requests that have ended may take to leave.
+constexpr std::chrono::milliseconds kFlushGrace{500};
+
 // How long the last reactions of cancelled calls may take.
 constexpr std::chrono::seconds kCancelGrace{10};
 
@@ -89,12 +92,12 @@ bool Server::Wait() {
     until = drain_until_;
   }
   const bool in_order = log_.WaitIdle(until, hurry_.get_token());
-  if (!in_order) {
-    logger_->warn("{} requests are cancelled", log_.active());
-  }
+  if (!in_order) logger_->warn("{} requests are cancelled", log_.active());
   // Their streams are told why, if they can still be reached.
   engine_.StopAll();
-  grpc_server_->Shutdown(std::chrono::system_clock::now());
+  grpc_server_->Shutdown(
+      std::chrono::system_clock::now() +
+      (in_order ? kFlushGrace : std::chrono::milliseconds(0)));
   log_.WaitIdle(clock_.Now() + kCancelGrace, std::stop_token());
   grpc_server_.reset();
   logger_->info("stopped");

@@ -53,6 +53,7 @@ class Server {
   // Begins to drain and returns at once: health checks answer NOT_SERVING, new
   // work is refused, and Wait cancels what has not ended after `grace`. A
   // second call cuts the grace short. Thread-safe.
+  // REQUIRES: Start succeeded.
   void Shutdown(std::chrono::milliseconds grace);
 
   // Waits for Shutdown and for the drain. Whether every request ended within

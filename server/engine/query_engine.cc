@@ -113,14 +113,10 @@ absl::StatusOr<std::unique_ptr<MeshUpload>> QueryEngine::StartUpload(
 absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
     std::unique_ptr<MeshUpload> upload, UploadCallback done) {
   if (absl::Status status = upload->Finish(); !status.ok()) return status;
-  const std::string& expected = upload->header().expected_digest;
-  if (const auto digest = meshes_.FindFile(upload->file());
-      digest && (expected.empty() || expected == *digest)) {
-    if (MeshHandle mesh = meshes_.Find(*digest)) {
-      upload.reset();
-      done(UploadResult{std::move(mesh), true});
-      return std::nullopt;
-    }
+  if (MeshHandle mesh = FindUploaded(*upload)) {
+    upload.reset();
+    done(UploadResult{std::move(mesh), true});
+    return std::nullopt;
   }
   // Both callbacks share what only one of them will use.
   auto shared = std::make_shared<UploadCallback>(std::move(done));
@@ -140,6 +136,21 @@ absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
 
 void QueryEngine::CancelUpload(Scheduler::JobId job) { scheduler_.Cancel(job); }
 
+MeshHandle QueryEngine::FindUploaded(const MeshUpload& upload) {
+  const std::optional<std::string> digest = meshes_.FindFile(upload.file());
+  const std::string& expected = upload.header().expected_digest;
+  if (!digest || (!expected.empty() && expected != *digest)) return nullptr;
+  return meshes_.Find(*digest);
+}
+
+void QueryEngine::RememberFile(const MeshUpload& upload,
+                               const std::string& digest) {
+  // The bytes of arrays do not say how many of them are vertices, so they do
+  // not name a mesh.
+  if (upload.header().format == UploadFormat::kArrays) return;
+  meshes_.AddFile(upload.file(), digest);
+}
+
 absl::StatusOr<UploadResult> QueryEngine::BuildMesh(MeshUpload& upload) {
   absl::StatusOr<TriangleSoup> soup = upload.Parse();
   if (!soup.ok()) return soup.status();
@@ -151,7 +162,7 @@ absl::StatusOr<UploadResult> QueryEngine::BuildMesh(MeshUpload& upload) {
                                      ", not the expected ", expected));
   }
   if (MeshHandle mesh = meshes_.Find(digest)) {
-    meshes_.AddFile(upload.file(), digest);
+    RememberFile(upload, digest);
     return UploadResult{std::move(mesh), true};
   }
 
@@ -174,7 +185,7 @@ absl::StatusOr<UploadResult> QueryEngine::BuildMesh(MeshUpload& upload) {
   }
   MeshStore::Inserted inserted = meshes_.Insert(
       {std::move(digest), *mesh, Summarize(**mesh)}, *std::move(room));
-  meshes_.AddFile(upload.file(), inserted.mesh->digest);
+  RememberFile(upload, inserted.mesh->digest);
   ++meshes_built_;
   return UploadResult{std::move(inserted.mesh), !inserted.is_new};
 }
@@ -265,7 +276,7 @@ absl::StatusOr<FieldCall> QueryEngine::ComputeField(
       {.priority = JobPriority::kSolve,
        .run =
            [this, mesh = std::move(mesh), key, flight](std::stop_token stop) {
-             flights_.Complete(*flight, Guarded("computed a field", [&] {
+             flights_.Complete(*flight, Guarded("kept a field", [&] {
                return SolveField(*mesh, key, *flight, std::move(stop));
              }));
            },
@@ -297,9 +308,11 @@ absl::StatusOr<FieldHandle> QueryEngine::SolveField(
   ++solves_started_;
   JobCheckpoint checkpoint(flights_, flight, clock_, std::move(stop),
                            *std::move(memory), limits_.progress_interval);
-  absl::StatusOr<DistanceField> field =
-      solve_(*mesh.mesh, {.sources = key.sources, .algorithm = key.algorithm},
-             solve_options_, checkpoint);
+  absl::StatusOr<DistanceField> field = Guarded("computed a field", [&] {
+    return solve_(*mesh.mesh,
+                  {.sources = key.sources, .algorithm = key.algorithm},
+                  solve_options_, checkpoint);
+  });
   if (!field.ok()) {
     ++solves_stopped_;
     return field.status();

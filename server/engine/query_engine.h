@@ -163,6 +163,10 @@ class QueryEngine {
   const Scheduler& scheduler() const { return scheduler_; }
 
  private:
+  // The mesh of a file that was uploaded before, if it still is resident and
+  // is the expected one.
+  MeshHandle FindUploaded(const MeshUpload& upload);
+  void RememberFile(const MeshUpload& upload, const std::string& digest);
   absl::StatusOr<UploadResult> BuildMesh(MeshUpload& upload);
   absl::StatusOr<FieldHandle> SolveField(const ResidentMesh& mesh,
                                          const FieldKey& key,

@@ -260,6 +260,8 @@ TEST_F(FieldQueryTest, ExceptionsBecomeStatuses) {
   EXPECT_TRUE(absl::IsInternal(b_->field->status()));
   EXPECT_THAT(std::string(b_->field->status().message()), HasSubstr("a bug"));
 
+  EXPECT_EQ(engine_.counters().solves_stopped, 2);
+
   solve_ = &Solve;
   ASSERT_TRUE(Ask(0, a_).ok());
   executor_.RunAll();

@@ -75,6 +75,20 @@ TEST_F(MeshEngineTest, AKnownFileIsNotParsedAgain) {
   EXPECT_TRUE(result->already_resident);
 }
 
+// 4 vertices and 4 faces take as many bytes as 3 vertices and 6 faces.
+TEST_F(MeshEngineTest, EqualBytesOfArraysMayBeOtherMeshes) {
+  const std::string bytes = test::ArrayBytes(test::Tetrahedron());
+  UploadHeader header = test::ArrayHeader(test::Tetrahedron());
+  ASSERT_TRUE(Upload(header, bytes).ok());
+  header.vertex_count = 3;
+  header.face_count = 6;
+  EXPECT_TRUE(absl::IsInvalidArgument(Upload(header, bytes).status()));
+
+  // Nor are they a file that could be asked for.
+  const FileKey file = {UploadFormat::kArrays, Sha256Of(bytes)};
+  EXPECT_THAT(engine_.FindMissing({}, {file})->files, ElementsAre(file));
+}
+
 TEST_F(MeshEngineTest, ExpectedDigestsAreChecked) {
   const TriangleSoup soup = test::Tetrahedron();
   UploadHeader header = test::ArrayHeader(soup);
@@ -86,10 +100,13 @@ TEST_F(MeshEngineTest, ExpectedDigestsAreChecked) {
 
   header.expected_digest = MeshDigest(soup.positions, soup.triangles);
   ASSERT_TRUE(Upload(header, test::ArrayBytes(soup)).ok());
+
   // Nor does the shortcut for known files overlook it.
-  header.expected_digest = std::string(64, '0');
+  UploadHeader off = test::TetrahedronOffHeader();
+  ASSERT_TRUE(Upload(off, test::kTetrahedronOff).ok());
+  off.expected_digest = std::string(64, '0');
   EXPECT_TRUE(
-      absl::IsInvalidArgument(Upload(header, test::ArrayBytes(soup)).status()));
+      absl::IsInvalidArgument(Upload(off, test::kTetrahedronOff).status()));
 }
 
 TEST_F(MeshEngineTest, ARefusedMeshLeavesNothingBehind) {

@@ -3,13 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
+#include "geodesic/read_mesh.h"
 #include "server/engine/sha256.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/curved_meshes.h"
+#include "tests/support/test_meshes.h"
 
 namespace geodesic::server {
 namespace {
@@ -151,6 +156,53 @@ TEST_F(UploadRpcTest, ManyChunks) {
   // A second time the arrays are known by their bytes.
   EXPECT_EQ(Upload(soup), digest);
   EXPECT_EQ(server_->engine().counters().meshes_built, 1);
+}
+
+v1::MeshFormat ToProto(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::kObj:
+      return v1::MESH_FORMAT_OBJ;
+    case MeshFormat::kPly:
+      return v1::MESH_FORMAT_PLY;
+    case MeshFormat::kOff:
+      return v1::MESH_FORMAT_OFF;
+    case MeshFormat::kStl:
+      return v1::MESH_FORMAT_STL;
+  }
+  return v1::MESH_FORMAT_UNSPECIFIED;
+}
+
+// Each file becomes a mesh that can be asked, or is refused with a reason; the
+// server is there afterwards.
+TEST_F(UploadRpcTest, HostileFiles) {
+  const auto folder = geodesic::test::TestMeshFolder() / "hostile";
+  if (!std::filesystem::is_directory(folder)) {
+    GTEST_SKIP() << "no folder " << folder;
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    SCOPED_TRACE(entry.path());
+    const auto format = MeshFormatFromPath(entry.path().string());
+    ASSERT_TRUE(format.ok()) << format.status();
+    std::ifstream file(entry.path(), std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)),
+                            std::istreambuf_iterator<char>());
+    v1::UploadHeader header;
+    header.set_format(ToProto(*format));
+    header.set_size_bytes(bytes.size());
+    v1::CreateMeshResponse response;
+    const grpc::Status status = Upload(header, bytes, response);
+    if (!status.ok()) {
+      EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+      EXPECT_FALSE(status.error_message().empty());
+      EXPECT_EQ(FieldAtFault(status), "chunk.data");
+      continue;
+    }
+    const test::FieldReply reply = ComputeField(response.mesh().digest(), 0);
+    EXPECT_TRUE(reply.status.ok()) << reply.status.error_message();
+    ASSERT_EQ(reply.distances.size(), response.mesh().vertex_count());
+    EXPECT_EQ(reply.distances[0], 0);
+  }
+  EXPECT_FALSE(Upload(test::Tetrahedron()).empty());
 }
 
 }  // namespace
