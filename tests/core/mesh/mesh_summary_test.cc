@@ -1,0 +1,108 @@
+#include "geodesic/mesh_summary.h"
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "gtest/gtest.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/test_meshes.h"
+
+namespace geodesic {
+namespace {
+
+MeshSummary SummaryOf(TriangleSoup soup) {
+  const auto mesh = Mesh::Build(std::move(soup));
+  EXPECT_TRUE(mesh.ok()) << mesh.status();
+  return Summarize(**mesh);
+}
+
+TEST(MeshSummaryTest, GridWithAHole) {
+  const MeshSummary summary = SummaryOf(test::MakeGrid(
+      {.columns = 4, .rows = 3, .cell_width = 2, .removed = {{1, 1, 2, 2}}}));
+  EXPECT_EQ(summary.vertices, 20u);
+  EXPECT_EQ(summary.faces, 22u);
+  EXPECT_EQ(summary.edges, 42u);
+  EXPECT_EQ(summary.boundary_edges, 18u);
+  EXPECT_EQ(summary.boundary_loops, 2u);
+  EXPECT_EQ(summary.components, 1u);
+  EXPECT_EQ(summary.genus, 0);
+  EXPECT_EQ(summary.saddle_vertices, 0u);
+  EXPECT_EQ(summary.degenerate_faces, 0u);
+  EXPECT_EQ(summary.bounding_box_min, (Point{0, 0, 0}));
+  EXPECT_EQ(summary.bounding_box_max, (Point{8, 3, 0}));
+  // A right triangle with legs 2 and 1: P H / (2 sqrt(3) S).
+  EXPECT_NEAR(summary.anisotropy,
+              (3 + std::sqrt(5.0)) / 2 * std::sqrt(5.0) / (2 * std::sqrt(3.0)),
+              1e-12);
+}
+
+TEST(MeshSummaryTest, PiecesPinchesAndIsolatedVertices) {
+  // Two triangles that touch in vertex 0, a third apart, one vertex unused.
+  const MeshSummary summary =
+      SummaryOf({.positions = {{0, 0, 0},
+                               {1, 0, 0},
+                               {0, 1, 0},
+                               {-1, 0, 0},
+                               {0, -1, 0},
+                               {5, 0, 0},
+                               {6, 0, 0},
+                               {5, 1, 0},
+                               {9, 9, 9}},
+                 .triangles = {{0, 1, 2}, {0, 3, 4}, {5, 6, 7}}});
+  EXPECT_EQ(summary.components, 2u);
+  EXPECT_EQ(summary.isolated_vertices, 1u);
+  EXPECT_EQ(summary.boundary_loops, 3u);
+  EXPECT_EQ(summary.genus, 0);
+}
+
+TEST(MeshSummaryTest, FacesWithoutAreaCount) {
+  const MeshSummary summary =
+      SummaryOf({.positions = {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}},
+                 .triangles = {{0, 1, 3}, {1, 0, 2}}});
+  EXPECT_EQ(summary.degenerate_faces, 1u);
+}
+
+// What an independent reader found in meshes that are not part of this project.
+TEST(MeshSummaryTest, AgreesWithTheIndexOfTestMeshes) {
+  std::ifstream index(test::TestMeshFolder() / "INDEX.tsv");
+  if (!index) GTEST_SKIP() << "no test meshes at " << test::TestMeshFolder();
+  std::string line;
+  std::getline(index, line);  // heads of the columns
+  int compared = 0;
+  while (std::getline(index, line)) {
+    std::istringstream row(line);
+    std::string file, genus, g_mean;
+    uint64_t vertices, faces, boundary, crowded, components, degenerate,
+        isolated, saddles;
+    if (!(row >> file >> vertices >> faces >> boundary >> crowded >>
+          components >> genus >> degenerate >> isolated >> g_mean >> saddles) ||
+        !file.starts_with("real/") || crowded > 0) {
+      continue;
+    }
+    auto soup = test::LoadTestMesh(file);
+    ASSERT_TRUE(soup.ok()) << file << ": " << soup.status();
+    SCOPED_TRACE(file);
+    const MeshSummary summary = SummaryOf(*std::move(soup));
+    EXPECT_EQ(summary.vertices, vertices);
+    EXPECT_EQ(summary.faces, faces);
+    EXPECT_EQ(summary.boundary_edges, boundary);
+    EXPECT_EQ(summary.components, components);
+    EXPECT_EQ(summary.isolated_vertices, isolated);
+    if (genus != "n/a") EXPECT_EQ(std::to_string(summary.genus), genus);
+    EXPECT_NEAR(summary.anisotropy, std::stod(g_mean),
+                1e-3 * summary.anisotropy);
+    // Vertices within rounding of flat fall on either side.
+    EXPECT_NEAR(static_cast<double>(summary.saddle_vertices),
+                static_cast<double>(saddles),
+                2 + 0.01 * static_cast<double>(saddles));
+    ++compared;
+  }
+  EXPECT_GT(compared, 40);
+}
+
+}  // namespace
+}  // namespace geodesic

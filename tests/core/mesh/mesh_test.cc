@@ -1,0 +1,233 @@
+#include "geodesic/mesh.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "geodesic/open_mesh.h"
+#include "gmock/gmock.h"
+#include "gtest/gtest.h"
+#include "tests/support/planar_meshes.h"
+
+namespace geodesic {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TriangleSoup Square() {
+  return {.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+          .triangles = {{0, 1, 2}, {0, 2, 3}}};
+}
+
+std::string RefusalOf(TriangleSoup soup) {
+  const auto mesh = Mesh::Build(std::move(soup));
+  EXPECT_EQ(mesh.status().code(), absl::StatusCode::kInvalidArgument)
+      << mesh.status();
+  return std::string(mesh.status().message());
+}
+
+TEST(MeshTest, KeepsTheCallersNumbersAndBits) {
+  TriangleSoup soup = Square();
+  soup.positions.push_back({0.1, 1e-300, -0.0});  // isolated
+  const auto mesh = Mesh::Build(soup);
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  ASSERT_EQ((*mesh)->vertex_count(), 5u);
+  for (uint32_t v = 0; v < 5; ++v) {
+    EXPECT_EQ((*mesh)->positions()[v], soup.positions[v]);
+  }
+  for (uint32_t f = 0; f < 2; ++f) {
+    EXPECT_EQ((*mesh)->triangles()[f], soup.triangles[f]);
+  }
+  EXPECT_TRUE(std::signbit((*mesh)->positions()[4][2]));
+}
+
+TEST(MeshTest, TwinsMeetAcrossTheSharedEdge) {
+  const auto mesh = Mesh::Build(Square());
+  ASSERT_TRUE(mesh.ok());
+  const HalfEdge diagonal = 2;  // 2 -> 0 of face 0
+  const HalfEdge other = (*mesh)->Twin(diagonal);
+  EXPECT_EQ(other, 3u);  // 0 -> 2 of face 1
+  EXPECT_EQ((*mesh)->Twin(other), diagonal);
+  EXPECT_EQ((*mesh)->From(other), (*mesh)->To(diagonal));
+  EXPECT_EQ((*mesh)->Apex(diagonal), 1u);
+  EXPECT_EQ((*mesh)->Twin(0), kNoHalfEdge);
+}
+
+TEST(MeshTest, FrameLaysTheFaceIntoThePlane) {
+  TriangleSoup soup{.positions = {{1, 1, 5}, {5, 1, 5}, {2, 3, 5}},
+                    .triangles = {{0, 1, 2}}};
+  const auto mesh = Mesh::Build(soup);
+  ASSERT_TRUE(mesh.ok());
+  const HalfEdgeFrame& frame = (*mesh)->frame(0);
+  const double unit = std::ldexp(1.0, (*mesh)->scale_exponent());
+  EXPECT_DOUBLE_EQ(frame.length * unit, 4);
+  EXPECT_DOUBLE_EQ(frame.apex_x * unit, 1);
+  EXPECT_DOUBLE_EQ(frame.apex_y * unit, 2);
+  EXPECT_DOUBLE_EQ(frame.left_x, 1 / std::sqrt(5.0));
+  EXPECT_DOUBLE_EQ(frame.left_y, 2 / std::sqrt(5.0));
+  EXPECT_DOUBLE_EQ(frame.right_x, -3 / std::sqrt(13.0));
+  EXPECT_DOUBLE_EQ(frame.right_y, 2 / std::sqrt(13.0));
+}
+
+TEST(MeshTest, ShortSidesKeepTheirDirection) {
+  // |BC| is a millionth of |AB|; its direction must not come from a difference
+  // of long lengths.
+  TriangleSoup soup{.positions = {{0, 0, 0}, {1, 0, 0}, {1 + 3e-7, 4e-7, 0}},
+                    .triangles = {{0, 1, 2}}};
+  const double x = soup.positions[2][0] - 1, y = soup.positions[2][1];
+  const auto mesh = Mesh::Build(soup);
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_NEAR((*mesh)->frame(0).right_x, x / std::hypot(x, y), 1e-15);
+  EXPECT_NEAR((*mesh)->frame(0).right_y, y / std::hypot(x, y), 1e-15);
+}
+
+TEST(MeshTest, ExtremeScalesStayFinite) {
+  for (double scale : {1e-300, 1e-150, 1e150, 1e300}) {
+    TriangleSoup soup = Square();
+    for (Point& p : soup.positions) {
+      for (double& x : p) x *= scale;
+    }
+    const auto mesh = Mesh::Build(soup);
+    ASSERT_TRUE(mesh.ok()) << scale;
+    EXPECT_NEAR(
+        std::ldexp((*mesh)->frame(0).length, (*mesh)->scale_exponent()) / scale,
+        1, 1e-15);
+  }
+}
+
+TEST(MeshTest, PathsMayBendAtBoundariesSaddlesAndFacesWithoutArea) {
+  // A flat 4 x 4 grid: only its boundary.
+  auto grid = Mesh::Build(test::MakeGrid({.columns = 4, .rows = 4}));
+  ASSERT_TRUE(grid.ok());
+  int inner = 0;
+  for (uint32_t v = 0; v < (*grid)->vertex_count(); ++v) {
+    EXPECT_EQ((*grid)->IsPseudoSource(v), (*grid)->IsBoundary(v)) << v;
+    EXPECT_FALSE((*grid)->IsSaddle(v)) << v;
+    inner += !(*grid)->IsBoundary(v);
+  }
+  EXPECT_EQ(inner, 9);
+
+  // Eight right angles around vertex 0: a saddle once the fan is closed.
+  TriangleSoup fan{.positions = {{0, 0, 0}}};
+  for (uint32_t i = 0; i < 8; ++i) {
+    const double angle = i * std::acos(0.0);
+    fan.positions.push_back(
+        {std::cos(angle), std::sin(angle), i % 2 == 0 ? 0.5 : -0.5});
+    fan.triangles.push_back({0, i + 1, (i + 1) % 8 + 1});
+  }
+  auto saddle = Mesh::Build(fan);
+  ASSERT_TRUE(saddle.ok()) << saddle.status();
+  EXPECT_TRUE((*saddle)->IsSaddle(0));
+  EXPECT_TRUE((*saddle)->IsPseudoSource(0));
+}
+
+TEST(MeshTest, SurfacesMayTouchInAVertex) {
+  // Two closed tetrahedra that share vertex 0.
+  TriangleSoup soup{.positions = {{0, 0, 0},
+                                  {1, 0, 0},
+                                  {0, 1, 0},
+                                  {0, 0, 1},
+                                  {-1, 0, 0},
+                                  {0, -1, 0},
+                                  {0, 0, -1}}};
+  for (const auto& [a, b, c] : std::vector<Triangle>{{1, 2, 3}, {4, 5, 6}}) {
+    soup.triangles.insert(soup.triangles.end(),
+                          {{0, b, a}, {0, c, b}, {0, a, c}, {a, b, c}});
+  }
+  const auto mesh = Mesh::Build(soup);
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  EXPECT_TRUE((*mesh)->IsPseudoSource(0));
+  EXPECT_FALSE((*mesh)->IsBoundary(0));
+  EXPECT_EQ((*mesh)->Outgoing(0).size(), 6u);
+}
+
+TEST(MeshTest, RefusalsNameTheOffender) {
+  TriangleSoup soup = Square();
+  soup.triangles.clear();
+  EXPECT_THAT(RefusalOf(soup), HasSubstr("no faces"));
+
+  soup = Square();
+  soup.positions[2][1] = kInfinity;
+  EXPECT_THAT(RefusalOf(soup), HasSubstr("vertex 2"));
+
+  soup = Square();
+  soup.triangles[1][2] = 4;
+  EXPECT_THAT(RefusalOf(soup), HasSubstr("face 1 names vertex 4"));
+
+  soup = Square();
+  soup.triangles[1] = {3, 0, 3};
+  EXPECT_THAT(RefusalOf(soup), HasSubstr("face 1 repeats vertex 3"));
+
+  soup = Square();
+  soup.positions.push_back({0, 0, 1});
+  soup.triangles.push_back({2, 0, 4});
+  EXPECT_THAT(RefusalOf(soup),
+              HasSubstr("edge (0, 2) belongs to 3 faces: 0, 1, 2"));
+
+  soup = Square();
+  std::swap(soup.triangles[1][0], soup.triangles[1][1]);
+  EXPECT_THAT(RefusalOf(soup),
+              HasSubstr("faces 0 and 1 run along edge (0, 2)"));
+}
+
+TEST(MeshTest, AFanOfManyFacesTakesLinearTime) {
+  // Quadratic behaviour in the valence would take minutes here.
+  constexpr uint32_t kSpokes = 300'000;
+  TriangleSoup soup{.positions = {{0, 0, 0}}};
+  for (uint32_t i = 0; i < kSpokes; ++i) {
+    const double angle = 6.0 * i / kSpokes;
+    soup.positions.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  // Every other face first, so that no neighbour is at hand.
+  for (uint32_t start : {1u, 2u}) {
+    for (uint32_t i = start; i < kSpokes; i += 2) {
+      soup.triangles.push_back({0, i, i + 1});
+    }
+  }
+  const auto mesh = Mesh::Build(std::move(soup));
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  EXPECT_EQ((*mesh)->Outgoing(0).size(), kSpokes - 1);
+}
+
+TEST(MeshTest, EstimatesCoverWhatIsHeld) {
+  const auto mesh = Mesh::Build(test::MakeGrid({.columns = 40, .rows = 30}));
+  ASSERT_TRUE(mesh.ok());
+  const uint64_t vertices = (*mesh)->vertex_count();
+  const uint64_t faces = (*mesh)->face_count();
+  EXPECT_GE(Mesh::EstimateResidentBytes(vertices, faces),
+            (*mesh)->resident_bytes());
+  EXPECT_GE(Mesh::EstimateBuildBytes(vertices, faces),
+            Mesh::EstimateResidentBytes(vertices, faces));
+}
+
+TEST(MeshTest, OpenMeshSeesTheSameConnectivity) {
+  const auto mesh =
+      Mesh::Build(test::MakeGrid(test::WithHole({.columns = 6, .rows = 6})));
+  ASSERT_TRUE(mesh.ok());
+  const OpenMesh::TriConnectivity kernel = ToOpenMesh(**mesh);
+  ASSERT_EQ(kernel.n_vertices(), (*mesh)->vertex_count());
+  ASSERT_EQ(kernel.n_faces(), (*mesh)->face_count());
+  for (const auto face : kernel.faces()) {
+    std::vector<uint32_t> corners;
+    for (const auto v : kernel.fv_range(face)) {
+      corners.push_back(static_cast<uint32_t>(v.idx()));
+    }
+    const Triangle& triangle = (*mesh)->triangles()[face.idx()];
+    EXPECT_THAT(corners, ::testing::UnorderedElementsAreArray(triangle));
+  }
+  for (const auto v : kernel.vertices()) {
+    EXPECT_EQ(kernel.is_boundary(v), (*mesh)->IsBoundary(v.idx()));
+    uint32_t valence = 0;
+    for (const auto face : kernel.vf_range(v)) valence += face.is_valid();
+    EXPECT_EQ(valence, (*mesh)->Outgoing(v.idx()).size());
+  }
+}
+
+}  // namespace
+}  // namespace geodesic

@@ -1,0 +1,104 @@
+// Proposition 1 of Xu et al. 2015: the order in which windows are propagated
+// does not matter. A queue that pops at random must give the same field.
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "geodesic/solve.h"
+#include "gtest/gtest.h"
+#include "propagation.h"
+#include "queues/queue.h"
+#include "rules/ch_rule.h"
+#include "rules/mmp_rule.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/planar_meshes.h"
+
+namespace geodesic {
+namespace {
+
+class RandomQueue {
+ public:
+  explicit RandomQueue(const QueueTuning& tuning) : random_(tuning.max_batch) {}
+
+  void Push(uint32_t id, double) { ids_.push_back(id); }
+  uint32_t Pop() {
+    if (ids_.empty()) return kNothing;
+    std::swap(ids_[random_() % ids_.size()], ids_.back());
+    const uint32_t id = ids_.back();
+    ids_.pop_back();
+    ++iterations_;
+    return id;
+  }
+  uint32_t Upcoming(uint32_t) const { return kNothing; }
+  void MarkVoid() { ++void_; }
+  void DropVoid() { --void_; }
+  double SettledRadius() const { return 0; }
+  uint64_t size() const { return ids_.size() - void_; }
+  uint64_t iterations() const { return iterations_; }
+  uint64_t bytes() const { return ids_.capacity() * sizeof(uint32_t); }
+
+ private:
+  std::mt19937 random_;
+  std::vector<uint32_t> ids_;
+  uint64_t void_ = 0;
+  uint64_t iterations_ = 0;
+};
+
+template <template <typename> typename Rule>
+void ExpectOrderDoesNotMatter(TriangleSoup soup) {
+  const auto mesh = *Mesh::Build(std::move(soup));
+  const Query query{.sources = {{.vertex = 3}, {.vertex = 40, .offset = 0.5}}};
+  NoCheckpoint checkpoint;
+  const auto expected = Solve(*mesh, query, {}, checkpoint);
+  ASSERT_TRUE(expected.ok());
+  for (uint32_t seed : {1u, 2u, 3u}) {
+    const QueueTuning tuning{.bucket_width = 1, .max_batch = seed};
+    const auto field =
+        Propagation<Rule, RandomQueue>(*mesh, query, tuning).Run(checkpoint);
+    ASSERT_TRUE(field.ok());
+    for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+      ASSERT_NEAR(field->distances[v], expected->distances[v],
+                  1e-12 * expected->distances[v])
+          << "vertex " << v << ", seed " << seed;
+    }
+    EXPECT_EQ(field->statistics.windows_propagated <=
+                  field->statistics.windows_created,
+              true);
+  }
+}
+
+template <typename T>
+class PropagationOrderTest : public ::testing::Test {};
+
+struct Ch {
+  template <typename Queue>
+  using Rule = ChRule<Queue>;
+};
+struct Mmp {
+  template <typename Queue>
+  using Rule = MmpRule<Queue>;
+};
+using Rules = ::testing::Types<Ch, Mmp>;
+TYPED_TEST_SUITE(PropagationOrderTest, Rules);
+
+TYPED_TEST(PropagationOrderTest, OnTerrain) {
+  ExpectOrderDoesNotMatter<TypeParam::template Rule>(
+      test::Terrain(10, 10, 1.0, 3));
+}
+
+TYPED_TEST(PropagationOrderTest, OnTiesOfAGrid) {
+  ExpectOrderDoesNotMatter<TypeParam::template Rule>(
+      test::MakeGrid({.columns = 9, .rows = 9}));
+}
+
+TYPED_TEST(PropagationOrderTest, AroundAHole) {
+  ExpectOrderDoesNotMatter<TypeParam::template Rule>(
+      test::MakeGrid(test::WithHole({.columns = 9, .rows = 9})));
+}
+
+}  // namespace
+}  // namespace geodesic
