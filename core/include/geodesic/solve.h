@@ -36,8 +36,8 @@ struct SolveOptions {
 //   4. pure and thread-safe: no I/O, no threads, no shared state.
 //
 // Errors: INVALID_ARGUMENT as Validate; whatever `checkpoint` returns.
-// Time: O(n^2 log n) windows at worst, in practice n^1.5 on smooth meshes and
-// less on rough ones. Memory: 40 bytes a half-edge and about 64 a live window.
+// Time: O(n^2 log n) at worst, in practice about n^1.5 on smooth meshes and
+// less on rough ones. Memory beside the mesh: docs/algorithm.md.
 absl::StatusOr<DistanceField> Solve(const Mesh& mesh, const Query& query,
                                     const SolveOptions& options,
                                     Checkpoint& checkpoint);
