@@ -151,7 +151,12 @@ class Unfolder {
     const Vec2 along = (1 / Norm(w.from - w.to)) * (w.from - w.to);
     const Vec2 apex =
         w.to + in_frame.x * along + in_frame.y * Perpendicular(along);
-    if (Sees(w, apex)) Reach(edges_.Opposite(h), Norm(apex));
+    if (Sees(w, apex)) {
+      // By way of the half-edge, lest a window seen edge-on lets the line reach
+      // an apex that lies before it.
+      const Vec2 crossing = OnRay(apex, w.from, w.to);
+      Reach(edges_.Opposite(h), Norm(crossing) + Norm(apex - crossing));
+    }
     // An apex where the source is opens the faces beyond by itself.
     if (Norm(apex) <= kLeastOpening * Norm(w.from - w.to)) return;
     const Vec2 left_end = TurnsLeft(apex, w.left) ? apex : w.left;

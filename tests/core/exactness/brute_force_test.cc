@@ -16,6 +16,7 @@
 #include "tests/support/field_check.h"
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
+#include "tests/support/polyhedra.h"
 #include "tests/support/random.h"
 #include "tests/support/test_meshes.h"
 
@@ -108,11 +109,25 @@ class RandomMeshes : public testing::TestWithParam<uint64_t> {
  protected:
   static constexpr uint64_t kCasesPerShard = 50;
 
+  // `make(seed)` makes a mesh.
   template <typename MakeMesh>
   void ExpectBruteForceOnMany(const std::string& name, MakeMesh make) const {
     for (uint64_t i = 0; i < kCasesPerShard; ++i) {
       const uint64_t seed = GetParam() * kCasesPerShard + i;
       ExpectBruteForce({absl::StrCat(name, " ", seed), make(seed)}, 3, seed);
+    }
+  }
+
+  // The same for meshes with vertices so close together that the rounding of
+  // their coordinates shows.
+  template <typename MakeMesh>
+  void ExpectBruteForceUpToRounding(const std::string& name,
+                                    MakeMesh make) const {
+    for (uint64_t i = 0; i < kCasesPerShard; ++i) {
+      const uint64_t seed = GetParam() * kCasesPerShard + i;
+      const TriangleSoup soup = make(seed);
+      ExpectBruteForce({absl::StrCat(name, " ", seed), soup}, 3, seed,
+                       CoordinateRounding(soup));
     }
   }
 };
@@ -131,15 +146,11 @@ TEST_P(RandomMeshes, FlippedEdges) {
   });
 }
 
-// A needle in a needle has sides of 1e-12, which the rounding of coordinates
-// reaches.
+// A needle in a needle has sides of 1e-12.
 TEST_P(RandomMeshes, Needles) {
-  for (uint64_t i = 0; i < kCasesPerShard; ++i) {
-    const uint64_t seed = GetParam() * kCasesPerShard + i;
-    const TriangleSoup soup = InsertNeedles(Terrain(3, 4, 0.5, seed), 8, seed);
-    ExpectBruteForce({absl::StrCat("terrain with needles ", seed), soup}, 3,
-                     seed, CoordinateRounding(soup));
-  }
+  ExpectBruteForceUpToRounding("terrain with needles", [](uint64_t seed) {
+    return InsertNeedles(Terrain(3, 4, 0.5, seed), 8, seed);
+  });
 }
 
 TEST_P(RandomMeshes, ClosedAndFlipped) {
@@ -168,6 +179,60 @@ TEST_P(RandomMeshes, SteppedTerrains) {
         {.columns = 5, .rows = 5, .diagonals = Diagonals::kAlternating});
     for (Point& p : soup.positions) p[2] = random.Below(3) == 0 ? 1 : 0;
     return soup;
+  });
+}
+
+// Solids and sheets of every kind, edited at random. Turned edges of flat parts
+// give faces without area and faces folded over.
+TriangleSoup EditedMesh(uint64_t seed, bool degenerate) {
+  Random random(seed);
+  const GridOptions grid{.columns = 3 + random.Below(4),
+                         .rows = 3 + random.Below(3),
+                         .diagonals = static_cast<Diagonals>(random.Below(3)),
+                         .jitter = random.Below(2) == 0 ? 0 : 0.2,
+                         .seed = seed};
+  TriangleSoup soup;
+  switch (seed % 5) {
+    case 0:
+      soup = MakePlate(random.Below(2) == 0 ? WithHole(grid) : UShape(grid),
+                       random.Uniform(0.1, 2));
+      break;
+    case 1:
+      soup = MakeGrid(grid);
+      for (Point& p : soup.positions) p[2] = random.Below(3);
+      break;
+    case 2:
+      soup = BoxGrid(1, 2, 3, 2, 1 + random.Below(3), 1 + random.Below(3));
+      break;
+    case 3:
+      soup = UvSphere(3 + random.Below(8), 3 + random.Below(4));
+      break;
+    case 4:
+      soup = Fan({.spokes = 8,
+                  .rings = 1 + random.Below(3),
+                  .total_angle = random.Uniform(0.2, 12),
+                  .closed = random.Below(2) == 0})
+                 .soup();
+      break;
+  }
+  soup = FlipEdges(soup, random.Below(20), seed);
+  if (degenerate) {
+    std::vector<uint32_t> doubled;
+    soup = InsertZeroAreaFaces(soup, 1 + random.Below(4), seed);
+    soup = DoubleVertices(soup, random.Below(3), seed, &doubled);
+  }
+  return RotateAndShift(SplitFaces(soup, random.Below(8), seed), seed);
+}
+
+TEST_P(RandomMeshes, Edited) {
+  ExpectBruteForceOnMany("edited mesh", [](uint64_t seed) {
+    return EditedMesh(seed, /*degenerate=*/false);
+  });
+}
+
+TEST_P(RandomMeshes, EditedWithDegenerateFaces) {
+  ExpectBruteForceUpToRounding("degenerate edited mesh", [](uint64_t seed) {
+    return EditedMesh(seed, /*degenerate=*/true);
   });
 }
 

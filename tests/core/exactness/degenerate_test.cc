@@ -94,6 +94,38 @@ TEST_P(DegenerateMeshes, NeedlesDownToRounding) {
   }
 }
 
+// Few faces, around one without area.
+TEST_P(DegenerateMeshes, PathsCrossFacesWithoutArea) {
+  const std::vector<NamedMesh> meshes = {
+      {"strip of folds",
+       {{{5, 1, 1},
+         {6, 2, 0},
+         {5, 2, 1},
+         {6, 3, 0},
+         {5, 3, 1},
+         {4, 3, 2},
+         {6, 4, 0},
+         {5, 4, 2}},
+        {{0, 1, 2}, {2, 3, 4}, {5, 4, 3}, {6, 5, 3}, {6, 7, 5}}}},
+      {"point on a spoke",
+       {{{0, 1, -0.5},
+         {-2, 0, 0.75},
+         {1, 0, 0.5},
+         {0, 0, 0},
+         {-1, 0, 0.375},
+         {0, -2, -0.75}},
+        {{0, 1, 2}, {1, 3, 2}, {1, 4, 3}, {1, 5, 4}}}},
+      {"doubled point on an edge",
+       {{{0, 0, 0}, {1, 2, 0}, {2, 0, 0}, {1, -2, 0}, {1.5, 1, 0}, {1.5, 1, 0}},
+        {{0, 2, 1}, {0, 3, 2}, {1, 4, 5}, {1, 2, 4}}}}};
+  for (const NamedMesh& named : meshes) {
+    const BruteForce brute_force(named.soup);
+    ExpectDistances(
+        named, SpreadVertices(named.soup, 6),
+        [&](uint32_t s, uint32_t v) { return brute_force.Distances(s)[v]; });
+  }
+}
+
 TEST_P(DegenerateMeshes, OtherPiecesAreInfinitelyFar) {
   const TriangleSoup box = BoxGrid(1, 1, 1, 3, 3, 3);
   const uint32_t first = static_cast<uint32_t>(box.positions.size());
