@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "absl/status/statusor.h"
@@ -31,11 +32,6 @@ class Propagation {
  private:
   // Under a millisecond of work between two polls.
   static constexpr uint64_t kPollPeriod = 2048;
-  // How many windows ahead of its use what is fetched into cache: a latency of
-  // memory each, as the later needs the earlier.
-  static constexpr uint32_t kWindowAhead = 12;
-  static constexpr uint32_t kFaceAhead = 8;
-  static constexpr uint32_t kCornersAhead = 4;
 
   void Seed();
   void Step(uint32_t id);
@@ -115,12 +111,10 @@ absl::Status Propagation<Rule, Queue>::Poll(Checkpoint& checkpoint) {
 
 template <template <typename> typename Rule, WindowQueue Queue>
 void Propagation<Rule, Queue>::PrefetchUpcoming() const {
-  const uint32_t window = queue_.Upcoming(kWindowAhead);
-  if (!(window & kVertexEvent)) rule_.PrefetchWindow(window);
-  const uint32_t face = queue_.Upcoming(kFaceAhead);
-  if (!(face & kVertexEvent)) rule_.PrefetchFace(face);
-  const uint32_t corners = queue_.Upcoming(kCornersAhead);
-  if (!(corners & kVertexEvent)) rule_.PrefetchCorners(corners);
+  for (size_t stage = 0; stage < rule_.kPrefetchAhead.size(); ++stage) {
+    const uint32_t id = queue_.Upcoming(rule_.kPrefetchAhead[stage]);
+    if (!(id & kVertexEvent)) rule_.Prefetch(id, stage);
+  }
 }
 
 template <template <typename> typename Rule, WindowQueue Queue>

@@ -16,7 +16,9 @@
 #ifndef GEODESIC_RULES_CH_RULE_H_
 #define GEODESIC_RULES_CH_RULE_H_
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -30,6 +32,9 @@ namespace geodesic {
 template <WindowQueue Queue>
 class ChRule {
  public:
+  // How many windows ahead of their use the stages of Prefetch come.
+  static constexpr std::array<uint32_t, 3> kPrefetchAhead = {12, 8, 4};
+
   explicit ChRule(Front<Queue>& front)
       : front_(front),
         mesh_(front.mesh()),
@@ -45,15 +50,21 @@ class ChRule {
   // turned out to be useless: it does not count as propagated.
   bool Propagate(uint32_t id);
 
-  void PrefetchWindow(uint32_t id) const { pool_.Prefetch(id); }
-  void PrefetchFace(uint32_t id) const {
+  // Fetches into cache what propagating window `id` will need. Each stage
+  // needs what the one before has fetched.
+  void Prefetch(uint32_t id, size_t stage) const {
+    if (stage == 0) {
+      pool_.Prefetch(id);
+      return;
+    }
     const Window& window = pool_[id];
-    front_.PrefetchFace(window.half_edge);
-    front_.PrefetchDistance(window.pseudo_source);
-    __builtin_prefetch(&best_[window.half_edge]);
-  }
-  void PrefetchCorners(uint32_t id) const {
-    front_.PrefetchCorners(pool_[id].half_edge);
+    if (stage == 1) {
+      front_.PrefetchFace(window.half_edge);
+      front_.PrefetchDistance(window.pseudo_source);
+      __builtin_prefetch(&best_[window.half_edge]);
+    } else {
+      front_.PrefetchCorners(window.half_edge);
+    }
   }
 
   uint64_t created() const { return created_; }

@@ -13,6 +13,9 @@
 #define GEODESIC_RULES_MMP_RULE_H_
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,6 +31,9 @@ namespace geodesic {
 template <WindowQueue Queue>
 class MmpRule {
  public:
+  // How many windows ahead of their use the stages of Prefetch come.
+  static constexpr std::array<uint32_t, 4> kPrefetchAhead = {12, 8, 4, 2};
+
   explicit MmpRule(Front<Queue>& front)
       : front_(front),
         mesh_(front.mesh()),
@@ -42,78 +48,79 @@ class MmpRule {
   // is: the window was void, or its pseudo-source has improved since.
   bool Propagate(uint32_t id);
 
-  void PrefetchWindow(uint32_t id) const { pool_.Prefetch(id); }
-  void PrefetchFace(uint32_t id) const {
-    const Window& window = pool_[id];
-    front_.PrefetchFace(window.half_edge);
-    front_.PrefetchDistance(window.pseudo_source);
-  }
-  void PrefetchCorners(uint32_t id) const {
-    const HalfEdge h = pool_[id].half_edge;
-    front_.PrefetchCorners(h);
-    lists_.PrefetchHead(mesh_.frame(h).left_exit);
-    lists_.PrefetchHead(mesh_.frame(h).right_exit);
+  // Fetches into cache what propagating window `id` will need. Each stage
+  // needs what the one before has fetched.
+  void Prefetch(uint32_t id, size_t stage) const {
+    const HalfEdge h = queued_[id];
+    if (h == kNoHalfEdge) return;
+    switch (stage) {
+      case 0:
+        lists_.PrefetchHead(h);
+        break;
+      case 1:
+        lists_.PrefetchList(h);
+        front_.PrefetchFace(h);
+        break;
+      case 2:
+        front_.PrefetchCorners(h);
+        ForEachExit(h, [&](HalfEdge exit) { lists_.PrefetchHead(exit); });
+        break;
+      default:
+        ForEachExit(h, [&](HalfEdge exit) { lists_.PrefetchList(exit); });
+    }
   }
 
   uint64_t created() const { return created_; }
-  uint64_t peak_windows() const { return pool_.peak(); }
-  uint64_t bytes() const { return pool_.bytes() + lists_.bytes(); }
+  uint64_t peak_windows() const { return lists_.peak_size(); }
+  uint64_t bytes() const { return queued_.bytes() + lists_.bytes(); }
 
  private:
-  enum State : uint32_t {
-    kQueued,
-    kPropagated,  // in its list only
-    kVoid,        // in the queue only: nothing of it is left
-  };
-
-  struct alignas(64) Window {
-    Interval interval;
-    Origin origin;
-    HalfEdge half_edge;
-    uint32_t pseudo_source;
-    State state;
-  };
-  static_assert(sizeof(Window) == 64);
-
   // Adds a window, as far as it beats those on the half-edge already.
   void Insert(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
               Interval interval);
-  // Makes a window, appends it to parts_, and queues it unless it is the rest
-  // of one that has been propagated.
-  void Add(const Window& window);
-  // Forgets a window of which nothing is left.
-  void Discard(uint32_t id);
+  // Queues a window that is to be in the list of `half_edge`.
+  void Enqueue(HalfEdge half_edge, ListedWindow& window);
+  void Cross(HalfEdge h, const ListedWindow& window);
 
-  void Cross(const Window& window);
+  template <typename Visit>
+  void ForEachExit(HalfEdge h, Visit visit) const {
+    const HalfEdgeFrame& frame = mesh_.frame(h);
+    if (frame.left_exit != kNoHalfEdge) visit(frame.left_exit);
+    if (frame.right_exit != kNoHalfEdge) visit(frame.right_exit);
+  }
 
   Front<Queue>& front_;
   const Mesh& mesh_;
-  WindowPool<Window> pool_;
   WindowLists lists_;
-  std::vector<WindowLists::Entry> parts_;  // of Insert, kept for its memory
+  // The half-edge of each window in the queue; kNoHalfEdge if the window is
+  // void: trimmed to nothing since it was queued.
+  WindowPool<HalfEdge> queued_;
+  std::vector<ListedWindow> parts_;  // of Insert, kept for its memory
   uint64_t created_ = 0;
 };
 
 template <WindowQueue Queue>
 bool MmpRule<Queue>::Propagate(uint32_t id) {
-  Window& window = pool_[id];
-  if (window.state == kVoid) {
-    pool_.Free(id);
+  const HalfEdge h = queued_[id];
+  queued_.Free(id);
+  if (h == kNoHalfEdge) {
     front_.queue().DropVoid();
     return false;
   }
-  window.state = kPropagated;
-  if (window.origin.sigma >
-      front_.distance(window.pseudo_source) * (1 + kDominance)) {
+  ListedWindow& listed =
+      *std::ranges::find(lists_.Of(h), id, &ListedWindow::id);
+  listed.id = kNothing;
+  if (listed.origin.sigma >
+      front_.distance(listed.pseudo_source) * (1 + kDominance)) {
     return false;
   }
-  Cross(window);
+  Cross(h, ListedWindow(listed));  // a copy: children move the lists
   return true;
 }
 
 template <WindowQueue Queue>
-void MmpRule<Queue>::Cross(const Window& window) {
-  const auto& [interval, origin, h, pseudo_source, state] = window;
+void MmpRule<Queue>::Cross(HalfEdge h, const ListedWindow& window) {
+  const auto& [interval, origin, pseudo_source, id] = window;
   const HalfEdgeFrame& frame = mesh_.frame(h);
   const double left_length = mesh_.frame(Prev(h)).length;
   const double right_length = mesh_.frame(Next(h)).length;
@@ -159,13 +166,12 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
                            mesh_.To(half_edge))) {
     return;
   }
-  const std::span<const WindowLists::Entry> list = lists_.Of(half_edge);
+  const std::span<const ListedWindow> list = lists_.Of(half_edge);
 
-  // The entries [first, last) that overlap the new window give way to parts_.
+  // The windows [first, last) that overlap the new one give way to parts_.
   uint32_t first = 0;
-  while (first < list.size() && list[first].begin <= interval.begin) ++first;
-  if (first > 0 && pool_[list[first - 1].id].interval.end > interval.begin) {
-    --first;
+  while (first < list.size() && list[first].interval.end <= interval.begin) {
+    ++first;
   }
   uint32_t last = first;
   parts_.clear();
@@ -175,45 +181,47 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
   const auto put_down = [&](double held_until) {
     const Interval held{held_from, held_until};
     if (held.width() > least_width) {
-      Add({held, origin, half_edge, pseudo_source, kQueued});
+      parts_.push_back({held, origin, pseudo_source, kNothing});
+      Enqueue(half_edge, parts_.back());
     }
   };
-  for (; last < list.size() && list[last].begin < interval.end; ++last) {
-    const uint32_t id = list[last].id;
-    const Window older = pool_[id];
+  for (; last < list.size() && list[last].interval.begin < interval.end;
+       ++last) {
+    const ListedWindow& older = list[last];
     const Interval overlap{std::max(older.interval.begin, interval.begin),
                            std::min(older.interval.end, interval.end)};
     const Interval won = WonByNewer(older.origin, origin, overlap);
-    if (won.begin > overlap.begin || won.width() <= 0) {
+    if (won.width() <= 0) {
+      put_down(overlap.begin);
+      held_from = overlap.end;
+      parts_.push_back(older);
+      continue;
+    }
+    if (won.begin > overlap.begin) {
       put_down(overlap.begin);
       held_from = won.begin;
-    }
-    if (won.width() <= 0) {
-      parts_.push_back(list[last]);
-      held_from = overlap.end;
-      continue;
     }
     const Interval before{older.interval.begin, won.begin};
     const Interval after{won.end, older.interval.end};
     const bool keeps_before = before.width() > least_width;
     const bool keeps_after = after.width() > least_width;
     if (keeps_before) {
-      pool_[id].interval = before;
-      parts_.push_back({before.begin, id});
+      parts_.push_back(older);
+      parts_.back().interval = before;
     }
     if (keeps_after) {
       put_down(won.end);
       held_from = overlap.end;
+      parts_.push_back(older);
+      parts_.back().interval = after;
+      // Both ends of a window in the queue are left: the second is queued anew.
+      if (keeps_before && older.id != kNothing) {
+        Enqueue(half_edge, parts_.back());
+      }
     }
-    if (keeps_after && keeps_before) {
-      Window rest = older;
-      rest.interval = after;
-      Add(rest);
-    } else if (keeps_after) {
-      pool_[id].interval = after;
-      parts_.push_back({after.begin, id});
-    } else if (!keeps_before) {
-      Discard(id);
+    if (!keeps_before && !keeps_after && older.id != kNothing) {
+      queued_[older.id] = kNoHalfEdge;
+      front_.queue().MarkVoid();
     }
   }
   put_down(interval.end);
@@ -221,23 +229,10 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
 }
 
 template <WindowQueue Queue>
-void MmpRule<Queue>::Add(const Window& window) {
-  const uint32_t id = pool_.Allocate(window);
-  parts_.push_back({window.interval.begin, id});
-  if (window.state == kQueued) {
-    ++created_;
-    front_.queue().Push(id, Label(window.origin, window.interval));
-  }
-}
-
-template <WindowQueue Queue>
-void MmpRule<Queue>::Discard(uint32_t id) {
-  if (pool_[id].state == kQueued) {
-    pool_[id].state = kVoid;
-    front_.queue().MarkVoid();
-  } else {
-    pool_.Free(id);
-  }
+void MmpRule<Queue>::Enqueue(HalfEdge half_edge, ListedWindow& window) {
+  window.id = queued_.Allocate(half_edge);
+  ++created_;
+  front_.queue().Push(window.id, Label(window.origin, window.interval));
 }
 
 }  // namespace geodesic

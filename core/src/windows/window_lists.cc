@@ -5,22 +5,25 @@
 namespace geodesic {
 
 void WindowLists::Replace(HalfEdge h, uint32_t first, uint32_t last,
-                          std::span<const Entry> entries) {
+                          std::span<const ListedWindow> windows) {
   Head& head = heads_[h];
   const uint32_t old_size = head.size;
   const uint32_t size =
-      old_size - (last - first) + static_cast<uint32_t>(entries.size());
+      old_size - (last - first) + static_cast<uint32_t>(windows.size());
   if (head.size_class == 0 || size > (1u << head.size_class)) {
     Grow(head, size);
   }
-  Entry* list = arena_.data() + head.offset;
+  ListedWindow* list = arena_.data() + head.offset;
   if (size < old_size) {
-    std::move(list + last, list + old_size, list + first + entries.size());
+    std::move(list + last, list + old_size, list + first + windows.size());
   } else if (size > old_size) {
     std::move_backward(list + last, list + old_size, list + size);
   }
-  std::copy(entries.begin(), entries.end(), list + first);
+  std::copy(windows.begin(), windows.end(), list + first);
   head.size = size;
+  size_ += windows.size();
+  size_ -= last - first;
+  peak_size_ = std::max(peak_size_, size_);
 }
 
 void WindowLists::Grow(Head& head, uint32_t size) {
@@ -41,8 +44,8 @@ void WindowLists::Grow(Head& head, uint32_t size) {
 }
 
 uint64_t WindowLists::bytes() const {
-  uint64_t bytes =
-      heads_.capacity() * sizeof(Head) + arena_.capacity() * sizeof(Entry);
+  uint64_t bytes = heads_.capacity() * sizeof(Head) +
+                   arena_.capacity() * sizeof(ListedWindow);
   for (const std::vector<uint32_t>& offsets : free_) {
     bytes += offsets.capacity() * sizeof(uint32_t);
   }

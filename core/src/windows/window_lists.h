@@ -9,33 +9,45 @@
 #include <vector>
 
 #include "geodesic/mesh.h"
+#include "windows/window.h"
 
 namespace geodesic {
 
-// One short contiguous list a half-edge, all in one arena: finding the
-// neighbours of a new window touches one or two cache lines, not the windows.
-// Room grows by doubling; blocks that were outgrown are reused.
+// A window in the list of its half-edge.
+struct ListedWindow {
+  Interval interval;
+  Origin origin;
+  uint32_t pseudo_source;
+  uint32_t id;  // in the queue; kNothing once propagated
+};
+static_assert(sizeof(ListedWindow) == 48);
+
+// One short contiguous list a half-edge, all in one arena: the neighbours of a
+// new window are found and trimmed in place. Room grows by doubling; blocks
+// that were outgrown are reused.
 class WindowLists {
  public:
-  struct Entry {
-    double begin;  // where the window's interval begins
-    uint32_t id;
-  };
-
   explicit WindowLists(uint32_t half_edges) : heads_(half_edges) {}
 
-  std::span<const Entry> Of(HalfEdge h) const {
+  std::span<ListedWindow> Of(HalfEdge h) {
     return {arena_.data() + heads_[h].offset, heads_[h].size};
   }
 
-  // Puts `entries` in the place of entries [first, last) of h's list.
+  // Puts `windows` in the place of windows [first, last) of h's list.
   // Invalidates spans. O(size of the list).
   void Replace(HalfEdge h, uint32_t first, uint32_t last,
-               std::span<const Entry> entries);
+               std::span<const ListedWindow> windows);
 
+  // Windows in all lists, now and at the most.
+  uint64_t size() const { return size_; }
+  uint64_t peak_size() const { return peak_size_; }
+
+  // Fetches into cache where a list lies, then (once that has arrived) its
+  // beginning.
   void PrefetchHead(HalfEdge h) const { __builtin_prefetch(&heads_[h]); }
   void PrefetchList(HalfEdge h) const {
-    __builtin_prefetch(arena_.data() + heads_[h].offset);
+    const ListedWindow* list = arena_.data() + heads_[h].offset;
+    for (uint32_t i = 0; i < kPrefetched; ++i) __builtin_prefetch(list + i);
   }
 
   uint64_t bytes() const;
@@ -48,12 +60,15 @@ class WindowLists {
   };
   static constexpr uint32_t kFirstClass = 2;
   static constexpr uint32_t kClasses = 32;
+  static constexpr uint32_t kPrefetched = 4;
 
   void Grow(Head& head, uint32_t size);
 
   std::vector<Head> heads_;
-  std::vector<Entry> arena_;
+  std::vector<ListedWindow> arena_;
   std::array<std::vector<uint32_t>, kClasses> free_;  // offsets by class
+  uint64_t size_ = 0;
+  uint64_t peak_size_ = 0;
 };
 
 }  // namespace geodesic

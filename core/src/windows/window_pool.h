@@ -39,7 +39,12 @@ class WindowPool {
     return chunks_[id / kChunk][id % kChunk];
   }
 
-  void Prefetch(uint32_t id) const { __builtin_prefetch(&(*this)[id]); }
+  // A window may lie across two cache lines.
+  void Prefetch(uint32_t id) const {
+    const auto* window = reinterpret_cast<const char*>(&(*this)[id]);
+    __builtin_prefetch(window);
+    __builtin_prefetch(window + sizeof(Window) - 1);
+  }
 
   uint64_t live() const { return live_; }
   uint64_t peak() const { return peak_; }

@@ -21,10 +21,10 @@ TEST(WindowListsTest, BehavesLikeVectors) {
     const auto size = static_cast<uint32_t>(list.size());
     const uint32_t first = random() % (size + 1);
     const uint32_t last = first + random() % (size - first + 1);
-    std::vector<WindowLists::Entry> entries(random() % (size > 40 ? 1 : 4));
+    std::vector<ListedWindow> entries(random() % (size > 40 ? 1 : 4));
     list.erase(list.begin() + first, list.begin() + last);
     for (uint32_t i = 0; i < entries.size(); ++i) {
-      entries[i] = {.begin = 0.5 * step, .id = 4 * step + i};
+      entries[i] = {.interval = {0.5 * step, 1.0 * step}, .id = 4 * step + i};
       list.insert(list.begin() + first + i, entries[i].id);
     }
     lists.Replace(h, first, last, entries);
@@ -33,7 +33,11 @@ TEST(WindowListsTest, BehavesLikeVectors) {
       ASSERT_EQ(lists.Of(h)[i].id, list[i]) << "step " << step;
     }
   }
-  EXPECT_GT(lists.bytes(), 0u);
+  uint64_t size = 0;
+  for (const std::vector<uint32_t>& list : expected) size += list.size();
+  EXPECT_EQ(lists.size(), size);
+  EXPECT_GE(lists.peak_size(), size);
+  EXPECT_GT(lists.bytes(), size * sizeof(ListedWindow));
 }
 
 }  // namespace
