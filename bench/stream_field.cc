@@ -2,7 +2,7 @@
 //
 //   stream_field [HOST:PORT] [--vertices V] [--repeat R]
 //
-// Uploads a flat triangulated strip of V vertices (default 200,000), has its
+// Uploads a flat triangulated square of V vertices (default 200,000), has its
 // field computed once, and fetches it R more times (default 200). Prints one
 // JSON line: bytes of a field, median and best seconds of a call, and the
 // median's rate in GB/s.
@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -21,17 +22,19 @@
 namespace geodesic::client {
 namespace {
 
-// Two rows of vertices: quick to solve, whatever the count.
-MeshArrays Strip(uint32_t vertex_count) {
+// A flat square of about this many vertices.
+MeshArrays Square(uint32_t vertex_count) {
+  const auto side = static_cast<uint32_t>(std::ceil(std::sqrt(vertex_count)));
   MeshArrays mesh;
-  const uint32_t columns = vertex_count / 2;
-  for (uint32_t i = 0; i < columns; ++i) {
-    mesh.positions.push_back({static_cast<double>(i), 0, 0});
-    mesh.positions.push_back({static_cast<double>(i), 1, 0});
-    if (i == 0) continue;
-    const uint32_t a = 2 * (i - 1);
-    mesh.triangles.push_back({a, a + 2, a + 1});
-    mesh.triangles.push_back({a + 1, a + 2, a + 3});
+  for (uint32_t j = 0; j < side; ++j) {
+    for (uint32_t i = 0; i < side; ++i) {
+      mesh.positions.push_back(
+          {static_cast<double>(i), static_cast<double>(j), 0});
+      if (i == 0 || j == 0) continue;
+      const uint32_t d = i + j * side;
+      mesh.triangles.push_back({d - side - 1, d - side, d});
+      mesh.triangles.push_back({d - side - 1, d, d - 1});
+    }
   }
   return mesh;
 }
@@ -44,7 +47,7 @@ int Fail(const absl::Status& status) {
 int Measure(const std::string& server, uint32_t vertex_count, int repeat) {
   Client client(server);
   absl::StatusOr<UploadOutcome> upload =
-      client.UploadArrays(Strip(vertex_count));
+      client.UploadArrays(Square(vertex_count));
   if (!upload.ok()) return Fail(upload.status());
   const FieldQuery query = {.mesh_digest = upload->mesh.digest,
                             .sources = {{.vertex = 0}}};
