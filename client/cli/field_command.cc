@@ -79,6 +79,9 @@ absl::StatusOr<std::vector<WrittenFile>> WriteAll(const Session& session,
   MeshArrays mesh;
   std::vector<WrittenFile> written;
   for (const OutputArgument& output : session.arguments.outputs) {
+    if (session.call.stop.stop_requested()) {
+      return absl::CancelledError("stopped before all files were written");
+    }
     if (NeedsMesh(output.format) && content.mesh == nullptr) {
       absl::StatusOr<MeshArrays> read =
           session.client.ReadMesh(field.mesh_digest, session.call);

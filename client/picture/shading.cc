@@ -16,7 +16,7 @@ LinearColor Lighting::Shade(const LinearColor& albedo, Vector3 normal) const {
   const double sky = 0.5 + 0.5 * Dot(normal, up_);
   // A surface that faces the lamp keeps its colour, so that it can be read off
   // the colour bar.
-  const double light = 0.20 + 0.16 * sky + 0.72 * lamp;
+  const double light = 0.27 + 0.16 * sky + 0.66 * lamp;
   return static_cast<float>(light) * albedo;
 }
 
