@@ -73,6 +73,8 @@ void AddNetworkOptions(CLI::App& app, ServerOptions& options) {
   app.add_option("--port-file", options.port_file,
                  "Write the port that is served on to this file, for scripts")
       ->type_name("PATH");
+  AddCount(app, "--max-requests", options.max_requests, 1'000'000,
+           "Requests at once; each may hold a few messages in memory");
   AddBytes(app, "--max-message-bytes", options.max_message_bytes,
            "Largest gRPC message taken from a client", kMaxMessageBytes);
 }

@@ -17,6 +17,8 @@ struct ServerOptions {
   std::string listen = "127.0.0.1:50051";
   // Where to write the port that was taken; empty: nowhere.
   std::string port_file;
+  // Requests at once; beyond that streams are refused.
+  uint64_t max_requests = 1000;
   // Largest gRPC message taken.
   uint64_t max_message_bytes = uint64_t{4} << 20;
   // How long requests may go on after SIGTERM.

@@ -15,7 +15,7 @@
 namespace geodesic::server {
 namespace {
 
-// How long the answers of requests that have ended may take to leave.
+// How long answers that are ready may take to leave.
 constexpr std::chrono::milliseconds kFlushGrace{500};
 
 // How long the last reactions of cancelled calls may take.
@@ -29,7 +29,7 @@ Server::Server(const ServerOptions& options,
                std::shared_ptr<spdlog::logger> logger, SolveFunction solve)
     : options_(options),
       logger_(std::move(logger)),
-      log_(logger_),
+      log_(logger_, options.max_requests),
       pool_(options.limits.max_concurrent_jobs),
       engine_(options.limits, clock_, pool_, std::move(solve)),
       mesh_service_(engine_, log_),
@@ -93,11 +93,9 @@ bool Server::Wait() {
   }
   const bool in_order = log_.WaitIdle(until, hurry_.get_token());
   if (!in_order) logger_->warn("{} requests are cancelled", log_.active());
-  // Their streams are told why, if they can still be reached.
+  // Ends the requests that wait for a job; those that stream are cut off.
   engine_.StopAll();
-  grpc_server_->Shutdown(
-      std::chrono::system_clock::now() +
-      (in_order ? kFlushGrace : std::chrono::milliseconds(0)));
+  grpc_server_->Shutdown(std::chrono::system_clock::now() + kFlushGrace);
   log_.WaitIdle(clock_.Now() + kCancelGrace, std::stop_token());
   grpc_server_.reset();
   logger_->info("stopped");

@@ -30,7 +30,7 @@ grpc::ServerWriteReactor<v1::ComputeFieldResponse>* FieldStream::Start(
   const std::shared_ptr<FieldStream> stream(
       new FieldStream(engine, log, version));
   stream->self_ = stream;
-  stream->Begin(context, request);
+  stream->Begin(log, context, request);
   return stream.get();
 }
 
@@ -41,19 +41,21 @@ FieldStream::FieldStream(QueryEngine& engine, RequestLog& log,
 }
 
 absl::StatusOr<FieldCall> FieldStream::Ask(
-    const grpc::CallbackServerContext& context,
+    const RequestLog& log, const grpc::CallbackServerContext& context,
     const v1::ComputeFieldRequest& request) {
+  if (absl::Status status = log.CheckRoom(); !status.ok()) return status;
   absl::StatusOr<FieldRequest> query = FromProto(request);
   if (!query.ok()) return query.status();
   query->deadline = CallDeadline(context);
   return engine_.ComputeField(*query, shared_from_this());
 }
 
-void FieldStream::Begin(const grpc::CallbackServerContext& context,
+void FieldStream::Begin(const RequestLog& log,
+                        const grpc::CallbackServerContext& context,
                         const v1::ComputeFieldRequest& request) {
   entry_->set_subject(DigestPrefix(request.mesh_digest()));
   // Without the lock: the engine may call back at once.
-  absl::StatusOr<FieldCall> call = Ask(context, request);
+  absl::StatusOr<FieldCall> call = Ask(log, context, request);
   std::lock_guard lock(mutex_);
   if (!call.ok()) {
     End(call.status());

@@ -49,9 +49,10 @@ class FieldStream final
  private:
   FieldStream(QueryEngine& engine, RequestLog& log, const std::string& version);
 
-  absl::StatusOr<FieldCall> Ask(const grpc::CallbackServerContext& context,
+  absl::StatusOr<FieldCall> Ask(const RequestLog& log,
+                                const grpc::CallbackServerContext& context,
                                 const v1::ComputeFieldRequest& request);
-  void Begin(const grpc::CallbackServerContext& context,
+  void Begin(const RequestLog& log, const grpc::CallbackServerContext& context,
              const v1::ComputeFieldRequest& request);
 
   // The rest REQUIRES: mutex_ held.

@@ -34,6 +34,10 @@ MeshStream::MeshStream(QueryEngine& engine, RequestLog& log,
                        const v1::ReadMeshRequest& request)
     : entry_(log, "ReadMesh") {
   entry_.set_subject(DigestPrefix(request.digest()));
+  if (absl::Status status = log.CheckRoom(); !status.ok()) {
+    End(std::move(status));
+    return;
+  }
   absl::StatusOr<MeshHandle> mesh = engine.GetMesh(request.digest());
   if (!mesh.ok()) {
     End(mesh.status());

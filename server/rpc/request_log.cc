@@ -4,12 +4,30 @@
 
 #include <utility>
 
+#include "absl/strings/str_cat.h"
 #include "server/engine/status_details.h"
 
 namespace geodesic::server {
 
-RequestLog::RequestLog(std::shared_ptr<spdlog::logger> logger)
-    : logger_(std::move(logger)) {}
+namespace {
+
+// Streams end within seconds unless their readers stall.
+constexpr std::chrono::milliseconds kRetryDelay{1000};
+
+}  // namespace
+
+RequestLog::RequestLog(std::shared_ptr<spdlog::logger> logger,
+                       size_t max_active)
+    : logger_(std::move(logger)), max_active_(max_active) {}
+
+absl::Status RequestLog::CheckRoom() const {
+  if (active() <= max_active_) return absl::OkStatus();
+  return WithRetryAfter(
+      absl::ResourceExhaustedError(
+          absl::StrCat("the server has ", max_active_,
+                       " requests in hand and takes no more; try again later")),
+      kRetryDelay);
+}
 
 bool RequestLog::WaitIdle(std::chrono::steady_clock::time_point until,
                           std::stop_token stop) {

@@ -1,4 +1,5 @@
-// One log line per request, and the number of requests in the house.
+// One log line per request, and the number of requests in the house, which has
+// a limit.
 
 #ifndef GEODESIC_SERVER_RPC_REQUEST_LOG_H_
 #define GEODESIC_SERVER_RPC_REQUEST_LOG_H_
@@ -50,7 +51,13 @@ class RequestLog {
     uint64_t bytes_ = 0;
   };
 
-  explicit RequestLog(std::shared_ptr<spdlog::logger> logger);
+  RequestLog(std::shared_ptr<spdlog::logger> logger, size_t max_active);
+
+  // Whether a request whose entry has been made may go on to stream. Each
+  // stream holds a message or two, so their number bounds their memory.
+  // Errors: RESOURCE_EXHAUSTED with a retry hint when more than `max_active`
+  // requests have not ended.
+  absl::Status CheckRoom() const;
 
   // Waits until no request is active. False when `until` or a request to stop
   // waiting came first.
@@ -62,6 +69,7 @@ class RequestLog {
 
  private:
   const std::shared_ptr<spdlog::logger> logger_;
+  const size_t max_active_;
 
   mutable std::mutex mutex_;
   std::condition_variable_any idle_;

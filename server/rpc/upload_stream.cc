@@ -15,7 +15,7 @@ grpc::ServerReadReactor<v1::CreateMeshRequest>* UploadStream::Start(
   const std::shared_ptr<UploadStream> stream(
       new UploadStream(engine, log, context, response));
   stream->self_ = stream;
-  stream->StartRead(&stream->message_);
+  stream->Begin(log);
   return stream.get();
 }
 
@@ -24,6 +24,15 @@ UploadStream::UploadStream(QueryEngine& engine, RequestLog& log,
                            v1::CreateMeshResponse& response)
     : engine_(engine), context_(context), response_(response) {
   entry_.emplace(log, "CreateMesh");
+}
+
+void UploadStream::Begin(const RequestLog& log) {
+  std::lock_guard lock(mutex_);
+  if (absl::Status status = log.CheckRoom(); !status.ok()) {
+    End(std::move(status));
+    return;
+  }
+  StartRead(&message_);
 }
 
 void UploadStream::OnReadDone(bool ok) {

@@ -39,6 +39,7 @@ class UploadStream final
                const grpc::CallbackServerContext& context,
                v1::CreateMeshResponse& response);
 
+  void Begin(const RequestLog& log);
   // The client has sent everything.
   void Complete();
   void OnBuilt(const absl::StatusOr<UploadResult>& result);

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/v1/capabilities_service.grpc.pb.h"
+#include "tests/engine/uploads.h"
 #include "tests/rpc/generic_call.h"
 #include "tests/rpc/rpc_fixture.h"
 
@@ -82,6 +85,39 @@ TEST_F(OperationsTest, ReflectionListsTheServices) {
        {"geodesic.v1.MeshService", "geodesic.v1.FieldService",
         "geodesic.v1.CapabilitiesService"}) {
     EXPECT_THAT(*answer, HasSubstr(service));
+  }
+}
+
+class CrowdTest : public test::RpcTest {};
+
+TEST_F(CrowdTest, StreamsHaveALimit) {
+  ServerOptions options = SmallServer();
+  options.max_requests = 2;
+  Start(options, /*held=*/true);
+  const std::string digest = Upload(test::Tetrahedron());
+  grpc::ClientContext contexts[2];
+  std::vector<std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>>>
+      readers;
+  v1::ComputeFieldResponse message;
+  for (grpc::ClientContext& context : contexts) {
+    readers.push_back(fields_->ComputeField(&context, FieldRequest(digest, 0)));
+    ASSERT_TRUE(readers.back()->Read(&message));
+  }
+  v1::CreateMeshResponse response;
+  for (const grpc::Status& status :
+       {ComputeField(digest, 0).status,
+        Upload(v1::UploadHeader(), "", response)}) {
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+    EXPECT_TRUE(test::RetryInfo(status).has_value());
+  }
+  // What is answered at once still is.
+  const auto health = test::CallMethod(channel_, kHealthCheck, "");
+  EXPECT_TRUE(health.ok()) << health.status();
+  solver_.LetGo();
+  for (const auto& reader : readers) {
+    while (reader->Read(&message)) {
+    }
+    EXPECT_TRUE(reader->Finish().ok());
   }
 }
 

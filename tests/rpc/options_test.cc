@@ -98,11 +98,11 @@ TEST_F(OptionsTest, TheFileMayComeFromTheEnvironment) {
 TEST_F(OptionsTest, HelpExplainsEveryFlag) {
   EXPECT_EQ(Parse({"--help"}).exit_code, 0);
   for (const char* flag :
-       {"--listen", "--port-file", "--max-message-bytes", "--threads",
-        "--max-queued-jobs", "--max-sources", "--mesh-store", "--field-cache",
-        "--upload-memory", "--solver-memory", "--max-upload-bytes",
-        "--max-vertices", "--max-faces", "--drain-seconds", "--log-level",
-        "--config", "--version"}) {
+       {"--listen", "--port-file", "--max-requests", "--max-message-bytes",
+        "--threads", "--max-queued-jobs", "--max-sources", "--mesh-store",
+        "--field-cache", "--upload-memory", "--solver-memory",
+        "--max-upload-bytes", "--max-vertices", "--max-faces",
+        "--drain-seconds", "--log-level", "--config", "--version"}) {
     EXPECT_THAT(out_, HasSubstr(flag));
   }
   EXPECT_THAT(out_, AllOf(HasSubstr("GEODESICD_MAX_UPLOAD_BYTES"),
