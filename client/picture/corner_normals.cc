@@ -14,12 +14,15 @@ constexpr ptrdiff_t kMostTriangles = 64;
 
 Vector3 ToVector(const Point& point) { return {point[0], point[1], point[2]}; }
 
-// The coordinates' largest magnitude, as a factor that makes it 1.
-double InverseMagnitude(const std::vector<Point>& points) {
+// A factor that brings the corners' coordinates, not those of stray vertices,
+// to a magnitude of 1 at most.
+double InverseMagnitude(const MeshArrays& mesh) {
   double largest = 0;
-  for (const Point& point : points) {
-    for (const double value : point) {
-      largest = std::max(largest, std::abs(value));
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const uint32_t vertex : triangle) {
+      for (const double value : mesh.positions[vertex]) {
+        largest = std::max(largest, std::abs(value));
+      }
     }
   }
   return largest > 0 ? 1 / largest : 1;
@@ -27,7 +30,7 @@ double InverseMagnitude(const std::vector<Point>& points) {
 
 // Each triangle's normal; its length is twice the area, in scaled units.
 std::vector<Vector3> FaceNormals(const MeshArrays& mesh) {
-  const double scale = InverseMagnitude(mesh.positions);
+  const double scale = InverseMagnitude(mesh);
   std::vector<Vector3> normals;
   normals.reserve(mesh.triangles.size());
   for (const Triangle& triangle : mesh.triangles) {

@@ -32,9 +32,9 @@ struct Trial {
   bool sees_source = false;
 };
 
-Trial Try(const MeshArrays& mesh, const std::vector<uint64_t>& sources,
-          const View& view) {
-  const Camera camera(mesh.positions, view, {0, 0, kTrialSize, kTrialSize});
+Trial Try(const MeshArrays& mesh, const std::vector<Point>& shown,
+          const std::vector<uint64_t>& sources, const View& view) {
+  const Camera camera(shown, view, {0, 0, kTrialSize, kTrialSize});
   std::vector<Vector3> screen;
   screen.reserve(mesh.positions.size());
   for (const Point& point : mesh.positions) {
@@ -49,13 +49,9 @@ Trial Try(const MeshArrays& mesh, const std::vector<uint64_t>& sources,
   Trial trial = {
       .view = view,
       .area = static_cast<double>(covered) / (camera.scale() * camera.scale())};
-  if (!sources.empty() && sources[0] < screen.size()) {
-    const Vector3& source = screen[sources[0]];
-    const int x = std::clamp(static_cast<int>(source.x), 0, kTrialSize - 1);
-    const int y = std::clamp(static_cast<int>(source.y), 0, kTrialSize - 1);
-    // Within two samples of the surface, which may slope.
-    trial.sees_source = source.z + 2 >= buffer.At(x, y).depth;
-  }
+  // A source within two samples of the surface, which may slope, is seen.
+  trial.sees_source = !sources.empty() && sources[0] < screen.size() &&
+                      IsVisible(screen[sources[0]], 2, buffer);
   return trial;
 }
 
@@ -91,8 +87,8 @@ UpAxis GuessUpAxis(const std::vector<Point>& positions) {
              : UpAxis::kY;
 }
 
-View ChooseView(const MeshArrays& mesh, const std::vector<uint64_t>& sources,
-                UpAxis up) {
+View ChooseView(const MeshArrays& mesh, const std::vector<Point>& shown,
+                const std::vector<uint64_t>& sources, UpAxis up) {
   // Flat meshes are looked at from above.
   const double elevation = up == UpAxis::kZ ? 45 : 18;
   std::vector<Trial> trials;
@@ -100,7 +96,7 @@ View ChooseView(const MeshArrays& mesh, const std::vector<uint64_t>& sources,
   // In order of preference where views are equally good: the front first.
   for (const double azimuth :
        {30.0, -30.0, 60.0, -60.0, 150.0, -150.0, 120.0, -120.0}) {
-    trials.push_back(Try(mesh, sources, {up, azimuth, elevation}));
+    trials.push_back(Try(mesh, shown, sources, {up, azimuth, elevation}));
     largest_area = std::max(largest_area, trials.back().area);
   }
   const auto score = [largest_area](const Trial& trial) {

@@ -15,10 +15,11 @@ namespace geodesic::client {
 // floor along z but fall over along y; y otherwise, as in most models.
 UpAxis GuessUpAxis(const std::vector<Point>& positions);
 
-// Tries oblique views from all around and takes the one that shows the largest
-// outline, preferring those that see the first source.
-View ChooseView(const MeshArrays& mesh, const std::vector<uint64_t>& sources,
-                UpAxis up);
+// Tries oblique views of `shown`, the points that are to fit, from all around
+// and takes the one in which the mesh has the largest outline, preferring those
+// that see the first source.
+View ChooseView(const MeshArrays& mesh, const std::vector<Point>& shown,
+                const std::vector<uint64_t>& sources, UpAxis up);
 
 }  // namespace geodesic::client
 

@@ -119,22 +119,13 @@ void DrawSamples(const Scene& scene, const VisibilityBuffer& samples,
   }
 }
 
-// A source is seen if nothing is in front of it by more than the surface
-// around it may slope.
-bool IsVisible(const Vector3& point, double tolerance,
-               const VisibilityBuffer& samples) {
-  const int x = static_cast<int>(point.x);
-  const int y = static_cast<int>(point.y);
-  return x >= 0 && y >= 0 && x < samples.width && y < samples.height &&
-         point.z + tolerance >= samples.At(x, y).depth;
-}
-
 void DrawSources(const Scene& scene, const VisibilityBuffer& samples,
                  const std::vector<uint64_t>& sources, LinearImage* image) {
   const double size = std::clamp(image->height / 100.0, 4.0, 24.0);
   for (const uint64_t source : sources) {
     if (source >= scene.screen().size()) continue;
     const Vector3& point = scene.screen()[source];
+    // The surface around it may slope.
     if (!IsVisible(point, kSamples * size / 2, samples)) continue;
     const double x = point.x / kSamples;
     const double y = point.y / kSamples;
@@ -174,7 +165,7 @@ Image RenderField(const MeshArrays& mesh, const std::vector<double>& distances,
   const View view =
       options.direction.has_value()
           ? View{up, options.direction->azimuth, options.direction->elevation}
-          : ChooseView(mesh, sources, up);
+          : ChooseView(mesh, corners, sources, up);
   const double margin = 0.05 * std::min(options.width, options.height);
   const Rectangle area = {
       margin, margin,

@@ -54,6 +54,17 @@ void DrawTriangle(const Vector3& a, const Vector3& b, const Vector3& c,
 
 }  // namespace
 
+bool IsVisible(const Vector3& point, double tolerance,
+               const VisibilityBuffer& buffer) {
+  if (!(point.x >= 0 && point.x < buffer.width && point.y >= 0 &&
+        point.y < buffer.height)) {
+    return false;
+  }
+  const VisibleSample& sample =
+      buffer.At(static_cast<int>(point.x), static_cast<int>(point.y));
+  return point.z + tolerance >= sample.depth;
+}
+
 Barycentric BarycentricAt(const Vector3& a, const Vector3& b, const Vector3& c,
                           double x, double y) {
   const double area2 = Area2(a, b, c);

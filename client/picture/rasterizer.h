@@ -23,6 +23,11 @@ struct VisibleSample {
 
 using VisibilityBuffer = Raster<VisibleSample>;
 
+// Whether nothing is in front of a point by more than `tolerance`, in samples.
+// False off the screen, and for what is no number.
+bool IsVisible(const Vector3& point, double tolerance,
+               const VisibilityBuffer& buffer);
+
 // The weights of a triangle's corners at a point of the screen; they add up to
 // one, and all are >= 0 inside.
 struct Barycentric {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace geodesic::client {
 namespace {
 
@@ -44,23 +46,27 @@ TEST(ChooseViewTest, SeesTheSource) {
   MeshArrays mesh = Box({-1, -1, -1}, {1, 1, 1});
   mesh.positions.push_back({0, 0, 1});
   mesh.positions.push_back({0, 0, -1});
-  const View front = ChooseView(mesh, {8}, UpAxis::kY);
-  const View back = ChooseView(mesh, {9}, UpAxis::kY);
+  const View front = ChooseView(mesh, mesh.positions, {8}, UpAxis::kY);
+  const View back = ChooseView(mesh, mesh.positions, {9}, UpAxis::kY);
   EXPECT_LT(std::abs(front.azimuth), 90);
   EXPECT_GT(std::abs(back.azimuth), 90);
 }
 
 TEST(ChooseViewTest, ShowsTheLongSide) {
   // Long along x is seen from the front, long along z from the side.
-  const View along_x = ChooseView(Box({-5, -1, -1}, {5, 1, 1}), {}, UpAxis::kY);
-  EXPECT_EQ(std::abs(along_x.azimuth), 30);
-  const View along_z = ChooseView(Box({-1, -1, -5}, {1, 1, 5}), {}, UpAxis::kY);
-  EXPECT_EQ(std::abs(along_z.azimuth), 60);
+  const MeshArrays along_x = Box({-5, -1, -1}, {5, 1, 1});
+  EXPECT_EQ(
+      std::abs(ChooseView(along_x, along_x.positions, {}, UpAxis::kY).azimuth),
+      30);
+  const MeshArrays along_z = Box({-1, -1, -5}, {1, 1, 5});
+  EXPECT_EQ(
+      std::abs(ChooseView(along_z, along_z.positions, {}, UpAxis::kY).azimuth),
+      60);
 }
 
 TEST(ChooseViewTest, SourcesOutOfRangeAndEmptyMeshesAreFine) {
-  ChooseView({}, {7}, UpAxis::kY);
-  EXPECT_GT(ChooseView({}, {}, UpAxis::kZ).elevation, 30);
+  ChooseView({}, {}, {7}, UpAxis::kY);
+  EXPECT_GT(ChooseView({}, {}, {}, UpAxis::kZ).elevation, 30);
 }
 
 }  // namespace

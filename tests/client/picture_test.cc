@@ -159,6 +159,19 @@ TEST(PictureTest, AnyMagnitudeIsDrawn) {
   }
 }
 
+TEST(PictureTest, StrayVerticesDoNotShrinkTheMesh) {
+  MeshArrays mesh = Quad();
+  mesh.positions.push_back({1e308, 1e308, -1e308});
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  PictureOptions options;
+  options.width = kWidth;
+  options.height = kHeight;
+  // As a source, too, it changes nothing.
+  const Image with = RenderField(mesh, {0, 1, 0, 1, kInfinity}, {4}, options);
+  const Image without = RenderField(Quad(), {0, 1, 0, 1}, {}, options);
+  EXPECT_TRUE(with.pixels == without.pixels);
+}
+
 TEST(PictureTest, NothingToSeeIsStillAPicture) {
   EXPECT_EQ(Render({}, {}).width, kWidth);
   EXPECT_EQ(Render({{{0, 0, 0}}, {}}, {0}, {0}).height, kHeight);

@@ -67,6 +67,20 @@ TEST(RasterizerTest, TrianglesAreClippedToTheScreen) {
   }
 }
 
+TEST(IsVisibleTest, ComparesDepthOnTheScreenOnly) {
+  const VisibilityBuffer buffer =
+      Rasterize(kScreen, {{0, 1, 2}, {2, 1, 3}}, 10, 10);
+  EXPECT_TRUE(IsVisible({4, 4, 0.5}, 0, buffer));
+  EXPECT_FALSE(IsVisible({4, 4, -0.5}, 0, buffer));
+  EXPECT_TRUE(IsVisible({4, 4, -0.5}, 1, buffer));
+  EXPECT_TRUE(IsVisible({0.5, 0.5, -100}, 0, buffer));  // Nothing there.
+  for (const double off :
+       {-1.0, 10.0, 1e300, -1e300, double{INFINITY}, double{NAN}}) {
+    EXPECT_FALSE(IsVisible({off, 4, 9}, 0, buffer)) << off;
+    EXPECT_FALSE(IsVisible({4, off, 9}, 0, buffer)) << off;
+  }
+}
+
 TEST(BarycentricTest, AddsUpAndInterpolates) {
   const Vector3 a = {0, 0, 0}, b = {4, 0, 0}, c = {0, 4, 0};
   const Barycentric weights = BarycentricAt(a, b, c, 1, 2);
