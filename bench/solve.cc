@@ -33,6 +33,7 @@ struct Options {
   int repeat = 1;
   int threads = 1;
   double bucket_width = SolveOptions().bucket_width;
+  uint32_t max_batch = SolveOptions().max_batch;
   std::string output;
 };
 
@@ -89,7 +90,9 @@ absl::Status Run(const Options& options) {
   DistanceField field;
   for (int i = 0; i < options.repeat; ++i) {
     absl::StatusOr<DistanceField> solved = Solve(
-        **mesh, query, {.bucket_width = options.bucket_width}, checkpoint);
+        **mesh, query,
+        {.bucket_width = options.bucket_width, .max_batch = options.max_batch},
+        checkpoint);
     if (!solved.ok()) return solved.status();
     field = *std::move(solved);
     seconds.push_back(field.statistics.solve_seconds);
@@ -145,6 +148,10 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--bucket-width", options.bucket_width,
                  "FWP bucket width in units of h / sqrt(n)")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--max-batch", options.max_batch,
+                 "most windows an FWP iteration takes (the paper's K_max)")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--output", options.output,

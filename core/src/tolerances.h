@@ -14,7 +14,8 @@ inline constexpr double kFlatAngle = 1e-9;
 
 // A face whose height over its longest edge is below this fraction of that edge
 // lets no ray of any width through along itself. Its corners become
-// pseudo-sources, so that paths pass through them and along its edges.
+// pseudo-sources, so that paths pass through them and along its edges; one that
+// is no higher over the opposite edge than this lies on it.
 inline constexpr double kCollapsedFace = 1e-12;
 
 // Least distance of an apex or a pseudo-source from an edge's line. It keeps

@@ -67,6 +67,14 @@ class Front {
                  distances_[to] + (length - interval.begin));
   }
 
+  // No point of the edge is farther than this: one of its ends and the edge
+  // itself lead there.
+  double Farthest(HalfEdge h) const {
+    return (distances_[mesh_.From(h)] + distances_[mesh_.To(h)] +
+            mesh_.frame(h).length) /
+           2;
+  }
+
   // Takes `distance` for v if it is better. A vertex that paths may bend at is
   // then queued with its distance as label (trap 8: otherwise no bound on
   // what is pending holds).
@@ -81,9 +89,10 @@ class Front {
   }
 
   // Handles the event of v: relaxes v's neighbours along their edges and calls
-  // open(half_edge, origin) for every edge opposite to v, where the half-edge
-  // enters the face beyond. Does nothing if v has not improved since it was
-  // last expanded.
+  // open(half_edge, origin) for every edge that v sees whole, where the
+  // half-edge enters the face beyond. These are the edges opposite to v, and
+  // where v lies on one (across a face without area), the other edges of the
+  // face beyond. Does nothing if v has not improved since it was last expanded.
   template <typename Open>
   void Expand(uint32_t v, Open open) {
     if (!(states_[v] & kPending)) return;
@@ -94,12 +103,12 @@ class Front {
       const HalfEdgeFrame& frame = mesh_.frame(opposite);
       Relax(mesh_.To(h), sigma + mesh_.frame(h).length);
       Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length);
-      const HalfEdge beyond = mesh_.Twin(opposite);
-      if (beyond == kNoHalfEdge) continue;
       // Seen from beyond, the edge runs the other way.
-      open(beyond, Origin{.x = frame.length - frame.apex_x,
-                          .depth = frame.apex_y,
-                          .sigma = sigma});
+      Look(mesh_.Twin(opposite),
+           {.x = frame.length - frame.apex_x,
+            .depth = frame.apex_y,
+            .sigma = sigma},
+           kMostFolds, open);
     }
   }
 
@@ -108,6 +117,27 @@ class Front {
     kSource = 1,
     kPending = 2,  // improved since it was last expanded
   };
+
+  // Through how many faces without area in a row a pseudo-source looks on.
+  static constexpr int kMostFolds = 16;
+
+  // Opens `half_edge`, or if the pseudo-source lies on it, what lies beyond.
+  template <typename Open>
+  void Look(HalfEdge half_edge, const Origin& origin, int folds, Open open) {
+    if (half_edge == kNoHalfEdge) return;
+    const HalfEdgeFrame& frame = mesh_.frame(half_edge);
+    const bool is_on_edge = origin.depth <= kCollapsedFace * frame.length &&
+                            origin.x > 0 && origin.x < frame.length;
+    if (!is_on_edge || folds == 0) {
+      open(half_edge, origin);
+      return;
+    }
+    Relax(mesh_.Apex(half_edge), origin.sigma + DistanceToApex(origin, frame));
+    Look(frame.left_exit, UnfoldLeft(origin, frame), folds - 1, open);
+    Look(frame.right_exit,
+         UnfoldRight(origin, frame, mesh_.frame(Next(half_edge)).length),
+         folds - 1, open);
+  }
 
   const Mesh& mesh_;
   Queue& queue_;

@@ -7,7 +7,9 @@
 // approximate geodesics on meshes. ACM TOG 24(3), 2005.
 //
 // The windows of a half-edge are disjoint. Propagated ones stay in its list, to
-// trim those that come later.
+// trim those that come later, until the wavefront has passed the edge: then
+// whatever came would lose all of it, and the list is dropped. Memory thus goes
+// with the wavefront, not with the mesh.
 
 #ifndef GEODESIC_RULES_MMP_RULE_H_
 #define GEODESIC_RULES_MMP_RULE_H_
@@ -72,15 +74,26 @@ class MmpRule {
 
   uint64_t created() const { return created_; }
   uint64_t peak_windows() const { return lists_.peak_size(); }
-  uint64_t bytes() const { return queued_.bytes() + lists_.bytes(); }
+  uint64_t bytes() const {
+    return queued_.bytes() + lists_.bytes() +
+           listed_.capacity() * sizeof(HalfEdge);
+  }
 
  private:
+  // Sweeps come when the lists have doubled, so each window pays for one visit;
+  // below this many windows there is little to gain.
+  static constexpr uint64_t kLeastSweep = 16384;
+
   // Adds a window, as far as it beats those on the half-edge already.
   void Insert(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
               Interval interval);
   // Queues a window that is to be in the list of `half_edge`.
   void Enqueue(HalfEdge half_edge, ListedWindow& window);
   void Cross(HalfEdge h, const ListedWindow& window);
+  // Drops the lists of all edges that the wavefront has passed.
+  void Sweep();
+  // Makes a window void if it is in the queue.
+  void Forget(const ListedWindow& window);
 
   template <typename Visit>
   void ForEachExit(HalfEdge h, Visit visit) const {
@@ -95,7 +108,9 @@ class MmpRule {
   // The half-edge of each window in the queue; kNoHalfEdge if the window is
   // void: trimmed to nothing since it was queued.
   WindowPool<HalfEdge> queued_;
-  std::vector<ListedWindow> parts_;  // of Insert, kept for its memory
+  std::vector<HalfEdge> listed_;       // with a list, since the last sweep
+  uint64_t next_sweep_ = kLeastSweep;  // when so many windows are in lists
+  std::vector<ListedWindow> parts_;    // of Insert, kept for its memory
   uint64_t created_ = 0;
 };
 
@@ -119,13 +134,31 @@ bool MmpRule<Queue>::Propagate(uint32_t id) {
 }
 
 template <WindowQueue Queue>
+void MmpRule<Queue>::Sweep() {
+  const double settled = front_.queue().SettledRadius();
+  std::erase_if(listed_, [&](HalfEdge h) {
+    if (front_.Farthest(h) > settled) return false;
+    for (const ListedWindow& window : lists_.Of(h)) Forget(window);
+    lists_.Drop(h);
+    return true;
+  });
+  next_sweep_ = std::max(2 * lists_.size(), kLeastSweep);
+}
+
+template <WindowQueue Queue>
+void MmpRule<Queue>::Forget(const ListedWindow& window) {
+  if (window.id == kNothing) return;
+  queued_[window.id] = kNoHalfEdge;
+  front_.queue().MarkVoid();
+}
+
+template <WindowQueue Queue>
 void MmpRule<Queue>::Cross(HalfEdge h, const ListedWindow& window) {
   const auto& [interval, origin, pseudo_source, id] = window;
   const HalfEdgeFrame& frame = mesh_.frame(h);
   const double left_length = mesh_.frame(Prev(h)).length;
   const double right_length = mesh_.frame(Next(h)).length;
   const double crossing = ApexCrossing(origin, frame);
-
   // The point of the interval nearest to the ray through the apex; paths
   // through it to the apex are real, and straight if the ray is in there.
   const double through = std::clamp(crossing, interval.begin, interval.end);
@@ -219,13 +252,12 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
         Enqueue(half_edge, parts_.back());
       }
     }
-    if (!keeps_before && !keeps_after && older.id != kNothing) {
-      queued_[older.id] = kNoHalfEdge;
-      front_.queue().MarkVoid();
-    }
+    if (!keeps_before && !keeps_after) Forget(older);
   }
   put_down(interval.end);
+  if (list.empty() && !parts_.empty()) listed_.push_back(half_edge);
   lists_.Replace(half_edge, first, last, parts_);
+  if (lists_.size() >= next_sweep_) Sweep();
 }
 
 template <WindowQueue Queue>

@@ -26,6 +26,13 @@ void WindowLists::Replace(HalfEdge h, uint32_t first, uint32_t last,
   peak_size_ = std::max(peak_size_, size_);
 }
 
+void WindowLists::Drop(HalfEdge h) {
+  Head& head = heads_[h];
+  if (head.size_class != 0) free_[head.size_class].push_back(head.offset);
+  size_ -= head.size;
+  head = {};
+}
+
 void WindowLists::Grow(Head& head, uint32_t size) {
   uint32_t size_class = std::max(head.size_class, kFirstClass);
   while ((1u << size_class) < size) ++size_class;

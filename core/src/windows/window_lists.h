@@ -38,6 +38,9 @@ class WindowLists {
   void Replace(HalfEdge h, uint32_t first, uint32_t last,
                std::span<const ListedWindow> windows);
 
+  // Empties h's list and gives its room back. Invalidates spans.
+  void Drop(HalfEdge h);
+
   // Windows in all lists, now and at the most.
   uint64_t size() const { return size_; }
   uint64_t peak_size() const { return peak_size_; }
