@@ -217,21 +217,29 @@ void Mesh::ClassifyVertices() {
     for (HalfEdge h : outgoing) {
       const HalfEdgeFrame& frame = frames_[h];
       angle += std::atan2(frame.apex_y, frame.apex_x);
-      if (Twin(h) == kNoHalfEdge || Twin(Prev(h)) == kNoHalfEdge) {
-        kinds_[v] |= kBoundary | kPseudoSource;
-      }
+      if (Twin(h) == kNoHalfEdge) kinds_[v] |= kBoundary;
       if (IsCollapsed(h / 3)) kinds_[v] |= kPseudoSource;
     }
-    // One closed fan comes back to its first face after all of them.
+    // The fan of the first face, from its boundary if it has one; other faces
+    // belong to other fans.
+    const auto at_boundary =
+        std::find_if(outgoing.begin(), outgoing.end(),
+                     [&](HalfEdge h) { return Twin(h) == kNoHalfEdge; });
+    const HalfEdge start =
+        at_boundary == outgoing.end() ? outgoing[0] : *at_boundary;
     size_t fan = 0;
-    for (HalfEdge h = outgoing[0];;) {
+    HalfEdge h = start;
+    do {
       ++fan;
       h = Twin(Prev(h));
-      if (h == kNoHalfEdge || h == outgoing[0]) break;
-    }
+    } while (h != kNoHalfEdge && h != start);
     if (fan < outgoing.size()) kinds_[v] |= kPseudoSource;
-    if (!(kinds_[v] & kBoundary) && angle > 2 * std::numbers::pi + kFlatAngle) {
-      kinds_[v] |= kSaddle | kPseudoSource;
+    // A path may bend where it has an angle of pi or more on every side that
+    // lies in the surface: one side at a boundary, two elsewhere.
+    const bool is_boundary = kinds_[v] & kBoundary;
+    const double flat = (is_boundary ? 1 : 2) * std::numbers::pi;
+    if (angle > flat + kFlatAngle) {
+      kinds_[v] |= kPseudoSource | (is_boundary ? 0 : kSaddle);
     }
   }
 }

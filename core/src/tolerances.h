@@ -6,10 +6,11 @@
 
 namespace geodesic {
 
-// A vertex whose cone angle exceeds 2 pi by no more than this is flat: it
-// hides nothing from the windows on both its sides, so paths need not bend
-// there. Angle sums of flat vertices are off by about 1e-15 a corner; treating
-// every one of them as a saddle doubles the windows of a plane.
+// A vertex whose cone angle exceeds 2 pi (at a boundary: pi) by no more than
+// this is flat: it hides nothing from the windows on both its sides, so paths
+// need not bend there. Angle sums of flat vertices are off by about 1e-15 a
+// corner; treating every one of them as a saddle doubles the windows of a
+// plane.
 inline constexpr double kFlatAngle = 1e-9;
 
 // A face whose height over its longest edge is below this fraction of that edge

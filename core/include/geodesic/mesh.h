@@ -87,8 +87,8 @@ class Mesh {
   }
 
   // Whether shortest paths may bend at v: a saddle (cone angle above 2 pi), a
-  // boundary vertex, or a vertex where the surface pinches or a face has no
-  // area.
+  // reflex corner of the boundary (angle above pi), or a vertex where the
+  // surface pinches or a face has no area.
   bool IsPseudoSource(uint32_t v) const { return kinds_[v] & kPseudoSource; }
   bool IsSaddle(uint32_t v) const { return kinds_[v] & kSaddle; }
   bool IsBoundary(uint32_t v) const { return kinds_[v] & kBoundary; }
