@@ -29,9 +29,10 @@ inline constexpr double kLeastHeight = 1e-170;
 // are relaxed through the nearest end of a window that misses them narrowly.
 inline constexpr double kLeastWidth = 1e-12;
 
-// A window that misses the apex by no more than this fraction of the edge
-// relaxes it through its nearest end, which is a real path. On regular grids
-// rays run exactly into vertices and rounding puts them on either side.
+// A window that misses the apex by no more than this fraction of its reach (the
+// edge and the way from the pseudo-source) relaxes it through its nearest end,
+// which is a real path. On regular grids rays run exactly into vertices, and
+// rounding, which goes with the reach, puts them on either side.
 inline constexpr double kNearMiss = 1e-9;
 
 // A distance is replaced only when it improves by more than this fraction:

@@ -136,7 +136,7 @@ bool ChRule<Queue>::Propagate(uint32_t id) {
   }
 
   const double crossing = ApexCrossing(origin, frame);
-  const double near_miss = kNearMiss * frame.length;
+  const double near_miss = NearMiss(origin, frame);
   if (crossing <= interval.begin) {
     if (crossing > interval.begin - near_miss) {
       front_.Relax(face.apex, origin.sigma + origin.DistanceTo(interval.begin) +

@@ -162,7 +162,7 @@ void MmpRule<Queue>::Cross(HalfEdge h, const ListedWindow& window) {
   // The point of the interval nearest to the ray through the apex; paths
   // through it to the apex are real, and straight if the ray is in there.
   const double through = std::clamp(crossing, interval.begin, interval.end);
-  if (std::abs(through - crossing) <= kNearMiss * frame.length) {
+  if (std::abs(through - crossing) <= NearMiss(origin, frame)) {
     front_.Relax(mesh_.Apex(h),
                  origin.sigma + (through == crossing
                                      ? DistanceToApex(origin, frame)

@@ -54,6 +54,12 @@ inline double ApexCrossing(const Origin& origin, const HalfEdgeFrame& frame) {
          (frame.apex_y + origin.depth);
 }
 
+// How far outside its interval a window still relaxes the apex, through the
+// interval's nearest end.
+inline double NearMiss(const Origin& origin, const HalfEdgeFrame& frame) {
+  return kNearMiss * (frame.length + std::abs(origin.x) + origin.depth);
+}
+
 // Distance from the pseudo-source to the apex.
 inline double DistanceToApex(const Origin& origin, const HalfEdgeFrame& frame) {
   const double dx = frame.apex_x - origin.x;

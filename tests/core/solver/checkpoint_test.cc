@@ -111,8 +111,8 @@ TEST_P(CheckpointTest, StatisticsAddUp) {
 
 INSTANTIATE_TEST_SUITE_P(
     Algorithms, CheckpointTest, ::testing::ValuesIn(kAlgorithms),
-    [](const ::testing::TestParamInfo<AlgorithmInfo>& info) {
-      std::string name(info.param.name);
+    [](const ::testing::TestParamInfo<AlgorithmInfo>& tested) {
+      std::string name(tested.param.name);
       std::erase(name, '-');
       return name;
     });
