@@ -63,7 +63,9 @@ TYPED_TEST(QueueTest, LosesNothingAndBoundsWhatIsPending) {
     }
     if (popped % 64 == 0) {
       for (size_t i = 0; i < labels.size(); ++i) {
-        if (pending[i]) ASSERT_GE(labels[i], settled * (1 - 1e-15));
+        if (pending[i]) {
+          ASSERT_GE(labels[i], settled * (1 - 1e-15));
+        }
       }
       ASSERT_EQ(queue.size(), labels.size() - popped);
     }
