@@ -19,12 +19,12 @@ class BinaryHeap {
 
   void Push(uint32_t id, double label) {
     heap_.push_back({label, id});
-    std::push_heap(heap_.begin(), heap_.end(), After);
+    std::push_heap(heap_.begin(), heap_.end(), After());
   }
 
   uint32_t Pop() {
     if (heap_.empty()) return kNothing;
-    std::pop_heap(heap_.begin(), heap_.end(), After);
+    std::pop_heap(heap_.begin(), heap_.end(), After());
     const Entry top = heap_.back();
     heap_.pop_back();
     settled_ = std::max(settled_, top.label);
@@ -52,9 +52,11 @@ class BinaryHeap {
     uint32_t id;
   };
 
-  static bool After(const Entry& a, const Entry& b) {
-    return a.label != b.label ? a.label > b.label : a.id > b.id;
-  }
+  struct After {
+    bool operator()(const Entry& a, const Entry& b) const {
+      return a.label != b.label ? a.label > b.label : a.id > b.id;
+    }
+  };
 
   std::vector<Entry> heap_;
   double settled_ = 0;

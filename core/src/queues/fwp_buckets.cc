@@ -24,7 +24,7 @@ void FwpBuckets::Push(uint32_t id, double label) {
     Append(bucket, id);
   } else {
     beyond_.push_back({bucket, id});
-    std::push_heap(beyond_.begin(), beyond_.end(), After);
+    std::push_heap(beyond_.begin(), beyond_.end(), After());
   }
 }
 
@@ -69,7 +69,7 @@ void FwpBuckets::Advance() {
   if (in_ring_ == 0) first_ = beyond_.front().bucket;
   for (;; ++first_) {
     while (!beyond_.empty() && beyond_.front().bucket < first_ + kRing) {
-      std::pop_heap(beyond_.begin(), beyond_.end(), After);
+      std::pop_heap(beyond_.begin(), beyond_.end(), After());
       Append(beyond_.back().bucket, beyond_.back().id);
       beyond_.pop_back();
     }

@@ -65,9 +65,11 @@ class FwpBuckets {
     uint32_t id;
   };
 
-  static bool After(const Far& a, const Far& b) {
-    return a.bucket != b.bucket ? a.bucket > b.bucket : a.id > b.id;
-  }
+  struct After {
+    bool operator()(const Far& a, const Far& b) const {
+      return a.bucket != b.bucket ? a.bucket > b.bucket : a.id > b.id;
+    }
+  };
 
   int64_t BucketOf(double label) const;
   void Append(int64_t bucket, uint32_t id);

@@ -53,7 +53,7 @@ class MmpRule {
   // Fetches into cache what propagating window `id` will need. Each stage
   // needs what the one before has fetched.
   void Prefetch(uint32_t id, size_t stage) const {
-    const HalfEdge h = queued_[id];
+    const auto [h, pseudo_source] = queued_[id];
     if (h == kNoHalfEdge) return;
     switch (stage) {
       case 0:
@@ -62,6 +62,7 @@ class MmpRule {
       case 1:
         lists_.PrefetchList(h);
         front_.PrefetchFace(h);
+        front_.PrefetchDistance(pseudo_source);
         break;
       case 2:
         front_.PrefetchCorners(h);
@@ -84,6 +85,11 @@ class MmpRule {
   // below this many windows there is little to gain.
   static constexpr uint64_t kLeastSweep = 16384;
 
+  struct Queued {
+    HalfEdge half_edge;  // kNoHalfEdge: void, trimmed to nothing since
+    uint32_t pseudo_source;
+  };
+
   // Adds a window, as far as it beats those on the half-edge already.
   void Insert(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
               Interval interval);
@@ -105,10 +111,8 @@ class MmpRule {
   Front<Queue>& front_;
   const Mesh& mesh_;
   WindowLists lists_;
-  // The half-edge of each window in the queue; kNoHalfEdge if the window is
-  // void: trimmed to nothing since it was queued.
-  WindowPool<HalfEdge> queued_;
-  std::vector<HalfEdge> listed_;       // with a list, since the last sweep
+  WindowPool<Queued> queued_;     // what is known of a window by its number
+  std::vector<HalfEdge> listed_;  // with a list, since the last sweep
   uint64_t next_sweep_ = kLeastSweep;  // when so many windows are in lists
   std::vector<ListedWindow> parts_;    // of Insert, kept for its memory
   uint64_t created_ = 0;
@@ -116,7 +120,7 @@ class MmpRule {
 
 template <WindowQueue Queue>
 bool MmpRule<Queue>::Propagate(uint32_t id) {
-  const HalfEdge h = queued_[id];
+  const auto [h, pseudo_source] = queued_[id];
   queued_.Free(id);
   if (h == kNoHalfEdge) {
     front_.queue().DropVoid();
@@ -125,8 +129,7 @@ bool MmpRule<Queue>::Propagate(uint32_t id) {
   ListedWindow& listed =
       *std::ranges::find(lists_.Of(h), id, &ListedWindow::id);
   listed.id = kNothing;
-  if (listed.origin.sigma >
-      front_.distance(listed.pseudo_source) * (1 + kDominance)) {
+  if (listed.origin.sigma > front_.distance(pseudo_source) * (1 + kDominance)) {
     return false;
   }
   Cross(h, ListedWindow(listed));  // a copy: children move the lists
@@ -148,7 +151,7 @@ void MmpRule<Queue>::Sweep() {
 template <WindowQueue Queue>
 void MmpRule<Queue>::Forget(const ListedWindow& window) {
   if (window.id == kNothing) return;
-  queued_[window.id] = kNoHalfEdge;
+  queued_[window.id].half_edge = kNoHalfEdge;
   front_.queue().MarkVoid();
 }
 
@@ -262,7 +265,7 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
 
 template <WindowQueue Queue>
 void MmpRule<Queue>::Enqueue(HalfEdge half_edge, ListedWindow& window) {
-  window.id = queued_.Allocate(half_edge);
+  window.id = queued_.Allocate({half_edge, window.pseudo_source});
   ++created_;
   front_.queue().Push(window.id, Label(window.origin, window.interval));
 }
