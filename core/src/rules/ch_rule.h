@@ -43,7 +43,7 @@ class ChRule {
   // Adds the window of pseudo-source v over a whole half-edge.
   void Open(HalfEdge half_edge, uint32_t v, const Origin& origin) {
     const Interval whole{0, mesh_.frame(half_edge).length};
-    if (whole.width() > 0) Add({whole, origin, half_edge, v});
+    if (whole.width() > 0) Add(Window::Over(whole, origin), half_edge, v);
   }
 
   // Propagates window `id` across its face and frees it. False if the window
@@ -57,13 +57,13 @@ class ChRule {
       pool_.Prefetch(id);
       return;
     }
-    const Window& window = pool_[id];
+    const Entry& entry = pool_[id];
     if (stage == 1) {
-      front_.PrefetchFace(window.half_edge);
-      front_.PrefetchDistance(window.pseudo_source);
-      __builtin_prefetch(&best_[window.half_edge]);
+      front_.PrefetchFace(entry.half_edge);
+      front_.PrefetchDistance(entry.pseudo_source);
+      __builtin_prefetch(&best_[entry.half_edge]);
     } else {
-      front_.PrefetchCorners(window.half_edge);
+      front_.PrefetchCorners(entry.half_edge);
     }
   }
 
@@ -74,13 +74,14 @@ class ChRule {
   }
 
  private:
-  struct Window {
+  // A window of the wavefront.
+  struct Entry {
     Interval interval;
     Origin origin;
     HalfEdge half_edge;
     uint32_t pseudo_source;
   };
-  static_assert(sizeof(Window) == 48);
+  static_assert(sizeof(Entry) == 48);
 
   // The best window so far to reach the apex across a half-edge.
   struct Best {
@@ -95,33 +96,32 @@ class ChRule {
     double left_length, right_length;
   };
 
-  void Add(const Window& window) {
+  void Add(const Window& window, HalfEdge half_edge, uint32_t pseudo_source) {
     ++created_;
-    front_.queue().Push(pool_.Allocate(window),
-                        Label(window.origin, window.interval));
+    front_.queue().Push(pool_.Allocate({window.interval, window.origin,
+                                        half_edge, pseudo_source}),
+                        window.Label());
   }
 
-  void PropagateLeft(const Window& parent, const Crossing& face,
+  void PropagateLeft(const Entry& parent, const Crossing& face,
                      bool ends_at_apex);
-  void PropagateRight(const Window& parent, const Crossing& face,
+  void PropagateRight(const Entry& parent, const Crossing& face,
                       bool starts_at_apex);
 
   Front<Queue>& front_;
   const Mesh& mesh_;
-  WindowPool<Window> pool_;
+  WindowPool<Entry> pool_;
   std::vector<Best> best_;  // one per half-edge
   uint64_t created_ = 0;
 };
 
 template <WindowQueue Queue>
 bool ChRule<Queue>::Propagate(uint32_t id) {
-  const Window window = pool_[id];
+  const Entry entry = pool_[id];
   pool_.Free(id);
-  const auto& [interval, origin, h, pseudo_source] = window;
+  const auto& [interval, origin, h, pseudo_source] = entry;
   // The pseudo-source has improved since: its newer windows replace this one.
-  if (origin.sigma > front_.distance(pseudo_source) * (1 + kDominance)) {
-    return false;
-  }
+  if (Exceeds(origin.sigma, front_.distance(pseudo_source))) return false;
   const HalfEdgeFrame& frame = mesh_.frame(h);
   const Crossing face{frame,
                       mesh_.From(h),
@@ -130,8 +130,8 @@ bool ChRule<Queue>::Propagate(uint32_t id) {
                       mesh_.frame(Prev(h)).length,
                       mesh_.frame(Next(h)).length};
   // Distances have improved since the window was made: test it again.
-  if (front_.EndsAreNearer(origin, interval, frame.length, face.from,
-                           face.to)) {
+  const Window window = Window::Over(interval, origin);
+  if (front_.EndsAreNearer(window, frame.length, face.from, face.to)) {
     return false;
   }
 
@@ -139,18 +139,18 @@ bool ChRule<Queue>::Propagate(uint32_t id) {
   const double near_miss = NearMiss(origin, frame);
   if (crossing <= interval.begin) {
     if (crossing > interval.begin - near_miss) {
-      front_.Relax(face.apex, origin.sigma + origin.DistanceTo(interval.begin) +
+      front_.Relax(face.apex, window.begin_distance +
                                   EdgePointToApex(interval.begin, frame));
     }
-    PropagateRight(window, face, false);
+    PropagateRight(entry, face, false);
     return true;
   }
   if (crossing >= interval.end) {
     if (crossing < interval.end + near_miss) {
-      front_.Relax(face.apex, origin.sigma + origin.DistanceTo(interval.end) +
-                                  EdgePointToApex(interval.end, frame));
+      front_.Relax(face.apex,
+                   window.end_distance + EdgePointToApex(interval.end, frame));
     }
-    PropagateLeft(window, face, false);
+    PropagateLeft(entry, face, false);
     return true;
   }
 
@@ -160,17 +160,17 @@ bool ChRule<Queue>::Propagate(uint32_t id) {
   // Grows as the ray into the apex comes from further left.
   const double lean = (frame.apex_x - origin.x) / to_apex;
   Best& best = best_[h];
-  const bool is_worse = at_apex > best.distance * (1 + kDominance);
+  const bool is_worse = Exceeds(at_apex, best.distance);
   const bool goes_left = !is_worse || lean > best.lean - kSameRay;
   const bool goes_right = !is_worse || lean < best.lean + kSameRay;
   if (at_apex < best.distance) best = {at_apex, lean};
-  if (goes_left) PropagateLeft(window, face, true);
-  if (goes_right) PropagateRight(window, face, true);
+  if (goes_left) PropagateLeft(entry, face, true);
+  if (goes_right) PropagateRight(entry, face, true);
   return true;
 }
 
 template <WindowQueue Queue>
-void ChRule<Queue>::PropagateLeft(const Window& parent, const Crossing& face,
+void ChRule<Queue>::PropagateLeft(const Entry& parent, const Crossing& face,
                                   bool ends_at_apex) {
   const HalfEdge exit = face.frame.left_exit;
   if (exit == kNoHalfEdge) return;
@@ -181,22 +181,21 @@ void ChRule<Queue>::PropagateLeft(const Window& parent, const Crossing& face,
                    : ProjectLeft(parent.origin, parent.interval.end, face.frame,
                                  length)};
   if (interval.width() <= kLeastWidth * length) return;
-  const Origin origin = UnfoldLeft(parent.origin, face.frame);
-  if (front_.EndsAreNearer(origin, interval, length, face.from, face.apex)) {
-    return;
-  }
+  const Window child =
+      Window::Over(interval, UnfoldLeft(parent.origin, face.frame));
+  if (front_.EndsAreNearer(child, length, face.from, face.apex)) return;
   // Third condition: through the far end B of the parent's edge.
   const double dx = interval.begin * face.frame.left_x - face.frame.length;
   const double dy = interval.begin * face.frame.left_y;
-  if (Loses(origin, interval.begin,
-            front_.distance(face.to) + std::sqrt(dx * dx + dy * dy))) {
+  if (Exceeds(child.begin_distance,
+              front_.distance(face.to) + std::sqrt(dx * dx + dy * dy))) {
     return;
   }
-  Add({interval, origin, exit, parent.pseudo_source});
+  Add(child, exit, parent.pseudo_source);
 }
 
 template <WindowQueue Queue>
-void ChRule<Queue>::PropagateRight(const Window& parent, const Crossing& face,
+void ChRule<Queue>::PropagateRight(const Entry& parent, const Crossing& face,
                                    bool starts_at_apex) {
   const HalfEdge exit = face.frame.right_exit;
   if (exit == kNoHalfEdge) return;
@@ -210,18 +209,17 @@ void ChRule<Queue>::PropagateRight(const Window& parent, const Crossing& face,
                                   face.frame, length),
       length - from_b};
   if (interval.width() <= kLeastWidth * length) return;
-  const Origin origin = UnfoldRight(parent.origin, face.frame, length);
-  if (front_.EndsAreNearer(origin, interval, length, face.apex, face.to)) {
-    return;
-  }
+  const Window child =
+      Window::Over(interval, UnfoldRight(parent.origin, face.frame, length));
+  if (front_.EndsAreNearer(child, length, face.apex, face.to)) return;
   // Third condition: through the far end A of the parent's edge.
   const double dx = face.frame.length + from_b * face.frame.right_x;
   const double dy = from_b * face.frame.right_y;
-  if (Loses(origin, interval.end,
-            front_.distance(face.from) + std::sqrt(dx * dx + dy * dy))) {
+  if (Exceeds(child.end_distance,
+              front_.distance(face.from) + std::sqrt(dx * dx + dy * dy))) {
     return;
   }
-  Add({interval, origin, exit, parent.pseudo_source});
+  Add(child, exit, parent.pseudo_source);
 }
 
 }  // namespace geodesic

@@ -60,11 +60,11 @@ class Front {
   // the edge's ends and along it are shorter: if at the interval's end the one
   // from `from` is, then it is at every point of the interval before, and
   // likewise for `to`. The first two conditions of the Xin-Wang filter.
-  bool EndsAreNearer(const Origin& origin, const Interval& interval,
-                     double length, uint32_t from, uint32_t to) const {
-    return Loses(origin, interval.end, distances_[from] + interval.end) ||
-           Loses(origin, interval.begin,
-                 distances_[to] + (length - interval.begin));
+  bool EndsAreNearer(const Window& window, double length, uint32_t from,
+                     uint32_t to) const {
+    const auto& [begin, end] = window.interval;
+    return Exceeds(window.end_distance, distances_[from] + end) ||
+           Exceeds(window.begin_distance, distances_[to] + (length - begin));
   }
 
   // No point of the edge is farther than this: one of its ends and the edge

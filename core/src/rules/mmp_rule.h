@@ -92,10 +92,10 @@ class MmpRule {
 
   // Adds a window, as far as it beats those on the half-edge already.
   void Insert(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
-              Interval interval);
+              const Interval& interval);
   // Queues a window that is to be in the list of `half_edge`.
-  void Enqueue(HalfEdge half_edge, ListedWindow& window);
-  void Cross(HalfEdge h, const ListedWindow& window);
+  void Enqueue(HalfEdge half_edge, ListedWindow& listed);
+  void Cross(HalfEdge h, const Window& window, uint32_t pseudo_source);
   // Drops the lists of all edges that the wavefront has passed.
   void Sweep();
   // Makes a window void if it is in the queue.
@@ -129,10 +129,10 @@ bool MmpRule<Queue>::Propagate(uint32_t id) {
   ListedWindow& listed =
       *std::ranges::find(lists_.Of(h), id, &ListedWindow::id);
   listed.id = kNothing;
-  if (listed.origin.sigma > front_.distance(pseudo_source) * (1 + kDominance)) {
+  if (Exceeds(listed.window.origin.sigma, front_.distance(pseudo_source))) {
     return false;
   }
-  Cross(h, ListedWindow(listed));  // a copy: children move the lists
+  Cross(h, Window(listed.window), pseudo_source);  // a copy: lists will move
   return true;
 }
 
@@ -156,8 +156,9 @@ void MmpRule<Queue>::Forget(const ListedWindow& window) {
 }
 
 template <WindowQueue Queue>
-void MmpRule<Queue>::Cross(HalfEdge h, const ListedWindow& window) {
-  const auto& [interval, origin, pseudo_source, id] = window;
+void MmpRule<Queue>::Cross(HalfEdge h, const Window& window,
+                           uint32_t pseudo_source) {
+  const auto& [interval, origin, begin_distance, end_distance] = window;
   const HalfEdgeFrame& frame = mesh_.frame(h);
   const double left_length = mesh_.frame(Prev(h)).length;
   const double right_length = mesh_.frame(Next(h)).length;
@@ -193,12 +194,13 @@ void MmpRule<Queue>::Cross(HalfEdge h, const ListedWindow& window) {
 
 template <WindowQueue Queue>
 void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
-                            const Origin& origin, Interval interval) {
+                            const Origin& origin, const Interval& interval) {
   const double length = mesh_.frame(half_edge).length;
   const double least_width = kLeastWidth * length;
   if (interval.width() <= least_width) return;
+  const Window newer = Window::Over(interval, origin);
   // Cheaper than the contests it saves: a third of them, on real meshes.
-  if (front_.EndsAreNearer(origin, interval, length, mesh_.From(half_edge),
+  if (front_.EndsAreNearer(newer, length, mesh_.From(half_edge),
                            mesh_.To(half_edge))) {
     return;
   }
@@ -206,7 +208,8 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
 
   // The windows [first, last) that overlap the new one give way to parts_.
   uint32_t first = 0;
-  while (first < list.size() && list[first].interval.end <= interval.begin) {
+  while (first < list.size() &&
+         list[first].window.interval.end <= interval.begin) {
     ++first;
   }
   uint32_t last = first;
@@ -217,16 +220,18 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
   const auto put_down = [&](double held_until) {
     const Interval held{held_from, held_until};
     if (held.width() > least_width) {
-      parts_.push_back({held, origin, pseudo_source, kNothing});
+      parts_.push_back({newer, pseudo_source, kNothing});
+      parts_.back().window.CutTo(held);
       Enqueue(half_edge, parts_.back());
     }
   };
-  for (; last < list.size() && list[last].interval.begin < interval.end;
+  for (; last < list.size() && list[last].window.interval.begin < interval.end;
        ++last) {
     const ListedWindow& older = list[last];
-    const Interval overlap{std::max(older.interval.begin, interval.begin),
-                           std::min(older.interval.end, interval.end)};
-    const Interval won = WonByNewer(older.origin, origin, overlap);
+    const Interval& held = older.window.interval;
+    const Interval overlap{std::max(held.begin, interval.begin),
+                           std::min(held.end, interval.end)};
+    const Interval won = WonByNewer(older.window, newer);
     if (won.width() <= 0) {
       put_down(overlap.begin);
       held_from = overlap.end;
@@ -237,19 +242,19 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
       put_down(overlap.begin);
       held_from = won.begin;
     }
-    const Interval before{older.interval.begin, won.begin};
-    const Interval after{won.end, older.interval.end};
+    const Interval before{held.begin, won.begin};
+    const Interval after{won.end, held.end};
     const bool keeps_before = before.width() > least_width;
     const bool keeps_after = after.width() > least_width;
     if (keeps_before) {
       parts_.push_back(older);
-      parts_.back().interval = before;
+      parts_.back().window.CutTo(before);
     }
     if (keeps_after) {
       put_down(won.end);
       held_from = overlap.end;
       parts_.push_back(older);
-      parts_.back().interval = after;
+      parts_.back().window.CutTo(after);
       // Both ends of a window in the queue are left: the second is queued anew.
       if (keeps_before && older.id != kNothing) {
         Enqueue(half_edge, parts_.back());
@@ -264,10 +269,10 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
 }
 
 template <WindowQueue Queue>
-void MmpRule<Queue>::Enqueue(HalfEdge half_edge, ListedWindow& window) {
-  window.id = queued_.Allocate({half_edge, window.pseudo_source});
+void MmpRule<Queue>::Enqueue(HalfEdge half_edge, ListedWindow& listed) {
+  listed.id = queued_.Allocate({half_edge, listed.pseudo_source});
   ++created_;
-  front_.queue().Push(window.id, Label(window.origin, window.interval));
+  front_.queue().Push(listed.id, listed.window.Label());
 }
 
 }  // namespace geodesic

@@ -7,21 +7,15 @@
 namespace geodesic {
 namespace {
 
-// newer's distance minus older's at (x, 0), without subtracting nearly equal
-// distances, and what two roundings of such a distance come to.
-struct Difference {
-  double value;
-  double tie;
-};
+// Distances of two windows at a point.
+struct Contest {
+  double older, newer;
 
-Difference DifferenceAt(const Origin& older, const Origin& newer, double x) {
-  const double f0 = older.DistanceTo(x), f1 = newer.DistanceTo(x);
-  const double by_place =
-      ((newer.x - older.x) * (newer.x + older.x - 2 * x) +
-       (newer.depth - older.depth) * (newer.depth + older.depth)) /
-      (f0 + f1);
-  return {newer.sigma - older.sigma + by_place, kTie * (older.sigma + f0)};
-}
+  double difference() const { return newer - older; }
+  double tie() const { return kTie * older; }
+  bool newer_wins() const { return difference() < -tie(); }
+  bool newer_loses() const { return difference() > tie(); }
+};
 
 // Where f0(x) + D = f1(x) for the distances f0, f1 to the two pseudo-sources
 // and D = older.sigma - newer.sigma. With t = x - older.x and X = older.x -
@@ -54,9 +48,9 @@ double SolveCrossing(const Origin& older, const Origin& newer, double low,
 // The point of [low, high] where the difference, of different signs at the two
 // ends, vanishes: in closed form where that is accurate, else by regula falsi
 // with the Illinois weights and bisection where that stalls.
-double FindCrossing(const Origin& older, const Origin& newer, double low,
+double FindCrossing(const Window& older, const Window& newer, double low,
                     double at_low, double high, double at_high) {
-  double x = SolveCrossing(older, newer, low, high);
+  double x = SolveCrossing(older.origin, newer.origin, low, high);
   constexpr int kMostSteps = 100;
   for (int step = 0; step < kMostSteps; ++step) {
     if (!(x > low && x < high)) {
@@ -64,36 +58,47 @@ double FindCrossing(const Origin& older, const Origin& newer, double low,
     }
     if (!(x > low && x < high)) x = low + (high - low) / 2;
     if (!(x > low && x < high)) break;  // neighbouring doubles
-    const Difference at = DifferenceAt(older, newer, x);
-    if (std::abs(at.value) <= kCrossingRoundings * at.tie) return x;
-    if ((at.value < 0) == (at_low < 0)) {
+    const Contest at{older.DistanceTo(x), newer.DistanceTo(x)};
+    const double difference = at.difference();
+    if (std::abs(difference) <= kCrossingRoundings * at.tie()) return x;
+    if ((difference < 0) == (at_low < 0)) {
       low = x;
-      at_low = at.value;
+      at_low = difference;
       at_high /= 2;
     } else {
       high = x;
-      at_high = at.value;
+      at_high = difference;
       at_low /= 2;
     }
   }
   return low + (high - low) / 2;
 }
 
+// At the begin (end) of the overlap, which is that of one window at least.
+Contest AtBegin(const Window& older, const Window& newer) {
+  const double a = older.interval.begin, b = newer.interval.begin;
+  return {a >= b ? older.begin_distance : older.DistanceTo(b),
+          b >= a ? newer.begin_distance : newer.DistanceTo(a)};
+}
+
+Contest AtEnd(const Window& older, const Window& newer) {
+  const double a = older.interval.end, b = newer.interval.end;
+  return {a <= b ? older.end_distance : older.DistanceTo(b),
+          b <= a ? newer.end_distance : newer.DistanceTo(a)};
+}
+
 }  // namespace
 
-Interval WonByNewer(const Origin& older, const Origin& newer,
-                    const Interval& overlap) {
-  const auto& [begin, end] = overlap;
-  const Difference at_begin = DifferenceAt(older, newer, begin);
-  const Difference at_end = DifferenceAt(older, newer, end);
-  const bool wins_begin = at_begin.value < -at_begin.tie;
-  const bool wins_end = at_end.value < -at_end.tie;
-  if (!wins_begin && !wins_end) return {begin, begin};
-  const bool loses_begin = at_begin.value > at_begin.tie;
-  const bool loses_end = at_end.value > at_end.tie;
-  if (!loses_begin && !loses_end) return overlap;
-  const double crossing =
-      FindCrossing(older, newer, begin, at_begin.value, end, at_end.value);
+Interval WonByNewer(const Window& older, const Window& newer) {
+  const double begin = std::max(older.interval.begin, newer.interval.begin);
+  const double end = std::min(older.interval.end, newer.interval.end);
+  const Contest at_begin = AtBegin(older, newer);
+  const Contest at_end = AtEnd(older, newer);
+  const bool wins_begin = at_begin.newer_wins();
+  if (!wins_begin && !at_end.newer_wins()) return {begin, begin};
+  if (!at_begin.newer_loses() && !at_end.newer_loses()) return {begin, end};
+  const double crossing = FindCrossing(
+      older, newer, begin, at_begin.difference(), end, at_end.difference());
   return wins_begin ? Interval{begin, crossing} : Interval{crossing, end};
 }
 

@@ -7,8 +7,8 @@
 
 namespace geodesic {
 
-// The part of `overlap` where the newer of two windows is nearer; of width 0
-// if the older keeps all of it. Ties (kTie) go to the older.
+// The part of two windows' overlap where the newer is nearer; of width 0 if the
+// older keeps all of it. Ties (kTie) go to the older.
 //
 // Decided by the distances at both ends of the overlap. That is exact: the
 // difference of the two distances has its only extremum where the line through
@@ -16,9 +16,8 @@ namespace geodesic {
 // because its ray runs through the nearer pseudo-source, a vertex, and windows
 // end at vertices. Equal signs at the ends thus mean one sign throughout, and
 // different signs exactly one crossing.
-// REQUIRES: overlap.begin < overlap.end.
-Interval WonByNewer(const Origin& older, const Origin& newer,
-                    const Interval& overlap);
+// REQUIRES: the windows overlap.
+Interval WonByNewer(const Window& older, const Window& newer);
 
 }  // namespace geodesic
 

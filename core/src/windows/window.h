@@ -40,12 +40,43 @@ struct Interval {
   double width() const { return end - begin; }
 };
 
-// The least distance from the source over `interval`: a window's label. Lower
-// bounds every distance the window can give, so labels never decrease from
-// parent to child (trap 5: over the interval, not over the edge).
-inline double Label(const Origin& origin, const Interval& interval) {
-  const double nearest = std::clamp(origin.x, interval.begin, interval.end);
-  return origin.sigma + origin.DistanceTo(nearest);
+// Paths from one pseudo-source through one interval, with the distances from
+// the source at its ends: most questions about a window are about these.
+struct Window {
+  Interval interval;
+  Origin origin;
+  double begin_distance = 0;
+  double end_distance = 0;
+
+  static Window Over(const Interval& interval, const Origin& origin) {
+    return {interval, origin, origin.sigma + origin.DistanceTo(interval.begin),
+            origin.sigma + origin.DistanceTo(interval.end)};
+  }
+
+  double DistanceTo(double at) const {
+    return origin.sigma + origin.DistanceTo(at);
+  }
+
+  // The least distance over the interval. It lower bounds every distance the
+  // window can give, so labels never decrease from parent to child (trap 5:
+  // over the interval, not over the edge).
+  double Label() const {
+    if (origin.x < interval.begin) return begin_distance;
+    if (origin.x > interval.end) return end_distance;
+    return origin.sigma + origin.depth;
+  }
+
+  // Gives up what lies outside `part`.
+  void CutTo(const Interval& part) {
+    if (part.begin != interval.begin) begin_distance = DistanceTo(part.begin);
+    if (part.end != interval.end) end_distance = DistanceTo(part.end);
+    interval = part;
+  }
+};
+
+// Whether a window's distance at a point exceeds that of a known path.
+inline bool Exceeds(double distance, double known) {
+  return distance > known * (1 + kDominance);
 }
 
 // Where the line from the pseudo-source through the apex crosses AB.
@@ -65,11 +96,6 @@ inline double DistanceToApex(const Origin& origin, const HalfEdgeFrame& frame) {
   const double dx = frame.apex_x - origin.x;
   const double dy = frame.apex_y + origin.depth;
   return std::sqrt(dx * dx + dy * dy);
-}
-
-// Whether the window's distance at (at, 0) exceeds that of a known path.
-inline bool Loses(const Origin& origin, double at, double known) {
-  return origin.sigma + origin.DistanceTo(at) > known * (1 + kDominance);
 }
 
 // Distance from the point (at, 0) of AB to the apex.

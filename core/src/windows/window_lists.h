@@ -13,14 +13,13 @@
 
 namespace geodesic {
 
-// A window in the list of its half-edge.
-struct ListedWindow {
-  Interval interval;
-  Origin origin;
+// A window in the list of its half-edge: one cache line.
+struct alignas(64) ListedWindow {
+  Window window;
   uint32_t pseudo_source;
   uint32_t id;  // in the queue; kNothing once propagated
 };
-static_assert(sizeof(ListedWindow) == 48);
+static_assert(sizeof(ListedWindow) == 64);
 
 // One short contiguous list a half-edge, all in one arena: the neighbours of a
 // new window are found and trimmed in place. Room grows by doubling; blocks

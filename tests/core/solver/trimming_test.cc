@@ -13,22 +13,45 @@ long double Distance(const Origin& origin, long double x) {
                                    static_cast<long double>(origin.depth));
 }
 
+Interval Won(const Origin& older, const Origin& newer,
+             const Interval& overlap) {
+  return WonByNewer(Window::Over(overlap, older), Window::Over(overlap, newer));
+}
+
 TEST(TrimmingTest, TheOlderKeepsTies) {
   const Origin origin{.x = 0.3, .depth = 1, .sigma = 2};
-  EXPECT_EQ(WonByNewer(origin, origin, {0, 1}).width(), 0);
+  EXPECT_EQ(Won(origin, origin, {0, 1}).width(), 0);
 }
 
 TEST(TrimmingTest, MirrorImagesShareTheEdgeInItsMiddle) {
   const Origin left{.x = 0, .depth = 1}, right{.x = 1, .depth = 1};
-  const Interval won = WonByNewer(left, right, {0, 1});
+  const Interval won = Won(left, right, {0, 1});
   EXPECT_NEAR(won.begin, 0.5, 1e-15);
   EXPECT_EQ(won.end, 1);
 }
 
 TEST(TrimmingTest, ANearerWindowTakesAll) {
   const Origin far{.x = 0.5, .depth = 2}, near{.x = 0.4, .depth = 1};
-  EXPECT_EQ(WonByNewer(far, near, {0.1, 0.9}).width(), 0.8);
-  EXPECT_EQ(WonByNewer(near, far, {0.1, 0.9}).width(), 0);
+  EXPECT_EQ(Won(far, near, {0.1, 0.9}).width(), 0.8);
+  EXPECT_EQ(Won(near, far, {0.1, 0.9}).width(), 0);
+}
+
+TEST(TrimmingTest, OnlyTheOverlapIsContested) {
+  const Origin far{.x = 0.5, .depth = 2}, near{.x = 0.5, .depth = 1};
+  const Interval won =
+      WonByNewer(Window::Over({0, 0.6}, far), Window::Over({0.4, 1}, near));
+  EXPECT_EQ(won.begin, 0.4);
+  EXPECT_EQ(won.end, 0.6);
+}
+
+TEST(TrimmingTest, CuttingAWindowKeepsItsDistancesRight) {
+  const Origin origin{.x = 0.25, .depth = 0.5, .sigma = 3};
+  Window window = Window::Over({0, 1}, origin);
+  EXPECT_EQ(window.Label(), 3.5);
+  window.CutTo({0.5, 1});
+  EXPECT_EQ(window.begin_distance, window.DistanceTo(0.5));
+  EXPECT_EQ(window.end_distance, window.DistanceTo(1));
+  EXPECT_EQ(window.Label(), window.begin_distance);
 }
 
 // Random pairs: the newer is nearer within what it won and nowhere else, and
@@ -50,7 +73,7 @@ TEST(TrimmingTest, RandomPairsChangeOverWhereTheyAreEqual) {
     const double at = older.x + (newer.x - older.x) * older.depth /
                                     (older.depth - newer.depth);
     if (at > 0 && at < 1) continue;
-    const Interval won = WonByNewer(older, newer, overlap);
+    const Interval won = Won(older, newer, overlap);
     for (double x : {0.0, 0.125, 0.25, 0.5, 0.75, 0.875, 1.0}) {
       const long double difference = Distance(newer, x) - Distance(older, x);
       if (std::abs(difference) < 1e-13L) continue;

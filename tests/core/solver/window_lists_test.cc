@@ -28,7 +28,7 @@ TEST(WindowListsTest, BehavesLikeVectors) {
     std::vector<ListedWindow> entries(random() % (size > 40 ? 1 : 4));
     list.erase(list.begin() + first, list.begin() + last);
     for (uint32_t i = 0; i < entries.size(); ++i) {
-      entries[i] = {.interval = {0.5 * step, 1.0 * step}, .id = 4 * step + i};
+      entries[i].id = 4 * step + i;
       list.insert(list.begin() + first + i, entries[i].id);
     }
     lists.Replace(h, first, last, entries);
