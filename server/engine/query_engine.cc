@@ -123,7 +123,8 @@ absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
   absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
       {.priority = JobPriority::kBuild,
        .run =
-           [this, shared, work = std::move(upload)](std::stop_token) mutable {
+           [this, shared,
+            work = std::move(upload)](const std::stop_token&) mutable {
              auto result =
                  Guarded("built a mesh", [&] { return BuildMesh(*work); });
              work.reset();
