@@ -14,6 +14,9 @@
 //   4. turns a polygon with k corners into k - 2 triangles fanned from its
 //      first corner;
 //   5. returns only finite coordinates and indices within range.
+//
+// Messages number the file's faces and vertices from 0 (a face is the file's
+// polygon, before triangulation) and quote an OBJ's references as written.
 
 #ifndef GEODESIC_READ_MESH_H_
 #define GEODESIC_READ_MESH_H_

@@ -31,7 +31,9 @@ struct SolveOptions {
 //
 // Guarantees:
 //   1. exact: every distance is the length of a shortest path on the surface,
-//      up to rounding (relative error below 1e-10; about 1e-15 is usual);
+//      up to rounding (relative error below 1e-10; about 1e-15 is usual;
+//      distances so short that one rounding of the mesh's coordinates is a
+//      larger fraction of them are good to that rounding);
 //   2. +infinity exactly where no path leads;
 //   3. deterministic: the same arguments give the same bits;
 //   4. pure and thread-safe: no I/O, no threads, no shared state.
