@@ -57,7 +57,7 @@ bool FwpBuckets::StartIteration() {
 }
 
 void FwpBuckets::AdaptLeast() {
-  // The first K is the whole front of the seeds (trap 3).
+  // The first K is the whole front of the seeds: c_large starts as its size.
   least_ += iterations_ == 0 ? far_ : far_ - near_;
   const int64_t most =
       std::min(std::max(static_cast<int64_t>(size()), int64_t{1}), max_batch_);

@@ -20,7 +20,7 @@ inline constexpr uint32_t kNothing = 0xffffffffu;
 // Upcoming(k): the id that the k-th Pop from now will give, if that is known
 //   and stays likely; kNothing otherwise. A hint for prefetching.
 // MarkVoid(): an id still in the queue has become void; it stays in place (its
-//   label is a valid lower bound, trap 7) but no longer counts into size().
+//   label is a valid lower bound) but no longer counts into size().
 // DropVoid(): the id just popped was void.
 // SettledRadius(): a lower bound on every label pending, never decreasing.
 // size(): the wavefront, void ids left out. iterations(): batches begun.

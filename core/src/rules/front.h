@@ -76,7 +76,7 @@ class Front {
   }
 
   // Takes `distance` for v if it is better. A vertex that paths may bend at is
-  // then queued with its distance as label (trap 8: otherwise no bound on
+  // then queued with its distance as label (otherwise no bound on
   // what is pending holds).
   void Relax(uint32_t v, double distance) {
     double& best = distances_[v];

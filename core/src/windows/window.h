@@ -58,8 +58,8 @@ struct Window {
   }
 
   // The least distance over the interval. It lower bounds every distance the
-  // window can give, so labels never decrease from parent to child (trap 5:
-  // over the interval, not over the edge).
+  // window can give, so labels never decrease from parent to child (that of the
+  // whole edge would).
   double Label() const {
     if (origin.x < interval.begin) return begin_distance;
     if (origin.x > interval.end) return end_distance;

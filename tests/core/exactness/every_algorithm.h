@@ -15,6 +15,7 @@
 #include "absl/strings/ascii.h"
 #include "geodesic/algorithm.h"
 #include "tests/support/field_check.h"
+#include "tests/support/vec.h"
 
 namespace geodesic {
 
@@ -46,6 +47,15 @@ class EveryAlgorithm : public testing::TestWithParam<AlgorithmInfo> {
       }
       ExpectField(named.name, *mesh, {{.vertex = s}}, expected);
     }
+  }
+
+  // The same for a mesh in which distances are those of Euclid.
+  void ExpectEuclid(const NamedMesh& mesh,
+                    const std::vector<uint32_t>& sources) const {
+    const std::vector<Point>& p = mesh.soup.positions;
+    ExpectDistances(mesh, sources, [&](uint32_t s, uint32_t v) {
+      return static_cast<double>(Distance(p[s], p[v]));
+    });
   }
 
   void ExpectField(const std::string& name, const Mesh& mesh,

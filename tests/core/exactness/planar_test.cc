@@ -9,21 +9,11 @@
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/planar_domain.h"
 #include "tests/support/planar_meshes.h"
-#include "tests/support/vec.h"
 
 namespace geodesic::test {
 namespace {
 
-class PlanarMeshes : public EveryAlgorithm {
- protected:
-  void ExpectEuclid(const NamedMesh& mesh,
-                    const std::vector<uint32_t>& sources) const {
-    const std::vector<Point>& p = mesh.soup.positions;
-    ExpectDistances(mesh, sources, [&](uint32_t s, uint32_t v) {
-      return static_cast<double>(Distance(p[s], p[v]));
-    });
-  }
-};
+class PlanarMeshes : public EveryAlgorithm {};
 
 TEST_P(PlanarMeshes, RegularGrid) {
   for (const Diagonals diagonals :
