@@ -34,6 +34,7 @@ struct Options {
   int threads = 1;
   double bucket_width = SolveOptions().bucket_width;
   uint32_t max_batch = SolveOptions().max_batch;
+  bool fixed_batch = false;
   std::string output;
 };
 
@@ -89,10 +90,12 @@ absl::Status Run(const Options& options) {
   std::vector<double> seconds;
   DistanceField field;
   for (int i = 0; i < options.repeat; ++i) {
-    absl::StatusOr<DistanceField> solved = Solve(
-        **mesh, query,
-        {.bucket_width = options.bucket_width, .max_batch = options.max_batch},
-        checkpoint);
+    absl::StatusOr<DistanceField> solved =
+        Solve(**mesh, query,
+              {.bucket_width = options.bucket_width,
+               .max_batch = options.max_batch,
+               .adaptive_batch = !options.fixed_batch},
+              checkpoint);
     if (!solved.ok()) return solved.status();
     field = *std::move(solved);
     seconds.push_back(field.statistics.solve_seconds);
@@ -137,7 +140,7 @@ int main(int argc, char** argv) {
   app.add_option("SOURCE", options.source, "source vertex, 0-based")
       ->required();
   app.add_option("--algorithm", options.algorithm,
-                 "fwp-ch, fwp-mmp, ich or mmp")
+                 "fwp-ch, fwp-mmp, ich, mmp, lc-ch, lc-mmp or ch")
       ->capture_default_str();
   app.add_option("--threads", options.threads,
                  "threads to solve with; one query runs on one thread")
@@ -154,6 +157,9 @@ int main(int argc, char** argv) {
                  "most windows an FWP iteration takes (the paper's K_max)")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  app.add_flag("--fixed-batch", options.fixed_batch,
+               "every FWP iteration takes --max-batch windows; with 1, buckets "
+               "are drained one by one");
   app.add_option("--output", options.output,
                  "write the field to this file, raw little-endian doubles");
   CLI11_PARSE(app, argc, argv);

@@ -28,6 +28,8 @@ class Propagation {
         rule_(front_) {}
 
   absl::StatusOr<DistanceField> Run(Checkpoint& checkpoint);
+  // For what a queue has recorded about the run.
+  const Queue& queue() const { return queue_; }
 
  private:
   // Under a millisecond of work between two polls.

@@ -5,7 +5,9 @@
 
 #include "propagation.h"
 #include "queues/binary_heap.h"
+#include "queues/fifo.h"
 #include "queues/fwp_buckets.h"
+#include "queues/label_correcting.h"
 #include "rules/ch_rule.h"
 #include "rules/mmp_rule.h"
 
@@ -26,13 +28,19 @@ absl::StatusOr<DistanceField> RunWith(const Mesh& mesh, const Query& query,
 Run RunOf(Algorithm algorithm) {
   switch (algorithm) {
     case Algorithm::kFwpCh:
-      return RunWith<ChRule, FwpBuckets>;
+      return RunWith<IchRule, FwpBuckets>;
     case Algorithm::kFwpMmp:
       return RunWith<MmpRule, FwpBuckets>;
     case Algorithm::kIch:
-      return RunWith<ChRule, BinaryHeap>;
+      return RunWith<IchRule, BinaryHeap>;
     case Algorithm::kMmp:
       return RunWith<MmpRule, BinaryHeap>;
+    case Algorithm::kLcCh:
+      return RunWith<IchRule, LabelCorrecting>;
+    case Algorithm::kLcMmp:
+      return RunWith<MmpRule, LabelCorrecting>;
+    case Algorithm::kCh:
+      return RunWith<ChRule, Fifo>;
   }
   return nullptr;
 }
@@ -52,7 +60,8 @@ absl::StatusOr<QueueTuning> TuningFor(const Mesh& mesh,
   return QueueTuning{
       .bucket_width = options.bucket_width * h /
                       std::sqrt(static_cast<double>(mesh.face_count())),
-      .max_batch = options.max_batch};
+      .max_batch = options.max_batch,
+      .adaptive_batch = options.adaptive_batch};
 }
 
 }  // namespace

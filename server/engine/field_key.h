@@ -22,6 +22,7 @@ struct FieldKey {
   Algorithm algorithm = kDefaultAlgorithm;
   double bucket_width = 0;
   uint32_t max_batch = 0;
+  bool adaptive_batch = true;
 
   friend auto operator<=>(const FieldKey&, const FieldKey&) = default;
 };
@@ -34,7 +35,8 @@ inline FieldKey MakeFieldKey(std::string mesh_digest, Query query,
           .sources = std::move(canonical.sources),
           .algorithm = canonical.algorithm,
           .bucket_width = options.bucket_width,
-          .max_batch = options.max_batch};
+          .max_batch = options.max_batch,
+          .adaptive_batch = options.adaptive_batch};
 }
 
 }  // namespace geodesic::server

@@ -66,6 +66,12 @@ v1::Algorithm ToProto(Algorithm algorithm) {
       return v1::ALGORITHM_ICH;
     case Algorithm::kMmp:
       return v1::ALGORITHM_MMP;
+    case Algorithm::kCh:
+      return v1::ALGORITHM_CH;
+    case Algorithm::kLcMmp:
+      return v1::ALGORITHM_LC_MMP;
+    case Algorithm::kLcCh:
+      return v1::ALGORITHM_LC_CH;
   }
   return v1::ALGORITHM_UNSPECIFIED;
 }

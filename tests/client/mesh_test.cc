@@ -42,7 +42,8 @@ TEST(MeshFormatTest, OtherEndingsAreRefusedByName) {
 
 TEST(AlgorithmNamesTest, AreThoseOfTheProtocol) {
   EXPECT_EQ(AlgorithmNames(),
-            (std::vector<std::string>{"fwp-ch", "fwp-mmp", "ich", "mmp"}));
+            (std::vector<std::string>{"fwp-ch", "fwp-mmp", "ich", "mmp", "ch",
+                                      "lc-mmp", "lc-ch"}));
 }
 
 }  // namespace

@@ -213,7 +213,8 @@ class PythonClientTest(unittest.TestCase):
         capabilities = self.capabilities.GetCapabilities(
             self.capabilities_pb.GetCapabilitiesRequest())
         self.assertEqual({a.name for a in capabilities.algorithms},
-                         {"fwp-ch", "fwp-mmp", "ich", "mmp"})
+                         {"fwp-ch", "fwp-mmp", "ich", "mmp", "ch", "lc-mmp",
+                          "lc-ch"})
         self.assertEqual(sum(a.is_default for a in capabilities.algorithms), 1)
 
 

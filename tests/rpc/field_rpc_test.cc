@@ -89,8 +89,10 @@ TEST_F(FieldRpcTest, EveryAlgorithmAnswers) {
   Start();
   const std::string digest = Upload(geodesic::test::Icosphere(2));
   const std::vector<double> expected = ComputeField(digest, 0).distances;
-  for (const auto algorithm : {v1::ALGORITHM_FWP_CH, v1::ALGORITHM_FWP_MMP,
-                               v1::ALGORITHM_ICH, v1::ALGORITHM_MMP}) {
+  for (const auto algorithm :
+       {v1::ALGORITHM_FWP_CH, v1::ALGORITHM_FWP_MMP, v1::ALGORITHM_ICH,
+        v1::ALGORITHM_MMP, v1::ALGORITHM_CH, v1::ALGORITHM_LC_MMP,
+        v1::ALGORITHM_LC_CH}) {
     v1::ComputeFieldRequest request = FieldRequest(digest, 0);
     request.set_algorithm(algorithm);
     grpc::ClientContext context;

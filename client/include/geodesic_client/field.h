@@ -28,8 +28,9 @@ struct FieldQuery {
   std::string algorithm;
 };
 
-// The algorithms this client can name: "fwp-ch", "fwp-mmp", "ich", "mmp". A
-// server may offer fewer; see Client::GetCapabilities.
+// The algorithms this client can name: "fwp-ch", "fwp-mmp", "ich", "mmp",
+// "ch", "lc-mmp", "lc-ch". A server may offer fewer; see
+// Client::GetCapabilities.
 std::vector<std::string> AlgorithmNames();
 
 // Where a field came from.

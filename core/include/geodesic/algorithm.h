@@ -18,6 +18,9 @@ enum class Algorithm {
   kFwpMmp,  // Mitchell-Mount-Papadimitriou rule, FWP buckets.
   kIch,     // Chen-Han rule with the Xin-Wang filter, binary heap.
   kMmp,     // Mitchell-Mount-Papadimitriou rule, binary heap.
+  kLcCh,    // Chen-Han rule with the Xin-Wang filter, label-correcting queue.
+  kLcMmp,   // Mitchell-Mount-Papadimitriou rule, label-correcting queue.
+  kCh,      // Chen-Han rule without the filter, first in first out.
 };
 
 struct AlgorithmInfo {
@@ -27,7 +30,7 @@ struct AlgorithmInfo {
 };
 
 // The one list of algorithms; the first is the default.
-inline constexpr std::array<AlgorithmInfo, 4> kAlgorithms = {{
+inline constexpr std::array<AlgorithmInfo, 7> kAlgorithms = {{
     {Algorithm::kFwpCh, "fwp-ch",
      "Chen-Han windows with the Xin-Wang filter in FWP buckets"},
     {Algorithm::kFwpMmp, "fwp-mmp",
@@ -36,6 +39,13 @@ inline constexpr std::array<AlgorithmInfo, 4> kAlgorithms = {{
      "Chen-Han windows with the Xin-Wang filter in a binary heap"},
     {Algorithm::kMmp, "mmp",
      "MMP windows, trimmed against each other, in a binary heap"},
+    {Algorithm::kLcCh, "lc-ch",
+     "Chen-Han windows with the Xin-Wang filter in a label-correcting queue"},
+    {Algorithm::kLcMmp, "lc-mmp",
+     "MMP windows, trimmed against each other, in a label-correcting queue"},
+    {Algorithm::kCh, "ch",
+     "Chen-Han windows without a filter, first in first out: for comparison, "
+     "the slowest by far"},
 }};
 inline constexpr Algorithm kDefaultAlgorithm = kAlgorithms[0].algorithm;
 

@@ -25,6 +25,9 @@ struct SolveOptions {
   // The paper's 20000 takes whole wavefronts at once on meshes below a million
   // faces; smaller batches make fewer windows and let MMP forget sooner.
   uint32_t max_batch = 2000;
+  // Whether K follows the wavefront (section 4.2). If not it is max_batch
+  // throughout; 1 then drains the buckets one by one. DEFAULT: true.
+  bool adaptive_batch = true;
 };
 
 // Solves `query` on `mesh`.

@@ -7,7 +7,8 @@ namespace geodesic {
 FwpBuckets::FwpBuckets(const QueueTuning& tuning)
     : inverse_width_(1 / tuning.bucket_width),
       width_(tuning.bucket_width),
-      max_batch_(tuning.max_batch) {}
+      max_batch_(tuning.max_batch),
+      adaptive_batch_(tuning.adaptive_batch) {}
 
 int64_t FwpBuckets::BucketOf(double label) const {
   constexpr double kLast = 4e18;  // within int64_t
@@ -39,7 +40,7 @@ void FwpBuckets::Append(int64_t bucket, uint32_t id) {
 bool FwpBuckets::StartIteration() {
   if (entries_ == 0) return false;
   Advance();
-  AdaptLeast();
+  SetLeast();
   ++iterations_;
   batch_.clear();
   next_ = 0;
@@ -56,9 +57,10 @@ bool FwpBuckets::StartIteration() {
   return true;
 }
 
-void FwpBuckets::AdaptLeast() {
+void FwpBuckets::SetLeast() {
   // The first K is the whole front of the seeds: c_large starts as its size.
   least_ += iterations_ == 0 ? far_ : far_ - near_;
+  if (!adaptive_batch_) least_ = max_batch_;
   const int64_t most =
       std::min(std::max(static_cast<int64_t>(size()), int64_t{1}), max_batch_);
   least_ = std::clamp(least_, int64_t{1}, most);

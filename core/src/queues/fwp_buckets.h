@@ -10,6 +10,9 @@
 //   c_small, c_large near_, far_      windows born below / beyond end_
 //   K_max            max_batch_
 //
+// Without adaptation K is max_batch_ throughout (the fixed K of the paper's
+// Fig. 10); with 1 the buckets are drained one by one.
+//
 // Where the listing leaves questions, this is what holds here: near_ and far_
 // are counted per iteration; [first_, end_) is half open; a window whose label
 // rounds below the current bucket goes into the current bucket.
@@ -50,6 +53,8 @@ class FwpBuckets {
   double SettledRadius() const { return static_cast<double>(first_) * width_; }
   uint64_t size() const { return entries_ - void_; }
   uint64_t iterations() const { return iterations_; }
+  // K of the current iteration.
+  int64_t least() const { return least_; }
   uint64_t bytes() const {
     return ring_bytes_ + beyond_.capacity() * sizeof(Far) +
            batch_.capacity() * sizeof(uint32_t);
@@ -75,13 +80,14 @@ class FwpBuckets {
   void Append(int64_t bucket, uint32_t id);
   // Takes the windows of at least K smallest labels. False if none are left.
   bool StartIteration();
-  void AdaptLeast();
+  void SetLeast();
   // Moves first_ to the first bucket with entries and draws in far ones.
   void Advance();
 
   const double inverse_width_;
   const double width_;
   const int64_t max_batch_;
+  const bool adaptive_batch_;
 
   std::vector<Bucket> ring_{kRing};
   uint64_t in_ring_ = 0;

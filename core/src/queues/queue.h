@@ -42,6 +42,7 @@ concept WindowQueue = requires(Q queue, const Q& view, uint32_t id,
 struct QueueTuning {
   double bucket_width = 1;  // in the mesh's scaled unit
   uint32_t max_batch = 2000;
+  bool adaptive_batch = true;
 };
 
 }  // namespace geodesic

@@ -1,4 +1,4 @@
-// The Chen-Han rule with the Xin-Wang filter.
+// The Chen-Han rule, without (CH) and with the Xin-Wang filter (ICH).
 //
 // Chen, Han: Shortest paths on a polyhedron. SoCG 1990: one angle, one split.
 // Xin, Wang: Improving Chen and Han's algorithm on the discrete geodesic
@@ -12,6 +12,11 @@
 // edge. Where both rays lie on one line nothing crosses, and both children
 // stay: the worse window may come from behind the better one's pseudo-source,
 // past which its other rays go undisturbed.
+//
+// Without the filter, nothing else ends a window on a closed surface, so two
+// facts do, which any shortest path obeys: it enters a face once at most (the
+// bound of Chen and Han: no window has more ancestors than the mesh has faces),
+// and it is no longer than the way along edges to the farthest point.
 
 #ifndef GEODESIC_RULES_CH_RULE_H_
 #define GEODESIC_RULES_CH_RULE_H_
@@ -21,21 +26,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <type_traits>
 #include <vector>
 
+#include "rules/edge_reach.h"
 #include "rules/front.h"
 #include "windows/window.h"
 #include "windows/window_pool.h"
 
 namespace geodesic {
 
-template <WindowQueue Queue>
-class ChRule {
+// What ends windows, beside one angle, one split.
+enum class WindowFilter { kNone, kXinWang };
+
+template <WindowQueue Queue, WindowFilter kFilter>
+class ChenHanRule {
  public:
   // How many windows ahead of their use the stages of Prefetch come.
   static constexpr std::array<uint32_t, 3> kPrefetchAhead = {12, 8, 4};
 
-  explicit ChRule(Front<Queue>& front)
+  explicit ChenHanRule(Front<Queue>& front)
       : front_(front),
         mesh_(front.mesh()),
         best_(front.mesh().half_edge_count()) {}
@@ -43,7 +54,7 @@ class ChRule {
   // Adds the window of pseudo-source v over a whole half-edge.
   void Open(HalfEdge half_edge, uint32_t v, const Origin& origin) {
     const Interval whole{0, mesh_.frame(half_edge).length};
-    if (whole.width() > 0) Add(Window::Over(whole, origin), half_edge, v);
+    if (whole.width() > 0) Add(Window::Over(whole, origin), half_edge, v, {});
   }
 
   // Propagates window `id` across its face and frees it. False if the window
@@ -74,14 +85,25 @@ class ChRule {
   }
 
  private:
+  static constexpr bool kFilters = kFilter == WindowFilter::kXinWang;
+
+  // How many faces a window has crossed since its pseudo-source: kept only
+  // where it ends windows.
+  struct Crossed {
+    uint32_t faces = 0;
+  };
+  struct Untold {};
+  using Depth = std::conditional_t<kFilters, Untold, Crossed>;
+
   // A window of the wavefront.
   struct Entry {
     Interval interval;
     Origin origin;
     HalfEdge half_edge;
     uint32_t pseudo_source;
+    [[no_unique_address]] Depth depth;
   };
-  static_assert(sizeof(Entry) == 48);
+  static_assert(!kFilters || sizeof(Entry) == 48);
 
   // The best window so far to reach the apex across a half-edge.
   struct Best {
@@ -96,12 +118,15 @@ class ChRule {
     double left_length, right_length;
   };
 
-  void Add(const Window& window, HalfEdge half_edge, uint32_t pseudo_source) {
+  void Add(const Window& window, HalfEdge half_edge, uint32_t pseudo_source,
+           Depth depth) {
     ++created_;
     front_.queue().Push(pool_.Allocate({window.interval, window.origin,
-                                        half_edge, pseudo_source}),
+                                        half_edge, pseudo_source, depth}),
                         window.Label());
   }
+  // Adds the child of `parent` on `half_edge`.
+  void AddChild(const Window& window, HalfEdge half_edge, const Entry& parent);
 
   void PropagateLeft(const Entry& parent, const Crossing& face,
                      bool ends_at_apex);
@@ -112,14 +137,22 @@ class ChRule {
   const Mesh& mesh_;
   WindowPool<Entry> pool_;
   std::vector<Best> best_;  // one per half-edge
+  // No point is farther than this; set by the first window. Not if kFilters.
+  std::optional<double> reach_;
   uint64_t created_ = 0;
 };
 
+// As templates over the queue alone, which is what Propagation takes.
 template <WindowQueue Queue>
-bool ChRule<Queue>::Propagate(uint32_t id) {
+using ChRule = ChenHanRule<Queue, WindowFilter::kNone>;
+template <WindowQueue Queue>
+using IchRule = ChenHanRule<Queue, WindowFilter::kXinWang>;
+
+template <WindowQueue Queue, WindowFilter kFilter>
+bool ChenHanRule<Queue, kFilter>::Propagate(uint32_t id) {
   const Entry entry = pool_[id];
   pool_.Free(id);
-  const auto& [interval, origin, h, pseudo_source] = entry;
+  const auto& [interval, origin, h, pseudo_source, depth] = entry;
   // The pseudo-source has improved since: its newer windows replace this one.
   if (Exceeds(origin.sigma, front_.distance(pseudo_source))) return false;
   const HalfEdgeFrame& frame = mesh_.frame(h);
@@ -129,10 +162,14 @@ bool ChRule<Queue>::Propagate(uint32_t id) {
                       mesh_.Apex(h),
                       mesh_.frame(Prev(h)).length,
                       mesh_.frame(Next(h)).length};
-  // Distances have improved since the window was made: test it again.
   const Window window = Window::Over(interval, origin);
-  if (front_.EndsAreNearer(window, frame.length, face.from, face.to)) {
-    return false;
+  if constexpr (kFilters) {
+    // Distances have improved since the window was made: test it again.
+    if (front_.EndsAreNearer(window, frame.length, face.from, face.to)) {
+      return false;
+    }
+  } else if (!reach_.has_value()) {
+    reach_ = EdgeReach(front_);
   }
 
   const double crossing = ApexCrossing(origin, frame);
@@ -169,9 +206,10 @@ bool ChRule<Queue>::Propagate(uint32_t id) {
   return true;
 }
 
-template <WindowQueue Queue>
-void ChRule<Queue>::PropagateLeft(const Entry& parent, const Crossing& face,
-                                  bool ends_at_apex) {
+template <WindowQueue Queue, WindowFilter kFilter>
+void ChenHanRule<Queue, kFilter>::PropagateLeft(const Entry& parent,
+                                                const Crossing& face,
+                                                bool ends_at_apex) {
   const HalfEdge exit = face.frame.left_exit;
   if (exit == kNoHalfEdge) return;
   const double length = face.left_length;
@@ -183,20 +221,23 @@ void ChRule<Queue>::PropagateLeft(const Entry& parent, const Crossing& face,
   if (interval.width() <= kLeastWidth * length) return;
   const Window child =
       Window::Over(interval, UnfoldLeft(parent.origin, face.frame));
-  if (front_.EndsAreNearer(child, length, face.from, face.apex)) return;
-  // Third condition: through the far end B of the parent's edge.
-  const double dx = interval.begin * face.frame.left_x - face.frame.length;
-  const double dy = interval.begin * face.frame.left_y;
-  if (Exceeds(child.begin_distance,
-              front_.distance(face.to) + std::sqrt(dx * dx + dy * dy))) {
-    return;
+  if constexpr (kFilters) {
+    if (front_.EndsAreNearer(child, length, face.from, face.apex)) return;
+    // Third condition: through the far end B of the parent's edge.
+    const double dx = interval.begin * face.frame.left_x - face.frame.length;
+    const double dy = interval.begin * face.frame.left_y;
+    if (Exceeds(child.begin_distance,
+                front_.distance(face.to) + std::sqrt(dx * dx + dy * dy))) {
+      return;
+    }
   }
-  Add(child, exit, parent.pseudo_source);
+  AddChild(child, exit, parent);
 }
 
-template <WindowQueue Queue>
-void ChRule<Queue>::PropagateRight(const Entry& parent, const Crossing& face,
-                                   bool starts_at_apex) {
+template <WindowQueue Queue, WindowFilter kFilter>
+void ChenHanRule<Queue, kFilter>::PropagateRight(const Entry& parent,
+                                                 const Crossing& face,
+                                                 bool starts_at_apex) {
   const HalfEdge exit = face.frame.right_exit;
   if (exit == kNoHalfEdge) return;
   const double length = face.right_length;
@@ -211,15 +252,31 @@ void ChRule<Queue>::PropagateRight(const Entry& parent, const Crossing& face,
   if (interval.width() <= kLeastWidth * length) return;
   const Window child =
       Window::Over(interval, UnfoldRight(parent.origin, face.frame, length));
-  if (front_.EndsAreNearer(child, length, face.apex, face.to)) return;
-  // Third condition: through the far end A of the parent's edge.
-  const double dx = face.frame.length + from_b * face.frame.right_x;
-  const double dy = from_b * face.frame.right_y;
-  if (Exceeds(child.end_distance,
-              front_.distance(face.from) + std::sqrt(dx * dx + dy * dy))) {
-    return;
+  if constexpr (kFilters) {
+    if (front_.EndsAreNearer(child, length, face.apex, face.to)) return;
+    // Third condition: through the far end A of the parent's edge.
+    const double dx = face.frame.length + from_b * face.frame.right_x;
+    const double dy = from_b * face.frame.right_y;
+    if (Exceeds(child.end_distance,
+                front_.distance(face.from) + std::sqrt(dx * dx + dy * dy))) {
+      return;
+    }
   }
-  Add(child, exit, parent.pseudo_source);
+  AddChild(child, exit, parent);
+}
+
+template <WindowQueue Queue, WindowFilter kFilter>
+void ChenHanRule<Queue, kFilter>::AddChild(const Window& window,
+                                           HalfEdge half_edge,
+                                           const Entry& parent) {
+  if constexpr (kFilters) {
+    Add(window, half_edge, parent.pseudo_source, {});
+  } else {
+    const Crossed depth{parent.depth.faces + 1};
+    if (depth.faces >= mesh_.face_count()) return;
+    if (Exceeds(window.Label(), *reach_)) return;
+    Add(window, half_edge, parent.pseudo_source, depth);
+  }
 }
 
 }  // namespace geodesic

@@ -78,11 +78,15 @@ struct Ch {
   template <typename Queue>
   using Rule = ChRule<Queue>;
 };
+struct Ich {
+  template <typename Queue>
+  using Rule = IchRule<Queue>;
+};
 struct Mmp {
   template <typename Queue>
   using Rule = MmpRule<Queue>;
 };
-using Rules = ::testing::Types<Ch, Mmp>;
+using Rules = ::testing::Types<Ch, Ich, Mmp>;
 TYPED_TEST_SUITE(PropagationOrderTest, Rules);
 
 TYPED_TEST(PropagationOrderTest, OnTerrain) {

@@ -6,12 +6,15 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "queues/binary_heap.h"
+#include "queues/fifo.h"
 #include "queues/fwp_buckets.h"
+#include "queues/label_correcting.h"
 
 namespace geodesic {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::UnorderedElementsAre;
 
 template <WindowQueue Queue>
 std::vector<uint32_t> Drain(Queue& queue) {
@@ -24,7 +27,7 @@ std::vector<uint32_t> Drain(Queue& queue) {
 
 template <typename Queue>
 class QueueTest : public ::testing::Test {};
-using Queues = ::testing::Types<BinaryHeap, FwpBuckets>;
+using Queues = ::testing::Types<BinaryHeap, Fifo, FwpBuckets, LabelCorrecting>;
 TYPED_TEST_SUITE(QueueTest, Queues);
 
 TYPED_TEST(QueueTest, EmptyGivesNothing) {
@@ -80,7 +83,7 @@ TYPED_TEST(QueueTest, VoidIdsLeaveTheCountButNotTheQueue) {
   queue.Push(8, 2.0);
   queue.MarkVoid();
   EXPECT_EQ(queue.size(), 1u);
-  EXPECT_THAT(Drain(queue), ElementsAre(7, 8));
+  EXPECT_THAT(Drain(queue), UnorderedElementsAre(7, 8));
   queue.DropVoid();
   EXPECT_EQ(queue.size(), 0u);
 }
@@ -93,6 +96,57 @@ TEST(BinaryHeapTest, PopsByLabelThenById) {
   queue.Push(1, 3);
   EXPECT_THAT(Drain(queue), ElementsAre(3, 2, 4, 1));
   EXPECT_EQ(queue.iterations(), 4u);
+}
+
+TEST(FifoTest, PopsInOrderOfBirthRoundByRound) {
+  Fifo queue({});
+  queue.Push(4, 2);
+  queue.Push(3, 1);
+  EXPECT_EQ(queue.Pop(), 4u);
+  queue.Push(2, 5);
+  EXPECT_EQ(queue.SettledRadius(), 1);  // of the round: 3 is still in it
+  EXPECT_THAT(Drain(queue), ElementsAre(3, 2));
+  EXPECT_EQ(queue.SettledRadius(), 5);
+  EXPECT_EQ(queue.iterations(), 2u);
+}
+
+// Seeds 0, 4 and 8: the threshold goes to (0 + mean 4) / 2 = 2, so only the
+// least enters the deque.
+TEST(LabelCorrectingTest, LabelsAboveTheThresholdWait) {
+  LabelCorrecting queue({});
+  queue.Push(0, 0);
+  queue.Push(1, 4);
+  queue.Push(2, 8);
+  EXPECT_EQ(queue.Pop(), 0u);
+  queue.Push(3, 2.5);  // above the threshold: waits with 1 and 2
+  queue.Push(4, 1.5);
+  EXPECT_EQ(queue.Pop(), 4u);
+  EXPECT_EQ(queue.SettledRadius(), 0);
+  // Threshold between 2.5 and the mean of 2.5, 4 and 8.
+  EXPECT_EQ(queue.Pop(), 3u);
+  EXPECT_EQ(queue.SettledRadius(), 2.5);
+  EXPECT_EQ(queue.iterations(), 2u);
+}
+
+TEST(LabelCorrectingTest, SmallLabelsGoFirstAndLargeOnesLast) {
+  LabelCorrecting queue({});
+  for (uint32_t id = 0; id < 6; ++id) queue.Push(id, 10);
+  queue.Push(6, 20);
+  EXPECT_EQ(queue.Pop(), 0u);  // threshold (10 + 80 / 7) / 2: all but 6 enter
+  queue.Push(7, 10.2);         // at the back
+  queue.Push(8, 10);           // not smaller than the first: behind 7
+  for (uint32_t id = 1; id < 6; ++id) EXPECT_EQ(queue.Pop(), id);
+  queue.Push(9, 10.05);  // smaller than 7, the first: at the front
+  EXPECT_EQ(queue.Pop(), 9u);
+  EXPECT_EQ(queue.Pop(), 8u);  // 7 is above the mean of 7 and 8, and goes last
+  EXPECT_EQ(queue.Pop(), 7u);
+  EXPECT_EQ(queue.Pop(), 6u);
+}
+
+TEST(LabelCorrectingTest, EqualLabelsEnd) {
+  LabelCorrecting queue({});
+  for (uint32_t id = 0; id < 1000; ++id) queue.Push(id, 0.1);
+  EXPECT_EQ(Drain(queue).size(), 1000u);
 }
 
 TEST(FwpBucketsTest, FirstInFirstOutWithinABucket) {
@@ -130,6 +184,32 @@ TEST(FwpBucketsTest, AdaptsTheBatch) {
   EXPECT_EQ(queue.Pop(), 1u);
   EXPECT_EQ(queue.Upcoming(1), 2u);
   EXPECT_EQ(queue.Upcoming(2), kNothing);  // 3 is not of this iteration
+}
+
+// A fixed K takes as many windows in every iteration, by whole buckets.
+TEST(FwpBucketsTest, FixedBatch) {
+  FwpBuckets queue(
+      {.bucket_width = 1, .max_batch = 2, .adaptive_batch = false});
+  for (uint32_t id = 0; id < 5; ++id) queue.Push(id, id + 0.5);
+  EXPECT_EQ(queue.Pop(), 0u);
+  EXPECT_EQ(queue.least(), 2);
+  EXPECT_EQ(queue.Upcoming(1), 1u);
+  EXPECT_EQ(queue.Upcoming(2), kNothing);
+  EXPECT_THAT(Drain(queue), ElementsAre(1, 2, 3, 4));
+  EXPECT_EQ(queue.iterations(), 3u);
+}
+
+// A fixed K of one: a bucket is left when nothing is in it any more.
+TEST(FwpBucketsTest, FixedBatchOfOneDrainsBuckets) {
+  FwpBuckets queue(
+      {.bucket_width = 1, .max_batch = 1, .adaptive_batch = false});
+  queue.Push(0, 0.5);
+  queue.Push(1, 0.6);
+  queue.Push(2, 1.5);
+  EXPECT_EQ(queue.Pop(), 0u);
+  queue.Push(3, 0.7);
+  queue.Push(4, 1.1);
+  EXPECT_THAT(Drain(queue), ElementsAre(1, 3, 2, 4));
 }
 
 TEST(FwpBucketsTest, LabelsThatRoundBackwardsStayInTheCurrentBucket) {
