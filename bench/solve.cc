@@ -84,7 +84,7 @@ absl::Status Run(const Options& options) {
   if (!mesh.ok()) return mesh.status();
   const double setup_seconds = SecondsSince(start);
 
-  const Query query{.sources = {{.vertex = options.source}},
+  const Query query{.sources = {{VertexPoint{options.source}}},
                     .algorithm = *algorithm};
   NoCheckpoint checkpoint;
   std::vector<double> seconds;

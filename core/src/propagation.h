@@ -4,30 +4,45 @@
 #define GEODESIC_PROPAGATION_H_
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
-#include "absl/status/statusor.h"
+#include "absl/status/status.h"
+#include "absl/strings/str_cat.h"
+#include "anchors.h"
 #include "geodesic/checkpoint.h"
+#include "geodesic/computation.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/query.h"
 #include "rules/front.h"
+#include "windows/window_observer.h"
 
 namespace geodesic {
 
 // Solves the query with windows made by Rule, in the order of Queue.
 template <template <typename> typename Rule, WindowQueue Queue>
-class Propagation {
+class Propagation final : public Computation {
  public:
-  Propagation(const Mesh& mesh, const Query& query, const QueueTuning& tuning)
-      : query_(query),
+  // REQUIRES: the query is valid and its points are canonical.
+  Propagation(const Mesh& mesh, const Query& query, const QueueTuning& tuning,
+              WindowObserver* observer)
+      : algorithm_(query.algorithm),
+        traces_(query.trace),
+        next_source_(SourceCount(query)),
+        pending_anchors_(AnchorsOf(query)),
         queue_(tuning),
-        front_(mesh, query, queue_),
+        front_(mesh, query, queue_, observer),
         rule_(front_) {}
 
-  absl::StatusOr<DistanceField> Run(Checkpoint& checkpoint);
+  absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) override;
+  DistanceField Field() const override;
+  absl::Status AddSource(const Source& source) override;
+  uint64_t bytes() const override {
+    return front_.bytes() + rule_.bytes() + queue_.bytes();
+  }
   // For what a queue has recorded about the run.
   const Queue& queue() const { return queue_; }
 
@@ -35,58 +50,110 @@ class Propagation {
   // Under a millisecond of work between two polls.
   static constexpr uint64_t kPollPeriod = 2048;
 
+  absl::Status Run(const Reach& reach, Checkpoint& checkpoint);
   void Seed();
   void Step(uint32_t id);
   absl::Status Poll(Checkpoint& checkpoint);
+  bool HasTargets(uint64_t wanted);
   void PrefetchUpcoming() const;
+  const Mesh& mesh() const { return front_.mesh(); }
   double ToFileUnit(double length) const {
-    return std::ldexp(length, front_.mesh().scale_exponent());
+    return std::ldexp(length, mesh().scale_exponent());
   }
-  DistanceField Finish() &&;
+  // What Rule::Open is, as the front calls it.
+  auto Opener() {
+    return [this](HalfEdge half_edge, uint32_t pseudo_source,
+                  const Origin& origin) {
+      rule_.Open(half_edge, pseudo_source, origin);
+    };
+  }
 
-  const Query& query_;
+  const Algorithm algorithm_;
+  const bool traces_;
+  uint32_t next_source_;
+  std::vector<Anchor> pending_anchors_;  // not yet in the front
   Queue queue_;
   Front<Queue> front_;
   Rule<Queue> rule_;
   SolveStatistics statistics_;
   double wavefront_sum_ = 0;
   uint64_t wavefront_samples_ = 0;
+  uint64_t next_target_count_ = 0;  // polls until targets are counted again
+  double certified_radius_ = -1;    // in the unit of the file
 };
 
 template <template <typename> typename Rule, WindowQueue Queue>
-absl::StatusOr<DistanceField> Propagation<Rule, Queue>::Run(
-    Checkpoint& checkpoint) {
+absl::Status Propagation<Rule, Queue>::Advance(const Reach& reach,
+                                               Checkpoint& checkpoint) {
+  if (!(reach.radius >= 0)) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("reach.radius ", reach.radius, " is not a number >= 0"));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const absl::Status status = Run(reach, checkpoint);
+  statistics_.solve_seconds +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+          .count();
+  return status;
+}
+
+template <template <typename> typename Rule, WindowQueue Queue>
+absl::Status Propagation<Rule, Queue>::Run(const Reach& reach,
+                                           Checkpoint& checkpoint) {
   if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
   Seed();
-  for (uint64_t steps = 1;; ++steps) {
+  const double radius = std::ldexp(reach.radius, -mesh().scale_exponent());
+  for (uint64_t steps = 1; queue_.SettledRadius() <= radius; ++steps) {
     const uint32_t id = queue_.Pop();
-    if (id == kNothing) break;
+    if (id == kNothing) {
+      certified_radius_ = std::numeric_limits<double>::infinity();
+      return Poll(checkpoint);
+    }
     PrefetchUpcoming();
     Step(id);
     if (steps % kPollPeriod == 0) {
       if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+      if (HasTargets(reach.targets)) break;
     }
   }
-  if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
-  return std::move(*this).Finish();
+  certified_radius_ =
+      std::max(certified_radius_,
+               std::min(reach.radius, ToFileUnit(queue_.SettledRadius())));
+  return Poll(checkpoint);
 }
 
 template <template <typename> typename Rule, WindowQueue Queue>
 void Propagation<Rule, Queue>::Seed() {
-  for (const Source& source : query_.sources) {
-    front_.Relax(source.vertex,
-                 std::ldexp(source.offset, -front_.mesh().scale_exponent()));
+  for (const Anchor& anchor : std::exchange(pending_anchors_, {})) {
+    front_.AddAnchor(anchor, Opener());
   }
+}
+
+template <template <typename> typename Rule, WindowQueue Queue>
+absl::Status Propagation<Rule, Queue>::AddSource(const Source& source) {
+  if (!std::isinf(certified_radius_) || traces_) {
+    return absl::FailedPreconditionError(
+        "sources can be added to a computation that is complete and keeps no "
+        "trace");
+  }
+  if (absl::Status status =
+          Validate(Query{.sources = {source}, .algorithm = algorithm_}, mesh());
+      !status.ok()) {
+    return status;
+  }
+  const SurfacePoint point = Canonicalize(source.point, mesh());
+  pending_anchors_.push_back(
+      {point, point, false, source.offset, next_source_++});
+  queue_.Restart();
+  certified_radius_ = -1;
+  return absl::OkStatus();
 }
 
 template <template <typename> typename Rule, WindowQueue Queue>
 void Propagation<Rule, Queue>::Step(uint32_t id) {
   if (id & kVertexEvent) {
-    const uint32_t v = id & ~kVertexEvent;
     ++statistics_.pseudo_source_events;
-    front_.Expand(v, [&](HalfEdge half_edge, const Origin& origin) {
-      rule_.Open(half_edge, v, origin);
-    });
+    front_.Expand(id & ~kVertexEvent, Opener());
   } else {
     statistics_.windows_propagated += rule_.Propagate(id);
   }
@@ -96,19 +163,38 @@ void Propagation<Rule, Queue>::Step(uint32_t id) {
 
 template <template <typename> typename Rule, WindowQueue Queue>
 absl::Status Propagation<Rule, Queue>::Poll(Checkpoint& checkpoint) {
-  const uint64_t bytes = front_.bytes() + rule_.bytes() + queue_.bytes();
   statistics_.peak_solver_bytes =
-      std::max(statistics_.peak_solver_bytes, bytes);
+      std::max(statistics_.peak_solver_bytes, bytes());
   wavefront_sum_ += static_cast<double>(queue_.size());
   ++wavefront_samples_;
+  // Before the sources are seeded an empty queue settles nothing.
+  const double settled =
+      pending_anchors_.empty() ? ToFileUnit(queue_.SettledRadius()) : 0;
   return checkpoint.Poll({
-      .settled_radius = ToFileUnit(queue_.SettledRadius()),
+      .settled_radius =
+          std::isinf(certified_radius_) ? certified_radius_ : settled,
       .vertices_reached = front_.reached(),
-      .vertices = front_.mesh().vertex_count(),
+      .vertices = mesh().vertex_count(),
       .live_windows = queue_.size(),
       .windows_propagated = statistics_.windows_propagated,
-      .solver_bytes = bytes,
+      .solver_bytes = bytes(),
+      .distances = front_.distances(),
+      .unit = ToFileUnit(1),
   });
+}
+
+template <template <typename> typename Rule, WindowQueue Queue>
+bool Propagation<Rule, Queue>::HasTargets(uint64_t wanted) {
+  const size_t count = front_.targets().size();
+  if (wanted > count || next_target_count_-- > 0) return false;
+  // So rarely that counting costs little beside the windows in between.
+  next_target_count_ = count / kPollPeriod;
+  const double settled = queue_.SettledRadius();
+  uint64_t certified = 0;
+  for (size_t t = 0; t < count; ++t) {
+    certified += front_.targets().Distance(t, front_.distances()) <= settled;
+  }
+  return certified >= wanted;
 }
 
 template <template <typename> typename Rule, WindowQueue Queue>
@@ -120,16 +206,41 @@ void Propagation<Rule, Queue>::PrefetchUpcoming() const {
 }
 
 template <template <typename> typename Rule, WindowQueue Queue>
-DistanceField Propagation<Rule, Queue>::Finish() && {
-  statistics_.iterations = queue_.iterations();
-  statistics_.windows_created = rule_.created();
-  statistics_.peak_windows = rule_.peak_windows();
-  statistics_.mean_wavefront =
-      wavefront_sum_ / static_cast<double>(wavefront_samples_);
-  DistanceField field{.distances = std::move(front_).TakeDistances(),
-                      .algorithm = query_.algorithm,
+DistanceField Propagation<Rule, Queue>::Field() const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  DistanceField field{.settled_radius = std::max(certified_radius_, 0.0),
+                      .algorithm = algorithm_,
                       .statistics = statistics_};
-  for (double& distance : field.distances) distance = ToFileUnit(distance);
+  const auto certified = [&](double length) {
+    const double distance = ToFileUnit(length);
+    return distance <= certified_radius_ ? distance : kInfinity;
+  };
+  const std::span<const double> distances = front_.distances();
+  field.distances.reserve(distances.size());
+  for (double length : distances) field.distances.push_back(certified(length));
+  const Targets& targets = front_.targets();
+  for (size_t t = 0; t < targets.size(); ++t) {
+    field.target_distances.push_back(certified(targets.Distance(t, distances)));
+  }
+  if (traces_) {
+    field.arrivals.assign(front_.arrivals().begin(), front_.arrivals().end());
+    for (size_t v = 0; v < field.arrivals.size(); ++v) {
+      if (std::isinf(field.distances[v])) field.arrivals[v] = {};
+    }
+    for (size_t t = 0; t < targets.size(); ++t) {
+      field.target_arrivals.push_back(
+          std::isinf(field.target_distances[t])
+              ? Arrival{}
+              : targets.ArrivalAt(t, distances, field.arrivals));
+    }
+  }
+  field.statistics.iterations = queue_.iterations();
+  field.statistics.windows_created = rule_.created();
+  field.statistics.peak_windows = rule_.peak_windows();
+  field.statistics.mean_wavefront =
+      wavefront_samples_ == 0
+          ? 0
+          : wavefront_sum_ / static_cast<double>(wavefront_samples_);
   return field;
 }
 

@@ -2,28 +2,85 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "surface_location.h"
 
 namespace geodesic {
+namespace {
 
-absl::Status Validate(const Query& query, uint64_t vertex_count) {
-  if (query.sources.empty()) {
+absl::Status CheckOffset(double offset, const std::string& name) {
+  if (std::isfinite(offset) && offset >= 0) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      absl::StrCat(name, ".offset ", offset, " is not a finite number >= 0"));
+}
+
+bool ShareAFace(const Mesh& mesh, const SurfacePoint& a,
+                const SurfacePoint& b) {
+  const std::vector<FacePoint> around_b = FacesAround(mesh, b);
+  for (const FacePoint& in_a : FacesAround(mesh, a)) {
+    if (std::ranges::find(around_b, in_a.face, &FacePoint::face) !=
+        around_b.end()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+absl::Status CheckCurve(const CurveSource& curve, const Mesh& mesh,
+                        const std::string& name) {
+  if (curve.points.empty()) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(name, ".points is empty: name at least one"));
+  }
+  for (size_t i = 0; i < curve.points.size(); ++i) {
+    if (absl::Status status = Validate(curve.points[i], mesh,
+                                       absl::StrCat(name, ".points[", i, "]"));
+        !status.ok()) {
+      return status;
+    }
+    if (i > 0 && !ShareAFace(mesh, Canonicalize(curve.points[i - 1], mesh),
+                             Canonicalize(curve.points[i], mesh))) {
+      return absl::InvalidArgumentError(absl::StrCat(
+          name, ".points[", i - 1, "] and [", i,
+          "] lie in no common face: add the points where the curve crosses "
+          "edges"));
+    }
+  }
+  return CheckOffset(curve.offset, name);
+}
+
+}  // namespace
+
+absl::Status Validate(const Query& query, const Mesh& mesh) {
+  if (query.sources.empty() && query.curves.empty()) {
     return absl::InvalidArgumentError("sources is empty: name at least one");
   }
   for (size_t i = 0; i < query.sources.size(); ++i) {
-    const Source& source = query.sources[i];
-    if (source.vertex >= vertex_count) {
-      return absl::InvalidArgumentError(
-          absl::StrCat("sources[", i, "].vertex ", source.vertex,
-                       " is out of range: the mesh has ", vertex_count,
-                       " vertices, numbered from 0"));
+    const std::string name = absl::StrCat("sources[", i, "]");
+    if (absl::Status status = Validate(query.sources[i].point, mesh, name);
+        !status.ok()) {
+      return status;
     }
-    if (!std::isfinite(source.offset) || source.offset < 0) {
-      return absl::InvalidArgumentError(
-          absl::StrCat("sources[", i, "].offset ", source.offset,
-                       " is not a finite number >= 0"));
+    if (absl::Status status = CheckOffset(query.sources[i].offset, name);
+        !status.ok()) {
+      return status;
+    }
+  }
+  for (size_t i = 0; i < query.curves.size(); ++i) {
+    if (absl::Status status =
+            CheckCurve(query.curves[i], mesh, absl::StrCat("curves[", i, "]"));
+        !status.ok()) {
+      return status;
+    }
+  }
+  for (size_t i = 0; i < query.targets.size(); ++i) {
+    if (absl::Status status =
+            Validate(query.targets[i], mesh, absl::StrCat("targets[", i, "]"));
+        !status.ok()) {
+      return status;
     }
   }
   const bool known = std::any_of(kAlgorithms.begin(), kAlgorithms.end(),
@@ -34,14 +91,25 @@ absl::Status Validate(const Query& query, uint64_t vertex_count) {
   return absl::OkStatus();
 }
 
-Query Canonicalize(Query query) {
-  for (Source& source : query.sources) source.offset += 0.0;  // -0 -> +0
-  std::sort(query.sources.begin(), query.sources.end());
-  const auto same_vertex = [](const Source& a, const Source& b) {
-    return a.vertex == b.vertex;
+Query Canonicalize(Query query, const Mesh& mesh) {
+  for (Source& source : query.sources) {
+    source.point = Canonicalize(source.point, mesh);
+    source.offset += 0.0;  // -0 -> +0
+  }
+  for (CurveSource& curve : query.curves) {
+    for (SurfacePoint& point : curve.points) point = Canonicalize(point, mesh);
+    curve.offset += 0.0;
+  }
+  for (SurfacePoint& target : query.targets) {
+    target = Canonicalize(target, mesh);
+  }
+  std::ranges::sort(query.sources,
+                    [](const Source& a, const Source& b) { return a < b; });
+  const auto same_point = [](const Source& a, const Source& b) {
+    return a.point == b.point;
   };
   query.sources.erase(
-      std::unique(query.sources.begin(), query.sources.end(), same_vertex),
+      std::unique(query.sources.begin(), query.sources.end(), same_point),
       query.sources.end());
   return query;
 }

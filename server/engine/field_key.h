@@ -28,9 +28,9 @@ struct FieldKey {
 };
 
 // REQUIRES: `query` is valid for the mesh.
-inline FieldKey MakeFieldKey(std::string mesh_digest, Query query,
-                             const SolveOptions& options) {
-  Query canonical = Canonicalize(std::move(query));
+inline FieldKey MakeFieldKey(std::string mesh_digest, const Mesh& mesh,
+                             Query query, const SolveOptions& options) {
+  Query canonical = Canonicalize(std::move(query), mesh);
   return {.mesh_digest = std::move(mesh_digest),
           .sources = std::move(canonical.sources),
           .algorithm = canonical.algorithm,

@@ -245,11 +245,12 @@ absl::StatusOr<FieldCall> QueryEngine::ComputeField(
   MeshHandle mesh = meshes_.Find(request.mesh_digest);
   if (mesh == nullptr) return NotResident(request.mesh_digest);
   const uint64_t vertices = mesh->mesh->vertex_count();
-  if (status = Validate(query, vertices); !status.ok()) {
+  if (status = Validate(query, *mesh->mesh); !status.ok()) {
     return WithField(status, "sources");
   }
 
-  const FieldKey key = MakeFieldKey(mesh->digest, query, solve_options_);
+  const FieldKey key =
+      MakeFieldKey(mesh->digest, *mesh->mesh, query, solve_options_);
   FieldCall call{.vertex_count = vertices, .algorithm = query.algorithm};
   const auto find_cached = [&] {
     call.field = fields_.Find(key);

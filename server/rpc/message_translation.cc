@@ -177,7 +177,7 @@ absl::StatusOr<FieldRequest> FromProto(const v1::ComputeFieldRequest& request) {
                        " is out of range: vertices are numbered in 32 bits"));
     }
     result.query.sources.push_back(
-        {static_cast<uint32_t>(source.vertex()), source.offset()});
+        {VertexPoint{static_cast<uint32_t>(source.vertex())}, source.offset()});
   }
   return result;
 }

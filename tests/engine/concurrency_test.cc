@@ -123,8 +123,8 @@ TEST_F(EngineConcurrencyTest, EveryoneGetsTheSameField) {
     for (int i = 0; i < 20; ++i) {
       const uint32_t vertex = (thread + i) % 4;
       const auto observer = std::make_shared<WaitingObserver>();
-      const auto call =
-          engine_.ComputeField({digest, {.sources = {{vertex, 0}}}}, observer);
+      const auto call = engine_.ComputeField(
+          {digest, {.sources = {{VertexPoint{vertex}, 0}}}}, observer);
       ASSERT_TRUE(call.ok()) << call.status();
       const auto field = call->field != nullptr
                              ? absl::StatusOr<FieldHandle>(call->field)
@@ -148,8 +148,8 @@ TEST_F(EngineConcurrencyTest, CancelsAndDeletesLeaveNothingBehind) {
     for (int i = 0; i < 30; ++i) {
       const uint32_t vertex = (thread * 7 + i) % 16;
       const auto observer = std::make_shared<WaitingObserver>();
-      const auto call =
-          engine_.ComputeField({digest, {.sources = {{vertex, 0}}}}, observer);
+      const auto call = engine_.ComputeField(
+          {digest, {.sources = {{VertexPoint{vertex}, 0}}}}, observer);
       if (!call.ok()) {
         EXPECT_TRUE(absl::IsNotFound(call.status())) << call.status();
         Upload(soup);

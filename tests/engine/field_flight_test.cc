@@ -12,7 +12,7 @@ namespace {
 using test::RecordingObserver;
 
 FieldKey Key(uint32_t vertex) {
-  return {.mesh_digest = "mesh", .sources = {{vertex, 0}}};
+  return {.mesh_digest = "mesh", .sources = {{VertexPoint{vertex}, 0}}};
 }
 
 class FieldFlightTest : public ::testing::Test {

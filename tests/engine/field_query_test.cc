@@ -38,8 +38,8 @@ class FieldQueryTest : public test::EngineTest {
   absl::StatusOr<FieldCall> Ask(
       uint32_t vertex, const std::shared_ptr<RecordingObserver>& observer,
       TimePoint deadline = kNoDeadline) {
-    return engine_.ComputeField({digest_, {.sources = {{vertex, 0}}}, deadline},
-                                observer);
+    return engine_.ComputeField(
+        {digest_, {.sources = {{VertexPoint{vertex}, 0}}}, deadline}, observer);
   }
 
   // A solver that polls `polls` times and does `at_poll` before each.
@@ -78,7 +78,7 @@ TEST_F(FieldQueryTest, SolvesExactly) {
   ASSERT_TRUE(a_->field->ok()) << a_->field->status();
   NoCheckpoint checkpoint;
   const auto direct = Solve(*(*engine_.GetMesh(digest_))->mesh,
-                            {.sources = {{0, 0}}}, {}, checkpoint);
+                            {.sources = {{VertexPoint{0}, 0}}}, {}, checkpoint);
   EXPECT_EQ((**a_->field)->distances, direct->distances);
   EXPECT_EQ(engine_.counters().solves_finished, 1);
 }
@@ -121,7 +121,9 @@ TEST_F(FieldQueryTest, ConcurrentEqualQueriesAreSolvedOnce) {
 TEST_F(FieldQueryTest, AlgorithmsAreDifferentQuestions) {
   ASSERT_TRUE(Ask(0, a_).ok());
   const auto other = engine_.ComputeField(
-      {digest_, {.sources = {{0, 0}}, .algorithm = Algorithm::kMmp}}, b_);
+      {digest_,
+       {.sources = {{VertexPoint{0}, 0}}, .algorithm = Algorithm::kMmp}},
+      b_);
   ASSERT_TRUE(other.ok());
   EXPECT_EQ(other->origin, FieldOrigin::kSolved);
   EXPECT_EQ(other->algorithm, Algorithm::kMmp);
@@ -235,11 +237,14 @@ TEST_F(FieldQueryTest, ArgumentsAreChecked) {
   EXPECT_TRUE(
       absl::IsResourceExhausted(ask(std::vector<Source>(11, Source{0, 0}))));
   EXPECT_TRUE(absl::IsNotFound(
-      engine_.ComputeField({std::string(64, '0'), {.sources = {{0, 0}}}}, a_)
+      engine_
+          .ComputeField(
+              {std::string(64, '0'), {.sources = {{VertexPoint{0}, 0}}}}, a_)
           .status()));
   EXPECT_EQ(
       FieldAtFault(
-          engine_.ComputeField({"x", {.sources = {{0, 0}}}}, a_).status()),
+          engine_.ComputeField({"x", {.sources = {{VertexPoint{0}, 0}}}}, a_)
+              .status()),
       "mesh_digest");
   EXPECT_EQ(a_->calls, 0);
 }
@@ -271,7 +276,9 @@ TEST_F(FieldQueryTest, ExceptionsBecomeStatuses) {
 TEST_F(FieldQueryTest, DeletingAMeshDropsItsFieldsOnly) {
   const std::string other = Upload(test::Tetrahedron())->mesh->digest;
   ASSERT_TRUE(Ask(0, a_).ok());
-  ASSERT_TRUE(engine_.ComputeField({other, {.sources = {{0, 0}}}}, b_).ok());
+  ASSERT_TRUE(
+      engine_.ComputeField({other, {.sources = {{VertexPoint{0}, 0}}}}, b_)
+          .ok());
   executor_.RunAll();
   EXPECT_EQ(engine_.fields().size(), 2);
   EXPECT_TRUE(engine_.DeleteMesh(digest_).ok());

@@ -43,8 +43,8 @@ TEST_F(FieldRpcTest, StreamsAFieldInOrder) {
   ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
 
   NoCheckpoint checkpoint;
-  const auto direct =
-      Solve(**Mesh::Build(soup), {.sources = {{17, 0}}}, {}, checkpoint);
+  const auto direct = Solve(
+      **Mesh::Build(soup), {.sources = {{VertexPoint{17}, 0}}}, {}, checkpoint);
   ASSERT_TRUE(direct.ok());
   EXPECT_EQ(reply.distances, direct->distances);
 

@@ -203,7 +203,8 @@ std::vector<double> BruteForce::Distances(
     std::span<const Source> sources) const {
   std::vector<Real> distances(direct_.size(), kInfinity);
   for (const Source& s : sources) {
-    distances[s.vertex] = std::min<Real>(distances[s.vertex], s.offset);
+    Real& distance = distances[std::get<VertexPoint>(s.point).vertex];
+    distance = std::min<Real>(distance, s.offset);
   }
   // Dijkstra on the complete graph of direct distances.
   std::vector<bool> settled(direct_.size(), false);
@@ -226,7 +227,7 @@ std::vector<double> BruteForce::Distances(
 }
 
 std::vector<double> BruteForce::Distances(uint32_t source) const {
-  const Source sources[] = {{.vertex = source}};
+  const Source sources[] = {{VertexPoint{source}}};
   return Distances(sources);
 }
 

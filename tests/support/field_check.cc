@@ -60,6 +60,20 @@ std::vector<double> SolveOrFail(const Mesh& mesh, Algorithm algorithm,
   return {};
 }
 
+std::string Name(const SurfacePoint& point) {
+  std::ostringstream text;
+  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+    text << vertex->vertex;
+  } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
+    text << edge->from << "-" << edge->to << "@" << edge->t;
+  } else {
+    const auto& [face, weights] = std::get<FacePoint>(point);
+    text << "face " << face << "(" << weights[0] << "," << weights[1] << ","
+         << weights[2] << ")";
+  }
+  return text.str();
+}
+
 testing::AssertionResult FieldsAgree(const FieldContext& context,
                                      const std::vector<double>& expected,
                                      const std::vector<double>& got,
@@ -68,7 +82,7 @@ testing::AssertionResult FieldsAgree(const FieldContext& context,
   text << std::setprecision(17) << context.mesh << ", " << context.algorithm
        << ", sources";
   for (const Source& s : context.sources) {
-    text << " " << s.vertex;
+    text << " " << Name(s.point);
     if (s.offset != 0) text << ":" << s.offset;
   }
   if (expected.size() != got.size()) {

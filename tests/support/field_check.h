@@ -42,6 +42,9 @@ struct FieldContext {
   std::string_view algorithm;
 };
 
+// A surface point in words, for messages.
+std::string Name(const SurfacePoint& point);
+
 // Success if at every vertex the two differ by at most kRelativeTolerance times
 // what is expected, plus `slack`, or are infinite both. Otherwise names the
 // worst vertices. The worst relative error is recorded as a property of the

@@ -5,6 +5,7 @@
 #define GEODESIC_CHECKPOINT_H_
 
 #include <cstdint>
+#include <span>
 
 #include "absl/status/status.h"
 
@@ -22,6 +23,10 @@ struct Progress {
   uint64_t windows_propagated = 0;
   // Bytes the solver holds beyond the mesh.
   uint64_t solver_bytes = 0;
+  // The distances so far, one per vertex, to be multiplied by `unit`: those up
+  // to settled_radius are final. Valid during the call of Poll only.
+  std::span<const double> distances = {};
+  double unit = 1;
 };
 
 class Checkpoint {

@@ -4,9 +4,11 @@
 #define GEODESIC_DISTANCE_FIELD_H_
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "geodesic/algorithm.h"
+#include "geodesic/mesh.h"
 
 namespace geodesic {
 
@@ -27,10 +29,38 @@ struct SolveStatistics {
   double solve_seconds = 0;
 };
 
+inline constexpr uint32_t kNoPseudoSource = 0xffffffffu;
+
+// How a shortest path arrives at a point: its last straight piece, which starts
+// at a pseudo-source and is unfolded into the plane of the last face.
+struct Arrival {
+  // Below the number of vertices: that vertex, where the path may bend.
+  // Otherwise, less that number, an anchor: a piece of a source (anchors.h).
+  // kNoPseudoSource: nothing has arrived.
+  uint32_t pseudo_source = kNoPseudoSource;
+  // The half-edge through which the path enters its last face; kNoHalfEdge if
+  // the pseudo-source lies in a face around the point.
+  HalfEdge entry = kNoHalfEdge;
+  // In the frame of `entry` and the mesh's scaled unit: the pseudo-source is at
+  // (x, -depth). If it is a segment of a curve, (x, depth) is the unit vector
+  // in which the path runs.
+  double x = 0;
+  double depth = 0;
+};
+
+// Distances in the unit of the mesh's file. A distance that is not certified
+// (see settled_radius) is +infinity.
 struct DistanceField {
-  // One per vertex, in the unit of the mesh's file; +infinity where no path
-  // from any source leads.
+  // One per vertex; +infinity where no path from any source leads.
   std::vector<double> distances;
+  // One per target of the query.
+  std::vector<double> target_distances;
+  // One per vertex and one per target, if the query asked for a trace.
+  std::vector<Arrival> arrivals;
+  std::vector<Arrival> target_arrivals;
+  // Every distance up to here is exact and present. +infinity once the whole
+  // surface is done.
+  double settled_radius = std::numeric_limits<double>::infinity();
   Algorithm algorithm = kDefaultAlgorithm;
   SolveStatistics statistics;
 };

@@ -9,35 +9,62 @@
 #include "absl/status/status.h"
 #include "geodesic/algorithm.h"
 #include "geodesic/mesh.h"
+#include "geodesic/surface_point.h"
 
 namespace geodesic {
 
-// A vertex from which distances are measured. The field is
-// d(x) = min over the sources of offset + geodesic distance to x.
+// A point from which distances are measured.
 struct Source {
-  uint32_t vertex = 0;
+  SurfacePoint point;
   // In the unit of the mesh's file; finite, >= 0.
   double offset = 0;
 
-  friend bool operator==(const Source&, const Source&) = default;
   friend auto operator<=>(const Source&, const Source&) = default;
 };
 
-struct Query {
-  std::vector<Source> sources;
-  Algorithm algorithm = kDefaultAlgorithm;
+// A polyline on the surface from every point of which distances are measured.
+// Points that follow each other lie in a common face, where the segment between
+// them runs straight.
+struct CurveSource {
+  std::vector<SurfacePoint> points;  // at least one
+  double offset = 0;                 // as a Source's
+
+  friend auto operator<=>(const CurveSource&, const CurveSource&) = default;
 };
 
-// Checks a query against the mesh with `vertex_count` vertices.
-// Errors: INVALID_ARGUMENT naming the offender, e.g. "sources[3].vertex 991 is
-// out of range: the mesh has 502 vertices".
-absl::Status Validate(const Query& query, uint64_t vertex_count);
+// The field is d(x) = min over sources and curves of offset + geodesic
+// distance to x.
+struct Query {
+  std::vector<Source> sources;
+  std::vector<CurveSource> curves;
+  // Points beside the vertices whose distances are wanted.
+  std::vector<SurfacePoint> targets;
+  Algorithm algorithm = kDefaultAlgorithm;
+  // Whether to keep how each shortest path arrives (DistanceField::arrivals):
+  // what paths, labels, gradients and log maps are made from. 24 bytes a
+  // vertex.
+  bool trace = false;
 
-// The same question in one fixed form: sources sorted by vertex, of equal
-// vertices only the least offset kept, -0 made 0. Two queries with the same
-// field-defining content have equal canonical forms.
-// REQUIRES: Validate(query, n).ok() for some n.
-Query Canonicalize(Query query);
+  friend bool operator==(const Query&, const Query&) = default;
+};
+
+// Sources are numbered through: sources[i] is i, curves[j] is
+// sources.size() + j.
+inline uint32_t SourceCount(const Query& query) {
+  return static_cast<uint32_t>(query.sources.size() + query.curves.size());
+}
+
+// Checks a query against the mesh.
+// Errors: INVALID_ARGUMENT naming the offender, e.g. "sources[3].vertex 991 is
+// out of range: the mesh has 502 vertices, numbered from 0".
+absl::Status Validate(const Query& query, const Mesh& mesh);
+
+// The same question in one fixed form: points canonical, sources sorted by
+// point, of equal points only the least offset kept, -0 made 0. Curves and
+// targets keep their order. Two queries with the same field-defining content
+// have equal canonical forms.
+// REQUIRES: Validate(query, mesh).ok().
+Query Canonicalize(Query query, const Mesh& mesh);
 
 }  // namespace geodesic
 

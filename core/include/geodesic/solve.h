@@ -1,6 +1,6 @@
-// Exact geodesic distances from one or many sources to every vertex.
+// Exact geodesic distances from one or many sources to every vertex and target.
 //
-//   Query query{.sources = {{.vertex = 0}}};
+//   Query query{.sources = {{VertexPoint{0}}}};
 //   NoCheckpoint checkpoint;
 //   absl::StatusOr<DistanceField> field = Solve(*mesh, query, {}, checkpoint);
 
@@ -12,25 +12,11 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/query.h"
+#include "geodesic/solve_options.h"
 
 namespace geodesic {
 
-// Parameters of FWP (Xu et al. 2015, Algorithm 1). They change the cost of an
-// answer, never the answer.
-struct SolveOptions {
-  // Bucket width as a multiple of h / sqrt(n), with h the mean edge length and
-  // n the number of faces. DEFAULT: 1, the paper's choice.
-  double bucket_width = 1;
-  // Bound on K, the number of windows an iteration propagates. DEFAULT: 2000.
-  // The paper's 20000 takes whole wavefronts at once on meshes below a million
-  // faces; smaller batches make fewer windows and let MMP forget sooner.
-  uint32_t max_batch = 2000;
-  // Whether K follows the wavefront (section 4.2). If not it is max_batch
-  // throughout; 1 then drains the buckets one by one. DEFAULT: true.
-  bool adaptive_batch = true;
-};
-
-// Solves `query` on `mesh`.
+// Solves `query` on the whole of `mesh`.
 //
 // Guarantees:
 //   1. exact: every distance is the length of a shortest path on the surface,

@@ -39,6 +39,8 @@ class BinaryHeap {
   void MarkVoid() { ++void_; }
   void DropVoid() { --void_; }
 
+  void Restart() { settled_ = 0; }
+
   double SettledRadius() const {
     return heap_.empty() ? settled_ : std::max(settled_, heap_.front().label);
   }

@@ -37,6 +37,10 @@ class Fifo {
 
   void MarkVoid() { ++void_; }
   void DropVoid() { --void_; }
+  void Restart() {
+    settled_ = 0;
+    least_born_ = std::numeric_limits<double>::infinity();
+  }
 
   // The least label of the round.
   double SettledRadius() const { return settled_; }

@@ -48,6 +48,7 @@ class FwpBuckets {
 
   void MarkVoid() { ++void_; }
   void DropVoid() { --void_; }
+  void Restart() { first_ = end_ = least_ = near_ = far_ = 0; }
 
   // The lower edge of the first bucket that is not empty.
   double SettledRadius() const { return static_cast<double>(first_) * width_; }

@@ -40,6 +40,10 @@ class LabelCorrecting {
 
   void MarkVoid() { ++void_; }
   void DropVoid() { --void_; }
+  void Restart() {
+    threshold_ = -1;
+    settled_ = 0;
+  }
 
   // The least label there was when the threshold last rose.
   double SettledRadius() const { return settled_; }

@@ -22,6 +22,7 @@ inline constexpr uint32_t kNothing = 0xffffffffu;
 // MarkVoid(): an id still in the queue has become void; it stays in place (its
 //   label is a valid lower bound) but no longer counts into size().
 // DropVoid(): the id just popped was void.
+// Restart(): labels may begin anew, from 0. REQUIRES: the queue is empty.
 // SettledRadius(): a lower bound on every label pending, never decreasing.
 // size(): the wavefront, void ids left out. iterations(): batches begun.
 template <typename Q>
@@ -32,6 +33,7 @@ concept WindowQueue = requires(Q queue, const Q& view, uint32_t id,
   { view.Upcoming(1) } -> std::same_as<uint32_t>;
   queue.MarkVoid();
   queue.DropVoid();
+  queue.Restart();
   { view.SettledRadius() } -> std::same_as<double>;
   { view.size() } -> std::same_as<uint64_t>;
   { view.iterations() } -> std::same_as<uint64_t>;

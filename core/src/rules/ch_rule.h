@@ -121,6 +121,7 @@ class ChenHanRule {
   void Add(const Window& window, HalfEdge half_edge, uint32_t pseudo_source,
            Depth depth) {
     ++created_;
+    front_.Observe(half_edge, window, pseudo_source);
     front_.queue().Push(pool_.Allocate({window.interval, window.origin,
                                         half_edge, pseudo_source, depth}),
                         window.Label());
@@ -154,7 +155,8 @@ bool ChenHanRule<Queue, kFilter>::Propagate(uint32_t id) {
   pool_.Free(id);
   const auto& [interval, origin, h, pseudo_source, depth] = entry;
   // The pseudo-source has improved since: its newer windows replace this one.
-  if (Exceeds(origin.sigma, front_.distance(pseudo_source))) return false;
+  if (Exceeds(origin.sigma, front_.PseudoSourceDistance(pseudo_source)))
+    return false;
   const HalfEdgeFrame& frame = mesh_.frame(h);
   const Crossing face{frame,
                       mesh_.From(h),
@@ -172,12 +174,15 @@ bool ChenHanRule<Queue, kFilter>::Propagate(uint32_t id) {
     reach_ = EdgeReach(front_);
   }
 
+  const Arrival arrival{pseudo_source, h, origin.x, origin.depth};
   const double crossing = ApexCrossing(origin, frame);
   const double near_miss = NearMiss(origin, frame);
   if (crossing <= interval.begin) {
     if (crossing > interval.begin - near_miss) {
-      front_.Relax(face.apex, window.begin_distance +
-                                  EdgePointToApex(interval.begin, frame));
+      front_.Relax(
+          face.apex,
+          window.begin_distance + EdgePointToApex(interval.begin, frame),
+          arrival);
     }
     PropagateRight(entry, face, false);
     return true;
@@ -185,7 +190,8 @@ bool ChenHanRule<Queue, kFilter>::Propagate(uint32_t id) {
   if (crossing >= interval.end) {
     if (crossing < interval.end + near_miss) {
       front_.Relax(face.apex,
-                   window.end_distance + EdgePointToApex(interval.end, frame));
+                   window.end_distance + EdgePointToApex(interval.end, frame),
+                   arrival);
     }
     PropagateLeft(entry, face, false);
     return true;
@@ -193,7 +199,7 @@ bool ChenHanRule<Queue, kFilter>::Propagate(uint32_t id) {
 
   const double to_apex = DistanceToApex(origin, frame);
   const double at_apex = origin.sigma + to_apex;
-  front_.Relax(face.apex, at_apex);
+  front_.Relax(face.apex, at_apex, arrival);
   // Grows as the ray into the apex comes from further left.
   const double lean = (frame.apex_x - origin.x) / to_apex;
   Best& best = best_[h];

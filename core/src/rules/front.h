@@ -1,5 +1,6 @@
-// What every rule shares: the distances of the vertices, and the pseudo-source
-// events that a better distance sets off.
+// What every rule shares: the distances of the vertices and how paths arrive
+// there, the sources, and the pseudo-source events that a better distance sets
+// off.
 
 #ifndef GEODESIC_RULES_FRONT_H_
 #define GEODESIC_RULES_FRONT_H_
@@ -10,35 +11,51 @@
 #include <utility>
 #include <vector>
 
+#include "anchors.h"
+#include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
-#include "geodesic/query.h"
 #include "queues/queue.h"
+#include "surface_location.h"
+#include "targets.h"
 #include "tolerances.h"
 #include "windows/window.h"
+#include "windows/window_observer.h"
 
 namespace geodesic {
 
 template <WindowQueue Queue>
 class Front {
  public:
-  Front(const Mesh& mesh, const Query& query, Queue& queue)
+  // `observer`, if any, hears of every window.
+  Front(const Mesh& mesh, const Query& query, Queue& queue,
+        WindowObserver* observer)
       : mesh_(mesh),
         queue_(queue),
+        observer_(observer),
+        targets_(mesh, query.targets),
         distances_(mesh.vertex_count(),
                    std::numeric_limits<double>::infinity()),
         states_(mesh.vertex_count(), 0) {
-    for (const Source& source : query.sources) {
-      states_[source.vertex] |= kSource;
-    }
+    if (query.trace) arrivals_.resize(mesh.vertex_count());
   }
 
   const Mesh& mesh() const { return mesh_; }
   Queue& queue() { return queue_; }
+  const Targets& targets() const { return targets_; }
   double distance(uint32_t v) const { return distances_[v]; }
-  std::vector<double> TakeDistances() && { return std::move(distances_); }
+  std::span<const double> distances() const {
+    return std::span(distances_).first(mesh_.vertex_count());
+  }
+  std::span<const Arrival> arrivals() const { return arrivals_; }
+  // What bounds a window of this pseudo-source from below: the distance of a
+  // vertex, the offset of an anchor.
+  double PseudoSourceDistance(uint32_t pseudo_source) const {
+    return distances_[pseudo_source];
+  }
   uint64_t reached() const { return reached_; }
   uint64_t bytes() const {
-    return distances_.capacity() * sizeof(double) + states_.capacity();
+    return distances_.capacity() * sizeof(double) + states_.capacity() +
+           arrivals_.capacity() * sizeof(Arrival) + targets_.bytes();
   }
   // Fetches the face of h, then (once that has arrived) the distances of its
   // corners into cache.
@@ -75,40 +92,83 @@ class Front {
            2;
   }
 
+  // Tells whoever wants to know of a window that enters the face of h.
+  void Observe(HalfEdge h, const Window& window, uint32_t pseudo_source) {
+    if (targets_.Watches(h / 3)) targets_.Offer(h, window, pseudo_source);
+    if (observer_ != nullptr) observer_->OnWindow(h, window, pseudo_source);
+  }
+
   // Takes `distance` for v if it is better. A vertex that paths may bend at is
   // then queued with its distance as label (otherwise no bound on
   // what is pending holds).
-  void Relax(uint32_t v, double distance) {
+  void Relax(uint32_t v, double distance, const Arrival& arrival) {
     double& best = distances_[v];
     if (distance >= best * (1 - kImprovement)) return;
     reached_ += std::isinf(best);
     best = distance;
+    if (!arrivals_.empty()) arrivals_[v] = arrival;
     if (!(states_[v] & kSource) && !mesh_.IsPseudoSource(v)) return;
     states_[v] |= kPending;
     queue_.Push(kVertexEvent | v, distance);
   }
 
+  // Starts from an anchor: relaxes the vertices around it and calls
+  // open(half_edge, pseudo_source, origin) for every edge that it sees whole.
+  template <typename Open>
+  void AddAnchor(const Anchor& anchor, Open open) {
+    const auto number = static_cast<uint32_t>(distances_.size());
+    const double sigma = std::ldexp(anchor.offset, -mesh_.scale_exponent());
+    distances_.push_back(sigma);
+    if (const auto* at = std::get_if<VertexPoint>(&anchor.begin)) {
+      states_[at->vertex] |= kSource;
+      Relax(at->vertex, sigma, {.pseudo_source = number});
+      return;
+    }
+    for (const FacePoint& point : FacesAround(mesh_, anchor.begin)) {
+      const Arrival straight{.pseudo_source = number};
+      for (uint32_t corner = 0; corner < 3; ++corner) {
+        const HalfEdge h = 3 * point.face + corner;
+        Relax(mesh_.From(h), sigma + DistanceToCorner(mesh_, point, corner),
+              straight);
+        // The faces beyond an edge that holds the point are around it too.
+        if (point.weights[Prev(h) % 3] == 0) continue;
+        const PlanePoint at = InFrame(mesh_, point, h);
+        Look(mesh_.Twin(h),
+             {.x = mesh_.frame(h).length - at.x,
+              .depth = std::max(at.y, kLeastHeight),
+              .sigma = sigma},
+             number, kMostFolds, open);
+      }
+      const PlanePoint from = InFrame(mesh_, point, 3 * point.face);
+      targets_.OfferWithin(point.face, number, [&](const PlanePoint& to) {
+        return sigma + std::hypot(to.x - from.x, to.y - from.y);
+      });
+    }
+  }
+
   // Handles the event of v: relaxes v's neighbours along their edges and calls
-  // open(half_edge, origin) for every edge that v sees whole, where the
-  // half-edge enters the face beyond. These are the edges opposite to v, and
-  // where v lies on one (across a face without area), the other edges of the
-  // face beyond. Does nothing if v has not improved since it was last expanded.
+  // open(half_edge, pseudo_source, origin) for every edge that v sees whole,
+  // where the half-edge enters the face beyond. These are the edges opposite to
+  // v, and where v lies on one (across a face without area), the other edges of
+  // the face beyond. Does nothing if v has not improved since it was last
+  // expanded.
   template <typename Open>
   void Expand(uint32_t v, Open open) {
     if (!(states_[v] & kPending)) return;
     states_[v] &= ~kPending;
     const double sigma = distances_[v];
+    const Arrival along_edge{.pseudo_source = v};
     for (HalfEdge h : mesh_.Outgoing(v)) {
       const HalfEdge opposite = Next(h);
       const HalfEdgeFrame& frame = mesh_.frame(opposite);
-      Relax(mesh_.To(h), sigma + mesh_.frame(h).length);
-      Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length);
+      Relax(mesh_.To(h), sigma + mesh_.frame(h).length, along_edge);
+      Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length, along_edge);
       // Seen from beyond, the edge runs the other way.
       Look(mesh_.Twin(opposite),
            {.x = frame.length - frame.apex_x,
             .depth = frame.apex_y,
             .sigma = sigma},
-           kMostFolds, open);
+           v, kMostFolds, open);
     }
   }
 
@@ -123,25 +183,31 @@ class Front {
 
   // Opens `half_edge`, or if the pseudo-source lies on it, what lies beyond.
   template <typename Open>
-  void Look(HalfEdge half_edge, const Origin& origin, int folds, Open open) {
+  void Look(HalfEdge half_edge, const Origin& origin, uint32_t pseudo_source,
+            int folds, Open open) {
     if (half_edge == kNoHalfEdge) return;
     const HalfEdgeFrame& frame = mesh_.frame(half_edge);
     const bool is_on_edge = origin.depth <= kCollapsedFace * frame.length &&
                             origin.x > 0 && origin.x < frame.length;
     if (!is_on_edge || folds == 0) {
-      open(half_edge, origin);
+      open(half_edge, pseudo_source, origin);
       return;
     }
-    Relax(mesh_.Apex(half_edge), origin.sigma + DistanceToApex(origin, frame));
-    Look(frame.left_exit, UnfoldLeft(origin, frame), folds - 1, open);
+    Relax(mesh_.Apex(half_edge), origin.sigma + DistanceToApex(origin, frame),
+          {pseudo_source, half_edge, origin.x, origin.depth});
+    Look(frame.left_exit, UnfoldLeft(origin, frame), pseudo_source, folds - 1,
+         open);
     Look(frame.right_exit,
          UnfoldRight(origin, frame, mesh_.frame(Next(half_edge)).length),
-         folds - 1, open);
+         pseudo_source, folds - 1, open);
   }
 
   const Mesh& mesh_;
   Queue& queue_;
-  std::vector<double> distances_;
+  WindowObserver* const observer_;
+  Targets targets_;
+  std::vector<double> distances_;  // of vertices, then offsets of anchors
+  std::vector<Arrival> arrivals_;  // of vertices; empty without a trace
   std::vector<uint8_t> states_;
   uint64_t reached_ = 0;
 };

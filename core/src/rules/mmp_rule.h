@@ -129,7 +129,8 @@ bool MmpRule<Queue>::Propagate(uint32_t id) {
   ListedWindow& listed =
       *std::ranges::find(lists_.Of(h), id, &ListedWindow::id);
   listed.id = kNothing;
-  if (Exceeds(listed.window.origin.sigma, front_.distance(pseudo_source))) {
+  if (Exceeds(listed.window.origin.sigma,
+              front_.PseudoSourceDistance(pseudo_source))) {
     return false;
   }
   Cross(h, Window(listed.window), pseudo_source);  // a copy: lists will move
@@ -171,7 +172,8 @@ void MmpRule<Queue>::Cross(HalfEdge h, const Window& window,
                  origin.sigma + (through == crossing
                                      ? DistanceToApex(origin, frame)
                                      : origin.DistanceTo(through) +
-                                           EdgePointToApex(through, frame)));
+                                           EdgePointToApex(through, frame)),
+                 {pseudo_source, h, origin.x, origin.depth});
   }
   if (crossing > interval.begin && frame.left_exit != kNoHalfEdge) {
     Insert(frame.left_exit, pseudo_source, UnfoldLeft(origin, frame),
@@ -272,6 +274,7 @@ template <WindowQueue Queue>
 void MmpRule<Queue>::Enqueue(HalfEdge half_edge, ListedWindow& listed) {
   listed.id = queued_.Allocate({half_edge, listed.pseudo_source});
   ++created_;
+  front_.Observe(half_edge, listed.window, listed.pseudo_source);
   front_.queue().Push(listed.id, listed.window.Label());
 }
 

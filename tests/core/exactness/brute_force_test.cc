@@ -33,10 +33,10 @@ void ExpectBruteForce(const NamedMesh& named, uint32_t fields, uint64_t seed,
   Random random(seed);
   const auto any_vertex = [&] { return random.Below(mesh->vertex_count()); };
   for (uint32_t i = 0; i < fields; ++i) {
-    std::vector<Source> sources = {{.vertex = any_vertex()}};
+    std::vector<Source> sources = {{VertexPoint{any_vertex()}}};
     if (i + 1 == fields) {
-      sources.push_back({any_vertex(), random.Uniform(0, 0.5)});
-      sources.push_back({any_vertex(), random.Uniform(0, 0.5)});
+      sources.push_back({VertexPoint{any_vertex()}, random.Uniform(0, 0.5)});
+      sources.push_back({VertexPoint{any_vertex()}, random.Uniform(0, 0.5)});
     }
     const std::vector<double> expected = brute_force.Distances(sources);
     for (const AlgorithmInfo& info : kAlgorithms) {

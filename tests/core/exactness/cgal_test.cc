@@ -25,8 +25,8 @@ void ExpectCgal(const NamedMesh& named, const std::vector<uint32_t>& sources) {
     for (const AlgorithmInfo& info : kAlgorithms) {
       if (!IsTestedOn(info.algorithm, mesh->face_count())) continue;
       EXPECT_TRUE(
-          FieldsAgree({named.name, {{.vertex = s}}, info.name}, expected,
-                      SolveOrFail(*mesh, info.algorithm, {{.vertex = s}})));
+          FieldsAgree({named.name, {{VertexPoint{s}}}, info.name}, expected,
+                      SolveOrFail(*mesh, info.algorithm, {{VertexPoint{s}}})));
     }
   }
 }

@@ -124,21 +124,22 @@ TEST_P(DegenerateMeshes, OtherPiecesAreInfinitelyFar) {
                         AddIsolatedVertices(Join(box, box), 3)};
   const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
   ASSERT_NE(mesh, nullptr);
-  const std::vector<double> field = SolveOn(*mesh, {{.vertex = 4}});
+  const std::vector<double> field = SolveOn(*mesh, {{VertexPoint{4}}});
   ASSERT_EQ(field.size(), 2 * first + 3);
   for (uint32_t v = 0; v < first; ++v) EXPECT_LT(field[v], 3) << v;
   for (uint32_t v = first; v < field.size(); ++v) {
     EXPECT_EQ(field[v], kInfinity) << v;
   }
   // A lone vertex is at 0 from itself and infinitely far from all else.
-  const std::vector<double> lone = SolveOn(*mesh, {{.vertex = 2 * first + 1}});
+  const std::vector<double> lone =
+      SolveOn(*mesh, {{VertexPoint{2 * first + 1}}});
   ASSERT_EQ(lone.size(), field.size());
   for (uint32_t v = 0; v < lone.size(); ++v) {
     EXPECT_EQ(lone[v], v == 2 * first + 1 ? 0 : kInfinity) << v;
   }
   // A source in each piece: the fields do not mix.
   const std::vector<double> both =
-      SolveOn(*mesh, {{.vertex = 4}, {first + 4, 0.25}});
+      SolveOn(*mesh, {{VertexPoint{4}}, {VertexPoint{first + 4}, 0.25}});
   ASSERT_EQ(both.size(), field.size());
   for (uint32_t v = 0; v < first; ++v) {
     EXPECT_NEAR(both[v], field[v], 1e-14) << v;
@@ -163,7 +164,7 @@ TEST_P(DegenerateMeshes, PathsGoThroughAPinchedVertex) {
   });
   const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
   ASSERT_NE(mesh, nullptr);
-  EXPECT_NEAR(SolveOn(*mesh, {{.vertex = 1}})[6], 2, 1e-14);
+  EXPECT_NEAR(SolveOn(*mesh, {{VertexPoint{1}}})[6], 2, 1e-14);
 }
 
 // A slit from the middle to the rim: the same segment twice, on either side of

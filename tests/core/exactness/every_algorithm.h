@@ -53,7 +53,7 @@ class EveryAlgorithm : public testing::TestWithParam<AlgorithmInfo> {
       for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
         expected.push_back(distance(s, v));
       }
-      ExpectField(named.name, *mesh, {{.vertex = s}}, expected);
+      ExpectField(named.name, *mesh, {{VertexPoint{s}}}, expected);
     }
   }
 

@@ -38,7 +38,7 @@ class Laws : public EveryAlgorithm {
   std::vector<double> Field(const NamedMesh& named, uint32_t source) const {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
     if (mesh == nullptr) return {};
-    return SolveOn(*mesh, {{.vertex = source}});
+    return SolveOn(*mesh, {{VertexPoint{source}}});
   }
 };
 
@@ -119,7 +119,7 @@ TEST_P(Laws, RigidMotionChangesNothing) {
     const NamedMesh moved{named.name + ", moved",
                           RotateAndShift(named.soup, 11)};
     for (const uint32_t s : SpreadVertices(named.soup, 3)) {
-      EXPECT_TRUE(FieldsAgree({moved.name, {{.vertex = s}}, GetParam().name},
+      EXPECT_TRUE(FieldsAgree({moved.name, {{VertexPoint{s}}}, GetParam().name},
                               Field(named, s), Field(moved, s)));
     }
   }
@@ -136,8 +136,9 @@ TEST_P(Laws, ScalingScalesDistances) {
       for (double& d : expected) d *= factor;
       const NamedMesh scaled{absl::StrCat(named.name, " times ", factor),
                              Scale(named.soup, factor)};
-      EXPECT_TRUE(FieldsAgree({scaled.name, {{.vertex = s}}, GetParam().name},
-                              expected, Field(scaled, s)));
+      EXPECT_TRUE(
+          FieldsAgree({scaled.name, {{VertexPoint{s}}}, GetParam().name},
+                      expected, Field(scaled, s)));
     }
   }
 }
@@ -155,7 +156,7 @@ TEST_P(Laws, RelabellingRelabelsDistances) {
       }
       const uint32_t source = relabelled.new_number[s];
       EXPECT_TRUE(
-          FieldsAgree({shuffled.name, {{.vertex = source}}, GetParam().name},
+          FieldsAgree({shuffled.name, {{VertexPoint{source}}}, GetParam().name},
                       expected, Field(shuffled, source)));
     }
   }
@@ -176,8 +177,8 @@ TEST_P(Laws, SubdivisionInPlaneKeepsDistances) {
       for (const NamedMesh& fine : finer) {
         std::vector<double> field = Field(fine, s);
         field.resize(expected.size());  // the old vertices come first
-        EXPECT_TRUE(FieldsAgree({fine.name, {{.vertex = s}}, GetParam().name},
-                                expected, field));
+        EXPECT_TRUE(FieldsAgree(
+            {fine.name, {{VertexPoint{s}}}, GetParam().name}, expected, field));
       }
     }
   }
@@ -191,9 +192,9 @@ TEST_P(Laws, ManySourcesGiveTheLeastOfTheSingleFields) {
     std::vector<double> expected(mesh->vertex_count(),
                                  std::numeric_limits<double>::infinity());
     for (const uint32_t v : SpreadVertices(named.soup, 6)) {
-      const Source source{.vertex = v, .offset = 0.1 * sources.size()};
+      const Source source{VertexPoint{v}, 0.1 * sources.size()};
       sources.push_back(source);
-      const std::vector<double> single = SolveOn(*mesh, {{.vertex = v}});
+      const std::vector<double> single = SolveOn(*mesh, {{VertexPoint{v}}});
       ASSERT_EQ(single.size(), expected.size());
       for (size_t i = 0; i < single.size(); ++i) {
         expected[i] = std::min(expected[i], single[i] + source.offset);
@@ -203,7 +204,7 @@ TEST_P(Laws, ManySourcesGiveTheLeastOfTheSingleFields) {
     // All vertices at once.
     std::vector<Source> everywhere;
     for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
-      everywhere.push_back({.vertex = v});
+      everywhere.push_back({VertexPoint{v}});
     }
     ExpectField(named.name, *mesh, everywhere,
                 std::vector<double>(mesh->vertex_count(), 0));
@@ -217,17 +218,18 @@ TEST_P(Laws, DominatedSourcesAddNothing) {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
     ASSERT_NE(mesh, nullptr);
     const std::vector<uint32_t> v = SpreadVertices(named.soup, 4);
-    const std::vector<double> expected = SolveOn(*mesh, {{.vertex = v[1]}});
+    const std::vector<double> expected = SolveOn(*mesh, {{VertexPoint{v[1]}}});
     ASSERT_EQ(expected.size(), mesh->vertex_count());
     ExpectField(named.name, *mesh,
-                {{v[0], expected[v[0]] * (1 + 1e-6)},
-                 {v[1], 0},
-                 {v[2], expected[v[2]] + 1},
-                 {v[1], 3},
-                 {v[3], 1e9}},
+                {{VertexPoint{v[0]}, expected[v[0]] * (1 + 1e-6)},
+                 {VertexPoint{v[1]}, 0},
+                 {VertexPoint{v[2]}, expected[v[2]] + 1},
+                 {VertexPoint{v[1]}, 3},
+                 {VertexPoint{v[3]}, 1e9}},
                 expected);
     // Exactly as far as the other: a tie.
-    ExpectField(named.name, *mesh, {{v[1], 0}, {v[2], expected[v[2]]}},
+    ExpectField(named.name, *mesh,
+                {{VertexPoint{v[1]}, 0}, {VertexPoint{v[2]}, expected[v[2]]}},
                 expected);
   }
 }

@@ -27,7 +27,7 @@ void ExpectBruteForce(const NamedMesh& mesh, DistanceFunction distance) {
     for (uint32_t v = 0; v < mesh.soup.positions.size(); ++v) {
       expected.push_back(distance(s, v));
     }
-    ASSERT_TRUE(FieldsAgree({mesh.name, {{.vertex = s}}, "brute-force"},
+    ASSERT_TRUE(FieldsAgree({mesh.name, {{VertexPoint{s}}}, "brute-force"},
                             expected, brute_force.Distances(s)));
   }
 }

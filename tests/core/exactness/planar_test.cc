@@ -86,7 +86,7 @@ TEST_P(PlanarMeshes, HolesAndNotches) {
       ASSERT_NE(mesh, nullptr);
       for (const uint32_t s : SpreadVertices(named.soup, 7)) {
         ExpectField(
-            name, *mesh, {{.vertex = s}},
+            name, *mesh, {{VertexPoint{s}}},
             domain.Distances(named.soup.positions[s], named.soup.positions));
       }
     }

@@ -30,7 +30,7 @@ class RealMeshes : public testing::TestWithParam<const char*> {
 
   void ExpectAgreement() const {
     const uint32_t source = named_.soup.triangles[0][0];
-    const std::vector<Source> sources = {{.vertex = source}};
+    const std::vector<Source> sources = {{VertexPoint{source}}};
     const std::vector<double> field =
         SolveOrFail(*mesh_, kDefaultAlgorithm, sources);
     ASSERT_EQ(field.size(), mesh_->vertex_count());
@@ -47,7 +47,7 @@ class RealMeshes : public testing::TestWithParam<const char*> {
     }
     // And back again.
     const std::vector<double> back =
-        SolveOrFail(*mesh_, kDefaultAlgorithm, {{.vertex = farthest}});
+        SolveOrFail(*mesh_, kDefaultAlgorithm, {{VertexPoint{farthest}}});
     ASSERT_EQ(back.size(), field.size());
     EXPECT_NEAR(back[source], field[farthest],
                 kRelativeTolerance * field[farthest]);

@@ -36,7 +36,7 @@ class CheckpointTest : public ::testing::TestWithParam<AlgorithmInfo> {
   CheckpointTest() : mesh_(*Mesh::Build(test::Terrain(60, 60, 1.0, 7))) {}
 
   Query query() const {
-    return {.sources = {{.vertex = 5}}, .algorithm = GetParam().algorithm};
+    return {.sources = {{VertexPoint{5}}}, .algorithm = GetParam().algorithm};
   }
 
   std::shared_ptr<const Mesh> mesh_;
@@ -121,13 +121,14 @@ TEST(SolveOptionsTest, RefusesWhatMakesNoSense) {
   const auto mesh = *Mesh::Build(test::Terrain(3, 3, 1.0, 1));
   NoCheckpoint checkpoint;
   for (double width : {0.0, -1.0, std::nan("")}) {
-    EXPECT_EQ(
-        Solve(*mesh, {.sources = {{0}}}, {.bucket_width = width}, checkpoint)
-            .status()
-            .code(),
-        absl::StatusCode::kInvalidArgument);
+    EXPECT_EQ(Solve(*mesh, {.sources = {{VertexPoint{0}}}},
+                    {.bucket_width = width}, checkpoint)
+                  .status()
+                  .code(),
+              absl::StatusCode::kInvalidArgument);
   }
-  EXPECT_EQ(Solve(*mesh, {.sources = {{0}}}, {.max_batch = 0}, checkpoint)
+  EXPECT_EQ(Solve(*mesh, {.sources = {{VertexPoint{0}}}}, {.max_batch = 0},
+                  checkpoint)
                 .status()
                 .code(),
             absl::StatusCode::kInvalidArgument);

@@ -34,7 +34,8 @@ absl::StatusOr<geodesic::DistanceField> SolveTetrahedron() {
       geodesic::Mesh::Build(*std::move(soup));
   if (!mesh.ok()) return mesh.status();
   geodesic::NoCheckpoint checkpoint;
-  return geodesic::Solve(**mesh, {.sources = {{.vertex = 0}}}, {}, checkpoint);
+  return geodesic::Solve(**mesh, {.sources = {{geodesic::VertexPoint{0}}}}, {},
+                         checkpoint);
 }
 
 }  // namespace

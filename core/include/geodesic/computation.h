@@ -1,0 +1,68 @@
+// A computation that can stop early and go on later.
+//
+//   absl::StatusOr<std::unique_ptr<Computation>> computation =
+//       StartComputation(mesh, query, {});
+//   absl::Status status = (*computation)->Advance({.radius = 10}, checkpoint);
+//   DistanceField near = (*computation)->Field();   // exact up to 10
+//   status = (*computation)->Advance({.radius = 20}, checkpoint);  // goes on
+
+#ifndef GEODESIC_COMPUTATION_H_
+#define GEODESIC_COMPUTATION_H_
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/distance_field.h"
+#include "geodesic/mesh.h"
+#include "geodesic/query.h"
+#include "geodesic/solve_options.h"
+
+namespace geodesic {
+
+// When a computation may stop: as soon as one of these holds.
+struct Reach {
+  // Every distance up to here is certified; in the unit of the mesh's file.
+  double radius = std::numeric_limits<double>::infinity();
+  // So many of the query's targets (vertices among them) are certified.
+  // DEFAULT: never stop because of targets.
+  uint64_t targets = std::numeric_limits<uint64_t>::max();
+};
+
+// Not thread-safe; one thread at a time. Holds the wavefront and the distances
+// between calls; the mesh must outlive it.
+class Computation {
+ public:
+  virtual ~Computation() = default;
+
+  // Propagates until `reach` is reached or nothing is left. Work goes with the
+  // surface covered.
+  // Errors: INVALID_ARGUMENT for a radius that is negative or NaN; whatever
+  // `checkpoint` returns. After that too Field() is valid and Advance may go
+  // on.
+  virtual absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) = 0;
+
+  // What is certified now: distances beyond settled_radius are +infinity.
+  // After an Advance that stopped at a radius, that is settled_radius. O(V).
+  virtual DistanceField Field() const = 0;
+
+  // Adds a source to a computation that may have advanced. What was certified
+  // is so no longer: distances may only become smaller. `offset` and point as
+  // in a Query. Its number follows those of the query's.
+  // Errors: INVALID_ARGUMENT as Validate.
+  virtual absl::Status AddSource(const Source& source) = 0;
+
+  // Bytes held beside the mesh.
+  virtual uint64_t bytes() const = 0;
+};
+
+// Errors: INVALID_ARGUMENT as Validate, or for an option out of range.
+absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
+    const Mesh& mesh, const Query& query, const SolveOptions& options);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_COMPUTATION_H_

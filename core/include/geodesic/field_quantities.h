@@ -1,0 +1,35 @@
+// What else a traced field knows about every vertex: which source is nearest,
+// and in which direction distance grows.
+
+#ifndef GEODESIC_FIELD_QUANTITIES_H_
+#define GEODESIC_FIELD_QUANTITIES_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic/distance_field.h"
+#include "geodesic/mesh.h"
+#include "geodesic/query.h"
+
+namespace geodesic {
+
+inline constexpr uint32_t kNoSource = 0xffffffffu;
+
+// The number (query.h) of the source whose path arrives at each vertex: its
+// Voronoi cell. kNoSource where none does. At a tie, one of the nearest. O(V).
+// Errors: INVALID_ARGUMENT: a field without trace.
+absl::StatusOr<std::vector<uint32_t>> NearestSources(
+    const Mesh& mesh, const Query& query, const DistanceField& field);
+
+// The unit vector in space in which the shortest path arrives at each vertex:
+// the gradient of the distance there, in the plane of the path's last face. The
+// zero vector at sources and where no path arrives. O(V).
+// Errors: INVALID_ARGUMENT: a field without trace.
+absl::StatusOr<std::vector<Point>> Gradients(const Mesh& mesh,
+                                             const Query& query,
+                                             const DistanceField& field);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_FIELD_QUANTITIES_H_

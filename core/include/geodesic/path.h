@@ -1,0 +1,48 @@
+// Shortest paths, from a field that was solved with a trace.
+
+#ifndef GEODESIC_PATH_H_
+#define GEODESIC_PATH_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic/distance_field.h"
+#include "geodesic/mesh.h"
+#include "geodesic/query.h"
+#include "geodesic/surface_point.h"
+
+namespace geodesic {
+
+// A shortest path as points of the surface: straight from each to the next,
+// through the inside of one face or along one edge. Its inner points lie on
+// edges, which it crosses straight, and at vertices.
+struct GeodesicPath {
+  // From the source to the target; one point if they coincide, none if the
+  // target is not reached.
+  std::vector<SurfacePoint> points;
+  // The same in space, in the unit of the mesh's file.
+  std::vector<Point> positions;
+  // Sum of the lengths of its pieces: distance at the target less the source's
+  // offset, within 1e-10 relative. +infinity if there is no path.
+  double length = 0;
+  // Where it starts: a number as in query.h.
+  uint32_t source = 0;
+};
+
+// The path to a vertex, or to target number `target` of the query. `query` is
+// the one that `field` was solved for. O(edges crossed).
+// Errors: INVALID_ARGUMENT: vertex or target out of range, or a field without
+// trace; INTERNAL: the trace does not lead back to a source (a defect).
+absl::StatusOr<GeodesicPath> TracePathToVertex(const Mesh& mesh,
+                                               const Query& query,
+                                               const DistanceField& field,
+                                               uint32_t vertex);
+absl::StatusOr<GeodesicPath> TracePathToTarget(const Mesh& mesh,
+                                               const Query& query,
+                                               const DistanceField& field,
+                                               uint32_t target);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_PATH_H_

@@ -1,0 +1,35 @@
+// Farthest-point sampling.
+
+#ifndef GEODESIC_SAMPLING_H_
+#define GEODESIC_SAMPLING_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/mesh.h"
+#include "geodesic/query.h"
+#include "geodesic/solve_options.h"
+
+namespace geodesic {
+
+struct FarthestSample {
+  uint32_t vertex = 0;
+  // Its distance from the sources and all earlier samples, in the unit of the
+  // file; +infinity for the first one on a component of its own.
+  double distance = 0;
+};
+
+// `count` vertices, each the farthest from the query's sources and from all
+// samples before it (the lowest number at a tie); fewer if every vertex is at
+// distance 0 already. Vertices without a face are left out. One computation
+// that goes on with every sample: each costs about the area that it takes over.
+// Errors: INVALID_ARGUMENT as Validate; whatever `checkpoint` returns.
+absl::StatusOr<std::vector<FarthestSample>> SampleFarthestPoints(
+    const Mesh& mesh, const Query& query, uint32_t count,
+    const SolveOptions& options, Checkpoint& checkpoint);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SAMPLING_H_

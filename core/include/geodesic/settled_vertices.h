@@ -1,0 +1,31 @@
+// The certified frontier as a list of vertices, for streaming a field while it
+// is computed.
+
+#ifndef GEODESIC_SETTLED_VERTICES_H_
+#define GEODESIC_SETTLED_VERTICES_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "geodesic/checkpoint.h"
+
+namespace geodesic {
+
+struct SettledVertex {
+  uint32_t vertex = 0;
+  double distance = 0;  // in the unit of the file; final
+};
+
+// Gives out every vertex once, in order of distance (of number at a tie).
+class SettledVertices {
+ public:
+  // The vertices that have become final since the last call. O(V).
+  std::vector<SettledVertex> Collect(const Progress& progress);
+
+ private:
+  double radius_ = -1;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SETTLED_VERTICES_H_

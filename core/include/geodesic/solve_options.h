@@ -1,0 +1,26 @@
+// Parameters that change the cost of an answer, never the answer.
+
+#ifndef GEODESIC_SOLVE_OPTIONS_H_
+#define GEODESIC_SOLVE_OPTIONS_H_
+
+#include <cstdint>
+
+namespace geodesic {
+
+// Parameters of FWP (Xu et al. 2015, Algorithm 1).
+struct SolveOptions {
+  // Bucket width as a multiple of h / sqrt(n), with h the mean edge length and
+  // n the number of faces. DEFAULT: 1, the paper's choice.
+  double bucket_width = 1;
+  // Bound on K, the number of windows an iteration propagates. DEFAULT: 2000.
+  // The paper's 20000 takes whole wavefronts at once on meshes below a million
+  // faces; smaller batches make fewer windows and let MMP forget sooner.
+  uint32_t max_batch = 2000;
+  // Whether K follows the wavefront (section 4.2). If not it is max_batch
+  // throughout; 1 then drains the buckets one by one. DEFAULT: true.
+  bool adaptive_batch = true;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SOLVE_OPTIONS_H_

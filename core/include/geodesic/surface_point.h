@@ -1,0 +1,65 @@
+// A point of the surface: at a vertex, on an edge or in a face.
+
+#ifndef GEODESIC_SURFACE_POINT_H_
+#define GEODESIC_SURFACE_POINT_H_
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "absl/status/status.h"
+#include "geodesic/mesh.h"
+
+namespace geodesic {
+
+struct VertexPoint {
+  uint32_t vertex = 0;
+
+  friend auto operator<=>(const VertexPoint&, const VertexPoint&) = default;
+};
+
+// The point (1 - t) * from + t * to of the edge between two vertices.
+struct EdgePoint {
+  uint32_t from = 0;
+  uint32_t to = 0;
+  double t = 0;  // in [0, 1]
+
+  friend auto operator<=>(const EdgePoint&, const EdgePoint&) = default;
+};
+
+// The point sum_i weights[i] * corner i of the face.
+struct FacePoint {
+  uint32_t face = 0;
+  // Barycentric: each >= 0, their sum 1.
+  std::array<double, 3> weights{};
+
+  friend auto operator<=>(const FacePoint&, const FacePoint&) = default;
+};
+
+using SurfacePoint = std::variant<VertexPoint, EdgePoint, FacePoint>;
+
+// How far from 1 the sum of weights may be that a client sends; it is divided
+// out.
+inline constexpr double kWeightSumTolerance = 1e-6;
+
+// Errors: INVALID_ARGUMENT that begins with `name` and says what is wrong, e.g.
+// "targets[2].face 99 is out of range: the mesh has 12 faces, numbered from 0":
+// an index out of range, an edge that is not in the mesh, t outside [0, 1], a
+// weight that is negative or not finite, weights that do not sum to 1.
+absl::Status Validate(const SurfacePoint& point, const Mesh& mesh,
+                      const std::string& name);
+
+// The same point in one fixed form: on the lowest element that holds it (a
+// weight or t of exactly 0 leads to an edge or a vertex), edges from the lower
+// vertex to the higher, weights that sum to 1.
+// REQUIRES: Validate(point, mesh, "").ok().
+SurfacePoint Canonicalize(const SurfacePoint& point, const Mesh& mesh);
+
+// Where the point lies in space, in the unit of the mesh's file.
+// REQUIRES: Validate(point, mesh, "").ok().
+Point PositionOf(const SurfacePoint& point, const Mesh& mesh);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SURFACE_POINT_H_

@@ -1,0 +1,25 @@
+#include "geodesic/settled_vertices.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace geodesic {
+
+std::vector<SettledVertex> SettledVertices::Collect(const Progress& progress) {
+  std::vector<SettledVertex> settled;
+  for (uint32_t v = 0; v < progress.distances.size(); ++v) {
+    const double distance = progress.distances[v] * progress.unit;
+    if (distance > radius_ && distance <= progress.settled_radius &&
+        distance < std::numeric_limits<double>::infinity()) {
+      settled.push_back({v, distance});
+    }
+  }
+  radius_ = progress.settled_radius;
+  std::ranges::sort(settled, {}, [](const SettledVertex& vertex) {
+    return std::tie(vertex.distance, vertex.vertex);
+  });
+  return settled;
+}
+
+}  // namespace geodesic

@@ -1,0 +1,38 @@
+// Where a surface point lies, for the solver: the faces around it and its place
+// in their frames.
+
+#ifndef GEODESIC_SURFACE_LOCATION_H_
+#define GEODESIC_SURFACE_LOCATION_H_
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geodesic/mesh.h"
+#include "geodesic/surface_point.h"
+
+namespace geodesic {
+
+// A place in a face's plane, in the frame of one of its half-edges.
+struct PlanePoint {
+  double x = 0;
+  double y = 0;
+};
+
+// The half-edges, one a face, that run along the edge between two vertices in
+// either direction; none if there is no such edge. O(valence).
+std::vector<HalfEdge> SidesOf(const Mesh& mesh, uint32_t from, uint32_t to);
+
+// The point as weights in every face around it. O(valence).
+std::vector<FacePoint> FacesAround(const Mesh& mesh, const SurfacePoint& point);
+
+// The point in the frame of one of its face's half-edges, in the scaled unit.
+PlanePoint InFrame(const Mesh& mesh, const FacePoint& point, HalfEdge h);
+
+// Distance from the point straight to a corner of its face.
+double DistanceToCorner(const Mesh& mesh, const FacePoint& point,
+                        uint32_t corner);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SURFACE_LOCATION_H_

@@ -1,0 +1,129 @@
+#include "geodesic/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "absl/strings/str_cat.h"
+#include "surface_location.h"
+
+namespace geodesic {
+namespace {
+
+absl::Status CheckVertex(uint32_t vertex, const Mesh& mesh,
+                         const std::string& name) {
+  if (vertex < mesh.vertex_count()) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      absl::StrCat(name, " ", vertex, " is out of range: the mesh has ",
+                   mesh.vertex_count(), " vertices, numbered from 0"));
+}
+
+absl::Status CheckPoint(const VertexPoint& point, const Mesh& mesh,
+                        const std::string& name) {
+  return CheckVertex(point.vertex, mesh, absl::StrCat(name, ".vertex"));
+}
+
+absl::Status CheckPoint(const EdgePoint& point, const Mesh& mesh,
+                        const std::string& name) {
+  for (const auto& [end, field] :
+       {std::pair(point.from, ".edge.from"), std::pair(point.to, ".edge.to")}) {
+    if (absl::Status status = CheckVertex(end, mesh, absl::StrCat(name, field));
+        !status.ok()) {
+      return status;
+    }
+  }
+  if (!(point.t >= 0 && point.t <= 1)) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(name, ".edge.t ", point.t, " is not within [0, 1]"));
+  }
+  if (SidesOf(mesh, point.from, point.to).empty()) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(name, ".edge: the mesh has no edge between vertices ",
+                     point.from, " and ", point.to));
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckPoint(const FacePoint& point, const Mesh& mesh,
+                        const std::string& name) {
+  if (point.face >= mesh.face_count()) {
+    return absl::InvalidArgumentError(absl::StrCat(
+        name, ".face ", point.face, " is out of range: the mesh has ",
+        mesh.face_count(), " faces, numbered from 0"));
+  }
+  double sum = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    if (!(point.weights[i] >= 0 && std::isfinite(point.weights[i]))) {
+      return absl::InvalidArgumentError(
+          absl::StrCat(name, ".weights[", i, "] ", point.weights[i],
+                       " is not a finite number >= 0: the point would lie "
+                       "outside face ",
+                       point.face));
+    }
+    sum += point.weights[i];
+  }
+  if (!(std::abs(sum - 1) <= kWeightSumTolerance)) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(name, ".weights sum to ", sum, ", not to 1"));
+  }
+  return absl::OkStatus();
+}
+
+SurfacePoint Canonical(const VertexPoint& point, const Mesh&) { return point; }
+
+SurfacePoint Canonical(const EdgePoint& point, const Mesh&) {
+  if (point.t == 0) return VertexPoint{point.from};
+  if (point.t == 1) return VertexPoint{point.to};
+  if (point.from < point.to) return point;
+  return EdgePoint{point.to, point.from, 1 - point.t};
+}
+
+SurfacePoint Canonical(const FacePoint& point, const Mesh& mesh) {
+  const Triangle& corners = mesh.triangles()[point.face];
+  const auto& weights = point.weights;
+  const double sum = weights[0] + weights[1] + weights[2];
+  for (int i = 0; i < 3; ++i) {
+    if (weights[i] != 0) continue;
+    // On the side opposite to corner i.
+    const int from = (i + 1) % 3, to = (i + 2) % 3;
+    return Canonical(
+        EdgePoint{corners[from], corners[to],
+                  std::min(weights[to] / (weights[from] + weights[to]), 1.0)},
+        mesh);
+  }
+  return FacePoint{point.face,
+                   {weights[0] / sum, weights[1] / sum, weights[2] / sum}};
+}
+
+}  // namespace
+
+absl::Status Validate(const SurfacePoint& point, const Mesh& mesh,
+                      const std::string& name) {
+  return std::visit(
+      [&](const auto& place) { return CheckPoint(place, mesh, name); }, point);
+}
+
+SurfacePoint Canonicalize(const SurfacePoint& point, const Mesh& mesh) {
+  return std::visit([&](const auto& place) { return Canonical(place, mesh); },
+                    point);
+}
+
+Point PositionOf(const SurfacePoint& point, const Mesh& mesh) {
+  const auto at = [&](uint32_t v) { return mesh.positions()[v]; };
+  const auto combine = [](const Point& a, double wa, const Point& b, double wb,
+                          const Point& c, double wc) {
+    Point sum;
+    for (int i = 0; i < 3; ++i) sum[i] = wa * a[i] + wb * b[i] + wc * c[i];
+    return sum;
+  };
+  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+    return at(vertex->vertex);
+  }
+  if (const auto* edge = std::get_if<EdgePoint>(&point)) {
+    return combine(at(edge->from), 1 - edge->t, at(edge->to), edge->t, {}, 0);
+  }
+  const auto& [face, weights] = std::get<FacePoint>(point);
+  const auto& [a, b, c] = mesh.triangles()[face];
+  return combine(at(a), weights[0], at(b), weights[1], at(c), weights[2]);
+}
+
+}  // namespace geodesic

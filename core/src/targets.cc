@@ -1,0 +1,77 @@
+#include "targets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodesic {
+
+Targets::Targets(const Mesh& mesh, std::span<const SurfacePoint> targets)
+    : mesh_(mesh), targets_(targets.size()) {
+  for (uint32_t t = 0; t < targets.size(); ++t) {
+    Target& target = targets_[t];
+    if (const auto* vertex = std::get_if<VertexPoint>(&targets[t])) {
+      target.vertex = vertex->vertex;
+      continue;
+    }
+    if (first_in_face_.empty()) first_in_face_.assign(mesh.face_count(), kNone);
+    // For a point on an edge any face will do: whatever leads to the point from
+    // another one is a window into this.
+    target.point = FacesAround(mesh, targets[t])[0];
+    uint32_t& first = first_in_face_[target.point.face];
+    target.next = first;
+    first = t;
+  }
+}
+
+void Targets::Offer(HalfEdge h, const Window& window, uint32_t pseudo_source) {
+  const HalfEdgeFrame& frame = mesh_.frame(h);
+  const auto& [interval, origin, begin_distance, end_distance] = window;
+  for (uint32_t t = first_in_face_[h / 3]; t != kNone; t = targets_[t].next) {
+    const PlanePoint at = InFrame(mesh_, targets_[t].point, h);
+    const double crossing =
+        (origin.x * at.y + at.x * origin.depth) / (at.y + origin.depth);
+    // As for an apex: rays may miss the window by rounding.
+    const double through = std::clamp(crossing, interval.begin, interval.end);
+    if (!(std::abs(through - crossing) <= NearMiss(origin, frame))) continue;
+    const double to_edge = origin.DistanceTo(through);
+    const double from_edge = std::hypot(at.x - through, at.y);
+    const double straight = std::hypot(at.x - origin.x, at.y + origin.depth);
+    Take(targets_[t],
+         origin.sigma + (through == crossing ? straight : to_edge + from_edge),
+         {pseudo_source, h, origin.x, origin.depth});
+  }
+}
+
+Targets::ThroughCorner Targets::NearestCorner(
+    const Target& target, std::span<const double> distances) const {
+  ThroughCorner best{kNone, std::numeric_limits<double>::infinity()};
+  for (uint32_t corner = 0; corner < 3; ++corner) {
+    const uint32_t v = mesh_.triangles()[target.point.face][corner];
+    const double distance =
+        distances[v] + DistanceToCorner(mesh_, target.point, corner);
+    if (distance < best.distance) best = {v, distance};
+  }
+  return best;
+}
+
+double Targets::Distance(size_t t,
+                         std::span<const double> vertex_distances) const {
+  const Target& target = targets_[t];
+  if (target.vertex != kNone) return vertex_distances[target.vertex];
+  return std::min(target.distance,
+                  NearestCorner(target, vertex_distances).distance);
+}
+
+Arrival Targets::ArrivalAt(size_t t, std::span<const double> vertex_distances,
+                           std::span<const Arrival> vertex_arrivals) const {
+  const Target& target = targets_[t];
+  if (target.vertex != kNone) return vertex_arrivals[target.vertex];
+  const ThroughCorner corner = NearestCorner(target, vertex_distances);
+  // At a tie straight on: the corner may be one that paths only pass by.
+  if (corner.distance < target.distance * (1 - kDominance)) {
+    return {.pseudo_source = corner.vertex};
+  }
+  return target.arrival;
+}
+
+}  // namespace geodesic
