@@ -54,7 +54,7 @@ FieldOrigin FromProto(v1::FieldOrigin origin) {
   }
 }
 
-FieldStatistics FromProto(const v1::FieldStatistics& statistics) {
+FieldStatistics FromProto(const v1::SolveStatistics& statistics) {
   return {.iterations = statistics.iterations(),
           .windows_created = statistics.windows_created(),
           .windows_propagated = statistics.windows_propagated(),

@@ -18,7 +18,7 @@ namespace geodesic::client {
 
 MeshInfo FromProto(const v1::Mesh& mesh);
 FieldOrigin FromProto(v1::FieldOrigin origin);
-FieldStatistics FromProto(const v1::FieldStatistics& statistics);
+FieldStatistics FromProto(const v1::SolveStatistics& statistics);
 Capabilities FromProto(const v1::GetCapabilitiesResponse& response);
 
 v1::MeshFormat ToProto(MeshFormat format);

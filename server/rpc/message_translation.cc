@@ -95,8 +95,8 @@ v1::FileDigest ToProto(const FileKey& file) {
   return proto;
 }
 
-v1::FieldProgress ToProto(const Progress& progress) {
-  v1::FieldProgress proto;
+v1::SolveProgress ToProto(const Progress& progress) {
+  v1::SolveProgress proto;
   proto.set_settled_radius(progress.settled_radius);
   proto.set_vertices_reached(progress.vertices_reached);
   proto.set_live_windows(progress.live_windows);
@@ -104,8 +104,8 @@ v1::FieldProgress ToProto(const Progress& progress) {
   return proto;
 }
 
-v1::FieldStatistics ToProto(const SolveStatistics& statistics) {
-  v1::FieldStatistics proto;
+v1::SolveStatistics ToProto(const SolveStatistics& statistics) {
+  v1::SolveStatistics proto;
   proto.set_iterations(statistics.iterations);
   proto.set_windows_created(statistics.windows_created);
   proto.set_windows_propagated(statistics.windows_propagated);
@@ -169,6 +169,10 @@ absl::StatusOr<FieldRequest> FromProto(const v1::ComputeFieldRequest& request) {
   result.query.sources.reserve(request.sources_size());
   for (int i = 0; i < request.sources_size(); ++i) {
     const v1::Source& source = request.sources(i);
+    if (source.place_case() != v1::Source::kVertex) {
+      return InvalidField(absl::StrCat("sources[", i, "]"),
+                          absl::StrCat("sources[", i, "] is not at a vertex"));
+    }
     // Wider than what any mesh holds; the rest is for the engine to judge.
     if (source.vertex() > std::numeric_limits<uint32_t>::max()) {
       return InvalidField(

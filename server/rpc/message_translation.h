@@ -20,8 +20,8 @@ v1::Mesh ToProto(const ResidentMesh& mesh);
 v1::Algorithm ToProto(Algorithm algorithm);
 v1::FieldOrigin ToProto(FieldOrigin origin);
 v1::FileDigest ToProto(const FileKey& file);
-v1::FieldProgress ToProto(const Progress& progress);
-v1::FieldStatistics ToProto(const SolveStatistics& statistics);
+v1::SolveProgress ToProto(const Progress& progress);
+v1::SolveStatistics ToProto(const SolveStatistics& statistics);
 
 // Errors of these: INVALID_ARGUMENT naming `field`, the path of the value in
 // the request.

@@ -160,7 +160,7 @@ TEST_F(FieldRpcTest, TooManySources) {
   Start();
   v1::ComputeFieldRequest request =
       FieldRequest(Upload(test::Tetrahedron()), 0);
-  for (int i = 0; i < 10; ++i) request.add_sources();
+  for (int i = 0; i < 10; ++i) request.add_sources()->set_vertex(0);
   grpc::ClientContext context;
   const FieldReply reply = ComputeField(request, context);
   EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
