@@ -104,5 +104,18 @@ TYPED_TEST(PropagationOrderTest, AroundAHole) {
       test::MakeGrid(test::WithHole({.columns = 9, .rows = 9})));
 }
 
+TYPED_TEST(PropagationOrderTest, OnNeedles) {
+  ExpectOrderDoesNotMatter<TypeParam::template Rule>(
+      test::MakeGrid({.columns = 12,
+                      .rows = 4,
+                      .cell_width = 1e-6,
+                      .diagonals = test::Diagonals::kAlternating}));
+}
+
+TYPED_TEST(PropagationOrderTest, OnAClosedSurfaceWithSaddles) {
+  ExpectOrderDoesNotMatter<TypeParam::template Rule>(
+      test::Torus({.around = 10, .across = 6, .noise = 0.2}));
+}
+
 }  // namespace
 }  // namespace geodesic
