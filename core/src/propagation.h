@@ -145,6 +145,7 @@ absl::Status Propagation<Rule, Queue>::AddSource(const Source& source) {
   pending_anchors_.push_back(
       {point, point, false, source.offset, next_source_++});
   queue_.Restart();
+  rule_.Restart();
   certified_radius_ = -1;
   return absl::OkStatus();
 }

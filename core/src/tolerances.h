@@ -58,6 +58,11 @@ inline constexpr double kTie = 1e-15;
 // gives a few.
 inline constexpr double kCrossingRoundings = 8;
 
+// Vertices whose distances differ by no more than this fraction tie for
+// farthest: a symmetric mesh gives equal distances with different roundings,
+// and samples should not depend on these.
+inline constexpr double kTiedSamples = 1e-12;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_

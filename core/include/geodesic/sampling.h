@@ -22,9 +22,14 @@ struct FarthestSample {
 };
 
 // `count` vertices, each the farthest from the query's sources and from all
-// samples before it (the lowest number at a tie); fewer if every vertex is at
-// distance 0 already. Vertices without a face are left out. One computation
-// that goes on with every sample: each costs about the area that it takes over.
+// samples before it (the lowest number of those that tie up to rounding); fewer
+// if every vertex is at distance 0 already. Components that no source is on
+// come first. Vertices without a face are left out. The query's targets and
+// trace are not used.
+//
+// One computation that goes on with every sample: each costs O(V) and about the
+// area that it takes over, where `checkpoint` sees the settled radius start
+// from 0 again.
 // Errors: INVALID_ARGUMENT as Validate; whatever `checkpoint` returns.
 absl::StatusOr<std::vector<FarthestSample>> SampleFarthestPoints(
     const Mesh& mesh, const Query& query, uint32_t count,

@@ -57,6 +57,9 @@ class ChenHanRule {
     if (whole.width() > 0) Add(Window::Over(whole, origin), half_edge, v, {});
   }
 
+  // Sources were added: more may be within reach.
+  void Restart() { reach_.reset(); }
+
   // Propagates window `id` across its face and frees it. False if the window
   // turned out to be useless: it does not count as propagated.
   bool Propagate(uint32_t id);
@@ -138,7 +141,8 @@ class ChenHanRule {
   const Mesh& mesh_;
   WindowPool<Entry> pool_;
   std::vector<Best> best_;  // one per half-edge
-  // No point is farther than this; set by the first window. Not if kFilters.
+  // No point is farther than this; set by the first window of a start. Not if
+  // kFilters.
   std::optional<double> reach_;
   uint64_t created_ = 0;
 };

@@ -46,6 +46,9 @@ class MmpRule {
     Insert(half_edge, v, origin, {0, mesh_.frame(half_edge).length});
   }
 
+  // Sources were added: nothing here depends on them.
+  void Restart() {}
+
   // Propagates what is left of window `id` across its face. False if nothing
   // is: the window was void, or its pseudo-source has improved since.
   bool Propagate(uint32_t id);

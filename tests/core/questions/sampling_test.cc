@@ -1,0 +1,133 @@
+// Farthest-point sampling against one solve of all sources a sample.
+
+#include "geodesic/sampling.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+
+namespace geodesic::test {
+namespace {
+
+class Sampling : public EveryAlgorithm {
+ protected:
+  std::vector<FarthestSample> Sample(const Mesh& mesh,
+                                     const std::vector<Source>& sources,
+                                     uint32_t count) const {
+    NoCheckpoint checkpoint;
+    auto samples = SampleFarthestPoints(
+        mesh, {.sources = sources, .algorithm = GetParam().algorithm}, count,
+        {}, checkpoint);
+    if (samples.ok()) return *std::move(samples);
+    ADD_FAILURE() << samples.status().ToString();
+    return {};
+  }
+
+  // Every sample is the farthest vertex of the field of all sources before it.
+  void ExpectFarthest(const NamedMesh& named, std::vector<Source> sources,
+                      uint32_t count) const {
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    const auto samples = Sample(*mesh, sources, count);
+    ASSERT_EQ(samples.size(), count) << named.name;
+    for (size_t i = 0; i < samples.size(); ++i) {
+      const std::vector<double> fresh = SolveOn(*mesh, sources);
+      ASSERT_EQ(fresh.size(), mesh->vertex_count());
+      double farthest = 0;
+      for (uint32_t v = 0; v < fresh.size(); ++v) {
+        if (!mesh->Outgoing(v).empty()) farthest = std::max(farthest, fresh[v]);
+      }
+      const auto& [vertex, distance] = samples[i];
+      if (std::isinf(farthest)) {
+        EXPECT_EQ(distance, farthest) << named.name << ", sample " << i;
+      } else {
+        EXPECT_NEAR(distance, farthest, kRelativeTolerance * farthest)
+            << named.name << ", sample " << i;
+        EXPECT_NEAR(distance, fresh[vertex], kRelativeTolerance * farthest)
+            << named.name << ", sample " << i;
+      }
+      for (uint32_t v = 0; v < vertex; ++v) {
+        if (mesh->Outgoing(v).empty()) continue;
+        EXPECT_LT(fresh[v], distance)
+            << named.name << ", sample " << i << ": vertex " << v
+            << " is as far as " << vertex << " and has a lower number";
+      }
+      sources.push_back({VertexPoint{vertex}});
+    }
+  }
+};
+
+TEST_P(Sampling, EachSampleIsTheFarthestVertex) {
+  ExpectFarthest({"terrain", Terrain(12, 9, 0.8, 5)}, {{VertexPoint{7}}}, 12);
+  ExpectFarthest({"torus", Torus({.noise = 0.05, .seed = 3})},
+                 {{VertexPoint{1}}, {EdgePoint{0, 1, 0.3}, 0.4}}, 8);
+  const TriangleSoup grid = MakeGrid(WithHole(
+      {.columns = 9, .rows = 7, .diagonals = Diagonals::kAlternating}));
+  ExpectFarthest({"grid with a hole", grid},
+                 {{FacePoint{3, {0.2, 0.5, 0.3}}, 0.25}}, 10);
+}
+
+// Equal distances everywhere: the lowest number is taken.
+TEST_P(Sampling, TiesGoToTheLowestNumber) {
+  ExpectFarthest({"icosphere", Icosphere(2)}, {{VertexPoint{0}}}, 6);
+  ExpectFarthest({"regular grid", MakeGrid({.columns = 8, .rows = 8})},
+                 {{VertexPoint{40}}}, 9);
+}
+
+TEST_P(Sampling, ComponentsWithoutASourceComeFirst) {
+  TriangleSoup soup = Join(Join(Icosphere(1), Terrain(4, 4, 0.5, 2)),
+                           MakeGrid({.columns = 2, .rows = 2}));
+  soup = AddIsolatedVertices(std::move(soup), 3);
+  const NamedMesh named{"three components", soup};
+  ExpectFarthest(named, {{VertexPoint{3}}}, 7);
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  ASSERT_NE(mesh, nullptr);
+  const auto samples = Sample(*mesh, {{VertexPoint{3}}}, 3);
+  ASSERT_EQ(samples.size(), 3u);
+  EXPECT_TRUE(std::isinf(samples[0].distance));
+  EXPECT_TRUE(std::isinf(samples[1].distance));
+  EXPECT_TRUE(std::isfinite(samples[2].distance));
+}
+
+TEST_P(Sampling, EndsWhenEveryVertexIsASample) {
+  const TriangleSoup soup =
+      AddIsolatedVertices(MakeGrid({.columns = 2, .rows = 2}), 2);
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
+  ASSERT_NE(mesh, nullptr);
+  EXPECT_EQ(Sample(*mesh, {{VertexPoint{4}}}, 100).size(), 8u);
+  // One on an isolated vertex reaches nothing.
+  EXPECT_EQ(Sample(*mesh, {{VertexPoint{9}}}, 100).size(), 9u);
+  EXPECT_TRUE(Sample(*mesh, {{VertexPoint{4}}}, 0).empty());
+}
+
+GEODESIC_TEST_EVERY_ALGORITHM(Sampling);
+
+TEST(SamplingErrors, SayWhatIsWrong) {
+  const auto mesh = BuildOrFail({"grid", MakeGrid({.columns = 2, .rows = 2})});
+  ASSERT_NE(mesh, nullptr);
+  NoCheckpoint checkpoint;
+  EXPECT_EQ(SampleFarthestPoints(*mesh, {}, 3, {}, checkpoint).status(),
+            absl::InvalidArgumentError("sources is empty: name at least one"));
+  class Cancel final : public Checkpoint {
+    absl::Status Poll(const Progress&) override {
+      return absl::CancelledError("enough");
+    }
+  } cancel;
+  EXPECT_EQ(SampleFarthestPoints(*mesh, {.sources = {{VertexPoint{0}}}}, 3, {},
+                                 cancel)
+                .status(),
+            absl::CancelledError("enough"));
+}
+
+}  // namespace
+}  // namespace geodesic::test
