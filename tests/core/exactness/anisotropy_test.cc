@@ -34,7 +34,7 @@ class AnisotropicMeshes : public EveryAlgorithm {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
     ASSERT_NE(mesh, nullptr);
     for (const uint32_t s : SpreadVertices(named.soup, 4)) {
-      const std::vector<Source> sources = {{.vertex = s}};
+      const std::vector<Source> sources = {{VertexPoint{s}}};
       ExpectField(named.name, *mesh, sources, brute_force.Distances(sources));
     }
   }
@@ -97,7 +97,7 @@ TEST_P(AnisotropicMeshes, StretchedTorus) {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
     ASSERT_NE(mesh, nullptr);
     for (const uint32_t s : SpreadVertices(named.soup, 4)) {
-      const std::vector<Source> sources = {{.vertex = s}};
+      const std::vector<Source> sources = {{VertexPoint{s}}};
       for (const Algorithm other : {Algorithm::kMmp, Algorithm::kIch}) {
         ExpectField(named.name, *mesh, sources,
                     SolveOrFail(*mesh, other, sources));
