@@ -47,7 +47,7 @@ class Propagation final : public Computation {
   const Queue& queue() const { return queue_; }
 
  private:
-  // Under a millisecond of work between two polls.
+  // A few milliseconds of work between two polls at the most.
   static constexpr uint64_t kPollPeriod = 2048;
 
   absl::Status Run(const Reach& reach, Checkpoint& checkpoint);
@@ -159,14 +159,14 @@ void Propagation<Rule, Queue>::Step(uint32_t id) {
     statistics_.windows_propagated += rule_.Propagate(id);
   }
   statistics_.peak_wavefront =
-      std::max(statistics_.peak_wavefront, queue_.size());
+      std::max(statistics_.peak_wavefront, rule_.pending());
 }
 
 template <template <typename> typename Rule, WindowQueue Queue>
 absl::Status Propagation<Rule, Queue>::Poll(Checkpoint& checkpoint) {
   statistics_.peak_solver_bytes =
       std::max(statistics_.peak_solver_bytes, bytes());
-  wavefront_sum_ += static_cast<double>(queue_.size());
+  wavefront_sum_ += static_cast<double>(rule_.pending());
   ++wavefront_samples_;
   // Before the sources are seeded an empty queue settles nothing.
   const double settled =
@@ -176,7 +176,7 @@ absl::Status Propagation<Rule, Queue>::Poll(Checkpoint& checkpoint) {
           std::isinf(certified_radius_) ? certified_radius_ : settled,
       .vertices_reached = front_.reached(),
       .vertices = mesh().vertex_count(),
-      .live_windows = queue_.size(),
+      .live_windows = rule_.pending(),
       .windows_propagated = statistics_.windows_propagated,
       .solver_bytes = bytes(),
       .distances = front_.distances(),

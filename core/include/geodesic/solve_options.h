@@ -12,7 +12,8 @@ struct SolveOptions {
   // Bucket width as a multiple of h / sqrt(n), with h the mean edge length and
   // n the number of faces. DEFAULT: 1, the paper's choice.
   double bucket_width = 1;
-  // Bound on K, the number of windows an iteration propagates. DEFAULT: 2000.
+  // Bound on K, the number of windows an iteration propagates (with the MMP
+  // rule: of half-edges, each with all its windows). DEFAULT: 2000.
   // The paper's 20000 takes whole wavefronts at once on meshes below a million
   // faces; smaller batches make fewer windows and let MMP forget sooner.
   uint32_t max_batch = 2000;

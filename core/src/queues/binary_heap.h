@@ -15,6 +15,8 @@ namespace geodesic {
 // which move a hole instead of swapping). Ties pop in order of id. O(log n).
 class BinaryHeap {
  public:
+  static constexpr bool kStrict = true;
+
   explicit BinaryHeap(const QueueTuning&) {}
 
   void Push(uint32_t id, double label) {
@@ -36,15 +38,14 @@ class BinaryHeap {
     return k == 1 && !heap_.empty() ? heap_.front().id : kNothing;
   }
 
-  void MarkVoid() { ++void_; }
-  void DropVoid() { --void_; }
-
   void Restart() { settled_ = 0; }
+
+  double popped_label() const { return settled_; }
 
   double SettledRadius() const {
     return heap_.empty() ? settled_ : std::max(settled_, heap_.front().label);
   }
-  uint64_t size() const { return heap_.size() - void_; }
+  uint64_t size() const { return heap_.size(); }
   uint64_t iterations() const { return iterations_; }
   uint64_t bytes() const { return heap_.capacity() * sizeof(Entry); }
 
@@ -62,7 +63,6 @@ class BinaryHeap {
 
   std::vector<Entry> heap_;
   double settled_ = 0;
-  uint64_t void_ = 0;
   uint64_t iterations_ = 0;
 };
 

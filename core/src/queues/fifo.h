@@ -19,6 +19,8 @@ namespace geodesic {
 // because children have no smaller labels than their parents. O(1).
 class Fifo {
  public:
+  static constexpr bool kStrict = false;
+
   explicit Fifo(const QueueTuning&) {}
 
   void Push(uint32_t id, double label) {
@@ -35,8 +37,6 @@ class Fifo {
     return next_ + k <= round_.size() ? round_[next_ + k - 1] : kNothing;
   }
 
-  void MarkVoid() { ++void_; }
-  void DropVoid() { --void_; }
   void Restart() {
     settled_ = 0;
     least_born_ = std::numeric_limits<double>::infinity();
@@ -44,7 +44,7 @@ class Fifo {
 
   // The least label of the round.
   double SettledRadius() const { return settled_; }
-  uint64_t size() const { return round_.size() - next_ + born_.size() - void_; }
+  uint64_t size() const { return round_.size() - next_ + born_.size(); }
   uint64_t iterations() const { return iterations_; }
   uint64_t bytes() const {
     return (round_.capacity() + born_.capacity()) * sizeof(uint32_t);
@@ -67,7 +67,6 @@ class Fifo {
   std::vector<uint32_t> born_;  // for the next round
   double least_born_ = std::numeric_limits<double>::infinity();
   double settled_ = 0;
-  uint64_t void_ = 0;
   uint64_t iterations_ = 0;
 };
 

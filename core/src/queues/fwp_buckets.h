@@ -34,6 +34,8 @@ namespace geodesic {
 // Push and Pop take constant time while labels stay within the ring.
 class FwpBuckets {
  public:
+  static constexpr bool kStrict = false;
+
   explicit FwpBuckets(const QueueTuning& tuning);
 
   void Push(uint32_t id, double label);
@@ -46,13 +48,11 @@ class FwpBuckets {
     return next_ + k <= batch_.size() ? batch_[next_ + k - 1] : kNothing;
   }
 
-  void MarkVoid() { ++void_; }
-  void DropVoid() { --void_; }
   void Restart() { first_ = end_ = least_ = near_ = far_ = 0; }
 
   // The lower edge of the first bucket that is not empty.
   double SettledRadius() const { return static_cast<double>(first_) * width_; }
-  uint64_t size() const { return entries_ - void_; }
+  uint64_t size() const { return entries_; }
   uint64_t iterations() const { return iterations_; }
   // K of the current iteration.
   int64_t least() const { return least_; }
@@ -99,7 +99,6 @@ class FwpBuckets {
   size_t next_ = 0;              // of the batch
 
   uint64_t entries_ = 0;  // in the ring, beyond it and left in the batch
-  uint64_t void_ = 0;
   uint64_t iterations_ = 0;
 
   int64_t first_ = 0;

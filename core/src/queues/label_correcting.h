@@ -29,6 +29,8 @@ namespace geodesic {
 // in vain: cheap operations against more of them.
 class LabelCorrecting {
  public:
+  static constexpr bool kStrict = false;
+
   explicit LabelCorrecting(const QueueTuning&) {}
 
   void Push(uint32_t id, double label);
@@ -38,8 +40,6 @@ class LabelCorrecting {
     return k <= near_.size() ? near_[k - 1].id : kNothing;
   }
 
-  void MarkVoid() { ++void_; }
-  void DropVoid() { --void_; }
   void Restart() {
     threshold_ = -1;
     settled_ = 0;
@@ -47,7 +47,7 @@ class LabelCorrecting {
 
   // The least label there was when the threshold last rose.
   double SettledRadius() const { return settled_; }
-  uint64_t size() const { return near_.size() + far_.size() - void_; }
+  uint64_t size() const { return near_.size() + far_.size(); }
   // How often the threshold rose.
   uint64_t iterations() const { return iterations_; }
   uint64_t bytes() const {
@@ -69,7 +69,6 @@ class LabelCorrecting {
   std::vector<Entry> far_;
   double threshold_ = -1;
   double settled_ = 0;
-  uint64_t void_ = 0;
   uint64_t iterations_ = 0;
 };
 

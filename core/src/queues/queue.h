@@ -19,24 +19,23 @@ inline constexpr uint32_t kNothing = 0xffffffffu;
 // Pop(): the next id, kNothing when empty.
 // Upcoming(k): the id that the k-th Pop from now will give, if that is known
 //   and stays likely; kNothing otherwise. A hint for prefetching.
-// MarkVoid(): an id still in the queue has become void; it stays in place (its
-//   label is a valid lower bound) but no longer counts into size().
-// DropVoid(): the id just popped was void.
 // Restart(): labels may begin anew, from 0. REQUIRES: the queue is empty.
 // SettledRadius(): a lower bound on every label pending, never decreasing.
-// size(): the wavefront, void ids left out. iterations(): batches begun.
+// size(): ids in the queue. iterations(): batches begun.
+// kStrict: ids leave in the order of their labels, and popped_label() is that
+// of
+//   the last. Otherwise others may as well go along with the one popped.
 template <typename Q>
 concept WindowQueue = requires(Q queue, const Q& view, uint32_t id,
                                double label) {
   queue.Push(id, label);
   { queue.Pop() } -> std::same_as<uint32_t>;
   { view.Upcoming(1) } -> std::same_as<uint32_t>;
-  queue.MarkVoid();
-  queue.DropVoid();
   queue.Restart();
   { view.SettledRadius() } -> std::same_as<double>;
   { view.size() } -> std::same_as<uint64_t>;
   { view.iterations() } -> std::same_as<uint64_t>;
+  { Q::kStrict } -> std::convertible_to<bool>;
   { view.bytes() } -> std::same_as<uint64_t>;
 };
 

@@ -6,6 +6,12 @@
 // Comput. 16(4), 1987. Windows as in Surazhsky et al.: Fast exact and
 // approximate geodesics on meshes. ACM TOG 24(3), 2005.
 //
+// The queue orders half-edges. One that is strict about labels takes windows
+// one by one, as MMP does, and has an entry for each. Any other takes all
+// pending windows of a half-edge together, which any order permits (Xu et al.
+// 2015, Proposition 1): their children arrive next to each other, and the
+// half-edge's face is looked up once.
+//
 // The windows of a half-edge are disjoint. Propagated ones stay in its list, to
 // trim those that come later, until the wavefront has passed the edge: then
 // whatever came would lose all of it, and the list is dropped. Memory thus goes
@@ -19,27 +25,28 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <limits>
 #include <vector>
 
 #include "rules/front.h"
 #include "rules/trimming.h"
 #include "windows/window.h"
 #include "windows/window_lists.h"
-#include "windows/window_pool.h"
 
 namespace geodesic {
 
 template <WindowQueue Queue>
 class MmpRule {
  public:
-  // How many windows ahead of their use the stages of Prefetch come.
-  static constexpr std::array<uint32_t, 4> kPrefetchAhead = {12, 8, 4, 2};
+  // How many half-edges ahead of their use the stages of Prefetch come.
+  static constexpr std::array<uint32_t, 4> kPrefetchAhead = {8, 6, 4, 2};
 
   explicit MmpRule(Front<Queue>& front)
       : front_(front),
         mesh_(front.mesh()),
-        lists_(front.mesh().half_edge_count()) {}
+        lists_(front.mesh().half_edge_count()),
+        queued_(Queue::kStrict ? 0 : front.mesh().half_edge_count(),
+                kPropagated) {}
 
   // Adds the window of pseudo-source v over a whole half-edge.
   void Open(HalfEdge half_edge, uint32_t v, const Origin& origin) {
@@ -49,38 +56,38 @@ class MmpRule {
   // Sources were added: nothing here depends on them.
   void Restart() {}
 
-  // Propagates what is left of window `id` across its face. False if nothing
-  // is: the window was void, or its pseudo-source has improved since.
-  bool Propagate(uint32_t id);
+  // Propagates the windows of half-edge `h` that are due across its face.
+  // Returns how many: none if they have been trimmed to nothing, propagated by
+  // another entry of `h`, or if their pseudo-source has improved since.
+  uint32_t Propagate(HalfEdge h);
 
-  // Fetches into cache what propagating window `id` will need. Each stage
-  // needs what the one before has fetched.
-  void Prefetch(uint32_t id, size_t stage) const {
-    const auto [h, pseudo_source] = queued_[id];
-    if (h == kNoHalfEdge) return;
+  // Fetches into cache what propagating `h` will need. Each stage needs what
+  // the one before has fetched.
+  void Prefetch(HalfEdge h, size_t stage) const {
     switch (stage) {
       case 0:
         lists_.PrefetchHead(h);
+        front_.PrefetchFace(h);
         break;
       case 1:
         lists_.PrefetchList(h);
-        front_.PrefetchFace(h);
-        front_.PrefetchDistance(pseudo_source);
+        front_.PrefetchCorners(h);
         break;
       case 2:
-        front_.PrefetchCorners(h);
         ForEachExit(h, [&](HalfEdge exit) { lists_.PrefetchHead(exit); });
         break;
       default:
-        ForEachExit(h, [&](HalfEdge exit) { lists_.PrefetchList(exit); });
+        ForEachExit(h, [&](HalfEdge exit) { lists_.PrefetchCursor(exit); });
     }
   }
 
   uint64_t created() const { return created_; }
+  uint64_t pending() const { return pending_; }
   uint64_t peak_windows() const { return lists_.peak_size(); }
   uint64_t bytes() const {
-    return queued_.bytes() + lists_.bytes() +
-           listed_.capacity() * sizeof(HalfEdge);
+    return lists_.bytes() + queued_.capacity() * sizeof(double) +
+           listed_.capacity() * sizeof(HalfEdge) +
+           due_.capacity() * sizeof(ListedWindow);
   }
 
  private:
@@ -88,21 +95,17 @@ class MmpRule {
   // below this many windows there is little to gain.
   static constexpr uint64_t kLeastSweep = 16384;
 
-  struct Queued {
-    HalfEdge half_edge;  // kNoHalfEdge: void, trimmed to nothing since
-    uint32_t pseudo_source;
-  };
+  static constexpr double kAnyLabel = std::numeric_limits<double>::max();
+  static constexpr size_t kAll = std::numeric_limits<size_t>::max();
 
   // Adds a window, as far as it beats those on the half-edge already.
   void Insert(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
               const Interval& interval);
-  // Queues a window that is to be in the list of `half_edge`.
-  void Enqueue(HalfEdge half_edge, ListedWindow& listed);
+  // Sees to it that a window of `half_edge` with this label will be due.
+  void Enqueue(HalfEdge half_edge, double label);
   void Cross(HalfEdge h, const Window& window, uint32_t pseudo_source);
   // Drops the lists of all edges that the wavefront has passed.
   void Sweep();
-  // Makes a window void if it is in the queue.
-  void Forget(const ListedWindow& window);
 
   template <typename Visit>
   void ForEachExit(HalfEdge h, Visit visit) const {
@@ -114,30 +117,40 @@ class MmpRule {
   Front<Queue>& front_;
   const Mesh& mesh_;
   WindowLists lists_;
-  WindowPool<Queued> queued_;     // what is known of a window by its number
-  std::vector<HalfEdge> listed_;  // with a list, since the last sweep
+  // Unless the queue is strict: the least label each half-edge is queued with,
+  // kPropagated if it has nothing pending.
+  std::vector<double> queued_;
+  std::vector<HalfEdge> listed_;       // with a list, since the last sweep
   uint64_t next_sweep_ = kLeastSweep;  // when so many windows are in lists
-  std::vector<ListedWindow> parts_;    // of Insert, kept for its memory
+  std::vector<ListedWindow> due_;      // of Propagate, kept for its memory
+  uint64_t pending_ = 0;
   uint64_t created_ = 0;
 };
 
 template <WindowQueue Queue>
-bool MmpRule<Queue>::Propagate(uint32_t id) {
-  const auto [h, pseudo_source] = queued_[id];
-  queued_.Free(id);
-  if (h == kNoHalfEdge) {
-    front_.queue().DropVoid();
-    return false;
+uint32_t MmpRule<Queue>::Propagate(HalfEdge h) {
+  double due = kAnyLabel;
+  size_t most = kAll;
+  if constexpr (Queue::kStrict) {
+    due = front_.queue().popped_label();
+    most = 1;
+  } else {
+    if (queued_[h] == kPropagated) return 0;
+    queued_[h] = kPropagated;
   }
-  ListedWindow& listed =
-      *std::ranges::find(lists_.Of(h), id, &ListedWindow::id);
-  listed.id = kNothing;
-  if (Exceeds(listed.window.origin.sigma,
-              front_.PseudoSourceDistance(pseudo_source))) {
-    return false;
+  due_.clear();  // copies: lists will move
+  lists_.TakeDue(h, due, most, due_);
+  pending_ -= due_.size();
+  uint32_t propagated = 0;
+  for (const ListedWindow& listed : due_) {
+    if (Exceeds(listed.window.origin.sigma,
+                front_.PseudoSourceDistance(listed.pseudo_source))) {
+      continue;
+    }
+    Cross(h, listed.window, listed.pseudo_source);
+    ++propagated;
   }
-  Cross(h, Window(listed.window), pseudo_source);  // a copy: lists will move
-  return true;
+  return propagated;
 }
 
 template <WindowQueue Queue>
@@ -145,18 +158,11 @@ void MmpRule<Queue>::Sweep() {
   const double settled = front_.queue().SettledRadius();
   std::erase_if(listed_, [&](HalfEdge h) {
     if (front_.Farthest(h) > settled) return false;
-    for (const ListedWindow& window : lists_.Of(h)) Forget(window);
+    pending_ -= lists_.Pending(h);
     lists_.Drop(h);
     return true;
   });
   next_sweep_ = std::max(2 * lists_.size(), kLeastSweep);
-}
-
-template <WindowQueue Queue>
-void MmpRule<Queue>::Forget(const ListedWindow& window) {
-  if (window.id == kNothing) return;
-  queued_[window.id].half_edge = kNoHalfEdge;
-  front_.queue().MarkVoid();
 }
 
 template <WindowQueue Queue>
@@ -209,38 +215,33 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
                            mesh_.To(half_edge))) {
     return;
   }
-  const std::span<const ListedWindow> list = lists_.Of(half_edge);
-
-  // The windows [first, last) that overlap the new one give way to parts_.
-  uint32_t first = 0;
-  while (first < list.size() &&
-         list[first].window.interval.end <= interval.begin) {
-    ++first;
-  }
-  uint32_t last = first;
-  parts_.clear();
+  if (!lists_.has_room(half_edge)) listed_.push_back(half_edge);
+  lists_.Seek(half_edge, interval.begin);
 
   // The new window holds [held_from, ...) until an older one keeps a part.
   double held_from = interval.begin;
   const auto put_down = [&](double held_until) {
     const Interval held{held_from, held_until};
-    if (held.width() > least_width) {
-      parts_.push_back({newer, pseudo_source, kNothing});
-      parts_.back().window.CutTo(held);
-      Enqueue(half_edge, parts_.back());
-    }
+    if (held.width() <= least_width) return;
+    ListedWindow part{newer, pseudo_source};
+    part.window.CutTo(held);
+    const double label = part.window.Label();
+    lists_.Add(half_edge, part, label);
+    ++created_;
+    ++pending_;
+    front_.Observe(half_edge, part.window, pseudo_source);
+    Enqueue(half_edge, label);
   };
-  for (; last < list.size() && list[last].window.interval.begin < interval.end;
-       ++last) {
-    const ListedWindow& older = list[last];
-    const Interval& held = older.window.interval;
+  while (ListedWindow* older = lists_.Next(half_edge)) {
+    const Interval held = older->window.interval;
+    if (held.begin >= interval.end) break;
     const Interval overlap{std::max(held.begin, interval.begin),
                            std::min(held.end, interval.end)};
-    const Interval won = WonByNewer(older.window, newer);
+    const Interval won = WonByNewer(older->window, newer);
     if (won.width() <= 0) {
       put_down(overlap.begin);
       held_from = overlap.end;
-      parts_.push_back(older);
+      lists_.Pass(half_edge);
       continue;
     }
     if (won.begin > overlap.begin) {
@@ -251,34 +252,38 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
     const Interval after{won.end, held.end};
     const bool keeps_before = before.width() > least_width;
     const bool keeps_after = after.width() > least_width;
+    // Trimming only raises labels: the one a window is queued with stays a
+    // lower bound.
+    const double label = lists_.NextLabel(half_edge);
+    if (label != kPropagated) pending_ += keeps_before + keeps_after - 1;
     if (keeps_before) {
-      parts_.push_back(older);
-      parts_.back().window.CutTo(before);
+      ListedWindow part = *older;
+      part.window.CutTo(before);
+      lists_.Add(half_edge, part, label);
+      // Both ends of a window in the queue are left: it counts twice now.
+      if (keeps_after && label != kPropagated) Enqueue(half_edge, label);
     }
-    if (keeps_after) {
-      put_down(won.end);
-      held_from = overlap.end;
-      parts_.push_back(older);
-      parts_.back().window.CutTo(after);
-      // Both ends of a window in the queue are left: the second is queued anew.
-      if (keeps_before && older.id != kNothing) {
-        Enqueue(half_edge, parts_.back());
-      }
+    if (!keeps_after) {
+      lists_.RemoveNext(half_edge);
+      continue;
     }
-    if (!keeps_before && !keeps_after) Forget(older);
+    put_down(won.end);
+    held_from = overlap.end;
+    lists_.Next(half_edge)->window.CutTo(after);
+    if (overlap.end == interval.end) break;
+    lists_.Pass(half_edge);
   }
   put_down(interval.end);
-  if (list.empty() && !parts_.empty()) listed_.push_back(half_edge);
-  lists_.Replace(half_edge, first, last, parts_);
   if (lists_.size() >= next_sweep_) Sweep();
 }
 
 template <WindowQueue Queue>
-void MmpRule<Queue>::Enqueue(HalfEdge half_edge, ListedWindow& listed) {
-  listed.id = queued_.Allocate({half_edge, listed.pseudo_source});
-  ++created_;
-  front_.Observe(half_edge, listed.window, listed.pseudo_source);
-  front_.queue().Push(listed.id, listed.window.Label());
+void MmpRule<Queue>::Enqueue(HalfEdge half_edge, double label) {
+  if constexpr (!Queue::kStrict) {
+    if (label >= queued_[half_edge]) return;
+    queued_[half_edge] = label;
+  }
+  front_.queue().Push(half_edge, label);
 }
 
 }  // namespace geodesic

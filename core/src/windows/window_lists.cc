@@ -1,58 +1,66 @@
 #include "windows/window_lists.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace geodesic {
 
-void WindowLists::Replace(HalfEdge h, uint32_t first, uint32_t last,
-                          std::span<const ListedWindow> windows) {
-  Head& head = heads_[h];
-  const uint32_t old_size = head.size;
-  const uint32_t size =
-      old_size - (last - first) + static_cast<uint32_t>(windows.size());
-  if (head.size_class == 0 || size > (1u << head.size_class)) {
-    Grow(head, size);
-  }
-  ListedWindow* list = arena_.data() + head.offset;
-  if (size < old_size) {
-    std::move(list + last, list + old_size, list + first + windows.size());
-  } else if (size > old_size) {
-    std::move_backward(list + last, list + old_size, list + size);
-  }
-  std::copy(windows.begin(), windows.end(), list + first);
-  head.size = size;
-  size_ += windows.size();
-  size_ -= last - first;
-  peak_size_ = std::max(peak_size_, size_);
+void WindowLists::TakeDue(HalfEdge h, double due, size_t most,
+                          std::vector<ListedWindow>& taken) {
+  const Head& list = heads_[h];
+  const size_t enough = taken.size() + most;
+  const auto take = [&](const ListedWindow* windows, double* labels,
+                        uint32_t count) {
+    for (uint32_t i = 0; i < count && taken.size() < enough; ++i) {
+      if (labels[i] > due) continue;
+      labels[i] = kPropagated;
+      taken.push_back(windows[i]);
+    }
+  };
+  take(Begin(list), Labels(list), list.before);
+  take(Next(list), NextLabel(list), list.after);
+}
+
+uint32_t WindowLists::Pending(HalfEdge h) const {
+  const Head& list = heads_[h];
+  const double* labels = labels_.data() + list.offset;
+  const double* next = labels + list.room - list.after;
+  return static_cast<uint32_t>(
+      list.before + list.after -
+      std::count(labels, labels + list.before, kPropagated) -
+      std::count(next, next + list.after, kPropagated));
 }
 
 void WindowLists::Drop(HalfEdge h) {
-  Head& head = heads_[h];
-  if (head.size_class != 0) free_[head.size_class].push_back(head.offset);
-  size_ -= head.size;
-  head = {};
+  Head& list = heads_[h];
+  if (list.room != 0) FreeOf(list.room).push_back(list.offset);
+  size_ -= list.before + list.after;
+  list = {};
 }
 
-void WindowLists::Grow(Head& head, uint32_t size) {
-  uint32_t size_class = std::max(head.size_class, kFirstClass);
-  while ((1u << size_class) < size) ++size_class;
-  uint32_t offset;
-  if (free_[size_class].empty()) {
-    offset = static_cast<uint32_t>(arena_.size());
-    arena_.resize(arena_.size() + (size_t{1} << size_class));
+void WindowLists::Grow(Head& list) {
+  Head grown = list;
+  grown.room = std::max(2 * list.room, kLeastRoom);
+  if (std::vector<uint32_t>& free = FreeOf(grown.room); free.empty()) {
+    grown.offset = static_cast<uint32_t>(arena_.size());
+    arena_.resize(arena_.size() + grown.room);
+    labels_.resize(arena_.size());
   } else {
-    offset = free_[size_class].back();
-    free_[size_class].pop_back();
+    grown.offset = free.back();
+    free.pop_back();
   }
-  std::copy_n(arena_.begin() + head.offset, head.size, arena_.begin() + offset);
-  if (head.size_class != 0) free_[head.size_class].push_back(head.offset);
-  head.offset = offset;
-  head.size_class = size_class;
+  std::copy_n(Begin(list), list.before, Begin(grown));
+  std::copy_n(Next(list), list.after, Next(grown));
+  std::copy_n(Labels(list), list.before, Labels(grown));
+  std::copy_n(NextLabel(list), list.after, NextLabel(grown));
+  if (list.room != 0) FreeOf(list.room).push_back(list.offset);
+  list = grown;
 }
 
 uint64_t WindowLists::bytes() const {
   uint64_t bytes = heads_.capacity() * sizeof(Head) +
-                   arena_.capacity() * sizeof(ListedWindow);
+                   arena_.capacity() * sizeof(ListedWindow) +
+                   labels_.capacity() * sizeof(double);
   for (const std::vector<uint32_t>& offsets : free_) {
     bytes += offsets.capacity() * sizeof(uint32_t);
   }

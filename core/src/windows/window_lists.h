@@ -3,9 +3,12 @@
 #ifndef GEODESIC_WINDOWS_WINDOW_LISTS_H_
 #define GEODESIC_WINDOWS_WINDOW_LISTS_H_
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <limits>
 #include <vector>
 
 #include "geodesic/mesh.h"
@@ -17,27 +20,77 @@ namespace geodesic {
 struct alignas(64) ListedWindow {
   Window window;
   uint32_t pseudo_source;
-  uint32_t id;  // in the queue; kNothing once propagated
 };
 static_assert(sizeof(ListedWindow) == 64);
 
-// One short contiguous list a half-edge, all in one arena: the neighbours of a
-// new window are found and trimmed in place. Room grows by doubling; blocks
-// that were outgrown are reused.
+// In the place of a window's label once it has been propagated.
+inline constexpr double kPropagated = std::numeric_limits<double>::infinity();
+
+// One contiguous gap buffer a half-edge, all in one arena. The gap is the
+// list's cursor: windows are added before it and looked at after it, and it
+// stays where it was left. Neighbouring windows tend to arrive one after the
+// other, so few move for each.
+//
+// Pointers stay valid until the next Add. Room grows by doubling; blocks that
+// were outgrown are reused.
 class WindowLists {
  public:
   explicit WindowLists(uint32_t half_edges) : heads_(half_edges) {}
 
-  std::span<ListedWindow> Of(HalfEdge h) {
-    return {arena_.data() + heads_[h].offset, heads_[h].size};
+  // Whether h has got anything since it was last dropped.
+  bool has_room(HalfEdge h) const { return heads_[h].room != 0; }
+
+  // Moves the cursor to behind all windows that end at `at` or before.
+  // O(windows passed).
+  void Seek(HalfEdge h, double at) {
+    Head& list = heads_[h];
+    while (list.before > 0 &&
+           Begin(list)[list.before - 1].window.interval.end > at) {
+      --list.before;
+      ++list.after;
+      *Next(list) = Begin(list)[list.before];
+      *NextLabel(list) = Labels(list)[list.before];
+    }
+    while (list.after > 0 && Next(list)->window.interval.end <= at) Pass(h);
   }
 
-  // Puts `windows` in the place of windows [first, last) of h's list.
-  // Invalidates spans. O(size of the list).
-  void Replace(HalfEdge h, uint32_t first, uint32_t last,
-               std::span<const ListedWindow> windows);
+  // The window after the cursor; nullptr at the end of the list.
+  ListedWindow* Next(HalfEdge h) {
+    return heads_[h].after == 0 ? nullptr : Next(heads_[h]);
+  }
+  // REQUIRES: Next(h) is not null.
+  double NextLabel(HalfEdge h) { return *NextLabel(heads_[h]); }
+  // Moves the cursor over the next window.
+  void Pass(HalfEdge h) {
+    Head& list = heads_[h];
+    Begin(list)[list.before] = *Next(list);
+    Labels(list)[list.before] = *NextLabel(list);
+    ++list.before;
+    --list.after;
+  }
+  void RemoveNext(HalfEdge h) {
+    --heads_[h].after;
+    --size_;
+  }
+  // Adds a window before the cursor.
+  void Add(HalfEdge h, const ListedWindow& window, double label) {
+    Head& list = heads_[h];
+    if (list.before + list.after == list.room) Grow(list);
+    Begin(list)[list.before] = window;
+    Labels(list)[list.before] = label;
+    ++list.before;
+    peak_size_ = std::max(peak_size_, ++size_);
+  }
 
-  // Empties h's list and gives its room back. Invalidates spans.
+  // Copies the first windows of h with labels up to `due` to the end of
+  // `taken`, `most` at the most, and marks them as propagated.
+  void TakeDue(HalfEdge h, double due, size_t most,
+               std::vector<ListedWindow>& taken);
+
+  // Windows of h that are not propagated yet.
+  uint32_t Pending(HalfEdge h) const;
+
+  // Empties h's list and gives its room back.
   void Drop(HalfEdge h);
 
   // Windows in all lists, now and at the most.
@@ -45,30 +98,57 @@ class WindowLists {
   uint64_t peak_size() const { return peak_size_; }
 
   // Fetches into cache where a list lies, then (once that has arrived) its
-  // beginning.
+  // beginning, or what surrounds its cursor.
   void PrefetchHead(HalfEdge h) const { __builtin_prefetch(&heads_[h]); }
   void PrefetchList(HalfEdge h) const {
-    const ListedWindow* list = arena_.data() + heads_[h].offset;
-    for (uint32_t i = 0; i < kPrefetched; ++i) __builtin_prefetch(list + i);
+    const uint32_t offset = heads_[h].offset;
+    __builtin_prefetch(labels_.data() + offset);
+    for (uint32_t i = 0; i < kPrefetched; ++i) {
+      __builtin_prefetch(arena_.data() + offset + i);
+    }
+  }
+  void PrefetchCursor(HalfEdge h) const {
+    const Head& list = heads_[h];
+    const uint32_t before = list.offset + list.before;
+    const uint32_t next = list.offset + list.room - list.after;
+    for (uint32_t i : {before - 1, before, next, next + 1}) {
+      __builtin_prefetch(arena_.data() + i);
+    }
+    __builtin_prefetch(labels_.data() + before);
+    __builtin_prefetch(labels_.data() + next);
   }
 
   uint64_t bytes() const;
 
  private:
+  // Windows [0, before) and [room - after, room) of a block; the rest is gap.
   struct Head {
     uint32_t offset = 0;
-    uint32_t size = 0;
-    uint32_t size_class = 0;  // capacity 2^size_class; 0 is no block at all
+    uint32_t room = 0;  // a power of two, or no block at all
+    uint32_t before = 0;
+    uint32_t after = 0;
   };
-  static constexpr uint32_t kFirstClass = 2;
+  static constexpr uint32_t kLeastRoom = 4;
   static constexpr uint32_t kClasses = 32;
   static constexpr uint32_t kPrefetched = 4;
 
-  void Grow(Head& head, uint32_t size);
+  double* Labels(const Head& list) { return labels_.data() + list.offset; }
+  double* NextLabel(const Head& list) {
+    return Labels(list) + list.room - list.after;
+  }
+  ListedWindow* Begin(const Head& list) { return arena_.data() + list.offset; }
+  ListedWindow* Next(const Head& list) {
+    return Begin(list) + list.room - list.after;
+  }
+  std::vector<uint32_t>& FreeOf(uint32_t room) {
+    return free_[std::countr_zero(room)];
+  }
+  void Grow(Head& list);
 
   std::vector<Head> heads_;
   std::vector<ListedWindow> arena_;
-  std::array<std::vector<uint32_t>, kClasses> free_;  // offsets by class
+  std::vector<double> labels_;  // of the windows in arena_
+  std::array<std::vector<uint32_t>, kClasses> free_;  // offsets by log2 of room
   uint64_t size_ = 0;
   uint64_t peak_size_ = 0;
 };

@@ -22,6 +22,8 @@ namespace {
 
 class RandomQueue {
  public:
+  static constexpr bool kStrict = false;
+
   explicit RandomQueue(const QueueTuning& tuning) : random_(tuning.max_batch) {}
 
   void Push(uint32_t id, double) { ids_.push_back(id); }
@@ -34,18 +36,15 @@ class RandomQueue {
     return id;
   }
   uint32_t Upcoming(uint32_t) const { return kNothing; }
-  void MarkVoid() { ++void_; }
-  void DropVoid() { --void_; }
   void Restart() {}
   double SettledRadius() const { return 0; }
-  uint64_t size() const { return ids_.size() - void_; }
+  uint64_t size() const { return ids_.size(); }
   uint64_t iterations() const { return iterations_; }
   uint64_t bytes() const { return ids_.capacity() * sizeof(uint32_t); }
 
  private:
   std::mt19937 random_;
   std::vector<uint32_t> ids_;
-  uint64_t void_ = 0;
   uint64_t iterations_ = 0;
 };
 

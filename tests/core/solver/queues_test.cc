@@ -14,7 +14,6 @@ namespace geodesic {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::UnorderedElementsAre;
 
 template <WindowQueue Queue>
 std::vector<uint32_t> Drain(Queue& queue) {
@@ -74,17 +73,6 @@ TYPED_TEST(QueueTest, LosesNothingAndBoundsWhatIsPending) {
     }
   }
   EXPECT_EQ(popped, labels.size());
-  EXPECT_EQ(queue.size(), 0u);
-}
-
-TYPED_TEST(QueueTest, VoidIdsLeaveTheCountButNotTheQueue) {
-  TypeParam queue({.bucket_width = 1});
-  queue.Push(7, 1.0);
-  queue.Push(8, 2.0);
-  queue.MarkVoid();
-  EXPECT_EQ(queue.size(), 1u);
-  EXPECT_THAT(Drain(queue), UnorderedElementsAre(7, 8));
-  queue.DropVoid();
   EXPECT_EQ(queue.size(), 0u);
 }
 
