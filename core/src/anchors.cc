@@ -2,6 +2,19 @@
 
 namespace geodesic {
 
+Query WithCanonicalPoints(Query query, const Mesh& mesh) {
+  for (Source& source : query.sources) {
+    source.point = Canonicalize(source.point, mesh);
+  }
+  for (CurveSource& curve : query.curves) {
+    for (SurfacePoint& point : curve.points) point = Canonicalize(point, mesh);
+  }
+  for (SurfacePoint& target : query.targets) {
+    target = Canonicalize(target, mesh);
+  }
+  return query;
+}
+
 std::vector<Anchor> AnchorsOf(const Query& query) {
   std::vector<Anchor> anchors;
   uint32_t number = 0;

@@ -20,8 +20,13 @@ struct Anchor {
   uint32_t source = 0;  // number as in query.h
 };
 
+// The query with every point canonical; sources and targets keep their order.
+// REQUIRES: Validate(query, mesh).ok().
+Query WithCanonicalPoints(Query query, const Mesh& mesh);
+
 // All anchors of a query, in the order in which Arrival counts them: one a
 // source, then for each curve its points and its segments.
+// REQUIRES: the query's points are canonical.
 std::vector<Anchor> AnchorsOf(const Query& query);
 
 }  // namespace geodesic

@@ -8,23 +8,11 @@
 
 #include "absl/strings/str_cat.h"
 #include "connectivity.h"
+#include "scaled_difference.h"
 #include "tolerances.h"
 
 namespace geodesic {
 namespace {
-
-using Vector = std::array<double, 3>;
-
-double Dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector Cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-          a[0] * b[1] - a[1] * b[0]};
-}
-
-double Norm(const Vector& a) { return std::sqrt(Dot(a, a)); }
 
 absl::Status CheckSoup(const TriangleSoup& soup) {
   constexpr uint64_t kMostVertices = std::numeric_limits<uint32_t>::max() / 2;
@@ -82,23 +70,6 @@ int ScaleExponent(std::span<const Point> positions) {
   // 2^(2 - e) must stay a normal number.
   return std::clamp(std::ilogb(longest) + 3, -1000, 1027);
 }
-
-// Differences of points in the scaled unit. Quarters first: no difference of
-// doubles then overflows, and none loses a bit above the subnormal range.
-class ScaledDifference {
- public:
-  explicit ScaledDifference(int scale_exponent)
-      : factor_(std::ldexp(1.0, 2 - scale_exponent)) {}
-
-  Vector operator()(const Point& from, const Point& to) const {
-    return {(to[0] / 4 - from[0] / 4) * factor_,
-            (to[1] / 4 - from[1] / 4) * factor_,
-            (to[2] / 4 - from[2] / 4) * factor_};
-  }
-
- private:
-  double factor_;
-};
 
 }  // namespace
 

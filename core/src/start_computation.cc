@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "anchors.h"
 #include "propagation.h"
 #include "queues/binary_heap.h"
 #include "queues/fifo.h"
@@ -65,18 +66,6 @@ absl::StatusOr<QueueTuning> TuningFor(const Mesh& mesh,
       .adaptive_batch = options.adaptive_batch};
 }
 
-void CanonicalizePoints(const Mesh& mesh, Query& query) {
-  for (Source& source : query.sources) {
-    source.point = Canonicalize(source.point, mesh);
-  }
-  for (CurveSource& curve : query.curves) {
-    for (SurfacePoint& point : curve.points) point = Canonicalize(point, mesh);
-  }
-  for (SurfacePoint& target : query.targets) {
-    target = Canonicalize(target, mesh);
-  }
-}
-
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
@@ -85,9 +74,8 @@ absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
   if (absl::Status status = Validate(query, mesh); !status.ok()) return status;
   absl::StatusOr<QueueTuning> tuning = TuningFor(mesh, options);
   if (!tuning.ok()) return tuning.status();
-  Query canonical = query;
-  CanonicalizePoints(mesh, canonical);
-  return StartOf(query.algorithm)(mesh, canonical, *tuning, observer);
+  return StartOf(query.algorithm)(mesh, WithCanonicalPoints(query, mesh),
+                                  *tuning, observer);
 }
 
 absl::StatusOr<std::unique_ptr<Computation>> StartComputation(

@@ -1,5 +1,6 @@
 #include "surface_location.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace geodesic {
@@ -32,6 +33,29 @@ std::vector<FacePoint> FacesAround(const Mesh& mesh,
     faces.push_back(std::get<FacePoint>(point));
   }
   return faces;
+}
+
+std::optional<FacePoint> WithinFace(const Mesh& mesh, const SurfacePoint& point,
+                                    uint32_t face) {
+  if (const auto* inside = std::get_if<FacePoint>(&point)) {
+    if (inside->face != face) return std::nullopt;
+    return *inside;
+  }
+  const Triangle& corners = mesh.triangles()[face];
+  FacePoint found{.face = face};
+  const auto give = [&](uint32_t vertex, double weight) {
+    const auto corner = std::ranges::find(corners, vertex);
+    if (corner == corners.end()) return false;
+    found.weights[corner - corners.begin()] = weight;
+    return true;
+  };
+  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+    if (!give(vertex->vertex, 1)) return std::nullopt;
+  } else {
+    const auto& [from, to, t] = std::get<EdgePoint>(point);
+    if (!give(from, 1 - t) || !give(to, t)) return std::nullopt;
+  }
+  return found;
 }
 
 PlanePoint InFrame(const Mesh& mesh, const FacePoint& point, HalfEdge h) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geodesic/mesh.h"
@@ -25,6 +26,11 @@ std::vector<HalfEdge> SidesOf(const Mesh& mesh, uint32_t from, uint32_t to);
 
 // The point as weights in every face around it. O(valence).
 std::vector<FacePoint> FacesAround(const Mesh& mesh, const SurfacePoint& point);
+
+// The point as weights in `face`, if it lies there: at a corner, on a side or
+// inside. O(1).
+std::optional<FacePoint> WithinFace(const Mesh& mesh, const SurfacePoint& point,
+                                    uint32_t face);
 
 // The point in the frame of one of its face's half-edges, in the scaled unit.
 PlanePoint InFrame(const Mesh& mesh, const FacePoint& point, HalfEdge h);

@@ -63,6 +63,13 @@ inline constexpr double kCrossingRoundings = 8;
 // and samples should not depend on these.
 inline constexpr double kTiedSamples = 1e-12;
 
+// A path that passes a vertex no farther than this fraction of its reach (as
+// for kNearMiss) is led through it, if that makes it no longer. The straight
+// line to a vertex that a window missed narrowly may pass the vertex that
+// bounds the window on the wrong side, by as much as the miss, and there the
+// surface unfolds differently.
+inline constexpr double kPassedVertex = 4 * kNearMiss;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_

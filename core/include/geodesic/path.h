@@ -4,6 +4,7 @@
 #define GEODESIC_PATH_H_
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -30,10 +31,38 @@ struct GeodesicPath {
   uint32_t source = 0;
 };
 
-// The path to a vertex, or to target number `target` of the query. `query` is
-// the one that `field` was solved for. O(edges crossed).
-// Errors: INVALID_ARGUMENT: vertex or target out of range, or a field without
-// trace; INTERNAL: the trace does not lead back to a source (a defect).
+class TracedField;
+
+// Traces any number of paths of one field. Thread-safe.
+//
+//   absl::StatusOr<PathTracer> tracer = PathTracer::Create(mesh, query, field);
+//   absl::StatusOr<GeodesicPath> path = tracer->ToVertex(42);
+class PathTracer {
+ public:
+  // `query` is the one that `field` was solved for. Mesh and field must outlive
+  // the tracer. O(V + sources).
+  // Errors: INVALID_ARGUMENT: a field without trace, or one of another mesh or
+  // query.
+  static absl::StatusOr<PathTracer> Create(const Mesh& mesh, const Query& query,
+                                           const DistanceField& field);
+  PathTracer(PathTracer&&) noexcept;
+  PathTracer& operator=(PathTracer&&) noexcept;
+  ~PathTracer();
+
+  // The path to a vertex, or to target number `target` of the query. O(edges
+  // crossed).
+  // Errors: INVALID_ARGUMENT: vertex or target out of range; INTERNAL: the
+  // trace does not lead back to a source (a defect).
+  absl::StatusOr<GeodesicPath> ToVertex(uint32_t vertex) const;
+  absl::StatusOr<GeodesicPath> ToTarget(uint32_t target) const;
+
+ private:
+  explicit PathTracer(std::unique_ptr<const TracedField> field);
+
+  std::unique_ptr<const TracedField> field_;
+};
+
+// The same for a single path.
 absl::StatusOr<GeodesicPath> TracePathToVertex(const Mesh& mesh,
                                                const Query& query,
                                                const DistanceField& field,

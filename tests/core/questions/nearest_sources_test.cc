@@ -1,0 +1,106 @@
+// The Voronoi label of a vertex names a source whose own field is least there.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "geodesic/field_quantities.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/core/questions/path_check.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+
+namespace geodesic::test {
+namespace {
+
+class NearestSourcesTest : public EveryAlgorithm {
+ protected:
+  void ExpectLeastFields(const NamedMesh& named,
+                         const std::vector<Source>& sources) const {
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    const Query query{
+        .sources = sources, .algorithm = GetParam().algorithm, .trace = true};
+    const absl::StatusOr<std::vector<uint32_t>> labels =
+        NearestSources(*mesh, query, SolveTraced(*mesh, query));
+    ASSERT_TRUE(labels.ok()) << labels.status();
+    std::vector<std::vector<double>> fields;
+    for (const Source& source : sources) {
+      fields.push_back(SolveOn(*mesh, {source}));
+    }
+    for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const std::vector<double>& field : fields) {
+        least = std::min(least, field[v]);
+      }
+      const uint32_t label = (*labels)[v];
+      if (std::isinf(least)) {
+        EXPECT_EQ(label, kNoSource) << named.name << " " << v;
+        continue;
+      }
+      ASSERT_LT(label, sources.size()) << named.name << " " << v;
+      EXPECT_LE(fields[label][v], least * (1 + kRelativeTolerance))
+          << named.name << " " << v;
+    }
+  }
+};
+
+TEST_P(NearestSourcesTest, AreThoseOfTheLeastField) {
+  ExpectLeastFields({"grid", MakeGrid({.columns = 12, .rows = 12})},
+                    {{VertexPoint{0}},
+                     {VertexPoint{168}, 0.5},
+                     {FacePoint{100, {0.25, 0.25, 0.5}}, 1},
+                     {VertexPoint{12}}});
+  ExpectLeastFields({"U", MakeGrid(UShape({.columns = 9, .rows = 9}))},
+                    {{VertexPoint{3}}, {VertexPoint{40}}});
+  const TriangleSoup torus = Torus({.around = 20, .across = 14, .noise = 0.15});
+  const Triangle& face = torus.triangles[200];
+  ExpectLeastFields({"torus", torus}, {{VertexPoint{5}},
+                                       {EdgePoint{face[1], face[0], 0.3}, 0.1},
+                                       {FacePoint{77, {0.2, 0.7, 0.1}}, 0.2},
+                                       {VertexPoint{5}, 0.25}});
+}
+
+// A source whose offset is more than the way from another is nowhere nearest.
+TEST_P(NearestSourcesTest, LeaveOutDominatedSources) {
+  const std::shared_ptr<const Mesh> mesh =
+      BuildOrFail({"icosphere", Icosphere(1)});
+  ASSERT_NE(mesh, nullptr);
+  const Query query{.sources = {{VertexPoint{7}, 100}, {VertexPoint{30}}},
+                    .algorithm = GetParam().algorithm,
+                    .trace = true};
+  const absl::StatusOr<std::vector<uint32_t>> labels =
+      NearestSources(*mesh, query, SolveTraced(*mesh, query));
+  ASSERT_TRUE(labels.ok()) << labels.status();
+  EXPECT_EQ(*labels, std::vector<uint32_t>(mesh->vertex_count(), 1));
+}
+
+TEST_P(NearestSourcesTest, AreNoneInOtherPieces) {
+  const TriangleSoup sphere = Icosphere(1);
+  ExpectLeastFields({"two spheres and a lone vertex",
+                     AddIsolatedVertices(Join(sphere, sphere), 1)},
+                    {{VertexPoint{3}}, {VertexPoint{11}}});
+}
+
+GEODESIC_TEST_EVERY_ALGORITHM(NearestSourcesTest);
+
+TEST(NearestSources, SaysSoWhenTheTraceIsMissingOrBroken) {
+  const std::shared_ptr<const Mesh> mesh =
+      BuildOrFail({"icosphere", Icosphere(1)});
+  ASSERT_NE(mesh, nullptr);
+  const Query query{.sources = {{VertexPoint{0}}}, .trace = true};
+  DistanceField field = SolveTraced(*mesh, query);
+  field.arrivals[1] = {.pseudo_source = 2};
+  field.arrivals[2] = {.pseudo_source = 1};
+  EXPECT_TRUE(absl::IsInternal(NearestSources(*mesh, query, field).status()));
+  field.arrivals.clear();
+  EXPECT_TRUE(
+      absl::IsInvalidArgument(NearestSources(*mesh, query, field).status()));
+}
+
+}  // namespace
+}  // namespace geodesic::test

@@ -1,0 +1,315 @@
+// Paths are as long as distances, cross edges straight and bend where shortest
+// paths may, on every kind of generated mesh.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/strings/str_cat.h"
+#include "geodesic/computation.h"
+#include "geodesic/path.h"
+#include "geodesic/solve.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/core/questions/path_check.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/developable_meshes.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/polyhedra.h"
+#include "tests/support/random.h"
+
+namespace geodesic::test {
+namespace {
+
+// Points in faces and on edges, spread at random.
+std::vector<SurfacePoint> RandomPoints(const TriangleSoup& soup, uint32_t count,
+                                       uint64_t seed) {
+  Random random(seed);
+  std::vector<SurfacePoint> points;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t face =
+        random.Below(static_cast<uint32_t>(soup.triangles.size()));
+    if (i % 2 == 0) {
+      const double a = random.Uniform(0, 1), b = random.Uniform(0, 1 - a);
+      points.push_back(FacePoint{face, {a, b, 1 - (a + b)}});
+    } else {
+      const uint32_t side = random.Below(3);
+      points.push_back(EdgePoint{soup.triangles[face][side],
+                                 soup.triangles[face][(side + 1) % 3],
+                                 random.Uniform(0, 1)});
+    }
+  }
+  return points;
+}
+
+class Paths : public EveryAlgorithm {
+ protected:
+  // From vertices, from points in faces and on edges, and from all of them at
+  // once with offsets; to vertices and points.
+  void CheckPaths(const NamedMesh& named, PathCheckOptions options = {},
+                  uint32_t vertex_sources = 4) const {
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    const std::vector<SurfacePoint> targets = RandomPoints(named.soup, 40, 1);
+    const Algorithm algorithm = GetParam().algorithm;
+    Query all{.targets = targets, .algorithm = algorithm};
+    const auto from = [&](const SurfacePoint& point) {
+      CheckAllPaths(
+          named.name, *mesh,
+          {.sources = {{point}}, .targets = targets, .algorithm = algorithm},
+          options);
+      all.sources.push_back(
+          {point, 0.01 * static_cast<double>(all.sources.size())});
+    };
+    for (uint32_t v : SpreadVertices(named.soup, vertex_sources)) {
+      from(VertexPoint{v});
+    }
+    for (const SurfacePoint& point : RandomPoints(named.soup, 4, 2)) {
+      from(point);
+    }
+    CheckAllPaths(named.name + ", many sources", *mesh, all, options);
+  }
+};
+
+// Rays run exactly into vertices, and along edges.
+TEST_P(Paths, InPlanarGrids) {
+  for (const Diagonals diagonals :
+       {Diagonals::kParallel, Diagonals::kAlternating, Diagonals::kRandom}) {
+    CheckPaths(
+        {"grid", MakeGrid({.columns = 12, .rows = 9, .diagonals = diagonals})});
+  }
+  CheckPaths({"long grid", MakeGrid({.columns = 40, .rows = 3})});
+  CheckPaths({"jittered grid", MakeGrid({.columns = 12,
+                                         .rows = 10,
+                                         .diagonals = Diagonals::kRandom,
+                                         .jitter = 0.2})});
+}
+
+TEST_P(Paths, AroundHolesAndReflexCorners) {
+  for (const double jitter : {0.0, 0.2}) {
+    const GridOptions grid{.columns = 9, .rows = 9, .jitter = jitter};
+    CheckPaths({"hole", MakeGrid(WithHole(grid))});
+    CheckPaths({"L", MakeGrid(LShape(grid))});
+    CheckPaths({"U", MakeGrid(UShape(grid))});
+  }
+  CheckPaths({"plate", MakePlate(UShape({.columns = 6, .rows = 6}), 0.5)});
+}
+
+TEST_P(Paths, OnConvexPolyhedra) {
+  CheckPaths({"tetrahedron", Triangulate(Tetrahedron())});
+  CheckPaths({"octahedron", Triangulate(Octahedron())});
+  CheckPaths({"box", BoxGrid(1, 1, 1, 4, 4, 4)});
+  CheckPaths({"flat box", BoxGrid(3, 2, 0.25, 6, 4, 1)});
+}
+
+TEST_P(Paths, OnConesAndSaddles) {
+  for (const double angle : {1.0, 3.0, 6.0, 6.283185307179586, 7.0, 12.0}) {
+    CheckPaths({absl::StrCat("fan of ", angle),
+                Fan({.spokes = 12, .rings = 4, .total_angle = angle}).soup()});
+    CheckPaths(
+        {absl::StrCat("open fan of ", angle),
+         Fan({.spokes = 12, .rings = 4, .total_angle = angle, .closed = false})
+             .soup()});
+  }
+  CheckPaths({"prism", Prism({}).soup()});
+  CheckPaths({"folded sheet", FoldedSheet(12, 8, 3).soup()});
+}
+
+TEST_P(Paths, OnCurvedSurfaces) {
+  CheckPaths({"icosphere", Icosphere(2)});
+  CheckPaths({"UV sphere", UvSphere(16, 12)});
+  CheckPaths({"torus", Torus({.around = 16, .across = 10})});
+  CheckPaths(
+      {"noisy torus", Torus({.around = 16, .across = 10, .noise = 0.2})});
+  CheckPaths({"terrain", Terrain(14, 14, 1.5, 4)});
+  CheckPaths({"rough terrain", Terrain(14, 14, 12, 5)});
+}
+
+// Angles mean little beside faces without area; lengths do.
+TEST_P(Paths, ThroughDegenerateFaces) {
+  for (const double jitter : {0.0, 0.2}) {
+    for (const uint64_t seed : {1, 2}) {
+      const TriangleSoup grid =
+          MakeGrid({.columns = 9, .rows = 8, .jitter = jitter, .seed = seed});
+      std::vector<uint32_t> doubled;
+      CheckPaths({"zero-area faces", InsertZeroAreaFaces(grid, 30, seed)},
+                 {.slack = CoordinateRounding(grid), .check_bends = false});
+      CheckPaths({"doubled vertices", DoubleVertices(grid, 15, seed, &doubled)},
+                 {.slack = CoordinateRounding(grid), .check_bends = false});
+      CheckPaths({"needles", InsertNeedles(grid, 50, seed)},
+                 {.slack = CoordinateRounding(grid), .check_bends = false});
+    }
+  }
+  CheckPaths({"needles on a torus", InsertNeedles(Torus({}), 80, 3)},
+             {.slack = 1e-15, .check_bends = false});
+}
+
+TEST_P(Paths, OfTinyAndHugeMeshes) {
+  for (const double factor : {1e-150, 1e-12, 1e12, 1e150}) {
+    CheckPaths({absl::StrCat("torus times ", factor),
+                Scale(Torus({.noise = 0.2}), factor)});
+  }
+}
+
+TEST_P(Paths, LeadNowhereToOtherPieces) {
+  const TriangleSoup box = BoxGrid(1, 1, 1, 2, 2, 2);
+  CheckPaths(
+      {"two boxes and lone vertices", AddIsolatedVertices(Join(box, box), 2)});
+}
+
+GEODESIC_TEST_EVERY_ALGORITHM(Paths);
+
+TEST(PathTracer, GivesOnePointWhereSourceAndTargetCoincide) {
+  const TriangleSoup soup = Icosphere(1);
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"icosphere", soup});
+  ASSERT_NE(mesh, nullptr);
+  for (const SurfacePoint& point : RandomPoints(soup, 6, 7)) {
+    const Query query{
+        .sources = {{point, 2}}, .targets = {point}, .trace = true};
+    const DistanceField field = SolveTraced(*mesh, query);
+    const absl::StatusOr<GeodesicPath> path =
+        TracePathToTarget(*mesh, query, field, 0);
+    ASSERT_TRUE(path.ok()) << path.status();
+    EXPECT_EQ(path->points.size(), 1);
+    EXPECT_EQ(path->length, 0);
+  }
+}
+
+TEST(PathTracer, ReversesToAPathOfTheSameLength) {
+  const TriangleSoup soup = Torus({.noise = 0.2});
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"torus", soup});
+  ASSERT_NE(mesh, nullptr);
+  const std::vector<SurfacePoint> points = RandomPoints(soup, 20, 11);
+  for (size_t i = 1; i < points.size(); ++i) {
+    double lengths[2];
+    for (const bool reversed : {false, true}) {
+      const Query query{.sources = {{points[reversed ? i : i - 1]}},
+                        .targets = {points[reversed ? i - 1 : i]},
+                        .trace = true};
+      const DistanceField field = SolveTraced(*mesh, query);
+      const absl::StatusOr<GeodesicPath> path =
+          TracePathToTarget(*mesh, query, field, 0);
+      ASSERT_TRUE(path.ok()) << path.status();
+      lengths[reversed] = path->length;
+    }
+    EXPECT_NEAR(lengths[0], lengths[1], kRelativeTolerance * lengths[0]);
+  }
+}
+
+// The straight line of a plane is all there is to a path in it.
+TEST(PathTracer, FollowsTheStraightLineInAPlane) {
+  const TriangleSoup soup = MakeGrid({.columns = 10,
+                                      .rows = 10,
+                                      .diagonals = Diagonals::kRandom,
+                                      .jitter = 0.2});
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
+  ASSERT_NE(mesh, nullptr);
+  const Query query{.sources = {{FacePoint{57, {0.5, 0.3, 0.2}}}},
+                    .trace = true};
+  const DistanceField field = SolveTraced(*mesh, query);
+  const Point from = PositionOf(query.sources[0].point, *mesh);
+  for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+    const absl::StatusOr<GeodesicPath> path =
+        TracePathToVertex(*mesh, query, field, v);
+    ASSERT_TRUE(path.ok()) << path.status();
+    const Point& to = soup.positions[v];
+    double walked = 0;
+    for (const Point& p : path->positions) {
+      const double dx = to[0] - from[0], dy = to[1] - from[1];
+      const double off = (p[0] - from[0]) * dy - (p[1] - from[1]) * dx;
+      EXPECT_NEAR(off, 0, 1e-12);
+      // And never turns back.
+      const double along = (p[0] - from[0]) * dx + (p[1] - from[1]) * dy;
+      EXPECT_GE(along, walked - 1e-12);
+      walked = along;
+    }
+  }
+}
+
+TEST(PathTracer, TakesWhatIsNotCertifiedForNotReached) {
+  const TriangleSoup soup = MakeGrid({.columns = 12, .rows = 12});
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
+  ASSERT_NE(mesh, nullptr);
+  const Query query{.sources = {{VertexPoint{0}}}, .trace = true};
+  absl::StatusOr<std::unique_ptr<Computation>> computation =
+      StartComputation(*mesh, query, {});
+  ASSERT_TRUE(computation.ok()) << computation.status();
+  NoCheckpoint checkpoint;
+  ASSERT_TRUE((*computation)->Advance({.radius = 5}, checkpoint).ok());
+  const DistanceField field = (*computation)->Field();
+  int reached = 0;
+  for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+    const absl::StatusOr<GeodesicPath> path =
+        TracePathToVertex(*mesh, query, field, v);
+    ASSERT_TRUE(path.ok()) << path.status();
+    if (std::isfinite(field.distances[v])) {
+      ++reached;
+      EXPECT_TRUE(IsShortestPath(*mesh, *path, VertexPoint{0}, VertexPoint{v},
+                                 field.distances[v]));
+    } else {
+      EXPECT_TRUE(path->points.empty()) << v;
+      EXPECT_EQ(path->length, std::numeric_limits<double>::infinity()) << v;
+    }
+  }
+  EXPECT_GT(reached, 1);
+  EXPECT_LT(reached, mesh->vertex_count());
+}
+
+TEST(PathTracer, RefusesWhatItWasNotAsked) {
+  const std::shared_ptr<const Mesh> mesh =
+      BuildOrFail({"icosphere", Icosphere(1)});
+  ASSERT_NE(mesh, nullptr);
+  const Query query{.sources = {{VertexPoint{0}}},
+                    .targets = {VertexPoint{3}},
+                    .trace = true};
+  const DistanceField field = SolveTraced(*mesh, query);
+  const auto vertex = TracePathToVertex(*mesh, query, field, 42);
+  EXPECT_EQ(vertex.status(),
+            absl::InvalidArgumentError("vertex 42 is out of range: the mesh "
+                                       "has 42 vertices, numbered from 0"));
+  const auto target = TracePathToTarget(*mesh, query, field, 1);
+  EXPECT_EQ(target.status(),
+            absl::InvalidArgumentError("target 1 is out of range: the query "
+                                       "has 1 targets, numbered from 0"));
+  // Another query's field, another mesh's, and one without trace.
+  const Query other{.sources = {{VertexPoint{0}}}, .trace = true};
+  EXPECT_TRUE(absl::IsInvalidArgument(
+      PathTracer::Create(*mesh, other, field).status()));
+  const std::shared_ptr<const Mesh> finer =
+      BuildOrFail({"finer icosphere", Icosphere(2)});
+  EXPECT_TRUE(absl::IsInvalidArgument(
+      PathTracer::Create(*finer, query, field).status()));
+  NoCheckpoint checkpoint;
+  Query untraced = query;
+  untraced.trace = false;
+  const absl::StatusOr<DistanceField> plain =
+      Solve(*mesh, untraced, {}, checkpoint);
+  ASSERT_TRUE(plain.ok()) << plain.status();
+  EXPECT_TRUE(absl::IsInvalidArgument(
+      PathTracer::Create(*mesh, query, *plain).status()));
+}
+
+TEST(PathTracer, SaysSoWhenTheTraceIsBroken) {
+  const std::shared_ptr<const Mesh> mesh =
+      BuildOrFail({"icosphere", Icosphere(1)});
+  ASSERT_NE(mesh, nullptr);
+  const Query query{.sources = {{VertexPoint{0}}}, .trace = true};
+  DistanceField circular = SolveTraced(*mesh, query);
+  circular.arrivals[1] = {.pseudo_source = 2};
+  circular.arrivals[2] = {.pseudo_source = 1};
+  EXPECT_TRUE(
+      absl::IsInternal(TracePathToVertex(*mesh, query, circular, 1).status()));
+  DistanceField foreign = SolveTraced(*mesh, query);
+  foreign.arrivals[1] = {.pseudo_source = mesh->vertex_count() + 1};
+  EXPECT_TRUE(absl::IsInvalidArgument(
+      TracePathToVertex(*mesh, query, foreign, 1).status()));
+}
+
+}  // namespace
+}  // namespace geodesic::test

@@ -1,0 +1,52 @@
+// Paths on real meshes: scans, CAD parts, terrain.
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "absl/strings/str_cat.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/core/questions/path_check.h"
+#include "tests/support/test_meshes.h"
+
+namespace geodesic::test {
+namespace {
+
+class RealPaths : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealPaths, AreAsLongAsDistances) {
+  const std::string name = absl::StrCat("real/", GetParam());
+  absl::StatusOr<TriangleSoup> soup = LoadTestMesh(name);
+  if (absl::IsNotFound(soup.status())) GTEST_SKIP() << soup.status();
+  ASSERT_TRUE(soup.ok()) << soup.status();
+  const NamedMesh named{name, *std::move(soup)};
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  ASSERT_NE(mesh, nullptr);
+  const double slack = 64 * CoordinateRounding(named.soup);
+  const uint32_t vertex = named.soup.triangles[0][0];
+  const uint32_t face = mesh->face_count() / 2;
+  constexpr uint32_t kMostPaths = 2000;
+  const uint32_t stride = 1 + mesh->vertex_count() / kMostPaths;
+  for (const Algorithm algorithm : {Algorithm::kFwpCh, Algorithm::kFwpMmp}) {
+    CheckAllPaths(name, *mesh,
+                  {.sources = {{VertexPoint{vertex}},
+                               {FacePoint{face, {0.5, 0.25, 0.25}}}},
+                   .targets = {FacePoint{face / 2, {0.1, 0.8, 0.1}}},
+                   .algorithm = algorithm},
+                  {.slack = slack}, stride);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, RealPaths,
+    testing::Values("cgal_anchor_dense.off", "cgal_cheese.off",
+                    "cgal_elephant.off", "cgal_fandisk_large.off",
+                    "cgal_holes.off", "cgal_rotor_small.off",
+                    "cgal_three_peaks.off", "of_flange_6k.ply", "fandisk.obj",
+                    "spot_23k.obj", "tray_bottom_4k.ply", "bunny.obj",
+                    "horse_be.ply"),
+    MeshTestName);
+
+}  // namespace
+}  // namespace geodesic::test
