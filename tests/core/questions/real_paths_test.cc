@@ -26,7 +26,7 @@ TEST_P(RealPaths, AreAsLongAsDistances) {
   const double slack = 64 * CoordinateRounding(named.soup);
   const uint32_t vertex = named.soup.triangles[0][0];
   const uint32_t face = mesh->face_count() / 2;
-  constexpr uint32_t kMostPaths = 2000;
+  constexpr uint32_t kMostPaths = 1000;
   const uint32_t stride = 1 + mesh->vertex_count() / kMostPaths;
   for (const Algorithm algorithm : {Algorithm::kFwpCh, Algorithm::kFwpMmp}) {
     CheckAllPaths(name, *mesh,
