@@ -70,6 +70,11 @@ inline constexpr double kTiedSamples = 1e-12;
 // surface unfolds differently.
 inline constexpr double kPassedVertex = 4 * kNearMiss;
 
+// A vertex whose distance is within this fraction of a level lies at it: on
+// regular grids whole rows do, and rounding would otherwise scatter the
+// crossings around them.
+inline constexpr double kAtLevel = 1e-12;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_
