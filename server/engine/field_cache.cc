@@ -18,8 +18,7 @@ uint64_t FieldBytes(const FieldKey& key, uint64_t vertices) {
   for (const CurveSource& curve : key.curves) {
     curve_points += curve.points.size();
   }
-  const uint64_t per_value =
-      sizeof(double) + (key.trace ? sizeof(Arrival) : 0);
+  const uint64_t per_value = sizeof(double) + (key.trace ? sizeof(Arrival) : 0);
   return (vertices + key.targets.size()) * per_value +
          key.sources.size() * sizeof(Source) +
          key.curves.size() * sizeof(CurveSource) +

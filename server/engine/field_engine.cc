@@ -23,10 +23,10 @@ absl::Status CheckReach(const FieldReach& reach, size_t targets) {
   }
   if (reach.LimitsTargets() &&
       (reach.targets == 0 || reach.targets > targets)) {
-    return InvalidField("stop_after_targets",
-                        absl::StrCat("stop_after_targets is ", reach.targets,
-                                     "; the request has ", targets,
-                                     " targets"));
+    return InvalidField(
+        "stop_after_targets",
+        absl::StrCat("stop_after_targets is ", reach.targets,
+                     "; the request has ", targets, " targets"));
   }
   return absl::OkStatus();
 }
@@ -73,8 +73,8 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
   FieldCall call{.mesh = mesh, .reach = request.reach};
   call.query = Canonicalize(request.query, *mesh->mesh);
   call.query.trace |= request.extras.NeedTrace();
-  call.source_numbers = NumberCanonical(request.query, request.numbers,
-                                        call.query, *mesh->mesh);
+  call.source_numbers =
+      NumberCanonical(request.query, request.numbers, call.query, *mesh->mesh);
   const FlightKey key{
       .field = MakeFieldKey(mesh->digest,
                             request.reach.LimitsTargets()
@@ -91,10 +91,10 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
     call.origin = FieldOrigin::kCached;
     // The rest takes a job.
     if (key.extras.Any()) return true;
-    call.answer = FieldAnswer{
-        .field = std::move(found.field),
-        .query = std::make_shared<const Query>(ToQuery(found.key)),
-        .origin = FieldOrigin::kCached};
+    call.answer =
+        FieldAnswer{.field = std::move(found.field),
+                    .query = std::make_shared<const Query>(ToQuery(found.key)),
+                    .origin = FieldOrigin::kCached};
     return true;
   };
   if (find_cached() && call.answer.has_value()) return call;
@@ -191,8 +191,7 @@ absl::StatusOr<FieldHandle> FieldEngine::Solve(
   if (settled != nullptr) {
     ordered.emplace(job, *settled, audience, key.reach.radius);
   }
-  Checkpoint& checkpoint =
-      ordered ? static_cast<Checkpoint&>(*ordered) : job;
+  Checkpoint& checkpoint = ordered ? static_cast<Checkpoint&>(*ordered) : job;
 
   PausedComputation work = computations_.Take(key.field);
   origin = work.computation != nullptr ? FieldOrigin::kContinued

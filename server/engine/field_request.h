@@ -30,7 +30,7 @@ struct FieldRequest {
 
 enum class FieldOrigin {
   kSolved,
-  kJoined,     // another request had started the computation
+  kJoined,  // another request had started the computation
   kCached,
   kContinued,  // a computation that had stopped early went on
 };

@@ -22,10 +22,14 @@ class SettledCheckpoint final : public Checkpoint {
 
   absl::Status Poll(const Progress& progress) override {
     absl::Status status = next_.Poll(progress);
-    // A look at every vertex is paid for by a few windows a vertex.
-    if (progress.windows_propagated < next_scan_) return status;
-    next_scan_ = progress.windows_propagated + kWindowsPerVertex *
-                                                   progress.distances.size();
+    // A look at every vertex is paid for by a few windows a vertex. Before the
+    // first window not even the sources have their distances.
+    if (progress.windows_propagated < next_scan_ ||
+        progress.settled_radius <= 0) {
+      return status;
+    }
+    next_scan_ = progress.windows_propagated +
+                 kWindowsPerVertex * progress.distances.size();
     // What is final goes out even if the solver has to stop now.
     Append(progress);
     return status;

@@ -50,9 +50,8 @@ std::vector<uint32_t> NumberCanonical(const Query& query,
     const Source source{Canonicalize(query.sources[i].point, mesh),
                         query.sources[i].offset + 0.0};
     // Of equal points the canonical form has the least offset only.
-    const auto at =
-        std::ranges::lower_bound(canonical.sources, source.point, {},
-                                 &Source::point);
+    const auto at = std::ranges::lower_bound(canonical.sources, source.point,
+                                             {}, &Source::point);
     if (at->offset != source.offset) continue;
     result[at - canonical.sources.begin()] = NumberOf(numbers.points, i, 0);
   }

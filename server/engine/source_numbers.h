@@ -23,14 +23,12 @@ struct SourceNumbers {
 // query.h numbers those; of equal sources, the client's first.
 std::vector<uint32_t> NumberCanonical(const Query& query,
                                       const SourceNumbers& numbers,
-                                      const Query& canonical,
-                                      const Mesh& mesh);
+                                      const Query& canonical, const Mesh& mesh);
 
 // Validate(query, mesh), but the message uses the client's numbers, and the
 // field at fault (status_details.h) is named.
 absl::Status ValidateAsNumbered(const Query& query,
-                                const SourceNumbers& numbers,
-                                const Mesh& mesh);
+                                const SourceNumbers& numbers, const Mesh& mesh);
 
 }  // namespace geodesic::server
 

@@ -153,10 +153,10 @@ class AnswerStream
   // Guarded by mutex_:
   std::shared_ptr<AnswerStream> self_;  // what gRPC holds
   std::optional<RequestLog::Entry> entry_;
-  bool begun_ = false;      // Ask succeeded
+  bool begun_ = false;  // Ask succeeded
   bool cancelled_ = false;
-  bool writing_ = false;    // a message is on its way
-  bool finished_ = false;   // Finish was called
+  bool writing_ = false;   // a message is on its way
+  bool finished_ = false;  // Finish was called
   Response message_;
 };
 

@@ -66,9 +66,8 @@ bool FieldChunks::Next(v1::FieldChunk& chunk) {
   if (extras_.gradients) {
     values_.clear();
     for (size_t v = next_vertex_; v < next_vertex_ + part.size(); ++v) {
-      const Point gradient = all[v] > call_.reach.radius
-                                 ? Point{}
-                                 : answer_.derived->gradients[v];
+      const Point gradient =
+          all[v] > call_.reach.radius ? Point{} : answer_.derived->gradients[v];
       values_.insert(values_.end(), gradient.begin(), gradient.end());
     }
     SetValues(values_, value_type_, *chunk.mutable_gradients());

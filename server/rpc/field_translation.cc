@@ -27,9 +27,9 @@ absl::StatusOr<FieldExtras> ExtrasFrom(const v1::ComputeFieldRequest& request) {
       default: {
         const std::string field = absl::StrCat("quantities[", i, "]");
         return InvalidField(
-            field, absl::StrCat(field, " is ",
-                                static_cast<int>(request.quantities(i)),
-                                ", which this server does not know"));
+            field,
+            absl::StrCat(field, " is ", static_cast<int>(request.quantities(i)),
+                         ", which this server does not know"));
       }
     }
   }

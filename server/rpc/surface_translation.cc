@@ -95,8 +95,8 @@ absl::StatusOr<std::vector<SurfacePoint>> FromProto(
 absl::StatusOr<std::vector<SurfacePoint>> TargetsFromProto(
     const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& targets,
     const Limits& limits) {
-  absl::Status status = CheckCount("targets", targets.size(), "max_targets",
-                                   limits.max_targets);
+  absl::Status status =
+      CheckCount("targets", targets.size(), "max_targets", limits.max_targets);
   if (!status.ok()) return status;
   return FromProto(targets, "targets");
 }
@@ -104,8 +104,8 @@ absl::StatusOr<std::vector<SurfacePoint>> TargetsFromProto(
 absl::Status AddSources(
     const google::protobuf::RepeatedPtrField<v1::Source>& sources,
     const Limits& limits, Query& query, SourceNumbers& numbers) {
-  absl::Status status = CheckCount("sources", sources.size(), "max_sources",
-                                   limits.max_sources);
+  absl::Status status =
+      CheckCount("sources", sources.size(), "max_sources", limits.max_sources);
   if (!status.ok()) return status;
   uint64_t curve_points = 0;
   for (const v1::Source& source : sources) {

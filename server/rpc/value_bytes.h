@@ -38,8 +38,8 @@ inline void SetValues(std::span<const double> values, v1::ValueType type,
   char* at = bytes.data();
   for (const double value : values) {
     const float rounded = static_cast<float>(value);
-    std::char_traits<char>::copy(
-        at, reinterpret_cast<const char*>(&rounded), sizeof(float));
+    std::char_traits<char>::copy(at, reinterpret_cast<const char*>(&rounded),
+                                 sizeof(float));
     at += sizeof(float);
   }
 }

@@ -12,8 +12,8 @@ namespace {
 using test::RecordingObserver;
 
 FlightKey Key(uint32_t vertex) {
-  return {.field = {.mesh_digest = "mesh",
-                    .sources = {{VertexPoint{vertex}, 0}}}};
+  return {
+      .field = {.mesh_digest = "mesh", .sources = {{VertexPoint{vertex}, 0}}}};
 }
 
 class FieldFlightTest : public ::testing::Test {

@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "server/engine/status_details.h"
 #include "geodesic/solve.h"
+#include "server/engine/status_details.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/engine/solving_computation.h"
 #include "tests/support/curved_meshes.h"
@@ -53,7 +53,8 @@ class FieldQueryTest : public test::EngineTest {
   }
 
   // A solver that polls `polls` times and does `at_poll` before each.
-  test::SolveFunction PollingSolver(int polls, std::function<void(int)> at_poll) {
+  test::SolveFunction PollingSolver(int polls,
+                                    std::function<void(int)> at_poll) {
     return [this, polls, at_poll](
                const Mesh& mesh, const Query&, const SolveOptions&,
                Checkpoint& checkpoint) -> absl::StatusOr<DistanceField> {
@@ -246,8 +247,7 @@ TEST_F(FieldQueryTest, ArgumentsAreChecked) {
   EXPECT_TRUE(absl::IsInvalidArgument(ask({At(0, -1)})));
   EXPECT_TRUE(absl::IsInvalidArgument(
       ask({At(0, std::numeric_limits<double>::quiet_NaN())})));
-  EXPECT_TRUE(
-      absl::IsResourceExhausted(ask(std::vector<Source>(11, At(0)))));
+  EXPECT_TRUE(absl::IsResourceExhausted(ask(std::vector<Source>(11, At(0)))));
   EXPECT_TRUE(absl::IsNotFound(
       engine_
           .ComputeField(

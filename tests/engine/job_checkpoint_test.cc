@@ -31,9 +31,9 @@ class JobCheckpointTest : public ::testing::Test {
       std::make_shared<ByteBudget>("solver memory", 100 * kMiB);
   std::shared_ptr<RecordingObserver> observer_ =
       std::make_shared<RecordingObserver>();
-  FieldFlights::Seat seat_ = flights_.Join(
-      {.field = {.mesh_digest = "mesh"}},
-      {observer_, clock_.Now() + milliseconds(500)});
+  FieldFlights::Seat seat_ =
+      flights_.Join({.field = {.mesh_digest = "mesh"}},
+                    {observer_, clock_.Now() + milliseconds(500)});
   FlightAudience audience_{flights_, *seat_.flight};
 };
 
