@@ -75,6 +75,11 @@ inline constexpr double kPassedVertex = 4 * kNearMiss;
 // crossings around them.
 inline constexpr double kAtLevel = 1e-12;
 
+// A stretch between two points of a path that is shorter than this fraction of
+// the path gives it no direction there: its ends are off by about 1e-15 of it.
+// Asked only beside faces without area, which have no plane to tell it.
+inline constexpr double kDirectionless = 1e-9;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_
