@@ -36,9 +36,9 @@ std::string_view ServerVersion();
 
 class Server {
  public:
-  // `start` is the seam where tests hold a solver up.
+  // `solve` is the seam where tests hold a solver up.
   Server(const ServerOptions& options, std::shared_ptr<spdlog::logger> logger,
-         StartFunction start = &StartComputation);
+         SolveFunction solve = &Solve);
 
   // Shuts down without grace if that was not done before.
   ~Server();

@@ -131,9 +131,14 @@ void Mesh::BuildFrames(std::span<const HalfEdge> twins) {
     const double left = Norm(ac), right = Norm(bc);
     if (frame.length > 0) {
       // Coordinates rather than the three lengths: a cap's height is far below
-      // one rounding of its lengths.
+      // one rounding of its lengths. And from the two shorter sides: the
+      // product of long ones cancels in a needle.
+      const double longest = std::max({frame.length, left, right});
+      const Vector area = longest == frame.length ? Cross(ac, bc)
+                          : longest == left       ? Cross(ab, bc)
+                                                  : Cross(ab, ac);
       frame.apex_x = Dot(ab, ac) / frame.length;
-      frame.apex_y = std::max(Norm(Cross(ab, ac)) / frame.length, kLeastHeight);
+      frame.apex_y = std::max(Norm(area) / frame.length, kLeastHeight);
     } else {
       frame.apex_x = 0;
       frame.apex_y = std::max(left, kLeastHeight);

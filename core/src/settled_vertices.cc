@@ -7,15 +7,16 @@
 namespace geodesic {
 
 std::vector<SettledVertex> SettledVertices::Collect(const Progress& progress) {
+  given_.resize(progress.distances.size());
   std::vector<SettledVertex> settled;
   for (uint32_t v = 0; v < progress.distances.size(); ++v) {
     const double distance = progress.distances[v] * progress.unit;
-    if (distance > radius_ && distance <= progress.settled_radius &&
+    if (!given_[v] && distance <= progress.settled_radius &&
         distance < std::numeric_limits<double>::infinity()) {
+      given_[v] = true;
       settled.push_back({v, distance});
     }
   }
-  radius_ = progress.settled_radius;
   std::ranges::sort(settled, {}, [](const SettledVertex& vertex) {
     return std::tie(vertex.distance, vertex.vertex);
   });

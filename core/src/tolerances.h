@@ -35,6 +35,13 @@ inline constexpr double kLeastWidth = 1e-12;
 // rounding, which goes with the reach, puts them on either side.
 inline constexpr double kNearMiss = 1e-9;
 
+// A source no farther from a vertex than this fraction of the longest edge
+// there lets paths bend at the vertex, like a saddle. Its place is rounded by
+// about 1e-16 of that edge, so the directions in which it sees what lies behind
+// the vertex may be off by more than kNearMiss; the way through the vertex is
+// longer only by the square of that.
+inline constexpr double kNearVertex = 1e-5;
+
 // A distance is replaced only when it improves by more than this fraction:
 // one rounding. Equal paths found twice would otherwise restart propagation.
 inline constexpr double kImprovement = 1e-15;
@@ -69,16 +76,6 @@ inline constexpr double kTiedSamples = 1e-12;
 // bounds the window on the wrong side, by as much as the miss, and there the
 // surface unfolds differently.
 inline constexpr double kPassedVertex = 4 * kNearMiss;
-
-// A vertex whose distance is within this fraction of a level lies at it: on
-// regular grids whole rows do, and rounding would otherwise scatter the
-// crossings around them.
-inline constexpr double kAtLevel = 1e-12;
-
-// A stretch between two points of a path that is shorter than this fraction of
-// the path gives it no direction there: its ends are off by about 1e-15 of it.
-// Asked only beside faces without area, which have no plane to tell it.
-inline constexpr double kDirectionless = 1e-9;
 
 }  // namespace geodesic
 

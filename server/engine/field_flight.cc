@@ -4,24 +4,21 @@ namespace geodesic::server {
 
 class FieldFlights::Flight {
  public:
-  explicit Flight(FlightKey k) : key(std::move(k)) {
-    if (key.extras.settled_order) settled = std::make_shared<SettledLog>();
-  }
+  explicit Flight(FieldKey k) : key(std::move(k)) {}
 
-  const FlightKey key;
-  std::shared_ptr<SettledLog> settled;
+  const FieldKey key;
   std::map<uint64_t, Waiter> waiters;
   std::optional<Scheduler::JobId> job;
   bool is_open = true;
 };
 
-FieldFlights::Seat FieldFlights::Join(const FlightKey& key, Waiter waiter) {
+FieldFlights::Seat FieldFlights::Join(const FieldKey& key, Waiter waiter) {
   std::lock_guard lock(mutex_);
   const auto [it, is_first] = open_.try_emplace(key);
   if (is_first) it->second = std::make_shared<Flight>(key);
   const uint64_t number = next_number_++;
   it->second->waiters.emplace(number, std::move(waiter));
-  return {it->second, number, is_first, it->second->settled};
+  return {it->second, number, is_first};
 }
 
 std::optional<Scheduler::JobId> FieldFlights::Leave(const Seat& seat) {
@@ -75,14 +72,14 @@ void FieldFlights::Publish(Flight& flight, const Progress& progress) {
 }
 
 void FieldFlights::Complete(Flight& flight,
-                            const absl::StatusOr<FieldAnswer>& answer) {
+                            const absl::StatusOr<FieldHandle>& field) {
   std::map<uint64_t, Waiter> waiters;
   {
     std::lock_guard lock(mutex_);
     waiters.swap(flight.waiters);
     Close(flight);
   }
-  for (const auto& [number, waiter] : waiters) waiter.observer->OnField(answer);
+  for (const auto& [number, waiter] : waiters) waiter.observer->OnField(field);
 }
 
 size_t FieldFlights::size() const {

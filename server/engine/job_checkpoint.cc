@@ -11,10 +11,12 @@ constexpr uint64_t kMemoryStep = uint64_t{16} << 20;
 
 }  // namespace
 
-JobCheckpoint::JobCheckpoint(JobAudience& audience, const Clock& clock,
+JobCheckpoint::JobCheckpoint(FieldFlights& flights,
+                             FieldFlights::Flight& flight, const Clock& clock,
                              std::stop_token stop, ByteReservation memory,
                              Duration progress_interval)
-    : audience_(audience),
+    : flights_(flights),
+      flight_(flight),
       clock_(clock),
       stop_(std::move(stop)),
       progress_interval_(progress_interval),
@@ -22,9 +24,8 @@ JobCheckpoint::JobCheckpoint(JobAudience& audience, const Clock& clock,
       next_progress_(clock.Now()) {}
 
 absl::Status JobCheckpoint::Poll(const Progress& progress) {
-  windows_propagated_ = progress.windows_propagated;
   const TimePoint now = clock_.Now();
-  if (absl::Status status = audience_.Expire(now); !status.ok()) {
+  if (absl::Status status = flights_.Expire(flight_, now); !status.ok()) {
     return status;
   }
   // Waiters that leave are seen above; this comes from a shutdown.
@@ -38,7 +39,7 @@ absl::Status JobCheckpoint::Poll(const Progress& progress) {
   }
   if (now >= next_progress_) {
     next_progress_ = now + progress_interval_;
-    audience_.Publish(progress);
+    flights_.Publish(flight_, progress);
   }
   return absl::OkStatus();
 }

@@ -57,21 +57,14 @@ class RecordingObserver final : public FieldObserver {
  public:
   void OnProgress(const Progress& progress) override {
     seen.push_back(progress);
-    seen.back().distances = {};  // valid during this call only
   }
-  void OnField(const absl::StatusOr<FieldAnswer>& a) override {
+  void OnField(const absl::StatusOr<FieldHandle>& f) override {
     ++calls;
-    answer = a;
-    if (a.ok()) {
-      field = a->field;
-    } else {
-      field = a.status();
-    }
+    field = f;
   }
 
   std::vector<Progress> seen;
-  std::optional<absl::StatusOr<FieldAnswer>> answer;
-  std::optional<absl::StatusOr<FieldHandle>> field;  // of *answer
+  std::optional<absl::StatusOr<FieldHandle>> field;
   int calls = 0;
 };
 

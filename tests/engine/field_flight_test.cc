@@ -11,9 +11,8 @@ namespace {
 
 using test::RecordingObserver;
 
-FlightKey Key(uint32_t vertex) {
-  return {
-      .field = {.mesh_digest = "mesh", .sources = {{VertexPoint{vertex}, 0}}}};
+FieldKey Key(uint32_t vertex) {
+  return {.mesh_digest = "mesh", .sources = {{VertexPoint{vertex}, 0}}};
 }
 
 class FieldFlightTest : public ::testing::Test {
@@ -28,7 +27,6 @@ class FieldFlightTest : public ::testing::Test {
   std::shared_ptr<RecordingObserver> a_ = std::make_shared<RecordingObserver>();
   std::shared_ptr<RecordingObserver> b_ = std::make_shared<RecordingObserver>();
   const FieldHandle field_ = std::make_shared<const DistanceField>();
-  const FieldAnswer answer_{.field = field_};
 };
 
 TEST_F(FieldFlightTest, EqualQueriesShareAFlight) {
@@ -41,16 +39,16 @@ TEST_F(FieldFlightTest, EqualQueriesShareAFlight) {
   EXPECT_TRUE(other.is_first);
   EXPECT_NE(other.flight, a.flight);
 
-  flights_.Complete(*a.flight, answer_);
+  flights_.Complete(*a.flight, field_);
   EXPECT_EQ(**a_->field, field_);
   EXPECT_EQ(**b_->field, field_);
   EXPECT_EQ(a_->calls, 1);
-  flights_.Complete(*other.flight, answer_);
+  flights_.Complete(*other.flight, field_);
 }
 
 TEST_F(FieldFlightTest, ACompletedFlightTakesNobodyOnBoard) {
   const auto a = Join(a_);
-  flights_.Complete(*a.flight, answer_);
+  flights_.Complete(*a.flight, field_);
   const auto b = Join(b_);
   EXPECT_TRUE(b.is_first);
   EXPECT_NE(a.flight, b.flight);
@@ -81,7 +79,7 @@ TEST_F(FieldFlightTest, NobodyJoinsAFlightThatWasCalledOff) {
   flights_.Complete(*a.flight, absl::CancelledError("called off"));
   EXPECT_EQ(b_->calls, 0);
   EXPECT_EQ(flights_.size(), 1);
-  flights_.Complete(*b.flight, answer_);
+  flights_.Complete(*b.flight, field_);
   EXPECT_TRUE(b_->field->ok());
 }
 

@@ -1,10 +1,13 @@
 #include "tests/support/brute_force.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
+#include <utility>
 
 #include "tests/support/edge_dijkstra.h"
 #include "tests/support/half_edges.h"
+#include "tests/support/surface_points.h"
 
 namespace geodesic::test {
 namespace {
@@ -28,7 +31,8 @@ constexpr Real kBoundSlack = 1e-12L;
 // runs from `from` to `to`, with the source on its left: the directions from
 // `right` turning left to `left`, at most half a turn.
 struct Window {
-  uint32_t half_edge;
+  uint32_t half_edge;    // a side of the face that the rays come from
+  uint32_t from_vertex;  // the end of the edge that lies at `from`
   Vec2 from, to;
   Vec2 right, left;
 };
@@ -85,9 +89,37 @@ Real DistanceToSegment(Vec3 p, Vec3 a, Vec3 b) {
   return Norm(p - (a + t * d));
 }
 
-// The apex of the face left of half-edge h, in the frame with the half-edge's
-// start at the origin and its end on the positive x axis. REQUIRES: the
-// half-edge has a length.
+// The part of the segment a b within the window's wedge that is nearest to the
+// origin; false if no part is.
+bool NearestVisible(const Window& w, Vec2 a, Vec2 b, Vec2* nearest) {
+  Real t0 = 0, t1 = 1;
+  // Each bound of the wedge keeps what is left of it; that is linear in t.
+  const auto clip = [&](Real at_a, Real at_b, Real slack) {
+    if (at_a < -slack && at_b < -slack) t1 = -1;
+    if (at_a < 0 && at_b > 0) t0 = std::max(t0, at_a / (at_a - at_b));
+    if (at_a > 0 && at_b < 0) t1 = std::min(t1, at_a / (at_a - at_b));
+  };
+  const Real size = kHitSlack * std::max(Norm(a), Norm(b));
+  clip(Cross(w.right, a), Cross(w.right, b), size * Norm(w.right));
+  clip(Cross(a, w.left), Cross(b, w.left), size * Norm(w.left));
+  if (t0 > t1) return false;
+  *nearest = NearestOnSegment(a + t0 * (b - a), a + t1 * (b - a));
+  return Sees(w, *nearest);
+}
+
+// The corners of a face laid into the plane, counterclockwise.
+struct PlaneFace {
+  uint32_t face;
+  Vec2 corners[3];
+
+  Vec2 At(const Place& place) const {
+    return place.weights[0] * corners[0] + place.weights[1] * corners[1] +
+           place.weights[2] * corners[2];
+  }
+};
+
+// Where the third corner of the face at side h lies if that side runs from
+// (0, 0) along the positive x axis. REQUIRES: the side has a length.
 Vec2 ApexInFrame(const TriangleSoup& soup, const HalfEdges& edges, uint32_t h) {
   const Vec3 a = ToVec3(soup.positions[edges.From(h)]);
   const Vec3 d = ToVec3(soup.positions[edges.To(h)]) - a;
@@ -96,73 +128,239 @@ Vec2 ApexInFrame(const TriangleSoup& soup, const HalfEdges& edges, uint32_t h) {
   return {Dot(d, e) / length, Norm(Cross(d, e)) / length};
 }
 
+// What lies in a face: nodes that are not its corners, and pieces of curves.
+struct Inside {
+  std::vector<std::pair<uint32_t, Place>> points;  // node
+  struct Piece {
+    uint32_t curve;
+    Place begin, end;
+  };
+  std::vector<Piece> pieces;
+};
+
 class Unfolder {
  public:
-  explicit Unfolder(const TriangleSoup& soup)
-      : soup_(soup), edges_(soup), outgoing_(soup.positions.size()) {
-    const size_t vertices = soup.positions.size();
-    for (uint32_t h = 0; h < edges_.size(); ++h) {
-      outgoing_[edges_.From(h)].push_back(h);
-      const Vec3 a = ToVec3(soup.positions[edges_.From(h)]);
-      const Vec3 b = ToVec3(soup.positions[edges_.To(h)]);
-      std::vector<Real>& row = straight_.emplace_back(vertices);
-      for (size_t v = 0; v < vertices; ++v) {
-        row[v] = DistanceToSegment(ToVec3(soup.positions[v]), a, b);
+  // `nodes` beyond the vertices.
+  Unfolder(const TriangleSoup& soup, const std::vector<SurfacePoint>& nodes,
+           const std::vector<CurveSource>& curves)
+      : soup_(soup), edges_(soup), inside_(soup.triangles.size()) {
+    for (uint32_t v = 0; v < soup.positions.size(); ++v) {
+      places_.push_back(PlacesOf(soup, VertexPoint{v}));
+      positions_.push_back(ToVec3(soup.positions[v]));
+    }
+    for (const SurfacePoint& node : nodes) {
+      for (const Place& place : places_.emplace_back(PlacesOf(soup, node))) {
+        inside_[place.face].points.emplace_back(places_.size() - 1, place);
       }
+      positions_.push_back(PositionIn(soup, node));
+    }
+    for (uint32_t c = 0; c < curves.size(); ++c) AddCurve(c, curves[c]);
+    for (uint32_t h = 0; h < edges_.size(); ++h) {
+      const Vec3 a = positions_[edges_.From(h)];
+      const Vec3 b = positions_[edges_.To(h)];
+      std::vector<Real>& row = straight_.emplace_back();
+      for (const Vec3& p : positions_) {
+        row.push_back(DistanceToSegment(p, a, b));
+      }
+    }
+    for (uint32_t v = 0; v < soup.positions.size(); ++v) {
+      along_edges_.push_back(EdgeDistances(soup, v));
     }
   }
 
-  // The least lengths of straight lines and edges from `source`.
-  std::vector<Real> DirectDistances(uint32_t source) {
-    direct_.assign(soup_.positions.size(), kInfinity);
-    direct_[source] = 0;
-    bound_ = EdgeDistances(soup_, source);
-    for (const uint32_t h : outgoing_[source]) OpenFace(source, h);
+  // The least lengths of straight lines and edges from a node to all nodes,
+  // and to all curves. False if that takes more windows than are left.
+  bool Unfold(uint32_t node, std::vector<Real>* direct,
+              std::vector<Real>* to_curves, uint64_t* windows_left) {
+    direct_.assign(positions_.size(), kInfinity);
+    direct_[node] = 0;
+    to_curves_.assign(curve_nodes_.size(), kInfinity);
+    BoundByEdges(node);
+    for (const Place& place : places_[node]) OpenFace(place);
     while (!windows_.empty()) {
+      if ((*windows_left)-- == 0) return false;
       const Window window = windows_.back();
       windows_.pop_back();
       Propagate(window);
     }
-    return direct_;
+    *direct = direct_;
+    *to_curves = to_curves_;
+    return true;
   }
 
  private:
-  void Reach(uint32_t v, Real distance) {
-    direct_[v] = std::min(direct_[v], distance);
-    bound_[v] = std::min(bound_[v], distance);
+  // Also where a curve is one point or stands still.
+  void AddCurve(uint32_t number, const CurveSource& curve) {
+    std::vector<std::vector<Place>> places;
+    for (const SurfacePoint& point : curve.points) {
+      places.push_back(PlacesOf(soup_, point));
+    }
+    curve_nodes_.push_back(places);
+    for (size_t i = 0; i < places.size(); ++i) {
+      for (const Place& begin : places[i > 0 ? i - 1 : 0]) {
+        for (const Place& end : places[i]) {
+          if (begin.face != end.face) continue;
+          inside_[begin.face].pieces.push_back({number, begin, end});
+        }
+      }
+    }
   }
 
-  // The face left of h, which leaves the source, gives the first window.
-  void OpenFace(uint32_t source, uint32_t h) {
-    const uint32_t b = edges_.To(h), c = edges_.Opposite(h);
-    const Real length = Distance(soup_.positions[source], soup_.positions[b]);
-    Reach(b, length);
-    Reach(c, Distance(soup_.positions[source], soup_.positions[c]));
-    if (length == 0) return;  // b opens the faces on the other side
-    const Vec2 right{length, 0}, left = ApexInFrame(soup_, edges_, h);
-    Push({NextSide(h), right, left, right, left});
+  // Upper bounds on all distances from the node: straight to a corner of its
+  // face, along edges, and straight from a corner.
+  void BoundByEdges(uint32_t node) {
+    bound_.assign(positions_.size(), kInfinity);
+    for (const Place& place : places_[node]) {
+      for (const uint32_t corner : soup_.triangles[place.face]) {
+        const Real to_corner = Norm(positions_[node] - positions_[corner]);
+        for (size_t v = 0; v < along_edges_.size(); ++v) {
+          bound_[v] = std::min(bound_[v], to_corner + along_edges_[corner][v]);
+        }
+      }
+    }
+    if (node < along_edges_.size()) bound_[node] = 0;
+    for (size_t p = along_edges_.size(); p < positions_.size(); ++p) {
+      bound_[p] = BoundAt(places_[p], positions_[p]);
+    }
+    curve_bound_.clear();
+    for (const std::vector<std::vector<Place>>& curve : curve_nodes_) {
+      Real least = kInfinity;
+      for (const std::vector<Place>& places : curve) {
+        if (places.empty()) continue;
+        Vec3 at;
+        for (int i = 0; i < 3; ++i) {
+          const uint32_t v = soup_.triangles[places[0].face][i];
+          at = at + places[0].weights[i] * positions_[v];
+        }
+        least = std::min(least, BoundAt(places, at));
+      }
+      curve_bound_.push_back(least);
+    }
   }
 
-  // Through the window's half-edge into the face beyond.
+  Real BoundAt(const std::vector<Place>& places, Vec3 at) const {
+    Real least = kInfinity;
+    for (const Place& place : places) {
+      for (const uint32_t corner : soup_.triangles[place.face]) {
+        least = std::min(least, bound_[corner] + Norm(at - positions_[corner]));
+      }
+    }
+    return least;
+  }
+
+  void Reach(uint32_t node, Real distance) {
+    direct_[node] = std::min(direct_[node], distance);
+    bound_[node] = std::min(bound_[node], distance);
+  }
+  void ReachCurve(uint32_t curve, Real distance) {
+    to_curves_[curve] = std::min(to_curves_[curve], distance);
+    curve_bound_[curve] = std::min(curve_bound_[curve], distance);
+  }
+
+  // The face laid into the plane with `place` at the origin.
+  PlaneFace LayDown(const Place& place) const {
+    // From the longest side: others may have no length.
+    uint32_t base = 3 * place.face;
+    const auto length = [&](uint32_t h) {
+      return Norm(positions_[edges_.To(h)] - positions_[edges_.From(h)]);
+    };
+    for (uint32_t h = base; h < 3 * place.face + 3; ++h) {
+      if (length(h) > length(base)) base = h;
+    }
+    PlaneFace plane{.face = place.face, .corners = {}};
+    if (length(base) == 0) return plane;
+    plane.corners[NextSide(base) % 3] = {length(base), 0};
+    plane.corners[PreviousSide(base) % 3] = ApexInFrame(soup_, edges_, base);
+    const Vec2 origin = plane.At(place);
+    for (Vec2& corner : plane.corners) corner = corner - origin;
+    // Exactly, where the place is a corner or coincides with one.
+    Vec3 at;
+    for (int i = 0; i < 3; ++i) {
+      at = at + place.weights[i] * positions_[soup_.triangles[place.face][i]];
+    }
+    for (int i = 0; i < 3; ++i) {
+      if (Norm(positions_[soup_.triangles[place.face][i]] - at) == 0) {
+        plane.corners[i] = {0, 0};
+      }
+    }
+    return plane;
+  }
+
+  // A face that holds the source: all of it is seen.
+  void OpenFace(const Place& place) {
+    const PlaneFace plane = LayDown(place);
+    const Triangle& corners = soup_.triangles[place.face];
+    for (int i = 0; i < 3; ++i) Reach(corners[i], Norm(plane.corners[i]));
+    for (const auto& [node, at] : inside_[place.face].points) {
+      Reach(node, Norm(plane.At(at)));
+    }
+    for (const Inside::Piece& piece : inside_[place.face].pieces) {
+      ReachCurve(piece.curve, Norm(NearestOnSegment(plane.At(piece.begin),
+                                                    plane.At(piece.end))));
+    }
+    for (uint32_t i = 0; i < 3; ++i) {
+      // Across a side that holds the source lies another face around it. A
+      // corner that coincides with the source opens the faces beyond itself.
+      if (place.weights[(i + 2) % 3] == 0) continue;
+      const Vec2 from = plane.corners[i], to = plane.corners[(i + 1) % 3];
+      if (Norm(from) == 0 || Norm(to) == 0) continue;
+      Push({3 * place.face + i, corners[i], from, to, from, to});
+    }
+  }
+
+  // Through the window's edge into the faces beyond.
   void Propagate(const Window& w) {
-    const uint32_t h = edges_.Twin(w.half_edge);  // runs from w.to to w.from
-    if (h == kBorder || !CanImprove(w)) return;
+    if (!CanImprove(w)) return;
+    for (const uint32_t h : edges_.Others(w.half_edge)) Enter(w, h);
+  }
+
+  void Enter(const Window& w, uint32_t h) {
     const Vec2 in_frame = ApexInFrame(soup_, edges_, h);
     const Vec2 along = (1 / Norm(w.from - w.to)) * (w.from - w.to);
-    const Vec2 apex =
-        w.to + in_frame.x * along + in_frame.y * Perpendicular(along);
-    if (Sees(w, apex)) {
-      // By way of the half-edge, lest a window seen edge-on lets the line reach
-      // an apex that lies before it.
-      const Vec2 crossing = OnRay(apex, w.from, w.to);
-      Reach(edges_.Opposite(h), Norm(crossing) + Norm(apex - crossing));
-    }
+    // Seen from beyond the edge runs from w.to to w.from, unless the face is
+    // turned over.
+    const bool is_turned = edges_.From(h) == w.from_vertex;
+    const Real x = is_turned ? Norm(w.from - w.to) - in_frame.x : in_frame.x;
+    const Vec2 apex = w.to + x * along + in_frame.y * Perpendicular(along);
+    if (Sees(w, apex)) Reach(edges_.Opposite(h), ThroughEdge(w, apex));
+    LookInside(w, h, apex);
     // An apex where the source is opens the faces beyond by itself.
     if (Norm(apex) <= kLeastOpening * Norm(w.from - w.to)) return;
+    const uint32_t at_from = is_turned ? PreviousSide(h) : NextSide(h);
+    const uint32_t at_to = is_turned ? NextSide(h) : PreviousSide(h);
     const Vec2 left_end = TurnsLeft(apex, w.left) ? apex : w.left;
-    Push({NextSide(h), w.from, apex, w.right, left_end});
+    Push({at_from, w.from_vertex, w.from, apex, w.right, left_end});
     const Vec2 right_end = TurnsLeft(w.right, apex) ? apex : w.right;
-    Push({PreviousSide(h), apex, w.to, right_end, w.left});
+    Push({at_to, edges_.Opposite(h), apex, w.to, right_end, w.left});
+  }
+
+  // By way of the edge, lest a window seen edge-on lets the line reach a point
+  // that lies before it.
+  static Real ThroughEdge(const Window& w, Vec2 p) {
+    const Vec2 crossing = OnRay(p, w.from, w.to);
+    return Norm(crossing) + Norm(p - crossing);
+  }
+
+  // What the window shows in the face at side h.
+  void LookInside(const Window& w, uint32_t h, Vec2 apex) {
+    const Inside& inside = inside_[h / 3];
+    if (inside.points.empty() && inside.pieces.empty()) return;
+    const bool is_turned = edges_.From(h) == w.from_vertex;
+    PlaneFace plane{.face = h / 3, .corners = {}};
+    plane.corners[h % 3] = is_turned ? w.from : w.to;
+    plane.corners[NextSide(h) % 3] = is_turned ? w.to : w.from;
+    plane.corners[PreviousSide(h) % 3] = apex;
+    for (const auto& [node, place] : inside.points) {
+      const Vec2 at = plane.At(place);
+      if (Sees(w, at)) Reach(node, ThroughEdge(w, at));
+    }
+    for (const Inside::Piece& piece : inside.pieces) {
+      Vec2 nearest;
+      if (NearestVisible(w, plane.At(piece.begin), plane.At(piece.end),
+                         &nearest)) {
+        ReachCurve(piece.curve, ThroughEdge(w, nearest));
+      }
+    }
   }
 
   void Push(const Window& w) {
@@ -170,8 +368,8 @@ class Unfolder {
   }
 
   // Whether a path through the window might be shorter than a known one, for
-  // some vertex: it cannot be shorter than the way to the visible part of the
-  // half-edge and a straight line in space from the half-edge on.
+  // some node: it cannot be shorter than the way to the visible part of the
+  // edge and a straight line in space from the edge on.
   bool CanImprove(const Window& w) const {
     const Real least = DistanceToVisiblePart(w);
     const std::vector<Real>& onward = straight_[w.half_edge];
@@ -179,33 +377,52 @@ class Unfolder {
       if (bound_[v] == kInfinity) continue;  // out of reach altogether
       if (least + onward[v] <= bound_[v] * (1 + kBoundSlack)) return true;
     }
-    return false;
+    return std::ranges::any_of(curve_bound_, [&](Real bound) {
+      return bound != kInfinity && least <= bound * (1 + kBoundSlack);
+    });
   }
 
   const TriangleSoup& soup_;
   const HalfEdges edges_;
-  std::vector<std::vector<uint32_t>> outgoing_;
-  std::vector<std::vector<Real>> straight_;  // half-edge to vertex, in space
-  std::vector<Real> direct_, bound_;         // from the current source
+  std::vector<Inside> inside_;              // one per face
+  std::vector<std::vector<Place>> places_;  // of nodes
+  std::vector<Vec3> positions_;             // of nodes
+  std::vector<std::vector<std::vector<Place>>> curve_nodes_;
+  std::vector<std::vector<Real>> straight_;     // side to node, in space
+  std::vector<std::vector<Real>> along_edges_;  // vertex to vertex
+  // From the current source.
+  std::vector<Real> direct_, bound_, to_curves_, curve_bound_;
   std::vector<Window> windows_;
 };
 
 }  // namespace
 
-BruteForce::BruteForce(const TriangleSoup& soup) {
-  Unfolder unfolder(soup);
-  for (uint32_t v = 0; v < soup.positions.size(); ++v) {
-    direct_.push_back(unfolder.DirectDistances(v));
+BruteForce::BruteForce(const TriangleSoup& soup,
+                       const std::vector<SurfacePoint>& points,
+                       const std::vector<CurveSource>& curves,
+                       uint64_t most_windows)
+    : vertex_count_(static_cast<uint32_t>(soup.positions.size())),
+      points_(points) {
+  for (const CurveSource& curve : curves) {
+    curve_offsets_.push_back(curve.offset);
+  }
+  Unfolder unfolder(soup, points, curves);
+  for (uint32_t v = 0; is_complete_ && v < vertex_count_ + points.size(); ++v) {
+    is_complete_ = unfolder.Unfold(v, &direct_.emplace_back(),
+                                   &to_curves_.emplace_back(), &most_windows);
   }
 }
 
-std::vector<double> BruteForce::Distances(
-    std::span<const Source> sources) const {
-  std::vector<Real> distances(direct_.size(), kInfinity);
-  for (const Source& s : sources) {
-    Real& distance = distances[std::get<VertexPoint>(s.point).vertex];
-    distance = std::min<Real>(distance, s.offset);
+uint32_t BruteForce::NodeAt(const SurfacePoint& point) const {
+  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+    return vertex->vertex;
   }
+  const auto at = std::ranges::find(points_, point);
+  assert(at != points_.end());
+  return vertex_count_ + static_cast<uint32_t>(at - points_.begin());
+}
+
+std::vector<double> BruteForce::Spread(std::vector<Real> distances) const {
   // Dijkstra on the complete graph of direct distances.
   std::vector<bool> settled(direct_.size(), false);
   while (true) {
@@ -226,9 +443,35 @@ std::vector<double> BruteForce::Distances(
   return {distances.begin(), distances.end()};
 }
 
+std::vector<Real> BruteForce::Seeds(std::span<const Source> sources) const {
+  std::vector<Real> distances(direct_.size(), kInfinity);
+  for (const Source& s : sources) {
+    Real& distance = distances[NodeAt(s.point)];
+    distance = std::min<Real>(distance, s.offset);
+  }
+  return distances;
+}
+
+std::vector<double> BruteForce::Distances(
+    std::span<const Source> sources) const {
+  return Spread(Seeds(sources));
+}
+
 std::vector<double> BruteForce::Distances(uint32_t source) const {
   const Source sources[] = {{VertexPoint{source}}};
   return Distances(sources);
+}
+
+std::vector<double> BruteForce::DistancesFromAll(
+    std::span<const Source> sources) const {
+  std::vector<Real> distances = Seeds(sources);
+  for (size_t v = 0; v < distances.size(); ++v) {
+    for (size_t c = 0; c < curve_offsets_.size(); ++c) {
+      distances[v] =
+          std::min(distances[v], curve_offsets_[c] + to_curves_[v][c]);
+    }
+  }
+  return Spread(std::move(distances));
 }
 
 }  // namespace geodesic::test

@@ -19,19 +19,26 @@ inline uint32_t PreviousSide(uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
 class HalfEdges {
  public:
-  // REQUIRES: edges have at most two faces, and these agree in orientation.
-  // `soup` must outlive this object.
+  // Any number of faces may share an edge, in either orientation. `soup` must
+  // outlive this object.
   explicit HalfEdges(const TriangleSoup& soup);
 
-  uint32_t size() const { return static_cast<uint32_t>(twins_.size()); }
-  uint32_t Twin(uint32_t h) const { return twins_[h]; }
+  uint32_t size() const { return static_cast<uint32_t>(others_.size()); }
   uint32_t From(uint32_t h) const { return soup_.triangles[h / 3][h % 3]; }
   uint32_t To(uint32_t h) const { return From(NextSide(h)); }
   uint32_t Opposite(uint32_t h) const { return From(PreviousSide(h)); }
 
+  // The other sides of faces that run along the same edge.
+  const std::vector<uint32_t>& Others(uint32_t h) const { return others_[h]; }
+  // The only other one, or kBorder.
+  // REQUIRES: edges have at most two faces.
+  uint32_t Twin(uint32_t h) const {
+    return others_[h].empty() ? kBorder : others_[h][0];
+  }
+
  private:
   const TriangleSoup& soup_;
-  std::vector<uint32_t> twins_;
+  std::vector<std::vector<uint32_t>> others_;
 };
 
 }  // namespace geodesic::test

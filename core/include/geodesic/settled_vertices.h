@@ -16,14 +16,17 @@ struct SettledVertex {
   double distance = 0;  // in the unit of the file; final
 };
 
-// Gives out every vertex once, in order of distance (of number at a tie).
+// Gives out every vertex once, in order of distance (of number at a tie), up to
+// rounding between calls.
 class SettledVertices {
  public:
   // The vertices that have become final since the last call. O(V).
   std::vector<SettledVertex> Collect(const Progress& progress);
 
  private:
-  double radius_ = -1;
+  // By radius alone a vertex would be lost whose distance improves by a rounding
+  // just as the radius passes it.
+  std::vector<bool> given_;
 };
 
 }  // namespace geodesic

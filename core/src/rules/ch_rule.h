@@ -11,7 +11,8 @@
 // lean of the rays at the apex, which differs even where the apex lies on the
 // edge. Where both rays lie on one line nothing crosses, and both children
 // stay: the worse window may come from behind the better one's pseudo-source,
-// past which its other rays go undisturbed.
+// past which its other rays go undisturbed. So they may wherever a source other
+// than at a vertex lies between a window's rays (Front::MayPassBy).
 //
 // Without the filter, nothing else ends a window on a closed surface, so two
 // facts do, which any shortest path obeys: it enters a face once at most (the
@@ -113,6 +114,7 @@ class ChenHanRule {
   struct Best {
     double distance = std::numeric_limits<double>::infinity();
     double lean = 0;
+    uint32_t pseudo_source = 0;
   };
 
   // The face a window crosses.
@@ -208,10 +210,11 @@ bool ChenHanRule<Queue, kFilter>::Propagate(uint32_t id) {
   // Grows as the ray into the apex comes from further left.
   const double lean = (frame.apex_x - origin.x) / to_apex;
   Best& best = best_[h];
-  const bool is_worse = Exceeds(at_apex, best.distance);
+  const bool is_worse = Exceeds(at_apex, best.distance) &&
+                        !front_.MayPassBy(best.pseudo_source, pseudo_source);
   const bool goes_left = !is_worse || lean > best.lean - kSameRay;
   const bool goes_right = !is_worse || lean < best.lean + kSameRay;
-  if (at_apex < best.distance) best = {at_apex, lean};
+  if (at_apex < best.distance) best = {at_apex, lean, pseudo_source};
   if (goes_left) PropagateLeft(entry, face, true);
   if (goes_right) PropagateRight(entry, face, true);
   return true;

@@ -5,6 +5,7 @@
 #ifndef GEODESIC_RULES_FRONT_H_
 #define GEODESIC_RULES_FRONT_H_
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -51,6 +52,14 @@ class Front {
   // vertex, the offset of an anchor.
   double PseudoSourceDistance(uint32_t pseudo_source) const {
     return distances_[pseudo_source];
+  }
+  // Whether the rays of pseudo-source `other` may pass by `nearer` on both its
+  // sides and be the shortest there. Not if it is a vertex, since windows end
+  // at vertices; nor behind the only source, or one with itself, since whoever
+  // comes from behind it is farther everywhere.
+  bool MayPassBy(uint32_t nearer, uint32_t other) const {
+    return nearer >= mesh_.vertex_count() && nearer != other &&
+           distances_.size() > mesh_.vertex_count() + 1;
   }
   uint64_t reached() const { return reached_; }
   uint64_t bytes() const {
@@ -128,8 +137,11 @@ class Front {
       const Arrival straight{.pseudo_source = number};
       for (uint32_t corner = 0; corner < 3; ++corner) {
         const HalfEdge h = 3 * point.face + corner;
-        Relax(mesh_.From(h), sigma + DistanceToCorner(mesh_, point, corner),
-              straight);
+        const double to_corner = DistanceToCorner(mesh_, point, corner);
+        if (to_corner <= kNearVertex * LongestEdgeAt(mesh_.From(h))) {
+          states_[mesh_.From(h)] |= kSource;
+        }
+        Relax(mesh_.From(h), sigma + to_corner, straight);
         // The faces beyond an edge that holds the point are around it too.
         if (point.weights[Prev(h) % 3] == 0) continue;
         const PlanePoint at = InFrame(mesh_, point, h);
@@ -178,6 +190,17 @@ class Front {
     kPending = 2,  // improved since it was last expanded
   };
 
+  // Of the faces around v.
+  double LongestEdgeAt(uint32_t v) const {
+    double longest = 0;
+    for (HalfEdge h : mesh_.Outgoing(v)) {
+      longest =
+          std::max({longest, mesh_.frame(h).length, mesh_.frame(Next(h)).length,
+                    mesh_.frame(Prev(h)).length});
+    }
+    return longest;
+  }
+
   // Through how many faces without area in a row a pseudo-source looks on.
   static constexpr int kMostFolds = 16;
 
@@ -193,6 +216,7 @@ class Front {
       open(half_edge, pseudo_source, origin);
       return;
     }
+    Observe(half_edge, Window::Over({0, frame.length}, origin), pseudo_source);
     Relax(mesh_.Apex(half_edge), origin.sigma + DistanceToApex(origin, frame),
           {pseudo_source, half_edge, origin.x, origin.depth});
     Look(frame.left_exit, UnfoldLeft(origin, frame), pseudo_source, folds - 1,

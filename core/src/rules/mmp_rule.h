@@ -232,12 +232,22 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
     front_.Observe(half_edge, part.window, pseudo_source);
     Enqueue(half_edge, label);
   };
-  while (const ListedWindow* next = lists_.Next(half_edge)) {
-    const Interval held = next->window.interval;
+  while (ListedWindow* older = lists_.Next(half_edge)) {
+    const Interval held = older->window.interval;
     if (held.begin >= interval.end) break;
     const Interval overlap{std::max(held.begin, interval.begin),
                            std::min(held.end, interval.end)};
-    const Interval won = WonByNewer(next->window, newer);
+    if (front_.MayPassBy(older->pseudo_source, pseudo_source) ||
+        front_.MayPassBy(pseudo_source, older->pseudo_source)) {
+      if (const auto at = SplitBeforeContest(older->window, newer);
+          at.has_value()) {
+        put_down(overlap.begin);
+        Insert(half_edge, pseudo_source, origin, {overlap.begin, *at});
+        Insert(half_edge, pseudo_source, origin, {*at, interval.end});
+        return;
+      }
+    }
+    const Interval won = WonByNewer(older->window, newer);
     if (won.width() <= 0) {
       put_down(overlap.begin);
       held_from = overlap.end;
@@ -245,7 +255,7 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
       continue;
     }
     if (won.begin > overlap.begin) {
-      put_down(overlap.begin);  // `next` may have moved
+      put_down(overlap.begin);
       held_from = won.begin;
     }
     const Interval before{held.begin, won.begin};
@@ -257,7 +267,7 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
     const double label = lists_.NextLabel(half_edge);
     if (label != kPropagated) pending_ += keeps_before + keeps_after - 1;
     if (keeps_before) {
-      ListedWindow part = *lists_.Next(half_edge);
+      ListedWindow part = *older;
       part.window.CutTo(before);
       lists_.Add(half_edge, part, label);
       // Both ends of a window in the queue are left: it counts twice now.

@@ -102,4 +102,23 @@ Interval WonByNewer(const Window& older, const Window& newer) {
   return wins_begin ? Interval{begin, crossing} : Interval{crossing, end};
 }
 
+std::optional<double> SplitBeforeContest(const Window& older,
+                                         const Window& newer) {
+  const Origin& p = older.origin;
+  const Origin& q = newer.origin;
+  const double at = (q.x * p.depth - p.x * q.depth) / (p.depth - q.depth);
+  const double begin = std::max(older.interval.begin, newer.interval.begin);
+  const double end = std::min(older.interval.end, newer.interval.end);
+  if (!(at > begin && at < end)) return std::nullopt;
+  const Contest at_begin = AtBegin(older, newer);
+  const Contest at_end = AtEnd(older, newer);
+  const Contest between{older.DistanceTo(at), newer.DistanceTo(at)};
+  const bool newer_passes =
+      between.newer_wins() && !at_begin.newer_wins() && !at_end.newer_wins();
+  const bool older_passes =
+      between.newer_loses() && !at_begin.newer_loses() && !at_end.newer_loses();
+  if (!newer_passes && !older_passes) return std::nullopt;
+  return at;
+}
+
 }  // namespace geodesic

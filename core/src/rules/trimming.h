@@ -3,6 +3,8 @@
 #ifndef GEODESIC_RULES_TRIMMING_H_
 #define GEODESIC_RULES_TRIMMING_H_
 
+#include <optional>
+
 #include "windows/window.h"
 
 namespace geodesic {
@@ -16,8 +18,16 @@ namespace geodesic {
 // because its ray runs through the nearer pseudo-source, a vertex, and windows
 // end at vertices. Equal signs at the ends thus mean one sign throughout, and
 // different signs exactly one crossing.
-// REQUIRES: the windows overlap.
+// REQUIRES: the windows overlap, and SplitBeforeContest has nothing to split.
 Interval WonByNewer(const Window& older, const Window& newer);
+
+// That ray may run through a pseudo-source that is no vertex, though, and end
+// no window (Front::MayPassBy). The point where it meets the edge, if the
+// window that is nearer there is nearer at neither end of the overlap: on
+// either side of that point WonByNewer holds again. REQUIRES: the windows
+// overlap.
+std::optional<double> SplitBeforeContest(const Window& older,
+                                         const Window& newer);
 
 }  // namespace geodesic
 

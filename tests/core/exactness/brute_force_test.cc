@@ -18,6 +18,7 @@
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/random.h"
+#include "tests/support/random_meshes.h"
 #include "tests/support/test_meshes.h"
 
 namespace geodesic::test {
@@ -162,12 +163,13 @@ TEST_P(RandomMeshes, ClosedAndFlipped) {
 }
 
 TEST_P(RandomMeshes, ZeroAreaFaces) {
-  ExpectBruteForceOnMany("terrain with zero-area faces", [](uint64_t seed) {
-    std::vector<uint32_t> doubled;
-    const TriangleSoup soup =
-        DoubleVertices(Terrain(4, 4, 0.5, seed), 2, seed, &doubled);
-    return InsertZeroAreaFaces(soup, 5, seed);
-  });
+  ExpectBruteForceUpToRounding(
+      "terrain with zero-area faces", [](uint64_t seed) {
+        std::vector<uint32_t> doubled;
+        const TriangleSoup soup =
+            DoubleVertices(Terrain(4, 4, 0.5, seed), 2, seed, &doubled);
+        return InsertZeroAreaFaces(soup, 5, seed);
+      });
 }
 
 // Heights of a few steps on a regular grid: coplanar faces and ties next to
@@ -180,48 +182,6 @@ TEST_P(RandomMeshes, SteppedTerrains) {
     for (Point& p : soup.positions) p[2] = random.Below(3) == 0 ? 1 : 0;
     return soup;
   });
-}
-
-// Solids and sheets of every kind, edited at random. Turned edges of flat parts
-// give faces without area and faces folded over.
-TriangleSoup EditedMesh(uint64_t seed, bool degenerate) {
-  Random random(seed);
-  const GridOptions grid{.columns = 3 + random.Below(4),
-                         .rows = 3 + random.Below(3),
-                         .diagonals = static_cast<Diagonals>(random.Below(3)),
-                         .jitter = random.Below(2) == 0 ? 0 : 0.2,
-                         .seed = seed};
-  TriangleSoup soup;
-  switch (seed % 5) {
-    case 0:
-      soup = MakePlate(random.Below(2) == 0 ? WithHole(grid) : UShape(grid),
-                       random.Uniform(0.1, 2));
-      break;
-    case 1:
-      soup = MakeGrid(grid);
-      for (Point& p : soup.positions) p[2] = random.Below(3);
-      break;
-    case 2:
-      soup = BoxGrid(1, 2, 3, 2, 1 + random.Below(3), 1 + random.Below(3));
-      break;
-    case 3:
-      soup = UvSphere(3 + random.Below(8), 3 + random.Below(4));
-      break;
-    case 4:
-      soup = Fan({.spokes = 8,
-                  .rings = 1 + random.Below(3),
-                  .total_angle = random.Uniform(0.2, 12),
-                  .closed = random.Below(2) == 0})
-                 .soup();
-      break;
-  }
-  soup = FlipEdges(soup, random.Below(20), seed);
-  if (degenerate) {
-    std::vector<uint32_t> doubled;
-    soup = InsertZeroAreaFaces(soup, 1 + random.Below(4), seed);
-    soup = DoubleVertices(soup, random.Below(3), seed, &doubled);
-  }
-  return RotateAndShift(SplitFaces(soup, random.Below(8), seed), seed);
 }
 
 TEST_P(RandomMeshes, Edited) {

@@ -1,0 +1,53 @@
+#include "bench/stress/answers.h"
+
+#include <cmath>
+
+#include "geodesic/solve.h"
+
+namespace geodesic::stress {
+
+std::vector<double> AllDistances(const DistanceField& field) {
+  std::vector<double> all = field.distances;
+  all.insert(all.end(), field.target_distances.begin(),
+             field.target_distances.end());
+  return all;
+}
+
+std::vector<double> AllDistances(const Mesh& mesh, const Query& query,
+                                 Report& report) {
+  NoCheckpoint checkpoint;
+  const absl::StatusOr<DistanceField> field =
+      Solve(mesh, query, {}, checkpoint);
+  report.Check(field.ok(), "a valid query is answered", field.status(), ", ",
+               Name(query));
+  return field.ok() ? AllDistances(*field) : std::vector<double>{};
+}
+
+bool AreEqual(double expected, double got, double slack) {
+  if (expected == got) return true;  // infinite ones too
+  return std::abs(expected - got) <= kTolerance * std::abs(expected) + slack;
+}
+
+void CheckEqual(std::string_view law, const Query& query,
+                const std::vector<double>& expected,
+                const std::vector<double>& got, double slack, Report& report) {
+  if (!report.Check(expected.size() == got.size(), law, "sizes ",
+                    expected.size(), " and ", got.size(), ", ", Name(query))) {
+    return;
+  }
+  size_t wrong = 0, worst = 0;
+  for (size_t i = 0; i < got.size(); ++i) {
+    if (AreEqual(expected[i], got[i], slack)) continue;
+    ++wrong;
+    if (std::abs(got[i] - expected[i]) >
+        std::abs(got[worst] - expected[worst])) {
+      worst = i;
+    }
+    if (wrong == 1) worst = i;
+  }
+  report.Check(wrong == 0, law, wrong, " of ", got.size(),
+               " differ, the worst at ", worst, ": expected ", expected[worst],
+               ", got ", got[worst], ", ", Name(query));
+}
+
+}  // namespace geodesic::stress

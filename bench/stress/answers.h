@@ -1,0 +1,37 @@
+// Solving, and comparing answers.
+
+#ifndef GEODESIC_BENCH_STRESS_ANSWERS_H_
+#define GEODESIC_BENCH_STRESS_ANSWERS_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/stress/report.h"
+#include "bench/stress/scene.h"
+#include "geodesic/distance_field.h"
+#include "geodesic/mesh.h"
+#include "geodesic/query.h"
+
+namespace geodesic::stress {
+
+// What the solver promises: relative error of distances.
+inline constexpr double kTolerance = 1e-10;
+
+// Distances of all vertices, then of all targets; empty, and reported, if the
+// solver fails.
+std::vector<double> AllDistances(const Mesh& mesh, const Query& query,
+                                 Report& report);
+std::vector<double> AllDistances(const DistanceField& field);
+
+// Whether the two are equal up to kTolerance and `slack`, or both infinite.
+bool AreEqual(double expected, double got, double slack);
+
+// Checks that all of the two are; names the worst.
+void CheckEqual(std::string_view law, const Query& query,
+                const std::vector<double>& expected,
+                const std::vector<double>& got, double slack, Report& report);
+
+}  // namespace geodesic::stress
+
+#endif  // GEODESIC_BENCH_STRESS_ANSWERS_H_

@@ -1,0 +1,28 @@
+// The laws: each draws its questions on a scene and checks the answers.
+
+#ifndef GEODESIC_BENCH_STRESS_LAWS_H_
+#define GEODESIC_BENCH_STRESS_LAWS_H_
+
+#include "bench/stress/report.h"
+#include "bench/stress/scene.h"
+#include "tests/support/random.h"
+
+namespace geodesic::stress {
+
+// REQUIRES, of all: the scene has a mesh.
+
+// d(s) = 0, symmetry, triangle inequality, Lipschitz along edges, Euclid <= d
+// <= edge path, a point made a vertex, all algorithms agree, the same bits
+// again, rigid motion and relabelling.
+void CheckFieldLaws(const Scene& scene, test::Random& random, Report& report);
+
+// Brute force, with several sources with offsets and curves. Small scenes only.
+void CheckBruteForce(const Scene& scene, test::Random& random, Report& report);
+
+// Limits by radius and targets, going on, cancelling, adding sources, settled
+// vertices.
+void CheckReachLaws(const Scene& scene, test::Random& random, Report& report);
+
+}  // namespace geodesic::stress
+
+#endif  // GEODESIC_BENCH_STRESS_LAWS_H_

@@ -1,0 +1,89 @@
+// stress: draws meshes, questions and algorithms at random and checks the laws
+// that exact geodesic distances obey, for as long as it is told. Every case is
+// a number: --seed with --cases 1 runs it again.
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdint>
+#include <iostream>
+#include <limits>
+
+#include "bench/stress/laws.h"
+#include "bench/stress/report.h"
+#include "bench/stress/scene.h"
+#include "tests/support/random.h"
+
+namespace geodesic::stress {
+namespace {
+
+struct Options {
+  double seconds = 60;
+  uint64_t cases = std::numeric_limits<uint64_t>::max();
+  uint64_t seed = 1;
+  double progress_seconds = 30;
+};
+
+void RunCase(uint64_t seed, Report& report, uint64_t* refused) {
+  test::Random random(seed);
+  const Scene scene = DrawScene(random);
+  report.StartCase(seed, scene.description);
+  if (scene.mesh == nullptr) {
+    ++*refused;
+    return;
+  }
+  CheckFieldLaws(scene, random, report);
+  CheckReachLaws(scene, random, report);
+  if (scene.is_small()) CheckBruteForce(scene, random, report);
+}
+
+void Print(const Report& report, double seconds, uint64_t refused) {
+  std::cout << "stress: " << static_cast<uint64_t>(seconds) << " s, "
+            << report.cases() << " cases (" << refused << " meshes refused), "
+            << report.checks() << " checks, " << report.violations()
+            << " violations" << std::endl;
+}
+
+int Run(const Options& options) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  Report report;
+  uint64_t refused = 0;
+  double next_progress = options.progress_seconds;
+  for (uint64_t i = 0; i < options.cases && seconds() < options.seconds; ++i) {
+    RunCase(options.seed + i, report, &refused);
+    if (seconds() < next_progress) continue;
+    Print(report, seconds(), refused);
+    next_progress += options.progress_seconds;
+  }
+  for (const auto& [law, count] : report.checks_by_law()) {
+    std::cout << "  " << law << ": " << count << " checks\n";
+  }
+  Print(report, seconds(), refused);
+  return report.violations() == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace geodesic::stress
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Checks the laws of exact geodesic distances on random meshes. Exits "
+      "with 1 if one was violated."};
+  geodesic::stress::Options options;
+  app.add_option("--seconds", options.seconds, "stop after so long")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--cases", options.cases, "stop after so many cases");
+  app.add_option("--seed", options.seed,
+                 "number of the first case; the others follow")
+      ->capture_default_str();
+  app.add_option("--progress", options.progress_seconds,
+                 "seconds between lines of progress")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  return geodesic::stress::Run(options);
+}

@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "bench/stress/answers.h"
+#include "bench/stress/laws.h"
+#include "geodesic/computation.h"
+#include "geodesic/settled_vertices.h"
+
+namespace geodesic::stress {
+namespace {
+
+using test::Random;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A distance that was certified may improve by roundings, no more.
+constexpr double kRoundings = 1e-12;
+
+// Collects what settles; says stop at one poll.
+class Watcher final : public Checkpoint {
+ public:
+  explicit Watcher(uint64_t stop_at) : stop_at_(stop_at) {}
+
+  absl::Status Poll(const Progress& progress) override {
+    is_monotone_ = is_monotone_ && progress.settled_radius >= radius_;
+    radius_ = progress.settled_radius;
+    for (const SettledVertex& vertex : settled_.Collect(progress)) {
+      vertices_.push_back(vertex);
+    }
+    return polls_++ == stop_at_ ? absl::CancelledError("stop")
+                                : absl::OkStatus();
+  }
+
+  const std::vector<SettledVertex>& vertices() const { return vertices_; }
+  bool is_monotone() const { return is_monotone_; }
+  uint64_t polls() const { return polls_; }
+
+ private:
+  const uint64_t stop_at_;
+  uint64_t polls_ = 0;
+  double radius_ = 0;
+  bool is_monotone_ = true;
+  SettledVertices settled_;
+  std::vector<SettledVertex> vertices_;
+};
+
+std::unique_ptr<Computation> Start(const Scene& scene, const Query& query,
+                                   Report& report) {
+  absl::StatusOr<std::unique_ptr<Computation>> started =
+      StartComputation(*scene.mesh, query, {});
+  report.Check(started.ok(), "a valid query is answered", started.status());
+  return started.ok() ? *std::move(started) : nullptr;
+}
+
+// A limited field against the full one: present up to its radius and equal,
+// absent beyond it.
+void CheckLimited(std::string_view law, const Query& query,
+                  const DistanceField& limited, const std::vector<double>& full,
+                  Report& report) {
+  const std::vector<double> got = AllDistances(limited);
+  const double radius = limited.settled_radius;
+  bool holds = got.size() == full.size();
+  size_t worst = 0;
+  for (size_t i = 0; holds && i < full.size(); ++i) {
+    const bool is_within = full[i] < radius * (1 - kRoundings);
+    const bool is_beyond = full[i] > radius * (1 + kRoundings);
+    if ((is_within && std::isinf(got[i]) && !std::isinf(full[i])) ||
+        (is_beyond && !std::isinf(got[i])) ||
+        (!std::isinf(got[i]) &&
+         !(std::abs(got[i] - full[i]) <= kRoundings * full[i]))) {
+      holds = false;
+      worst = i;
+    }
+  }
+  report.Check(holds, law, "at ", worst, " expected ", full[worst], ", got ",
+               got[worst], ", settled radius ", radius, ", ", Name(query));
+}
+
+double FarthestOf(const std::vector<double>& distances) {
+  double farthest = 0;
+  for (const double d : distances) {
+    if (!std::isinf(d)) farthest = std::max(farthest, d);
+  }
+  return farthest;
+}
+
+void CheckRadii(const Scene& scene, const Query& query,
+                const std::vector<double>& full, Random& random,
+                Report& report) {
+  const std::unique_ptr<Computation> computation = Start(scene, query, report);
+  if (computation == nullptr) return;
+  std::vector<double> radii;
+  for (int i = 0; i < 3; ++i) {
+    radii.push_back(FarthestOf(full) * random.Uniform(0, 1));
+  }
+  // A distance that occurs, so that ties lie on the radius.
+  const double one = full[random.Below(static_cast<uint32_t>(full.size()))];
+  if (!std::isinf(one)) radii.push_back(one);
+  std::ranges::sort(radii);
+  NoCheckpoint checkpoint;
+  for (const double radius : radii) {
+    const absl::Status status =
+        computation->Advance({.radius = radius}, checkpoint);
+    report.Check(status.ok(), "advancing succeeds", status);
+    const DistanceField field = computation->Field();
+    report.Check(field.settled_radius >= radius, "a radius is reached", radius,
+                 " wanted, ", field.settled_radius, " got, ", Name(query));
+    CheckLimited("limited = full up to the radius", query, field, full, report);
+  }
+  const absl::Status status = computation->Advance({}, checkpoint);
+  report.Check(status.ok(), "advancing succeeds", status);
+  const DistanceField field = computation->Field();
+  report.Check(std::isinf(field.settled_radius), "done is done",
+               field.settled_radius, ", ", Name(query));
+  CheckLimited("step by step = one go", query, field, full, report);
+}
+
+void CheckTargets(const Scene& scene, const Query& query,
+                  const std::vector<double>& full, Random& random,
+                  Report& report) {
+  const std::unique_ptr<Computation> computation = Start(scene, query, report);
+  if (computation == nullptr) return;
+  const uint64_t wanted =
+      random.Below(static_cast<uint32_t>(query.targets.size() + 1));
+  NoCheckpoint checkpoint;
+  const absl::Status status =
+      computation->Advance({.targets = wanted}, checkpoint);
+  report.Check(status.ok(), "advancing succeeds", status);
+  const DistanceField field = computation->Field();
+  uint64_t certified = 0;
+  for (const double d : field.target_distances) certified += !std::isinf(d);
+  report.Check(certified >= wanted || std::isinf(field.settled_radius),
+               "wanted targets are certified", certified, " of ", wanted, ", ",
+               Name(query));
+  CheckLimited("limited by targets = full", query, field, full, report);
+}
+
+void CheckCancelling(const Scene& scene, const Query& query,
+                     const std::vector<double>& full, Random& random,
+                     Report& report) {
+  const std::unique_ptr<Computation> computation = Start(scene, query, report);
+  if (computation == nullptr) return;
+  Watcher watcher(random.Below(4));
+  const absl::Status status = computation->Advance({}, watcher);
+  report.Check(absl::IsCancelled(status) || status.ok(), "cancelling cancels",
+               status);
+  CheckLimited("cancelled = full where finite", query, computation->Field(),
+               full, report);
+  Watcher onward(std::numeric_limits<uint64_t>::max());
+  const absl::Status rest = computation->Advance({}, onward);
+  report.Check(rest.ok(), "a cancelled computation goes on", rest);
+  CheckLimited("cancelled and gone on = full", query, computation->Field(),
+               full, report);
+}
+
+void CheckSettling(const Scene& scene, const Query& query,
+                   const std::vector<double>& full, Report& report) {
+  const std::unique_ptr<Computation> computation = Start(scene, query, report);
+  if (computation == nullptr) return;
+  Watcher watcher(std::numeric_limits<uint64_t>::max());
+  const absl::Status status = computation->Advance({}, watcher);
+  report.Check(status.ok(), "advancing succeeds", status);
+  report.Check(watcher.is_monotone(), "the settled radius grows", Name(query));
+  std::set<uint32_t> seen;
+  double last = 0;
+  bool is_ordered = true, is_final = true;
+  for (const auto& [vertex, distance] : watcher.vertices()) {
+    seen.insert(vertex);
+    is_ordered = is_ordered && distance >= last * (1 - kRoundings);
+    is_final = is_final &&
+               std::abs(distance - full[vertex]) <= kRoundings * full[vertex];
+    last = distance;
+  }
+  uint64_t reachable = 0;
+  for (uint32_t v = 0; v < scene.mesh->vertex_count(); ++v) {
+    reachable += !std::isinf(full[v]);
+  }
+  report.Check(is_ordered, "vertices settle in order", Name(query));
+  report.Check(is_final, "settled distances are final", Name(query));
+  report.Check(
+      seen.size() == watcher.vertices().size() && seen.size() == reachable,
+      "every vertex settles once", watcher.vertices().size(), " reports of ",
+      seen.size(), " vertices, ", reachable, " reachable, ", Name(query));
+}
+
+void CheckAdding(const Scene& scene, const Query& query, Random& random,
+                 Report& report) {
+  const std::unique_ptr<Computation> computation = Start(scene, query, report);
+  if (computation == nullptr) return;
+  NoCheckpoint checkpoint;
+  absl::Status status = computation->Advance({}, checkpoint);
+  Query all = query;
+  for (int i = 0; status.ok() && i < 3; ++i) {
+    all.sources.push_back({DrawPoint(scene, random)});
+    status = computation->AddSource(all.sources.back());
+    if (status.ok()) status = computation->Advance({}, checkpoint);
+  }
+  report.Check(status.ok(), "sources are added", status);
+  CheckEqual("added sources = sources from the start", all,
+             AllDistances(*scene.mesh, all, report),
+             AllDistances(computation->Field()), scene.rounding, report);
+}
+
+}  // namespace
+
+void CheckReachLaws(const Scene& scene, Random& random, Report& report) {
+  Query query{.targets = scene.points,
+              .algorithm = DrawAlgorithm(scene, random)};
+  for (uint32_t i = random.Below(3) + 1; i > 0; --i) {
+    query.sources.push_back({DrawPoint(scene, random)});
+  }
+  const std::vector<double> full = AllDistances(*scene.mesh, query, report);
+  if (full.empty()) return;
+  CheckRadii(scene, query, full, random, report);
+  CheckTargets(scene, query, full, random, report);
+  CheckCancelling(scene, query, full, random, report);
+  CheckSettling(scene, query, full, report);
+  CheckAdding(scene, query, random, report);
+}
+
+}  // namespace geodesic::stress

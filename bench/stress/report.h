@@ -1,0 +1,62 @@
+// What a run has checked and found.
+
+#ifndef GEODESIC_BENCH_STRESS_REPORT_H_
+#define GEODESIC_BENCH_STRESS_REPORT_H_
+
+#include <cstdint>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+namespace geodesic::stress {
+
+class Report {
+ public:
+  // The case that follows; `seed` draws it again.
+  void StartCase(uint64_t seed, std::string description) {
+    seed_ = seed;
+    description_ = std::move(description);
+    ++cases_;
+  }
+
+  // Counts a check of a law; prints `details` (streamed) if it does not hold.
+  template <typename... Details>
+  bool Check(bool holds, std::string_view law, const Details&... details) {
+    ++checks_[std::string(law)];
+    if (holds) return true;
+    ++violations_;
+    std::ostringstream text;
+    text << std::setprecision(17);
+    (text << ... << details);
+    std::cout << "VIOLATION " << law << ": " << text.str() << "\n  "
+              << description_ << "\n  again: stress --cases 1 --seed " << seed_
+              << "\n"
+              << std::flush;
+    return false;
+  }
+
+  uint64_t cases() const { return cases_; }
+  uint64_t violations() const { return violations_; }
+  uint64_t checks() const {
+    uint64_t sum = 0;
+    for (const auto& [law, count] : checks_) sum += count;
+    return sum;
+  }
+  const std::map<std::string, uint64_t>& checks_by_law() const {
+    return checks_;
+  }
+
+ private:
+  uint64_t seed_ = 0;
+  std::string description_;
+  uint64_t cases_ = 0;
+  uint64_t violations_ = 0;
+  std::map<std::string, uint64_t> checks_;
+};
+
+}  // namespace geodesic::stress
+
+#endif  // GEODESIC_BENCH_STRESS_REPORT_H_

@@ -1,0 +1,276 @@
+#include "bench/stress/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "tests/support/curved_meshes.h"
+#include "tests/support/developable_meshes.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/polyhedra.h"
+#include "tests/support/random_meshes.h"
+#include "tests/support/surface_points.h"
+
+namespace geodesic::stress {
+namespace {
+
+using test::Random;
+
+bool OneIn(uint32_t n, Random& random) { return random.Below(n) == 0; }
+
+uint64_t DrawSeed(Random& random) { return random.Below(0xffffffffu); }
+
+// `size` goes with the square root of the number of faces.
+TriangleSoup DrawShape(uint32_t size, Random& random, std::string* name) {
+  const auto about = [&](uint32_t n) { return n + random.Below(n + 1); };
+  test::GridOptions grid{
+      .columns = 3 + about(size),
+      .rows = 3 + about(size),
+      .cell_width = OneIn(2, random) ? 1 : random.Uniform(0.1, 2),
+      .diagonals = static_cast<test::Diagonals>(random.Below(3)),
+      .jitter = OneIn(2, random) ? 0 : random.Uniform(0, 0.24),
+      .seed = DrawSeed(random)};
+  switch (random.Below(10)) {
+    case 0:
+      *name = "grid";
+      return test::MakeGrid(grid);
+    case 1:
+      *name = "domain";
+      switch (random.Below(3)) {
+        case 0:
+          return test::MakeGrid(test::WithHole(grid));
+        case 1:
+          return test::MakeGrid(test::LShape(grid));
+        default:
+          return test::MakeGrid(test::UShape(grid));
+      }
+    case 2:
+      *name = "plate";
+      return test::MakePlate(
+          OneIn(2, random) ? test::WithHole(grid) : test::UShape(grid),
+          random.Uniform(0.05, 2));
+    case 3:
+      *name = "terrain";
+      return test::Terrain(2 + about(size), 2 + about(size),
+                           random.Uniform(0.1, 3), DrawSeed(random));
+    case 4:
+      *name = "torus";
+      return test::Torus({.around = 3 + about(size),
+                          .across = 3 + about(size),
+                          .noise = OneIn(2, random) ? 0 : 0.3,
+                          .seed = DrawSeed(random)});
+    case 5:
+      *name = "icosphere";
+      return test::Icosphere(size < 6 ? random.Below(2) : size < 20 ? 2 : 3);
+    case 6:
+      *name = "sphere";
+      return test::UvSphere(3 + about(size), 3 + about(size));
+    case 7:
+      *name = "box";
+      return test::BoxGrid(1, random.Uniform(0.5, 2), random.Uniform(0.5, 3),
+                           1 + random.Below(size), 1 + random.Below(size),
+                           1 + random.Below(size));
+    case 8:
+      *name = "fan";
+      return test::Fan({.spokes = 4 + 2 * random.Below(size),
+                        .rings = 1 + random.Below(size),
+                        .total_angle = random.Uniform(0.2, 12),
+                        .closed = OneIn(2, random)})
+          .soup();
+    default:
+      *name = "edited";
+      return test::EditedMesh(DrawSeed(random), OneIn(3, random));
+  }
+}
+
+void AddNoise(TriangleSoup& soup, double size, Random& random) {
+  for (Point& p : soup.positions) {
+    for (double& c : p) c += random.Uniform(-size, size);
+  }
+}
+
+void Stretch(TriangleSoup& soup, double factor, uint32_t axis) {
+  for (Point& p : soup.positions) p[axis] *= factor;
+}
+
+void MakeHoles(TriangleSoup& soup, uint32_t count, Random& random) {
+  for (uint32_t i = 0; i < count && soup.triangles.size() > 2; ++i) {
+    soup.triangles.erase(
+        soup.triangles.begin() +
+        random.Below(static_cast<uint32_t>(soup.triangles.size())));
+  }
+}
+
+// A face that stands on an edge: its edges have three faces, or two.
+void AddFin(TriangleSoup& soup, Random& random) {
+  const Triangle t = soup.triangles[random.Below(
+      static_cast<uint32_t>(soup.triangles.size()))];
+  const uint32_t side = random.Below(3);
+  const uint32_t a = t[side], b = t[(side + 1) % 3];
+  Point tip = soup.positions[a];
+  const double size =
+      static_cast<double>(test::Distance(soup.positions[a], soup.positions[b]));
+  for (double& c : tip) c += size * random.Uniform(-1, 1);
+  soup.positions.push_back(tip);
+  soup.triangles.push_back(
+      {a, b, static_cast<uint32_t>(soup.positions.size() - 1)});
+}
+
+// Two vertices become one: surfaces touch, and edges may come to lie together.
+void Pinch(TriangleSoup& soup, Random& random) {
+  const uint32_t count = static_cast<uint32_t>(soup.positions.size());
+  const uint32_t from = random.Below(count), to = random.Below(count);
+  TriangleSoup pinched = soup;
+  for (Triangle& t : pinched.triangles) {
+    if (std::ranges::find(t, to) != t.end()) continue;
+    std::ranges::replace(t, from, to);
+  }
+  soup = std::move(pinched);
+}
+
+void Edit(TriangleSoup& soup, uint32_t size, Random& random,
+          std::string* name) {
+  const auto apply = [&](uint32_t one_in, const char* what, auto edit) {
+    if (!OneIn(one_in, random)) return;
+    edit();
+    *name += std::string(", ") + what;
+  };
+  if (size < 6) {  // their time goes with the square of the size
+    apply(3, "turned edges", [&] {
+      soup = test::FlipEdges(soup, 1 + random.Below(20), DrawSeed(random));
+    });
+    apply(6, "zero-area faces", [&] {
+      soup = test::InsertZeroAreaFaces(soup, 1 + random.Below(4),
+                                       DrawSeed(random));
+    });
+    apply(8, "doubled vertices", [&] {
+      std::vector<uint32_t> doubled;
+      soup = test::DoubleVertices(soup, 1 + random.Below(2), DrawSeed(random),
+                                  &doubled);
+    });
+  }
+  apply(4, "cut faces", [&] {
+    soup = test::SplitFaces(soup, 1 + random.Below(9), DrawSeed(random));
+  });
+  apply(6, "needles", [&] {
+    soup = test::InsertNeedles(soup, 1 + random.Below(5), DrawSeed(random));
+  });
+  apply(5, "noise",
+        [&] { AddNoise(soup, std::pow(10, random.Uniform(-12, 0)), random); });
+  apply(6, "stretched", [&] {
+    Stretch(soup, std::pow(10, random.Uniform(-6, 6)), random.Below(3));
+  });
+  apply(5, "holes", [&] { MakeHoles(soup, 1 + random.Below(5), random); });
+  apply(6, "another component", [&] {
+    std::string other;
+    soup = test::Join(soup, DrawShape(2, random, &other));
+  });
+  apply(8, "pinched", [&] { Pinch(soup, random); });
+  apply(6, "fins", [&] {
+    for (uint32_t i = random.Below(4) + 1; i > 0; --i) AddFin(soup, random);
+  });
+  apply(12, "a face twice", [&] {
+    soup.triangles.push_back(soup.triangles[random.Below(
+        static_cast<uint32_t>(soup.triangles.size()))]);
+  });
+  apply(6, "turned faces", [&] {
+    for (Triangle& t : soup.triangles) {
+      if (OneIn(2, random)) std::swap(t[0], t[1]);
+    }
+  });
+  apply(3, "moved",
+        [&] { soup = test::RotateAndShift(soup, DrawSeed(random)); });
+  apply(4, "relabelled",
+        [&] { soup = test::Relabel(soup, DrawSeed(random)).soup; });
+  apply(8, "scaled", [&] {
+    soup = test::Scale(soup, std::pow(10, random.Uniform(-150, 150)));
+  });
+}
+
+}  // namespace
+
+Scene DrawScene(Random& random) {
+  // Small ones are checked more thoroughly in less time.
+  const uint32_t size = OneIn(30, random) ? 24 : OneIn(4, random) ? 8 : 3;
+  Scene scene;
+  scene.soup = DrawShape(size, random, &scene.description);
+  if (scene.soup.triangles.size() <= 500) {
+    Edit(scene.soup, std::min(size, 5u), random, &scene.description);
+  } else {
+    Edit(scene.soup, size, random, &scene.description);
+  }
+  scene.description +=
+      ", " + std::to_string(scene.soup.triangles.size()) + " faces";
+  absl::StatusOr<std::shared_ptr<const Mesh>> mesh = Mesh::Build(scene.soup);
+  if (!mesh.ok()) return scene;
+  scene.mesh = *std::move(mesh);
+  double largest = 0;
+  for (const Point& p : scene.soup.positions) {
+    for (const double c : p) largest = std::max(largest, std::abs(c));
+  }
+  scene.rounding = largest * std::numeric_limits<double>::epsilon();
+  for (int i = 0; i < 8; ++i) {
+    scene.points.push_back(test::RandomSurfacePoint(scene.soup, random));
+  }
+  if (const auto* point = std::get_if<FacePoint>(&scene.points[0])) {
+    scene.points.push_back(FacePoint{point->face, {0.25, 0.5, 0.25}});
+  }
+  return scene;
+}
+
+std::vector<AlgorithmInfo> AlgorithmsFor(const Scene& scene) {
+  std::vector<AlgorithmInfo> fit;
+  for (const AlgorithmInfo& info : kAlgorithms) {
+    if (info.algorithm == Algorithm::kCh &&
+        scene.soup.triangles.size() > 1000) {
+      continue;
+    }
+    fit.push_back(info);
+  }
+  return fit;
+}
+
+Algorithm DrawAlgorithm(const Scene& scene, Random& random) {
+  const std::vector<AlgorithmInfo> fit = AlgorithmsFor(scene);
+  return fit[random.Below(static_cast<uint32_t>(fit.size()))].algorithm;
+}
+
+SurfacePoint DrawPoint(const Scene& scene, Random& random) {
+  return scene.points[random.Below(static_cast<uint32_t>(scene.points.size()))];
+}
+
+std::string Name(const SurfacePoint& point) {
+  std::ostringstream text;
+  text << std::setprecision(17);
+  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+    text << "vertex " << vertex->vertex;
+  } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
+    text << "edge " << edge->from << "-" << edge->to << " t " << edge->t;
+  } else {
+    const auto& [face, weights] = std::get<FacePoint>(point);
+    text << "face " << face << " (" << weights[0] << ", " << weights[1] << ", "
+         << weights[2] << ")";
+  }
+  return text.str();
+}
+
+std::string Name(const Query& query) {
+  std::ostringstream text;
+  text << std::setprecision(17) << AlgorithmName(query.algorithm);
+  for (const Source& source : query.sources) {
+    text << "; source " << Name(source.point);
+    if (source.offset != 0) text << " + " << source.offset;
+  }
+  for (const CurveSource& curve : query.curves) {
+    text << "; curve";
+    for (const SurfacePoint& point : curve.points) text << " " << Name(point);
+    if (curve.offset != 0) text << " + " << curve.offset;
+  }
+  return text.str();
+}
+
+}  // namespace geodesic::stress

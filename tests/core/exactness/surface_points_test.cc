@@ -1,0 +1,251 @@
+// Sources and targets anywhere on the surface, against Euclid, brute force and
+// the same points made vertices.
+
+#include "tests/support/surface_points.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/solve.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_domain.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/polyhedra.h"
+#include "tests/support/random_meshes.h"
+
+namespace geodesic::test {
+namespace {
+
+// Distances of all vertices, then of all targets.
+std::vector<double> SolveAll(const Mesh& mesh, const Query& query) {
+  NoCheckpoint checkpoint;
+  const absl::StatusOr<DistanceField> field =
+      Solve(mesh, query, {}, checkpoint);
+  if (!field.ok()) {
+    ADD_FAILURE() << field.status();
+    return {};
+  }
+  std::vector<double> all = field->distances;
+  all.insert(all.end(), field->target_distances.begin(),
+             field->target_distances.end());
+  return all;
+}
+
+// Points of every kind, some of them very near vertices and edges.
+std::vector<SurfacePoint> ManyPoints(const TriangleSoup& soup, uint32_t count,
+                                     Random& random) {
+  std::vector<SurfacePoint> points;
+  for (uint32_t i = 0; i < count; ++i) {
+    points.push_back(RandomSurfacePoint(soup, random));
+  }
+  // Two of them in one face.
+  if (const auto* in_face = std::get_if<FacePoint>(&points[0])) {
+    points.push_back(FacePoint{in_face->face, {0.5, 0.25, 0.25}});
+  }
+  return points;
+}
+
+class SurfacePoints : public EveryAlgorithm {};
+
+TEST_P(SurfacePoints, EuclidInThePlane) {
+  Random random(1);
+  for (const Diagonals diagonals :
+       {Diagonals::kParallel, Diagonals::kAlternating, Diagonals::kRandom}) {
+    for (const double jitter : {0.0, 0.2}) {
+      const NamedMesh named{"grid", MakeGrid({.columns = 9,
+                                              .rows = 7,
+                                              .diagonals = diagonals,
+                                              .jitter = jitter})};
+      const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+      ASSERT_NE(mesh, nullptr);
+      const std::vector<SurfacePoint> targets =
+          ManyPoints(named.soup, 40, random);
+      for (int i = 0; i < 8; ++i) {
+        const SurfacePoint source = RandomSurfacePoint(named.soup, random);
+        const Vec3 from = PositionIn(named.soup, source);
+        std::vector<double> expected;
+        for (const Point& p : named.soup.positions) {
+          expected.push_back(static_cast<double>(Norm(ToVec3(p) - from)));
+        }
+        for (const SurfacePoint& target : targets) {
+          expected.push_back(
+              static_cast<double>(Norm(PositionIn(named.soup, target) - from)));
+        }
+        EXPECT_TRUE(
+            FieldsAgree({named.name, {{source}}, GetParam().name}, expected,
+                        SolveAll(*mesh, {.sources = {{source}},
+                                         .targets = targets,
+                                         .algorithm = GetParam().algorithm}),
+                        CoordinateRounding(named.soup)));
+      }
+    }
+  }
+}
+
+// Sources whose offsets leave them the shadow behind them only: each has a cell
+// bounded by a branch of a hyperbola, with another source's on both its sides.
+TEST_P(SurfacePoints, OffsetsInThePlane) {
+  Random random(4);
+  const NamedMesh named{"grid", MakeGrid({.columns = 9,
+                                          .rows = 7,
+                                          .diagonals = Diagonals::kRandom,
+                                          .jitter = 0.1})};
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  ASSERT_NE(mesh, nullptr);
+  for (int i = 0; i < 100; ++i) {
+    std::vector<Source> sources;
+    for (int j = 0; j < 4; ++j) {
+      const SurfacePoint point = RandomSurfacePoint(named.soup, random);
+      double offset = j == 0 ? 0.5 : 1e9;
+      for (const Source& other : sources) {
+        const Real apart = Norm(PositionIn(named.soup, point) -
+                                PositionIn(named.soup, other.point));
+        offset = std::min(offset, static_cast<double>(other.offset + apart));
+      }
+      sources.push_back(
+          {point, j == 0 ? 0.5 : offset * random.Uniform(0.7, 1)});
+    }
+    const std::vector<SurfacePoint> targets =
+        ManyPoints(named.soup, 20, random);
+    std::vector<double> expected;
+    const auto expect = [&](const Vec3& p) {
+      Real least = std::numeric_limits<Real>::infinity();
+      for (const Source& source : sources) {
+        least =
+            std::min(least, source.offset +
+                                Norm(p - PositionIn(named.soup, source.point)));
+      }
+      expected.push_back(static_cast<double>(least));
+    };
+    for (const Point& p : named.soup.positions) expect(ToVec3(p));
+    for (const SurfacePoint& t : targets) expect(PositionIn(named.soup, t));
+    EXPECT_TRUE(
+        FieldsAgree({named.name, sources, GetParam().name}, expected,
+                    SolveAll(*mesh, {.sources = sources,
+                                     .targets = targets,
+                                     .algorithm = GetParam().algorithm}),
+                    CoordinateRounding(named.soup)));
+  }
+}
+
+// Around obstacles: targets and sources hide behind reflex corners.
+TEST_P(SurfacePoints, VisibilityAroundObstacles) {
+  Random random(2);
+  for (const double jitter : {0.0, 0.2}) {
+    const GridOptions grid{.columns = 9, .rows = 9, .jitter = jitter};
+    for (const GridOptions& options :
+         {WithHole(grid), LShape(grid), UShape(grid)}) {
+      const PlanarDomain domain(options);
+      const NamedMesh named{"domain", MakeGrid(options)};
+      const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+      ASSERT_NE(mesh, nullptr);
+      std::vector<SurfacePoint> targets;
+      std::vector<Point> places = named.soup.positions;
+      const auto position = [&](const SurfacePoint& point) {
+        const Vec3 p = PositionIn(named.soup, point);
+        return Point{static_cast<double>(p.x), static_cast<double>(p.y), 0};
+      };
+      for (int i = 0; i < 30; ++i) {
+        targets.push_back(i % 2 ? RandomFacePoint(named.soup, random)
+                                : RandomEdgePoint(named.soup, random));
+        places.push_back(position(targets.back()));
+      }
+      for (int i = 0; i < 6; ++i) {
+        const SurfacePoint source = i % 2 ? RandomFacePoint(named.soup, random)
+                                          : RandomEdgePoint(named.soup, random);
+        EXPECT_TRUE(
+            FieldsAgree({named.name, {{source}}, GetParam().name},
+                        domain.Distances(position(source), places),
+                        SolveAll(*mesh, {.sources = {{source}},
+                                         .targets = targets,
+                                         .algorithm = GetParam().algorithm}),
+                        CoordinateRounding(named.soup)));
+      }
+    }
+  }
+}
+
+// A point made a vertex changes nothing, as a source or as a target.
+TEST_P(SurfacePoints, AreAsGoodAsVertices) {
+  Random random(3);
+  for (const NamedMesh& named : std::vector<NamedMesh>{
+           {"noisy torus", Torus({.around = 16, .across = 10, .noise = 0.2})},
+           {"anisotropic torus", Torus({.around = 5, .across = 40})},
+           {"icosphere", Icosphere(2)},
+           {"box", BoxGrid(1, 2, 3, 3, 4, 5)},
+           {"U plate", MakePlate(UShape({.columns = 7, .rows = 6}), 0.3)}}) {
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    for (int i = 0; i < 4; ++i) {
+      const SurfacePoint point = i % 2 ? RandomFacePoint(named.soup, random)
+                                       : RandomEdgePoint(named.soup, random);
+      const Inserted inserted = InsertPoint(named.soup, point);
+      const std::shared_ptr<const Mesh> finer =
+          BuildOrFail({named.name, inserted.soup});
+      ASSERT_NE(finer, nullptr);
+      std::vector<double> expected =
+          SolveOn(*finer, {{VertexPoint{inserted.vertex}}});
+      ASSERT_FALSE(expected.empty());
+      expected.pop_back();  // of the point itself
+      EXPECT_TRUE(FieldsAgree({named.name, {{point}}, GetParam().name},
+                              expected, SolveOn(*mesh, {{point}})));
+      // And as a target.
+      const Source vertex{RandomVertexPoint(named.soup, random)};
+      EXPECT_TRUE(FieldsAgree(
+          {named.name, {vertex}, GetParam().name}, SolveOn(*finer, {vertex}),
+          SolveAll(*mesh, {.sources = {vertex},
+                           .targets = {point},
+                           .algorithm = GetParam().algorithm})));
+    }
+  }
+}
+
+// Every algorithm with sources and targets of all kinds on small meshes of all
+// kinds. A case computes its reference once.
+class AnyPointsOnRandomMeshes : public testing::TestWithParam<bool> {};
+
+TEST_P(AnyPointsOnRandomMeshes, AgreeWithBruteForce) {
+  const bool degenerate = GetParam();
+  for (uint64_t seed = 0; seed < 60; ++seed) {
+    const NamedMesh named{absl::StrCat("edited mesh ", seed),
+                          EditedMesh(seed, degenerate)};
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    Random random(seed);
+    const std::vector<SurfacePoint> points = ManyPoints(named.soup, 8, random);
+    const BruteForce brute_force(named.soup, points);
+    for (int i = 0; i < 3; ++i) {
+      Query query{.targets = points};
+      for (int j = 0; j < (i == 2 ? 3 : 1); ++j) {
+        query.sources.push_back(
+            {points[random.Below(static_cast<uint32_t>(points.size()))],
+             i == 2 ? random.Uniform(0, 0.3) : 0});
+      }
+      const std::vector<double> expected = brute_force.Distances(query.sources);
+      for (const AlgorithmInfo& info : kAlgorithms) {
+        query.algorithm = info.algorithm;
+        EXPECT_TRUE(FieldsAgree({named.name, query.sources, info.name},
+                                expected, SolveAll(*mesh, query),
+                                CoordinateRounding(named.soup)));
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, AnyPointsOnRandomMeshes, testing::Bool(),
+                         [](const testing::TestParamInfo<bool>& tested) {
+                           return tested.param ? "degenerate" : "ordinary";
+                         });
+
+GEODESIC_TEST_EVERY_ALGORITHM(SurfacePoints);
+
+}  // namespace
+}  // namespace geodesic::test
