@@ -87,8 +87,25 @@ void AddWorkOptions(CLI::App& app, ServerOptions& options) {
            "Jobs (solves and mesh builds) that run at once, one thread each");
   AddCount(app, "--max-queued-jobs", limits.max_queued_jobs, 1'000'000,
            "Jobs that may wait for a thread; more are refused, to be retried");
-  AddCount(app, "--max-sources", limits.max_sources, 100'000'000,
+}
+
+void AddQuestionOptions(CLI::App& app, ServerOptions& options) {
+  constexpr uint64_t kMost = 100'000'000;
+  Limits& limits = options.limits;
+  AddCount(app, "--max-sources", limits.max_sources, kMost,
            "Sources of one query");
+  AddCount(app, "--max-curve-points", limits.max_curve_points, kMost,
+           "Points of all curves of one query");
+  AddCount(app, "--max-targets", limits.max_targets, kMost,
+           "Targets of one query");
+  AddCount(app, "--max-levels", limits.max_levels, kMost,
+           "Levels of one request for isolines");
+  AddCount(app, "--max-samples", limits.max_samples, kMost,
+           "Farthest points sampled by one request");
+  AddCount(app, "--max-matrix-rows", limits.max_matrix_rows, kMost,
+           "Rows of one matrix; each is a search of its own");
+  AddCount(app, "--max-matrix-values", limits.max_matrix_values,
+           uint64_t{1} << 50, "Rows times columns of one matrix");
 }
 
 void AddMemoryOptions(CLI::App& app, ServerOptions& options) {
@@ -97,6 +114,8 @@ void AddMemoryOptions(CLI::App& app, ServerOptions& options) {
            "Memory for resident meshes; the least recently used are evicted");
   AddBytes(app, "--field-cache", limits.field_cache_bytes,
            "Memory for finished fields; the least recently used are evicted");
+  AddBytes(app, "--computation-store", limits.computation_store_bytes,
+           "Memory for computations that stopped early and may go on");
   AddBytes(app, "--upload-memory", limits.upload_memory_bytes,
            "Memory for uploads on their way to become meshes, all together");
   AddBytes(app, "--solver-memory", limits.solver_memory_bytes,
@@ -209,6 +228,7 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
   app.allow_config_extras(CLI::config_extras_mode::error);
   AddGroup(app, "Network", [&] { AddNetworkOptions(app, options); });
   AddGroup(app, "Work", [&] { AddWorkOptions(app, options); });
+  AddGroup(app, "Questions", [&] { AddQuestionOptions(app, options); });
   AddGroup(app, "Memory", [&] { AddMemoryOptions(app, options); });
   AddGroup(app, "Meshes", [&] { AddMeshOptions(app, options); });
   AddGroup(app, "Operation",

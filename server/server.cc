@@ -26,12 +26,12 @@ constexpr std::chrono::seconds kCancelGrace{10};
 std::string_view ServerVersion() { return GEODESIC_VERSION; }
 
 Server::Server(const ServerOptions& options,
-               std::shared_ptr<spdlog::logger> logger, SolveFunction solve)
+               std::shared_ptr<spdlog::logger> logger, StartFunction start)
     : options_(options),
       logger_(std::move(logger)),
       log_(logger_, options.max_requests),
       pool_(options.limits.max_concurrent_jobs),
-      engine_(options.limits, clock_, pool_, std::move(solve)),
+      engine_(options.limits, clock_, pool_, std::move(start)),
       mesh_service_(engine_, log_),
       field_service_(engine_, std::string(ServerVersion()), log_),
       capabilities_service_(options.limits, options.max_message_bytes,

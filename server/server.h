@@ -36,9 +36,9 @@ std::string_view ServerVersion();
 
 class Server {
  public:
-  // `solve` is the seam where tests hold a solver up.
+  // `start` is the seam where tests hold a solver up.
   Server(const ServerOptions& options, std::shared_ptr<spdlog::logger> logger,
-         SolveFunction solve = &Solve);
+         StartFunction start = &StartComputation);
 
   // Shuts down without grace if that was not done before.
   ~Server();

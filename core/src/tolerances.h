@@ -77,6 +77,16 @@ inline constexpr double kTiedSamples = 1e-12;
 // surface unfolds differently.
 inline constexpr double kPassedVertex = 4 * kNearMiss;
 
+// A vertex whose distance is within this fraction of a level lies at it: on
+// regular grids whole rows do, and rounding would otherwise scatter the
+// crossings around them.
+inline constexpr double kAtLevel = 1e-12;
+
+// A stretch between two points of a path that is shorter than this fraction of
+// the path gives it no direction there: its ends are off by about 1e-15 of it.
+// Asked only beside faces without area, which have no plane to tell it.
+inline constexpr double kDirectionless = 1e-9;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_

@@ -1,4 +1,4 @@
-// The finished fields.
+// The finished fields, whole ones and those that end at a radius or a target.
 
 #ifndef GEODESIC_SERVER_ENGINE_FIELD_CACHE_H_
 #define GEODESIC_SERVER_ENGINE_FIELD_CACHE_H_
@@ -15,13 +15,40 @@ namespace geodesic::server {
 // Pins the field while it is held.
 using FieldHandle = std::shared_ptr<const DistanceField>;
 
-using FieldCache = LruStore<FieldKey, DistanceField>;
+// Thread-safe. See LruStore for what is kept and what is evicted.
+class FieldCache {
+ public:
+  struct Found {
+    FieldKey key;  // of the field, which may hold more than was asked for
+    FieldHandle field;
+  };
 
-// What a field takes in the cache; known before it is computed.
-inline uint64_t FieldBytes(const FieldKey& key, uint64_t vertices) {
-  return vertices * sizeof(double) + key.sources.size() * sizeof(Source) +
-         key.mesh_digest.size() + sizeof(FieldKey) + sizeof(DistanceField);
-}
+  explicit FieldCache(uint64_t capacity) : fields_("field cache", capacity) {}
+
+  // A field that answers the question. `field` is null when there is none.
+  Found Find(const FieldKey& key, const FieldReach& reach);
+
+  // Makes room for a field before it is computed.
+  // Errors: RESOURCE_EXHAUSTED naming the budget and the need.
+  absl::StatusOr<ByteReservation> Reserve(const FieldKey& key,
+                                          uint64_t vertices);
+
+  // Keeps the field unless one is there that reaches further; returns the one
+  // that is handed out.
+  FieldHandle Insert(const FieldKey& key, DistanceField field,
+                     ByteReservation room);
+
+  void EraseMesh(const std::string& digest);
+
+  size_t size() const { return fields_.size(); }
+  uint64_t used_bytes() const { return fields_.used_bytes(); }
+
+ private:
+  LruStore<FieldKey, DistanceField> fields_;
+};
+
+// Whether the field holds what is asked for.
+bool Covers(const DistanceField& field, const FieldReach& reach);
 
 }  // namespace geodesic::server
 

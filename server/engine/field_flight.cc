@@ -4,21 +4,24 @@ namespace geodesic::server {
 
 class FieldFlights::Flight {
  public:
-  explicit Flight(FieldKey k) : key(std::move(k)) {}
+  explicit Flight(FlightKey k) : key(std::move(k)) {
+    if (key.extras.settled_order) settled = std::make_shared<SettledLog>();
+  }
 
-  const FieldKey key;
+  const FlightKey key;
+  std::shared_ptr<SettledLog> settled;
   std::map<uint64_t, Waiter> waiters;
   std::optional<Scheduler::JobId> job;
   bool is_open = true;
 };
 
-FieldFlights::Seat FieldFlights::Join(const FieldKey& key, Waiter waiter) {
+FieldFlights::Seat FieldFlights::Join(const FlightKey& key, Waiter waiter) {
   std::lock_guard lock(mutex_);
   const auto [it, is_first] = open_.try_emplace(key);
   if (is_first) it->second = std::make_shared<Flight>(key);
   const uint64_t number = next_number_++;
   it->second->waiters.emplace(number, std::move(waiter));
-  return {it->second, number, is_first};
+  return {it->second, number, is_first, it->second->settled};
 }
 
 std::optional<Scheduler::JobId> FieldFlights::Leave(const Seat& seat) {
@@ -72,14 +75,14 @@ void FieldFlights::Publish(Flight& flight, const Progress& progress) {
 }
 
 void FieldFlights::Complete(Flight& flight,
-                            const absl::StatusOr<FieldHandle>& field) {
+                            const absl::StatusOr<FieldAnswer>& answer) {
   std::map<uint64_t, Waiter> waiters;
   {
     std::lock_guard lock(mutex_);
     waiters.swap(flight.waiters);
     Close(flight);
   }
-  for (const auto& [number, waiter] : waiters) waiter.observer->OnField(field);
+  for (const auto& [number, waiter] : waiters) waiter.observer->OnField(answer);
 }
 
 size_t FieldFlights::size() const {

@@ -17,9 +17,11 @@
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
 #include "server/engine/clock.h"
-#include "server/engine/field_cache.h"
 #include "server/engine/field_key.h"
+#include "server/engine/field_request.h"
+#include "server/engine/job_checkpoint.h"
 #include "server/engine/scheduler.h"
+#include "server/engine/settled_log.h"
 
 namespace geodesic::server {
 
@@ -32,8 +34,8 @@ class FieldObserver {
   // A later call replaces what an earlier one said.
   virtual void OnProgress(const Progress& progress) = 0;
 
-  // The last call, at most once: the field or why there is none.
-  virtual void OnField(const absl::StatusOr<FieldHandle>& field) = 0;
+  // The last call, at most once: the answer or why there is none.
+  virtual void OnField(const absl::StatusOr<FieldAnswer>& answer) = 0;
 };
 
 struct Waiter {
@@ -52,10 +54,12 @@ class FieldFlights {
     uint64_t number = 0;
     // The first in its flight, who has to see to it that it takes place.
     bool is_first = false;
+    // If the key asks for it: what is final already. OnProgress tells of more.
+    std::shared_ptr<SettledLog> settled;
   };
 
   // Boards the flight to `key`; opens it when there is none.
-  Seat Join(const FieldKey& key, Waiter waiter);
+  Seat Join(const FlightKey& key, Waiter waiter);
 
   // Gives the seat up. When nobody is left, the flight is closed to others and
   // its job, if it has one already, is returned for the caller to cancel.
@@ -74,7 +78,7 @@ class FieldFlights {
 
   // Ends the flight and tells everybody. Whoever asks from now on opens a new
   // one: what should be found then must be in the cache before.
-  void Complete(Flight& flight, const absl::StatusOr<FieldHandle>& field);
+  void Complete(Flight& flight, const absl::StatusOr<FieldAnswer>& answer);
 
   size_t size() const;
   // Waiters on all flights.
@@ -88,8 +92,27 @@ class FieldFlights {
 
   mutable std::mutex mutex_;
   // Guarded by mutex_, as the content of every flight is:
-  std::map<FieldKey, std::shared_ptr<Flight>> open_;
+  std::map<FlightKey, std::shared_ptr<Flight>> open_;
   uint64_t next_number_ = 0;
+};
+
+// The waiters of one flight, for its checkpoint.
+class FlightAudience final : public JobAudience {
+ public:
+  // The references outlive the audience.
+  FlightAudience(FieldFlights& flights, FieldFlights::Flight& flight)
+      : flights_(flights), flight_(flight) {}
+
+  absl::Status Expire(TimePoint now) override {
+    return flights_.Expire(flight_, now);
+  }
+  void Publish(const Progress& progress) override {
+    flights_.Publish(flight_, progress);
+  }
+
+ private:
+  FieldFlights& flights_;
+  FieldFlights::Flight& flight_;
 };
 
 }  // namespace geodesic::server

@@ -1,42 +1,91 @@
-// What makes two queries the same question.
+// What makes two questions about a field the same.
 
 #ifndef GEODESIC_SERVER_ENGINE_FIELD_KEY_H_
 #define GEODESIC_SERVER_ENGINE_FIELD_KEY_H_
 
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "geodesic/query.h"
-#include "geodesic/solve.h"
+#include "geodesic/solve_options.h"
 
 namespace geodesic::server {
 
-// Names a field: equal keys have equal bits. The tuning is part of it because
-// it changes the statistics and the last bits.
+// Names a field: equal keys have equal bits, as far as the fields reach. The
+// tuning is part of it because it changes the statistics and the last bits.
 struct FieldKey {
   std::string mesh_digest;
-  std::vector<Source> sources;  // canonical
+  // Canonical:
+  std::vector<Source> sources;
+  std::vector<CurveSource> curves;
+  std::vector<SurfacePoint> targets;
   Algorithm algorithm = kDefaultAlgorithm;
+  bool trace = false;
   double bucket_width = 0;
   uint32_t max_batch = 0;
-  bool adaptive_batch = true;
 
   friend auto operator<=>(const FieldKey&, const FieldKey&) = default;
 };
 
-// REQUIRES: `query` is valid for the mesh.
-inline FieldKey MakeFieldKey(std::string mesh_digest, const Mesh& mesh,
-                             Query query, const SolveOptions& options) {
-  Query canonical = Canonicalize(std::move(query), mesh);
+// What else may be asked of a field.
+struct FieldExtras {
+  bool nearest_sources = false;
+  bool gradients = false;
+  bool log_map = false;
+  // The vertices in order of distance, while the field is computed.
+  bool settled_order = false;
+
+  bool NeedTrace() const { return nearest_sources || gradients || log_map; }
+  bool Any() const { return NeedTrace() || settled_order; }
+
+  friend auto operator<=>(const FieldExtras&, const FieldExtras&) = default;
+};
+
+// How much of a field is asked for: enough as soon as one of these holds.
+struct FieldReach {
+  // Every distance up to here is there.
+  double radius = std::numeric_limits<double>::infinity();
+  // So many of the key's targets are there.
+  uint64_t targets = std::numeric_limits<uint64_t>::max();
+
+  bool LimitsTargets() const {
+    return targets != std::numeric_limits<uint64_t>::max();
+  }
+
+  friend auto operator<=>(const FieldReach&, const FieldReach&) = default;
+};
+
+// Questions that share one computation.
+struct FlightKey {
+  FieldKey field;
+  FieldReach reach;
+  FieldExtras extras;
+
+  friend auto operator<=>(const FlightKey&, const FlightKey&) = default;
+};
+
+// REQUIRES: `query` is canonical (query.h).
+inline FieldKey MakeFieldKey(std::string mesh_digest, Query query,
+                             const SolveOptions& options) {
   return {.mesh_digest = std::move(mesh_digest),
-          .sources = std::move(canonical.sources),
-          .algorithm = canonical.algorithm,
+          .sources = std::move(query.sources),
+          .curves = std::move(query.curves),
+          .targets = std::move(query.targets),
+          .algorithm = query.algorithm,
+          .trace = query.trace,
           .bucket_width = options.bucket_width,
-          .max_batch = options.max_batch,
-          .adaptive_batch = options.adaptive_batch};
+          .max_batch = options.max_batch};
+}
+
+inline Query ToQuery(const FieldKey& key) {
+  return {.sources = key.sources,
+          .curves = key.curves,
+          .targets = key.targets,
+          .algorithm = key.algorithm,
+          .trace = key.trace};
 }
 
 }  // namespace geodesic::server

@@ -11,12 +11,10 @@ constexpr uint64_t kMemoryStep = uint64_t{16} << 20;
 
 }  // namespace
 
-JobCheckpoint::JobCheckpoint(FieldFlights& flights,
-                             FieldFlights::Flight& flight, const Clock& clock,
+JobCheckpoint::JobCheckpoint(JobAudience& audience, const Clock& clock,
                              std::stop_token stop, ByteReservation memory,
                              Duration progress_interval)
-    : flights_(flights),
-      flight_(flight),
+    : audience_(audience),
       clock_(clock),
       stop_(std::move(stop)),
       progress_interval_(progress_interval),
@@ -24,8 +22,9 @@ JobCheckpoint::JobCheckpoint(FieldFlights& flights,
       next_progress_(clock.Now()) {}
 
 absl::Status JobCheckpoint::Poll(const Progress& progress) {
+  windows_propagated_ = progress.windows_propagated;
   const TimePoint now = clock_.Now();
-  if (absl::Status status = flights_.Expire(flight_, now); !status.ok()) {
+  if (absl::Status status = audience_.Expire(now); !status.ok()) {
     return status;
   }
   // Waiters that leave are seen above; this comes from a shutdown.
@@ -39,7 +38,7 @@ absl::Status JobCheckpoint::Poll(const Progress& progress) {
   }
   if (now >= next_progress_) {
     next_progress_ = now + progress_interval_;
-    flights_.Publish(flight_, progress);
+    audience_.Publish(progress);
   }
   return absl::OkStatus();
 }

@@ -1,42 +1,54 @@
-// What a running solver meets at each poll: its waiters, their deadlines, a
-// request to stop, and the memory budget that all solvers share.
+// What a running solver meets at each poll: those who wait for it and their
+// deadlines, a request to stop, and the memory budget that all solvers share.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOB_CHECKPOINT_H_
 #define GEODESIC_SERVER_ENGINE_JOB_CHECKPOINT_H_
 
-#include <memory>
 #include <stop_token>
 
 #include "absl/status/status.h"
 #include "geodesic/checkpoint.h"
 #include "server/engine/byte_budget.h"
 #include "server/engine/clock.h"
-#include "server/engine/field_flight.h"
 
 namespace geodesic::server {
+
+// Those who wait for a job. Called from the job's thread.
+class JobAudience {
+ public:
+  virtual ~JobAudience() = default;
+
+  // Lets those go whose deadline has come.
+  // Errors: DEADLINE_EXCEEDED or CANCELLED when nobody is left.
+  virtual absl::Status Expire(TimePoint now) = 0;
+
+  virtual void Publish(const Progress& progress) = 0;
+};
 
 // Belongs to one job and its thread.
 class JobCheckpoint final : public Checkpoint {
  public:
   // The references outlive the checkpoint. `memory` holds what the job has of
   // its budget so far.
-  JobCheckpoint(FieldFlights& flights, FieldFlights::Flight& flight,
-                const Clock& clock, std::stop_token stop,
+  JobCheckpoint(JobAudience& audience, const Clock& clock, std::stop_token stop,
                 ByteReservation memory, Duration progress_interval);
 
-  // Errors: CANCELLED or DEADLINE_EXCEEDED when nobody waits any more;
-  // UNAVAILABLE when the job was asked to stop though somebody waits;
-  // RESOURCE_EXHAUSTED when the solver has outgrown the memory budget.
+  // Errors: as JobAudience::Expire; UNAVAILABLE when the job was asked to stop
+  // though somebody waits; RESOURCE_EXHAUSTED when the solver has outgrown the
+  // memory budget.
   absl::Status Poll(const Progress& progress) override;
 
+  // Of the last poll.
+  uint64_t windows_propagated() const { return windows_propagated_; }
+
  private:
-  FieldFlights& flights_;
-  FieldFlights::Flight& flight_;
+  JobAudience& audience_;
   const Clock& clock_;
   const std::stop_token stop_;
   const Duration progress_interval_;
   ByteReservation memory_;
   TimePoint next_progress_;
+  uint64_t windows_propagated_ = 0;
 };
 
 }  // namespace geodesic::server

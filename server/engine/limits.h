@@ -14,17 +14,27 @@ struct Limits {
   uint64_t max_vertices = uint64_t{100'000'000};
   uint64_t max_faces = uint64_t{200'000'000};
 
-  // Of one query.
+  // Of one query; points of all its curves together.
   uint64_t max_sources = 100'000;
+  uint64_t max_curve_points = 100'000;
+  uint64_t max_targets = 1'000'000;
+  uint64_t max_levels = 1'000;
+  uint64_t max_samples = 100'000;
+
+  // Of one matrix: its rows, and its rows times its columns.
+  uint64_t max_matrix_rows = 1'000'000;
+  uint64_t max_matrix_values = uint64_t{100'000'000'000};
 
   // Jobs (solves and mesh builds) that run, and that wait for a thread.
   uint64_t max_concurrent_jobs = 2;
   uint64_t max_queued_jobs = 256;
 
-  // Byte budgets: resident meshes, finished fields, uploads on their way to
-  // become meshes, and what running solvers hold.
+  // Byte budgets: resident meshes, finished fields, computations that stopped
+  // early, uploads on their way to become meshes, and what running solvers
+  // hold.
   uint64_t mesh_store_bytes = uint64_t{4} << 30;
   uint64_t field_cache_bytes = uint64_t{1} << 30;
+  uint64_t computation_store_bytes = uint64_t{512} << 20;
   uint64_t upload_memory_bytes = uint64_t{4} << 30;
   uint64_t solver_memory_bytes = uint64_t{8} << 30;
 

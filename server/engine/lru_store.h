@@ -80,8 +80,10 @@ class LruStore {
   };
 
   // Keeps `value` with `charge` until it is evicted or erased. When the key is
-  // present already, the present entry wins and is marked as used.
-  Inserted Insert(Key key, Value value, ByteReservation charge) {
+  // present already, the present entry wins and is marked as used, unless
+  // `keep(present)` is false: then it is replaced.
+  template <typename Keep>
+  Inserted Insert(Key key, Value value, ByteReservation charge, Keep keep) {
     auto charged =
         std::make_shared<const Charged>(std::move(charge), std::move(value));
     // Allocated first, so that no exception leaves half an entry.
@@ -95,8 +97,15 @@ class LruStore {
       recency_.splice(recency_.end(), node);
     } else {
       recency_.splice(recency_.end(), recency_, it->second.position);
+      // The old value goes with `charged`, after the lock.
+      if (!keep(it->second.charged->value)) it->second.charged.swap(charged);
     }
     return {ToHandle(it->second.charged), is_new};
+  }
+
+  Inserted Insert(Key key, Value value, ByteReservation charge) {
+    return Insert(std::move(key), std::move(value), std::move(charge),
+                  [](const Value&) { return true; });
   }
 
   // Forgets the entry; those who hold it keep it. Whether there was one.

@@ -1,12 +1,11 @@
 #include "server/engine/query_engine.h"
 
 #include <algorithm>
-#include <exception>
-#include <new>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/job_checkpoint.h"
+#include "server/engine/argument_checks.h"
+#include "server/engine/guarded.h"
 #include "server/engine/mesh_digest.h"
 #include "server/engine/sha256.h"
 #include "server/engine/status_details.h"
@@ -22,48 +21,19 @@ absl::Status ShuttingDown() {
   return absl::UnavailableError("the server is shutting down");
 }
 
-absl::Status CheckDigest(std::string_view field, const std::string& digest) {
-  if (IsSha256Hex(digest)) return absl::OkStatus();
-  const absl::string_view name(field.data(), field.size());
-  return InvalidField(
-      field,
-      absl::StrCat(name, " must be 64 lower-case hexadecimal digits, not \"",
-                   digest.substr(0, 80), "\""));
-}
-
-absl::Status NotResident(const std::string& digest) {
-  return absl::NotFoundError(
-      absl::StrCat("mesh ", digest, " is not resident; upload it again"));
-}
-
-// No exception may leave a job: the thread and the server live on.
-template <typename Work>
-auto Guarded(std::string_view what, Work work) -> decltype(work()) {
-  const absl::string_view name(what.data(), what.size());
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return absl::ResourceExhaustedError(
-        absl::StrCat("the server ran out of memory while it ", name));
-  } catch (const std::exception& error) {
-    return absl::InternalError(
-        absl::StrCat("exception while the server ", name, ": ", error.what()));
-  }
-}
-
 }  // namespace
 
 QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
-                         Executor& executor, SolveFunction solve)
+                         Executor& executor, StartFunction start)
     : limits_(limits),
       clock_(clock),
-      solve_(std::move(solve)),
       upload_memory_(std::make_shared<ByteBudget>("upload memory",
                                                   limits.upload_memory_bytes)),
       solver_memory_(std::make_shared<ByteBudget>("solver memory",
                                                   limits.solver_memory_bytes)),
       meshes_(limits.mesh_store_bytes),
-      fields_("field cache", limits.field_cache_bytes),
+      fields_(limits_, solve_options_, clock, scheduler_, solver_memory_,
+              std::move(start)),
       scheduler_(executor, limits.max_concurrent_jobs, limits.max_queued_jobs) {
 }
 
@@ -173,9 +143,14 @@ absl::StatusOr<UploadResult> QueryEngine::BuildMesh(MeshUpload& upload) {
       !status.ok()) {
     return status;
   }
-  absl::StatusOr<ByteReservation> room =
-      meshes_.Reserve(Mesh::EstimateResidentBytes(vertices, faces) +
-                      sizeof(ResidentMesh) + digest.capacity());
+  const uint64_t bytes = Mesh::EstimateResidentBytes(vertices, faces) +
+                         sizeof(ResidentMesh) + digest.capacity();
+  absl::StatusOr<ByteReservation> room = meshes_.Reserve(bytes);
+  if (!room.ok()) {
+    // A paused computation is worth less than a mesh.
+    fields_.DropComputations();
+    room = meshes_.Reserve(bytes);
+  }
   if (!room.ok()) return room.status();
   absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
       Mesh::Build(*std::move(soup));
@@ -227,105 +202,42 @@ absl::Status QueryEngine::DeleteMesh(const std::string& digest) {
     return status;
   }
   const bool was_resident = meshes_.Erase(digest);
-  fields_.EraseIf(
-      [&](const FieldKey& key) { return key.mesh_digest == digest; });
+  fields_.EraseMesh(digest);
   return was_resident ? absl::OkStatus() : NotResident(digest);
 }
 
 absl::StatusOr<FieldCall> QueryEngine::ComputeField(
     const FieldRequest& request, std::shared_ptr<FieldObserver> observer) {
-  const Query& query = request.query;
-  if (query.sources.size() > limits_.max_sources) {
-    return absl::ResourceExhaustedError(
-        absl::StrCat("the query has ", query.sources.size(),
-                     " sources; max_sources is ", limits_.max_sources));
-  }
-  absl::Status status = CheckDigest("mesh_digest", request.mesh_digest);
+  absl::Status status = CheckQuery(request.query);
   if (!status.ok()) return status;
-  MeshHandle mesh = meshes_.Find(request.mesh_digest);
-  if (mesh == nullptr) return NotResident(request.mesh_digest);
-  const uint64_t vertices = mesh->mesh->vertex_count();
-  if (status = Validate(query, *mesh->mesh); !status.ok()) {
-    return WithField(status, "sources");
-  }
-
-  const FieldKey key =
-      MakeFieldKey(mesh->digest, *mesh->mesh, query, solve_options_);
-  FieldCall call{.vertex_count = vertices, .algorithm = query.algorithm};
-  const auto find_cached = [&] {
-    call.field = fields_.Find(key);
-    if (call.field == nullptr) return false;
-    call.origin = FieldOrigin::kCached;
-    ++queries_cached_;
-    return true;
-  };
-  if (find_cached()) return call;
-
-  call.seat = flights_.Join(key, {std::move(observer), request.deadline});
-  if (!call.seat.is_first) {
-    call.origin = FieldOrigin::kJoined;
-    ++queries_joined_;
-    return call;
-  }
-  const std::shared_ptr<FieldFlights::Flight> flight = call.seat.flight;
-  // The flight before this one may have landed after the first look.
-  if (find_cached()) {
-    flights_.Leave(call.seat);
-    flights_.Complete(*flight, call.field);
-    return call;
-  }
-  absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
-      {.priority = JobPriority::kSolve,
-       .run =
-           [this, mesh = std::move(mesh), key, flight](std::stop_token stop) {
-             flights_.Complete(*flight, Guarded("kept a field", [&] {
-               return SolveField(*mesh, key, *flight, std::move(stop));
-             }));
-           },
-       .abandon =
-           [this, flight](const absl::Status& why) {
-             flights_.Complete(*flight, why);
-           }});
-  if (!job.ok()) {
-    flights_.Leave(call.seat);
-    flights_.Complete(*flight, job.status());
-    return job.status();
-  }
-  flights_.SetJob(*flight, *job);
-  return call;
+  absl::StatusOr<MeshHandle> mesh = FindMesh(request.mesh_digest);
+  if (!mesh.ok()) return mesh.status();
+  return fields_.Compute(request, *std::move(mesh), std::move(observer));
 }
 
-absl::StatusOr<FieldHandle> QueryEngine::SolveField(
-    const ResidentMesh& mesh, const FieldKey& key, FieldFlights::Flight& flight,
-    std::stop_token stop) {
-  // The cache's room is taken first: a field that nobody could keep while it
-  // is streamed would be memory out of all bounds.
-  absl::StatusOr<ByteReservation> room =
-      fields_.Reserve(FieldBytes(key, mesh.mesh->vertex_count()));
-  if (!room.ok()) return room.status();
-  absl::StatusOr<ByteReservation> memory =
-      ByteReservation::Make(solver_memory_, 0);
-  if (!memory.ok()) return memory.status();
+void QueryEngine::Cancel(const FieldCall& call) { fields_.Cancel(call); }
 
-  ++solves_started_;
-  JobCheckpoint checkpoint(flights_, flight, clock_, std::move(stop),
-                           *std::move(memory), limits_.progress_interval);
-  absl::StatusOr<DistanceField> field = Guarded("computed a field", [&] {
-    return solve_(*mesh.mesh,
-                  {.sources = key.sources, .algorithm = key.algorithm},
-                  solve_options_, checkpoint);
-  });
-  if (!field.ok()) {
-    ++solves_stopped_;
-    return field.status();
+absl::Status QueryEngine::CheckQuery(const Query& query) const {
+  uint64_t curve_points = 0;
+  for (const CurveSource& curve : query.curves) {
+    curve_points += curve.points.size();
   }
-  ++solves_finished_;
-  return fields_.Insert(key, *std::move(field), *std::move(room)).value;
+  absl::Status status = CheckCount("sources", SourceCount(query), "max_sources",
+                                   limits_.max_sources);
+  status.Update(CheckCount("curve points", curve_points, "max_curve_points",
+                           limits_.max_curve_points));
+  status.Update(CheckCount("targets", query.targets.size(), "max_targets",
+                           limits_.max_targets));
+  return status;
 }
 
-void QueryEngine::Cancel(const FieldCall& call) {
-  if (call.seat.flight == nullptr) return;
-  if (const auto job = flights_.Leave(call.seat)) scheduler_.Cancel(*job);
+absl::StatusOr<MeshHandle> QueryEngine::FindMesh(const std::string& digest) {
+  if (absl::Status status = CheckDigest("mesh_digest", digest); !status.ok()) {
+    return status;
+  }
+  MeshHandle mesh = meshes_.Find(digest);
+  if (mesh == nullptr) return NotResident(digest);
+  return mesh;
 }
 
 void QueryEngine::BeginDrain() {
@@ -343,12 +255,7 @@ bool QueryEngine::WaitIdle(std::chrono::milliseconds limit) {
 }
 
 EngineCounters QueryEngine::counters() const {
-  return {.solves_started = solves_started_,
-          .solves_finished = solves_finished_,
-          .solves_stopped = solves_stopped_,
-          .queries_joined = queries_joined_,
-          .queries_cached = queries_cached_,
-          .meshes_built = meshes_built_};
+  return {fields_.counters(), meshes_built_};
 }
 
 }  // namespace geodesic::server

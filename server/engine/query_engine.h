@@ -22,41 +22,18 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "geodesic/query.h"
-#include "geodesic/solve.h"
+#include "geodesic/computation.h"
+#include "geodesic/solve_options.h"
 #include "server/engine/byte_budget.h"
 #include "server/engine/clock.h"
 #include "server/engine/executor.h"
-#include "server/engine/field_cache.h"
-#include "server/engine/field_flight.h"
+#include "server/engine/field_engine.h"
 #include "server/engine/limits.h"
 #include "server/engine/mesh_store.h"
 #include "server/engine/mesh_upload.h"
 #include "server/engine/scheduler.h"
 
 namespace geodesic::server {
-
-using SolveFunction = std::function<absl::StatusOr<DistanceField>(
-    const Mesh&, const Query&, const SolveOptions&, Checkpoint&)>;
-
-struct FieldRequest {
-  std::string mesh_digest;
-  Query query;
-  TimePoint deadline = kNoDeadline;
-};
-
-enum class FieldOrigin { kSolved, kJoined, kCached };
-
-// What a query was answered with at once.
-struct FieldCall {
-  FieldOrigin origin = FieldOrigin::kSolved;
-  uint64_t vertex_count = 0;
-  Algorithm algorithm = kDefaultAlgorithm;
-  // Set when origin is kCached; the observer is then never called.
-  FieldHandle field;
-  // Otherwise, for Cancel.
-  FieldFlights::Seat seat;
-};
 
 struct UploadResult {
   MeshHandle mesh;
@@ -81,13 +58,7 @@ struct MeshPage {
 };
 
 // How often things have happened since the start.
-struct EngineCounters {
-  uint64_t solves_started = 0;
-  uint64_t solves_finished = 0;
-  // Cancelled, late, out of memory, or failed.
-  uint64_t solves_stopped = 0;
-  uint64_t queries_joined = 0;
-  uint64_t queries_cached = 0;
+struct EngineCounters : FieldCounters {
   uint64_t meshes_built = 0;
 };
 
@@ -95,10 +66,10 @@ struct EngineCounters {
 // becomes RESOURCE_EXHAUSTED, anything else INTERNAL.
 class QueryEngine {
  public:
-  // `clock` and `executor` outlive the engine. `solve` is the seam where tests
+  // `clock` and `executor` outlive the engine. `start` is the seam where tests
   // hold a solver up.
   QueryEngine(const Limits& limits, const Clock& clock, Executor& executor,
-              SolveFunction solve = &Solve);
+              StartFunction start = &StartComputation);
 
   // Stops all jobs and waits for them.
   // REQUIRES: the executor runs what it has been given.
@@ -138,8 +109,8 @@ class QueryEngine {
   // Errors: as GetMesh.
   absl::Status DeleteMesh(const std::string& digest);
 
-  // Starts, joins or finds the computation of a field.
-  // Errors: INVALID_ARGUMENT, NOT_FOUND, RESOURCE_EXHAUSTED (too many sources;
+  // Starts, joins, continues or finds the computation of a field.
+  // Errors: INVALID_ARGUMENT, NOT_FOUND, RESOURCE_EXHAUSTED (more than a limit;
   // queue full), UNAVAILABLE; `observer` is then not called. It may already be
   // called before this returns.
   absl::StatusOr<FieldCall> ComputeField(
@@ -158,8 +129,7 @@ class QueryEngine {
 
   EngineCounters counters() const;
   const MeshStore& meshes() const { return meshes_; }
-  const FieldCache& fields() const { return fields_; }
-  const FieldFlights& flights() const { return flights_; }
+  const FieldEngine& fields() const { return fields_; }
   const Scheduler& scheduler() const { return scheduler_; }
 
  private:
@@ -168,27 +138,20 @@ class QueryEngine {
   MeshHandle FindUploaded(const MeshUpload& upload);
   void RememberFile(const MeshUpload& upload, const std::string& digest);
   absl::StatusOr<UploadResult> BuildMesh(MeshUpload& upload);
-  absl::StatusOr<FieldHandle> SolveField(const ResidentMesh& mesh,
-                                         const FieldKey& key,
-                                         FieldFlights::Flight& flight,
-                                         std::stop_token stop);
+  // Counts against the limits.
+  absl::Status CheckQuery(const Query& query) const;
+  // The mesh that a request names as mesh_digest.
+  absl::StatusOr<MeshHandle> FindMesh(const std::string& digest);
 
   const Limits limits_;
   const SolveOptions solve_options_;
   const Clock& clock_;
-  const SolveFunction solve_;
   const std::shared_ptr<ByteBudget> upload_memory_;
   const std::shared_ptr<ByteBudget> solver_memory_;
   MeshStore meshes_;
-  FieldCache fields_;
-  FieldFlights flights_;
+  FieldEngine fields_;
 
   std::atomic<bool> draining_ = false;
-  std::atomic<uint64_t> solves_started_ = 0;
-  std::atomic<uint64_t> solves_finished_ = 0;
-  std::atomic<uint64_t> solves_stopped_ = 0;
-  std::atomic<uint64_t> queries_joined_ = 0;
-  std::atomic<uint64_t> queries_cached_ = 0;
   std::atomic<uint64_t> meshes_built_ = 0;
 
   // Last, so that no job is left when the others go.

@@ -28,8 +28,9 @@ Scheduler::~Scheduler() {
 
 absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
   std::lock_guard lock(mutex_);
-  if (draining_) return ShuttingDown();
-  if (queue_.size() + running_.size() >= max_running_ + max_queued_) {
+  if (stopped_ || (draining_ && !job.is_continuation)) return ShuttingDown();
+  if (!job.is_continuation &&
+      queue_.size() + running_.size() >= max_running_ + max_queued_) {
     return WithRetryAfter(
         absl::ResourceExhaustedError(absl::StrCat(
             "the job queue is full: ", running_.size(), " jobs run and ",
@@ -72,6 +73,7 @@ void Scheduler::StopAll() {
   {
     std::lock_guard lock(mutex_);
     draining_ = true;
+    stopped_ = true;
     abandoned.swap(queue_);
     stopped = running_;
   }

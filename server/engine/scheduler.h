@@ -23,12 +23,16 @@ namespace geodesic::server {
 enum class JobPriority {
   kBuild,  // of meshes: short, and queries wait for them
   kSolve,
+  kRow,  // one of many that a single request needs
 };
 
 // Exactly one of the two is called, once, unless the job is cancelled while it
 // waits: then neither is.
 struct Job {
   JobPriority priority = JobPriority::kSolve;
+  // Whether a job that was admitted goes on in this one: it is then admitted
+  // too, though the queue be full or draining.
+  bool is_continuation = false;
   // Does the work, on a thread of the executor. It should return soon after
   // the token asks it to stop. Must not throw.
   absl::AnyInvocable<void(std::stop_token)> run;
@@ -53,8 +57,9 @@ class Scheduler {
   ~Scheduler();
 
   // Errors: RESOURCE_EXHAUSTED with a retry hint when max_running jobs run and
-  // max_queued wait; UNAVAILABLE after BeginDrain. The job's callbacks are
-  // then not called.
+  // max_queued wait; UNAVAILABLE after BeginDrain. Continuations are spared
+  // both, but not UNAVAILABLE after StopAll. The job's callbacks are then not
+  // called.
   absl::StatusOr<JobId> Submit(Job job);
 
   // A waiting job is dropped, a running one asked to stop; neither callback is
@@ -89,6 +94,7 @@ class Scheduler {
   size_t workers_ = 0;  // tasks on the executor; <= max_running_
   uint64_t next_number_ = 0;
   bool draining_ = false;
+  bool stopped_ = false;
 };
 
 }  // namespace geodesic::server

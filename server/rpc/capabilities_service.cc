@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "geodesic/algorithm.h"
-#include "server/rpc/message_translation.h"
+#include "server/rpc/field_translation.h"
 #include "server/rpc/unary_call.h"
 
 namespace geodesic::server {
@@ -35,6 +35,13 @@ CapabilitiesService::CapabilitiesService(const Limits& limits,
   published.set_max_queued_jobs(limits.max_queued_jobs);
   published.set_mesh_store_bytes(limits.mesh_store_bytes);
   published.set_field_cache_bytes(limits.field_cache_bytes);
+  published.set_max_curve_points(limits.max_curve_points);
+  published.set_max_targets(limits.max_targets);
+  published.set_max_levels(limits.max_levels);
+  published.set_max_samples(limits.max_samples);
+  published.set_max_matrix_rows(limits.max_matrix_rows);
+  published.set_max_matrix_values(limits.max_matrix_values);
+  published.set_computation_store_bytes(limits.computation_store_bytes);
 }
 
 grpc::ServerUnaryReactor* CapabilitiesService::GetCapabilities(

@@ -1,25 +1,17 @@
 #include "server/rpc/field_stream.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
+#include <vector>
 
 #include "server/rpc/call_deadline.h"
-#include "server/rpc/message_translation.h"
-#include "server/rpc/status_translation.h"
+#include "server/rpc/field_translation.h"
+#include "server/rpc/value_bytes.h"
 
 namespace geodesic::server {
 namespace {
 
-// Distances are sent as they lie in memory.
-static_assert(std::endian::native == std::endian::little);
-
-// 512 KiB a message: large enough to stream at the speed of memory, small
-// enough that a stalled reader costs little.
-constexpr uint64_t kVerticesPerChunk = 65536;
-
-// What geodesic::Solve guarantees (solve.h).
-constexpr double kRelativeTolerance = 1e-10;
+constexpr size_t kSettledPerChunk = 32768;
 
 }  // namespace
 
@@ -27,144 +19,128 @@ grpc::ServerWriteReactor<v1::ComputeFieldResponse>* FieldStream::Start(
     QueryEngine& engine, RequestLog& log, const std::string& version,
     const grpc::CallbackServerContext& context,
     const v1::ComputeFieldRequest& request) {
-  const std::shared_ptr<FieldStream> stream(
-      new FieldStream(engine, log, version));
-  stream->self_ = stream;
-  stream->Begin(log, context, request);
-  return stream.get();
+  return Launch(std::shared_ptr<FieldStream>(
+      new FieldStream(engine, log, version, context, request)));
 }
 
 FieldStream::FieldStream(QueryEngine& engine, RequestLog& log,
-                         const std::string& version)
-    : engine_(engine), version_(version) {
-  entry_.emplace(log, "ComputeField");
+                         const std::string& version,
+                         const grpc::CallbackServerContext& context,
+                         const v1::ComputeFieldRequest& request)
+    : AnswerStream(log, "ComputeField"),
+      engine_(engine),
+      version_(version),
+      context_(context),
+      request_(request) {
+  entry().set_subject(DigestPrefix(request.mesh_digest()));
 }
 
-absl::StatusOr<FieldCall> FieldStream::Ask(
-    const RequestLog& log, const grpc::CallbackServerContext& context,
-    const v1::ComputeFieldRequest& request) {
-  if (absl::Status status = log.CheckRoom(); !status.ok()) return status;
-  absl::StatusOr<FieldRequest> query = FromProto(request);
+absl::Status FieldStream::Ask() {
+  const absl::StatusOr<v1::ValueType> value_type =
+      ResolveValueType(request_.value_type());
+  if (!value_type.ok()) return value_type.status();
+  value_type_ = *value_type;
+  absl::StatusOr<FieldRequest> query = FromProto(request_, engine_.limits());
   if (!query.ok()) return query.status();
-  query->deadline = CallDeadline(context);
-  return engine_.ComputeField(*query, shared_from_this());
-}
-
-void FieldStream::Begin(const RequestLog& log,
-                        const grpc::CallbackServerContext& context,
-                        const v1::ComputeFieldRequest& request) {
-  entry_->set_subject(DigestPrefix(request.mesh_digest()));
-  // Without the lock: the engine may call back at once.
-  absl::StatusOr<FieldCall> call = Ask(log, context, request);
-  std::lock_guard lock(mutex_);
-  if (!call.ok()) {
-    End(call.status());
-    return;
-  }
+  query->deadline = CallDeadline(context_);
+  extras_ = query->extras;
+  absl::StatusOr<FieldCall> call = engine_.ComputeField(
+      *query, std::static_pointer_cast<FieldStream>(shared_from_this()));
+  if (!call.ok()) return call.status();
   call_ = *std::move(call);
-  if (call_.field != nullptr) field_ = std::move(call_.field);
-  v1::FieldAccepted& accepted = *message_.mutable_accepted();
-  accepted.set_mesh_digest(request.mesh_digest());
-  accepted.set_vertex_count(call_.vertex_count);
-  accepted.set_algorithm(ToProto(call_.algorithm));
-  accepted.set_origin(ToProto(call_.origin));
-  begun_ = true;
-  Write();
+  if (call_.answer.has_value()) answer_ = *std::exchange(call_.answer, {});
+  return absl::OkStatus();
 }
 
-void FieldStream::OnWriteDone(bool ok) {
-  std::lock_guard lock(mutex_);
-  writing_ = false;
-  if (!ok) {
-    // The stream is broken; OnCancel tells the engine.
-    End(absl::CancelledError("the client is gone"));
-    return;
-  }
-  Advance();
-}
-
-void FieldStream::OnCancel() {
-  FieldCall call;
-  {
-    std::lock_guard lock(mutex_);
-    call = call_;
-    End(absl::CancelledError("the call was cancelled or its deadline came"));
-  }
-  // Without the lock, for the engine has its own.
-  engine_.Cancel(call);
-}
-
-void FieldStream::OnDone() {
-  std::shared_ptr<FieldStream> self;
-  std::lock_guard lock(mutex_);
-  entry_.reset();
-  // The lock is released before `self`, which may be the last to hold it.
-  self = std::move(self_);
-}
+void FieldStream::Cancel() { engine_.Cancel(call_); }
 
 void FieldStream::OnProgress(const Progress& progress) {
-  std::lock_guard lock(mutex_);
-  progress_ = progress;
-  Advance();
+  Update([&] {
+    progress_ = progress;
+    progress_->distances = {};  // valid during this call only
+  });
 }
 
-void FieldStream::OnField(const absl::StatusOr<FieldHandle>& field) {
-  std::lock_guard lock(mutex_);
-  field_ = field;
-  Advance();
+void FieldStream::OnField(const absl::StatusOr<FieldAnswer>& answer) {
+  Update([&] { answer_ = answer; });
 }
 
-void FieldStream::Advance() {
-  if (!begun_ || writing_ || finished_) return;
-  if (field_.has_value()) {
-    if (!field_->ok()) {
-      End(field_->status());
-    } else if (offset_ < (**field_)->distances.size()) {
-      WriteChunk();
-    } else {
-      WriteTrailer();
-    }
-  } else if (progress_.has_value()) {
-    *message_.mutable_progress() = ToProto(*std::exchange(progress_, {}));
-    Write();
+absl::StatusOr<NextMessage> FieldStream::Fill(
+    v1::ComputeFieldResponse& message) {
+  if (!std::exchange(accepted_, true)) {
+    FillAccepted(*message.mutable_accepted());
+    return NextMessage::kSend;
   }
+  // What is final goes out even if the rest never comes.
+  if (FillSettled(message)) return NextMessage::kSend;
+  if (!answer_.has_value()) {
+    if (!progress_.has_value()) return NextMessage::kWait;
+    *message.mutable_progress() = ToProto(*std::exchange(progress_, {}));
+    return NextMessage::kSend;
+  }
+  if (!answer_->ok()) return answer_->status();
+  if (!chunks_.has_value()) {
+    chunks_.emplace(call_, **answer_, extras_, value_type_);
+  }
+  if (!extras_.settled_order && FillChunk(message)) return NextMessage::kSend;
+  if (FillTargets(message)) return NextMessage::kSend;
+  FillTrailer(*message.mutable_trailer());
+  return NextMessage::kSendLast;
 }
 
-void FieldStream::WriteChunk() {
-  const std::vector<double>& distances = (**field_)->distances;
-  const uint64_t count =
-      std::min<uint64_t>(kVerticesPerChunk, distances.size() - offset_);
-  v1::FieldChunk& chunk = *message_.mutable_chunk();
-  chunk.set_offset(offset_);
-  // Into the string of the chunk before, which has the size already.
-  chunk.mutable_distances()->assign(
-      reinterpret_cast<const char*>(distances.data() + offset_),
-      count * sizeof(double));
-  offset_ += count;
-  entry_->add_bytes(count * sizeof(double));
-  Write();
+bool FieldStream::FillSettled(v1::ComputeFieldResponse& message) {
+  if (call_.seat.settled == nullptr) return false;
+  const std::vector<SettledVertex> settled =
+      call_.seat.settled->Read(settled_, kSettledPerChunk);
+  if (settled.empty()) return false;
+  v1::SettledChunk& chunk = *message.mutable_settled();
+  chunk.set_offset(settled_);
+  chunk.mutable_vertices()->clear();
+  std::vector<double> distances;
+  distances.reserve(settled.size());
+  for (const SettledVertex& vertex : settled) {
+    AppendBytes(vertex.vertex, *chunk.mutable_vertices());
+    distances.push_back(vertex.distance);
+  }
+  SetValues(distances, value_type_, *chunk.mutable_distances());
+  settled_ += settled.size();
+  entry().add_bytes(chunk.vertices().size() + chunk.distances().size());
+  return true;
 }
 
-void FieldStream::WriteTrailer() {
-  v1::FieldTrailer& trailer = *message_.mutable_trailer();
-  trailer.set_origin(ToProto(call_.origin));
-  *trailer.mutable_statistics() = ToProto((**field_)->statistics);
+bool FieldStream::FillChunk(v1::ComputeFieldResponse& message) {
+  v1::FieldChunk& chunk = *message.mutable_chunk();
+  if (!chunks_->Next(chunk)) return false;
+  entry().add_bytes(chunk.distances().size() + chunk.nearest_sources().size() +
+                    chunk.gradients().size());
+  return true;
+}
+
+bool FieldStream::FillTargets(v1::ComputeFieldResponse& message) {
+  v1::TargetChunk& chunk = *message.mutable_targets();
+  if (!chunks_->NextTargets(chunk)) return false;
+  entry().add_bytes(chunk.distances().size());
+  return true;
+}
+
+void FieldStream::FillAccepted(v1::FieldAccepted& accepted) const {
+  accepted.set_mesh_digest(call_.mesh->digest);
+  accepted.set_vertex_count(call_.mesh->mesh->vertex_count());
+  accepted.set_algorithm(ToProto(call_.query.algorithm));
+  accepted.set_origin(ToProto(call_.origin));
+  accepted.set_value_type(value_type_);
+  accepted.set_target_count(call_.query.targets.size());
+}
+
+void FieldStream::FillTrailer(v1::FieldTrailer& trailer) const {
+  const FieldAnswer& answer = chunks_->answer();
+  trailer.set_origin(ToProto(call_.origin == FieldOrigin::kJoined
+                                 ? FieldOrigin::kJoined
+                                 : answer.origin));
+  *trailer.mutable_statistics() = ToProto(answer.field->statistics);
   trailer.set_relative_tolerance(kRelativeTolerance);
   trailer.set_server_version(version_);
-  finished_ = true;
-  StartWriteAndFinish(&message_, grpc::WriteOptions(), grpc::Status::OK);
-}
-
-void FieldStream::Write() {
-  writing_ = true;
-  StartWrite(&message_);
-}
-
-void FieldStream::End(absl::Status status) {
-  if (finished_) return;
-  finished_ = true;
-  Finish(ToGrpcStatus(status));
-  entry_->set_status(std::move(status));
+  trailer.set_settled_radius(chunks_->settled_radius());
 }
 
 }  // namespace geodesic::server

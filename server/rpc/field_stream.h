@@ -1,4 +1,4 @@
-// One ComputeField call: accepted, progress, chunks, trailer.
+// One ComputeField call: accepted, progress, chunks, targets, trailer.
 
 #ifndef GEODESIC_SERVER_RPC_FIELD_STREAM_H_
 #define GEODESIC_SERVER_RPC_FIELD_STREAM_H_
@@ -7,8 +7,6 @@
 #include <grpcpp/support/server_callback.h>
 
 #include <cstdint>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 
@@ -16,69 +14,59 @@
 #include "absl/status/statusor.h"
 #include "geodesic/v1/field_service.pb.h"
 #include "server/engine/query_engine.h"
+#include "server/rpc/answer_stream.h"
+#include "server/rpc/field_chunks.h"
 #include "server/rpc/request_log.h"
 
 namespace geodesic::server {
 
-// At any time at most one message is on its way to the client; the next is made
-// when gRPC has taken that one. So a slow reader costs one message and the pin
-// on its field, and progress that nobody took is overwritten by newer.
-//
-// Reactions and the engine's calls come from different threads, so everything
-// happens under one lock. Two parties hold the object, gRPC until OnDone and
-// the engine as long as it may call; the last to let go destroys it.
-class FieldStream final
-    : public grpc::ServerWriteReactor<v1::ComputeFieldResponse>,
-      public FieldObserver,
-      public std::enable_shared_from_this<FieldStream> {
+// Progress that nobody took is overwritten by newer.
+class FieldStream final : public AnswerStream<v1::ComputeFieldResponse>,
+                          public FieldObserver {
  public:
-  // Starts the call; the reactor keeps itself alive until gRPC is done with it.
-  // REQUIRES: `engine`, `log` and `version` outlive the call.
+  // REQUIRES: `engine`, `log` and `version` outlive the call; `context` and
+  // `request` live until gRPC is done with it.
   static grpc::ServerWriteReactor<v1::ComputeFieldResponse>* Start(
       QueryEngine& engine, RequestLog& log, const std::string& version,
       const grpc::CallbackServerContext& context,
       const v1::ComputeFieldRequest& request);
 
-  void OnWriteDone(bool ok) override;
-  void OnCancel() override;
-  void OnDone() override;
-
   void OnProgress(const Progress& progress) override;
-  void OnField(const absl::StatusOr<FieldHandle>& field) override;
+  void OnField(const absl::StatusOr<FieldAnswer>& answer) override;
 
  private:
-  FieldStream(QueryEngine& engine, RequestLog& log, const std::string& version);
+  FieldStream(QueryEngine& engine, RequestLog& log, const std::string& version,
+              const grpc::CallbackServerContext& context,
+              const v1::ComputeFieldRequest& request);
 
-  absl::StatusOr<FieldCall> Ask(const RequestLog& log,
-                                const grpc::CallbackServerContext& context,
-                                const v1::ComputeFieldRequest& request);
-  void Begin(const RequestLog& log, const grpc::CallbackServerContext& context,
-             const v1::ComputeFieldRequest& request);
+  absl::Status Ask() override;
+  void Cancel() override;
+  absl::StatusOr<NextMessage> Fill(v1::ComputeFieldResponse& message) override;
 
-  // The rest REQUIRES: mutex_ held.
+  // Fills the next message of its kind; false when there is none.
+  bool FillSettled(v1::ComputeFieldResponse& message);
+  bool FillChunk(v1::ComputeFieldResponse& message);
+  bool FillTargets(v1::ComputeFieldResponse& message);
 
-  // Sends what is next, if anything is and gRPC is free to take it.
-  void Advance();
-  void WriteChunk();
-  void WriteTrailer();
-  void Write();
-  void End(absl::Status status);
+  void FillAccepted(v1::FieldAccepted& accepted) const;
+  void FillTrailer(v1::FieldTrailer& trailer) const;
 
   QueryEngine& engine_;
   const std::string& version_;
+  const grpc::CallbackServerContext& context_;
+  const v1::ComputeFieldRequest& request_;
 
-  std::mutex mutex_;
-  // Guarded by mutex_:
-  std::shared_ptr<FieldStream> self_;  // what gRPC holds
-  std::optional<RequestLog::Entry> entry_;
+  // Set by Ask, then constant:
+  FieldExtras extras_;
+  v1::ValueType value_type_ = v1::VALUE_TYPE_FLOAT64;
   FieldCall call_;
-  bool begun_ = false;                // `accepted` is, or has been, on its way
-  bool writing_ = false;              // a message is on its way
-  bool finished_ = false;             // Finish was called
+
+  // Guarded by the stream's lock:
+  bool accepted_ = false;
   std::optional<Progress> progress_;  // newer than what was sent
-  std::optional<absl::StatusOr<FieldHandle>> field_;
-  uint64_t offset_ = 0;  // of the next chunk
-  v1::ComputeFieldResponse message_;
+  std::optional<absl::StatusOr<FieldAnswer>> answer_;
+  std::optional<FieldChunks> chunks_;  // of *answer_
+  uint64_t settled_ = 0;               // entries of the log that were sent
 };
 
 }  // namespace geodesic::server

@@ -6,7 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "server/rpc/mesh_stream.h"
-#include "server/rpc/message_translation.h"
+#include "server/rpc/mesh_translation.h"
 #include "server/rpc/unary_call.h"
 #include "server/rpc/upload_stream.h"
 

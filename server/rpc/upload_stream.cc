@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "server/engine/status_details.h"
-#include "server/rpc/message_translation.h"
+#include "server/rpc/mesh_translation.h"
 #include "server/rpc/status_translation.h"
 
 namespace geodesic::server {

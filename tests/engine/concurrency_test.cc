@@ -71,21 +71,21 @@ TEST(Concurrency, TheStoreStaysWithinItsBudget) {
 class WaitingObserver final : public FieldObserver {
  public:
   void OnProgress(const Progress&) override {}
-  void OnField(const absl::StatusOr<FieldHandle>& field) override {
+  void OnField(const absl::StatusOr<FieldAnswer>& answer) override {
     std::lock_guard lock(mutex_);
-    field_ = field;
+    answer_ = answer;
     changed_.notify_all();
   }
-  absl::StatusOr<FieldHandle> Wait() {
+  absl::StatusOr<FieldAnswer> Wait() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return field_.has_value(); });
-    return *field_;
+    changed_.wait(lock, [this] { return answer_.has_value(); });
+    return *answer_;
   }
 
  private:
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::optional<absl::StatusOr<FieldHandle>> field_;
+  std::optional<absl::StatusOr<FieldAnswer>> answer_;
 };
 
 class EngineConcurrencyTest : public ::testing::Test {
@@ -126,12 +126,12 @@ TEST_F(EngineConcurrencyTest, EveryoneGetsTheSameField) {
       const auto call = engine_.ComputeField(
           {digest, {.sources = {{VertexPoint{vertex}, 0}}}}, observer);
       ASSERT_TRUE(call.ok()) << call.status();
-      const auto field = call->field != nullptr
-                             ? absl::StatusOr<FieldHandle>(call->field)
-                             : observer->Wait();
-      ASSERT_TRUE(field.ok()) << field.status();
+      const auto answer = call->answer.has_value()
+                              ? absl::StatusOr<FieldAnswer>(*call->answer)
+                              : observer->Wait();
+      ASSERT_TRUE(answer.ok()) << answer.status();
       std::lock_guard lock(mutex);
-      fields[vertex].push_back(*field);
+      fields[vertex].push_back(answer->field);
     }
   });
   for (const auto& same : fields) {
@@ -157,14 +157,14 @@ TEST_F(EngineConcurrencyTest, CancelsAndDeletesLeaveNothingBehind) {
       }
       if (i % 2 == 0) {
         engine_.Cancel(*call);
-      } else if (call->field == nullptr) {
+      } else if (!call->answer.has_value()) {
         EXPECT_TRUE(observer->Wait().ok());
       }
       if (thread == 0 && i % 10 == 9) (void)engine_.DeleteMesh(digest);
     }
   });
   EXPECT_TRUE(engine_.WaitIdle(std::chrono::seconds(60)));
-  EXPECT_EQ(engine_.flights().size(), 0);
+  EXPECT_EQ(engine_.fields().flights().size(), 0);
   const EngineCounters counters = engine_.counters();
   EXPECT_EQ(counters.solves_started,
             counters.solves_finished + counters.solves_stopped);

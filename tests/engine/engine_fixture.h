@@ -22,8 +22,8 @@ class EngineTest : public ::testing::Test {
   explicit EngineTest(Limits limits = SmallLimits())
       : engine_(limits, clock_, executor_,
                 [this](const Mesh& mesh, const Query& query,
-                       const SolveOptions& options, Checkpoint& checkpoint) {
-                  return solve_(mesh, query, options, checkpoint);
+                       const SolveOptions& options) {
+                  return start_(mesh, query, options);
                 }) {}
 
   // The engine's end waits for its tasks.
@@ -38,10 +38,17 @@ class EngineTest : public ::testing::Test {
             .max_vertices = 100'000,
             .max_faces = 200'000,
             .max_sources = 10,
+            .max_curve_points = 10,
+            .max_targets = 100,
+            .max_levels = 5,
+            .max_samples = 20,
+            .max_matrix_rows = 50,
+            .max_matrix_values = 10'000,
             .max_concurrent_jobs = 1,
             .max_queued_jobs = 2,
             .mesh_store_bytes = 64 * kMiB,
             .field_cache_bytes = 16 * kMiB,
+            .computation_store_bytes = 16 * kMiB,
             .upload_memory_bytes = 256 * kMiB,
             .solver_memory_bytes = 256 * kMiB};
   }
@@ -68,7 +75,7 @@ class EngineTest : public ::testing::Test {
 
   FakeClock clock_;
   ManualExecutor executor_;
-  SolveFunction solve_ = &Solve;
+  StartFunction start_ = &StartComputation;
   QueryEngine engine_;
 };
 

@@ -57,14 +57,21 @@ class RecordingObserver final : public FieldObserver {
  public:
   void OnProgress(const Progress& progress) override {
     seen.push_back(progress);
+    seen.back().distances = {};  // valid during this call only
   }
-  void OnField(const absl::StatusOr<FieldHandle>& f) override {
+  void OnField(const absl::StatusOr<FieldAnswer>& a) override {
     ++calls;
-    field = f;
+    answer = a;
+    if (a.ok()) {
+      field = a->field;
+    } else {
+      field = a.status();
+    }
   }
 
   std::vector<Progress> seen;
-  std::optional<absl::StatusOr<FieldHandle>> field;
+  std::optional<absl::StatusOr<FieldAnswer>> answer;
+  std::optional<absl::StatusOr<FieldHandle>> field;  // of *answer
   int calls = 0;
 };
 

@@ -11,8 +11,9 @@ namespace {
 
 using test::RecordingObserver;
 
-FieldKey Key(uint32_t vertex) {
-  return {.mesh_digest = "mesh", .sources = {{VertexPoint{vertex}, 0}}};
+FlightKey Key(uint32_t vertex) {
+  return {
+      .field = {.mesh_digest = "mesh", .sources = {{VertexPoint{vertex}, 0}}}};
 }
 
 class FieldFlightTest : public ::testing::Test {
@@ -27,6 +28,7 @@ class FieldFlightTest : public ::testing::Test {
   std::shared_ptr<RecordingObserver> a_ = std::make_shared<RecordingObserver>();
   std::shared_ptr<RecordingObserver> b_ = std::make_shared<RecordingObserver>();
   const FieldHandle field_ = std::make_shared<const DistanceField>();
+  const FieldAnswer answer_{.field = field_};
 };
 
 TEST_F(FieldFlightTest, EqualQueriesShareAFlight) {
@@ -39,16 +41,16 @@ TEST_F(FieldFlightTest, EqualQueriesShareAFlight) {
   EXPECT_TRUE(other.is_first);
   EXPECT_NE(other.flight, a.flight);
 
-  flights_.Complete(*a.flight, field_);
+  flights_.Complete(*a.flight, answer_);
   EXPECT_EQ(**a_->field, field_);
   EXPECT_EQ(**b_->field, field_);
   EXPECT_EQ(a_->calls, 1);
-  flights_.Complete(*other.flight, field_);
+  flights_.Complete(*other.flight, answer_);
 }
 
 TEST_F(FieldFlightTest, ACompletedFlightTakesNobodyOnBoard) {
   const auto a = Join(a_);
-  flights_.Complete(*a.flight, field_);
+  flights_.Complete(*a.flight, answer_);
   const auto b = Join(b_);
   EXPECT_TRUE(b.is_first);
   EXPECT_NE(a.flight, b.flight);
@@ -79,7 +81,7 @@ TEST_F(FieldFlightTest, NobodyJoinsAFlightThatWasCalledOff) {
   flights_.Complete(*a.flight, absl::CancelledError("called off"));
   EXPECT_EQ(b_->calls, 0);
   EXPECT_EQ(flights_.size(), 1);
-  flights_.Complete(*b.flight, field_);
+  flights_.Complete(*b.flight, answer_);
   EXPECT_TRUE(b_->field->ok());
 }
 

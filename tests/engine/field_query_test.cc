@@ -10,14 +10,20 @@
 #include <stdexcept>
 #include <string>
 
+#include "geodesic/solve.h"
 #include "server/engine/status_details.h"
 #include "tests/engine/engine_fixture.h"
+#include "tests/engine/solving_computation.h"
 #include "tests/support/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {
 
 using test::RecordingObserver;
+
+Source At(uint32_t vertex, double offset = 0) {
+  return {VertexPoint{vertex}, offset};
+}
 using ::testing::HasSubstr;
 
 class FieldQueryTest : public test::EngineTest {
@@ -28,6 +34,7 @@ class FieldQueryTest : public test::EngineTest {
     const auto uploaded = Upload(geodesic::test::Icosphere(2));
     ASSERT_TRUE(uploaded.ok()) << uploaded.status();
     digest_ = uploaded->mesh->digest;
+    start_ = test::StartWith(solve_);
     solve_ = [this](const Mesh& mesh, const Query& query,
                     const SolveOptions& options, Checkpoint& checkpoint) {
       ++solves_;
@@ -39,11 +46,15 @@ class FieldQueryTest : public test::EngineTest {
       uint32_t vertex, const std::shared_ptr<RecordingObserver>& observer,
       TimePoint deadline = kNoDeadline) {
     return engine_.ComputeField(
-        {digest_, {.sources = {{VertexPoint{vertex}, 0}}}, deadline}, observer);
+        {.mesh_digest = digest_,
+         .query = {.sources = {{VertexPoint{vertex}, 0}}},
+         .deadline = deadline},
+        observer);
   }
 
   // A solver that polls `polls` times and does `at_poll` before each.
-  SolveFunction PollingSolver(int polls, std::function<void(int)> at_poll) {
+  test::SolveFunction PollingSolver(int polls,
+                                    std::function<void(int)> at_poll) {
     return [this, polls, at_poll](
                const Mesh& mesh, const Query&, const SolveOptions&,
                Checkpoint& checkpoint) -> absl::StatusOr<DistanceField> {
@@ -60,6 +71,7 @@ class FieldQueryTest : public test::EngineTest {
     };
   }
 
+  test::SolveFunction solve_;
   std::string digest_;
   int solves_ = 0;
   int polls_ = 0;
@@ -71,7 +83,7 @@ TEST_F(FieldQueryTest, SolvesExactly) {
   const auto call = Ask(0, a_);
   ASSERT_TRUE(call.ok()) << call.status();
   EXPECT_EQ(call->origin, FieldOrigin::kSolved);
-  EXPECT_EQ(call->vertex_count, 162);
+  EXPECT_EQ(call->mesh->mesh->vertex_count(), 162);
   EXPECT_EQ(a_->calls, 0);
   executor_.RunAll();
   ASSERT_TRUE(a_->field.has_value());
@@ -89,7 +101,7 @@ TEST_F(FieldQueryTest, TheCacheAnswersTheSecondTime) {
   const auto again = Ask(0, b_);
   ASSERT_TRUE(again.ok());
   EXPECT_EQ(again->origin, FieldOrigin::kCached);
-  EXPECT_EQ(again->field, **a_->field);
+  EXPECT_EQ(again->answer->field, **a_->field);
   EXPECT_EQ(b_->calls, 0);
   EXPECT_EQ(solves_, 1);
   EXPECT_EQ(executor_.size(), 0);
@@ -102,9 +114,9 @@ TEST_F(FieldQueryTest, TheOrderOfSourcesDoesNotMatter) {
     executor_.RunAll();
     return call->origin;
   };
-  EXPECT_EQ(ask({{1, 0.5}, {0, 0}}), FieldOrigin::kSolved);
-  EXPECT_EQ(ask({{0, 0}, {1, 0.5}, {1, 0.75}}), FieldOrigin::kCached);
-  EXPECT_EQ(ask({{0, 0}, {1, 0.25}}), FieldOrigin::kSolved);
+  EXPECT_EQ(ask({At(1, 0.5), At(0)}), FieldOrigin::kSolved);
+  EXPECT_EQ(ask({At(0), At(1, 0.5), At(1, 0.75)}), FieldOrigin::kCached);
+  EXPECT_EQ(ask({At(0), At(1, 0.25)}), FieldOrigin::kSolved);
 }
 
 TEST_F(FieldQueryTest, ConcurrentEqualQueriesAreSolvedOnce) {
@@ -126,7 +138,7 @@ TEST_F(FieldQueryTest, AlgorithmsAreDifferentQuestions) {
       b_);
   ASSERT_TRUE(other.ok());
   EXPECT_EQ(other->origin, FieldOrigin::kSolved);
-  EXPECT_EQ(other->algorithm, Algorithm::kMmp);
+  EXPECT_EQ(other->query.algorithm, Algorithm::kMmp);
 }
 
 TEST_F(FieldQueryTest, CancelWhileQueuedNeverSolves) {
@@ -136,7 +148,7 @@ TEST_F(FieldQueryTest, CancelWhileQueuedNeverSolves) {
   executor_.RunAll();
   EXPECT_EQ(solves_, 0);
   EXPECT_EQ(a_->calls, 0);
-  EXPECT_EQ(engine_.flights().size(), 0);
+  EXPECT_EQ(engine_.fields().flights().size(), 0);
 }
 
 TEST_F(FieldQueryTest, CancelWhileRunningStopsAtTheNextPoll) {
@@ -150,7 +162,7 @@ TEST_F(FieldQueryTest, CancelWhileRunningStopsAtTheNextPoll) {
   EXPECT_EQ(a_->calls, 0);
   EXPECT_EQ(engine_.counters().solves_stopped, 1);
   EXPECT_EQ(engine_.counters().solves_finished, 0);
-  EXPECT_EQ(engine_.fields().used_bytes(), 0);
+  EXPECT_EQ(engine_.fields().fields().used_bytes(), 0);
 }
 
 TEST_F(FieldQueryTest, TheSolverRunsWhileAnyoneWaits) {
@@ -228,14 +240,14 @@ TEST_F(FieldQueryTest, ArgumentsAreChecked) {
         .status();
   };
   EXPECT_EQ(FieldAtFault(ask({})), "sources");
-  const absl::Status range = ask({{0, 0}, {162, 0}});
+  EXPECT_EQ(FieldAtFault(ask({At(0, -1)})), "sources[0].offset");
+  const absl::Status range = ask({At(0), At(162)});
   EXPECT_TRUE(absl::IsInvalidArgument(range));
   EXPECT_THAT(std::string(range.message()), HasSubstr("sources[1]"));
-  EXPECT_TRUE(absl::IsInvalidArgument(ask({{0, -1}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(ask({At(0, -1)})));
   EXPECT_TRUE(absl::IsInvalidArgument(
-      ask({{0, std::numeric_limits<double>::quiet_NaN()}})));
-  EXPECT_TRUE(
-      absl::IsResourceExhausted(ask(std::vector<Source>(11, Source{0, 0}))));
+      ask({At(0, std::numeric_limits<double>::quiet_NaN())})));
+  EXPECT_TRUE(absl::IsResourceExhausted(ask(std::vector<Source>(11, At(0)))));
   EXPECT_TRUE(absl::IsNotFound(
       engine_
           .ComputeField(
@@ -280,9 +292,9 @@ TEST_F(FieldQueryTest, DeletingAMeshDropsItsFieldsOnly) {
       engine_.ComputeField({other, {.sources = {{VertexPoint{0}, 0}}}}, b_)
           .ok());
   executor_.RunAll();
-  EXPECT_EQ(engine_.fields().size(), 2);
+  EXPECT_EQ(engine_.fields().fields().size(), 2);
   EXPECT_TRUE(engine_.DeleteMesh(digest_).ok());
-  EXPECT_EQ(engine_.fields().size(), 1);
+  EXPECT_EQ(engine_.fields().fields().size(), 1);
 }
 
 TEST_F(FieldQueryTest, ADeletedMeshServesThoseWhoUseIt) {
@@ -333,7 +345,7 @@ TEST_F(TinyCacheTest, OldFieldsMakeWay) {
     executor_.RunAll();
     ASSERT_TRUE(observer->field->ok()) << observer->field->status();
   }
-  EXPECT_EQ(engine_.fields().size(), 2);
+  EXPECT_EQ(engine_.fields().fields().size(), 2);
   EXPECT_EQ(Ask(2, a_)->origin, FieldOrigin::kCached);
   EXPECT_EQ(Ask(0, a_)->origin, FieldOrigin::kSolved);
 }
@@ -350,6 +362,7 @@ TEST_F(TinyCacheTest, FieldsInUseBoundWhatIsSolved) {
   EXPECT_TRUE(RetryAfter(c->field->status()).has_value());
   EXPECT_EQ(solves_, 2);
   a_->field.reset();
+  a_->answer.reset();
   ASSERT_TRUE(Ask(2, c).ok());
   executor_.RunAll();
   EXPECT_TRUE(c->field->ok());

@@ -6,6 +6,7 @@
 #include <memory>
 #include <stop_token>
 
+#include "server/engine/field_flight.h"
 #include "tests/engine/fakes.h"
 
 namespace geodesic::server {
@@ -19,7 +20,7 @@ constexpr uint64_t kMiB = uint64_t{1} << 20;
 class JobCheckpointTest : public ::testing::Test {
  protected:
   JobCheckpoint MakeCheckpoint() {
-    return JobCheckpoint(flights_, *seat_.flight, clock_, stop_.get_token(),
+    return JobCheckpoint(audience_, clock_, stop_.get_token(),
                          *ByteReservation::Make(memory_, 0), milliseconds(50));
   }
 
@@ -30,8 +31,10 @@ class JobCheckpointTest : public ::testing::Test {
       std::make_shared<ByteBudget>("solver memory", 100 * kMiB);
   std::shared_ptr<RecordingObserver> observer_ =
       std::make_shared<RecordingObserver>();
-  FieldFlights::Seat seat_ = flights_.Join(
-      {.mesh_digest = "mesh"}, {observer_, clock_.Now() + milliseconds(500)});
+  FieldFlights::Seat seat_ =
+      flights_.Join({.field = {.mesh_digest = "mesh"}},
+                    {observer_, clock_.Now() + milliseconds(500)});
+  FlightAudience audience_{flights_, *seat_.flight};
 };
 
 TEST_F(JobCheckpointTest, LetsTheSolverGoOn) {

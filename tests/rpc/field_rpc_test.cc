@@ -132,7 +132,7 @@ TEST_F(FieldRpcTest, BadRequests) {
     return FieldAtFault(reply.status);
   };
   EXPECT_EQ(fault(FieldRequest("horse", 0)), "mesh_digest");
-  EXPECT_EQ(fault(FieldRequest(digest, 4)), "sources");
+  EXPECT_EQ(fault(FieldRequest(digest, 4)), "sources[0].vertex");
   EXPECT_EQ(fault(FieldRequest(digest, uint64_t{1} << 40)),
             "sources[0].vertex");
   v1::ComputeFieldRequest request = FieldRequest(digest, 0);
@@ -142,7 +142,7 @@ TEST_F(FieldRpcTest, BadRequests) {
                               std::numeric_limits<double>::quiet_NaN()}) {
     request = FieldRequest(digest, 0);
     request.mutable_sources(0)->set_offset(offset);
-    EXPECT_EQ(fault(request), "sources");
+    EXPECT_EQ(fault(request), "sources[0].offset");
   }
   request = FieldRequest(digest, 0);
   request.set_algorithm(static_cast<v1::Algorithm>(9));

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
-#include <functional>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "tests/engine/uploads.h"
@@ -25,6 +25,30 @@ google::rpc::Status Details(const grpc::Status& status) {
   return details;
 }
 
+// A computation that is held up before it advances.
+class HeldComputation final : public Computation {
+ public:
+  HeldComputation(HeldSolver& solver, const Mesh& mesh,
+                  std::unique_ptr<Computation> computation)
+      : solver_(solver), mesh_(mesh), computation_(std::move(computation)) {}
+
+  absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) override {
+    absl::Status status = solver_.Hold(mesh_, checkpoint);
+    if (!status.ok()) return status;
+    return computation_->Advance(reach, checkpoint);
+  }
+  DistanceField Field() const override { return computation_->Field(); }
+  absl::Status AddSource(const Source& source) override {
+    return computation_->AddSource(source);
+  }
+  uint64_t bytes() const override { return computation_->bytes(); }
+
+ private:
+  HeldSolver& solver_;
+  const Mesh& mesh_;
+  const std::unique_ptr<Computation> computation_;
+};
+
 template <typename Message>
 std::optional<Message> Detail(const grpc::Status& status) {
   const google::rpc::Status details = Details(status);
@@ -37,9 +61,7 @@ std::optional<Message> Detail(const grpc::Status& status) {
 
 }  // namespace
 
-absl::StatusOr<DistanceField> HeldSolver::operator()(
-    const Mesh& mesh, const Query& query, const SolveOptions& options,
-    Checkpoint& checkpoint) {
+absl::Status HeldSolver::Hold(const Mesh& mesh, Checkpoint& checkpoint) {
   std::unique_lock lock(mutex_);
   ++starts_;
   changed_.notify_all();
@@ -52,8 +74,7 @@ absl::StatusOr<DistanceField> HeldSolver::operator()(
     changed_.wait_for(lock, std::chrono::milliseconds(1),
                       [this] { return !held_; });
   }
-  lock.unlock();
-  return Solve(mesh, query, options, checkpoint);
+  return absl::OkStatus();
 }
 
 void HeldSolver::LetGo() {
@@ -82,10 +103,17 @@ ServerOptions RpcTest::SmallServer() {
                      .max_vertices = 2'000'000,
                      .max_faces = 1'000'000,
                      .max_sources = 10,
+                     .max_curve_points = 10,
+                     .max_targets = 100,
+                     .max_levels = 5,
+                     .max_samples = 20,
+                     .max_matrix_rows = 200,
+                     .max_matrix_values = 1'000'000,
                      .max_concurrent_jobs = 2,
                      .max_queued_jobs = 2,
                      .mesh_store_bytes = 512 * kMiB,
                      .field_cache_bytes = 64 * kMiB,
+                     .computation_store_bytes = 64 * kMiB,
                      .upload_memory_bytes = 1024 * kMiB,
                      .solver_memory_bytes = 1024 * kMiB,
                      .progress_interval = std::chrono::milliseconds(5)}};
@@ -94,9 +122,18 @@ ServerOptions RpcTest::SmallServer() {
 void RpcTest::Start(const ServerOptions& options, bool held) {
   const auto logger = std::make_shared<spdlog::logger>(
       "test", std::make_shared<spdlog::sinks::null_sink_mt>());
-  const SolveFunction solve =
-      held ? SolveFunction(std::ref(solver_)) : SolveFunction(&Solve);
-  server_ = std::make_unique<Server>(options, logger, solve);
+  StartFunction start = &StartComputation;
+  if (held) {
+    start = [this](const Mesh& mesh, const Query& query,
+                   const SolveOptions& solve_options)
+        -> absl::StatusOr<std::unique_ptr<Computation>> {
+      auto computation = StartComputation(mesh, query, solve_options);
+      if (!computation.ok()) return computation.status();
+      return std::make_unique<HeldComputation>(solver_, mesh,
+                                               *std::move(computation));
+    };
+  }
+  server_ = std::make_unique<Server>(options, logger, start);
   const absl::Status status = server_->Start();
   ASSERT_TRUE(status.ok()) << status;
   grpc::ChannelArguments arguments;

@@ -23,13 +23,12 @@
 
 namespace geodesic::server::test {
 
-// Solves like Solve, but only once it is let go; until then it polls, as a
-// solver in a long computation would.
+// Holds computations up until it lets go; until then they poll, as a solver in
+// a long computation would.
 class HeldSolver {
  public:
-  absl::StatusOr<DistanceField> operator()(const Mesh& mesh, const Query& query,
-                                           const SolveOptions& options,
-                                           Checkpoint& checkpoint);
+  // Returns when it has let go, or with what the checkpoint says.
+  absl::Status Hold(const Mesh& mesh, Checkpoint& checkpoint);
 
   void LetGo();
 

@@ -162,6 +162,27 @@ TriangleSoup DoubleVertices(TriangleSoup soup, uint32_t count, uint64_t seed,
   return soup;
 }
 
+TriangleSoup SplitEdge(TriangleSoup soup, const EdgePoint& point) {
+  const auto& [from, to, t] = point;
+  Point p;
+  for (int c = 0; c < 3; ++c) {
+    p[c] = (1 - t) * soup.positions[from][c] + t * soup.positions[to][c];
+  }
+  const uint32_t added = AddPoint(soup, p);
+  const size_t count = soup.triangles.size();
+  for (size_t f = 0; f < count; ++f) {
+    Triangle& face = soup.triangles[f];
+    if (std::ranges::count(face, from) + std::ranges::count(face, to) != 2) {
+      continue;
+    }
+    Triangle other_half = face;
+    ReplaceCorner(face, to, added);
+    ReplaceCorner(other_half, from, added);
+    soup.triangles.push_back(other_half);
+  }
+  return soup;
+}
+
 TriangleSoup FlipEdges(TriangleSoup soup, uint32_t count, uint64_t seed) {
   Random random(seed);
   for (uint32_t i = 0; i < count; ++i) {

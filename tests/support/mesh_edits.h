@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geodesic/surface_point.h"
 #include "geodesic/triangle_soup.h"
 
 namespace geodesic::test {
@@ -27,6 +28,10 @@ TriangleSoup InsertZeroAreaFaces(TriangleSoup soup, uint32_t count,
 // without area beside that edge.
 TriangleSoup DoubleVertices(TriangleSoup soup, uint32_t count, uint64_t seed,
                             std::vector<uint32_t>* doubled);
+
+// A point of an edge becomes a vertex, numbered last: the faces around it
+// become two each.
+TriangleSoup SplitEdge(TriangleSoup soup, const EdgePoint& point);
 
 // Another surface on the same vertices: `count` times an edge between two
 // faces, drawn at random, is turned to the other diagonal, where that is not

@@ -26,7 +26,7 @@ absl::StatusOr<std::vector<uint32_t>> NearestSources(
 // The unit vector in space in which the shortest path arrives at each vertex:
 // the gradient of the distance there, in the plane of the path's last face. The
 // zero vector at sources and where no path arrives. O(V).
-// Errors: INVALID_ARGUMENT: a field without trace, or of another mesh or query.
+// Errors: as NearestSources.
 absl::StatusOr<std::vector<Point>> Gradients(const Mesh& mesh,
                                              const Query& query,
                                              const DistanceField& field);

@@ -15,21 +15,23 @@
 namespace geodesic {
 
 struct LogMap {
-  // Per vertex, in the unit of the file: distance times (cos, sin) of the angle
-  // at which the shortest path leaves the source. NaN where no path arrives.
-  // Angles are measured around the source from `zero_direction`,
-  // counterclockwise seen from outside; at a vertex they are scaled so that the
-  // cone around an interior vertex measures 2 pi.
+  // Per vertex, in the unit of the file: distance (less the source's offset)
+  // times (cos, sin) of the angle at which the shortest path leaves the source.
+  // NaN where no path arrives. Angles are measured around the source from
+  // `zero_direction`, counterclockwise seen from outside; at an interior vertex
+  // they are scaled so that the cone around it measures 2 pi.
   std::vector<std::array<double, 2>> coordinates;
   // Unit vector in space of angle 0: along the first half-edge of
-  // Mesh::Outgoing at a vertex, along the edge at an edge point, along corner 0
-  // -> corner 1 in a face.
+  // Mesh::Outgoing at a vertex, along the edge from its lower vertex number to
+  // the higher at an edge point, along corner 0 -> corner 1 in a face.
   Point zero_direction{};
 };
 
 // O(V + edges crossed by the paths).
-// Errors: INVALID_ARGUMENT: a field without trace; not exactly one source
-// point, or one at a vertex that is not a manifold disk or half-disk.
+// Errors: INVALID_ARGUMENT: a field without trace, or of another mesh or query;
+// not exactly one source point, or one at a vertex around which the surface is
+// not a disk or half-disk; INTERNAL: the trace does not lead back to the source
+// (a defect).
 absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const Query& query,
                                      const DistanceField& field);
 

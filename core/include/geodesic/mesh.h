@@ -93,6 +93,9 @@ class Mesh {
   bool IsSaddle(uint32_t v) const { return kinds_[v] & kSaddle; }
   bool IsBoundary(uint32_t v) const { return kinds_[v] & kBoundary; }
 
+  // Whether the face has no area to speak of.
+  bool IsCollapsed(uint32_t face) const;
+
   // Solver lengths are file lengths times 2^-scale_exponent, so that the
   // longest extent of the mesh is about 1 and no square overflows.
   int scale_exponent() const { return scale_exponent_; }
@@ -113,8 +116,6 @@ class Mesh {
   explicit Mesh(TriangleSoup soup);
   void BuildFrames(std::span<const HalfEdge> twins);
   void BuildOutgoing();
-  // Whether the face has no area to speak of.
-  bool IsCollapsed(uint32_t face) const;
   void ClassifyVertices();
 
   std::vector<Point> positions_;

@@ -13,10 +13,10 @@ struct SolveOptions {
   // n the number of faces. DEFAULT: 1, the paper's choice.
   double bucket_width = 1;
   // Bound on K, the number of windows an iteration propagates (with the MMP
-  // rule: of half-edges, each with all its windows). DEFAULT: 2000.
+  // rule: of half-edges, each with all its windows). DEFAULT: 500.
   // The paper's 20000 takes whole wavefronts at once on meshes below a million
   // faces; smaller batches make fewer windows and let MMP forget sooner.
-  uint32_t max_batch = 2000;
+  uint32_t max_batch = 500;
   // Whether K follows the wavefront (section 4.2). If not it is max_batch
   // throughout; 1 then drains the buckets one by one. DEFAULT: true.
   bool adaptive_batch = true;

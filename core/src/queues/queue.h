@@ -42,7 +42,7 @@ concept WindowQueue = requires(Q queue, const Q& view, uint32_t id,
 // What a queue may know about the mesh and the caller's wishes.
 struct QueueTuning {
   double bucket_width = 1;  // in the mesh's scaled unit
-  uint32_t max_batch = 2000;
+  uint32_t max_batch = 500;
   bool adaptive_batch = true;
 };
 

@@ -232,14 +232,14 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
     front_.Observe(half_edge, part.window, pseudo_source);
     Enqueue(half_edge, label);
   };
-  while (ListedWindow* older = lists_.Next(half_edge)) {
-    const Interval held = older->window.interval;
+  while (const ListedWindow* next = lists_.Next(half_edge)) {
+    const Interval held = next->window.interval;
     if (held.begin >= interval.end) break;
     const Interval overlap{std::max(held.begin, interval.begin),
                            std::min(held.end, interval.end)};
-    if (front_.MayPassBy(older->pseudo_source, pseudo_source) ||
-        front_.MayPassBy(pseudo_source, older->pseudo_source)) {
-      if (const auto at = SplitBeforeContest(older->window, newer);
+    if (front_.MayPassBy(next->pseudo_source, pseudo_source) ||
+        front_.MayPassBy(pseudo_source, next->pseudo_source)) {
+      if (const auto at = SplitBeforeContest(next->window, newer);
           at.has_value()) {
         put_down(overlap.begin);
         Insert(half_edge, pseudo_source, origin, {overlap.begin, *at});
@@ -247,7 +247,7 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
         return;
       }
     }
-    const Interval won = WonByNewer(older->window, newer);
+    const Interval won = WonByNewer(next->window, newer);
     if (won.width() <= 0) {
       put_down(overlap.begin);
       held_from = overlap.end;
@@ -255,7 +255,7 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
       continue;
     }
     if (won.begin > overlap.begin) {
-      put_down(overlap.begin);
+      put_down(overlap.begin);  // `next` may have moved
       held_from = won.begin;
     }
     const Interval before{held.begin, won.begin};
@@ -267,7 +267,7 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
     const double label = lists_.NextLabel(half_edge);
     if (label != kPropagated) pending_ += keeps_before + keeps_after - 1;
     if (keeps_before) {
-      ListedWindow part = *older;
+      ListedWindow part = *lists_.Next(half_edge);
       part.window.CutTo(before);
       lists_.Add(half_edge, part, label);
       // Both ends of a window in the queue are left: it counts twice now.

@@ -130,7 +130,7 @@ class WindowLists {
   };
   static constexpr uint32_t kLeastRoom = 4;
   static constexpr uint32_t kClasses = 32;
-  static constexpr uint32_t kPrefetched = 4;
+  static constexpr uint32_t kPrefetched = 8;
 
   double* Labels(const Head& list) { return labels_.data() + list.offset; }
   double* NextLabel(const Head& list) {

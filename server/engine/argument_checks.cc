@@ -1,0 +1,44 @@
+#include "server/engine/argument_checks.h"
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/string_view.h"
+#include "server/engine/sha256.h"
+#include "server/engine/status_details.h"
+
+namespace geodesic::server {
+namespace {
+
+absl::string_view View(std::string_view text) {
+  return {text.data(), text.size()};
+}
+
+}  // namespace
+
+absl::Status CheckDigest(std::string_view field, const std::string& digest) {
+  if (IsSha256Hex(digest)) return absl::OkStatus();
+  return InvalidField(
+      field,
+      absl::StrCat(View(field), " must be 64 lower-case hexadecimal digits, ",
+                   "not \"", digest.substr(0, 80), "\""));
+}
+
+absl::Status CheckCount(std::string_view things, uint64_t count,
+                        std::string_view limit_name, uint64_t limit) {
+  if (count <= limit) return absl::OkStatus();
+  return absl::ResourceExhaustedError(
+      absl::StrCat("the request has ", count, " ", View(things), "; ",
+                   View(limit_name), " is ", limit));
+}
+
+absl::Status CheckRadius(std::string_view field, double radius) {
+  if (radius >= 0) return absl::OkStatus();
+  return InvalidField(field, absl::StrCat(View(field), " is ", radius,
+                                          "; it must be a number >= 0"));
+}
+
+absl::Status NotResident(const std::string& digest) {
+  return absl::NotFoundError(
+      absl::StrCat("mesh ", digest, " is not resident; upload it again"));
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,246 @@
+#include "server/engine/field_engine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "absl/strings/str_cat.h"
+#include "server/engine/argument_checks.h"
+#include "server/engine/guarded.h"
+#include "server/engine/job_checkpoint.h"
+#include "server/engine/settled_checkpoint.h"
+#include "server/engine/status_details.h"
+
+namespace geodesic::server {
+namespace {
+
+absl::Status CheckReach(const FieldReach& reach, size_t targets) {
+  if (absl::Status status = CheckRadius("max_distance", reach.radius);
+      !status.ok()) {
+    return status;
+  }
+  if (reach.LimitsTargets() &&
+      (reach.targets == 0 || reach.targets > targets)) {
+    return InvalidField(
+        "stop_after_targets",
+        absl::StrCat("stop_after_targets is ", reach.targets,
+                     "; the request has ", targets, " targets"));
+  }
+  return absl::OkStatus();
+}
+
+// Distances at vertices are in the field itself, so the targets that the
+// solver need not know of are left out: more questions are the same then.
+Query WithoutVertexTargets(Query query) {
+  std::erase_if(query.targets, [](const SurfacePoint& target) {
+    return std::holds_alternative<VertexPoint>(target);
+  });
+  return query;
+}
+
+// The rest of the order, once the field is there.
+void FinishOrder(const DistanceField& field, double radius, SettledLog& log) {
+  log.Append({.settled_radius = std::min(field.settled_radius, radius),
+              .distances = field.distances});
+}
+
+}  // namespace
+
+FieldEngine::FieldEngine(const Limits& limits, const SolveOptions& options,
+                         const Clock& clock, Scheduler& scheduler,
+                         std::shared_ptr<ByteBudget> solver_memory,
+                         StartFunction start)
+    : limits_(limits),
+      options_(options),
+      clock_(clock),
+      start_(std::move(start)),
+      solver_memory_(std::move(solver_memory)),
+      scheduler_(scheduler),
+      fields_(limits.field_cache_bytes),
+      computations_(limits.computation_store_bytes) {}
+
+absl::StatusOr<FieldCall> FieldEngine::Compute(
+    const FieldRequest& request, MeshHandle mesh,
+    std::shared_ptr<FieldObserver> observer) {
+  absl::Status status =
+      ValidateAsNumbered(request.query, request.numbers, *mesh->mesh);
+  if (!status.ok()) return status;
+  status = CheckReach(request.reach, request.query.targets.size());
+  if (!status.ok()) return status;
+
+  FieldCall call{.mesh = mesh, .reach = request.reach};
+  call.query = Canonicalize(request.query, *mesh->mesh);
+  call.query.trace |= request.extras.NeedTrace();
+  call.source_numbers =
+      NumberCanonical(request.query, request.numbers, call.query, *mesh->mesh);
+  const FlightKey key{
+      .field = MakeFieldKey(mesh->digest,
+                            request.reach.LimitsTargets()
+                                ? call.query
+                                : WithoutVertexTargets(call.query),
+                            options_),
+      .reach = request.reach,
+      .extras = request.extras};
+
+  const auto find_cached = [&] {
+    FieldCache::Found found = fields_.Find(key.field, key.reach);
+    if (found.field == nullptr) return false;
+    ++queries_cached_;
+    call.origin = FieldOrigin::kCached;
+    // The rest takes a job.
+    if (key.extras.Any()) return true;
+    call.answer =
+        FieldAnswer{.field = std::move(found.field),
+                    .query = std::make_shared<const Query>(ToQuery(found.key)),
+                    .origin = FieldOrigin::kCached};
+    return true;
+  };
+  if (find_cached() && call.answer.has_value()) return call;
+
+  call.seat = flights_.Join(key, {std::move(observer), request.deadline});
+  if (!call.seat.is_first) {
+    if (call.origin != FieldOrigin::kCached) {
+      call.origin = FieldOrigin::kJoined;
+      ++queries_joined_;
+    }
+    return call;
+  }
+  const std::shared_ptr<FieldFlights::Flight> flight = call.seat.flight;
+  // The flight before this one may have landed after the first look.
+  if (call.origin != FieldOrigin::kCached && find_cached() &&
+      call.answer.has_value()) {
+    flights_.Leave(call.seat);
+    flights_.Complete(*flight, *call.answer);
+    return call;
+  }
+  if (call.origin != FieldOrigin::kCached &&
+      computations_.Contains(key.field)) {
+    call.origin = FieldOrigin::kContinued;
+  }
+  absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
+      {.priority = JobPriority::kSolve,
+       .run =
+           [this, mesh, key, flight,
+            settled = call.seat.settled](std::stop_token stop) {
+             flights_.Complete(*flight, Guarded("answered a query", [&] {
+               return Answer(mesh, key, *flight, settled.get(),
+                             std::move(stop));
+             }));
+           },
+       .abandon =
+           [this, flight](const absl::Status& why) {
+             flights_.Complete(*flight, why);
+           }});
+  if (!job.ok()) {
+    flights_.Leave(call.seat);
+    flights_.Complete(*flight, job.status());
+    return job.status();
+  }
+  flights_.SetJob(*flight, *job);
+  return call;
+}
+
+absl::StatusOr<FieldAnswer> FieldEngine::Answer(const MeshHandle& mesh,
+                                                const FlightKey& key,
+                                                FieldFlights::Flight& flight,
+                                                SettledLog* settled,
+                                                std::stop_token stop) {
+  FlightAudience audience(flights_, flight);
+  if (settled != nullptr) {
+    absl::StatusOr<ByteReservation> memory =
+        ByteReservation::Make(solver_memory_, 0);
+    if (!memory.ok()) return memory.status();
+    absl::Status status =
+        settled->Reserve(*std::move(memory), mesh->mesh->vertex_count());
+    if (!status.ok()) return status;
+  }
+  FieldCache::Found found = fields_.Find(key.field, key.reach);
+  FieldAnswer answer{.origin = FieldOrigin::kCached};
+  if (found.field == nullptr) {
+    absl::StatusOr<FieldHandle> field =
+        Solve(mesh, key, audience, settled, std::move(stop), answer.origin);
+    if (!field.ok()) return field.status();
+    found = {key.field, *std::move(field)};
+  }
+  if (settled != nullptr) {
+    FinishOrder(*found.field, key.reach.radius, *settled);
+  }
+  answer.field = std::move(found.field);
+  answer.query = std::make_shared<const Query>(ToQuery(found.key));
+  return answer;
+}
+
+absl::StatusOr<FieldHandle> FieldEngine::Solve(
+    const MeshHandle& mesh, const FlightKey& key, JobAudience& audience,
+    SettledLog* settled, std::stop_token stop, FieldOrigin& origin) {
+  // The cache's room is taken first: a field that nobody could keep while it
+  // is streamed would be memory out of all bounds.
+  absl::StatusOr<ByteReservation> room =
+      fields_.Reserve(key.field, mesh->mesh->vertex_count());
+  if (!room.ok()) return room.status();
+  absl::StatusOr<ByteReservation> memory =
+      ByteReservation::Make(solver_memory_, 0);
+  if (!memory.ok()) return memory.status();
+
+  ++solves_started_;
+  JobCheckpoint job(audience, clock_, std::move(stop), *std::move(memory),
+                    limits_.progress_interval);
+  std::optional<SettledCheckpoint> ordered;
+  if (settled != nullptr) {
+    ordered.emplace(job, *settled, audience, key.reach.radius);
+  }
+  Checkpoint& checkpoint = ordered ? static_cast<Checkpoint&>(*ordered) : job;
+
+  PausedComputation work = computations_.Take(key.field);
+  origin = work.computation != nullptr ? FieldOrigin::kContinued
+                                       : FieldOrigin::kSolved;
+  absl::StatusOr<DistanceField> field =
+      Guarded("computed a field", [&]() -> absl::StatusOr<DistanceField> {
+        if (work.computation == nullptr) {
+          auto started = start_(*mesh->mesh, ToQuery(key.field), options_);
+          if (!started.ok()) return started.status();
+          work = {mesh, *std::move(started)};
+        } else {
+          ++solves_continued_;
+        }
+        absl::Status status = work.computation->Advance(
+            {.radius = key.reach.radius, .targets = key.reach.targets},
+            checkpoint);
+        if (!status.ok()) return status;
+        return work.computation->Field();
+      });
+  if (!field.ok()) {
+    ++solves_stopped_;
+    return field.status();
+  }
+  ++solves_finished_;
+  FieldHandle handle =
+      fields_.Insert(key.field, *std::move(field), *std::move(room));
+  if (!std::isinf(handle->settled_radius)) {
+    computations_.Put(key.field, std::move(work));
+  }
+  return handle;
+}
+
+void FieldEngine::Cancel(const FieldCall& call) {
+  if (call.seat.flight == nullptr) return;
+  if (const auto job = flights_.Leave(call.seat)) scheduler_.Cancel(*job);
+}
+
+void FieldEngine::EraseMesh(const std::string& digest) {
+  fields_.EraseMesh(digest);
+  computations_.EraseMesh(digest);
+}
+
+FieldCounters FieldEngine::counters() const {
+  return {.solves_started = solves_started_,
+          .solves_finished = solves_finished_,
+          .solves_stopped = solves_stopped_,
+          .solves_continued = solves_continued_,
+          .queries_joined = queries_joined_,
+          .queries_cached = queries_cached_};
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,165 @@
+// What every streamed answer shares: one message at a time to the client, the
+// next made when gRPC has taken that one.
+//
+// So a slow reader costs one message and what the answer pins, and what nobody
+// took is overwritten by newer. Reactions and the engine's calls come from
+// different threads, so everything happens under one lock. Two parties hold the
+// object, gRPC until OnDone and the engine as long as it may call; the last to
+// let go destroys it.
+
+#ifndef GEODESIC_SERVER_RPC_ANSWER_STREAM_H_
+#define GEODESIC_SERVER_RPC_ANSWER_STREAM_H_
+
+#include <grpcpp/server_context.h>
+#include <grpcpp/support/server_callback.h>
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "server/rpc/request_log.h"
+#include "server/rpc/status_translation.h"
+
+namespace geodesic::server {
+
+// What a stream does next.
+enum class NextMessage {
+  kWait,  // there is nothing to send yet
+  kSend,
+  kSendLast,
+};
+
+// A derived class says what is asked of the engine and what the messages are;
+// Launch starts it.
+template <typename Response>
+class AnswerStream
+    : public grpc::ServerWriteReactor<Response>,
+      public std::enable_shared_from_this<AnswerStream<Response>> {
+ public:
+  void OnWriteDone(bool ok) final {
+    std::lock_guard lock(mutex_);
+    writing_ = false;
+    if (!ok) {
+      // The stream is broken; OnCancel tells the engine.
+      End(absl::CancelledError("the client is gone"));
+      return;
+    }
+    Advance();
+  }
+
+  void OnCancel() final {
+    {
+      std::lock_guard lock(mutex_);
+      cancelled_ = true;
+      End(absl::CancelledError("the call was cancelled or its deadline came"));
+      if (!begun_) return;  // Begin sees to it.
+    }
+    // Without the lock, for the engine has its own.
+    Cancel();
+  }
+
+  void OnDone() final {
+    std::shared_ptr<AnswerStream> self;
+    std::lock_guard lock(mutex_);
+    entry_.reset();
+    // The lock is released before `self`, which may be the last to hold it.
+    self = std::move(self_);
+  }
+
+ protected:
+  AnswerStream(RequestLog& log, std::string_view method) : log_(log) {
+    entry_.emplace(log, method);
+  }
+
+  // Asks the engine, which may call back at once; called once, without the
+  // lock.
+  virtual absl::Status Ask() = 0;
+
+  // The caller waits no longer; called once at most, after Ask succeeded and
+  // without the lock.
+  virtual void Cancel() = 0;
+
+  // Makes the next message, under the lock. An error ends the stream.
+  virtual absl::StatusOr<NextMessage> Fill(Response& message) = 0;
+
+  // Changes what Fill sees, and sends what there is to send.
+  template <typename Change>
+  void Update(Change change) {
+    std::lock_guard lock(mutex_);
+    change();
+    Advance();
+  }
+
+  RequestLog::Entry& entry() { return *entry_; }
+
+  // Starts `stream`, which keeps itself alive until gRPC is done with it.
+  template <typename Stream>
+  static Stream* Launch(std::shared_ptr<Stream> stream) {
+    stream->self_ = stream;
+    stream->Begin();
+    return stream.get();
+  }
+
+ private:
+  void Begin() {
+    absl::Status status = log_.CheckRoom();
+    const bool asked = status.ok();
+    if (asked) status = Ask();
+    bool cancel = false;
+    {
+      std::lock_guard lock(mutex_);
+      if (!status.ok()) {
+        End(std::move(status));
+        return;
+      }
+      begun_ = true;
+      cancel = cancelled_;
+      Advance();
+    }
+    if (cancel) Cancel();
+  }
+
+  // The rest REQUIRES: mutex_ held.
+
+  void Advance() {
+    if (!begun_ || writing_ || finished_) return;
+    absl::StatusOr<NextMessage> next = Fill(message_);
+    if (!next.ok()) {
+      End(next.status());
+    } else if (*next == NextMessage::kSend) {
+      writing_ = true;
+      this->StartWrite(&message_);
+    } else if (*next == NextMessage::kSendLast) {
+      finished_ = true;
+      this->StartWriteAndFinish(&message_, grpc::WriteOptions(),
+                                grpc::Status::OK);
+    }
+  }
+
+  void End(absl::Status status) {
+    if (finished_) return;
+    finished_ = true;
+    this->Finish(ToGrpcStatus(status));
+    entry_->set_status(std::move(status));
+  }
+
+  const RequestLog& log_;
+
+  std::mutex mutex_;
+  // Guarded by mutex_:
+  std::shared_ptr<AnswerStream> self_;  // what gRPC holds
+  std::optional<RequestLog::Entry> entry_;
+  bool begun_ = false;  // Ask succeeded
+  bool cancelled_ = false;
+  bool writing_ = false;   // a message is on its way
+  bool finished_ = false;  // Finish was called
+  Response message_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_RPC_ANSWER_STREAM_H_

@@ -1,0 +1,34 @@
+// Questions about fields and their answers <-> the protocol's messages.
+
+#ifndef GEODESIC_SERVER_RPC_FIELD_TRANSLATION_H_
+#define GEODESIC_SERVER_RPC_FIELD_TRANSLATION_H_
+
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/distance_field.h"
+#include "geodesic/v1/field_service.pb.h"
+#include "geodesic/v1/query.pb.h"
+#include "server/engine/field_request.h"
+#include "server/engine/limits.h"
+
+namespace geodesic::server {
+
+// What geodesic::Solve guarantees (solve.h).
+inline constexpr double kRelativeTolerance = 1e-10;
+
+v1::Algorithm ToProto(Algorithm algorithm);
+v1::FieldOrigin ToProto(FieldOrigin origin);
+v1::SolveProgress ToProto(const Progress& progress);
+v1::SolveStatistics ToProto(const SolveStatistics& statistics);
+
+// Errors of these: INVALID_ARGUMENT naming the part of the request at fault.
+absl::StatusOr<Algorithm> FromProto(v1::Algorithm algorithm);
+// Never unspecified.
+absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type);
+// Errors: also RESOURCE_EXHAUSTED for counts beyond the limits.
+absl::StatusOr<FieldRequest> FromProto(const v1::ComputeFieldRequest& request,
+                                       const Limits& limits);
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_RPC_FIELD_TRANSLATION_H_

@@ -1,0 +1,212 @@
+#include "tests/core/questions/isoline_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "geodesic/solve.h"
+#include "tests/support/random.h"
+
+namespace geodesic::test {
+namespace {
+
+using Edge = std::pair<uint32_t, uint32_t>;  // the lower vertex first
+
+// Faces around each edge, worked out apart from the mesh.
+std::map<Edge, std::vector<uint32_t>> FacesOfEdges(const Mesh& mesh) {
+  std::map<Edge, std::vector<uint32_t>> faces;
+  for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const auto& [a, b, c] = mesh.triangles()[f];
+    for (const auto& [from, to] : {Edge{a, b}, Edge{b, c}, Edge{c, a}}) {
+      faces[std::minmax(from, to)].push_back(f);
+    }
+  }
+  return faces;
+}
+
+class IsolineCheck {
+ public:
+  IsolineCheck(const NamedMesh& named, const Mesh& mesh, const Query& query,
+               const std::vector<double>& levels, double slack)
+      : name_(named.name),
+        mesh_(mesh),
+        query_(query),
+        slack_(slack),
+        faces_(FacesOfEdges(mesh)),
+        isolines_(IsolinesOrFail(mesh, query, levels)) {}
+
+  void ExpectPointsAtLevel() const {
+    std::vector<SurfacePoint> points;
+    for (const Isoline& isoline : isolines_) {
+      points.insert(points.end(), isoline.points.begin(), isoline.points.end());
+    }
+    const std::vector<double> distances =
+        DistancesOrFail(mesh_, query_, points);
+    ASSERT_EQ(distances.size(), points.size());
+    size_t i = 0;
+    for (const Isoline& isoline : isolines_) {
+      ASSERT_EQ(isoline.positions.size(), isoline.points.size());
+      for (size_t p = 0; p < isoline.points.size(); ++p, ++i) {
+        ASSERT_NEAR(distances[i], isoline.level,
+                    kRelativeTolerance * isoline.level + slack_)
+            << name_ << " at " << Name(points[i]);
+        ASSERT_EQ(isoline.positions[p], PositionOf(points[i], mesh_));
+      }
+    }
+  }
+
+  void ExpectCurves() const {
+    std::set<std::pair<double, SurfacePoint>> seen;
+    for (const Isoline& isoline : isolines_) {
+      const std::vector<SurfacePoint>& points = isoline.points;
+      ASSERT_GE(points.size(), 2u) << name_;
+      for (size_t p = 0; p < points.size(); ++p) {
+        // A curve may pass a vertex more than once; an edge point it may not.
+        if (std::holds_alternative<EdgePoint>(points[p])) {
+          EXPECT_TRUE(seen.emplace(isoline.level, points[p]).second)
+              << name_ << ", level " << isoline.level << ": " << Name(points[p])
+              << " comes twice";
+        }
+        if (p + 1 == points.size() && !isoline.is_closed) break;
+        const SurfacePoint& next = points[(p + 1) % points.size()];
+        EXPECT_NE(points[p], next) << name_;
+        EXPECT_TRUE(ShareAFace(points[p], next))
+            << name_ << ": " << Name(points[p]) << " and " << Name(next);
+      }
+      if (isoline.is_closed) continue;
+      for (const SurfacePoint& end : {points.front(), points.back()}) {
+        EXPECT_TRUE(IsOnBoundary(end)) << name_ << ", level " << isoline.level
+                                       << ": an end at " << Name(end);
+      }
+    }
+  }
+
+  // The side of points on edges, by their distances and by the crossings
+  // between them and the edge's ends.
+  void ExpectSeparation(const std::vector<double>& levels,
+                        uint32_t samples) const {
+    std::map<std::pair<double, Edge>, std::vector<double>> crossings;
+    for (const Isoline& isoline : isolines_) {
+      for (const SurfacePoint& point : isoline.points) {
+        if (const auto* at = std::get_if<EdgePoint>(&point)) {
+          crossings[{isoline.level, {at->from, at->to}}].push_back(at->t);
+        }
+      }
+    }
+    std::vector<SurfacePoint> points;
+    for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      points.push_back(VertexPoint{v});
+    }
+    std::vector<Edge> edges;
+    for (const auto& [edge, faces] : faces_) edges.push_back(edge);
+    Random random(7);
+    std::vector<EdgePoint> sampled;
+    for (uint32_t i = 0; i < samples; ++i) {
+      const auto& [from, to] =
+          edges[random.Below(static_cast<uint32_t>(edges.size()))];
+      sampled.push_back({from, to, random.Uniform(0.001, 0.999)});
+    }
+    points.insert(points.end(), sampled.begin(), sampled.end());
+    const std::vector<double> distances =
+        DistancesOrFail(mesh_, query_, points);
+    ASSERT_EQ(distances.size(), points.size());
+
+    for (const double level : levels) {
+      const auto is_clear = [&](double distance) {
+        return std::abs(distance - level) > 1e-9 * level + slack_;
+      };
+      const auto crossings_before = [&](const Edge& edge, double t) {
+        const auto found = crossings.find({level, edge});
+        if (found == crossings.end()) return std::ptrdiff_t{0};
+        return std::ranges::count_if(found->second,
+                                     [&](double c) { return c < t; });
+      };
+      for (const Edge& edge : edges) {
+        const double from = distances[edge.first], to = distances[edge.second];
+        if (!is_clear(from) || !is_clear(to)) continue;
+        EXPECT_EQ((from < level) != (to < level),
+                  crossings_before(edge, 2) % 2 == 1)
+            << name_ << ", level " << level << ": edge " << edge.first << " - "
+            << edge.second << ", distances " << from << " and " << to;
+      }
+      for (size_t i = 0; i < sampled.size(); ++i) {
+        const auto& [from, to, t] = sampled[i];
+        const double at = distances[mesh_.vertex_count() + i];
+        if (!is_clear(at) || !is_clear(distances[from])) continue;
+        EXPECT_EQ((distances[from] < level) != (at < level),
+                  crossings_before({from, to}, t) % 2 == 1)
+            << name_ << ", level " << level << ": " << Name(sampled[i])
+            << ", distance " << at << ", from " << distances[from];
+      }
+    }
+  }
+
+ private:
+  std::set<uint32_t> FacesAt(const SurfacePoint& point) const {
+    std::set<uint32_t> faces;
+    if (const auto* at = std::get_if<EdgePoint>(&point)) {
+      const std::vector<uint32_t>& around = faces_.at({at->from, at->to});
+      faces.insert(around.begin(), around.end());
+    } else if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+      for (HalfEdge h : mesh_.Outgoing(vertex->vertex)) faces.insert(h / 3);
+    }
+    return faces;
+  }
+
+  bool ShareAFace(const SurfacePoint& a, const SurfacePoint& b) const {
+    const std::set<uint32_t> around_b = FacesAt(b);
+    return std::ranges::any_of(
+        FacesAt(a), [&](uint32_t f) { return around_b.contains(f); });
+  }
+
+  bool IsOnBoundary(const SurfacePoint& point) const {
+    if (const auto* at = std::get_if<EdgePoint>(&point)) {
+      return faces_.at({at->from, at->to}).size() == 1;
+    }
+    return mesh_.IsBoundary(std::get<VertexPoint>(point).vertex);
+  }
+
+  const std::string name_;
+  const Mesh& mesh_;
+  const Query& query_;
+  const double slack_;
+  const std::map<Edge, std::vector<uint32_t>> faces_;
+  const std::vector<Isoline> isolines_;
+};
+
+}  // namespace
+
+std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
+                                    const std::vector<double>& levels) {
+  NoCheckpoint checkpoint;
+  auto isolines = ComputeIsolines(mesh, query, levels, {}, checkpoint);
+  if (isolines.ok()) return *std::move(isolines);
+  ADD_FAILURE() << isolines.status().ToString();
+  return {};
+}
+
+std::vector<double> DistancesOrFail(const Mesh& mesh, const Query& query,
+                                    const std::vector<SurfacePoint>& points) {
+  NoCheckpoint checkpoint;
+  Query with_targets = query;
+  with_targets.targets = points;
+  auto field = Solve(mesh, with_targets, {}, checkpoint);
+  if (field.ok()) return std::move(field->target_distances);
+  ADD_FAILURE() << field.status().ToString();
+  return {};
+}
+
+void ExpectIsolines(const NamedMesh& named, const Query& query,
+                    const std::vector<double>& levels, uint32_t samples,
+                    double slack) {
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  ASSERT_NE(mesh, nullptr);
+  const IsolineCheck check(named, *mesh, query, levels, slack);
+  check.ExpectPointsAtLevel();
+  check.ExpectCurves();
+  check.ExpectSeparation(levels, samples);
+}
+
+}  // namespace geodesic::test

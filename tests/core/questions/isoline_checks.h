@@ -1,0 +1,36 @@
+// What must hold of the isolines of any mesh, checked by solving for points.
+
+#ifndef GEODESIC_TESTS_CORE_QUESTIONS_ISOLINE_CHECKS_H_
+#define GEODESIC_TESTS_CORE_QUESTIONS_ISOLINE_CHECKS_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "geodesic/isolines.h"
+#include "tests/support/field_check.h"
+
+namespace geodesic::test {
+
+std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
+                                    const std::vector<double>& levels);
+
+// Distances of points anywhere, by solving with them as targets.
+std::vector<double> DistancesOrFail(const Mesh& mesh, const Query& query,
+                                    const std::vector<SurfacePoint>& points);
+
+// Computes the isolines of all levels and expects that
+//   - every point lies on an edge or at a vertex, at its level, where positions
+//     say;
+//   - points that follow each other differ, share a face and come once a level;
+//   - open isolines end at the boundary;
+//   - along every edge, the points that are nearer than the level are told from
+//     the others by the crossings in between: at both ends, and at `samples`
+//     points of edges drawn at random.
+// `slack` is added to the tolerance of distances.
+void ExpectIsolines(const NamedMesh& named, const Query& query,
+                    const std::vector<double>& levels, uint32_t samples,
+                    double slack = 0);
+
+}  // namespace geodesic::test
+
+#endif  // GEODESIC_TESTS_CORE_QUESTIONS_ISOLINE_CHECKS_H_

@@ -1,0 +1,397 @@
+// Isolines against closed forms, brute force, and the distances of points.
+
+#include "geodesic/isolines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/core/questions/isoline_checks.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/test_meshes.h"
+
+namespace geodesic::test {
+namespace {
+
+class Isolines : public EveryAlgorithm {
+ protected:
+  Query From(const std::vector<Source>& sources) const {
+    return {.sources = sources, .algorithm = GetParam().algorithm};
+  }
+};
+
+double Length(const Isoline& isoline) {
+  const std::vector<Point>& p = isoline.positions;
+  Real length = isoline.is_closed ? Distance(p.back(), p.front()) : 0;
+  for (size_t i = 1; i < p.size(); ++i) length += Distance(p[i - 1], p[i]);
+  return static_cast<double>(length);
+}
+
+// Levels spread over the distances of a query, at no vertex.
+std::vector<double> SpreadLevels(const Mesh& mesh, const Query& query,
+                                 uint32_t count) {
+  std::vector<SurfacePoint> vertices;
+  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    vertices.push_back(VertexPoint{v});
+  }
+  double farthest = 0;
+  for (double distance : DistancesOrFail(mesh, query, vertices)) {
+    if (std::isfinite(distance)) farthest = std::max(farthest, distance);
+  }
+  std::vector<double> levels;
+  for (uint32_t i = 0; i < count; ++i) {
+    levels.push_back(farthest * (i + 0.31) / count);
+  }
+  return levels;
+}
+
+// The point (x, y) of a planar mesh.
+SurfacePoint PointAt(const TriangleSoup& soup, double x, double y) {
+  for (uint32_t f = 0; f < soup.triangles.size(); ++f) {
+    const auto& [a, b, c] = soup.triangles[f];
+    const auto part = [&](uint32_t from, uint32_t to) {
+      const Point &p = soup.positions[from], &q = soup.positions[to];
+      return (q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]);
+    };
+    const double at_a = part(b, c), at_b = part(c, a), at_c = part(a, b);
+    const double area = at_a + at_b + at_c;
+    if (std::min({at_a, at_b, at_c}) < 0) continue;
+    return FacePoint{f, {at_a / area, at_b / area, at_c / area}};
+  }
+  ADD_FAILURE() << "no face at (" << x << ", " << y << ")";
+  return VertexPoint{0};
+}
+
+TEST_P(Isolines, CirclesInThePlane) {
+  for (const double jitter : {0.0, 0.2}) {
+    for (const uint32_t cells : {8u, 32u}) {
+      const double width = 8.0 / cells;
+      const TriangleSoup soup = MakeGrid({.columns = cells,
+                                          .rows = cells,
+                                          .cell_width = width,
+                                          .cell_height = width,
+                                          .diagonals = Diagonals::kAlternating,
+                                          .jitter = jitter});
+      const auto mesh = BuildOrFail({"grid", soup});
+      ASSERT_NE(mesh, nullptr);
+      const uint32_t middle = (cells / 2) * (cells + 1) + cells / 2;
+      const Point& center = soup.positions[middle];
+      const std::vector<double> levels = {1.37, 2.9, 3.7};
+      const std::vector<Isoline> isolines =
+          IsolinesOrFail(*mesh, From({{VertexPoint{middle}}}), levels);
+      ASSERT_EQ(isolines.size(), levels.size());
+      for (size_t i = 0; i < levels.size(); ++i) {
+        EXPECT_EQ(isolines[i].level, levels[i]);
+        EXPECT_TRUE(isolines[i].is_closed);
+        Real area = 0;
+        const std::vector<Point>& p = isolines[i].positions;
+        for (size_t j = 0; j < p.size(); ++j) {
+          EXPECT_NEAR(Distance(p[j], center), levels[i],
+                      kRelativeTolerance * levels[i]);
+          const Point& next = p[(j + 1) % p.size()];
+          area += (p[j][0] * next[1] - next[0] * p[j][1]) / 2;
+        }
+        // Chords across faces: the deficit goes with their square.
+        const double circle = 2 * std::numbers::pi * levels[i];
+        EXPECT_LT(Length(isolines[i]), circle);
+        EXPECT_GT(Length(isolines[i]),
+                  circle * (1 - std::pow(1.5 * width / levels[i], 2) / 12));
+        // The grid's faces run anticlockwise, so do curves around the source.
+        EXPECT_GT(area, 0);
+      }
+    }
+  }
+}
+
+// From a corner: quarters of circles from side to side, then arcs cut in two.
+TEST_P(Isolines, OpenArcsEndAtTheBoundary) {
+  const TriangleSoup soup = MakeGrid({.columns = 10, .rows = 6});
+  const auto mesh = BuildOrFail({"grid", soup});
+  ASSERT_NE(mesh, nullptr);
+  const Query query = From({{VertexPoint{0}}});
+  for (const auto& [level, arc] :
+       {std::pair(3.3, 3.3 * std::numbers::pi / 2),
+        std::pair(7.1, 7.1 * std::asin(6 / 7.1)),
+        std::pair(10.9, 10.9 * (std::asin(6 / 10.9) - std::acos(10 / 10.9)))}) {
+    const auto isolines = IsolinesOrFail(*mesh, query, {level});
+    ASSERT_EQ(isolines.size(), 1u) << level;
+    EXPECT_FALSE(isolines[0].is_closed);
+    EXPECT_NEAR(Length(isolines[0]), arc, arc * 0.01);
+  }
+  EXPECT_TRUE(IsolinesOrFail(*mesh, query, {12.0}).empty());
+  ExpectIsolines({"grid", soup}, query, {0.2, 3.3, 7.1, 10.9, 11.6}, 300);
+}
+
+// Rows of vertices exactly at the level.
+TEST_P(Isolines, ThroughVertices) {
+  const TriangleSoup soup = MakeGrid({.columns = 12, .rows = 12});
+  const NamedMesh named{"grid", soup};
+  const uint32_t middle = 6 * 13 + 6;
+  const std::vector<double> levels = {1, std::sqrt(2.0), 2, 3, 4, 5, 6};
+  ExpectIsolines(named, From({{VertexPoint{middle}}}), levels, 300);
+  const auto mesh = BuildOrFail(named);
+  ASSERT_NE(mesh, nullptr);
+  for (const double level : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+    const auto isolines =
+        IsolinesOrFail(*mesh, From({{VertexPoint{middle}}}), {level});
+    ASSERT_EQ(isolines.size(), 1u) << level;
+    EXPECT_TRUE(isolines[0].is_closed);
+    std::vector<uint32_t> vertices;
+    for (const SurfacePoint& point : isolines[0].points) {
+      if (const auto* at = std::get_if<VertexPoint>(&point)) {
+        vertices.push_back(at->vertex);
+      }
+    }
+    // Each vertex at that distance once.
+    std::vector<uint32_t> expected;
+    for (uint32_t v = 0; v < soup.positions.size(); ++v) {
+      const double dx = soup.positions[v][0] - 6, dy = soup.positions[v][1] - 6;
+      if (dx * dx + dy * dy == level * level) expected.push_back(v);
+    }
+    std::ranges::sort(vertices);
+    EXPECT_EQ(vertices, expected) << level;
+  }
+  // Straight: all of a side of the grid as source, as points with offset 0.
+  std::vector<Source> side;
+  for (uint32_t v = 0; v < 13; ++v) side.push_back({VertexPoint{v}});
+  ExpectIsolines(named, From(side), {1, 2, 3}, 300);
+}
+
+TEST_P(Isolines, TwoCirclesThatMeet) {
+  // They meet at (5.05, 3.05), inside of a face.
+  const TriangleSoup soup = MakeGrid({.columns = 10, .rows = 6});
+  const auto mesh = BuildOrFail({"grid", soup});
+  ASSERT_NE(mesh, nullptr);
+  const Query query =
+      From({{PointAt(soup, 3.3, 3.2)}, {PointAt(soup, 6.8, 2.9)}});
+  const double meeting = std::hypot(3.5, 0.3) / 2;
+  // However close: the polylines part and join as the discs do.
+  for (const double part : {0.5, 0.99, 0.9999, 0.99999999}) {
+    const auto apart = IsolinesOrFail(*mesh, query, {meeting * part});
+    EXPECT_EQ(apart.size(), 2u) << part;
+    const auto joined = IsolinesOrFail(*mesh, query, {meeting / part});
+    EXPECT_EQ(joined.size(), part == 0.5 ? joined.size() : 1u) << part;
+    for (const Isoline& isoline : apart) EXPECT_TRUE(isoline.is_closed);
+  }
+  ExpectIsolines({"grid", soup}, query,
+                 {0.1, 0.9, meeting * 0.999, meeting * 1.001, 2.5, 3.4}, 300);
+}
+
+TEST_P(Isolines, Spheres) {
+  const TriangleSoup soup = Icosphere(3);
+  const auto mesh = BuildOrFail({"icosphere", soup});
+  ASSERT_NE(mesh, nullptr);
+  const Query query = From({{VertexPoint{11}}});
+  const std::vector<double> levels = SpreadLevels(*mesh, query, 8);
+  const auto isolines = IsolinesOrFail(*mesh, query, levels);
+  for (const double level : levels) {
+    std::vector<const Isoline*> of_level;
+    for (const Isoline& isoline : isolines) {
+      if (isoline.level == level) of_level.push_back(&isoline);
+    }
+    ASSERT_EQ(of_level.size(), 1u) << level;
+    EXPECT_TRUE(of_level[0]->is_closed);
+    const double circle = 2 * std::numbers::pi * std::sin(level);
+    EXPECT_NEAR(Length(*of_level[0]), circle, 0.05 * circle);
+  }
+  ExpectIsolines({"icosphere", soup}, query, levels, 300);
+}
+
+// Questions of all kinds on meshes of all kinds.
+TEST_P(Isolines, SeparateNearFromFar) {
+  const std::vector<NamedMesh> meshes = {
+      {"terrain", Terrain(9, 7, 0.9, 4)},
+      {"torus", Torus({.noise = 0.1, .seed = 2})},
+      {"plate with a hole",
+       MakePlate(WithHole({.columns = 6, .rows = 6, .jitter = 0.2}), 0.7)},
+      {"U shape", MakeGrid(UShape({.columns = 9,
+                                   .rows = 9,
+                                   .cell_width = 0.3,
+                                   .diagonals = Diagonals::kRandom}))},
+      {"needles", InsertNeedles(Terrain(4, 4, 0.5, 3), 12, 5)},
+      {"two components", Join(Terrain(4, 4, 0.6, 1), Icosphere(1))}};
+  for (const NamedMesh& named : meshes) {
+    const auto mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    const auto& [a, b, c] =
+        named.soup.triangles[named.soup.triangles.size() / 3];
+    const std::vector<Query> queries = {From({{VertexPoint{5}}}),
+                                        From({{EdgePoint{a, b, 0.37}}}),
+                                        From({{FacePoint{2, {0.2, 0.3, 0.5}}}}),
+                                        From({{VertexPoint{b}, 0.3},
+                                              {FacePoint{8, {0.6, 0.3, 0.1}}},
+                                              {VertexPoint{14}, 0.1}})};
+    for (const Query& query : queries) {
+      ExpectIsolines(named, query, SpreadLevels(*mesh, query, 9), 150, 1e-14);
+    }
+  }
+}
+
+// Every curve through coarse faces is one on finer ones: cutting faces in their
+// own plane adds nothing but loops inside of coarse faces.
+TEST_P(Isolines, AreTheSameOnFinerFaces) {
+  std::vector<NamedMesh> meshes = {
+      {"plate", MakePlate(LShape({.columns = 4, .rows = 4, .jitter = 0.2}), 1)},
+      {"tetrahedral sphere", Icosphere(0)},
+      {"torus", Torus({.around = 5, .across = 4, .noise = 0.2, .seed = 6})}};
+  for (const uint64_t seed : {1, 2, 3}) {
+    meshes.push_back({"terrain", Terrain(4, 3, 1.5, seed)});
+  }
+  for (const NamedMesh& coarse : meshes) {
+    const auto coarse_count =
+        static_cast<uint32_t>(coarse.soup.positions.size());
+    const TriangleSoup halves = SubdivideAtMidpoints(coarse.soup);
+    const auto mesh = BuildOrFail(coarse);
+    const auto finer = BuildOrFail({coarse.name, halves});
+    ASSERT_NE(mesh, nullptr);
+    ASSERT_NE(finer, nullptr);
+    const Query query =
+        From({{VertexPoint{1}}, {VertexPoint{7}, 0.11}, {VertexPoint{10}}});
+    for (const double level : SpreadLevels(*mesh, query, 25)) {
+      const auto isolines = IsolinesOrFail(*mesh, query, {level});
+      auto finer_ones = IsolinesOrFail(*finer, query, {level});
+      // Edges between old and new vertices lie on old edges, others do not.
+      std::erase_if(finer_ones, [&](const Isoline& isoline) {
+        return std::ranges::none_of(
+            isoline.points, [&](const SurfacePoint& point) {
+              const auto* at = std::get_if<EdgePoint>(&point);
+              return at != nullptr && at->from < coarse_count;
+            });
+      });
+      EXPECT_EQ(isolines.size(), finer_ones.size())
+          << coarse.name << ", level " << level;
+    }
+  }
+}
+
+// Points of isolines made vertices, on meshes small enough for brute force.
+TEST_P(Isolines, AgreeWithBruteForce) {
+  for (const uint64_t seed : {1, 2, 3, 4}) {
+    const TriangleSoup soup = Terrain(3, 3, 1.5, seed);
+    const auto mesh = BuildOrFail({"terrain", soup});
+    ASSERT_NE(mesh, nullptr);
+    const std::vector<Source> sources = {{VertexPoint{4}},
+                                         {VertexPoint{11}, 0.2}};
+    for (const Isoline& isoline :
+         IsolinesOrFail(*mesh, From(sources), {0.45, 1.6})) {
+      for (size_t i = 0; i < isoline.points.size(); i += 3) {
+        const auto* at = std::get_if<EdgePoint>(&isoline.points[i]);
+        if (at == nullptr) continue;
+        const TriangleSoup split = SplitEdge(soup, *at);
+        EXPECT_NEAR(BruteForce(split).Distances(sources).back(), isoline.level,
+                    kRelativeTolerance * isoline.level)
+            << "seed " << seed << " at " << Name(*at);
+      }
+    }
+  }
+}
+
+TEST_P(Isolines, ComeInOrderOfLevelEachOnce) {
+  const auto mesh = BuildOrFail({"terrain", Terrain(8, 8, 0.8, 2)});
+  ASSERT_NE(mesh, nullptr);
+  const Query query = From({{VertexPoint{40}}});
+  const auto isolines = IsolinesOrFail(*mesh, query, {3, 1, 2.5, 1});
+  ASSERT_FALSE(isolines.empty());
+  EXPECT_TRUE(std::ranges::is_sorted(isolines, {}, &Isoline::level));
+  std::vector<Isoline> one_by_one;
+  for (const double level : {1.0, 2.5, 3.0}) {
+    for (Isoline& isoline : IsolinesOrFail(*mesh, query, {level})) {
+      one_by_one.push_back(std::move(isoline));
+    }
+  }
+  ASSERT_EQ(isolines.size(), one_by_one.size());
+  for (size_t i = 0; i < isolines.size(); ++i) {
+    EXPECT_EQ(isolines[i].level, one_by_one[i].level);
+    EXPECT_EQ(isolines[i].is_closed, one_by_one[i].is_closed);
+    ASSERT_EQ(isolines[i].points.size(), one_by_one[i].points.size());
+    for (size_t p = 0; p < isolines[i].points.size(); ++p) {
+      EXPECT_LT(Distance(isolines[i].positions[p], one_by_one[i].positions[p]),
+                1e-12);
+    }
+  }
+}
+
+TEST_P(Isolines, ScaleWithTheMesh) {
+  const TriangleSoup soup = Terrain(6, 6, 0.8, 2);
+  for (const double scale : {0x1p-400, 0x1p300}) {
+    const auto mesh = BuildOrFail({"terrain", soup});
+    const auto scaled = BuildOrFail({"scaled terrain", Scale(soup, scale)});
+    ASSERT_NE(mesh, nullptr);
+    ASSERT_NE(scaled, nullptr);
+    const Query query = From({{VertexPoint{20}}});
+    const auto isolines = IsolinesOrFail(*mesh, query, {1.5, 2.5});
+    const auto scaled_ones =
+        IsolinesOrFail(*scaled, query, {1.5 * scale, 2.5 * scale});
+    ASSERT_EQ(isolines.size(), scaled_ones.size());
+    for (size_t i = 0; i < isolines.size(); ++i) {
+      EXPECT_EQ(isolines[i].points, scaled_ones[i].points);
+    }
+  }
+}
+
+GEODESIC_TEST_EVERY_ALGORITHM(Isolines);
+
+TEST(IsolinesErrors, SayWhatIsWrong) {
+  const auto mesh = BuildOrFail({"grid", MakeGrid({.columns = 2, .rows = 2})});
+  ASSERT_NE(mesh, nullptr);
+  NoCheckpoint checkpoint;
+  const Query query{.sources = {{VertexPoint{0}}}};
+  const auto error = [&](const Query& asked, std::vector<double> levels) {
+    return ComputeIsolines(*mesh, asked, std::move(levels), {}, checkpoint)
+        .status();
+  };
+  EXPECT_EQ(error(query, {}),
+            absl::InvalidArgumentError("levels is empty: name at least one"));
+  EXPECT_EQ(
+      error(query, {1, 0}),
+      absl::InvalidArgumentError("levels[1] 0 is not a finite number > 0"));
+  EXPECT_EQ(
+      error(query, {std::numeric_limits<double>::infinity()}),
+      absl::InvalidArgumentError("levels[0] inf is not a finite number > 0"));
+  EXPECT_EQ(error({}, {1}),
+            absl::InvalidArgumentError("sources is empty: name at least one"));
+  class Cancel final : public Checkpoint {
+    absl::Status Poll(const Progress&) override {
+      return absl::CancelledError("enough");
+    }
+  } cancel;
+  EXPECT_EQ(ComputeIsolines(*mesh, query, {1}, {}, cancel).status(),
+            absl::CancelledError("enough"));
+}
+
+class RealMeshIsolines : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealMeshIsolines, SeparateNearFromFar) {
+  const absl::StatusOr<TriangleSoup> soup = LoadTestMesh(GetParam());
+  if (absl::IsNotFound(soup.status())) GTEST_SKIP() << soup.status();
+  ASSERT_TRUE(soup.ok()) << soup.status();
+  const NamedMesh named{GetParam(), *soup};
+  const auto mesh = BuildOrFail(named);
+  ASSERT_NE(mesh, nullptr);
+  const Query query{.sources = {{VertexPoint{soup->triangles[0][0]}}}};
+  ExpectIsolines(named, query, SpreadLevels(*mesh, query, 6), 2000,
+                 CoordinateRounding(*soup));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, RealMeshIsolines,
+    testing::Values("real/fandisk.obj", "real/cgal_elephant.off",
+                    "real/cgal_blobby_3cc.off", "real/of_flange_6k.ply",
+                    "real/cgal_pinion_small.off", "real/gears_19k.ply",
+                    "real/spot_23k.obj"),
+    MeshTestName);
+
+}  // namespace
+}  // namespace geodesic::test

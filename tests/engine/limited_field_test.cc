@@ -1,0 +1,281 @@
+// Fields that end at a radius or a target: cut, covered, continued, in order.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "server/engine/status_details.h"
+#include "tests/engine/engine_fixture.h"
+#include "tests/support/planar_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+using test::RecordingObserver;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr uint32_t kSide = 20;  // cells
+
+double Euclid(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+class LimitedFieldTest : public test::EngineTest {
+ protected:
+  using EngineTest::EngineTest;
+
+  void SetUp() override {
+    soup_ = geodesic::test::MakeGrid({.columns = kSide, .rows = kSide});
+    const auto uploaded = Upload(soup_);
+    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
+    digest_ = uploaded->mesh->digest;
+  }
+
+  FieldRequest Request(FieldReach reach = {}) const {
+    return {.mesh_digest = digest_,
+            .query = {.sources = {{VertexPoint{0}, 0}}},
+            .reach = reach};
+  }
+
+  // Asks and runs everything.
+  struct Reply {
+    FieldCall call;
+    FieldAnswer answer;
+  };
+  Reply Ask(const FieldRequest& request) {
+    const auto observer = std::make_shared<RecordingObserver>();
+    const auto call = engine_.ComputeField(request, observer);
+    EXPECT_TRUE(call.ok()) << call.status();
+    if (!call.ok()) return {};
+    if (call->answer.has_value()) return {*call, *call->answer};
+    executor_.RunAll();
+    EXPECT_EQ(observer->calls, 1);
+    EXPECT_TRUE(observer->answer->ok()) << observer->answer->status();
+    return {*call, **observer->answer};
+  }
+
+  // Euclid up to `radius`; what lies beyond is infinite or right.
+  void ExpectExactUpTo(const DistanceField& field, double radius) const {
+    for (size_t v = 0; v < field.distances.size(); ++v) {
+      const double expected = Euclid(soup_.positions[0], soup_.positions[v]);
+      if (expected <= radius || field.distances[v] != kInfinity) {
+        EXPECT_NEAR(field.distances[v], expected, 1e-10 * expected);
+      }
+    }
+  }
+
+  TriangleSoup soup_;
+  std::string digest_;
+};
+
+TEST_F(LimitedFieldTest, EndsAtTheRadius) {
+  const Reply reply = Ask(Request({.radius = 5}));
+  EXPECT_EQ(reply.call.origin, FieldOrigin::kSolved);
+  EXPECT_EQ(reply.answer.field->settled_radius, 5);
+  ExpectExactUpTo(*reply.answer.field, 5);
+  EXPECT_EQ(reply.answer.field->distances.back(), kInfinity);
+  EXPECT_EQ(engine_.fields().computations().size(), 1);
+}
+
+TEST_F(LimitedFieldTest, WhatReachesFurtherAnswersLess) {
+  Ask(Request({.radius = 8}));
+  EXPECT_EQ(Ask(Request({.radius = 5})).call.origin, FieldOrigin::kCached);
+  EXPECT_EQ(Ask(Request({.radius = 8})).call.origin, FieldOrigin::kCached);
+  EXPECT_EQ(engine_.counters().solves_started, 1);
+}
+
+TEST_F(LimitedFieldTest, GoesOnInsteadOfStartingAgain) {
+  const uint64_t first =
+      Ask(Request({.radius = 5})).answer.field->statistics.windows_propagated;
+  const Reply more = Ask(Request({.radius = 10}));
+  EXPECT_EQ(more.call.origin, FieldOrigin::kContinued);
+  EXPECT_EQ(more.answer.origin, FieldOrigin::kContinued);
+  ExpectExactUpTo(*more.answer.field, 10);
+  const Reply all = Ask(Request());
+  EXPECT_EQ(all.answer.origin, FieldOrigin::kContinued);
+  EXPECT_EQ(all.answer.field->settled_radius, kInfinity);
+  ExpectExactUpTo(*all.answer.field, kInfinity);
+  // Counted over all its parts, so more than the first.
+  EXPECT_GT(all.answer.field->statistics.windows_propagated, first);
+  EXPECT_EQ(engine_.counters().solves_continued, 2);
+  // A whole field has nothing to go on with, and has taken the others' place.
+  EXPECT_EQ(engine_.fields().computations().size(), 0);
+  EXPECT_EQ(engine_.fields().fields().size(), 1);
+  EXPECT_EQ(Ask(Request({.radius = 5})).call.origin, FieldOrigin::kCached);
+}
+
+TEST_F(LimitedFieldTest, EqualLimitsShareAFlightAndOthersDoNot) {
+  const auto a = std::make_shared<RecordingObserver>();
+  const auto b = std::make_shared<RecordingObserver>();
+  const auto c = std::make_shared<RecordingObserver>();
+  ASSERT_TRUE(engine_.ComputeField(Request({.radius = 5}), a).ok());
+  const auto joined = engine_.ComputeField(Request({.radius = 5}), b);
+  EXPECT_EQ(joined->origin, FieldOrigin::kJoined);
+  const auto other = engine_.ComputeField(Request({.radius = 6}), c);
+  EXPECT_EQ(other->origin, FieldOrigin::kSolved);
+  executor_.RunAll();
+  EXPECT_EQ(**a->field, **b->field);
+  EXPECT_EQ((**c->field)->settled_radius, 6);
+}
+
+TEST_F(LimitedFieldTest, StopsWhenTargetsAreThere) {
+  FieldRequest request = Request({.targets = 2});
+  const double t = 0.25;
+  request.query.targets = {VertexPoint{3}, EdgePoint{1, 2, t},
+                           VertexPoint{kSide}};
+  const Reply reply = Ask(request);
+  const DistanceField& field = *reply.answer.field;
+  ASSERT_EQ(field.target_distances.size(), 3);
+  EXPECT_NEAR(field.target_distances[0], 3, 1e-10);
+  EXPECT_NEAR(field.target_distances[1], 1 + t, 1e-10);
+  EXPECT_LT(field.settled_radius, kInfinity);
+  ExpectExactUpTo(field, field.settled_radius);
+  // One target more goes on.
+  request.reach.targets = 3;
+  const Reply more = Ask(request);
+  EXPECT_EQ(more.call.origin, FieldOrigin::kContinued);
+  EXPECT_NEAR(more.answer.field->target_distances[2], kSide, 1e-10);
+}
+
+TEST_F(LimitedFieldTest, AWholeFieldAnswersForVertexTargets) {
+  Ask(Request());
+  FieldRequest request = Request({.targets = 1});
+  request.query.targets = {VertexPoint{7}};
+  EXPECT_EQ(Ask(request).call.origin, FieldOrigin::kCached);
+  request.reach = {};
+  EXPECT_EQ(Ask(request).call.origin, FieldOrigin::kCached);
+  request.query.targets = {EdgePoint{0, 1, 0.5}};
+  EXPECT_EQ(Ask(request).call.origin, FieldOrigin::kSolved);
+}
+
+TEST_F(LimitedFieldTest, PointsAndCurvesAreSources) {
+  FieldRequest request = Request();
+  // The left side of the square as a curve: distance is x.
+  CurveSource side;
+  for (uint32_t y = 0; y <= kSide; ++y) {
+    side.points.push_back(VertexPoint{y * (kSide + 1)});
+  }
+  side.points.resize(10);
+  request.query = {.curves = {side}};
+  const Reply reply = Ask(request);
+  for (uint32_t x = 0; x <= kSide; ++x) {
+    EXPECT_NEAR(reply.answer.field->distances[5 * (kSide + 1) + x], x, 1e-10);
+  }
+}
+
+TEST_F(LimitedFieldTest, SourcesKeepTheClientsNumbers) {
+  FieldRequest request = Request();
+  request.query = {.sources = {{VertexPoint{9}, 1},
+                               {VertexPoint{4}, 0},
+                               {VertexPoint{9}, 0}},
+                   .curves = {{{VertexPoint{2}}}},
+                   .trace = true};
+  request.numbers = {.points = {0, 2, 3}, .curves = {1}};
+  const auto call =
+      engine_.ComputeField(request, std::make_shared<RecordingObserver>());
+  ASSERT_TRUE(call.ok()) << call.status();
+  // Canonical order: vertex 4, vertex 9 without offset, the curve.
+  EXPECT_EQ(call->source_numbers, (std::vector<uint32_t>{2, 3, 1}));
+}
+
+TEST_F(LimitedFieldTest, VerticesComeInOrderWhileItSolves) {
+  FieldRequest request = Request({.radius = 12});
+  request.extras.settled_order = true;
+  const auto observer = std::make_shared<RecordingObserver>();
+  const auto call = engine_.ComputeField(request, observer);
+  ASSERT_TRUE(call.ok()) << call.status();
+  ASSERT_NE(call->seat.settled, nullptr);
+  executor_.RunAll();
+  ASSERT_TRUE(observer->answer->ok());
+  const auto settled = call->seat.settled->Read(0, 10'000);
+  uint32_t expected = 0;
+  for (const Point& position : soup_.positions) {
+    expected += Euclid(soup_.positions[0], position) <= 12;
+  }
+  EXPECT_EQ(settled.size(), expected);
+  for (size_t i = 0; i < settled.size(); ++i) {
+    EXPECT_NEAR(settled[i].distance,
+                Euclid(soup_.positions[0], soup_.positions[settled[i].vertex]),
+                1e-10);
+    EXPECT_GE(settled[i].distance, settled[i == 0 ? 0 : i - 1].distance);
+  }
+  // The cache gives the same order.
+  const auto again =
+      engine_.ComputeField(request, std::make_shared<RecordingObserver>());
+  EXPECT_EQ(again->origin, FieldOrigin::kCached);
+  executor_.RunAll();
+  const auto cached = again->seat.settled->Read(0, 10'000);
+  ASSERT_EQ(cached.size(), settled.size());
+  for (size_t i = 0; i < settled.size(); ++i) {
+    EXPECT_EQ(cached[i].vertex, settled[i].vertex);
+  }
+  EXPECT_EQ(engine_.counters().solves_started, 1);
+}
+
+TEST_F(LimitedFieldTest, WrongLimitsAreNamed) {
+  const auto fault = [&](FieldReach reach) {
+    FieldRequest request = Request(reach);
+    request.query.targets = {VertexPoint{1}};
+    return FieldAtFault(
+        engine_.ComputeField(request, std::make_shared<RecordingObserver>())
+            .status());
+  };
+  EXPECT_EQ(fault({.radius = -1}), "max_distance");
+  EXPECT_EQ(fault({.radius = std::nan("")}), "max_distance");
+  EXPECT_EQ(fault({.targets = 0}), "stop_after_targets");
+  EXPECT_EQ(fault({.targets = 2}), "stop_after_targets");
+}
+
+TEST_F(LimitedFieldTest, DeletingAMeshDropsItsComputations) {
+  Ask(Request({.radius = 5}));
+  EXPECT_GT(engine_.fields().computations().used_bytes(), 0);
+  ASSERT_TRUE(engine_.DeleteMesh(digest_).ok());
+  EXPECT_EQ(engine_.fields().computations().size(), 0);
+  EXPECT_EQ(engine_.fields().computations().used_bytes(), 0);
+}
+
+class SmallMeshStoreTest : public LimitedFieldTest {
+ protected:
+  static Limits SmallMeshStore() {
+    Limits limits = SmallLimits();
+    // Room for one grid, not for two.
+    limits.mesh_store_bytes = 300'000;
+    return limits;
+  }
+  SmallMeshStoreTest() : LimitedFieldTest(SmallMeshStore()) {}
+};
+
+TEST_F(SmallMeshStoreTest, APausedComputationMakesWayForAMesh) {
+  Ask(Request({.radius = 5}));
+  EXPECT_EQ(engine_.fields().computations().size(), 1);
+  const auto other = Upload(geodesic::test::MakeGrid(
+      {.columns = kSide, .rows = kSide, .cell_width = 2}));
+  EXPECT_TRUE(other.ok()) << other.status();
+  EXPECT_EQ(engine_.fields().computations().size(), 0);
+}
+
+class SmallComputationStoreTest : public LimitedFieldTest {
+ protected:
+  static Limits SmallComputationStore() {
+    Limits limits = SmallLimits();
+    limits.computation_store_bytes = 1;
+    return limits;
+  }
+  SmallComputationStoreTest() : LimitedFieldTest(SmallComputationStore()) {}
+};
+
+TEST_F(SmallComputationStoreTest, WithoutRoomItStartsAgain) {
+  Ask(Request({.radius = 5}));
+  EXPECT_EQ(engine_.fields().computations().size(), 0);
+  const Reply more = Ask(Request({.radius = 10}));
+  EXPECT_EQ(more.answer.origin, FieldOrigin::kSolved);
+  ExpectExactUpTo(*more.answer.field, 10);
+}
+
+}  // namespace
+}  // namespace geodesic::server
