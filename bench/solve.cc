@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -20,8 +19,8 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "bench/load_mesh.h"
 #include "geodesic/mesh.h"
-#include "geodesic/read_mesh.h"
 
 namespace geodesic {
 namespace {
@@ -41,17 +40,6 @@ struct Options {
 double SecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
       .count();
-}
-
-absl::StatusOr<std::shared_ptr<const Mesh>> Load(const std::string& path) {
-  absl::StatusOr<MeshFormat> format = MeshFormatFromPath(path);
-  if (!format.ok()) return format.status();
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return absl::NotFoundError("cannot open " + path);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  absl::StatusOr<TriangleSoup> soup = ReadMesh(bytes, *format);
-  if (!soup.ok()) return soup.status();
-  return Mesh::Build(*std::move(soup));
 }
 
 absl::Status Write(const std::string& path, const std::vector<double>& values) {
@@ -80,7 +68,8 @@ absl::Status Run(const Options& options) {
   if (!algorithm.ok()) return algorithm.status();
 
   const auto start = std::chrono::steady_clock::now();
-  absl::StatusOr<std::shared_ptr<const Mesh>> mesh = Load(options.mesh_file);
+  absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
+      LoadMesh(options.mesh_file);
   if (!mesh.ok()) return mesh.status();
   const double setup_seconds = SecondsSince(start);
 
