@@ -3,10 +3,10 @@
 #ifndef GEODESIC_BENCH_PAPER_RECORDING_QUEUE_H_
 #define GEODESIC_BENCH_PAPER_RECORDING_QUEUE_H_
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "queues/queue.h"
@@ -23,17 +23,19 @@ struct WavefrontSample {
 };
 
 // A queue that passes everything on to another and now and then looks at the
-// labels of the windows that wait. Vertex events are left out; windows that MMP
-// has trimmed to nothing are not, for a queue is not told which they are.
+// labels of what waits: windows with the Chen-Han rule or a strict queue,
+// half-edges with pending windows otherwise. Vertex events are left out.
 template <WindowQueue Inner>
 class RecordingQueue {
  public:
+  static constexpr bool kStrict = Inner::kStrict;
+
   explicit RecordingQueue(const QueueTuning& tuning) : inner_(tuning) {}
 
   void Push(uint32_t id, double label) {
     if (!(id & kVertexEvent)) {
-      if (id >= labels_.size()) labels_.resize(id + 1, kPopped);
-      labels_[id] = label;
+      if (id >= labels_.size()) labels_.resize(id + 1);
+      labels_[id].push_back(label);
     }
     inner_.Push(id, label);
   }
@@ -42,15 +44,14 @@ class RecordingQueue {
     if (popped_ >= next_sample_) Sample();
     const uint32_t id = inner_.Pop();
     if (!(id & kVertexEvent)) {
-      labels_[id] = kPopped;
+      Forget(labels_[id]);
       ++popped_;
     }
     return id;
   }
 
+  double popped_label() const requires kStrict { return inner_.popped_label(); }
   uint32_t Upcoming(uint32_t k) const { return inner_.Upcoming(k); }
-  void MarkVoid() { inner_.MarkVoid(); }
-  void DropVoid() { inner_.DropVoid(); }
   void Restart() { inner_.Restart(); }
   double SettledRadius() const { return inner_.SettledRadius(); }
   uint64_t size() const { return inner_.size(); }
@@ -63,7 +64,16 @@ class RecordingQueue {
 
  private:
   static constexpr size_t kMostSamples = 250;
-  static constexpr double kPopped = std::numeric_limits<double>::quiet_NaN();
+
+  // A strict queue gives the entries of an id one by one, the least first; with
+  // any other all that waits under an id goes with it.
+  void Forget(std::vector<double>& labels) {
+    if constexpr (kStrict) {
+      labels.erase(std::ranges::min_element(labels));
+    } else {
+      labels.clear();
+    }
+  }
 
   void Sample() {
     WavefrontSample sample{.popped = popped_};
@@ -71,17 +81,17 @@ class RecordingQueue {
       sample.k = static_cast<double>(inner_.least());
     }
     double sum = 0;
-    for (const double label : labels_) {
-      if (std::isnan(label)) continue;
-      ++sample.windows;
-      sum += label;
+    for (const std::vector<double>& labels : labels_) {
+      sample.windows += labels.size();
+      for (const double label : labels) sum += label;
     }
     const double windows = static_cast<double>(sample.windows);
     sample.mean_label = sample.windows > 0 ? sum / windows : 0;
     double squares = 0;
-    for (const double label : labels_) {
-      if (std::isnan(label)) continue;
-      squares += (label - sample.mean_label) * (label - sample.mean_label);
+    for (const std::vector<double>& labels : labels_) {
+      for (const double label : labels) {
+        squares += (label - sample.mean_label) * (label - sample.mean_label);
+      }
     }
     sample.label_deviation =
         sample.windows > 0 ? std::sqrt(squares / windows) : 0;
@@ -101,7 +111,7 @@ class RecordingQueue {
   }
 
   Inner inner_;
-  std::vector<double> labels_;  // by id; kPopped if it does not wait
+  std::vector<std::vector<double>> labels_;  // that wait, by id
   std::vector<WavefrontSample> samples_;
   uint64_t popped_ = 0;
   uint64_t next_sample_ = 1;
