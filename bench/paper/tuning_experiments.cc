@@ -42,7 +42,7 @@ void RunBatch(const Setting& setting) {
   const uint32_t last = setting.quick ? 1000 : 100000;
   for (const Subject& subject : Subjects(setting)) {
     for (const Algorithm algorithm : kFwpAlgorithms) {
-      for (const uint32_t k : {2000u, 20000u}) {
+      for (const uint32_t k : {SolveOptions().max_batch, 2000u, 20000u}) {
         AddRow(table, setting, subject, algorithm, "adaptive", k,
                {.bucket_width = 1, .max_batch = k});
       }

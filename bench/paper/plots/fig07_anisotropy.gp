@@ -9,9 +9,9 @@ set multiplot layout 1,2 \
     title "Time and windows against anisotropy, torus of 20,000 faces (Fig. 7)"
 set ylabel "seconds"
 set format y "%g"
-plot for [a in all] rows("anisotropy", "torus", 4, a) using 3:5 \
+plot for [a in mmp_family." ".ch_family] rows("anisotropy", "torus", 4, a) using 3:5 \
     with linespoints lt style(a) title a
 set ylabel "windows per face"
-plot for [a in all] rows("anisotropy", "torus", 4, a) using 3:7 \
+plot for [a in mmp_family." ".ch_family] rows("anisotropy", "torus", 4, a) using 3:7 \
     with linespoints lt style(a) title a
 unset multiplot

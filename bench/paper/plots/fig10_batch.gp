@@ -17,7 +17,7 @@ fixed(mesh, a) = sprintf( \
     "'%s/batch.tsv'", mesh, a, data)
 do for [field in "6 7"] {
   do for [mesh in list] {
-    set title mesh
+    set title mesh noenhanced
     set ylabel field eq "6" ? "seconds" : "windows"
     set format y field eq "6" ? "%g" : "%.1s%c"
     plot for [a in "fwp-mmp fwp-ch"] fixed(mesh, a) \

@@ -11,7 +11,7 @@ set multiplot layout 2,words(list) \
     title "Standard deviation of the labels on the wavefront (Fig. 11)"
 do for [family in "mmp_family ch_family"] {
   do for [mesh in list] {
-    set title mesh
+    set title mesh noenhanced
     plot for [a in value(family)] rows("wavefront", mesh, 3, a) using 4:8 \
         with lines lt style(a) title a
   }

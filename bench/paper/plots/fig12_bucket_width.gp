@@ -12,7 +12,7 @@ set multiplot layout 2,words(list) \
     title "Bucket widths, in units of l = h / sqrt(n) (Fig. 12)"
 do for [field in "6 7"] {
   do for [mesh in list] {
-    set title mesh
+    set title mesh noenhanced
     set ylabel field eq "6" ? "seconds" : "windows"
     set format y field eq "6" ? "%g" : "%.1s%c"
     plot for [a in "fwp-mmp fwp-ch"] rows("bucket-width", mesh, 3, a) \

@@ -19,7 +19,7 @@ relative(family, field) = sprintf( \
     "for (j = 1; j <= 3; ++j) printf \"\\t%%s\", ".\
     "cell[m, a[j]] / cell[m, a[1]]; print \"\" } }' '%s/models.tsv'", \
     field, family, data)
-set xtics rotate by -25
+set xtics rotate by -25 noenhanced
 do for [family in "mmp_family ch_family"] {
   do for [field in "5 6"] {
     set title field eq "5" ? "time" : "windows"
