@@ -1,11 +1,7 @@
 #include "connectivity.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
-
-#include "absl/strings/str_cat.h"
-#include "absl/strings/str_join.h"
 
 namespace geodesic {
 namespace {
@@ -54,34 +50,14 @@ class SidesByEdge {
   std::vector<Side> sides_;
 };
 
-absl::Status RefuseCrowdedEdge(uint32_t lower, std::span<const Side> sides) {
-  constexpr size_t kMostNamed = 8;
-  std::string faces =
-      absl::StrJoin(sides.first(std::min(sides.size(), kMostNamed)), ", ",
-                    [](std::string* out, const Side& side) {
-                      absl::StrAppend(out, side.half_edge / 3);
-                    });
-  if (sides.size() > kMostNamed) absl::StrAppend(&faces, ", ...");
-  return absl::InvalidArgumentError(
-      absl::StrCat("the mesh is not manifold: edge (", lower, ", ",
-                   sides[0].upper, ") belongs to ", sides.size(),
-                   " faces: ", faces, "; at most two faces may share an edge"));
-}
-
-absl::Status RefuseOrientation(uint32_t lower, std::span<const Side> sides) {
-  return absl::InvalidArgumentError(absl::StrCat(
-      "faces ", sides[0].half_edge / 3, " and ", sides[1].half_edge / 3,
-      " run along edge (", lower, ", ", sides[0].upper,
-      ") in the same direction: one of them is flipped, or the surface is not "
-      "orientable"));
-}
-
 }  // namespace
 
-absl::StatusOr<std::vector<HalfEdge>> FindTwins(
-    std::span<const Triangle> triangles, uint32_t vertex_count) {
+Connectivity FindConnectivity(std::span<const Triangle> triangles,
+                              uint32_t vertex_count) {
   const SidesByEdge by_edge(triangles, vertex_count);
-  std::vector<HalfEdge> twins(3 * triangles.size(), kNoHalfEdge);
+  Connectivity result;
+  result.exits.assign(3 * triangles.size(), kNoHalfEdge);
+  const auto from = [&](HalfEdge h) { return triangles[h / 3][h % 3]; };
   for (uint32_t lower = 0; lower < vertex_count; ++lower) {
     std::span<const Side> rest = by_edge.WithLower(lower);
     while (!rest.empty()) {
@@ -90,16 +66,24 @@ absl::StatusOr<std::vector<HalfEdge>> FindTwins(
       const std::span<const Side> sides = rest.first(count);
       rest = rest.subspan(count);
       if (count == 1) continue;
-      if (count > 2) return RefuseCrowdedEdge(lower, sides);
       const HalfEdge a = sides[0].half_edge, b = sides[1].half_edge;
-      if (triangles[a / 3][a % 3] == triangles[b / 3][b % 3]) {
-        return RefuseOrientation(lower, sides);
+      if (count == 2 && from(a) != from(b)) {
+        result.exits[a] = b;
+        result.exits[b] = a;
+        continue;
       }
-      twins[a] = b;
-      twins[b] = a;
+      if (result.crowds_begin.empty()) result.crowds_begin.push_back(0);
+      const Exit crowd =
+          kIrregularExit + static_cast<Exit>(result.crowds_begin.size() - 1);
+      for (const Side& side : sides) {
+        result.exits[side.half_edge] = crowd;
+        result.crowds.push_back(side.half_edge);
+      }
+      result.crowds_begin.push_back(
+          static_cast<uint32_t>(result.crowds.size()));
     }
   }
-  return twins;
+  return result;
 }
 
 }  // namespace geodesic

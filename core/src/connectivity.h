@@ -1,4 +1,4 @@
-// Which half-edges lie on the two sides of an edge.
+// Which half-edges lie on the sides of an edge.
 
 #ifndef GEODESIC_CONNECTIVITY_H_
 #define GEODESIC_CONNECTIVITY_H_
@@ -7,19 +7,24 @@
 #include <span>
 #include <vector>
 
-#include "absl/status/statusor.h"
 #include "geodesic/mesh.h"
 
 namespace geodesic {
 
-// The twin of each half-edge 3f + i, kNoHalfEdge at a boundary.
+struct Connectivity {
+  // What lies beyond each half-edge 3f + i. Irregular edge number k is
+  // kIrregularExit + k.
+  std::vector<Exit> exits;
+  // The half-edges of irregular edge k, in order: [begin[k], begin[k + 1]).
+  std::vector<uint32_t> crowds_begin;  // empty if there are none
+  std::vector<HalfEdge> crowds;
+};
+
 // REQUIRES: indices below vertex_count, no face repeats a vertex.
-// Errors: INVALID_ARGUMENT naming an edge with three faces or more and those
-// faces, or two faces that run along an edge in the same direction.
 // O(V + F log F) time whatever the valence (OpenMesh's add_face walks around
 // vertices, which is quadratic in the valence of a hostile fan).
-absl::StatusOr<std::vector<HalfEdge>> FindTwins(
-    std::span<const Triangle> triangles, uint32_t vertex_count);
+Connectivity FindConnectivity(std::span<const Triangle> triangles,
+                              uint32_t vertex_count);
 
 }  // namespace geodesic
 

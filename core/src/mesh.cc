@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -16,7 +17,7 @@ namespace {
 
 absl::Status CheckSoup(const TriangleSoup& soup) {
   constexpr uint64_t kMostVertices = std::numeric_limits<uint32_t>::max() / 2;
-  constexpr uint64_t kMostFaces = (kNoHalfEdge - 1) / 3;
+  constexpr uint64_t kMostFaces = (kIrregularExit - 1) / 3;
   const uint64_t vertices = soup.positions.size();
   const uint64_t faces = soup.triangles.size();
   if (vertices > kMostVertices || faces > kMostFaces) {
@@ -75,11 +76,12 @@ int ScaleExponent(std::span<const Point> positions) {
 
 absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(TriangleSoup soup) {
   if (absl::Status status = CheckSoup(soup); !status.ok()) return status;
-  absl::StatusOr<std::vector<HalfEdge>> twins =
-      FindTwins(soup.triangles, soup.positions.size());
-  if (!twins.ok()) return twins.status();
+  Connectivity connectivity =
+      FindConnectivity(soup.triangles, soup.positions.size());
   std::shared_ptr<Mesh> mesh(new Mesh(std::move(soup)));
-  mesh->BuildFrames(*twins);
+  mesh->crowds_begin_ = std::move(connectivity.crowds_begin);
+  mesh->crowds_ = std::move(connectivity.crowds);
+  mesh->BuildFrames(connectivity.exits);
   mesh->BuildOutgoing();
   mesh->ClassifyVertices();
   return mesh;
@@ -89,14 +91,16 @@ uint64_t Mesh::EstimateResidentBytes(uint64_t vertices, uint64_t faces) {
   return sizeof(Mesh) +
          faces * (3 * sizeof(HalfEdgeFrame) + sizeof(Triangle) +
                   3 * sizeof(HalfEdge)) +
+         // At irregular edges: as many half-edges, half as many edges.
+         faces * (3 * sizeof(HalfEdge) + 3 * sizeof(uint32_t) / 2) +
          vertices * (sizeof(Point) + sizeof(uint32_t) + sizeof(uint8_t)) +
          sizeof(uint32_t);
 }
 
 uint64_t Mesh::EstimateBuildBytes(uint64_t vertices, uint64_t faces) {
-  constexpr uint64_t kTwinAndSidePerHalfEdge = 12, kCursorsPerVertex = 8;
+  constexpr uint64_t kExitAndSidePerHalfEdge = 12, kCursorsPerVertex = 8;
   return EstimateResidentBytes(vertices, faces) +
-         3 * faces * kTwinAndSidePerHalfEdge + vertices * kCursorsPerVertex;
+         3 * faces * kExitAndSidePerHalfEdge + vertices * kCursorsPerVertex;
 }
 
 uint64_t Mesh::resident_bytes() const {
@@ -104,7 +108,9 @@ uint64_t Mesh::resident_bytes() const {
          triangles_.capacity() * sizeof(Triangle) +
          frames_.capacity() * sizeof(HalfEdgeFrame) +
          outgoing_begin_.capacity() * sizeof(uint32_t) +
-         outgoing_.capacity() * sizeof(HalfEdge) + kinds_.capacity();
+         outgoing_.capacity() * sizeof(HalfEdge) + kinds_.capacity() +
+         crowds_begin_.capacity() * sizeof(uint32_t) +
+         crowds_.capacity() * sizeof(HalfEdge);
 }
 
 Mesh::Mesh(TriangleSoup soup)
@@ -115,12 +121,10 @@ Mesh::Mesh(TriangleSoup soup)
   triangles_.shrink_to_fit();
 }
 
-void Mesh::BuildFrames(std::span<const HalfEdge> twins) {
+void Mesh::BuildFrames(std::span<const Exit> exits) {
   const ScaledDifference difference(scale_exponent_);
-  frames_.resize(twins.size());
-  double sum = 0;
-  uint64_t edges = 0;
-  for (HalfEdge h = 0; h < twins.size(); ++h) {
+  frames_.resize(exits.size());
+  for (HalfEdge h = 0; h < exits.size(); ++h) {
     const Point& a = positions_[From(h)];
     const Point& b = positions_[To(h)];
     const Point& c = positions_[Apex(h)];
@@ -151,12 +155,15 @@ void Mesh::BuildFrames(std::span<const HalfEdge> twins) {
     frame.right_x =
         right > 0 && frame.length > 0 ? Dot(ab, bc) / frame.length / right : -1;
     frame.right_y = right > 0 && frame.length > 0 ? frame.apex_y / right : 0;
-    frame.left_exit = twins[Prev(h)];
-    frame.right_exit = twins[Next(h)];
-    if (twins[h] == kNoHalfEdge || h < twins[h]) {
-      sum += frame.length;
-      ++edges;
-    }
+    frame.left_exit = exits[Prev(h)];
+    frame.right_exit = exits[Next(h)];
+  }
+  double sum = 0;
+  uint64_t edges = 0;
+  for (HalfEdge h = 0; h < half_edge_count(); ++h) {
+    if (FirstOfEdge(h) != h) continue;
+    sum += frames_[h].length;
+    ++edges;
   }
   mean_edge_length_ = sum / static_cast<double>(edges);
 }
@@ -184,6 +191,40 @@ bool Mesh::IsCollapsed(uint32_t face) const {
   return first.length * first.apex_y <= kCollapsedFace * longest * longest;
 }
 
+bool Mesh::IsDisk(uint32_t v) const {
+  // The two edges at v of the face that `outgoing` leaves into.
+  struct Wedge {
+    HalfEdge outgoing;
+    bool leaves_by_previous;  // the walk goes on across Prev(outgoing)
+  };
+  const std::span<const HalfEdge> outgoing = Outgoing(v);
+  const auto step = [&](Wedge wedge) -> std::optional<Wedge> {
+    std::optional<Wedge> next;
+    int faces = 0;
+    ForEachBeyond(
+        wedge.leaves_by_previous ? Prev(wedge.outgoing) : wedge.outgoing,
+        [&](HalfEdge other, bool) {
+          ++faces;
+          next =
+              From(other) == v ? Wedge{other, true} : Wedge{Next(other), false};
+        });
+    return faces == 1 ? next : std::nullopt;
+  };
+  // From the first face one way round, and if that ends, the other way.
+  size_t wedges = 1;
+  for (const bool by_previous : {true, false}) {
+    std::optional<Wedge> wedge = Wedge{outgoing[0], by_previous};
+    while (wedges <= outgoing.size() && (wedge = step(*wedge))) {
+      if (wedge->outgoing == outgoing[0]) return wedges == outgoing.size();
+      ++wedges;
+    }
+  }
+  return wedges == outgoing.size() &&
+         std::ranges::all_of(outgoing, [&](HalfEdge h) {
+           return !IsCrowdedEdge(h) && !IsCrowdedEdge(Prev(h));
+         });
+}
+
 void Mesh::ClassifyVertices() {
   kinds_.assign(vertex_count(), 0);
   for (uint32_t v = 0; v < vertex_count(); ++v) {
@@ -193,23 +234,12 @@ void Mesh::ClassifyVertices() {
     for (HalfEdge h : outgoing) {
       const HalfEdgeFrame& frame = frames_[h];
       angle += std::atan2(frame.apex_y, frame.apex_x);
-      if (Twin(h) == kNoHalfEdge) kinds_[v] |= kBoundary;
+      if (IsBoundaryEdge(h) || IsBoundaryEdge(Prev(h))) {
+        kinds_[v] |= kBoundary;
+      }
       if (IsCollapsed(h / 3)) kinds_[v] |= kPseudoSource;
     }
-    // The fan of the first face, from its boundary if it has one; other faces
-    // belong to other fans.
-    const auto at_boundary =
-        std::find_if(outgoing.begin(), outgoing.end(),
-                     [&](HalfEdge h) { return Twin(h) == kNoHalfEdge; });
-    const HalfEdge start =
-        at_boundary == outgoing.end() ? outgoing[0] : *at_boundary;
-    size_t fan = 0;
-    HalfEdge h = start;
-    do {
-      ++fan;
-      h = Twin(Prev(h));
-    } while (h != kNoHalfEdge && h != start);
-    if (fan < outgoing.size()) kinds_[v] |= kPseudoSource;
+    if (!IsDisk(v)) kinds_[v] |= kNonManifold | kPseudoSource;
     // A path may bend where it has an angle of pi or more on every side that
     // lies in the surface: one side at a boundary, two elsewhere.
     const bool is_boundary = kinds_[v] & kBoundary;

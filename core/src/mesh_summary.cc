@@ -7,56 +7,21 @@
 #include <span>
 #include <vector>
 
-#include "geodesic/open_mesh.h"
 #include "tolerances.h"
 
 namespace geodesic {
 namespace {
 
-using OpenMesh::HalfedgeHandle;
-using OpenMesh::TriConnectivity;
-
-uint64_t CountBoundaryLoops(const TriConnectivity& kernel) {
-  uint64_t loops = 0;
-  std::vector<bool> seen(kernel.n_halfedges(), false);
-  for (const auto start : kernel.halfedges()) {
-    if (!kernel.is_boundary(start) || seen[start.idx()]) continue;
-    ++loops;
-    for (HalfedgeHandle h = start; !seen[h.idx()];
-         h = kernel.next_halfedge_handle(h)) {
-      seen[h.idx()] = true;
-    }
-  }
-  return loops;
-}
-
-// Fans of faces around vertices: one for an ordinary vertex, more where parts
-// of the surface touch in a point.
-uint64_t CountFans(const Mesh& mesh) {
-  uint64_t fans = 0;
-  std::vector<bool> seen(mesh.half_edge_count(), false);
-  const auto walk = [&](HalfEdge start) {
-    ++fans;
-    for (HalfEdge h = start; h != kNoHalfEdge && !seen[h];
-         h = mesh.Twin(Prev(h))) {
-      seen[h] = true;
-    }
-  };
-  // An open fan starts at a boundary; what it does not reach is closed.
-  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
-    if (mesh.Twin(h) == kNoHalfEdge) walk(h);
-  }
-  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
-    if (!seen[h]) walk(h);
-  }
-  return fans;
-}
-
-// Faces in disjoint sets (union by halving paths).
-class FaceSets {
+// Numbers in disjoint sets (union by halving paths).
+class DisjointSets {
  public:
-  explicit FaceSets(uint32_t faces) : parent_(faces), count_(faces) {
+  explicit DisjointSets(uint32_t size) : parent_(size), count_(size) {
     std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+
+  uint32_t Find(uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
   }
 
   void Join(uint32_t a, uint32_t b) {
@@ -70,14 +35,83 @@ class FaceSets {
   uint64_t count() const { return count_; }
 
  private:
-  uint32_t Find(uint32_t f) {
-    while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
-    return f;
-  }
-
   std::vector<uint32_t> parent_;
   uint64_t count_;
 };
+
+void CountEdges(const Mesh& mesh, MeshSummary& summary) {
+  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
+    if (mesh.FirstOfEdge(h) != h) continue;
+    ++summary.edges;
+    summary.boundary_edges += mesh.IsBoundaryEdge(h);
+    if (mesh.IsCrowdedEdge(h)) {
+      ++summary.non_manifold_edges;
+    } else {
+      summary.inconsistent_edges += mesh.IsIrregularEdge(h);
+    }
+  }
+}
+
+// Whether faces can be turned over so that all agree. O(F).
+bool IsOrientable(const Mesh& mesh) {
+  if (!mesh.HasIrregularEdges()) return true;
+  enum : uint8_t { kUnseen, kAsIs, kTurned };
+  std::vector<uint8_t> sides(mesh.face_count(), kUnseen);
+  std::vector<uint32_t> stack;
+  bool is_orientable = true;
+  for (uint32_t start = 0; start < mesh.face_count(); ++start) {
+    if (sides[start] != kUnseen) continue;
+    sides[start] = kAsIs;
+    stack.push_back(start);
+    while (!stack.empty() && is_orientable) {
+      const uint32_t face = stack.back();
+      stack.pop_back();
+      for (HalfEdge h = 3 * face; h < 3 * face + 3; ++h) {
+        if (mesh.IsCrowdedEdge(h)) continue;
+        mesh.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
+          const uint8_t side =
+              is_mirrored ? kAsIs + kTurned - sides[face] : sides[face];
+          uint8_t& there = sides[other / 3];
+          if (there == kUnseen) {
+            there = side;
+            stack.push_back(other / 3);
+          }
+          is_orientable = is_orientable && there == side;
+        });
+      }
+    }
+  }
+  return is_orientable;
+}
+
+// Fans of faces around vertices: one for an ordinary vertex, more where parts
+// of the surface touch in a point. Numbers are those of outgoing half-edges,
+// one a face and corner.
+DisjointSets FindFans(const Mesh& mesh) {
+  DisjointSets fans(mesh.half_edge_count());
+  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
+    if (mesh.IsCrowdedEdge(h)) continue;
+    mesh.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
+      fans.Join(h, is_mirrored ? other : Next(other));
+      fans.Join(Next(h), is_mirrored ? Next(other) : other);
+    });
+  }
+  return fans;
+}
+
+// Boundary edges follow each other where they bound the same fan.
+uint64_t CountBoundaryLoops(const Mesh& mesh, DisjointSets& fans) {
+  DisjointSets loops(mesh.half_edge_count());
+  std::vector<uint32_t> edges;
+  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
+    if (!mesh.IsBoundaryEdge(h)) continue;
+    edges.push_back(fans.Find(h));
+    loops.Join(fans.Find(h), fans.Find(Next(h)));
+  }
+  for (uint32_t& edge : edges) edge = loops.Find(edge);
+  std::ranges::sort(edges);
+  return std::unique(edges.begin(), edges.end()) - edges.begin();
+}
 
 struct Pieces {
   uint64_t through_edges = 0;     // a shared vertex alone does not connect
@@ -85,9 +119,9 @@ struct Pieces {
 };
 
 Pieces CountPieces(const Mesh& mesh) {
-  FaceSets sets(mesh.face_count());
+  DisjointSets sets(mesh.face_count());
   for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
-    if (mesh.Twin(h) != kNoHalfEdge) sets.Join(h / 3, mesh.Twin(h) / 3);
+    sets.Join(h / 3, mesh.FirstOfEdge(h) / 3);
   }
   Pieces pieces{.through_edges = sets.count()};
   for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -133,26 +167,27 @@ MeshSummary Summarize(const Mesh& mesh) {
   summary.vertices = mesh.vertex_count();
   summary.faces = mesh.face_count();
 
-  const TriConnectivity kernel = ToOpenMesh(mesh);
-  summary.edges = kernel.n_edges();
-  for (const auto edge : kernel.edges()) {
-    summary.boundary_edges += kernel.is_boundary(edge);
-  }
-  summary.boundary_loops = CountBoundaryLoops(kernel);
+  CountEdges(mesh, summary);
+  summary.is_orientable = IsOrientable(mesh);
+  DisjointSets fans = FindFans(mesh);
+  summary.boundary_loops = CountBoundaryLoops(mesh, fans);
   const Pieces pieces = CountPieces(mesh);
   summary.components = pieces.through_vertices;
-  // Euler's formula for the surface with touching fans pulled apart.
-  summary.genus = (2 * static_cast<int64_t>(pieces.through_edges) -
-                   static_cast<int64_t>(summary.boundary_loops +
-                                        CountFans(mesh) + summary.faces) +
-                   static_cast<int64_t>(summary.edges)) /
-                  2;
+  if (summary.is_orientable && summary.non_manifold_edges == 0) {
+    // Euler's formula for the surface with touching fans pulled apart.
+    summary.genus = (2 * static_cast<int64_t>(pieces.through_edges) -
+                     static_cast<int64_t>(summary.boundary_loops +
+                                          fans.count() + summary.faces) +
+                     static_cast<int64_t>(summary.edges)) /
+                    2;
+  }
 
   summary.bounding_box_min.fill(std::numeric_limits<double>::infinity());
   summary.bounding_box_max.fill(-std::numeric_limits<double>::infinity());
   for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
     summary.isolated_vertices += mesh.Outgoing(v).empty();
     summary.saddle_vertices += mesh.IsSaddle(v);
+    summary.non_manifold_vertices += mesh.IsNonManifold(v);
     for (int axis = 0; axis < 3; ++axis) {
       const double x = mesh.positions()[v][axis];
       summary.bounding_box_min[axis] =

@@ -23,7 +23,9 @@
 namespace geodesic {
 
 // Solves the query with windows made by Rule, in the order of Queue.
-template <template <typename> typename Rule, WindowQueue Queue>
+// OriginType: MixedOrigin if the query has curves.
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType = Origin>
 class Propagation final : public Computation {
  public:
   // REQUIRES: the query is valid and its points are canonical.
@@ -63,8 +65,8 @@ class Propagation final : public Computation {
   // What Rule::Open is, as the front calls it.
   auto Opener() {
     return [this](HalfEdge half_edge, uint32_t pseudo_source,
-                  const Origin& origin) {
-      rule_.Open(half_edge, pseudo_source, origin);
+                  const OriginType& origin, const Interval& interval) {
+      rule_.Open(half_edge, pseudo_source, origin, interval);
     };
   }
 
@@ -73,8 +75,8 @@ class Propagation final : public Computation {
   uint32_t next_source_;
   std::vector<Anchor> pending_anchors_;  // not yet in the front
   Queue queue_;
-  Front<Queue> front_;
-  Rule<Queue> rule_;
+  Front<Queue, OriginType> front_;
+  Rule<Front<Queue, OriginType>> rule_;
   SolveStatistics statistics_;
   double wavefront_sum_ = 0;
   uint64_t wavefront_samples_ = 0;
@@ -82,9 +84,10 @@ class Propagation final : public Computation {
   double certified_radius_ = -1;    // in the unit of the file
 };
 
-template <template <typename> typename Rule, WindowQueue Queue>
-absl::Status Propagation<Rule, Queue>::Advance(const Reach& reach,
-                                               Checkpoint& checkpoint) {
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+absl::Status Propagation<Rule, Queue, OriginType>::Advance(
+    const Reach& reach, Checkpoint& checkpoint) {
   if (!(reach.radius >= 0)) {
     return absl::InvalidArgumentError(
         absl::StrCat("reach.radius ", reach.radius, " is not a number >= 0"));
@@ -97,9 +100,10 @@ absl::Status Propagation<Rule, Queue>::Advance(const Reach& reach,
   return status;
 }
 
-template <template <typename> typename Rule, WindowQueue Queue>
-absl::Status Propagation<Rule, Queue>::Run(const Reach& reach,
-                                           Checkpoint& checkpoint) {
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+absl::Status Propagation<Rule, Queue, OriginType>::Run(const Reach& reach,
+                                                       Checkpoint& checkpoint) {
   if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
   Seed();
   const double radius = std::ldexp(reach.radius, -mesh().scale_exponent());
@@ -122,15 +126,18 @@ absl::Status Propagation<Rule, Queue>::Run(const Reach& reach,
   return Poll(checkpoint);
 }
 
-template <template <typename> typename Rule, WindowQueue Queue>
-void Propagation<Rule, Queue>::Seed() {
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+void Propagation<Rule, Queue, OriginType>::Seed() {
   for (const Anchor& anchor : std::exchange(pending_anchors_, {})) {
     front_.AddAnchor(anchor, Opener());
   }
 }
 
-template <template <typename> typename Rule, WindowQueue Queue>
-absl::Status Propagation<Rule, Queue>::AddSource(const Source& source) {
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+absl::Status Propagation<Rule, Queue, OriginType>::AddSource(
+    const Source& source) {
   if (!std::isinf(certified_radius_) || traces_) {
     return absl::FailedPreconditionError(
         "sources can be added to a computation that is complete and keeps no "
@@ -150,8 +157,9 @@ absl::Status Propagation<Rule, Queue>::AddSource(const Source& source) {
   return absl::OkStatus();
 }
 
-template <template <typename> typename Rule, WindowQueue Queue>
-void Propagation<Rule, Queue>::Step(uint32_t id) {
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+void Propagation<Rule, Queue, OriginType>::Step(uint32_t id) {
   if (id & kVertexEvent) {
     ++statistics_.pseudo_source_events;
     front_.Expand(id & ~kVertexEvent, Opener());
@@ -162,8 +170,10 @@ void Propagation<Rule, Queue>::Step(uint32_t id) {
       std::max(statistics_.peak_wavefront, rule_.pending());
 }
 
-template <template <typename> typename Rule, WindowQueue Queue>
-absl::Status Propagation<Rule, Queue>::Poll(Checkpoint& checkpoint) {
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+absl::Status Propagation<Rule, Queue, OriginType>::Poll(
+    Checkpoint& checkpoint) {
   statistics_.peak_solver_bytes =
       std::max(statistics_.peak_solver_bytes, bytes());
   wavefront_sum_ += static_cast<double>(rule_.pending());
@@ -184,8 +194,9 @@ absl::Status Propagation<Rule, Queue>::Poll(Checkpoint& checkpoint) {
   });
 }
 
-template <template <typename> typename Rule, WindowQueue Queue>
-bool Propagation<Rule, Queue>::HasTargets(uint64_t wanted) {
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+bool Propagation<Rule, Queue, OriginType>::HasTargets(uint64_t wanted) {
   const size_t count = front_.targets().size();
   if (wanted > count || next_target_count_-- > 0) return false;
   // So rarely that counting costs little beside the windows in between.
@@ -198,16 +209,18 @@ bool Propagation<Rule, Queue>::HasTargets(uint64_t wanted) {
   return certified >= wanted;
 }
 
-template <template <typename> typename Rule, WindowQueue Queue>
-void Propagation<Rule, Queue>::PrefetchUpcoming() const {
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+void Propagation<Rule, Queue, OriginType>::PrefetchUpcoming() const {
   for (size_t stage = 0; stage < rule_.kPrefetchAhead.size(); ++stage) {
     const uint32_t id = queue_.Upcoming(rule_.kPrefetchAhead[stage]);
     if (!(id & kVertexEvent)) rule_.Prefetch(id, stage);
   }
 }
 
-template <template <typename> typename Rule, WindowQueue Queue>
-DistanceField Propagation<Rule, Queue>::Field() const {
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+DistanceField Propagation<Rule, Queue, OriginType>::Field() const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   DistanceField field{.settled_radius = std::max(certified_radius_, 0.0),
                       .algorithm = algorithm_,

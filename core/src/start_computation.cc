@@ -2,50 +2,11 @@
 
 #include <cmath>
 
+#include "algorithm_table.h"
 #include "anchors.h"
-#include "propagation.h"
-#include "queues/binary_heap.h"
-#include "queues/fifo.h"
-#include "queues/fwp_buckets.h"
-#include "queues/label_correcting.h"
-#include "rules/ch_rule.h"
-#include "rules/mmp_rule.h"
 
 namespace geodesic {
 namespace {
-
-using Start = std::unique_ptr<Computation> (*)(const Mesh&, const Query&,
-                                               const QueueTuning&,
-                                               WindowObserver*);
-
-template <template <typename> typename Rule, WindowQueue Queue>
-std::unique_ptr<Computation> StartWith(const Mesh& mesh, const Query& query,
-                                       const QueueTuning& tuning,
-                                       WindowObserver* observer) {
-  return std::make_unique<Propagation<Rule, Queue>>(mesh, query, tuning,
-                                                    observer);
-}
-
-// Rule x queue; the type is erased here, once per query.
-Start StartOf(Algorithm algorithm) {
-  switch (algorithm) {
-    case Algorithm::kFwpCh:
-      return StartWith<IchRule, FwpBuckets>;
-    case Algorithm::kFwpMmp:
-      return StartWith<MmpRule, FwpBuckets>;
-    case Algorithm::kIch:
-      return StartWith<IchRule, BinaryHeap>;
-    case Algorithm::kMmp:
-      return StartWith<MmpRule, BinaryHeap>;
-    case Algorithm::kLcCh:
-      return StartWith<IchRule, LabelCorrecting>;
-    case Algorithm::kLcMmp:
-      return StartWith<MmpRule, LabelCorrecting>;
-    case Algorithm::kCh:
-      return StartWith<ChRule, Fifo>;
-  }
-  return nullptr;
-}
 
 absl::StatusOr<QueueTuning> TuningFor(const Mesh& mesh,
                                       const SolveOptions& options) {
@@ -74,8 +35,10 @@ absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
   if (absl::Status status = Validate(query, mesh); !status.ok()) return status;
   absl::StatusOr<QueueTuning> tuning = TuningFor(mesh, options);
   if (!tuning.ok()) return tuning.status();
-  return StartOf(query.algorithm)(mesh, WithCanonicalPoints(query, mesh),
-                                  *tuning, observer);
+  const StartFunction start = query.curves.empty()
+                                  ? PointStart(query.algorithm)
+                                  : CurveStart(query.algorithm);
+  return start(mesh, WithCanonicalPoints(query, mesh), *tuning, observer);
 }
 
 absl::StatusOr<std::unique_ptr<Computation>> StartComputation(

@@ -11,14 +11,9 @@
 
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
+#include "windows/plane_point.h"
 
 namespace geodesic {
-
-// A place in a face's plane, in the frame of one of its half-edges.
-struct PlanePoint {
-  double x = 0;
-  double y = 0;
-};
 
 // The half-edges, one a face, that run along the edge between two vertices in
 // either direction; none if there is no such edge. O(valence).

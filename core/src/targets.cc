@@ -23,25 +23,6 @@ Targets::Targets(const Mesh& mesh, std::span<const SurfacePoint> targets)
   }
 }
 
-void Targets::Offer(HalfEdge h, const Window& window, uint32_t pseudo_source) {
-  const HalfEdgeFrame& frame = mesh_.frame(h);
-  const auto& [interval, origin, begin_distance, end_distance] = window;
-  for (uint32_t t = first_in_face_[h / 3]; t != kNone; t = targets_[t].next) {
-    const PlanePoint at = InFrame(mesh_, targets_[t].point, h);
-    const double crossing =
-        (origin.x * at.y + at.x * origin.depth) / (at.y + origin.depth);
-    // As for an apex: rays may miss the window by rounding.
-    const double through = std::clamp(crossing, interval.begin, interval.end);
-    if (!(std::abs(through - crossing) <= NearMiss(origin, frame))) continue;
-    const double to_edge = origin.DistanceTo(through);
-    const double from_edge = std::hypot(at.x - through, at.y);
-    const double straight = std::hypot(at.x - origin.x, at.y + origin.depth);
-    Take(targets_[t],
-         origin.sigma + (through == crossing ? straight : to_edge + from_edge),
-         {pseudo_source, h, origin.x, origin.depth});
-  }
-}
-
 Targets::ThroughCorner Targets::NearestCorner(
     const Target& target, std::span<const double> distances) const {
   ThroughCorner best{kNone, std::numeric_limits<double>::infinity()};

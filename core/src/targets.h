@@ -4,6 +4,8 @@
 #ifndef GEODESIC_TARGETS_H_
 #define GEODESIC_TARGETS_H_
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -34,7 +36,9 @@ class Targets {
 
   // Takes the paths of a window on h to the targets in its face.
   // REQUIRES: Watches(h / 3).
-  void Offer(HalfEdge h, const Window& window, uint32_t pseudo_source);
+  template <typename OriginType>
+  void Offer(HalfEdge h, const BasicWindow<OriginType>& window,
+             uint32_t pseudo_source);
 
   // Takes the straight paths from a source in a face, which `distance` gives
   // for a place in the frame of the face's first half-edge.
@@ -86,6 +90,25 @@ class Targets {
   std::vector<Target> targets_;
   std::vector<uint32_t> first_in_face_;  // empty if there are no targets
 };
+
+template <typename OriginType>
+void Targets::Offer(HalfEdge h, const BasicWindow<OriginType>& window,
+                    uint32_t pseudo_source) {
+  const HalfEdgeFrame& frame = mesh_.frame(h);
+  const auto& [interval, origin, begin_distance, end_distance] = window;
+  for (uint32_t t = first_in_face_[h / 3]; t != kNone; t = targets_[t].next) {
+    const PlanePoint at = InFrame(mesh_, targets_[t].point, h);
+    const double crossing = CrossingTo(origin, at);
+    // As for an apex: rays may miss the window by rounding.
+    const double through = std::clamp(crossing, interval.begin, interval.end);
+    if (!(std::abs(through - crossing) <= NearMiss(origin, frame))) continue;
+    Take(targets_[t],
+         through == crossing
+             ? origin.sigma + DistanceToPlace(origin, at)
+             : window.DistanceTo(through) + EdgePointTo(through, at),
+         {pseudo_source, h, origin.x, origin.depth});
+  }
+}
 
 }  // namespace geodesic
 

@@ -221,6 +221,14 @@ Relabelled Relabel(const TriangleSoup& soup, uint64_t seed) {
   return result;
 }
 
+TriangleSoup TurnFaces(TriangleSoup soup, uint64_t seed) {
+  Random random(seed);
+  for (Triangle& face : soup.triangles) {
+    if (random.Below(2) == 0) std::swap(face[0], face[1]);
+  }
+  return soup;
+}
+
 TriangleSoup RotateAndShift(TriangleSoup soup, uint64_t seed) {
   Random random(seed);
   Point shift;

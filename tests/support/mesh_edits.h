@@ -46,6 +46,9 @@ struct Relabelled {
 };
 // Shuffles vertices and faces and turns each face's corners.
 Relabelled Relabel(const TriangleSoup& soup, uint64_t seed);
+// Turns about half of the faces over: their corners run the other way.
+TriangleSoup TurnFaces(TriangleSoup soup, uint64_t seed);
+
 TriangleSoup RotateAndShift(TriangleSoup soup, uint64_t seed);
 TriangleSoup Scale(TriangleSoup soup, double factor);
 

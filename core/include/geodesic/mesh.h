@@ -11,13 +11,14 @@
 //   1. vertex and face numbers are the caller's; nothing is renumbered,
 //      merged, duplicated or dropped;
 //   2. boundaries, holes, several components, isolated vertices, vertices where
-//      surfaces touch, zero-area faces and coincident vertices are ordinary
-//      input;
+//      surfaces touch, edges of three faces or more, faces that disagree in
+//      orientation, zero-area faces and coincident vertices are ordinary input;
 //   3. positions() holds the caller's bits.
 
 #ifndef GEODESIC_MESH_H_
 #define GEODESIC_MESH_H_
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -29,9 +30,15 @@
 
 namespace geodesic {
 
-// A 32-bit number of a half-edge; kNoHalfEdge stands beyond a boundary.
+// A number of a half-edge, below 2^31; kNoHalfEdge stands beyond a boundary.
 using HalfEdge = uint32_t;
 inline constexpr HalfEdge kNoHalfEdge = 0xffffffffu;
+
+// What lies beyond a side of a face: the half-edge of the one face there if it
+// runs the other way, as on an oriented manifold. Otherwise, from
+// kIrregularExit on: kNoHalfEdge, or whatever Mesh::ForEachBeyond knows.
+using Exit = uint32_t;
+inline constexpr Exit kIrregularExit = 0x80000000u;
 
 inline HalfEdge Next(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline HalfEdge Prev(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -40,11 +47,11 @@ inline HalfEdge Prev(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
 // A = (0, 0), B = (length, 0) and the apex C above, plus where the two other
 // sides lead. Lengths are in the mesh's scaled unit (see Mesh::scale_exponent).
 struct alignas(64) HalfEdgeFrame {
-  double length;                   // |AB|
-  double apex_x, apex_y;           // C; apex_y >= 0
-  double left_x, left_y;           // unit vector A -> C
-  double right_x, right_y;         // unit vector B -> C
-  HalfEdge left_exit, right_exit;  // twins of C -> A and of B -> C
+  double length;               // |AB|
+  double apex_x, apex_y;       // C; apex_y >= 0
+  double left_x, left_y;       // unit vector A -> C
+  double right_x, right_y;     // unit vector B -> C
+  Exit left_exit, right_exit;  // beyond C -> A and beyond B -> C
 };
 static_assert(sizeof(HalfEdgeFrame) == 64);
 
@@ -53,8 +60,7 @@ class Mesh {
   // Checks the soup and builds the connectivity. O(V + F log F) time.
   // Errors, all INVALID_ARGUMENT and naming the first offender: no face; a
   // coordinate that is not finite; an index out of range; a face that repeats
-  // a vertex; an edge with three faces or more; two faces that run along an
-  // edge in the same direction.
+  // a vertex.
   // RESOURCE_EXHAUSTED: more faces or vertices than 32-bit numbers can name.
   static absl::StatusOr<std::shared_ptr<const Mesh>> Build(TriangleSoup soup);
 
@@ -73,8 +79,48 @@ class Mesh {
   std::span<const Point> positions() const { return positions_; }
   std::span<const Triangle> triangles() const { return triangles_; }
 
-  // The half-edge on the other side of h, or kNoHalfEdge at a boundary. O(1).
-  HalfEdge Twin(HalfEdge h) const { return frames_[Next(h)].left_exit; }
+  // The half-edge on the other side of h if one face lies there that runs the
+  // other way; kNoHalfEdge at a boundary and at irregular edges. O(1).
+  HalfEdge Twin(HalfEdge h) const {
+    return Beyond(h) < kIrregularExit ? Beyond(h) : kNoHalfEdge;
+  }
+  bool IsBoundaryEdge(HalfEdge h) const { return Beyond(h) == kNoHalfEdge; }
+  // Whether the edge of h has three faces or more, or two that run along it in
+  // the same direction.
+  bool IsIrregularEdge(HalfEdge h) const {
+    return Beyond(h) >= kIrregularExit && Beyond(h) != kNoHalfEdge;
+  }
+  // All half-edges at an irregular edge, h among them, in order of their
+  // numbers; none at other edges.
+  std::span<const HalfEdge> CrowdOf(HalfEdge h) const {
+    return IsIrregularEdge(h) ? Crowd(Beyond(h)) : std::span<const HalfEdge>();
+  }
+  // Whether the edge of h has three faces or more.
+  bool IsCrowdedEdge(HalfEdge h) const { return CrowdOf(h).size() > 2; }
+  // The lowest half-edge at the edge of h.
+  HalfEdge FirstOfEdge(HalfEdge h) const {
+    return IsIrregularEdge(h) ? CrowdOf(h)[0] : std::min(h, Beyond(h));
+  }
+  bool HasIrregularEdges() const { return !crowds_.empty(); }
+  bool HasCrowdedEdges() const {
+    return HasIrregularEdges() &&
+           crowds_.size() > 2 * (crowds_begin_.size() - 1);
+  }
+
+  // Calls visit(half_edge, is_mirrored) for the half-edge of every other face
+  // at the edge of h, in order of their numbers. Mirrored ones run in h's own
+  // direction: seen from h's face, their frame is turned over.
+  template <typename Visit>
+  void ForEachBeyond(HalfEdge h, Visit visit) const {
+    if (Beyond(h) < kIrregularExit) {
+      visit(Beyond(h), false);
+    } else if (!IsBoundaryEdge(h)) {
+      for (HalfEdge other : Crowd(Beyond(h))) {
+        if (other != h) visit(other, From(other) == From(h));
+      }
+    }
+  }
+
   uint32_t From(HalfEdge h) const { return triangles_[h / 3][h % 3]; }
   uint32_t To(HalfEdge h) const { return From(Next(h)); }
   uint32_t Apex(HalfEdge h) const { return From(Prev(h)); }
@@ -88,10 +134,14 @@ class Mesh {
 
   // Whether shortest paths may bend at v: a saddle (cone angle above 2 pi), a
   // reflex corner of the boundary (angle above pi), or a vertex where the
-  // surface pinches or a face has no area.
+  // surface pinches, three faces or more meet in an edge, or a face has no
+  // area.
   bool IsPseudoSource(uint32_t v) const { return kinds_[v] & kPseudoSource; }
   bool IsSaddle(uint32_t v) const { return kinds_[v] & kSaddle; }
   bool IsBoundary(uint32_t v) const { return kinds_[v] & kBoundary; }
+  // Whether the faces around v form more than one fan, or three of them or more
+  // share an edge there.
+  bool IsNonManifold(uint32_t v) const { return kinds_[v] & kNonManifold; }
 
   // Whether the face has no area to speak of.
   bool IsCollapsed(uint32_t face) const;
@@ -111,11 +161,21 @@ class Mesh {
     kPseudoSource = 1,
     kSaddle = 2,
     kBoundary = 4,
+    kNonManifold = 8,
   };
 
   explicit Mesh(TriangleSoup soup);
-  void BuildFrames(std::span<const HalfEdge> twins);
+  Exit Beyond(HalfEdge h) const { return frames_[Next(h)].left_exit; }
+  // The half-edges at an irregular edge, in order.
+  std::span<const HalfEdge> Crowd(Exit exit) const {
+    const uint32_t i = exit - kIrregularExit;
+    return {crowds_.data() + crowds_begin_[i],
+            crowds_.data() + crowds_begin_[i + 1]};
+  }
+  void BuildFrames(std::span<const Exit> exits);
   void BuildOutgoing();
+  // Whether the faces around v form one fan, closed or open.
+  bool IsDisk(uint32_t v) const;
   void ClassifyVertices();
 
   std::vector<Point> positions_;
@@ -124,6 +184,8 @@ class Mesh {
   std::vector<uint32_t> outgoing_begin_;  // V + 1
   std::vector<HalfEdge> outgoing_;        // 3F
   std::vector<uint8_t> kinds_;            // V, VertexKind bits
+  std::vector<uint32_t> crowds_begin_;    // irregular edges + 1, if any
+  std::vector<HalfEdge> crowds_;          // their half-edges
   int scale_exponent_ = 0;
   double mean_edge_length_ = 0;
 };

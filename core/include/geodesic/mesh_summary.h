@@ -4,6 +4,7 @@
 #define GEODESIC_MESH_SUMMARY_H_
 
 #include <cstdint>
+#include <optional>
 
 #include "geodesic/mesh.h"
 
@@ -19,8 +20,18 @@ struct MeshSummary {
   uint64_t components = 0;
   // Vertices without a face.
   uint64_t isolated_vertices = 0;
-  // Sum of the genera of the components (orientable surfaces).
-  int64_t genus = 0;
+  // Edges of three faces or more, and vertices at such edges or where several
+  // fans of faces touch.
+  uint64_t non_manifold_edges = 0;
+  uint64_t non_manifold_vertices = 0;
+  // Edges along which two faces run in the same direction.
+  uint64_t inconsistent_edges = 0;
+  // Whether faces can be turned over so that all agree across the edges of two
+  // faces.
+  bool is_orientable = true;
+  // Sum of the genera of the components; none where the surface is not
+  // orientable or has non-manifold edges.
+  std::optional<int64_t> genus;
   // Interior vertices whose cone angle exceeds 2 pi.
   uint64_t saddle_vertices = 0;
   // Faces without area.

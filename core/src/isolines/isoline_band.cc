@@ -9,7 +9,7 @@ namespace {
 // ends of h are at most as far as through the window and along h, and so on
 // around the face. What vertex distances tell later is never more (beside
 // rounding), so no face counts as crossed of which windows were not kept.
-double FarthestAround(const Mesh& mesh, HalfEdge h, const Window& window) {
+double FarthestAround(const Mesh& mesh, HalfEdge h, const MixedWindow& window) {
   const double length = mesh.frame(h).length;
   const double from = window.begin_distance + window.interval.begin;
   const double to = window.end_distance + (length - window.interval.end);
@@ -26,7 +26,7 @@ IsolineBand::IsolineBand(const Mesh& mesh, std::span<const double> levels)
       first_(mesh.half_edge_count(), kNone),
       is_closed_(mesh.face_count()) {}
 
-void IsolineBand::OnWindow(HalfEdge h, const Window& window, uint32_t) {
+void IsolineBand::OnWindow(HalfEdge h, const MixedWindow& window, uint32_t) {
   const auto level = std::ranges::upper_bound(levels_, window.Label());
   if (level == levels_.end() || *level > FarthestAround(mesh_, h, window)) {
     return;
@@ -34,7 +34,7 @@ void IsolineBand::OnWindow(HalfEdge h, const Window& window, uint32_t) {
   const uint32_t face = h / 3;
   if (is_closed_[face]) return;
   if (!HasWindows(face)) faces_.push_back(face);
-  first_[h] = kept_.Allocate({{window.interval, window.origin}, first_[h]});
+  first_[h] = kept_.Allocate({{window.interval, window.origin.AsPoint()}, first_[h]});
 }
 
 void IsolineBand::Close(uint32_t face) {

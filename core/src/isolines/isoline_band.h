@@ -23,7 +23,7 @@ class IsolineBand final : public WindowObserver {
   // `levels` are in the scaled unit, rise, and outlive this object.
   IsolineBand(const Mesh& mesh, std::span<const double> levels);
 
-  void OnWindow(HalfEdge h, const Window& window,
+  void OnWindow(HalfEdge h, const MixedWindow& window,
                 uint32_t pseudo_source) override;
 
   // Calls visit(way) for every window kept that enters the face of h.

@@ -36,7 +36,7 @@ std::optional<Way> GoOnTo(HalfEdge side, const Mesh& mesh, HalfEdge h,
   const auto& [interval, origin] = way;
   const HalfEdgeFrame& frame = mesh.frame(h);
   const double length = mesh.frame(side).length;
-  const double crossing = ApexCrossing(origin, frame);
+  const double crossing = CrossingTo(origin, ApexOf(frame));
   Way on;
   if (side == Prev(h)) {
     if (!(interval.begin < crossing)) return std::nullopt;

@@ -11,8 +11,9 @@
 // lean of the rays at the apex, which differs even where the apex lies on the
 // edge. Where both rays lie on one line nothing crosses, and both children
 // stay: the worse window may come from behind the better one's pseudo-source,
-// past which its other rays go undisturbed. So they may wherever a source other
-// than at a vertex lies between a window's rays (Front::MayPassBy).
+// past which its other rays go undisturbed. So they may where that is no vertex
+// but one of several sources (Front::MayBePassedBy), or where the two windows
+// have come by different faces of one edge.
 //
 // Without the filter, nothing else ends a window on a closed surface, so two
 // facts do, which any shortest path obeys: it enters a face once at most (the
@@ -22,6 +23,7 @@
 #ifndef GEODESIC_RULES_CH_RULE_H_
 #define GEODESIC_RULES_CH_RULE_H_
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -29,6 +31,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "rules/edge_reach.h"
@@ -41,25 +44,35 @@ namespace geodesic {
 // What ends windows, beside one angle, one split.
 enum class WindowFilter { kNone, kXinWang };
 
-template <WindowQueue Queue, WindowFilter kFilter>
+template <typename Front, WindowFilter kFilter>
 class ChenHanRule {
  public:
+  using Origin = typename Front::Origin;
+  using Window = BasicWindow<Origin>;
+
   // How many windows ahead of their use the stages of Prefetch come.
   static constexpr std::array<uint32_t, 3> kPrefetchAhead = {12, 8, 4};
 
-  explicit ChenHanRule(Front<Queue>& front)
+  explicit ChenHanRule(Front& front)
       : front_(front),
         mesh_(front.mesh()),
         best_(front.mesh().half_edge_count()) {}
 
-  // Adds the window of pseudo-source v over a whole half-edge.
-  void Open(HalfEdge half_edge, uint32_t v, const Origin& origin) {
-    const Interval whole{0, mesh_.frame(half_edge).length};
-    if (whole.width() > 0) Add(Window::Over(whole, origin), half_edge, v, {});
+  // Adds a pseudo-source's window over what it sees of a half-edge.
+  void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
+            const Interval& interval) {
+    if (interval.width() > 0) {
+      Add(Window::Over(interval, origin), half_edge, false, pseudo_source, {});
+    }
   }
 
   // Sources were added: more may be within reach.
-  void Restart() { reach_.reset(); }
+  void Restart() {
+    reach_.reset();
+    if (std::exchange(holds_anchors_, false)) {
+      std::ranges::fill(best_, Best());
+    }
+  }
 
   // Propagates window `id` across its face and frees it. False if the window
   // turned out to be useless: it does not count as propagated.
@@ -91,6 +104,8 @@ class ChenHanRule {
 
  private:
   static constexpr bool kFilters = kFilter == WindowFilter::kXinWang;
+  // Where one angle, one split cannot end windows, the filter has to.
+  bool Filters() const { return kFilters || front_.MayChangeOverTwice(); }
 
   // How many faces a window has crossed since its pseudo-source: kept only
   // where it ends windows.
@@ -104,17 +119,21 @@ class ChenHanRule {
   struct Entry {
     Interval interval;
     Origin origin;
-    HalfEdge half_edge;
+    HalfEdge half_edge : 31;
+    // Whether it has crossed an edge of three faces or more: followed back, its
+    // rays and those of another window may not meet, though they seem to.
+    uint32_t has_parted : 1;
     uint32_t pseudo_source;
     [[no_unique_address]] Depth depth;
   };
-  static_assert(!kFilters || sizeof(Entry) == 48);
+  static_assert(!kFilters || !std::is_same_v<Origin, geodesic::Origin> ||
+                sizeof(Entry) == 48);
 
-  // The best window so far to reach the apex across a half-edge.
+  // The best window so far to reach the apex across a half-edge, among those
+  // whose ray no other window can go round.
   struct Best {
     double distance = std::numeric_limits<double>::infinity();
     double lean = 0;
-    uint32_t pseudo_source = 0;
   };
 
   // The face a window crosses.
@@ -124,43 +143,50 @@ class ChenHanRule {
     double left_length, right_length;
   };
 
-  void Add(const Window& window, HalfEdge half_edge, uint32_t pseudo_source,
-           Depth depth) {
+  void Add(const Window& window, HalfEdge half_edge, bool has_parted,
+           uint32_t pseudo_source, Depth depth) {
     ++created_;
     front_.Observe(half_edge, window, pseudo_source);
-    front_.queue().Push(pool_.Allocate({window.interval, window.origin,
-                                        half_edge, pseudo_source, depth}),
-                        window.Label());
+    front_.queue().Push(
+        pool_.Allocate({window.interval, window.origin, half_edge, has_parted,
+                        pseudo_source, depth}),
+        window.Label());
   }
-  // Adds the child of `parent` on `half_edge`.
-  void AddChild(const Window& window, HalfEdge half_edge, const Entry& parent);
+  // Adds a child of `parent`, which leaves the face across `side`, in every
+  // face beyond it.
+  void AddChildren(const Window& window, HalfEdge side, Exit exit,
+                   const Entry& parent);
+  void AddChild(const Window& window, HalfEdge half_edge, bool has_parted,
+                const Entry& parent);
 
   void PropagateLeft(const Entry& parent, const Crossing& face,
                      bool ends_at_apex);
   void PropagateRight(const Entry& parent, const Crossing& face,
                       bool starts_at_apex);
 
-  Front<Queue>& front_;
+  Front& front_;
   const Mesh& mesh_;
   WindowPool<Entry> pool_;
   std::vector<Best> best_;  // one per half-edge
+  bool holds_anchors_ =
+      false;  // some of them are of sources that are no vertex
   // No point is farther than this; set by the first window of a start. Not if
   // kFilters.
   std::optional<double> reach_;
   uint64_t created_ = 0;
 };
 
-// As templates over the queue alone, which is what Propagation takes.
-template <WindowQueue Queue>
-using ChRule = ChenHanRule<Queue, WindowFilter::kNone>;
-template <WindowQueue Queue>
-using IchRule = ChenHanRule<Queue, WindowFilter::kXinWang>;
+// As templates over the front alone, which is what Propagation takes.
+template <typename Front>
+using ChRule = ChenHanRule<Front, WindowFilter::kNone>;
+template <typename Front>
+using IchRule = ChenHanRule<Front, WindowFilter::kXinWang>;
 
-template <WindowQueue Queue, WindowFilter kFilter>
-bool ChenHanRule<Queue, kFilter>::Propagate(uint32_t id) {
+template <typename Front, WindowFilter kFilter>
+bool ChenHanRule<Front, kFilter>::Propagate(uint32_t id) {
   const Entry entry = pool_[id];
   pool_.Free(id);
-  const auto& [interval, origin, h, pseudo_source, depth] = entry;
+  const auto& [interval, origin, h, has_parted, pseudo_source, depth] = entry;
   // The pseudo-source has improved since: its newer windows replace this one.
   if (Exceeds(origin.sigma, front_.PseudoSourceDistance(pseudo_source)))
     return false;
@@ -172,24 +198,23 @@ bool ChenHanRule<Queue, kFilter>::Propagate(uint32_t id) {
                       mesh_.frame(Prev(h)).length,
                       mesh_.frame(Next(h)).length};
   const Window window = Window::Over(interval, origin);
-  if constexpr (kFilters) {
+  if (Filters()) {
     // Distances have improved since the window was made: test it again.
     if (front_.EndsAreNearer(window, frame.length, face.from, face.to)) {
       return false;
     }
-  } else if (!reach_.has_value()) {
-    reach_ = EdgeReach(front_);
   }
+  if (!kFilters && !reach_.has_value()) reach_ = EdgeReach(front_);
 
   const Arrival arrival{pseudo_source, h, origin.x, origin.depth};
-  const double crossing = ApexCrossing(origin, frame);
+  const PlanePoint apex = ApexOf(frame);
+  const double crossing = CrossingTo(origin, apex);
   const double near_miss = NearMiss(origin, frame);
   if (crossing <= interval.begin) {
     if (crossing > interval.begin - near_miss) {
-      front_.Relax(
-          face.apex,
-          window.begin_distance + EdgePointToApex(interval.begin, frame),
-          arrival);
+      front_.Relax(face.apex,
+                   window.begin_distance + EdgePointTo(interval.begin, apex),
+                   arrival);
     }
     PropagateRight(entry, face, false);
     return true;
@@ -197,34 +222,37 @@ bool ChenHanRule<Queue, kFilter>::Propagate(uint32_t id) {
   if (crossing >= interval.end) {
     if (crossing < interval.end + near_miss) {
       front_.Relax(face.apex,
-                   window.end_distance + EdgePointToApex(interval.end, frame),
+                   window.end_distance + EdgePointTo(interval.end, apex),
                    arrival);
     }
     PropagateLeft(entry, face, false);
     return true;
   }
 
-  const double to_apex = DistanceToApex(origin, frame);
+  const double to_apex = DistanceToPlace(origin, apex);
   const double at_apex = origin.sigma + to_apex;
   front_.Relax(face.apex, at_apex, arrival);
   // Grows as the ray into the apex comes from further left.
-  const double lean = (frame.apex_x - origin.x) / to_apex;
+  const double lean = Lean(origin, apex, to_apex);
   Best& best = best_[h];
-  const bool is_worse = Exceeds(at_apex, best.distance) &&
-                        !front_.MayPassBy(best.pseudo_source, pseudo_source);
+  const bool is_worse = !has_parted && Exceeds(at_apex, best.distance);
   const bool goes_left = !is_worse || lean > best.lean - kSameRay;
   const bool goes_right = !is_worse || lean < best.lean + kSameRay;
-  if (at_apex < best.distance) best = {at_apex, lean, pseudo_source};
+  if (at_apex < best.distance && !has_parted &&
+      !front_.MayBePassedBy(pseudo_source)) {
+    best = {at_apex, lean};
+    holds_anchors_ |= pseudo_source >= mesh_.vertex_count();
+  }
   if (goes_left) PropagateLeft(entry, face, true);
   if (goes_right) PropagateRight(entry, face, true);
   return true;
 }
 
-template <WindowQueue Queue, WindowFilter kFilter>
-void ChenHanRule<Queue, kFilter>::PropagateLeft(const Entry& parent,
+template <typename Front, WindowFilter kFilter>
+void ChenHanRule<Front, kFilter>::PropagateLeft(const Entry& parent,
                                                 const Crossing& face,
                                                 bool ends_at_apex) {
-  const HalfEdge exit = face.frame.left_exit;
+  const Exit exit = face.frame.left_exit;
   if (exit == kNoHalfEdge) return;
   const double length = face.left_length;
   const Interval interval{
@@ -235,7 +263,7 @@ void ChenHanRule<Queue, kFilter>::PropagateLeft(const Entry& parent,
   if (interval.width() <= kLeastWidth * length) return;
   const Window child =
       Window::Over(interval, UnfoldLeft(parent.origin, face.frame));
-  if constexpr (kFilters) {
+  if (Filters()) {
     if (front_.EndsAreNearer(child, length, face.from, face.apex)) return;
     // Third condition: through the far end B of the parent's edge.
     const double dx = interval.begin * face.frame.left_x - face.frame.length;
@@ -245,14 +273,14 @@ void ChenHanRule<Queue, kFilter>::PropagateLeft(const Entry& parent,
       return;
     }
   }
-  AddChild(child, exit, parent);
+  AddChildren(child, Prev(parent.half_edge), exit, parent);
 }
 
-template <WindowQueue Queue, WindowFilter kFilter>
-void ChenHanRule<Queue, kFilter>::PropagateRight(const Entry& parent,
+template <typename Front, WindowFilter kFilter>
+void ChenHanRule<Front, kFilter>::PropagateRight(const Entry& parent,
                                                  const Crossing& face,
                                                  bool starts_at_apex) {
-  const HalfEdge exit = face.frame.right_exit;
+  const Exit exit = face.frame.right_exit;
   if (exit == kNoHalfEdge) return;
   const double length = face.right_length;
   const double from_b =
@@ -266,7 +294,7 @@ void ChenHanRule<Queue, kFilter>::PropagateRight(const Entry& parent,
   if (interval.width() <= kLeastWidth * length) return;
   const Window child =
       Window::Over(interval, UnfoldRight(parent.origin, face.frame, length));
-  if constexpr (kFilters) {
+  if (Filters()) {
     if (front_.EndsAreNearer(child, length, face.apex, face.to)) return;
     // Third condition: through the far end A of the parent's edge.
     const double dx = face.frame.length + from_b * face.frame.right_x;
@@ -276,20 +304,36 @@ void ChenHanRule<Queue, kFilter>::PropagateRight(const Entry& parent,
       return;
     }
   }
-  AddChild(child, exit, parent);
+  AddChildren(child, Next(parent.half_edge), exit, parent);
 }
 
-template <WindowQueue Queue, WindowFilter kFilter>
-void ChenHanRule<Queue, kFilter>::AddChild(const Window& window,
-                                           HalfEdge half_edge,
+template <typename Front, WindowFilter kFilter>
+void ChenHanRule<Front, kFilter>::AddChildren(const Window& window,
+                                              HalfEdge side, Exit exit,
+                                              const Entry& parent) {
+  if (exit < kIrregularExit) {
+    AddChild(window, exit, parent.has_parted, parent);
+    return;
+  }
+  const bool has_parted = parent.has_parted || mesh_.IsCrowdedEdge(side);
+  front_.Cross(
+      side, window.origin, window.interval,
+      [&](HalfEdge half_edge, const Origin& origin, const Interval& interval) {
+        AddChild(Window::Over(interval, origin), half_edge, has_parted, parent);
+      });
+}
+
+template <typename Front, WindowFilter kFilter>
+void ChenHanRule<Front, kFilter>::AddChild(const Window& window,
+                                           HalfEdge half_edge, bool has_parted,
                                            const Entry& parent) {
   if constexpr (kFilters) {
-    Add(window, half_edge, parent.pseudo_source, {});
+    Add(window, half_edge, has_parted, parent.pseudo_source, {});
   } else {
     const Crossed depth{parent.depth.faces + 1};
     if (depth.faces >= mesh_.face_count()) return;
     if (Exceeds(window.Label(), *reach_)) return;
-    Add(window, half_edge, parent.pseudo_source, depth);
+    Add(window, half_edge, has_parted, parent.pseudo_source, depth);
   }
 }
 

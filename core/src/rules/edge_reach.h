@@ -19,8 +19,8 @@ namespace geodesic {
 // vertices that `front` has reached: each has a way to it along edges to a
 // corner of its face and from there no farther than a side of that face.
 // O(n log n) (Dijkstra).
-template <WindowQueue Queue>
-double EdgeReach(const Front<Queue>& front) {
+template <typename Front>
+double EdgeReach(const Front& front) {
   const Mesh& mesh = front.mesh();
   using Reached = std::pair<double, uint32_t>;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;

@@ -9,24 +9,33 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "anchors.h"
+#include "curve_segment.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "queues/queue.h"
 #include "surface_location.h"
 #include "targets.h"
 #include "tolerances.h"
+#include "windows/mixed_origin.h"
 #include "windows/window.h"
 #include "windows/window_observer.h"
 
 namespace geodesic {
 
-template <WindowQueue Queue>
+// OriginType as for BasicWindow.
+template <WindowQueue QueueType, typename OriginType>
 class Front {
  public:
+  using Queue = QueueType;
+  using Origin = OriginType;
+  using Window = BasicWindow<Origin>;
+
   // `observer`, if any, hears of every window.
   Front(const Mesh& mesh, const Query& query, Queue& queue,
         WindowObserver* observer)
@@ -53,13 +62,17 @@ class Front {
   double PseudoSourceDistance(uint32_t pseudo_source) const {
     return distances_[pseudo_source];
   }
-  // Whether the rays of pseudo-source `other` may pass by `nearer` on both its
-  // sides and be the shortest there. Not if it is a vertex, since windows end
-  // at vertices; nor behind the only source, or one with itself, since whoever
-  // comes from behind it is farther everywhere.
-  bool MayPassBy(uint32_t nearer, uint32_t other) const {
-    return nearer >= mesh_.vertex_count() && nearer != other &&
-           distances_.size() > mesh_.vertex_count() + 1;
+  // Whether the rays of other windows may pass by this pseudo-source on both
+  // sides and be the shortest there. Not by a vertex, where windows end; nor by
+  // the only source, since whoever comes from behind it is farther everywhere.
+  bool MayBePassedBy(uint32_t pseudo_source) const {
+    return pseudo_source >= mesh_.vertex_count() && anchor_count() > 1;
+  }
+  // Whether two windows may change over more than once on an edge: only beside
+  // a pseudo-source that can be passed by, or where rays that coincide have
+  // come by different faces of a crowded edge.
+  bool MayChangeOverTwice() const {
+    return (has_free_anchor_ && anchor_count() > 1) || mesh_.HasCrowdedEdges();
   }
   uint64_t reached() const { return reached_; }
   uint64_t bytes() const {
@@ -104,7 +117,9 @@ class Front {
   // Tells whoever wants to know of a window that enters the face of h.
   void Observe(HalfEdge h, const Window& window, uint32_t pseudo_source) {
     if (targets_.Watches(h / 3)) targets_.Offer(h, window, pseudo_source);
-    if (observer_ != nullptr) observer_->OnWindow(h, window, pseudo_source);
+    if (observer_ != nullptr) {
+      observer_->OnWindow(h, AsMixed(window), pseudo_source);
+    }
   }
 
   // Takes `distance` for v if it is better. A vertex that paths may bend at is
@@ -121,12 +136,41 @@ class Front {
     queue_.Push(kVertexEvent | v, distance);
   }
 
+  // Calls enter(half_edge, origin, interval) for every face beyond `side` that
+  // a window enters; origin and interval are given in the frame that an
+  // oriented neighbour has.
+  template <typename Enter>
+  void Cross(HalfEdge side, const Origin& origin, const Interval& interval,
+             Enter enter) const {
+    const double length = mesh_.frame(side).length;
+    mesh_.ForEachBeyond(side, [&](HalfEdge half_edge, bool is_mirrored) {
+      if (is_mirrored) {
+        enter(half_edge, Mirror(origin, length), Mirror(interval, length));
+      } else {
+        enter(half_edge, origin, interval);
+      }
+    });
+  }
+
   // Starts from an anchor: relaxes the vertices around it and calls
-  // open(half_edge, pseudo_source, origin) for every edge that it sees whole.
+  // open(half_edge, pseudo_source, origin, interval) for all that it sees of
+  // every edge.
   template <typename Open>
   void AddAnchor(const Anchor& anchor, Open open) {
     const auto number = static_cast<uint32_t>(distances_.size());
     const double sigma = std::ldexp(anchor.offset, -mesh_.scale_exponent());
+    has_free_anchor_ = has_free_anchor_ ||
+                       !std::holds_alternative<VertexPoint>(anchor.begin) ||
+                       anchor.is_segment;
+    if (anchor.is_segment) {
+      // Distances at edges do not tell whether a segment's windows are stale:
+      // it never improves.
+      distances_.push_back(std::numeric_limits<double>::infinity());
+      if constexpr (std::is_same_v<Origin, MixedOrigin>) {
+        AddSegment(anchor, sigma, number, open);
+      }
+      return;
+    }
     distances_.push_back(sigma);
     if (const auto* at = std::get_if<VertexPoint>(&anchor.begin)) {
       states_[at->vertex] |= kSource;
@@ -145,11 +189,11 @@ class Front {
         // The faces beyond an edge that holds the point are around it too.
         if (point.weights[Prev(h) % 3] == 0) continue;
         const PlanePoint at = InFrame(mesh_, point, h);
-        Look(mesh_.Twin(h),
-             {.x = mesh_.frame(h).length - at.x,
-              .depth = std::max(at.y, kLeastHeight),
-              .sigma = sigma},
-             number, kMostFolds, open);
+        LookAcross(h,
+                   {.x = mesh_.frame(h).length - at.x,
+                    .depth = std::max(at.y, kLeastHeight),
+                    .sigma = sigma},
+                   number, open);
       }
       const PlanePoint from = InFrame(mesh_, point, 3 * point.face);
       targets_.OfferWithin(point.face, number, [&](const PlanePoint& to) {
@@ -159,11 +203,11 @@ class Front {
   }
 
   // Handles the event of v: relaxes v's neighbours along their edges and calls
-  // open(half_edge, pseudo_source, origin) for every edge that v sees whole,
-  // where the half-edge enters the face beyond. These are the edges opposite to
-  // v, and where v lies on one (across a face without area), the other edges of
-  // the face beyond. Does nothing if v has not improved since it was last
-  // expanded.
+  // open(half_edge, pseudo_source, origin, interval) for every edge that v sees
+  // whole, where the half-edge enters the face beyond. These are the edges
+  // opposite to v, and where v lies on one (across a face without area), the
+  // other edges of the face beyond. Does nothing if v has not improved since it
+  // was last expanded.
   template <typename Open>
   void Expand(uint32_t v, Open open) {
     if (!(states_[v] & kPending)) return;
@@ -176,11 +220,11 @@ class Front {
       Relax(mesh_.To(h), sigma + mesh_.frame(h).length, along_edge);
       Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length, along_edge);
       // Seen from beyond, the edge runs the other way.
-      Look(mesh_.Twin(opposite),
-           {.x = frame.length - frame.apex_x,
-            .depth = frame.apex_y,
-            .sigma = sigma},
-           v, kMostFolds, open);
+      LookAcross(opposite,
+                 {.x = frame.length - frame.apex_x,
+                  .depth = frame.apex_y,
+                  .sigma = sigma},
+                 v, open);
     }
   }
 
@@ -189,6 +233,10 @@ class Front {
     kSource = 1,
     kPending = 2,  // improved since it was last expanded
   };
+
+  size_t anchor_count() const {
+    return distances_.size() - mesh_.vertex_count();
+  }
 
   // Of the faces around v.
   double LongestEdgeAt(uint32_t v) const {
@@ -201,29 +249,77 @@ class Front {
     return longest;
   }
 
-  // Through how many faces without area in a row a pseudo-source looks on.
-  static constexpr int kMostFolds = 16;
+  // Through how many faces without area a pseudo-source looks on, one beside or
+  // behind the other.
+  static constexpr int kMostFolds = 64;
+
+  // Opens what the pseudo-source sees across `side`; origin as for Cross.
+  template <typename Open>
+  void LookAcross(HalfEdge side, const Origin& origin, uint32_t pseudo_source,
+                  Open open) {
+    int folds_left = kMostFolds;
+    LookAcross(side, origin, pseudo_source, folds_left, open);
+  }
+
+  template <typename Open>
+  void LookAcross(HalfEdge side, const Origin& origin, uint32_t pseudo_source,
+                  int& folds_left, Open open) {
+    Cross(side, origin, {0, mesh_.frame(side).length},
+          [&](HalfEdge half_edge, const Origin& seen, const Interval& whole) {
+            LookInto(half_edge, seen, whole, pseudo_source, folds_left, open);
+          });
+  }
 
   // Opens `half_edge`, or if the pseudo-source lies on it, what lies beyond.
   template <typename Open>
-  void Look(HalfEdge half_edge, const Origin& origin, uint32_t pseudo_source,
-            int folds, Open open) {
-    if (half_edge == kNoHalfEdge) return;
+  void LookInto(HalfEdge half_edge, const Origin& origin, const Interval& whole,
+                uint32_t pseudo_source, int& folds_left, Open open) {
     const HalfEdgeFrame& frame = mesh_.frame(half_edge);
-    const bool is_on_edge = origin.depth <= kCollapsedFace * frame.length &&
-                            origin.x > 0 && origin.x < frame.length;
-    if (!is_on_edge || folds == 0) {
-      open(half_edge, pseudo_source, origin);
+    if (!LiesOnEdge(origin, frame) || folds_left == 0) {
+      open(half_edge, pseudo_source, origin, whole);
       return;
     }
-    Observe(half_edge, Window::Over({0, frame.length}, origin), pseudo_source);
-    Relax(mesh_.Apex(half_edge), origin.sigma + DistanceToApex(origin, frame),
+    --folds_left;
+    Observe(half_edge, Window::Over(whole, origin), pseudo_source);
+    Relax(mesh_.Apex(half_edge),
+          origin.sigma + DistanceToPlace(origin, ApexOf(frame)),
           {pseudo_source, half_edge, origin.x, origin.depth});
-    Look(frame.left_exit, UnfoldLeft(origin, frame), pseudo_source, folds - 1,
-         open);
-    Look(frame.right_exit,
-         UnfoldRight(origin, frame, mesh_.frame(Next(half_edge)).length),
-         pseudo_source, folds - 1, open);
+    LookAcross(Prev(half_edge), UnfoldLeft(origin, frame), pseudo_source,
+               folds_left, open);
+    LookAcross(Next(half_edge),
+               UnfoldRight(origin, frame, mesh_.frame(Next(half_edge)).length),
+               pseudo_source, folds_left, open);
+  }
+
+  // Starts from a segment, in each of the faces that hold it.
+  // REQUIRES: Origin is MixedOrigin.
+  template <typename Open>
+  void AddSegment(const Anchor& anchor, double sigma, uint32_t number,
+                  Open open) {
+    for (const CurveSegment& segment : SegmentsOf(mesh_, anchor)) {
+      const HalfEdge first = 3 * segment.face();
+      const Arrival straight{.pseudo_source = number};
+      for (uint32_t corner = 0; corner < 3; ++corner) {
+        FacePoint at{.face = segment.face()};
+        at.weights[corner] = 1;
+        Relax(mesh_.From(first + corner),
+              sigma + segment.DistanceTo(InFrame(mesh_, at, first)), straight);
+      }
+      for (HalfEdge h = first; h < first + 3; ++h) {
+        auto beam = segment.BeamAcross(h);
+        if (!beam.has_value()) continue;
+        beam->origin.sigma += sigma;
+        Cross(h, beam->origin, beam->interval,
+              [&](HalfEdge half_edge, const Origin& origin,
+                  const Interval& interval) {
+                open(half_edge, number, origin, interval);
+              });
+      }
+      targets_.OfferWithin(segment.face(), number,
+                           [&](const PlanePoint& place) {
+                             return sigma + segment.DistanceTo(place);
+                           });
+    }
   }
 
   const Mesh& mesh_;
@@ -233,6 +329,7 @@ class Front {
   std::vector<double> distances_;  // of vertices, then offsets of anchors
   std::vector<Arrival> arrivals_;  // of vertices; empty without a trace
   std::vector<uint8_t> states_;
+  bool has_free_anchor_ = false;  // one that is not a vertex
   uint64_t reached_ = 0;
 };
 

@@ -35,22 +35,28 @@
 
 namespace geodesic {
 
-template <WindowQueue Queue>
+template <typename Front>
 class MmpRule {
  public:
+  using Queue = typename Front::Queue;
+  using Origin = typename Front::Origin;
+  using Window = BasicWindow<Origin>;
+  using ListedWindow = BasicListedWindow<Origin>;
+
   // How many half-edges ahead of their use the stages of Prefetch come.
   static constexpr std::array<uint32_t, 4> kPrefetchAhead = {8, 6, 4, 2};
 
-  explicit MmpRule(Front<Queue>& front)
+  explicit MmpRule(Front& front)
       : front_(front),
         mesh_(front.mesh()),
         lists_(front.mesh().half_edge_count()),
         queued_(Queue::kStrict ? 0 : front.mesh().half_edge_count(),
                 kPropagated) {}
 
-  // Adds the window of pseudo-source v over a whole half-edge.
-  void Open(HalfEdge half_edge, uint32_t v, const Origin& origin) {
-    Insert(half_edge, v, origin, {0, mesh_.frame(half_edge).length});
+  // Adds a pseudo-source's window over what it sees of a half-edge.
+  void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
+            const Interval& interval) {
+    Insert(half_edge, pseudo_source, origin, interval);
   }
 
   // Sources were added: nothing here depends on them.
@@ -98,6 +104,9 @@ class MmpRule {
   static constexpr double kAnyLabel = std::numeric_limits<double>::max();
   static constexpr size_t kAll = std::numeric_limits<size_t>::max();
 
+  // Inserts a window that leaves its face across `side` in every face beyond.
+  void InsertBeyond(HalfEdge side, Exit exit, uint32_t pseudo_source,
+                    const Origin& origin, const Interval& interval);
   // Adds a window, as far as it beats those on the half-edge already.
   void Insert(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
               const Interval& interval);
@@ -110,13 +119,13 @@ class MmpRule {
   template <typename Visit>
   void ForEachExit(HalfEdge h, Visit visit) const {
     const HalfEdgeFrame& frame = mesh_.frame(h);
-    if (frame.left_exit != kNoHalfEdge) visit(frame.left_exit);
-    if (frame.right_exit != kNoHalfEdge) visit(frame.right_exit);
+    if (frame.left_exit < kIrregularExit) visit(frame.left_exit);
+    if (frame.right_exit < kIrregularExit) visit(frame.right_exit);
   }
 
-  Front<Queue>& front_;
+  Front& front_;
   const Mesh& mesh_;
-  WindowLists lists_;
+  WindowLists<Origin> lists_;
   // Unless the queue is strict: the least label each half-edge is queued with,
   // kPropagated if it has nothing pending.
   std::vector<double> queued_;
@@ -127,8 +136,8 @@ class MmpRule {
   uint64_t created_ = 0;
 };
 
-template <WindowQueue Queue>
-uint32_t MmpRule<Queue>::Propagate(HalfEdge h) {
+template <typename Front>
+uint32_t MmpRule<Front>::Propagate(HalfEdge h) {
   double due = kAnyLabel;
   size_t most = kAll;
   if constexpr (Queue::kStrict) {
@@ -153,8 +162,8 @@ uint32_t MmpRule<Queue>::Propagate(HalfEdge h) {
   return propagated;
 }
 
-template <WindowQueue Queue>
-void MmpRule<Queue>::Sweep() {
+template <typename Front>
+void MmpRule<Front>::Sweep() {
   const double settled = front_.queue().SettledRadius();
   std::erase_if(listed_, [&](HalfEdge h) {
     if (front_.Farthest(h) > settled) return false;
@@ -165,46 +174,62 @@ void MmpRule<Queue>::Sweep() {
   next_sweep_ = std::max(2 * lists_.size(), kLeastSweep);
 }
 
-template <WindowQueue Queue>
-void MmpRule<Queue>::Cross(HalfEdge h, const Window& window,
+template <typename Front>
+void MmpRule<Front>::Cross(HalfEdge h, const Window& window,
                            uint32_t pseudo_source) {
   const auto& [interval, origin, begin_distance, end_distance] = window;
   const HalfEdgeFrame& frame = mesh_.frame(h);
   const double left_length = mesh_.frame(Prev(h)).length;
   const double right_length = mesh_.frame(Next(h)).length;
-  const double crossing = ApexCrossing(origin, frame);
+  const PlanePoint apex = ApexOf(frame);
+  const double crossing = CrossingTo(origin, apex);
   // The point of the interval nearest to the ray through the apex; paths
   // through it to the apex are real, and straight if the ray is in there.
   const double through = std::clamp(crossing, interval.begin, interval.end);
   if (std::abs(through - crossing) <= NearMiss(origin, frame)) {
     front_.Relax(mesh_.Apex(h),
-                 origin.sigma + (through == crossing
-                                     ? DistanceToApex(origin, frame)
-                                     : origin.DistanceTo(through) +
-                                           EdgePointToApex(through, frame)),
+                 through == crossing
+                     ? origin.sigma + DistanceToPlace(origin, apex)
+                     : window.DistanceTo(through) + EdgePointTo(through, apex),
                  {pseudo_source, h, origin.x, origin.depth});
   }
   if (crossing > interval.begin && frame.left_exit != kNoHalfEdge) {
-    Insert(frame.left_exit, pseudo_source, UnfoldLeft(origin, frame),
-           {ProjectLeft(origin, interval.begin, frame, left_length),
-            crossing < interval.end
-                ? left_length
-                : ProjectLeft(origin, interval.end, frame, left_length)});
+    InsertBeyond(Prev(h), frame.left_exit, pseudo_source,
+                 UnfoldLeft(origin, frame),
+                 {ProjectLeft(origin, interval.begin, frame, left_length),
+                  crossing < interval.end
+                      ? left_length
+                      : ProjectLeft(origin, interval.end, frame, left_length)});
   }
   if (crossing < interval.end && frame.right_exit != kNoHalfEdge) {
-    Insert(frame.right_exit, pseudo_source,
-           UnfoldRight(origin, frame, right_length),
-           {crossing > interval.begin
-                ? 0
-                : right_length -
-                      ProjectRight(origin, interval.begin, frame, right_length),
-            right_length -
-                ProjectRight(origin, interval.end, frame, right_length)});
+    InsertBeyond(Next(h), frame.right_exit, pseudo_source,
+                 UnfoldRight(origin, frame, right_length),
+                 {crossing > interval.begin
+                      ? 0
+                      : right_length - ProjectRight(origin, interval.begin,
+                                                    frame, right_length),
+                  right_length -
+                      ProjectRight(origin, interval.end, frame, right_length)});
   }
 }
 
-template <WindowQueue Queue>
-void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
+template <typename Front>
+void MmpRule<Front>::InsertBeyond(HalfEdge side, Exit exit,
+                                  uint32_t pseudo_source, const Origin& origin,
+                                  const Interval& interval) {
+  if (exit < kIrregularExit) {
+    Insert(exit, pseudo_source, origin, interval);
+    return;
+  }
+  front_.Cross(
+      side, origin, interval,
+      [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
+        Insert(half_edge, pseudo_source, seen, through);
+      });
+}
+
+template <typename Front>
+void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
                             const Origin& origin, const Interval& interval) {
   const double length = mesh_.frame(half_edge).length;
   const double least_width = kLeastWidth * length;
@@ -237,10 +262,8 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
     if (held.begin >= interval.end) break;
     const Interval overlap{std::max(held.begin, interval.begin),
                            std::min(held.end, interval.end)};
-    if (front_.MayPassBy(next->pseudo_source, pseudo_source) ||
-        front_.MayPassBy(pseudo_source, next->pseudo_source)) {
-      if (const auto at = SplitBeforeContest(next->window, newer);
-          at.has_value()) {
+    if (front_.MayChangeOverTwice()) {
+      if (const auto at = SplitBeforeContest(next->window, newer)) {
         put_down(overlap.begin);
         Insert(half_edge, pseudo_source, origin, {overlap.begin, *at});
         Insert(half_edge, pseudo_source, origin, {*at, interval.end});
@@ -287,8 +310,8 @@ void MmpRule<Queue>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
   if (lists_.size() >= next_sweep_) Sweep();
 }
 
-template <WindowQueue Queue>
-void MmpRule<Queue>::Enqueue(HalfEdge half_edge, double label) {
+template <typename Front>
+void MmpRule<Front>::Enqueue(HalfEdge half_edge, double label) {
   if constexpr (!Queue::kStrict) {
     if (label >= queued_[half_edge]) return;
     queued_[half_edge] = label;

@@ -45,11 +45,36 @@ double SolveCrossing(const Origin& older, const Origin& newer, double low,
   return first ? x0 : x1;
 }
 
+double SolveCrossing(const MixedOrigin& older, const MixedOrigin& newer,
+                     double low, double high) {
+  return older.is_segment || newer.is_segment
+             ? std::numeric_limits<double>::quiet_NaN()
+             : SolveCrossing(older.AsPoint(), newer.AsPoint(), low, high);
+}
+
+// Where rays of both pseudo-sources coincide; NaN or infinite if nowhere.
+double CommonRay(const Origin& a, const Origin& b) {
+  return (a.x * b.depth - b.x * a.depth) / (b.depth - a.depth);
+}
+
+double CommonRay(const MixedOrigin& a, const MixedOrigin& b) {
+  if (!a.is_segment && !b.is_segment) {
+    return CommonRay(a.AsPoint(), b.AsPoint());
+  }
+  if (a.is_segment && b.is_segment) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const MixedOrigin& segment = a.is_segment ? a : b;
+  const MixedOrigin& point = a.is_segment ? b : a;
+  return point.x + point.depth * segment.x / segment.depth;
+}
+
 // The point of [low, high] where the difference, of different signs at the two
 // ends, vanishes: in closed form where that is accurate, else by regula falsi
 // with the Illinois weights and bisection where that stalls.
-double FindCrossing(const Window& older, const Window& newer, double low,
-                    double at_low, double high, double at_high) {
+template <typename WindowType>
+double FindCrossing(const WindowType& older, const WindowType& newer,
+                    double low, double at_low, double high, double at_high) {
   double x = SolveCrossing(older.origin, newer.origin, low, high);
   constexpr int kMostSteps = 100;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -75,13 +100,15 @@ double FindCrossing(const Window& older, const Window& newer, double low,
 }
 
 // At the begin (end) of the overlap, which is that of one window at least.
-Contest AtBegin(const Window& older, const Window& newer) {
+template <typename WindowType>
+Contest AtBegin(const WindowType& older, const WindowType& newer) {
   const double a = older.interval.begin, b = newer.interval.begin;
   return {a >= b ? older.begin_distance : older.DistanceTo(b),
           b >= a ? newer.begin_distance : newer.DistanceTo(a)};
 }
 
-Contest AtEnd(const Window& older, const Window& newer) {
+template <typename WindowType>
+Contest AtEnd(const WindowType& older, const WindowType& newer) {
   const double a = older.interval.end, b = newer.interval.end;
   return {a <= b ? older.end_distance : older.DistanceTo(b),
           b <= a ? newer.end_distance : newer.DistanceTo(a)};
@@ -89,7 +116,9 @@ Contest AtEnd(const Window& older, const Window& newer) {
 
 }  // namespace
 
-Interval WonByNewer(const Window& older, const Window& newer) {
+template <typename OriginType>
+Interval WonByNewer(const BasicWindow<OriginType>& older,
+                    const BasicWindow<OriginType>& newer) {
   const double begin = std::max(older.interval.begin, newer.interval.begin);
   const double end = std::min(older.interval.end, newer.interval.end);
   const Contest at_begin = AtBegin(older, newer);
@@ -102,11 +131,14 @@ Interval WonByNewer(const Window& older, const Window& newer) {
   return wins_begin ? Interval{begin, crossing} : Interval{crossing, end};
 }
 
-std::optional<double> SplitBeforeContest(const Window& older,
-                                         const Window& newer) {
-  const Origin& p = older.origin;
-  const Origin& q = newer.origin;
-  const double at = (q.x * p.depth - p.x * q.depth) / (p.depth - q.depth);
+template Interval WonByNewer(const Window& older, const Window& newer);
+template Interval WonByNewer(const MixedWindow& older,
+                             const MixedWindow& newer);
+
+template <typename OriginType>
+std::optional<double> SplitBeforeContest(const BasicWindow<OriginType>& older,
+                                         const BasicWindow<OriginType>& newer) {
+  const double at = CommonRay(older.origin, newer.origin);
   const double begin = std::max(older.interval.begin, newer.interval.begin);
   const double end = std::min(older.interval.end, newer.interval.end);
   if (!(at > begin && at < end)) return std::nullopt;
@@ -120,5 +152,9 @@ std::optional<double> SplitBeforeContest(const Window& older,
   if (!newer_passes && !older_passes) return std::nullopt;
   return at;
 }
+
+template std::optional<double> SplitBeforeContest(const Window&, const Window&);
+template std::optional<double> SplitBeforeContest(const MixedWindow&,
+                                                  const MixedWindow&);
 
 }  // namespace geodesic

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "windows/mixed_origin.h"
 #include "windows/window.h"
 
 namespace geodesic {
@@ -19,15 +20,19 @@ namespace geodesic {
 // end at vertices. Equal signs at the ends thus mean one sign throughout, and
 // different signs exactly one crossing.
 // REQUIRES: the windows overlap, and SplitBeforeContest has nothing to split.
-Interval WonByNewer(const Window& older, const Window& newer);
+template <typename OriginType>
+Interval WonByNewer(const BasicWindow<OriginType>& older,
+                    const BasicWindow<OriginType>& newer);
 
 // That ray may run through a pseudo-source that is no vertex, though, and end
-// no window (Front::MayPassBy). The point where it meets the edge, if the
-// window that is nearer there is nearer at neither end of the overlap: on
+// no window, or the two windows may have come along it by different faces of
+// one edge (Front::MayChangeOverTwice). The point where it meets the edge, if
+// the window that is nearer there is nearer at neither end of the overlap: on
 // either side of that point WonByNewer holds again. REQUIRES: the windows
 // overlap.
-std::optional<double> SplitBeforeContest(const Window& older,
-                                         const Window& newer);
+template <typename OriginType>
+std::optional<double> SplitBeforeContest(const BasicWindow<OriginType>& older,
+                                         const BasicWindow<OriginType>& newer);
 
 }  // namespace geodesic
 

@@ -16,6 +16,7 @@
 
 #include "geodesic/mesh.h"
 #include "tolerances.h"
+#include "windows/plane_point.h"
 
 namespace geodesic {
 
@@ -40,15 +41,27 @@ struct Interval {
   double width() const { return end - begin; }
 };
 
+// The least distance over an interval, given those at its ends. It lower bounds
+// every distance that a window can give, so labels never decrease from parent
+// to child (that of the whole edge would).
+inline double LeastDistance(const Origin& origin, const Interval& interval,
+                            double begin_distance, double end_distance) {
+  if (origin.x < interval.begin) return begin_distance;
+  if (origin.x > interval.end) return end_distance;
+  return origin.sigma + origin.depth;
+}
+
 // Paths from one pseudo-source through one interval, with the distances from
 // the source at its ends: most questions about a window are about these.
-struct Window {
+// OriginType: Origin, or MixedOrigin where sources are curves.
+template <typename OriginType>
+struct BasicWindow {
   Interval interval;
-  Origin origin;
+  OriginType origin;
   double begin_distance = 0;
   double end_distance = 0;
 
-  static Window Over(const Interval& interval, const Origin& origin) {
+  static BasicWindow Over(const Interval& interval, const OriginType& origin) {
     return {interval, origin, origin.sigma + origin.DistanceTo(interval.begin),
             origin.sigma + origin.DistanceTo(interval.end)};
   }
@@ -57,13 +70,8 @@ struct Window {
     return origin.sigma + origin.DistanceTo(at);
   }
 
-  // The least distance over the interval. It lower bounds every distance the
-  // window can give, so labels never decrease from parent to child (that of the
-  // whole edge would).
   double Label() const {
-    if (origin.x < interval.begin) return begin_distance;
-    if (origin.x > interval.end) return end_distance;
-    return origin.sigma + origin.depth;
+    return LeastDistance(origin, interval, begin_distance, end_distance);
   }
 
   // Gives up what lies outside `part`.
@@ -74,34 +82,54 @@ struct Window {
   }
 };
 
+using Window = BasicWindow<Origin>;
+
 // Whether a window's distance at a point exceeds that of a known path.
 inline bool Exceeds(double distance, double known) {
   return distance > known * (1 + kDominance);
 }
 
-// Where the line from the pseudo-source through the apex crosses AB.
-inline double ApexCrossing(const Origin& origin, const HalfEdgeFrame& frame) {
-  return (origin.x * frame.apex_y + frame.apex_x * origin.depth) /
-         (frame.apex_y + origin.depth);
+inline PlanePoint ApexOf(const HalfEdgeFrame& frame) {
+  return {frame.apex_x, frame.apex_y};
 }
 
-// How far outside its interval a window still relaxes the apex, through the
-// interval's nearest end.
+// Where the ray into a place of the face crosses the line of AB.
+inline double CrossingTo(const Origin& origin, const PlanePoint& place) {
+  return (origin.x * place.y + place.x * origin.depth) /
+         (place.y + origin.depth);
+}
+
+// How far outside its interval a window still relaxes the apex (or a target),
+// through the interval's nearest end.
 inline double NearMiss(const Origin& origin, const HalfEdgeFrame& frame) {
   return kNearMiss * (frame.length + std::abs(origin.x) + origin.depth);
 }
 
-// Distance from the pseudo-source to the apex.
-inline double DistanceToApex(const Origin& origin, const HalfEdgeFrame& frame) {
-  const double dx = frame.apex_x - origin.x;
-  const double dy = frame.apex_y + origin.depth;
+// Distance from the pseudo-source straight to a place of the face.
+inline double DistanceToPlace(const Origin& origin, const PlanePoint& place) {
+  const double dx = place.x - origin.x;
+  const double dy = place.y + origin.depth;
   return std::sqrt(dx * dx + dy * dy);
 }
 
-// Distance from the point (at, 0) of AB to the apex.
-inline double EdgePointToApex(double at, const HalfEdgeFrame& frame) {
-  const double dx = frame.apex_x - at;
-  return std::sqrt(dx * dx + frame.apex_y * frame.apex_y);
+// Distance from the point (at, 0) of AB to a place of the face.
+inline double EdgePointTo(double at, const PlanePoint& place) {
+  const double dx = place.x - at;
+  return std::sqrt(dx * dx + place.y * place.y);
+}
+
+// How far the ray into a place, `distance` away, leans to the right of AB's
+// normal: the sine of the angle.
+inline double Lean(const Origin& origin, const PlanePoint& place,
+                   double distance) {
+  return (place.x - origin.x) / distance;
+}
+
+// Whether the pseudo-source lies inside AB, where a face without area has put
+// it.
+inline bool LiesOnEdge(const Origin& origin, const HalfEdgeFrame& frame) {
+  return origin.depth <= kCollapsedFace * frame.length && origin.x > 0 &&
+         origin.x < frame.length;
 }
 
 // The pseudo-source in the frame of frame.left_exit, which runs A -> C: a
@@ -127,7 +155,7 @@ inline Origin UnfoldRight(const Origin& origin, const HalfEdgeFrame& frame,
 }
 
 // Distance from A along A -> C, which is `left_length` long, where the ray
-// through (at, 0) meets it. REQUIRES: at <= ApexCrossing.
+// through (at, 0) meets it. REQUIRES: at is not right of the ray into the apex.
 inline double ProjectLeft(const Origin& origin, double at,
                           const HalfEdgeFrame& frame, double left_length) {
   const double across =
@@ -138,13 +166,21 @@ inline double ProjectLeft(const Origin& origin, double at,
 }
 
 // Distance from B along B -> C, which is `right_length` long, where the ray
-// through (at, 0) meets it. REQUIRES: at >= ApexCrossing.
+// through (at, 0) meets it. REQUIRES: at is not left of the ray into the apex.
 inline double ProjectRight(const Origin& origin, double at,
                            const HalfEdgeFrame& frame, double right_length) {
   const double across =
       (at - origin.x) * frame.right_y - origin.depth * frame.right_x;
   const double t = origin.depth * (frame.length - at) / across;
   return across > 0 && t < right_length ? std::max(t, 0.0) : right_length;
+}
+
+// Into a frame that is turned over: A and B change places.
+inline Origin Mirror(const Origin& origin, double length) {
+  return {.x = length - origin.x, .depth = origin.depth, .sigma = origin.sigma};
+}
+inline Interval Mirror(const Interval& interval, double length) {
+  return {length - interval.end, length - interval.begin};
 }
 
 }  // namespace geodesic

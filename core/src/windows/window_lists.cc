@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "windows/mixed_origin.h"
+
 namespace geodesic {
 
-void WindowLists::TakeDue(HalfEdge h, double due, size_t most,
+template <typename OriginType>
+void WindowLists<OriginType>::TakeDue(HalfEdge h, double due, size_t most,
                           std::vector<ListedWindow>& taken) {
   const Head& list = heads_[h];
   const size_t enough = taken.size() + most;
@@ -21,7 +24,8 @@ void WindowLists::TakeDue(HalfEdge h, double due, size_t most,
   take(Next(list), NextLabel(list), list.after);
 }
 
-uint32_t WindowLists::Pending(HalfEdge h) const {
+template <typename OriginType>
+uint32_t WindowLists<OriginType>::Pending(HalfEdge h) const {
   const Head& list = heads_[h];
   const double* labels = labels_.data() + list.offset;
   const double* next = labels + list.room - list.after;
@@ -31,14 +35,16 @@ uint32_t WindowLists::Pending(HalfEdge h) const {
       std::count(next, next + list.after, kPropagated));
 }
 
-void WindowLists::Drop(HalfEdge h) {
+template <typename OriginType>
+void WindowLists<OriginType>::Drop(HalfEdge h) {
   Head& list = heads_[h];
   if (list.room != 0) FreeOf(list.room).push_back(list.offset);
   size_ -= list.before + list.after;
   list = {};
 }
 
-void WindowLists::Grow(Head& list) {
+template <typename OriginType>
+void WindowLists<OriginType>::Grow(Head& list) {
   Head grown = list;
   grown.room = std::max(2 * list.room, kLeastRoom);
   if (std::vector<uint32_t>& free = FreeOf(grown.room); free.empty()) {
@@ -57,7 +63,8 @@ void WindowLists::Grow(Head& list) {
   list = grown;
 }
 
-uint64_t WindowLists::bytes() const {
+template <typename OriginType>
+uint64_t WindowLists<OriginType>::bytes() const {
   uint64_t bytes = heads_.capacity() * sizeof(Head) +
                    arena_.capacity() * sizeof(ListedWindow) +
                    labels_.capacity() * sizeof(double);
@@ -66,5 +73,8 @@ uint64_t WindowLists::bytes() const {
   }
   return bytes;
 }
+
+template class WindowLists<Origin>;
+template class WindowLists<MixedOrigin>;
 
 }  // namespace geodesic

@@ -17,10 +17,12 @@
 namespace geodesic {
 
 // A window in the list of its half-edge: one cache line.
-struct alignas(64) ListedWindow {
-  Window window;
+template <typename OriginType>
+struct alignas(64) BasicListedWindow {
+  BasicWindow<OriginType> window;
   uint32_t pseudo_source;
 };
+using ListedWindow = BasicListedWindow<Origin>;
 static_assert(sizeof(ListedWindow) == 64);
 
 // In the place of a window's label once it has been propagated.
@@ -33,8 +35,11 @@ inline constexpr double kPropagated = std::numeric_limits<double>::infinity();
 //
 // Pointers stay valid until the next Add. Room grows by doubling; blocks that
 // were outgrown are reused.
+template <typename OriginType>
 class WindowLists {
  public:
+  using ListedWindow = BasicListedWindow<OriginType>;
+
   explicit WindowLists(uint32_t half_edges) : heads_(half_edges) {}
 
   // Whether h has got anything since it was last dropped.

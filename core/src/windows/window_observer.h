@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "geodesic/mesh.h"
-#include "windows/window.h"
+#include "windows/mixed_origin.h"
 
 namespace geodesic {
 
@@ -18,7 +18,7 @@ class WindowObserver {
   // them unless other windows are nearer. Every point of every edge within the
   // settled radius has been in a window that is shortest there, or is reached
   // straight from an end of the edge or from a source in a face around it.
-  virtual void OnWindow(HalfEdge h, const Window& window,
+  virtual void OnWindow(HalfEdge h, const MixedWindow& window,
                         uint32_t pseudo_source) = 0;
 };
 

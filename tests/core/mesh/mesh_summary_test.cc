@@ -93,7 +93,7 @@ TEST(MeshSummaryTest, AgreesWithTheIndexOfTestMeshes) {
     EXPECT_EQ(summary.components, components);
     EXPECT_EQ(summary.isolated_vertices, isolated);
     if (genus != "n/a") {
-      EXPECT_EQ(std::to_string(summary.genus), genus);
+      EXPECT_EQ(summary.genus, std::stoll(genus));
     }
     EXPECT_NEAR(summary.anisotropy, std::stod(g_mean),
                 1e-3 * summary.anisotropy);
@@ -104,6 +104,63 @@ TEST(MeshSummaryTest, AgreesWithTheIndexOfTestMeshes) {
     ++compared;
   }
   EXPECT_GT(compared, 40);
+}
+
+TEST(MeshSummaryTest, OrientationDoesNotMatter) {
+  TriangleSoup soup = test::Torus({.around = 12, .across = 8});
+  const MeshSummary oriented = SummaryOf(soup);
+  EXPECT_EQ(oriented.genus, 1);
+  for (size_t f = 0; f < soup.triangles.size(); f += 3) {
+    std::swap(soup.triangles[f][0], soup.triangles[f][1]);
+  }
+  const MeshSummary turned = SummaryOf(soup);
+  EXPECT_TRUE(turned.is_orientable);
+  EXPECT_EQ(turned.genus, 1);
+  EXPECT_EQ(turned.edges, oriented.edges);
+  EXPECT_EQ(turned.non_manifold_edges, 0u);
+  EXPECT_EQ(turned.non_manifold_vertices, 0u);
+  EXPECT_GT(turned.inconsistent_edges, 0u);
+  EXPECT_EQ(turned.saddle_vertices, oriented.saddle_vertices);
+}
+
+TEST(MeshSummaryTest, AMoebiusStripIsNotOrientable) {
+  // Six rungs around, the last joined to the first upside down.
+  TriangleSoup soup;
+  constexpr uint32_t kRungs = 6;
+  for (uint32_t i = 0; i < kRungs; ++i) {
+    const double a = 2 * 3.14159265 * i / kRungs;
+    for (double side : {-0.3, 0.3}) {
+      const double r = 1 + side * std::cos(a / 2);
+      soup.positions.push_back(
+          {r * std::cos(a), r * std::sin(a), side * std::sin(a / 2)});
+    }
+  }
+  for (uint32_t i = 0; i < kRungs; ++i) {
+    const bool last = i + 1 == kRungs;
+    const uint32_t a = 2 * i, b = 2 * i + 1;
+    const uint32_t c = last ? 1 : 2 * i + 2, d = last ? 0 : 2 * i + 3;
+    soup.triangles.push_back({a, c, b});
+    soup.triangles.push_back({b, c, d});
+  }
+  const MeshSummary summary = SummaryOf(soup);
+  EXPECT_FALSE(summary.is_orientable);
+  EXPECT_EQ(summary.genus, std::nullopt);
+  EXPECT_EQ(summary.boundary_loops, 1u);
+  EXPECT_EQ(summary.inconsistent_edges, 1u);
+  EXPECT_EQ(summary.non_manifold_vertices, 0u);
+}
+
+TEST(MeshSummaryTest, CountsNonManifoldEdgesAndVertices) {
+  // Three triangles on one edge.
+  const MeshSummary book = SummaryOf(
+      {.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}},
+       .triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}});
+  EXPECT_EQ(book.edges, 7u);
+  EXPECT_EQ(book.boundary_edges, 6u);
+  EXPECT_EQ(book.non_manifold_edges, 1u);
+  EXPECT_EQ(book.non_manifold_vertices, 2u);
+  EXPECT_EQ(book.components, 1u);
+  EXPECT_EQ(book.genus, std::nullopt);
 }
 
 }  // namespace

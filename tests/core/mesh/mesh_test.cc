@@ -16,7 +16,9 @@
 namespace geodesic {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Pair;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -165,17 +167,53 @@ TEST(MeshTest, RefusalsNameTheOffender) {
   soup = Square();
   soup.triangles[1] = {3, 0, 3};
   EXPECT_THAT(RefusalOf(soup), HasSubstr("face 1 repeats vertex 3"));
+}
 
-  soup = Square();
+// What ForEachBeyond gives, as (half-edge, is mirrored).
+std::vector<std::pair<HalfEdge, bool>> BeyondOf(const Mesh& mesh, HalfEdge h) {
+  std::vector<std::pair<HalfEdge, bool>> beyond;
+  mesh.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
+    beyond.emplace_back(other, is_mirrored);
+  });
+  return beyond;
+}
+
+TEST(MeshTest, ThreeFacesMayMeetInAnEdge) {
+  TriangleSoup soup = Square();  // faces 0 1 2 and 0 2 3
   soup.positions.push_back({0, 0, 1});
   soup.triangles.push_back({2, 0, 4});
-  EXPECT_THAT(RefusalOf(soup),
-              HasSubstr("edge (0, 2) belongs to 3 faces: 0, 1, 2"));
+  const auto mesh = *Mesh::Build(soup);
+  const HalfEdge diagonals[] = {2, 3, 6};  // 2 -> 0, 0 -> 2, 2 -> 0
+  for (HalfEdge h : diagonals) {
+    EXPECT_EQ(mesh->Twin(h), kNoHalfEdge);
+    EXPECT_FALSE(mesh->IsBoundaryEdge(h));
+    EXPECT_TRUE(mesh->IsIrregularEdge(h));
+    EXPECT_TRUE(mesh->IsCrowdedEdge(h));
+    EXPECT_EQ(mesh->FirstOfEdge(h), 2u);
+  }
+  EXPECT_THAT(BeyondOf(*mesh, 2), ElementsAre(Pair(3u, false), Pair(6u, true)));
+  EXPECT_THAT(BeyondOf(*mesh, 3),
+              ElementsAre(Pair(2u, false), Pair(6u, false)));
+  EXPECT_THAT(BeyondOf(*mesh, 0), ElementsAre());
+  for (uint32_t v : {0u, 2u}) {
+    EXPECT_TRUE(mesh->IsPseudoSource(v));
+    EXPECT_TRUE(mesh->IsNonManifold(v));
+  }
+  EXPECT_FALSE(mesh->IsNonManifold(1));
+}
 
-  soup = Square();
-  std::swap(soup.triangles[1][0], soup.triangles[1][1]);
-  EXPECT_THAT(RefusalOf(soup),
-              HasSubstr("faces 0 and 1 run along edge (0, 2)"));
+TEST(MeshTest, FacesMayDisagreeInOrientation) {
+  TriangleSoup soup = Square();
+  std::swap(soup.triangles[1][0], soup.triangles[1][1]);  // 2 0 3
+  const auto mesh = *Mesh::Build(soup);
+  EXPECT_TRUE(mesh->IsIrregularEdge(2));
+  EXPECT_FALSE(mesh->IsCrowdedEdge(2));
+  EXPECT_THAT(BeyondOf(*mesh, 2), ElementsAre(Pair(3u, true)));
+  EXPECT_THAT(BeyondOf(*mesh, 3), ElementsAre(Pair(2u, true)));
+  for (uint32_t v = 0; v < 4; ++v) {
+    EXPECT_FALSE(mesh->IsNonManifold(v)) << v;
+    EXPECT_FALSE(mesh->IsPseudoSource(v)) << v;
+  }
 }
 
 TEST(MeshTest, AFanOfManyFacesTakesLinearTime) {

@@ -74,16 +74,16 @@ template <typename T>
 class PropagationOrderTest : public ::testing::Test {};
 
 struct Ch {
-  template <typename Queue>
-  using Rule = ChRule<Queue>;
+  template <typename Front>
+  using Rule = ChRule<Front>;
 };
 struct Ich {
-  template <typename Queue>
-  using Rule = IchRule<Queue>;
+  template <typename Front>
+  using Rule = IchRule<Front>;
 };
 struct Mmp {
-  template <typename Queue>
-  using Rule = MmpRule<Queue>;
+  template <typename Front>
+  using Rule = MmpRule<Front>;
 };
 using Rules = ::testing::Types<Ch, Ich, Mmp>;
 TYPED_TEST_SUITE(PropagationOrderTest, Rules);

@@ -17,7 +17,7 @@ ListedWindow Unit(uint32_t at, uint32_t number) {
           number};
 }
 
-std::vector<uint32_t> NumbersOf(WindowLists& lists, HalfEdge h) {
+std::vector<uint32_t> NumbersOf(WindowLists<Origin>& lists, HalfEdge h) {
   std::vector<uint32_t> numbers;
   lists.Seek(h, -1);
   while (const ListedWindow* window = lists.Next(h)) {
@@ -31,7 +31,7 @@ std::vector<uint32_t> NumbersOf(WindowLists& lists, HalfEdge h) {
 TEST(WindowListsTest, BehavesLikeSortedArrays) {
   constexpr uint32_t kHalfEdges = 7;
   constexpr uint32_t kPlaces = 100;
-  WindowLists lists(kHalfEdges);
+  WindowLists<Origin> lists(kHalfEdges);
   std::vector<std::vector<uint32_t>> expected(
       kHalfEdges, std::vector<uint32_t>(kPlaces, 0));
   std::mt19937 random(3);
@@ -69,7 +69,7 @@ TEST(WindowListsTest, BehavesLikeSortedArrays) {
 }
 
 TEST(WindowListsTest, TakesWhatIsDueOnceAndInOrder) {
-  WindowLists lists(1);
+  WindowLists<Origin> lists(1);
   for (uint32_t at : {5, 1, 4, 2, 3}) {
     lists.Seek(0, at);
     lists.Add(0, Unit(at, at), 10 - at);  // the last in place is due first

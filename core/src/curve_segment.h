@@ -1,0 +1,47 @@
+// A straight segment of a curve source, in the plane of a face.
+
+#ifndef GEODESIC_CURVE_SEGMENT_H_
+#define GEODESIC_CURVE_SEGMENT_H_
+
+#include <optional>
+#include <vector>
+
+#include "anchors.h"
+#include "geodesic/mesh.h"
+#include "windows/mixed_origin.h"
+#include "windows/plane_point.h"
+
+namespace geodesic {
+
+// Shortest paths leave it at right angles: within its face they fill a strip on
+// either side.
+class CurveSegment {
+ public:
+  CurveSegment(const Mesh& mesh, const FacePoint& begin, const FacePoint& end);
+
+  uint32_t face() const { return begin_.face; }
+
+  // Distance to a place in the frame of the face's first half-edge, if that
+  // lies in the strip; +infinity if not.
+  double DistanceTo(const PlanePoint& place) const;
+
+  // The part of the strip that leaves the face across side h.
+  struct Beam {
+    MixedOrigin origin;  // sigma: without the offset
+    Interval interval;
+  };
+  // In the frame of an oriented neighbour; nothing if no ray goes there, or if
+  // the segment lies on that side, whose other faces hold it too.
+  std::optional<Beam> BeamAcross(HalfEdge h) const;
+
+ private:
+  const Mesh& mesh_;
+  FacePoint begin_, end_;
+};
+
+// The segment in every face that holds it: one, or all around its edge.
+std::vector<CurveSegment> SegmentsOf(const Mesh& mesh, const Anchor& anchor);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_CURVE_SEGMENT_H_

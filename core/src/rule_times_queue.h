@@ -1,0 +1,55 @@
+// The table behind algorithm_table.h, for either kind of origin.
+
+#ifndef GEODESIC_RULE_TIMES_QUEUE_H_
+#define GEODESIC_RULE_TIMES_QUEUE_H_
+
+#include <memory>
+
+#include "algorithm_table.h"
+#include "propagation.h"
+#include "queues/binary_heap.h"
+#include "queues/fifo.h"
+#include "queues/fwp_buckets.h"
+#include "queues/label_correcting.h"
+#include "rules/ch_rule.h"
+#include "rules/mmp_rule.h"
+
+namespace geodesic {
+
+template <typename OriginType>
+class RuleTimesQueue {
+ public:
+  static StartFunction Of(Algorithm algorithm) {
+    switch (algorithm) {
+      case Algorithm::kFwpCh:
+        return StartWith<IchRule, FwpBuckets>;
+      case Algorithm::kFwpMmp:
+        return StartWith<MmpRule, FwpBuckets>;
+      case Algorithm::kIch:
+        return StartWith<IchRule, BinaryHeap>;
+      case Algorithm::kMmp:
+        return StartWith<MmpRule, BinaryHeap>;
+      case Algorithm::kLcCh:
+        return StartWith<IchRule, LabelCorrecting>;
+      case Algorithm::kLcMmp:
+        return StartWith<MmpRule, LabelCorrecting>;
+      case Algorithm::kCh:
+        return StartWith<ChRule, Fifo>;
+    }
+    return nullptr;
+  }
+
+ private:
+  template <template <typename> typename Rule, WindowQueue Queue>
+  static std::unique_ptr<Computation> StartWith(const Mesh& mesh,
+                                                const Query& query,
+                                                const QueueTuning& tuning,
+                                                WindowObserver* observer) {
+    return std::make_unique<Propagation<Rule, Queue, OriginType>>(
+        mesh, query, tuning, observer);
+  }
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_RULE_TIMES_QUEUE_H_

@@ -1,0 +1,111 @@
+// Curves as sources: on planar meshes the distance to a polyline is that of
+// Euclid to its segments.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geodesic/solve.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/planar_curves.h"
+#include "tests/support/planar_meshes.h"
+
+namespace geodesic::test {
+namespace {
+
+class Curves : public EveryAlgorithm {
+ protected:
+  // Checks the field of polylines and points with these offsets.
+  void ExpectEuclid(const std::string& name, const TriangleSoup& soup,
+                    const std::vector<PlanarCurve>& curves,
+                    const std::vector<Source>& points = {}) const {
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail({name, soup});
+    ASSERT_NE(mesh, nullptr);
+    Query query{.sources = points, .algorithm = GetParam().algorithm};
+    for (const PlanarCurve& curve : curves) {
+      query.curves.push_back(OnMesh(soup, curve));
+    }
+    // Points inside faces as targets.
+    for (uint32_t f = 0; f < mesh->face_count(); f += 3) {
+      query.targets.push_back(FacePoint{f, {0.5, 0.3, 0.2}});
+      query.targets.push_back(
+          EdgePoint{soup.triangles[f][0], soup.triangles[f][1], 0.25});
+    }
+    NoCheckpoint checkpoint;
+    const auto field = Solve(*mesh, query, {}, checkpoint);
+    ASSERT_TRUE(field.ok()) << field.status();
+    const auto expected = [&](const Point& p) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const PlanarCurve& curve : curves) {
+        least = std::min(least, DistanceTo(curve, p));
+      }
+      for (const Source& source : points) {
+        const Point q = PositionOf(source.point, *mesh);
+        least = std::min(least,
+                         source.offset + std::hypot(p[0] - q[0], p[1] - q[1]));
+      }
+      return least;
+    };
+    std::vector<double> at_vertices, at_targets;
+    for (const Point& p : soup.positions) at_vertices.push_back(expected(p));
+    for (const SurfacePoint& target : query.targets) {
+      at_targets.push_back(expected(PositionOf(target, *mesh)));
+    }
+    const FieldContext context{name, points, GetParam().name};
+    EXPECT_TRUE(FieldsAgree(context, at_vertices, field->distances, 1e-14));
+    EXPECT_TRUE(
+        FieldsAgree(context, at_targets, field->target_distances, 1e-14));
+  }
+};
+
+std::vector<std::pair<std::string, TriangleSoup>> Planes() {
+  return {{"regular", MakeGrid({.columns = 12, .rows = 10})},
+          {"jittered", MakeGrid({.columns = 12,
+                                 .rows = 10,
+                                 .diagonals = Diagonals::kRandom,
+                                 .jitter = 0.24,
+                                 .seed = 5})}};
+}
+
+TEST_P(Curves, AcrossFaces) {
+  for (const auto& [name, soup] : Planes()) {
+    ExpectEuclid(name, soup, {{{{1.3, 2.1}, {9.7, 6.4}}}});
+    ExpectEuclid(name, soup, {{{{2.2, 1.1}, {6.1, 7.3}, {10.3, 3.9}}}});
+  }
+}
+
+TEST_P(Curves, WithinOneFaceAndAsASinglePoint) {
+  for (const auto& [name, soup] : Planes()) {
+    ExpectEuclid(name, soup, {{{{5.6, 5.2}, {5.7, 5.3}}}});
+    ExpectEuclid(name, soup, {{{{5.6, 5.2}}}});
+  }
+}
+
+TEST_P(Curves, AlongEdgesAndThroughVertices) {
+  const TriangleSoup soup = MakeGrid({.columns = 12, .rows = 10});
+  // Along a row of edges, along diagonals, and along a face's own side in part.
+  ExpectEuclid("row", soup, {{{{2, 4}, {9, 4}}}});
+  ExpectEuclid("diagonal", soup, {{{{3, 2}, {7, 6}}}});
+  ExpectEuclid("parts of edges", soup, {{{{2.25, 4}, {2.75, 4}}}});
+  ExpectEuclid("closed", soup, {{{{3, 3}, {8, 3}, {8, 7}, {3, 7}, {3, 3}}}});
+}
+
+TEST_P(Curves, BesidePointsAndWithOffsets) {
+  for (const auto& [name, soup] : Planes()) {
+    // A point behind a curve that starts late: it wins in the middle, the curve
+    // on both sides.
+    ExpectEuclid(
+        name, soup,
+        {{{{1.2, 4.6}, {10.9, 4.9}}, 1.5}, {{{2, 8.2}, {3, 8.4}}, 0.2}},
+        {{FacePoint{30, {0.2, 0.5, 0.3}}, 0.1}, {VertexPoint{6 + 13 * 3}, 0}});
+  }
+}
+
+GEODESIC_TEST_EVERY_ALGORITHM(Curves);
+
+}  // namespace
+}  // namespace geodesic::test

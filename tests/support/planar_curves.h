@@ -1,0 +1,28 @@
+// Polylines in the plane z = 0, laid onto planar meshes.
+
+#ifndef GEODESIC_TESTS_SUPPORT_PLANAR_CURVES_H_
+#define GEODESIC_TESTS_SUPPORT_PLANAR_CURVES_H_
+
+#include <array>
+#include <vector>
+
+#include "geodesic/query.h"
+#include "geodesic/triangle_soup.h"
+
+namespace geodesic::test {
+
+struct PlanarCurve {
+  std::vector<std::array<double, 2>> corners;
+  double offset = 0;
+};
+
+// Euclid's distance from p, plus the offset.
+double DistanceTo(const PlanarCurve& curve, const Point& p);
+
+// The curve as points of the mesh: its corners, and where it crosses edges.
+// REQUIRES: the mesh lies in the plane z = 0 and covers the curve.
+CurveSource OnMesh(const TriangleSoup& soup, const PlanarCurve& curve);
+
+}  // namespace geodesic::test
+
+#endif  // GEODESIC_TESTS_SUPPORT_PLANAR_CURVES_H_
