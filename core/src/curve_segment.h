@@ -20,6 +20,8 @@ class CurveSegment {
   CurveSegment(const Mesh& mesh, const FacePoint& begin, const FacePoint& end);
 
   uint32_t face() const { return begin_.face; }
+  const FacePoint& begin() const { return begin_; }
+  const FacePoint& end() const { return end_; }
 
   // Distance to a place in the frame of the face's first half-edge, if that
   // lies in the strip; +infinity if not.

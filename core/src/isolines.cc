@@ -87,9 +87,6 @@ absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
     const SolveOptions& options, Checkpoint& checkpoint) {
   if (absl::Status status = CheckLevels(levels); !status.ok()) return status;
   if (absl::Status status = Validate(query, mesh); !status.ok()) return status;
-  if (!query.curves.empty()) {
-    return absl::UnimplementedError("isolines of curves are not there yet");
-  }
   std::ranges::sort(levels);
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   std::vector<double> scaled_levels;

@@ -21,11 +21,11 @@ struct Isoline {
   // Each lies at exactly `level` from the sources, up to rounding of distances
   // (relative error below 1e-10) and of `t` (1e-16 of the edge). Within a face
   // the isoline is made of circular arcs, which the polyline cuts short.
-  // What is nearer lies on the left, where faces run anticlockwise.
+  // What is nearer lies on the left, where faces run anticlockwise and agree.
   std::vector<SurfacePoint> points;  // at least two
   std::vector<Point> positions;      // in the unit of the file
   // Whether the last point leads back to the first. Open ones end at a
-  // boundary.
+  // boundary, or where more than two faces meet.
   bool is_closed = false;
 };
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geodesic/mesh.h"
@@ -15,11 +16,11 @@
 
 namespace geodesic {
 
-// What each way covers of the face below a level is convex: a disc, cut by the
-// cone of its rays and by the face. So it joins whatever it touches of the
-// perimeter. Two such parts that do not meet on the perimeter first meet, as
-// the level grows, on the line between their pseudo-sources: elsewhere inside
-// the face distance has no saddle.
+// What each way covers of the face below a level is convex: a disc (of a curve,
+// a half-plane), cut by its rays' cone (or strip) and by the face. So it joins
+// whatever it touches of the perimeter. Two such parts that do not meet on the
+// perimeter first meet, as the level grows, on a line that runs along rays of
+// both: elsewhere inside the face distance has no saddle.
 class FaceWays {
  public:
   FaceWays(const Mesh& mesh, uint32_t face);
@@ -28,6 +29,8 @@ class FaceWays {
   void AddThrough(HalfEdge h, const Way& way);
   // Straight from a point of the face, in the frame of its first half-edge.
   void AddWithin(const PlanePoint& from, double sigma);
+  // From a segment of a curve in the face.
+  void AddWithin(const CurveSegment& segment, double sigma);
 
   // Joins the regions that hang together below `level`.
   void JoinRegions(double level, FaceRegions& regions) const;
@@ -36,14 +39,21 @@ class FaceWays {
   static constexpr uint32_t kWithin = 3;
 
   struct FaceWay {
-    PlanePoint from;  // unfolded pseudo-source
-    double sigma;
+    // In the plane of the face: the unfolded pseudo-source; or of a segment
+    // whose rays enter the face, the unit vector in which they run.
+    PlanePoint from;
+    bool is_segment;
+    double sigma;    // of a segment: the distance that its rays give (0, 0)
     uint32_t entry;  // side through which it enters, or kWithin
     // On each side, along it; an empty interval where the way does not lead.
     std::array<Way, 3> on_side;
   };
 
   bool Sees(const FaceWay& way, const PlanePoint& point) const;
+  // Where two ways of the same length run against each other; none if nowhere,
+  // and not looked for between segments, whose strips end in points' discs.
+  std::optional<PlanePoint> MeetingPoint(const FaceWay& a,
+                                         const FaceWay& b) const;
   bool Meet(const FaceWay& a, const FaceWay& b, double level) const;
   PlanePoint InFrameOfSide(uint32_t side, const PlanePoint& point) const;
   PlanePoint FromFrameOfSide(uint32_t side, const PlanePoint& point) const;

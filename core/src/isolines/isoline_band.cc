@@ -34,7 +34,7 @@ void IsolineBand::OnWindow(HalfEdge h, const MixedWindow& window, uint32_t) {
   const uint32_t face = h / 3;
   if (is_closed_[face]) return;
   if (!HasWindows(face)) faces_.push_back(face);
-  first_[h] = kept_.Allocate({{window.interval, window.origin.AsPoint()}, first_[h]});
+  first_[h] = kept_.Allocate({{window.interval, window.origin}, first_[h]});
 }
 
 void IsolineBand::Close(uint32_t face) {

@@ -20,10 +20,15 @@ LevelCrossings::LevelCrossings(const Mesh& mesh,
                                IsolineBand& band)
     : mesh_(mesh), levels_(levels), band_(band), segments_(levels.size()) {
   for (const Anchor& anchor : anchors) {
-    if (std::holds_alternative<VertexPoint>(anchor.begin)) continue;
     const double sigma = std::ldexp(anchor.offset, -mesh.scale_exponent());
-    for (const FacePoint& point : FacesAround(mesh, anchor.begin)) {
-      anchors_[point.face].push_back({point, sigma});
+    if (anchor.is_segment) {
+      for (const CurveSegment& segment : SegmentsOf(mesh, anchor)) {
+        within_[segment.face()].segments.push_back({segment, sigma});
+      }
+    } else if (!std::holds_alternative<VertexPoint>(anchor.begin)) {
+      for (const FacePoint& point : FacesAround(mesh, anchor.begin)) {
+        within_[point.face].points.push_back({point, sigma});
+      }
     }
   }
 }
@@ -49,7 +54,7 @@ absl::Status LevelCrossings::Finish(std::span<const double> distances,
     const auto& [a, b, c] = mesh_.triangles()[face];
     if (std::min({distances[a], distances[b], distances[c]}) >=
             levels_.back() &&
-        !band_.HasWindows(face) && !anchors_.contains(face)) {
+        !band_.HasWindows(face) && !within_.contains(face)) {
       continue;
     }
     DealWith(face, distances);
@@ -88,17 +93,21 @@ std::vector<Way> LevelCrossings::WaysTo(
     const HalfEdgeFrame& frame = mesh_.frame(h);
     const bool is_forward = mesh_.From(h) == from;
     const auto add = [&](const Way& way) {
-      ways.push_back(is_forward ? way : Reversed(way, frame.length));
+      ways.push_back(is_forward ? way : Mirror(way, frame.length));
     };
     band_.ForEach(h, add);
     const double apex = distances[mesh_.Apex(h)];
     if (apex < levels_.back()) {
       add({{0, frame.length}, {frame.apex_x, frame.apex_y, apex}});
     }
-    if (const auto in_face = anchors_.find(h / 3); in_face != anchors_.end()) {
-      for (const auto& [point, sigma] : in_face->second) {
+    if (const auto found = within_.find(h / 3); found != within_.end()) {
+      for (const auto& [point, sigma] : found->second.points) {
         const PlanePoint at = InFrame(mesh_, point, h);
         add({{0, frame.length}, {at.x, std::max(at.y, kLeastHeight), sigma}});
+      }
+      for (const auto& [segment, sigma] : found->second.segments) {
+        const auto way = GoFromSegment(h, mesh_, segment, sigma);
+        if (way.has_value()) add(*way);
       }
     }
     if (sides.size() > 1) continue;
@@ -106,7 +115,7 @@ std::vector<Way> LevelCrossings::WaysTo(
     for (const HalfEdge entry : {Next(h), Prev(h)}) {
       band_.ForEach(entry, [&](const Way& way) {
         const std::optional<Way> on = GoOnTo(h, mesh_, entry, way);
-        if (on.has_value()) add(Reversed(*on, frame.length));
+        if (on.has_value()) add(Mirror(*on, frame.length));
       });
     }
   }
@@ -189,9 +198,12 @@ FaceWays LevelCrossings::WaysInto(uint32_t face,
     corner.weights[h % 3] = 1;
     ways.AddWithin(InFrame(mesh_, corner, 3 * face), distances[mesh_.From(h)]);
   }
-  if (const auto in_face = anchors_.find(face); in_face != anchors_.end()) {
-    for (const auto& [point, sigma] : in_face->second) {
+  if (const auto found = within_.find(face); found != within_.end()) {
+    for (const auto& [point, sigma] : found->second.points) {
       ways.AddWithin(InFrame(mesh_, point, 3 * face), sigma);
+    }
+    for (const auto& [segment, sigma] : found->second.segments) {
+      ways.AddWithin(segment, sigma);
     }
   }
   return ways;

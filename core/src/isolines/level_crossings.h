@@ -14,6 +14,7 @@
 #include "absl/container/flat_hash_map.h"
 #include "absl/status/status.h"
 #include "anchors.h"
+#include "curve_segment.h"
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
 #include "isolines/face_regions.h"
@@ -63,9 +64,18 @@ class LevelCrossings {
     size_t begin = 0;
     size_t end = 0;
   };
-  struct PlacedAnchor {
+  struct PlacedPoint {
     FacePoint point;
     double sigma;
+  };
+  struct PlacedSegment {
+    CurveSegment segment;
+    double sigma;
+  };
+  // What starts in one face.
+  struct Within {
+    std::vector<PlacedPoint> points;
+    std::vector<PlacedSegment> segments;
   };
 
   // Levels [begin, end) that may be found on an edge.
@@ -94,7 +104,7 @@ class LevelCrossings {
   const std::span<const double> levels_;
   IsolineBand& band_;
   // Sources that are no vertices, in the faces around them.
-  absl::flat_hash_map<uint32_t, std::vector<PlacedAnchor>> anchors_;
+  absl::flat_hash_map<uint32_t, Within> within_;
   absl::flat_hash_map<HalfEdge, EdgeRange> edges_;
   std::vector<Crossing> crossings_;
   std::vector<std::vector<Segment>> segments_;  // of each level

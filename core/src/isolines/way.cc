@@ -2,26 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "surface_location.h"
 
 namespace geodesic {
+namespace {
 
-Way Reversed(const Way& way, double length) {
-  return {{length - way.interval.end, length - way.interval.begin},
-          {.x = length - way.origin.x,
-           .depth = way.origin.depth,
-           .sigma = way.origin.sigma}};
+// The part of the edge's line that is nearer than `level` from this origin,
+// whether or not rays of the window go there.
+Interval NearerLine(const MixedOrigin& origin, double level) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double reach = level - origin.sigma;
+  if (!origin.is_segment) {
+    const double half = std::sqrt(
+        std::max((reach - origin.depth) * (reach + origin.depth), 0.0));
+    return {origin.x - half, origin.x + half};
+  }
+  if (origin.x == 0) return {-kInfinity, kInfinity};
+  const double end = reach / origin.x;
+  return origin.x > 0 ? Interval{-kInfinity, end} : Interval{end, kInfinity};
 }
+
+}  // namespace
 
 std::optional<Interval> NearerPart(const Way& way, double level) {
   const auto& [interval, origin] = way;
-  const Window window = Window::Over(interval, origin);
-  const double reach = level - origin.sigma;
-  if (!IsNearer(window.Label(), level) || !(reach > origin.depth)) {
-    return std::nullopt;
-  }
-  const double half =
-      std::sqrt((reach - origin.depth) * (reach + origin.depth));
-  Interval part{origin.x - half, origin.x + half};
+  const MixedWindow window = MixedWindow::Over(interval, origin);
+  if (!IsNearer(window.Label(), level)) return std::nullopt;
+  Interval part = NearerLine(origin, level);
   if (part.begin < interval.begin) {
     part.begin = interval.begin - std::max(level - window.begin_distance, 0.0);
   }
@@ -55,6 +64,24 @@ std::optional<Way> GoOnTo(HalfEdge side, const Mesh& mesh, HalfEdge h,
   }
   if (!(on.interval.width() > 0)) return std::nullopt;
   return on;
+}
+
+std::optional<Way> GoFromSegment(HalfEdge h, const Mesh& mesh,
+                                 const CurveSegment& segment, double sigma) {
+  const uint32_t opposite = Prev(h) % 3;
+  if (segment.begin().weights[opposite] == 0 &&
+      segment.end().weights[opposite] == 0) {
+    // The segment lies on that side.
+    const auto [low, high] = std::minmax({InFrame(mesh, segment.begin(), h).x,
+                                          InFrame(mesh, segment.end(), h).x});
+    return Way{{low, high},
+               {.x = 0, .depth = 1, .sigma = sigma, .is_segment = true}};
+  }
+  const auto beam = segment.BeamAcross(h);
+  if (!beam.has_value()) return std::nullopt;
+  Way way = Mirror(Way{beam->interval, beam->origin}, mesh.frame(h).length);
+  way.origin.sigma += sigma;
+  return way;
 }
 
 }  // namespace geodesic

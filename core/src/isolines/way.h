@@ -6,17 +6,21 @@
 
 #include <optional>
 
+#include "curve_segment.h"
 #include "geodesic/mesh.h"
+#include "windows/mixed_origin.h"
 #include "windows/window.h"
 
 namespace geodesic {
 
 // The ways from one pseudo-source straight to an interval of a half-edge, in
 // the frame of that half-edge or (distances along an edge do not tell the two
-// sides apart) of its twin, reversed.
+// sides apart) of its twin, mirrored.
 struct Way {
   Interval interval;
-  Origin origin;
+  MixedOrigin origin;
+
+  double Label() const { return MixedWindow::Over(interval, origin).Label(); }
 };
 
 // Whether a distance is on the near side of a level. What is at the level, up
@@ -27,7 +31,9 @@ inline bool IsNearer(double distance, double level) {
 }
 
 // The same ways as seen along the edge the other way round.
-Way Reversed(const Way& way, double length);
+inline Way Mirror(const Way& way, double length) {
+  return {Mirror(way.interval, length), Mirror(way.origin, length)};
+}
 
 // The part of the edge's line that is nearer than `level` by these ways, or by
 // them and then along the edge from an end of the interval. The latter closes
@@ -35,9 +41,14 @@ Way Reversed(const Way& way, double length);
 std::optional<Interval> NearerPart(const Way& way, double level);
 
 // What of a way into the face of h goes on to `side`, another half-edge of that
-// face, in the frame of `side` reversed; none if it misses.
+// face, in the frame of `side` mirrored; none if it misses.
 std::optional<Way> GoOnTo(HalfEdge side, const Mesh& mesh, HalfEdge h,
                           const Way& way);
+
+// The ways from a segment of a curve to side h of the face that holds it, in
+// the frame of h; none if no ray goes there. `sigma`: the curve's offset.
+std::optional<Way> GoFromSegment(HalfEdge h, const Mesh& mesh,
+                                 const CurveSegment& segment, double sigma);
 
 }  // namespace geodesic
 

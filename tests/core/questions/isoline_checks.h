@@ -22,7 +22,7 @@ std::vector<double> DistancesOrFail(const Mesh& mesh, const Query& query,
 //   - every point lies on an edge or at a vertex, at its level, where positions
 //     say;
 //   - points that follow each other differ, share a face and come once a level;
-//   - open isolines end at the boundary;
+//   - open isolines end at the boundary or where more than two faces meet;
 //   - along every edge, the points that are nearer than the level are told from
 //     the others by the crossings in between: at both ends, and at `samples`
 //     points of edges drawn at random.

@@ -19,6 +19,7 @@
 #include "tests/support/brute_force.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
+#include "tests/support/planar_curves.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/test_meshes.h"
 
@@ -182,7 +183,9 @@ TEST_P(Isolines, TwoCirclesThatMeet) {
     const auto apart = IsolinesOrFail(*mesh, query, {meeting * part});
     EXPECT_EQ(apart.size(), 2u) << part;
     const auto joined = IsolinesOrFail(*mesh, query, {meeting / part});
-    if (part > 0.5) EXPECT_EQ(joined.size(), 1u) << part;
+    if (part > 0.5) {
+      EXPECT_EQ(joined.size(), 1u) << part;
+    }
     for (const Isoline& isoline : apart) EXPECT_TRUE(isoline.is_closed);
   }
   ExpectIsolines({"grid", soup}, query,
@@ -237,6 +240,111 @@ TEST_P(Isolines, SeparateNearFromFar) {
       ExpectIsolines(named, query, SpreadLevels(*mesh, query, 9), 150, 1e-14);
     }
   }
+}
+
+// Parallels of polylines in the plane: beside a curve, around its ends and
+// corners, between two curves.
+TEST_P(Isolines, AroundCurves) {
+  for (const double jitter : {0.0, 0.22}) {
+    const NamedMesh named{"grid", MakeGrid({.columns = 12,
+                                            .rows = 10,
+                                            .diagonals = Diagonals::kRandom,
+                                            .jitter = jitter})};
+    const auto mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    const PlanarCurve bent{{{2.2, 2.1}, {6.1, 7.3}, {8.7, 3.9}}, 0};
+    const PlanarCurve short_one{{{5.3, 4.1}, {5.5, 4.2}}, 0.25};
+    const PlanarCurve straight{{{1, 9}, {4, 9}}, 0};
+    const std::vector<double> levels = {0.04, 0.3, 0.77, 1.31, 1.5, 2.2, 3.1};
+    for (const std::vector<PlanarCurve>& curves :
+         {std::vector{bent}, std::vector{short_one}, std::vector{straight},
+          std::vector{bent, straight},
+          std::vector{bent, short_one, straight}}) {
+      Query query = From({});
+      for (const PlanarCurve& curve : curves) {
+        query.curves.push_back(OnMesh(named.soup, curve));
+      }
+      ExpectIsolines(named, query, levels, 300, 1e-14);
+      for (const Isoline& isoline : IsolinesOrFail(*mesh, query, levels)) {
+        for (const Point& p : isoline.positions) {
+          double least = std::numeric_limits<double>::infinity();
+          for (const PlanarCurve& curve : curves) {
+            least = std::min(least, DistanceTo(curve, p));
+          }
+          EXPECT_NEAR(least, isoline.level, 1e-12);
+        }
+      }
+    }
+    // A ring around one curve: its sides, and a circle's worth of ends.
+    Query query = From({});
+    query.curves = {OnMesh(named.soup, {{{3.3, 4.2}, {8.4, 5.9}}, 0})};
+    const auto rings = IsolinesOrFail(*mesh, query, {1.7});
+    ASSERT_EQ(rings.size(), 1u);
+    EXPECT_TRUE(rings[0].is_closed);
+    const double ring = 2 * std::hypot(5.1, 1.7) + 2 * std::numbers::pi * 1.7;
+    EXPECT_NEAR(Length(rings[0]), ring, 0.02 * ring);
+    EXPECT_LE(Length(rings[0]), ring);
+  }
+}
+
+TEST_P(Isolines, ACircleThatMeetsAParallel) {
+  // The parallel of a line runs from side to side; it meets the circle at
+  // (4.55, 3.3), inside of a face.
+  const TriangleSoup soup = MakeGrid({.columns = 10, .rows = 6});
+  const auto mesh = BuildOrFail({"grid", soup});
+  ASSERT_NE(mesh, nullptr);
+  Query query = From({{PointAt(soup, 6.9, 3.3)}});
+  query.curves = {OnMesh(soup, {{{2.2, 0.2}, {2.2, 5.8}}, 0})};
+  const double meeting = (6.9 - 2.2) / 2;
+  for (const double part : {0.99, 0.9999, 0.99999999}) {
+    const auto apart = IsolinesOrFail(*mesh, query, {meeting * part});
+    ASSERT_EQ(apart.size(), 2u) << part;
+    EXPECT_FALSE(apart[0].is_closed);
+    EXPECT_TRUE(apart[1].is_closed);
+    const auto joined = IsolinesOrFail(*mesh, query, {meeting / part});
+    ASSERT_EQ(joined.size(), 1u) << part;
+    EXPECT_FALSE(joined[0].is_closed);
+  }
+}
+
+// Three pages of a grid on one spine, x = 0.
+TriangleSoup Book() {
+  TriangleSoup book;
+  const TriangleSoup page = MakeGrid({.columns = 4, .rows = 5});
+  const auto stride = static_cast<uint32_t>(page.positions.size());
+  for (uint32_t i = 0; i < 3; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 3;
+    for (const Point& p : page.positions) {
+      book.positions.push_back(
+          {p[0] * std::cos(angle), p[1], p[0] * std::sin(angle)});
+    }
+    for (Triangle face : page.triangles) {
+      // Vertices of the spine are those of the first page.
+      for (uint32_t& v : face) {
+        if (page.positions[v][0] != 0) v += i * stride;
+      }
+      book.triangles.push_back(face);
+    }
+  }
+  return book;
+}
+
+// Isolines end where three pages meet, and go through edges whose faces
+// disagree in orientation.
+TEST_P(Isolines, OffOrientedManifolds) {
+  const NamedMesh book{"book", Book()};
+  const auto pages = BuildOrFail(book);
+  ASSERT_NE(pages, nullptr);
+  for (const uint32_t s : {5u, 13u, 38u}) {
+    const Query query = From({{VertexPoint{s}}});
+    ExpectIsolines(book, query, SpreadLevels(*pages, query, 8), 300);
+  }
+  const NamedMesh turned{"torus with faces turned",
+                         TurnFaces(Torus({.noise = 0.1, .seed = 2}), 7)};
+  const auto torus = BuildOrFail(turned);
+  ASSERT_NE(torus, nullptr);
+  const Query query = From({{VertexPoint{5}}});
+  ExpectIsolines(turned, query, SpreadLevels(*torus, query, 8), 300);
 }
 
 // Every curve through coarse faces is one on finer ones: cutting faces in their
