@@ -34,6 +34,8 @@ Server::Server(const ServerOptions& options,
       engine_(options.limits, clock_, pool_, std::move(start)),
       mesh_service_(engine_, log_),
       field_service_(engine_, std::string(ServerVersion()), log_),
+      path_service_(engine_, std::string(ServerVersion()), log_),
+      matrix_service_(engine_, std::string(ServerVersion()), log_),
       capabilities_service_(options.limits, options.max_message_bytes,
                             std::string(ServerVersion()), log_) {}
 
@@ -57,6 +59,8 @@ absl::Status Server::Start() {
                            &port_);
   builder.RegisterService(&mesh_service_);
   builder.RegisterService(&field_service_);
+  builder.RegisterService(&path_service_);
+  builder.RegisterService(&matrix_service_);
   builder.RegisterService(&capabilities_service_);
   grpc_server_ = builder.BuildAndStart();
   if (grpc_server_ == nullptr || port_ == 0) {
@@ -107,6 +111,7 @@ void Server::SetServing(bool serving) {
       grpc_server_->GetHealthCheckService();
   for (const char* service :
        {"", "geodesic.v1.MeshService", "geodesic.v1.FieldService",
+        "geodesic.v1.PathService", "geodesic.v1.MatrixService",
         "geodesic.v1.CapabilitiesService"}) {
     health->SetServingStatus(service, serving);
   }

@@ -22,7 +22,9 @@
 #include "server/options.h"
 #include "server/rpc/capabilities_service.h"
 #include "server/rpc/field_service.h"
+#include "server/rpc/matrix_service.h"
 #include "server/rpc/mesh_service.h"
+#include "server/rpc/path_service.h"
 #include "server/rpc/request_log.h"
 
 namespace grpc {
@@ -74,6 +76,8 @@ class Server {
   QueryEngine engine_;
   MeshService mesh_service_;
   FieldService field_service_;
+  PathService path_service_;
+  MatrixService matrix_service_;
   CapabilitiesService capabilities_service_;
   std::unique_ptr<grpc::Server> grpc_server_;
   int port_ = 0;

@@ -169,6 +169,12 @@ absl::StatusOr<FieldAnswer> FieldEngine::Answer(const MeshHandle& mesh,
   }
   answer.field = std::move(found.field);
   answer.query = std::make_shared<const Query>(ToQuery(found.key));
+  if (key.extras.NeedTrace()) {
+    auto derived =
+        Derive(mesh, *answer.query, answer.field, key.extras, solver_memory_);
+    if (!derived.ok()) return derived.status();
+    answer.derived = *std::move(derived);
+  }
   return answer;
 }
 

@@ -35,10 +35,13 @@ struct FieldExtras {
   bool nearest_sources = false;
   bool gradients = false;
   bool log_map = false;
+  bool paths = false;
   // The vertices in order of distance, while the field is computed.
   bool settled_order = false;
 
-  bool NeedTrace() const { return nearest_sources || gradients || log_map; }
+  bool NeedTrace() const {
+    return nearest_sources || gradients || log_map || paths;
+  }
   bool Any() const { return NeedTrace() || settled_order; }
 
   friend auto operator<=>(const FieldExtras&, const FieldExtras&) = default;

@@ -6,12 +6,10 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "geodesic/log_map.h"
 #include "geodesic/query.h"
-#include "server/engine/byte_budget.h"
 #include "server/engine/clock.h"
+#include "server/engine/derived_quantities.h"
 #include "server/engine/field_cache.h"
 #include "server/engine/field_key.h"
 #include "server/engine/source_numbers.h"
@@ -33,15 +31,6 @@ enum class FieldOrigin {
   kJoined,  // another request had started the computation
   kCached,
   kContinued,  // a computation that had stopped early went on
-};
-
-// What was derived from a traced field, as far as it was asked for.
-struct DerivedQuantities {
-  ByteReservation memory;
-  // Per vertex; numbers as the field's key numbers sources.
-  std::vector<uint32_t> nearest_sources;
-  std::vector<Point> gradients;
-  LogMap log_map;
 };
 
 // Handles pin what they point to.

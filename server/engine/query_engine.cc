@@ -21,19 +21,26 @@ absl::Status ShuttingDown() {
   return absl::UnavailableError("the server is shutting down");
 }
 
+uint64_t CurvePoints(const Query& query) {
+  uint64_t points = 0;
+  for (const CurveSource& curve : query.curves) points += curve.points.size();
+  return points;
+}
+
 }  // namespace
 
 QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
                          Executor& executor, StartFunction start)
     : limits_(limits),
-      clock_(clock),
+      start_(std::move(start)),
       upload_memory_(std::make_shared<ByteBudget>("upload memory",
                                                   limits.upload_memory_bytes)),
       solver_memory_(std::make_shared<ByteBudget>("solver memory",
                                                   limits.solver_memory_bytes)),
       meshes_(limits.mesh_store_bytes),
       fields_(limits_, solve_options_, clock, scheduler_, solver_memory_,
-              std::move(start)),
+              start_),
+      solo_jobs_(clock, scheduler_, solver_memory_, limits.progress_interval),
       scheduler_(executor, limits.max_concurrent_jobs, limits.max_queued_jobs) {
 }
 
@@ -217,15 +224,73 @@ absl::StatusOr<FieldCall> QueryEngine::ComputeField(
 
 void QueryEngine::Cancel(const FieldCall& call) { fields_.Cancel(call); }
 
+absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
+    QuestionRequest request, std::shared_ptr<JobObserver> observer) {
+  absl::Status status = CheckQuery(request.query);
+  if (!status.ok()) return status;
+  absl::StatusOr<MeshHandle> mesh = FindMesh(request.mesh_digest);
+  if (!mesh.ok()) return mesh.status();
+  status = ValidateAsNumbered(request.query, request.numbers, *(*mesh)->mesh);
+  if (!status.ok()) return status;
+  absl::StatusOr<ByteReservation> memory =
+      ByteReservation::Make(solver_memory_, 0);
+  if (!memory.ok()) return memory.status();
+  QuestionCall call{
+      .mesh = *std::move(mesh),
+      .answer_memory = std::make_shared<ByteReservation>(*std::move(memory))};
+  const TimePoint deadline = request.deadline;
+  absl::StatusOr<SoloJobs::Call> job = solo_jobs_.Start(
+      {.deadline = deadline,
+       .work =
+           [this, mesh = call.mesh, memory = call.answer_memory,
+            request = std::move(request)](Checkpoint& checkpoint) mutable {
+             return request.work(*mesh->mesh, request.query, solve_options_,
+                                 checkpoint, *memory);
+           }},
+      std::move(observer));
+  if (!job.ok()) return job.status();
+  call.job = *std::move(job);
+  return call;
+}
+
+void QueryEngine::Cancel(const QuestionCall& call) {
+  solo_jobs_.Cancel(call.job);
+}
+
+absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
+    MatrixRequest request, std::shared_ptr<RowObserver> observer) {
+  const Query& query = request.query;
+  const uint64_t rows = SourceCount(query);
+  absl::Status status =
+      CheckCount("rows", rows, "max_matrix_rows", limits_.max_matrix_rows);
+  status.Update(CheckCount("curve points", CurvePoints(query),
+                           "max_curve_points", limits_.max_curve_points));
+  status.Update(CheckCount("targets", query.targets.size(), "max_targets",
+                           limits_.max_targets));
+  if (!status.ok()) return status;
+  absl::StatusOr<MeshHandle> mesh = FindMesh(request.mesh_digest);
+  if (!mesh.ok()) return mesh.status();
+  status = ValidateMatrix(request, *(*mesh)->mesh, limits_);
+  if (!status.ok()) return status;
+  MatrixCall call{.mesh = *std::move(mesh), .row_count = rows};
+  call.column_count = query.targets.empty() ? call.mesh->mesh->vertex_count()
+                                            : query.targets.size();
+  const TimePoint deadline = request.deadline;
+  // One more than can run, so that no thread waits for the reader's thanks.
+  call.rows = std::make_shared<RowPipeline>(
+      solo_jobs_, rows, limits_.max_concurrent_jobs + 1,
+      MakeRowFunction(call.mesh, std::move(request), solve_options_, start_,
+                      solver_memory_),
+      deadline, std::move(observer));
+  if (status = call.rows->Start(); !status.ok()) return status;
+  return call;
+}
+
 absl::Status QueryEngine::CheckQuery(const Query& query) const {
-  uint64_t curve_points = 0;
-  for (const CurveSource& curve : query.curves) {
-    curve_points += curve.points.size();
-  }
   absl::Status status = CheckCount("sources", SourceCount(query), "max_sources",
                                    limits_.max_sources);
-  status.Update(CheckCount("curve points", curve_points, "max_curve_points",
-                           limits_.max_curve_points));
+  status.Update(CheckCount("curve points", CurvePoints(query),
+                           "max_curve_points", limits_.max_curve_points));
   status.Update(CheckCount("targets", query.targets.size(), "max_targets",
                            limits_.max_targets));
   return status;

@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/functional/any_invocable.h"
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/computation.h"
@@ -29,9 +30,12 @@
 #include "server/engine/executor.h"
 #include "server/engine/field_engine.h"
 #include "server/engine/limits.h"
+#include "server/engine/matrix.h"
 #include "server/engine/mesh_store.h"
 #include "server/engine/mesh_upload.h"
+#include "server/engine/row_pipeline.h"
 #include "server/engine/scheduler.h"
+#include "server/engine/solo_job.h"
 
 namespace geodesic::server {
 
@@ -55,6 +59,33 @@ struct MeshPage {
   std::vector<MeshHandle> meshes;
   // Empty on the last page.
   std::string next_token;
+};
+
+// A question that is answered for one client alone.
+struct QuestionRequest {
+  std::string mesh_digest;
+  Query query;
+  SourceNumbers numbers;
+  TimePoint deadline = kNoDeadline;
+  // Charges `answer` with what it leaves behind.
+  absl::AnyInvocable<absl::Status(const Mesh&, const Query&,
+                                  const SolveOptions&, Checkpoint&,
+                                  ByteReservation& answer)>
+      work;
+};
+
+struct QuestionCall {
+  MeshHandle mesh;
+  SoloJobs::Call job;
+  // What the work was given to charge; held as long as the answer is.
+  std::shared_ptr<ByteReservation> answer_memory;
+};
+
+struct MatrixCall {
+  MeshHandle mesh;
+  std::shared_ptr<RowPipeline> rows;
+  uint64_t row_count = 0;
+  uint64_t column_count = 0;
 };
 
 // How often things have happened since the start.
@@ -120,6 +151,17 @@ class QueryEngine {
   // stops at its next poll.
   void Cancel(const FieldCall& call);
 
+  // Does `work` on the mesh in a job of its own. The query is checked first.
+  // Errors: as ComputeField.
+  absl::StatusOr<QuestionCall> StartQuestion(
+      QuestionRequest request, std::shared_ptr<JobObserver> observer);
+  void Cancel(const QuestionCall& call);
+
+  // Starts to compute the rows of a matrix.
+  // Errors: as ComputeField.
+  absl::StatusOr<MatrixCall> ComputeMatrix(
+      MatrixRequest request, std::shared_ptr<RowObserver> observer);
+
   // From now on uploads and queries that need a job fail with UNAVAILABLE.
   void BeginDrain();
   // BeginDrain, and what waits or runs is stopped with UNAVAILABLE.
@@ -145,11 +187,12 @@ class QueryEngine {
 
   const Limits limits_;
   const SolveOptions solve_options_;
-  const Clock& clock_;
+  const StartFunction start_;
   const std::shared_ptr<ByteBudget> upload_memory_;
   const std::shared_ptr<ByteBudget> solver_memory_;
   MeshStore meshes_;
   FieldEngine fields_;
+  SoloJobs solo_jobs_;
 
   std::atomic<bool> draining_ = false;
   std::atomic<uint64_t> meshes_built_ = 0;

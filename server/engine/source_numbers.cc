@@ -22,7 +22,7 @@ uint32_t NumberOf(const std::vector<uint32_t>& numbers, size_t i,
 // `message` begins with an element of `list`.
 bool Renumber(std::string& message, std::string_view list,
               std::string_view ending, const std::vector<uint32_t>& numbers,
-              size_t first) {
+              size_t first, bool is_single) {
   if (!message.starts_with(list) || message[list.size()] != '[') return false;
   const size_t begin = list.size() + 1;
   const size_t end = message.find(']');
@@ -32,8 +32,11 @@ bool Renumber(std::string& message, std::string_view list,
                         &index)) {
     return false;
   }
-  message = absl::StrCat("sources[", NumberOf(numbers, index, first), "]",
-                         absl::string_view(ending.data(), ending.size()),
+  const std::string name =
+      is_single
+          ? "source"
+          : absl::StrCat("sources[", NumberOf(numbers, index, first), "]");
+  message = absl::StrCat(name, absl::string_view(ending.data(), ending.size()),
                          absl::string_view(message).substr(end + 1));
   return true;
 }
@@ -69,8 +72,8 @@ absl::Status ValidateAsNumbered(const Query& query,
   if (status.ok()) return status;
   std::string message(status.message());
   if (!Renumber(message, "curves", ".curve", numbers.curves,
-                query.sources.size())) {
-    Renumber(message, "sources", "", numbers.points, 0);
+                query.sources.size(), numbers.is_single)) {
+    Renumber(message, "sources", "", numbers.points, 0, numbers.is_single);
   }
   // The message begins with the path of what is wrong.
   const std::string field = message.substr(0, message.find(' '));

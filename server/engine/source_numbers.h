@@ -17,6 +17,8 @@ namespace geodesic::server {
 struct SourceNumbers {
   std::vector<uint32_t> points;  // of query.sources[i]
   std::vector<uint32_t> curves;  // of query.curves[j]
+  // The request has a single one, called "source".
+  bool is_single = false;
 };
 
 // The client's numbers of the sources of the canonical form of `query`, as

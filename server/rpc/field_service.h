@@ -19,6 +19,12 @@ class FieldService final : public v1::FieldService::CallbackService {
   grpc::ServerWriteReactor<v1::ComputeFieldResponse>* ComputeField(
       grpc::CallbackServerContext* context,
       const v1::ComputeFieldRequest* request) override;
+  grpc::ServerWriteReactor<v1::ComputeLogMapResponse>* ComputeLogMap(
+      grpc::CallbackServerContext* context,
+      const v1::ComputeLogMapRequest* request) override;
+  grpc::ServerWriteReactor<v1::SampleFarthestPointsResponse>*
+  SampleFarthestPoints(grpc::CallbackServerContext* context,
+                       const v1::SampleFarthestPointsRequest* request) override;
 
  private:
   QueryEngine& engine_;

@@ -99,6 +99,17 @@ v1::SolveStatistics ToProto(const SolveStatistics& statistics) {
   return proto;
 }
 
+v1::AnswerHeader MakeHeader(const ResidentMesh& mesh, Algorithm algorithm,
+                            const std::string& version) {
+  v1::AnswerHeader header;
+  header.set_mesh_digest(mesh.digest);
+  header.set_vertex_count(mesh.mesh->vertex_count());
+  header.set_algorithm(ToProto(algorithm));
+  header.set_relative_tolerance(kRelativeTolerance);
+  header.set_server_version(version);
+  return header;
+}
+
 absl::StatusOr<Algorithm> FromProto(v1::Algorithm algorithm) {
   if (algorithm == v1::ALGORITHM_UNSPECIFIED) return kDefaultAlgorithm;
   for (const AlgorithmInfo& info : kAlgorithms) {

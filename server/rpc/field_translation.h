@@ -10,6 +10,7 @@
 #include "geodesic/v1/query.pb.h"
 #include "server/engine/field_request.h"
 #include "server/engine/limits.h"
+#include "server/engine/mesh_store.h"
 
 namespace geodesic::server {
 
@@ -20,6 +21,8 @@ v1::Algorithm ToProto(Algorithm algorithm);
 v1::FieldOrigin ToProto(FieldOrigin origin);
 v1::SolveProgress ToProto(const Progress& progress);
 v1::SolveStatistics ToProto(const SolveStatistics& statistics);
+v1::AnswerHeader MakeHeader(const ResidentMesh& mesh, Algorithm algorithm,
+                            const std::string& version);
 
 // Errors of these: INVALID_ARGUMENT naming the part of the request at fault.
 absl::StatusOr<Algorithm> FromProto(v1::Algorithm algorithm);

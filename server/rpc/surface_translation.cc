@@ -101,19 +101,22 @@ absl::StatusOr<std::vector<SurfacePoint>> TargetsFromProto(
   return FromProto(targets, "targets");
 }
 
-absl::Status AddSources(
+namespace {
+
+absl::Status CheckCurvePoints(
     const google::protobuf::RepeatedPtrField<v1::Source>& sources,
-    const Limits& limits, Query& query, SourceNumbers& numbers) {
-  absl::Status status =
-      CheckCount("sources", sources.size(), "max_sources", limits.max_sources);
-  if (!status.ok()) return status;
-  uint64_t curve_points = 0;
+    const Limits& limits) {
+  uint64_t points = 0;
   for (const v1::Source& source : sources) {
-    curve_points += source.curve().points_size();
+    points += source.curve().points_size();
   }
-  status = CheckCount("curve points", curve_points, "max_curve_points",
-                      limits.max_curve_points);
-  if (!status.ok()) return status;
+  return CheckCount("curve points", points, "max_curve_points",
+                    limits.max_curve_points);
+}
+
+absl::Status AddAll(
+    const google::protobuf::RepeatedPtrField<v1::Source>& sources, Query& query,
+    SourceNumbers& numbers) {
   for (int i = 0; i < sources.size(); ++i) {
     const v1::Source& source = sources[i];
     const std::string field = absl::StrCat("sources[", i, "]");
@@ -144,6 +147,26 @@ absl::Status AddSources(
     numbers.points.push_back(i);
   }
   return absl::OkStatus();
+}
+
+}  // namespace
+
+absl::Status AddSources(
+    const google::protobuf::RepeatedPtrField<v1::Source>& sources,
+    const Limits& limits, Query& query, SourceNumbers& numbers) {
+  absl::Status status =
+      CheckCount("sources", sources.size(), "max_sources", limits.max_sources);
+  status.Update(CheckCurvePoints(sources, limits));
+  return status.ok() ? AddAll(sources, query, numbers) : status;
+}
+
+absl::Status AddRows(
+    const google::protobuf::RepeatedPtrField<v1::Source>& sources,
+    const Limits& limits, Query& query, SourceNumbers& numbers) {
+  absl::Status status = CheckCount("rows", sources.size(), "max_matrix_rows",
+                                   limits.max_matrix_rows);
+  status.Update(CheckCurvePoints(sources, limits));
+  return status.ok() ? AddAll(sources, query, numbers) : status;
 }
 
 void SetSurfacePoint(const SurfacePoint& from, v1::SurfacePoint& to) {

@@ -34,9 +34,14 @@ absl::StatusOr<std::vector<SurfacePoint>> TargetsFromProto(
     const Limits& limits);
 
 // Puts the sources of a request into a query; `numbers` tells where they were.
-// Errors: also RESOURCE_EXHAUSTED when they are more than the limit, or
-// their curves have more points than the limit.
+// Errors: also RESOURCE_EXHAUSTED when they are more than the limit, or their
+// curves have more points than the limit.
 absl::Status AddSources(
+    const google::protobuf::RepeatedPtrField<v1::Source>& sources,
+    const Limits& limits, Query& query, SourceNumbers& numbers);
+
+// The same for sources that are rows of a matrix.
+absl::Status AddRows(
     const google::protobuf::RepeatedPtrField<v1::Source>& sources,
     const Limits& limits, Query& query, SourceNumbers& numbers);
 

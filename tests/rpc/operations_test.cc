@@ -59,11 +59,20 @@ TEST_F(OperationsTest, CapabilitiesTellTheLimits) {
   EXPECT_EQ(limits.max_queued_jobs(), options.limits.max_queued_jobs);
   EXPECT_EQ(limits.mesh_store_bytes(), options.limits.mesh_store_bytes);
   EXPECT_EQ(limits.field_cache_bytes(), options.limits.field_cache_bytes);
+  EXPECT_EQ(limits.max_curve_points(), options.limits.max_curve_points);
+  EXPECT_EQ(limits.max_targets(), options.limits.max_targets);
+  EXPECT_EQ(limits.max_levels(), options.limits.max_levels);
+  EXPECT_EQ(limits.max_samples(), options.limits.max_samples);
+  EXPECT_EQ(limits.max_matrix_rows(), options.limits.max_matrix_rows);
+  EXPECT_EQ(limits.max_matrix_values(), options.limits.max_matrix_values);
+  EXPECT_EQ(limits.computation_store_bytes(),
+            options.limits.computation_store_bytes);
 }
 
 TEST_F(OperationsTest, HealthIsServing) {
   for (const char* service :
        {"", "geodesic.v1.MeshService", "geodesic.v1.FieldService",
+        "geodesic.v1.PathService", "geodesic.v1.MatrixService",
         "geodesic.v1.CapabilitiesService"}) {
     const auto answer =
         test::CallMethod(channel_, kHealthCheck, HealthRequest(service));
@@ -84,6 +93,7 @@ TEST_F(OperationsTest, ReflectionListsTheServices) {
   ASSERT_TRUE(answer.ok()) << answer.status();
   for (const char* service :
        {"geodesic.v1.MeshService", "geodesic.v1.FieldService",
+        "geodesic.v1.PathService", "geodesic.v1.MatrixService",
         "geodesic.v1.CapabilitiesService"}) {
     EXPECT_THAT(*answer, HasSubstr(service));
   }

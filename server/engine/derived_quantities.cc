@@ -1,0 +1,61 @@
+#include "server/engine/derived_quantities.h"
+
+#include <utility>
+
+#include "geodesic/field_quantities.h"
+#include "server/engine/status_details.h"
+
+namespace geodesic::server {
+namespace {
+
+uint64_t BytesFor(const FieldExtras& extras, uint64_t vertices) {
+  uint64_t per_vertex = 0;
+  if (extras.nearest_sources) per_vertex += sizeof(uint32_t);
+  if (extras.gradients) per_vertex += sizeof(Point);
+  if (extras.log_map) per_vertex += sizeof(LogMap::coordinates[0]);
+  return vertices * per_vertex + sizeof(DerivedQuantities);
+}
+
+// Moves the value out, or passes the error on.
+template <typename T>
+absl::Status Assign(absl::StatusOr<T> from, T& to) {
+  if (from.ok()) to = *std::move(from);
+  return from.status();
+}
+
+}  // namespace
+
+absl::StatusOr<std::shared_ptr<const DerivedQuantities>> Derive(
+    const MeshHandle& mesh, const Query& query, const FieldHandle& field,
+    const FieldExtras& extras, const std::shared_ptr<ByteBudget>& budget) {
+  absl::StatusOr<ByteReservation> memory = ByteReservation::Make(
+      budget, BytesFor(extras, mesh->mesh->vertex_count()));
+  if (!memory.ok()) return memory.status();
+  auto derived = std::make_shared<DerivedQuantities>();
+  derived->memory = *std::move(memory);
+  derived->mesh = mesh;
+  derived->field = field;
+  absl::Status status;
+  if (extras.nearest_sources) {
+    status = Assign(NearestSources(*mesh->mesh, query, *field),
+                    derived->nearest_sources);
+  }
+  if (status.ok() && extras.gradients) {
+    status = Assign(Gradients(*mesh->mesh, query, *field), derived->gradients);
+  }
+  if (status.ok() && extras.log_map) {
+    status =
+        Assign(ComputeLogMap(*mesh->mesh, query, *field), derived->log_map);
+    if (absl::IsInvalidArgument(status)) status = WithField(status, "source");
+  }
+  if (status.ok() && extras.paths) {
+    absl::StatusOr<PathTracer> paths =
+        PathTracer::Create(*mesh->mesh, query, *field);
+    if (paths.ok()) derived->paths = *std::move(paths);
+    status = paths.status();
+  }
+  if (!status.ok()) return status;
+  return derived;
+}
+
+}  // namespace geodesic::server

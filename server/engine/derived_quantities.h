@@ -1,0 +1,47 @@
+// What is made from a traced field, once it is there.
+
+#ifndef GEODESIC_SERVER_ENGINE_DERIVED_QUANTITIES_H_
+#define GEODESIC_SERVER_ENGINE_DERIVED_QUANTITIES_H_
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic/log_map.h"
+#include "geodesic/path.h"
+#include "geodesic/query.h"
+#include "server/engine/byte_budget.h"
+#include "server/engine/field_cache.h"
+#include "server/engine/field_key.h"
+#include "server/engine/mesh_store.h"
+
+namespace geodesic::server {
+
+// As far as it was asked for. Sources are numbered as the field's query does.
+struct DerivedQuantities {
+  ByteReservation memory;
+  // Pinned for the tracer.
+  MeshHandle mesh;
+  FieldHandle field;
+
+  // Per vertex:
+  std::vector<uint32_t> nearest_sources;
+  std::vector<Point> gradients;
+  LogMap log_map;
+
+  std::optional<PathTracer> paths;
+};
+
+// O(V), and for a log map the edges that its paths cross.
+// REQUIRES: `field` was solved for `query`, with a trace; extras.NeedTrace().
+// Errors: INVALID_ARGUMENT for a log map around a vertex that allows none;
+// RESOURCE_EXHAUSTED when `budget` has no room.
+absl::StatusOr<std::shared_ptr<const DerivedQuantities>> Derive(
+    const MeshHandle& mesh, const Query& query, const FieldHandle& field,
+    const FieldExtras& extras, const std::shared_ptr<ByteBudget>& budget);
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_DERIVED_QUANTITIES_H_

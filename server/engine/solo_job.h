@@ -1,0 +1,82 @@
+// Work for one client alone, with the same scheduling, deadlines, cancellation
+// and memory budget as fields have.
+
+#ifndef GEODESIC_SERVER_ENGINE_SOLO_JOB_H_
+#define GEODESIC_SERVER_ENGINE_SOLO_JOB_H_
+
+#include <cstdint>
+#include <memory>
+
+#include "absl/functional/any_invocable.h"
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "server/engine/byte_budget.h"
+#include "server/engine/clock.h"
+#include "server/engine/scheduler.h"
+
+namespace geodesic::server {
+
+// How a job ended.
+struct JobReport {
+  absl::Status status;
+  // What it took on its thread.
+  double seconds = 0;
+  uint64_t windows_propagated = 0;
+};
+
+// Who waits for a job. Calls come from the job's thread and must be short; they
+// may still arrive while and just after the job is cancelled.
+class JobObserver {
+ public:
+  virtual ~JobObserver() = default;
+
+  // A later call replaces what an earlier one said.
+  virtual void OnProgress(const Progress& progress) = 0;
+
+  // The last call, at most once.
+  virtual void OnDone(const JobReport& report) = 0;
+};
+
+struct SoloJob {
+  JobPriority priority = JobPriority::kSolve;
+  bool is_continuation = false;  // see Job
+  TimePoint deadline = kNoDeadline;
+  absl::AnyInvocable<absl::Status(Checkpoint&)> work;
+};
+
+// Thread-safe.
+class SoloJobs {
+ public:
+  class Audience;
+
+  // For Cancel.
+  struct Call {
+    Scheduler::JobId job;
+    std::shared_ptr<Audience> audience;
+  };
+
+  // What is referred to outlives the object, and `scheduler` has no job left
+  // when it goes.
+  SoloJobs(const Clock& clock, Scheduler& scheduler,
+           std::shared_ptr<ByteBudget> solver_memory,
+           Duration progress_interval);
+
+  // Errors: as Scheduler::Submit; `observer` is then not called. It may already
+  // be called before this returns.
+  absl::StatusOr<Call> Start(SoloJob job,
+                             std::shared_ptr<JobObserver> observer);
+
+  // Nobody waits any longer: the work is dropped, or stops at its next poll.
+  void Cancel(const Call& call);
+
+ private:
+  const Clock& clock_;
+  Scheduler& scheduler_;
+  const std::shared_ptr<ByteBudget> solver_memory_;
+  const Duration progress_interval_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_SOLO_JOB_H_

@@ -1,0 +1,45 @@
+// One FindNearest call.
+
+#ifndef GEODESIC_SERVER_RPC_NEAREST_STREAM_H_
+#define GEODESIC_SERVER_RPC_NEAREST_STREAM_H_
+
+#include <grpcpp/server_context.h>
+#include <grpcpp/support/server_callback.h>
+
+#include <cstdint>
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "geodesic/v1/matrix_service.pb.h"
+#include "server/engine/query_engine.h"
+#include "server/rpc/request_log.h"
+#include "server/rpc/row_stream.h"
+
+namespace geodesic::server {
+
+class NearestStream final : public RowStream<v1::FindNearestResponse> {
+ public:
+  // REQUIRES: `engine`, `log` and `version` outlive the call; `context` and
+  // `request` live until gRPC is done with it.
+  static grpc::ServerWriteReactor<v1::FindNearestResponse>* Start(
+      QueryEngine& engine, RequestLog& log, const std::string& version,
+      const grpc::CallbackServerContext& context,
+      const v1::FindNearestRequest& request);
+
+ private:
+  NearestStream(QueryEngine& engine, RequestLog& log,
+                const std::string& version,
+                const grpc::CallbackServerContext& context,
+                const v1::FindNearestRequest& request);
+
+  absl::StatusOr<Question> Translate(const Limits& limits) const override;
+  Chunk MakeChunk(v1::FindNearestResponse& message, uint64_t row,
+                  uint64_t value_count, uint64_t offset) const override;
+
+  const grpc::CallbackServerContext& context_;
+  const v1::FindNearestRequest& request_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_RPC_NEAREST_STREAM_H_
