@@ -1,0 +1,182 @@
+#include "server/engine/row_pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tests/engine/fakes.h"
+
+namespace geodesic::server {
+namespace {
+
+class CountingObserver final : public RowObserver {
+ public:
+  void OnRow() override { ++calls; }
+  int calls = 0;
+};
+
+class RowPipelineTest : public ::testing::Test {
+ protected:
+  static constexpr size_t kWindow = 3;
+
+  ~RowPipelineTest() override {
+    scheduler_.StopAll();
+    executor_.RunAll();
+  }
+
+  std::shared_ptr<RowPipeline> Make(uint64_t rows,
+                                    TimePoint deadline = kNoDeadline) {
+    return std::make_shared<RowPipeline>(
+        jobs_, rows, kWindow,
+        [this](uint64_t row,
+               Checkpoint& checkpoint) -> absl::StatusOr<MatrixRow> {
+          started_.push_back(row);
+          absl::Status status = checkpoint.Poll({.windows_propagated = 10});
+          if (status.ok() && row == bad_row_) {
+            status = absl::InternalError("bad row");
+          }
+          if (!status.ok()) return status;
+          return MatrixRow{.values = {static_cast<double>(row)}};
+        },
+        deadline, observer_);
+  }
+
+  test::FakeClock clock_;
+  test::ManualExecutor executor_;
+  std::shared_ptr<ByteBudget> memory_ =
+      std::make_shared<ByteBudget>("solver memory", 1 << 20);
+  std::vector<uint64_t> started_;
+  uint64_t bad_row_ = 1000;
+  std::shared_ptr<CountingObserver> observer_ =
+      std::make_shared<CountingObserver>();
+  Scheduler scheduler_{executor_, /*max_running=*/2, /*max_queued=*/2};
+  SoloJobs jobs_{clock_, scheduler_, memory_, std::chrono::milliseconds(50)};
+};
+
+TEST_F(RowPipelineTest, RunsNoFurtherAheadThanItsWindow) {
+  const auto rows = Make(10);
+  ASSERT_TRUE(rows->Start().ok());
+  executor_.RunAll();
+  EXPECT_EQ(started_, (std::vector<uint64_t>{0, 1, 2}));
+  EXPECT_EQ(rows->rows_finished(), 3);
+  // One taken, one more computed.
+  const auto first = rows->Take();
+  ASSERT_TRUE(first.has_value() && first->ok());
+  EXPECT_EQ((*first)->values, std::vector<double>{0});
+  executor_.RunAll();
+  EXPECT_EQ(started_.size(), 4);
+}
+
+TEST_F(RowPipelineTest, HandsRowsOutInOrderToTheLast) {
+  const auto rows = Make(7);
+  ASSERT_TRUE(rows->Start().ok());
+  EXPECT_FALSE(rows->Take().has_value());
+  for (int row = 0; row < 7; ++row) {
+    executor_.RunAll();
+    auto next = rows->Take();
+    ASSERT_TRUE(next.has_value() && next->ok());
+    EXPECT_EQ((*next)->values, std::vector<double>{double(row)});
+  }
+  executor_.RunAll();
+  EXPECT_EQ(observer_->calls, 7);
+  EXPECT_EQ(rows->windows_propagated(), 70);
+  // The pipeline holds its observer no longer than it needs to.
+  EXPECT_EQ(observer_.use_count(), 1);
+}
+
+TEST_F(RowPipelineTest, OthersComeFirst) {
+  const auto rows = Make(10);
+  ASSERT_TRUE(rows->Start().ok());
+  // Three rows are in: two could run, one waits. A question goes before all
+  // that have not begun.
+  bool asked = false;
+  ASSERT_TRUE(scheduler_
+                  .Submit({.run =
+                               [&](const std::stop_token&) {
+                                 asked = true;
+                                 EXPECT_TRUE(started_.empty());
+                               },
+                           .abandon = [](const absl::Status&) {}})
+                  .ok());
+  executor_.RunAll();
+  EXPECT_TRUE(asked);
+}
+
+TEST_F(RowPipelineTest, AFullQueueRefusesTheFirstRowAndNoOther) {
+  const auto rows = Make(10);
+  ASSERT_TRUE(rows->Start().ok());
+  const auto more = Make(10);
+  ASSERT_TRUE(more->Start().ok());  // its first takes the last place
+  EXPECT_TRUE(absl::IsResourceExhausted(Make(10)->Start()));
+  for (int row = 0; row < 10; ++row) {
+    executor_.RunAll();
+    for (const auto& pipeline : {rows, more}) {
+      const auto next = pipeline->Take();
+      EXPECT_TRUE(next.has_value() && next->ok());
+    }
+  }
+}
+
+TEST_F(RowPipelineTest, DrainingLetsAMatrixFinish) {
+  const auto rows = Make(6);
+  ASSERT_TRUE(rows->Start().ok());
+  scheduler_.BeginDrain();
+  EXPECT_TRUE(absl::IsUnavailable(Make(1)->Start()));
+  for (int row = 0; row < 6; ++row) {
+    executor_.RunAll();
+    const auto next = rows->Take();
+    EXPECT_TRUE(next.has_value() && next->ok());
+  }
+}
+
+TEST_F(RowPipelineTest, StoppingFailsIt) {
+  const auto rows = Make(6);
+  ASSERT_TRUE(rows->Start().ok());
+  scheduler_.StopAll();
+  executor_.RunAll();
+  const auto next = rows->Take();
+  ASSERT_TRUE(next.has_value());
+  EXPECT_TRUE(absl::IsUnavailable(next->status()));
+}
+
+TEST_F(RowPipelineTest, AFailureEndsIt) {
+  bad_row_ = 1;
+  const auto rows = Make(10);
+  ASSERT_TRUE(rows->Start().ok());
+  executor_.RunAll();
+  auto next = rows->Take();
+  ASSERT_TRUE(next.has_value() && next->ok());
+  next = rows->Take();
+  ASSERT_TRUE(next.has_value());
+  EXPECT_TRUE(absl::IsInternal(next->status()));
+  executor_.RunAll();
+  EXPECT_EQ(started_.size(), 3);
+}
+
+TEST_F(RowPipelineTest, CancellingDropsWhatWaits) {
+  const auto rows = Make(10);
+  ASSERT_TRUE(rows->Start().ok());
+  rows->Cancel();
+  EXPECT_EQ(scheduler_.queued(), 0);
+  executor_.RunAll();
+  EXPECT_TRUE(started_.empty());
+  EXPECT_EQ(observer_->calls, 0);
+  EXPECT_EQ(observer_.use_count(), 1);
+}
+
+TEST_F(RowPipelineTest, DeadlinesHoldForEveryRow) {
+  const auto rows = Make(10, clock_.Now() + std::chrono::seconds(1));
+  ASSERT_TRUE(rows->Start().ok());
+  executor_.RunAll();
+  ASSERT_TRUE(rows->Take()->ok());
+  clock_.Advance(std::chrono::seconds(1));
+  executor_.RunAll();
+  ASSERT_TRUE(rows->Take()->ok());
+  ASSERT_TRUE(rows->Take()->ok());
+  EXPECT_TRUE(absl::IsDeadlineExceeded(rows->Take()->status()));
+}
+
+}  // namespace
+}  // namespace geodesic::server
