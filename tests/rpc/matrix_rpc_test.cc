@@ -1,5 +1,7 @@
 // MatrixService: blocks of the distance matrix and nearest members.
 
+#include <grpcpp/create_channel.h>
+#include <grpcpp/security/credentials.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "grpcpp/create_channel.h"
 #include "tests/rpc/questions_fixture.h"
 #include "tests/support/curved_meshes.h"
 
@@ -166,7 +167,7 @@ TEST_F(MatrixRpcTest, TheWholeMatrixOfASurfaceIsSymmetric) {
     EXPECT_EQ(rows[i].values[i], 0);
     for (size_t j = 0; j < i; ++j) {
       EXPECT_NEAR(rows[i].values[j], rows[j].values[i], 1e-10);
-      EXPECT_GE(rows[i].values[j],
+      EXPECT_GE(rows[i].values[j] * (1 + 1e-12),
                 Euclid(soup_.positions[i], soup_.positions[j]));
     }
   }
@@ -191,12 +192,12 @@ TEST_F(MatrixRpcTest, TheNearestAreFoundInOrder) {
   request.set_mesh_digest(digest_);
   *request.mutable_sources() = Request().sources();
   std::vector<Point> targets;
-  for (const auto [x, y] : {std::pair<uint32_t, uint32_t>{1, 1},
-                            {8, 8},
-                            {5, 6},
-                            {3, 1},
-                            {0, 9},
-                            {7, 2}}) {
+  for (const auto& [x, y] : {std::pair<uint32_t, uint32_t>{1, 1},
+                             {8, 8},
+                             {5, 6},
+                             {3, 1},
+                             {0, 9},
+                             {7, 2}}) {
     request.add_targets()->set_vertex(Vertex(x, y));
     targets.push_back({double(x), double(y), 0});
   }
@@ -276,34 +277,6 @@ TEST_F(MatrixRpcTest, SizesHaveLimits) {
   EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
 }
 
-// A reader that stalls holds up its own matrix alone, after a few rows.
-TEST_F(MatrixRpcTest, AStalledReaderHoldsAFewRows) {
-  soup_ = geodesic::test::Icosphere(4);
-  digest_ = Upload(soup_);
-  v1::ComputeMatrixRequest request;
-  request.set_mesh_digest(digest_);
-  for (int i = 0; i < 200; ++i) request.add_sources()->set_vertex(i);
-  // The client must not read ahead.
-  grpc::ChannelArguments arguments;
-  arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
-  arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 65536);
-  const auto slow = v1::MatrixService::NewStub(
-      grpc::CreateCustomChannel("127.0.0.1:" + std::to_string(server_->port()),
-                                grpc::InsecureChannelCredentials(), arguments));
-  grpc::ClientContext context;
-  const auto reader = slow->ComputeMatrix(&context, request);
-  v1::ComputeMatrixResponse message;
-  ASSERT_TRUE(reader->Read(&message));
-  // The jobs end by themselves: no more are submitted.
-  EXPECT_TRUE(server_->engine().WaitIdle(std::chrono::seconds(120)));
-  // Questions of others are answered.
-  EXPECT_TRUE(ComputeField(digest_, 0).status.ok());
-  // Then it goes on to the end.
-  const auto rest = ReadAll(*reader);
-  EXPECT_TRUE(rest.status.ok()) << rest.status.error_message();
-  EXPECT_EQ(rest.messages.back().trailer().item_count(), 200);
-}
-
 class HeldMatrixTest : public MatrixRpcTest {
  protected:
   void SetUp() override { StartWithGrid(/*held=*/true); }
@@ -329,6 +302,36 @@ TEST_F(HeldMatrixTest, ADeadlineStopsTheRows) {
   EXPECT_EQ(ReadAll(*reader).status.error_code(),
             grpc::StatusCode::DEADLINE_EXCEEDED);
   EXPECT_TRUE(server_->engine().WaitIdle(std::chrono::seconds(120)));
+}
+
+// A reader that stalls holds up its own matrix alone, after a few rows.
+TEST_F(HeldMatrixTest, AStalledReaderHoldsAFewRows) {
+  solver_.LetGo();  // it counts the rows
+  soup_ = geodesic::test::Icosphere(5);
+  digest_ = Upload(soup_);
+  v1::ComputeMatrixRequest request;
+  request.set_mesh_digest(digest_);
+  for (int i = 0; i < 40; ++i) request.add_sources()->set_vertex(i);
+  // The client must not read ahead.
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
+  arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 65536);
+  const auto slow = v1::MatrixService::NewStub(
+      grpc::CreateCustomChannel("127.0.0.1:" + std::to_string(server_->port()),
+                                grpc::InsecureChannelCredentials(), arguments));
+  grpc::ClientContext context;
+  const auto reader = slow->ComputeMatrix(&context, request);
+  v1::ComputeMatrixResponse message;
+  ASSERT_TRUE(reader->Read(&message));
+  // The jobs end by themselves: no more are submitted.
+  EXPECT_TRUE(server_->engine().WaitIdle(std::chrono::seconds(120)));
+  // Questions of others are answered.
+  EXPECT_TRUE(ComputeField(digest_, 0).status.ok());
+  EXPECT_LT(solver_.starts(), 40);
+  // Then it goes on to the end.
+  const auto rest = ReadAll(*reader);
+  EXPECT_TRUE(rest.status.ok()) << rest.status.error_message();
+  EXPECT_EQ(rest.messages.back().trailer().item_count(), 40);
 }
 
 }  // namespace

@@ -83,6 +83,11 @@ void HeldSolver::LetGo() {
   changed_.notify_all();
 }
 
+int HeldSolver::starts() {
+  std::lock_guard lock(mutex_);
+  return starts_;
+}
+
 void HeldSolver::WaitForStarts(int count) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return starts_ >= count; });

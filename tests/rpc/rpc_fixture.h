@@ -35,6 +35,9 @@ class HeldSolver {
   // Returns when `count` computations have begun.
   void WaitForStarts(int count);
 
+  // Computations that have begun.
+  int starts();
+
  private:
   std::mutex mutex_;
   std::condition_variable changed_;
