@@ -28,13 +28,17 @@ class SettlingCheckpoint final : public Checkpoint {
       : callers_(callers), band_(band), crossings_(crossings) {}
 
   absl::Status Poll(const Progress& progress) override {
-    if (band_.size() >= next_settling_) {
-      crossings_.Settle(progress.distances,
-                        progress.settled_radius / progress.unit);
-      next_settling_ = std::max(2 * band_.size(), kLeastSettling);
-    }
     last_ = progress;
     last_.solver_bytes += band_.bytes() + crossings_.bytes();
+    if (band_.size() >= next_settling_) {
+      if (absl::Status status = crossings_.Settle(
+              progress.distances, progress.settled_radius / progress.unit,
+              [this] { return callers_.Poll(last_); });
+          !status.ok()) {
+        return status;
+      }
+      next_settling_ = std::max(2 * band_.size(), kLeastSettling);
+    }
     return callers_.Poll(last_);
   }
 
@@ -47,7 +51,7 @@ class SettlingCheckpoint final : public Checkpoint {
  private:
   // Settling comes when the band has doubled, so each window pays for one
   // visit; below this many there is little to gain.
-  static constexpr uint64_t kLeastSettling = 65536;
+  static constexpr uint64_t kLeastSettling = 16384;
 
   Checkpoint& callers_;
   IsolineBand& band_;
@@ -90,6 +94,7 @@ absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
   std::ranges::sort(levels);
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   std::vector<double> scaled_levels;
+  scaled_levels.reserve(levels.size());
   for (double level : levels) {
     scaled_levels.push_back(std::ldexp(level, -mesh.scale_exponent()));
   }

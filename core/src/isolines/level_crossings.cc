@@ -33,20 +33,22 @@ LevelCrossings::LevelCrossings(const Mesh& mesh,
   }
 }
 
-void LevelCrossings::Settle(std::span<const double> distances, double settled) {
+absl::Status LevelCrossings::Settle(std::span<const double> distances,
+                                    double settled, const Poll& poll) {
+  absl::Status status;
   std::erase_if(band_.faces(), [&](uint32_t face) {
+    if (!status.ok()) return false;
     for (HalfEdge h = 3 * face; h < 3 * face + 3; ++h) {
       if (!(Farthest(h, distances) <= settled)) return false;
     }
-    DealWith(face, distances);
+    status = DealWith(face, distances, poll);
     return true;
   });
+  return status;
 }
 
 absl::Status LevelCrossings::Finish(std::span<const double> distances,
-                                    const std::function<absl::Status()>& poll) {
-  constexpr uint32_t kFacesBetweenPolls = 256;
-  uint32_t dealt_with = 0;
+                                    const Poll& poll) {
   for (uint32_t face = 0; face < mesh_.face_count(); ++face) {
     if (band_.IsClosed(face)) continue;
     // What crosses a face comes from one of its corners, from a source in it or
@@ -57,9 +59,9 @@ absl::Status LevelCrossings::Finish(std::span<const double> distances,
         !band_.HasWindows(face) && !within_.contains(face)) {
       continue;
     }
-    DealWith(face, distances);
-    if (++dealt_with % kFacesBetweenPolls != 0) continue;
-    if (absl::Status status = poll(); !status.ok()) return status;
+    if (absl::Status status = DealWith(face, distances, poll); !status.ok()) {
+      return status;
+    }
   }
   return absl::OkStatus();
 }
@@ -146,8 +148,9 @@ LevelCrossings::EdgeRange LevelCrossings::CrossingsOf(
   return range;
 }
 
-void LevelCrossings::DealWith(uint32_t face,
-                              std::span<const double> distances) {
+absl::Status LevelCrossings::DealWith(uint32_t face,
+                                      std::span<const double> distances,
+                                      const Poll& poll) {
   std::array<EdgeRange, 3> ranges;
   uint32_t first = std::numeric_limits<uint32_t>::max(), last = 0;
   for (uint32_t side = 0; side < 3; ++side) {
@@ -161,6 +164,8 @@ void LevelCrossings::DealWith(uint32_t face,
     JoinCrossings(face, level, ranges, distances);
   }
   band_.Close(face);
+  constexpr uint64_t kFacesBetweenPolls = 64;
+  return ++dealt_with_ % kFacesBetweenPolls == 0 ? poll() : absl::OkStatus();
 }
 
 void LevelCrossings::JoinCrossings(uint32_t face, uint32_t level,

@@ -39,14 +39,19 @@ class LevelCrossings {
   LevelCrossings(const Mesh& mesh, std::span<const Anchor> anchors,
                  std::span<const double> levels, IsolineBand& band);
 
+  // Called after every few faces.
+  using Poll = std::function<absl::Status()>;
+
   // Deals with the faces that have windows and lie wholly within `settled`,
   // and lets the band forget them.
-  void Settle(std::span<const double> distances, double settled);
+  // Errors: whatever `poll` returns; this object is of no use then.
+  absl::Status Settle(std::span<const double> distances, double settled,
+                      const Poll& poll);
 
   // Deals with all other faces. Distances above the last level may be missing
-  // (infinite). Calls poll() now and then and returns its status unless OK.
-  absl::Status Finish(std::span<const double> distances,
-                      const std::function<absl::Status()>& poll);
+  // (infinite).
+  // Errors: as Settle.
+  absl::Status Finish(std::span<const double> distances, const Poll& poll);
 
   // The curves of each level, open ones first. REQUIRES: Finish is OK.
   std::vector<std::vector<LevelCurve>> Curves() const;
@@ -91,7 +96,8 @@ class LevelCrossings {
   // from its end `from`.
   std::vector<Way> WaysTo(std::span<const HalfEdge> sides, uint32_t from,
                           std::span<const double> distances) const;
-  void DealWith(uint32_t face, std::span<const double> distances);
+  absl::Status DealWith(uint32_t face, std::span<const double> distances,
+                        const Poll& poll);
   void JoinCrossings(uint32_t face, uint32_t level,
                      const std::array<EdgeRange, 3>& ranges,
                      std::span<const double> distances);
@@ -107,6 +113,7 @@ class LevelCrossings {
   absl::flat_hash_map<uint32_t, Within> within_;
   absl::flat_hash_map<HalfEdge, EdgeRange> edges_;
   std::vector<Crossing> crossings_;
+  uint64_t dealt_with_ = 0;                     // faces
   std::vector<std::vector<Segment>> segments_;  // of each level
 };
 

@@ -479,6 +479,75 @@ TEST(IsolinesErrors, SayWhatIsWrong) {
             absl::CancelledError("enough"));
 }
 
+// With so many levels that every window is kept for a while, faces are dealt
+// with while the wavefront moves: to the same end, and in memory that goes with
+// the wavefront.
+TEST(IsolinesOfManyLevels, AreThoseOfEachLevel) {
+  class Peak final : public Checkpoint {
+   public:
+    uint64_t bytes() const { return bytes_; }
+    uint64_t windows() const { return windows_; }
+
+   private:
+    absl::Status Poll(const Progress& progress) override {
+      bytes_ = std::max(bytes_, progress.solver_bytes);
+      windows_ = std::max(windows_, progress.windows_propagated);
+      return absl::OkStatus();
+    }
+    uint64_t bytes_ = 0, windows_ = 0;
+  };
+  const NamedMesh named{"icosphere", Icosphere(5)};
+  const auto mesh = BuildOrFail(named);
+  ASSERT_NE(mesh, nullptr);
+  const Query query{.sources = {{EdgePoint{0, mesh->triangles()[0][1], 0.3}}}};
+  std::vector<double> levels;
+  for (int i = 1; i < 150; ++i) levels.push_back(0.0207 * i);
+  Peak peak;
+  const auto isolines = ComputeIsolines(*mesh, query, levels, {}, peak);
+  ASSERT_TRUE(isolines.ok()) << isolines.status();
+  EXPECT_LT(peak.bytes(), peak.windows() * sizeof(double) * 3);
+  for (size_t i = 0; i < levels.size(); i += 37) {
+    std::vector<std::vector<SurfacePoint>> of_level, alone;
+    for (const Isoline& isoline : *isolines) {
+      if (isoline.level == levels[i]) of_level.push_back(isoline.points);
+    }
+    for (const Isoline& isoline : IsolinesOrFail(*mesh, query, {levels[i]})) {
+      alone.push_back(isoline.points);
+    }
+    EXPECT_EQ(of_level, alone) << levels[i];
+  }
+}
+
+// Whoever cancels is heard at every poll, those between faces among them.
+TEST(IsolinesErrors, CancelAtAnyPoll) {
+  class CancelAt final : public Checkpoint {
+   public:
+    explicit CancelAt(uint64_t poll) : left_(poll) {}
+    uint64_t polls() const { return polls_; }
+
+   private:
+    absl::Status Poll(const Progress&) override {
+      ++polls_;
+      return left_-- == 0 ? absl::CancelledError("enough") : absl::OkStatus();
+    }
+    uint64_t left_;
+    uint64_t polls_ = 0;
+  };
+  const auto mesh = BuildOrFail({"icosphere", Icosphere(3)});
+  ASSERT_NE(mesh, nullptr);
+  const Query query{.sources = {{VertexPoint{0}}}};
+  const std::vector<double> levels = SpreadLevels(*mesh, query, 30);
+  CancelAt never(UINT64_MAX);
+  ASSERT_TRUE(ComputeIsolines(*mesh, query, levels, {}, never).ok());
+  EXPECT_GT(never.polls(), 20u);
+  for (uint64_t poll = 0; poll < never.polls(); ++poll) {
+    CancelAt checkpoint(poll);
+    EXPECT_EQ(ComputeIsolines(*mesh, query, levels, {}, checkpoint).status(),
+              absl::CancelledError("enough"));
+    EXPECT_EQ(checkpoint.polls(), poll + 1);
+  }
+}
+
 class RealMeshIsolines : public testing::TestWithParam<const char*> {};
 
 TEST_P(RealMeshIsolines, SeparateNearFromFar) {
