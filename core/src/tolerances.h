@@ -82,6 +82,10 @@ inline constexpr double kPassedVertex = 4 * kNearMiss;
 // crossings around them.
 inline constexpr double kAtLevel = 1e-12;
 
+// A straight piece of a path is as long as the distances of its ends say within
+// this fraction of them. Pieces that are followed rightly agree to 1e-13.
+inline constexpr double kAsLong = 1e-11;
+
 // A stretch between two points of a path that is shorter than this fraction of
 // the path gives it no direction there: its ends are off by about 1e-15 of it.
 // Asked only beside faces without area, which have no plane to tell it.

@@ -17,7 +17,8 @@ namespace geodesic {
 struct LogMap {
   // Per vertex, in the unit of the file: distance (less the source's offset)
   // times (cos, sin) of the angle at which the shortest path leaves the source.
-  // NaN where no path arrives. Angles are measured around the source from
+  // NaN where no path arrives, or where it leaves a source vertex by way of
+  // edges without length. Angles are measured around the source from
   // `zero_direction`, counterclockwise seen from outside; at an interior vertex
   // they are scaled so that the cone around it measures 2 pi.
   std::vector<std::array<double, 2>> coordinates;
@@ -29,9 +30,9 @@ struct LogMap {
 
 // O(V + edges crossed by the paths).
 // Errors: INVALID_ARGUMENT: a field without trace, or of another mesh or query;
-// not exactly one source point, or one at a vertex around which the surface is
-// not a disk or half-disk; INTERNAL: the trace does not lead back to the source
-// (a defect).
+// not exactly one source point, or one around which the surface is not an
+// oriented disk or half-disk; INTERNAL: the trace does not lead back to the
+// source (a defect).
 absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const Query& query,
                                      const DistanceField& field);
 

@@ -3,6 +3,7 @@
 
 #include "absl/status/status.h"
 #include "geodesic/field_quantities.h"
+#include "paths/anchor_foot.h"
 #include "paths/face_plane.h"
 #include "paths/straight_piece.h"
 #include "paths/traced_field.h"
@@ -19,7 +20,10 @@ Point DirectionFromAnchor(const Mesh& mesh, const Anchor& anchor, uint32_t v) {
     const auto to = WithinFace(mesh, VertexPoint{v}, from.face);
     if (!to.has_value()) continue;
     const HalfEdge h = 3 * from.face;
-    const PlanePoint a = InFrame(mesh, from, h), b = InFrame(mesh, *to, h);
+    const PlanePoint b = InFrame(mesh, *to, h);
+    const auto foot = FootOf(mesh, anchor, h, b);
+    if (!foot.has_value()) continue;
+    const PlanePoint a = InFrame(mesh, *foot, h);
     return DirectionInSpace(mesh, h, {b.x - a.x, b.y - a.y});
   }
   return {};
@@ -55,6 +59,10 @@ absl::StatusOr<Point> DirectionOf(const TracedField& field, uint32_t v) {
   if (entry != kNoHalfEdge) {
     const auto place = WithinFace(mesh, VertexPoint{v}, entry / 3);
     if (!place.has_value()) return Point{};
+    if (!field.IsVertex(pseudo_source) &&
+        field.AnchorOf(pseudo_source).is_segment) {
+      return DirectionInSpace(mesh, entry, {x, depth});
+    }
     const PlanePoint at = InFrame(mesh, *place, entry);
     return DirectionInSpace(mesh, entry, {at.x - x, at.y + depth});
   }

@@ -96,6 +96,11 @@ absl::StatusOr<Compass> Compass::At(const Mesh& mesh,
   } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
     // Both faces lie left of their half-edges; those are opposite.
     for (const HalfEdge h : SidesOf(mesh, edge->from, edge->to)) {
+      if (mesh.IsIrregularEdge(h)) {
+        return absl::InvalidArgumentError(
+            absl::StrCat("source edge (", edge->from, ", ", edge->to,
+                         "): the surface around it is not one oriented disk"));
+      }
       compass.sectors_.push_back({h, mesh.From(h) == edge->from ? 0 : kPi});
     }
     compass.zero_direction_ = DirectionBetween(mesh, edge->from, edge->to);
@@ -129,8 +134,8 @@ absl::Status Compass::GoAround(uint32_t vertex) {
   if (sectors_.size() < outgoing.size()) {
     return absl::InvalidArgumentError(
         absl::StrCat("source vertex ", vertex,
-                     " is not manifold: the surface around it is not one disk "
-                     "or half-disk"));
+                     ": the surface around it is not one oriented disk or "
+                     "half-disk"));
   }
   for (Sector& sector : sectors_) sector.begin -= zero_angle;
   if (h == first) scale_ = 2 * kPi / angle;
@@ -210,11 +215,12 @@ absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const Query& query,
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   Departures departures(*traced, *compass);
   for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const double distance = field.distances[v] - query.sources[0].offset;
     map.coordinates.push_back({kNaN, kNaN});
-    if (traced->VertexArrival(v).pseudo_source == kNoPseudoSource) continue;
+    if (distance == 0) map.coordinates.back() = {0, 0};
+    if (!(distance > 0) || std::isinf(distance)) continue;
     const absl::StatusOr<double> angle = departures.AngleOf(v);
     if (!angle.ok()) return angle.status();
-    const double distance = field.distances[v] - query.sources[0].offset;
     map.coordinates.back() = {distance * std::cos(*angle),
                               distance * std::sin(*angle)};
   }

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
+#include "paths/anchor_foot.h"
 #include "scaled_difference.h"
 #include "tolerances.h"
 #include "windows/window.h"
@@ -34,8 +37,18 @@ struct BackLine {
   PlanePoint way;
 };
 
-// The frame of the same edge seen from beyond.
-BackLine TurnAround(const BackLine& line, double length) {
+// A face beyond an edge, by its half-edge there. A mirrored one runs along the
+// edge in the same direction, so that its frame is turned over.
+struct FaceBeyond {
+  HalfEdge half_edge;
+  bool is_mirrored;
+};
+
+// From the frame of a half-edge into that of a face beyond.
+BackLine Enter(const FaceBeyond& face, const BackLine& line, double length) {
+  if (face.is_mirrored) {
+    return {{line.end.x, -line.end.y}, {line.way.x, -line.way.y}};
+  }
   return {{length - line.end.x, -line.end.y}, {-line.way.x, -line.way.y}};
 }
 
@@ -60,31 +73,69 @@ BackLine IntoRight(const BackLine& line, const HalfEdgeFrame& frame) {
   return {turn(line.end - PlanePoint{frame.length, 0}), turn(line.way)};
 }
 
+// Whether a point is a vertex at the place of another.
+bool Coincide(const Mesh& mesh, const SurfacePoint& point, uint32_t vertex) {
+  const auto* at = std::get_if<VertexPoint>(&point);
+  return at != nullptr &&
+         mesh.positions()[at->vertex] == mesh.positions()[vertex];
+}
+
 class BackWalk {
  public:
-  BackWalk(const TracedField& field, const PathEnd& end)
-      : field_(field), mesh_(field.mesh()), end_(end), last_(end.point) {}
+  // Bit k of `turns` sends the walk round the other side of the k-th vertex
+  // that the line runs into but may not pass through.
+  BackWalk(const TracedField& field, const PathEnd& end, uint32_t turns)
+      : field_(field),
+        mesh_(field.mesh()),
+        end_(end),
+        turns_(turns),
+        last_(end.point) {}
 
-  absl::StatusOr<StraightPiece> Walk() {
+  // In how many ways together the walk might have gone.
+  double ways() const { return ways_; }
+
+  // The piece, if the walk arrives.
+  std::optional<StraightPiece> Walk() {
     const uint32_t pseudo_source = end_.arrival.pseudo_source;
-    if (pseudo_source == kNoPseudoSource) {
-      return absl::InternalError("the trace leads to where no path arrives");
-    }
     const bool arrives = end_.arrival.entry == kNoHalfEdge
                              ? GoWithinFace(pseudo_source)
                              : GoThroughFaces(pseudo_source);
-    if (!arrives) {
-      return absl::InternalError(absl::StrCat(
-          "the trace does not lead back to pseudo-source ", pseudo_source,
-          " through half-edge ", end_.arrival.entry, ", where a path arrives"));
-    }
+    if (!arrives) return std::nullopt;
     return std::move(piece_);
   }
 
  private:
-  SurfacePoint PointOf(uint32_t pseudo_source) const {
-    if (field_.IsVertex(pseudo_source)) return VertexPoint{pseudo_source};
-    return field_.AnchorOf(pseudo_source).begin;
+  uint32_t Choose(uint32_t ways) {
+    ways_ *= ways;
+    const uint32_t choice = turns_ % ways;
+    turns_ /= ways;
+    return choice;
+  }
+
+  // The face beyond h to go on in; nothing at a boundary.
+  std::optional<FaceBeyond> Beyond(HalfEdge h) {
+    std::vector<FaceBeyond> faces;
+    mesh_.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
+      faces.push_back({other, is_mirrored});
+    });
+    if (faces.empty()) return std::nullopt;
+    return faces[Choose(static_cast<uint32_t>(faces.size()))];
+  }
+
+  // Where the path to a place in the frame of h starts, if its pseudo-source
+  // lies in the face of h.
+  std::optional<SurfacePoint> StartWithin(uint32_t pseudo_source, HalfEdge h,
+                                          const PlanePoint& place) const {
+    if (field_.IsVertex(pseudo_source)) {
+      const VertexPoint start{pseudo_source};
+      if (!WithinFace(mesh_, start, h / 3).has_value()) return std::nullopt;
+      return start;
+    }
+    const Anchor& anchor = field_.AnchorOf(pseudo_source);
+    const std::optional<FacePoint> foot = FootOf(mesh_, anchor, h, place);
+    if (!foot.has_value()) return std::nullopt;
+    if (!anchor.is_segment) return anchor.begin;
+    return Canonicalize(*foot, mesh_);
   }
 
   // Adds the way within `face` from the last point to the next.
@@ -109,6 +160,11 @@ class BackWalk {
   bool GoWithinFace(uint32_t pseudo_source);
   // The piece that enters its last face through an edge.
   bool GoThroughFaces(uint32_t pseudo_source);
+  // Whether the line passes a place as near as rounding.
+  bool RunsInto(const PlanePoint& at, const BackLine& line) const {
+    return std::abs(Cross(line.way, at - line.end)) <=
+           nearness_ * Norm(line.way);
+  }
   // Ends the piece at `vertex`, which lies at `at`, if the path passes there.
   bool PassesThrough(uint32_t vertex, const PlanePoint& at,
                      const BackLine& line, HalfEdge h);
@@ -116,36 +172,43 @@ class BackWalk {
   const TracedField& field_;
   const Mesh& mesh_;
   const PathEnd& end_;
+  uint32_t turns_;  // those left
+  double ways_ = 1;
   SurfacePoint last_;
   double nearness_ = 0;  // to a vertex at which the path passes it
   StraightPiece piece_;
 };
 
 bool BackWalk::GoWithinFace(uint32_t pseudo_source) {
-  const SurfacePoint start = PointOf(pseudo_source);
   piece_.start = pseudo_source;
-  if (start == last_) return true;
-  const auto* from = std::get_if<VertexPoint>(&start);
   const auto* to = std::get_if<VertexPoint>(&last_);
-  if (from != nullptr && to != nullptr) {
+  const bool from_vertex = field_.IsVertex(pseudo_source);
+  if (from_vertex && to != nullptr) {
     // Along an edge; its face would take a search around a vertex.
     const ScaledDifference difference(mesh_.scale_exponent());
-    piece_.length = Norm(difference(mesh_.positions()[from->vertex],
+    piece_.length = Norm(difference(mesh_.positions()[pseudo_source],
                                     mesh_.positions()[to->vertex]));
-    piece_.points.push_back(start);
+    piece_.points.push_back(VertexPoint{pseudo_source});
     return true;
   }
-  // Around a point that is not a vertex there are few faces.
-  const bool from_vertex = from != nullptr;
-  for (const FacePoint& near :
-       FacesAround(mesh_, from_vertex ? last_ : start)) {
-    const std::optional<FacePoint> far =
-        WithinFace(mesh_, from_vertex ? start : last_, near.face);
-    if (!far.has_value()) continue;
-    const HalfEdge h = 3 * near.face;
-    const PlanePoint way = InFrame(mesh_, *far, h) - InFrame(mesh_, near, h);
-    StartAt(pseudo_source, h, from_vertex ? way : PlanePoint{-way.x, -way.y});
-    GoTo(start, near.face);
+  const SurfacePoint anchored =
+      from_vertex ? last_ : field_.AnchorOf(pseudo_source).begin;
+  if (anchored == last_ && !from_vertex &&
+      !field_.AnchorOf(pseudo_source).is_segment) {
+    return true;
+  }
+  for (const FacePoint& around : FacesAround(mesh_, anchored)) {
+    const HalfEdge h = 3 * around.face;
+    const std::optional<FacePoint> end = WithinFace(mesh_, last_, around.face);
+    if (!end.has_value()) continue;
+    const PlanePoint place = InFrame(mesh_, *end, h);
+    const std::optional<SurfacePoint> start =
+        StartWithin(pseudo_source, h, place);
+    if (!start.has_value()) continue;
+    if (*start == last_) return true;
+    StartAt(pseudo_source, h,
+            InFrame(mesh_, *WithinFace(mesh_, *start, around.face), h) - place);
+    GoTo(*start, around.face);
     return true;
   }
   return false;
@@ -155,10 +218,14 @@ bool BackWalk::GoThroughFaces(uint32_t pseudo_source) {
   const auto& [entry_source, entry, x, depth] = end_.arrival;
   const std::optional<FacePoint> end = WithinFace(mesh_, end_.point, entry / 3);
   if (!end.has_value()) return false;
-  const SurfacePoint start = PointOf(pseudo_source);
   BackLine line{.end = InFrame(mesh_, *end, entry)};
-  line.way = PlanePoint{x, -depth} - line.end;
-  nearness_ = kPassedVertex * (mesh_.frame(entry).length + std::abs(x) + depth);
+  const bool is_segment = !field_.IsVertex(pseudo_source) &&
+                          field_.AnchorOf(pseudo_source).is_segment;
+  line.way =
+      is_segment ? PlanePoint{-x, -depth} : PlanePoint{x, -depth} - line.end;
+  nearness_ =
+      kPassedVertex * (mesh_.frame(entry).length +
+                       (is_segment ? end_.distance : std::abs(x) + depth));
   if (PassesThrough(mesh_.From(entry), {0, 0}, line, entry) ||
       PassesThrough(mesh_.To(entry), {mesh_.frame(entry).length, 0}, line,
                     entry)) {
@@ -175,22 +242,26 @@ bool BackWalk::GoThroughFaces(uint32_t pseudo_source) {
                                 std::clamp(crossing / length, 0.0, 1.0)},
                       mesh_),
          h / 3);
-    const HalfEdge beyond = mesh_.Twin(h);
-    if (beyond == kNoHalfEdge) return false;
+    const std::optional<FaceBeyond> face = Beyond(h);
+    if (!face.has_value()) return false;
+    const HalfEdge beyond = face->half_edge;
     const HalfEdgeFrame& frame = mesh_.frame(beyond);
-    line = TurnAround(line, length);
-    if (WithinFace(mesh_, start, beyond / 3).has_value()) {
+    line = Enter(*face, line, length);
+    if (const std::optional<SurfacePoint> start =
+            StartWithin(pseudo_source, beyond, line.end)) {
       StartAt(pseudo_source, beyond, line.way);
-      GoTo(start, beyond / 3);
+      GoTo(*start, beyond / 3);
       return true;
     }
     const PlanePoint apex{frame.apex_x, frame.apex_y};
     if (PassesThrough(mesh_.Apex(beyond), apex, line, beyond)) return true;
     // No window has crossed a side without length.
     const double left_length = mesh_.frame(Prev(beyond)).length;
-    const bool goes_right =
-        mesh_.frame(Next(beyond)).length > 0 &&
-        (left_length == 0 || Cross(line.way, apex - line.end) > 0);
+    bool goes_right = mesh_.frame(Next(beyond)).length > 0;
+    if (goes_right && left_length > 0) {
+      goes_right = Cross(line.way, apex - line.end) > 0;
+      if (RunsInto(apex, line) && Choose(2) == 1) goes_right = !goes_right;
+    }
     line = goes_right ? IntoRight(line, frame)
                       : IntoLeft(line, frame, left_length);
     h = goes_right ? Next(beyond) : Prev(beyond);
@@ -202,10 +273,11 @@ bool BackWalk::PassesThrough(uint32_t vertex, const PlanePoint& at,
                              const BackLine& line, HalfEdge h) {
   const double distance = field_.VertexDistance(vertex);
   // Nearer than the end, or the way back would lead in circles.
-  if (!(distance < end_.distance)) return false;
+  if (!(distance < end_.distance) || Coincide(mesh_, end_.point, vertex)) {
+    return false;
+  }
   const PlanePoint way = at - line.end;
-  if (Dot(way, line.way) <= 0 ||
-      std::abs(Cross(line.way, way)) > nearness_ * Norm(line.way) ||
+  if (Dot(way, line.way) <= 0 || !RunsInto(at, line) ||
       Exceeds(distance + Norm(way), end_.distance + field_.rounding())) {
     return false;
   }
@@ -214,11 +286,96 @@ bool BackWalk::PassesThrough(uint32_t vertex, const PlanePoint& at,
   return true;
 }
 
+// A vertex, and the one from which an edge without length leads to it.
+struct Joined {
+  uint32_t vertex;
+  size_t from;
+};
+
+// The vertices that edges without length join to `vertex`, itself the first.
+std::vector<Joined> JoinedTo(const Mesh& mesh, uint32_t vertex) {
+  std::vector<Joined> joined = {{vertex, 0}};
+  std::set<uint32_t> known = {vertex};
+  for (size_t i = 0; i < joined.size(); ++i) {
+    const auto reach = [&](uint32_t v, double length) {
+      if (length == 0 && known.insert(v).second) joined.push_back({v, i});
+    };
+    for (const HalfEdge h : mesh.Outgoing(joined[i].vertex)) {
+      reach(mesh.To(h), mesh.frame(h).length);
+      reach(mesh.Apex(h), mesh.frame(Prev(h)).length);
+    }
+  }
+  return joined;
+}
+
+// Whether a piece leads away from its end, and is as long as distances say.
+bool IsSound(const TracedField& field, const PathEnd& end,
+             const StraightPiece& piece) {
+  double distance = piece.length;
+  if (field.IsVertex(piece.start)) {
+    if (Coincide(field.mesh(), end.point, piece.start)) {
+      // Of vertices joined without length one has to lead away.
+      const std::vector<Joined> joined = JoinedTo(field.mesh(), piece.start);
+      const uint32_t at = std::get<VertexPoint>(end.point).vertex;
+      if (std::ranges::find(joined, at, &Joined::vertex) != joined.end()) {
+        return false;
+      }
+    }
+    distance += field.VertexDistance(piece.start);
+  } else {
+    distance += std::ldexp(field.AnchorOf(piece.start).offset,
+                           -field.mesh().scale_exponent());
+  }
+  return std::abs(distance - end.distance) <=
+         kAsLong * end.distance + field.rounding();
+}
+
+// Walks from `end` in all the ways there are until the piece is sound.
+std::optional<StraightPiece> WalkEveryWay(const TracedField& field,
+                                          const PathEnd& end) {
+  // More are as rare as several vertices at one place, beside a source in a
+  // face without area.
+  constexpr double kMostWays = 256;
+  double ways = 1;
+  for (uint32_t turns = 0; turns < ways; ++turns) {
+    BackWalk walk(field, end, turns);
+    std::optional<StraightPiece> piece = walk.Walk();
+    if (piece.has_value() && IsSound(field, end, *piece)) return piece;
+    ways = std::max(ways, std::min(walk.ways(), kMostWays));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 absl::StatusOr<StraightPiece> FollowBack(const TracedField& field,
                                          const PathEnd& end) {
-  return BackWalk(field, end).Walk();
+  if (end.arrival.pseudo_source == kNoPseudoSource) {
+    return absl::InternalError("the trace leads to where no path arrives");
+  }
+  if (auto piece = WalkEveryWay(field, end)) return *std::move(piece);
+  // Between vertices at one place directions mean nothing, and the trace may
+  // lead round among them. The path left from one of them.
+  if (const auto* vertex = std::get_if<VertexPoint>(&end.point)) {
+    const std::vector<Joined> joined = JoinedTo(field.mesh(), vertex->vertex);
+    for (size_t i = 1; i < joined.size(); ++i) {
+      auto piece = WalkEveryWay(field, field.Vertex(joined[i].vertex));
+      if (!piece.has_value()) continue;
+      std::vector<SurfacePoint> way;
+      for (size_t at = i; at != 0; at = joined[at].from) {
+        way.push_back(VertexPoint{joined[at].vertex});
+      }
+      piece->points.insert(piece->points.begin(), way.rbegin(), way.rend());
+      return *std::move(piece);
+    }
+  }
+  // A piece about as short as the rounding of coordinates is as long as its
+  // points say.
+  if (auto piece = BackWalk(field, end, 0).Walk()) return *std::move(piece);
+  return absl::InternalError(
+      absl::StrCat("the trace does not lead back to pseudo-source ",
+                   end.arrival.pseudo_source, " through half-edge ",
+                   end.arrival.entry, ", where a path arrives"));
 }
 
 }  // namespace geodesic

@@ -159,8 +159,8 @@ TEST(LogMap, RefusesWhatHasNoDirections) {
                                        "query has 2 and 0 curves"));
   EXPECT_EQ(status(touching, {.sources = {{VertexPoint{0}}}}),
             absl::InvalidArgumentError(
-                "source vertex 0 is not manifold: the surface around it is not "
-                "one disk or half-disk"));
+                "source vertex 0: the surface around it is not one oriented "
+                "disk or half-disk"));
   EXPECT_EQ(status(touching, {.sources = {{VertexPoint{5}}}}),
             absl::InvalidArgumentError("source vertex 5 belongs to no face"));
 }

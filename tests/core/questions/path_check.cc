@@ -138,7 +138,8 @@ class FanAngles {
 
 Real BendAtVertex(const Mesh& mesh, uint32_t v, const SurfacePoint& before,
                   const SurfacePoint& after) {
-  if (mesh.IsPseudoSource(v)) return 0;
+  // Fans are walked on oriented surfaces only.
+  if (mesh.IsPseudoSource(v) || mesh.HasIrregularEdges()) return 0;
   return std::abs(FanAngles(mesh, v).SideNearestToPi(before, after) -
                   std::numbers::pi_v<Real>);
 }
@@ -268,8 +269,17 @@ void CheckAllPaths(const std::string& name, const Mesh& mesh, Query query,
         result = testing::AssertionFailure()
                  << "a path to where none leads, " << path->length << " long";
       }
-    } else if (path->source >= query.sources.size()) {
+    } else if (path->source >= SourceCount(query)) {
       result = testing::AssertionFailure() << "no source " << path->source;
+    } else if (path->source >= query.sources.size()) {
+      // From somewhere on a curve.
+      const CurveSource& curve =
+          query.curves[path->source - query.sources.size()];
+      result = path->points.empty()
+                   ? testing::AssertionFailure() << "the path has no points"
+                   : IsShortestPath(mesh, *path, path->points[0],
+                                    Canonicalize(target, mesh),
+                                    distance - curve.offset, options);
     } else {
       const Source& source = query.sources[path->source];
       result = IsShortestPath(mesh, *path, Canonicalize(source.point, mesh),

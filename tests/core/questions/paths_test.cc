@@ -20,6 +20,7 @@
 #include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
 #include "tests/support/mesh_edits.h"
+#include "tests/support/planar_curves.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/random.h"
@@ -142,6 +143,10 @@ TEST_P(Paths, ThroughDegenerateFaces) {
                  {.slack = CoordinateRounding(grid), .check_bends = false});
       CheckPaths({"doubled vertices", DoubleVertices(grid, 15, seed, &doubled)},
                  {.slack = CoordinateRounding(grid), .check_bends = false});
+      CheckPaths({"tripled vertices",
+                  DoubleVertices(DoubleVertices(grid, 30, seed, &doubled), 60,
+                                 seed, &doubled)},
+                 {.slack = CoordinateRounding(grid), .check_bends = false});
       CheckPaths({"needles", InsertNeedles(grid, 50, seed)},
                  {.slack = CoordinateRounding(grid), .check_bends = false});
     }
@@ -161,6 +166,80 @@ TEST_P(Paths, LeadNowhereToOtherPieces) {
   const TriangleSoup box = BoxGrid(1, 1, 1, 2, 2, 2);
   CheckPaths(
       {"two boxes and lone vertices", AddIsolatedVertices(Join(box, box), 2)});
+}
+
+TEST_P(Paths, AcrossFacesOfAnyOrientation) {
+  CheckPaths({"turned torus", TurnFaces(Torus({.noise = 0.1}), 7)});
+  CheckPaths({"turned grid", TurnFaces(MakeGrid({.columns = 9}), 7)});
+  CheckPaths({"turned box", TurnFaces(BoxGrid(1, 2, 1.5, 3, 4, 3), 7)});
+}
+
+// Three pages on one spine.
+TEST_P(Paths, AcrossEdgesOfManyFaces) {
+  const TriangleSoup grid =
+      MakeGrid({.columns = 6, .rows = 6, .jitter = 0.2, .seed = 3});
+  for (const bool turned : {false, true}) {
+    TriangleSoup book = grid;
+    for (const double angle : {2.0, 4.0}) {
+      std::vector<uint32_t> number;
+      for (uint32_t v = 0; v < grid.positions.size(); ++v) {
+        const Point& p = grid.positions[v];
+        if (p[0] == 0) {
+          number.push_back(v);
+          continue;
+        }
+        number.push_back(static_cast<uint32_t>(book.positions.size()));
+        book.positions.push_back(
+            {p[0] * std::cos(angle), p[1], p[0] * std::sin(angle)});
+      }
+      for (const Triangle& t : grid.triangles) {
+        book.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+      }
+    }
+    CheckPaths({"book", turned ? TurnFaces(book, 5) : book});
+  }
+}
+
+TEST_P(Paths, FromCurves) {
+  for (const double jitter : {0.0, 0.24}) {
+    const TriangleSoup soup =
+        MakeGrid({.columns = 12, .rows = 10, .jitter = jitter, .seed = 5});
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
+    ASSERT_NE(mesh, nullptr);
+    const std::vector<PlanarCurve> curves = {
+        {{{2.2, 1.1}, {6.1, 7.3}, {10.3, 3.9}}, 0.5}, {{{1, 8}, {3, 9}}, 0}};
+    Query query{.targets = RandomPoints(soup, 40, 3),
+                .algorithm = GetParam().algorithm,
+                .trace = true};
+    for (const PlanarCurve& curve : curves) {
+      query.curves.push_back(OnMesh(soup, curve));
+    }
+    CheckAllPaths("curves in a grid", *mesh, query, {.slack = 1e-14});
+    // Each starts on the curve that it names.
+    const DistanceField field = SolveTraced(*mesh, query);
+    for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+      const absl::StatusOr<GeodesicPath> path =
+          TracePathToVertex(*mesh, query, field, v);
+      ASSERT_TRUE(path.ok()) << path.status();
+      PlanarCurve curve = curves[path->source];
+      curve.offset = 0;
+      EXPECT_NEAR(DistanceTo(curve, path->positions[0]), 0, 1e-12) << v;
+    }
+  }
+  // Over folds there is no closed form, but the length is the distance.
+  const TriangleSoup soup = Terrain(12, 10, 1.5, 4);
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"terrain", soup});
+  ASSERT_NE(mesh, nullptr);
+  const TriangleSoup flat = [&] {
+    TriangleSoup copy = soup;
+    for (Point& p : copy.positions) p[2] = 0;
+    return copy;
+  }();
+  CheckAllPaths("curve on terrain", *mesh,
+                {.curves = {OnMesh(flat, {{{2.2, 1.1}, {9.1, 7.3}}, 0})},
+                 .targets = RandomPoints(soup, 40, 3),
+                 .algorithm = GetParam().algorithm},
+                {.slack = 1e-14});
 }
 
 GEODESIC_TEST_EVERY_ALGORITHM(Paths);
