@@ -50,7 +50,7 @@ int Measure(const std::string& server, uint32_t vertex_count, int repeat) {
       client.UploadArrays(Square(vertex_count));
   if (!upload.ok()) return Fail(upload.status());
   const FieldQuery query = {.mesh_digest = upload->mesh.digest,
-                            .sources = {{.vertex = 0}}};
+                            .sources = {{VertexPoint{0}}}};
   absl::StatusOr<Field> field = client.ComputeField(query);
   if (!field.ok()) return Fail(field.status());
   const size_t bytes = field->distances.size() * sizeof(double);

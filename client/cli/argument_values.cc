@@ -1,22 +1,14 @@
-// Values on the command line: sources, views, sizes.
+// Values on the command line: views, sizes.
 
-#include <charconv>
 #include <cmath>
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
 #include "client/cli/arguments.h"
+#include "client/output/number_text.h"
 
 namespace geodesic::client {
 namespace {
-
-// Whether all of `text` is a number.
-template <typename Number>
-bool Parse(std::string_view text, Number* number) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, *number);
-  return error == std::errc() && stop == end;
-}
 
 absl::Status Wrong(std::string_view text, std::string_view expected) {
   return absl::InvalidArgumentError(
@@ -25,28 +17,12 @@ absl::Status Wrong(std::string_view text, std::string_view expected) {
 
 }  // namespace
 
-absl::StatusOr<Source> ParseSource(std::string_view text) {
-  constexpr std::string_view kExpected =
-      "a source: a vertex number from 0, or VERTEX:OFFSET with an offset >= 0";
-  Source source;
-  const size_t colon = text.find(':');
-  if (!Parse(text.substr(0, colon), &source.vertex)) {
-    return Wrong(text, kExpected);
-  }
-  if (colon != std::string_view::npos &&
-      (!Parse(text.substr(colon + 1), &source.offset) ||
-       !std::isfinite(source.offset) || source.offset < 0)) {
-    return Wrong(text, kExpected);
-  }
-  return source;
-}
-
 absl::StatusOr<ViewDirection> ParseView(std::string_view text) {
   ViewDirection view;
   const size_t comma = text.find(',');
   if (comma == std::string_view::npos ||
-      !Parse(text.substr(0, comma), &view.azimuth) ||
-      !Parse(text.substr(comma + 1), &view.elevation) ||
+      !ParseNumber(text.substr(0, comma), &view.azimuth) ||
+      !ParseNumber(text.substr(comma + 1), &view.elevation) ||
       !(std::abs(view.azimuth) <= 360) || !(std::abs(view.elevation) <= 90)) {
     return Wrong(text,
                  "a view: AZIMUTH,ELEVATION in degrees, such as 30,20 "
@@ -61,8 +37,9 @@ absl::StatusOr<PictureSize> ParseSize(std::string_view text) {
   const auto in_range = [](int pixels) {
     return pixels >= kLeastPictureSize && pixels <= kMostPictureSize;
   };
-  if (x == std::string_view::npos || !Parse(text.substr(0, x), &size.width) ||
-      !Parse(text.substr(x + 1), &size.height) || !in_range(size.width) ||
+  if (x == std::string_view::npos ||
+      !ParseNumber(text.substr(0, x), &size.width) ||
+      !ParseNumber(text.substr(x + 1), &size.height) || !in_range(size.width) ||
       !in_range(size.height)) {
     return Wrong(
         text, absl::StrCat("a size: WIDTHxHEIGHT in pixels, such as "
@@ -70,6 +47,30 @@ absl::StatusOr<PictureSize> ParseSize(std::string_view text) {
                            kLeastPictureSize, " to ", kMostPictureSize, ")"));
   }
   return size;
+}
+
+absl::StatusOr<double> ParseRadius(std::string_view text) {
+  double radius = 0;
+  if (!ParseNumber(text, &radius) || !(radius >= 0)) {
+    return Wrong(text, "a radius: a number >= 0, in the unit of the mesh");
+  }
+  return radius;
+}
+
+absl::StatusOr<double> ParseLevel(std::string_view text) {
+  double level = 0;
+  if (!ParseNumber(text, &level) || !std::isfinite(level) || level <= 0) {
+    return Wrong(text, "a level: a distance above 0, in the unit of the mesh");
+  }
+  return level;
+}
+
+absl::StatusOr<uint64_t> ParseCount(std::string_view text) {
+  uint64_t count = 0;
+  if (!ParseNumber(text, &count) || count == 0) {
+    return Wrong(text, "a count: a whole number from 1");
+  }
+  return count;
 }
 
 }  // namespace geodesic::client

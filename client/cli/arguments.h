@@ -3,6 +3,7 @@
 #ifndef GEODESIC_CLIENT_CLI_ARGUMENTS_H_
 #define GEODESIC_CLIENT_CLI_ARGUMENTS_H_
 
+#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -14,12 +15,28 @@
 #include "client/cli/exit_code.h"
 #include "client/output/output_format.h"
 #include "client/picture/picture.h"
-#include "geodesic_client/field.h"
 #include "geodesic_client/mesh.h"
+#include "geodesic_client/surface_point.h"
 
 namespace geodesic::client {
 
-enum class Command { kUpload, kMeshes, kInfo, kDelete, kField, kCapabilities };
+enum class Command {
+  kUpload,
+  kMeshes,
+  kInfo,
+  kDelete,
+  kField,
+  kPath,
+  kIsolines,
+  kMatrix,
+  kNearest,
+  kSample,
+  kLogMap,
+  kCapabilities
+};
+
+// What --stop-at-targets means without a count.
+inline constexpr uint64_t kAllTargets = 0x7fffffffffffffff;
 
 struct OutputArgument {
   std::string path;
@@ -31,23 +48,39 @@ struct Arguments {
   std::string server;
   bool json = false;
   bool quiet = false;
-  // upload's FILE, or the MESH of info, delete and field.
+  // upload's FILE, or the MESH of the other commands.
   std::string mesh;
   // DEFAULT: what the file's ending says.
   std::optional<MeshFormat> format;
+
+  // Sources are numbered in this order: points, curves, then those of files.
   std::vector<Source> sources;
+  std::vector<Source> curves;
+  std::vector<std::string> source_files;
+  // Likewise.
+  std::vector<SurfacePoint> targets;
+  std::vector<std::string> target_files;
   std::string algorithm;
+  std::optional<double> radius;
+  // kAllTargets, or how many.
+  std::optional<uint64_t> stop_at_targets;
+
+  bool labels = false;
+  bool gradients = false;
+  bool float32 = false;
+  bool progressive = false;
+  std::vector<double> levels;
+  // Of levels, members or samples.
+  std::optional<uint64_t> count;
+
   std::vector<OutputArgument> outputs;
   // Seconds.
   std::optional<double> timeout;
   PictureOptions picture;
 };
 
-// "V" or "V:OFFSET".
-// Errors: INVALID_ARGUMENT naming the text, likewise for the next two.
-absl::StatusOr<Source> ParseSource(std::string_view text);
-
 // "AZIMUTH,ELEVATION" in degrees.
+// Errors: INVALID_ARGUMENT naming the text, likewise for the next ones.
 absl::StatusOr<ViewDirection> ParseView(std::string_view text);
 
 // "WIDTHxHEIGHT" in pixels.
@@ -56,6 +89,15 @@ struct PictureSize {
   int height = 0;
 };
 absl::StatusOr<PictureSize> ParseSize(std::string_view text);
+
+// At least 0; "inf" is fine.
+absl::StatusOr<double> ParseRadius(std::string_view text);
+
+// Finite, above 0.
+absl::StatusOr<double> ParseLevel(std::string_view text);
+
+// At least 1.
+absl::StatusOr<uint64_t> ParseCount(std::string_view text);
 
 // The arguments, or how to end at once: after printing help or the version to
 // `out`, or what is wrong to `err`.

@@ -34,11 +34,18 @@ absl::Status RunCapabilities(const Session& session) {
       {"most vertices", GroupedNumber(limits.max_vertices)},
       {"most faces", GroupedNumber(limits.max_faces)},
       {"most sources", GroupedNumber(limits.max_sources)},
+      {"most curve points", GroupedNumber(limits.max_curve_points)},
+      {"most targets", GroupedNumber(limits.max_targets)},
+      {"most levels", GroupedNumber(limits.max_levels)},
+      {"most samples", GroupedNumber(limits.max_samples)},
+      {"most matrix rows", GroupedNumber(limits.max_matrix_rows)},
+      {"most matrix values", GroupedNumber(limits.max_matrix_values)},
       {"largest message", ByteCount(limits.max_message_bytes)},
       {"concurrent jobs", GroupedNumber(limits.max_concurrent_jobs)},
       {"queued jobs", GroupedNumber(limits.max_queued_jobs)},
       {"mesh store", ByteCount(limits.mesh_store_bytes)},
-      {"field cache", ByteCount(limits.field_cache_bytes)}};
+      {"field cache", ByteCount(limits.field_cache_bytes)},
+      {"computation store", ByteCount(limits.computation_store_bytes)}};
   facts.insert(facts.end(), limit_facts.begin(), limit_facts.end());
   PrintFacts(facts, &session.out);
   return absl::OkStatus();
@@ -56,6 +63,18 @@ absl::Status RunCommand(const Session& session) {
       return RunDelete(session);
     case Command::kField:
       return RunField(session);
+    case Command::kPath:
+      return RunPath(session);
+    case Command::kIsolines:
+      return RunIsolines(session);
+    case Command::kMatrix:
+      return RunMatrix(session);
+    case Command::kNearest:
+      return RunNearest(session);
+    case Command::kSample:
+      return RunSample(session);
+    case Command::kLogMap:
+      return RunLogMap(session);
     case Command::kCapabilities:
       return RunCapabilities(session);
   }

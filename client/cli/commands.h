@@ -9,7 +9,8 @@
 namespace geodesic::client {
 
 // Runs the command of the session's arguments and prints its result: a table,
-// or one JSON object. Nothing has been printed to `out` if it fails.
+// or one JSON object. Nothing has been printed to `out` if it fails, but for
+// what is printed as it comes: progressive fields, and matrices without a file.
 absl::Status RunCommand(const Session& session);
 
 // One each; RunCommand chooses.
@@ -18,6 +19,12 @@ absl::Status RunMeshes(const Session& session);
 absl::Status RunInfo(const Session& session);
 absl::Status RunDelete(const Session& session);
 absl::Status RunField(const Session& session);
+absl::Status RunPath(const Session& session);
+absl::Status RunIsolines(const Session& session);
+absl::Status RunMatrix(const Session& session);
+absl::Status RunNearest(const Session& session);
+absl::Status RunSample(const Session& session);
+absl::Status RunLogMap(const Session& session);
 absl::Status RunCapabilities(const Session& session);
 
 }  // namespace geodesic::client

@@ -73,7 +73,8 @@ std::string Explain(const absl::Status& status, std::string_view server) {
       }
       if (absl::IsUnimplemented(status)) {
         return absl::StrCat("the server at ", at,
-                            " does not speak geodesic.v1: ", message);
+                            " does not speak geodesic.v1, or is older than "
+                            "this question");
       }
       return message;
     default:

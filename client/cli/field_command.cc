@@ -1,152 +1,198 @@
 // field: computes a distance field and writes it to files.
 
-#include <chrono>
+#include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands.h"
-#include "client/cli/mesh_argument.h"
-#include "client/cli/text.h"
-#include "client/output/output_format.h"
+#include "client/cli/field_outputs.h"
+#include "client/cli/question.h"
+#include "client/output/columns.h"
+#include "client/output/csv.h"
+#include "client/output/number_text.h"
+#include "client/output/place_text.h"
 
 namespace geodesic::client {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // What the distances have in common.
 struct FieldExtremes {
   // 0 if no vertex is reached.
   double largest = 0;
   uint64_t farthest_vertex = 0;
-  uint64_t unreachable = 0;
+  uint64_t reached = 0;
+
+  void Add(uint64_t vertex, double distance) {
+    if (!std::isfinite(distance)) return;
+    ++reached;
+    if (distance > largest) {
+      largest = distance;
+      farthest_vertex = vertex;
+    }
+  }
 };
 
-FieldExtremes ExtremesOf(const std::vector<double>& distances) {
+FieldQuery ToQuery(const Arguments& arguments, const Question& question) {
+  FieldQuery query = {.mesh_digest = question.mesh_digest,
+                      .sources = question.sources,
+                      .algorithm = arguments.algorithm,
+                      .targets = question.targets,
+                      .max_distance = arguments.radius,
+                      .nearest_sources = arguments.labels,
+                      .gradients = arguments.gradients,
+                      .value_type = arguments.float32 ? ValueType::kFloat32
+                                                      : ValueType::kFloat64};
+  if (arguments.stop_at_targets.has_value()) {
+    query.stop_after_targets = *arguments.stop_at_targets == kAllTargets
+                                   ? question.targets.size()
+                                   : *arguments.stop_at_targets;
+  }
+  return query;
+}
+
+// A field and what became of it here.
+struct Outcome {
+  Field field;
   FieldExtremes extremes;
-  for (size_t vertex = 0; vertex < distances.size(); ++vertex) {
-    if (!std::isfinite(distances[vertex])) {
-      ++extremes.unreachable;
-    } else if (distances[vertex] > extremes.largest) {
-      extremes.largest = distances[vertex];
-      extremes.farthest_vertex = vertex;
-    }
-  }
-  return extremes;
-}
-
-struct WrittenFile {
-  OutputArgument output;
-  uint64_t bytes = 0;
+  std::vector<WrittenFile> files;
+  double call_seconds = 0;
 };
 
-absl::StatusOr<Field> Compute(const Session& session,
-                              const std::string& digest) {
-  ProgressDisplay display(session.progress_style, session.terminal_width,
-                          Clock::now(), &session.err);
-  const FieldQuery query = {.mesh_digest = digest,
-                            .sources = session.arguments.sources,
-                            .algorithm = session.arguments.algorithm};
-  return session.client.ComputeField(
-      query, session.call, [&display](const FieldProgress& progress) {
-        const bool waits =
-            progress.vertices_reached == 0 && progress.windows_propagated == 0;
-        const double fraction =
-            progress.vertex_count == 0
-                ? 0
-                : static_cast<double>(progress.vertices_reached) /
-                      static_cast<double>(progress.vertex_count);
-        display.Update(
-            Clock::now(), waits ? "waiting" : "solving", fraction,
-            waits
-                ? "for a free thread"
-                : absl::StrCat(
-                      "settled to ", ShortNumber(progress.settled_radius), ", ",
-                      GroupedNumber(progress.windows_propagated), " windows"));
-      });
+absl::StatusOr<Outcome> Compute(const Session& session,
+                                const Question& question,
+                                const FieldQuery& query) {
+  Stopwatch watch(session);
+  absl::StatusOr<Field> field =
+      session.client.ComputeField(query, session.call, watch.OnSolve());
+  if (!field.ok()) return field.status();
+  Outcome outcome = {.call_seconds = watch.seconds()};
+  for (size_t v = 0; v < field->distances.size(); ++v) {
+    outcome.extremes.Add(v, field->distances[v]);
+  }
+  absl::StatusOr<std::vector<WrittenFile>> files =
+      WriteFieldOutputs(session, question, *field);
+  if (!files.ok()) return files.status();
+  outcome.files = *std::move(files);
+  outcome.field = *std::move(field);
+  return outcome;
 }
 
-absl::StatusOr<std::vector<WrittenFile>> WriteAll(const Session& session,
-                                                  const Field& field) {
-  OutputContent content = {.distances = &field.distances,
-                           .picture = session.arguments.picture};
-  for (const Source& source : session.arguments.sources) {
-    content.sources.push_back(source.vertex);
-  }
-  MeshArrays mesh;
-  std::vector<WrittenFile> written;
+// Lines "vertex,distance" to the outputs, or to the terminal, as they come.
+// What has come is there even if the command is interrupted.
+absl::StatusOr<Outcome> Stream(const Session& session,
+                               const FieldQuery& query) {
+  std::vector<std::FILE*> files;
+  const auto close_all = [&files] {
+    int failures = 0;
+    for (std::FILE* file : files) failures += std::fclose(file) == 0 ? 0 : 1;
+    files.clear();
+    return failures;
+  };
+  const auto cannot_write = [&session] {
+    return FileError(absl::ErrnoToStatus(
+        errno,
+        absl::StrCat("cannot write ", session.arguments.outputs[0].path)));
+  };
   for (const OutputArgument& output : session.arguments.outputs) {
-    if (session.call.stop.stop_requested()) {
-      return absl::CancelledError("stopped before all files were written");
+    std::FILE* file = std::fopen(output.path.c_str(), "w");
+    if (file == nullptr) {
+      close_all();
+      return cannot_write();
     }
-    if (NeedsMesh(output.format) && content.mesh == nullptr) {
-      absl::StatusOr<MeshArrays> read =
-          session.client.ReadMesh(field.mesh_digest, session.call);
-      if (!read.ok()) return read.status();
-      if (read->positions.size() != field.distances.size()) {
-        return absl::DataLossError(
-            absl::StrCat("the server sent a mesh of ", read->positions.size(),
-                         " vertices and a field of ", field.distances.size()));
-      }
-      mesh = *std::move(read);
-      content.mesh = &mesh;
-    }
-    absl::StatusOr<uint64_t> bytes =
-        WriteOutput(output.path, output.format, content);
-    if (!bytes.ok()) return FileError(bytes.status());
-    written.push_back({output, *bytes});
+    files.push_back(file);
   }
-  return written;
+  const auto write = [&](const std::string& text) {
+    for (std::FILE* file : files) std::fputs(text.c_str(), file);
+    if (files.empty()) session.out << text;
+  };
+  const auto flush = [&] {
+    for (std::FILE* file : files) std::fflush(file);
+    if (files.empty()) session.out.flush();
+  };
+  write(absl::StrCat("vertex,", kDistanceColumn, "\n"));
+
+  Outcome outcome;
+  Stopwatch watch(session);
+  CsvLine line;
+  const auto on_settled = [&](std::span<const SettledVertex> settled) {
+    for (const SettledVertex& vertex : settled) {
+      outcome.extremes.Add(vertex.vertex, vertex.distance);
+      line.Integer(vertex.vertex).Number(vertex.distance);
+      write(line.End());
+    }
+    flush();
+  };
+  absl::StatusOr<Field> field = session.client.StreamField(
+      query, on_settled, session.call, watch.OnSolve());
+  outcome.call_seconds = watch.seconds();
+  for (size_t i = 0; i < files.size(); ++i) {
+    outcome.files.push_back({session.arguments.outputs[i],
+                             static_cast<uint64_t>(std::ftell(files[i]))});
+  }
+  const bool failed =
+      std::ranges::any_of(files, [](std::FILE* f) { return ferror(f) != 0; });
+  if (close_all() != 0 || failed) return cannot_write();
+  if (!field.ok()) return field.status();
+  outcome.field = *std::move(field);
+  return outcome;
 }
 
-Json ToJson(const Session& session, const Field& field,
-            const std::vector<WrittenFile>& files, double seconds) {
-  const FieldExtremes extremes = ExtremesOf(field.distances);
-  Json sources = Json::array();
-  for (const Source& source : session.arguments.sources) {
-    sources.push_back({{"vertex", source.vertex}, {"offset", source.offset}});
+Json OutcomeJson(const Question& question, const Outcome& outcome) {
+  const Field& field = outcome.field;
+  Json targets = Json::array();
+  for (size_t i = 0; i < field.target_distances.size(); ++i) {
+    Json target = PointToJson(question.targets[i]);
+    target["distance"] = field.target_distances[i];
+    targets.push_back(std::move(target));
   }
-  Json outputs = Json::array();
-  for (const WrittenFile& file : files) {
-    outputs.push_back(
-        {{"path", file.output.path},
-         {"format", std::string(OutputFormatName(file.output.format))},
-         {"bytes", file.bytes}});
-  }
-  return {{"mesh", field.mesh_digest},
-          {"algorithm", field.algorithm},
-          {"sources", sources},
-          {"origin", std::string(FieldOriginName(field.origin))},
-          {"vertices", field.distances.size()},
-          {"unreachable_vertices", extremes.unreachable},
-          {"max_distance", extremes.largest},
-          {"farthest_vertex", extremes.farthest_vertex},
-          {"relative_tolerance", field.relative_tolerance},
-          {"statistics", client::ToJson(field.statistics)},
-          {"call_seconds", seconds},
-          {"server_version", field.server_version},
-          {"outputs", outputs}};
+  return {
+      {"mesh", field.mesh_digest},
+      {"algorithm", field.algorithm},
+      {"sources", ToJson(question.sources)},
+      {"origin", std::string(FieldOriginName(field.origin))},
+      {"vertices", field.vertex_count},
+      {"unreachable_vertices", field.vertex_count - outcome.extremes.reached},
+      {"max_distance", outcome.extremes.largest},
+      {"farthest_vertex", outcome.extremes.farthest_vertex},
+      {"settled_radius", field.settled_radius},
+      {"targets", targets},
+      {"relative_tolerance", field.relative_tolerance},
+      {"statistics", ToJson(field.statistics)},
+      {"call_seconds", outcome.call_seconds},
+      {"server_version", field.server_version},
+      {"outputs", ToJson(outcome.files)}};
 }
 
-void Print(const Session& session, const Field& field,
-           const std::vector<WrittenFile>& files, double seconds) {
-  const FieldExtremes extremes = ExtremesOf(field.distances);
+void Print(const Session& session, const Question& question,
+           const Outcome& outcome) {
+  const Field& field = outcome.field;
   const FieldStatistics& statistics = field.statistics;
+  const bool is_limited = session.arguments.radius.has_value() ||
+                          session.arguments.stop_at_targets.has_value();
   std::vector<Fact> facts = {
       {"mesh", field.mesh_digest},
       {"algorithm", field.algorithm},
       {"origin", std::string(FieldOriginName(field.origin))},
-      {"vertices", GroupedNumber(field.distances.size())},
+      {"vertices", GroupedNumber(field.vertex_count)},
       {"largest distance",
-       absl::StrCat(ShortNumber(extremes.largest), " at vertex ",
-                    extremes.farthest_vertex)}};
-  if (extremes.unreachable != 0) {
-    facts.push_back(
-        {"unreachable",
-         absl::StrCat(GroupedNumber(extremes.unreachable), " vertices")});
+       absl::StrCat(ShortNumber(outcome.extremes.largest), " at vertex ",
+                    outcome.extremes.farthest_vertex)}};
+  const uint64_t missing = field.vertex_count - outcome.extremes.reached;
+  if (missing != 0) {
+    facts.push_back({is_limited ? "not reached" : "unreachable",
+                     absl::StrCat(GroupedNumber(missing), " vertices")});
+  }
+  if (is_limited) {
+    facts.push_back({"exact up to", ShortNumber(field.settled_radius)});
+  }
+  for (size_t i = 0; i < field.target_distances.size(); ++i) {
+    facts.push_back({absl::StrCat("to ", PointText(question.targets[i])),
+                     NumberText(field.target_distances[i])});
   }
   facts.push_back(
       {"windows",
@@ -154,33 +200,25 @@ void Print(const Session& session, const Field& field,
                     GroupedNumber(statistics.windows_propagated),
                     " propagated")});
   facts.push_back({"solver", Seconds(statistics.solve_seconds)});
-  facts.push_back({"this call", Seconds(seconds)});
-  for (const WrittenFile& file : files) {
-    facts.push_back({"wrote", absl::StrCat(file.output.path, " (",
-                                           ByteCount(file.bytes), ")")});
-  }
+  facts.push_back({"this call", Seconds(outcome.call_seconds)});
+  AddFileFacts(outcome.files, &facts);
   PrintFacts(facts, &session.out);
 }
 
 }  // namespace
 
 absl::Status RunField(const Session& session) {
-  for (const OutputArgument& output : session.arguments.outputs) {
-    absl::Status status = CheckWritable(output.path);
-    if (!status.ok()) return FileError(status);
-  }
-  absl::StatusOr<std::string> digest = ResolveMesh(session);
-  if (!digest.ok()) return digest.status();
-  const Clock::time_point start = Clock::now();
-  absl::StatusOr<Field> field = Compute(session, *digest);
-  if (!field.ok()) return field.status();
-  const std::chrono::duration<double> elapsed = Clock::now() - start;
-  absl::StatusOr<std::vector<WrittenFile>> files = WriteAll(session, *field);
-  if (!files.ok()) return files.status();
+  absl::StatusOr<Question> question = Prepare(session);
+  if (!question.ok()) return question.status();
+  const FieldQuery query = ToQuery(session.arguments, *question);
+  const bool is_stream = session.arguments.progressive;
+  absl::StatusOr<Outcome> outcome =
+      is_stream ? Stream(session, query) : Compute(session, *question, query);
+  if (!outcome.ok()) return outcome.status();
   if (session.arguments.json) {
-    PrintJson(ToJson(session, *field, *files, elapsed.count()), &session.out);
-  } else {
-    Print(session, *field, *files, elapsed.count());
+    PrintJson(OutcomeJson(*question, *outcome), &session.out);
+  } else if (!is_stream || !outcome->files.empty()) {
+    Print(session, *question, *outcome);
   }
   return absl::OkStatus();
 }

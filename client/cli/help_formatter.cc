@@ -33,6 +33,16 @@ std::string Wrapped(const std::string& text) {
 
 HelpFormatter::HelpFormatter() { column_width(kNameColumns); }
 
+std::string HelpFormatter::make_option_name(const CLI::Option* option,
+                                            bool is_positional) const {
+  std::string name = CLI::Formatter::make_option_name(option, is_positional);
+  // A flag that may have a count shows the one it has without.
+  const size_t brace = name.find('{');
+  return brace == std::string::npos
+             ? name
+             : absl::StrCat(name.substr(0, brace), "[=N]");
+}
+
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   const bool has_value = option->get_type_size() != 0;
   return has_value && !option->get_type_name().empty()

@@ -13,6 +13,10 @@ Json ToJson(const MeshInfo& mesh) {
           {"boundary_loops", mesh.boundary_loop_count},
           {"components", mesh.component_count},
           {"isolated_vertices", mesh.isolated_vertex_count},
+          {"non_manifold_edges", mesh.non_manifold_edge_count},
+          {"non_manifold_vertices", mesh.non_manifold_vertex_count},
+          {"inconsistent_edges", mesh.inconsistent_edge_count},
+          {"orientable", mesh.orientable},
           {"genus", mesh.genus},
           {"saddle_vertices", mesh.saddle_vertex_count},
           {"degenerate_faces", mesh.degenerate_face_count},
@@ -39,11 +43,18 @@ Json ToJson(const Capabilities& capabilities) {
             {"max_vertices", limits.max_vertices},
             {"max_faces", limits.max_faces},
             {"max_sources", limits.max_sources},
+            {"max_curve_points", limits.max_curve_points},
+            {"max_targets", limits.max_targets},
+            {"max_levels", limits.max_levels},
+            {"max_samples", limits.max_samples},
+            {"max_matrix_rows", limits.max_matrix_rows},
+            {"max_matrix_values", limits.max_matrix_values},
             {"max_message_bytes", limits.max_message_bytes},
             {"max_concurrent_jobs", limits.max_concurrent_jobs},
             {"max_queued_jobs", limits.max_queued_jobs},
             {"mesh_store_bytes", limits.mesh_store_bytes},
-            {"field_cache_bytes", limits.field_cache_bytes}}}};
+            {"field_cache_bytes", limits.field_cache_bytes},
+            {"computation_store_bytes", limits.computation_store_bytes}}}};
 }
 
 Json ToJson(const FieldStatistics& statistics) {

@@ -17,6 +17,15 @@ std::string PointText(const Point& point) {
                       ShortNumber(point[2]));
 }
 
+// Whether the faces are turned alike, or could be.
+std::string Orientation(const MeshInfo& mesh) {
+  if (!mesh.orientable) return "not orientable";
+  if (mesh.inconsistent_edge_count == 0) return "consistent";
+  return absl::StrCat("orientable, but the faces at ",
+                      GroupedNumber(mesh.inconsistent_edge_count),
+                      " edges are turned against each other");
+}
+
 std::vector<Fact> FactsOf(const MeshInfo& mesh) {
   return {
       {"digest", mesh.digest},
@@ -28,6 +37,11 @@ std::vector<Fact> FactsOf(const MeshInfo& mesh) {
                     GroupedNumber(mesh.boundary_loop_count), " loops")},
       {"components", GroupedNumber(mesh.component_count)},
       {"isolated vertices", GroupedNumber(mesh.isolated_vertex_count)},
+      {"non-manifold",
+       absl::StrCat(GroupedNumber(mesh.non_manifold_edge_count), " edges, ",
+                    GroupedNumber(mesh.non_manifold_vertex_count),
+                    " vertices")},
+      {"orientation", Orientation(mesh)},
       {"genus", absl::StrCat(mesh.genus)},
       {"saddle vertices", GroupedNumber(mesh.saddle_vertex_count)},
       {"degenerate faces", GroupedNumber(mesh.degenerate_face_count)},

@@ -46,6 +46,12 @@ void AtomicFile::Append(std::string_view bytes) {
   size_ += bytes.size();
 }
 
+absl::Status AtomicFile::status() const {
+  return error_ == 0 ? absl::OkStatus()
+                     : absl::ErrnoToStatus(
+                           error_, absl::StrCat("cannot write ", path_));
+}
+
 absl::Status AtomicFile::Commit() {
   if (std::fclose(std::exchange(file_, nullptr)) != 0 && error_ == 0) {
     error_ = errno;
@@ -53,9 +59,8 @@ absl::Status AtomicFile::Commit() {
   if (error_ == 0 && std::rename(partial_path_.c_str(), path_.c_str()) != 0) {
     error_ = errno;
   }
-  if (error_ == 0) return absl::OkStatus();
-  std::remove(partial_path_.c_str());
-  return absl::ErrnoToStatus(error_, absl::StrCat("cannot write ", path_));
+  if (error_ != 0) std::remove(partial_path_.c_str());
+  return status();
 }
 
 }  // namespace geodesic::client

@@ -31,6 +31,9 @@ class AtomicFile {
     Append({static_cast<const char*>(bytes), size});
   }
 
+  // What has gone wrong so far.
+  absl::Status status() const;
+
   // Bytes appended so far.
   uint64_t size() const { return size_; }
 

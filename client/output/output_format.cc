@@ -3,47 +3,44 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <filesystem>
 
 #include "absl/strings/str_cat.h"
-#include "client/output/atomic_file.h"
-#include "client/output/field_writers.h"
-#include "client/picture/png_writer.h"
 
 namespace geodesic::client {
-namespace {
-
-constexpr std::array kFormats = {OutputFormat::kNpy, OutputFormat::kCsv,
-                                 OutputFormat::kRaw, OutputFormat::kPly,
-                                 OutputFormat::kVtk, OutputFormat::kPng};
-
-}  // namespace
 
 std::string_view OutputFormatName(OutputFormat format) {
   switch (format) {
     case OutputFormat::kNpy:
       return "npy";
+    case OutputFormat::kNpz:
+      return "npz";
     case OutputFormat::kCsv:
       return "csv";
-    case OutputFormat::kRaw:
+    case OutputFormat::kF64:
       return "f64";
+    case OutputFormat::kF32:
+      return "f32";
     case OutputFormat::kPly:
       return "ply";
     case OutputFormat::kVtk:
       return "vtk";
+    case OutputFormat::kObj:
+      return "obj";
+    case OutputFormat::kJson:
+      return "json";
     case OutputFormat::kPng:
       return "png";
   }
   return "unknown";
 }
 
-std::string OutputEndings() {
+std::string OutputEndings(std::span<const OutputFormat> formats) {
   std::string list;
-  for (const OutputFormat format : kFormats) {
-    const bool last = format == kFormats.back();
+  for (const OutputFormat format : formats) {
+    const bool last = format == formats.back();
     absl::StrAppend(&list,
                     list.empty() ? "."
                     : last       ? " and ."
@@ -53,24 +50,20 @@ std::string OutputEndings() {
   return list;
 }
 
-absl::StatusOr<OutputFormat> OutputFormatFromPath(std::string_view path) {
+absl::StatusOr<OutputFormat> OutputFormatFromPath(
+    std::string_view path, std::span<const OutputFormat> formats) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
     return static_cast<char>(std::tolower(c));
   });
-  for (const OutputFormat format : kFormats) {
+  for (const OutputFormat format : formats) {
     if (ending.size() > 1 && ending.substr(1) == OutputFormatName(format)) {
       return format;
     }
   }
   return absl::InvalidArgumentError(
       absl::StrCat("cannot tell what to write to ", std::string(path),
-                   ": name a file that ends in ", OutputEndings()));
-}
-
-bool NeedsMesh(OutputFormat format) {
-  return format == OutputFormat::kPly || format == OutputFormat::kVtk ||
-         format == OutputFormat::kPng;
+                   ": name a file that ends in ", OutputEndings(formats)));
 }
 
 absl::Status CheckWritable(const std::string& path) {
@@ -84,39 +77,6 @@ absl::Status CheckWritable(const std::string& path) {
         absl::StrCat("cannot write ", path, ": it is a folder"));
   }
   return absl::OkStatus();
-}
-
-absl::StatusOr<uint64_t> WriteOutput(const std::string& path,
-                                     OutputFormat format,
-                                     const OutputContent& content) {
-  absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
-  if (!file.ok()) return file.status();
-  switch (format) {
-    case OutputFormat::kNpy:
-      WriteNpy(*content.distances, &*file);
-      break;
-    case OutputFormat::kCsv:
-      WriteCsv(*content.distances, &*file);
-      break;
-    case OutputFormat::kRaw:
-      WriteRaw(*content.distances, &*file);
-      break;
-    case OutputFormat::kPly:
-      WritePly(*content.mesh, *content.distances, &*file);
-      break;
-    case OutputFormat::kVtk:
-      WriteVtk(*content.mesh, *content.distances, &*file);
-      break;
-    case OutputFormat::kPng: {
-      absl::StatusOr<std::string> png = EncodePng(RenderField(
-          *content.mesh, *content.distances, content.sources, content.picture));
-      if (!png.ok()) return png.status();
-      file->Append(*png);
-      break;
-    }
-  }
-  if (absl::Status status = file->Commit(); !status.ok()) return status;
-  return file->size();
 }
 
 }  // namespace geodesic::client

@@ -3,49 +3,60 @@
 #ifndef GEODESIC_CLIENT_OUTPUT_OUTPUT_FORMAT_H_
 #define GEODESIC_CLIENT_OUTPUT_OUTPUT_FORMAT_H_
 
+#include <array>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "client/picture/picture.h"
-#include "geodesic_client/field.h"
-#include "geodesic_client/mesh.h"
 
 namespace geodesic::client {
 
-enum class OutputFormat { kNpy, kCsv, kRaw, kPly, kVtk, kPng };
+enum class OutputFormat {
+  kNpy,
+  kNpz,
+  kCsv,
+  kF64,
+  kF32,
+  kPly,
+  kVtk,
+  kObj,
+  kJson,
+  kPng
+};
 
-// "npy", "csv", "f64", "ply", "vtk" or "png".
+// What each kind of answer can be written as.
+inline constexpr std::array kFieldFormats = {
+    OutputFormat::kNpy, OutputFormat::kNpz, OutputFormat::kCsv,
+    OutputFormat::kF64, OutputFormat::kF32, OutputFormat::kPly,
+    OutputFormat::kVtk, OutputFormat::kPng};
+inline constexpr std::array kLineFormats = {
+    OutputFormat::kObj, OutputFormat::kPly,  OutputFormat::kVtk,
+    OutputFormat::kCsv, OutputFormat::kJson, OutputFormat::kPng};
+inline constexpr std::array kMatrixFormats = {
+    OutputFormat::kNpy, OutputFormat::kNpz, OutputFormat::kCsv};
+inline constexpr std::array kTableFormats = {OutputFormat::kCsv,
+                                             OutputFormat::kJson};
+inline constexpr std::array kSampleFormats = {
+    OutputFormat::kCsv, OutputFormat::kJson, OutputFormat::kPly};
+inline constexpr std::array kLogMapFormats = {
+    OutputFormat::kNpy, OutputFormat::kCsv, OutputFormat::kPly};
+
+// The ending without its dot: "npy".
 std::string_view OutputFormatName(OutputFormat format);
 
-// ".npy, .csv, .f64, .ply, .vtk and .png".
-std::string OutputEndings();
+// ".npy, .npz, .csv and .png".
+std::string OutputEndings(std::span<const OutputFormat> formats);
 
-// Errors: INVALID_ARGUMENT naming the path and the endings that are known.
-absl::StatusOr<OutputFormat> OutputFormatFromPath(std::string_view path);
-
-// Whether a file in this format takes more than the distances.
-bool NeedsMesh(OutputFormat format);
+// The one of `formats` that the path's ending names, in any case.
+// Errors: INVALID_ARGUMENT naming the path and the endings.
+absl::StatusOr<OutputFormat> OutputFormatFromPath(
+    std::string_view path, std::span<const OutputFormat> formats);
 
 // An error now rather than after a long computation, if the path's folder does
 // not exist or cannot be written to.
 absl::Status CheckWritable(const std::string& path);
-
-// What goes into a file. `mesh` may be null unless the format needs it.
-struct OutputContent {
-  const MeshArrays* mesh = nullptr;
-  const std::vector<double>* distances = nullptr;
-  std::vector<uint64_t> sources;
-  PictureOptions picture;
-};
-
-// Writes the whole file or nothing; returns its size in bytes.
-// Errors: those of writing files, naming the path.
-absl::StatusOr<uint64_t> WriteOutput(const std::string& path,
-                                     OutputFormat format,
-                                     const OutputContent& content);
 
 }  // namespace geodesic::client
 

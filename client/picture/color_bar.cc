@@ -39,14 +39,22 @@ double ColorBarWidth(int picture_width, int picture_height) {
 }
 
 void DrawColorBar(const Colormap& colormap, const IsolineScale& isolines,
-                  double largest, LinearImage* image) {
+                  const std::vector<double>& levels, double largest,
+                  LinearImage* image) {
   const Layout at(image->width, image->height);
   for (int y = static_cast<int>(at.top); y < at.bottom; ++y) {
     const double fraction = (at.bottom - y - 0.5) / (at.bottom - at.top);
     // The bar is a surface seen face on, with the field rising up it.
     const double gradient = largest / (at.bottom - at.top);
-    const auto line = static_cast<float>(
-        IsolineCoverage(isolines, fraction * largest, gradient, at.pen / 2));
+    double covered = isolines.step == 0
+                         ? 0
+                         : IsolineCoverage(isolines, fraction * largest,
+                                           gradient, at.pen / 2);
+    for (const double level : levels) {
+      const double off = std::abs(fraction * largest - level) / gradient;
+      covered = std::max(covered, std::clamp(at.pen / 2 - off + 0.5, 0.0, 1.0));
+    }
+    const auto line = static_cast<float>(covered);
     const LinearColor color = Mix(colormap.At(fraction), kInk, 0.8F * line);
     for (int x = std::max(0, static_cast<int>(at.left));
          x < std::min<double>(at.right, image->width); ++x) {
@@ -54,7 +62,9 @@ void DrawColorBar(const Colormap& colormap, const IsolineScale& isolines,
     }
   }
   const TextStyle style = {at.text, at.pen, kInk};
-  for (const ScaleLabel& label : ScaleLabels(isolines, largest)) {
+  const IsolineScale scale =
+      isolines.step == 0 ? ChooseIsolines(largest) : isolines;
+  for (const ScaleLabel& label : ScaleLabels(scale, largest)) {
     const double y = at.YAt(label.distance / largest);
     DrawStroke(at.right, y, at.right + 0.4 * at.text, y, at.pen, kInk, image);
     DrawText(label.text, at.right + 0.95 * at.text, y + at.text / 2, style,

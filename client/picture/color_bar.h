@@ -3,6 +3,8 @@
 #ifndef GEODESIC_CLIENT_PICTURE_COLOR_BAR_H_
 #define GEODESIC_CLIENT_PICTURE_COLOR_BAR_H_
 
+#include <vector>
+
 #include "client/picture/camera.h"
 #include "client/picture/colormap.h"
 #include "client/picture/image.h"
@@ -13,9 +15,11 @@ namespace geodesic::client {
 // Room the scale takes at the right of a picture of this size, in pixels.
 double ColorBarWidth(int picture_width, int picture_height);
 
-// Draws the scale of 0 to `largest` into that room.
+// Draws the scale of 0 to `largest` into that room, with `isolines` or, if it
+// has none, lines at `levels`.
 void DrawColorBar(const Colormap& colormap, const IsolineScale& isolines,
-                  double largest, LinearImage* image);
+                  const std::vector<double>& levels, double largest,
+                  LinearImage* image);
 
 }  // namespace geodesic::client
 

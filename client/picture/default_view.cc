@@ -29,11 +29,12 @@ struct Trial {
   // How much of the mesh's outline fills, in units of the mesh: not of the
   // screen, where a long mesh seen from its end looks large.
   double area = 0;
-  bool sees_source = false;
+  // The fraction of the marks that is seen.
+  double marks_seen = 0;
 };
 
 Trial Try(const MeshArrays& mesh, const std::vector<Point>& shown,
-          const std::vector<uint64_t>& sources, const View& view) {
+          const std::vector<Point>& marks, const View& view) {
   const Camera camera(shown, view, {0, 0, kTrialSize, kTrialSize});
   std::vector<Vector3> screen;
   screen.reserve(mesh.positions.size());
@@ -49,9 +50,14 @@ Trial Try(const MeshArrays& mesh, const std::vector<Point>& shown,
   Trial trial = {
       .view = view,
       .area = static_cast<double>(covered) / (camera.scale() * camera.scale())};
-  // A source within two samples of the surface, which may slope, is seen.
-  trial.sees_source = !sources.empty() && sources[0] < screen.size() &&
-                      IsVisible(screen[sources[0]], 2, buffer);
+  // A mark within two samples of the surface, which may slope, is seen.
+  const auto seen = std::ranges::count_if(marks, [&](const Point& mark) {
+    return IsVisible(camera.Project(mark), 2, buffer);
+  });
+  if (!marks.empty()) {
+    trial.marks_seen =
+        static_cast<double>(seen) / static_cast<double>(marks.size());
+  }
   return trial;
 }
 
@@ -88,7 +94,7 @@ UpAxis GuessUpAxis(const std::vector<Point>& positions) {
 }
 
 View ChooseView(const MeshArrays& mesh, const std::vector<Point>& shown,
-                const std::vector<uint64_t>& sources, UpAxis up) {
+                const std::vector<Point>& marks, UpAxis up) {
   // Flat meshes are looked at from above.
   const double elevation = up == UpAxis::kZ ? 45 : 18;
   std::vector<Trial> trials;
@@ -96,14 +102,14 @@ View ChooseView(const MeshArrays& mesh, const std::vector<Point>& shown,
   // In order of preference where views are equally good: the front first.
   for (const double azimuth :
        {30.0, -30.0, 60.0, -60.0, 150.0, -150.0, 120.0, -120.0}) {
-    trials.push_back(Try(mesh, shown, sources, {up, azimuth, elevation}));
+    trials.push_back(Try(mesh, shown, marks, {up, azimuth, elevation}));
     largest_area = std::max(largest_area, trials.back().area);
   }
   const auto score = [largest_area](const Trial& trial) {
     // Steps of a hundredth, so that noise does not overrule the order.
     const double area =
         largest_area > 0 ? std::round(100 * trial.area / largest_area) : 0;
-    return area + (trial.sees_source ? 35 : 0);
+    return area + 35 * trial.marks_seen;
   };
   return std::ranges::max_element(trials, {}, score)->view;
 }

@@ -1,9 +1,8 @@
-// A view that shows much of a mesh, and the sources on it.
+// A view that shows much of a mesh, and of what is marked on it.
 
 #ifndef GEODESIC_CLIENT_PICTURE_DEFAULT_VIEW_H_
 #define GEODESIC_CLIENT_PICTURE_DEFAULT_VIEW_H_
 
-#include <cstdint>
 #include <vector>
 
 #include "client/picture/camera.h"
@@ -17,9 +16,9 @@ UpAxis GuessUpAxis(const std::vector<Point>& positions);
 
 // Tries oblique views of `shown`, the points that are to fit, from all around
 // and takes the one in which the mesh has the largest outline, preferring those
-// that see the first source.
+// that see more of the marks, which lie on the surface.
 View ChooseView(const MeshArrays& mesh, const std::vector<Point>& shown,
-                const std::vector<uint64_t>& sources, UpAxis up);
+                const std::vector<Point>& marks, UpAxis up);
 
 }  // namespace geodesic::client
 

@@ -1,7 +1,8 @@
-// A picture of a mesh coloured by a distance field.
+// A picture of a mesh and of what was computed on it.
 //
-//   PictureOptions options;
-//   Image image = RenderField(mesh, field.distances, {0}, options);
+//   Image image = Render(mesh, {.distances = field.distances,
+//                               .isolines = true,
+//                               .sources = {mesh.positions[0]}}, {});
 //   absl::StatusOr<std::string> png = EncodePng(image);
 
 #ifndef GEODESIC_CLIENT_PICTURE_PICTURE_H_
@@ -9,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "client/picture/camera.h"
@@ -29,21 +31,45 @@ struct PictureOptions {
   // In pixels, each from kLeastPictureSize to kMostPictureSize.
   int width = 1600;
   int height = 1200;
-  // As View has them. DEFAULT: chosen by the mesh and its first source.
+  // As View has them. DEFAULT: chosen by the mesh and what is drawn on it.
   std::optional<ViewDirection> direction;
   // DEFAULT: guessed from the mesh.
   std::optional<UpAxis> up;
 };
 
-// Draws the mesh on white: smooth shading; colours from 0 to the largest finite
-// distance, told by a colour bar; dark isolines of constant width at round
-// distances; light grey where a corner's distance is infinite; a dot on each
-// visible source.
-// REQUIRES: one distance per vertex; indices in range. Coordinates and
-// distances of any magnitude are fine. Takes memory of 32 bytes a pixel.
-Image RenderField(const MeshArrays& mesh, const std::vector<double>& distances,
-                  const std::vector<uint64_t>& sources,
-                  const PictureOptions& options);
+// A line on the surface.
+struct PictureLine {
+  std::vector<Point> points;
+  // Whether the last point leads back to the first.
+  bool is_closed = false;
+};
+
+struct PictureContent {
+  // One per vertex: colours from 0 to the largest finite one, told by a colour
+  // bar; light grey where a corner's is infinite. Empty: one colour all over.
+  std::span<const double> distances;
+  // One per vertex: a colour for each number instead. Needs distances too.
+  std::span<const uint32_t> labels;
+  // Dark lines of constant width at round distances.
+  bool isolines = false;
+  // Thin dark lines: isolines as computed. `levels` are marked in the colour
+  // bar.
+  std::vector<PictureLine> thin_lines;
+  std::vector<double> levels;
+  // Bold lines: paths and curves. What is hidden of them shows faintly.
+  std::vector<PictureLine> bold_lines;
+  // Dots of two kinds.
+  std::vector<Point> sources;
+  std::vector<Point> targets;
+};
+
+// Draws the mesh on white, smoothly shaded, with what of the lines and dots is
+// seen.
+// REQUIRES: one distance and label per vertex, or none; indices in range.
+// Coordinates and distances of any magnitude are fine. Takes memory of 36 bytes
+// a pixel.
+Image Render(const MeshArrays& mesh, const PictureContent& content,
+             const PictureOptions& options);
 
 }  // namespace geodesic::client
 

@@ -44,7 +44,10 @@ Client::Connection::Connection(const std::string& server)
     : channel(Connect(server)),
       meshes(v1::MeshService::NewStub(channel)),
       capabilities(v1::CapabilitiesService::NewStub(channel)),
-      fields(channel) {}
+      fields(channel),
+      field_service(v1::FieldService::NewStub(channel)),
+      paths(v1::PathService::NewStub(channel)),
+      matrices(v1::MatrixService::NewStub(channel)) {}
 
 Client::Client(const std::string& server)
     : connection_(std::make_unique<Connection>(server)) {}

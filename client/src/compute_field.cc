@@ -1,4 +1,5 @@
-// Client::ComputeField: one server stream, received into its final buffer.
+// Client::ComputeField and StreamField: one server stream, received into its
+// final buffer or handed on.
 
 #include <grpcpp/completion_queue.h>
 
@@ -64,27 +65,46 @@ class FieldStream {
       stream_;
 };
 
-}  // namespace
-
-absl::StatusOr<Field> Client::ComputeField(
-    const FieldQuery& query, const CallOptions& options,
-    const FieldProgressCallback& progress) {
+absl::StatusOr<v1::ComputeFieldRequest> ToRequest(const FieldQuery& query) {
   v1::ComputeFieldRequest request;
   request.set_mesh_digest(query.mesh_digest);
-  for (const Source& source : query.sources) {
-    v1::Source* added = request.add_sources();
-    added->set_vertex(source.vertex);
-    added->set_offset(source.offset);
-  }
+  AddAll(query.sources, request.mutable_sources());
   absl::StatusOr<v1::Algorithm> algorithm = AlgorithmFromName(query.algorithm);
   if (!algorithm.ok()) return algorithm.status();
   request.set_algorithm(*algorithm);
+  request.set_value_type(ToProto(query.value_type));
+  AddAll(query.targets, request.mutable_targets());
+  if (query.max_distance.has_value()) {
+    request.set_max_distance(*query.max_distance);
+  }
+  if (query.stop_after_targets.has_value()) {
+    request.set_stop_after_targets(*query.stop_after_targets);
+  }
+  if (query.nearest_sources) {
+    request.add_quantities(v1::FIELD_QUANTITY_NEAREST_SOURCE);
+  }
+  if (query.gradients) request.add_quantities(v1::FIELD_QUANTITY_GRADIENT);
+  return request;
+}
+
+absl::StatusOr<Field> Receive(FieldStub* stub, const FieldQuery& query,
+                              const SettledCallback& on_settled,
+                              const CallOptions& options,
+                              const SolveProgressCallback& progress) {
+  absl::StatusOr<v1::ComputeFieldRequest> request = ToRequest(query);
+  if (!request.ok()) return request.status();
+  request->set_progressive(on_settled != nullptr);
 
   Call call(options);
-  FieldStream stream(&connection_->fields, call.context());
-  FieldAssembler assembler(progress);
+  FieldStream stream(stub, call.context());
+  FieldAssembler assembler({.value_type = query.value_type,
+                            .nearest_sources = query.nearest_sources,
+                            .gradients = query.gradients,
+                            .target_count = query.targets.size(),
+                            .on_settled = on_settled},
+                           progress);
   absl::Status broken;
-  if (stream.Send(request)) {
+  if (stream.Send(*request)) {
     grpc::ByteBuffer message;
     while (broken.ok() && stream.Read(&message)) {
       broken = assembler.Consume(&message);
@@ -95,6 +115,20 @@ absl::StatusOr<Field> Client::ComputeField(
   if (!broken.ok()) return broken;
   if (!status.ok()) return status;
   return std::move(assembler).Finish();
+}
+
+}  // namespace
+
+absl::StatusOr<Field> Client::ComputeField(
+    const FieldQuery& query, const CallOptions& options,
+    const SolveProgressCallback& progress) {
+  return Receive(&connection_->fields, query, nullptr, options, progress);
+}
+
+absl::StatusOr<Field> Client::StreamField(
+    const FieldQuery& query, const SettledCallback& on_settled,
+    const CallOptions& options, const SolveProgressCallback& progress) {
+  return Receive(&connection_->fields, query, on_settled, options, progress);
 }
 
 }  // namespace geodesic::client

@@ -12,7 +12,9 @@
 
 #include "geodesic/v1/capabilities_service.grpc.pb.h"
 #include "geodesic/v1/field_service.grpc.pb.h"
+#include "geodesic/v1/matrix_service.grpc.pb.h"
 #include "geodesic/v1/mesh_service.grpc.pb.h"
+#include "geodesic/v1/path_service.grpc.pb.h"
 #include "geodesic_client/client.h"
 
 namespace geodesic::client {
@@ -27,7 +29,12 @@ struct Client::Connection {
   std::shared_ptr<grpc::Channel> channel;
   std::unique_ptr<v1::MeshService::Stub> meshes;
   std::unique_ptr<v1::CapabilitiesService::Stub> capabilities;
+  // ComputeField goes through `fields`, all else of its service through
+  // `field_service`.
   FieldStub fields;
+  std::unique_ptr<v1::FieldService::Stub> field_service;
+  std::unique_ptr<v1::PathService::Stub> paths;
+  std::unique_ptr<v1::MatrixService::Stub> matrices;
 };
 
 }  // namespace geodesic::client

@@ -11,6 +11,8 @@
 #include <grpcpp/support/byte_buffer.h>
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -19,12 +21,22 @@
 
 namespace geodesic::client {
 
+// Which messages the query calls for.
+struct FieldExpectation {
+  ValueType value_type = ValueType::kFloat64;
+  bool nearest_sources = false;
+  bool gradients = false;
+  uint64_t target_count = 0;
+  // Given for a progressive field: settled vertices instead of chunks.
+  SettledCallback on_settled;
+};
+
 // Not thread-safe.
 class FieldAssembler {
  public:
   // `progress` may be empty.
-  explicit FieldAssembler(FieldProgressCallback progress)
-      : progress_(std::move(progress)) {}
+  FieldAssembler(FieldExpectation expected, SolveProgressCallback progress)
+      : expected_(std::move(expected)), progress_(std::move(progress)) {}
 
   // Takes the next serialized ComputeFieldResponse of the stream.
   // Errors: DATA_LOSS if it is malformed or breaks the stream's protocol;
@@ -36,13 +48,25 @@ class FieldAssembler {
   absl::StatusOr<Field> Finish() &&;
 
  private:
-  absl::Status ConsumeChunk(google::protobuf::io::CodedInputStream* input);
-  absl::Status ConsumeDistances(google::protobuf::io::CodedInputStream* input);
-  absl::Status ConsumeOther(const geodesic::v1::ComputeFieldResponse& message);
+  using Input = google::protobuf::io::CodedInputStream;
 
-  FieldProgressCallback progress_;
+  absl::Status ConsumeChunk(Input* input);
+  // The bytes field that comes next holds `per_vertex` values for each vertex.
+  absl::Status ConsumeValues(Input* input, size_t per_vertex,
+                             std::vector<double>* values);
+  absl::Status ConsumeNearest(Input* input);
+  absl::Status ConsumeOther(const v1::ComputeFieldResponse& message);
+  absl::Status ConsumeTargets(const v1::TargetChunk& chunk);
+  absl::Status ConsumeSettled(const v1::SettledChunk& chunk);
+  void Accept(const v1::FieldAccepted& accepted);
+
+  FieldExpectation expected_;
+  SolveProgressCallback progress_;
   Field field_;
-  uint64_t vertex_count_ = 0;
+  // Three per vertex, until the field is handed out.
+  std::vector<double> gradient_values_;
+  uint64_t settled_count_ = 0;
+  std::vector<float> narrow_;
   bool accepted_ = false;
   bool complete_ = false;
 };

@@ -1,6 +1,7 @@
 #include "translate.h"
 
 #include <algorithm>
+#include <variant>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
@@ -18,11 +19,43 @@ std::string NameWithoutPrefix(const std::string& name,
   return word;
 }
 
+// Puts a place into a v1::SurfacePoint or a v1::Source, which name the fields
+// alike.
+template <typename Message>
+class PlaceSetter {
+ public:
+  explicit PlaceSetter(Message* message) : message_(message) {}
+
+  void operator()(const VertexPoint& point) const {
+    message_->set_vertex(point.vertex);
+  }
+  void operator()(const EdgePoint& point) const {
+    v1::EdgePoint* edge = message_->mutable_edge();
+    edge->set_from(point.from);
+    edge->set_to(point.to);
+    edge->set_t(point.t);
+  }
+  void operator()(const FacePoint& point) const {
+    v1::FacePoint* face = message_->mutable_face();
+    face->set_face(point.face);
+    face->mutable_weights()->Add(point.weights.begin(), point.weights.end());
+  }
+  void operator()(const Curve& curve) const {
+    v1::Curve* line = message_->mutable_curve();
+    for (const SurfacePoint& point : curve.points) {
+      *line->add_points() = ToProto(point);
+    }
+  }
+
+ private:
+  Message* message_;
+};
+
+}  // namespace
+
 Point FromProto(const v1::Point& point) {
   return {point.x(), point.y(), point.z()};
 }
-
-}  // namespace
 
 MeshInfo FromProto(const v1::Mesh& mesh) {
   return {.digest = mesh.digest(),
@@ -40,7 +73,11 @@ MeshInfo FromProto(const v1::Mesh& mesh) {
           .bounding_box_max = FromProto(mesh.bounding_box_max()),
           .mean_edge_length = mesh.mean_edge_length(),
           .anisotropy = mesh.anisotropy(),
-          .resident_bytes = mesh.resident_bytes()};
+          .resident_bytes = mesh.resident_bytes(),
+          .non_manifold_edge_count = mesh.non_manifold_edge_count(),
+          .non_manifold_vertex_count = mesh.non_manifold_vertex_count(),
+          .inconsistent_edge_count = mesh.inconsistent_edge_count(),
+          .orientable = mesh.orientable()};
 }
 
 FieldOrigin FromProto(v1::FieldOrigin origin) {
@@ -49,6 +86,8 @@ FieldOrigin FromProto(v1::FieldOrigin origin) {
       return FieldOrigin::kJoined;
     case v1::FIELD_ORIGIN_CACHED:
       return FieldOrigin::kCached;
+    case v1::FIELD_ORIGIN_CONTINUED:
+      return FieldOrigin::kContinued;
     default:
       return FieldOrigin::kSolved;
   }
@@ -78,16 +117,72 @@ Capabilities FromProto(const v1::GetCapabilitiesResponse& response) {
         NameWithoutPrefix(v1::MeshFormat_Name(format), "MESH_FORMAT_"));
   }
   const v1::Limits& limits = response.limits();
-  capabilities.limits = {.max_upload_bytes = limits.max_upload_bytes(),
-                         .max_vertices = limits.max_vertices(),
-                         .max_faces = limits.max_faces(),
-                         .max_sources = limits.max_sources(),
-                         .max_message_bytes = limits.max_message_bytes(),
-                         .max_concurrent_jobs = limits.max_concurrent_jobs(),
-                         .max_queued_jobs = limits.max_queued_jobs(),
-                         .mesh_store_bytes = limits.mesh_store_bytes(),
-                         .field_cache_bytes = limits.field_cache_bytes()};
+  capabilities.limits = {
+      .max_upload_bytes = limits.max_upload_bytes(),
+      .max_vertices = limits.max_vertices(),
+      .max_faces = limits.max_faces(),
+      .max_sources = limits.max_sources(),
+      .max_message_bytes = limits.max_message_bytes(),
+      .max_concurrent_jobs = limits.max_concurrent_jobs(),
+      .max_queued_jobs = limits.max_queued_jobs(),
+      .mesh_store_bytes = limits.mesh_store_bytes(),
+      .field_cache_bytes = limits.field_cache_bytes(),
+      .max_curve_points = limits.max_curve_points(),
+      .max_targets = limits.max_targets(),
+      .max_levels = limits.max_levels(),
+      .max_samples = limits.max_samples(),
+      .max_matrix_rows = limits.max_matrix_rows(),
+      .max_matrix_values = limits.max_matrix_values(),
+      .computation_store_bytes = limits.computation_store_bytes()};
   return capabilities;
+}
+
+SolveProgress FromProto(const v1::SolveProgress& progress,
+                        uint64_t vertex_count) {
+  return {.settled_radius = progress.settled_radius(),
+          .vertices_reached = progress.vertices_reached(),
+          .vertex_count = vertex_count,
+          .live_windows = progress.live_windows(),
+          .windows_propagated = progress.windows_propagated()};
+}
+
+absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point) {
+  switch (point.place_case()) {
+    case v1::SurfacePoint::kVertex:
+      return VertexPoint{point.vertex()};
+    case v1::SurfacePoint::kEdge:
+      return EdgePoint{point.edge().from(), point.edge().to(),
+                       point.edge().t()};
+    case v1::SurfacePoint::kFace: {
+      FacePoint face{.face = point.face().face()};
+      if (point.face().weights_size() != 3) break;
+      std::ranges::copy(point.face().weights(), face.weights.begin());
+      return face;
+    }
+    case v1::SurfacePoint::PLACE_NOT_SET:
+      break;
+  }
+  return absl::DataLossError(
+      "the server sent a point that is at no vertex, on no edge and in no "
+      "face");
+}
+
+v1::SurfacePoint ToProto(const SurfacePoint& point) {
+  v1::SurfacePoint message;
+  std::visit(PlaceSetter(&message), point);
+  return message;
+}
+
+v1::Source ToProto(const Source& source) {
+  v1::Source message;
+  std::visit(PlaceSetter(&message), source.place);
+  message.set_offset(source.offset);
+  return message;
+}
+
+v1::ValueType ToProto(ValueType type) {
+  return type == ValueType::kFloat32 ? v1::VALUE_TYPE_FLOAT32
+                                     : v1::VALUE_TYPE_FLOAT64;
 }
 
 v1::MeshFormat ToProto(MeshFormat format) {
@@ -140,6 +235,8 @@ std::string_view FieldOriginName(FieldOrigin origin) {
       return "joined";
     case FieldOrigin::kCached:
       return "cached";
+    case FieldOrigin::kContinued:
+      return "continued";
   }
   return "unknown";
 }

@@ -10,16 +10,36 @@
 #include "geodesic/v1/capabilities_service.pb.h"
 #include "geodesic/v1/field_service.pb.h"
 #include "geodesic/v1/mesh.pb.h"
+#include "geodesic/v1/query.pb.h"
+#include "geodesic/v1/surface.pb.h"
+#include "geodesic_client/answer.h"
 #include "geodesic_client/capabilities.h"
 #include "geodesic_client/field.h"
 #include "geodesic_client/mesh.h"
+#include "geodesic_client/surface_point.h"
 
 namespace geodesic::client {
 
+Point FromProto(const v1::Point& point);
 MeshInfo FromProto(const v1::Mesh& mesh);
 FieldOrigin FromProto(v1::FieldOrigin origin);
 FieldStatistics FromProto(const v1::SolveStatistics& statistics);
 Capabilities FromProto(const v1::GetCapabilitiesResponse& response);
+// `vertex_count` is that of the answer's header.
+SolveProgress FromProto(const v1::SolveProgress& progress,
+                        uint64_t vertex_count);
+// Errors: DATA_LOSS for a point that is not set, or weights that are not three.
+absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point);
+
+v1::SurfacePoint ToProto(const SurfacePoint& point);
+v1::Source ToProto(const Source& source);
+v1::ValueType ToProto(ValueType type);
+
+// Appends sources or targets to a request.
+template <typename Items, typename Messages>
+void AddAll(const Items& items, Messages* messages) {
+  for (const auto& item : items) *messages->Add() = ToProto(item);
+}
 
 v1::MeshFormat ToProto(MeshFormat format);
 

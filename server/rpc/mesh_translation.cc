@@ -51,6 +51,10 @@ v1::Mesh ToProto(const ResidentMesh& mesh) {
   proto.set_mean_edge_length(summary.mean_edge_length);
   proto.set_anisotropy(summary.anisotropy);
   proto.set_resident_bytes(mesh.mesh->resident_bytes());
+  proto.set_non_manifold_edge_count(summary.non_manifold_edges);
+  proto.set_non_manifold_vertex_count(summary.non_manifold_vertices);
+  proto.set_inconsistent_edge_count(summary.inconsistent_edges);
+  proto.set_orientable(summary.is_orientable);
   return proto;
 }
 

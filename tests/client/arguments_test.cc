@@ -11,6 +11,7 @@
 namespace geodesic::client {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class ArgumentsTest : public ::testing::Test {
@@ -54,11 +55,8 @@ TEST_F(ArgumentsTest, Field) {
        "--up",      "z",        "--quiet"});
   EXPECT_EQ(arguments.command, Command::kField);
   EXPECT_EQ(arguments.mesh, "horse.ply");
-  ASSERT_EQ(arguments.sources.size(), 2);
-  EXPECT_EQ(arguments.sources[0].vertex, 3);
-  EXPECT_EQ(arguments.sources[0].offset, 0);
-  EXPECT_EQ(arguments.sources[1].vertex, 7);
-  EXPECT_EQ(arguments.sources[1].offset, 0.5);
+  EXPECT_THAT(arguments.sources,
+              ElementsAre(Source{VertexPoint{3}}, Source{VertexPoint{7}, 0.5}));
   ASSERT_EQ(arguments.outputs.size(), 2);
   EXPECT_EQ(arguments.outputs[0].path, "a.npy");
   EXPECT_EQ(arguments.outputs[0].format, OutputFormat::kNpy);
@@ -95,6 +93,71 @@ TEST_F(ArgumentsTest, EachCommand) {
   EXPECT_EQ(Accepted({"info", "a"}).command, Command::kInfo);
   EXPECT_EQ(Accepted({"delete", "a"}).command, Command::kDelete);
   EXPECT_EQ(Accepted({"capabilities"}).command, Command::kCapabilities);
+  EXPECT_EQ(Accepted({"path", "m", "-s", "1", "-t", "2"}).command,
+            Command::kPath);
+  EXPECT_EQ(Accepted({"matrix", "m", "-s", "1"}).command, Command::kMatrix);
+  EXPECT_EQ(Accepted({"nearest", "m", "-s", "1", "-t", "2", "-k", "3"}).count,
+            3);
+  EXPECT_EQ(Accepted({"sample", "m", "-n", "5"}).count, 5);
+  EXPECT_EQ(Accepted({"logmap", "m", "-s", "1"}).command, Command::kLogMap);
+  EXPECT_THAT(
+      Accepted({"isolines", "m", "-s", "1", "-l", "0.5", "-l", "1"}).levels,
+      ElementsAre(0.5, 1));
+}
+
+TEST_F(ArgumentsTest, PlacesOnTheSurface) {
+  const Arguments arguments =
+      Accepted({"field", "m", "--source", "edge:3-8@0.25:2", "--source",
+                "face:5@0.2,0.3,0.5", "--curve", "1;edge:1-2@0.5:0.5",
+                "--sources", "a.txt", "--target", "9", "--target",
+                "face:0@1,0,0", "--targets", "b.txt"});
+  EXPECT_THAT(arguments.sources,
+              ElementsAre(Source{EdgePoint{3, 8, 0.25}, 2},
+                          Source{FacePoint{5, {0.2, 0.3, 0.5}}}));
+  EXPECT_THAT(
+      arguments.curves,
+      ElementsAre(Source{Curve{{VertexPoint{1}, EdgePoint{1, 2, 0.5}}}, 0.5}));
+  EXPECT_THAT(arguments.source_files, ElementsAre("a.txt"));
+  EXPECT_THAT(arguments.targets,
+              ElementsAre(SurfacePoint(VertexPoint{9}),
+                          SurfacePoint(FacePoint{0, {1, 0, 0}})));
+  EXPECT_THAT(arguments.target_files, ElementsAre("b.txt"));
+}
+
+TEST_F(ArgumentsTest, FieldLimitsAndQuantities) {
+  const Arguments arguments =
+      Accepted({"field", "m", "-s", "1", "-r", "2.5", "--labels", "--gradients",
+                "--float32", "-t", "4", "--stop-at-targets"});
+  EXPECT_EQ(arguments.radius, 2.5);
+  EXPECT_TRUE(arguments.labels);
+  EXPECT_TRUE(arguments.gradients);
+  EXPECT_TRUE(arguments.float32);
+  EXPECT_EQ(arguments.stop_at_targets, kAllTargets);
+  // MESH may follow, so that a count needs its "=".
+  const Arguments counted = Accepted(
+      {"field", "-s", "1", "-t", "4", "-t", "5", "--stop-at-targets=1", "m"});
+  EXPECT_EQ(counted.stop_at_targets, 1);
+  EXPECT_EQ(counted.mesh, "m");
+}
+
+TEST_F(ArgumentsTest, CombinationsThatMakeNoSenseAreRefused) {
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "--stop-at-targets"}),
+              HasSubstr("--target"));
+  EXPECT_THAT(
+      Refused({"field", "m", "-s", "1", "--progressive", "-o", "a.npy"}),
+      HasSubstr("a.npy"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "--progressive", "--labels"}),
+              HasSubstr("--labels"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "--progressive", "--json"}),
+              HasSubstr("-o FILE.csv"));
+  EXPECT_THAT(Refused({"isolines", "m", "-s", "1"}), HasSubstr("--count"));
+  EXPECT_THAT(Refused({"isolines", "m", "-s", "1", "-l", "1", "-n", "2"}),
+              HasSubstr("--count"));
+  EXPECT_THAT(Refused({"path", "m", "-s", "1"}), HasSubstr("--targets"));
+  EXPECT_THAT(Refused({"nearest", "m", "-s", "1"}), HasSubstr("--targets"));
+  EXPECT_THAT(Refused({"matrix", "m"}), HasSubstr("--sources"));
+  EXPECT_THAT(Refused({"logmap", "m", "-s", "1", "-s", "2"}),
+              HasSubstr("one source"));
 }
 
 TEST_F(ArgumentsTest, CommonOptionsMayComeBeforeOrAfterTheCommand) {
@@ -118,6 +181,16 @@ TEST_F(ArgumentsTest, WrongValuesAreNamed) {
   EXPECT_THAT(Refused({"field", "m", "-s", "1:nan"}), HasSubstr("'1:nan'"));
   EXPECT_THAT(Refused({"field", "m", "-s", "1:"}), HasSubstr("'1:'"));
   EXPECT_THAT(Refused({"field", "m", "-s", "1x"}), HasSubstr("'1x'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "-t", "edge:1-2@1.5"}),
+              HasSubstr("'edge:1-2@1.5'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "-r", "-1"}),
+              HasSubstr("'-1'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "-r", "nan"}),
+              HasSubstr("'nan'"));
+  EXPECT_THAT(Refused({"isolines", "m", "-s", "1", "-l", "0"}),
+              HasSubstr("'0'"));
+  EXPECT_THAT(Refused({"nearest", "m", "-s", "1", "-t", "1", "-k", "0"}),
+              HasSubstr("'0'"));
   EXPECT_THAT(Refused({"field", "m", "-s", "1", "--view", "1"}),
               HasSubstr("AZIMUTH,ELEVATION"));
   EXPECT_THAT(Refused({"field", "m", "-s", "1", "--view", "0,91"}),
@@ -135,7 +208,8 @@ TEST_F(ArgumentsTest, WrongValuesAreNamed) {
 TEST_F(ArgumentsTest, UnknownOutputEndingListsTheKnownOnes) {
   const std::string message = Refused({"field", "m", "-s", "1", "-o", "a.xyz"});
   EXPECT_THAT(message, HasSubstr("a.xyz"));
-  EXPECT_THAT(message, HasSubstr(".npy, .csv, .f64, .ply, .vtk and .png"));
+  EXPECT_THAT(message,
+              HasSubstr(".npy, .npz, .csv, .f64, .f32, .ply, .vtk and .png"));
 }
 
 TEST_F(ArgumentsTest, MissingPartsAreNamed) {
@@ -157,13 +231,22 @@ TEST_F(ArgumentsTest, HelpAndVersionEndWell) {
   }
   EXPECT_THAT(out_.str(), HasSubstr("Exit codes:"));
   EXPECT_THAT(out_.str(), HasSubstr("geodesic 0."));
-  EXPECT_THAT(out_.str(), HasSubstr("VERTEX[:OFFSET]"));
+  EXPECT_THAT(out_.str(), HasSubstr("POINT[:OFFSET]"));
 }
 
-TEST_F(ArgumentsTest, HelpFitsATerminal) {
+TEST_F(ArgumentsTest, HelpFitsATerminalAndHasExamples) {
+  std::string all_help;
   Parse({"--help"});
-  Parse({"field", "--help"});
-  std::istringstream lines(out_.str());
+  all_help += out_.str();
+  for (const char* command :
+       {"upload", "meshes", "info", "delete", "field", "path", "isolines",
+        "matrix", "nearest", "sample", "logmap", "capabilities"}) {
+    out_.str("");
+    Parse({command, "--help"});
+    EXPECT_THAT(out_.str(), HasSubstr("Examples:\n  geodesic ")) << command;
+    all_help += out_.str();
+  }
+  std::istringstream lines(all_help);
   for (std::string line; std::getline(lines, line);) {
     EXPECT_LE(line.size(), 80) << line;
   }

@@ -43,11 +43,9 @@ TEST(GuessUpAxisTest, WhatWouldFallOverAlongYStandsAlongZ) {
 
 TEST(ChooseViewTest, SeesTheSource) {
   // The side the source is on decides: a source in the middle of each wall.
-  MeshArrays mesh = Box({-1, -1, -1}, {1, 1, 1});
-  mesh.positions.push_back({0, 0, 1});
-  mesh.positions.push_back({0, 0, -1});
-  const View front = ChooseView(mesh, mesh.positions, {8}, UpAxis::kY);
-  const View back = ChooseView(mesh, mesh.positions, {9}, UpAxis::kY);
+  const MeshArrays mesh = Box({-1, -1, -1}, {1, 1, 1});
+  const View front = ChooseView(mesh, mesh.positions, {{0, 0, 1}}, UpAxis::kY);
+  const View back = ChooseView(mesh, mesh.positions, {{0, 0, -1}}, UpAxis::kY);
   EXPECT_LT(std::abs(front.azimuth), 90);
   EXPECT_GT(std::abs(back.azimuth), 90);
 }
@@ -64,8 +62,17 @@ TEST(ChooseViewTest, ShowsTheLongSide) {
       60);
 }
 
-TEST(ChooseViewTest, SourcesOutOfRangeAndEmptyMeshesAreFine) {
-  ChooseView({}, {}, {7}, UpAxis::kY);
+TEST(ChooseViewTest, SeesMoreOfTheMarks) {
+  // Two in front against one behind.
+  const MeshArrays mesh = Box({-1, -1, -1}, {1, 1, 1});
+  const View view =
+      ChooseView(mesh, mesh.positions, {{0, 0, -1}, {0.5, 0, 1}, {-0.5, 0, 1}},
+                 UpAxis::kY);
+  EXPECT_LT(std::abs(view.azimuth), 90);
+}
+
+TEST(ChooseViewTest, MarksFarOffAndEmptyMeshesAreFine) {
+  ChooseView({}, {}, {{1e308, 0, 0}}, UpAxis::kY);
   EXPECT_GT(ChooseView({}, {}, {}, UpAxis::kZ).elevation, 30);
 }
 

@@ -73,9 +73,10 @@ class FieldAssemblerTest : public ::testing::Test {
     EXPECT_THAT(std::string(status.message()), HasSubstr(words));
   }
 
-  std::vector<FieldProgress> progress_;
-  FieldAssembler assembler_{
-      [this](const FieldProgress& progress) { progress_.push_back(progress); }};
+  std::vector<SolveProgress> progress_;
+  FieldAssembler assembler_{{}, [this](const SolveProgress& progress) {
+                              progress_.push_back(progress);
+                            }};
 };
 
 TEST_F(FieldAssemblerTest, PutsChunksTogether) {
@@ -96,7 +97,7 @@ TEST_F(FieldAssemblerTest, PutsChunksTogether) {
 
 TEST_F(FieldAssemblerTest, SlicesMayCutAnywhere) {
   for (const size_t slice_size : {1, 2, 3, 7, 8, 13}) {
-    FieldAssembler assembler(nullptr);
+    FieldAssembler assembler({}, nullptr);
     for (const ComputeFieldResponse& message :
          {Accepted(3), Chunk(0, {1}), Chunk(1, {2, 3}), Trailer()}) {
       grpc::ByteBuffer buffer =
@@ -134,6 +135,97 @@ TEST_F(FieldAssemblerTest, UnknownFieldsAreSkipped) {
   absl::StatusOr<Field> field = std::move(assembler_).Finish();
   ASSERT_TRUE(field.ok());
   EXPECT_THAT(field->distances, ElementsAre(3));
+}
+
+template <typename Number>
+std::string Bytes(const std::vector<Number>& numbers) {
+  return std::string(reinterpret_cast<const char*>(numbers.data()),
+                     numbers.size() * sizeof(Number));
+}
+
+// The field that these messages make, or why there is none.
+absl::StatusOr<Field> Assembled(
+    const FieldExpectation& expected,
+    const std::vector<ComputeFieldResponse>& messages) {
+  FieldAssembler assembler(expected, nullptr);
+  for (const ComputeFieldResponse& message : messages) {
+    grpc::ByteBuffer buffer = Serialized(message.SerializeAsString(), 5);
+    absl::Status status = assembler.Consume(&buffer);
+    if (!status.ok()) return status;
+  }
+  return std::move(assembler).Finish();
+}
+
+TEST_F(FieldAssemblerTest, TakesQuantitiesAndTargets) {
+  ComputeFieldResponse chunk = Chunk(0, {1, 2});
+  chunk.mutable_chunk()->set_nearest_sources(Bytes<uint32_t>({3, kNoSource}));
+  chunk.mutable_chunk()->set_gradients(Bytes<double>({1, 0, 0, 0, 0.5, 0}));
+  ComputeFieldResponse targets;
+  targets.mutable_targets()->set_distances(Bytes<double>({0.25}));
+  ComputeFieldResponse trailer = Trailer();
+  trailer.mutable_trailer()->set_settled_radius(2);
+  const FieldExpectation expected = {
+      .nearest_sources = true, .gradients = true, .target_count = 1};
+  absl::StatusOr<Field> field =
+      Assembled(expected, {Accepted(2), chunk, targets, trailer});
+  ASSERT_TRUE(field.ok()) << field.status();
+  EXPECT_THAT(field->nearest_sources, ElementsAre(3, kNoSource));
+  EXPECT_EQ(field->gradients[1], (std::array<double, 3>{0, 0.5, 0}));
+  EXPECT_THAT(field->target_distances, ElementsAre(0.25));
+  EXPECT_EQ(field->settled_radius, 2);
+  // What was asked for and is missing, and what was not.
+  ExpectDataLoss(
+      Assembled(expected, {Accepted(2), Chunk(0, {1, 2}), targets, trailer})
+          .status(),
+      "0 of 2 nearest sources");
+  ExpectDataLoss(Assembled(expected, {Accepted(2), chunk, trailer}).status(),
+                 "0 of 1 target");
+  ExpectDataLoss(Assembled({}, {Accepted(2), chunk, trailer}).status(),
+                 "nearest sources");
+}
+
+TEST_F(FieldAssemblerTest, WidensFloats) {
+  ComputeFieldResponse chunk;
+  chunk.mutable_chunk()->set_distances(Bytes<float>({0.5F, 0.1F}));
+  absl::StatusOr<Field> field = Assembled({.value_type = ValueType::kFloat32},
+                                          {Accepted(2), chunk, Trailer()});
+  ASSERT_TRUE(field.ok()) << field.status();
+  EXPECT_THAT(field->distances, ElementsAre(0.5, double{0.1F}));
+}
+
+TEST_F(FieldAssemblerTest, HandsOutSettledVertices) {
+  std::vector<std::pair<uint32_t, double>> seen;
+  const FieldExpectation expected = {
+      .on_settled = [&](std::span<const SettledVertex> settled) {
+        for (const SettledVertex& vertex : settled) {
+          seen.emplace_back(vertex.vertex, vertex.distance);
+        }
+      }};
+  const auto settled = [](uint64_t offset,
+                          const std::vector<uint32_t>& vertices,
+                          const std::vector<double>& distances) {
+    ComputeFieldResponse message;
+    message.mutable_settled()->set_offset(offset);
+    message.mutable_settled()->set_vertices(Bytes(vertices));
+    message.mutable_settled()->set_distances(Bytes(distances));
+    return message;
+  };
+  absl::StatusOr<Field> field =
+      Assembled(expected, {Accepted(4), settled(0, {2, 0}, {0, 1}),
+                           settled(2, {3}, {1.5}), Trailer()});
+  ASSERT_TRUE(field.ok()) << field.status();
+  EXPECT_EQ(field->vertex_count, 4);
+  EXPECT_TRUE(field->distances.empty());
+  EXPECT_THAT(seen, ElementsAre(std::pair(2U, 0.0), std::pair(0U, 1.0),
+                                std::pair(3U, 1.5)));
+  ExpectDataLoss(
+      Assembled(expected, {Accepted(4), settled(1, {2}, {0})}).status(),
+      "settled");
+  ExpectDataLoss(
+      Assembled(expected, {Accepted(4), settled(0, {2, 3}, {0})}).status(),
+      "settled");
+  ExpectDataLoss(Assembled({}, {Accepted(4), settled(0, {2}, {0})}).status(),
+                 "settled");
 }
 
 TEST_F(FieldAssemblerTest, RefusesChunkBeforeAccepted) {

@@ -31,6 +31,21 @@ const std::vector<double>& Distances() {
   return distances;
 }
 
+Column DistanceColumn(const std::vector<double>& distances = Distances()) {
+  return {.name = kDistanceColumn, .values = distances};
+}
+
+// Labels and gradients too.
+std::vector<Column> AllColumns() {
+  return {DistanceColumn(),
+          {.name = kLabelColumn,
+           .values = {0, 1, 1, -1},
+           .type = NumberType::kInt32},
+          {.name = kGradientColumn,
+           .values = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.5},
+           .components = 3}};
+}
+
 MeshArrays Square() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.1}},
           {{0, 1, 2}, {2, 1, 3}}};
@@ -52,7 +67,7 @@ double BigEndianDouble(const std::string& bytes, size_t offset) {
 
 TEST(FieldWritersTest, Npy) {
   const std::string bytes =
-      Written([](AtomicFile* file) { WriteNpy(Distances(), file); });
+      Written([](AtomicFile* file) { WriteNpy(DistanceColumn(), file); });
   // The layout of NumPy's format 1.0: magic, version, length of the header.
   ASSERT_EQ(bytes.size(), 128 + 32);
   EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
@@ -68,14 +83,16 @@ TEST(FieldWritersTest, Npy) {
 TEST(FieldWritersTest, NpyHeaderFillsBlocksWhateverTheCount) {
   for (const size_t count : {0, 9, 10, 99999}) {
     const std::vector<double> distances(count, 1);
-    const std::string bytes =
-        Written([&](AtomicFile* file) { WriteNpy(distances, file); });
+    const std::string bytes = Written(
+        [&](AtomicFile* file) { WriteNpy(DistanceColumn(distances), file); });
     EXPECT_EQ((bytes.size() - 8 * count) % 64, 0);
   }
 }
 
 TEST(FieldWritersTest, Csv) {
-  EXPECT_EQ(Written([](AtomicFile* file) { WriteCsv(Distances(), file); }),
+  EXPECT_EQ(Written([](AtomicFile* file) {
+              WriteCsv(std::vector{DistanceColumn()}, file);
+            }),
             "vertex,geodesic_distance\n"
             "0,0\n"
             "1,0.1\n"
@@ -86,8 +103,9 @@ TEST(FieldWritersTest, Csv) {
 TEST(FieldWritersTest, CsvGivesTheSameDoublesAgain) {
   const std::vector<double> distances = {5e-324, 1.7976931348623157e308,
                                          0.1 + 0.2, 123456789.123456789};
-  const std::string text =
-      Written([&](AtomicFile* file) { WriteCsv(distances, file); });
+  const std::string text = Written([&](AtomicFile* file) {
+    WriteCsv(std::vector{DistanceColumn(distances)}, file);
+  });
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);
@@ -98,8 +116,9 @@ TEST(FieldWritersTest, CsvGivesTheSameDoublesAgain) {
 }
 
 TEST(FieldWritersTest, Raw) {
-  const std::string bytes =
-      Written([](AtomicFile* file) { WriteRaw(Distances(), file); });
+  const std::string bytes = Written([](AtomicFile* file) {
+    WriteRaw(DistanceColumn(), NumberType::kFloat64, file);
+  });
   ASSERT_EQ(bytes.size(), 32);
   for (size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(At<double>(bytes, 8 * i), Distances()[i]);
@@ -107,8 +126,9 @@ TEST(FieldWritersTest, Raw) {
 }
 
 TEST(FieldWritersTest, Ply) {
-  const std::string bytes =
-      Written([](AtomicFile* file) { WritePly(Square(), Distances(), file); });
+  const std::string bytes = Written([](AtomicFile* file) {
+    WritePly(Square(), std::vector{DistanceColumn()}, file);
+  });
   const std::string header =
       "ply\n"
       "format binary_little_endian 1.0\n"
@@ -133,8 +153,9 @@ TEST(FieldWritersTest, Ply) {
 }
 
 TEST(FieldWritersTest, Vtk) {
-  const std::string bytes =
-      Written([](AtomicFile* file) { WriteVtk(Square(), Distances(), file); });
+  const std::string bytes = Written([](AtomicFile* file) {
+    WriteVtk(Square(), std::vector{DistanceColumn()}, file);
+  });
   const std::string head =
       "# vtk DataFile Version 3.0\n"
       "geodesic distance field\n"
@@ -157,6 +178,59 @@ TEST(FieldWritersTest, Vtk) {
   ASSERT_EQ(bytes.size(), values + 32 + 1);
   EXPECT_EQ(BigEndianDouble(bytes, values + 16), 1.0 / 3);
   EXPECT_EQ(BigEndianDouble(bytes, values + 24), kInfinity);
+}
+
+TEST(FieldWritersTest, FloatsAreHalfAsLong) {
+  const std::string raw = Written([](AtomicFile* file) {
+    WriteRaw(DistanceColumn(), NumberType::kFloat32, file);
+  });
+  ASSERT_EQ(raw.size(), 16);
+  EXPECT_EQ(At<float>(raw, 4), 0.1F);
+  EXPECT_EQ(At<float>(raw, 12), static_cast<float>(kInfinity));
+  Column column = DistanceColumn();
+  column.type = NumberType::kFloat32;
+  const std::string npy =
+      Written([&](AtomicFile* file) { WriteNpy(column, file); });
+  EXPECT_EQ(npy.substr(10, 16), "{'descr': '<f4',");
+  EXPECT_EQ(npy.substr(128), raw);
+  // The fewest digits that give the same float.
+  EXPECT_EQ(
+      Written([&](AtomicFile* file) { WriteCsv(std::vector{column}, file); }),
+      "vertex,geodesic_distance\n0,0\n1,0.1\n2,0.33333334\n3,inf\n");
+}
+
+TEST(FieldWritersTest, CsvOfAllColumns) {
+  EXPECT_EQ(Written([](AtomicFile* file) { WriteCsv(AllColumns(), file); }),
+            "vertex,geodesic_distance,label,gradient_x,gradient_y,gradient_z\n"
+            "0,0,0,0,0,0\n"
+            "1,0.1,1,1,0,0\n"
+            "2,0.3333333333333333,1,0,1,0\n"
+            "3,inf,-1,0,0,0.5\n");
+}
+
+TEST(FieldWritersTest, PlyOfAllColumns) {
+  const std::string bytes =
+      Written([](AtomicFile* file) { WritePly(Square(), AllColumns(), file); });
+  const size_t body = bytes.find("end_header\n") + 11;
+  EXPECT_NE(bytes.find("property int label\nproperty double gradient_x\n"),
+            std::string::npos);
+  constexpr size_t kRow = 4 * 8 + 4 + 3 * 8;
+  ASSERT_EQ(bytes.size(), body + 4 * kRow + 2 * 13);
+  EXPECT_EQ(At<int32_t>(bytes, body + 3 * kRow + 32), -1);
+  EXPECT_EQ(At<double>(bytes, body + 3 * kRow + 36 + 16), 0.5);
+}
+
+TEST(FieldWritersTest, VtkOfAllColumns) {
+  const std::string bytes =
+      Written([](AtomicFile* file) { WriteVtk(Square(), AllColumns(), file); });
+  const std::string labels = "\nSCALARS label int 1\nLOOKUP_TABLE default\n";
+  const size_t at_labels = bytes.find(labels) + labels.size();
+  EXPECT_EQ(bytes.substr(at_labels + 12, 4), std::string(4, '\xff'));
+  const std::string vectors = "\nVECTORS gradient double\n";
+  const size_t at_vectors = bytes.find(vectors);
+  ASSERT_EQ(at_vectors, at_labels + 16);
+  EXPECT_EQ(bytes.size(), at_vectors + vectors.size() + 12 * 8 + 1);
+  EXPECT_EQ(BigEndianDouble(bytes, bytes.size() - 9), 0.5);
 }
 
 }  // namespace

@@ -11,20 +11,27 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(OutputFormatTest, FollowsFromTheEnding) {
-  EXPECT_EQ(*OutputFormatFromPath("a.npy"), OutputFormat::kNpy);
-  EXPECT_EQ(*OutputFormatFromPath("a/b.c.CSV"), OutputFormat::kCsv);
-  EXPECT_EQ(*OutputFormatFromPath("a.f64"), OutputFormat::kRaw);
-  EXPECT_EQ(*OutputFormatFromPath("a.ply"), OutputFormat::kPly);
-  EXPECT_EQ(*OutputFormatFromPath("a.vtk"), OutputFormat::kVtk);
-  EXPECT_EQ(*OutputFormatFromPath("a.png"), OutputFormat::kPng);
+  EXPECT_EQ(*OutputFormatFromPath("a.npy", kFieldFormats), OutputFormat::kNpy);
+  EXPECT_EQ(*OutputFormatFromPath("a/b.c.CSV", kFieldFormats),
+            OutputFormat::kCsv);
+  EXPECT_EQ(*OutputFormatFromPath("a.f32", kFieldFormats), OutputFormat::kF32);
+  EXPECT_EQ(*OutputFormatFromPath("a.obj", kLineFormats), OutputFormat::kObj);
+  EXPECT_EQ(*OutputFormatFromPath("a.npz", kMatrixFormats), OutputFormat::kNpz);
 }
 
 TEST(OutputFormatTest, OtherEndingsAreRefused) {
   for (const char* path : {"", "a", "npy", "a.npy/b", "a.txt", "a."}) {
-    absl::Status status = OutputFormatFromPath(path).status();
+    absl::Status status = OutputFormatFromPath(path, kFieldFormats).status();
     EXPECT_TRUE(absl::IsInvalidArgument(status)) << path;
-    EXPECT_THAT(std::string(status.message()), HasSubstr(OutputEndings()));
+    EXPECT_THAT(std::string(status.message()),
+                HasSubstr(OutputEndings(kFieldFormats)));
   }
+}
+
+TEST(OutputFormatTest, WhatAnotherCommandWritesIsRefused) {
+  EXPECT_FALSE(OutputFormatFromPath("a.obj", kFieldFormats).ok());
+  EXPECT_FALSE(OutputFormatFromPath("a.npy", kLineFormats).ok());
+  EXPECT_EQ(OutputEndings(kMatrixFormats), ".npy, .npz and .csv");
 }
 
 TEST(CheckWritableTest, FindsOutEarly) {
@@ -33,27 +40,6 @@ TEST(CheckWritableTest, FindsOutEarly) {
   EXPECT_TRUE(CheckWritable("new.npy").ok());
   EXPECT_FALSE(CheckWritable(folder / "missing/new.npy").ok());
   EXPECT_FALSE(CheckWritable(folder.path().string()).ok());
-}
-
-TEST(WriteOutputTest, WritesEveryFormat) {
-  TemporaryFolder folder;
-  const MeshArrays mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  const std::vector<double> distances = {0, 1, 1};
-  OutputContent content = {
-      .mesh = &mesh, .distances = &distances, .sources = {0}};
-  content.picture.width = 96;
-  content.picture.height = 64;
-  for (const char* name :
-       {"a.npy", "a.csv", "a.f64", "a.ply", "a.vtk", "a.png"}) {
-    const std::string path = folder / name;
-    absl::StatusOr<OutputFormat> format = OutputFormatFromPath(path);
-    ASSERT_TRUE(format.ok());
-    absl::StatusOr<uint64_t> bytes = WriteOutput(path, *format, content);
-    ASSERT_TRUE(bytes.ok()) << bytes.status();
-    EXPECT_EQ(*bytes, FileBytes(path).size());
-    EXPECT_GT(*bytes, 20);
-  }
-  EXPECT_EQ(folder.count(), 6);
 }
 
 }  // namespace

@@ -66,6 +66,33 @@ TEST_F(CommandTest, MeshesInfoAndDelete) {
   EXPECT_EQ(GeodesicJson({"meshes"})["meshes"], json::array());
 }
 
+TEST_F(CommandTest, InfoCountsWhatIsNotManifold) {
+  // Three half-planes that share the edge 0-1, two of them turned alike.
+  WriteFile(folder_ / "fan.off",
+            "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n"
+            "3 0 1 2\n3 1 0 3\n3 0 1 4\n");
+  const json info = GeodesicJson({"info", folder_ / "fan.off"});
+  EXPECT_EQ(info["non_manifold_edges"], 1);
+  EXPECT_EQ(info["faces"], 3);
+  EXPECT_THAT(Geodesic({"info", folder_ / "fan.off"}).out,
+              HasSubstr("1 edges, "));
+  // Every two of them unfold into one plane.
+  const json field = GeodesicJson(
+      {"field", folder_ / "fan.off", "-s", "2", "-t", "3", "-t", "4"});
+  EXPECT_NEAR(field["targets"][0]["distance"], 2, 1e-10);
+  EXPECT_NEAR(field["targets"][1]["distance"], 2, 1e-10);
+}
+
+TEST_F(CommandTest, InfoSeesTurnedFaces) {
+  WriteFile(folder_ / "turned.off",
+            "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n3 0 1 2\n3 0 1 3\n");
+  const json info = GeodesicJson({"info", folder_ / "turned.off"});
+  EXPECT_EQ(info["inconsistent_edges"], 1);
+  EXPECT_EQ(info["orientable"], true);
+  EXPECT_THAT(Geodesic({"info", folder_ / "turned.off"}).out,
+              HasSubstr("turned against each other"));
+}
+
 TEST_F(CommandTest, ListsMeshesInOrder) {
   for (uint32_t n = 1; n <= 12; ++n) {
     const std::string path = folder_ / ("grid" + std::to_string(n) + ".off");

@@ -84,7 +84,7 @@ TEST_F(HostileTest, EveryFileOfTheFolder) {
     ++accepted;
     // What loads can also be solved.
     absl::StatusOr<Field> field = client_.ComputeField(
-        {.mesh_digest = digest, .sources = {{.vertex = 0}}});
+        {.mesh_digest = digest, .sources = {{VertexPoint{0}}}});
     ASSERT_TRUE(field.ok()) << path << ": " << field.status();
     ASSERT_FALSE(field->distances.empty()) << path;
     EXPECT_EQ(field->distances[0], 0) << path;

@@ -54,8 +54,8 @@ TEST_F(InterruptionTest, StopRequestCancelsTheCall) {
   std::stop_source stop;
   size_t reports = 0;
   absl::StatusOr<Field> field = client_.ComputeField(
-      {.mesh_digest = digest_, .sources = {{.vertex = 0}}},
-      {.stop = stop.get_token()}, [&](const FieldProgress& progress) {
+      {.mesh_digest = digest_, .sources = {{VertexPoint{0}}}},
+      {.stop = stop.get_token()}, [&](const SolveProgress& progress) {
         EXPECT_EQ(progress.vertex_count, 501 * 501);
         ++reports;
         stop.request_stop();
@@ -71,7 +71,7 @@ TEST_F(InterruptionTest, StopRequestedBeforehandCancelsAtOnce) {
   EXPECT_TRUE(absl::IsCancelled(client_.ListMeshes(options).status()));
   EXPECT_TRUE(absl::IsCancelled(
       client_
-          .ComputeField({.mesh_digest = digest_, .sources = {{.vertex = 0}}},
+          .ComputeField({.mesh_digest = digest_, .sources = {{VertexPoint{0}}}},
                         options)
           .status()));
 }

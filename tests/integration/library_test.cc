@@ -111,7 +111,7 @@ TEST_F(LibraryTest, LocalFilesThatCannotBeReadAreNamed) {
 TEST_F(LibraryTest, UnknownAlgorithmIsRefusedHere) {
   absl::Status status = client_
                             .ComputeField({.mesh_digest = std::string(64, 'a'),
-                                           .sources = {{.vertex = 0}},
+                                           .sources = {{VertexPoint{0}}},
                                            .algorithm = "heat"})
                             .status();
   EXPECT_TRUE(absl::IsInvalidArgument(status));
@@ -134,7 +134,7 @@ TEST_F(LibraryTest, ThreadsShareAClient) {
     threads.emplace_back([&, source] {
       for (int repeat = 0; repeat < 10; ++repeat) {
         absl::StatusOr<Field> field = client_.ComputeField(
-            {.mesh_digest = digest, .sources = {{.vertex = source}}});
+            {.mesh_digest = digest, .sources = {{VertexPoint{source}}}});
         ASSERT_TRUE(field.ok()) << field.status();
         const Point& from = mesh.positions[source];
         for (size_t v = 0; v < mesh.positions.size(); ++v) {

@@ -90,6 +90,14 @@ def mesh_digest(positions, faces):
                           canonical_arrays(positions, faces)).hexdigest()
 
 
+def doubles(data):
+    return list(struct.unpack("<%dd" % (len(data) // 8), data))
+
+
+def numbers32(data):
+    return list(struct.unpack("<%dI" % (len(data) // 4), data))
+
+
 class PythonClientTest(unittest.TestCase):
 
     @classmethod
@@ -105,15 +113,27 @@ class PythonClientTest(unittest.TestCase):
         from geodesic.v1 import capabilities_service_pb2_grpc
         from geodesic.v1 import field_service_pb2
         from geodesic.v1 import field_service_pb2_grpc
+        from geodesic.v1 import matrix_service_pb2
+        from geodesic.v1 import matrix_service_pb2_grpc
         from geodesic.v1 import mesh_pb2
         from geodesic.v1 import mesh_service_pb2
         from geodesic.v1 import mesh_service_pb2_grpc
+        from geodesic.v1 import path_service_pb2
+        from geodesic.v1 import path_service_pb2_grpc
+        from geodesic.v1 import query_pb2
+        from geodesic.v1 import surface_pb2
         cls.capabilities_pb = capabilities_service_pb2
         cls.field_pb = field_service_pb2
         cls.mesh_pb = mesh_pb2
         cls.mesh_service_pb = mesh_service_pb2
+        cls.matrix_pb = matrix_service_pb2
+        cls.path_pb = path_service_pb2
+        cls.query_pb = query_pb2
+        cls.surface_pb = surface_pb2
         cls.meshes = mesh_service_pb2_grpc.MeshServiceStub(cls.channel)
         cls.fields = field_service_pb2_grpc.FieldServiceStub(cls.channel)
+        cls.paths = path_service_pb2_grpc.PathServiceStub(cls.channel)
+        cls.matrices = matrix_service_pb2_grpc.MatrixServiceStub(cls.channel)
         cls.capabilities = (
             capabilities_service_pb2_grpc.CapabilitiesServiceStub(cls.channel))
 
@@ -151,6 +171,43 @@ class PythonClientTest(unittest.TestCase):
             else:
                 others.append(response)
         return values, others
+
+    def grid(self):
+        """Uploads the grid; its digest, positions and faces."""
+        positions, faces = planar_grid()
+        return self.upload(positions, faces).mesh.digest, positions, faces
+
+    def face_source(self, offset=0.0):
+        """A source inside face 30, and where it lies."""
+        positions, faces = planar_grid()
+        weights = [0.2, 0.3, 0.5]
+        place = [
+            sum(w * positions[v][axis] for w, v in zip(weights, faces[30]))
+            for axis in range(3)
+        ]
+        source = self.surface_pb.Source(
+            face=self.surface_pb.FacePoint(face=30, weights=weights),
+            offset=offset)
+        return source, place
+
+    def answer(self, responses):
+        """The parts of a streamed answer, by kind; checks its frame."""
+        parts = {}
+        for response in responses:
+            kind = response.WhichOneof("part")
+            self.assertNotIn("trailer", parts)
+            self.assertEqual(kind == "header", not parts)
+            parts.setdefault(kind, []).append(getattr(response, kind))
+        self.assertEqual(len(parts["trailer"]), 1)
+        return parts
+
+    def points(self, piece):
+        """The positions of a polyline that came in one piece."""
+        self.assertEqual(piece.first_point, 0)
+        self.assertEqual(piece.point_count, len(piece.points))
+        numbers = doubles(piece.positions)
+        self.assertEqual(len(numbers), 3 * len(piece.points))
+        return [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
 
     def assert_fails(self, code, words, call):
         with self.assertRaises(grpc.RpcError) as caught:
@@ -208,6 +265,228 @@ class PythonClientTest(unittest.TestCase):
         self.assert_fails(
             grpc.StatusCode.INVALID_ARGUMENT, "digest",
             lambda: self.upload(positions, faces, expected_digest="0" * 64))
+
+    def test_meshes_are_described_listed_read_and_deleted(self):
+        positions = [(0, 0, 0), (3, 0, 0), (0, 4, 0)]
+        digest = self.upload(positions, [(0, 1, 2)]).mesh.digest
+        mesh = self.meshes.GetMesh(
+            self.mesh_service_pb.GetMeshRequest(digest=digest)).mesh
+        self.assertEqual(mesh.mean_edge_length, 4)
+        self.assertEqual(mesh.bounding_box_max.y, 4)
+        listed = self.meshes.ListMeshes(
+            self.mesh_service_pb.ListMeshesRequest()).meshes
+        self.assertIn(digest, [m.digest for m in listed])
+        data = {"vertices": b"", "faces": b""}
+        for response in self.meshes.ReadMesh(
+                self.mesh_service_pb.ReadMeshRequest(digest=digest)):
+            part = response.WhichOneof("part")
+            if part == "vertices":
+                data[part] += response.vertices.positions
+            elif part == "faces":
+                data[part] += response.faces.indices
+        self.assertEqual(data["vertices"] + data["faces"],
+                         canonical_arrays(positions, [(0, 1, 2)]))
+        self.meshes.DeleteMesh(
+            self.mesh_service_pb.DeleteMeshRequest(digest=digest))
+        self.assert_fails(
+            grpc.StatusCode.NOT_FOUND, "upload it again",
+            lambda: self.meshes.GetMesh(
+                self.mesh_service_pb.GetMeshRequest(digest=digest)))
+
+    def test_field_from_a_face_with_everything(self):
+        digest, positions, _ = self.grid()
+        source, place = self.face_source(offset=0.25)
+        request = self.field_pb.ComputeFieldRequest(
+            mesh_digest=digest,
+            sources=[source],
+            targets=[
+                self.surface_pb.SurfacePoint(
+                    edge=self.surface_pb.EdgePoint(**{"from": 0}, to=1, t=0.5))
+            ],
+            value_type=self.query_pb.VALUE_TYPE_FLOAT64,
+            quantities=[
+                self.field_pb.FIELD_QUANTITY_NEAREST_SOURCE,
+                self.field_pb.FIELD_QUANTITY_GRADIENT
+            ])
+        distances, nearest, gradients, targets = [], [], [], []
+        for response in self.fields.ComputeField(request, timeout=60):
+            distances += doubles(response.chunk.distances)
+            nearest += numbers32(response.chunk.nearest_sources)
+            gradients += doubles(response.chunk.gradients)
+            targets += doubles(response.targets.distances)
+        self.assertEqual(nearest, [0] * len(positions))
+        self.assertAlmostEqual(
+            targets[0], 0.25 + math.dist(place, (0.5 / GRID, 0, 0)),
+            delta=1e-10)
+        for v, position in enumerate(positions):
+            length = math.dist(place, position)
+            self.assertAlmostEqual(distances[v], 0.25 + length, delta=1e-10)
+            for axis in range(3):
+                self.assertAlmostEqual(
+                    gradients[3 * v + axis],
+                    (position[axis] - place[axis]) / length, delta=1e-9)
+
+    def test_field_streams_what_is_settled_up_to_a_radius(self):
+        digest, positions, _ = self.grid()
+        source, place = self.face_source()
+        settled = []
+        trailer = None
+        for response in self.fields.ComputeField(
+                self.field_pb.ComputeFieldRequest(
+                    mesh_digest=digest, sources=[source], max_distance=0.5,
+                    progressive=True), timeout=60):
+            if response.HasField("settled"):
+                settled += zip(numbers32(response.settled.vertices),
+                               doubles(response.settled.distances))
+            elif response.HasField("trailer"):
+                trailer = response.trailer
+        self.assertGreaterEqual(trailer.settled_radius, 0.5)
+        self.assertEqual([d for _, d in settled],
+                         sorted(d for _, d in settled))
+        self.assertEqual(
+            {v for v, _ in settled},
+            {v for v, p in enumerate(positions) if math.dist(p, place) <= 0.5})
+        for vertex, distance in settled:
+            self.assertAlmostEqual(
+                distance, math.dist(positions[vertex], place), delta=1e-10)
+
+    def test_paths_are_straight(self):
+        digest, positions, _ = self.grid()
+        source, place = self.face_source()
+        last = len(positions) - 1
+        parts = self.answer(self.paths.ComputePaths(
+            self.path_pb.ComputePathsRequest(
+                mesh_digest=digest, sources=[source],
+                targets=[self.surface_pb.SurfacePoint(vertex=v)
+                         for v in (0, last)]), timeout=60))
+        self.assertEqual([p.target for p in parts["path"]], [0, 1])
+        for path, vertex in zip(parts["path"], (0, last)):
+            self.assertEqual(path.source, 0)
+            expected = math.dist(place, positions[vertex])
+            self.assertAlmostEqual(path.length, expected, delta=1e-10)
+            points = self.points(path.piece)
+            self.assertAlmostEqual(math.dist(points[0], place), 0, delta=1e-10)
+            self.assertAlmostEqual(
+                sum(math.dist(a, b) for a, b in zip(points, points[1:])),
+                expected, delta=1e-10)
+
+    def test_isolines_are_circles(self):
+        digest, positions, _ = self.grid()
+        middle = (GRID // 2) * (GRID + 2)
+        parts = self.answer(self.paths.ComputeIsolines(
+            self.path_pb.ComputeIsolinesRequest(
+                mesh_digest=digest,
+                sources=[self.surface_pb.Source(vertex=middle)],
+                levels=[0.25, 0.4]), timeout=60))
+        lines = parts["isoline"]
+        self.assertEqual([(l.level, l.is_closed) for l in lines],
+                         [(0.25, True), (0.4, True)])
+        for line in lines:
+            for point in self.points(line.piece):
+                self.assertAlmostEqual(
+                    math.dist(point, positions[middle]), line.level,
+                    delta=1e-10)
+
+    def test_matrix_dense_and_sparse(self):
+        digest, positions, _ = self.grid()
+        rows = [0, 7, 60]
+        request = self.matrix_pb.ComputeMatrixRequest(
+            mesh_digest=digest,
+            sources=[self.surface_pb.Source(vertex=v) for v in rows])
+        dense = {}
+        for chunk in self.answer(
+                self.matrices.ComputeMatrix(request, timeout=60))["chunk"]:
+            dense.setdefault(chunk.row, []).extend(doubles(chunk.values))
+        for row, vertex in enumerate(rows):
+            for value, position in zip(dense[row], positions):
+                self.assertAlmostEqual(
+                    value, math.dist(position, positions[vertex]), delta=1e-10)
+        request.max_distance = 0.25
+        request.layout = self.matrix_pb.MATRIX_LAYOUT_SPARSE
+        sparse = {}
+        for chunk in self.answer(
+                self.matrices.ComputeMatrix(request, timeout=60))["chunk"]:
+            self.assertEqual(chunk.value_count, len(chunk.columns) // 4)
+            sparse.setdefault(chunk.row, {}).update(
+                zip(numbers32(chunk.columns), doubles(chunk.values)))
+        for row in range(len(rows)):
+            self.assertEqual(
+                sparse[row],
+                {c: d for c, d in enumerate(dense[row]) if d <= 0.25})
+
+    def test_nearest_by_brute_force(self):
+        digest, positions, _ = self.grid()
+        source, place = self.face_source()
+        targets = list(range(0, len(positions), 4))
+        parts = self.answer(self.matrices.FindNearest(
+            self.matrix_pb.FindNearestRequest(
+                mesh_digest=digest, sources=[source], count=5,
+                targets=[self.surface_pb.SurfacePoint(vertex=v)
+                         for v in targets]), timeout=60))
+        found = numbers32(parts["chunk"][0].targets)
+        distances = doubles(parts["chunk"][0].distances)
+        expected = sorted(math.dist(place, positions[v]) for v in targets)[:5]
+        for target, distance, least in zip(found, distances, expected):
+            self.assertAlmostEqual(distance, least, delta=1e-10)
+            self.assertAlmostEqual(
+                distance, math.dist(place, positions[targets[target]]),
+                delta=1e-10)
+        self.assertEqual(len(found), 5)
+
+    def test_samples_are_the_farthest(self):
+        digest, positions, _ = self.grid()
+        parts = self.answer(self.fields.SampleFarthestPoints(
+            self.field_pb.SampleFarthestPointsRequest(
+                mesh_digest=digest, count=6,
+                sources=[self.surface_pb.Source(vertex=0)]), timeout=60))
+        chosen = [0]
+        samples = [s for chunk in parts["samples"] for s in chunk.samples]
+        self.assertEqual(len(samples), 6)
+        for sample in samples:
+            gap = [min(math.dist(p, positions[c]) for c in chosen)
+                   for p in positions]
+            self.assertAlmostEqual(sample.distance, max(gap), delta=1e-10)
+            self.assertAlmostEqual(sample.distance, gap[sample.vertex],
+                                   delta=1e-10)
+            chosen.append(sample.vertex)
+
+    def test_log_map_is_a_rotation_of_the_plane(self):
+        digest, positions, _ = self.grid()
+        _, place = self.face_source()
+        source, _ = self.face_source()
+        parts = self.answer(self.fields.ComputeLogMap(
+            self.field_pb.ComputeLogMapRequest(
+                mesh_digest=digest,
+                source=self.surface_pb.SurfacePoint(face=source.face)),
+            timeout=60))
+        x = parts["frame"][0].zero_direction
+        uv = [d for chunk in parts["chunk"]
+              for d in doubles(chunk.coordinates)]
+        self.assertEqual(len(uv), 2 * len(positions))
+        for v, position in enumerate(positions):
+            dx, dy = position[0] - place[0], position[1] - place[1]
+            self.assertAlmostEqual(uv[2 * v], dx * x.x + dy * x.y, delta=1e-9)
+            self.assertAlmostEqual(uv[2 * v + 1], dy * x.x - dx * x.y,
+                                   delta=1e-9)
+
+    def test_wrong_places_are_named(self):
+        digest, _, _ = self.grid()
+
+        def ask(**place):
+            return lambda: list(self.fields.ComputeField(
+                self.field_pb.ComputeFieldRequest(
+                    mesh_digest=digest,
+                    sources=[self.surface_pb.Source(**place)]), timeout=60))
+
+        invalid = grpc.StatusCode.INVALID_ARGUMENT
+        self.assert_fails(invalid, "sources[0]", ask())
+        self.assert_fails(invalid, "offset", ask(vertex=0, offset=math.nan))
+        self.assert_fails(
+            invalid, "weights",
+            ask(face=self.surface_pb.FacePoint(face=0, weights=[1, 1, 1])))
+        self.assert_fails(
+            invalid, "edge",
+            ask(edge=self.surface_pb.EdgePoint(**{"from": 0}, to=90, t=0.5)))
 
     def test_capabilities_name_the_algorithms(self):
         capabilities = self.capabilities.GetCapabilities(

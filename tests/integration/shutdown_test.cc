@@ -29,8 +29,8 @@ TEST(ShutdownTest, WorkUnderWayIsFinished) {
   ASSERT_TRUE(upload.ok()) << upload.status();
   bool terminated = false;
   absl::StatusOr<Field> field = client.ComputeField(
-      {.mesh_digest = upload->mesh.digest, .sources = {{.vertex = 0}}}, {},
-      [&](const FieldProgress&) {
+      {.mesh_digest = upload->mesh.digest, .sources = {{VertexPoint{0}}}}, {},
+      [&](const SolveProgress&) {
         if (!terminated) server.Terminate();
         terminated = true;
       });
@@ -48,8 +48,8 @@ TEST(ShutdownTest, WorkThatTakesLongerThanTheDrainIsCancelled) {
   ASSERT_TRUE(upload.ok()) << upload.status();
   bool terminated = false;
   absl::StatusOr<Field> field = client.ComputeField(
-      {.mesh_digest = upload->mesh.digest, .sources = {{.vertex = 0}}}, {},
-      [&](const FieldProgress&) {
+      {.mesh_digest = upload->mesh.digest, .sources = {{VertexPoint{0}}}}, {},
+      [&](const SolveProgress&) {
         if (!terminated) server.Terminate();
         terminated = true;
       });

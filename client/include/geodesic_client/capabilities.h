@@ -27,6 +27,15 @@ struct ServerLimits {
   uint64_t max_queued_jobs = 0;
   uint64_t mesh_store_bytes = 0;
   uint64_t field_cache_bytes = 0;
+  // Of one request.
+  uint64_t max_curve_points = 0;
+  uint64_t max_targets = 0;
+  uint64_t max_levels = 0;
+  uint64_t max_samples = 0;
+  // Of one matrix: its rows, and its rows times its columns.
+  uint64_t max_matrix_rows = 0;
+  uint64_t max_matrix_values = 0;
+  uint64_t computation_store_bytes = 0;
 };
 
 struct Capabilities {

@@ -4,7 +4,7 @@
 //   auto upload = client.UploadFile("horse.ply");
 //   if (!upload.ok()) return upload.status();
 //   auto field = client.ComputeField({.mesh_digest = upload->mesh.digest,
-//                                     .sources = {{.vertex = 0}}});
+//                                     .sources = {{VertexPoint{0}}}});
 //   if (!field.ok()) return field.status();
 //   double distance_to_vertex_7 = field->distances[7];
 
@@ -22,9 +22,16 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "geodesic_client/answer.h"
 #include "geodesic_client/capabilities.h"
 #include "geodesic_client/field.h"
+#include "geodesic_client/isolines.h"
+#include "geodesic_client/log_map.h"
+#include "geodesic_client/matrix.h"
 #include "geodesic_client/mesh.h"
+#include "geodesic_client/nearest.h"
+#include "geodesic_client/paths.h"
+#include "geodesic_client/samples.h"
 
 namespace geodesic::client {
 
@@ -109,14 +116,53 @@ class Client {
   absl::Status DeleteMesh(const std::string& digest,
                           const CallOptions& options = {});
 
-  // Computes a distance field, or has it from the server's cache.
-  // Errors: INVALID_ARGUMENT for an unknown algorithm (naming the known ones)
-  // and as ComputeField in field_service.proto; NOT_FOUND: the mesh is not
-  // resident, upload it again; RESOURCE_EXHAUSTED: too many sources, or the
-  // server is busy and says when to try again.
+  // The questions. Each is one server stream; what is computed for it stays
+  // with the server while memory allows. docs/questions.md says what each costs
+  // and guarantees, the .proto what may be refused. Errors of all of them:
+  //   INVALID_ARGUMENT: an unknown algorithm (naming the known ones), a place
+  //     off the mesh, a value out of range;
+  //   NOT_FOUND: the mesh is not resident, upload it again;
+  //   RESOURCE_EXHAUSTED: beyond a limit of the server, or it is busy and says
+  //     when to try again.
+
+  // A distance field, or part of one.
   absl::StatusOr<Field> ComputeField(
       const FieldQuery& query, const CallOptions& options = {},
-      const FieldProgressCallback& progress = nullptr);
+      const SolveProgressCallback& progress = nullptr);
+
+  // The same, with finished distances handed out while the solver runs. What
+  // has been handed out is final even if the call ends early. `distances` of
+  // the result is empty. Errors: INVALID_ARGUMENT also for a query that asks
+  // for nearest sources or gradients.
+  absl::StatusOr<Field> StreamField(
+      const FieldQuery& query, const SettledCallback& on_settled,
+      const CallOptions& options = {},
+      const SolveProgressCallback& progress = nullptr);
+
+  absl::StatusOr<PathAnswer> ComputePaths(
+      const PathQuery& query, const CallOptions& options = {},
+      const SolveProgressCallback& progress = nullptr);
+
+  absl::StatusOr<IsolineAnswer> ComputeIsolines(
+      const IsolineQuery& query, const CallOptions& options = {},
+      const SolveProgressCallback& progress = nullptr);
+
+  // Errors: also whatever the receiver returns.
+  absl::StatusOr<AnswerInfo> ComputeMatrix(const MatrixQuery& query,
+                                           const MatrixReceiver& receiver,
+                                           const CallOptions& options = {});
+
+  absl::StatusOr<NearestAnswer> FindNearest(
+      const NearestQuery& query, const CallOptions& options = {},
+      const NearestProgressCallback& progress = nullptr);
+
+  absl::StatusOr<SampleAnswer> SampleFarthestPoints(
+      const SampleQuery& query, const CallOptions& options = {},
+      const SolveProgressCallback& progress = nullptr);
+
+  absl::StatusOr<LogMap> ComputeLogMap(
+      const LogMapQuery& query, const CallOptions& options = {},
+      const SolveProgressCallback& progress = nullptr);
 
   absl::StatusOr<Capabilities> GetCapabilities(const CallOptions& options = {});
 

@@ -3,21 +3,20 @@
 #ifndef GEODESIC_CLIENT_FIELD_H_
 #define GEODESIC_CLIENT_FIELD_H_
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace geodesic::client {
+#include "geodesic_client/answer.h"
+#include "geodesic_client/surface_point.h"
 
-// A vertex from which distances are measured.
-struct Source {
-  // 0-based.
-  uint64_t vertex = 0;
-  // Distance the source starts with, in the unit of the mesh; >= 0.
-  double offset = 0;
-};
+namespace geodesic::client {
 
 struct FieldQuery {
   // The mesh's digest, 64 hexadecimal digits.
@@ -26,34 +25,29 @@ struct FieldQuery {
   std::vector<Source> sources;
   // One of AlgorithmNames(). DEFAULT: empty, the server's choice.
   std::string algorithm;
+  // Points beside the vertices whose distances are wanted.
+  std::vector<SurfacePoint> targets;
+  // The search ends here; distances beyond are +infinity. DEFAULT: no limit.
+  std::optional<double> max_distance;
+  // The search ends once so many targets are final; distances that are not
+  // final then are +infinity. DEFAULT: it does not end for that.
+  std::optional<uint64_t> stop_after_targets;
+  // What to send beside the distances.
+  bool nearest_sources = false;
+  bool gradients = false;
+  ValueType value_type = ValueType::kFloat64;
 };
-
-// The algorithms this client can name: "fwp-ch", "fwp-mmp", "ich", "mmp",
-// "ch", "lc-mmp", "lc-ch". A server may offer fewer; see
-// Client::GetCapabilities.
-std::vector<std::string> AlgorithmNames();
 
 // Where a field came from.
 enum class FieldOrigin {
-  kSolved,  // Computed for this request.
-  kJoined,  // Another request had started the computation.
-  kCached,  // Taken from the server's cache.
+  kSolved,     // Computed for this request.
+  kJoined,     // Another request had started the computation.
+  kCached,     // Taken from the server's cache.
+  kContinued,  // A computation that had stopped early went on.
 };
 
-// "solved", "joined" or "cached".
+// "solved", "joined", "cached" or "continued".
 std::string_view FieldOriginName(FieldOrigin origin);
-
-// How far a running computation has come.
-struct FieldProgress {
-  // Distances up to here are final. 0 while the job waits for a thread.
-  double settled_radius = 0;
-  uint64_t vertices_reached = 0;
-  uint64_t vertex_count = 0;
-  uint64_t live_windows = 0;
-  uint64_t windows_propagated = 0;
-};
-
-using FieldProgressCallback = std::function<void(const FieldProgress&)>;
 
 // Figures of merit of the computation (of the first one, for a cached field).
 struct FieldStatistics {
@@ -67,13 +61,28 @@ struct FieldStatistics {
   double solve_seconds = 0;
 };
 
+// Stands for the source of a vertex that no path reaches.
+inline constexpr uint32_t kNoSource = 0xffffffffu;
+
 struct Field {
   std::string mesh_digest;
+  uint64_t vertex_count = 0;
   // The algorithm that computed the field.
   std::string algorithm;
   // One value per vertex, in the mesh's vertex order; +infinity where no path
-  // leads.
+  // leads or the search did not come. Empty if the field was streamed.
   std::vector<double> distances;
+  // One value per target of the query.
+  std::vector<double> target_distances;
+  // If asked for: the number of the source nearest to each vertex, kNoSource
+  // where the distance is infinite; at a tie, one of the nearest.
+  std::vector<uint32_t> nearest_sources;
+  // If asked for: the unit vector in which the shortest path arrives at each
+  // vertex; zero at sources and where the distance is infinite.
+  std::vector<std::array<double, 3>> gradients;
+  // Every distance up to here is present and exact; those beyond may be
+  // +infinity instead.
+  double settled_radius = std::numeric_limits<double>::infinity();
   FieldOrigin origin = FieldOrigin::kSolved;
   FieldStatistics statistics;
   // Relative error every distance stays below.
@@ -81,6 +90,15 @@ struct Field {
   // Version of the program that computed the field.
   std::string server_version;
 };
+
+// A vertex whose distance has become final.
+struct SettledVertex {
+  uint32_t vertex = 0;
+  double distance = 0;
+};
+
+// Called with vertices in order of distance (of number at a tie), each once.
+using SettledCallback = std::function<void(std::span<const SettledVertex>)>;
 
 }  // namespace geodesic::client
 

@@ -63,6 +63,14 @@ struct MeshInfo {
   double anisotropy = 0;
   // Memory the mesh takes on the server.
   uint64_t resident_bytes = 0;
+  // Edges with three faces or more, and vertices around which the faces do not
+  // form one disk or half-disk.
+  uint64_t non_manifold_edge_count = 0;
+  uint64_t non_manifold_vertex_count = 0;
+  // Edges along which two faces run in the same direction.
+  uint64_t inconsistent_edge_count = 0;
+  // Whether the faces could be turned so that no such edge is left.
+  bool orientable = true;
 };
 
 // What became of an upload.

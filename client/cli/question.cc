@@ -1,0 +1,178 @@
+#include "client/cli/question.h"
+
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "client/cli/mesh_argument.h"
+#include "client/cli/surface_text.h"
+#include "client/output/place_text.h"
+
+namespace geodesic::client {
+namespace {
+
+// Appends what the files list.
+template <typename Item, typename Read>
+absl::Status AppendLists(const std::vector<std::string>& files, Read read,
+                         std::vector<Item>* items) {
+  for (const std::string& file : files) {
+    absl::StatusOr<std::vector<Item>> list = read(file);
+    if (!list.ok()) return FileError(list.status());
+    items->insert(items->end(), list->begin(), list->end());
+  }
+  return absl::OkStatus();
+}
+
+absl::Status Empty(const std::vector<std::string>& files) {
+  return FileError(absl::InvalidArgumentError(
+      absl::StrCat(files[0], " lists nothing: write one place a line")));
+}
+
+}  // namespace
+
+absl::StatusOr<Question> Prepare(const Session& session) {
+  const Arguments& arguments = session.arguments;
+  for (const OutputArgument& output : arguments.outputs) {
+    absl::Status status = CheckWritable(output.path);
+    if (!status.ok()) return FileError(status);
+  }
+  Question question;
+  question.sources = arguments.sources;
+  question.sources.insert(question.sources.end(), arguments.curves.begin(),
+                          arguments.curves.end());
+  question.targets = arguments.targets;
+  absl::Status status =
+      AppendLists(arguments.source_files, ReadSources, &question.sources);
+  status.Update(
+      AppendLists(arguments.target_files, ReadPoints, &question.targets));
+  if (!status.ok()) return status;
+  if (question.sources.empty() && !arguments.source_files.empty()) {
+    return Empty(arguments.source_files);
+  }
+  if (question.targets.empty() && !arguments.target_files.empty()) {
+    return Empty(arguments.target_files);
+  }
+  absl::StatusOr<std::string> digest = ResolveMesh(session);
+  if (!digest.ok()) return digest.status();
+  question.mesh_digest = *std::move(digest);
+  return question;
+}
+
+SolveProgressCallback Stopwatch::OnSolve() {
+  return [this](const SolveProgress& progress) {
+    const bool waits =
+        progress.vertices_reached == 0 && progress.windows_propagated == 0;
+    const double fraction =
+        progress.vertex_count == 0
+            ? 0
+            : static_cast<double>(progress.vertices_reached) /
+                  static_cast<double>(progress.vertex_count);
+    display_.Update(
+        Clock::now(), waits ? "waiting" : "solving", fraction,
+        waits ? "for a free thread"
+              : absl::StrCat(
+                    "settled to ", ShortNumber(progress.settled_radius), ", ",
+                    GroupedNumber(progress.windows_propagated), " windows"));
+  };
+}
+
+std::function<void(uint64_t, uint64_t)> Stopwatch::OnCount(
+    const std::string& what) {
+  return [this, what](uint64_t finished, uint64_t total) {
+    display_.Update(
+        Clock::now(), "solving",
+        total == 0 ? 0
+                   : static_cast<double>(finished) / static_cast<double>(total),
+        absl::StrCat(GroupedNumber(finished), " of ", GroupedNumber(total), " ",
+                     what));
+  };
+}
+
+absl::StatusOr<const MeshArrays*> MeshOnDemand::Get(uint64_t vertex_count) {
+  if (!mesh_.has_value()) {
+    absl::StatusOr<MeshArrays> read =
+        session_.client.ReadMesh(digest_, session_.call);
+    if (!read.ok()) return read.status();
+    mesh_ = *std::move(read);
+  }
+  if (mesh_->positions.size() != vertex_count) {
+    return absl::DataLossError(
+        absl::StrCat("the server sent a mesh of ", mesh_->positions.size(),
+                     " vertices and an answer for ", vertex_count));
+  }
+  return &*mesh_;
+}
+
+absl::StatusOr<uint64_t> WriteFile(
+    const std::string& path,
+    const std::function<absl::Status(AtomicFile*)>& write) {
+  absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
+  if (!file.ok()) return FileError(file.status());
+  if (absl::Status status = write(&*file); !status.ok()) return status;
+  if (absl::Status status = file->Commit(); !status.ok()) {
+    return FileError(status);
+  }
+  return file->size();
+}
+
+absl::StatusOr<std::vector<WrittenFile>> WriteOutputs(
+    const Session& session,
+    const std::function<absl::StatusOr<uint64_t>(const OutputArgument&)>&
+        write) {
+  std::vector<WrittenFile> written;
+  for (const OutputArgument& output : session.arguments.outputs) {
+    if (session.call.stop.stop_requested()) {
+      return absl::CancelledError("stopped before all files were written");
+    }
+    absl::StatusOr<uint64_t> bytes = write(output);
+    if (!bytes.ok()) return bytes.status();
+    written.push_back({output, *bytes});
+  }
+  return written;
+}
+
+Json ToJson(const std::vector<WrittenFile>& files) {
+  Json outputs = Json::array();
+  for (const WrittenFile& file : files) {
+    outputs.push_back(
+        {{"path", file.output.path},
+         {"format", std::string(OutputFormatName(file.output.format))},
+         {"bytes", file.bytes}});
+  }
+  return outputs;
+}
+
+Json ToJson(const std::vector<Source>& sources) {
+  Json list = Json::array();
+  for (const Source& source : sources) list.push_back(SourceToJson(source));
+  return list;
+}
+
+Json AnswerJson(const Question& question, const AnswerInfo& info,
+                double call_seconds) {
+  return {{"mesh", info.mesh_digest},
+          {"algorithm", info.algorithm},
+          {"sources", ToJson(question.sources)},
+          {"relative_tolerance", info.relative_tolerance},
+          {"windows_propagated", info.windows_propagated},
+          {"compute_seconds", info.compute_seconds},
+          {"call_seconds", call_seconds},
+          {"server_version", info.server_version}};
+}
+
+void AddFileFacts(const std::vector<WrittenFile>& files,
+                  std::vector<Fact>* facts) {
+  for (const WrittenFile& file : files) {
+    facts->push_back({"wrote", absl::StrCat(file.output.path, " (",
+                                            ByteCount(file.bytes), ")")});
+  }
+}
+
+void AddClosingFacts(const AnswerInfo& info, double call_seconds,
+                     const std::vector<WrittenFile>& files,
+                     std::vector<Fact>* facts) {
+  facts->push_back({"solver", Seconds(info.compute_seconds)});
+  facts->push_back({"this call", Seconds(call_seconds)});
+  AddFileFacts(files, facts);
+}
+
+}  // namespace geodesic::client

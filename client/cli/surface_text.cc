@@ -1,0 +1,167 @@
+#include "client/cli/surface_text.h"
+
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "client/output/number_text.h"
+
+namespace geodesic::client {
+namespace {
+
+constexpr std::string_view kPointForms =
+    "VERTEX, edge:A-B@T or face:F@W0,W1,W2 (numbers from 0, T from 0 to 1, "
+    "weights >= 0 that sum to 1)";
+
+constexpr std::string_view kEdge = "edge:";
+constexpr std::string_view kFace = "face:";
+
+absl::Status Wrong(std::string_view text, std::string_view expected) {
+  return absl::InvalidArgumentError(
+      absl::StrCat("'", std::string(text), "' is not ", std::string(expected)));
+}
+
+// Cuts `text` at the first `separator`; false if there is none.
+bool Split(std::string_view text, char separator, std::string_view* before,
+           std::string_view* after) {
+  const size_t at = text.find(separator);
+  if (at == std::string_view::npos) return false;
+  *before = text.substr(0, at);
+  *after = text.substr(at + 1);
+  return true;
+}
+
+bool ParseEdge(std::string_view text, EdgePoint* point) {
+  std::string_view ends;
+  std::string_view t;
+  std::string_view from;
+  std::string_view to;
+  return Split(text, '@', &ends, &t) && Split(ends, '-', &from, &to) &&
+         ParseNumber(from, &point->from) && ParseNumber(to, &point->to) &&
+         ParseNumber(t, &point->t) && point->t >= 0 && point->t <= 1;
+}
+
+bool ParseFace(std::string_view text, FacePoint* point) {
+  std::string_view face;
+  std::string_view weights;
+  std::array<std::string_view, 3> w;
+  if (!Split(text, '@', &face, &weights) ||
+      !Split(weights, ',', &w[0], &weights) ||
+      !Split(weights, ',', &w[1], &w[2]) || !ParseNumber(face, &point->face)) {
+    return false;
+  }
+  for (size_t i = 0; i < w.size(); ++i) {
+    double& weight = point->weights[i];
+    if (!ParseNumber(w[i], &weight) || !std::isfinite(weight) || weight < 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Whether `text` is a point.
+bool ParsePlace(std::string_view text, SurfacePoint* point) {
+  if (text.starts_with(kEdge)) {
+    return ParseEdge(text.substr(kEdge.size()), &point->emplace<EdgePoint>());
+  }
+  if (text.starts_with(kFace)) {
+    return ParseFace(text.substr(kFace.size()), &point->emplace<FacePoint>());
+  }
+  return ParseNumber(text, &point->emplace<VertexPoint>().vertex);
+}
+
+// Takes ":OFFSET" off the end of a place.
+bool TakeOffset(std::string_view* text, double* offset) {
+  // The colon after "edge" and "face" belongs to the place.
+  const size_t kind =
+      text->starts_with(kEdge) || text->starts_with(kFace) ? kEdge.size() : 0;
+  const size_t colon = text->find(':', kind);
+  if (colon == std::string_view::npos) return true;
+  const bool good = ParseNumber(text->substr(colon + 1), offset) &&
+                    std::isfinite(*offset) && *offset >= 0;
+  *text = text->substr(0, colon);
+  return good;
+}
+
+// What `parse` makes of each line of a file.
+template <typename Item, typename Parse>
+absl::StatusOr<std::vector<Item>> ReadList(const std::string& path,
+                                           Parse parse) {
+  std::ifstream file(path);
+  if (!file) {
+    return absl::ErrnoToStatus(errno, absl::StrCat("cannot read ", path));
+  }
+  std::vector<Item> items;
+  std::string line;
+  for (uint64_t number = 1; std::getline(file, line); ++number) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (line.empty() || line.starts_with('#')) continue;
+    absl::StatusOr<Item> item = parse(line);
+    if (!item.ok()) {
+      return absl::InvalidArgumentError(absl::StrCat(
+          path, " line ", number, ": ", std::string(item.status().message())));
+    }
+    items.push_back(*std::move(item));
+  }
+  if (file.bad()) {
+    return absl::ErrnoToStatus(errno, absl::StrCat("cannot read ", path));
+  }
+  return items;
+}
+
+}  // namespace
+
+absl::StatusOr<SurfacePoint> ParsePoint(std::string_view text) {
+  SurfacePoint point;
+  if (ParsePlace(text, &point)) return point;
+  return Wrong(text, absl::StrCat("a point: ", std::string(kPointForms)));
+}
+
+absl::StatusOr<Source> ParseSource(std::string_view text) {
+  Source source;
+  std::string_view place = text;
+  SurfacePoint point;
+  if (!TakeOffset(&place, &source.offset) || !ParsePlace(place, &point)) {
+    return Wrong(text, absl::StrCat("a source: ", std::string(kPointForms),
+                                    ", each also with :OFFSET >= 0"));
+  }
+  std::visit([&source](const auto& at) { source.place = at; }, point);
+  return source;
+}
+
+absl::StatusOr<Source> ParseCurve(std::string_view text) {
+  Source source;
+  Curve curve;
+  std::string_view rest = text;
+  std::string_view place;
+  SurfacePoint point;
+  bool good = true;
+  while (good && Split(rest, ';', &place, &rest)) {
+    good = ParsePlace(place, &point);
+    curve.points.push_back(point);
+  }
+  if (!good || !TakeOffset(&rest, &source.offset) ||
+      !ParsePlace(rest, &point)) {
+    return Wrong(text, absl::StrCat("a curve: POINT;POINT;... or "
+                                    "POINT;POINT;...:OFFSET, where POINT is ",
+                                    std::string(kPointForms)));
+  }
+  curve.points.push_back(point);
+  source.place = std::move(curve);
+  return source;
+}
+
+absl::StatusOr<std::vector<Source>> ReadSources(const std::string& path) {
+  return ReadList<Source>(path, [](std::string_view line) {
+    return line.find(';') == std::string_view::npos ? ParseSource(line)
+                                                    : ParseCurve(line);
+  });
+}
+
+absl::StatusOr<std::vector<SurfacePoint>> ReadPoints(const std::string& path) {
+  return ReadList<SurfacePoint>(path, ParsePoint);
+}
+
+}  // namespace geodesic::client

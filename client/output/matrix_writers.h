@@ -1,0 +1,46 @@
+// Matrices of distances, written row by row: memory holds one row.
+
+#ifndef GEODESIC_CLIENT_OUTPUT_MATRIX_WRITERS_H_
+#define GEODESIC_CLIENT_OUTPUT_MATRIX_WRITERS_H_
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "client/output/number_type.h"
+#include "client/output/output_format.h"
+#include "geodesic_client/matrix.h"
+
+namespace geodesic::client {
+
+// Nothing appears under the file's name before Commit. Not thread-safe.
+class MatrixWriter {
+ public:
+  virtual ~MatrixWriter() = default;
+
+  // First, once.
+  // Errors: those of writing files, naming the path; likewise for the others.
+  virtual absl::Status Begin(const MatrixShape& shape) = 0;
+
+  // Every row, in order.
+  virtual absl::Status Append(const MatrixRow& row) = 0;
+
+  // Puts the file in its place; its size.
+  virtual absl::StatusOr<uint64_t> Commit() = 0;
+};
+
+// .npy: dense, shape (rows, columns); takes dense rows only.
+// .npz: compressed sparse rows as scipy.sparse.load_npz reads them: data,
+//   indices, indptr, shape, format. Of dense rows the finite values are kept.
+//   While it grows, data and indices wait in files without a name beside it.
+// .csv: "source,target,distance", a line for each value.
+// `type` is that of the values in .npy and .npz, a float type.
+// Errors: those of opening files for writing, naming the path.
+absl::StatusOr<std::unique_ptr<MatrixWriter>> CreateMatrixWriter(
+    const std::string& path, OutputFormat format, NumberType type);
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_OUTPUT_MATRIX_WRITERS_H_

@@ -1,0 +1,103 @@
+#include "client/cli/surface_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "client/output/place_text.h"
+#include "tests/client/temporary_folder.h"
+
+namespace geodesic::client {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(ParsePointTest, KnowsThreeKinds) {
+  EXPECT_EQ(*ParsePoint("17"), SurfacePoint(VertexPoint{17}));
+  EXPECT_EQ(*ParsePoint("edge:3-8@0.25"), SurfacePoint(EdgePoint{3, 8, 0.25}));
+  EXPECT_EQ(*ParsePoint("face:5@0.2,0.3,0.5"),
+            SurfacePoint(FacePoint{5, {0.2, 0.3, 0.5}}));
+}
+
+TEST(ParsePointTest, NamesWhatIsWrong) {
+  for (const char* text :
+       {"", "-1", "1.5", "1:2", "edge:", "edge:1@0.5", "edge:1-2", "edge:1-2@",
+        "edge:1-2@-0.1", "edge:1-2@1.1", "edge:1-2@nan", "face:1@0.5,0.5",
+        "face:1@1,0,0,0", "face:1@-1,1,1", "face:1@nan,0,0", "face:1@inf,0,0",
+        "edge:1-2@0.5x", "vertex:1", "1;2"}) {
+    const absl::Status status = ParsePoint(text).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << text;
+    EXPECT_THAT(std::string(status.message()), HasSubstr("edge:A-B@T")) << text;
+  }
+}
+
+TEST(ParseSourceTest, TakesAnOffset) {
+  EXPECT_EQ(*ParseSource("17"), (Source{VertexPoint{17}, 0}));
+  EXPECT_EQ(*ParseSource("17:0.5"), (Source{VertexPoint{17}, 0.5}));
+  EXPECT_EQ(*ParseSource("edge:3-8@0.25:2"),
+            (Source{EdgePoint{3, 8, 0.25}, 2}));
+  EXPECT_EQ(*ParseSource("face:5@1,0,0:1e-3"),
+            (Source{FacePoint{5, {1, 0, 0}}, 1e-3}));
+  for (const char* text : {"1:", "1:-1", "1:nan", "1:inf", "1:2:3",
+                           "edge:1-2@0.5:", "edge:1-2@0.5:x", "1;2"}) {
+    EXPECT_FALSE(ParseSource(text).ok()) << text;
+  }
+}
+
+TEST(ParseCurveTest, IsPointsInARow) {
+  EXPECT_EQ(*ParseCurve("1;edge:1-2@0.5;face:3@0,0,1:0.25"),
+            (Source{Curve{{VertexPoint{1}, EdgePoint{1, 2, 0.5},
+                           FacePoint{3, {0, 0, 1}}}},
+                    0.25}));
+  EXPECT_EQ(*ParseCurve("4"), (Source{Curve{{VertexPoint{4}}}}));
+  for (const char* text : {"", ";", "1;", ";1", "1;;2", "1:2;3", "1;x"}) {
+    EXPECT_FALSE(ParseCurve(text).ok()) << text;
+  }
+}
+
+TEST(PlaceTextTest, IsReadBack) {
+  const std::vector<Source> sources = {{VertexPoint{7}, 0.1},
+                                       {EdgePoint{1, 2, 1.0 / 3}, 0},
+                                       {FacePoint{3, {0.1, 0.2, 0.7}}, 1e-300}};
+  for (const Source& source : sources) {
+    EXPECT_EQ(*ParseSource(SourceText(source)), source) << SourceText(source);
+  }
+  const Source curve = {Curve{{VertexPoint{7}, EdgePoint{1, 2, 0.1}}}, 2};
+  EXPECT_EQ(SourceText(curve), "7;edge:1-2@0.1:2");
+  EXPECT_EQ(*ParseCurve(SourceText(curve)), curve);
+}
+
+TEST(PlaceTextTest, AsJson) {
+  EXPECT_EQ(SourceToJson({VertexPoint{7}, 0.5}).dump(),
+            R"({"vertex":7,"offset":0.5})");
+  EXPECT_EQ(PointToJson(EdgePoint{1, 2, 0.5}).dump(),
+            R"({"edge":[1,2],"t":0.5})");
+  EXPECT_EQ(PointToJson(FacePoint{3, {0.25, 0.25, 0.5}}).dump(),
+            R"({"face":3,"weights":[0.25,0.25,0.5]})");
+  EXPECT_EQ(SourceToJson({Curve{{VertexPoint{1}, VertexPoint{2}}}, 0}).dump(),
+            R"({"curve":[{"vertex":1},{"vertex":2}],"offset":0.0})");
+}
+
+TEST(ReadListTest, OneALine) {
+  TemporaryFolder folder;
+  WriteFile(folder / "s.txt", "# rows\n1\n\n2:0.5\r\n3;4\nedge:0-1@0.5");
+  EXPECT_THAT(*ReadSources(folder / "s.txt"),
+              ElementsAre(Source{VertexPoint{1}}, Source{VertexPoint{2}, 0.5},
+                          Source{Curve{{VertexPoint{3}, VertexPoint{4}}}},
+                          Source{EdgePoint{0, 1, 0.5}}));
+  WriteFile(folder / "t.txt", "5\nface:1@0,0,1\n");
+  EXPECT_THAT(*ReadPoints(folder / "t.txt"),
+              ElementsAre(SurfacePoint(VertexPoint{5}),
+                          SurfacePoint(FacePoint{1, {0, 0, 1}})));
+}
+
+TEST(ReadListTest, NamesFileAndLine) {
+  TemporaryFolder folder;
+  WriteFile(folder / "s.txt", "1\n# fine\nx\n");
+  const absl::Status status = ReadSources(folder / "s.txt").status();
+  EXPECT_THAT(std::string(status.message()), HasSubstr("s.txt line 3: 'x'"));
+  EXPECT_TRUE(absl::IsNotFound(ReadPoints(folder / "no.txt").status()));
+}
+
+}  // namespace
+}  // namespace geodesic::client
