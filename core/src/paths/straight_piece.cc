@@ -114,6 +114,9 @@ class BackWalk {
 
   // The face beyond h to go on in; nothing at a boundary.
   std::optional<FaceBeyond> Beyond(HalfEdge h) {
+    if (const HalfEdge twin = mesh_.Twin(h); twin != kNoHalfEdge) {
+      return FaceBeyond{twin, false};
+    }
     std::vector<FaceBeyond> faces;
     mesh_.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
       faces.push_back({other, is_mirrored});

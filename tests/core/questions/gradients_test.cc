@@ -14,6 +14,7 @@
 #include "tests/core/questions/path_check.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
+#include "tests/support/planar_curves.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/vec.h"
 
@@ -96,6 +97,11 @@ TEST_P(GradientsTest, RunAlongPaths) {
                    {.sources = {{VertexPoint{3}}}});
   ExpectAlongPaths({"U", MakeGrid(UShape({.columns = 9, .rows = 9}))},
                    {.sources = {{VertexPoint{4}}}});
+  const TriangleSoup grid =
+      MakeGrid({.columns = 12, .rows = 10, .jitter = 0.24, .seed = 5});
+  ExpectAlongPaths(
+      {"curve", grid},
+      {.curves = {OnMesh(grid, {{{2.2, 1.1}, {6.1, 7.3}, {10.3, 3.9}}, 0})}});
 }
 
 // A step back along the gradient shortens the distance by its length.
