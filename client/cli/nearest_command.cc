@@ -29,12 +29,13 @@ Json FoundJson(const Question& question, const NearestAnswer& answer) {
   return rows;
 }
 
-// Calls `visit(source, rank, nearest)` for all that was found.
+// Calls `visit(source, rank, nearest)` for all that was found; the nearest has
+// rank 1.
 template <typename Visit>
 void VisitFound(const NearestAnswer& answer, Visit visit) {
   for (size_t source = 0; source < answer.found.size(); ++source) {
     for (size_t rank = 0; rank < answer.found[source].size(); ++rank) {
-      visit(source, rank, answer.found[source][rank]);
+      visit(source, rank + 1, answer.found[source][rank]);
     }
   }
 }
@@ -58,7 +59,7 @@ void PrintText(const Session& session, const Question& question,
                const std::vector<WrittenFile>& files, double seconds) {
   std::vector<std::vector<std::string>> rows;
   VisitFound(answer, [&](size_t source, size_t rank, const NearestTarget& t) {
-    rows.push_back({SourceText(question.sources[source]), NumberText(rank + 1),
+    rows.push_back({SourceText(question.sources[source]), NumberText(rank),
                     PointText(question.targets[t.target]),
                     NumberText(t.distance)});
   });

@@ -170,7 +170,11 @@ void AddFileFacts(const std::vector<WrittenFile>& files,
 void AddClosingFacts(const AnswerInfo& info, double call_seconds,
                      const std::vector<WrittenFile>& files,
                      std::vector<Fact>* facts) {
-  facts->push_back({"solver", Seconds(info.compute_seconds)});
+  // Rows of a matrix are computed side by side.
+  facts->push_back({"solver", absl::StrCat(Seconds(info.compute_seconds),
+                                           info.compute_seconds > call_seconds
+                                               ? " over all threads"
+                                               : "")});
   facts->push_back({"this call", Seconds(call_seconds)});
   AddFileFacts(files, facts);
 }

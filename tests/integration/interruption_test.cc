@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
+
 #include "geodesic_client/client.h"
 #include "tests/integration/meshes.h"
 #include "tests/integration/running_server.h"
@@ -41,6 +43,45 @@ TEST_F(InterruptionTest, CtrlCEndsTheCommand) {
   EXPECT_EQ(server_.Wait(), 0);
   EXPECT_THAT(FileBytes(folder_ / "server.log"),
               HasSubstr("ComputeField CANCELLED"));
+}
+
+TEST_F(InterruptionTest, WhatHadSettledWasFinal) {
+  std::stop_source stop;
+  std::vector<SettledVertex> settled;
+  absl::StatusOr<Field> field = client_.StreamField(
+      {.mesh_digest = digest_, .sources = {{VertexPoint{0}}}},
+      [&](std::span<const SettledVertex> vertices) {
+        settled.insert(settled.end(), vertices.begin(), vertices.end());
+        if (settled.size() > 1) stop.request_stop();
+      },
+      {.stop = stop.get_token()});
+  ASSERT_TRUE(absl::IsCancelled(field.status())) << field.status();
+  ASSERT_GT(settled.size(), 1);
+  ASSERT_LT(settled.size(), 501 * 501);
+  const double radius = settled.back().distance;
+  absl::StatusOr<Field> whole =
+      client_.ComputeField({.mesh_digest = digest_,
+                            .sources = {{VertexPoint{0}}},
+                            .max_distance = radius});
+  ASSERT_TRUE(whole.ok()) << whole.status();
+  for (const SettledVertex& vertex : settled) {
+    EXPECT_NEAR(vertex.distance, whole->distances[vertex.vertex],
+                1e-10 * radius);
+  }
+  // Nothing nearer was left out.
+  const auto nearer = std::ranges::count_if(
+      whole->distances, [radius](double d) { return d < radius * (1 - 1e-9); });
+  EXPECT_GE(settled.size(), static_cast<size_t>(nearer));
+}
+
+TEST_F(InterruptionTest, CtrlCLeavesWhatHadSettled) {
+  Process field(CommandLine(
+      {"field", digest_, "-s", "0", "--progressive", "-o", folder_ / "d.csv"}));
+  ASSERT_TRUE(field.AwaitError("solving"));
+  field.Signal(SIGINT);
+  EXPECT_EQ(field.Wait().exit_code, 130);
+  EXPECT_THAT(FileBytes(folder_ / "d.csv"),
+              ::testing::StartsWith("vertex,geodesic_distance\n0,0\n"));
 }
 
 TEST_F(InterruptionTest, TimeoutEndsTheCommand) {

@@ -185,7 +185,7 @@ TEST_F(MatrixQuestionsTest, NearestAreListed) {
   EXPECT_EQ(found[1]["point"]["vertex"], 3);
   EXPECT_EQ(json::parse(FileBytes(folder_ / "n.json")), answer["found"]);
   EXPECT_THAT(FileBytes(folder_ / "n.csv"),
-              StartsWith("source,rank,target,point,distance\n0,0,2,9,"));
+              StartsWith("source,rank,target,point,distance\n0,1,2,9,"));
 }
 
 }  // namespace
