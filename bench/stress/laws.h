@@ -23,6 +23,10 @@ void CheckBruteForce(const Scene& scene, test::Random& random, Report& report);
 // vertices.
 void CheckReachLaws(const Scene& scene, test::Random& random, Report& report);
 
+// Paths, nearest sources, gradients, log maps and isolines.
+void CheckQuestionLaws(const Scene& scene, test::Random& random,
+                       Report& report);
+
 }  // namespace geodesic::stress
 
 #endif  // GEODESIC_BENCH_STRESS_LAWS_H_

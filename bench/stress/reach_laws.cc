@@ -39,6 +39,7 @@ class Watcher final : public Checkpoint {
 
   const std::vector<SettledVertex>& vertices() const { return vertices_; }
   bool is_monotone() const { return is_monotone_; }
+  double radius() const { return radius_; }
   uint64_t polls() const { return polls_; }
 
  private:
@@ -150,8 +151,11 @@ void CheckCancelling(const Scene& scene, const Query& query,
   const absl::Status status = computation->Advance({}, watcher);
   report.Check(absl::IsCancelled(status) || status.ok(), "cancelling cancels",
                status);
-  CheckLimited("cancelled = full where finite", query, computation->Field(),
-               full, report);
+  const DistanceField field = computation->Field();
+  CheckLimited("cancelled = full where finite", query, field, full, report);
+  report.Check(field.settled_radius >= watcher.radius(),
+               "what was settled stays so after a cancel", watcher.radius(),
+               " told, ", field.settled_radius, " given, ", Name(query));
   Watcher onward(std::numeric_limits<uint64_t>::max());
   const absl::Status rest = computation->Advance({}, onward);
   report.Check(rest.ok(), "a cancelled computation goes on", rest);

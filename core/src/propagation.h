@@ -54,6 +54,8 @@ class Propagation final : public Computation {
 
   absl::Status Run(const Reach& reach, Checkpoint& checkpoint);
   void Seed();
+  // Everything that is settled, but nothing beyond `radius`.
+  void CertifyUpTo(double radius);
   void Step(uint32_t id);
   absl::Status Poll(Checkpoint& checkpoint);
   bool HasTargets(uint64_t wanted);
@@ -116,14 +118,22 @@ absl::Status Propagation<Rule, Queue, OriginType>::Run(const Reach& reach,
     PrefetchUpcoming();
     Step(id);
     if (steps % kPollPeriod == 0) {
-      if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+      if (absl::Status status = Poll(checkpoint); !status.ok()) {
+        CertifyUpTo(reach.radius);
+        return status;
+      }
       if (HasTargets(reach.targets)) break;
     }
   }
-  certified_radius_ =
-      std::max(certified_radius_,
-               std::min(reach.radius, ToFileUnit(queue_.SettledRadius())));
+  CertifyUpTo(reach.radius);
   return Poll(checkpoint);
+}
+
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+void Propagation<Rule, Queue, OriginType>::CertifyUpTo(double radius) {
+  certified_radius_ = std::max(
+      certified_radius_, std::min(radius, ToFileUnit(queue_.SettledRadius())));
 }
 
 template <template <typename> typename Rule, WindowQueue Queue,

@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bench/stress/answers.h"
+#include "bench/stress/laws.h"
+#include "geodesic/field_quantities.h"
+#include "geodesic/isolines.h"
+#include "geodesic/log_map.h"
+#include "geodesic/path.h"
+#include "geodesic/solve.h"
+#include "tests/support/surface_points.h"
+#include "tests/support/vec.h"
+
+namespace geodesic::stress {
+namespace {
+
+using test::Random;
+using test::Real;
+
+bool ShareAFace(const Scene& scene, const SurfacePoint& a,
+                const SurfacePoint& b) {
+  const std::vector<test::Place> around_b = test::PlacesOf(scene.soup, b);
+  return std::ranges::any_of(
+      test::PlacesOf(scene.soup, a), [&](const test::Place& place) {
+        return std::ranges::any_of(around_b, [&](const test::Place& other) {
+          return other.face == place.face;
+        });
+      });
+}
+
+// On the surface, from the source to the target, as long as the distance: then
+// it is a shortest path.
+void CheckPath(const Scene& scene, const Query& query,
+               const absl::StatusOr<GeodesicPath>& path,
+               const SurfacePoint& target, double distance, Report& report) {
+  if (!report.Check(path.ok(), "a path is found", path.status(), " to ",
+                    Name(target), ", ", Name(query))) {
+    return;
+  }
+  if (std::isinf(distance)) {
+    report.Check(path->points.empty(), "no path leads to what is not reached",
+                 Name(target), ", ", Name(query));
+    return;
+  }
+  bool is_on_surface = !path->points.empty();
+  Real length = 0;
+  for (size_t i = 1; i < path->points.size(); ++i) {
+    is_on_surface = is_on_surface &&
+                    ShareAFace(scene, path->points[i - 1], path->points[i]);
+    length += Norm(test::PositionIn(scene.soup, path->points[i]) -
+                   test::PositionIn(scene.soup, path->points[i - 1]));
+  }
+  if (!report.Check(is_on_surface, "a path keeps to the surface", "to ",
+                    Name(target), ", ", Name(query))) {
+    return;
+  }
+  const double slack =
+      scene.rounding * 4 * static_cast<double>(path->points.size());
+  const double offset =
+      path->source < query.sources.size()
+          ? query.sources[path->source].offset
+          : query.curves[path->source - query.sources.size()].offset;
+  report.Check(AreEqual(distance, offset + static_cast<double>(length), slack),
+               "a path is as long as the distance", offset, " + ",
+               static_cast<double>(length), " for ", distance, " to ",
+               Name(target), ", ", Name(query));
+  report.Check(AreEqual(distance, offset + path->length, slack),
+               "a path knows its length", path->length, ", ", Name(query));
+  const auto apart = [&](const SurfacePoint& a, const SurfacePoint& b) {
+    return static_cast<double>(Norm(test::PositionIn(scene.soup, a) -
+                                    test::PositionIn(scene.soup, b)));
+  };
+  report.Check(apart(path->points.back(), target) <= slack,
+               "a path ends at its target", Name(target), ", ", Name(query));
+  if (path->source < query.sources.size()) {
+    report.Check(
+        apart(path->points.front(), query.sources[path->source].point) <= slack,
+        "a path starts at its source", Name(target), ", ", Name(query));
+  }
+}
+
+void CheckPaths(const Scene& scene, const Query& query,
+                const DistanceField& field, Random& random, Report& report) {
+  const absl::StatusOr<PathTracer> tracer =
+      PathTracer::Create(*scene.mesh, query, field);
+  if (!report.Check(tracer.ok(), "a traced field has paths", tracer.status())) {
+    return;
+  }
+  for (uint32_t t = 0; t < query.targets.size(); ++t) {
+    CheckPath(scene, query, tracer->ToTarget(t), query.targets[t],
+              field.target_distances[t], report);
+  }
+  for (int i = 0; i < 5; ++i) {
+    const uint32_t v = random.Below(scene.mesh->vertex_count());
+    CheckPath(scene, query, tracer->ToVertex(v), VertexPoint{v},
+              field.distances[v], report);
+  }
+}
+
+// The source that is named is one of the nearest.
+void CheckLabels(const Scene& scene, const Query& query,
+                 const DistanceField& field, Report& report) {
+  const absl::StatusOr<std::vector<uint32_t>> nearest =
+      NearestSources(*scene.mesh, query, field);
+  if (!report.Check(nearest.ok(), "a traced field has labels",
+                    nearest.status())) {
+    return;
+  }
+  std::vector<std::vector<double>> single;
+  for (const Source& source : query.sources) {
+    single.push_back(AllDistances(
+        *scene.mesh, {.sources = {source}, .algorithm = query.algorithm},
+        report));
+  }
+  for (const CurveSource& curve : query.curves) {
+    single.push_back(AllDistances(
+        *scene.mesh, {.curves = {curve}, .algorithm = query.algorithm},
+        report));
+  }
+  bool holds = true;
+  size_t worst = 0;
+  for (size_t v = 0; v < nearest->size(); ++v) {
+    const uint32_t label = (*nearest)[v];
+    const bool fits = std::isinf(field.distances[v])
+                          ? label == kNoSource
+                          : label < single.size() && !single[label].empty() &&
+                                AreEqual(field.distances[v], single[label][v],
+                                         4 * scene.rounding);
+    if (fits) continue;
+    holds = false;
+    worst = v;
+  }
+  report.Check(holds, "labels name a nearest source", "vertex ", worst,
+               " label ", (*nearest)[worst], ", ", Name(query));
+}
+
+void CheckGradients(const Scene& scene, const Query& query,
+                    const DistanceField& field, Report& report) {
+  const absl::StatusOr<std::vector<Point>> gradients =
+      Gradients(*scene.mesh, query, field);
+  if (!report.Check(gradients.ok(), "a traced field has gradients",
+                    gradients.status())) {
+    return;
+  }
+  const bool holds = std::ranges::all_of(*gradients, [](const Point& g) {
+    const double norm = std::hypot(g[0], g[1], g[2]);
+    return norm == 0 || std::abs(norm - 1) < 1e-9;
+  });
+  report.Check(holds, "gradients are unit vectors", Name(query));
+}
+
+void CheckLogMap(const Scene& scene, const Query& query,
+                 const DistanceField& field, Report& report) {
+  if (query.sources.size() != 1 || !query.curves.empty()) return;
+  const absl::StatusOr<LogMap> map = ComputeLogMap(*scene.mesh, query, field);
+  if (!map.ok()) {
+    report.Check(absl::IsInvalidArgument(map.status()),
+                 "a log map is drawn or refused", map.status(), ", ",
+                 Name(query));
+    return;
+  }
+  bool holds = true;
+  for (size_t v = 0; v < field.distances.size(); ++v) {
+    const auto [x, y] = map->coordinates[v];
+    if (std::isinf(field.distances[v])) {
+      holds = holds && std::isnan(x);
+    } else {
+      holds = holds && AreEqual(field.distances[v] - query.sources[0].offset,
+                                std::hypot(x, y), 16 * scene.rounding);
+    }
+  }
+  report.Check(holds, "the log map keeps distances from the source",
+               Name(query));
+}
+
+void CheckIsolines(const Scene& scene, Query query, const DistanceField& field,
+                   Random& random, Report& report) {
+  double farthest = 0;
+  for (const double d : field.distances) {
+    if (!std::isinf(d)) farthest = std::max(farthest, d);
+  }
+  const double level = farthest * random.Uniform(0.05, 0.95);
+  if (!(level > 0)) return;
+  query.trace = false;
+  query.targets.clear();
+  NoCheckpoint checkpoint;
+  const absl::StatusOr<std::vector<Isoline>> lines =
+      ComputeIsolines(*scene.mesh, query, {level}, {}, checkpoint);
+  if (!report.Check(lines.ok(), "isolines are drawn", lines.status(), ", ",
+                    Name(query))) {
+    return;
+  }
+  for (const Isoline& line : *lines) {
+    query.targets.insert(query.targets.end(), line.points.begin(),
+                         line.points.end());
+  }
+  const std::vector<double> got = AllDistances(*scene.mesh, query, report);
+  bool holds = true;
+  double worst = level;
+  for (size_t i = field.distances.size(); i < got.size(); ++i) {
+    if (std::abs(got[i] - level) > std::abs(worst - level)) worst = got[i];
+    holds = holds && AreEqual(level, got[i], 8 * scene.rounding);
+  }
+  report.Check(holds, "isolines are at their level", level, " and ", worst,
+               ", ", Name(query));
+}
+
+}  // namespace
+
+void CheckQuestionLaws(const Scene& scene, Random& random, Report& report) {
+  Query query{.targets = scene.points,
+              .algorithm = DrawAlgorithm(scene, random),
+              .trace = true};
+  const uint32_t count = random.Below(3) + 1;
+  for (uint32_t i = 0; i < count; ++i) {
+    query.sources.push_back(
+        {DrawPoint(scene, random),
+         i == 0 ? 0 : scene.rounding * 0x1p52 * random.Uniform(0, 0.1)});
+  }
+  NoCheckpoint checkpoint;
+  const absl::StatusOr<DistanceField> field =
+      Solve(*scene.mesh, query, {}, checkpoint);
+  if (!report.Check(field.ok(), "a valid query is answered", field.status(),
+                    ", ", Name(query))) {
+    return;
+  }
+  CheckPaths(scene, query, *field, random, report);
+  CheckLabels(scene, query, *field, report);
+  CheckGradients(scene, query, *field, report);
+  CheckLogMap(scene, query, *field, report);
+  CheckIsolines(scene, query, *field, random, report);
+}
+
+}  // namespace geodesic::stress
