@@ -23,6 +23,10 @@ void CheckBruteForce(const Scene& scene, test::Random& random, Report& report);
 // vertices.
 void CheckReachLaws(const Scene& scene, test::Random& random, Report& report);
 
+// A curve is no farther than its points, and no nearer than the nearest of many
+// points on it, less the way between two of them.
+void CheckCurveLaws(const Scene& scene, test::Random& random, Report& report);
+
 // Paths, nearest sources, gradients, log maps and isolines.
 void CheckQuestionLaws(const Scene& scene, test::Random& random,
                        Report& report);

@@ -33,6 +33,7 @@ void RunCase(uint64_t seed, Report& report, uint64_t* refused) {
   }
   CheckFieldLaws(scene, random, report);
   CheckReachLaws(scene, random, report);
+  CheckCurveLaws(scene, random, report);
   CheckQuestionLaws(scene, random, report);
   if (scene.is_small()) CheckBruteForce(scene, random, report);
 }

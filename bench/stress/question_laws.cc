@@ -18,17 +18,6 @@ namespace {
 using test::Random;
 using test::Real;
 
-bool ShareAFace(const Scene& scene, const SurfacePoint& a,
-                const SurfacePoint& b) {
-  const std::vector<test::Place> around_b = test::PlacesOf(scene.soup, b);
-  return std::ranges::any_of(
-      test::PlacesOf(scene.soup, a), [&](const test::Place& place) {
-        return std::ranges::any_of(around_b, [&](const test::Place& other) {
-          return other.face == place.face;
-        });
-      });
-}
-
 // On the surface, from the source to the target, as long as the distance: then
 // it is a shortest path.
 void CheckPath(const Scene& scene, const Query& query,
@@ -46,8 +35,9 @@ void CheckPath(const Scene& scene, const Query& query,
   bool is_on_surface = !path->points.empty();
   Real length = 0;
   for (size_t i = 1; i < path->points.size(); ++i) {
-    is_on_surface = is_on_surface &&
-                    ShareAFace(scene, path->points[i - 1], path->points[i]);
+    is_on_surface =
+        is_on_surface &&
+        test::HaveCommonFace(scene.soup, path->points[i - 1], path->points[i]);
     length += Norm(test::PositionIn(scene.soup, path->points[i]) -
                    test::PositionIn(scene.soup, path->points[i - 1]));
   }
@@ -218,6 +208,7 @@ void CheckQuestionLaws(const Scene& scene, Random& random, Report& report) {
         {DrawPoint(scene, random),
          i == 0 ? 0 : scene.rounding * 0x1p52 * random.Uniform(0, 0.1)});
   }
+  if (random.Below(3) == 0) query.curves.push_back(DrawCurve(scene, random));
   NoCheckpoint checkpoint;
   const absl::StatusOr<DistanceField> field =
       Solve(*scene.mesh, query, {}, checkpoint);

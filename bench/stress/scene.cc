@@ -243,6 +243,12 @@ SurfacePoint DrawPoint(const Scene& scene, Random& random) {
   return scene.points[random.Below(static_cast<uint32_t>(scene.points.size()))];
 }
 
+CurveSource DrawCurve(const Scene& scene, Random& random) {
+  return {
+      .points = test::RandomCurve(scene.soup, 5, random),
+      .offset = OneIn(2, random) ? 0 : scene.size() * random.Uniform(0, 0.3)};
+}
+
 std::string Name(const SurfacePoint& point) {
   std::ostringstream text;
   text << std::setprecision(17);

@@ -27,6 +27,8 @@ struct Scene {
   // What the rounding of coordinates is worth: lengths are known no better.
   double rounding = 0;
 
+  // The largest coordinate.
+  double size() const { return rounding * 0x1p52; }
   // Few enough faces for brute force.
   bool is_small() const { return soup.triangles.size() <= 150; }
 };
@@ -43,6 +45,9 @@ std::vector<AlgorithmInfo> AlgorithmsFor(const Scene& scene);
 
 // A point of the scene; its vertices and edges are drawn anew.
 SurfacePoint DrawPoint(const Scene& scene, test::Random& random);
+
+// A polyline, with an offset within the size of the scene or none.
+CurveSource DrawCurve(const Scene& scene, test::Random& random);
 
 // A point, in words.
 std::string Name(const SurfacePoint& point);

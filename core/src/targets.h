@@ -101,7 +101,8 @@ void Targets::Offer(HalfEdge h, const BasicWindow<OriginType>& window,
     const double crossing = CrossingTo(origin, at);
     // As for an apex: rays may miss the window by rounding.
     const double through = std::clamp(crossing, interval.begin, interval.end);
-    if (!(std::abs(through - crossing) <= NearMiss(origin, frame))) continue;
+    if (!(std::abs(through - crossing) <= NearMiss(origin, frame, at)))
+      continue;
     Take(targets_[t],
          through == crossing
              ? origin.sigma + DistanceToPlace(origin, at)

@@ -30,7 +30,7 @@ inline constexpr double kLeastHeight = 1e-170;
 inline constexpr double kLeastWidth = 1e-12;
 
 // A window that misses the apex by no more than this fraction of its reach (the
-// edge and the way from the pseudo-source) relaxes it through its nearest end,
+// edge and the way from the pseudo-source), seen across the ray, relaxes it through its nearest end,
 // which is a real path. On regular grids rays run exactly into vertices, and
 // rounding, which goes with the reach, puts them on either side.
 inline constexpr double kNearMiss = 1e-9;

@@ -72,6 +72,15 @@ std::vector<Place> PlacesOf(const TriangleSoup& soup,
   return {place};
 }
 
+bool HaveCommonFace(const TriangleSoup& soup, const SurfacePoint& a,
+                    const SurfacePoint& b) {
+  const std::vector<Place> around_b = PlacesOf(soup, b);
+  return std::ranges::any_of(PlacesOf(soup, a), [&](const Place& place) {
+    return std::ranges::find(around_b, place.face, &Place::face) !=
+           around_b.end();
+  });
+}
+
 Vec3 PositionIn(const TriangleSoup& soup, const SurfacePoint& point) {
   if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
     return ToVec3(soup.positions[vertex->vertex]);
@@ -169,6 +178,41 @@ SurfacePoint RandomSurfacePoint(const TriangleSoup& soup, Random& random) {
     default:
       return RandomFacePoint(soup, random);
   }
+}
+
+std::vector<SurfacePoint> RandomCurve(const TriangleSoup& soup, uint32_t most,
+                                      Random& random) {
+  std::vector<SurfacePoint> points = {RandomSurfacePoint(soup, random)};
+  const uint32_t count = 1 + random.Below(most);
+  while (points.size() < count) {
+    const std::vector<Place> places = PlacesOf(soup, points.back());
+    const uint32_t face =
+        places[random.Below(static_cast<uint32_t>(places.size()))].face;
+    const Triangle& t = soup.triangles[face];
+    const uint32_t side = random.Below(3), next = (side + 1) % 3;
+    switch (random.Below(6)) {
+      case 0:
+        points.push_back(VertexPoint{t[side]});
+        break;
+      case 1:
+        points.push_back(points[random.Below(
+            static_cast<uint32_t>(points.size()))]);  // closed, or standing
+        if (!HaveCommonFace(soup, points[points.size() - 2], points.back())) {
+          points.pop_back();
+        }
+        break;
+      case 2: {
+        const double u = random.Uniform(0.02, 0.48);
+        const double v = random.Uniform(0.02, 0.48);
+        points.push_back(FacePoint{face, {u, v, 1 - u - v}});
+        break;
+      }
+      default:
+        points.push_back(
+            EdgePoint{t[side], t[next], random.Uniform(0.02, 0.98)});
+    }
+  }
+  return points;
 }
 
 }  // namespace geodesic::test

@@ -22,6 +22,9 @@ struct Place {
 std::vector<Place> PlacesOf(const TriangleSoup& soup,
                             const SurfacePoint& point);
 
+bool HaveCommonFace(const TriangleSoup& soup, const SurfacePoint& a,
+                    const SurfacePoint& b);
+
 Vec3 PositionIn(const TriangleSoup& soup, const SurfacePoint& point);
 
 // The same surface with the point as a vertex, which `vertex` names: the faces
@@ -43,6 +46,10 @@ SurfacePoint RandomPointNearby(const TriangleSoup& soup, double distance,
                                Random& random);
 // Any of these.
 SurfacePoint RandomSurfacePoint(const TriangleSoup& soup, Random& random);
+
+// A polyline of up to `most` points, each in a common face with the one before.
+std::vector<SurfacePoint> RandomCurve(const TriangleSoup& soup, uint32_t most,
+                                      Random& random);
 
 }  // namespace geodesic::test
 

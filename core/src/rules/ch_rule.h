@@ -209,7 +209,7 @@ bool ChenHanRule<Front, kFilter>::Propagate(uint32_t id) {
   const Arrival arrival{pseudo_source, h, origin.x, origin.depth};
   const PlanePoint apex = ApexOf(frame);
   const double crossing = CrossingTo(origin, apex);
-  const double near_miss = NearMiss(origin, frame);
+  const double near_miss = NearMiss(origin, frame, apex);
   if (crossing <= interval.begin) {
     if (crossing > interval.begin - near_miss) {
       front_.Relax(face.apex,

@@ -186,7 +186,7 @@ void MmpRule<Front>::Cross(HalfEdge h, const Window& window,
   // The point of the interval nearest to the ray through the apex; paths
   // through it to the apex are real, and straight if the ray is in there.
   const double through = std::clamp(crossing, interval.begin, interval.end);
-  if (std::abs(through - crossing) <= NearMiss(origin, frame)) {
+  if (std::abs(through - crossing) <= NearMiss(origin, frame, apex)) {
     front_.Relax(mesh_.Apex(h),
                  through == crossing
                      ? origin.sigma + DistanceToPlace(origin, apex)

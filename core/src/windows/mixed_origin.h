@@ -57,9 +57,12 @@ inline double Lean(const MixedOrigin& origin, const PlanePoint& place,
   return origin.is_segment ? origin.x : Lean(origin.AsPoint(), place, distance);
 }
 
-inline double NearMiss(const MixedOrigin& origin, const HalfEdgeFrame& frame) {
-  return origin.is_segment ? kNearMiss * (frame.length + std::abs(origin.sigma))
-                           : NearMiss(origin.AsPoint(), frame);
+inline double NearMiss(const MixedOrigin& origin, const HalfEdgeFrame& frame,
+                       const PlanePoint& place) {
+  return origin.is_segment
+             ? kNearMiss * (frame.length + std::abs(origin.sigma)) /
+                   origin.depth
+             : NearMiss(origin.AsPoint(), frame, place);
 }
 
 inline bool LiesOnEdge(const MixedOrigin& origin, const HalfEdgeFrame& frame) {

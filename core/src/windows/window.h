@@ -99,10 +99,14 @@ inline double CrossingTo(const Origin& origin, const PlanePoint& place) {
          (place.y + origin.depth);
 }
 
-// How far outside its interval a window still relaxes the apex (or a target),
-// through the interval's nearest end.
-inline double NearMiss(const Origin& origin, const HalfEdgeFrame& frame) {
-  return kNearMiss * (frame.length + std::abs(origin.x) + origin.depth);
+// How far outside its interval a window still relaxes a place of the face (the
+// apex, a target), through the interval's nearest end. The ray into the place
+// misses the window by so much less as it runs along the edge.
+inline double NearMiss(const Origin& origin, const HalfEdgeFrame& frame,
+                       const PlanePoint& place) {
+  const double slope = std::abs(place.x - origin.x) / (place.y + origin.depth);
+  return kNearMiss * (frame.length + std::abs(origin.x) + origin.depth) *
+         (1 + slope);
 }
 
 // Distance from the pseudo-source straight to a place of the face.

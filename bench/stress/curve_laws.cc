@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bench/stress/answers.h"
+#include "bench/stress/laws.h"
+#include "tests/support/surface_points.h"
+#include "tests/support/vec.h"
+
+namespace geodesic::stress {
+namespace {
+
+// `count` + 1 points from one place of a face to another.
+std::vector<SurfacePoint> Between(const test::Place& a, const test::Place& b,
+                                  int count) {
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i <= count; ++i) {
+    FacePoint point{.face = a.face};
+    for (int c = 0; c < 3; ++c) {
+      point.weights[c] = static_cast<double>(
+          ((count - i) * a.weights[c] + i * b.weights[c]) / count);
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+// Points along the curve, and how far apart at the most.
+std::vector<SurfacePoint> Along(const Scene& scene, const CurveSource& curve,
+                                double* apart) {
+  constexpr int kPieces = 16;
+  std::vector<SurfacePoint> all = {curve.points[0]};
+  *apart = 0;
+  for (size_t i = 1; i < curve.points.size(); ++i) {
+    const std::vector<test::Place> ends =
+        test::PlacesOf(scene.soup, curve.points[i]);
+    for (const test::Place& begin :
+         test::PlacesOf(scene.soup, curve.points[i - 1])) {
+      const auto end = std::ranges::find(ends, begin.face, &test::Place::face);
+      if (end == ends.end()) continue;
+      const std::vector<SurfacePoint> piece = Between(begin, *end, kPieces);
+      all.insert(all.end(), piece.begin(), piece.end());
+      *apart = std::max(
+          *apart, static_cast<double>(
+                      Norm(test::PositionIn(scene.soup, curve.points[i]) -
+                           test::PositionIn(scene.soup, curve.points[i - 1]))) /
+                      kPieces);
+      break;
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+void CheckCurveLaws(const Scene& scene, test::Random& random, Report& report) {
+  Query query{.curves = {DrawCurve(scene, random)},
+              .targets = scene.points,
+              .algorithm = DrawAlgorithm(scene, random)};
+  const std::vector<double> curve = AllDistances(*scene.mesh, query, report);
+  double apart = 0;
+  Query points{.targets = scene.points,
+               .algorithm = DrawAlgorithm(scene, random)};
+  for (const SurfacePoint& point : Along(scene, query.curves[0], &apart)) {
+    points.sources.push_back({point, query.curves[0].offset});
+  }
+  const std::vector<double> nearest = AllDistances(*scene.mesh, points, report);
+  if (curve.size() != nearest.size()) return;
+  const double slack = 16 * scene.rounding;
+  bool is_below = true, is_above = true;
+  size_t worst = 0;
+  for (size_t i = 0; i < curve.size(); ++i) {
+    if (curve[i] > nearest[i] * (1 + kTolerance) + slack) {
+      is_below = false;
+      worst = i;
+    }
+    if (curve[i] < (nearest[i] - apart / 2) * (1 - kTolerance) - slack) {
+      is_above = false;
+      worst = i;
+    }
+  }
+  report.Check(is_below, "a curve is as near as its points", "at ", worst, ": ",
+               curve[worst], " and ", nearest[worst], ", ", Name(query));
+  report.Check(is_above, "a curve is its points", "at ", worst, ": ",
+               curve[worst], " and ", nearest[worst], " less ", apart / 2, ", ",
+               Name(query));
+}
+
+}  // namespace geodesic::stress
