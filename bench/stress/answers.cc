@@ -1,10 +1,25 @@
 #include "bench/stress/answers.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include "geodesic/solve.h"
 
 namespace geodesic::stress {
+namespace {
+
+// Stops what takes so many windows that something must have gone wrong: scenes
+// have some thousands of faces at the most.
+class Patience final : public Checkpoint {
+ public:
+  absl::Status Poll(const Progress& progress) override {
+    constexpr uint64_t kMostWindows = 20'000'000;
+    if (progress.windows_propagated < kMostWindows) return absl::OkStatus();
+    return absl::ResourceExhaustedError("windows without end");
+  }
+};
+
+}  // namespace
 
 std::vector<double> AllDistances(const DistanceField& field) {
   std::vector<double> all = field.distances;
@@ -15,9 +30,8 @@ std::vector<double> AllDistances(const DistanceField& field) {
 
 std::vector<double> AllDistances(const Mesh& mesh, const Query& query,
                                  Report& report) {
-  NoCheckpoint checkpoint;
-  const absl::StatusOr<DistanceField> field =
-      Solve(mesh, query, {}, checkpoint);
+  Patience patience;
+  const absl::StatusOr<DistanceField> field = Solve(mesh, query, {}, patience);
   report.Check(field.ok(), "a valid query is answered", field.status(), ", ",
                Name(query));
   return field.ok() ? AllDistances(*field) : std::vector<double>{};

@@ -16,6 +16,8 @@
 namespace geodesic::stress {
 namespace {
 
+constexpr double kLongCase = 20;  // seconds; worth a line
+
 struct Options {
   double seconds = 60;
   uint64_t cases = std::numeric_limits<uint64_t>::max();
@@ -55,7 +57,13 @@ int Run(const Options& options) {
   uint64_t refused = 0;
   double next_progress = options.progress_seconds;
   for (uint64_t i = 0; i < options.cases && seconds() < options.seconds; ++i) {
+    const double before = seconds();
     RunCase(options.seed + i, report, &refused);
+    if (seconds() - before > kLongCase) {
+      std::cout << "stress: case " << options.seed + i << " took "
+                << static_cast<uint64_t>(seconds() - before) << " s"
+                << std::endl;
+    }
     if (seconds() < next_progress) continue;
     Print(report, seconds(), refused);
     next_progress += options.progress_seconds;
