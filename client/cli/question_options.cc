@@ -185,7 +185,7 @@ void AddQuestions(const AddCommand& add, Arguments* arguments) {
                "-o horse.png\n"
                "  geodesic field horse.ply --source face:9@0.2,0.3,0.5 "
                "--radius 0.1 -o d.npy\n"
-               "  geodesic field horse.ply --curve '0;edge:0-5@0.5' --source 9 "
+               "  geodesic field horse.ply --curve '0;edge:0-3@0.5' --source 9 "
                "--labels -o f.npz\n"
                "  geodesic field horse.ply --source 0 --target 9 "
                "--stop-at-targets",
