@@ -43,7 +43,7 @@ v1::Mesh ToProto(const ResidentMesh& mesh) {
   proto.set_boundary_loop_count(summary.boundary_loops);
   proto.set_component_count(summary.components);
   proto.set_isolated_vertex_count(summary.isolated_vertices);
-  proto.set_genus(summary.genus.value_or(0));
+  if (summary.genus.has_value()) proto.set_genus(*summary.genus);
   proto.set_saddle_vertex_count(summary.saddle_vertices);
   proto.set_degenerate_face_count(summary.degenerate_faces);
   SetPoint(summary.bounding_box_min, *proto.mutable_bounding_box_min());

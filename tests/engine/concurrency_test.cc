@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <cstdint>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "server/engine/thread_pool.h"
 #include "tests/engine/uploads.h"
 #include "tests/support/curved_meshes.h"
+#include "tests/support/planar_meshes.h"
 
 namespace geodesic::server {
 namespace {
@@ -168,6 +170,120 @@ TEST_F(EngineConcurrencyTest, CancelsAndDeletesLeaveNothingBehind) {
   const EngineCounters counters = engine_.counters();
   EXPECT_EQ(counters.solves_started,
             counters.solves_finished + counters.solves_stopped);
+}
+
+// Limited, continued, progressive and traced fields of the same few sources,
+// some of them cancelled: whatever is answered is right.
+TEST_F(EngineConcurrencyTest, LimitedFieldsAreContinuedByOneAtATime) {
+  const TriangleSoup soup =
+      geodesic::test::MakeGrid({.columns = 30, .rows = 30});
+  const std::string digest = Upload(soup);
+  OnThreads([&](int thread) {
+    for (int i = 0; i < 40; ++i) {
+      const uint32_t vertex = (thread + i) % 3;
+      FieldRequest request{.mesh_digest = digest,
+                           .query = {.sources = {{VertexPoint{vertex}, 0}}},
+                           .reach = {.radius = 1.37 + (thread * 5 + i) % 40}};
+      request.extras.settled_order = i % 3 == 1;
+      request.extras.nearest_sources = i % 3 == 2;
+      const auto observer = std::make_shared<WaitingObserver>();
+      const auto call = engine_.ComputeField(request, observer);
+      ASSERT_TRUE(call.ok()) << call.status();
+      if (i % 7 == 6) {
+        engine_.Cancel(*call);
+        continue;
+      }
+      const auto answer = call->answer.has_value()
+                              ? absl::StatusOr<FieldAnswer>(*call->answer)
+                              : observer->Wait();
+      ASSERT_TRUE(answer.ok()) << answer.status();
+      const std::vector<double>& distances = answer->field->distances;
+      uint64_t within = 0;
+      for (size_t v = 0; v < distances.size(); ++v) {
+        const double expected =
+            std::hypot(soup.positions[v][0] - soup.positions[vertex][0],
+                       soup.positions[v][1] - soup.positions[vertex][1]);
+        if (expected > request.reach.radius) continue;
+        ++within;
+        ASSERT_NEAR(distances[v], expected, 1e-9);
+      }
+      if (request.extras.settled_order) {
+        ASSERT_EQ(call->seat.settled->size(), within);
+      }
+    }
+  });
+  EXPECT_TRUE(engine_.WaitIdle(std::chrono::seconds(60)));
+  EXPECT_EQ(engine_.fields().flights().size(), 0);
+}
+
+// Takes all rows on the threads that compute them.
+class TakingObserver final : public RowObserver {
+ public:
+  void OnRow() override {
+    std::lock_guard lock(mutex_);
+    TakeAll();
+  }
+  void SetRows(std::shared_ptr<RowPipeline> rows) {
+    std::lock_guard lock(mutex_);
+    rows_ = std::move(rows);
+    TakeAll();
+  }
+  std::vector<MatrixRow> Wait(size_t count) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return taken_.size() == count; });
+    return std::move(taken_);
+  }
+
+ private:
+  void TakeAll() {
+    while (rows_ != nullptr) {
+      auto row = rows_->Take();
+      if (!row.has_value()) break;
+      // A matrix that has been taken whole has no more rows.
+      ASSERT_TRUE(row->ok()) << row->status();
+      taken_.push_back(**std::move(row));
+    }
+    changed_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::shared_ptr<RowPipeline> rows_;
+  std::vector<MatrixRow> taken_;
+};
+
+TEST_F(EngineConcurrencyTest, MatricesShareTheThreads) {
+  const TriangleSoup soup =
+      geodesic::test::MakeGrid({.columns = 12, .rows = 12});
+  const std::string digest = Upload(soup);
+  OnThreads([&](int thread) {
+    MatrixRequest request{.mesh_digest = digest};
+    for (uint32_t v = 0; v < 30; ++v) {
+      request.query.sources.push_back({VertexPoint{v + thread}, 0});
+    }
+    if (thread % 4 == 3) {
+      const auto call =
+          engine_.ComputeMatrix(request, std::make_shared<TakingObserver>());
+      ASSERT_TRUE(call.ok()) << call.status();
+      call->rows->Cancel();
+      return;
+    }
+    const auto observer = std::make_shared<TakingObserver>();
+    const auto call = engine_.ComputeMatrix(request, observer);
+    ASSERT_TRUE(call.ok()) << call.status();
+    observer->SetRows(call->rows);
+    const std::vector<MatrixRow> rows = observer->Wait(30);
+    for (uint32_t r = 0; r < rows.size(); ++r) {
+      for (size_t v = 0; v < soup.positions.size(); ++v) {
+        ASSERT_NEAR(
+            rows[r].values[v],
+            std::hypot(soup.positions[v][0] - soup.positions[r + thread][0],
+                       soup.positions[v][1] - soup.positions[r + thread][1]),
+            1e-9);
+      }
+    }
+  });
+  EXPECT_TRUE(engine_.WaitIdle(std::chrono::seconds(60)));
 }
 
 TEST_F(EngineConcurrencyTest, TheSameMeshFromEveryoneIsKeptOnce) {

@@ -175,5 +175,22 @@ TEST(LruStore, TellsWhatItForgets) {
   EXPECT_THAT(removed, ElementsAre("a", "c"));
 }
 
+TEST(LruStore, ABetterValueTakesThePlaceOfAPresentOne) {
+  LruStore<int, int> store("test store", 100);
+  store.Insert(1, 10, *store.Reserve(30));
+  const auto held = store.Find(1);
+  const auto keep_larger = [](int value) {
+    return [value](int present) { return present >= value; };
+  };
+  EXPECT_EQ(*store.Insert(1, 5, *store.Reserve(20), keep_larger(5)).value, 10);
+  EXPECT_EQ(*store.Insert(1, 15, *store.Reserve(20), keep_larger(15)).value,
+            15);
+  EXPECT_EQ(*store.Find(1), 15);
+  EXPECT_EQ(store.size(), 1);
+  // Who holds the old one keeps it, and its charge.
+  EXPECT_EQ(*held, 10);
+  EXPECT_EQ(store.used_bytes(), 50);
+}
+
 }  // namespace
 }  // namespace geodesic::server
