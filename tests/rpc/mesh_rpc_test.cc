@@ -98,6 +98,23 @@ TEST_F(MeshRpcTest, DescribesAMesh) {
   EXPECT_GT(mesh.resident_bytes(), 192 * 3 * 64);
 }
 
+TEST_F(MeshRpcTest, ABookOfThreePagesHasNoGenus) {
+  // Three faces along one edge.
+  const TriangleSoup soup = {
+      .positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
+      .triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
+  v1::Mesh mesh;
+  const std::string digest = Upload(soup);
+  ASSERT_TRUE(GetMesh(digest, mesh).ok());
+  EXPECT_EQ(mesh.edge_count(), 7);
+  EXPECT_FALSE(mesh.has_genus());
+  // Every two of its pages unfold into one plane.
+  const test::FieldReply reply = ComputeField(digest, 2);
+  ASSERT_EQ(reply.distances.size(), 5);
+  EXPECT_NEAR(reply.distances[3], 2, 1e-10);
+  EXPECT_NEAR(reply.distances[4], 2, 1e-10);
+}
+
 TEST_F(MeshRpcTest, UnknownAndMalformedNames) {
   v1::Mesh mesh;
   TriangleSoup soup;
