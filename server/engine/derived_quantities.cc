@@ -19,8 +19,9 @@ uint64_t BytesFor(const FieldExtras& extras, uint64_t vertices) {
 // Moves the value out, or passes the error on.
 template <typename T>
 absl::Status Assign(absl::StatusOr<T> from, T& to) {
-  if (from.ok()) to = *std::move(from);
-  return from.status();
+  if (!from.ok()) return from.status();
+  to = *std::move(from);
+  return absl::OkStatus();
 }
 
 }  // namespace
@@ -51,8 +52,8 @@ absl::StatusOr<std::shared_ptr<const DerivedQuantities>> Derive(
   if (status.ok() && extras.paths) {
     absl::StatusOr<PathTracer> paths =
         PathTracer::Create(*mesh->mesh, query, *field);
-    if (paths.ok()) derived->paths = *std::move(paths);
-    status = paths.status();
+    if (!paths.ok()) return paths.status();
+    derived->paths = *std::move(paths);
   }
   if (!status.ok()) return status;
   return derived;

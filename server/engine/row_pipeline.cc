@@ -12,8 +12,9 @@ class RowPipeline::RowJob final : public JobObserver {
 
   absl::Status Run(Checkpoint& checkpoint) {
     absl::StatusOr<MatrixRow> result = pipeline_->function_(row_, checkpoint);
-    if (result.ok()) result_ = *std::move(result);
-    return result.status();
+    if (!result.ok()) return result.status();
+    result_ = *std::move(result);
+    return absl::OkStatus();
   }
 
   void OnProgress(const Progress&) override {}
@@ -52,8 +53,9 @@ absl::Status RowPipeline::SubmitNext(bool is_continuation) {
        .deadline = deadline_,
        .work = [job](Checkpoint& checkpoint) { return job->Run(checkpoint); }},
       job);
-  if (call.ok()) running_.emplace(next_row_++, *std::move(call));
-  return call.status();
+  if (!call.ok()) return call.status();
+  running_.emplace(next_row_++, *std::move(call));
+  return absl::OkStatus();
 }
 
 void RowPipeline::FillWindow() {

@@ -68,7 +68,7 @@ std::vector<uint32_t> NumberCanonical(const Query& query,
 absl::Status ValidateAsNumbered(const Query& query,
                                 const SourceNumbers& numbers,
                                 const Mesh& mesh) {
-  const absl::Status status = Validate(query, mesh);
+  absl::Status status = Validate(query, mesh);
   if (status.ok()) return status;
   std::string message(status.message());
   if (!Renumber(message, "curves", ".curve", numbers.curves,
