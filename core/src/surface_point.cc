@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "surface_location.h"
+#include "tolerances.h"
 
 namespace geodesic {
 namespace {
@@ -71,10 +72,13 @@ absl::Status CheckPoint(const FacePoint& point, const Mesh& mesh,
 SurfacePoint Canonical(const VertexPoint& point, const Mesh&) { return point; }
 
 SurfacePoint Canonical(const EdgePoint& point, const Mesh&) {
-  if (point.t == 0) return VertexPoint{point.from};
-  if (point.t == 1) return VertexPoint{point.to};
-  if (point.from < point.to) return point;
-  return EdgePoint{point.to, point.from, 1 - point.t};
+  // Turned round first: 1 - t may round to 1.
+  const EdgePoint turned = point.from < point.to
+                               ? point
+                               : EdgePoint{point.to, point.from, 1 - point.t};
+  if (turned.t <= kLeastWeight) return VertexPoint{turned.from};
+  if (turned.t == 1) return VertexPoint{turned.to};
+  return turned;
 }
 
 SurfacePoint Canonical(const FacePoint& point, const Mesh& mesh) {
@@ -82,7 +86,7 @@ SurfacePoint Canonical(const FacePoint& point, const Mesh& mesh) {
   const auto& weights = point.weights;
   const double sum = weights[0] + weights[1] + weights[2];
   for (int i = 0; i < 3; ++i) {
-    if (weights[i] != 0) continue;
+    if (weights[i] > kLeastWeight) continue;
     // On the side opposite to corner i.
     const int from = (i + 1) % 3, to = (i + 2) % 3;
     return Canonical(

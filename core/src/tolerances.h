@@ -35,6 +35,11 @@ inline constexpr double kLeastWidth = 1e-12;
 // rounding, which goes with the reach, puts them on either side.
 inline constexpr double kNearMiss = 1e-9;
 
+// A weight of a surface point that is no larger is 0: it moves the point by far
+// less than one rounding of its face's corners, but leaves distances of 1e-200
+// beside others of 0, which no relative tolerance can compare.
+inline constexpr double kLeastWeight = 1e-18;
+
 // A source no farther from a vertex than this fraction of the longest edge
 // there lets paths bend at the vertex, like a saddle. Its place is rounded by
 // about 1e-16 of that edge, so the directions in which it sees what lies behind

@@ -108,6 +108,11 @@ TEST(QueryTest, CanonicalPointsLieOnTheLowestElement) {
             SurfacePoint(VertexPoint{corners[1]}));
   EXPECT_EQ(canonical(EdgePoint{1, 0, 0}), SurfacePoint(VertexPoint{1}));
   EXPECT_EQ(canonical(EdgePoint{1, 0, 1}), SurfacePoint(VertexPoint{0}));
+  // 1 - t rounds to 1, or the point cannot be told from the vertex.
+  EXPECT_EQ(canonical(EdgePoint{1, 0, 1e-17}), SurfacePoint(VertexPoint{1}));
+  EXPECT_EQ(canonical(EdgePoint{0, 1, 1e-200}), SurfacePoint(VertexPoint{0}));
+  EXPECT_EQ(canonical(FacePoint{3, {1e-200, 1, 1e-200}}),
+            SurfacePoint(VertexPoint{corners[1]}));
   EXPECT_EQ(canonical(EdgePoint{1, 0, 0.25}),
             SurfacePoint(EdgePoint{0, 1, 0.75}));
   const auto on_edge =
