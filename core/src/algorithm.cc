@@ -14,6 +14,23 @@ std::string_view AlgorithmName(Algorithm algorithm) {
   return "unknown";
 }
 
+Algorithm WithTrimming(Algorithm algorithm) {
+  switch (algorithm) {
+    case Algorithm::kFwpCh:
+      return Algorithm::kFwpMmp;
+    case Algorithm::kIch:
+    case Algorithm::kCh:
+      return Algorithm::kMmp;
+    case Algorithm::kLcCh:
+      return Algorithm::kLcMmp;
+    case Algorithm::kFwpMmp:
+    case Algorithm::kMmp:
+    case Algorithm::kLcMmp:
+      return algorithm;
+  }
+  return algorithm;
+}
+
 absl::StatusOr<Algorithm> AlgorithmFromName(std::string_view name) {
   for (const AlgorithmInfo& info : kAlgorithms) {
     if (info.name == name) return info.algorithm;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "absl/strings/str_cat.h"
 #include "surface_location.h"
@@ -91,7 +92,24 @@ absl::Status Validate(const Query& query, const Mesh& mesh) {
   return absl::OkStatus();
 }
 
+Algorithm AlgorithmFor(const Query& query, const Mesh& mesh) {
+  const bool all_vertices =
+      query.curves.empty() &&
+      std::ranges::all_of(query.sources, [&](const Source& source) {
+        return std::holds_alternative<VertexPoint>(
+            Canonicalize(source.point, mesh));
+      });
+  const bool is_one_point = query.curves.empty() && query.sources.size() == 1;
+  // The filter helps Chen and Han's rule over a source added later
+  // (Computation::AddSource); without it nothing would.
+  const bool may_split =
+      all_vertices || (is_one_point && query.algorithm != Algorithm::kCh);
+  return may_split && !mesh.HasCrowdedEdges() ? query.algorithm
+                                              : WithTrimming(query.algorithm);
+}
+
 Query Canonicalize(Query query, const Mesh& mesh) {
+  query.algorithm = AlgorithmFor(query, mesh);
   for (Source& source : query.sources) {
     source.point = Canonicalize(source.point, mesh);
     source.offset += 0.0;  // -0 -> +0

@@ -35,10 +35,12 @@ absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
   if (absl::Status status = Validate(query, mesh); !status.ok()) return status;
   absl::StatusOr<QueueTuning> tuning = TuningFor(mesh, options);
   if (!tuning.ok()) return tuning.status();
+  Query canonical = WithCanonicalPoints(query, mesh);
+  canonical.algorithm = AlgorithmFor(query, mesh);
   const StartFunction start = query.curves.empty()
-                                  ? PointStart(query.algorithm)
-                                  : CurveStart(query.algorithm);
-  return start(mesh, WithCanonicalPoints(query, mesh), *tuning, observer);
+                                  ? PointStart(canonical.algorithm)
+                                  : CurveStart(canonical.algorithm);
+  return start(mesh, canonical, *tuning, observer);
 }
 
 absl::StatusOr<std::unique_ptr<Computation>> StartComputation(

@@ -235,8 +235,10 @@ absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
   absl::StatusOr<ByteReservation> memory =
       ByteReservation::Make(solver_memory_, 0);
   if (!memory.ok()) return memory.status();
+  const Algorithm algorithm = AlgorithmFor(request.query, *(*mesh)->mesh);
   QuestionCall call{
       .mesh = *std::move(mesh),
+      .algorithm = algorithm,
       .answer_memory = std::make_shared<ByteReservation>(*std::move(memory))};
   const TimePoint deadline = request.deadline;
   absl::StatusOr<SoloJobs::Call> job = solo_jobs_.Start(

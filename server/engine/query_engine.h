@@ -76,6 +76,8 @@ struct QuestionRequest {
 
 struct QuestionCall {
   MeshHandle mesh;
+  // The one that runs (AlgorithmFor).
+  Algorithm algorithm = kDefaultAlgorithm;
   SoloJobs::Call job;
   // What the work was given to charge; held as long as the answer is.
   std::shared_ptr<ByteReservation> answer_memory;

@@ -86,7 +86,7 @@ absl::Status IsolineStream::Ask() {
       std::static_pointer_cast<IsolineStream>(shared_from_this()));
   if (!call.ok()) return call.status();
   call_ = *std::move(call);
-  SetSubject(call_.mesh, *algorithm);
+  SetSubject(call_.mesh, call_.algorithm);
   return absl::OkStatus();
 }
 

@@ -64,7 +64,7 @@ class RowStream : public AnswerStream<Response>, public RowObserver {
     absl::StatusOr<Question> question = Translate(engine_.limits());
     if (!question.ok()) return question.status();
     value_type_ = question->value_type;
-    algorithm_ = question->request.query.algorithm;
+    const Algorithm algorithm = question->request.query.algorithm;
     is_sparse_ =
         question->request.sparse || question->request.nearest.has_value();
     absl::StatusOr<MatrixCall> call = engine_.ComputeMatrix(
@@ -72,6 +72,9 @@ class RowStream : public AnswerStream<Response>, public RowObserver {
         std::static_pointer_cast<RowStream>(this->shared_from_this()));
     if (!call.ok()) return call.status();
     call_ = *std::move(call);
+    // Every row has one source.
+    algorithm_ = call_.mesh->mesh->HasCrowdedEdges() ? WithTrimming(algorithm)
+                                                     : algorithm;
     return absl::OkStatus();
   }
 

@@ -71,7 +71,7 @@ absl::Status SampleStream::Ask() {
       std::static_pointer_cast<SampleStream>(shared_from_this()));
   if (!call.ok()) return call.status();
   call_ = *std::move(call);
-  SetSubject(call_.mesh, *algorithm);
+  SetSubject(call_.mesh, call_.algorithm);
   return absl::OkStatus();
 }
 

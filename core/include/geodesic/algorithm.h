@@ -51,6 +51,10 @@ inline constexpr Algorithm kDefaultAlgorithm = kAlgorithms[0].algorithm;
 
 std::string_view AlgorithmName(Algorithm algorithm);
 
+// The algorithm with the same queue that trims windows against each other: the
+// MMP rule in place of Chen and Han's.
+Algorithm WithTrimming(Algorithm algorithm);
+
 // Errors: INVALID_ARGUMENT naming `name` and the names that are known.
 absl::StatusOr<Algorithm> AlgorithmFromName(std::string_view name);
 

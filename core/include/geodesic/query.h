@@ -59,11 +59,19 @@ inline uint32_t SourceCount(const Query& query) {
 // out of range: the mesh has 502 vertices, numbered from 0".
 absl::Status Validate(const Query& query, const Mesh& mesh);
 
-// The same question in one fixed form: points canonical, sources sorted by
-// point, of equal points only the least offset kept, -0 made 0. Curves and
-// targets keep their order. Two queries with the same field-defining content
-// have equal canonical forms.
+// The algorithm that runs for this query. Chen and Han's rule (one angle, one
+// split) needs windows that end at pseudo-sources and rays that meet when they
+// are followed back; where there are several sources and not all are vertices,
+// or curves, or edges of three faces or more, the MMP rule takes its place
+// (docs/algorithm.md, 13 and 16).
 // REQUIRES: Validate(query, mesh).ok().
+Algorithm AlgorithmFor(const Query& query, const Mesh& mesh);
+
+// The same question in one fixed form: the algorithm that runs, points
+// canonical, sources sorted by point, of equal points only the least offset
+// kept, -0 made 0. Curves and targets keep their order. Two queries with the
+// same field-defining content have equal canonical forms. REQUIRES:
+// Validate(query, mesh).ok().
 Query Canonicalize(Query query, const Mesh& mesh);
 
 }  // namespace geodesic

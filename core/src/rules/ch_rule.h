@@ -12,8 +12,9 @@
 // edge. Where both rays lie on one line nothing crosses, and both children
 // stay: the worse window may come from behind the better one's pseudo-source,
 // past which its other rays go undisturbed. So they may where that is no vertex
-// but one of several sources (Front::MayBePassedBy), or where the two windows
-// have come by different faces of one edge.
+// but one of several sources (Front::MayBePassedBy): such a one prunes nothing.
+// Where more than that one comes in question the MMP rule is used instead
+// (AlgorithmFor).
 //
 // Without the filter, nothing else ends a window on a closed surface, so two
 // facts do, which any shortest path obeys: it enters a face once at most (the
@@ -62,7 +63,7 @@ class ChenHanRule {
   void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
             const Interval& interval) {
     if (interval.width() > 0) {
-      Add(Window::Over(interval, origin), half_edge, false, pseudo_source, {});
+      Add(Window::Over(interval, origin), half_edge, pseudo_source, {});
     }
   }
 
@@ -104,8 +105,6 @@ class ChenHanRule {
 
  private:
   static constexpr bool kFilters = kFilter == WindowFilter::kXinWang;
-  // Where one angle, one split cannot end windows, the filter has to.
-  bool Filters() const { return kFilters || front_.MayChangeOverTwice(); }
 
   // How many faces a window has crossed since its pseudo-source: kept only
   // where it ends windows.
@@ -119,10 +118,7 @@ class ChenHanRule {
   struct Entry {
     Interval interval;
     Origin origin;
-    HalfEdge half_edge : 31;
-    // Whether it has crossed an edge of three faces or more: followed back, its
-    // rays and those of another window may not meet, though they seem to.
-    uint32_t has_parted : 1;
+    HalfEdge half_edge;
     uint32_t pseudo_source;
     [[no_unique_address]] Depth depth;
   };
@@ -143,21 +139,19 @@ class ChenHanRule {
     double left_length, right_length;
   };
 
-  void Add(const Window& window, HalfEdge half_edge, bool has_parted,
-           uint32_t pseudo_source, Depth depth) {
+  void Add(const Window& window, HalfEdge half_edge, uint32_t pseudo_source,
+           Depth depth) {
     ++created_;
     front_.Observe(half_edge, window, pseudo_source);
-    front_.queue().Push(
-        pool_.Allocate({window.interval, window.origin, half_edge, has_parted,
-                        pseudo_source, depth}),
-        window.Label());
+    front_.queue().Push(pool_.Allocate({window.interval, window.origin,
+                                        half_edge, pseudo_source, depth}),
+                        window.Label());
   }
   // Adds a child of `parent`, which leaves the face across `side`, in every
   // face beyond it.
   void AddChildren(const Window& window, HalfEdge side, Exit exit,
                    const Entry& parent);
-  void AddChild(const Window& window, HalfEdge half_edge, bool has_parted,
-                const Entry& parent);
+  void AddChild(const Window& window, HalfEdge half_edge, const Entry& parent);
 
   void PropagateLeft(const Entry& parent, const Crossing& face,
                      bool ends_at_apex);
@@ -186,7 +180,7 @@ template <typename Front, WindowFilter kFilter>
 bool ChenHanRule<Front, kFilter>::Propagate(uint32_t id) {
   const Entry entry = pool_[id];
   pool_.Free(id);
-  const auto& [interval, origin, h, has_parted, pseudo_source, depth] = entry;
+  const auto& [interval, origin, h, pseudo_source, depth] = entry;
   // The pseudo-source has improved since: its newer windows replace this one.
   if (Exceeds(origin.sigma, front_.PseudoSourceDistance(pseudo_source)))
     return false;
@@ -198,7 +192,7 @@ bool ChenHanRule<Front, kFilter>::Propagate(uint32_t id) {
                       mesh_.frame(Prev(h)).length,
                       mesh_.frame(Next(h)).length};
   const Window window = Window::Over(interval, origin);
-  if (Filters()) {
+  if constexpr (kFilters) {
     // Distances have improved since the window was made: test it again.
     if (front_.EndsAreNearer(window, frame.length, face.from, face.to)) {
       return false;
@@ -235,11 +229,10 @@ bool ChenHanRule<Front, kFilter>::Propagate(uint32_t id) {
   // Grows as the ray into the apex comes from further left.
   const double lean = Lean(origin, apex, to_apex);
   Best& best = best_[h];
-  const bool is_worse = !has_parted && Exceeds(at_apex, best.distance);
+  const bool is_worse = Exceeds(at_apex, best.distance);
   const bool goes_left = !is_worse || lean > best.lean - kSameRay;
   const bool goes_right = !is_worse || lean < best.lean + kSameRay;
-  if (at_apex < best.distance && !has_parted &&
-      !front_.MayBePassedBy(pseudo_source)) {
+  if (at_apex < best.distance && !front_.MayBePassedBy(pseudo_source)) {
     best = {at_apex, lean};
     holds_anchors_ |= pseudo_source >= mesh_.vertex_count();
   }
@@ -263,7 +256,7 @@ void ChenHanRule<Front, kFilter>::PropagateLeft(const Entry& parent,
   if (interval.width() <= kLeastWidth * length) return;
   const Window child =
       Window::Over(interval, UnfoldLeft(parent.origin, face.frame));
-  if (Filters()) {
+  if constexpr (kFilters) {
     if (front_.EndsAreNearer(child, length, face.from, face.apex)) return;
     // Third condition: through the far end B of the parent's edge.
     const double dx = interval.begin * face.frame.left_x - face.frame.length;
@@ -294,7 +287,7 @@ void ChenHanRule<Front, kFilter>::PropagateRight(const Entry& parent,
   if (interval.width() <= kLeastWidth * length) return;
   const Window child =
       Window::Over(interval, UnfoldRight(parent.origin, face.frame, length));
-  if (Filters()) {
+  if constexpr (kFilters) {
     if (front_.EndsAreNearer(child, length, face.apex, face.to)) return;
     // Third condition: through the far end A of the parent's edge.
     const double dx = face.frame.length + from_b * face.frame.right_x;
@@ -312,28 +305,27 @@ void ChenHanRule<Front, kFilter>::AddChildren(const Window& window,
                                               HalfEdge side, Exit exit,
                                               const Entry& parent) {
   if (exit < kIrregularExit) {
-    AddChild(window, exit, parent.has_parted, parent);
+    AddChild(window, exit, parent);
     return;
   }
-  const bool has_parted = parent.has_parted || mesh_.IsCrowdedEdge(side);
   front_.Cross(
       side, window.origin, window.interval,
       [&](HalfEdge half_edge, const Origin& origin, const Interval& interval) {
-        AddChild(Window::Over(interval, origin), half_edge, has_parted, parent);
+        AddChild(Window::Over(interval, origin), half_edge, parent);
       });
 }
 
 template <typename Front, WindowFilter kFilter>
 void ChenHanRule<Front, kFilter>::AddChild(const Window& window,
-                                           HalfEdge half_edge, bool has_parted,
+                                           HalfEdge half_edge,
                                            const Entry& parent) {
   if constexpr (kFilters) {
-    Add(window, half_edge, has_parted, parent.pseudo_source, {});
+    Add(window, half_edge, parent.pseudo_source, {});
   } else {
     const Crossed depth{parent.depth.faces + 1};
     if (depth.faces >= mesh_.face_count()) return;
     if (Exceeds(window.Label(), *reach_)) return;
-    Add(window, half_edge, has_parted, parent.pseudo_source, depth);
+    Add(window, half_edge, parent.pseudo_source, depth);
   }
 }
 
