@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -244,6 +245,78 @@ INSTANTIATE_TEST_SUITE_P(Kinds, AnyPointsOnRandomMeshes, testing::Bool(),
                          [](const testing::TestParamInfo<bool>& tested) {
                            return tested.param ? "degenerate" : "ordinary";
                          });
+
+// Curves beside a point, on surfaces with turned faces and a fin: edges with
+// three faces.
+TEST(CurvesOnRandomMeshes, AgreeWithBruteForce) {
+  for (uint64_t seed = 0; seed < 30; ++seed) {
+    Random random(seed);
+    TriangleSoup soup =
+        seed % 2
+            ? Terrain(4, 4, 1, seed)
+            : Torus({.around = 6, .across = 5, .noise = 0.3, .seed = seed});
+    const Triangle at = soup.triangles[random.Below(
+        static_cast<uint32_t>(soup.triangles.size()))];
+    soup.positions.push_back({0.3, random.Uniform(-1, 1), 1.5});
+    soup.triangles.push_back(
+        {at[0], at[1], static_cast<uint32_t>(soup.positions.size() - 1)});
+    const NamedMesh named{absl::StrCat("surface with a fin ", seed),
+                          TurnFaces(soup, seed)};
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    Query query{.sources = {{RandomSurfacePoint(soup, random), 0.3}},
+                .targets = ManyPoints(named.soup, 8, random)};
+    for (int i = 0; i < 2; ++i) {
+      query.curves.push_back(
+          {RandomCurve(named.soup, 5, random), random.Uniform(0, 0.5)});
+    }
+    std::vector<SurfacePoint> points = query.targets;
+    points.push_back(query.sources[0].point);
+    std::vector<double> expected = BruteForce(named.soup, points, query.curves)
+                                       .DistancesFromAll(query.sources);
+    expected.pop_back();
+    for (const AlgorithmInfo& info : kAlgorithms) {
+      query.algorithm = info.algorithm;
+      EXPECT_TRUE(FieldsAgree({named.name, query.sources, info.name}, expected,
+                              SolveAll(*mesh, query),
+                              CoordinateRounding(named.soup)));
+    }
+  }
+}
+
+// Surfaces a million times as long as wide: rays run along edges for long.
+TEST(StretchedMeshes, AgreeWithBruteForce) {
+  int compared = 0;
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    TriangleSoup soup = seed % 2 ? BoxGrid(1, 2, 1, 3, 4, 2)
+                                 : MakeGrid({.columns = 7,
+                                             .rows = 5,
+                                             .diagonals = Diagonals::kRandom,
+                                             .seed = seed});
+    const double factor = std::pow(10, random.Uniform(-6, -4));
+    for (Point& p : soup.positions) p[seed % 3 == 0] *= factor;
+    const NamedMesh named{absl::StrCat("stretched mesh ", seed),
+                          RotateAndShift(soup, seed)};
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    constexpr uint64_t kMostWindows = 2'000'000;
+    const BruteForce brute_force(named.soup, {}, {}, kMostWindows);
+    if (!brute_force.is_complete()) continue;
+    ++compared;
+    for (int i = 0; i < 6; ++i) {
+      const uint32_t s = random.Below(mesh->vertex_count());
+      for (const AlgorithmInfo& info : kAlgorithms) {
+        EXPECT_TRUE(
+            FieldsAgree({named.name, {{VertexPoint{s}}}, info.name},
+                        brute_force.Distances(s),
+                        SolveOrFail(*mesh, info.algorithm, {{VertexPoint{s}}}),
+                        4 * CoordinateRounding(named.soup)));
+      }
+    }
+  }
+  EXPECT_GE(compared, 5);
+}
 
 GEODESIC_TEST_EVERY_ALGORITHM(SurfacePoints);
 
