@@ -17,7 +17,7 @@ Json ToJson(const MeshInfo& mesh) {
           {"non_manifold_vertices", mesh.non_manifold_vertex_count},
           {"inconsistent_edges", mesh.inconsistent_edge_count},
           {"orientable", mesh.orientable},
-          {"genus", mesh.genus},
+          {"genus", mesh.genus.has_value() ? Json(*mesh.genus) : Json()},
           {"saddle_vertices", mesh.saddle_vertex_count},
           {"degenerate_faces", mesh.degenerate_face_count},
           {"bounding_box_min", mesh.bounding_box_min},

@@ -17,6 +17,10 @@ std::string PointText(const Point& point) {
                       ShortNumber(point[2]));
 }
 
+std::string Genus(const MeshInfo& mesh) {
+  return mesh.genus.has_value() ? absl::StrCat(*mesh.genus) : "none";
+}
+
 // Whether the faces are turned alike, or could be.
 std::string Orientation(const MeshInfo& mesh) {
   if (!mesh.orientable) return "not orientable";
@@ -42,7 +46,7 @@ std::vector<Fact> FactsOf(const MeshInfo& mesh) {
                     GroupedNumber(mesh.non_manifold_vertex_count),
                     " vertices")},
       {"orientation", Orientation(mesh)},
-      {"genus", absl::StrCat(mesh.genus)},
+      {"genus", Genus(mesh)},
       {"saddle vertices", GroupedNumber(mesh.saddle_vertex_count)},
       {"degenerate faces", GroupedNumber(mesh.degenerate_face_count)},
       {"bounding box", absl::StrCat(PointText(mesh.bounding_box_min), "  to  ",
@@ -94,8 +98,8 @@ absl::Status RunMeshes(const Session& session) {
     rows.push_back({mesh.digest.substr(0, 16), GroupedNumber(mesh.vertex_count),
                     GroupedNumber(mesh.face_count),
                     GroupedNumber(mesh.component_count),
-                    GroupedNumber(mesh.boundary_loop_count),
-                    absl::StrCat(mesh.genus), ByteCount(mesh.resident_bytes)});
+                    GroupedNumber(mesh.boundary_loop_count), Genus(mesh),
+                    ByteCount(mesh.resident_bytes)});
   }
   PrintTable({"digest", "vertices", "faces", "components", "boundaries",
               "genus", "resident"},

@@ -1,6 +1,7 @@
 #include "translate.h"
 
 #include <algorithm>
+#include <optional>
 #include <variant>
 
 #include "absl/strings/ascii.h"
@@ -58,26 +59,27 @@ Point FromProto(const v1::Point& point) {
 }
 
 MeshInfo FromProto(const v1::Mesh& mesh) {
-  return {.digest = mesh.digest(),
-          .vertex_count = mesh.vertex_count(),
-          .face_count = mesh.face_count(),
-          .edge_count = mesh.edge_count(),
-          .boundary_edge_count = mesh.boundary_edge_count(),
-          .boundary_loop_count = mesh.boundary_loop_count(),
-          .component_count = mesh.component_count(),
-          .isolated_vertex_count = mesh.isolated_vertex_count(),
-          .genus = mesh.genus(),
-          .saddle_vertex_count = mesh.saddle_vertex_count(),
-          .degenerate_face_count = mesh.degenerate_face_count(),
-          .bounding_box_min = FromProto(mesh.bounding_box_min()),
-          .bounding_box_max = FromProto(mesh.bounding_box_max()),
-          .mean_edge_length = mesh.mean_edge_length(),
-          .anisotropy = mesh.anisotropy(),
-          .resident_bytes = mesh.resident_bytes(),
-          .non_manifold_edge_count = mesh.non_manifold_edge_count(),
-          .non_manifold_vertex_count = mesh.non_manifold_vertex_count(),
-          .inconsistent_edge_count = mesh.inconsistent_edge_count(),
-          .orientable = mesh.orientable()};
+  return {
+      .digest = mesh.digest(),
+      .vertex_count = mesh.vertex_count(),
+      .face_count = mesh.face_count(),
+      .edge_count = mesh.edge_count(),
+      .boundary_edge_count = mesh.boundary_edge_count(),
+      .boundary_loop_count = mesh.boundary_loop_count(),
+      .component_count = mesh.component_count(),
+      .isolated_vertex_count = mesh.isolated_vertex_count(),
+      .genus = mesh.has_genus() ? std::optional(mesh.genus()) : std::nullopt,
+      .saddle_vertex_count = mesh.saddle_vertex_count(),
+      .degenerate_face_count = mesh.degenerate_face_count(),
+      .bounding_box_min = FromProto(mesh.bounding_box_min()),
+      .bounding_box_max = FromProto(mesh.bounding_box_max()),
+      .mean_edge_length = mesh.mean_edge_length(),
+      .anisotropy = mesh.anisotropy(),
+      .resident_bytes = mesh.resident_bytes(),
+      .non_manifold_edge_count = mesh.non_manifold_edge_count(),
+      .non_manifold_vertex_count = mesh.non_manifold_vertex_count(),
+      .inconsistent_edge_count = mesh.inconsistent_edge_count(),
+      .orientable = mesh.orientable()};
 }
 
 FieldOrigin FromProto(v1::FieldOrigin origin) {

@@ -74,6 +74,7 @@ TEST_F(CommandTest, InfoCountsWhatIsNotManifold) {
   const json info = GeodesicJson({"info", folder_ / "fan.off"});
   EXPECT_EQ(info["non_manifold_edges"], 1);
   EXPECT_EQ(info["faces"], 3);
+  EXPECT_TRUE(info["genus"].is_null());
   EXPECT_THAT(Geodesic({"info", folder_ / "fan.off"}).out,
               HasSubstr("1 edges, "));
   // Every two of them unfold into one plane.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,7 +53,9 @@ struct MeshInfo {
   // Connected pieces that have at least one face.
   uint64_t component_count = 0;
   uint64_t isolated_vertex_count = 0;
-  int64_t genus = 0;
+  // Nothing where there is none: on a mesh that is not orientable or has
+  // non-manifold edges.
+  std::optional<int64_t> genus;
   // Interior vertices whose cone angle exceeds 2 pi.
   uint64_t saddle_vertex_count = 0;
   uint64_t degenerate_face_count = 0;
