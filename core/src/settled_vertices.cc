@@ -9,6 +9,8 @@ namespace geodesic {
 std::vector<SettledVertex> SettledVertices::Collect(const Progress& progress) {
   given_.resize(progress.distances.size());
   std::vector<SettledVertex> settled;
+  // Before the wavefront moves not even the sources have their distances.
+  if (progress.settled_radius <= 0) return settled;
   for (uint32_t v = 0; v < progress.distances.size(); ++v) {
     const double distance = progress.distances[v] * progress.unit;
     if (!given_[v] && distance <= progress.settled_radius &&

@@ -20,7 +20,8 @@ struct SettledVertex {
 // rounding between calls.
 class SettledVertices {
  public:
-  // The vertices that have become final since the last call. O(V).
+  // The vertices that have become final since the last call; none before the
+  // wavefront has moved. O(V).
   std::vector<SettledVertex> Collect(const Progress& progress);
 
  private:
