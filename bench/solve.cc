@@ -98,7 +98,8 @@ absl::Status Run(const Options& options) {
   const SolveStatistics& statistics = field.statistics;
   std::cout << nlohmann::ordered_json{{"faces", (*mesh)->face_count()},
                                       {"vertices", (*mesh)->vertex_count()},
-                                      {"algorithm", options.algorithm},
+                                      {"algorithm", std::string(AlgorithmName(
+                                                        field.algorithm))},
                                       {"threads", options.threads},
                                       {"setup_s", setup_seconds},
                                       {"solve_s", Median(seconds)},
