@@ -237,14 +237,18 @@ void Mesh::ClassifyVertices() {
       if (IsBoundaryEdge(h) || IsBoundaryEdge(Prev(h))) {
         kinds_[v] |= kBoundary;
       }
-      if (IsCollapsed(h / 3)) kinds_[v] |= kPseudoSource;
+      if (IsCollapsed(h / 3)) {
+        kinds_[v] |= kPseudoSource;
+        has_collapsed_faces_ = true;
+      }
     }
     if (!IsDisk(v)) kinds_[v] |= kNonManifold | kPseudoSource;
     // A path may bend where it has an angle of pi or more on every side that
     // lies in the surface: one side at a boundary, two elsewhere.
     const bool is_boundary = kinds_[v] & kBoundary;
-    const double flat = (is_boundary ? 1 : 2) * std::numbers::pi;
-    if (angle > flat + kFlatAngle) {
+    const double flat = is_boundary ? std::numbers::pi + kStraightAngle
+                                    : 2 * std::numbers::pi + kFlatAngle;
+    if (angle > flat) {
       kinds_[v] |= kPseudoSource | (is_boundary ? 0 : kSaddle);
     }
   }

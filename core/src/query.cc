@@ -104,8 +104,9 @@ Algorithm AlgorithmFor(const Query& query, const Mesh& mesh) {
   // (Computation::AddSource); without it nothing would.
   const bool may_split =
       all_vertices || (is_one_point && query.algorithm != Algorithm::kCh);
-  return may_split && !mesh.HasCrowdedEdges() ? query.algorithm
-                                              : WithTrimming(query.algorithm);
+  return may_split && !mesh.HasCrowdedEdges() && !mesh.HasCollapsedFaces()
+             ? query.algorithm
+             : WithTrimming(query.algorithm);
 }
 
 Query Canonicalize(Query query, const Mesh& mesh) {

@@ -6,12 +6,17 @@
 
 namespace geodesic {
 
-// A vertex whose cone angle exceeds 2 pi (at a boundary: pi) by no more than
-// this is flat: it hides nothing from the windows on both its sides, so paths
+// An inner vertex whose cone angle exceeds 2 pi by no more than this is flat: it hides nothing from the windows on both its sides, so paths
 // need not bend there. Angle sums of flat vertices are off by about 1e-15 a
 // corner; treating every one of them as a saddle doubles the windows of a
 // plane.
 inline constexpr double kFlatAngle = 1e-9;
+
+// A boundary vertex whose angle exceeds pi by no more than this is straight: the
+// rounding of a hundred angles. Unlike an inner one it hides what lies behind it
+// along the boundary, and no window comes from the other side: of a row of
+// vertices each reflex by 1e-11, those from the third on were not reached.
+inline constexpr double kStraightAngle = 1e-13;
 
 // A face whose height over its longest edge is below this fraction of that edge
 // lets no ray of any width through along itself. Its corners become

@@ -143,8 +143,9 @@ class Mesh {
   // share an edge there.
   bool IsNonManifold(uint32_t v) const { return kinds_[v] & kNonManifold; }
 
-  // Whether the face has no area to speak of.
+  // Whether the face has no area to speak of, and whether there is such a face.
   bool IsCollapsed(uint32_t face) const;
+  bool HasCollapsedFaces() const { return has_collapsed_faces_; }
 
   // Solver lengths are file lengths times 2^-scale_exponent, so that the
   // longest extent of the mesh is about 1 and no square overflows.
@@ -186,6 +187,7 @@ class Mesh {
   std::vector<uint8_t> kinds_;            // V, VertexKind bits
   std::vector<uint32_t> crowds_begin_;    // irregular edges + 1, if any
   std::vector<HalfEdge> crowds_;          // their half-edges
+  bool has_collapsed_faces_ = false;
   int scale_exponent_ = 0;
   double mean_edge_length_ = 0;
 };

@@ -62,9 +62,9 @@ absl::Status Validate(const Query& query, const Mesh& mesh);
 // The algorithm that runs for this query. Chen and Han's rule (one angle, one
 // split) needs windows that end at pseudo-sources and rays that meet when they
 // are followed back; where there are several sources and not all are vertices,
-// or curves, or edges of three faces or more, the MMP rule takes its place
-// (docs/algorithm.md, 13 and 16).
-// REQUIRES: Validate(query, mesh).ok().
+// or curves, or edges of three faces or more, the MMP rule takes its place. So
+// it does on meshes with faces without area, where rays coincide
+// (docs/algorithm.md, 6, 13 and 16). REQUIRES: Validate(query, mesh).ok().
 Algorithm AlgorithmFor(const Query& query, const Mesh& mesh);
 
 // The same question in one fixed form: the algorithm that runs, points

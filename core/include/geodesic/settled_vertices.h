@@ -25,8 +25,8 @@ class SettledVertices {
   std::vector<SettledVertex> Collect(const Progress& progress);
 
  private:
-  // By radius alone a vertex would be lost whose distance improves by a rounding
-  // just as the radius passes it.
+  // By radius alone a vertex would be lost whose distance improves by a
+  // rounding just as the radius passes it.
   std::vector<bool> given_;
 };
 

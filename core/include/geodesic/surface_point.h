@@ -51,9 +51,9 @@ absl::Status Validate(const SurfacePoint& point, const Mesh& mesh,
                       const std::string& name);
 
 // The same point in one fixed form: on the lowest element that holds it (a
-// weight or t of 0, or below 1e-18, leads to an edge or a vertex), edges from the lower
-// vertex to the higher, weights that sum to 1.
-// REQUIRES: Validate(point, mesh, "").ok().
+// weight or t of 0, or below 1e-18, leads to an edge or a vertex), edges from
+// the lower vertex to the higher, weights that sum to 1. REQUIRES:
+// Validate(point, mesh, "").ok().
 SurfacePoint Canonicalize(const SurfacePoint& point, const Mesh& mesh);
 
 // Where the point lies in space, in the unit of the mesh's file.

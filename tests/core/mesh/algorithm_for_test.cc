@@ -62,5 +62,15 @@ TEST(AlgorithmForTest, TrimmingTakesItsPlaceWhereThreeFacesMeet) {
   }
 }
 
+TEST(AlgorithmForTest, TrimmingTakesItsPlaceWhereFacesHaveNoArea) {
+  const auto folded =
+      *Mesh::Build({.positions = {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}},
+                    .triangles = {{0, 2, 1}, {0, 1, 3}}});
+  EXPECT_TRUE(folded->HasCollapsedFaces());
+  EXPECT_FALSE(Grid()->HasCollapsedFaces());
+  EXPECT_EQ(AlgorithmFor({.sources = {kAtVertex}}, *folded),
+            Algorithm::kFwpMmp);
+}
+
 }  // namespace
 }  // namespace geodesic
