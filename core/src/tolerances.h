@@ -6,16 +6,17 @@
 
 namespace geodesic {
 
-// An inner vertex whose cone angle exceeds 2 pi by no more than this is flat: it hides nothing from the windows on both its sides, so paths
-// need not bend there. Angle sums of flat vertices are off by about 1e-15 a
-// corner; treating every one of them as a saddle doubles the windows of a
-// plane.
+// An inner vertex whose cone angle exceeds 2 pi by no more than this is flat:
+// it hides nothing from the windows on both its sides, so paths need not bend
+// there. Angle sums of flat vertices are off by about 1e-15 a corner; treating
+// every one of them as a saddle doubles the windows of a plane.
 inline constexpr double kFlatAngle = 1e-9;
 
-// A boundary vertex whose angle exceeds pi by no more than this is straight: the
-// rounding of a hundred angles. Unlike an inner one it hides what lies behind it
-// along the boundary, and no window comes from the other side: of a row of
-// vertices each reflex by 1e-11, those from the third on were not reached.
+// A boundary vertex whose angle exceeds pi by no more than this is straight:
+// the rounding of a hundred angles. Unlike an inner one it hides what lies
+// behind it along the boundary, and no window comes from the other side: of a
+// row of vertices each reflex by 1e-11, those from the third on were not
+// reached.
 inline constexpr double kStraightAngle = 1e-13;
 
 // A face whose height over its longest edge is below this fraction of that edge
@@ -35,9 +36,10 @@ inline constexpr double kLeastHeight = 1e-170;
 inline constexpr double kLeastWidth = 1e-12;
 
 // A window that misses the apex by no more than this fraction of its reach (the
-// edge and the way from the pseudo-source), seen across the ray, relaxes it through its nearest end,
-// which is a real path. On regular grids rays run exactly into vertices, and
-// rounding, which goes with the reach, puts them on either side.
+// edge and the way from the pseudo-source), seen across the ray, relaxes it
+// through its nearest end, which is a real path. On regular grids rays run
+// exactly into vertices, and rounding, which goes with the reach, puts them on
+// either side.
 inline constexpr double kNearMiss = 1e-9;
 
 // A weight of a surface point that is no larger is 0: it moves the point by far

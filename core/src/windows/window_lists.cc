@@ -9,7 +9,7 @@ namespace geodesic {
 
 template <typename OriginType>
 void WindowLists<OriginType>::TakeDue(HalfEdge h, double due, size_t most,
-                          std::vector<ListedWindow>& taken) {
+                                      std::vector<ListedWindow>& taken) {
   const Head& list = heads_[h];
   const size_t enough = taken.size() + most;
   const auto take = [&](const ListedWindow* windows, double* labels,
