@@ -97,6 +97,7 @@ void CheckRadii(const Scene& scene, const Query& query,
   const std::unique_ptr<Computation> computation = Start(scene, query, report);
   if (computation == nullptr) return;
   std::vector<double> radii;
+  radii.reserve(4);
   for (int i = 0; i < 3; ++i) {
     radii.push_back(FarthestOf(full) * random.Uniform(0, 1));
   }

@@ -95,7 +95,7 @@ absl::Status Propagation<Rule, Queue, OriginType>::Advance(
         absl::StrCat("reach.radius ", reach.radius, " is not a number >= 0"));
   }
   const auto start = std::chrono::steady_clock::now();
-  const absl::Status status = Run(reach, checkpoint);
+  absl::Status status = Run(reach, checkpoint);
   statistics_.solve_seconds +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
           .count();

@@ -31,7 +31,8 @@ double EdgeReach(const Front& front) {
   }
   double reach = 0;
   while (!next.empty()) {
-    const auto [distance, v] = next.top();
+    const double distance = next.top().first;
+    const uint32_t v = next.top().second;
     next.pop();
     if (distance > distances[v]) continue;
     reach = std::max(reach, distance);
