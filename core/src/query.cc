@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "absl/strings/str_cat.h"
+#include "anchors.h"
 #include "surface_location.h"
 
 namespace geodesic {
@@ -111,17 +112,9 @@ Algorithm AlgorithmFor(const Query& query, const Mesh& mesh) {
 
 Query Canonicalize(Query query, const Mesh& mesh) {
   query.algorithm = AlgorithmFor(query, mesh);
-  for (Source& source : query.sources) {
-    source.point = Canonicalize(source.point, mesh);
-    source.offset += 0.0;  // -0 -> +0
-  }
-  for (CurveSource& curve : query.curves) {
-    for (SurfacePoint& point : curve.points) point = Canonicalize(point, mesh);
-    curve.offset += 0.0;
-  }
-  for (SurfacePoint& target : query.targets) {
-    target = Canonicalize(target, mesh);
-  }
+  query = WithCanonicalPoints(std::move(query), mesh);
+  for (Source& source : query.sources) source.offset += 0.0;  // -0 -> +0
+  for (CurveSource& curve : query.curves) curve.offset += 0.0;
   std::ranges::sort(query.sources,
                     [](const Source& a, const Source& b) { return a < b; });
   const auto same_point = [](const Source& a, const Source& b) {

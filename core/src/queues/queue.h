@@ -22,8 +22,7 @@ inline constexpr uint32_t kNothing = 0xffffffffu;
 // Restart(): labels may begin anew, from 0. REQUIRES: the queue is empty.
 // SettledRadius(): a lower bound on every label pending, never decreasing.
 // size(): ids in the queue. iterations(): batches begun.
-// kStrict: ids leave in the order of their labels, and popped_label() is that
-// of
+// kStrict: ids leave in the order of their labels; popped_label() is that of
 //   the last. Otherwise others may as well go along with the one popped.
 template <typename Q>
 concept WindowQueue = requires(Q queue, const Q& view, uint32_t id,

@@ -162,8 +162,8 @@ class ChenHanRule {
   const Mesh& mesh_;
   WindowPool<Entry> pool_;
   std::vector<Best> best_;  // one per half-edge
-  bool holds_anchors_ =
-      false;  // some of them are of sources that are no vertex
+  // Whether some of them are of sources that are no vertex.
+  bool holds_anchors_ = false;
   // No point is farther than this; set by the first window of a start. Not if
   // kFilters.
   std::optional<double> reach_;
