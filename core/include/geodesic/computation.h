@@ -49,10 +49,12 @@ class Computation {
   // After an Advance that stopped at a radius, that is settled_radius. O(V).
   virtual DistanceField Field() const = 0;
 
-  // Adds a source to a computation that may have advanced. What was certified
-  // is so no longer: distances may only become smaller. `offset` and point as
-  // in a Query. Its number follows those of the query's.
-  // Errors: INVALID_ARGUMENT as Validate.
+  // Adds a source to a computation that has come to its end; the next Advance
+  // starts from it. What was certified is so no longer: distances may only
+  // become smaller. `offset` and point as in a Query. Its number follows those
+  // of the query's.
+  // Errors: INVALID_ARGUMENT as Validate; FAILED_PRECONDITION: the last Advance
+  // has left something to do, or the query asked for a trace.
   virtual absl::Status AddSource(const Source& source) = 0;
 
   // Bytes held beside the mesh.
