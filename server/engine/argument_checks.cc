@@ -2,7 +2,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/string_view.h"
-#include "server/engine/sha256.h"
+#include "server/store/sha256.h"
 #include "server/engine/status_details.h"
 
 namespace geodesic::server {

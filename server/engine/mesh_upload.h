@@ -13,7 +13,7 @@
 #include "geodesic/triangle_soup.h"
 #include "server/engine/byte_budget.h"
 #include "server/engine/limits.h"
-#include "server/engine/sha256.h"
+#include "server/store/sha256.h"
 #include "server/engine/upload_header.h"
 
 namespace geodesic::server {

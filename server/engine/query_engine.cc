@@ -7,7 +7,7 @@
 #include "server/engine/argument_checks.h"
 #include "server/engine/guarded.h"
 #include "server/engine/mesh_digest.h"
-#include "server/engine/sha256.h"
+#include "server/store/sha256.h"
 #include "server/engine/status_details.h"
 
 namespace geodesic::server {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "server/engine/sha256.h"
+#include "server/store/sha256.h"
 
 namespace geodesic::server {
 namespace {

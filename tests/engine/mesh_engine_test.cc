@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "server/engine/mesh_digest.h"
-#include "server/engine/sha256.h"
+#include "server/store/sha256.h"
 #include "server/engine/status_details.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/curved_meshes.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geodesic/read_mesh.h"
-#include "server/engine/sha256.h"
+#include "server/store/sha256.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/curved_meshes.h"

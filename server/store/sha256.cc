@@ -1,4 +1,4 @@
-#include "server/engine/sha256.h"
+#include "server/store/sha256.h"
 
 #include <openssl/evp.h>
 
@@ -36,6 +36,12 @@ std::string Sha256::FinishHex() {
   EVP_DigestFinal_ex(context_.get(), digest.data(), &size);
   return absl::BytesToHexString(
       absl::string_view(reinterpret_cast<const char*>(digest.data()), size));
+}
+
+std::string Sha256Hex(std::string_view bytes) {
+  Sha256 hash;
+  hash.Update(bytes);
+  return hash.FinishHex();
 }
 
 bool IsSha256Hex(std::string_view text) {

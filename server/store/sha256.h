@@ -5,8 +5,8 @@
 //   hash.Update("bytes");
 //   std::string digest = hash.FinishHex();
 
-#ifndef GEODESIC_SERVER_ENGINE_SHA256_H_
-#define GEODESIC_SERVER_ENGINE_SHA256_H_
+#ifndef GEODESIC_SERVER_STORE_SHA256_H_
+#define GEODESIC_SERVER_STORE_SHA256_H_
 
 #include <memory>
 #include <string>
@@ -36,9 +36,12 @@ class Sha256 {
   std::unique_ptr<evp_md_ctx_st, FreeContext> context_;
 };
 
+// The digest of `bytes`, as FinishHex.
+std::string Sha256Hex(std::string_view bytes);
+
 // Whether `text` is 64 lower-case hexadecimal digits.
 bool IsSha256Hex(std::string_view text);
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_ENGINE_SHA256_H_
+#endif  // GEODESIC_SERVER_STORE_SHA256_H_

@@ -1,0 +1,482 @@
+#include "server/store/blob_store.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <tuple>
+#include <utility>
+
+#include "absl/strings/match.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/strip.h"
+
+namespace geodesic::server {
+namespace {
+
+constexpr absl::string_view kTemporaryEnding = ".tmp";
+
+// Metadata is small; a header that claims more is refused before memory
+// follows it.
+constexpr uint64_t kMaxMetadataBytes = uint64_t{256} << 20;
+
+std::string Plural(const std::string& kind) {
+  return absl::StrCat(kind, absl::EndsWith(kind, "h") ? "es" : "s");
+}
+
+absl::StatusOr<std::vector<std::string>> NamesIn(int folder) {
+  // A description of its own, for a listing moves its offset.
+  const int copy = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  DIR* listing = copy < 0 ? nullptr : fdopendir(copy);
+  if (listing == nullptr) return DiskError(errno, "list", "--data-dir");
+  std::vector<std::string> names;
+  errno = 0;
+  while (const dirent* entry = readdir(listing)) names.push_back(entry->d_name);
+  const int error = errno;
+  closedir(listing);
+  if (error != 0) return DiskError(error, "list", "--data-dir");
+  return names;
+}
+
+}  // namespace
+
+absl::Status BlobBody::Read(std::span<char> bytes) {
+  if (bytes.size() > bytes_left_) {
+    return absl::DataLossError(absl::StrCat("the body has ", bytes_left_,
+                                            " bytes left, not ", bytes.size()));
+  }
+  absl::Status status = ReadAt(file_, offset_, bytes, "the file");
+  if (!status.ok()) return status;
+  hash_.Update({bytes.data(), bytes.size()});
+  offset_ += bytes.size();
+  bytes_left_ -= bytes.size();
+  return absl::OkStatus();
+}
+
+struct BlobStore::Found {
+  BlobInfo info;
+  timespec used;
+};
+
+absl::StatusOr<std::unique_ptr<BlobStore>> BlobStore::Open(
+    const DataFolder& folder, Options options) {
+  absl::StatusOr<FileDescriptor> files =
+      OpenFolder(folder.descriptor(), Plural(options.kind));
+  if (!files.ok()) return files.status();
+  absl::StatusOr<FileDescriptor> quarantine =
+      OpenFolder(folder.descriptor(), "quarantine");
+  if (!quarantine.ok()) return quarantine.status();
+  // The folders' own names, too, are to outlive the machine.
+  absl::Status status = Sync(folder.descriptor(), "--data-dir");
+  if (!status.ok()) return status;
+  auto removed = std::exchange(options.removed, nullptr);
+  std::unique_ptr<BlobStore> store(new BlobStore(
+      std::move(options), *std::move(files), *std::move(quarantine)));
+  if (status = store->Scan(); !status.ok()) return status;
+  store->options_.removed = std::move(removed);
+  return store;
+}
+
+BlobStore::BlobStore(Options options, FileDescriptor folder,
+                     FileDescriptor quarantine)
+    : options_(std::move(options)),
+      folder_(std::move(folder)),
+      quarantine_(std::move(quarantine)) {}
+
+std::string BlobStore::FileName(const std::string& name) const {
+  return absl::StrCat(name, ".", options_.kind);
+}
+
+std::string BlobStore::PathOf(const std::string& name) const {
+  return absl::StrCat(Plural(options_.kind), "/", FileName(name));
+}
+
+void BlobStore::Warn(const std::string& line) const {
+  if (options_.warn) options_.warn(line);
+}
+
+absl::Status BlobStore::Scan() {
+  absl::StatusOr<std::vector<std::string>> names = NamesIn(folder_.get());
+  if (!names.ok()) return names.status();
+  std::vector<Found> found;
+  for (const std::string& file : *names) {
+    if (absl::EndsWith(file, kTemporaryEnding)) {
+      // Nobody was told that it was kept.
+      unlinkat(folder_.get(), file.c_str(), 0);
+      continue;
+    }
+    absl::string_view stem = file;
+    if (!absl::ConsumeSuffix(&stem, absl::StrCat(".", options_.kind)) ||
+        !IsSha256Hex({stem.data(), stem.size()})) {
+      continue;
+    }
+    const std::string name(stem);
+    absl::StatusOr<Found> blob = Inspect(name);
+    if (blob.ok()) {
+      found.push_back(*std::move(blob));
+    } else if (!absl::IsDataLoss(blob.status())) {
+      // It may be readable at the next start, or to another version.
+      Warn(absl::StrCat(PathOf(name),
+                        " is left out: ", blob.status().message()));
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    return std::tie(a.used.tv_sec, a.used.tv_nsec, a.info.name) <
+           std::tie(b.used.tv_sec, b.used.tv_nsec, b.info.name);
+  });
+  {
+    std::lock_guard lock(mutex_);
+    for (Found& blob : found) Insert(std::move(blob.info));
+  }
+  // The capacity may have been larger once.
+  if (absl::Status status = MakeRoom(0); !status.ok()) {
+    Warn(absl::StrCat(Plural(options_.kind), "/ holds more than its ",
+                      options_.capacity, " bytes: ", status.message()));
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<BlobStore::Found> BlobStore::Inspect(const std::string& name) {
+  const FileDescriptor file(openat(folder_.get(), FileName(name).c_str(),
+                                   O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+  if (file.get() < 0) return DiskError(errno, "open", PathOf(name));
+  struct stat facts {};
+  if (fstat(file.get(), &facts) != 0) {
+    return DiskError(errno, "examine", PathOf(name));
+  }
+  BlobHeader header;
+  absl::StatusOr<BlobInfo> info = ReadInfo(file.get(), name, header);
+  if (absl::IsDataLoss(info.status())) {
+    Quarantine(name, facts.st_ino, info.status());
+  }
+  if (!info.ok()) return info.status();
+  return Found{*std::move(info), facts.st_mtim};
+}
+
+absl::StatusOr<BlobInfo> BlobStore::ReadInfo(int file, const std::string& name,
+                                             BlobHeader& header) const {
+  struct stat facts {};
+  if (fstat(file, &facts) != 0) {
+    return DiskError(errno, "examine", PathOf(name));
+  }
+  if (!S_ISREG(facts.st_mode)) {
+    return absl::FailedPreconditionError("it is no regular file");
+  }
+  std::string bytes(kBlobHeaderBytes, '\0');
+  absl::Status status = ReadAt(file, 0, bytes, PathOf(name));
+  if (!status.ok()) return status;
+  absl::StatusOr<BlobHeader> decoded = DecodeBlobHeader(bytes);
+  if (!decoded.ok()) return decoded.status();
+  header = *std::move(decoded);
+  if (header.kind != options_.kind || header.name != name) {
+    return absl::DataLossError(
+        absl::StrCat("the file holds the ", header.kind, " ", header.name));
+  }
+  const auto size = static_cast<uint64_t>(facts.st_size);
+  if (header.metadata_bytes > kMaxMetadataBytes || header.body_bytes > size ||
+      kBlobHeaderBytes + header.body_bytes + header.metadata_bytes != size) {
+    return absl::DataLossError(absl::StrCat(
+        "the file has ", size, " bytes; its header tells of ", kBlobHeaderBytes,
+        " + ", header.body_bytes, " + ", header.metadata_bytes));
+  }
+  BlobInfo info{.name = name,
+                .metadata = std::string(header.metadata_bytes, '\0'),
+                .body_bytes = header.body_bytes,
+                .file_bytes = size};
+  status = ReadAt(file, kBlobHeaderBytes + header.body_bytes, info.metadata,
+                  PathOf(name));
+  if (!status.ok()) return status;
+  if (Sha256Hex(info.metadata) != header.metadata_sha256) {
+    return absl::DataLossError(
+        "the metadata does not have the digest the header names");
+  }
+  return info;
+}
+
+std::optional<BlobInfo> BlobStore::Find(const std::string& name) {
+  std::lock_guard lock(mutex_);
+  const auto it = entries_.find(name);
+  if (it == entries_.end()) return std::nullopt;
+  recency_.splice(recency_.end(), recency_, it->second.position);
+  return BlobInfo{name, it->second.metadata, it->second.body_bytes,
+                  it->second.file_bytes};
+}
+
+std::vector<BlobInfo> BlobStore::List(const std::string& after,
+                                      size_t count) const {
+  std::lock_guard lock(mutex_);
+  std::vector<BlobInfo> page;
+  for (auto it = entries_.upper_bound(after);
+       it != entries_.end() && page.size() < count; ++it) {
+    page.push_back({it->first, it->second.metadata, it->second.body_bytes,
+                    it->second.file_bytes});
+  }
+  return page;
+}
+
+std::vector<std::string> BlobStore::Select(
+    absl::FunctionRef<bool(const std::string&, std::string_view)> predicate)
+    const {
+  std::lock_guard lock(mutex_);
+  std::vector<std::string> names;
+  for (const auto& [name, entry] : entries_) {
+    if (predicate(name, entry.metadata)) names.push_back(name);
+  }
+  return names;
+}
+
+absl::Status BlobStore::Put(const std::string& name, std::string_view metadata,
+                            std::span<const std::string_view> body) {
+  BlobInfo info{.name = name, .metadata = std::string(metadata)};
+  for (const std::string_view part : body) info.body_bytes += part.size();
+  info.file_bytes = kBlobHeaderBytes + info.body_bytes + metadata.size();
+  const uint64_t bytes = info.file_bytes;
+  if (absl::Status status = MakeRoom(bytes); !status.ok()) return status;
+  bool is_reserved = true;
+  absl::StatusOr<std::string> temporary = WriteTemporary(name, metadata, body);
+  absl::Status status = temporary.status();
+  if (temporary.ok()) {
+    status = Publish(*temporary, std::move(info), is_reserved);
+  }
+  if (is_reserved) {
+    std::lock_guard lock(mutex_);
+    used_bytes_ -= bytes;
+  }
+  return status;
+}
+
+absl::Status BlobStore::MakeRoom(uint64_t bytes) {
+  std::lock_guard room_lock(room_mutex_);
+  for (bool is_first = true;; is_first = false) {
+    std::string victim;
+    {
+      std::lock_guard lock(mutex_);
+      if (bytes > options_.capacity) {
+        return absl::ResourceExhaustedError(
+            absl::StrCat(bytes, " bytes of disk are needed, more than the ",
+                         options_.capacity, " that the server may use for ",
+                         Plural(options_.kind)));
+      }
+      if (used_bytes_ + bytes <= options_.capacity) {
+        used_bytes_ += bytes;
+        return absl::OkStatus();
+      }
+      uint64_t evictable = 0;
+      for (const auto& [name, entry] : entries_) evictable += entry.file_bytes;
+      // In vain nothing is evicted.
+      if (recency_.empty() ||
+          (is_first && used_bytes_ - evictable + bytes > options_.capacity)) {
+        return absl::ResourceExhaustedError(absl::StrCat(
+            bytes, " bytes of disk are needed, but of the ", options_.capacity,
+            " that the server may use for ", Plural(options_.kind),
+            " too many are being written; try again later"));
+      }
+      victim = *recency_.front();
+    }
+    absl::Status status = Erase(victim);
+    if (!status.ok() && !absl::IsNotFound(status)) return status;
+    if (status.ok() && options_.removed) options_.removed(victim);
+  }
+}
+
+absl::StatusOr<std::string> BlobStore::WriteTemporary(
+    const std::string& name, std::string_view metadata,
+    std::span<const std::string_view> body) {
+  std::string temporary;
+  {
+    std::lock_guard lock(names_mutex_);
+    temporary = absl::StrCat(name, ".", next_temporary_++, kTemporaryEnding);
+  }
+  const FileDescriptor file(
+      openat(folder_.get(), temporary.c_str(),
+             O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
+  if (file.get() < 0) return DiskError(errno, "write", PathOf(name));
+  absl::Status status = Write(file.get(), name, metadata, body);
+  if (status.ok()) return temporary;
+  unlinkat(folder_.get(), temporary.c_str(), 0);
+  return status;
+}
+
+absl::Status BlobStore::Publish(const std::string& temporary, BlobInfo info,
+                                bool& is_reserved) {
+  const std::string file = FileName(info.name);
+  std::lock_guard names_lock(names_mutex_);
+  if (renameat(folder_.get(), temporary.c_str(), folder_.get(), file.c_str()) !=
+      0) {
+    const int error = errno;
+    unlinkat(folder_.get(), temporary.c_str(), 0);
+    return DiskError(error, "name", PathOf(info.name));
+  }
+  absl::Status status = Sync(folder_.get(), PathOf(info.name));
+  std::lock_guard lock(mutex_);
+  const auto old = entries_.find(info.name);
+  if (!status.ok() && old == entries_.end()) {
+    // It may not survive, so it is not promised.
+    unlinkat(folder_.get(), file.c_str(), 0);
+    return status;
+  }
+  // Where there was one, it is replaced, for good or only until a power cut.
+  if (old != entries_.end()) Remove(old);
+  is_reserved = false;
+  used_bytes_ -= info.file_bytes;
+  Insert(std::move(info));
+  return status;
+}
+
+absl::Status BlobStore::Write(int file, const std::string& name,
+                              std::string_view metadata,
+                              std::span<const std::string_view> body) const {
+  BlobHeader header{.kind = options_.kind,
+                    .name = name,
+                    .metadata_bytes = metadata.size(),
+                    .metadata_sha256 = Sha256Hex(metadata)};
+  Sha256 hash;
+  for (const std::string_view part : body) {
+    hash.Update(part);
+    absl::Status status =
+        WriteAt(file, kBlobHeaderBytes + header.body_bytes, part, PathOf(name));
+    if (!status.ok()) return status;
+    header.body_bytes += part.size();
+  }
+  header.body_sha256 = hash.FinishHex();
+  absl::Status status = WriteAt(file, kBlobHeaderBytes + header.body_bytes,
+                                metadata, PathOf(name));
+  if (!status.ok()) return status;
+  status = WriteAt(file, 0, EncodeBlobHeader(header), PathOf(name));
+  if (!status.ok()) return status;
+  return Sync(file, PathOf(name));
+}
+
+absl::Status BlobStore::Read(
+    const std::string& name,
+    absl::FunctionRef<absl::Status(BlobBody& body)> take) {
+  if (!Find(name).has_value()) {
+    return absl::NotFoundError(absl::StrCat("there is no ", PathOf(name)));
+  }
+  const FileDescriptor file(openat(folder_.get(), FileName(name).c_str(),
+                                   O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+  if (file.get() < 0) {
+    const int error = errno;
+    if (error == ENOENT) {
+      // Somebody took the file away under the server's feet, or erased it.
+      std::lock_guard names_lock(names_mutex_);
+      struct stat facts {};
+      if (fstatat(folder_.get(), FileName(name).c_str(), &facts, 0) != 0) {
+        std::lock_guard lock(mutex_);
+        if (const auto it = entries_.find(name); it != entries_.end()) {
+          Remove(it);
+        }
+      }
+    }
+    return DiskError(error, "open", PathOf(name));
+  }
+  struct stat facts {};
+  if (fstat(file.get(), &facts) != 0) {
+    return DiskError(errno, "examine", PathOf(name));
+  }
+  // The time of last use; without it the order after a restart is rougher.
+  const timespec now[2] = {{0, UTIME_NOW}, {0, UTIME_NOW}};
+  futimens(file.get(), now);
+
+  BlobHeader header;
+  absl::StatusOr<BlobInfo> info = ReadInfo(file.get(), name, header);
+  absl::Status status = info.status();
+  if (status.ok()) {
+    BlobBody body(file.get(), header.body_bytes);
+    status = take(body);
+    if (status.ok() && body.bytes_left() > 0) {
+      return absl::InternalError(absl::StrCat(body.bytes_left(), " bytes of ",
+                                              PathOf(name), " were not read"));
+    }
+    if (status.ok() && body.hash_.FinishHex() != header.body_sha256) {
+      status = absl::DataLossError(
+          "the body does not have the digest the header names");
+    }
+  }
+  if (absl::IsDataLoss(status)) {
+    Quarantine(name, facts.st_ino, status);
+    return absl::DataLossError(absl::StrCat(
+        PathOf(name),
+        " was damaged and has been set aside: ", status.message()));
+  }
+  return status;
+}
+
+void BlobStore::Quarantine(const std::string& name, ino_t inode,
+                           absl::Status why) {
+  {
+    std::lock_guard names_lock(names_mutex_);
+    struct stat facts {};
+    if (fstatat(folder_.get(), FileName(name).c_str(), &facts, 0) != 0 ||
+        facts.st_ino != inode) {
+      return;
+    }
+    // A name can be damaged more than once.
+    std::string aside = FileName(name);
+    for (int i = 1; fstatat(quarantine_.get(), aside.c_str(), &facts, 0) == 0;
+         ++i) {
+      aside = absl::StrCat(FileName(name), ".", i);
+    }
+    const bool moved = renameat(folder_.get(), FileName(name).c_str(),
+                                quarantine_.get(), aside.c_str()) == 0;
+    const int error = errno;
+    if (moved) {
+      fsync(quarantine_.get());
+      fsync(folder_.get());
+    }
+    Warn(absl::StrCat(PathOf(name), " is damaged (", why.message(), "): ",
+                      moved ? "moved to quarantine/" + aside
+                            : DiskError(error, "move", PathOf(name)).message(),
+                      "; it is not served"));
+    std::lock_guard lock(mutex_);
+    if (const auto it = entries_.find(name); it != entries_.end()) Remove(it);
+  }
+  if (options_.removed) options_.removed(name);
+}
+
+absl::Status BlobStore::Erase(const std::string& name) {
+  std::lock_guard names_lock(names_mutex_);
+  {
+    std::lock_guard lock(mutex_);
+    if (!entries_.contains(name)) {
+      return absl::NotFoundError(absl::StrCat("there is no ", PathOf(name)));
+    }
+  }
+  if (unlinkat(folder_.get(), FileName(name).c_str(), 0) != 0 &&
+      errno != ENOENT) {
+    return DiskError(errno, "remove", PathOf(name));
+  }
+  {
+    std::lock_guard lock(mutex_);
+    if (const auto it = entries_.find(name); it != entries_.end()) Remove(it);
+  }
+  return Sync(folder_.get(), PathOf(name));
+}
+
+void BlobStore::Insert(BlobInfo info) {
+  const auto [it, is_new] = entries_.try_emplace(std::move(info.name));
+  it->second = {std::move(info.metadata), info.body_bytes, info.file_bytes,
+                recency_.insert(recency_.end(), &it->first)};
+  used_bytes_ += info.file_bytes;
+}
+
+void BlobStore::Remove(Entries::iterator it) {
+  used_bytes_ -= it->second.file_bytes;
+  recency_.erase(it->second.position);
+  entries_.erase(it);
+}
+
+size_t BlobStore::size() const {
+  std::lock_guard lock(mutex_);
+  return entries_.size();
+}
+
+uint64_t BlobStore::used_bytes() const {
+  std::lock_guard lock(mutex_);
+  return used_bytes_;
+}
+
+}  // namespace geodesic::server

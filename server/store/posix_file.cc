@@ -1,0 +1,96 @@
+#include "server/store/posix_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "absl/strings/str_cat.h"
+
+namespace geodesic::server {
+namespace {
+
+// Linux transfers no more than 2 GiB in one call.
+constexpr size_t kMostAtOnce = size_t{1} << 30;
+
+absl::string_view View(std::string_view text) {
+  return {text.data(), text.size()};
+}
+
+}  // namespace
+
+FileDescriptor::~FileDescriptor() {
+  if (number_ >= 0) close(number_);
+}
+
+absl::Status DiskError(int error, std::string_view verb,
+                       std::string_view name) {
+  const std::string message =
+      absl::StrCat("the server cannot ", View(verb), " ", View(name),
+                   " on its disk: ", strerror(error));
+  switch (error) {
+    case ENOENT:
+      return absl::NotFoundError(message);
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+    case ENOMEM:
+    case EMFILE:
+    case ENFILE:
+      return absl::ResourceExhaustedError(message);
+    default:
+      return absl::UnavailableError(message);
+  }
+}
+
+absl::StatusOr<FileDescriptor> OpenFolder(int parent, const std::string& name) {
+  if (mkdirat(parent, name.c_str(), 0700) != 0 && errno != EEXIST) {
+    return DiskError(errno, "make folder", name);
+  }
+  FileDescriptor folder(
+      openat(parent, name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.get() < 0) return DiskError(errno, "open folder", name);
+  return folder;
+}
+
+absl::Status WriteAt(int file, uint64_t offset, std::string_view bytes,
+                     std::string_view name) {
+  while (!bytes.empty()) {
+    const ssize_t count =
+        pwrite(file, bytes.data(), std::min(bytes.size(), kMostAtOnce),
+               static_cast<off_t>(offset));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return DiskError(errno, "write", name);
+    bytes.remove_prefix(static_cast<size_t>(count));
+    offset += static_cast<uint64_t>(count);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status ReadAt(int file, uint64_t offset, std::span<char> bytes,
+                    std::string_view name) {
+  while (!bytes.empty()) {
+    const ssize_t count =
+        pread(file, bytes.data(), std::min(bytes.size(), kMostAtOnce),
+              static_cast<off_t>(offset));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return DiskError(errno, "read", name);
+    if (count == 0) {
+      return absl::DataLossError(
+          absl::StrCat(View(name), " ends at byte ", offset, ", too early"));
+    }
+    bytes = bytes.subspan(static_cast<size_t>(count));
+    offset += static_cast<uint64_t>(count);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status Sync(int file, std::string_view name) {
+  if (fsync(file) != 0) return DiskError(errno, "flush", name);
+  return absl::OkStatus();
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,59 @@
+// Files and folders by descriptor, with errors as absl::Status.
+
+#ifndef GEODESIC_SERVER_STORE_POSIX_FILE_H_
+#define GEODESIC_SERVER_STORE_POSIX_FILE_H_
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+
+namespace geodesic::server {
+
+// Closed at the end. Movable; not thread-safe to change.
+class FileDescriptor {
+ public:
+  FileDescriptor() = default;
+  explicit FileDescriptor(int number) : number_(number) {}
+  FileDescriptor(FileDescriptor&& other) noexcept
+      : number_(std::exchange(other.number_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~FileDescriptor();
+
+  int get() const { return number_; }
+
+ private:
+  int number_ = -1;
+};
+
+// What errno `error` means to who asked to `verb` the file `name`:
+//   NOT_FOUND: there is no such file;
+//   RESOURCE_EXHAUSTED: the disk, a quota, a file's bound, memory or the table
+//     of open files is full; freeing some helps;
+//   UNAVAILABLE: anything else (read-only, no permission, a broken disk).
+absl::Status DiskError(int error, std::string_view verb, std::string_view name);
+
+// Opens a folder for use with the functions that take its descriptor; makes it
+// (mode 0700), but not its parents, when there is none.
+absl::StatusOr<FileDescriptor> OpenFolder(int parent, const std::string& name);
+
+// Writes or reads all of it, at `offset`. `name` is for messages.
+// Errors: as DiskError; ReadAt: DATA_LOSS when the file ends before.
+absl::Status WriteAt(int file, uint64_t offset, std::string_view bytes,
+                     std::string_view name);
+absl::Status ReadAt(int file, uint64_t offset, std::span<char> bytes,
+                    std::string_view name);
+
+// Returns when the file, or the names in the folder, are on the disk.
+absl::Status Sync(int file, std::string_view name);
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_STORE_POSIX_FILE_H_

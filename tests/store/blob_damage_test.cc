@@ -1,0 +1,139 @@
+// Files that are not as they were written.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "server/store/blob_store.h"
+#include "tests/store/blob_fixture.h"
+
+namespace geodesic::server {
+namespace {
+
+using geodesic::test::FileBytes;
+using geodesic::test::WriteFile;
+using test::Name;
+using test::Put;
+using test::Read;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class BlobDamageTest : public test::BlobTest {
+ protected:
+  static constexpr std::string_view kBody = "a body of some bytes";
+
+  void SetUp() override {
+    ASSERT_TRUE(Open().ok());
+    ASSERT_TRUE(Put(*store_, Name('a'), kBody).ok());
+    ASSERT_TRUE(Put(*store_, Name('b'), "untouched").ok());
+    good_ = FileBytes(FileOf(Name('a')));
+  }
+
+  // Whether the file in quarantine is the damaged one; empties it.
+  void ExpectQuarantined(const std::string& damaged) {
+    const std::string aside =
+        data_dir() + "/quarantine/" + Name('a') + ".thing";
+    ASSERT_EQ(quarantined(), 1);
+    EXPECT_EQ(FileBytes(aside), damaged);
+    EXPECT_FALSE(std::filesystem::exists(FileOf(Name('a'))));
+    ASSERT_EQ(warnings_.size(), 1);
+    EXPECT_THAT(warnings_[0], HasSubstr(Name('a')));
+    EXPECT_THAT(warnings_[0], HasSubstr("quarantine/"));
+    std::filesystem::remove(aside);
+    warnings_.clear();
+  }
+
+  // The damage is noticed by a read of an open store.
+  void ExpectSetAsideByRead(const std::string& damaged) {
+    WriteFile(FileOf(Name('a')), damaged);
+    removed_.clear();
+    const absl::Status status = Read(*store_, Name('a')).status();
+    EXPECT_TRUE(absl::IsDataLoss(status)) << status;
+    EXPECT_EQ(store_->Find(Name('a')), std::nullopt);
+    EXPECT_THAT(removed_, ElementsAre(Name('a')));
+    ExpectQuarantined(damaged);
+    EXPECT_EQ(*Read(*store_, Name('b')), "untouched");
+    // The name is free.
+    ASSERT_TRUE(Put(*store_, Name('a'), kBody).ok());
+    EXPECT_EQ(*Read(*store_, Name('a')), kBody);
+  }
+
+  // The damage is there when a store is opened; it is noticed then or, in the
+  // body, when it is read.
+  void ExpectNeverServed(const std::string& damaged) {
+    WriteFile(FileOf(Name('a')), damaged);
+    ASSERT_TRUE(Open().ok());
+    if (store_->Find(Name('a')).has_value()) {
+      EXPECT_TRUE(absl::IsDataLoss(Read(*store_, Name('a')).status()));
+    }
+    EXPECT_EQ(store_->size(), 1);
+    ExpectQuarantined(damaged);
+    EXPECT_EQ(*Read(*store_, Name('b')), "untouched");
+  }
+
+  std::string good_;
+};
+
+TEST_F(BlobDamageTest, BitsOfEveryRegion) {
+  for (size_t i = 0; i < good_.size(); i += 5) {
+    std::string damaged = good_;
+    damaged[i] = static_cast<char>(damaged[i] ^ (1 << i % 8));
+    ExpectSetAsideByRead(damaged);
+    if (HasFatalFailure()) FAIL() << "at byte " << i;
+  }
+}
+
+TEST_F(BlobDamageTest, BitsOfEveryRegionAcrossARestart) {
+  for (size_t i = 0; i < good_.size(); i += 5) {
+    std::string damaged = good_;
+    damaged[i] = static_cast<char>(damaged[i] ^ (1 << i % 8));
+    ExpectNeverServed(damaged);
+    if (HasFatalFailure()) FAIL() << "at byte " << i;
+  }
+}
+
+TEST_F(BlobDamageTest, Truncations) {
+  for (size_t size = 0; size < good_.size(); size += 7) {
+    ExpectSetAsideByRead(good_.substr(0, size));
+    if (HasFatalFailure()) FAIL() << "at " << size << " bytes";
+  }
+}
+
+TEST_F(BlobDamageTest, TruncationsAcrossARestart) {
+  for (size_t size = 0; size < good_.size(); size += 7) {
+    ExpectNeverServed(good_.substr(0, size));
+    if (HasFatalFailure()) FAIL() << "at " << size << " bytes";
+  }
+}
+
+// What is left of a write of which only the length reached the disk.
+TEST_F(BlobDamageTest, TornPages) {
+  for (size_t from = 0; from < good_.size(); from += 16) {
+    std::string damaged = good_;
+    for (size_t i = from; i < damaged.size(); ++i) damaged[i] = '\0';
+    ExpectNeverServed(damaged);
+    if (HasFatalFailure()) FAIL() << "from byte " << from;
+  }
+}
+
+TEST_F(BlobDamageTest, BytesTooMany) { ExpectNeverServed(good_ + '\0'); }
+
+TEST_F(BlobDamageTest, AnotherBlobsFile) {
+  ExpectNeverServed(FileBytes(FileOf(Name('b'))));
+}
+
+TEST_F(BlobDamageTest, EverySampleIsKept) {
+  for (int round = 0; round < 3; ++round) {
+    WriteFile(FileOf(Name('a')), "damage " + std::to_string(round));
+    EXPECT_TRUE(absl::IsDataLoss(Read(*store_, Name('a')).status()));
+    ASSERT_TRUE(Put(*store_, Name('a'), kBody).ok());
+  }
+  EXPECT_EQ(quarantined(), 3);
+}
+
+}  // namespace
+}  // namespace geodesic::server
