@@ -8,40 +8,20 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "bench/load_mesh.h"
+#include "bench/question_options.h"
 #include "geodesic/computation.h"
 #include "geodesic/mesh.h"
-#include "geodesic/read_mesh.h"
 
 namespace geodesic {
 namespace {
-
-struct Options {
-  std::string mesh_file;
-  uint32_t source = 0;
-  std::string algorithm{AlgorithmName(kDefaultAlgorithm)};
-  int repeat = 5;
-};
-
-absl::StatusOr<std::shared_ptr<const Mesh>> Load(const std::string& path) {
-  absl::StatusOr<MeshFormat> format = MeshFormatFromPath(path);
-  if (!format.ok()) return format.status();
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return absl::NotFoundError("cannot open " + path);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  absl::StatusOr<TriangleSoup> soup = ReadMesh(bytes, *format);
-  if (!soup.ok()) return soup.status();
-  return Mesh::Build(*std::move(soup));
-}
 
 using Clock = std::chrono::steady_clock;
 
@@ -64,7 +44,7 @@ struct Cost {
 
 class Bench {
  public:
-  Bench(const Options& options, const Mesh& mesh, Algorithm algorithm)
+  Bench(const QuestionOptions& options, const Mesh& mesh, Algorithm algorithm)
       : options_(options),
         mesh_(mesh),
         query_{.sources = {{VertexPoint{options.source}}},
@@ -177,15 +157,16 @@ class Bench {
     return absl::OkStatus();
   }
 
-  const Options& options_;
+  const QuestionOptions& options_;
   const Mesh& mesh_;
   const Query query_;
 };
 
-absl::Status Run(const Options& options) {
+absl::Status Run(const QuestionOptions& options) {
   absl::StatusOr<Algorithm> algorithm = AlgorithmFromName(options.algorithm);
   if (!algorithm.ok()) return algorithm.status();
-  absl::StatusOr<std::shared_ptr<const Mesh>> mesh = Load(options.mesh_file);
+  absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
+      LoadMesh(options.mesh_file);
   if (!mesh.ok()) return mesh.status();
   return Bench(options, **mesh, *algorithm).Run();
 }
@@ -197,18 +178,8 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Measures computations that stop at a radius or a target, and such that "
       "go on, and prints a Markdown table."};
-  geodesic::Options options;
-  app.add_option("MESH_FILE", options.mesh_file, "OBJ, PLY, OFF or STL file")
-      ->required()
-      ->check(CLI::ExistingFile);
-  app.add_option("SOURCE", options.source, "source vertex, 0-based")
-      ->required();
-  app.add_option("--algorithm", options.algorithm,
-                 "fwp-ch, fwp-mmp, ich, mmp, lc-ch, lc-mmp or ch")
-      ->capture_default_str();
-  app.add_option("--repeat", options.repeat, "measure this many times")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  geodesic::QuestionOptions options{.repeat = 5};
+  geodesic::AddQuestionOptions(app, options);
   CLI11_PARSE(app, argc, argv);
   if (absl::Status status = geodesic::Run(options); !status.ok()) {
     std::cerr << "reach: " << std::string(status.message()) << "\n";

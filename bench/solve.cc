@@ -20,16 +20,14 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "bench/load_mesh.h"
+#include "bench/question_options.h"
 #include "geodesic/mesh.h"
 
 namespace geodesic {
 namespace {
 
 struct Options {
-  std::string mesh_file;
-  uint32_t source = 0;
-  std::string algorithm{AlgorithmName(kDefaultAlgorithm)};
-  int repeat = 1;
+  QuestionOptions question;
   int threads = 1;
   double bucket_width = SolveOptions().bucket_width;
   uint32_t max_batch = SolveOptions().max_batch;
@@ -64,21 +62,22 @@ double PeakRssMb() {
 }
 
 absl::Status Run(const Options& options) {
-  absl::StatusOr<Algorithm> algorithm = AlgorithmFromName(options.algorithm);
+  absl::StatusOr<Algorithm> algorithm =
+      AlgorithmFromName(options.question.algorithm);
   if (!algorithm.ok()) return algorithm.status();
 
   const auto start = std::chrono::steady_clock::now();
   absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
-      LoadMesh(options.mesh_file);
+      LoadMesh(options.question.mesh_file);
   if (!mesh.ok()) return mesh.status();
   const double setup_seconds = SecondsSince(start);
 
-  const Query query{.sources = {{VertexPoint{options.source}}},
+  const Query query{.sources = {{VertexPoint{options.question.source}}},
                     .algorithm = *algorithm};
   NoCheckpoint checkpoint;
   std::vector<double> seconds;
   DistanceField field;
-  for (int i = 0; i < options.repeat; ++i) {
+  for (int i = 0; i < options.question.repeat; ++i) {
     absl::StatusOr<DistanceField> solved =
         Solve(**mesh, query,
               {.bucket_width = options.bucket_width,
@@ -124,20 +123,10 @@ int main(int argc, char** argv) {
       "Solves exact geodesic distances on a mesh file and prints the cost as "
       "one line of JSON."};
   geodesic::Options options;
-  app.add_option("MESH_FILE", options.mesh_file, "OBJ, PLY, OFF or STL file")
-      ->required()
-      ->check(CLI::ExistingFile);
-  app.add_option("SOURCE", options.source, "source vertex, 0-based")
-      ->required();
-  app.add_option("--algorithm", options.algorithm,
-                 "fwp-ch, fwp-mmp, ich, mmp, lc-ch, lc-mmp or ch")
-      ->capture_default_str();
+  geodesic::AddQuestionOptions(app, options.question);
   app.add_option("--threads", options.threads,
                  "threads to solve with; one query runs on one thread")
       ->check(CLI::Range(1, 1))
-      ->capture_default_str();
-  app.add_option("--repeat", options.repeat, "solve this many times")
-      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--bucket-width", options.bucket_width,
                  "FWP bucket width in units of h / sqrt(n)")

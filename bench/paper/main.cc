@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/paper/experiments.h"
+#include "bench/subject.h"
 
 int main(int argc, char** argv) {
   using geodesic::paper::Setting;
@@ -33,7 +34,7 @@ int main(int argc, char** argv) {
   app.add_flag("--quick", setting.quick,
                "small meshes and few steps: to see that it works");
   CLI11_PARSE(app, argc, argv);
-  const auto models = geodesic::paper::LoadSubjects(files);
+  const auto models = geodesic::LoadSubjects(files);
   if (!models.ok()) {
     std::cerr << "paper: " << std::string(models.status().message()) << "\n";
     return 1;

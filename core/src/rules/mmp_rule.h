@@ -89,6 +89,7 @@ class MmpRule {
 
   uint64_t created() const { return created_; }
   uint64_t pending() const { return pending_; }
+  uint64_t windows() const { return lists_.size(); }
   uint64_t peak_windows() const { return lists_.peak_size(); }
   uint64_t bytes() const {
     return lists_.bytes() + queued_.capacity() * sizeof(double) +

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "tests/core/exactness/cgal_oracle.h"
 #include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/cgal_oracle.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
 #include "tests/support/planar_meshes.h"
@@ -20,8 +20,9 @@ namespace {
 void ExpectCgal(const NamedMesh& named, const std::vector<uint32_t>& sources) {
   const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
   ASSERT_NE(mesh, nullptr);
+  const CgalOracle cgal(named.soup);
   for (const uint32_t s : sources) {
-    const std::vector<double> expected = CgalDistances(named.soup, s);
+    const std::vector<double> expected = cgal.Distances(s);
     for (const AlgorithmInfo& info : kAlgorithms) {
       if (!IsTestedOn(info.algorithm, mesh->face_count())) continue;
       EXPECT_TRUE(

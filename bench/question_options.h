@@ -1,0 +1,27 @@
+// The command line that programs which measure one question have in common.
+
+#ifndef GEODESIC_BENCH_QUESTION_OPTIONS_H_
+#define GEODESIC_BENCH_QUESTION_OPTIONS_H_
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <string>
+
+#include "geodesic/algorithm.h"
+
+namespace geodesic {
+
+struct QuestionOptions {
+  std::string mesh_file;
+  uint32_t source = 0;
+  std::string algorithm{AlgorithmName(kDefaultAlgorithm)};
+  int repeat = 1;
+};
+
+// Adds MESH_FILE, SOURCE, --algorithm and --repeat. `options` holds the
+// defaults and outlives the parsing.
+void AddQuestionOptions(CLI::App& app, QuestionOptions& options);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_BENCH_QUESTION_OPTIONS_H_

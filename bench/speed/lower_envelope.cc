@@ -1,0 +1,44 @@
+#include "bench/speed/lower_envelope.h"
+
+#include <cmath>
+
+#include "anchors.h"
+#include "queues/fwp_buckets.h"
+#include "rules/front.h"
+#include "rules/mmp_rule.h"
+
+namespace geodesic::speed {
+namespace {
+
+// Nothing is ever settled for the rule, so that it drops no list.
+class NeverSettled : public FwpBuckets {
+ public:
+  using FwpBuckets::FwpBuckets;
+  double SettledRadius() const { return 0; }
+};
+
+}  // namespace
+
+uint64_t LowerEnvelope(const Mesh& mesh, uint32_t source) {
+  const Query query{.sources = {{VertexPoint{source}}}};
+  NeverSettled queue(
+      {.bucket_width = mesh.mean_edge_length() /
+                       std::sqrt(static_cast<double>(mesh.face_count()))});
+  Front<NeverSettled, Origin> front(mesh, query, queue, nullptr);
+  MmpRule<Front<NeverSettled, Origin>> rule(front);
+  const auto open = [&](HalfEdge half_edge, uint32_t pseudo_source,
+                        const Origin& origin, const Interval& interval) {
+    rule.Open(half_edge, pseudo_source, origin, interval);
+  };
+  for (const Anchor& anchor : AnchorsOf(query)) front.AddAnchor(anchor, open);
+  for (uint32_t id = queue.Pop(); id != kNothing; id = queue.Pop()) {
+    if (id & kVertexEvent) {
+      front.Expand(id & ~kVertexEvent, open);
+    } else {
+      rule.Propagate(id);
+    }
+  }
+  return rule.windows();
+}
+
+}  // namespace geodesic::speed
