@@ -98,6 +98,11 @@ inline constexpr double kAtLevel = 1e-12;
 // this fraction of them. Pieces that are followed rightly agree to 1e-13.
 inline constexpr double kAsLong = 1e-11;
 
+// Weights tell the place of a point in a face within this fraction of the
+// face's longest edge: some dozen roundings. A distance that is no longer may
+// have come by a detour through faces without area, all of it rounding.
+inline constexpr double kRoundedPlace = 1e-14;
+
 // A stretch between two points of a path that is shorter than this fraction of
 // the path gives it no direction there: its ends are off by about 1e-15 of it.
 // Asked only beside faces without area, which have no plane to tell it.

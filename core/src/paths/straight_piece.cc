@@ -37,6 +37,12 @@ struct BackLine {
   PlanePoint way;
 };
 
+// Where the line, followed back, crosses AB; below its end if it runs along it.
+double CrossingOf(const BackLine& line) {
+  return line.way.y < 0 ? line.end.x - line.way.x * line.end.y / line.way.y
+                        : line.end.x;
+}
+
 // A face beyond an edge, by its half-edge there. A mirrored one runs along the
 // edge in the same direction, so that its frame is turned over.
 struct FaceBeyond {
@@ -71,6 +77,16 @@ BackLine IntoRight(const BackLine& line, const HalfEdgeFrame& frame) {
                       v.y * frame.right_x - v.x * frame.right_y};
   };
   return {turn(line.end - PlanePoint{frame.length, 0}), turn(line.way)};
+}
+
+// A turn by an angle, as its cosine and sine. Squares of lengths may vanish
+// (kLeastHeight).
+PlanePoint TurnBetween(const PlanePoint& from, const PlanePoint& to) {
+  const double norms = std::hypot(from.x, from.y) * std::hypot(to.x, to.y);
+  return {Dot(from, to) / norms, Cross(from, to) / norms};
+}
+PlanePoint Turn(const PlanePoint& v, const PlanePoint& turn) {
+  return {v.x * turn.x - v.y * turn.y, v.x * turn.y + v.y * turn.x};
 }
 
 // Whether a point is a vertex at the place of another.
@@ -141,6 +157,16 @@ class BackWalk {
     return Canonicalize(*foot, mesh_);
   }
 
+  // An edge that the line crosses, seen from the face that it leaves.
+  struct CrossedEdge {
+    HalfEdge half_edge;
+    BackLine line;
+    bool is_mirrored;
+  };
+
+  // Adds the way over the edges crossed so far, as a line crosses them that is
+  // turned about the piece's end; `turn` is given in the present frame.
+  void GoOverEdges(const PlanePoint& turn);
   // Adds the way within `face` from the last point to the next.
   void GoTo(const SurfacePoint& next, uint32_t face) {
     if (next == last_) return;
@@ -179,6 +205,8 @@ class BackWalk {
   double ways_ = 1;
   SurfacePoint last_;
   double nearness_ = 0;  // to a vertex at which the path passes it
+  std::vector<CrossedEdge> crossed_;
+  bool is_mirrored_ = false;  // whether the present frame is turned over
   StraightPiece piece_;
 };
 
@@ -237,22 +265,17 @@ bool BackWalk::GoThroughFaces(uint32_t pseudo_source) {
   HalfEdge h = entry;
   // A shortest path enters a face once at most.
   for (uint32_t faces = 0; faces < mesh_.face_count(); ++faces) {
-    const double length = mesh_.frame(h).length;
-    const double crossing =
-        line.way.y < 0 ? line.end.x - line.way.x * line.end.y / line.way.y
-                       : line.end.x;
-    GoTo(Canonicalize(EdgePoint{mesh_.From(h), mesh_.To(h),
-                                std::clamp(crossing / length, 0.0, 1.0)},
-                      mesh_),
-         h / 3);
+    crossed_.push_back({h, line, is_mirrored_});
     const std::optional<FaceBeyond> face = Beyond(h);
     if (!face.has_value()) return false;
     const HalfEdge beyond = face->half_edge;
     const HalfEdgeFrame& frame = mesh_.frame(beyond);
-    line = Enter(*face, line, length);
+    line = Enter(*face, line, mesh_.frame(h).length);
+    is_mirrored_ ^= face->is_mirrored;
     if (const std::optional<SurfacePoint> start =
             StartWithin(pseudo_source, beyond, line.end)) {
       StartAt(pseudo_source, beyond, line.way);
+      GoOverEdges({1, 0});
       GoTo(*start, beyond / 3);
       return true;
     }
@@ -285,8 +308,24 @@ bool BackWalk::PassesThrough(uint32_t vertex, const PlanePoint& at,
     return false;
   }
   StartAt(vertex, h, way);
+  GoOverEdges(TurnBetween(line.way, way));
   GoTo(VertexPoint{vertex}, h / 3);
   return true;
+}
+
+void BackWalk::GoOverEdges(const PlanePoint& turn) {
+  for (const auto& [h, line, is_mirrored] : crossed_) {
+    const PlanePoint here =
+        is_mirrored == is_mirrored_ ? turn : PlanePoint{turn.x, -turn.y};
+    const double crossing = CrossingOf({line.end, Turn(line.way, here)});
+    const double length = mesh_.frame(h).length;
+    GoTo(
+        Canonicalize(
+            EdgePoint{mesh_.From(h), mesh_.To(h),
+                      length > 0 ? std::clamp(crossing / length, 0.0, 1.0) : 0},
+            mesh_),
+        h / 3);
+  }
 }
 
 // A vertex, and the one from which an edge without length leads to it.
@@ -349,6 +388,72 @@ std::optional<StraightPiece> WalkEveryWay(const TracedField& field,
   return std::nullopt;
 }
 
+// Goes straight from an anchor in a face around the end, however the trace says
+// that the path came, if that is as long within the rounding of the face.
+std::optional<StraightPiece> WalkStraight(const TracedField& field, PathEnd end,
+                                          uint32_t anchor) {
+  end.arrival = {.pseudo_source = anchor};
+  std::optional<StraightPiece> piece = BackWalk(field, end, 0).Walk();
+  if (!piece.has_value() || piece->frame == kNoHalfEdge) return piece;
+  const Mesh& mesh = field.mesh();
+  const HalfEdge first = piece->frame - piece->frame % 3;
+  const double longest =
+      std::max({mesh.frame(first).length, mesh.frame(first + 1).length,
+                mesh.frame(first + 2).length});
+  const double offset =
+      std::ldexp(field.AnchorOf(anchor).offset, -mesh.scale_exponent());
+  if (std::abs(offset + piece->length - end.distance) >
+      kRoundedPlace * longest) {
+    return std::nullopt;
+  }
+  return piece;
+}
+
+// The way from the first of `joined` to number `i`.
+std::vector<SurfacePoint> WayBetween(const std::vector<Joined>& joined,
+                                     size_t i) {
+  std::vector<SurfacePoint> way;
+  for (; i != 0; i = joined[i].from) {
+    way.push_back(VertexPoint{joined[i].vertex});
+  }
+  std::ranges::reverse(way);
+  return way;
+}
+
+// The piece that leaves from some vertex at the place of `vertex`.
+std::optional<StraightPiece> WalkFromJoined(const TracedField& field,
+                                            uint32_t vertex) {
+  const std::vector<Joined> joined = JoinedTo(field.mesh(), vertex);
+  const auto first_of = [&](auto walk) -> std::optional<StraightPiece> {
+    for (size_t i = 0; i < joined.size(); ++i) {
+      std::optional<StraightPiece> piece = walk(field.Vertex(joined[i].vertex));
+      if (!piece.has_value()) continue;
+      const std::vector<SurfacePoint> way = WayBetween(joined, i);
+      piece->points.insert(piece->points.begin(), way.begin(), way.end());
+      return piece;
+    }
+    return std::nullopt;
+  };
+  // Between them directions mean nothing, and the trace may lead round among
+  // them. The path left from one of them.
+  if (auto piece = first_of(
+          [&](const PathEnd& end) { return WalkEveryWay(field, end); })) {
+    return piece;
+  }
+  // If a source is nearer than coordinates tell, the trace may lead round
+  // between it and them too.
+  for (const Joined& beside : joined) {
+    const uint32_t anchor = field.VertexArrival(beside.vertex).pseudo_source;
+    if (anchor == kNoPseudoSource || field.IsVertex(anchor)) continue;
+    if (auto piece = first_of([&](const PathEnd& end) {
+          return WalkStraight(field, end, anchor);
+        })) {
+      return piece;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 absl::StatusOr<StraightPiece> FollowBack(const TracedField& field,
@@ -357,18 +462,8 @@ absl::StatusOr<StraightPiece> FollowBack(const TracedField& field,
     return absl::InternalError("the trace leads to where no path arrives");
   }
   if (auto piece = WalkEveryWay(field, end)) return *std::move(piece);
-  // Between vertices at one place directions mean nothing, and the trace may
-  // lead round among them. The path left from one of them.
   if (const auto* vertex = std::get_if<VertexPoint>(&end.point)) {
-    const std::vector<Joined> joined = JoinedTo(field.mesh(), vertex->vertex);
-    for (size_t i = 1; i < joined.size(); ++i) {
-      auto piece = WalkEveryWay(field, field.Vertex(joined[i].vertex));
-      if (!piece.has_value()) continue;
-      std::vector<SurfacePoint> way;
-      for (size_t at = i; at != 0; at = joined[at].from) {
-        way.push_back(VertexPoint{joined[at].vertex});
-      }
-      piece->points.insert(piece->points.begin(), way.rbegin(), way.rend());
+    if (auto piece = WalkFromJoined(field, vertex->vertex)) {
       return *std::move(piece);
     }
   }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -155,6 +156,33 @@ TEST_P(Paths, ThroughDegenerateFaces) {
              {.slack = 1e-15, .check_bends = false});
 }
 
+// Nearer to one of several vertices at one place than coordinates can tell.
+TEST_P(Paths, FromPointsBesideDoubledVertices) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    const TriangleSoup terrain = Terrain(6, 6, 1.5, seed);
+    std::vector<uint32_t> doubled;
+    const TriangleSoup soup = DoubleVertices(
+        DoubleVertices(terrain, 4, seed, &doubled), 8, seed, &doubled);
+    const std::shared_ptr<const Mesh> mesh =
+        BuildOrFail({"doubled vertices", soup});
+    ASSERT_NE(mesh, nullptr);
+    for (uint32_t f = 0; f < soup.triangles.size(); ++f) {
+      for (int corner = 0; corner < 3; ++corner) {
+        if (std::ranges::find(doubled, soup.triangles[f][corner]) ==
+            doubled.end()) {
+          continue;
+        }
+        FacePoint near{.face = f, .weights = {9e-16, 9e-16, 9e-16}};
+        near.weights[corner] = 1 - 1.8e-15;
+        CheckAllPaths(
+            "beside doubled vertices", *mesh,
+            {.sources = {{near}}, .algorithm = GetParam().algorithm},
+            {.slack = 8 * CoordinateRounding(soup), .check_bends = false}, 7);
+      }
+    }
+  }
+}
+
 TEST_P(Paths, OfTinyAndHugeMeshes) {
   for (const double factor : {1e-150, 1e-12, 1e12, 1e150}) {
     CheckPaths({absl::StrCat("torus times ", factor),
@@ -240,6 +268,24 @@ TEST_P(Paths, FromCurves) {
                  .targets = RandomPoints(soup, 40, 3),
                  .algorithm = GetParam().algorithm},
                 {.slack = 1e-14});
+}
+
+// The line from vertex 0 to vertex 4 runs 3e-9 beside vertex 3 and, 3e-9
+// farther on, over the edge between vertices 1 and 2. A path that is led
+// through vertex 3 crosses that edge elsewhere.
+TEST_P(Paths, CrossEdgesRightBehindAVertexThatTheyPass) {
+  const TriangleSoup soup{
+      .positions =
+          {{-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {-3e-9, 0, 0}, {1, 6e-9, 0}},
+      .triangles = {{0, 2, 3}, {0, 3, 1}, {2, 1, 3}, {2, 4, 1}}};
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"kite", soup});
+  ASSERT_NE(mesh, nullptr);
+  for (const uint32_t source : {0, 4}) {
+    CheckAllPaths(
+        "kite", *mesh,
+        {.sources = {{VertexPoint{source}}}, .algorithm = GetParam().algorithm},
+        {.check_bends = false});
+  }
 }
 
 GEODESIC_TEST_EVERY_ALGORITHM(Paths);
