@@ -17,8 +17,8 @@
 #include "geodesic/read_mesh.h"
 #include "server/engine/mesh_digest.h"
 #include "server/engine/query_engine.h"
-#include "server/engine/sha256.h"
 #include "server/engine/thread_pool.h"
+#include "server/store/sha256.h"
 
 namespace geodesic::speed {
 namespace {

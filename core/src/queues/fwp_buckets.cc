@@ -22,19 +22,12 @@ void FwpBuckets::Push(uint32_t id, double label) {
   ++entries_;
   ++(bucket < end_ ? near_ : far_);
   if (bucket < first_ + kRing) {
-    Append(bucket, id);
+    ring_.Append(bucket & kMask, id);
+    ++in_ring_;
   } else {
     beyond_.push_back({bucket, id});
     std::push_heap(beyond_.begin(), beyond_.end(), After());
   }
-}
-
-void FwpBuckets::Append(int64_t bucket, uint32_t id) {
-  Bucket& ids = ring_[bucket & kMask];
-  const size_t before = ids.capacity();
-  ids.push_back(id);
-  ring_bytes_ += (ids.capacity() - before) * sizeof(uint32_t);
-  ++in_ring_;
 }
 
 bool FwpBuckets::StartIteration() {
@@ -49,10 +42,7 @@ bool FwpBuckets::StartIteration() {
   for (end_ = first_; in_ring_ > 0 && end_ < first_ + kRing &&
                       static_cast<int64_t>(batch_.size()) < least_;
        ++end_) {
-    Bucket& ids = ring_[end_ & kMask];
-    batch_.insert(batch_.end(), ids.begin(), ids.end());
-    in_ring_ -= ids.size();
-    ids.clear();
+    in_ring_ -= ring_.MoveTo(end_ & kMask, batch_);
   }
   return true;
 }
@@ -72,10 +62,11 @@ void FwpBuckets::Advance() {
   for (;; ++first_) {
     while (!beyond_.empty() && beyond_.front().bucket < first_ + kRing) {
       std::pop_heap(beyond_.begin(), beyond_.end(), After());
-      Append(beyond_.back().bucket, beyond_.back().id);
+      ring_.Append(beyond_.back().bucket & kMask, beyond_.back().id);
+      ++in_ring_;
       beyond_.pop_back();
     }
-    if (!ring_[first_ & kMask].empty()) return;
+    if (!ring_.IsEmpty(first_ & kMask)) return;
   }
 }
 

@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "queues/id_lists.h"
 #include "queues/queue.h"
 
 namespace geodesic {
@@ -57,7 +58,7 @@ class FwpBuckets {
   // K of the current iteration.
   int64_t least() const { return least_; }
   uint64_t bytes() const {
-    return ring_bytes_ + beyond_.capacity() * sizeof(Far) +
+    return ring_.bytes() + beyond_.capacity() * sizeof(Far) +
            batch_.capacity() * sizeof(uint32_t);
   }
 
@@ -65,7 +66,6 @@ class FwpBuckets {
   static constexpr int64_t kRing = 16384;
   static constexpr int64_t kMask = kRing - 1;
 
-  using Bucket = std::vector<uint32_t>;
   struct Far {
     int64_t bucket;
     uint32_t id;
@@ -78,7 +78,6 @@ class FwpBuckets {
   };
 
   int64_t BucketOf(double label) const;
-  void Append(int64_t bucket, uint32_t id);
   // Takes the windows of at least K smallest labels. False if none are left.
   bool StartIteration();
   void SetLeast();
@@ -90,9 +89,8 @@ class FwpBuckets {
   const int64_t max_batch_;
   const bool adaptive_batch_;
 
-  std::vector<Bucket> ring_{kRing};
+  IdLists ring_{kRing};  // buckets
   uint64_t in_ring_ = 0;
-  uint64_t ring_bytes_ = kRing * sizeof(Bucket);
   std::vector<Far> beyond_;  // heap by bucket
 
   std::vector<uint32_t> batch_;  // the iteration's windows, in order
