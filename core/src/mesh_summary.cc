@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,19 +40,6 @@ class DisjointSets {
   uint64_t count_;
 };
 
-void CountEdges(const Mesh& mesh, MeshSummary& summary) {
-  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
-    if (mesh.FirstOfEdge(h) != h) continue;
-    ++summary.edges;
-    summary.boundary_edges += mesh.IsBoundaryEdge(h);
-    if (mesh.IsCrowdedEdge(h)) {
-      ++summary.non_manifold_edges;
-    } else {
-      summary.inconsistent_edges += mesh.IsIrregularEdge(h);
-    }
-  }
-}
-
 // Whether faces can be turned over so that all agree. O(F).
 bool IsOrientable(const Mesh& mesh) {
   if (!mesh.HasIrregularEdges()) return true;
@@ -85,80 +73,132 @@ bool IsOrientable(const Mesh& mesh) {
 }
 
 // Fans of faces around vertices: one for an ordinary vertex, more where parts
-// of the surface touch in a point. Numbers are those of outgoing half-edges,
-// one a face and corner.
-DisjointSets FindFans(const Mesh& mesh) {
-  DisjointSets fans(mesh.half_edge_count());
-  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
-    if (mesh.IsCrowdedEdge(h)) continue;
-    mesh.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
-      fans.Join(h, is_mirrored ? other : Next(other));
-      fans.Join(Next(h), is_mirrored ? Next(other) : other);
-    });
+// of the surface touch in a point.
+class Fans {
+ public:
+  explicit Fans(const Mesh& mesh) : mesh_(mesh) {
+    bool has_several = false;
+    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+      count_ += !mesh.Outgoing(v).empty();
+      has_several = has_several || mesh.IsNonManifold(v);
+    }
+    if (has_several) Join();
   }
-  return fans;
-}
+
+  uint64_t count() const { return count_; }
+
+  // Names the fan that the face of h is in around the vertex that h leaves.
+  HalfEdge Of(HalfEdge h) {
+    return joined_.has_value() ? joined_->Find(h)
+                               : mesh_.Outgoing(mesh_.From(h))[0];
+  }
+
+ private:
+  void Join() {
+    joined_.emplace(mesh_.half_edge_count());
+    for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
+      if (mesh_.IsCrowdedEdge(h)) continue;
+      mesh_.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
+        joined_->Join(h, is_mirrored ? other : Next(other));
+        joined_->Join(Next(h), is_mirrored ? Next(other) : other);
+      });
+    }
+    count_ = joined_->count();
+  }
+
+  const Mesh& mesh_;
+  uint64_t count_ = 0;
+  // Outgoing half-edges, one a face and corner. Only where a vertex has several
+  // fans: elsewhere the vertex names its only one.
+  std::optional<DisjointSets> joined_;
+};
 
 // Boundary edges follow each other where they bound the same fan.
-uint64_t CountBoundaryLoops(const Mesh& mesh, DisjointSets& fans) {
+uint64_t CountBoundaryLoops(const Mesh& mesh,
+                            std::span<const HalfEdge> boundary, Fans& fans) {
+  if (boundary.empty()) return 0;
   DisjointSets loops(mesh.half_edge_count());
-  std::vector<uint32_t> edges;
-  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
-    if (!mesh.IsBoundaryEdge(h)) continue;
-    edges.push_back(fans.Find(h));
-    loops.Join(fans.Find(h), fans.Find(Next(h)));
-  }
-  for (uint32_t& edge : edges) edge = loops.Find(edge);
-  std::ranges::sort(edges);
-  return std::unique(edges.begin(), edges.end()) - edges.begin();
+  for (HalfEdge h : boundary) loops.Join(fans.Of(h), fans.Of(Next(h)));
+  std::vector<uint32_t> names;
+  names.reserve(boundary.size());
+  for (HalfEdge h : boundary) names.push_back(loops.Find(fans.Of(h)));
+  std::ranges::sort(names);
+  return std::unique(names.begin(), names.end()) - names.begin();
 }
 
-struct Pieces {
-  uint64_t through_edges = 0;     // a shared vertex alone does not connect
-  uint64_t through_vertices = 0;  // it does
-};
-
-Pieces CountPieces(const Mesh& mesh) {
-  DisjointSets sets(mesh.face_count());
-  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
-    sets.Join(h / 3, mesh.FirstOfEdge(h) / 3);
+// What one walk over the faces and their sides tells.
+class Survey {
+ public:
+  explicit Survey(const Mesh& mesh) : mesh_(mesh), pieces_(mesh.face_count()) {
+    for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+      MeasureFace(f);
+      for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) CountSide(h);
+    }
+    pieces_through_edges_ = pieces_.count();
+    // Faces around any other vertex hang together by their edges.
+    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+      if (!mesh.IsNonManifold(v)) continue;
+      const std::span<const HalfEdge> outgoing = mesh.Outgoing(v);
+      for (HalfEdge h : outgoing) pieces_.Join(h / 3, outgoing[0] / 3);
+    }
   }
-  Pieces pieces{.through_edges = sets.count()};
-  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    const std::span<const HalfEdge> outgoing = mesh.Outgoing(v);
-    for (HalfEdge h : outgoing) sets.Join(h / 3, outgoing[0] / 3);
+
+  void AddTo(MeshSummary& summary) const {
+    summary.edges = edges_;
+    summary.boundary_edges = boundary_.size();
+    summary.non_manifold_edges = non_manifold_edges_;
+    summary.inconsistent_edges = inconsistent_edges_;
+    summary.components = pieces_.count();
+    summary.degenerate_faces = degenerate_faces_;
+    const uint64_t with_area = mesh_.face_count() - degenerate_faces_;
+    if (with_area > 0) {
+      summary.anisotropy = anisotropy_sum_ / static_cast<double>(with_area);
+    }
+    summary.mean_edge_length =
+        std::ldexp(mesh_.mean_edge_length(), mesh_.scale_exponent());
   }
-  pieces.through_vertices = sets.count();
-  return pieces;
-}
 
-struct Shape {
-  double mean_edge_length = 0;
-  double anisotropy = 0;
-  uint64_t degenerate_faces = 0;
-};
+  std::span<const HalfEdge> boundary() const { return boundary_; }
+  // Connected by edges: a shared vertex alone does not connect.
+  uint64_t pieces_through_edges() const { return pieces_through_edges_; }
 
-Shape MeasureShape(const Mesh& mesh) {
-  Shape shape;
-  double sum = 0;
-  for (uint32_t f = 0; f < mesh.face_count(); ++f) {
-    const HalfEdgeFrame& frame = mesh.frame(3 * f);
-    const double a = frame.length, b = mesh.frame(3 * f + 1).length,
-                 c = mesh.frame(3 * f + 2).length;
+ private:
+  void MeasureFace(uint32_t f) {
+    const HalfEdgeFrame& frame = mesh_.frame(3 * f);
+    const double a = frame.length, b = mesh_.frame(3 * f + 1).length,
+                 c = mesh_.frame(3 * f + 2).length;
     const double area = frame.length * frame.apex_y / 2;
     const double longest = std::max({a, b, c});
     if (area <= kLeastHeight * longest) {
-      ++shape.degenerate_faces;
-      continue;
+      ++degenerate_faces_;
+    } else {
+      anisotropy_sum_ +=
+          (a + b + c) / 2 * longest / (2 * std::sqrt(3.0) * area);
     }
-    sum += (a + b + c) / 2 * longest / (2 * std::sqrt(3.0) * area);
   }
-  const uint64_t with_area = mesh.face_count() - shape.degenerate_faces;
-  if (with_area > 0) shape.anisotropy = sum / static_cast<double>(with_area);
-  shape.mean_edge_length =
-      std::ldexp(mesh.mean_edge_length(), mesh.scale_exponent());
-  return shape;
-}
+
+  void CountSide(HalfEdge h) {
+    const HalfEdge first = mesh_.FirstOfEdge(h);
+    if (first != h) {
+      pieces_.Join(h / 3, first / 3);
+      return;
+    }
+    ++edges_;
+    if (mesh_.IsBoundaryEdge(h)) {
+      boundary_.push_back(h);
+    } else if (mesh_.IsIrregularEdge(h)) {
+      ++(mesh_.IsCrowdedEdge(h) ? non_manifold_edges_ : inconsistent_edges_);
+    }
+  }
+
+  const Mesh& mesh_;
+  DisjointSets pieces_;
+  uint64_t pieces_through_edges_ = 0;
+  uint64_t edges_ = 0, non_manifold_edges_ = 0, inconsistent_edges_ = 0;
+  std::vector<HalfEdge> boundary_;
+  uint64_t degenerate_faces_ = 0;
+  double anisotropy_sum_ = 0;
+};
 
 }  // namespace
 
@@ -167,15 +207,14 @@ MeshSummary Summarize(const Mesh& mesh) {
   summary.vertices = mesh.vertex_count();
   summary.faces = mesh.face_count();
 
-  CountEdges(mesh, summary);
+  const Survey survey(mesh);
+  survey.AddTo(summary);
   summary.is_orientable = IsOrientable(mesh);
-  DisjointSets fans = FindFans(mesh);
-  summary.boundary_loops = CountBoundaryLoops(mesh, fans);
-  const Pieces pieces = CountPieces(mesh);
-  summary.components = pieces.through_vertices;
+  Fans fans(mesh);
+  summary.boundary_loops = CountBoundaryLoops(mesh, survey.boundary(), fans);
   if (summary.is_orientable && summary.non_manifold_edges == 0) {
     // Euler's formula for the surface with touching fans pulled apart.
-    summary.genus = (2 * static_cast<int64_t>(pieces.through_edges) -
+    summary.genus = (2 * static_cast<int64_t>(survey.pieces_through_edges()) -
                      static_cast<int64_t>(summary.boundary_loops +
                                           fans.count() + summary.faces) +
                      static_cast<int64_t>(summary.edges)) /
@@ -196,10 +235,6 @@ MeshSummary Summarize(const Mesh& mesh) {
           std::max(summary.bounding_box_max[axis], x);
     }
   }
-  const Shape shape = MeasureShape(mesh);
-  summary.mean_edge_length = shape.mean_edge_length;
-  summary.anisotropy = shape.anisotropy;
-  summary.degenerate_faces = shape.degenerate_faces;
   return summary;
 }
 
