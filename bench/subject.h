@@ -20,9 +20,7 @@ struct Subject {
   std::shared_ptr<const Mesh> mesh;
 
   // A vertex of the face in the middle of the file: not a pole, not a corner.
-  uint32_t source() const {
-    return mesh->triangles()[mesh->face_count() / 2][0];
-  }
+  uint32_t source() const { return mesh->triangle(mesh->face_count() / 2)[0]; }
 };
 
 // REQUIRES: the soup is a mesh.

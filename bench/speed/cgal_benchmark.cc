@@ -35,9 +35,12 @@ void RegisterCgal(const Subject& subject) {
       absl::StrCat("cgal/", subject.name).c_str(),
       [subject](benchmark::State& state) {
         const Mesh& mesh = *subject.mesh;
-        const test::CgalOracle cgal(
-            {{mesh.positions().begin(), mesh.positions().end()},
-             {mesh.triangles().begin(), mesh.triangles().end()}});
+        TriangleSoup soup{
+            .positions = {mesh.positions().begin(), mesh.positions().end()}};
+        for (uint32_t face = 0; face < mesh.face_count(); ++face) {
+          soup.triangles.push_back(mesh.triangle(face));
+        }
+        const test::CgalOracle cgal(soup);
         std::vector<double> distances;
         for (auto _ : state) distances = cgal.Distances(subject.source());
         state.counters["off"] = LargestDifference(subject, distances);

@@ -21,10 +21,11 @@ Run RunFrom(const PlanePoint& a, const PlanePoint& b) {
 }
 
 // The side that holds both points, of which they leave out the same corner.
-std::optional<HalfEdge> SharedSide(const FacePoint& a, const FacePoint& b) {
+std::optional<HalfEdge> SharedSide(const Mesh& mesh, const FacePoint& a,
+                                   const FacePoint& b) {
   for (uint32_t corner = 0; corner < 3; ++corner) {
     if (a.weights[corner] == 0 && b.weights[corner] == 0) {
-      return Next(3 * a.face + corner);
+      return Next(mesh.FirstSide(a.face) + corner);
     }
   }
   return std::nullopt;
@@ -37,8 +38,9 @@ CurveSegment::CurveSegment(const Mesh& mesh, const FacePoint& begin,
     : mesh_(mesh), begin_(begin), end_(end) {}
 
 double CurveSegment::DistanceTo(const PlanePoint& place) const {
-  const PlanePoint a = InFrame(mesh_, begin_, 3 * face());
-  const Run run = RunFrom(a, InFrame(mesh_, end_, 3 * face()));
+  const HalfEdge first = mesh_.FirstSide(face());
+  const PlanePoint a = InFrame(mesh_, begin_, first);
+  const Run run = RunFrom(a, InFrame(mesh_, end_, first));
   const double dx = place.x - a.x, dy = place.y - a.y;
   const double along = dx * run.x + dy * run.y;
   return along >= 0 && along <= run.length
@@ -47,7 +49,7 @@ double CurveSegment::DistanceTo(const PlanePoint& place) const {
 }
 
 std::optional<CurveSegment::Beam> CurveSegment::BeamAcross(HalfEdge h) const {
-  if (SharedSide(begin_, end_) == h) return std::nullopt;
+  if (SharedSide(mesh_, begin_, end_) == h) return std::nullopt;
   const PlanePoint a = InFrame(mesh_, begin_, h), b = InFrame(mesh_, end_, h);
   const Run run = RunFrom(a, b);
   // The normal that points out across h: downward in its frame.
@@ -76,7 +78,7 @@ std::vector<CurveSegment> SegmentsOf(const Mesh& mesh, const Anchor& anchor) {
     if (end == ends.end()) continue;
     segments.emplace_back(mesh, begin, *end);
     // Inside a face, that face is all there is.
-    if (!SharedSide(begin, *end).has_value()) break;
+    if (!SharedSide(mesh, begin, *end).has_value()) break;
   }
   return segments;
 }

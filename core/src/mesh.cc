@@ -9,6 +9,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "connectivity.h"
+#include "locality.h"
 #include "scaled_difference.h"
 #include "tolerances.h"
 
@@ -76,9 +77,9 @@ int ScaleExponent(std::span<const Point> positions) {
 
 absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(TriangleSoup soup) {
   if (absl::Status status = CheckSoup(soup); !status.ok()) return status;
-  Connectivity connectivity =
-      FindConnectivity(soup.triangles, soup.positions.size());
   std::shared_ptr<Mesh> mesh(new Mesh(std::move(soup)));
+  Connectivity connectivity =
+      FindConnectivity(mesh->triangles_, mesh->vertex_count());
   mesh->crowds_begin_ = std::move(connectivity.crowds_begin);
   mesh->crowds_ = std::move(connectivity.crowds);
   mesh->BuildFrames(connectivity.exits);
@@ -90,7 +91,7 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(TriangleSoup soup) {
 uint64_t Mesh::EstimateResidentBytes(uint64_t vertices, uint64_t faces) {
   return sizeof(Mesh) +
          faces * (3 * sizeof(HalfEdgeFrame) + sizeof(Triangle) +
-                  3 * sizeof(HalfEdge)) +
+                  3 * sizeof(HalfEdge) + 2 * sizeof(uint32_t)) +
          // At irregular edges: as many half-edges, half as many edges.
          faces * (3 * sizeof(HalfEdge) + 3 * sizeof(uint32_t) / 2) +
          vertices * (sizeof(Point) + sizeof(uint32_t) + sizeof(uint8_t)) +
@@ -105,6 +106,7 @@ uint64_t Mesh::EstimateBuildBytes(uint64_t vertices, uint64_t faces) {
 
 uint64_t Mesh::resident_bytes() const {
   return sizeof(Mesh) + positions_.capacity() * sizeof(Point) +
+         (faces_.capacity() + slots_.capacity()) * sizeof(uint32_t) +
          triangles_.capacity() * sizeof(Triangle) +
          frames_.capacity() * sizeof(HalfEdgeFrame) +
          outgoing_begin_.capacity() * sizeof(uint32_t) +
@@ -114,11 +116,16 @@ uint64_t Mesh::resident_bytes() const {
 }
 
 Mesh::Mesh(TriangleSoup soup)
-    : positions_(std::move(soup.positions)),
-      triangles_(std::move(soup.triangles)),
-      scale_exponent_(ScaleExponent(positions_)) {
+    : faces_(FacesAlongCurve(soup)),
+      slots_(faces_.size()),
+      scale_exponent_(ScaleExponent(soup.positions)) {
+  triangles_.reserve(faces_.size());
+  for (const uint32_t face : faces_) {
+    slots_[face] = static_cast<uint32_t>(triangles_.size());
+    triangles_.push_back(soup.triangles[face]);
+  }
+  positions_ = std::move(soup.positions);
   positions_.shrink_to_fit();
-  triangles_.shrink_to_fit();
 }
 
 void Mesh::BuildFrames(std::span<const Exit> exits) {
@@ -179,16 +186,21 @@ void Mesh::BuildOutgoing() {
   outgoing_.resize(half_edge_count());
   std::vector<uint32_t> fill(outgoing_begin_.begin(),
                              outgoing_begin_.end() - 1);
-  for (HalfEdge h = 0; h < half_edge_count(); ++h) {
-    outgoing_[fill[From(h)]++] = h;
+  // In order of faces, wherever these are kept.
+  for (uint32_t face = 0; face < face_count(); ++face) {
+    const HalfEdge first = FirstSide(face);
+    for (HalfEdge h = first; h < first + 3; ++h) {
+      outgoing_[fill[From(h)]++] = h;
+    }
   }
 }
 
-bool Mesh::IsCollapsed(uint32_t face) const {
-  const HalfEdgeFrame& first = frames_[3 * face];
-  const double longest = std::max({first.length, frames_[3 * face + 1].length,
-                                   frames_[3 * face + 2].length});
-  return first.length * first.apex_y <= kCollapsedFace * longest * longest;
+bool Mesh::IsCollapsed(HalfEdge h) const {
+  const HalfEdgeFrame* sides = &frames_[h - h % 3];
+  const double longest =
+      std::max({sides[0].length, sides[1].length, sides[2].length});
+  return sides[0].length * sides[0].apex_y <=
+         kCollapsedFace * longest * longest;
 }
 
 bool Mesh::IsDisk(uint32_t v) const {
@@ -237,7 +249,7 @@ void Mesh::ClassifyVertices() {
       if (IsBoundaryEdge(h) || IsBoundaryEdge(Prev(h))) {
         kinds_[v] |= kBoundary;
       }
-      if (IsCollapsed(h / 3)) {
+      if (IsCollapsed(h)) {
         kinds_[v] |= kPseudoSource;
         has_collapsed_faces_ = true;
       }

@@ -49,8 +49,9 @@ TriConnectivity ToOpenMesh(const Mesh& mesh) {
   }
   for (uint32_t f = 0; f < mesh.face_count(); ++f) {
     const FaceHandle face = kernel.new_face();
-    kernel.set_halfedge_handle(face, handles[3 * f]);
-    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+    const HalfEdge first = mesh.FirstSide(f);
+    kernel.set_halfedge_handle(face, handles[first]);
+    for (HalfEdge h = first; h < first + 3; ++h) {
       kernel.set_face_handle(handles[h], face);
       kernel.set_next_halfedge_handle(handles[h], handles[Next(h)]);
       kernel.set_halfedge_handle(VertexHandle(mesh.From(h)), handles[h]);

@@ -19,13 +19,13 @@ std::vector<FacePoint> FacesAround(const Mesh& mesh,
   std::vector<FacePoint> faces;
   if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
     for (HalfEdge h : mesh.Outgoing(vertex->vertex)) {
-      faces.push_back({.face = h / 3});
+      faces.push_back({.face = mesh.FaceOf(h)});
       faces.back().weights[h % 3] = 1;
     }
   } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
     for (HalfEdge h : SidesOf(mesh, edge->from, edge->to)) {
       const bool forward = mesh.From(h) == edge->from;
-      faces.push_back({.face = h / 3});
+      faces.push_back({.face = mesh.FaceOf(h)});
       faces.back().weights[h % 3] = forward ? 1 - edge->t : edge->t;
       faces.back().weights[Next(h) % 3] = forward ? edge->t : 1 - edge->t;
     }
@@ -41,7 +41,7 @@ std::optional<FacePoint> WithinFace(const Mesh& mesh, const SurfacePoint& point,
     if (inside->face != face) return std::nullopt;
     return *inside;
   }
-  const Triangle& corners = mesh.triangles()[face];
+  const Triangle& corners = mesh.triangle(face);
   FacePoint found{.face = face};
   const auto give = [&](uint32_t vertex, double weight) {
     const auto corner = std::ranges::find(corners, vertex);
@@ -67,7 +67,8 @@ PlanePoint InFrame(const Mesh& mesh, const FacePoint& point, HalfEdge h) {
 
 double DistanceToCorner(const Mesh& mesh, const FacePoint& point,
                         uint32_t corner) {
-  const PlanePoint at = InFrame(mesh, point, 3 * point.face + corner);
+  const PlanePoint at =
+      InFrame(mesh, point, mesh.FirstSide(point.face) + corner);
   return std::sqrt(at.x * at.x + at.y * at.y);
 }
 

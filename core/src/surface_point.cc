@@ -82,7 +82,7 @@ SurfacePoint Canonical(const EdgePoint& point, const Mesh&) {
 }
 
 SurfacePoint Canonical(const FacePoint& point, const Mesh& mesh) {
-  const Triangle& corners = mesh.triangles()[point.face];
+  const Triangle& corners = mesh.triangle(point.face);
   const auto& weights = point.weights;
   const double sum = weights[0] + weights[1] + weights[2];
   for (int i = 0; i < 3; ++i) {
@@ -126,7 +126,7 @@ Point PositionOf(const SurfacePoint& point, const Mesh& mesh) {
     return combine(at(edge->from), 1 - edge->t, at(edge->to), edge->t, {}, 0);
   }
   const auto& [face, weights] = std::get<FacePoint>(point);
-  const auto& [a, b, c] = mesh.triangles()[face];
+  const auto& [a, b, c] = mesh.triangle(face);
   return combine(at(a), weights[0], at(b), weights[1], at(c), weights[2]);
 }
 

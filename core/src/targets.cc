@@ -13,11 +13,11 @@ Targets::Targets(const Mesh& mesh, std::span<const SurfacePoint> targets)
       target.vertex = vertex->vertex;
       continue;
     }
-    if (first_in_face_.empty()) first_in_face_.assign(mesh.face_count(), kNone);
+    if (first_in_slot_.empty()) first_in_slot_.assign(mesh.face_count(), kNone);
     // For a point on an edge any face will do: whatever leads to the point from
     // another one is a window into this.
     target.point = FacesAround(mesh, targets[t])[0];
-    uint32_t& first = first_in_face_[target.point.face];
+    uint32_t& first = first_in_slot_[mesh.FirstSide(target.point.face) / 3];
     target.next = first;
     first = t;
   }
@@ -27,7 +27,7 @@ Targets::ThroughCorner Targets::NearestCorner(
     const Target& target, std::span<const double> distances) const {
   ThroughCorner best{kNone, std::numeric_limits<double>::infinity()};
   for (uint32_t corner = 0; corner < 3; ++corner) {
-    const uint32_t v = mesh_.triangles()[target.point.face][corner];
+    const uint32_t v = mesh_.triangle(target.point.face)[corner];
     const double distance =
         distances[v] + DistanceToCorner(mesh_, target.point, corner);
     if (distance < best.distance) best = {v, distance};

@@ -29,13 +29,13 @@ class Targets {
 
   size_t size() const { return targets_.size(); }
 
-  // Whether windows into this face may lead to a target.
-  bool Watches(uint32_t face) const {
-    return !first_in_face_.empty() && first_in_face_[face] != kNone;
+  // Whether windows into the face of h may lead to a target.
+  bool Watches(HalfEdge h) const {
+    return !first_in_slot_.empty() && first_in_slot_[h / 3] != kNone;
   }
 
   // Takes the paths of a window on h to the targets in its face.
-  // REQUIRES: Watches(h / 3).
+  // REQUIRES: Watches(h).
   template <typename OriginType>
   void Offer(HalfEdge h, const BasicWindow<OriginType>& window,
              uint32_t pseudo_source);
@@ -44,9 +44,11 @@ class Targets {
   // for a place in the frame of the face's first half-edge.
   template <typename Distance>
   void OfferWithin(uint32_t face, uint32_t pseudo_source, Distance distance) {
-    if (!Watches(face)) return;
-    for (uint32_t t = first_in_face_[face]; t != kNone; t = targets_[t].next) {
-      Take(targets_[t], distance(InFrame(mesh_, targets_[t].point, 3 * face)),
+    const HalfEdge first = mesh_.FirstSide(face);
+    if (!Watches(first)) return;
+    for (uint32_t t = first_in_slot_[first / 3]; t != kNone;
+         t = targets_[t].next) {
+      Take(targets_[t], distance(InFrame(mesh_, targets_[t].point, first)),
            {.pseudo_source = pseudo_source});
     }
   }
@@ -58,7 +60,7 @@ class Targets {
 
   uint64_t bytes() const {
     return targets_.capacity() * sizeof(Target) +
-           first_in_face_.capacity() * sizeof(uint32_t);
+           first_in_slot_.capacity() * sizeof(uint32_t);
   }
 
  private:
@@ -88,7 +90,7 @@ class Targets {
 
   const Mesh& mesh_;
   std::vector<Target> targets_;
-  std::vector<uint32_t> first_in_face_;  // empty if there are no targets
+  std::vector<uint32_t> first_in_slot_;  // empty if there are no targets
 };
 
 template <typename OriginType>
@@ -96,7 +98,7 @@ void Targets::Offer(HalfEdge h, const BasicWindow<OriginType>& window,
                     uint32_t pseudo_source) {
   const HalfEdgeFrame& frame = mesh_.frame(h);
   const auto& [interval, origin, begin_distance, end_distance] = window;
-  for (uint32_t t = first_in_face_[h / 3]; t != kNone; t = targets_[t].next) {
+  for (uint32_t t = first_in_slot_[h / 3]; t != kNone; t = targets_[t].next) {
     const PlanePoint at = InFrame(mesh_, targets_[t].point, h);
     const double crossing = CrossingTo(origin, at);
     // As for an apex: rays may miss the window by rounding.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <span>
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -17,15 +17,19 @@ static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12);
 
 constexpr uint64_t kChunkBytes = uint64_t{512} << 10;
 
-// Copies one chunk of `items` from `begin` on; returns where the next begins.
-template <typename T>
-uint64_t FillChunk(std::span<const T> items, uint64_t begin,
+// Copies one chunk of the `count` items that `item` gives from `begin` on;
+// returns where the next begins.
+template <typename Item>
+uint64_t FillChunk(uint64_t count, uint64_t begin, Item item,
                    std::string& bytes) {
-  const uint64_t count =
-      std::min<uint64_t>(kChunkBytes / sizeof(T), items.size() - begin);
-  bytes.assign(reinterpret_cast<const char*>(items.data() + begin),
-               count * sizeof(T));
-  return begin + count;
+  constexpr size_t kItemBytes = sizeof(item(0));
+  const uint64_t end = std::min(begin + kChunkBytes / kItemBytes, count);
+  bytes.resize((end - begin) * kItemBytes);
+  char* to = bytes.data();
+  for (uint64_t i = begin; i < end; ++i, to += kItemBytes) {
+    std::memcpy(to, &item(i), kItemBytes);
+  }
+  return end;
 }
 
 }  // namespace
@@ -66,8 +70,11 @@ void MeshStream::OnWriteDone(bool ok) {
 void MeshStream::WriteVertices() {
   v1::VertexChunk& chunk = *message_.mutable_vertices();
   chunk.set_first_vertex(next_vertex_);
-  next_vertex_ = FillChunk(mesh_->mesh->positions(), next_vertex_,
-                           *chunk.mutable_positions());
+  const Mesh& mesh = *mesh_->mesh;
+  next_vertex_ = FillChunk(
+      mesh.vertex_count(), next_vertex_,
+      [&](uint64_t v) -> const Point& { return mesh.positions()[v]; },
+      *chunk.mutable_positions());
   entry_.add_bytes(chunk.positions().size());
   StartWrite(&message_);
 }
@@ -75,8 +82,11 @@ void MeshStream::WriteVertices() {
 void MeshStream::WriteFaces() {
   v1::FaceChunk& chunk = *message_.mutable_faces();
   chunk.set_first_face(next_face_);
-  next_face_ =
-      FillChunk(mesh_->mesh->triangles(), next_face_, *chunk.mutable_indices());
+  const Mesh& mesh = *mesh_->mesh;
+  next_face_ = FillChunk(
+      mesh.face_count(), next_face_,
+      [&](uint64_t face) -> const Triangle& { return mesh.triangle(face); },
+      *chunk.mutable_indices());
   entry_.add_bytes(chunk.indices().size());
   StartWrite(&message_);
 }

@@ -3,9 +3,12 @@
 //   absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
 //       Mesh::Build(std::move(soup));
 //
-// Half-edge 3f + i is side i of face f: it runs from the face's corner i to
+// A face has three half-edges in a row, 3k, 3k + 1 and 3k + 2, the first of
+// them FirstSide(face). Half-edge 3k + i runs from the face's corner i to
 // corner i + 1 (mod 3) and belongs to the face on its left. Everything else is
-// arithmetic on that number, so connectivity is one array of twins.
+// arithmetic on that number, so connectivity is one array of twins. Half-edges
+// are numbered along a space-filling curve, so that a wavefront finds what it
+// needs next near what it has just used, in whatever order the faces came.
 //
 // Guarantees:
 //   1. vertex and face numbers are the caller's; nothing is renumbered,
@@ -77,7 +80,14 @@ class Mesh {
   uint32_t half_edge_count() const { return 3 * face_count(); }
 
   std::span<const Point> positions() const { return positions_; }
-  std::span<const Triangle> triangles() const { return triangles_; }
+  const Triangle& triangle(uint32_t face) const {
+    return triangles_[slots_[face]];
+  }
+
+  HalfEdge FirstSide(uint32_t face) const { return 3 * slots_[face]; }
+  // The face on the left of h, and its corners.
+  uint32_t FaceOf(HalfEdge h) const { return faces_[h / 3]; }
+  const Triangle& TriangleOf(HalfEdge h) const { return triangles_[h / 3]; }
 
   // The half-edge on the other side of h if one face lies there that runs the
   // other way; kNoHalfEdge at a boundary and at irregular edges. O(1).
@@ -121,12 +131,13 @@ class Mesh {
     }
   }
 
-  uint32_t From(HalfEdge h) const { return triangles_[h / 3][h % 3]; }
+  uint32_t From(HalfEdge h) const { return TriangleOf(h)[h % 3]; }
   uint32_t To(HalfEdge h) const { return From(Next(h)); }
   uint32_t Apex(HalfEdge h) const { return From(Prev(h)); }
   const HalfEdgeFrame& frame(HalfEdge h) const { return frames_[h]; }
 
-  // The half-edges that leave vertex v, one per incident face.
+  // The half-edges that leave vertex v, one per incident face, in order of
+  // faces.
   std::span<const HalfEdge> Outgoing(uint32_t v) const {
     return {outgoing_.data() + outgoing_begin_[v],
             outgoing_.data() + outgoing_begin_[v + 1]};
@@ -143,8 +154,9 @@ class Mesh {
   // share an edge there.
   bool IsNonManifold(uint32_t v) const { return kinds_[v] & kNonManifold; }
 
-  // Whether the face has no area to speak of, and whether there is such a face.
-  bool IsCollapsed(uint32_t face) const;
+  // Whether the face of h has no area to speak of, and whether there is such a
+  // face.
+  bool IsCollapsed(HalfEdge h) const;
   bool HasCollapsedFaces() const { return has_collapsed_faces_; }
 
   // Solver lengths are file lengths times 2^-scale_exponent, so that the
@@ -180,7 +192,9 @@ class Mesh {
   void ClassifyVertices();
 
   std::vector<Point> positions_;
-  std::vector<Triangle> triangles_;
+  std::vector<uint32_t> faces_;           // face in each slot
+  std::vector<uint32_t> slots_;           // slot of each face
+  std::vector<Triangle> triangles_;       // by slot
   std::vector<HalfEdgeFrame> frames_;     // one per half-edge
   std::vector<uint32_t> outgoing_begin_;  // V + 1
   std::vector<HalfEdge> outgoing_;        // 3F

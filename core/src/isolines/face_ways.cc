@@ -22,7 +22,7 @@ double NearestOf(const Way& way) {
 }  // namespace
 
 FaceWays::FaceWays(const Mesh& mesh, uint32_t face)
-    : mesh_(mesh), first_(3 * face) {
+    : mesh_(mesh), first_(mesh.FirstSide(face)) {
   const HalfEdgeFrame& frame = mesh.frame(first_);
   corners_ = {{{0, 0}, {frame.length, 0}, {frame.apex_x, frame.apex_y}}};
   directions_ = {

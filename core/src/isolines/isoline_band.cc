@@ -31,7 +31,7 @@ void IsolineBand::OnWindow(HalfEdge h, const MixedWindow& window, uint32_t) {
   if (level == levels_.end() || *level > FarthestAround(mesh_, h, window)) {
     return;
   }
-  const uint32_t face = h / 3;
+  const uint32_t face = mesh_.FaceOf(h);
   if (is_closed_[face]) return;
   if (!HasWindows(face)) faces_.push_back(face);
   first_[h] = kept_.Allocate({{window.interval, window.origin}, first_[h]});
@@ -39,7 +39,8 @@ void IsolineBand::OnWindow(HalfEdge h, const MixedWindow& window, uint32_t) {
 
 void IsolineBand::Close(uint32_t face) {
   is_closed_[face] = true;
-  for (HalfEdge h = 3 * face; h < 3 * face + 3; ++h) {
+  const HalfEdge first = mesh_.FirstSide(face);
+  for (HalfEdge h = first; h < first + 3; ++h) {
     for (uint32_t id = first_[h]; id != kNone;) {
       const uint32_t next = kept_[id].next;
       kept_.Free(id);

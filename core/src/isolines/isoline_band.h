@@ -34,8 +34,9 @@ class IsolineBand final : public WindowObserver {
     }
   }
   bool HasWindows(uint32_t face) const {
-    return first_[3 * face] != kNone || first_[3 * face + 1] != kNone ||
-           first_[3 * face + 2] != kNone;
+    const HalfEdge h = mesh_.FirstSide(face);
+    return first_[h] != kNone || first_[h + 1] != kNone ||
+           first_[h + 2] != kNone;
   }
 
   // Drops the windows of a face and keeps no more of it.

@@ -38,7 +38,8 @@ absl::Status LevelCrossings::Settle(std::span<const double> distances,
   absl::Status status;
   std::erase_if(band_.faces(), [&](uint32_t face) {
     if (!status.ok()) return false;
-    for (HalfEdge h = 3 * face; h < 3 * face + 3; ++h) {
+    const HalfEdge first = mesh_.FirstSide(face);
+    for (HalfEdge h = first; h < first + 3; ++h) {
       if (!(Farthest(h, distances) <= settled)) return false;
     }
     status = DealWith(face, distances, poll);
@@ -53,7 +54,7 @@ absl::Status LevelCrossings::Finish(std::span<const double> distances,
     if (band_.IsClosed(face)) continue;
     // What crosses a face comes from one of its corners, from a source in it or
     // through it.
-    const auto& [a, b, c] = mesh_.triangles()[face];
+    const auto& [a, b, c] = mesh_.triangle(face);
     if (std::min({distances[a], distances[b], distances[c]}) >=
             levels_.back() &&
         !band_.HasWindows(face) && !within_.contains(face)) {
@@ -102,7 +103,8 @@ std::vector<Way> LevelCrossings::WaysTo(
     if (apex < levels_.back()) {
       add({{0, frame.length}, {frame.apex_x, frame.apex_y, apex}});
     }
-    if (const auto found = within_.find(h / 3); found != within_.end()) {
+    if (const auto found = within_.find(mesh_.FaceOf(h));
+        found != within_.end()) {
       for (const auto& [point, sigma] : found->second.points) {
         const PlanePoint at = InFrame(mesh_, point, h);
         add({{0, frame.length}, {at.x, std::max(at.y, kLeastHeight), sigma}});
@@ -154,7 +156,7 @@ absl::Status LevelCrossings::DealWith(uint32_t face,
   std::array<EdgeRange, 3> ranges;
   uint32_t first = std::numeric_limits<uint32_t>::max(), last = 0;
   for (uint32_t side = 0; side < 3; ++side) {
-    ranges[side] = CrossingsOf(3 * face + side, distances);
+    ranges[side] = CrossingsOf(mesh_.FirstSide(face) + side, distances);
     const auto& [begin, end] = ranges[side];
     if (begin == end) continue;
     first = std::min(first, crossings_[begin].level);
@@ -173,7 +175,7 @@ void LevelCrossings::JoinCrossings(uint32_t face, uint32_t level,
                                    std::span<const double> distances) {
   std::vector<PerimeterCrossing> perimeter;
   for (uint32_t side = 0; side < 3; ++side) {
-    const HalfEdge h = 3 * face + side;
+    const HalfEdge h = mesh_.FirstSide(face) + side;
     const auto& [begin, end] = ranges[side];
     const bool is_forward = mesh_.From(h) < mesh_.To(h);
     for (size_t i = 0; i < end - begin; ++i) {
@@ -185,7 +187,7 @@ void LevelCrossings::JoinCrossings(uint32_t face, uint32_t level,
     }
   }
   if (perimeter.empty()) return;
-  const uint32_t corner = mesh_.triangles()[face][0];
+  const uint32_t corner = mesh_.triangle(face)[0];
   FaceRegions regions(std::move(perimeter),
                       IsNearer(distances[corner], levels_[level]));
   if (regions.arc_count() > 1) {
@@ -197,15 +199,16 @@ void LevelCrossings::JoinCrossings(uint32_t face, uint32_t level,
 FaceWays LevelCrossings::WaysInto(uint32_t face,
                                   std::span<const double> distances) const {
   FaceWays ways(mesh_, face);
-  for (HalfEdge h = 3 * face; h < 3 * face + 3; ++h) {
+  const HalfEdge first = mesh_.FirstSide(face);
+  for (HalfEdge h = first; h < first + 3; ++h) {
     band_.ForEach(h, [&](const Way& way) { ways.AddThrough(h, way); });
     FacePoint corner{.face = face};
     corner.weights[h % 3] = 1;
-    ways.AddWithin(InFrame(mesh_, corner, 3 * face), distances[mesh_.From(h)]);
+    ways.AddWithin(InFrame(mesh_, corner, first), distances[mesh_.From(h)]);
   }
   if (const auto found = within_.find(face); found != within_.end()) {
     for (const auto& [point, sigma] : found->second.points) {
-      ways.AddWithin(InFrame(mesh_, point, 3 * face), sigma);
+      ways.AddWithin(InFrame(mesh_, point, first), sigma);
     }
     for (const auto& [segment, sigma] : found->second.segments) {
       ways.AddWithin(segment, sigma);

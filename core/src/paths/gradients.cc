@@ -19,7 +19,7 @@ Point DirectionFromAnchor(const Mesh& mesh, const Anchor& anchor, uint32_t v) {
   for (const FacePoint& from : FacesAround(mesh, anchor.begin)) {
     const auto to = WithinFace(mesh, VertexPoint{v}, from.face);
     if (!to.has_value()) continue;
-    const HalfEdge h = 3 * from.face;
+    const HalfEdge h = mesh.FirstSide(from.face);
     const PlanePoint b = InFrame(mesh, *to, h);
     const auto foot = FootOf(mesh, anchor, h, b);
     if (!foot.has_value()) continue;
@@ -50,14 +50,14 @@ Point DirectionOfPoints(const Mesh& mesh, const StraightPiece& piece,
 absl::StatusOr<Point> DirectionOf(const TracedField& field, uint32_t v) {
   const Mesh& mesh = field.mesh();
   const auto& [pseudo_source, entry, x, depth] = field.VertexArrival(v);
-  if (entry != kNoHalfEdge && mesh.IsCollapsed(entry / 3)) {
+  if (entry != kNoHalfEdge && mesh.IsCollapsed(entry)) {
     const absl::StatusOr<StraightPiece> piece =
         FollowBack(field, field.Vertex(v));
     if (!piece.ok()) return piece.status();
     return DirectionOfPoints(mesh, *piece, v);
   }
   if (entry != kNoHalfEdge) {
-    const auto place = WithinFace(mesh, VertexPoint{v}, entry / 3);
+    const auto place = WithinFace(mesh, VertexPoint{v}, mesh.FaceOf(entry));
     if (!place.has_value()) return Point{};
     if (!field.IsVertex(pseudo_source) &&
         field.AnchorOf(pseudo_source).is_segment) {

@@ -105,7 +105,7 @@ absl::StatusOr<Compass> Compass::At(const Mesh& mesh,
     }
     compass.zero_direction_ = DirectionBetween(mesh, edge->from, edge->to);
   } else {
-    const HalfEdge first = 3 * std::get<FacePoint>(point).face;
+    const HalfEdge first = mesh.FirstSide(std::get<FacePoint>(point).face);
     compass.sectors_.push_back({first, 0});
     compass.zero_direction_ = DirectionInSpace(mesh, first, {1, 0});
   }

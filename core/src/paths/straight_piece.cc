@@ -147,7 +147,8 @@ class BackWalk {
                                           const PlanePoint& place) const {
     if (field_.IsVertex(pseudo_source)) {
       const VertexPoint start{pseudo_source};
-      if (!WithinFace(mesh_, start, h / 3).has_value()) return std::nullopt;
+      if (!WithinFace(mesh_, start, mesh_.FaceOf(h)).has_value())
+        return std::nullopt;
       return start;
     }
     const Anchor& anchor = field_.AnchorOf(pseudo_source);
@@ -170,7 +171,7 @@ class BackWalk {
   // Adds the way within `face` from the last point to the next.
   void GoTo(const SurfacePoint& next, uint32_t face) {
     if (next == last_) return;
-    const HalfEdge first = 3 * face;
+    const HalfEdge first = mesh_.FirstSide(face);
     piece_.length +=
         Norm(InFrame(mesh_, *WithinFace(mesh_, next, face), first) -
              InFrame(mesh_, *WithinFace(mesh_, last_, face), first));
@@ -229,7 +230,7 @@ bool BackWalk::GoWithinFace(uint32_t pseudo_source) {
     return true;
   }
   for (const FacePoint& around : FacesAround(mesh_, anchored)) {
-    const HalfEdge h = 3 * around.face;
+    const HalfEdge h = mesh_.FirstSide(around.face);
     const std::optional<FacePoint> end = WithinFace(mesh_, last_, around.face);
     if (!end.has_value()) continue;
     const PlanePoint place = InFrame(mesh_, *end, h);
@@ -247,7 +248,8 @@ bool BackWalk::GoWithinFace(uint32_t pseudo_source) {
 
 bool BackWalk::GoThroughFaces(uint32_t pseudo_source) {
   const auto& [entry_source, entry, x, depth] = end_.arrival;
-  const std::optional<FacePoint> end = WithinFace(mesh_, end_.point, entry / 3);
+  const std::optional<FacePoint> end =
+      WithinFace(mesh_, end_.point, mesh_.FaceOf(entry));
   if (!end.has_value()) return false;
   BackLine line{.end = InFrame(mesh_, *end, entry)};
   const bool is_segment = !field_.IsVertex(pseudo_source) &&
@@ -276,7 +278,7 @@ bool BackWalk::GoThroughFaces(uint32_t pseudo_source) {
             StartWithin(pseudo_source, beyond, line.end)) {
       StartAt(pseudo_source, beyond, line.way);
       GoOverEdges({1, 0});
-      GoTo(*start, beyond / 3);
+      GoTo(*start, mesh_.FaceOf(beyond));
       return true;
     }
     const PlanePoint apex{frame.apex_x, frame.apex_y};
@@ -309,7 +311,7 @@ bool BackWalk::PassesThrough(uint32_t vertex, const PlanePoint& at,
   }
   StartAt(vertex, h, way);
   GoOverEdges(TurnBetween(line.way, way));
-  GoTo(VertexPoint{vertex}, h / 3);
+  GoTo(VertexPoint{vertex}, mesh_.FaceOf(h));
   return true;
 }
 
@@ -324,7 +326,7 @@ void BackWalk::GoOverEdges(const PlanePoint& turn) {
             EdgePoint{mesh_.From(h), mesh_.To(h),
                       length > 0 ? std::clamp(crossing / length, 0.0, 1.0) : 0},
             mesh_),
-        h / 3);
+        mesh_.FaceOf(h));
   }
 }
 

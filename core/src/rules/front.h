@@ -86,10 +86,10 @@ class Front {
     __builtin_prefetch(&mesh_.frame(first));
     __builtin_prefetch(&mesh_.frame(first + 1));
     __builtin_prefetch(&mesh_.frame(first + 2));
-    __builtin_prefetch(&mesh_.triangles()[h / 3]);
+    __builtin_prefetch(&mesh_.TriangleOf(h));
   }
   void PrefetchCorners(HalfEdge h) const {
-    for (uint32_t v : mesh_.triangles()[h / 3]) PrefetchDistance(v);
+    for (uint32_t v : mesh_.TriangleOf(h)) PrefetchDistance(v);
   }
   void PrefetchDistance(uint32_t v) const {
     __builtin_prefetch(&distances_[v]);
@@ -116,7 +116,7 @@ class Front {
 
   // Tells whoever wants to know of a window that enters the face of h.
   void Observe(HalfEdge h, const Window& window, uint32_t pseudo_source) {
-    if (targets_.Watches(h / 3)) targets_.Offer(h, window, pseudo_source);
+    if (targets_.Watches(h)) targets_.Offer(h, window, pseudo_source);
     if (observer_ != nullptr) {
       observer_->OnWindow(h, AsMixed(window), pseudo_source);
     }
@@ -180,7 +180,7 @@ class Front {
     for (const FacePoint& point : FacesAround(mesh_, anchor.begin)) {
       const Arrival straight{.pseudo_source = number};
       for (uint32_t corner = 0; corner < 3; ++corner) {
-        const HalfEdge h = 3 * point.face + corner;
+        const HalfEdge h = mesh_.FirstSide(point.face) + corner;
         const double to_corner = DistanceToCorner(mesh_, point, corner);
         if (to_corner <= kNearVertex * LongestEdgeAt(mesh_.From(h))) {
           states_[mesh_.From(h)] |= kSource;
@@ -195,7 +195,8 @@ class Front {
                     .sigma = sigma},
                    number, open);
       }
-      const PlanePoint from = InFrame(mesh_, point, 3 * point.face);
+      const PlanePoint from =
+          InFrame(mesh_, point, mesh_.FirstSide(point.face));
       targets_.OfferWithin(point.face, number, [&](const PlanePoint& to) {
         return sigma + std::hypot(to.x - from.x, to.y - from.y);
       });
@@ -297,7 +298,7 @@ class Front {
   void AddSegment(const Anchor& anchor, double sigma, uint32_t number,
                   Open open) {
     for (const CurveSegment& segment : SegmentsOf(mesh_, anchor)) {
-      const HalfEdge first = 3 * segment.face();
+      const HalfEdge first = mesh_.FirstSide(segment.face());
       const Arrival straight{.pseudo_source = number};
       for (uint32_t corner = 0; corner < 3; ++corner) {
         FacePoint at{.face = segment.face()};

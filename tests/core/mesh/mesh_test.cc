@@ -1,8 +1,10 @@
 #include "geodesic/mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +21,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Pair;
+using ::testing::UnorderedElementsAre;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -44,7 +47,7 @@ TEST(MeshTest, KeepsTheCallersNumbersAndBits) {
     EXPECT_EQ((*mesh)->positions()[v], soup.positions[v]);
   }
   for (uint32_t f = 0; f < 2; ++f) {
-    EXPECT_EQ((*mesh)->triangles()[f], soup.triangles[f]);
+    EXPECT_EQ((*mesh)->triangle(f), soup.triangles[f]);
   }
   EXPECT_TRUE(std::signbit((*mesh)->positions()[4][2]));
 }
@@ -52,13 +55,32 @@ TEST(MeshTest, KeepsTheCallersNumbersAndBits) {
 TEST(MeshTest, TwinsMeetAcrossTheSharedEdge) {
   const auto mesh = Mesh::Build(Square());
   ASSERT_TRUE(mesh.ok());
-  const HalfEdge diagonal = 2;  // 2 -> 0 of face 0
+  const HalfEdge diagonal = (*mesh)->FirstSide(0) + 2;  // 2 -> 0
   const HalfEdge other = (*mesh)->Twin(diagonal);
-  EXPECT_EQ(other, 3u);  // 0 -> 2 of face 1
+  EXPECT_EQ(other, (*mesh)->FirstSide(1));  // 0 -> 2
   EXPECT_EQ((*mesh)->Twin(other), diagonal);
   EXPECT_EQ((*mesh)->From(other), (*mesh)->To(diagonal));
   EXPECT_EQ((*mesh)->Apex(diagonal), 1u);
-  EXPECT_EQ((*mesh)->Twin(0), kNoHalfEdge);
+  EXPECT_EQ((*mesh)->Twin((*mesh)->FirstSide(0)), kNoHalfEdge);
+}
+
+TEST(MeshTest, FacesLieInMemoryAsTheyDoInSpace) {
+  const TriangleSoup grid = test::MakeGrid({.columns = 16, .rows = 16});
+  TriangleSoup shuffled = grid;
+  std::ranges::shuffle(shuffled.triangles, std::mt19937(1));
+  const auto mesh = *Mesh::Build(grid), other = *Mesh::Build(shuffled);
+  uint64_t near = 0;
+  for (HalfEdge h = 0; h < mesh->half_edge_count(); ++h) {
+    const HalfEdge first = mesh->FirstSide(mesh->FaceOf(h));
+    EXPECT_TRUE(first <= h && h < first + 3) << h;
+    EXPECT_EQ(mesh->From(h), mesh->triangle(mesh->FaceOf(h))[h - first]) << h;
+    // The same place in memory, whatever the number of the face.
+    EXPECT_EQ(mesh->TriangleOf(h), other->TriangleOf(h)) << h;
+    EXPECT_EQ(shuffled.triangles[other->FaceOf(h)], mesh->TriangleOf(h)) << h;
+    const HalfEdge twin = other->Twin(h);
+    near += twin == kNoHalfEdge || std::max(h, twin) - std::min(h, twin) < 48;
+  }
+  EXPECT_GT(near, mesh->half_edge_count() * 3 / 4);
 }
 
 TEST(MeshTest, FrameLaysTheFaceIntoThePlane) {
@@ -183,18 +205,21 @@ TEST(MeshTest, ThreeFacesMayMeetInAnEdge) {
   soup.positions.push_back({0, 0, 1});
   soup.triangles.push_back({2, 0, 4});
   const auto mesh = *Mesh::Build(soup);
-  const HalfEdge diagonals[] = {2, 3, 6};  // 2 -> 0, 0 -> 2, 2 -> 0
-  for (HalfEdge h : diagonals) {
+  const HalfEdge a = mesh->FirstSide(0) + 2;  // 2 -> 0
+  const HalfEdge b = mesh->FirstSide(1);      // 0 -> 2
+  const HalfEdge c = mesh->FirstSide(2);      // 2 -> 0
+  for (HalfEdge h : {a, b, c}) {
     EXPECT_EQ(mesh->Twin(h), kNoHalfEdge);
     EXPECT_FALSE(mesh->IsBoundaryEdge(h));
     EXPECT_TRUE(mesh->IsIrregularEdge(h));
     EXPECT_TRUE(mesh->IsCrowdedEdge(h));
-    EXPECT_EQ(mesh->FirstOfEdge(h), 2u);
+    EXPECT_EQ(mesh->FirstOfEdge(h), std::min({a, b, c}));
   }
-  EXPECT_THAT(BeyondOf(*mesh, 2), ElementsAre(Pair(3u, false), Pair(6u, true)));
-  EXPECT_THAT(BeyondOf(*mesh, 3),
-              ElementsAre(Pair(2u, false), Pair(6u, false)));
-  EXPECT_THAT(BeyondOf(*mesh, 0), ElementsAre());
+  EXPECT_THAT(BeyondOf(*mesh, a),
+              UnorderedElementsAre(Pair(b, false), Pair(c, true)));
+  EXPECT_THAT(BeyondOf(*mesh, b),
+              UnorderedElementsAre(Pair(a, false), Pair(c, false)));
+  EXPECT_THAT(BeyondOf(*mesh, mesh->FirstSide(0)), ElementsAre());
   for (uint32_t v : {0u, 2u}) {
     EXPECT_TRUE(mesh->IsPseudoSource(v));
     EXPECT_TRUE(mesh->IsNonManifold(v));
@@ -206,10 +231,11 @@ TEST(MeshTest, FacesMayDisagreeInOrientation) {
   TriangleSoup soup = Square();
   std::swap(soup.triangles[1][0], soup.triangles[1][1]);  // 2 0 3
   const auto mesh = *Mesh::Build(soup);
-  EXPECT_TRUE(mesh->IsIrregularEdge(2));
-  EXPECT_FALSE(mesh->IsCrowdedEdge(2));
-  EXPECT_THAT(BeyondOf(*mesh, 2), ElementsAre(Pair(3u, true)));
-  EXPECT_THAT(BeyondOf(*mesh, 3), ElementsAre(Pair(2u, true)));
+  const HalfEdge a = mesh->FirstSide(0) + 2, b = mesh->FirstSide(1);
+  EXPECT_TRUE(mesh->IsIrregularEdge(a));
+  EXPECT_FALSE(mesh->IsCrowdedEdge(a));
+  EXPECT_THAT(BeyondOf(*mesh, a), ElementsAre(Pair(b, true)));
+  EXPECT_THAT(BeyondOf(*mesh, b), ElementsAre(Pair(a, true)));
   for (uint32_t v = 0; v < 4; ++v) {
     EXPECT_FALSE(mesh->IsNonManifold(v)) << v;
     EXPECT_FALSE(mesh->IsPseudoSource(v)) << v;
@@ -258,7 +284,7 @@ TEST(MeshTest, OpenMeshSeesTheSameConnectivity) {
     for (const auto v : kernel.fv_range(face)) {
       corners.push_back(static_cast<uint32_t>(v.idx()));
     }
-    const Triangle& triangle = (*mesh)->triangles()[face.idx()];
+    const Triangle& triangle = (*mesh)->triangle(face.idx());
     EXPECT_THAT(corners, ::testing::UnorderedElementsAreArray(triangle));
   }
   for (const auto v : kernel.vertices()) {

@@ -103,7 +103,7 @@ TEST(QueryTest, CanonicalPointsLieOnTheLowestElement) {
   const auto canonical = [&](const SurfacePoint& point) {
     return Canonicalize(point, *mesh);
   };
-  const Triangle corners = mesh->triangles()[3];
+  const Triangle corners = mesh->triangle(3);
   EXPECT_EQ(canonical(FacePoint{3, {0, 1, 0}}),
             SurfacePoint(VertexPoint{corners[1]}));
   EXPECT_EQ(canonical(EdgePoint{1, 0, 0}), SurfacePoint(VertexPoint{1}));
@@ -125,7 +125,7 @@ TEST(QueryTest, CanonicalPointsLieOnTheLowestElement) {
 TEST(QueryTest, PositionsAreThoseOfTheWeights) {
   const auto mesh = Strip();
   const auto& p = mesh->positions();
-  const Triangle t = mesh->triangles()[5];
+  const Triangle t = mesh->triangle(5);
   const Point at = PositionOf(FacePoint{5, {0.5, 0.25, 0.25}}, *mesh);
   for (int i = 0; i < 3; ++i) {
     EXPECT_DOUBLE_EQ(at[i],

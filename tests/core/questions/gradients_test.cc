@@ -126,7 +126,7 @@ TEST_P(GradientsTest, AreWhatDistanceGrowsBy) {
       const Real s = Dot(Cross(back, b), normal) / Dot(normal, normal);
       const Real t = Dot(Cross(a, back), normal) / Dot(normal, normal);
       if (s < 0 || t < 0 || s + t > 1) continue;
-      FacePoint target{.face = h / 3};
+      FacePoint target{.face = mesh_->FaceOf(h)};
       target.weights[Next(h) % 3] = static_cast<double>(s);
       target.weights[Prev(h) % 3] = static_cast<double>(t);
       target.weights[h % 3] = static_cast<double>(1 - s - t);

@@ -18,7 +18,7 @@ using Edge = std::pair<uint32_t, uint32_t>;  // the lower vertex first
 std::map<Edge, std::vector<uint32_t>> FacesOfEdges(const Mesh& mesh) {
   std::map<Edge, std::vector<uint32_t>> faces;
   for (uint32_t f = 0; f < mesh.face_count(); ++f) {
-    const auto& [a, b, c] = mesh.triangles()[f];
+    const auto& [a, b, c] = mesh.triangle(f);
     for (const auto& [from, to] : {Edge{a, b}, Edge{b, c}, Edge{c, a}}) {
       faces[std::minmax(from, to)].push_back(f);
     }
@@ -152,7 +152,8 @@ class IsolineCheck {
       const std::vector<uint32_t>& around = faces_.at({at->from, at->to});
       faces.insert(around.begin(), around.end());
     } else if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
-      for (HalfEdge h : mesh_.Outgoing(vertex->vertex)) faces.insert(h / 3);
+      for (HalfEdge h : mesh_.Outgoing(vertex->vertex))
+        faces.insert(mesh_.FaceOf(h));
     }
     return faces;
   }

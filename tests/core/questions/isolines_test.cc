@@ -499,7 +499,7 @@ TEST(IsolinesOfManyLevels, AreThoseOfEachLevel) {
   const NamedMesh named{"icosphere", Icosphere(5)};
   const auto mesh = BuildOrFail(named);
   ASSERT_NE(mesh, nullptr);
-  const Query query{.sources = {{EdgePoint{0, mesh->triangles()[0][1], 0.3}}}};
+  const Query query{.sources = {{EdgePoint{0, mesh->triangle(0)[1], 0.3}}}};
   std::vector<double> levels;
   for (int i = 1; i < 150; ++i) levels.push_back(0.0207 * i);
   Peak peak;

@@ -27,7 +27,7 @@ constexpr Real kStraight = 1e-6;
 std::set<uint32_t> FacesAt(const Mesh& mesh, const SurfacePoint& point) {
   const auto around = [&](uint32_t v) {
     std::set<uint32_t> faces;
-    for (const HalfEdge h : mesh.Outgoing(v)) faces.insert(h / 3);
+    for (const HalfEdge h : mesh.Outgoing(v)) faces.insert(mesh.FaceOf(h));
     return faces;
   };
   if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
@@ -59,7 +59,7 @@ Vec3 PositionAt(const Mesh& mesh, const SurfacePoint& point) {
     return at(edge->from) + Real{edge->t} * (at(edge->to) - at(edge->from));
   }
   const auto& [face, weights] = std::get<FacePoint>(point);
-  const auto& [a, b, c] = mesh.triangles()[face];
+  const auto& [a, b, c] = mesh.triangle(face);
   return at(a) + Real{weights[1]} * (at(b) - at(a)) +
          Real{weights[2]} * (at(c) - at(a));
 }
@@ -89,7 +89,7 @@ class FanAngles {
     HalfEdge h = is_open_ ? *start : outgoing[0];
     const HalfEdge first = h;
     do {
-      begin_.push_back({h / 3, h, total_});
+      begin_.push_back({mesh.FaceOf(h), h, total_});
       total_ += Angle(Towards(mesh.To(h)), Towards(mesh.Apex(h)));
       h = mesh.Twin(Prev(h));
     } while (h != kNoHalfEdge && h != first);

@@ -158,7 +158,7 @@ TEST_P(ComputationTest, AddedSourcesAreAsGoodAsThoseFromTheStart) {
     ASSERT_NE(computation, nullptr);
     ASSERT_TRUE(computation->Advance({}, checkpoint_).ok());
     const uint32_t faces = scene.mesh->face_count();
-    const Triangle& last = scene.mesh->triangles()[faces - 1];
+    const Triangle& last = scene.mesh->triangle(faces - 1);
     // One by one, of every kind; the fourth is too far off to matter.
     for (const Source& source :
          {Source{VertexPoint{last[0]}},
