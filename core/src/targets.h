@@ -81,6 +81,7 @@ class Targets {
   };
 
   void Take(Target& target, double distance, const Arrival& arrival) {
+    distance = std::max(distance, 0.0);  // as MixedOrigin::PathTo
     if (!(distance < target.distance)) return;
     target.distance = distance;
     target.arrival = arrival;

@@ -126,6 +126,9 @@ class Front {
   // then queued with its distance as label (otherwise no bound on
   // what is pending holds).
   void Relax(uint32_t v, double distance, const Arrival& arrival) {
+    if constexpr (std::is_same_v<Origin, MixedOrigin>) {
+      distance = std::max(distance, 0.0);  // as MixedOrigin::PathTo
+    }
     double& best = distances_[v];
     if (distance >= best * (1 - kImprovement)) return;
     reached_ += std::isinf(best);

@@ -30,6 +30,11 @@ struct MixedOrigin {
   double DistanceTo(double at) const {
     return is_segment ? at * x : AsPoint().DistanceTo(at);
   }
+  // Not below 0, where rounding may put points beside the segment: relative
+  // tolerances would take equal distances for better ones.
+  double PathTo(double at) const {
+    return std::max(sigma + DistanceTo(at), 0.0);
+  }
 };
 
 using MixedWindow = BasicWindow<MixedOrigin>;

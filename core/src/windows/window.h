@@ -31,6 +31,8 @@ struct Origin {
   double DistanceTo(double at) const {
     return std::sqrt((at - x) * (at - x) + depth * depth);
   }
+  // The same from the source.
+  double PathTo(double at) const { return sigma + DistanceTo(at); }
 };
 
 // An interval [begin, end] of an edge.
@@ -62,13 +64,11 @@ struct BasicWindow {
   double end_distance = 0;
 
   static BasicWindow Over(const Interval& interval, const OriginType& origin) {
-    return {interval, origin, origin.sigma + origin.DistanceTo(interval.begin),
-            origin.sigma + origin.DistanceTo(interval.end)};
+    return {interval, origin, origin.PathTo(interval.begin),
+            origin.PathTo(interval.end)};
   }
 
-  double DistanceTo(double at) const {
-    return origin.sigma + origin.DistanceTo(at);
-  }
+  double DistanceTo(double at) const { return origin.PathTo(at); }
 
   double Label() const {
     return LeastDistance(origin, interval, begin_distance, end_distance);

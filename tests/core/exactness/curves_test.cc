@@ -11,6 +11,8 @@
 
 #include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/mesh_edits.h"
 #include "tests/support/planar_curves.h"
 #include "tests/support/planar_meshes.h"
 
@@ -102,6 +104,40 @@ TEST_P(Curves, BesidePointsAndWithOffsets) {
         name, soup,
         {{{{1.2, 4.6}, {10.9, 4.9}}, 1.5}, {{{2, 8.2}, {3, 8.4}}, 0.2}},
         {{FacePoint{30, {0.2, 0.5, 0.3}}, 0.1}, {VertexPoint{6 + 13 * 3}, 0}});
+  }
+}
+
+// Distances from segments are sums of terms of both signs. Below 0, and
+// improving by less than nothing for ever, they may come out where vertices
+// coincide.
+TEST_P(Curves, AreNowhereNearerThanTheirOffset) {
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    std::vector<uint32_t> doubled;
+    const TriangleSoup soup =
+        DoubleVertices(Terrain(5, 5, 1.5, seed), 6, seed, &doubled);
+    const std::shared_ptr<const Mesh> mesh =
+        BuildOrFail({"doubled vertices", soup});
+    ASSERT_NE(mesh, nullptr);
+    for (uint32_t f = 0; f < mesh->face_count(); ++f) {
+      const auto& [a, b, c] = soup.triangles[f];
+      if (std::ranges::find_first_of(soup.triangles[f], doubled) ==
+          soup.triangles[f].end()) {
+        continue;
+      }
+      Query query{.curves = {{{VertexPoint{c}, FacePoint{f, {0.38, 0.3, 0.32}},
+                               EdgePoint{a, b, 0.58}, EdgePoint{b, c, 0.49},
+                               EdgePoint{c, a, 0.95}}}},
+                  .algorithm = GetParam().algorithm};
+      query.targets = query.curves[0].points;
+      NoCheckpoint checkpoint;
+      const auto field = Solve(*mesh, query, {}, checkpoint);
+      ASSERT_TRUE(field.ok()) << field.status();
+      for (const double d : field->distances) EXPECT_GE(d, 0) << seed;
+      for (const double d : field->target_distances) {
+        EXPECT_GE(d, 0) << seed;
+        EXPECT_LE(d, 4 * CoordinateRounding(soup)) << seed;
+      }
+    }
   }
 }
 
