@@ -116,6 +116,15 @@ class MmpRule {
   void Cross(HalfEdge h, const Window& window, uint32_t pseudo_source);
   // Drops the lists of all edges that the wavefront has passed.
   void Sweep();
+  // Whether the pseudo-source has improved since, by so much that its newer
+  // window has won whatever this one held. By less, the newer one has tied and
+  // given way: measured by the distances at the edge, not by sigma, which may
+  // be that of a vertex right beside a source.
+  bool IsStale(const ListedWindow& listed) const {
+    return listed.window.origin.sigma -
+               front_.PseudoSourceDistance(listed.pseudo_source) >
+           kDominance * listed.window.Label();
+  }
 
   template <typename Visit>
   void ForEachExit(HalfEdge h, Visit visit) const {
@@ -153,10 +162,7 @@ uint32_t MmpRule<Front>::Propagate(HalfEdge h) {
   pending_ -= due_.size();
   uint32_t propagated = 0;
   for (const ListedWindow& listed : due_) {
-    if (Exceeds(listed.window.origin.sigma,
-                front_.PseudoSourceDistance(listed.pseudo_source))) {
-      continue;
-    }
+    if (IsStale(listed)) continue;
     Cross(h, listed.window, listed.pseudo_source);
     ++propagated;
   }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -197,6 +198,43 @@ TEST_P(RandomMeshes, EditedWithDegenerateFaces) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shards, RandomMeshes, testing::Range<uint64_t>(0, 2));
+
+// From there paths to the vertices at that place improve by roundings, which
+// are a large part of them and nothing beside the way to any other.
+TEST(BruteForceComparison, PointsRightBesideDoubledVertices) {
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
+    std::vector<uint32_t> doubled;
+    const TriangleSoup soup = DoubleVertices(
+        RotateAndShift(BoxGrid(1, 2, 1.5, 2, 2, 2), seed), 3, seed, &doubled);
+    const std::shared_ptr<const Mesh> mesh =
+        BuildOrFail({"doubled vertices", soup});
+    ASSERT_NE(mesh, nullptr);
+    std::vector<SurfacePoint> points;
+    for (uint32_t f = 0; f < soup.triangles.size(); ++f) {
+      for (int corner = 0; corner < 3; ++corner) {
+        if (std::ranges::find(doubled, soup.triangles[f][corner]) ==
+            doubled.end()) {
+          continue;
+        }
+        FacePoint point{f, {2.6e-10, 2.6e-10, 2.6e-10}};
+        point.weights[corner] = 1 - 5.2e-10;
+        points.push_back(point);
+      }
+    }
+    const BruteForce brute_force(soup, points);
+    for (const SurfacePoint& point : points) {
+      const std::vector<Source> sources = {{point}};
+      std::vector<double> expected = brute_force.Distances(sources);
+      expected.resize(mesh->vertex_count());
+      for (const AlgorithmInfo& info : kAlgorithms) {
+        EXPECT_TRUE(FieldsAgree({"doubled vertices", sources, info.name},
+                                expected,
+                                SolveOrFail(*mesh, info.algorithm, sources),
+                                4 * CoordinateRounding(soup)));
+      }
+    }
+  }
+}
 
 class BruteForceOnRealMesh : public testing::TestWithParam<const char*> {};
 
