@@ -1,7 +1,8 @@
 #include "locality.h"
 
 #include <algorithm>
-#include <utility>
+#include <cstddef>
+#include <numeric>
 
 namespace geodesic {
 namespace {
@@ -27,6 +28,30 @@ uint64_t AlongCurve(const Point& point) {
   return key;
 }
 
+// A face, and where along the curve it lies.
+struct Place {
+  uint64_t key;
+  uint32_t face;
+};
+
+// Sorts by key, equal keys in the order in which they are: digit by digit, the
+// last first.
+void Sort(std::vector<Place>& places) {
+  constexpr int kKeyBits = 48, kDigitBits = 12;
+  constexpr size_t kDigits = size_t{1} << kDigitBits;
+  std::vector<Place> sorted(places.size());
+  for (int shift = 0; shift < kKeyBits; shift += kDigitBits) {
+    const auto digit = [&](const Place& place) {
+      return place.key >> shift & (kDigits - 1);
+    };
+    std::vector<uint32_t> next(kDigits + 1, 0);
+    for (const Place& place : places) ++next[digit(place) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (const Place& place : places) sorted[next[digit(place)]++] = place;
+    places.swap(sorted);
+  }
+}
+
 }  // namespace
 
 std::vector<uint32_t> FacesAlongCurve(const TriangleSoup& soup) {
@@ -42,8 +67,8 @@ std::vector<uint32_t> FacesAlongCurve(const TriangleSoup& soup) {
   for (int axis = 0; axis < 3; ++axis) {
     longest = std::max(longest, high[axis] / 16 - low[axis] / 16);
   }
-  std::vector<std::pair<uint64_t, uint32_t>> keys(soup.triangles.size());
-  for (uint32_t face = 0; face < keys.size(); ++face) {
+  std::vector<Place> places(soup.triangles.size());
+  for (uint32_t face = 0; face < places.size(); ++face) {
     Point centroid = {};
     for (const uint32_t v : soup.triangles[face]) {
       for (int axis = 0; axis < 3 && longest > 0; ++axis) {
@@ -51,11 +76,11 @@ std::vector<uint32_t> FacesAlongCurve(const TriangleSoup& soup) {
         centroid[axis] += along / longest / 3;
       }
     }
-    keys[face] = {AlongCurve(centroid), face};
+    places[face] = {AlongCurve(centroid), face};
   }
-  std::ranges::sort(keys);
-  std::vector<uint32_t> faces(keys.size());
-  for (size_t i = 0; i < keys.size(); ++i) faces[i] = keys[i].second;
+  Sort(places);
+  std::vector<uint32_t> faces(places.size());
+  for (size_t i = 0; i < places.size(); ++i) faces[i] = places[i].face;
   return faces;
 }
 

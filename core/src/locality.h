@@ -12,7 +12,7 @@ namespace geodesic {
 
 // The faces in the order in which a space-filling curve (Morton: A computer
 // oriented geodetic data base, 1966) passes their centroids; those in one cell
-// of its grid in order of their numbers. O(V + F log F) time, 16 bytes a face.
+// of its grid in order of their numbers. O(V + F) time, 32 bytes a face.
 // REQUIRES: coordinates are finite and vertex numbers in range.
 std::vector<uint32_t> FacesAlongCurve(const TriangleSoup& soup);
 

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "cone_angles.h"
 #include "connectivity.h"
+#include "face_layout.h"
 #include "locality.h"
 #include "scaled_difference.h"
 #include "tolerances.h"
@@ -82,9 +84,10 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(TriangleSoup soup) {
       FindConnectivity(mesh->triangles_, mesh->vertex_count());
   mesh->crowds_begin_ = std::move(connectivity.crowds_begin);
   mesh->crowds_ = std::move(connectivity.crowds);
-  mesh->BuildFrames(connectivity.exits);
+  ConeAngles angles(mesh->vertex_count());
+  mesh->BuildFrames(connectivity.exits, angles);
   mesh->BuildOutgoing();
-  mesh->ClassifyVertices();
+  mesh->ClassifyVertices(connectivity.exits, angles);
   return mesh;
 }
 
@@ -100,8 +103,10 @@ uint64_t Mesh::EstimateResidentBytes(uint64_t vertices, uint64_t faces) {
 
 uint64_t Mesh::EstimateBuildBytes(uint64_t vertices, uint64_t faces) {
   constexpr uint64_t kExitAndSidePerHalfEdge = 12, kCursorsPerVertex = 8;
+  constexpr uint64_t kAnglesPerVertex = sizeof(double) * 3;
   return EstimateResidentBytes(vertices, faces) +
-         3 * faces * kExitAndSidePerHalfEdge + vertices * kCursorsPerVertex;
+         3 * faces * kExitAndSidePerHalfEdge +
+         vertices * (kCursorsPerVertex + kAnglesPerVertex);
 }
 
 uint64_t Mesh::resident_bytes() const {
@@ -128,49 +133,47 @@ Mesh::Mesh(TriangleSoup soup)
   positions_.shrink_to_fit();
 }
 
-void Mesh::BuildFrames(std::span<const Exit> exits) {
+void Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles) {
+  constexpr HalfEdge kAhead = 3 * 8;
   const ScaledDifference difference(scale_exponent_);
-  frames_.resize(exits.size());
-  for (HalfEdge h = 0; h < exits.size(); ++h) {
-    const Point& a = positions_[From(h)];
-    const Point& b = positions_[To(h)];
-    const Point& c = positions_[Apex(h)];
-    const Vector ab = difference(a, b), ac = difference(a, c),
-                 bc = difference(b, c);
-    HalfEdgeFrame& frame = frames_[h];
-    frame.length = Norm(ab);
-    const double left = Norm(ac), right = Norm(bc);
-    if (frame.length > 0) {
-      // Coordinates rather than the three lengths: a cap's height is far below
-      // one rounding of its lengths. And from the two shorter sides: the
-      // product of long ones cancels in a needle.
-      const double longest = std::max({frame.length, left, right});
-      const Vector area = longest == frame.length ? Cross(ac, bc)
-                          : longest == left       ? Cross(ab, bc)
-                                                  : Cross(ab, ac);
-      frame.apex_x = Dot(ab, ac) / frame.length;
-      frame.apex_y = std::max(Norm(area) / frame.length, kLeastHeight);
-    } else {
-      frame.apex_x = 0;
-      frame.apex_y = std::max(left, kLeastHeight);
-    }
-    // Each direction from its own side's coordinates: apex_x - length cancels
-    // where the side is short. A side without length carries no window, and
-    // any unit vector will do.
-    frame.left_x = left > 0 ? frame.apex_x / left : 1;
-    frame.left_y = left > 0 ? frame.apex_y / left : 0;
-    frame.right_x =
-        right > 0 && frame.length > 0 ? Dot(ab, bc) / frame.length / right : -1;
-    frame.right_y = right > 0 && frame.length > 0 ? frame.apex_y / right : 0;
-    frame.left_exit = exits[Prev(h)];
-    frame.right_exit = exits[Next(h)];
-  }
+  frames_.reserve(exits.size());
+  kinds_.assign(vertex_count(), 0);
   double sum = 0;
   uint64_t edges = 0;
-  for (HalfEdge h = 0; h < half_edge_count(); ++h) {
-    if (FirstOfEdge(h) != h) continue;
-    sum += frames_[h].length;
-    ++edges;
+  for (HalfEdge first = 0; first < half_edge_count(); first += 3) {
+    const Triangle& corners = TriangleOf(first);
+    // Vertices lie in the caller's order: far apart.
+    if (first + kAhead < half_edge_count()) {
+      for (const uint32_t v : TriangleOf(first + kAhead)) {
+        __builtin_prefetch(&positions_[v]);
+        angles.Prefetch(v);
+      }
+    }
+    for (const HalfEdgeFrame& frame :
+         LayOutFace({&positions_[corners[0]], &positions_[corners[1]],
+                     &positions_[corners[2]]},
+                    difference)) {
+      frames_.push_back(frame);
+    }
+    for (HalfEdge h = first; h < first + 3; ++h) {
+      HalfEdgeFrame& frame = frames_[h];
+      frame.left_exit = exits[Prev(h)];
+      frame.right_exit = exits[Next(h)];
+      angles.Add(From(h), frame.left_x, frame.left_y);
+      const Exit exit = exits[h];
+      if (exit == kNoHalfEdge) {
+        kinds_[From(h)] |= kBoundary;
+        kinds_[To(h)] |= kBoundary;
+      } else if (exit < kIrregularExit ? exit < h : Crowd(exit)[0] != h) {
+        continue;  // counted with another side of the edge
+      }
+      sum += frame.length;
+      ++edges;
+    }
+    if (IsCollapsed(first)) {
+      for (const uint32_t v : corners) kinds_[v] |= kPseudoSource;
+      has_collapsed_faces_ = true;
+    }
   }
   mean_edge_length_ = sum / static_cast<double>(edges);
 }
@@ -237,30 +240,39 @@ bool Mesh::IsDisk(uint32_t v) const {
          });
 }
 
-void Mesh::ClassifyVertices() {
-  kinds_.assign(vertex_count(), 0);
+bool Mesh::IsOrientedDisk(uint32_t v, std::span<const Exit> exits) const {
+  const std::span<const HalfEdge> outgoing = Outgoing(v);
+  size_t faces = 1;
+  // From the first face one way round, and if that ends, the other way.
+  for (HalfEdge h = outgoing[0]; faces <= outgoing.size(); ++faces) {
+    const Exit exit = exits[Prev(h)];
+    if (exit == outgoing[0]) return faces == outgoing.size();
+    if (exit == kNoHalfEdge) break;
+    if (exit >= kIrregularExit) return false;
+    h = exit;
+  }
+  for (HalfEdge h = outgoing[0]; faces <= outgoing.size(); ++faces) {
+    const Exit exit = exits[h];
+    if (exit == kNoHalfEdge) break;
+    if (exit >= kIrregularExit) return false;
+    h = Next(exit);
+  }
+  return faces == outgoing.size();
+}
+
+void Mesh::ClassifyVertices(std::span<const Exit> exits,
+                            const ConeAngles& angles) {
   for (uint32_t v = 0; v < vertex_count(); ++v) {
-    const std::span<const HalfEdge> outgoing = Outgoing(v);
-    if (outgoing.empty()) continue;
-    double angle = 0;
-    for (HalfEdge h : outgoing) {
-      const HalfEdgeFrame& frame = frames_[h];
-      angle += std::atan2(frame.apex_y, frame.apex_x);
-      if (IsBoundaryEdge(h) || IsBoundaryEdge(Prev(h))) {
-        kinds_[v] |= kBoundary;
-      }
-      if (IsCollapsed(h)) {
-        kinds_[v] |= kPseudoSource;
-        has_collapsed_faces_ = true;
-      }
+    if (Outgoing(v).empty()) continue;
+    if (!IsOrientedDisk(v, exits) && !IsDisk(v)) {
+      kinds_[v] |= kNonManifold | kPseudoSource;
     }
-    if (!IsDisk(v)) kinds_[v] |= kNonManifold | kPseudoSource;
     // A path may bend where it has an angle of pi or more on every side that
     // lies in the surface: one side at a boundary, two elsewhere.
     const bool is_boundary = kinds_[v] & kBoundary;
     const double flat = is_boundary ? std::numbers::pi + kStraightAngle
                                     : 2 * std::numbers::pi + kFlatAngle;
-    if (angle > flat) {
+    if (angles.Of(v) > flat) {
       kinds_[v] |= kPseudoSource | (is_boundary ? 0 : kSaddle);
     }
   }

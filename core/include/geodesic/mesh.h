@@ -58,6 +58,8 @@ struct alignas(64) HalfEdgeFrame {
 };
 static_assert(sizeof(HalfEdgeFrame) == 64);
 
+class ConeAngles;
+
 class Mesh {
  public:
   // Checks the soup and builds the connectivity. O(V + F log F) time.
@@ -185,11 +187,13 @@ class Mesh {
     return {crowds_.data() + crowds_begin_[i],
             crowds_.data() + crowds_begin_[i + 1]};
   }
-  void BuildFrames(std::span<const Exit> exits);
+  void BuildFrames(std::span<const Exit> exits, ConeAngles& angles);
   void BuildOutgoing();
   // Whether the faces around v form one fan, closed or open.
   bool IsDisk(uint32_t v) const;
-  void ClassifyVertices();
+  // The same, quickly and for certain if true, where faces agree.
+  bool IsOrientedDisk(uint32_t v, std::span<const Exit> exits) const;
+  void ClassifyVertices(std::span<const Exit> exits, const ConeAngles& angles);
 
   std::vector<Point> positions_;
   std::vector<uint32_t> faces_;           // face in each slot
