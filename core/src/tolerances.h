@@ -35,6 +35,12 @@ inline constexpr double kLeastHeight = 1e-170;
 // are relaxed through the nearest end of a window that misses them narrowly.
 inline constexpr double kLeastWidth = 1e-12;
 
+// A window whose pseudo-source lies beside the edge is dropped only if it is
+// narrow beside the way from there too (a vertex 1e-12 above the edge sees half
+// a plane through a gap no wider), or narrower than this fraction of the edge:
+// some roundings of a position.
+inline constexpr double kRoundedWidth = 1e-15;
+
 // A window that misses the apex by no more than this fraction of its reach (the
 // edge and the way from the pseudo-source), seen across the ray, relaxes it
 // through its nearest end, which is a real path. On regular grids rays run

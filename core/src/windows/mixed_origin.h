@@ -46,6 +46,12 @@ inline double LeastDistance(const MixedOrigin& origin, const Interval& interval,
                                            begin_distance, end_distance);
 }
 
+// Parallel rays see no more of what lies behind.
+inline bool IsSliver(const Interval& part, const MixedOrigin& origin,
+                     double length) {
+  return origin.is_segment || IsSliver(part, origin.AsPoint(), length);
+}
+
 inline double CrossingTo(const MixedOrigin& origin, const PlanePoint& place) {
   return origin.is_segment ? place.x - place.y * origin.x / origin.depth
                            : CrossingTo(origin.AsPoint(), place);

@@ -89,6 +89,14 @@ inline bool Exceeds(double distance, double known) {
   return distance > known * (1 + kDominance);
 }
 
+// Whether a part of an edge no wider than kLeastWidth is too narrow for this
+// pseudo-source too.
+inline bool IsSliver(const Interval& part, const Origin& origin,
+                     double length) {
+  return part.width() <= std::max(kLeastWidth * origin.DistanceTo(part.begin),
+                                  kRoundedWidth * length);
+}
+
 inline PlanePoint ApexOf(const HalfEdgeFrame& frame) {
   return {frame.apex_x, frame.apex_y};
 }

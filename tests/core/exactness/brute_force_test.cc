@@ -236,6 +236,30 @@ TEST(BruteForceComparison, PointsRightBesideDoubledVertices) {
   }
 }
 
+// Vertices some 1e-12 above an edge, as turned edges and noise put them: what
+// they see behind it they see through a gap no wider.
+TEST(BruteForceComparison, VerticesRightBesideEdges) {
+  for (uint64_t seed = 1; seed <= 24; ++seed) {
+    TriangleSoup soup = FlipEdges(
+        Fan({.spokes = 6, .rings = 3, .total_angle = 1.25}).soup(), 12, seed);
+    Random random(seed);
+    for (Point& p : soup.positions) {
+      for (double& c : p) c += random.Uniform(-2e-12, 2e-12);
+    }
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail({"fan", soup});
+    ASSERT_NE(mesh, nullptr);
+    const BruteForce brute_force(soup);
+    for (uint32_t s = 0; s < mesh->vertex_count(); ++s) {
+      const std::vector<double> expected = brute_force.Distances(s);
+      for (const AlgorithmInfo& info : kAlgorithms) {
+        EXPECT_TRUE(FieldsAgree(
+            {"fan", {{VertexPoint{s}}}, info.name}, expected,
+            SolveOrFail(*mesh, info.algorithm, {{VertexPoint{s}}})));
+      }
+    }
+  }
+}
+
 class BruteForceOnRealMesh : public testing::TestWithParam<const char*> {};
 
 TEST_P(BruteForceOnRealMesh, Agrees) {
