@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -9,6 +12,7 @@
 #include "absl/strings/str_cat.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/developable_meshes.h"
+#include "tests/support/mesh_edits.h"
 
 namespace geodesic::test {
 namespace {
@@ -65,6 +69,65 @@ TEST_P(DevelopableMeshes, Prisms) {
 TEST_P(DevelopableMeshes, FoldedSheets) {
   for (const uint64_t seed : {1, 2, 3}) {
     ExpectClosedForm("folded sheet", FoldedSheet(25, 18, seed));
+  }
+}
+
+// A strip of an odd number of congruent triangles whose ends are joined: a
+// Moebius strip. Vertex i lies on one long side for even i and on the other for
+// odd i; beyond the last one the strip goes on turned over. Its vertices may
+// lie on a circle: what counts is that the triangles are congruent.
+class MoebiusStrip {
+ public:
+  explicit MoebiusStrip(uint32_t count) : count_(count) {
+    for (uint32_t i = 0; i < count; ++i) {
+      const double angle = 2 * kPi * i / count;
+      soup_.positions.push_back({std::cos(angle), std::sin(angle), 0});
+      soup_.triangles.push_back({i, (i + 1) % count, (i + 2) % count});
+    }
+    step_ = std::sin(2 * kPi / count);
+    width_ = 2 * std::pow(std::sin(kPi / count), 2);
+  }
+
+  const TriangleSoup& soup() const { return soup_; }
+
+  // Unrolled, straight lines stay in the strip: the shortest of those to the
+  // images of w.
+  double Distance(uint32_t v, uint32_t w) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int turns = -2; turns <= 2; ++turns) {
+      const int steps =
+          static_cast<int>(w + turns * count_) - static_cast<int>(v);
+      least = std::min(least,
+                       std::hypot(steps * step_, steps % 2 == 0 ? 0 : width_));
+    }
+    return least;
+  }
+
+ private:
+  int count_;
+  double step_, width_;
+  TriangleSoup soup_;
+};
+
+TEST_P(DevelopableMeshes, MoebiusStrips) {
+  for (const uint32_t count : {7u, 9u, 31u}) {
+    const MoebiusStrip strip(count);
+    ExpectClosedForm(absl::StrCat("Moebius strip of ", count), strip);
+    // Finer faces, with vertices inside; the old ones come first.
+    const TriangleSoup fine =
+        SubdivideAtMidpoints(SubdivideAtMidpoints(strip.soup()));
+    const auto mesh = BuildOrFail({"fine Moebius strip", fine});
+    ASSERT_NE(mesh, nullptr);
+    for (uint32_t s = 0; s < count; s += 3) {
+      const std::vector<Source> sources = {{VertexPoint{s}}};
+      std::vector<double> expected, got = SolveOn(*mesh, sources);
+      for (uint32_t v = 0; v < count; ++v) {
+        expected.push_back(strip.Distance(s, v));
+      }
+      got.resize(count);
+      EXPECT_TRUE(FieldsAgree({"fine Moebius strip", sources, GetParam().name},
+                              expected, got));
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -12,7 +13,9 @@
 #include "tests/core/questions/path_check.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
+#include "tests/support/planar_curves.h"
 #include "tests/support/planar_meshes.h"
+#include "tests/support/vec.h"
 
 namespace geodesic::test {
 namespace {
@@ -77,6 +80,38 @@ TEST_P(NearestSourcesTest, LeaveOutDominatedSources) {
       NearestSources(*mesh, query, SolveTraced(*mesh, query));
   ASSERT_TRUE(labels.ok()) << labels.status();
   EXPECT_EQ(*labels, std::vector<uint32_t>(mesh->vertex_count(), 1));
+}
+
+// On a plane, where each curve's distance is Euclid's: two of them, numbered
+// after the point.
+TEST_P(NearestSourcesTest, CountCurvesAfterPoints) {
+  const TriangleSoup grid =
+      MakeGrid({.columns = 12, .rows = 12, .jitter = 0.2, .seed = 3});
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", grid});
+  ASSERT_NE(mesh, nullptr);
+  const PlanarCurve low{{{1.3, 1.1}, {10.2, 1.9}}, 0.25};
+  const PlanarCurve high{{{2.4, 9.7}, {6.1, 10.4}, {9.8, 8.2}}, 0};
+  const Query query{.sources = {{VertexPoint{6 * 13 + 12}, 0.5}},
+                    .curves = {OnMesh(grid, low), OnMesh(grid, high)},
+                    .algorithm = GetParam().algorithm,
+                    .trace = true};
+  const absl::StatusOr<std::vector<uint32_t>> labels =
+      NearestSources(*mesh, query, SolveTraced(*mesh, query));
+  ASSERT_TRUE(labels.ok()) << labels.status();
+  std::vector<uint32_t> count(3);
+  for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+    const Point& p = grid.positions[v];
+    const std::vector<double> distances = {
+        0.5 + static_cast<double>(Distance(p, grid.positions[6 * 13 + 12])),
+        DistanceTo(low, p), DistanceTo(high, p)};
+    const uint32_t label = (*labels)[v];
+    ASSERT_LT(label, 3u) << v;
+    EXPECT_LE(distances[label],
+              *std::ranges::min_element(distances) * (1 + kRelativeTolerance))
+        << v;
+    ++count[label];
+  }
+  for (const uint32_t vertices : count) EXPECT_GT(vertices, 0u);
 }
 
 TEST_P(NearestSourcesTest, AreNoneInOtherPieces) {
