@@ -29,6 +29,13 @@ absl::StatusOr<QueueTuning> TuningFor(const Mesh& mesh,
 
 }  // namespace
 
+uint64_t PlannedSolverBytes(const Mesh& mesh, const Query& query) {
+  const uint64_t per_point =
+      sizeof(double) + (query.trace ? sizeof(Arrival) : 0);
+  return mesh.resident_bytes() / 4 +
+         (mesh.vertex_count() + query.targets.size()) * per_point;
+}
+
 absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
     const Mesh& mesh, const Query& query, const SolveOptions& options,
     WindowObserver* observer) {

@@ -186,8 +186,8 @@ absl::StatusOr<FieldHandle> FieldEngine::Solve(
   absl::StatusOr<ByteReservation> room =
       fields_.Reserve(key.field, mesh->mesh->vertex_count());
   if (!room.ok()) return room.status();
-  absl::StatusOr<ByteReservation> memory =
-      ByteReservation::Make(solver_memory_, 0);
+  absl::StatusOr<ByteReservation> memory = ByteReservation::Make(
+      solver_memory_, PlannedSolverBytes(*mesh->mesh, ToQuery(key.field)));
   if (!memory.ok()) return memory.status();
 
   ++solves_started_;

@@ -7,8 +7,8 @@
 #include "server/engine/argument_checks.h"
 #include "server/engine/guarded.h"
 #include "server/engine/mesh_digest.h"
-#include "server/store/sha256.h"
 #include "server/engine/status_details.h"
+#include "server/store/sha256.h"
 
 namespace geodesic::server {
 namespace {
@@ -241,8 +241,11 @@ absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
       .algorithm = algorithm,
       .answer_memory = std::make_shared<ByteReservation>(*std::move(memory))};
   const TimePoint deadline = request.deadline;
+  const uint64_t planned_bytes =
+      PlannedSolverBytes(*call.mesh->mesh, request.query);
   absl::StatusOr<SoloJobs::Call> job = solo_jobs_.Start(
       {.deadline = deadline,
+       .planned_bytes = planned_bytes,
        .work =
            [this, mesh = call.mesh, memory = call.answer_memory,
             request = std::move(request)](Checkpoint& checkpoint) mutable {
@@ -278,12 +281,14 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
   call.column_count = query.targets.empty() ? call.mesh->mesh->vertex_count()
                                             : query.targets.size();
   const TimePoint deadline = request.deadline;
+  const uint64_t planned_bytes =
+      PlannedSolverBytes(*call.mesh->mesh, request.query);
   // One more than can run, so that no thread waits for the reader's thanks.
   call.rows = std::make_shared<RowPipeline>(
       solo_jobs_, rows, limits_.max_concurrent_jobs + 1,
       MakeRowFunction(call.mesh, std::move(request), solve_options_, start_,
                       solver_memory_),
-      deadline, std::move(observer));
+      deadline, planned_bytes, std::move(observer));
   if (status = call.rows->Start(); !status.ok()) return status;
   return call;
 }

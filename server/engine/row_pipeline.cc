@@ -30,12 +30,14 @@ class RowPipeline::RowJob final : public JobObserver {
 
 RowPipeline::RowPipeline(SoloJobs& jobs, uint64_t rows, size_t window,
                          RowFunction function, TimePoint deadline,
+                         uint64_t planned_bytes,
                          std::shared_ptr<RowObserver> observer)
     : jobs_(jobs),
       rows_(rows),
       window_(window),
       function_(std::move(function)),
       deadline_(deadline),
+      planned_bytes_(planned_bytes),
       observer_(std::move(observer)) {}
 
 absl::Status RowPipeline::Start() {
@@ -51,6 +53,7 @@ absl::Status RowPipeline::SubmitNext(bool is_continuation) {
       {.priority = JobPriority::kRow,
        .is_continuation = is_continuation,
        .deadline = deadline_,
+       .planned_bytes = planned_bytes_,
        .work = [job](Checkpoint& checkpoint) { return job->Run(checkpoint); }},
       job);
   if (!call.ok()) return call.status();

@@ -45,10 +45,11 @@ class RowObserver {
 // Thread-safe. Held by whoever takes the rows and by the running jobs.
 class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
  public:
-  // At most `window` rows are computed but not taken, or being computed.
+  // At most `window` rows are computed but not taken, or being computed. Each
+  // sets planned_bytes of the solver budget aside before it starts.
   // REQUIRES: `jobs` outlives the pipeline's jobs; window > 0.
   RowPipeline(SoloJobs& jobs, uint64_t rows, size_t window,
-              RowFunction function, TimePoint deadline,
+              RowFunction function, TimePoint deadline, uint64_t planned_bytes,
               std::shared_ptr<RowObserver> observer);
 
   // Call once.
@@ -81,6 +82,7 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   const size_t window_;
   const RowFunction function_;
   const TimePoint deadline_;
+  const uint64_t planned_bytes_;
 
   mutable std::mutex mutex_;
   // Guarded by mutex_:

@@ -65,10 +65,10 @@ absl::StatusOr<SoloJobs::Call> SoloJobs::Start(
       {.priority = job.priority,
        .is_continuation = job.is_continuation,
        .run =
-           [this, audience,
+           [this, audience, planned_bytes = job.planned_bytes,
             work = std::move(job.work)](std::stop_token stop) mutable {
              absl::StatusOr<ByteReservation> memory =
-                 ByteReservation::Make(solver_memory_, 0);
+                 ByteReservation::Make(solver_memory_, planned_bytes);
              if (!memory.ok()) {
                audience->Report({.status = memory.status()});
                return;

@@ -42,6 +42,8 @@ struct SoloJob {
   JobPriority priority = JobPriority::kSolve;
   bool is_continuation = false;  // see Job
   TimePoint deadline = kNoDeadline;
+  // Taken from the solver budget before the work begins.
+  uint64_t planned_bytes = 0;
   absl::AnyInvocable<absl::Status(Checkpoint&)> work;
 };
 

@@ -33,6 +33,7 @@ class RowPipelineTest : public ::testing::Test {
         [this](uint64_t row,
                Checkpoint& checkpoint) -> absl::StatusOr<MatrixRow> {
           started_.push_back(row);
+          EXPECT_EQ(memory_->used(), kPlannedBytes);
           absl::Status status = checkpoint.Poll({.windows_propagated = 10});
           if (status.ok() && row == bad_row_) {
             status = absl::InternalError("bad row");
@@ -40,8 +41,10 @@ class RowPipelineTest : public ::testing::Test {
           if (!status.ok()) return status;
           return MatrixRow{.values = {static_cast<double>(row)}};
         },
-        deadline, observer_);
+        deadline, kPlannedBytes, observer_);
   }
+
+  static constexpr uint64_t kPlannedBytes = 1000;
 
   test::FakeClock clock_;
   test::ManualExecutor executor_;

@@ -53,6 +53,30 @@ class SoloJobTest : public ::testing::Test {
   SoloJobs jobs_{clock_, scheduler_, memory_, milliseconds(50)};
 };
 
+TEST_F(SoloJobTest, PlannedMemoryIsTakenBeforeTheWork) {
+  uint64_t used = 0;
+  const auto start = [&](uint64_t planned_bytes) {
+    return jobs_
+        .Start({.planned_bytes = planned_bytes,
+                .work =
+                    [&](Checkpoint&) {
+                      used = memory_->used();
+                      return absl::OkStatus();
+                    }},
+               observer_)
+        .ok();
+  };
+  ASSERT_TRUE(start(1000));
+  executor_.RunAll();
+  EXPECT_EQ(used, 1000);
+  EXPECT_EQ(memory_->used(), 0);
+  used = 0;
+  ASSERT_TRUE(start(memory_->capacity() + 1));
+  executor_.RunAll();
+  EXPECT_EQ(used, 0);
+  EXPECT_TRUE(absl::IsResourceExhausted(observer_->report->status));
+}
+
 TEST_F(SoloJobTest, ReportsHowItWent) {
   ASSERT_TRUE(Start([&](Checkpoint& checkpoint) {
                 clock_.Advance(milliseconds(1500));

@@ -61,6 +61,11 @@ class Computation {
   virtual uint64_t bytes() const = 0;
 };
 
+// What to set aside before a computation of this query starts: what it holds
+// per vertex and target, and a quarter of the mesh for the rest. What it turns
+// out to need beyond that, Progress::solver_bytes tells. O(1).
+uint64_t PlannedSolverBytes(const Mesh& mesh, const Query& query);
+
 // Errors: INVALID_ARGUMENT as Validate, or for an option out of range.
 absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
     const Mesh& mesh, const Query& query, const SolveOptions& options);
