@@ -178,7 +178,7 @@ void MmpRule<Front>::Sweep() {
     lists_.Drop(h);
     return true;
   });
-  next_sweep_ = std::max(2 * lists_.size(), kLeastSweep);
+  next_sweep_ = std::max(lists_.size() / 4 * 5, kLeastSweep);
 }
 
 template <typename Front>

@@ -49,8 +49,14 @@ void WindowLists<OriginType>::Grow(Head& list) {
   grown.room = std::max(2 * list.room, kLeastRoom);
   if (std::vector<uint32_t>& free = FreeOf(grown.room); free.empty()) {
     grown.offset = static_cast<uint32_t>(arena_.size());
-    arena_.resize(arena_.size() + grown.room);
-    labels_.resize(arena_.size());
+    const size_t size = arena_.size() + grown.room;
+    if (size > arena_.capacity()) {
+      // By a quarter: to double would waste more memory than it spares copies.
+      arena_.reserve(std::max(size, arena_.capacity() / 4 * 5));
+      labels_.reserve(arena_.capacity());
+    }
+    arena_.resize(size);
+    labels_.resize(size);
   } else {
     grown.offset = free.back();
     free.pop_back();
