@@ -49,9 +49,7 @@ class MmpRule {
   explicit MmpRule(Front& front)
       : front_(front),
         mesh_(front.mesh()),
-        lists_(front.mesh().half_edge_count()),
-        queued_(Queue::kStrict ? 0 : front.mesh().half_edge_count(),
-                kPropagated) {}
+        lists_(front.mesh().half_edge_count()) {}
 
   // Adds a pseudo-source's window over what it sees of a half-edge.
   void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
@@ -92,8 +90,7 @@ class MmpRule {
   uint64_t windows() const { return lists_.size(); }
   uint64_t peak_windows() const { return lists_.peak_size(); }
   uint64_t bytes() const {
-    return lists_.bytes() + queued_.capacity() * sizeof(double) +
-           listed_.capacity() * sizeof(HalfEdge) +
+    return lists_.bytes() + listed_.capacity() * sizeof(HalfEdge) +
            due_.capacity() * sizeof(ListedWindow);
   }
 
@@ -136,9 +133,6 @@ class MmpRule {
   Front& front_;
   const Mesh& mesh_;
   WindowLists<Origin> lists_;
-  // Unless the queue is strict: the least label each half-edge is queued with,
-  // kPropagated if it has nothing pending.
-  std::vector<double> queued_;
   std::vector<HalfEdge> listed_;       // with a list, since the last sweep
   uint64_t next_sweep_ = kLeastSweep;  // when so many windows are in lists
   std::vector<ListedWindow> due_;      // of Propagate, kept for its memory
@@ -154,8 +148,8 @@ uint32_t MmpRule<Front>::Propagate(HalfEdge h) {
     due = front_.queue().popped_label();
     most = 1;
   } else {
-    if (queued_[h] == kPropagated) return 0;
-    queued_[h] = kPropagated;
+    if (lists_.queued(h) == kPropagated) return 0;
+    lists_.set_queued(h, kPropagated);
   }
   due_.clear();  // copies: lists will move
   lists_.TakeDue(h, due, most, due_);
@@ -325,8 +319,8 @@ void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
 template <typename Front>
 void MmpRule<Front>::Enqueue(HalfEdge half_edge, double label) {
   if constexpr (!Queue::kStrict) {
-    if (label >= queued_[half_edge]) return;
-    queued_[half_edge] = label;
+    if (label >= lists_.queued(half_edge)) return;
+    lists_.set_queued(half_edge, label);
   }
   front_.queue().Push(half_edge, label);
 }

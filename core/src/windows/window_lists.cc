@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "windows/mixed_origin.h"
 
@@ -10,7 +11,7 @@ namespace geodesic {
 template <typename OriginType>
 void WindowLists<OriginType>::TakeDue(HalfEdge h, double due, size_t most,
                                       std::vector<ListedWindow>& taken) {
-  const Head& list = heads_[h];
+  const Head& list = HeadOf(h);
   const size_t enough = taken.size() + most;
   const auto take = [&](const ListedWindow* windows, double* labels,
                         uint32_t count) {
@@ -26,7 +27,7 @@ void WindowLists<OriginType>::TakeDue(HalfEdge h, double due, size_t most,
 
 template <typename OriginType>
 uint32_t WindowLists<OriginType>::Pending(HalfEdge h) const {
-  const Head& list = heads_[h];
+  const Head& list = HeadOf(h);
   const double* labels = labels_.data() + list.offset;
   const double* next = labels + list.room - list.after;
   return static_cast<uint32_t>(
@@ -37,14 +38,25 @@ uint32_t WindowLists<OriginType>::Pending(HalfEdge h) const {
 
 template <typename OriginType>
 void WindowLists<OriginType>::Drop(HalfEdge h) {
-  Head& list = heads_[h];
-  if (list.room != 0) FreeOf(list.room).push_back(list.offset);
+  if (!has_room(h)) return;
+  Head& list = HeadOf(h);
+  FreeOf(list.room).push_back(list.offset);
   size_ -= list.before + list.after;
   list = {};
+  free_heads_.push_back(std::exchange(slots_[h], kNoList));
 }
 
 template <typename OriginType>
-void WindowLists<OriginType>::Grow(Head& list) {
+void WindowLists<OriginType>::Grow(HalfEdge h) {
+  if (!has_room(h)) {
+    if (free_heads_.empty()) {
+      free_heads_.push_back(static_cast<uint32_t>(heads_.size()));
+      heads_.emplace_back();
+    }
+    slots_[h] = free_heads_.back();
+    free_heads_.pop_back();
+  }
+  Head& list = HeadOf(h);
   Head grown = list;
   grown.room = std::max(2 * list.room, kLeastRoom);
   if (std::vector<uint32_t>& free = FreeOf(grown.room); free.empty()) {
@@ -71,7 +83,9 @@ void WindowLists<OriginType>::Grow(Head& list) {
 
 template <typename OriginType>
 uint64_t WindowLists<OriginType>::bytes() const {
-  uint64_t bytes = heads_.capacity() * sizeof(Head) +
+  uint64_t bytes = slots_.capacity() * sizeof(uint32_t) +
+                   heads_.capacity() * sizeof(Head) +
+                   free_heads_.capacity() * sizeof(uint32_t) +
                    arena_.capacity() * sizeof(ListedWindow) +
                    labels_.capacity() * sizeof(double);
   for (const std::vector<uint32_t>& offsets : free_) {

@@ -40,15 +40,21 @@ class WindowLists {
  public:
   using ListedWindow = BasicListedWindow<OriginType>;
 
-  explicit WindowLists(uint32_t half_edges) : heads_(half_edges) {}
+  explicit WindowLists(uint32_t half_edges) : slots_(half_edges, kNoList) {}
 
   // Whether h has got anything since it was last dropped.
-  bool has_room(HalfEdge h) const { return heads_[h].room != 0; }
+  bool has_room(HalfEdge h) const { return slots_[h] != kNoList; }
+
+  // The label that the half-edge waits with in a queue; kPropagated if it does
+  // not, or has no list.
+  double queued(HalfEdge h) const { return HeadOf(h).queued; }
+  // REQUIRES: has_room(h).
+  void set_queued(HalfEdge h, double label) { HeadOf(h).queued = label; }
 
   // Moves the cursor to behind all windows that end at `at` or before.
   // O(windows passed).
   void Seek(HalfEdge h, double at) {
-    Head& list = heads_[h];
+    Head& list = HeadOf(h);
     while (list.before > 0 &&
            Begin(list)[list.before - 1].window.interval.end > at) {
       --list.before;
@@ -61,26 +67,26 @@ class WindowLists {
 
   // The window after the cursor; nullptr at the end of the list.
   ListedWindow* Next(HalfEdge h) {
-    return heads_[h].after == 0 ? nullptr : Next(heads_[h]);
+    return HeadOf(h).after == 0 ? nullptr : Next(HeadOf(h));
   }
   // REQUIRES: Next(h) is not null.
-  double NextLabel(HalfEdge h) { return *NextLabel(heads_[h]); }
+  double NextLabel(HalfEdge h) { return *NextLabel(HeadOf(h)); }
   // Moves the cursor over the next window.
   void Pass(HalfEdge h) {
-    Head& list = heads_[h];
+    Head& list = HeadOf(h);
     Begin(list)[list.before] = *Next(list);
     Labels(list)[list.before] = *NextLabel(list);
     ++list.before;
     --list.after;
   }
   void RemoveNext(HalfEdge h) {
-    --heads_[h].after;
+    --HeadOf(h).after;
     --size_;
   }
   // Adds a window before the cursor.
   void Add(HalfEdge h, const ListedWindow& window, double label) {
-    Head& list = heads_[h];
-    if (list.before + list.after == list.room) Grow(list);
+    if (HeadOf(h).before + HeadOf(h).after == HeadOf(h).room) Grow(h);
+    Head& list = HeadOf(h);
     Begin(list)[list.before] = window;
     Labels(list)[list.before] = label;
     ++list.before;
@@ -104,16 +110,16 @@ class WindowLists {
 
   // Fetches into cache where a list lies, then (once that has arrived) its
   // beginning, or what surrounds its cursor.
-  void PrefetchHead(HalfEdge h) const { __builtin_prefetch(&heads_[h]); }
+  void PrefetchHead(HalfEdge h) const { __builtin_prefetch(&slots_[h]); }
   void PrefetchList(HalfEdge h) const {
-    const uint32_t offset = heads_[h].offset;
+    const uint32_t offset = HeadOf(h).offset;
     __builtin_prefetch(labels_.data() + offset);
     for (uint32_t i = 0; i < kPrefetched; ++i) {
       __builtin_prefetch(arena_.data() + offset + i);
     }
   }
   void PrefetchCursor(HalfEdge h) const {
-    const Head& list = heads_[h];
+    const Head& list = HeadOf(h);
     const uint32_t before = list.offset + list.before;
     const uint32_t next = list.offset + list.room - list.after;
     for (uint32_t i : {before - 1, before, next, next + 1}) {
@@ -132,7 +138,10 @@ class WindowLists {
     uint32_t room = 0;  // a power of two, or no block at all
     uint32_t before = 0;
     uint32_t after = 0;
+    double queued = kPropagated;
   };
+  // The head of a half-edge without a list: empty.
+  static constexpr uint32_t kNoList = 0;
   static constexpr uint32_t kLeastRoom = 4;
   static constexpr uint32_t kClasses = 32;
   static constexpr uint32_t kPrefetched = 8;
@@ -148,9 +157,15 @@ class WindowLists {
   std::vector<uint32_t>& FreeOf(uint32_t room) {
     return free_[std::countr_zero(room)];
   }
-  void Grow(Head& list);
+  Head& HeadOf(HalfEdge h) { return heads_[slots_[h]]; }
+  const Head& HeadOf(HalfEdge h) const { return heads_[slots_[h]]; }
+  void Grow(HalfEdge h);
 
-  std::vector<Head> heads_;
+  // Of each half-edge its head. Few have a list at a time: their heads lie
+  // together, in cache, and the others take four bytes.
+  std::vector<uint32_t> slots_;
+  std::vector<Head> heads_{1};
+  std::vector<uint32_t> free_heads_;
   std::vector<ListedWindow> arena_;
   std::vector<double> labels_;  // of the windows in arena_
   std::array<std::vector<uint32_t>, kClasses> free_;  // offsets by log2 of room
