@@ -142,7 +142,7 @@ class WindowLists {
   };
   // The head of a half-edge without a list: empty.
   static constexpr uint32_t kNoList = 0;
-  static constexpr uint32_t kLeastRoom = 4;
+  static constexpr uint32_t kLeastRoom = 2;
   static constexpr uint32_t kClasses = 32;
   static constexpr uint32_t kPrefetched = 8;
 
