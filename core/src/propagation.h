@@ -240,8 +240,16 @@ DistanceField Propagation<Rule, Queue, OriginType>::Field() const {
     return distance <= certified_radius_ ? distance : kInfinity;
   };
   const std::span<const double> distances = front_.distances();
-  field.distances.reserve(distances.size());
-  for (double length : distances) field.distances.push_back(certified(length));
+  field.distances.resize(distances.size());
+  if (const double unit = ToFileUnit(1); std::isnormal(unit)) {
+    // The same as certified, which the compiler cannot do two at a time.
+    for (size_t v = 0; v < distances.size(); ++v) {
+      const double distance = distances[v] * unit;
+      field.distances[v] = distance <= certified_radius_ ? distance : kInfinity;
+    }
+  } else {
+    std::ranges::transform(distances, field.distances.begin(), certified);
+  }
   const Targets& targets = front_.targets();
   for (size_t t = 0; t < targets.size(); ++t) {
     field.target_distances.push_back(certified(targets.Distance(t, distances)));
