@@ -60,6 +60,11 @@ inline constexpr double kLeastWeight = 1e-18;
 // longer only by the square of that.
 inline constexpr double kNearVertex = 1e-5;
 
+// By how much the fan behind a pseudo-source is widened on either side, in
+// radians. Directions are kept in single precision, 3e-8; the paths of this
+// margin are longer by the square of it.
+inline constexpr double kFanMargin = 1e-6;
+
 // A distance is replaced only when it improves by more than this fraction:
 // one rounding. Equal paths found twice would otherwise restart propagation.
 inline constexpr double kImprovement = 1e-15;

@@ -225,7 +225,7 @@ bool ChenHanRule<Front, kFilter>::Propagate(uint32_t id) {
 
   const double to_apex = DistanceToPlace(origin, apex);
   const double at_apex = origin.sigma + to_apex;
-  front_.Relax(face.apex, at_apex, arrival);
+  front_.Relax(face.apex, at_apex, arrival, RayThrough(h, origin, apex));
   // Grows as the ray into the apex comes from further left.
   const double lean = Lean(origin, apex, to_apex);
   Best& best = best_[h];

@@ -19,6 +19,7 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "queues/queue.h"
+#include "rules/shadow_fan.h"
 #include "surface_location.h"
 #include "targets.h"
 #include "tolerances.h"
@@ -47,6 +48,9 @@ class Front {
                    std::numeric_limits<double>::infinity()),
         states_(mesh.vertex_count(), 0) {
     if (query.trace) arrivals_.resize(mesh.vertex_count());
+    if (!mesh.HasIrregularEdges() && !mesh.HasCollapsedFaces()) {
+      incoming_.resize(mesh.vertex_count());
+    }
   }
 
   const Mesh& mesh() const { return mesh_; }
@@ -114,6 +118,10 @@ class Front {
            2;
   }
 
+  // Whether somebody wants to know of windows that enter the face of h.
+  bool Watches(HalfEdge h) const {
+    return observer_ != nullptr || targets_.Watches(h);
+  }
   // Tells whoever wants to know of a window that enters the face of h.
   void Observe(HalfEdge h, const Window& window, uint32_t pseudo_source) {
     if (targets_.Watches(h)) targets_.Offer(h, window, pseudo_source);
@@ -125,7 +133,9 @@ class Front {
   // Takes `distance` for v if it is better. A vertex that paths may bend at is
   // then queued with its distance as label (otherwise no bound on
   // what is pending holds).
-  void Relax(uint32_t v, double distance, const Arrival& arrival) {
+  // `ray`: whence the path comes, if that is known.
+  void Relax(uint32_t v, double distance, const Arrival& arrival,
+             const IncomingRay& ray = {}) {
     if constexpr (std::is_same_v<Origin, MixedOrigin>) {
       distance = std::max(distance, 0.0);  // as MixedOrigin::PathTo
     }
@@ -136,6 +146,7 @@ class Front {
     if (!arrivals_.empty()) arrivals_[v] = arrival;
     if (!(states_[v] & kSource) && !mesh_.IsPseudoSource(v)) return;
     states_[v] |= kPending;
+    if (!incoming_.empty()) incoming_[v] = ray;
     queue_.Push(kVertexEvent | v, distance);
   }
 
@@ -192,11 +203,12 @@ class Front {
         // The faces beyond an edge that holds the point are around it too.
         if (point.weights[Prev(h) % 3] == 0) continue;
         const PlanePoint at = InFrame(mesh_, point, h);
+        const double length = mesh_.frame(h).length;
         LookAcross(h,
-                   {.x = mesh_.frame(h).length - at.x,
+                   {.x = length - at.x,
                     .depth = std::max(at.y, kLeastHeight),
                     .sigma = sigma},
-                   number, open);
+                   {0, length}, number, open);
       }
       const PlanePoint from =
           InFrame(mesh_, point, mesh_.FirstSide(point.face));
@@ -219,16 +231,28 @@ class Front {
     const double sigma = distances_[v];
     const Arrival along_edge{.pseudo_source = v};
     for (HalfEdge h : mesh_.Outgoing(v)) {
+      Relax(mesh_.To(h), sigma + mesh_.frame(h).length, along_edge,
+            IncomingRay::Along(h));
+      Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length, along_edge,
+            IncomingRay::Along(Prev(h)));
+    }
+    const auto look = [&](HalfEdge h, const Interval& part) {
       const HalfEdge opposite = Next(h);
       const HalfEdgeFrame& frame = mesh_.frame(opposite);
-      Relax(mesh_.To(h), sigma + mesh_.frame(h).length, along_edge);
-      Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length, along_edge);
       // Seen from beyond, the edge runs the other way.
       LookAcross(opposite,
                  {.x = frame.length - frame.apex_x,
                   .depth = frame.apex_y,
                   .sigma = sigma},
-                 v, open);
+                 Mirror(part, frame.length), v, open);
+    };
+    if (incoming_.empty() || incoming_[v].half_edge == kNoHalfEdge ||
+        (states_[v] & kSource) || mesh_.IsNonManifold(v)) {
+      for (HalfEdge h : mesh_.Outgoing(v)) {
+        look(h, {0, mesh_.frame(Next(h)).length});
+      }
+    } else {
+      ShadowFan(mesh_, v, incoming_[v]).ForEachFace(look);
     }
   }
 
@@ -259,40 +283,41 @@ class Front {
 
   // Opens what the pseudo-source sees across `side`; origin as for Cross.
   template <typename Open>
-  void LookAcross(HalfEdge side, const Origin& origin, uint32_t pseudo_source,
-                  Open open) {
+  void LookAcross(HalfEdge side, const Origin& origin, const Interval& part,
+                  uint32_t pseudo_source, Open open) {
     int folds_left = kMostFolds;
-    LookAcross(side, origin, pseudo_source, folds_left, open);
+    LookAcross(side, origin, part, pseudo_source, folds_left, open);
   }
 
   template <typename Open>
-  void LookAcross(HalfEdge side, const Origin& origin, uint32_t pseudo_source,
-                  int& folds_left, Open open) {
-    Cross(side, origin, {0, mesh_.frame(side).length},
-          [&](HalfEdge half_edge, const Origin& seen, const Interval& whole) {
-            LookInto(half_edge, seen, whole, pseudo_source, folds_left, open);
+  void LookAcross(HalfEdge side, const Origin& origin, const Interval& part,
+                  uint32_t pseudo_source, int& folds_left, Open open) {
+    Cross(side, origin, part,
+          [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
+            LookInto(half_edge, seen, through, pseudo_source, folds_left, open);
           });
   }
 
   // Opens `half_edge`, or if the pseudo-source lies on it, what lies beyond.
   template <typename Open>
-  void LookInto(HalfEdge half_edge, const Origin& origin, const Interval& whole,
+  void LookInto(HalfEdge half_edge, const Origin& origin, const Interval& part,
                 uint32_t pseudo_source, int& folds_left, Open open) {
     const HalfEdgeFrame& frame = mesh_.frame(half_edge);
     if (!LiesOnEdge(origin, frame) || folds_left == 0) {
-      open(half_edge, pseudo_source, origin, whole);
+      open(half_edge, pseudo_source, origin, part);
       return;
     }
     --folds_left;
-    Observe(half_edge, Window::Over(whole, origin), pseudo_source);
+    Observe(half_edge, Window::Over(part, origin), pseudo_source);
     Relax(mesh_.Apex(half_edge),
           origin.sigma + DistanceToPlace(origin, ApexOf(frame)),
           {pseudo_source, half_edge, origin.x, origin.depth});
-    LookAcross(Prev(half_edge), UnfoldLeft(origin, frame), pseudo_source,
-               folds_left, open);
-    LookAcross(Next(half_edge),
-               UnfoldRight(origin, frame, mesh_.frame(Next(half_edge)).length),
+    const double left_length = mesh_.frame(Prev(half_edge)).length;
+    const double right_length = mesh_.frame(Next(half_edge)).length;
+    LookAcross(Prev(half_edge), UnfoldLeft(origin, frame), {0, left_length},
                pseudo_source, folds_left, open);
+    LookAcross(Next(half_edge), UnfoldRight(origin, frame, right_length),
+               {0, right_length}, pseudo_source, folds_left, open);
   }
 
   // Starts from a segment, in each of the faces that hold it.
@@ -333,6 +358,9 @@ class Front {
   std::vector<double> distances_;  // of vertices, then offsets of anchors
   std::vector<Arrival> arrivals_;  // of vertices; empty without a trace
   std::vector<uint8_t> states_;
+  // Of pseudo-sources: whence their shortest path comes. Empty where the mesh
+  // has edges or faces around which one cannot simply turn.
+  std::vector<IncomingRay> incoming_;
   bool has_free_anchor_ = false;  // one that is not a vertex
   uint64_t reached_ = 0;
 };

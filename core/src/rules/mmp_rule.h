@@ -188,11 +188,13 @@ void MmpRule<Front>::Cross(HalfEdge h, const Window& window,
   // through it to the apex are real, and straight if the ray is in there.
   const double through = std::clamp(crossing, interval.begin, interval.end);
   if (std::abs(through - crossing) <= NearMiss(origin, frame, apex)) {
-    front_.Relax(mesh_.Apex(h),
-                 through == crossing
-                     ? origin.sigma + DistanceToPlace(origin, apex)
-                     : window.DistanceTo(through) + EdgePointTo(through, apex),
-                 {pseudo_source, h, origin.x, origin.depth});
+    front_.Relax(
+        mesh_.Apex(h),
+        through == crossing
+            ? origin.sigma + DistanceToPlace(origin, apex)
+            : window.DistanceTo(through) + EdgePointTo(through, apex),
+        {pseudo_source, h, origin.x, origin.depth},
+        through == crossing ? RayThrough(h, origin, apex) : IncomingRay{});
   }
   if (crossing > interval.begin && frame.left_exit != kNoHalfEdge) {
     InsertBeyond(Prev(h), frame.left_exit, pseudo_source,

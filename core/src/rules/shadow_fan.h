@@ -1,0 +1,194 @@
+// What a pseudo-source has to see: a shortest path that bends at a vertex has
+// an angle of pi or more on either side there (Mitchell, Mount, Papadimitriou
+// 1987), so beyond the vertex only its shadow is of interest, the fan between
+// the two directions that make an angle of pi with the path that arrives.
+
+#ifndef GEODESIC_RULES_SHADOW_FAN_H_
+#define GEODESIC_RULES_SHADOW_FAN_H_
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "geodesic/mesh.h"
+#include "tolerances.h"
+#include "windows/mixed_origin.h"
+#include "windows/window.h"
+
+namespace geodesic {
+
+// From where a shortest path comes to a vertex: along an edge, or through a
+// half-edge opposite to the vertex. A direction that is not known hides
+// nothing.
+struct IncomingRay {
+  HalfEdge half_edge = kNoHalfEdge;
+  // Of the angle to the half-edge's normal; NaN along the half-edge, in either
+  // direction. kFanMargin covers the rounding.
+  float tangent = std::numeric_limits<float>::quiet_NaN();
+
+  static IncomingRay Along(HalfEdge half_edge) { return {half_edge}; }
+};
+
+// The ray of a window on half_edge into the apex.
+inline IncomingRay RayThrough(HalfEdge half_edge, const Origin& origin,
+                              const PlanePoint& apex) {
+  return {half_edge,
+          static_cast<float>((apex.x - origin.x) / (apex.y + origin.depth))};
+}
+inline IncomingRay RayThrough(HalfEdge half_edge, const MixedOrigin& origin,
+                              const PlanePoint& apex) {
+  return origin.is_segment
+             ? IncomingRay{half_edge,
+                           static_cast<float>(origin.x / origin.depth)}
+             : RayThrough(half_edge, origin.AsPoint(), apex);
+}
+
+// The fan behind one vertex of a mesh without irregular edges.
+class ShadowFan {
+ public:
+  // REQUIRES: the faces around v form one fan, and `ray` is known.
+  ShadowFan(const Mesh& mesh, uint32_t v, const IncomingRay& ray)
+      : mesh_(mesh), v_(v) {
+    FindStarts(ray);
+  }
+
+  // Calls visit(half_edge, part) for each half-edge that leaves v and whose
+  // face the shadow meets, with the part of the opposite edge Next(half_edge)
+  // that lies in there.
+  template <typename Visit>
+  void ForEachFace(Visit visit) const {
+    const std::optional<Limit> left = WalkLeft();
+    const std::optional<Limit> right = WalkRight();
+    if (left.has_value() && right.has_value() &&
+        left->half_edge == right->half_edge) {
+      Interval part{left->at, right->at};
+      if (part.width() > 0) visit(left->half_edge, part);
+      return;
+    }
+    if (left.has_value()) {
+      visit(left->half_edge, Interval{left->at, OppositeLength(*left)});
+    }
+    HalfEdge h = left.has_value() ? LeftOf(left->half_edge) : kNoHalfEdge;
+    while (h != kNoHalfEdge && !(right.has_value() && h == right->half_edge)) {
+      visit(h, Interval{0, mesh_.frame(Next(h)).length});
+      h = LeftOf(h);
+    }
+    if (!right.has_value()) return;
+    visit(right->half_edge, Interval{0, right->at});
+    // At a boundary the two sides do not meet.
+    if (left.has_value() && h == right->half_edge) return;
+    h = RightOf(right->half_edge);
+    while (h != kNoHalfEdge) {
+      visit(h, Interval{0, mesh_.frame(Next(h)).length});
+      h = RightOf(h);
+    }
+  }
+
+ private:
+  // A unit vector, also as a rotation.
+  struct Direction {
+    double x, y;
+  };
+  static Direction Turn(const Direction& a, const Direction& b) {
+    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+  }
+  static Direction Back(const Direction& a) { return {a.x, -a.y}; }
+
+  // Where a side of the shadow ends: at `at` on Next(half_edge).
+  struct Limit {
+    HalfEdge half_edge;
+    double at;
+  };
+  // Where a walk around v starts: the first face, and the angle between the
+  // ray and the edge that leads into it.
+  struct Start {
+    HalfEdge half_edge = kNoHalfEdge;
+    Direction angle{1, 0};
+  };
+
+  double OppositeLength(const Limit& limit) const {
+    return mesh_.frame(Next(limit.half_edge)).length;
+  }
+  // Of half-edges that leave v, the next counterclockwise and clockwise;
+  // kNoHalfEdge at a boundary.
+  HalfEdge LeftOf(HalfEdge h) const { return mesh_.Twin(Prev(h)); }
+  HalfEdge RightOf(HalfEdge h) const {
+    const HalfEdge twin = mesh_.Twin(h);
+    return twin == kNoHalfEdge ? kNoHalfEdge : Next(twin);
+  }
+
+  void FindStarts(const IncomingRay& ray) {
+    const HalfEdge h = ray.half_edge;
+    if (std::isnan(ray.tangent)) {
+      const bool leaves = mesh_.From(h) == v_;
+      left_.half_edge = leaves ? h : mesh_.Twin(h);
+      right_.half_edge = leaves ? RightOf(h) : Next(h);
+    } else {
+      const HalfEdgeFrame& frame = mesh_.frame(h);
+      const double t = ray.tangent;
+      const double norm = 1 / std::sqrt(1 + t * t);
+      // From v back to where the ray comes from, and to the ends of h.
+      const Direction back{-t * norm, -norm};
+      const Direction to_a{-frame.left_x, -frame.left_y};
+      const Direction to_b{-frame.right_x, -frame.right_y};
+      left_ = {mesh_.Twin(Next(h)), Turn(Back(back), to_b)};
+      right_ = {RightOf(Prev(h)), Turn(Back(to_a), back)};
+    }
+    const Direction margin{std::cos(kFanMargin), std::sin(kFanMargin)};
+    left_.angle = Turn(left_.angle, margin);
+    right_.angle = Turn(right_.angle, margin);
+  }
+
+  // Counterclockwise until the angle to the ray is pi. No limit if a boundary
+  // comes first.
+  std::optional<Limit> WalkLeft() const {
+    Direction angle = left_.angle;
+    HalfEdge h = left_.half_edge;
+    for (size_t i = 0; h != kNoHalfEdge && i < Degree(); ++i) {
+      const HalfEdgeFrame& frame = mesh_.frame(h);
+      const Direction corner{frame.left_x, frame.left_y};
+      const Direction turned = Turn(angle, corner);
+      if (turned.y <= 0) {
+        return Limit{h, HitOnOpposite(frame, {-angle.x, angle.y}, h)};
+      }
+      angle = turned;
+      h = LeftOf(h);
+    }
+    return std::nullopt;
+  }
+  std::optional<Limit> WalkRight() const {
+    Direction angle = right_.angle;
+    HalfEdge h = right_.half_edge;
+    for (size_t i = 0; h != kNoHalfEdge && i < Degree(); ++i) {
+      const HalfEdgeFrame& frame = mesh_.frame(h);
+      const Direction corner{frame.left_x, frame.left_y};
+      const Direction turned = Turn(angle, corner);
+      if (turned.y <= 0) {
+        return Limit{
+            h, HitOnOpposite(frame, Turn(corner, {-angle.x, -angle.y}), h)};
+      }
+      angle = turned;
+      h = RightOf(h);
+    }
+    return std::nullopt;
+  }
+  size_t Degree() const { return mesh_.Outgoing(v_).size(); }
+
+  // Where a ray from A meets BC, from B.
+  double HitOnOpposite(const HalfEdgeFrame& frame, const Direction& ray,
+                       HalfEdge h) const {
+    const double length = mesh_.frame(Next(h)).length;
+    const double across = ray.x * frame.right_y - ray.y * frame.right_x;
+    const double t = ray.y * frame.length / across;
+    return across > 0 ? std::clamp(t, 0.0, length) : length;
+  }
+
+  const Mesh& mesh_;
+  const uint32_t v_;
+  Start left_, right_;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_RULES_SHADOW_FAN_H_
