@@ -69,14 +69,23 @@ double CommonRay(const MixedOrigin& a, const MixedOrigin& b) {
   return point.x + point.depth * segment.x / segment.depth;
 }
 
+// How fast the distance grows along the edge.
+double Slope(const Origin& origin, double at) {
+  return (at - origin.x) / origin.DistanceTo(at);
+}
+double Slope(const MixedOrigin& origin, double at) {
+  return origin.is_segment ? origin.x : Slope(origin.AsPoint(), at);
+}
+
 // The point of [low, high] where the difference, of different signs at the two
-// ends, vanishes: in closed form where that is accurate, else by regula falsi
-// with the Illinois weights and bisection where that stalls.
+// ends, vanishes: in closed form where that is accurate, else improved by
+// Newton's method, else by regula falsi with the Illinois weights and bisection
+// where that stalls.
 template <typename WindowType>
 double FindCrossing(const WindowType& older, const WindowType& newer,
                     double low, double at_low, double high, double at_high) {
   double x = SolveCrossing(older.origin, newer.origin, low, high);
-  constexpr int kMostSteps = 100;
+  constexpr int kMostSteps = 100, kNewtonSteps = 4;
   for (int step = 0; step < kMostSteps; ++step) {
     if (!(x > low && x < high)) {
       x = (low * at_high - high * at_low) / (at_high - at_low);
@@ -95,6 +104,9 @@ double FindCrossing(const WindowType& older, const WindowType& newer,
       at_high = difference;
       at_low /= 2;
     }
+    x = step < kNewtonSteps
+            ? x - difference / (Slope(newer.origin, x) - Slope(older.origin, x))
+            : std::numeric_limits<double>::quiet_NaN();
   }
   return low + (high - low) / 2;
 }
