@@ -17,6 +17,7 @@ std::string_view AlgorithmName(Algorithm algorithm) {
 Algorithm WithTrimming(Algorithm algorithm) {
   switch (algorithm) {
     case Algorithm::kFwpCh:
+    case Algorithm::kFwpList:
       return Algorithm::kFwpMmp;
     case Algorithm::kIch:
     case Algorithm::kCh:

@@ -49,8 +49,9 @@ class Propagation final : public Computation {
   const Queue& queue() const { return queue_; }
 
  private:
-  // A few milliseconds of work between two polls at the most.
-  static constexpr uint64_t kPollPeriod = 2048;
+  // A few milliseconds of work between two polls at the most, also where a step
+  // takes a whole list of windows.
+  static constexpr uint64_t kPollPeriod = 1024;
 
   absl::Status Run(const Reach& reach, Checkpoint& checkpoint);
   void Seed();

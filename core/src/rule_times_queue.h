@@ -4,6 +4,7 @@
 #define GEODESIC_RULE_TIMES_QUEUE_H_
 
 #include <memory>
+#include <type_traits>
 
 #include "algorithm_table.h"
 #include "propagation.h"
@@ -12,6 +13,7 @@
 #include "queues/fwp_buckets.h"
 #include "queues/label_correcting.h"
 #include "rules/ch_rule.h"
+#include "rules/list_rule.h"
 #include "rules/mmp_rule.h"
 
 namespace geodesic {
@@ -23,6 +25,11 @@ class RuleTimesQueue {
     switch (algorithm) {
       case Algorithm::kFwpCh:
         return StartWith<IchRule, FwpBuckets>;
+      case Algorithm::kFwpList:
+        if constexpr (std::is_same_v<OriginType, Origin>) {
+          return StartWith<ListRule, FwpBuckets>;
+        }
+        return nullptr;
       case Algorithm::kFwpMmp:
         return StartWith<MmpRule, FwpBuckets>;
       case Algorithm::kIch:

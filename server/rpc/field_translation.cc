@@ -47,6 +47,8 @@ v1::Algorithm ToProto(Algorithm algorithm) {
   switch (algorithm) {
     case Algorithm::kFwpCh:
       return v1::ALGORITHM_FWP_CH;
+    case Algorithm::kFwpList:
+      return v1::ALGORITHM_FWP_LIST;
     case Algorithm::kFwpMmp:
       return v1::ALGORITHM_FWP_MMP;
     case Algorithm::kIch:

@@ -43,7 +43,7 @@ TEST(MeshFormatTest, OtherEndingsAreRefusedByName) {
 TEST(AlgorithmNamesTest, AreThoseOfTheProtocol) {
   EXPECT_EQ(AlgorithmNames(),
             (std::vector<std::string>{"fwp-ch", "fwp-mmp", "ich", "mmp", "ch",
-                                      "lc-mmp", "lc-ch"}));
+                                      "lc-mmp", "lc-ch", "fwp-list"}));
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ TEST_F(CacheTest, DeletingTheMeshForgetsItsFields) {
 
 TEST_F(CacheTest, AlgorithmsAgree) {
   double expected = 0;
-  for (const char* algorithm :
-       {"fwp-ch", "fwp-mmp", "ich", "mmp", "ch", "lc-mmp", "lc-ch"}) {
+  for (const char* algorithm : {"fwp-list", "fwp-ch", "fwp-mmp", "ich", "mmp",
+                                "ch", "lc-mmp", "lc-ch"}) {
     const json field = GeodesicJson(
         {"field", folder_ / "grid.off", "-s", "0", "--algorithm", algorithm});
     EXPECT_EQ(field["algorithm"], algorithm);

@@ -122,9 +122,9 @@ TEST_F(CommandTest, Capabilities) {
   for (const json& algorithm : capabilities["algorithms"]) {
     names.push_back(algorithm["name"]);
   }
-  EXPECT_THAT(names,
-              ::testing::UnorderedElementsAre("fwp-ch", "fwp-mmp", "ich", "mmp",
-                                              "ch", "lc-mmp", "lc-ch"));
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("fwp-ch", "fwp-mmp", "ich",
+                                                     "mmp", "ch", "lc-mmp",
+                                                     "lc-ch", "fwp-list"));
   EXPECT_GT(capabilities["limits"]["max_upload_bytes"], 0);
   EXPECT_THAT(Geodesic({"capabilities"}).out, HasSubstr("fwp-ch"));
 }

@@ -493,7 +493,7 @@ class PythonClientTest(unittest.TestCase):
             self.capabilities_pb.GetCapabilitiesRequest())
         self.assertEqual({a.name for a in capabilities.algorithms},
                          {"fwp-ch", "fwp-mmp", "ich", "mmp", "ch", "lc-mmp",
-                          "lc-ch"})
+                          "lc-ch", "fwp-list"})
         self.assertEqual(sum(a.is_default for a in capabilities.algorithms), 1)
 
 

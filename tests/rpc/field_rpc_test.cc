@@ -92,7 +92,7 @@ TEST_F(FieldRpcTest, EveryAlgorithmAnswers) {
   for (const auto algorithm :
        {v1::ALGORITHM_FWP_CH, v1::ALGORITHM_FWP_MMP, v1::ALGORITHM_ICH,
         v1::ALGORITHM_MMP, v1::ALGORITHM_CH, v1::ALGORITHM_LC_MMP,
-        v1::ALGORITHM_LC_CH}) {
+        v1::ALGORITHM_LC_CH, v1::ALGORITHM_FWP_LIST}) {
     v1::ComputeFieldRequest request = FieldRequest(digest, 0);
     request.set_algorithm(algorithm);
     grpc::ClientContext context;

@@ -11,7 +11,7 @@
 namespace geodesic::client {
 
 // The algorithms this client can name: "fwp-ch", "fwp-mmp", "ich", "mmp",
-// "ch", "lc-mmp", "lc-ch". All give the same distances. A server may offer
+// "ch", "lc-mmp", "lc-ch", "fwp-list". All give the same distances. A server may offer
 // fewer; see Client::GetCapabilities.
 std::vector<std::string> AlgorithmNames();
 

@@ -14,13 +14,14 @@
 namespace geodesic {
 
 enum class Algorithm {
-  kFwpCh,   // Chen-Han rule with the Xin-Wang filter, FWP buckets.
-  kFwpMmp,  // Mitchell-Mount-Papadimitriou rule, FWP buckets.
-  kIch,     // Chen-Han rule with the Xin-Wang filter, binary heap.
-  kMmp,     // Mitchell-Mount-Papadimitriou rule, binary heap.
-  kLcCh,    // Chen-Han rule with the Xin-Wang filter, label-correcting queue.
-  kLcMmp,   // Mitchell-Mount-Papadimitriou rule, label-correcting queue.
-  kCh,      // Chen-Han rule without the filter, first in first out.
+  kFwpCh,    // Chen-Han rule with the Xin-Wang filter, FWP buckets.
+  kFwpList,  // Lists of windows that cross a face together, FWP buckets.
+  kFwpMmp,   // Mitchell-Mount-Papadimitriou rule, FWP buckets.
+  kIch,      // Chen-Han rule with the Xin-Wang filter, binary heap.
+  kMmp,      // Mitchell-Mount-Papadimitriou rule, binary heap.
+  kLcCh,     // Chen-Han rule with the Xin-Wang filter, label-correcting queue.
+  kLcMmp,    // Mitchell-Mount-Papadimitriou rule, label-correcting queue.
+  kCh,       // Chen-Han rule without the filter, first in first out.
 };
 
 struct AlgorithmInfo {
@@ -30,9 +31,11 @@ struct AlgorithmInfo {
 };
 
 // The one list of algorithms; the first is the default.
-inline constexpr std::array<AlgorithmInfo, 7> kAlgorithms = {{
+inline constexpr std::array<AlgorithmInfo, 8> kAlgorithms = {{
     {Algorithm::kFwpCh, "fwp-ch",
      "Chen-Han windows with the Xin-Wang filter in FWP buckets"},
+    {Algorithm::kFwpList, "fwp-list",
+     "Lists of windows, trimmed and propagated together, in FWP buckets"},
     {Algorithm::kFwpMmp, "fwp-mmp",
      "MMP windows, trimmed against each other, in FWP buckets"},
     {Algorithm::kIch, "ich",

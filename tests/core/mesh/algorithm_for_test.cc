@@ -19,6 +19,16 @@ std::shared_ptr<const Mesh> Grid() {
   return *Mesh::Build(test::MakeGrid({.columns = 4, .rows = 4}));
 }
 
+TEST(AlgorithmForTest, ListsGiveWayToTheMmpRuleToo) {
+  const auto mesh = Grid();
+  const auto runs = [&](const std::vector<Source>& sources) {
+    return AlgorithmFor({.sources = sources, .algorithm = Algorithm::kFwpList},
+                        *mesh);
+  };
+  EXPECT_EQ(runs({kInFace}), Algorithm::kFwpList);
+  EXPECT_EQ(runs({kAtVertex, kInFace}), Algorithm::kFwpMmp);
+}
+
 TEST(AlgorithmForTest, ChenHanRunsFromVerticesAndFromOnePoint) {
   const auto mesh = Grid();
   for (const auto& sources : {std::vector<Source>{kAtVertex},

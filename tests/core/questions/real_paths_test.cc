@@ -28,7 +28,8 @@ TEST_P(RealPaths, AreAsLongAsDistances) {
   const uint32_t face = mesh->face_count() / 2;
   constexpr uint32_t kMostPaths = 1000;
   const uint32_t stride = 1 + mesh->vertex_count() / kMostPaths;
-  for (const Algorithm algorithm : {Algorithm::kFwpCh, Algorithm::kFwpMmp}) {
+  for (const Algorithm algorithm :
+       {Algorithm::kFwpList, Algorithm::kFwpCh, Algorithm::kFwpMmp}) {
     CheckAllPaths(name, *mesh,
                   {.sources = {{VertexPoint{vertex}},
                                {FacePoint{face, {0.5, 0.25, 0.25}}}},

@@ -13,6 +13,7 @@
 #include "propagation.h"
 #include "queues/queue.h"
 #include "rules/ch_rule.h"
+#include "rules/list_rule.h"
 #include "rules/mmp_rule.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/planar_meshes.h"
@@ -85,7 +86,11 @@ struct Mmp {
   template <typename Front>
   using Rule = MmpRule<Front>;
 };
-using Rules = ::testing::Types<Ch, Ich, Mmp>;
+struct List {
+  template <typename Front>
+  using Rule = ListRule<Front>;
+};
+using Rules = ::testing::Types<Ch, Ich, Mmp, List>;
 TYPED_TEST_SUITE(PropagationOrderTest, Rules);
 
 TYPED_TEST(PropagationOrderTest, OnTerrain) {

@@ -1,0 +1,107 @@
+#include "windows/window_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "windows/window_columns.h"
+
+namespace geodesic {
+namespace {
+
+// A list of windows that can be told apart from all others.
+void Fill(uint32_t number, size_t count, WindowColumns& windows) {
+  windows.Reserve(count);
+  windows.size = count;
+  for (size_t i = 0; i < count; ++i) {
+    const double value = number + static_cast<double>(i) / 1024;
+    windows.Set(i, {{value, value + 0.25}, {value + 1, value + 2, value + 3}},
+                number);
+  }
+}
+
+void ExpectFilled(uint32_t number, size_t from, size_t count,
+                  const WindowColumns& windows) {
+  WindowColumns expected;
+  Fill(number, count, expected);
+  for (size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(windows.begin[from + i], expected.begin[i]);
+    EXPECT_EQ(windows.end[from + i], expected.end[i]);
+    EXPECT_EQ(windows.x[from + i], expected.x[i]);
+    EXPECT_EQ(windows.depth[from + i], expected.depth[i]);
+    EXPECT_EQ(windows.sigma[from + i], expected.sigma[i]);
+    EXPECT_EQ(windows.pseudo_source[from + i], number);
+  }
+}
+
+TEST(WindowBlocksTest, GiveBackWhatWasStored) {
+  struct Stored {
+    WindowBlock block;
+    uint32_t number;
+    size_t count;
+  };
+  std::mt19937 random(1);
+  WindowBlocks blocks;
+  WindowColumns windows;
+  std::vector<Stored> stored;
+  for (uint32_t number = 0; number < 2000; ++number) {
+    const size_t count = 1 + random() % (number % 10 == 0 ? 300 : 20);
+    Fill(number, count, windows);
+    stored.push_back({blocks.Store(windows), number, count});
+    if (random() % 3 == 0) continue;
+    const Stored taken = stored[random() % stored.size()];
+    std::erase_if(stored,
+                  [&](const Stored& s) { return s.number == taken.number; });
+    // Behind what another list has left.
+    Fill(7, 3, windows);
+    windows.Reserve(3 + taken.count);
+    blocks.Take(taken.block, windows);
+    ASSERT_EQ(windows.size, 3 + taken.count);
+    ExpectFilled(7, 0, 3, windows);
+    ExpectFilled(taken.number, 3, taken.count, windows);
+  }
+}
+
+TEST(WindowBlocksTest, ReuseRoom) {
+  WindowBlocks blocks;
+  WindowColumns windows;
+  Fill(1, 100, windows);
+  windows.size = 0;
+  const auto store_and_take = [&] {
+    Fill(1, 100, windows);
+    const WindowBlock block = blocks.Store(windows);
+    windows.size = 0;
+    blocks.Take(block, windows);
+  };
+  store_and_take();
+  const uint64_t bytes = blocks.bytes();
+  for (int i = 0; i < 100; ++i) store_and_take();
+  EXPECT_EQ(blocks.bytes(), bytes);
+}
+
+TEST(WindowColumnsTest, AMirrorImageOfAMirrorImageIsTheList) {
+  WindowColumns windows;
+  windows.Reserve(3);
+  windows.size = 3;
+  windows.Set(0, Window::Over({0, 1}, {4, 2, 1}), 5);
+  windows.Set(1, Window::Over({1, 3}, {-1, 1, 0.5}), 6);
+  windows.Set(2, Window::Over({3, 4}, {2, 3, 0}), 7);
+  windows.Mirror(4);
+  EXPECT_EQ(windows.pseudo_source[0], 7u);
+  EXPECT_EQ(windows.begin[0], 0);
+  EXPECT_EQ(windows.end[0], 1);
+  EXPECT_EQ(windows.begin[1], 1);
+  EXPECT_EQ(windows.x[1], 5);
+  const Window middle = windows.At(1);
+  EXPECT_DOUBLE_EQ(middle.begin_distance, middle.DistanceTo(1));
+  EXPECT_DOUBLE_EQ(middle.end_distance, middle.DistanceTo(3));
+  windows.Mirror(4);
+  EXPECT_EQ(windows.pseudo_source[0], 5u);
+  EXPECT_EQ(windows.x[0], 4);
+  EXPECT_EQ(windows.end[2], 4);
+}
+
+}  // namespace
+}  // namespace geodesic
