@@ -82,7 +82,8 @@ void WriteHead(std::ostream& out, const std::string& command) {
       << ", CGAL " << GEODESIC_CGAL_VERSION
 #endif
       << "\n- `" << command
-      << "`\n\nTimes are medians of rounds in which all benchmarks take turns "
+      << "`\n\nTimes are processor time, but elapsed time where threads run "
+         "side by side: medians of rounds in which all benchmarks take turns "
          "at random.\n\n";
 }
 

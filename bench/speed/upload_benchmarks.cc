@@ -117,7 +117,7 @@ void RegisterUpload(const std::string& file, int rounds) {
             .c_str(),
         measure)
         ->Repetitions(rounds)
-        ->UseRealTime()
+        ->MeasureProcessCPUTime()
         ->Unit(benchmark::kMillisecond);
   };
   using State = benchmark::State;
