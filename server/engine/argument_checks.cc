@@ -2,8 +2,8 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/string_view.h"
-#include "server/store/sha256.h"
 #include "server/engine/status_details.h"
+#include "server/store/sha256.h"
 
 namespace geodesic::server {
 namespace {

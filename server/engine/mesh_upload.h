@@ -13,8 +13,8 @@
 #include "geodesic/triangle_soup.h"
 #include "server/engine/byte_budget.h"
 #include "server/engine/limits.h"
-#include "server/store/sha256.h"
 #include "server/engine/upload_header.h"
+#include "server/store/sha256.h"
 
 namespace geodesic::server {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "server/engine/mesh_digest.h"
-#include "server/store/sha256.h"
 #include "server/engine/status_details.h"
+#include "server/store/sha256.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/planar_meshes.h"
