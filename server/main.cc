@@ -3,6 +3,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
@@ -27,6 +28,8 @@ bool WritePort(const std::string& path, int port) {
 
 int Run(const ServerOptions& options) {
   BlockTerminationSignals();
+  // A file that may not grow is an error of the write, not the server's end.
+  std::signal(SIGXFSZ, SIG_IGN);
   const std::shared_ptr<spdlog::logger> logger =
       spdlog::stderr_color_mt("geodesicd");
   logger->set_level(spdlog::level::from_str(options.log_level));

@@ -122,6 +122,23 @@ void AddMemoryOptions(CLI::App& app, ServerOptions& options) {
            "Memory for running solvers, all together");
 }
 
+// Their defaults are for the sake of the help; without --data-dir they are 0.
+void AddDiskOptions(CLI::App& app, ServerOptions& options) {
+  Limits& limits = options.limits;
+  limits.mesh_disk_bytes = uint64_t{64} << 30;
+  limits.field_disk_bytes = uint64_t{16} << 30;
+  app.add_option("--data-dir", options.data_dir,
+                 "Keep meshes and fields in this folder, across restarts and "
+                 "crashes; made if need be; one server a folder")
+      ->type_name("DIR");
+  AddBytes(app, "--mesh-disk", limits.mesh_disk_bytes,
+           "Disk for meshes in --data-dir; the least recently used are "
+           "evicted");
+  AddBytes(app, "--field-disk", limits.field_disk_bytes,
+           "Disk for fields in --data-dir; the least recently used are "
+           "evicted");
+}
+
 void AddMeshOptions(CLI::App& app, ServerOptions& options) {
   Limits& limits = options.limits;
   AddBytes(app, "--max-upload-bytes", limits.max_upload_bytes,
@@ -230,6 +247,7 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
   AddGroup(app, "Work", [&] { AddWorkOptions(app, options); });
   AddGroup(app, "Questions", [&] { AddQuestionOptions(app, options); });
   AddGroup(app, "Memory", [&] { AddMemoryOptions(app, options); });
+  AddGroup(app, "Disk", [&] { AddDiskOptions(app, options); });
   AddGroup(app, "Meshes", [&] { AddMeshOptions(app, options); });
   AddGroup(app, "Operation",
            [&] { AddOperationOptions(app, options, drain_seconds); });
@@ -254,6 +272,10 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
     result.exit_code = code == 0 ? 0 : kUsageError;
   }
   options.drain = std::chrono::seconds(drain_seconds);
+  if (options.data_dir.empty()) {
+    options.limits.mesh_disk_bytes = 0;
+    options.limits.field_disk_bytes = 0;
+  }
   return result;
 }
 

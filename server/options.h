@@ -12,11 +12,15 @@
 
 namespace geodesic::server {
 
+// `limits.mesh_disk_bytes` and `limits.field_disk_bytes` are 0 without a
+// data_dir.
 struct ServerOptions {
   // HOST:PORT; port 0 takes a free one.
   std::string listen = "127.0.0.1:50051";
   // Where to write the port that was taken; empty: nowhere.
   std::string port_file;
+  // What to keep meshes and fields in; empty: nothing outlives the server.
+  std::string data_dir;
   // Requests at once; beyond that streams are refused.
   uint64_t max_requests = 1000;
   // Largest gRPC message taken.

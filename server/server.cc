@@ -18,6 +18,9 @@ namespace {
 // How long answers that are ready may take to leave.
 constexpr std::chrono::milliseconds kFlushGrace{500};
 
+// How long fields that were computed last may take to the disk.
+constexpr std::chrono::seconds kStoreGrace{2};
+
 // How long the last reactions of cancelled calls may take.
 constexpr std::chrono::seconds kCancelGrace{10};
 
@@ -45,7 +48,28 @@ Server::~Server() {
   Wait();
 }
 
+absl::Status Server::OpenDataFolder() {
+  absl::StatusOr<std::unique_ptr<DurableStore>> store =
+      DurableStore::Open({.path = options_.data_dir,
+                          .mesh_bytes = options_.limits.mesh_disk_bytes,
+                          .field_bytes = options_.limits.field_disk_bytes,
+                          .version = std::string(ServerVersion()),
+                          .warn = [logger = logger_](const std::string& line) {
+                            logger->error("data folder: {}", line);
+                          }});
+  if (!store.ok()) return store.status();
+  logger_->info("data folder {}: {} meshes ({} bytes), {} fields ({} bytes)",
+                options_.data_dir, (*store)->meshes().size(),
+                (*store)->meshes().used_bytes(), (*store)->fields().size(),
+                (*store)->fields().used_bytes());
+  engine_.Attach(*std::move(store));
+  return absl::OkStatus();
+}
+
 absl::Status Server::Start() {
+  if (!options_.data_dir.empty()) {
+    if (absl::Status status = OpenDataFolder(); !status.ok()) return status;
+  }
   // Both act on every server that is built afterwards; there is one.
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
@@ -97,6 +121,8 @@ bool Server::Wait() {
   }
   const bool in_order = log_.WaitIdle(until, hurry_.get_token());
   if (!in_order) logger_->warn("{} requests are cancelled", log_.active());
+  // What is left is fields on their way to the disk.
+  if (in_order) engine_.WaitIdle(kStoreGrace);
   // Ends the requests that wait for a job; those that stream are cut off.
   engine_.StopAll();
   grpc_server_->Shutdown(std::chrono::system_clock::now() + kFlushGrace);

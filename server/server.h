@@ -45,8 +45,10 @@ class Server {
   // Shuts down without grace if that was not done before.
   ~Server();
 
-  // Binds the address and serves. Call once.
-  // Errors: UNAVAILABLE naming the address that could not be bound.
+  // Opens the data folder, if there is to be one, binds the address and serves.
+  // Call once.
+  // Errors: UNAVAILABLE naming the folder that cannot be used or the address
+  // that could not be bound.
   absl::Status Start();
 
   // The port served on. REQUIRES: Start succeeded.
@@ -65,6 +67,7 @@ class Server {
   QueryEngine& engine() { return engine_; }
 
  private:
+  absl::Status OpenDataFolder();
   void SetServing(bool serving);
 
   const ServerOptions options_;

@@ -45,7 +45,9 @@ absl::Status RunCapabilities(const Session& session) {
       {"queued jobs", GroupedNumber(limits.max_queued_jobs)},
       {"mesh store", ByteCount(limits.mesh_store_bytes)},
       {"field cache", ByteCount(limits.field_cache_bytes)},
-      {"computation store", ByteCount(limits.computation_store_bytes)}};
+      {"computation store", ByteCount(limits.computation_store_bytes)},
+      {"mesh disk", ByteCount(limits.mesh_disk_bytes)},
+      {"field disk", ByteCount(limits.field_disk_bytes)}};
   facts.insert(facts.end(), limit_facts.begin(), limit_facts.end());
   PrintFacts(facts, &session.out);
   return absl::OkStatus();

@@ -24,7 +24,8 @@ Json ToJson(const MeshInfo& mesh) {
           {"bounding_box_max", mesh.bounding_box_max},
           {"mean_edge_length", mesh.mean_edge_length},
           {"anisotropy", mesh.anisotropy},
-          {"resident_bytes", mesh.resident_bytes}};
+          {"resident_bytes", mesh.resident_bytes},
+          {"stored_bytes", mesh.stored_bytes}};
 }
 
 Json ToJson(const Capabilities& capabilities) {
@@ -54,7 +55,9 @@ Json ToJson(const Capabilities& capabilities) {
             {"max_queued_jobs", limits.max_queued_jobs},
             {"mesh_store_bytes", limits.mesh_store_bytes},
             {"field_cache_bytes", limits.field_cache_bytes},
-            {"computation_store_bytes", limits.computation_store_bytes}}}};
+            {"computation_store_bytes", limits.computation_store_bytes},
+            {"mesh_disk_bytes", limits.mesh_disk_bytes},
+            {"field_disk_bytes", limits.field_disk_bytes}}}};
 }
 
 Json ToJson(const FieldStatistics& statistics) {

@@ -53,7 +53,8 @@ std::vector<Fact> FactsOf(const MeshInfo& mesh) {
                                     PointText(mesh.bounding_box_max))},
       {"mean edge length", ShortNumber(mesh.mean_edge_length)},
       {"anisotropy", ShortNumber(mesh.anisotropy)},
-      {"resident", ByteCount(mesh.resident_bytes)}};
+      {"resident", ByteCount(mesh.resident_bytes)},
+      {"on disk", ByteCount(mesh.stored_bytes)}};
 }
 
 }  // namespace

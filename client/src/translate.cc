@@ -76,6 +76,7 @@ MeshInfo FromProto(const v1::Mesh& mesh) {
       .mean_edge_length = mesh.mean_edge_length(),
       .anisotropy = mesh.anisotropy(),
       .resident_bytes = mesh.resident_bytes(),
+      .stored_bytes = mesh.stored_bytes(),
       .non_manifold_edge_count = mesh.non_manifold_edge_count(),
       .non_manifold_vertex_count = mesh.non_manifold_vertex_count(),
       .inconsistent_edge_count = mesh.inconsistent_edge_count(),
@@ -135,7 +136,9 @@ Capabilities FromProto(const v1::GetCapabilitiesResponse& response) {
       .max_samples = limits.max_samples(),
       .max_matrix_rows = limits.max_matrix_rows(),
       .max_matrix_values = limits.max_matrix_values(),
-      .computation_store_bytes = limits.computation_store_bytes()};
+      .computation_store_bytes = limits.computation_store_bytes(),
+      .mesh_disk_bytes = limits.mesh_disk_bytes(),
+      .field_disk_bytes = limits.field_disk_bytes()};
   return capabilities;
 }
 

@@ -37,31 +37,38 @@ bool Covers(const DistanceField& field, const FieldReach& reach) {
   return static_cast<uint64_t>(certified) >= reach.targets;
 }
 
-FieldCache::Found FieldCache::Find(const FieldKey& key,
-                                   const FieldReach& reach) {
-  Found found{.key = key};
-  const auto look = [&] {
-    found.field = fields_.Find(found.key);
-    if (found.field != nullptr && !Covers(*found.field, reach)) {
-      found.field = nullptr;
-    }
-    return found.field != nullptr;
-  };
-  if (look()) return found;
+bool VisitAnsweringKeys(const FieldKey& key,
+                        absl::FunctionRef<bool(const FieldKey&)> visit) {
+  if (visit(key)) return true;
+  FieldKey other = key;
   // A traced field holds all that one without a trace does.
   if (!key.trace) {
-    found.key.trace = true;
-    if (look()) return found;
+    other.trace = true;
+    if (visit(other)) return true;
   }
   // Distances at vertices are in every field that reaches far enough.
   if (!key.targets.empty() && std::ranges::all_of(key.targets, IsVertex)) {
-    found.key.targets.clear();
-    found.key.trace = key.trace;
-    if (look()) return found;
-    found.key.trace = true;
-    if (look()) return found;
+    other.targets.clear();
+    other.trace = key.trace;
+    if (visit(other)) return true;
+    other.trace = true;
+    if (visit(other)) return true;
   }
-  return {};
+  return false;
+}
+
+FieldCache::Found FieldCache::Find(const FieldKey& key,
+                                   const FieldReach& reach) {
+  Found found;
+  VisitAnsweringKeys(key, [&](const FieldKey& candidate) {
+    found.field = fields_.Find(candidate);
+    if (found.field != nullptr && !Covers(*found.field, reach)) {
+      found.field = nullptr;
+    }
+    if (found.field != nullptr) found.key = candidate;
+    return found.field != nullptr;
+  });
+  return found;
 }
 
 absl::StatusOr<ByteReservation> FieldCache::Reserve(const FieldKey& key,

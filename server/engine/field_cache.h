@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "absl/functional/function_ref.h"
 #include "geodesic/distance_field.h"
 #include "server/engine/field_key.h"
 #include "server/engine/lru_store.h"
@@ -46,6 +47,11 @@ class FieldCache {
  private:
   LruStore<FieldKey, DistanceField> fields_;
 };
+
+// Calls `visit` with the key of each field that may answer a question, the best
+// first, until it returns true. Whether it did.
+bool VisitAnsweringKeys(const FieldKey& key,
+                        absl::FunctionRef<bool(const FieldKey&)> visit);
 
 // Whether the field holds what is asked for.
 bool Covers(const DistanceField& field, const FieldReach& reach);

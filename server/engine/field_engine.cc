@@ -115,6 +115,11 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
     flights_.Complete(*flight, *call.answer);
     return call;
   }
+  if (call.origin != FieldOrigin::kCached && files_ != nullptr &&
+      files_->Find(key.field, key.reach)) {
+    ++queries_cached_;
+    call.origin = FieldOrigin::kCached;
+  }
   if (call.origin != FieldOrigin::kCached &&
       computations_.Contains(key.field)) {
     call.origin = FieldOrigin::kContinued;
@@ -158,6 +163,7 @@ absl::StatusOr<FieldAnswer> FieldEngine::Answer(const MeshHandle& mesh,
   }
   FieldCache::Found found = fields_.Find(key.field, key.reach);
   FieldAnswer answer{.origin = FieldOrigin::kCached};
+  if (found.field == nullptr) found = LoadStored(mesh, key);
   if (found.field == nullptr) {
     absl::StatusOr<FieldHandle> field =
         Solve(mesh, key, audience, settled, std::move(stop), answer.origin);
@@ -176,6 +182,23 @@ absl::StatusOr<FieldAnswer> FieldEngine::Answer(const MeshHandle& mesh,
     answer.derived = *std::move(derived);
   }
   return answer;
+}
+
+FieldCache::Found FieldEngine::LoadStored(const MeshHandle& mesh,
+                                          const FlightKey& key) {
+  if (files_ == nullptr) return {};
+  std::optional<FieldKey> stored = files_->Find(key.field, key.reach);
+  if (!stored) return {};
+  const uint64_t vertices = mesh->mesh->vertex_count();
+  absl::StatusOr<ByteReservation> room = fields_.Reserve(*stored, vertices);
+  if (!room.ok()) return {};
+  absl::StatusOr<DistanceField> field = files_->Load(*stored, *mesh->mesh);
+  // What cannot be read is computed.
+  if (!field.ok() || !Covers(*field, key.reach)) return {};
+  ++fields_loaded_;
+  FieldHandle handle =
+      fields_.Insert(*stored, *std::move(field), *std::move(room));
+  return {*std::move(stored), std::move(handle)};
 }
 
 absl::StatusOr<FieldHandle> FieldEngine::Solve(
@@ -224,6 +247,7 @@ absl::StatusOr<FieldHandle> FieldEngine::Solve(
   ++solves_finished_;
   FieldHandle handle =
       fields_.Insert(key.field, *std::move(field), *std::move(room));
+  if (writer_) writer_->Enqueue(key.field, mesh, handle);
   if (!std::isinf(handle->settled_radius)) {
     computations_.Put(key.field, std::move(work));
   }
@@ -238,6 +262,7 @@ void FieldEngine::Cancel(const FieldCall& call) {
 void FieldEngine::EraseMesh(const std::string& digest) {
   fields_.EraseMesh(digest);
   computations_.EraseMesh(digest);
+  if (files_ != nullptr) files_->EraseMesh(digest);
 }
 
 FieldCounters FieldEngine::counters() const {
@@ -246,7 +271,8 @@ FieldCounters FieldEngine::counters() const {
           .solves_stopped = solves_stopped_,
           .solves_continued = solves_continued_,
           .queries_joined = queries_joined_,
-          .queries_cached = queries_cached_};
+          .queries_cached = queries_cached_,
+          .fields_loaded = fields_loaded_};
 }
 
 }  // namespace geodesic::server

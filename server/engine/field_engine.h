@@ -21,9 +21,11 @@
 #include "server/engine/clock.h"
 #include "server/engine/computation_store.h"
 #include "server/engine/field_cache.h"
+#include "server/engine/field_files.h"
 #include "server/engine/field_flight.h"
 #include "server/engine/field_key.h"
 #include "server/engine/field_request.h"
+#include "server/engine/field_writer.h"
 #include "server/engine/limits.h"
 #include "server/engine/mesh_store.h"
 #include "server/engine/scheduler.h"
@@ -59,6 +61,7 @@ struct FieldCounters {
   uint64_t solves_continued = 0;
   uint64_t queries_joined = 0;
   uint64_t queries_cached = 0;
+  uint64_t fields_loaded = 0;  // from disk
 };
 
 // Thread-safe. No call waits for a job.
@@ -69,6 +72,13 @@ class FieldEngine {
   FieldEngine(const Limits& limits, const SolveOptions& options,
               const Clock& clock, Scheduler& scheduler,
               std::shared_ptr<ByteBudget> solver_memory, StartFunction start);
+
+  // From now on keeps fields in `files`, too, which outlives the object. Call
+  // before all else.
+  void Attach(FieldFiles& files) {
+    files_ = &files;
+    writer_.emplace(files, scheduler_);
+  }
 
   // Starts, joins or finds the computation of a field on `mesh`.
   // Errors: INVALID_ARGUMENT, RESOURCE_EXHAUSTED (queue full), UNAVAILABLE;
@@ -82,7 +92,8 @@ class FieldEngine {
   // stops at its next poll.
   void Cancel(const FieldCall& call);
 
-  // Drops the fields and the paused computations of a mesh.
+  // Drops the fields and the paused computations of a mesh. Waits for the disk,
+  // if fields are kept there.
   void EraseMesh(const std::string& digest);
   // Drops the paused computations, which pin their meshes.
   void DropComputations() { computations_.Clear(); }
@@ -98,6 +109,8 @@ class FieldEngine {
                                      const FlightKey& key,
                                      FieldFlights::Flight& flight,
                                      SettledLog* settled, std::stop_token stop);
+  // A field on disk that answers the question, or nothing.
+  FieldCache::Found LoadStored(const MeshHandle& mesh, const FlightKey& key);
   absl::StatusOr<FieldHandle> Solve(const MeshHandle& mesh,
                                     const FlightKey& key, JobAudience& audience,
                                     SettledLog* settled, std::stop_token stop,
@@ -112,6 +125,8 @@ class FieldEngine {
   FieldCache fields_;
   ComputationStore computations_;
   FieldFlights flights_;
+  FieldFiles* files_ = nullptr;        // null: fields are kept in memory alone
+  std::optional<FieldWriter> writer_;  // of files_
 
   std::atomic<uint64_t> solves_started_ = 0;
   std::atomic<uint64_t> solves_finished_ = 0;
@@ -119,6 +134,7 @@ class FieldEngine {
   std::atomic<uint64_t> solves_continued_ = 0;
   std::atomic<uint64_t> queries_joined_ = 0;
   std::atomic<uint64_t> queries_cached_ = 0;
+  std::atomic<uint64_t> fields_loaded_ = 0;
 };
 
 }  // namespace geodesic::server

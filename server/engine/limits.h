@@ -38,6 +38,10 @@ struct Limits {
   uint64_t upload_memory_bytes = uint64_t{4} << 30;
   uint64_t solver_memory_bytes = uint64_t{8} << 30;
 
+  // Of meshes and fields on disk; 0: nothing outlives the server.
+  uint64_t mesh_disk_bytes = 0;
+  uint64_t field_disk_bytes = 0;
+
   // Progress of one computation is published no more often than this.
   std::chrono::milliseconds progress_interval{50};
 };

@@ -23,13 +23,18 @@ std::string_view AsBytes(std::span<const T> values) {
 
 std::string MeshDigest(std::span<const Point> positions,
                        std::span<const Triangle> triangles) {
-  const std::array<uint64_t, 2> counts = {positions.size(), triangles.size()};
   Sha256 hash;
-  hash.Update("geodesic.mesh.v1\n");
-  hash.Update(AsBytes(std::span<const uint64_t>(counts)));
+  hash.Update(MeshDigestHead(positions.size(), triangles.size()));
   hash.Update(AsBytes(positions));
   hash.Update(AsBytes(triangles));
   return hash.FinishHex();
+}
+
+std::string MeshDigestHead(uint64_t vertices, uint64_t faces) {
+  const std::array<uint64_t, 2> counts = {vertices, faces};
+  std::string head("geodesic.mesh.v1\n");
+  head += AsBytes(std::span<const uint64_t>(counts));
+  return head;
 }
 
 }  // namespace geodesic::server

@@ -3,6 +3,7 @@
 #ifndef GEODESIC_SERVER_ENGINE_MESH_DIGEST_H_
 #define GEODESIC_SERVER_ENGINE_MESH_DIGEST_H_
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -14,6 +15,9 @@ namespace geodesic::server {
 // proto/geodesic/v1/mesh.proto defines it. O(V + F). Thread-safe.
 std::string MeshDigest(std::span<const Point> positions,
                        std::span<const Triangle> triangles);
+
+// What the digest covers before the arrays: a tag and the two counts.
+std::string MeshDigestHead(uint64_t vertices, uint64_t faces);
 
 }  // namespace geodesic::server
 

@@ -1,13 +1,9 @@
 #include "server/engine/mesh_store.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace geodesic::server {
 namespace {
-
-// The same mesh in every format, and a few spellings of it.
-constexpr size_t kMaxFilesPerMesh = 16;
 
 uint64_t ChargeOf(const ResidentMesh& mesh) {
   return mesh.mesh->resident_bytes() + sizeof(ResidentMesh) +
@@ -18,17 +14,14 @@ uint64_t ChargeOf(const ResidentMesh& mesh) {
 
 MeshStore::MeshStore(uint64_t capacity)
     : meshes_("mesh store", capacity,
-              [this](const std::string& digest) { ForgetFiles(digest); }) {}
+              [this](const std::string& digest) { files_.Forget(digest); }) {}
 
 MeshHandle MeshStore::Find(const std::string& digest) {
   return meshes_.Find(digest);
 }
 
 std::optional<std::string> MeshStore::FindFile(const FileKey& file) const {
-  std::lock_guard lock(mutex_);
-  const auto it = digest_of_file_.find(file);
-  if (it == digest_of_file_.end()) return std::nullopt;
-  return it->second;
+  return files_.Find(file);
 }
 
 absl::StatusOr<ByteReservation> MeshStore::Reserve(uint64_t bytes) {
@@ -44,19 +37,10 @@ MeshStore::Inserted MeshStore::Insert(ResidentMesh mesh, ByteReservation room) {
 }
 
 void MeshStore::AddFile(FileKey file, const std::string& digest) {
-  {
-    std::lock_guard lock(mutex_);
-    if (!digest_of_file_.emplace(file, digest).second) return;
-    std::deque<FileKey>& files = files_of_digest_[digest];
-    files.push_back(std::move(file));
-    if (files.size() > kMaxFilesPerMesh) {
-      digest_of_file_.erase(files.front());
-      files.pop_front();
-    }
-  }
+  files_.Add(std::move(file), digest);
   // The mesh may have been dropped meanwhile, before there was a file to
   // forget.
-  if (meshes_.Find(digest) == nullptr) ForgetFiles(digest);
+  if (meshes_.Find(digest) == nullptr) files_.Forget(digest);
 }
 
 bool MeshStore::Erase(const std::string& digest) {
@@ -66,14 +50,6 @@ bool MeshStore::Erase(const std::string& digest) {
 std::vector<MeshHandle> MeshStore::List(const std::string& after,
                                         size_t count) const {
   return meshes_.List(after, count);
-}
-
-void MeshStore::ForgetFiles(const std::string& digest) {
-  std::lock_guard lock(mutex_);
-  const auto it = files_of_digest_.find(digest);
-  if (it == files_of_digest_.end()) return;
-  for (const FileKey& file : it->second) digest_of_file_.erase(file);
-  files_of_digest_.erase(it);
 }
 
 }  // namespace geodesic::server

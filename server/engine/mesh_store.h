@@ -4,10 +4,7 @@
 #define GEODESIC_SERVER_ENGINE_MESH_STORE_H_
 
 #include <cstdint>
-#include <deque>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +12,9 @@
 #include "absl/status/statusor.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
+#include "server/engine/known_files.h"
 #include "server/engine/lru_store.h"
+#include "server/engine/mesh_description.h"
 #include "server/engine/upload_header.h"
 
 namespace geodesic::server {
@@ -24,6 +23,12 @@ struct ResidentMesh {
   std::string digest;
   std::shared_ptr<const Mesh> mesh;
   MeshSummary summary;
+
+  MeshDescription Describe() const {
+    return {.digest = digest,
+            .summary = summary,
+            .resident_bytes = mesh->resident_bytes()};
+  }
 };
 
 // Pins the mesh while it is held.
@@ -65,15 +70,9 @@ class MeshStore {
   uint64_t used_bytes() const { return meshes_.used_bytes(); }
 
  private:
-  void ForgetFiles(const std::string& digest);
-
+  // Its own lock is taken after the store's, never before.
+  KnownFiles files_;
   LruStore<std::string, ResidentMesh> meshes_;
-
-  // Taken after the store's own lock, never before.
-  mutable std::mutex mutex_;
-  // Guarded by mutex_; each is the other's inverse:
-  std::map<FileKey, std::string> digest_of_file_;
-  std::map<std::string, std::deque<FileKey>> files_of_digest_;
 };
 
 }  // namespace geodesic::server

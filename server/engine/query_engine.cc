@@ -6,7 +6,6 @@
 #include "absl/strings/str_cat.h"
 #include "server/engine/argument_checks.h"
 #include "server/engine/guarded.h"
-#include "server/engine/mesh_digest.h"
 #include "server/engine/status_details.h"
 #include "server/store/sha256.h"
 
@@ -37,7 +36,9 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
                                                   limits.upload_memory_bytes)),
       solver_memory_(std::make_shared<ByteBudget>("solver memory",
                                                   limits.solver_memory_bytes)),
-      meshes_(limits.mesh_store_bytes),
+      // A paused computation is worth less than a mesh.
+      meshes_(limits, scheduler_, upload_memory_,
+              [this] { fields_.DropComputations(); }),
       fields_(limits_, solve_options_, clock, scheduler_, solver_memory_,
               start_),
       solo_jobs_(clock, scheduler_, solver_memory_, limits.progress_interval),
@@ -45,6 +46,14 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
 }
 
 QueryEngine::~QueryEngine() { StopAll(); }
+
+void QueryEngine::Attach(std::unique_ptr<DurableStore> durable) {
+  durable_ = std::move(durable);
+  meshes_.Attach(durable_->meshes(), [this](const std::string& digest) {
+    fields_.EraseMesh(digest);
+  });
+  fields_.Attach(durable_->fields());
+}
 
 absl::StatusOr<MissingMeshes> QueryEngine::FindMissing(
     const std::vector<std::string>& mesh_digests,
@@ -63,7 +72,7 @@ absl::StatusOr<MissingMeshes> QueryEngine::FindMissing(
         CheckDigest(absl::StrCat("mesh_digests[", i, "]"), mesh_digests[i]);
     if (!status.ok()) return status;
     // Marks the mesh as used, so that it outlives the client's next step.
-    if (meshes_.Find(mesh_digests[i]) == nullptr) {
+    if (!meshes_.Contains(mesh_digests[i])) {
       missing.mesh_digests.push_back(mesh_digests[i]);
     }
   }
@@ -71,8 +80,7 @@ absl::StatusOr<MissingMeshes> QueryEngine::FindMissing(
     absl::Status status =
         CheckDigest(absl::StrCat("files[", i, "].sha256"), files[i].sha256);
     if (!status.ok()) return status;
-    const std::optional<std::string> digest = meshes_.FindFile(files[i]);
-    if (digest && meshes_.Find(*digest) != nullptr) {
+    if (const auto digest = meshes_.FindFile(files[i])) {
       missing.known_files.push_back({files[i], *digest});
     } else {
       missing.files.push_back(files[i]);
@@ -90,9 +98,9 @@ absl::StatusOr<std::unique_ptr<MeshUpload>> QueryEngine::StartUpload(
 absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
     std::unique_ptr<MeshUpload> upload, UploadCallback done) {
   if (absl::Status status = upload->Finish(); !status.ok()) return status;
-  if (MeshHandle mesh = FindUploaded(*upload)) {
+  if (std::optional<UploadResult> known = meshes_.FindUploaded(*upload)) {
     upload.reset();
-    done(UploadResult{std::move(mesh), true});
+    done(*std::move(known));
     return std::nullopt;
   }
   // Both callbacks share what only one of them will use.
@@ -103,7 +111,7 @@ absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
            [this, shared,
             work = std::move(upload)](const std::stop_token&) mutable {
              auto result =
-                 Guarded("built a mesh", [&] { return BuildMesh(*work); });
+                 Guarded("built a mesh", [&] { return meshes_.Build(*work); });
              work.reset();
              (*shared)(result);
            },
@@ -114,72 +122,32 @@ absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
 
 void QueryEngine::CancelUpload(Scheduler::JobId job) { scheduler_.Cancel(job); }
 
-MeshHandle QueryEngine::FindUploaded(const MeshUpload& upload) {
-  const std::optional<std::string> digest = meshes_.FindFile(upload.file());
-  const std::string& expected = upload.header().expected_digest;
-  if (!digest || (!expected.empty() && expected != *digest)) return nullptr;
-  return meshes_.Find(*digest);
-}
-
-void QueryEngine::RememberFile(const MeshUpload& upload,
-                               const std::string& digest) {
-  // The bytes of arrays do not say how many of them are vertices, so they do
-  // not name a mesh.
-  if (upload.header().format == UploadFormat::kArrays) return;
-  meshes_.AddFile(upload.file(), digest);
-}
-
-absl::StatusOr<UploadResult> QueryEngine::BuildMesh(MeshUpload& upload) {
-  absl::StatusOr<TriangleSoup> soup = upload.Parse();
-  if (!soup.ok()) return soup.status();
-  std::string digest = MeshDigest(soup->positions, soup->triangles);
-  const std::string& expected = upload.header().expected_digest;
-  if (!expected.empty() && expected != digest) {
-    return InvalidField("header.expected_digest",
-                        absl::StrCat("the mesh has digest ", digest,
-                                     ", not the expected ", expected));
-  }
-  if (MeshHandle mesh = meshes_.Find(digest)) {
-    RememberFile(upload, digest);
-    return UploadResult{std::move(mesh), true};
-  }
-
-  const uint64_t vertices = soup->positions.size();
-  const uint64_t faces = soup->triangles.size();
-  if (absl::Status status = upload.ReserveForBuild(vertices, faces);
-      !status.ok()) {
-    return status;
-  }
-  const uint64_t bytes = Mesh::EstimateResidentBytes(vertices, faces) +
-                         sizeof(ResidentMesh) + digest.capacity();
-  absl::StatusOr<ByteReservation> room = meshes_.Reserve(bytes);
-  if (!room.ok()) {
-    // A paused computation is worth less than a mesh.
-    fields_.DropComputations();
-    room = meshes_.Reserve(bytes);
-  }
-  if (!room.ok()) return room.status();
-  absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
-      Mesh::Build(*std::move(soup));
-  if (!mesh.ok()) {
-    return absl::IsInvalidArgument(mesh.status())
-               ? WithField(mesh.status(), "chunk.data")
-               : mesh.status();
-  }
-  MeshStore::Inserted inserted = meshes_.Insert(
-      {std::move(digest), *mesh, Summarize(**mesh)}, *std::move(room));
-  RememberFile(upload, inserted.mesh->digest);
-  ++meshes_built_;
-  return UploadResult{std::move(inserted.mesh), !inserted.is_new};
-}
-
 absl::StatusOr<MeshHandle> QueryEngine::GetMesh(const std::string& digest) {
   if (absl::Status status = CheckDigest("digest", digest); !status.ok()) {
     return status;
   }
-  MeshHandle mesh = meshes_.Find(digest);
+  MeshHandle mesh = meshes_.FindResident(digest);
   if (mesh == nullptr) return NotResident(digest);
   return mesh;
+}
+
+absl::StatusOr<MeshDescription> QueryEngine::DescribeMesh(
+    const std::string& digest) {
+  if (absl::Status status = CheckDigest("digest", digest); !status.ok()) {
+    return status;
+  }
+  std::optional<MeshDescription> mesh = meshes_.Describe(digest);
+  if (!mesh) return NotResident(digest);
+  return *std::move(mesh);
+}
+
+bool QueryEngine::CanLoadMesh(const std::string& digest) {
+  return meshes_.is_durable() && meshes_.Contains(digest);
+}
+
+absl::StatusOr<std::optional<MeshLoads::Seat>> QueryEngine::AwaitMesh(
+    const std::string& digest, MeshCallback done) {
+  return meshes_.Await(digest, std::move(done));
 }
 
 absl::StatusOr<MeshPage> QueryEngine::ListMeshes(int page_size,
@@ -199,18 +167,35 @@ absl::StatusOr<MeshPage> QueryEngine::ListMeshes(int page_size,
   page.meshes = meshes_.List(token, count + 1);
   if (page.meshes.size() > count) {
     page.meshes.pop_back();
-    page.next_token = page.meshes.back()->digest;
+    page.next_token = page.meshes.back().digest;
   }
   return page;
 }
 
-absl::Status QueryEngine::DeleteMesh(const std::string& digest) {
+absl::Status QueryEngine::DeleteMesh(
+    const std::string& digest, std::function<void(const absl::Status&)> done) {
   if (absl::Status status = CheckDigest("digest", digest); !status.ok()) {
     return status;
   }
-  const bool was_resident = meshes_.Erase(digest);
-  fields_.EraseMesh(digest);
-  return was_resident ? absl::OkStatus() : NotResident(digest);
+  if (!meshes_.is_durable()) {
+    done(EraseMesh(digest));
+    return absl::OkStatus();
+  }
+  return scheduler_
+      .Submit({.priority = JobPriority::kBuild,
+               .run =
+                   [this, digest, done](const std::stop_token&) {
+                     done(Guarded("deleted a mesh",
+                                  [&] { return EraseMesh(digest); }));
+                   },
+               .abandon = done})
+      .status();
+}
+
+absl::Status QueryEngine::EraseMesh(const std::string& digest) {
+  absl::Status status = meshes_.Erase(digest);
+  if (status.ok() || absl::IsNotFound(status)) fields_.EraseMesh(digest);
+  return status;
 }
 
 absl::StatusOr<FieldCall> QueryEngine::ComputeField(
@@ -307,7 +292,7 @@ absl::StatusOr<MeshHandle> QueryEngine::FindMesh(const std::string& digest) {
   if (absl::Status status = CheckDigest("mesh_digest", digest); !status.ok()) {
     return status;
   }
-  MeshHandle mesh = meshes_.Find(digest);
+  MeshHandle mesh = meshes_.FindResident(digest);
   if (mesh == nullptr) return NotResident(digest);
   return mesh;
 }
@@ -327,7 +312,7 @@ bool QueryEngine::WaitIdle(std::chrono::milliseconds limit) {
 }
 
 EngineCounters QueryEngine::counters() const {
-  return {fields_.counters(), meshes_built_};
+  return {fields_.counters(), meshes_.meshes_built(), meshes_.meshes_loaded()};
 }
 
 }  // namespace geodesic::server

@@ -27,10 +27,14 @@
 #include "geodesic/solve_options.h"
 #include "server/engine/byte_budget.h"
 #include "server/engine/clock.h"
+#include "server/engine/durable_store.h"
 #include "server/engine/executor.h"
 #include "server/engine/field_engine.h"
 #include "server/engine/limits.h"
 #include "server/engine/matrix.h"
+#include "server/engine/mesh_description.h"
+#include "server/engine/mesh_library.h"
+#include "server/engine/mesh_loads.h"
 #include "server/engine/mesh_store.h"
 #include "server/engine/mesh_upload.h"
 #include "server/engine/row_pipeline.h"
@@ -39,10 +43,6 @@
 
 namespace geodesic::server {
 
-struct UploadResult {
-  MeshHandle mesh;
-  bool already_resident = false;
-};
 using UploadCallback = std::function<void(const absl::StatusOr<UploadResult>&)>;
 
 struct MissingMeshes {
@@ -56,7 +56,7 @@ struct MissingMeshes {
 };
 
 struct MeshPage {
-  std::vector<MeshHandle> meshes;
+  std::vector<MeshDescription> meshes;
   // Empty on the last page.
   std::string next_token;
 };
@@ -93,6 +93,7 @@ struct MatrixCall {
 // How often things have happened since the start.
 struct EngineCounters : FieldCounters {
   uint64_t meshes_built = 0;
+  uint64_t meshes_loaded = 0;  // from disk
 };
 
 // Thread-safe. No call waits for a job. No exception leaves a job: bad_alloc
@@ -108,6 +109,10 @@ class QueryEngine {
   // REQUIRES: the executor runs what it has been given.
   ~QueryEngine();
 
+  // From now on meshes and fields are kept in `durable`, too. Call before all
+  // else.
+  void Attach(std::unique_ptr<DurableStore> durable);
+
   const Limits& limits() const { return limits_; }
 
   // Errors: INVALID_ARGUMENT naming a malformed digest, or the number of items
@@ -119,9 +124,10 @@ class QueryEngine {
   // Errors: as MeshUpload::Start; UNAVAILABLE while shutting down.
   absl::StatusOr<std::unique_ptr<MeshUpload>> StartUpload(UploadHeader header);
 
-  // Parses and builds the mesh in a job and calls `done` from there, once,
-  // unless the job is cancelled before it starts. Calls it at once, from here,
-  // when the file is known.
+  // Parses, builds and keeps the mesh in a job and calls `done` from there,
+  // once, unless the job is cancelled before it starts; with a durable store,
+  // when the mesh is on the disk. Calls it at once, from here, when the file is
+  // known.
   // Errors, here or in `done`: INVALID_ARGUMENT (bytes missing; a malformed
   // file; a refused mesh; another digest than expected); RESOURCE_EXHAUSTED;
   // UNAVAILABLE.
@@ -131,16 +137,33 @@ class QueryEngine {
   // Drops an upload's job that waits for a thread.
   void CancelUpload(Scheduler::JobId job);
 
+  // A mesh in memory, which the questions below need.
   // Errors: INVALID_ARGUMENT: malformed digest; NOT_FOUND: not resident.
   absl::StatusOr<MeshHandle> GetMesh(const std::string& digest);
+
+  // A mesh in memory or on disk.
+  // Errors: INVALID_ARGUMENT: malformed digest; NOT_FOUND: in neither.
+  absl::StatusOr<MeshDescription> DescribeMesh(const std::string& digest);
+
+  // Whether the mesh is on disk though not in memory, so that AwaitMesh helps.
+  bool CanLoadMesh(const std::string& digest);
+
+  // Brings a mesh into memory and calls `done` with it; see MeshLibrary::Await.
+  absl::StatusOr<std::optional<MeshLoads::Seat>> AwaitMesh(
+      const std::string& digest, MeshCallback done);
+  void LeaveMesh(const MeshLoads::Seat& seat) { meshes_.Leave(seat); }
 
   // `page_size` 0 means 100, above 1000 is taken as 1000.
   // Errors: INVALID_ARGUMENT: negative size or malformed token.
   absl::StatusOr<MeshPage> ListMeshes(int page_size, const std::string& token);
 
   // Drops the mesh and the fields computed on it; running jobs are left alone.
-  // Errors: as GetMesh.
-  absl::Status DeleteMesh(const std::string& digest);
+  // With a durable store, in a job, and `done` hears when the mesh is gone from
+  // the disk; otherwise at once.
+  // Errors, here or in `done`: as DescribeMesh; RESOURCE_EXHAUSTED (the queue
+  // is full); UNAVAILABLE (shutting down; the disk cannot be written).
+  absl::Status DeleteMesh(const std::string& digest,
+                          std::function<void(const absl::Status&)> done);
 
   // Starts, joins, continues or finds the computation of a field.
   // Errors: INVALID_ARGUMENT, NOT_FOUND, RESOURCE_EXHAUSTED (more than a limit;
@@ -172,16 +195,13 @@ class QueryEngine {
   bool WaitIdle(std::chrono::milliseconds limit);
 
   EngineCounters counters() const;
-  const MeshStore& meshes() const { return meshes_; }
+  const MeshStore& meshes() const { return meshes_.store(); }
+  const MeshLoads& loads() const { return meshes_.loads(); }
   const FieldEngine& fields() const { return fields_; }
   const Scheduler& scheduler() const { return scheduler_; }
 
  private:
-  // The mesh of a file that was uploaded before, if it still is resident and
-  // is the expected one.
-  MeshHandle FindUploaded(const MeshUpload& upload);
-  void RememberFile(const MeshUpload& upload, const std::string& digest);
-  absl::StatusOr<UploadResult> BuildMesh(MeshUpload& upload);
+  absl::Status EraseMesh(const std::string& digest);
   // Counts against the limits.
   absl::Status CheckQuery(const Query& query) const;
   // The mesh that a request names as mesh_digest.
@@ -192,12 +212,12 @@ class QueryEngine {
   const StartFunction start_;
   const std::shared_ptr<ByteBudget> upload_memory_;
   const std::shared_ptr<ByteBudget> solver_memory_;
-  MeshStore meshes_;
+  std::unique_ptr<DurableStore> durable_;  // may be null
+  MeshLibrary meshes_;
   FieldEngine fields_;
   SoloJobs solo_jobs_;
 
   std::atomic<bool> draining_ = false;
-  std::atomic<uint64_t> meshes_built_ = 0;
 
   // Last, so that no job is left when the others go.
   Scheduler scheduler_;

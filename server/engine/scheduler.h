@@ -23,7 +23,8 @@ namespace geodesic::server {
 enum class JobPriority {
   kBuild,  // of meshes: short, and queries wait for them
   kSolve,
-  kRow,  // one of many that a single request needs
+  kRow,    // one of many that a single request needs
+  kStore,  // keeps on disk what would otherwise be computed again
 };
 
 // Exactly one of the two is called, once, unless the job is cancelled while it

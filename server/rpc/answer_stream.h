@@ -6,6 +6,9 @@
 // different threads, so everything happens under one lock. Two parties hold the
 // object, gRPC until OnDone and the engine as long as it may call; the last to
 // let go destroys it.
+//
+// When the mesh is on disk and not in memory, the stream waits for it and asks
+// again.
 
 #ifndef GEODESIC_SERVER_RPC_ANSWER_STREAM_H_
 #define GEODESIC_SERVER_RPC_ANSWER_STREAM_H_
@@ -16,11 +19,13 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "server/engine/query_engine.h"
 #include "server/rpc/request_log.h"
 #include "server/rpc/status_translation.h"
 
@@ -52,14 +57,18 @@ class AnswerStream
   }
 
   void OnCancel() final {
+    std::optional<MeshLoads::Seat> seat;
+    bool begun = false;
     {
       std::lock_guard lock(mutex_);
       cancelled_ = true;
-      End(absl::CancelledError("the call was cancelled or its deadline came"));
-      if (!begun_) return;  // Begin sees to it.
+      if (!asking_) EndCancelled();
+      seat = std::exchange(seat_, {});
+      begun = begun_;
     }
     // Without the lock, for the engine has its own.
-    Cancel();
+    if (seat) engine_.LeaveMesh(*seat);
+    if (begun) Cancel();
   }
 
   void OnDone() final {
@@ -71,12 +80,17 @@ class AnswerStream
   }
 
  protected:
-  AnswerStream(RequestLog& log, std::string_view method) : log_(log) {
+  // REQUIRES: `engine` and `log` outlive the call.
+  AnswerStream(QueryEngine& engine, RequestLog& log, std::string_view method,
+               const std::string& mesh_digest)
+      : engine_(engine), log_(log), mesh_digest_(mesh_digest) {
     entry_.emplace(log, method);
+    entry_->set_subject(DigestPrefix(mesh_digest));
   }
 
-  // Asks the engine, which may call back at once; called once, without the
-  // lock.
+  // Asks the engine, which may call back at once; called without the lock, and
+  // once more after it failed with NOT_FOUND and the mesh came from the disk.
+  // The request is there while it is called, though the client be gone.
   virtual absl::Status Ask() = 0;
 
   // The caller waits no longer; called once at most, after Ask succeeded and
@@ -95,6 +109,7 @@ class AnswerStream
   }
 
   RequestLog::Entry& entry() { return *entry_; }
+  QueryEngine& engine() { return engine_; }
 
   // Starts `stream`, which keeps itself alive until gRPC is done with it.
   template <typename Stream>
@@ -107,17 +122,63 @@ class AnswerStream
  private:
   void Begin() {
     absl::Status status = log_.CheckRoom();
-    const bool asked = status.ok();
-    if (asked) status = Ask();
+    if (status.ok()) status = Ask();
+    if (absl::IsNotFound(status) && engine_.CanLoadMesh(mesh_digest_)) {
+      AwaitMesh();
+    } else {
+      GoOn(std::move(status));
+    }
+  }
+
+  void AwaitMesh() {
+    {
+      std::lock_guard lock(mutex_);
+      asking_ = false;
+      if (cancelled_) {
+        EndCancelled();
+        return;
+      }
+    }
+    absl::StatusOr<std::optional<MeshLoads::Seat>> seat = engine_.AwaitMesh(
+        mesh_digest_,
+        [self = this->shared_from_this()](
+            const absl::StatusOr<MeshHandle>& mesh) { self->OnMesh(mesh); });
+    {
+      std::lock_guard lock(mutex_);
+      if (!seat.ok()) End(seat.status());
+      if (!seat.ok() || !seat->has_value()) return;
+      if (!finished_) {
+        seat_ = **seat;
+        return;
+      }
+    }
+    engine_.LeaveMesh(**seat);
+  }
+
+  // `mesh` keeps it in memory until the engine has been asked.
+  void OnMesh(const absl::StatusOr<MeshHandle>& mesh) {
+    {
+      std::lock_guard lock(mutex_);
+      // After Finish the request may be gone.
+      if (finished_) return;
+      asking_ = true;
+    }
+    GoOn(mesh.ok() ? Ask() : mesh.status());
+  }
+
+  // `status`: of Ask.
+  void GoOn(absl::Status status) {
     bool cancel = false;
     {
       std::lock_guard lock(mutex_);
+      asking_ = false;
       if (!status.ok()) {
         End(std::move(status));
         return;
       }
       begun_ = true;
       cancel = cancelled_;
+      if (cancelled_) EndCancelled();
       Advance();
     }
     if (cancel) Cancel();
@@ -140,6 +201,10 @@ class AnswerStream
     }
   }
 
+  void EndCancelled() {
+    End(absl::CancelledError("the call was cancelled or its deadline came"));
+  }
+
   void End(absl::Status status) {
     if (finished_) return;
     finished_ = true;
@@ -147,13 +212,17 @@ class AnswerStream
     entry_->set_status(std::move(status));
   }
 
+  QueryEngine& engine_;
   const RequestLog& log_;
+  const std::string mesh_digest_;
 
   std::mutex mutex_;
   // Guarded by mutex_:
   std::shared_ptr<AnswerStream> self_;  // what gRPC holds
   std::optional<RequestLog::Entry> entry_;
-  bool begun_ = false;  // Ask succeeded
+  bool asking_ = true;                   // Ask runs, or is about to
+  bool begun_ = false;                   // it succeeded
+  std::optional<MeshLoads::Seat> seat_;  // while the mesh is being loaded
   bool cancelled_ = false;
   bool writing_ = false;   // a message is on its way
   bool finished_ = false;  // Finish was called

@@ -42,6 +42,8 @@ CapabilitiesService::CapabilitiesService(const Limits& limits,
   published.set_max_matrix_rows(limits.max_matrix_rows);
   published.set_max_matrix_values(limits.max_matrix_values);
   published.set_computation_store_bytes(limits.computation_store_bytes);
+  published.set_mesh_disk_bytes(limits.mesh_disk_bytes);
+  published.set_field_disk_bytes(limits.field_disk_bytes);
 }
 
 grpc::ServerUnaryReactor* CapabilitiesService::GetCapabilities(

@@ -27,24 +27,21 @@ FieldStream::FieldStream(QueryEngine& engine, RequestLog& log,
                          const std::string& version,
                          const grpc::CallbackServerContext& context,
                          const v1::ComputeFieldRequest& request)
-    : AnswerStream(log, "ComputeField"),
-      engine_(engine),
+    : AnswerStream(engine, log, "ComputeField", request.mesh_digest()),
       version_(version),
       context_(context),
-      request_(request) {
-  entry().set_subject(DigestPrefix(request.mesh_digest()));
-}
+      request_(request) {}
 
 absl::Status FieldStream::Ask() {
   const absl::StatusOr<v1::ValueType> value_type =
       ResolveValueType(request_.value_type());
   if (!value_type.ok()) return value_type.status();
   value_type_ = *value_type;
-  absl::StatusOr<FieldRequest> query = FromProto(request_, engine_.limits());
+  absl::StatusOr<FieldRequest> query = FromProto(request_, engine().limits());
   if (!query.ok()) return query.status();
   query->deadline = CallDeadline(context_);
   extras_ = query->extras;
-  absl::StatusOr<FieldCall> call = engine_.ComputeField(
+  absl::StatusOr<FieldCall> call = engine().ComputeField(
       *query, std::static_pointer_cast<FieldStream>(shared_from_this()));
   if (!call.ok()) return call.status();
   call_ = *std::move(call);
@@ -52,7 +49,7 @@ absl::Status FieldStream::Ask() {
   return absl::OkStatus();
 }
 
-void FieldStream::Cancel() { engine_.Cancel(call_); }
+void FieldStream::Cancel() { engine().Cancel(call_); }
 
 void FieldStream::OnProgress(const Progress& progress) {
   Update([&] {

@@ -51,7 +51,6 @@ class FieldStream final : public AnswerStream<v1::ComputeFieldResponse>,
   void FillAccepted(v1::FieldAccepted& accepted) const;
   void FillTrailer(v1::FieldTrailer& trailer) const;
 
-  QueryEngine& engine_;
   const std::string& version_;
   const grpc::CallbackServerContext& context_;
   const v1::ComputeFieldRequest& request_;

@@ -51,22 +51,20 @@ IsolineStream::IsolineStream(QueryEngine& engine, RequestLog& log,
                              const std::string& version,
                              const grpc::CallbackServerContext& context,
                              const v1::ComputeIsolinesRequest& request)
-    : QuestionStream(log, "ComputeIsolines", version),
-      engine_(engine),
+    : QuestionStream(engine, log, "ComputeIsolines", request.mesh_digest(),
+                     version),
       context_(context),
-      request_(request) {
-  entry().set_subject(DigestPrefix(request.mesh_digest()));
-}
+      request_(request) {}
 
 absl::Status IsolineStream::Ask() {
-  absl::Status status = CheckLevels(request_.levels(), engine_.limits());
+  absl::Status status = CheckLevels(request_.levels(), engine().limits());
   if (!status.ok()) return status;
   QuestionRequest question{.mesh_digest = request_.mesh_digest(),
                            .deadline = CallDeadline(context_)};
   const absl::StatusOr<Algorithm> algorithm = FromProto(request_.algorithm());
   if (!algorithm.ok()) return algorithm.status();
   question.query.algorithm = *algorithm;
-  status = AddSources(request_.sources(), engine_.limits(), question.query,
+  status = AddSources(request_.sources(), engine().limits(), question.query,
                       question.numbers);
   if (!status.ok()) return status;
   question.work = [isolines = isolines_,
@@ -81,7 +79,7 @@ absl::Status IsolineStream::Ask() {
     *isolines = *std::move(found);
     return memory.GrowTo(BytesOf(*isolines));
   };
-  absl::StatusOr<QuestionCall> call = engine_.StartQuestion(
+  absl::StatusOr<QuestionCall> call = engine().StartQuestion(
       std::move(question),
       std::static_pointer_cast<IsolineStream>(shared_from_this()));
   if (!call.ok()) return call.status();
@@ -90,7 +88,7 @@ absl::Status IsolineStream::Ask() {
   return absl::OkStatus();
 }
 
-void IsolineStream::Cancel() { engine_.Cancel(call_); }
+void IsolineStream::Cancel() { engine().Cancel(call_); }
 
 void IsolineStream::OnProgress(const Progress& progress) {
   SetProgress(progress);

@@ -45,7 +45,6 @@ class IsolineStream final : public QuestionStream<v1::ComputeIsolinesResponse>,
   absl::StatusOr<bool> FillPart(v1::ComputeIsolinesResponse& message) override;
   uint64_t item_count() const override;
 
-  QueryEngine& engine_;
   const grpc::CallbackServerContext& context_;
   const v1::ComputeIsolinesRequest& request_;
 

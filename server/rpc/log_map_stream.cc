@@ -29,12 +29,10 @@ LogMapStream::LogMapStream(QueryEngine& engine, RequestLog& log,
                            const std::string& version,
                            const grpc::CallbackServerContext& context,
                            const v1::ComputeLogMapRequest& request)
-    : QuestionStream(log, "ComputeLogMap", version),
-      engine_(engine),
+    : QuestionStream(engine, log, "ComputeLogMap", request.mesh_digest(),
+                     version),
       context_(context),
-      request_(request) {
-  entry().set_subject(DigestPrefix(request.mesh_digest()));
-}
+      request_(request) {}
 
 absl::Status LogMapStream::Ask() {
   const absl::StatusOr<v1::ValueType> value_type =
@@ -54,7 +52,7 @@ absl::Status LogMapStream::Ask() {
   if (request_.has_max_distance()) {
     query.reach.radius = request_.max_distance();
   }
-  absl::StatusOr<FieldCall> call = engine_.ComputeField(
+  absl::StatusOr<FieldCall> call = engine().ComputeField(
       query, std::static_pointer_cast<LogMapStream>(shared_from_this()));
   if (!call.ok()) return call.status();
   call_ = *std::move(call);
@@ -62,7 +60,7 @@ absl::Status LogMapStream::Ask() {
   return absl::OkStatus();
 }
 
-void LogMapStream::Cancel() { engine_.Cancel(call_); }
+void LogMapStream::Cancel() { engine().Cancel(call_); }
 
 void LogMapStream::OnProgress(const Progress& progress) {
   SetProgress(progress);

@@ -43,7 +43,6 @@ class LogMapStream final : public QuestionStream<v1::ComputeLogMapResponse>,
   absl::StatusOr<bool> FillPart(v1::ComputeLogMapResponse& message) override;
   uint64_t item_count() const override;
 
-  QueryEngine& engine_;
   const grpc::CallbackServerContext& context_;
   const v1::ComputeLogMapRequest& request_;
 

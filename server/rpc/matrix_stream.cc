@@ -24,11 +24,9 @@ MatrixStream::MatrixStream(QueryEngine& engine, RequestLog& log,
                            const std::string& version,
                            const grpc::CallbackServerContext& context,
                            const v1::ComputeMatrixRequest& request)
-    : RowStream(engine, log, "ComputeMatrix", version),
+    : RowStream(engine, log, "ComputeMatrix", request.mesh_digest(), version),
       context_(context),
-      request_(request) {
-  entry().set_subject(DigestPrefix(request.mesh_digest()));
-}
+      request_(request) {}
 
 absl::StatusOr<MatrixStream::Question> MatrixStream::Translate(
     const Limits& limits) const {

@@ -1,5 +1,6 @@
 #include "server/rpc/mesh_service.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "absl/strings/str_cat.h"
 #include "server/rpc/mesh_stream.h"
 #include "server/rpc/mesh_translation.h"
+#include "server/rpc/status_translation.h"
 #include "server/rpc/unary_call.h"
 #include "server/rpc/upload_stream.h"
 
@@ -66,15 +68,16 @@ grpc::ServerUnaryReactor* MeshService::GetMesh(
     v1::GetMeshResponse* response) {
   return AnswerUnary(context, log_, "GetMesh", [&](RequestLog::Entry& entry) {
     entry.set_subject(DigestPrefix(request->digest()));
-    absl::StatusOr<MeshHandle> mesh = engine_.GetMesh(request->digest());
-    if (mesh.ok()) *response->mutable_mesh() = ToProto(**mesh);
+    absl::StatusOr<MeshDescription> mesh =
+        engine_.DescribeMesh(request->digest());
+    if (mesh.ok()) *response->mutable_mesh() = ToProto(*mesh);
     return mesh.status();
   });
 }
 
 grpc::ServerWriteReactor<v1::ReadMeshResponse>* MeshService::ReadMesh(
     grpc::CallbackServerContext*, const v1::ReadMeshRequest* request) {
-  return new MeshStream(engine_, log_, *request);
+  return MeshStream::Start(engine_, log_, *request);
 }
 
 grpc::ServerUnaryReactor* MeshService::ListMeshes(
@@ -85,8 +88,8 @@ grpc::ServerUnaryReactor* MeshService::ListMeshes(
         absl::StatusOr<MeshPage> page =
             engine_.ListMeshes(request->page_size(), request->page_token());
         if (!page.ok()) return page.status();
-        for (const MeshHandle& mesh : page->meshes) {
-          *response->add_meshes() = ToProto(*mesh);
+        for (const MeshDescription& mesh : page->meshes) {
+          *response->add_meshes() = ToProto(mesh);
         }
         response->set_next_page_token(std::move(page->next_token));
         return absl::OkStatus();
@@ -96,11 +99,16 @@ grpc::ServerUnaryReactor* MeshService::ListMeshes(
 grpc::ServerUnaryReactor* MeshService::DeleteMesh(
     grpc::CallbackServerContext* context, const v1::DeleteMeshRequest* request,
     v1::DeleteMeshResponse*) {
-  return AnswerUnary(context, log_, "DeleteMesh",
-                     [&](RequestLog::Entry& entry) {
-                       entry.set_subject(DigestPrefix(request->digest()));
-                       return engine_.DeleteMesh(request->digest());
-                     });
+  const auto entry = std::make_shared<RequestLog::Entry>(log_, "DeleteMesh");
+  entry->set_subject(DigestPrefix(request->digest()));
+  grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
+  const auto finish = [reactor, entry](const absl::Status& status) {
+    entry->set_status(status);
+    reactor->Finish(ToGrpcStatus(status));
+  };
+  const absl::Status status = engine_.DeleteMesh(request->digest(), finish);
+  if (!status.ok()) finish(status);
+  return reactor;
 }
 
 }  // namespace geodesic::server

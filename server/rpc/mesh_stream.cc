@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <utility>
-
-#include "server/rpc/status_translation.h"
 
 namespace geodesic::server {
 namespace {
@@ -34,68 +33,47 @@ uint64_t FillChunk(uint64_t count, uint64_t begin, Item item,
 
 }  // namespace
 
-MeshStream::MeshStream(QueryEngine& engine, RequestLog& log,
-                       const v1::ReadMeshRequest& request)
-    : entry_(log, "ReadMesh") {
-  entry_.set_subject(DigestPrefix(request.digest()));
-  if (absl::Status status = log.CheckRoom(); !status.ok()) {
-    End(std::move(status));
-    return;
-  }
-  absl::StatusOr<MeshHandle> mesh = engine.GetMesh(request.digest());
-  if (!mesh.ok()) {
-    End(mesh.status());
-    return;
-  }
-  mesh_ = *std::move(mesh);
-  v1::ReadMeshHeader& header = *message_.mutable_header();
-  header.set_digest(mesh_->digest);
-  header.set_vertex_count(mesh_->mesh->vertex_count());
-  header.set_face_count(mesh_->mesh->face_count());
-  StartWrite(&message_);
+grpc::ServerWriteReactor<v1::ReadMeshResponse>* MeshStream::Start(
+    QueryEngine& engine, RequestLog& log, const v1::ReadMeshRequest& request) {
+  return Launch(std::shared_ptr<MeshStream>(
+      new MeshStream(engine, log, request.digest())));
 }
 
-void MeshStream::OnWriteDone(bool ok) {
-  if (!ok) {
-    End(absl::CancelledError("the client is gone"));
-  } else if (next_vertex_ < mesh_->mesh->vertex_count()) {
-    WriteVertices();
-  } else if (next_face_ < mesh_->mesh->face_count()) {
-    WriteFaces();
-  } else {
-    End(absl::OkStatus());
-  }
+absl::Status MeshStream::Ask() {
+  absl::StatusOr<MeshHandle> mesh = engine().GetMesh(digest_);
+  if (mesh.ok()) mesh_ = *std::move(mesh);
+  return mesh.status();
 }
 
-void MeshStream::WriteVertices() {
-  v1::VertexChunk& chunk = *message_.mutable_vertices();
-  chunk.set_first_vertex(next_vertex_);
+absl::StatusOr<NextMessage> MeshStream::Fill(v1::ReadMeshResponse& message) {
   const Mesh& mesh = *mesh_->mesh;
-  next_vertex_ = FillChunk(
-      mesh.vertex_count(), next_vertex_,
-      [&](uint64_t v) -> const Point& { return mesh.positions()[v]; },
-      *chunk.mutable_positions());
-  entry_.add_bytes(chunk.positions().size());
-  StartWrite(&message_);
-}
-
-void MeshStream::WriteFaces() {
-  v1::FaceChunk& chunk = *message_.mutable_faces();
+  if (!std::exchange(has_header_, true)) {
+    v1::ReadMeshHeader& header = *message.mutable_header();
+    header.set_digest(mesh_->digest);
+    header.set_vertex_count(mesh.vertex_count());
+    header.set_face_count(mesh.face_count());
+    return NextMessage::kSend;
+  }
+  if (next_vertex_ < mesh.vertex_count()) {
+    v1::VertexChunk& chunk = *message.mutable_vertices();
+    chunk.set_first_vertex(next_vertex_);
+    next_vertex_ = FillChunk(
+        mesh.vertex_count(), next_vertex_,
+        [&](uint64_t v) -> const Point& { return mesh.positions()[v]; },
+        *chunk.mutable_positions());
+    entry().add_bytes(chunk.positions().size());
+    return NextMessage::kSend;
+  }
+  v1::FaceChunk& chunk = *message.mutable_faces();
   chunk.set_first_face(next_face_);
-  const Mesh& mesh = *mesh_->mesh;
   next_face_ = FillChunk(
       mesh.face_count(), next_face_,
       [&](uint64_t face) -> const Triangle& { return mesh.triangle(face); },
       *chunk.mutable_indices());
-  entry_.add_bytes(chunk.indices().size());
-  StartWrite(&message_);
-}
-
-void MeshStream::OnDone() { delete this; }
-
-void MeshStream::End(absl::Status status) {
-  Finish(ToGrpcStatus(status));
-  entry_.set_status(std::move(status));
+  entry().add_bytes(chunk.indices().size());
+  // A mesh has at least one face.
+  return next_face_ < mesh.face_count() ? NextMessage::kSend
+                                        : NextMessage::kSendLast;
 }
 
 }  // namespace geodesic::server

@@ -3,37 +3,37 @@
 #ifndef GEODESIC_SERVER_RPC_MESH_STREAM_H_
 #define GEODESIC_SERVER_RPC_MESH_STREAM_H_
 
-#include <grpcpp/support/server_callback.h>
-
 #include <cstdint>
+#include <string>
 
 #include "geodesic/v1/mesh_service.pb.h"
 #include "server/engine/query_engine.h"
+#include "server/rpc/answer_stream.h"
 #include "server/rpc/request_log.h"
 
 namespace geodesic::server {
 
-// Only gRPC calls it, and of OnWriteDone and OnCancel only the former acts, so
-// there is nothing to lock. Deletes itself when done.
-class MeshStream final : public grpc::ServerWriteReactor<v1::ReadMeshResponse> {
+class MeshStream final : public AnswerStream<v1::ReadMeshResponse> {
  public:
   // REQUIRES: `engine` and `log` outlive the call.
-  MeshStream(QueryEngine& engine, RequestLog& log,
-             const v1::ReadMeshRequest& request);
-
-  void OnWriteDone(bool ok) override;
-  void OnDone() override;
+  static grpc::ServerWriteReactor<v1::ReadMeshResponse>* Start(
+      QueryEngine& engine, RequestLog& log, const v1::ReadMeshRequest& request);
 
  private:
-  void WriteVertices();
-  void WriteFaces();
-  void End(absl::Status status);
+  MeshStream(QueryEngine& engine, RequestLog& log, const std::string& digest)
+      : AnswerStream(engine, log, "ReadMesh", digest), digest_(digest) {}
 
-  RequestLog::Entry entry_;
+  absl::Status Ask() override;
+  void Cancel() override {}  // nothing is computed
+  absl::StatusOr<NextMessage> Fill(v1::ReadMeshResponse& message) override;
+
+  const std::string digest_;
   MeshHandle mesh_;
+
+  // Guarded by the stream's lock:
+  bool has_header_ = false;
   uint64_t next_vertex_ = 0;
   uint64_t next_face_ = 0;
-  v1::ReadMeshResponse message_;
 };
 
 }  // namespace geodesic::server

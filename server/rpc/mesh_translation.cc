@@ -32,7 +32,7 @@ v1::MeshFormat ToProto(UploadFormat format) {
 
 }  // namespace
 
-v1::Mesh ToProto(const ResidentMesh& mesh) {
+v1::Mesh ToProto(const MeshDescription& mesh) {
   const MeshSummary& summary = mesh.summary;
   v1::Mesh proto;
   proto.set_digest(mesh.digest);
@@ -50,7 +50,8 @@ v1::Mesh ToProto(const ResidentMesh& mesh) {
   SetPoint(summary.bounding_box_max, *proto.mutable_bounding_box_max());
   proto.set_mean_edge_length(summary.mean_edge_length);
   proto.set_anisotropy(summary.anisotropy);
-  proto.set_resident_bytes(mesh.mesh->resident_bytes());
+  proto.set_resident_bytes(mesh.resident_bytes);
+  proto.set_stored_bytes(mesh.stored_bytes);
   proto.set_non_manifold_edge_count(summary.non_manifold_edges);
   proto.set_non_manifold_vertex_count(summary.non_manifold_vertices);
   proto.set_inconsistent_edge_count(summary.inconsistent_edges);

@@ -6,12 +6,12 @@
 #include "absl/status/statusor.h"
 #include "geodesic/v1/mesh.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
-#include "server/engine/mesh_store.h"
+#include "server/engine/mesh_description.h"
 #include "server/engine/upload_header.h"
 
 namespace geodesic::server {
 
-v1::Mesh ToProto(const ResidentMesh& mesh);
+v1::Mesh ToProto(const MeshDescription& mesh);
 v1::FileDigest ToProto(const FileKey& file);
 
 // Errors of these: INVALID_ARGUMENT naming `field`, the path of the value in

@@ -22,11 +22,9 @@ NearestStream::NearestStream(QueryEngine& engine, RequestLog& log,
                              const std::string& version,
                              const grpc::CallbackServerContext& context,
                              const v1::FindNearestRequest& request)
-    : RowStream(engine, log, "FindNearest", version),
+    : RowStream(engine, log, "FindNearest", request.mesh_digest(), version),
       context_(context),
-      request_(request) {
-  entry().set_subject(DigestPrefix(request.mesh_digest()));
-}
+      request_(request) {}
 
 absl::StatusOr<NearestStream::Question> NearestStream::Translate(
     const Limits& limits) const {

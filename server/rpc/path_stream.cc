@@ -24,12 +24,10 @@ PathStream::PathStream(QueryEngine& engine, RequestLog& log,
                        const std::string& version,
                        const grpc::CallbackServerContext& context,
                        const v1::ComputePathsRequest& request)
-    : QuestionStream(log, "ComputePaths", version),
-      engine_(engine),
+    : QuestionStream(engine, log, "ComputePaths", request.mesh_digest(),
+                     version),
       context_(context),
-      request_(request) {
-  entry().set_subject(DigestPrefix(request.mesh_digest()));
-}
+      request_(request) {}
 
 absl::Status PathStream::Ask() {
   FieldRequest query{.mesh_digest = request_.mesh_digest(),
@@ -38,11 +36,11 @@ absl::Status PathStream::Ask() {
   absl::StatusOr<Algorithm> algorithm = FromProto(request_.algorithm());
   if (!algorithm.ok()) return algorithm.status();
   query.query.algorithm = *algorithm;
-  absl::Status status = AddSources(request_.sources(), engine_.limits(),
+  absl::Status status = AddSources(request_.sources(), engine().limits(),
                                    query.query, query.numbers);
   if (!status.ok()) return status;
   absl::StatusOr<std::vector<SurfacePoint>> targets =
-      TargetsFromProto(request_.targets(), engine_.limits());
+      TargetsFromProto(request_.targets(), engine().limits());
   if (!targets.ok()) return targets.status();
   if (targets->empty()) {
     return InvalidField("targets", "targets is empty: name at least one");
@@ -52,7 +50,7 @@ absl::Status PathStream::Ask() {
   if (request_.has_max_distance()) {
     query.reach.radius = request_.max_distance();
   }
-  absl::StatusOr<FieldCall> call = engine_.ComputeField(
+  absl::StatusOr<FieldCall> call = engine().ComputeField(
       query, std::static_pointer_cast<PathStream>(shared_from_this()));
   if (!call.ok()) return call.status();
   call_ = *std::move(call);
@@ -60,7 +58,7 @@ absl::Status PathStream::Ask() {
   return absl::OkStatus();
 }
 
-void PathStream::Cancel() { engine_.Cancel(call_); }
+void PathStream::Cancel() { engine().Cancel(call_); }
 
 void PathStream::OnProgress(const Progress& progress) { SetProgress(progress); }
 

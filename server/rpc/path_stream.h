@@ -46,7 +46,6 @@ class PathStream final : public QuestionStream<v1::ComputePathsResponse>,
   // Traces the path to the next target. O(edges crossed).
   absl::StatusOr<GeodesicPath> TraceNext();
 
-  QueryEngine& engine_;
   const grpc::CallbackServerContext& context_;
   const v1::ComputePathsRequest& request_;
 

@@ -31,10 +31,11 @@ struct AnswerCost {
 template <typename Response>
 class QuestionStream : public AnswerStream<Response> {
  protected:
-  // REQUIRES: `version` outlives the call.
-  QuestionStream(RequestLog& log, std::string_view method,
-                 const std::string& version)
-      : AnswerStream<Response>(log, method), version_(version) {}
+  // REQUIRES: `engine` and `version` outlive the call.
+  QuestionStream(QueryEngine& engine, RequestLog& log, std::string_view method,
+                 const std::string& mesh_digest, const std::string& version)
+      : AnswerStream<Response>(engine, log, method, mesh_digest),
+        version_(version) {}
 
   // Fills the next part of the answer; false when there is none left. Under the
   // stream's lock, after SetFinished.

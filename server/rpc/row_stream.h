@@ -38,9 +38,8 @@ class RowStream : public AnswerStream<Response>, public RowObserver {
  protected:
   // REQUIRES: `engine` and `version` outlive the call.
   RowStream(QueryEngine& engine, RequestLog& log, std::string_view method,
-            const std::string& version)
-      : AnswerStream<Response>(log, method),
-        engine_(engine),
+            const std::string& mesh_digest, const std::string& version)
+      : AnswerStream<Response>(engine, log, method, mesh_digest),
         version_(version) {}
 
   struct Question {
@@ -61,13 +60,13 @@ class RowStream : public AnswerStream<Response>, public RowObserver {
   static constexpr uint64_t kValuesPerChunk = 32768;
 
   absl::Status Ask() final {
-    absl::StatusOr<Question> question = Translate(engine_.limits());
+    absl::StatusOr<Question> question = Translate(this->engine().limits());
     if (!question.ok()) return question.status();
     value_type_ = question->value_type;
     const Algorithm algorithm = question->request.query.algorithm;
     is_sparse_ =
         question->request.sparse || question->request.nearest.has_value();
-    absl::StatusOr<MatrixCall> call = engine_.ComputeMatrix(
+    absl::StatusOr<MatrixCall> call = this->engine().ComputeMatrix(
         std::move(question->request),
         std::static_pointer_cast<RowStream>(this->shared_from_this()));
     if (!call.ok()) return call.status();
@@ -134,7 +133,6 @@ class RowStream : public AnswerStream<Response>, public RowObserver {
     }
   }
 
-  QueryEngine& engine_;
   const std::string& version_;
 
   // Set by Ask, then constant:

@@ -28,27 +28,25 @@ SampleStream::SampleStream(QueryEngine& engine, RequestLog& log,
                            const std::string& version,
                            const grpc::CallbackServerContext& context,
                            const v1::SampleFarthestPointsRequest& request)
-    : QuestionStream(log, "SampleFarthestPoints", version),
-      engine_(engine),
+    : QuestionStream(engine, log, "SampleFarthestPoints", request.mesh_digest(),
+                     version),
       context_(context),
-      request_(request) {
-  entry().set_subject(DigestPrefix(request.mesh_digest()));
-}
+      request_(request) {}
 
 absl::Status SampleStream::Ask() {
   const uint64_t count = request_.count();
   if (count == 0) {
     return InvalidField("count", "count is 0; it must be at least 1");
   }
-  absl::Status status =
-      CheckCount("samples", count, "max_samples", engine_.limits().max_samples);
+  absl::Status status = CheckCount("samples", count, "max_samples",
+                                   engine().limits().max_samples);
   if (!status.ok()) return status;
   QuestionRequest question{.mesh_digest = request_.mesh_digest(),
                            .deadline = CallDeadline(context_)};
   const absl::StatusOr<Algorithm> algorithm = FromProto(request_.algorithm());
   if (!algorithm.ok()) return algorithm.status();
   question.query.algorithm = *algorithm;
-  status = AddSources(request_.sources(), engine_.limits(), question.query,
+  status = AddSources(request_.sources(), engine().limits(), question.query,
                       question.numbers);
   if (!status.ok()) return status;
   question.work = [samples = samples_, count](
@@ -66,7 +64,7 @@ absl::Status SampleStream::Ask() {
     *samples = *std::move(found);
     return absl::OkStatus();
   };
-  absl::StatusOr<QuestionCall> call = engine_.StartQuestion(
+  absl::StatusOr<QuestionCall> call = engine().StartQuestion(
       std::move(question),
       std::static_pointer_cast<SampleStream>(shared_from_this()));
   if (!call.ok()) return call.status();
@@ -75,7 +73,7 @@ absl::Status SampleStream::Ask() {
   return absl::OkStatus();
 }
 
-void SampleStream::Cancel() { engine_.Cancel(call_); }
+void SampleStream::Cancel() { engine().Cancel(call_); }
 
 void SampleStream::OnProgress(const Progress& progress) {
   SetProgress(progress);

@@ -46,7 +46,6 @@ class SampleStream final
       v1::SampleFarthestPointsResponse& message) override;
   uint64_t item_count() const override;
 
-  QueryEngine& engine_;
   const grpc::CallbackServerContext& context_;
   const v1::SampleFarthestPointsRequest& request_;
 

@@ -114,8 +114,8 @@ void UploadStream::OnBuilt(const absl::StatusOr<UploadResult>& result) {
   // After Finish neither the response nor the log entry is ours.
   if (finished_) return;
   if (result.ok()) {
-    entry_->set_subject(DigestPrefix(result->mesh->digest));
-    *response_.mutable_mesh() = ToProto(*result->mesh);
+    entry_->set_subject(DigestPrefix(result->mesh.digest));
+    *response_.mutable_mesh() = ToProto(result->mesh);
     response_.set_already_resident(result->already_resident);
   }
   End(result.status());

@@ -23,6 +23,12 @@ constexpr absl::string_view kTemporaryEnding = ".tmp";
 // follows it.
 constexpr uint64_t kMaxMetadataBytes = uint64_t{256} << 20;
 
+// What a file of so many bytes takes of a disk.
+uint64_t OnDisk(uint64_t bytes) {
+  constexpr uint64_t kBlock = 4096;
+  return (bytes + kBlock - 1) / kBlock * kBlock;
+}
+
 std::string Plural(const std::string& kind) {
   return absl::StrCat(kind, absl::EndsWith(kind, "h") ? "es" : "s");
 }
@@ -54,6 +60,13 @@ absl::Status BlobBody::Read(std::span<char> bytes) {
   offset_ += bytes.size();
   bytes_left_ -= bytes.size();
   return absl::OkStatus();
+}
+
+absl::Status BlobSink::Append(std::string_view bytes) {
+  hash_.Update(bytes);
+  absl::Status status = WriteAt(file_, kBlobHeaderBytes + bytes_, bytes, path_);
+  bytes_ += bytes.size();
+  return status;
 }
 
 struct BlobStore::Found {
@@ -175,6 +188,10 @@ absl::StatusOr<BlobInfo> BlobStore::ReadInfo(int file, const std::string& name,
     return absl::DataLossError(
         absl::StrCat("the file holds the ", header.kind, " ", header.name));
   }
+  if (options_.is_named_by_content && header.body_sha256 != name) {
+    return absl::DataLossError(
+        absl::StrCat("the file has a body of digest ", header.body_sha256));
+  }
   const auto size = static_cast<uint64_t>(facts.st_size);
   if (header.metadata_bytes > kMaxMetadataBytes || header.body_bytes > size ||
       kBlobHeaderBytes + header.body_bytes + header.metadata_bytes != size) {
@@ -230,20 +247,35 @@ std::vector<std::string> BlobStore::Select(
 
 absl::Status BlobStore::Put(const std::string& name, std::string_view metadata,
                             std::span<const std::string_view> body) {
-  BlobInfo info{.name = name, .metadata = std::string(metadata)};
-  for (const std::string_view part : body) info.body_bytes += part.size();
-  info.file_bytes = kBlobHeaderBytes + info.body_bytes + metadata.size();
-  const uint64_t bytes = info.file_bytes;
+  uint64_t bytes = 0;
+  for (const std::string_view part : body) bytes += part.size();
+  return Put(name, metadata, bytes, [&](BlobSink& sink) {
+    for (const std::string_view part : body) {
+      absl::Status status = sink.Append(part);
+      if (!status.ok()) return status;
+    }
+    return absl::OkStatus();
+  });
+}
+
+absl::Status BlobStore::Put(
+    const std::string& name, std::string_view metadata, uint64_t body_bytes,
+    absl::FunctionRef<absl::Status(BlobSink& sink)> write) {
+  BlobInfo info{.name = name,
+                .metadata = std::string(metadata),
+                .body_bytes = body_bytes,
+                .file_bytes = kBlobHeaderBytes + body_bytes + metadata.size()};
+  const uint64_t bytes = OnDisk(info.file_bytes);
   if (absl::Status status = MakeRoom(bytes); !status.ok()) return status;
   bool is_reserved = true;
-  absl::StatusOr<std::string> temporary = WriteTemporary(name, metadata, body);
+  absl::StatusOr<std::string> temporary = WriteTemporary(info, write);
   absl::Status status = temporary.status();
   if (temporary.ok()) {
     status = Publish(*temporary, std::move(info), is_reserved);
   }
   if (is_reserved) {
     std::lock_guard lock(mutex_);
-    used_bytes_ -= bytes;
+    reserved_bytes_ -= bytes;
   }
   return status;
 }
@@ -260,15 +292,13 @@ absl::Status BlobStore::MakeRoom(uint64_t bytes) {
                          options_.capacity, " that the server may use for ",
                          Plural(options_.kind)));
       }
-      if (used_bytes_ + bytes <= options_.capacity) {
-        used_bytes_ += bytes;
+      if (HasRoom(bytes)) {
+        reserved_bytes_ += bytes;
         return absl::OkStatus();
       }
-      uint64_t evictable = 0;
-      for (const auto& [name, entry] : entries_) evictable += entry.file_bytes;
       // In vain nothing is evicted.
       if (recency_.empty() ||
-          (is_first && used_bytes_ - evictable + bytes > options_.capacity)) {
+          (is_first && reserved_bytes_ + bytes > options_.capacity)) {
         return absl::ResourceExhaustedError(absl::StrCat(
             bytes, " bytes of disk are needed, but of the ", options_.capacity,
             " that the server may use for ", Plural(options_.kind),
@@ -283,18 +313,19 @@ absl::Status BlobStore::MakeRoom(uint64_t bytes) {
 }
 
 absl::StatusOr<std::string> BlobStore::WriteTemporary(
-    const std::string& name, std::string_view metadata,
-    std::span<const std::string_view> body) {
+    const BlobInfo& info,
+    absl::FunctionRef<absl::Status(BlobSink& sink)> write) {
   std::string temporary;
   {
     std::lock_guard lock(names_mutex_);
-    temporary = absl::StrCat(name, ".", next_temporary_++, kTemporaryEnding);
+    temporary =
+        absl::StrCat(info.name, ".", next_temporary_++, kTemporaryEnding);
   }
   const FileDescriptor file(
       openat(folder_.get(), temporary.c_str(),
              O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
-  if (file.get() < 0) return DiskError(errno, "write", PathOf(name));
-  absl::Status status = Write(file.get(), name, metadata, body);
+  if (file.get() < 0) return DiskError(errno, "write", PathOf(info.name));
+  absl::Status status = Write(file.get(), info, write);
   if (status.ok()) return temporary;
   unlinkat(folder_.get(), temporary.c_str(), 0);
   return status;
@@ -321,33 +352,38 @@ absl::Status BlobStore::Publish(const std::string& temporary, BlobInfo info,
   // Where there was one, it is replaced, for good or only until a power cut.
   if (old != entries_.end()) Remove(old);
   is_reserved = false;
-  used_bytes_ -= info.file_bytes;
+  reserved_bytes_ -= OnDisk(info.file_bytes);
   Insert(std::move(info));
   return status;
 }
 
-absl::Status BlobStore::Write(int file, const std::string& name,
-                              std::string_view metadata,
-                              std::span<const std::string_view> body) const {
-  BlobHeader header{.kind = options_.kind,
-                    .name = name,
-                    .metadata_bytes = metadata.size(),
-                    .metadata_sha256 = Sha256Hex(metadata)};
-  Sha256 hash;
-  for (const std::string_view part : body) {
-    hash.Update(part);
-    absl::Status status =
-        WriteAt(file, kBlobHeaderBytes + header.body_bytes, part, PathOf(name));
-    if (!status.ok()) return status;
-    header.body_bytes += part.size();
+absl::Status BlobStore::Write(
+    int file, const BlobInfo& info,
+    absl::FunctionRef<absl::Status(BlobSink& sink)> write) const {
+  const std::string path = PathOf(info.name);
+  BlobSink sink(file, path);
+  if (absl::Status status = write(sink); !status.ok()) return status;
+  if (sink.bytes_ != info.body_bytes) {
+    return absl::InternalError(absl::StrCat(path, " would have a body of ",
+                                            sink.bytes_, " bytes, not ",
+                                            info.body_bytes));
   }
-  header.body_sha256 = hash.FinishHex();
-  absl::Status status = WriteAt(file, kBlobHeaderBytes + header.body_bytes,
-                                metadata, PathOf(name));
+  const BlobHeader header{.kind = options_.kind,
+                          .name = info.name,
+                          .body_bytes = info.body_bytes,
+                          .metadata_bytes = info.metadata.size(),
+                          .body_sha256 = sink.hash_.FinishHex(),
+                          .metadata_sha256 = Sha256Hex(info.metadata)};
+  if (options_.is_named_by_content && header.body_sha256 != info.name) {
+    return absl::InternalError(absl::StrCat(
+        path, " would have a body of digest ", header.body_sha256));
+  }
+  absl::Status status =
+      WriteAt(file, kBlobHeaderBytes + info.body_bytes, info.metadata, path);
   if (!status.ok()) return status;
-  status = WriteAt(file, 0, EncodeBlobHeader(header), PathOf(name));
+  status = WriteAt(file, 0, EncodeBlobHeader(header), path);
   if (!status.ok()) return status;
-  return Sync(file, PathOf(name));
+  return Sync(file, path);
 }
 
 absl::Status BlobStore::Read(
@@ -456,15 +492,20 @@ absl::Status BlobStore::Erase(const std::string& name) {
   return Sync(folder_.get(), PathOf(name));
 }
 
+bool BlobStore::HasRoom(uint64_t bytes) const {
+  return entry_bytes_ + reserved_bytes_ + bytes <= options_.capacity &&
+         entries_.size() < options_.max_count + (bytes == 0 ? 1 : 0);
+}
+
 void BlobStore::Insert(BlobInfo info) {
   const auto [it, is_new] = entries_.try_emplace(std::move(info.name));
   it->second = {std::move(info.metadata), info.body_bytes, info.file_bytes,
                 recency_.insert(recency_.end(), &it->first)};
-  used_bytes_ += info.file_bytes;
+  entry_bytes_ += OnDisk(info.file_bytes);
 }
 
 void BlobStore::Remove(Entries::iterator it) {
-  used_bytes_ -= it->second.file_bytes;
+  entry_bytes_ -= OnDisk(it->second.file_bytes);
   recency_.erase(it->second.position);
   entries_.erase(it);
 }
@@ -476,7 +517,7 @@ size_t BlobStore::size() const {
 
 uint64_t BlobStore::used_bytes() const {
   std::lock_guard lock(mutex_);
-  return used_bytes_;
+  return entry_bytes_ + reserved_bytes_;
 }
 
 }  // namespace geodesic::server

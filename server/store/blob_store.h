@@ -15,7 +15,8 @@
 //      damaged file is moved to the folder "quarantine" and reported, never
 //      deleted, and its name is free again;
 //   5. the files, those being written included, never take more than the
-//      capacity together; room is made by removing what was unused longest;
+//      capacity together, counted in blocks of 4 KiB as disks do, nor are there
+//      more than a number; room is made by removing what was unused longest;
 //   6. after an error everything is as before, and the next call tries anew: a
 //      disk that was full or read-only needs no restart.
 //
@@ -78,6 +79,22 @@ class BlobBody {
   Sha256 hash_;
 };
 
+// A body while it is written.
+class BlobSink {
+ public:
+  // Errors: as DiskError.
+  absl::Status Append(std::string_view bytes);
+
+ private:
+  friend class BlobStore;
+  BlobSink(int file, const std::string& path) : file_(file), path_(path) {}
+
+  const int file_;
+  const std::string& path_;  // for messages
+  uint64_t bytes_ = 0;
+  Sha256 hash_;
+};
+
 // Thread-safe. Put, Read and Erase wait for the disk; the others do not.
 class BlobStore {
  public:
@@ -86,6 +103,10 @@ class BlobStore {
     // are in "meshes"): at most 8 letters.
     std::string kind;
     uint64_t capacity = 0;
+    // Whether a blob's name is the digest of its body: then it must be.
+    bool is_named_by_content = false;
+    // Each takes a few hundred bytes of memory, too.
+    size_t max_count = 1'000'000;
     // Hears of each blob that is gone though nobody erased it. Called without
     // a lock, when it is gone already, and never by Open.
     std::function<void(const std::string& name)> removed;
@@ -115,12 +136,17 @@ class BlobStore {
                              std::string_view metadata)>
           predicate) const;
 
-  // Keeps a blob, whose body is the parts one after the other; in place of the
-  // one with this name, if there is one.
+  // Keeps a blob, whose body `write` appends, `body_bytes` in all; in place of
+  // the one with this name, if there is one.
   // Errors: RESOURCE_EXHAUSTED (larger than the capacity, or than what others
   // do not write at the moment; disk full), UNAVAILABLE (the disk cannot be
-  // written).
+  // written), INTERNAL (the body has not that size; the name is not its digest,
+  // but should be); those of `write`.
   // REQUIRES: IsSha256Hex(name).
+  absl::Status Put(const std::string& name, std::string_view metadata,
+                   uint64_t body_bytes,
+                   absl::FunctionRef<absl::Status(BlobSink& sink)> write);
+  // The same for a body that is the parts one after the other.
   absl::Status Put(const std::string& name, std::string_view metadata,
                    std::span<const std::string_view> body);
 
@@ -162,19 +188,20 @@ class BlobStore {
   absl::Status MakeRoom(uint64_t bytes);
   // A whole file beside the others.
   absl::StatusOr<std::string> WriteTemporary(
-      const std::string& name, std::string_view metadata,
-      std::span<const std::string_view> body);
+      const BlobInfo& info,
+      absl::FunctionRef<absl::Status(BlobSink& sink)> write);
   // Gives it its name and puts it into the index, where it counts by itself:
   // `is_reserved` is false from then on.
   absl::Status Publish(const std::string& temporary, BlobInfo info,
                        bool& is_reserved);
-  absl::Status Write(int file, const std::string& name,
-                     std::string_view metadata,
-                     std::span<const std::string_view> body) const;
+  absl::Status Write(
+      int file, const BlobInfo& info,
+      absl::FunctionRef<absl::Status(BlobSink& sink)> write) const;
   // Takes a damaged file out of the way, if it still is the one with `inode`.
   void Quarantine(const std::string& name, ino_t inode, absl::Status why);
 
   // These REQUIRE mutex_ held:
+  bool HasRoom(uint64_t bytes) const;
   void Insert(BlobInfo info);
   void Remove(Entries::iterator it);
 
@@ -195,7 +222,8 @@ class BlobStore {
   // Guarded by mutex_:
   Entries entries_;
   std::list<const std::string*> recency_;  // keys of entries_, oldest first
-  uint64_t used_bytes_ = 0;  // of entries_ and of what is being written
+  uint64_t entry_bytes_ = 0;               // of entries_
+  uint64_t reserved_bytes_ = 0;            // of what is being written
 };
 
 }  // namespace geodesic::server

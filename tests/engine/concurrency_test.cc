@@ -103,7 +103,7 @@ class EngineConcurrencyTest : public ::testing::Test {
         *std::move(upload), [&](const absl::StatusOr<UploadResult>& result) {
           std::lock_guard lock(mutex);
           EXPECT_TRUE(result.ok()) << result.status();
-          digest = result.ok() ? result->mesh->digest : "failed";
+          digest = result.ok() ? result->mesh.digest : "failed";
           changed.notify_all();
         });
     EXPECT_TRUE(job.ok()) << job.status();
@@ -162,7 +162,8 @@ TEST_F(EngineConcurrencyTest, CancelsAndDeletesLeaveNothingBehind) {
       } else if (!call->answer.has_value()) {
         EXPECT_TRUE(observer->Wait().ok());
       }
-      if (thread == 0 && i % 10 == 9) (void)engine_.DeleteMesh(digest);
+      if (thread == 0 && i % 10 == 9)
+        (void)engine_.DeleteMesh(digest, [](const absl::Status&) {});
     }
   });
   EXPECT_TRUE(engine_.WaitIdle(std::chrono::seconds(60)));
@@ -295,7 +296,7 @@ TEST_F(EngineConcurrencyTest, TheSameMeshFromEveryoneIsKeptOnce) {
   ASSERT_TRUE(page.ok());
   ASSERT_EQ(page->meshes.size(), 1);
   EXPECT_LT(engine_.meshes().used_bytes(),
-            page->meshes[0]->mesh->resident_bytes() + 1024);
+            page->meshes[0].resident_bytes + 1024);
 }
 
 }  // namespace

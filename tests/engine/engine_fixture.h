@@ -73,6 +73,15 @@ class EngineTest : public ::testing::Test {
     return Upload(ArrayHeader(soup), ArrayBytes(soup));
   }
 
+  absl::Status Delete(const std::string& digest) {
+    absl::Status result = absl::UnknownError("not told");
+    absl::Status status = engine_.DeleteMesh(
+        digest, [&](const absl::Status& told) { result = told; });
+    if (!status.ok()) return status;
+    executor_.RunAll();
+    return result;
+  }
+
   FakeClock clock_;
   ManualExecutor executor_;
   StartFunction start_ = &StartComputation;

@@ -33,7 +33,7 @@ class FieldQueryTest : public test::EngineTest {
   void SetUp() override {
     const auto uploaded = Upload(geodesic::test::Icosphere(2));
     ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-    digest_ = uploaded->mesh->digest;
+    digest_ = uploaded->mesh.digest;
     start_ = test::StartWith(solve_);
     solve_ = [this](const Mesh& mesh, const Query& query,
                     const SolveOptions& options, Checkpoint& checkpoint) {
@@ -286,20 +286,20 @@ TEST_F(FieldQueryTest, ExceptionsBecomeStatuses) {
 }
 
 TEST_F(FieldQueryTest, DeletingAMeshDropsItsFieldsOnly) {
-  const std::string other = Upload(test::Tetrahedron())->mesh->digest;
+  const std::string other = Upload(test::Tetrahedron())->mesh.digest;
   ASSERT_TRUE(Ask(0, a_).ok());
   ASSERT_TRUE(
       engine_.ComputeField({other, {.sources = {{VertexPoint{0}, 0}}}}, b_)
           .ok());
   executor_.RunAll();
   EXPECT_EQ(engine_.fields().fields().size(), 2);
-  EXPECT_TRUE(engine_.DeleteMesh(digest_).ok());
+  EXPECT_TRUE(Delete(digest_).ok());
   EXPECT_EQ(engine_.fields().fields().size(), 1);
 }
 
 TEST_F(FieldQueryTest, ADeletedMeshServesThoseWhoUseIt) {
   ASSERT_TRUE(Ask(0, a_).ok());
-  EXPECT_TRUE(engine_.DeleteMesh(digest_).ok());
+  EXPECT_TRUE(Delete(digest_).ok());
   executor_.RunAll();
   EXPECT_TRUE(a_->field->ok());
   EXPECT_TRUE(absl::IsNotFound(Ask(0, b_).status()));

@@ -33,7 +33,7 @@ class LimitedFieldTest : public test::EngineTest {
     soup_ = geodesic::test::MakeGrid({.columns = kSide, .rows = kSide});
     const auto uploaded = Upload(soup_);
     ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-    digest_ = uploaded->mesh->digest;
+    digest_ = uploaded->mesh.digest;
   }
 
   FieldRequest Request(FieldReach reach = {}) const {
@@ -234,7 +234,7 @@ TEST_F(LimitedFieldTest, WrongLimitsAreNamed) {
 TEST_F(LimitedFieldTest, DeletingAMeshDropsItsComputations) {
   Ask(Request({.radius = 5}));
   EXPECT_GT(engine_.fields().computations().used_bytes(), 0);
-  ASSERT_TRUE(engine_.DeleteMesh(digest_).ok());
+  ASSERT_TRUE(Delete(digest_).ok());
   EXPECT_EQ(engine_.fields().computations().size(), 0);
   EXPECT_EQ(engine_.fields().computations().used_bytes(), 0);
 }

@@ -33,9 +33,12 @@ TEST_F(MeshEngineTest, AnUploadBecomesResident) {
   const auto uploaded = Upload(soup);
   ASSERT_TRUE(uploaded.ok()) << uploaded.status();
   EXPECT_FALSE(uploaded->already_resident);
-  EXPECT_EQ(uploaded->mesh->digest, MeshDigest(soup.positions, soup.triangles));
-  EXPECT_EQ(uploaded->mesh->summary.faces, 80);
-  EXPECT_EQ(*engine_.GetMesh(uploaded->mesh->digest), uploaded->mesh);
+  EXPECT_EQ(uploaded->mesh.digest, MeshDigest(soup.positions, soup.triangles));
+  EXPECT_EQ(uploaded->mesh.summary.faces, 80);
+  EXPECT_EQ((*engine_.GetMesh(uploaded->mesh.digest))->digest,
+            uploaded->mesh.digest);
+  EXPECT_GT(uploaded->mesh.resident_bytes, 0);
+  EXPECT_EQ(uploaded->mesh.stored_bytes, 0);
 }
 
 TEST_F(MeshEngineTest, BuildingHappensInAJob) {
@@ -58,7 +61,7 @@ TEST_F(MeshEngineTest, TheSameMeshInAnotherFormatIsTheSameMesh) {
   const auto off = Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff);
   ASSERT_TRUE(off.ok()) << off.status();
   EXPECT_TRUE(off->already_resident);
-  EXPECT_EQ(off->mesh, arrays->mesh);
+  EXPECT_EQ(off->mesh.digest, arrays->mesh.digest);
   EXPECT_EQ(engine_.counters().meshes_built, 1);
 }
 
@@ -134,7 +137,7 @@ TEST_F(MeshEngineTest, ACancelledUploadIsNotBuilt) {
 }
 
 TEST_F(MeshEngineTest, FindMissingTellsWhatToUpload) {
-  const std::string digest = Upload(test::Tetrahedron())->mesh->digest;
+  const std::string digest = Upload(test::Tetrahedron())->mesh.digest;
   ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
   const FileKey known = {UploadFormat::kOff, Sha256Of(test::kTetrahedronOff)};
   const FileKey unknown = {UploadFormat::kOff, Sha256Of("something else")};
@@ -174,7 +177,7 @@ TEST_F(MeshEngineTest, ListsInPages) {
   for (uint32_t columns = 1; columns <= 5; ++columns) {
     digests.push_back(
         Upload(geodesic::test::MakeGrid({.columns = columns, .rows = 1}))
-            ->mesh->digest);
+            ->mesh.digest);
   }
   std::sort(digests.begin(), digests.end());
 
@@ -184,7 +187,9 @@ TEST_F(MeshEngineTest, ListsInPages) {
   do {
     const auto page = engine_.ListMeshes(2, token);
     ASSERT_TRUE(page.ok());
-    for (const MeshHandle& mesh : page->meshes) listed.push_back(mesh->digest);
+    for (const MeshDescription& mesh : page->meshes) {
+      listed.push_back(mesh.digest);
+    }
     token = page->next_token;
     ++pages;
   } while (!token.empty());
@@ -200,9 +205,9 @@ TEST_F(MeshEngineTest, ListChecksItsArguments) {
 }
 
 TEST_F(MeshEngineTest, DeleteForgetsTheMesh) {
-  const std::string digest = Upload(test::Tetrahedron())->mesh->digest;
-  EXPECT_TRUE(engine_.DeleteMesh(digest).ok());
-  EXPECT_TRUE(absl::IsNotFound(engine_.DeleteMesh(digest)));
+  const std::string digest = Upload(test::Tetrahedron())->mesh.digest;
+  EXPECT_TRUE(Delete(digest).ok());
+  EXPECT_TRUE(absl::IsNotFound(Delete(digest)));
   EXPECT_TRUE(absl::IsNotFound(engine_.GetMesh(digest).status()));
   EXPECT_EQ(engine_.meshes().used_bytes(), 0);
 }
@@ -227,7 +232,7 @@ class TinyStoreTest : public test::EngineTest {
 TEST_F(TinyStoreTest, OldMeshesMakeWay) {
   const std::string first =
       Upload(geodesic::test::MakeGrid({.columns = 12, .rows = 12}))
-          ->mesh->digest;
+          ->mesh.digest;
   const auto second =
       Upload(geodesic::test::MakeGrid({.columns = 13, .rows = 12}));
   ASSERT_TRUE(second.ok()) << second.status();
@@ -238,6 +243,8 @@ TEST_F(TinyStoreTest, MeshesInUseDoNot) {
   const auto first =
       Upload(geodesic::test::MakeGrid({.columns = 12, .rows = 12}));
   ASSERT_TRUE(first.ok());
+  const auto pinned = engine_.GetMesh(first->mesh.digest);
+  ASSERT_TRUE(pinned.ok());
   const absl::Status status =
       Upload(geodesic::test::MakeGrid({.columns = 13, .rows = 12})).status();
   EXPECT_TRUE(absl::IsResourceExhausted(status));

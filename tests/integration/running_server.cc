@@ -35,7 +35,8 @@ std::string ReadLine(int pipe, pid_t server) {
 }  // namespace
 
 RunningServer::RunningServer(const TemporaryFolder& folder,
-                             const std::vector<std::string>& flags) {
+                             const std::vector<std::string>& flags,
+                             const std::string& program) {
   // A named pipe as the port file: reading it waits for the server.
   const std::string port_file = folder / "port";
   if (mkfifo(port_file.c_str(), 0600) != 0) {
@@ -43,8 +44,8 @@ RunningServer::RunningServer(const TemporaryFolder& folder,
   }
   // Open for writing too, so that it never looks ended before it has begun.
   const int pipe = open(port_file.c_str(), O_RDWR | O_CLOEXEC);
-  std::vector<std::string> arguments = {
-      GEODESICD_BINARY, "--listen", "127.0.0.1:0", "--port-file", port_file};
+  std::vector<std::string> arguments = {program, "--listen", "127.0.0.1:0",
+                                        "--port-file", port_file};
   arguments.insert(arguments.end(), flags.begin(), flags.end());
   process_.emplace(arguments, folder / "server.log");
   address_ = "127.0.0.1:" + ReadLine(pipe, process_->id());
@@ -53,6 +54,11 @@ RunningServer::RunningServer(const TemporaryFolder& folder,
 }
 
 void RunningServer::Terminate() const { process_->Signal(SIGTERM); }
+
+void RunningServer::Kill() {
+  process_->Signal(SIGKILL);
+  process_->Wait();
+}
 
 std::vector<std::string> IntegrationTest::CommandLine(
     const std::vector<std::string>& arguments) const {

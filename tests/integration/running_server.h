@@ -17,15 +17,21 @@ namespace geodesic::client {
 
 class RunningServer {
  public:
-  // Starts it on a free loopback port and waits until it serves.
+  // Starts it on a free loopback port and waits until it serves. Its log is
+  // added to server.log in the folder.
+  // Errors: throws std::runtime_error if it ends first, or takes a minute.
   explicit RunningServer(const TemporaryFolder& folder,
-                         const std::vector<std::string>& flags = {});
+                         const std::vector<std::string>& flags = {},
+                         const std::string& program = GEODESICD_BINARY);
 
   // "127.0.0.1:PORT".
   const std::string& address() const { return address_; }
 
   // Asks it to stop.
   void Terminate() const;
+
+  // Ends it at once, as the kernel does with those that take too much memory.
+  void Kill();
 
   // Its exit code, once it has ended.
   int Wait() { return process_->Wait().exit_code; }

@@ -78,6 +78,18 @@ TEST_F(OptionsTest, Flags) {
   EXPECT_EQ(result.options.log_level, "warn");
 }
 
+TEST_F(OptionsTest, DiskIsUsedOnlyIfAFolderIsNamed) {
+  const CommandLine without = Parse({"--mesh-disk", "1GiB"});
+  EXPECT_EQ(without.options.data_dir, "");
+  EXPECT_EQ(without.options.limits.mesh_disk_bytes, 0);
+  EXPECT_EQ(without.options.limits.field_disk_bytes, 0);
+  const CommandLine with =
+      Parse({"--data-dir", "/some/where", "--field-disk", "1GiB"});
+  EXPECT_EQ(with.options.data_dir, "/some/where");
+  EXPECT_GT(with.options.limits.mesh_disk_bytes, 0);
+  EXPECT_EQ(with.options.limits.field_disk_bytes, uint64_t{1} << 30);
+}
+
 TEST_F(OptionsTest, FlagsWinOverVariablesAndThoseOverTheFile) {
   WriteConfig("threads = 5\nmax-faces = 50\nfield-cache = \"7KiB\"\n");
   SetVariable("GEODESICD_THREADS", "6");
@@ -97,12 +109,17 @@ TEST_F(OptionsTest, TheFileMayComeFromTheEnvironment) {
 
 TEST_F(OptionsTest, HelpExplainsEveryFlag) {
   EXPECT_EQ(Parse({"--help"}).exit_code, 0);
-  for (const char* flag :
-       {"--listen", "--port-file", "--max-requests", "--max-message-bytes",
-        "--threads", "--max-queued-jobs", "--max-sources", "--mesh-store",
-        "--field-cache", "--upload-memory", "--solver-memory",
-        "--max-upload-bytes", "--max-vertices", "--max-faces",
-        "--drain-seconds", "--log-level", "--config", "--version"}) {
+  for (const char* flag : {"--listen",        "--port-file",
+                           "--max-requests",  "--max-message-bytes",
+                           "--threads",       "--max-queued-jobs",
+                           "--max-sources",   "--mesh-store",
+                           "--field-cache",   "--upload-memory",
+                           "--solver-memory", "--max-upload-bytes",
+                           "--max-vertices",  "--max-faces",
+                           "--data-dir",      "--mesh-disk",
+                           "--field-disk",    "--drain-seconds",
+                           "--log-level",     "--config",
+                           "--version"}) {
     EXPECT_THAT(out_, HasSubstr(flag));
   }
   EXPECT_THAT(out_, AllOf(HasSubstr("GEODESICD_MAX_UPLOAD_BYTES"),

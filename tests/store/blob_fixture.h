@@ -40,8 +40,9 @@ inline absl::StatusOr<std::string> Read(BlobStore& store,
 
 class BlobTest : public ::testing::Test {
  protected:
-  // What a blob takes on disk beside its body.
+  // What a blob's file has beside its body, and in what files are counted.
   static constexpr uint64_t kExtra = kBlobHeaderBytes + 8;
+  static constexpr uint64_t kBlock = 4096;
 
   // Opens the folder as the next process would.
   absl::Status Open(uint64_t capacity = uint64_t{1} << 20) {

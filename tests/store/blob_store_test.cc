@@ -39,7 +39,21 @@ TEST_F(BlobStoreTest, KeepsWhatItIsGiven) {
   EXPECT_EQ(info->metadata, "metadata");
   EXPECT_EQ(info->body_bytes, 8);
   EXPECT_EQ(info->file_bytes, std::filesystem::file_size(FileOf(Name('a'))));
-  EXPECT_EQ(store_->used_bytes(), info->file_bytes);
+  EXPECT_EQ(store_->used_bytes(), kBlock);
+}
+
+TEST_F(BlobStoreTest, ABodyThatIsWrittenOtherwiseThanAnnouncedIsRefused) {
+  ASSERT_TRUE(Open().ok());
+  const auto put = [&](absl::Status result) {
+    return store_->Put(Name('a'), "", 5, [&](BlobSink& sink) {
+      absl::Status status = sink.Append("four");
+      return status.ok() ? result : status;
+    });
+  };
+  EXPECT_TRUE(absl::IsInternal(put(absl::OkStatus())));
+  EXPECT_EQ(put(absl::AbortedError("enough")), absl::AbortedError("enough"));
+  EXPECT_EQ(files(), 0);
+  EXPECT_EQ(store_->used_bytes(), 0);
 }
 
 TEST_F(BlobStoreTest, WhatIsNotThereIsNotFound) {
@@ -71,7 +85,7 @@ TEST_F(BlobStoreTest, TheLaterPutWins) {
   ASSERT_TRUE(Put(*store_, Name('a'), "a longer one").ok());
   ASSERT_TRUE(Put(*store_, Name('a'), "short").ok());
   EXPECT_EQ(*Read(*store_, Name('a')), "short");
-  EXPECT_EQ(store_->used_bytes(), kExtra + 5);
+  EXPECT_EQ(store_->used_bytes(), kBlock);
   EXPECT_EQ(files(), 1);
   ASSERT_TRUE(Open().ok());
   EXPECT_EQ(*Read(*store_, Name('a')), "short");
@@ -107,7 +121,7 @@ TEST_F(BlobStoreTest, ListsInPages) {
 // Room for two blobs of 10 bytes.
 class TwoBlobsTest : public BlobStoreTest {
  protected:
-  static constexpr uint64_t kTwo = 2 * (kExtra + 10);
+  static constexpr uint64_t kTwo = 2 * kBlock;
   void SetUp() override { ASSERT_TRUE(Open(kTwo).ok()); }
   const std::string ten_ = std::string(10, 'x');
 };
@@ -172,6 +186,50 @@ TEST_F(TwoBlobsTest, ASmallerCapacityEvictsAtTheStart) {
   EXPECT_EQ(files(), 1);
 }
 
+TEST_F(BlobStoreTest, ANameByContentIsChecked) {
+  ASSERT_TRUE(Open().ok());
+  store_.reset();
+  const BlobStore::Options options = {.kind = "thing",
+                                      .capacity = uint64_t{1} << 20,
+                                      .is_named_by_content = true};
+  auto store = BlobStore::Open(*folder_, options);
+  ASSERT_TRUE(store.ok());
+  EXPECT_TRUE(Put(**store, Sha256Hex("body"), "body").ok());
+  EXPECT_TRUE(absl::IsInternal(Put(**store, Name('a'), "body")));
+  EXPECT_EQ(files(), 1);
+
+  // A file that is sound but for that.
+  ASSERT_TRUE(Open().ok());
+  ASSERT_TRUE(Put(*store_, Name('a'), "body").ok());
+  store_.reset();
+  store = BlobStore::Open(*folder_, options);
+  ASSERT_TRUE(store.ok());
+  EXPECT_THAT(Names(**store), ElementsAre(Sha256Hex("body")));
+  EXPECT_EQ(quarantined(), 1);
+}
+
+TEST_F(BlobStoreTest, CountsWholeBlocks) {
+  ASSERT_TRUE(Open().ok());
+  ASSERT_TRUE(Put(*store_, Name('a'), std::string(kBlock - kExtra, 'x')).ok());
+  EXPECT_EQ(store_->used_bytes(), kBlock);
+  ASSERT_TRUE(
+      Put(*store_, Name('a'), std::string(kBlock - kExtra + 1, 'x')).ok());
+  EXPECT_EQ(store_->used_bytes(), 2 * kBlock);
+}
+
+TEST_F(BlobStoreTest, TheirNumberIsBoundedToo) {
+  ASSERT_TRUE(Open().ok());
+  store_.reset();
+  const absl::StatusOr<std::unique_ptr<BlobStore>> store = BlobStore::Open(
+      *folder_,
+      {.kind = "thing", .capacity = uint64_t{1} << 20, .max_count = 2});
+  ASSERT_TRUE(store.ok());
+  for (const char digit : {'c', 'b', 'a'}) {
+    ASSERT_TRUE(Put(**store, Name(digit), "x").ok());
+  }
+  EXPECT_THAT(Names(**store), ElementsAre(Name('a'), Name('b')));
+}
+
 TEST_F(BlobStoreTest, FilesOfOthersAreLeftAlone) {
   ASSERT_TRUE(Open().ok());
   const std::string notes = data_dir() + "/things/notes.txt";
@@ -224,7 +282,7 @@ TEST_F(BlobStoreTest, ErrorsOfTheReaderAreItsOwn) {
 // Puts, reads and erasures of the same few names from many threads: the index
 // agrees with the folder at the end, and the bound held throughout.
 TEST_F(BlobStoreTest, ThreadsAgree) {
-  constexpr uint64_t kCapacity = 3 * (kExtra + 10);
+  constexpr uint64_t kCapacity = 3 * kBlock;
   ASSERT_TRUE(Open(kCapacity).ok());
   store_.reset();
   absl::StatusOr<std::unique_ptr<BlobStore>> store =
@@ -257,7 +315,7 @@ TEST_F(BlobStoreTest, ThreadsAgree) {
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ((*store)->size(), files());
   const std::vector<std::string> names = Names(**store);
-  EXPECT_EQ((*store)->used_bytes(), names.size() * (kExtra + 10));
+  EXPECT_EQ((*store)->used_bytes(), names.size() * kBlock);
   for (const std::string& name : names) {
     EXPECT_EQ(*Read(**store, name), std::string(10, name[0]));
   }

@@ -36,6 +36,9 @@ struct ServerLimits {
   uint64_t max_matrix_rows = 0;
   uint64_t max_matrix_values = 0;
   uint64_t computation_store_bytes = 0;
+  // 0: nothing outlives the server.
+  uint64_t mesh_disk_bytes = 0;
+  uint64_t field_disk_bytes = 0;
 };
 
 struct Capabilities {

@@ -64,8 +64,10 @@ struct MeshInfo {
   double mean_edge_length = 0;
   // 1 for equilateral faces, larger for slimmer ones.
   double anisotropy = 0;
-  // Memory the mesh takes on the server.
+  // Memory the mesh takes on the server; 0: it is on disk only.
   uint64_t resident_bytes = 0;
+  // What it takes on the server's disk; 0: the server keeps nothing there.
+  uint64_t stored_bytes = 0;
   // Edges with three faces or more, and vertices around which the faces do not
   // form one disk or half-disk.
   uint64_t non_manifold_edge_count = 0;

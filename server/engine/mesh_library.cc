@@ -1,0 +1,236 @@
+#include "server/engine/mesh_library.h"
+
+#include <map>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "server/engine/argument_checks.h"
+#include "server/engine/mesh_digest.h"
+#include "server/engine/status_details.h"
+
+namespace geodesic::server {
+
+MeshLibrary::MeshLibrary(const Limits& limits, Scheduler& scheduler,
+                         std::shared_ptr<ByteBudget> upload_memory,
+                         std::function<void()> free_memory)
+    : upload_memory_(std::move(upload_memory)),
+      free_memory_(std::move(free_memory)),
+      store_(limits.mesh_store_bytes),
+      loads_(scheduler,
+             [this](const std::string& digest, const std::stop_token& stop) {
+               return Load(digest, stop);
+             }) {}
+
+void MeshLibrary::Attach(
+    MeshFiles& files, std::function<void(const std::string& digest)> removed) {
+  files_ = &files;
+  files.SetRemoved(
+      [this, removed = std::move(removed)](const std::string& digest) {
+        store_.Erase(digest);
+        removed(digest);
+      });
+}
+
+MeshHandle MeshLibrary::FindResident(const std::string& digest) {
+  MeshHandle mesh = store_.Find(digest);
+  if (mesh != nullptr && files_ != nullptr) files_->Contains(digest);
+  return mesh;
+}
+
+std::optional<MeshDescription> MeshLibrary::Describe(
+    const std::string& digest) {
+  const MeshHandle resident = store_.Find(digest);
+  if (files_ == nullptr) {
+    return resident == nullptr ? std::nullopt
+                               : std::optional(resident->Describe());
+  }
+  std::optional<MeshDescription> mesh = files_->Describe(digest);
+  if (mesh && resident != nullptr) {
+    mesh->resident_bytes = resident->mesh->resident_bytes();
+  }
+  return mesh;
+}
+
+bool MeshLibrary::Contains(const std::string& digest) {
+  return files_ == nullptr ? store_.Find(digest) != nullptr
+                           : files_->Contains(digest);
+}
+
+std::optional<std::string> MeshLibrary::FindFile(const FileKey& file) {
+  std::optional<std::string> digest =
+      files_ == nullptr ? store_.FindFile(file) : files_->FindFile(file);
+  return digest && Contains(*digest) ? digest : std::nullopt;
+}
+
+std::vector<MeshDescription> MeshLibrary::List(const std::string& after,
+                                               size_t count) const {
+  std::map<std::string, MeshDescription> page;
+  if (files_ != nullptr) {
+    for (MeshDescription& mesh : files_->List(after, count)) {
+      page.emplace(mesh.digest, std::move(mesh));
+    }
+  }
+  for (const MeshHandle& resident : store_.List(after, count)) {
+    const auto stored = page.find(resident->digest);
+    if (stored != page.end()) {
+      stored->second.resident_bytes = resident->mesh->resident_bytes();
+    } else if (files_ == nullptr) {
+      page.emplace(resident->digest, resident->Describe());
+    }
+  }
+  std::vector<MeshDescription> meshes;
+  meshes.reserve(page.size());
+  for (auto& [digest, mesh] : page) meshes.push_back(std::move(mesh));
+  return meshes;
+}
+
+absl::StatusOr<std::optional<MeshLoads::Seat>> MeshLibrary::Await(
+    const std::string& digest, MeshCallback done) {
+  if (MeshHandle mesh = FindResident(digest)) {
+    done(std::move(mesh));
+    return std::nullopt;
+  }
+  if (!Contains(digest)) return NotResident(digest);
+  absl::StatusOr<MeshLoads::Seat> seat = loads_.Join(digest, std::move(done));
+  if (!seat.ok()) return seat.status();
+  return *std::move(seat);
+}
+
+absl::StatusOr<MeshHandle> MeshLibrary::Load(const std::string& digest,
+                                             const std::stop_token& stop) {
+  if (MeshHandle mesh = FindResident(digest)) return mesh;
+  const std::optional<MeshDescription> mesh = files_->Describe(digest);
+  if (!mesh) return NotResident(digest);
+  const uint64_t vertices = mesh->summary.vertices;
+  const uint64_t faces = mesh->summary.faces;
+  // The arrays, and what a build needs beyond what stays.
+  const uint64_t peak = Mesh::EstimateBuildBytes(vertices, faces);
+  const uint64_t resident = Mesh::EstimateResidentBytes(vertices, faces);
+  absl::StatusOr<ByteReservation> arrays = ByteReservation::Make(
+      upload_memory_, vertices * sizeof(Point) + faces * sizeof(Triangle) +
+                          (peak > resident ? peak - resident : 0));
+  if (!arrays.ok()) return arrays.status();
+  absl::StatusOr<ByteReservation> room =
+      ReserveResident(digest, vertices, faces);
+  if (!room.ok()) return room.status();
+  absl::StatusOr<TriangleSoup> soup = files_->Load(*mesh, stop);
+  if (!soup.ok()) return soup.status();
+  absl::StatusOr<std::shared_ptr<const Mesh>> built =
+      Mesh::Build(*std::move(soup));
+  if (!built.ok()) {
+    // It was built once, from the same bytes.
+    return absl::InternalError(absl::StrCat(
+        "mesh ", digest, " cannot be built: ", built.status().message()));
+  }
+  MeshHandle kept =
+      Keep({digest, *std::move(built), mesh->summary}, *std::move(room)).mesh;
+  if (kept == nullptr) return NotResident(digest);
+  ++meshes_loaded_;
+  return kept;
+}
+
+MeshStore::Inserted MeshLibrary::Keep(ResidentMesh mesh, ByteReservation room) {
+  const std::string digest = mesh.digest;
+  MeshStore::Inserted kept = store_.Insert(std::move(mesh), std::move(room));
+  // Whoever erased it from the disk before this moment found nothing in memory
+  // to erase; whoever does so later will.
+  if (files_ != nullptr && !files_->Contains(digest)) {
+    store_.Erase(digest);
+    kept.mesh = nullptr;
+  }
+  return kept;
+}
+
+std::optional<UploadResult> MeshLibrary::FindUploaded(
+    const MeshUpload& upload) {
+  const std::optional<std::string> digest = FindFile(upload.file());
+  const std::string& expected = upload.header().expected_digest;
+  if (!digest || (!expected.empty() && expected != *digest)) {
+    return std::nullopt;
+  }
+  std::optional<MeshDescription> mesh = Describe(*digest);
+  if (!mesh) return std::nullopt;
+  return UploadResult{*std::move(mesh), true};
+}
+
+void MeshLibrary::RememberFile(const MeshUpload& upload,
+                               const std::string& digest) {
+  // The bytes of arrays do not say how many of them are vertices, so they do
+  // not name a mesh.
+  if (upload.header().format == UploadFormat::kArrays) return;
+  if (files_ != nullptr) {
+    files_->AddFile(upload.file(), digest);
+  } else {
+    store_.AddFile(upload.file(), digest);
+  }
+}
+
+absl::StatusOr<ByteReservation> MeshLibrary::ReserveResident(
+    const std::string& digest, uint64_t vertices, uint64_t faces) {
+  const uint64_t bytes = Mesh::EstimateResidentBytes(vertices, faces) +
+                         sizeof(ResidentMesh) + digest.capacity();
+  absl::StatusOr<ByteReservation> room = store_.Reserve(bytes);
+  if (room.ok()) return room;
+  free_memory_();
+  return store_.Reserve(bytes);
+}
+
+absl::StatusOr<UploadResult> MeshLibrary::Build(MeshUpload& upload) {
+  absl::StatusOr<TriangleSoup> soup = upload.Parse();
+  if (!soup.ok()) return soup.status();
+  const std::string digest = MeshDigest(soup->positions, soup->triangles);
+  const std::string& expected = upload.header().expected_digest;
+  if (!expected.empty() && expected != digest) {
+    return InvalidField("header.expected_digest",
+                        absl::StrCat("the mesh has digest ", digest,
+                                     ", not the expected ", expected));
+  }
+  if (std::optional<MeshDescription> present = Describe(digest)) {
+    RememberFile(upload, digest);
+    return UploadResult{*std::move(present), true};
+  }
+
+  const uint64_t vertices = soup->positions.size();
+  const uint64_t faces = soup->triangles.size();
+  if (absl::Status status = upload.ReserveForBuild(vertices, faces);
+      !status.ok()) {
+    return status;
+  }
+  absl::StatusOr<ByteReservation> room =
+      ReserveResident(digest, vertices, faces);
+  if (!room.ok()) return room.status();
+  absl::StatusOr<std::shared_ptr<const Mesh>> built =
+      Mesh::Build(*std::move(soup));
+  if (!built.ok()) {
+    return absl::IsInvalidArgument(built.status())
+               ? WithField(built.status(), "chunk.data")
+               : built.status();
+  }
+  ResidentMesh mesh{digest, *built, Summarize(**built)};
+  MeshDescription description = mesh.Describe();
+  if (files_ != nullptr) {
+    const bool is_file = upload.header().format != UploadFormat::kArrays;
+    absl::Status status = files_->Put(
+        mesh, is_file ? std::optional(upload.file()) : std::nullopt);
+    if (!status.ok()) return status;
+    if (const auto stored = files_->Describe(digest)) {
+      description.stored_bytes = stored->stored_bytes;
+    }
+  }
+  const bool is_new = Keep(std::move(mesh), *std::move(room)).is_new;
+  RememberFile(upload, digest);
+  ++meshes_built_;
+  return UploadResult{std::move(description), !is_new};
+}
+
+absl::Status MeshLibrary::Erase(const std::string& digest) {
+  if (files_ == nullptr) {
+    return store_.Erase(digest) ? absl::OkStatus() : NotResident(digest);
+  }
+  // The disk first: nobody brings the mesh back from there afterwards.
+  absl::Status status = files_->Erase(digest);
+  if (status.ok() || absl::IsNotFound(status)) store_.Erase(digest);
+  return status;
+}
+
+}  // namespace geodesic::server

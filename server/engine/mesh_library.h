@@ -1,0 +1,118 @@
+// The meshes a server has: those in memory and, if it has a data folder, those
+// on disk.
+//
+// With a data folder, memory is a cache of the disk:
+//   1. an upload is answered when its mesh is on disk;
+//   2. a mesh in memory is on disk, but while it is being dropped from both;
+//   3. a mesh on disk that is not in memory comes back by Await.
+
+#ifndef GEODESIC_SERVER_ENGINE_MESH_LIBRARY_H_
+#define GEODESIC_SERVER_ENGINE_MESH_LIBRARY_H_
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "server/engine/byte_budget.h"
+#include "server/engine/limits.h"
+#include "server/engine/mesh_description.h"
+#include "server/engine/mesh_files.h"
+#include "server/engine/mesh_loads.h"
+#include "server/engine/mesh_store.h"
+#include "server/engine/mesh_upload.h"
+#include "server/engine/scheduler.h"
+
+namespace geodesic::server {
+
+struct UploadResult {
+  MeshDescription mesh;
+  // The server had it before.
+  bool already_resident = false;
+};
+
+// Thread-safe.
+class MeshLibrary {
+ public:
+  // `free_memory` lets go of meshes that are pinned without need. REQUIRES:
+  // `scheduler` outlives the object and has no job left when it goes.
+  MeshLibrary(const Limits& limits, Scheduler& scheduler,
+              std::shared_ptr<ByteBudget> upload_memory,
+              std::function<void()> free_memory);
+
+  // From now on keeps meshes in `files`, which outlives the object. Call
+  // before all else. `removed` hears of each mesh that the disk no longer has
+  // though nobody deleted it.
+  void Attach(MeshFiles& files,
+              std::function<void(const std::string& digest)> removed);
+
+  // The mesh in memory, or null; marks it as used.
+  MeshHandle FindResident(const std::string& digest);
+
+  // What is known of a mesh wherever it is; marks it as used.
+  std::optional<MeshDescription> Describe(const std::string& digest);
+  bool Contains(const std::string& digest);
+  // The digest of a mesh that is there and was uploaded as this file.
+  std::optional<std::string> FindFile(const FileKey& file);
+
+  // Up to `count` meshes in order of digest, from the first above `after`.
+  std::vector<MeshDescription> List(const std::string& after,
+                                    size_t count) const;
+
+  // Calls `done` with the mesh in memory: at once if it is there, otherwise
+  // from the job that loads it. Returns the seat of who has to wait.
+  // Errors, here or in `done`: NOT_FOUND; RESOURCE_EXHAUSTED (no memory, or the
+  // queue is full); UNAVAILABLE (shutting down; the disk cannot be read).
+  absl::StatusOr<std::optional<MeshLoads::Seat>> Await(
+      const std::string& digest, MeshCallback done);
+  void Leave(const MeshLoads::Seat& seat) { loads_.Leave(seat); }
+
+  // If the upload's file is known and is the expected one, what came of it.
+  std::optional<UploadResult> FindUploaded(const MeshUpload& upload);
+
+  // Parses, checks and keeps an upload. Not for a thread that must not wait.
+  // REQUIRES: upload.Finish() succeeded.
+  // Errors: INVALID_ARGUMENT, RESOURCE_EXHAUSTED, UNAVAILABLE.
+  absl::StatusOr<UploadResult> Build(MeshUpload& upload);
+
+  // Waits for the disk, if there is one.
+  // Errors: NOT_FOUND; UNAVAILABLE (it cannot be removed from the disk).
+  absl::Status Erase(const std::string& digest);
+
+  bool is_durable() const { return files_ != nullptr; }
+  uint64_t meshes_built() const { return meshes_built_; }
+  uint64_t meshes_loaded() const { return meshes_loaded_; }
+  const MeshStore& store() const { return store_; }
+  const MeshLoads& loads() const { return loads_; }
+
+ private:
+  absl::StatusOr<ByteReservation> ReserveResident(const std::string& digest,
+                                                  uint64_t vertices,
+                                                  uint64_t faces);
+  void RememberFile(const MeshUpload& upload, const std::string& digest);
+  // The work of a load.
+  absl::StatusOr<MeshHandle> Load(const std::string& digest,
+                                  const std::stop_token& stop);
+  // Keeps the mesh in memory, unless the disk has lost it meanwhile: then
+  // `mesh` of the result is null.
+  MeshStore::Inserted Keep(ResidentMesh mesh, ByteReservation room);
+
+  const std::shared_ptr<ByteBudget> upload_memory_;
+  const std::function<void()> free_memory_;
+  MeshFiles* files_ = nullptr;
+  MeshStore store_;
+  MeshLoads loads_;
+
+  std::atomic<uint64_t> meshes_built_ = 0;
+  std::atomic<uint64_t> meshes_loaded_ = 0;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_MESH_LIBRARY_H_

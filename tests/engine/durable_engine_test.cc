@@ -1,0 +1,547 @@
+// The engine with a data folder: what is there after a restart, what comes back
+// to memory, and what happens when the disk fails.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/engine/durable_store.h"
+#include "server/engine/mesh_digest.h"
+#include "server/engine/query_engine.h"
+#include "server/engine/status_details.h"
+#include "server/store/sha256.h"
+#include "tests/engine/fakes.h"
+#include "tests/engine/uploads.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/small_disk.h"
+#include "tests/support/temporary_folder.h"
+
+namespace geodesic::server {
+namespace {
+
+namespace fs = std::filesystem;
+using geodesic::test::SmallDisk;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr uint64_t kMiB = uint64_t{1} << 20;
+
+TriangleSoup Grid(uint32_t columns, uint32_t rows = 12) {
+  return geodesic::test::MakeGrid({.columns = columns, .rows = rows});
+}
+
+class DurableEngineTest : public ::testing::Test {
+ protected:
+  void SetUp() override { Restart(); }
+  void TearDown() override { Stop(); }
+
+  void Stop() {
+    if (engine_ == nullptr) return;
+    engine_->StopAll();
+    executor_.RunAll();
+    engine_.reset();
+  }
+
+  // A new engine on the same folder.
+  void Restart() {
+    Stop();
+    engine_ = std::make_unique<QueryEngine>(limits_, clock_, executor_);
+    auto store = DurableStore::Open({.path = data_dir(),
+                                     .mesh_bytes = limits_.mesh_disk_bytes,
+                                     .field_bytes = limits_.field_disk_bytes,
+                                     .version = version_,
+                                     .warn = [this](const std::string& line) {
+                                       warnings_.push_back(line);
+                                     }});
+    ASSERT_TRUE(store.ok()) << store.status();
+    engine_->Attach(*std::move(store));
+  }
+
+  absl::StatusOr<UploadResult> Upload(const UploadHeader& header,
+                                      std::string_view bytes) {
+    auto upload = engine_->StartUpload(header);
+    if (!upload.ok()) return upload.status();
+    if (absl::Status s = (*upload)->Append(0, bytes); !s.ok()) return s;
+    absl::StatusOr<UploadResult> result = absl::UnknownError("not told");
+    auto job = engine_->FinishUpload(*std::move(upload),
+                                     [&](const auto& r) { result = r; });
+    if (!job.ok()) return job.status();
+    executor_.RunAll();
+    return result;
+  }
+  absl::StatusOr<UploadResult> Upload(const TriangleSoup& soup) {
+    return Upload(test::ArrayHeader(soup), test::ArrayBytes(soup));
+  }
+
+  absl::Status Delete(const std::string& digest) {
+    absl::Status result = absl::UnknownError("not told");
+    absl::Status status = engine_->DeleteMesh(
+        digest, [&](const absl::Status& told) { result = told; });
+    if (!status.ok()) return status;
+    executor_.RunAll();
+    return result;
+  }
+
+  // What a request for the mesh gets, once the jobs have run.
+  absl::StatusOr<MeshHandle> Await(const std::string& digest) {
+    absl::StatusOr<MeshHandle> result = absl::UnknownError("not told");
+    auto seat =
+        engine_->AwaitMesh(digest, [&](const auto& mesh) { result = mesh; });
+    if (!seat.ok()) return seat.status();
+    executor_.RunAll();
+    return result;
+  }
+
+  // The field from vertex 0; the mesh must be in memory.
+  absl::StatusOr<FieldAnswer> Field(FieldRequest request) {
+    request.query.sources = {{VertexPoint{0}}};
+    auto observer = std::make_shared<test::RecordingObserver>();
+    auto call = engine_->ComputeField(request, observer);
+    if (!call.ok()) return call.status();
+    executor_.RunAll();
+    if (call->answer) return *call->answer;
+    return *observer->answer;
+  }
+
+  std::vector<std::string> Listed() {
+    std::vector<std::string> digests;
+    const absl::StatusOr<MeshPage> page = engine_->ListMeshes(0, "");
+    EXPECT_TRUE(page.ok()) << page.status();
+    for (const MeshDescription& mesh : page->meshes) {
+      digests.push_back(mesh.digest);
+    }
+    return digests;
+  }
+
+  std::string data_dir() const { return temporary_ / "data"; }
+  std::string FileOf(const std::string& digest) const {
+    return data_dir() + "/meshes/" + digest + ".mesh";
+  }
+  static std::string DigestOf(const TriangleSoup& soup) {
+    return MeshDigest(soup.positions, soup.triangles);
+  }
+
+  Limits limits_ = {.max_concurrent_jobs = 1,
+                    .max_queued_jobs = 10,
+                    .mesh_store_bytes = 64 * kMiB,
+                    .field_cache_bytes = 16 * kMiB,
+                    .computation_store_bytes = 16 * kMiB,
+                    .upload_memory_bytes = 1024 * kMiB,
+                    .solver_memory_bytes = 256 * kMiB,
+                    .mesh_disk_bytes = 64 * kMiB,
+                    .field_disk_bytes = 16 * kMiB};
+  std::string version_ = "1";
+  geodesic::test::TemporaryFolder temporary_;
+  std::vector<std::string> warnings_;
+  test::FakeClock clock_;
+  test::ManualExecutor executor_;
+  std::unique_ptr<QueryEngine> engine_;
+};
+
+TEST_F(DurableEngineTest, AnUploadIsOnDiskWhenItIsAnswered) {
+  const TriangleSoup soup = geodesic::test::Icosphere(2);
+  const auto uploaded = Upload(soup);
+  ASSERT_TRUE(uploaded.ok()) << uploaded.status();
+  EXPECT_FALSE(uploaded->already_resident);
+  EXPECT_TRUE(fs::exists(FileOf(DigestOf(soup))));
+  EXPECT_EQ(uploaded->mesh.stored_bytes, fs::file_size(FileOf(DigestOf(soup))));
+  EXPECT_GT(uploaded->mesh.resident_bytes, 0);
+}
+
+TEST_F(DurableEngineTest, EverythingIsThereAfterARestart) {
+  const TriangleSoup soup = geodesic::test::Icosphere(2);
+  const auto before = Upload(soup);
+  ASSERT_TRUE(before.ok());
+  ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
+  const std::vector<std::string> listed = Listed();
+  Restart();
+
+  EXPECT_THAT(listed, SizeIs(2));
+  EXPECT_EQ(Listed(), listed);
+  const std::string digest = before->mesh.digest;
+  const auto described = engine_->DescribeMesh(digest);
+  ASSERT_TRUE(described.ok());
+  EXPECT_EQ(described->resident_bytes, 0);
+  EXPECT_EQ(described->stored_bytes, before->mesh.stored_bytes);
+  const MeshSummary& was = before->mesh.summary;
+  const MeshSummary& is = described->summary;
+  EXPECT_EQ(is.vertices, was.vertices);
+  EXPECT_EQ(is.faces, was.faces);
+  EXPECT_EQ(is.edges, was.edges);
+  EXPECT_EQ(is.components, was.components);
+  EXPECT_EQ(is.genus, was.genus);
+  EXPECT_EQ(is.is_orientable, was.is_orientable);
+  EXPECT_EQ(is.saddle_vertices, was.saddle_vertices);
+  EXPECT_EQ(is.bounding_box_min, was.bounding_box_min);
+  EXPECT_EQ(is.bounding_box_max, was.bounding_box_max);
+  EXPECT_EQ(is.mean_edge_length, was.mean_edge_length);
+  EXPECT_EQ(is.anisotropy, was.anisotropy);
+
+  const auto mesh = Await(digest);
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  EXPECT_TRUE(std::ranges::equal((*mesh)->mesh->positions(), soup.positions));
+  for (uint32_t face = 0; face < soup.triangles.size(); ++face) {
+    ASSERT_EQ((*mesh)->mesh->triangle(face), soup.triangles[face]);
+  }
+  EXPECT_GT(engine_->DescribeMesh(digest)->resident_bytes, 0);
+  EXPECT_EQ(engine_->counters().meshes_loaded, 1);
+  EXPECT_THAT(warnings_, IsEmpty());
+}
+
+TEST_F(DurableEngineTest, NothingKnownIsAskedForAgain) {
+  const TriangleSoup soup = Grid(5);
+  ASSERT_TRUE(Upload(soup).ok());
+  ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
+  Restart();
+  const FileKey file = {UploadFormat::kOff, Sha256Hex(test::kTetrahedronOff)};
+  const auto missing = engine_->FindMissing({DigestOf(soup)}, {file});
+  ASSERT_TRUE(missing.ok());
+  EXPECT_THAT(missing->mesh_digests, IsEmpty());
+  ASSERT_THAT(missing->known_files, SizeIs(1));
+  EXPECT_EQ(missing->known_files[0].mesh_digest, DigestOf(test::Tetrahedron()));
+
+  // Nor is it built when it comes again, as arrays or as a file.
+  for (const auto& again : {Upload(soup), Upload(test::TetrahedronOffHeader(),
+                                                 test::kTetrahedronOff)}) {
+    ASSERT_TRUE(again.ok()) << again.status();
+    EXPECT_TRUE(again->already_resident);
+  }
+  EXPECT_EQ(engine_->counters().meshes_built, 0);
+  EXPECT_EQ(engine_->meshes().used_bytes(), 0);
+}
+
+TEST_F(DurableEngineTest, WhatIsDeletedStaysAway) {
+  const std::string digest = Upload(Grid(5))->mesh.digest;
+  EXPECT_TRUE(Delete(digest).ok());
+  EXPECT_TRUE(absl::IsNotFound(Delete(digest)));
+  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(digest).status()));
+  EXPECT_TRUE(absl::IsNotFound(Await(digest).status()));
+  EXPECT_FALSE(fs::exists(FileOf(digest)));
+  Restart();
+  EXPECT_THAT(Listed(), IsEmpty());
+  EXPECT_TRUE(absl::IsNotFound(engine_->DescribeMesh(digest).status()));
+}
+
+TEST_F(DurableEngineTest, ADeletionDuringALoadWins) {
+  const std::string digest = Upload(Grid(5))->mesh.digest;
+  Restart();
+  absl::StatusOr<MeshHandle> loaded = absl::UnknownError("not told");
+  ASSERT_TRUE(
+      engine_->AwaitMesh(digest, [&](const auto& mesh) { loaded = mesh; })
+          .ok());
+  absl::Status deleted = absl::UnknownError("not told");
+  ASSERT_TRUE(
+      engine_->DeleteMesh(digest, [&](const auto& s) { deleted = s; }).ok());
+  executor_.RunAll();
+  EXPECT_TRUE(loaded.ok()) << loaded.status();
+  EXPECT_TRUE(deleted.ok()) << deleted;
+  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(digest).status()));
+  EXPECT_THAT(Listed(), IsEmpty());
+}
+
+// Room in memory for one mesh.
+class EvictionTest : public DurableEngineTest {
+ protected:
+  EvictionTest() {
+    limits_.mesh_store_bytes = Mesh::EstimateResidentBytes(182, 312) + 4096;
+  }
+};
+
+TEST_F(EvictionTest, WhatMemoryForgotComesBackByItself) {
+  const std::string first = Upload(Grid(12))->mesh.digest;
+  const std::string second = Upload(Grid(13))->mesh.digest;
+  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(first).status()));
+  EXPECT_TRUE(engine_->CanLoadMesh(first));
+  for (int round = 0; round < 3; ++round) {
+    for (const std::string& digest : {first, second}) {
+      const auto mesh = Await(digest);
+      ASSERT_TRUE(mesh.ok()) << mesh.status();
+      EXPECT_EQ((*mesh)->digest, digest);
+    }
+  }
+  EXPECT_EQ(engine_->counters().meshes_loaded, 6);
+  EXPECT_THAT(Listed(), SizeIs(2));
+}
+
+TEST_F(EvictionTest, RoomIsTakenBeforeALoad) {
+  const std::string first = Upload(Grid(12))->mesh.digest;
+  ASSERT_TRUE(Upload(Grid(13)).ok());
+  const auto pinned = engine_->GetMesh(DigestOf(Grid(13)));
+  ASSERT_TRUE(pinned.ok());
+  const absl::Status status = Await(first).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
+  EXPECT_TRUE(RetryAfter(status).has_value());
+  // The mesh is not held against its file.
+  EXPECT_TRUE(engine_->CanLoadMesh(first));
+}
+
+TEST_F(DurableEngineTest, OneLoadForAllWhoAsk) {
+  const std::string digest = Upload(Grid(5))->mesh.digest;
+  Restart();
+  std::vector<MeshHandle> meshes;
+  std::vector<MeshLoads::Seat> seats;
+  for (int i = 0; i < 5; ++i) {
+    auto seat = engine_->AwaitMesh(digest, [&](const auto& mesh) {
+      ASSERT_TRUE(mesh.ok());
+      meshes.push_back(*mesh);
+    });
+    ASSERT_TRUE(seat.ok());
+    ASSERT_TRUE(seat->has_value());
+    seats.push_back(**seat);
+  }
+  EXPECT_EQ(engine_->loads().size(), 1);
+  engine_->LeaveMesh(seats[0]);
+  executor_.RunAll();
+  EXPECT_THAT(meshes, SizeIs(4));
+  EXPECT_EQ(engine_->counters().meshes_loaded, 1);
+  EXPECT_EQ(engine_->loads().size(), 0);
+}
+
+TEST_F(DurableEngineTest, ALoadNobodyWaitsForIsCalledOff) {
+  const std::string digest = Upload(Grid(5))->mesh.digest;
+  Restart();
+  bool called = false;
+  const auto seat =
+      engine_->AwaitMesh(digest, [&](const auto&) { called = true; });
+  ASSERT_TRUE(seat.ok());
+  engine_->LeaveMesh(**seat);
+  EXPECT_EQ(engine_->loads().size(), 0);
+  executor_.RunAll();
+  EXPECT_FALSE(called);
+  EXPECT_EQ(engine_->counters().meshes_loaded, 0);
+}
+
+TEST_F(DurableEngineTest, LoadsEndWithTheServer) {
+  const std::string digest = Upload(Grid(5))->mesh.digest;
+  Restart();
+  absl::StatusOr<MeshHandle> loaded = absl::UnknownError("not told");
+  ASSERT_TRUE(
+      engine_->AwaitMesh(digest, [&](const auto& mesh) { loaded = mesh; })
+          .ok());
+  engine_->StopAll();
+  EXPECT_TRUE(absl::IsUnavailable(loaded.status())) << loaded.status();
+}
+
+// Room on disk for two small meshes.
+class DiskBudgetTest : public DurableEngineTest {
+ protected:
+  DiskBudgetTest() { limits_.mesh_disk_bytes = 2 * 4096; }
+};
+
+TEST_F(DiskBudgetTest, WhatTheDiskForgetsIsGone) {
+  const std::string a = Upload(Grid(2, 1))->mesh.digest;
+  const std::string b = Upload(Grid(3, 1))->mesh.digest;
+  ASSERT_TRUE(Field({.mesh_digest = b}).ok());
+  // A question keeps a mesh young.
+  ASSERT_TRUE(engine_->GetMesh(a).ok());
+  const std::string c = Upload(Grid(4, 1))->mesh.digest;
+  std::vector<std::string> expected = {a, c};
+  std::ranges::sort(expected);
+  EXPECT_EQ(Listed(), expected);
+  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(b).status()));
+  EXPECT_THAT(engine_->FindMissing({a, b, c}, {})->mesh_digests,
+              ElementsAre(b));
+  EXPECT_EQ(engine_->fields().fields().size(), 0);
+  Restart();
+  EXPECT_EQ(Listed(), expected);
+}
+
+TEST_F(DiskBudgetTest, AMeshBeyondTheBudgetIsRefused) {
+  const std::string small = Upload(Grid(2, 1))->mesh.digest;
+  const absl::Status status = Upload(Grid(20, 20)).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
+  EXPECT_FALSE(RetryAfter(status).has_value()) << "waiting would not help";
+  EXPECT_THAT(Listed(), ElementsAre(small));
+  EXPECT_TRUE(
+      absl::IsNotFound(engine_->GetMesh(DigestOf(Grid(20, 20))).status()));
+}
+
+TEST_F(DurableEngineTest, DamageIsSetAsideAndHealedByAnUpload) {
+  const TriangleSoup soup = Grid(5);
+  const std::string digest = Upload(soup)->mesh.digest;
+  std::string bytes = geodesic::test::FileBytes(FileOf(digest));
+  bytes[bytes.size() / 2] ^= 1;
+  Stop();
+  geodesic::test::WriteFile(FileOf(digest), bytes);
+  Restart();
+  const absl::Status status = Await(digest).status();
+  EXPECT_TRUE(absl::IsNotFound(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr("upload it again"));
+  ASSERT_THAT(warnings_, SizeIs(1));
+  EXPECT_THAT(warnings_[0], HasSubstr(digest));
+  EXPECT_THAT(engine_->FindMissing({digest}, {})->mesh_digests,
+              ElementsAre(digest));
+  EXPECT_TRUE(fs::exists(data_dir() + "/quarantine/" + digest + ".mesh"));
+
+  ASSERT_TRUE(Upload(soup).ok());
+  Restart();
+  EXPECT_TRUE(Await(digest).ok());
+}
+
+TEST_F(DurableEngineTest, FieldsAreThereAfterARestart) {
+  const std::string digest = Upload(geodesic::test::Icosphere(2))->mesh.digest;
+  const auto before = Field({.mesh_digest = digest});
+  ASSERT_TRUE(before.ok());
+  EXPECT_EQ(before->origin, FieldOrigin::kSolved);
+  Restart();
+  ASSERT_TRUE(Await(digest).ok());
+  const auto after = Field({.mesh_digest = digest});
+  ASSERT_TRUE(after.ok()) << after.status();
+  EXPECT_EQ(after->origin, FieldOrigin::kCached);
+  EXPECT_EQ(after->field->distances, before->field->distances);
+  EXPECT_EQ(after->field->settled_radius, before->field->settled_radius);
+  EXPECT_EQ(after->field->algorithm, before->field->algorithm);
+  EXPECT_EQ(after->field->statistics.windows_created,
+            before->field->statistics.windows_created);
+  EXPECT_EQ(engine_->counters().solves_started, 0);
+  EXPECT_EQ(engine_->counters().fields_loaded, 1);
+  // From memory, the second time.
+  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kCached);
+  EXPECT_EQ(engine_->counters().fields_loaded, 1);
+}
+
+TEST_F(DurableEngineTest, TracedFieldsToo) {
+  const std::string digest = Upload(geodesic::test::Icosphere(2))->mesh.digest;
+  const FieldRequest request = {.mesh_digest = digest,
+                                .extras = {.gradients = true}};
+  const auto before = Field(request);
+  ASSERT_TRUE(before.ok());
+  Restart();
+  ASSERT_TRUE(Await(digest).ok());
+  const auto after = Field(request);
+  ASSERT_TRUE(after.ok());
+  EXPECT_EQ(after->origin, FieldOrigin::kCached);
+  EXPECT_EQ(after->derived->gradients, before->derived->gradients);
+}
+
+TEST_F(DurableEngineTest, OnlyAFieldThatReachesFarEnoughAnswers) {
+  const std::string digest = Upload(Grid(30, 30))->mesh.digest;
+  ASSERT_TRUE(Field({.mesh_digest = digest, .reach = {.radius = 0.5}}).ok());
+  Restart();
+  ASSERT_TRUE(Await(digest).ok());
+  const auto near = Field({.mesh_digest = digest, .reach = {.radius = 0.25}});
+  ASSERT_TRUE(near.ok());
+  EXPECT_EQ(near->origin, FieldOrigin::kCached);
+  const auto all = Field({.mesh_digest = digest});
+  ASSERT_TRUE(all.ok());
+  EXPECT_EQ(all->origin, FieldOrigin::kSolved);
+  // It takes the place of the one that ended early.
+  Restart();
+  ASSERT_TRUE(Await(digest).ok());
+  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kCached);
+}
+
+TEST_F(DurableEngineTest, FieldsOfAnotherVersionAreComputedAgain) {
+  const std::string digest = Upload(Grid(5))->mesh.digest;
+  ASSERT_TRUE(Field({.mesh_digest = digest}).ok());
+  version_ = "2";
+  Restart();
+  ASSERT_TRUE(Await(digest).ok());
+  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kSolved);
+}
+
+TEST_F(DurableEngineTest, FieldsGoWithTheirMesh) {
+  const TriangleSoup soup = Grid(5);
+  const std::string digest = Upload(soup)->mesh.digest;
+  ASSERT_TRUE(Field({.mesh_digest = digest}).ok());
+  ASSERT_FALSE(fs::is_empty(data_dir() + "/fields"));
+  ASSERT_TRUE(Delete(digest).ok());
+  EXPECT_TRUE(fs::is_empty(data_dir() + "/fields"));
+  ASSERT_TRUE(Upload(soup).ok());
+  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kSolved);
+}
+
+TEST_F(DurableEngineTest, ADamagedFieldIsComputedAgain) {
+  const std::string digest = Upload(Grid(5))->mesh.digest;
+  const auto before = Field({.mesh_digest = digest});
+  ASSERT_TRUE(before.ok());
+  Stop();
+  const fs::path file = fs::directory_iterator(data_dir() + "/fields")->path();
+  std::string bytes = geodesic::test::FileBytes(file.string());
+  bytes[200] ^= 1;
+  geodesic::test::WriteFile(file.string(), bytes);
+  Restart();
+  ASSERT_TRUE(Await(digest).ok());
+  const auto after = Field({.mesh_digest = digest});
+  ASSERT_TRUE(after.ok()) << after.status();
+  EXPECT_EQ(after->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(after->field->distances, before->field->distances);
+  EXPECT_THAT(warnings_, SizeIs(1));
+}
+
+// A data folder on a disk of half a megabyte.
+class FailingDiskTest : public DurableEngineTest {
+ protected:
+  void SetUp() override {
+    fs::create_directory(data_dir());
+    auto disk = SmallDisk::Mount(data_dir(), kMiB / 2);
+    if (!disk.ok()) GTEST_SKIP() << disk.status().message();
+    disk_ = *std::move(disk);
+    Restart();
+    resident_ = Upload(Grid(5))->mesh.digest;
+  }
+  void TearDown() override {
+    Stop();
+    disk_.reset();
+  }
+
+  std::unique_ptr<SmallDisk> disk_;
+  std::string resident_;
+};
+
+TEST_F(FailingDiskTest, AFullDiskRefusesUploadsAndServesTheRest) {
+  const TriangleSoup large = Grid(150, 150);
+  const absl::Status status = Upload(large).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr("delete meshes"));
+  EXPECT_TRUE(RetryAfter(status).has_value());
+  // What was refused is nowhere.
+  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(DigestOf(large)).status()));
+  EXPECT_THAT(Listed(), ElementsAre(resident_));
+  // The rest goes on, and small ones are taken.
+  EXPECT_TRUE(Field({.mesh_digest = resident_}).ok());
+  EXPECT_TRUE(Upload(Grid(6)).ok());
+}
+
+TEST_F(FailingDiskTest, SpaceHealsWithoutARestart) {
+  const std::string filler = data_dir() + "/filler";
+  geodesic::test::WriteFile(filler, std::string(kMiB, 'x'));
+  const TriangleSoup soup = Grid(40, 40);
+  EXPECT_TRUE(absl::IsResourceExhausted(Upload(soup).status()));
+  // A field that cannot be kept is answered all the same.
+  EXPECT_TRUE(Field({.mesh_digest = resident_}).ok());
+  fs::remove(filler);
+  ASSERT_TRUE(Upload(soup).ok());
+  Restart();
+  EXPECT_TRUE(Await(DigestOf(soup)).ok());
+}
+
+TEST_F(FailingDiskTest, AReadOnlyDiskRefusesChangesAndServesTheRest) {
+  ASSERT_TRUE(disk_->SetReadOnly(true).ok());
+  const absl::Status upload = Upload(Grid(6)).status();
+  EXPECT_TRUE(absl::IsUnavailable(upload)) << upload;
+  EXPECT_THAT(std::string(upload.message()), HasSubstr("Read-only"));
+  const absl::Status deletion = Delete(resident_);
+  EXPECT_TRUE(absl::IsUnavailable(deletion)) << deletion;
+  EXPECT_TRUE(engine_->GetMesh(resident_).ok());
+  EXPECT_TRUE(Field({.mesh_digest = resident_}).ok());
+  // A restart changes nothing of that.
+  Restart();
+  EXPECT_TRUE(Await(resident_).ok());
+
+  ASSERT_TRUE(disk_->SetReadOnly(false).ok());
+  EXPECT_TRUE(Upload(Grid(6)).ok());
+  EXPECT_TRUE(Delete(resident_).ok());
+}
+
+}  // namespace
+}  // namespace geodesic::server

@@ -1,0 +1,168 @@
+#include "server/engine/field_files.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/store/data_folder.h"
+#include "tests/support/temporary_folder.h"
+
+namespace geodesic::server {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class FieldFilesTest : public ::testing::Test {
+ protected:
+  void SetUp() override { Open("1"); }
+
+  void Open(const std::string& version) {
+    files_.reset();
+    folder_.reset();
+    auto folder = DataFolder::Open(temporary_ / "data");
+    ASSERT_TRUE(folder.ok()) << folder.status();
+    folder_.emplace(*std::move(folder));
+    auto files = FieldFiles::Open(*folder_, 1 << 20, version, nullptr);
+    ASSERT_TRUE(files.ok()) << files.status();
+    files_ = *std::move(files);
+  }
+
+  static FieldKey Key() {
+    return {.mesh_digest = std::string(64, 'a'),
+            .sources = {{VertexPoint{1}, 0.5}},
+            .curves = {{.points = {VertexPoint{2}, EdgePoint{2, 3, 0.25}}}},
+            .targets = {FacePoint{4, {0.25, 0.25, 0.5}}}};
+  }
+
+  static DistanceField Field(double settled_radius = kInfinity) {
+    return {.distances = {0, 1, kInfinity},
+            .target_distances = {0.75},
+            .settled_radius = settled_radius,
+            .algorithm = Algorithm::kFwpMmp,
+            .statistics = {.windows_created = 7, .solve_seconds = 0.5}};
+  }
+
+  // Three vertices.
+  static std::shared_ptr<const Mesh> OneFace(Triangle corners) {
+    return *Mesh::Build({.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                         .triangles = {corners}});
+  }
+
+  const std::shared_ptr<const Mesh> mesh_ = OneFace({0, 1, 2});
+  geodesic::test::TemporaryFolder temporary_;
+  std::optional<DataFolder> folder_;
+  std::unique_ptr<FieldFiles> files_;
+};
+
+TEST_F(FieldFilesTest, AFieldComesBackWhole) {
+  DistanceField field = Field();
+  field.arrivals.resize(3);
+  field.arrivals[1] = {.pseudo_source = 5, .entry = 6, .x = 0.125, .depth = 2};
+  field.target_arrivals.resize(1);
+  ASSERT_TRUE(files_->Put(Key(), *mesh_, field).ok());
+  Open("1");
+  const auto found = files_->Load(Key(), *mesh_);
+  ASSERT_TRUE(found.ok()) << found.status();
+  EXPECT_EQ(found->distances, field.distances);
+  EXPECT_EQ(found->target_distances, field.target_distances);
+  EXPECT_EQ(found->settled_radius, kInfinity);
+  EXPECT_EQ(found->algorithm, Algorithm::kFwpMmp);
+  EXPECT_EQ(found->statistics.windows_created, 7);
+  EXPECT_EQ(found->statistics.solve_seconds, 0.5);
+  ASSERT_EQ(found->arrivals.size(), 3);
+  EXPECT_EQ(found->arrivals[1].pseudo_source, 5);
+  EXPECT_EQ(found->arrivals[1].entry, 6);
+  EXPECT_EQ(found->arrivals[1].x, 0.125);
+  EXPECT_EQ(found->arrivals[1].depth, 2);
+  EXPECT_EQ(found->arrivals[2].pseudo_source, kNoPseudoSource);
+  EXPECT_EQ(found->target_arrivals.size(), 1);
+}
+
+// Arrivals name half-edges.
+TEST_F(FieldFilesTest, ATracedFieldIsOfOneLayout) {
+  DistanceField field = Field();
+  field.arrivals.resize(3);
+  field.target_arrivals.resize(1);
+  ASSERT_TRUE(files_->Put(Key(), *mesh_, field).ok());
+  EXPECT_TRUE(files_->Load(Key(), *mesh_).ok());
+  const auto turned = OneFace({1, 2, 0});
+  EXPECT_TRUE(absl::IsNotFound(files_->Load(Key(), *turned).status()));
+  // Distances alone are the same whatever the numbers.
+  FieldKey other = Key();
+  other.mesh_digest[0] = 'b';
+  ASSERT_TRUE(files_->Put(other, *mesh_, Field()).ok());
+  EXPECT_TRUE(files_->Load(other, *turned).ok());
+}
+
+// Every part of a key tells fields apart.
+TEST_F(FieldFilesTest, OtherQuestionsAreOthers) {
+  ASSERT_TRUE(files_->Put(Key(), *mesh_, Field()).ok());
+  EXPECT_TRUE(files_->Find(Key(), {}).has_value());
+  std::vector<FieldKey> others(13, Key());
+  others[0].mesh_digest[0] = 'b';
+  others[1].sources[0].offset = 0.25;
+  others[2].sources[0].point = VertexPoint{2};
+  others[3].sources.clear();
+  others[4].curves[0].offset = 1;
+  others[5].curves[0].points.pop_back();
+  others[6].curves[0].points[1] = EdgePoint{2, 3, 0.5};
+  others[7].targets[0] = FacePoint{5, {0.25, 0.25, 0.5}};
+  others[8].targets[0] = EdgePoint{4, 5, 0.25};
+  others[9].targets.clear();
+  others[10].algorithm = Algorithm::kMmp;
+  others[11].bucket_width = 1;
+  others[12].max_batch = 1;
+  for (size_t i = 0; i < others.size(); ++i) {
+    EXPECT_FALSE(files_->Find(others[i], {}).has_value()) << i;
+  }
+  // A curve is not its two points.
+  FieldKey moved = Key();
+  moved.sources.clear();
+  moved.curves.push_back({.points = {VertexPoint{1}}, .offset = 0.5});
+  EXPECT_FALSE(files_->Find(moved, {}).has_value());
+}
+
+TEST_F(FieldFilesTest, ATracedFieldAnswersForOneWithout) {
+  FieldKey traced = Key();
+  traced.trace = true;
+  ASSERT_TRUE(files_->Put(traced, *mesh_, Field()).ok());
+  EXPECT_EQ(files_->Find(Key(), {}), traced);
+  ASSERT_TRUE(files_->Put(Key(), *mesh_, Field()).ok());
+  EXPECT_EQ(files_->Find(Key(), {}), Key());
+}
+
+TEST_F(FieldFilesTest, TheFieldThatReachesFurtherIsKept) {
+  ASSERT_TRUE(files_->Put(Key(), *mesh_, Field(2)).ok());
+  ASSERT_TRUE(files_->Put(Key(), *mesh_, Field(1)).ok());
+  EXPECT_TRUE(files_->Find(Key(), {.radius = 2}).has_value());
+  EXPECT_FALSE(files_->Find(Key(), {.radius = 3}).has_value());
+  EXPECT_EQ(files_->Load(Key(), *mesh_)->settled_radius, 2);
+  ASSERT_TRUE(files_->Put(Key(), *mesh_, Field(4)).ok());
+  EXPECT_TRUE(files_->Find(Key(), {.radius = 3}).has_value());
+  EXPECT_EQ(files_->size(), 1);
+}
+
+TEST_F(FieldFilesTest, FieldsAreThoseOfOneVersion) {
+  ASSERT_TRUE(files_->Put(Key(), *mesh_, Field()).ok());
+  Open("2");
+  EXPECT_FALSE(files_->Find(Key(), {}).has_value());
+  Open("1");
+  EXPECT_TRUE(files_->Find(Key(), {}).has_value());
+}
+
+TEST_F(FieldFilesTest, GoWithTheirMesh) {
+  FieldKey other = Key();
+  other.mesh_digest[0] = 'b';
+  ASSERT_TRUE(files_->Put(Key(), *mesh_, Field()).ok());
+  ASSERT_TRUE(files_->Put(other, *mesh_, Field()).ok());
+  files_->EraseMesh(Key().mesh_digest);
+  EXPECT_FALSE(files_->Find(Key(), {}).has_value());
+  EXPECT_TRUE(files_->Find(other, {}).has_value());
+}
+
+}  // namespace
+}  // namespace geodesic::server

@@ -1,0 +1,208 @@
+// What a server with --data-dir still has when it comes back.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "geodesic_client/client.h"
+#include "tests/integration/meshes.h"
+#include "tests/integration/running_server.h"
+
+namespace geodesic::client {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+class RestartTest : public ::testing::Test {
+ protected:
+  void SetUp() override { Start(); }
+
+  void Start(std::vector<std::string> flags = {}) {
+    flags.insert(flags.end(), {"--data-dir", data_dir()});
+    server_.emplace(folder_, flags);
+    client_.emplace(server_->address());
+  }
+  int Stop() {
+    client_.reset();
+    server_->Terminate();
+    return server_->Wait();
+  }
+
+  // The distances from a vertex of a planar grid are Euclid's.
+  void ExpectEuclid(const MeshArrays& mesh) {
+    const absl::StatusOr<Field> field = client_->ComputeField(
+        {.mesh_digest = MeshDigest(mesh), .sources = {{VertexPoint{0}}}});
+    ASSERT_TRUE(field.ok()) << field.status();
+    for (size_t v = 0; v < mesh.positions.size(); ++v) {
+      const Point& p = mesh.positions[v];
+      ASSERT_NEAR(field->distances[v], std::hypot(p[0], p[1]), 1e-10);
+    }
+  }
+
+  std::string data_dir() const { return folder_ / "data"; }
+
+  TemporaryFolder folder_;
+  std::optional<RunningServer> server_;
+  std::optional<Client> client_;
+};
+
+TEST_F(RestartTest, MeshesAndFieldsAreThere) {
+  const MeshArrays mesh = PlanarGrid(20);
+  WriteFile(folder_ / "hills.off", OffText(HillyGrid(10)));
+  ASSERT_TRUE(client_->UploadArrays(mesh).ok());
+  ASSERT_TRUE(client_->UploadFile(folder_ / "hills.off").ok());
+  ExpectEuclid(mesh);
+  EXPECT_EQ(Stop(), 0);
+
+  Start();
+  const auto meshes = client_->ListMeshes();
+  ASSERT_TRUE(meshes.ok()) << meshes.status();
+  ASSERT_THAT(*meshes, SizeIs(2));
+  for (const MeshInfo& info : *meshes) {
+    EXPECT_EQ(info.resident_bytes, 0);
+    EXPECT_GT(info.stored_bytes, 0);
+    EXPECT_GT(info.face_count, 0);
+  }
+  // The file is not sent again, and the field not computed.
+  const auto again = client_->UploadFile(folder_ / "hills.off");
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_TRUE(again->already_resident);
+  EXPECT_EQ(again->bytes_sent, 0);
+  const auto field = client_->ComputeField(
+      {.mesh_digest = MeshDigest(mesh), .sources = {{VertexPoint{0}}}});
+  ASSERT_TRUE(field.ok()) << field.status();
+  EXPECT_EQ(field->origin, FieldOrigin::kCached);
+  ExpectEuclid(mesh);
+  EXPECT_GT(client_->GetMesh(MeshDigest(mesh))->resident_bytes, 0);
+}
+
+TEST_F(RestartTest, KilledServersToo) {
+  const MeshArrays kept = PlanarGrid(20);
+  const MeshArrays deleted = PlanarGrid(10);
+  ASSERT_TRUE(client_->UploadArrays(kept).ok());
+  ASSERT_TRUE(client_->UploadArrays(deleted).ok());
+  ASSERT_TRUE(client_->DeleteMesh(MeshDigest(deleted)).ok());
+  client_.reset();
+  server_->Kill();
+  Start();
+  EXPECT_THAT(*client_->FindMissing({MeshDigest(kept), MeshDigest(deleted)}),
+              ElementsAre(MeshDigest(deleted)));
+  const auto read = client_->ReadMesh(MeshDigest(kept));
+  ASSERT_TRUE(read.ok()) << read.status();
+  EXPECT_EQ(read->positions, kept.positions);
+  EXPECT_EQ(read->triangles, kept.triangles);
+  ExpectEuclid(kept);
+}
+
+// Every question brings the mesh it is about back from the disk.
+TEST_F(RestartTest, AnyQuestionFindsItsMesh) {
+  const MeshArrays mesh = PlanarGrid(6);
+  const std::string digest = MeshDigest(mesh);
+  ASSERT_TRUE(client_->UploadArrays(mesh).ok());
+  const SurfacePoint from = VertexPoint{0};
+  const SurfacePoint to = VertexPoint{48};
+  const std::vector<std::function<absl::Status()>> questions = {
+      [&] {
+        return client_
+            ->ComputePaths(
+                {.mesh_digest = digest, .sources = {{from}}, .targets = {to}})
+            .status();
+      },
+      [&] {
+        return client_
+            ->ComputeIsolines(
+                {.mesh_digest = digest, .sources = {{from}}, .levels = {0.5}})
+            .status();
+      },
+      [&] {
+        return client_
+            ->FindNearest({.mesh_digest = digest,
+                           .sources = {{from}},
+                           .targets = {to},
+                           .count = 1})
+            .status();
+      },
+      [&] {
+        return client_
+            ->SampleFarthestPoints(
+                {.mesh_digest = digest, .sources = {{from}}, .count = 2})
+            .status();
+      },
+      [&] {
+        return client_->ComputeLogMap({.mesh_digest = digest, .source = from})
+            .status();
+      },
+      [&] { return client_->ReadMesh(digest).status(); }};
+  for (size_t i = 0; i < questions.size(); ++i) {
+    Stop();
+    Start();
+    EXPECT_EQ(client_->GetMesh(digest)->resident_bytes, 0);
+    const absl::Status status = questions[i]();
+    EXPECT_TRUE(status.ok()) << "question " << i << ": " << status;
+    EXPECT_GT(client_->GetMesh(digest)->resident_bytes, 0) << i;
+  }
+}
+
+TEST_F(RestartTest, ManyAskForWhatHasToBeLoaded) {
+  const MeshArrays mesh = PlanarGrid(40);
+  ASSERT_TRUE(client_->UploadArrays(mesh).ok());
+  Stop();
+  Start();
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 8; ++i) {
+    threads.emplace_back([&] { ExpectEuclid(mesh); });
+  }
+  for (std::thread& thread : threads) thread.join();
+}
+
+TEST_F(RestartTest, MemoryIsACacheOfTheDisk) {
+  Stop();
+  Start({"--mesh-store", "2MiB"});
+  // About 0.7 MB each in memory.
+  std::vector<MeshArrays> meshes;
+  for (uint32_t n = 34; n < 42; ++n) meshes.push_back(PlanarGrid(n));
+  for (const MeshArrays& mesh : meshes) {
+    const auto upload = client_->UploadArrays(mesh);
+    ASSERT_TRUE(upload.ok()) << upload.status();
+  }
+  size_t resident = 0;
+  const auto listed = client_->ListMeshes();
+  for (const MeshInfo& mesh : *listed) {
+    resident += mesh.resident_bytes > 0 ? 1 : 0;
+  }
+  EXPECT_LT(resident, meshes.size());
+  for (const MeshArrays& mesh : meshes) ExpectEuclid(mesh);
+}
+
+TEST_F(RestartTest, AFolderHasOneServer) {
+  const ProcessResult second = RunProgram(
+      {GEODESICD_BINARY, "--listen", "127.0.0.1:0", "--data-dir", data_dir()});
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_THAT(second.err, HasSubstr("in use by process"));
+  EXPECT_TRUE(client_->ListMeshes().ok());
+}
+
+TEST_F(RestartTest, WithoutItNothingIsKept) {
+  Stop();
+  server_.emplace(folder_);
+  client_.emplace(server_->address());
+  EXPECT_EQ(client_->GetCapabilities()->limits.mesh_disk_bytes, 0);
+  ASSERT_TRUE(client_->UploadArrays(PlanarGrid(3)).ok());
+  EXPECT_EQ(client_->ListMeshes()->at(0).stored_bytes, 0);
+  server_->Kill();
+  server_.emplace(folder_);
+  client_.emplace(server_->address());
+  EXPECT_THAT(*client_->ListMeshes(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace geodesic::client

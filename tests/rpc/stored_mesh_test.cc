@@ -1,0 +1,164 @@
+// Requests for meshes that are on disk and not in memory.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/rpc/rpc_fixture.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace geodesic::server {
+namespace {
+
+constexpr std::chrono::milliseconds kLong = std::chrono::minutes(1);
+
+class StoredMeshTest : public test::RpcTest {
+ protected:
+  ~StoredMeshTest() override {
+    // Before the folder goes.
+    solver_.LetGo();
+    server_.reset();
+  }
+
+  // One thread, and a queue for whoever comes.
+  ServerOptions OneThread() const {
+    ServerOptions options = SmallServer();
+    options.data_dir = temporary_ / "data";
+    options.limits.max_concurrent_jobs = 1;
+    options.limits.mesh_disk_bytes = uint64_t{64} << 20;
+    options.limits.field_disk_bytes = uint64_t{64} << 20;
+    return options;
+  }
+
+  // Two meshes on disk, none in memory; the only thread is held by a
+  // computation on the first, whose stream is open.
+  void StartBusy() {
+    Start(OneThread());
+    first_ = Upload(geodesic::test::Icosphere(1));
+    second_ = Upload(geodesic::test::Icosphere(2));
+    server_.reset();
+    Start(OneThread(), /*held=*/true);
+    busy_ = fields_->ComputeField(&busy_context_, FieldRequest(first_, 0));
+    solver_.WaitForStarts(1);
+  }
+
+  void EndBusy() {
+    solver_.LetGo();
+    v1::ComputeFieldResponse message;
+    while (busy_->Read(&message)) {
+    }
+    EXPECT_TRUE(busy_->Finish().ok());
+  }
+
+  // The server knows of it a little later than the client.
+  void WaitForLoads(size_t count) {
+    while (server_->engine().loads().size() != count) {
+      std::this_thread::yield();
+    }
+  }
+
+  geodesic::test::TemporaryFolder temporary_;
+  std::string first_;
+  std::string second_;
+  grpc::ClientContext busy_context_;
+  std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>> busy_;
+};
+
+TEST_F(StoredMeshTest, AQuestionWaitsForItsMesh) {
+  StartBusy();
+  grpc::ClientContext context;
+  const auto reader = fields_->ComputeField(&context, FieldRequest(second_, 0));
+  WaitForLoads(1);
+  EndBusy();
+  v1::ComputeFieldResponse message;
+  ASSERT_TRUE(reader->Read(&message));
+  EXPECT_EQ(message.accepted().mesh_digest(), second_);
+  while (reader->Read(&message)) {
+  }
+  EXPECT_TRUE(reader->Finish().ok());
+  EXPECT_EQ(server_->engine().counters().meshes_loaded, 2);
+}
+
+TEST_F(StoredMeshTest, WhoCancelsWaitsNoLonger) {
+  StartBusy();
+  grpc::ClientContext context;
+  const auto reader = fields_->ComputeField(&context, FieldRequest(second_, 0));
+  WaitForLoads(1);
+  context.TryCancel();
+  EXPECT_EQ(reader->Finish().error_code(), grpc::StatusCode::CANCELLED);
+  WaitForLoads(0);
+  EndBusy();
+  EXPECT_TRUE(server_->engine().WaitIdle(kLong));
+  EXPECT_EQ(server_->engine().counters().meshes_loaded, 1);
+}
+
+TEST_F(StoredMeshTest, ADeadlineEndsTheWait) {
+  StartBusy();
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() +
+                       std::chrono::milliseconds(200));
+  EXPECT_EQ(ComputeField(FieldRequest(second_, 0), context).status.error_code(),
+            grpc::StatusCode::DEADLINE_EXCEEDED);
+  WaitForLoads(0);
+  EndBusy();
+}
+
+TEST_F(StoredMeshTest, OneOfManyLeaves) {
+  StartBusy();
+  std::vector<std::unique_ptr<grpc::ClientContext>> contexts;
+  std::vector<std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>>>
+      readers;
+  for (uint64_t vertex = 0; vertex < 2; ++vertex) {
+    contexts.push_back(std::make_unique<grpc::ClientContext>());
+    readers.push_back(fields_->ComputeField(contexts.back().get(),
+                                            FieldRequest(second_, vertex)));
+  }
+  WaitForLoads(1);
+  contexts[0]->TryCancel();
+  EXPECT_EQ(readers[0]->Finish().error_code(), grpc::StatusCode::CANCELLED);
+  EndBusy();
+  v1::ComputeFieldResponse message;
+  while (readers[1]->Read(&message)) {
+  }
+  EXPECT_TRUE(readers[1]->Finish().ok());
+}
+
+TEST_F(StoredMeshTest, AServerThatStopsSaysSo) {
+  StartBusy();
+  grpc::ClientContext context;
+  const auto reader = fields_->ComputeField(&context, FieldRequest(second_, 0));
+  WaitForLoads(1);
+  server_->Shutdown(std::chrono::milliseconds(0));
+  server_->Wait();
+  EXPECT_EQ(reader->Finish().error_code(), grpc::StatusCode::UNAVAILABLE);
+  v1::ComputeFieldResponse message;
+  while (busy_->Read(&message)) {
+  }
+  EXPECT_FALSE(busy_->Finish().ok());
+}
+
+TEST_F(StoredMeshTest, ADeletionWaitsForItsTurnAndIsFinal) {
+  StartBusy();
+  v1::DeleteMeshRequest request;
+  request.set_digest(second_);
+  v1::DeleteMeshResponse response;
+  grpc::Status status;
+  std::thread deletion([&] {
+    grpc::ClientContext context;
+    status = meshes_->DeleteMesh(&context, request, &response);
+  });
+  while (server_->engine().scheduler().queued() == 0) std::this_thread::yield();
+  EndBusy();
+  deletion.join();
+  EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_EQ(ComputeField(second_, 0).status.error_code(),
+            grpc::StatusCode::NOT_FOUND);
+}
+
+}  // namespace
+}  // namespace geodesic::server
