@@ -108,8 +108,8 @@ TEST_F(RestartTest, AnyQuestionFindsItsMesh) {
   const MeshArrays mesh = PlanarGrid(6);
   const std::string digest = MeshDigest(mesh);
   ASSERT_TRUE(client_->UploadArrays(mesh).ok());
-  const SurfacePoint from = VertexPoint{0};
-  const SurfacePoint to = VertexPoint{48};
+  const VertexPoint from{0};
+  const VertexPoint to{48};
   const std::vector<std::function<absl::Status()>> questions = {
       [&] {
         return client_

@@ -30,6 +30,7 @@ class StoredMeshTest : public test::RpcTest {
     ServerOptions options = SmallServer();
     options.data_dir = temporary_ / "data";
     options.limits.max_concurrent_jobs = 1;
+    options.limits.max_queued_jobs = 10;
     options.limits.mesh_disk_bytes = uint64_t{64} << 20;
     options.limits.field_disk_bytes = uint64_t{64} << 20;
     return options;
@@ -125,7 +126,8 @@ TEST_F(StoredMeshTest, OneOfManyLeaves) {
   v1::ComputeFieldResponse message;
   while (readers[1]->Read(&message)) {
   }
-  EXPECT_TRUE(readers[1]->Finish().ok());
+  const grpc::Status status = readers[1]->Finish();
+  EXPECT_TRUE(status.ok()) << status.error_message();
 }
 
 TEST_F(StoredMeshTest, AServerThatStopsSaysSo) {
