@@ -33,7 +33,7 @@ cell() {
     inside && /^. grid/ && at { print $at }' "$folder/tables.md"
 }
 
-for algorithm in fwp-ch fwp-mmp ich mmp; do
+for algorithm in fwp-list fwp-ch fwp-mmp ich mmp; do
   cell 'One source, one thread' "\`$algorithm\`" | grep -Eq '^[0-9.]+$' ||
     fail "no time of $algorithm"
   cell Windows "\`$algorithm\`" | awk '{ exit !($1 >= 1) }' ||
