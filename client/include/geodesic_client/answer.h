@@ -11,8 +11,8 @@
 namespace geodesic::client {
 
 // The algorithms this client can name: "fwp-ch", "fwp-mmp", "ich", "mmp",
-// "ch", "lc-mmp", "lc-ch", "fwp-list". All give the same distances. A server may offer
-// fewer; see Client::GetCapabilities.
+// "ch", "lc-mmp", "lc-ch", "fwp-list". All give the same distances. A server
+// may offer fewer; see Client::GetCapabilities.
 std::vector<std::string> AlgorithmNames();
 
 // How real numbers travel. They arrive as doubles in either case.
