@@ -33,15 +33,17 @@ struct IncomingRay {
 // The ray of a window on half_edge into the apex.
 inline IncomingRay RayThrough(HalfEdge half_edge, const Origin& origin,
                               const PlanePoint& apex) {
-  return {half_edge,
-          static_cast<float>((apex.x - origin.x) / (apex.y + origin.depth))};
+  const auto tangent =
+      static_cast<float>((apex.x - origin.x) / (apex.y + origin.depth));
+  return std::isfinite(tangent) ? IncomingRay{half_edge, tangent}
+                                : IncomingRay{};
 }
 inline IncomingRay RayThrough(HalfEdge half_edge, const MixedOrigin& origin,
                               const PlanePoint& apex) {
-  return origin.is_segment
-             ? IncomingRay{half_edge,
-                           static_cast<float>(origin.x / origin.depth)}
-             : RayThrough(half_edge, origin.AsPoint(), apex);
+  if (!origin.is_segment) return RayThrough(half_edge, origin.AsPoint(), apex);
+  const auto tangent = static_cast<float>(origin.x / origin.depth);
+  return std::isfinite(tangent) ? IncomingRay{half_edge, tangent}
+                                : IncomingRay{};
 }
 
 // The fan behind one vertex of a mesh without irregular edges.
