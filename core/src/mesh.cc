@@ -170,9 +170,9 @@ void Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles) {
       sum += frame.length;
       ++edges;
     }
-    if (IsCollapsed(first)) {
+    if (IsNoHigher(first, kNarrowFace)) {
       for (const uint32_t v : corners) kinds_[v] |= kPseudoSource;
-      has_collapsed_faces_ = true;
+      has_collapsed_faces_ |= IsNoHigher(first, kCollapsedFace);
     }
   }
   mean_edge_length_ = sum / static_cast<double>(edges);
@@ -199,11 +199,14 @@ void Mesh::BuildOutgoing() {
 }
 
 bool Mesh::IsCollapsed(HalfEdge h) const {
+  return IsNoHigher(h, kCollapsedFace);
+}
+
+bool Mesh::IsNoHigher(HalfEdge h, double of_longest) const {
   const HalfEdgeFrame* sides = &frames_[h - h % 3];
   const double longest =
       std::max({sides[0].length, sides[1].length, sides[2].length});
-  return sides[0].length * sides[0].apex_y <=
-         kCollapsedFace * longest * longest;
+  return sides[0].length * sides[0].apex_y <= of_longest * longest * longest;
 }
 
 bool Mesh::IsDisk(uint32_t v) const {

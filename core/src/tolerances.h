@@ -25,6 +25,13 @@ inline constexpr double kStraightAngle = 1e-13;
 // is no higher over the opposite edge than this lies on it.
 inline constexpr double kCollapsedFace = 1e-12;
 
+// A face no higher over its longest edge than this fraction of that edge may
+// lie whole in the gap behind a vertex that hides nothing by kFlatAngle, where
+// no window goes: a vertex behind it, relaxed by a near miss, passes nothing on
+// (kNearMiss), and so its corners become pseudo-sources. More than kFlatAngle
+// and kNearMiss, since gaps widen with the way from the pseudo-source.
+inline constexpr double kNarrowFace = 1e-8;
+
 // Least distance of an apex or a pseudo-source from an edge's line. It keeps
 // quotients defined on faces without area. Its square vanishes, so it adds
 // nothing to any distance.
@@ -47,6 +54,13 @@ inline constexpr double kRoundedWidth = 1e-15;
 // exactly into vertices, and rounding, which goes with the reach, puts them on
 // either side.
 inline constexpr double kNearMiss = 1e-9;
+
+// The same where sources are curves. A segment and the point in which it ends
+// share the ray that bounds both their windows; in either it is off by the
+// rounding of the end's place over its distance from the nearest vertex, 1e-7
+// where that is 1e-9 of an edge, and nothing else fills the gap. A path through
+// the nearest end of a window is longer by the square of this.
+inline constexpr double kNearMissOfCurves = 1e-6;
 
 // A weight of a surface point that is no larger is 0: it moves the point by far
 // less than one rounding of its face's corners, but leaves distances of 1e-200
@@ -82,6 +96,12 @@ inline constexpr double kSameRay = 1e-9;
 // Two windows on an edge whose distances differ by no more than this fraction
 // at a point are tied there, and the older keeps the point.
 inline constexpr double kTie = 1e-15;
+
+// On meshes with faces without area, a tie by this fraction of the edge and the
+// distances as well. Windows can go round a loop of such faces at no length,
+// and rounding, which goes with the edges, would make them a little nearer
+// every time, without end.
+inline constexpr double kLoopTie = 4e-15;
 
 // Where two windows change over, their distances agree within this many times
 // kTie. Closer is not worth an iteration: the closed form's rounding alone

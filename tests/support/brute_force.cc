@@ -189,7 +189,9 @@ class Unfolder {
   }
 
  private:
-  // Also where a curve is one point or stands still.
+  // Also where a curve is one point or stands still. Its points are pieces by
+  // themselves in every face around them: seen from beyond an edge, a piece
+  // that ends on it is seen all but edge-on there.
   void AddCurve(uint32_t number, const CurveSource& curve) {
     std::vector<std::vector<Place>> places;
     for (const SurfacePoint& point : curve.points) {
@@ -197,7 +199,11 @@ class Unfolder {
     }
     curve_nodes_.push_back(places);
     for (size_t i = 0; i < places.size(); ++i) {
-      for (const Place& begin : places[i > 0 ? i - 1 : 0]) {
+      for (const Place& at : places[i]) {
+        inside_[at.face].pieces.push_back({number, at, at});
+      }
+      if (i == 0) continue;
+      for (const Place& begin : places[i - 1]) {
         for (const Place& end : places[i]) {
           if (begin.face != end.face) continue;
           inside_[begin.face].pieces.push_back({number, begin, end});

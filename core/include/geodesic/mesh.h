@@ -147,8 +147,8 @@ class Mesh {
 
   // Whether shortest paths may bend at v: a saddle (cone angle above 2 pi), a
   // reflex corner of the boundary (angle above pi), or a vertex where the
-  // surface pinches, three faces or more meet in an edge, or a face has no
-  // area.
+  // surface pinches, three faces or more meet in an edge, or a face has hardly
+  // any area.
   bool IsPseudoSource(uint32_t v) const { return kinds_[v] & kPseudoSource; }
   bool IsSaddle(uint32_t v) const { return kinds_[v] & kSaddle; }
   bool IsBoundary(uint32_t v) const { return kinds_[v] & kBoundary; }
@@ -189,6 +189,9 @@ class Mesh {
   }
   void BuildFrames(std::span<const Exit> exits, ConeAngles& angles);
   void BuildOutgoing();
+  // Whether the face of h is no higher over its longest edge than this fraction
+  // of that edge.
+  bool IsNoHigher(HalfEdge h, double of_longest) const;
   // Whether the faces around v form one fan, closed or open.
   bool IsDisk(uint32_t v) const;
   // The same, quickly and for certain if true, where faces agree.

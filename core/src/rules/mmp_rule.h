@@ -249,6 +249,10 @@ void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
   }
   if (!lists_.has_room(half_edge)) listed_.push_back(half_edge);
   lists_.Seek(half_edge, interval.begin);
+  const double slack =
+      mesh_.HasCollapsedFaces()
+          ? kLoopTie * (length + newer.begin_distance + newer.end_distance)
+          : 0;
 
   // The new window holds [held_from, ...) until an older one keeps a part.
   double held_from = interval.begin;
@@ -270,14 +274,14 @@ void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
     const Interval overlap{std::max(held.begin, interval.begin),
                            std::min(held.end, interval.end)};
     if (front_.MayChangeOverTwice()) {
-      if (const auto at = SplitBeforeContest(next->window, newer)) {
+      if (const auto at = SplitBeforeContest(next->window, newer, slack)) {
         put_down(overlap.begin);
         Insert(half_edge, pseudo_source, origin, {overlap.begin, *at});
         Insert(half_edge, pseudo_source, origin, {*at, interval.end});
         return;
       }
     }
-    const Interval won = WonByNewer(next->window, newer);
+    const Interval won = WonByNewer(next->window, newer, slack);
     if (won.width() <= 0) {
       put_down(overlap.begin);
       held_from = overlap.end;

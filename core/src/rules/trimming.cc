@@ -10,9 +10,10 @@ namespace {
 // Distances of two windows at a point.
 struct Contest {
   double older, newer;
+  double slack;  // beside kTie
 
   double difference() const { return newer - older; }
-  double tie() const { return kTie * older; }
+  double tie() const { return kTie * older + slack; }
   bool newer_wins() const { return difference() < -tie(); }
   bool newer_loses() const { return difference() > tie(); }
 };
@@ -92,7 +93,7 @@ double FindCrossing(const WindowType& older, const WindowType& newer,
     }
     if (!(x > low && x < high)) x = low + (high - low) / 2;
     if (!(x > low && x < high)) break;  // neighbouring doubles
-    const Contest at{older.DistanceTo(x), newer.DistanceTo(x)};
+    const Contest at{older.DistanceTo(x), newer.DistanceTo(x), 0};
     const double difference = at.difference();
     if (std::abs(difference) <= kCrossingRoundings * at.tie()) return x;
     if ((difference < 0) == (at_low < 0)) {
@@ -113,28 +114,29 @@ double FindCrossing(const WindowType& older, const WindowType& newer,
 
 // At the begin (end) of the overlap, which is that of one window at least.
 template <typename WindowType>
-Contest AtBegin(const WindowType& older, const WindowType& newer) {
+Contest AtBegin(const WindowType& older, const WindowType& newer,
+                double slack) {
   const double a = older.interval.begin, b = newer.interval.begin;
   return {a >= b ? older.begin_distance : older.DistanceTo(b),
-          b >= a ? newer.begin_distance : newer.DistanceTo(a)};
+          b >= a ? newer.begin_distance : newer.DistanceTo(a), slack};
 }
 
 template <typename WindowType>
-Contest AtEnd(const WindowType& older, const WindowType& newer) {
+Contest AtEnd(const WindowType& older, const WindowType& newer, double slack) {
   const double a = older.interval.end, b = newer.interval.end;
   return {a <= b ? older.end_distance : older.DistanceTo(b),
-          b <= a ? newer.end_distance : newer.DistanceTo(a)};
+          b <= a ? newer.end_distance : newer.DistanceTo(a), slack};
 }
 
 }  // namespace
 
 template <typename OriginType>
 Interval WonByNewer(const BasicWindow<OriginType>& older,
-                    const BasicWindow<OriginType>& newer) {
+                    const BasicWindow<OriginType>& newer, double slack) {
   const double begin = std::max(older.interval.begin, newer.interval.begin);
   const double end = std::min(older.interval.end, newer.interval.end);
-  const Contest at_begin = AtBegin(older, newer);
-  const Contest at_end = AtEnd(older, newer);
+  const Contest at_begin = AtBegin(older, newer, slack);
+  const Contest at_end = AtEnd(older, newer, slack);
   const bool wins_begin = at_begin.newer_wins();
   if (!wins_begin && !at_end.newer_wins()) return {begin, begin};
   if (!at_begin.newer_loses() && !at_end.newer_loses()) return {begin, end};
@@ -143,20 +145,22 @@ Interval WonByNewer(const BasicWindow<OriginType>& older,
   return wins_begin ? Interval{begin, crossing} : Interval{crossing, end};
 }
 
-template Interval WonByNewer(const Window& older, const Window& newer);
-template Interval WonByNewer(const MixedWindow& older,
-                             const MixedWindow& newer);
+template Interval WonByNewer(const Window& older, const Window& newer,
+                             double slack);
+template Interval WonByNewer(const MixedWindow& older, const MixedWindow& newer,
+                             double slack);
 
 template <typename OriginType>
 std::optional<double> SplitBeforeContest(const BasicWindow<OriginType>& older,
-                                         const BasicWindow<OriginType>& newer) {
+                                         const BasicWindow<OriginType>& newer,
+                                         double slack) {
   const double at = CommonRay(older.origin, newer.origin);
   const double begin = std::max(older.interval.begin, newer.interval.begin);
   const double end = std::min(older.interval.end, newer.interval.end);
   if (!(at > begin && at < end)) return std::nullopt;
-  const Contest at_begin = AtBegin(older, newer);
-  const Contest at_end = AtEnd(older, newer);
-  const Contest between{older.DistanceTo(at), newer.DistanceTo(at)};
+  const Contest at_begin = AtBegin(older, newer, slack);
+  const Contest at_end = AtEnd(older, newer, slack);
+  const Contest between{older.DistanceTo(at), newer.DistanceTo(at), slack};
   const bool newer_passes =
       between.newer_wins() && !at_begin.newer_wins() && !at_end.newer_wins();
   const bool older_passes =
@@ -165,8 +169,9 @@ std::optional<double> SplitBeforeContest(const BasicWindow<OriginType>& older,
   return at;
 }
 
-template std::optional<double> SplitBeforeContest(const Window&, const Window&);
+template std::optional<double> SplitBeforeContest(const Window&, const Window&,
+                                                  double);
 template std::optional<double> SplitBeforeContest(const MixedWindow&,
-                                                  const MixedWindow&);
+                                                  const MixedWindow&, double);
 
 }  // namespace geodesic

@@ -11,7 +11,7 @@
 namespace geodesic {
 
 // The part of two windows' overlap where the newer is nearer; of width 0 if the
-// older keeps all of it. Ties (kTie) go to the older.
+// older keeps all of it. Ties (kTie, and `slack`) go to the older.
 //
 // Decided by the distances at both ends of the overlap. That is exact: the
 // difference of the two distances has its only extremum where the line through
@@ -22,7 +22,7 @@ namespace geodesic {
 // REQUIRES: the windows overlap, and SplitBeforeContest has nothing to split.
 template <typename OriginType>
 Interval WonByNewer(const BasicWindow<OriginType>& older,
-                    const BasicWindow<OriginType>& newer);
+                    const BasicWindow<OriginType>& newer, double slack = 0);
 
 // That ray may run through a pseudo-source that is no vertex, though, and end
 // no window, or the two windows may have come along it by different faces of
@@ -32,7 +32,8 @@ Interval WonByNewer(const BasicWindow<OriginType>& older,
 // overlap.
 template <typename OriginType>
 std::optional<double> SplitBeforeContest(const BasicWindow<OriginType>& older,
-                                         const BasicWindow<OriginType>& newer);
+                                         const BasicWindow<OriginType>& newer,
+                                         double slack = 0);
 
 }  // namespace geodesic
 

@@ -71,9 +71,9 @@ inline double Lean(const MixedOrigin& origin, const PlanePoint& place,
 inline double NearMiss(const MixedOrigin& origin, const HalfEdgeFrame& frame,
                        const PlanePoint& place) {
   return origin.is_segment
-             ? kNearMiss * (frame.length + std::abs(origin.sigma)) /
+             ? kNearMissOfCurves * (frame.length + std::abs(origin.sigma)) /
                    origin.depth
-             : NearMiss(origin.AsPoint(), frame, place);
+             : NearMiss(origin.AsPoint(), frame, place, kNearMissOfCurves);
 }
 
 inline bool LiesOnEdge(const MixedOrigin& origin, const HalfEdgeFrame& frame) {

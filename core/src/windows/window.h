@@ -111,9 +111,9 @@ inline double CrossingTo(const Origin& origin, const PlanePoint& place) {
 // apex, a target), through the interval's nearest end. The ray into the place
 // misses the window by so much less as it runs along the edge.
 inline double NearMiss(const Origin& origin, const HalfEdgeFrame& frame,
-                       const PlanePoint& place) {
+                       const PlanePoint& place, double of_reach = kNearMiss) {
   const double slope = std::abs(place.x - origin.x) / (place.y + origin.depth);
-  return kNearMiss * (frame.length + std::abs(origin.x) + origin.depth) *
+  return of_reach * (frame.length + std::abs(origin.x) + origin.depth) *
          (1 + slope);
 }
 

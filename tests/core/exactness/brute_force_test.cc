@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -47,6 +48,26 @@ void ExpectBruteForce(const NamedMesh& named, uint32_t fields, uint64_t seed,
                               slack));
     }
   }
+}
+
+// A test of the oracle: where a curve ends on an edge it is in the faces on
+// both sides of it, and from beyond it would be seen edge-on.
+TEST(BruteForceComparison, CurvesThatEndOnEdges) {
+  const TriangleSoup soup = {{{0, 0, 0},
+                              {0.54510429528898252, 0.83836824084497719, 0},
+                              {-0.40572261451500352, 0.91399625823693054, 0},
+                              {-0.98742657502499154, 0.1580783316410406, 0}},
+                             {{0, 1, 2}, {0, 2, 3}}};
+  const FacePoint node{
+      1, {8.7052580812239745e-10, 0.99999999870099854, 4.2847566226357701e-10}};
+  const EdgePoint end{2, 0, 0.045761953606791902};
+  const CurveSource curve{{FacePoint{0, {0.001, 0.159, 0.84}}, end}};
+  const BruteForce brute_force(soup, {node}, {curve});
+  // In the plane, straight to the curve's end.
+  const Point from = PositionOf(node, *BuildOrFail({"two faces", soup}));
+  const Point to = PositionOf(end, *BuildOrFail({"two faces", soup}));
+  EXPECT_NEAR(brute_force.DistancesFromAll({})[4],
+              std::hypot(to[0] - from[0], to[1] - from[1]), 1e-15);
 }
 
 TEST(BruteForceComparison, Icospheres) {

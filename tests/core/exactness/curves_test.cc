@@ -107,6 +107,35 @@ TEST_P(Curves, BesidePointsAndWithOffsets) {
   }
 }
 
+// An end very near a vertex knows the direction at right angles to the curve,
+// where its own windows and the curve's meet, only roughly.
+TEST_P(Curves, EndNearVertices) {
+  const TriangleSoup soup =
+      InsertZeroAreaFaces(MakeGrid({.columns = 8, .rows = 8}), 60, 2);
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
+  ASSERT_NE(mesh, nullptr);
+  constexpr uint32_t kGridVertices = 81;
+  for (const double t : {1e-6, 1e-8, 1e-10}) {
+    for (uint32_t f = 0; f < mesh->face_count(); f += 5) {
+      const uint32_t a = soup.triangles[f][0], b = soup.triangles[f][1];
+      if (std::max(a, b) >= kGridVertices) continue;
+      Query query{.curves = {{{EdgePoint{a, b, t}, VertexPoint{b}}}},
+                  .algorithm = GetParam().algorithm};
+      NoCheckpoint checkpoint;
+      const auto field = Solve(*mesh, query, {}, checkpoint);
+      ASSERT_TRUE(field.ok()) << field.status();
+      const Point start = PositionOf(EdgePoint{a, b, t}, *mesh);
+      const Point& end = soup.positions[b];
+      const PlanarCurve curve{{{start[0], start[1]}, {end[0], end[1]}}};
+      for (uint32_t v = 0; v < field->distances.size(); ++v) {
+        EXPECT_NEAR(field->distances[v], DistanceTo(curve, soup.positions[v]),
+                    1e-9)
+            << "from " << t << " of " << a << "-" << b << " to " << v;
+      }
+    }
+  }
+}
+
 // Distances from segments are sums of terms of both signs. Below 0, and
 // improving by less than nothing for ever, they may come out where vertices
 // coincide.

@@ -9,11 +9,14 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
+#include "tests/support/random.h"
 #include "tests/support/vec.h"
 
 namespace geodesic::test {
@@ -82,6 +85,75 @@ TEST_P(DegenerateMeshes, NeedlesDownToRounding) {
         {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {1, 0, 4}}};
     ExpectEuclid({absl::StrCat("needle of height ", height), soup},
                  {0, 1, 2, 3, 4});
+  }
+}
+
+// Faces without area but for a noise of their corners, which no longer count as
+// such: they lie whole in the gaps that vertices flat within rounding leave.
+TEST_P(DegenerateMeshes, NoisyFacesWithoutArea) {
+  for (const double noise : {3e-12, 1e-11, 1e-10}) {
+    for (const uint64_t seed : {1, 3, 4}) {
+      TriangleSoup soup =
+          InsertZeroAreaFaces(MakeGrid({.columns = 8, .rows = 8}), 30, seed);
+      Random random(seed);
+      for (Point& p : soup.positions) {
+        for (double& c : p) c += random.Uniform(-noise, noise);
+      }
+      const NamedMesh named{absl::StrCat("noise of ", noise), soup};
+      const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+      ASSERT_NE(mesh, nullptr);
+      for (const uint32_t s : SpreadVertices(soup, 6)) {
+        const std::vector<double> field = SolveOn(*mesh, {{VertexPoint{s}}});
+        for (uint32_t v = 0; v < field.size(); ++v) {
+          // A step up and down by the noise is all that is longer than Euclid.
+          EXPECT_NEAR(field[v],
+                      static_cast<double>(
+                          Distance(soup.positions[s], soup.positions[v])),
+                      20 * noise)
+              << named.name << ", seed " << seed << ", " << s << " to " << v;
+        }
+      }
+    }
+  }
+}
+
+// A checkpoint that loses patience.
+class ManyWindows final : public Checkpoint {
+ public:
+  absl::Status Poll(const Progress& progress) override {
+    return progress.windows_propagated < 500'000
+               ? absl::OkStatus()
+               : absl::ResourceExhaustedError("windows without end");
+  }
+};
+
+// A face that is there twice is a sack, and rays go round one without area at
+// no length: rounding must not make them nearer each time. The copy changes no
+// distance, since every path through it may take the original.
+TEST_P(DegenerateMeshes, WindowsDoNotGoRoundSacksForEver) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    std::vector<uint32_t> doubled;
+    const TriangleSoup once = InsertZeroAreaFaces(
+        DoubleVertices(Terrain(3, 3, 1, seed), 1, seed, &doubled), 3, seed);
+    TriangleSoup twice = once;
+    twice.triangles.insert(twice.triangles.end(), once.triangles.begin(),
+                           once.triangles.end());
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail({"twice", twice});
+    const std::shared_ptr<const Mesh> original = BuildOrFail({"once", once});
+    ASSERT_NE(mesh, nullptr);
+    ASSERT_NE(original, nullptr);
+    for (uint32_t f = 0; f < original->face_count(); f += 4) {
+      const Query query{.sources = {{FacePoint{f, {0.2, 0.3, 0.5}}}},
+                        .algorithm = GetParam().algorithm};
+      ManyWindows checkpoint;
+      const auto field = Solve(*mesh, query, {}, checkpoint);
+      ASSERT_TRUE(field.ok()) << field.status() << ", seed " << seed;
+      const auto expected = Solve(*original, query, {}, checkpoint);
+      ASSERT_TRUE(expected.ok()) << expected.status();
+      EXPECT_TRUE(FieldsAgree({"sacks", query.sources, GetParam().name},
+                              expected->distances, field->distances,
+                              4 * CoordinateRounding(once)));
+    }
   }
 }
 
