@@ -132,8 +132,10 @@ void Pinch(TriangleSoup& soup, Random& random) {
   soup = std::move(pinched);
 }
 
-void Edit(TriangleSoup& soup, uint32_t size, Random& random,
-          std::string* name) {
+// Returns by how much it was stretched or flattened: 1 if it was not.
+double Edit(TriangleSoup& soup, uint32_t size, Random& random,
+            std::string* name) {
+  double stretched = 1;
   const auto apply = [&](uint32_t one_in, const char* what, auto edit) {
     if (!OneIn(one_in, random)) return;
     edit();
@@ -162,7 +164,9 @@ void Edit(TriangleSoup& soup, uint32_t size, Random& random,
   apply(5, "noise",
         [&] { AddNoise(soup, std::pow(10, random.Uniform(-12, 0)), random); });
   apply(6, "stretched", [&] {
-    Stretch(soup, std::pow(10, random.Uniform(-6, 6)), random.Below(3));
+    const double power = random.Uniform(-6, 6);
+    stretched = std::pow(10, std::abs(power));
+    Stretch(soup, std::pow(10, power), random.Below(3));
   });
   apply(5, "holes", [&] { MakeHoles(soup, 1 + random.Below(5), random); });
   apply(6, "another component", [&] {
@@ -189,6 +193,7 @@ void Edit(TriangleSoup& soup, uint32_t size, Random& random,
   apply(8, "scaled", [&] {
     soup = test::Scale(soup, std::pow(10, random.Uniform(-150, 150)));
   });
+  return stretched;
 }
 
 }  // namespace
@@ -198,11 +203,10 @@ Scene DrawScene(Random& random) {
   const uint32_t size = OneIn(30, random) ? 24 : OneIn(4, random) ? 8 : 3;
   Scene scene;
   scene.soup = DrawShape(size, random, &scene.description);
-  if (scene.soup.triangles.size() <= 500) {
-    Edit(scene.soup, std::min(size, 5u), random, &scene.description);
-  } else {
-    Edit(scene.soup, size, random, &scene.description);
-  }
+  scene.stretched =
+      Edit(scene.soup,
+           scene.soup.triangles.size() <= 500 ? std::min(size, 5u) : size,
+           random, &scene.description);
   scene.description +=
       ", " + std::to_string(scene.soup.triangles.size()) + " faces";
   absl::StatusOr<std::shared_ptr<const Mesh>> mesh = Mesh::Build(scene.soup);
@@ -223,13 +227,13 @@ Scene DrawScene(Random& random) {
 }
 
 std::vector<AlgorithmInfo> AlgorithmsFor(const Scene& scene) {
-  // The Chen-Han rule makes windows by the hundred million on needles
+  // Beyond it the Chen-Han rule may make windows by the ten million
   // (docs/algorithm.md, "Guarantees and limits").
-  const bool is_stretched =
-      scene.description.find("stretched") != std::string::npos;
+  constexpr double kMostStretched = 1e4;
   std::vector<AlgorithmInfo> fit;
   for (const AlgorithmInfo& info : kAlgorithms) {
-    if (is_stretched && WithTrimming(info.algorithm) != info.algorithm) {
+    if (scene.stretched > kMostStretched &&
+        WithTrimming(info.algorithm) != info.algorithm) {
       continue;
     }
     if (info.algorithm == Algorithm::kCh &&

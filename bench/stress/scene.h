@@ -27,6 +27,9 @@ struct Scene {
   // What the rounding of coordinates is worth: lengths are known no better.
   double rounding = 0;
 
+  // By how much one axis was stretched or flattened; 1 if it was not.
+  double stretched = 1;
+
   // The largest coordinate.
   double size() const { return rounding * 0x1p52; }
   // Few enough faces for brute force.
