@@ -350,6 +350,104 @@ class PythonClientTest(unittest.TestCase):
             self.assertAlmostEqual(
                 distance, math.dist(positions[vertex], place), delta=1e-10)
 
+    def test_a_curve_is_a_source(self):
+        digest, positions, _ = self.grid()
+        curve = self.surface_pb.Curve(points=[
+            self.surface_pb.SurfacePoint(vertex=v)
+            for v in range(2, 7)])  # along the lower side
+        request = self.field_pb.ComputeFieldRequest(
+            mesh_digest=digest,
+            sources=[self.surface_pb.Source(curve=curve, offset=0.5)],
+            value_type=self.query_pb.VALUE_TYPE_FLOAT32)
+        data = b"".join(
+            r.chunk.distances
+            for r in self.fields.ComputeField(request, timeout=60))
+        values = struct.unpack("<%df" % len(positions), data)
+        for value, (x, y, _) in zip(values, positions):
+            nearest = min(max(x, 0.2), 0.6)
+            self.assertAlmostEqual(value, 0.5 + math.hypot(x - nearest, y),
+                                   delta=1e-6)
+
+    def test_labels_name_the_nearest_of_several(self):
+        digest, positions, _ = self.grid()
+        sources = [(0, 0.0), (GRID, 0.25), (len(positions) - 1, 0.1)]
+        request = self.field_pb.ComputeFieldRequest(
+            mesh_digest=digest,
+            quantities=[self.field_pb.FIELD_QUANTITY_NEAREST_SOURCE])
+        for vertex, offset in sources:
+            request.sources.add(vertex=vertex, offset=offset)
+        nearest = []
+        for response in self.fields.ComputeField(request, timeout=60):
+            nearest += numbers32(response.chunk.nearest_sources)
+        self.assertEqual(len(nearest), len(positions))
+        for position, label in zip(positions, nearest):
+            ways = [offset + math.dist(position, positions[vertex])
+                    for vertex, offset in sources]
+            self.assertAlmostEqual(ways[label], min(ways), delta=1e-10)
+
+    def test_a_limited_field_goes_on(self):
+        digest, positions, _ = self.grid()
+        request = self.field_pb.ComputeFieldRequest(
+            mesh_digest=digest, max_distance=0.3,
+            sources=[self.surface_pb.Source(vertex=5, offset=0.001)])
+        origins = []
+        for limit in (0.3, None):
+            if limit is None:
+                request.ClearField("max_distance")
+            values = []
+            for response in self.fields.ComputeField(request, timeout=60):
+                values += doubles(response.chunk.distances)
+                if response.HasField("trailer"):
+                    origins.append(response.trailer.origin)
+            for value, position in zip(values, positions):
+                expected = 0.001 + math.dist(position, positions[5])
+                if limit is None or expected <= limit:
+                    self.assertAlmostEqual(value, expected, delta=1e-10)
+                else:
+                    self.assertEqual(value, math.inf)
+        self.assertEqual(origins[1], self.field_pb.FIELD_ORIGIN_CONTINUED)
+
+    def test_what_had_settled_before_a_cancel_is_final(self):
+        side = 150
+        positions = [(float(i), float(j), 0.0) for j in range(side)
+                     for i in range(side)]
+        faces = []
+        for a in range(side * (side - 1)):
+            if (a + 1) % side:
+                b = a + side
+                faces += [(a, a + 1, b + 1), (a, b + 1, b)]
+        digest = self.upload(positions, faces).mesh.digest
+        # A client that reads this little at a time cannot have got all of it.
+        call = self.fields.ComputeField(
+            self.field_pb.ComputeFieldRequest(
+                mesh_digest=digest, progressive=True,
+                sources=[self.surface_pb.Source(vertex=0)]), timeout=60)
+        settled = []
+        for response in call:
+            settled += zip(numbers32(response.settled.vertices),
+                           doubles(response.settled.distances))
+            if settled:
+                break
+        call.cancel()
+        with self.assertRaises(grpc.RpcError) as caught:
+            for _ in call:
+                pass
+        self.assertEqual(caught.exception.code(), grpc.StatusCode.CANCELLED)
+        for vertex, distance in settled:
+            self.assertAlmostEqual(
+                distance, math.dist(positions[vertex], positions[0]),
+                delta=1e-9)
+
+    def test_a_book_of_three_pages_is_told_of_and_measured(self):
+        positions = [(0, 0, 0), (0, 1, 0), (1, 0, 0), (-1, 0, 0), (0, 0, 1)]
+        mesh = self.upload(positions, [(0, 1, 2), (0, 1, 3), (0, 1, 4)]).mesh
+        self.assertEqual(mesh.non_manifold_edge_count, 1)
+        self.assertEqual(mesh.non_manifold_vertex_count, 2)
+        self.assertFalse(mesh.HasField("genus"))
+        values, _ = self.compute(mesh.digest, [(2, 0.0)])
+        for value, expected in zip(values, [1, math.sqrt(2), 0, 2, 2]):
+            self.assertAlmostEqual(value, expected, delta=1e-12)
+
     def test_paths_are_straight(self):
         digest, positions, _ = self.grid()
         source, place = self.face_source()
