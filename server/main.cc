@@ -11,8 +11,8 @@
 #include <string>
 
 #include "server/options.h"
+#include "server/process_signals.h"
 #include "server/server.h"
-#include "server/termination_signals.h"
 
 namespace geodesic::server {
 namespace {
@@ -27,7 +27,7 @@ bool WritePort(const std::string& path, int port) {
 }
 
 int Run(const ServerOptions& options) {
-  BlockTerminationSignals();
+  BlockProcessSignals();
   // A file that may not grow is an error of the write, not the server's end.
   std::signal(SIGXFSZ, SIG_IGN);
   const std::shared_ptr<spdlog::logger> logger =
@@ -45,10 +45,16 @@ int Run(const ServerOptions& options) {
     return kCannotStart;
   }
   const size_t colon = options.listen.rfind(':');
-  logger->info("geodesicd {} serves on {}:{}", ServerVersion(),
-               options.listen.substr(0, colon), server.port());
-  const TerminationSignals signals(
-      [&](int) { server.Shutdown(options.drain); });
+  logger->info("geodesicd {} serves on {}:{} {}", ServerVersion(),
+               options.listen.substr(0, colon), server.port(),
+               options.tls.enabled() ? "over TLS" : "in clear");
+  const ProcessSignals signals([&](int signal) {
+    if (signal == SIGHUP) {
+      server.Reload();
+    } else {
+      server.Shutdown(options.drain);
+    }
+  });
   return server.Wait() ? EXIT_SUCCESS : kRequestsCancelled;
 }
 

@@ -11,6 +11,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_replace.h"
+#include "server/security/listen_address.h"
 
 namespace geodesic::server {
 namespace {
@@ -54,20 +55,23 @@ void AddCount(CLI::App& app, const std::string& flag, uint64_t& value,
       ->type_name("N");
 }
 
+// What is wrong with an address, or nothing.
+std::string CheckAddress(const std::string& address) {
+  const size_t colon = address.rfind(':');
+  const std::string port =
+      colon == std::string::npos ? "" : address.substr(colon + 1);
+  const bool digits =
+      !port.empty() && port.size() <= 5 &&
+      std::all_of(port.begin(), port.end(), absl::ascii_isdigit);
+  return digits && colon > 0 && std::stoi(port) <= 65535
+             ? std::string()
+             : absl::StrCat("\"", address, "\" is not HOST:PORT");
+}
+
 void AddNetworkOptions(CLI::App& app, ServerOptions& options) {
   app.add_option("--listen", options.listen,
                  "Address and port to serve on; port 0 takes a free port")
-      ->check([](const std::string& address) {
-        const size_t colon = address.rfind(':');
-        const std::string port =
-            colon == std::string::npos ? "" : address.substr(colon + 1);
-        const bool digits =
-            !port.empty() && port.size() <= 5 &&
-            std::all_of(port.begin(), port.end(), absl::ascii_isdigit);
-        return digits && colon > 0 && std::stoi(port) <= 65535
-                   ? std::string()
-                   : absl::StrCat("\"", address, "\" is not HOST:PORT");
-      })
+      ->check(&CheckAddress)
       ->capture_default_str()
       ->type_name("HOST:PORT");
   app.add_option("--port-file", options.port_file,
@@ -77,6 +81,25 @@ void AddNetworkOptions(CLI::App& app, ServerOptions& options) {
            "Requests at once; each may hold a few messages in memory");
   AddBytes(app, "--max-message-bytes", options.max_message_bytes,
            "Largest gRPC message taken from a client", kMaxMessageBytes);
+}
+
+void AddSecurityOptions(CLI::App& app, ServerOptions& options) {
+  app.add_option("--tls-cert", options.tls.certificate,
+                 "Serve over TLS with this certificate and its chain, in PEM; "
+                 "a changed file is taken up while the server runs")
+      ->type_name("FILE");
+  app.add_option("--tls-key", options.tls.key, "The certificate's private key")
+      ->type_name("FILE");
+  app.add_option("--tls-client-ca", options.tls.client_authorities,
+                 "Let in only clients with a certificate of these authorities")
+      ->type_name("FILE");
+  app.add_option("--token-file", options.token_file,
+                 "Serve only callers whose token's sha-256 is in this JSON "
+                 "file; a changed file is taken up, also on SIGHUP")
+      ->type_name("FILE");
+  app.add_flag("--insecure-listen", options.insecure_listen,
+               "Listen to other machines though there is no TLS: whoever "
+               "reaches the port reads and forges everything");
 }
 
 void AddWorkOptions(CLI::App& app, ServerOptions& options) {
@@ -157,6 +180,13 @@ void AddOperationOptions(CLI::App& app, ServerOptions& options,
       ->check(CLI::Range(int64_t{0}, int64_t{86400}).description(""))
       ->capture_default_str()
       ->type_name("SECONDS");
+  app.add_option("--metrics-listen", options.metrics_listen,
+                 "Serve /metrics for Prometheus, /livez and /readyz here, over "
+                 "HTTP in clear")
+      ->check(&CheckAddress)
+      ->type_name("HOST:PORT");
+  app.add_flag("--channelz", options.channelz,
+               "Show connections and calls to everybody, by gRPC's channelz");
   app.add_option("--log-level", options.log_level,
                  "Least level that is logged; requests are logged at info")
       ->check(CLI::IsMember(
@@ -218,7 +248,21 @@ std::vector<std::string> ArgumentsInReverse(int argc, const char* const* argv) {
   return arguments;
 }
 
-std::string CheckTogether(const Limits& limits) {
+std::string CheckTogether(const ServerOptions& options) {
+  const TlsFiles& tls = options.tls;
+  if (tls.certificate.empty() != tls.key.empty()) {
+    return "--tls-cert and --tls-key belong together";
+  }
+  if (!tls.client_authorities.empty() && !tls.enabled()) {
+    return "--tls-client-ca needs --tls-cert and --tls-key";
+  }
+  if (!tls.enabled() && !options.insecure_listen &&
+      !IsLoopback(options.listen)) {
+    return absl::StrCat("--listen ", options.listen,
+                        " would serve other machines in clear: give --tls-cert "
+                        "and --tls-key, or --insecure-listen if that is meant");
+  }
+  const Limits& limits = options.limits;
   if (limits.max_upload_bytes > limits.upload_memory_bytes) {
     return absl::StrCat("--max-upload-bytes (",
                         InUnits(limits.max_upload_bytes),
@@ -244,6 +288,7 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
   app.config_formatter(std::make_shared<FileBelowEnvironment>());
   app.allow_config_extras(CLI::config_extras_mode::error);
   AddGroup(app, "Network", [&] { AddNetworkOptions(app, options); });
+  AddGroup(app, "Security", [&] { AddSecurityOptions(app, options); });
   AddGroup(app, "Work", [&] { AddWorkOptions(app, options); });
   AddGroup(app, "Questions", [&] { AddQuestionOptions(app, options); });
   AddGroup(app, "Memory", [&] { AddMemoryOptions(app, options); });
@@ -263,8 +308,7 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
 
   try {
     app.parse(ArgumentsInReverse(argc, argv));
-    if (const std::string error = CheckTogether(options.limits);
-        !error.empty()) {
+    if (const std::string error = CheckTogether(options); !error.empty()) {
       throw CLI::ValidationError(error);
     }
   } catch (const CLI::ParseError& error) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "server/engine/limits.h"
+#include "server/security/tls_files.h"
 
 namespace geodesic::server {
 
@@ -17,6 +18,16 @@ namespace geodesic::server {
 struct ServerOptions {
   // HOST:PORT; port 0 takes a free one.
   std::string listen = "127.0.0.1:50051";
+  // In clear unless there are files. Only then, or if it is said to be meant,
+  // may others than this machine be listened to.
+  TlsFiles tls;
+  bool insecure_listen = false;
+  // As token_table.h has it; empty: everybody may do everything.
+  std::string token_file;
+  // HOST:PORT of /metrics, /livez and /readyz; empty: none.
+  std::string metrics_listen;
+  // Whether gRPC's channelz service is there, for everybody.
+  bool channelz = false;
   // Where to write the port that was taken; empty: nowhere.
   std::string port_file;
   // What to keep meshes and fields in; empty: nothing outlives the server.

@@ -1,8 +1,9 @@
 #include "server/server.h"
 
+#include <grpc/health/v1/health.pb.h>
+#include <grpcpp/ext/channelz_service_plugin.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
-#include <grpcpp/security/server_credentials.h>
 #include <grpcpp/server.h>
 #include <grpcpp/server_builder.h>
 #include <spdlog/spdlog.h>
@@ -11,6 +12,9 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "server/engine/status_details.h"
+#include "server/operations/engine_collector.h"
+#include "server/tls_credentials.h"
 
 namespace geodesic::server {
 namespace {
@@ -24,6 +28,27 @@ constexpr std::chrono::seconds kStoreGrace{2};
 // How long the last reactions of cancelled calls may take.
 constexpr std::chrono::seconds kCancelGrace{10};
 
+double EndOf(const TlsFiles& files) {
+  const auto end = CertificateEnd(files);
+  if (!end.ok()) return 0;
+  return std::chrono::duration<double>(end->time_since_epoch()).count();
+}
+
+// Bounds what connections can hold. Those who are slow to say who they are, or
+// are gone without a word, are found out.
+void BoundConnections(uint64_t max_requests, grpc::ServerBuilder& builder) {
+  constexpr int kSecond = 1000;
+  builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS,
+                             20 * kSecond);
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 120 * kSecond);
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20 * kSecond);
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
+  // More than are served, so that the server itself says no to what is too
+  // much, and not so many that they cost memory before it can.
+  builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS,
+                             static_cast<int>(2 * max_requests + 100));
+}
+
 }  // namespace
 
 std::string_view ServerVersion() { return GEODESIC_VERSION; }
@@ -32,7 +57,9 @@ Server::Server(const ServerOptions& options,
                std::shared_ptr<spdlog::logger> logger, StartFunction start)
     : options_(options),
       logger_(std::move(logger)),
-      log_(logger_, options.max_requests),
+      access_(options.token_file),
+      quotas_(clock_),
+      log_(logger_, options.max_requests, access_, quotas_, metrics_),
       pool_(options.limits.max_concurrent_jobs),
       engine_(options.limits, clock_, pool_, std::move(start)),
       mesh_service_(engine_, log_),
@@ -40,7 +67,19 @@ Server::Server(const ServerOptions& options,
       path_service_(engine_, std::string(ServerVersion()), log_),
       matrix_service_(engine_, std::string(ServerVersion()), log_),
       capabilities_service_(options.limits, options.max_message_bytes,
-                            std::string(ServerVersion()), log_) {}
+                            std::string(ServerVersion()), log_) {
+  engine_.ObserveJobs(
+      clock_, [this](const JobTimes& times) { metrics_.JobEnded(times); });
+  metrics_.Add(std::make_shared<EngineCollector>(engine_));
+  metrics_.AddGauge("geodesic_active_requests", "Requests that have not ended",
+                    [this] { return static_cast<double>(log_.active()); });
+  if (options_.tls.enabled()) {
+    metrics_.AddGauge("geodesic_tls_certificate_end_seconds",
+                      "When the certificate ends, in Unix time; 0 if it cannot "
+                      "be read",
+                      [this] { return EndOf(options_.tls); });
+  }
+}
 
 Server::~Server() {
   if (grpc_server_ == nullptr) return;
@@ -67,20 +106,29 @@ absl::Status Server::OpenDataFolder() {
 }
 
 absl::Status Server::Start() {
+  auto credentials = MakeServerCredentials(options_.tls);
+  if (!credentials.ok()) return credentials.status();
+  if (absl::Status status = access_.Reload(); !status.ok()) return status;
   if (!options_.data_dir.empty()) {
     if (absl::Status status = OpenDataFolder(); !status.ok()) return status;
   }
+
+  // Puts the descriptor of the health service where reflection finds it.
+  grpc::health::v1::HealthCheckRequest::descriptor();
+
   // Both act on every server that is built afterwards; there is one.
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
 
+  if (options_.channelz) grpc::channelz::experimental::InitChannelzService();
+
   grpc::ServerBuilder builder;
   // Without it two servers could share a port, each with half of the meshes.
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
+  BoundConnections(options_.max_requests, builder);
   builder.SetMaxReceiveMessageSize(
       static_cast<int>(options_.max_message_bytes));
-  builder.AddListeningPort(options_.listen, grpc::InsecureServerCredentials(),
-                           &port_);
+  builder.AddListeningPort(options_.listen, *std::move(credentials), &port_);
   builder.RegisterService(&mesh_service_);
   builder.RegisterService(&field_service_);
   builder.RegisterService(&path_service_);
@@ -93,8 +141,46 @@ absl::Status Server::Start() {
         "cannot listen on ", options_.listen,
         ": the port is in use or the address is not of this machine"));
   }
+  if (absl::Status status = StartOperations(); !status.ok()) {
+    grpc_server_.reset();
+    return status;
+  }
   SetServing(true);
   return absl::OkStatus();
+}
+
+absl::Status Server::StartOperations() {
+  if (!options_.token_file.empty()) {
+    if (!options_.tls.enabled()) {
+      logger_->warn(
+          "tokens come in clear: without TLS whoever listens in on "
+          "the way has them");
+    }
+    token_watch_.emplace(options_.token_file, [this] { Reload(); });
+  }
+  if (options_.metrics_listen.empty()) return absl::OkStatus();
+  http_.emplace(HttpServer::Pages{.metrics = [this] { return metrics_.Text(); },
+                                  .is_ready = [this] { return IsReady(); }});
+  absl::Status status = http_->Start(options_.metrics_listen);
+  if (status.ok()) logger_->info("metrics on port {}", http_->port());
+  return status;
+}
+
+void Server::Reload() {
+  if (options_.token_file.empty()) return;
+  const absl::Status status = access_.Reload();
+  metrics_.TokensReloaded(status.ok());
+  if (status.ok()) {
+    logger_->info("the tokens were read again");
+  } else {
+    logger_->error("the tokens stay as they were: {}",
+                   PrintableMessage(status));
+  }
+}
+
+bool Server::IsReady() {
+  std::lock_guard lock(mutex_);
+  return !draining_;
 }
 
 void Server::Shutdown(std::chrono::milliseconds grace) {

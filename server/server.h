@@ -12,6 +12,7 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string_view>
 
@@ -19,6 +20,8 @@
 #include "server/engine/clock.h"
 #include "server/engine/query_engine.h"
 #include "server/engine/thread_pool.h"
+#include "server/operations/http_server.h"
+#include "server/operations/metrics.h"
 #include "server/options.h"
 #include "server/rpc/capabilities_service.h"
 #include "server/rpc/field_service.h"
@@ -26,6 +29,9 @@
 #include "server/rpc/mesh_service.h"
 #include "server/rpc/path_service.h"
 #include "server/rpc/request_log.h"
+#include "server/security/access_control.h"
+#include "server/security/file_watch.h"
+#include "server/security/quotas.h"
 
 namespace grpc {
 class Server;
@@ -48,7 +54,7 @@ class Server {
   // Opens the data folder, if there is to be one, binds the address and serves.
   // Call once.
   // Errors: UNAVAILABLE naming the folder that cannot be used or the address
-  // that could not be bound.
+  // that could not be bound; as CheckTlsFiles and AccessControl::Reload.
   absl::Status Start();
 
   // The port served on. REQUIRES: Start succeeded.
@@ -64,16 +70,29 @@ class Server {
   // the grace period. Call once, after Start succeeded.
   bool Wait();
 
+  // Takes up the tokens as they are now; when they are not well-formed says so
+  // in the log and keeps the old ones. Thread-safe.
+  void Reload();
+
+  // Where /metrics is. REQUIRES: Start succeeded, with metrics_listen.
+  int metrics_port() const { return http_->port(); }
+
   QueryEngine& engine() { return engine_; }
 
  private:
   absl::Status OpenDataFolder();
+  // Serves metrics and follows the tokens.
+  absl::Status StartOperations();
   void SetServing(bool serving);
+  bool IsReady();
 
   const ServerOptions options_;
   const std::shared_ptr<spdlog::logger> logger_;
 
   SteadyClock clock_;
+  AccessControl access_;
+  Quotas quotas_;
+  Metrics metrics_;
   RequestLog log_;
   ThreadPool pool_;
   QueryEngine engine_;
@@ -92,6 +111,10 @@ class Server {
   // Guarded by mutex_:
   bool draining_ = false;
   TimePoint drain_until_;
+
+  // Last, for their threads call the others.
+  std::optional<HttpServer> http_;
+  std::optional<FileWatch> token_watch_;
 };
 
 }  // namespace geodesic::server

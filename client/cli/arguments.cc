@@ -3,14 +3,13 @@
 #include <CLI/CLI.hpp>
 
 #include "absl/strings/str_cat.h"
+#include "client/cli/connection.h"
 #include "client/cli/help_formatter.h"
 #include "client/cli/options.h"
 #include "client/cli/question_options.h"
 
 namespace geodesic::client {
 namespace {
-
-constexpr char kDefaultServer[] = "127.0.0.1:50051";
 
 // The command line under construction; options write into `arguments`.
 class Parser {
@@ -32,10 +31,7 @@ class Parser {
                           "--help for more information.\n");
     });
     app_.option_defaults()->always_capture_default();
-    arguments_->server = kDefaultServer;
-    app_.add_option("--server", arguments_->server, "Where the server listens")
-        ->type_name("HOST:PORT")
-        ->envname("GEODESIC_SERVER");
+    AddConnection(&app_, arguments_);
     app_.add_flag("--json", arguments_->json,
                   "Print one JSON object instead of text");
     app_.add_flag("-q,--quiet", arguments_->quiet, "Show no progress");
@@ -70,8 +66,8 @@ class Parser {
     added->callback([this, command] { arguments_->command = command; });
     added->footer(absl::StrCat(
         "Examples:\n", example,
-        "\n\n--server, --json, --quiet and --timeout may follow too: see "
-        "geodesic --help."));
+        "\n\n--server and the options beside it, --json, --quiet and "
+        "--timeout may follow too: see geodesic --help."));
     return added;
   }
 

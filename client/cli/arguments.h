@@ -15,6 +15,7 @@
 #include "client/cli/exit_code.h"
 #include "client/output/output_format.h"
 #include "client/picture/picture.h"
+#include "geodesic_client/connection_options.h"
 #include "geodesic_client/mesh.h"
 #include "geodesic_client/surface_point.h"
 
@@ -43,9 +44,18 @@ struct OutputArgument {
   OutputFormat format = OutputFormat::kNpy;
 };
 
+struct ConnectionArguments {
+  bool tls = false;
+  TlsPaths paths;
+  std::string server_name;
+  std::string token;
+  std::string token_file;
+};
+
 struct Arguments {
   Command command = Command::kCapabilities;
   std::string server;
+  ConnectionArguments connection;
   bool json = false;
   bool quiet = false;
   // upload's FILE, or the MESH of the other commands.

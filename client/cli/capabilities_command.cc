@@ -1,6 +1,8 @@
 // capabilities, and the choice among all commands.
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include "absl/strings/str_join.h"
 #include "client/cli/commands.h"
 #include "client/cli/text.h"
+#include "geodesic_client/errors.h"
 
 namespace geodesic::client {
 
@@ -53,7 +56,9 @@ absl::Status RunCapabilities(const Session& session) {
   return absl::OkStatus();
 }
 
-absl::Status RunCommand(const Session& session) {
+namespace {
+
+absl::Status RunOnce(const Session& session) {
   switch (session.arguments.command) {
     case Command::kUpload:
       return RunUpload(session);
@@ -81,6 +86,20 @@ absl::Status RunCommand(const Session& session) {
       return RunCapabilities(session);
   }
   return absl::InternalError("unknown command");
+}
+
+}  // namespace
+
+absl::Status RunCommand(const Session& session) {
+  absl::Status status = RunOnce(session);
+  // A file that was found resident, or was uploaded, may have been evicted
+  // before the question came; asking anew uploads it again.
+  std::error_code error;
+  if (ErrorReason(status) == "MESH_NOT_RESIDENT" &&
+      std::filesystem::exists(session.arguments.mesh, error)) {
+    status = RunOnce(session);
+  }
+  return status;
 }
 
 }  // namespace geodesic::client

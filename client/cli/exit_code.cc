@@ -15,6 +15,13 @@ bool NeverConnected(std::string_view message) {
          message.find("Connection refused") != std::string_view::npos;
 }
 
+// Whether a server was there, but the two could not agree on TLS.
+bool TlsFailed(std::string_view message) {
+  return message.find("SSL") != std::string_view::npos ||
+         message.find("handshak") != std::string_view::npos ||
+         message.find("Hostname Verification") != std::string_view::npos;
+}
+
 }  // namespace
 
 std::string_view ExitCodeHelp() {
@@ -53,6 +60,10 @@ std::string Explain(const absl::Status& status, std::string_view server) {
   const std::string message(status.message());
   switch (ExitCodeOf(status)) {
     case ExitCode::kUnreachable:
+      if (TlsFailed(message)) {
+        return absl::StrCat("no TLS connection to ", at, ": ", message,
+                            "; see --tls-ca, --tls-cert and --tls-server-name");
+      }
       return NeverConnected(message)
                  ? absl::StrCat("cannot reach a server at ", at,
                                 ": start one with geodesicd, or name one with "
@@ -66,6 +77,11 @@ std::string Explain(const absl::Status& status, std::string_view server) {
     case ExitCode::kInterrupted:
       return "interrupted";
     case ExitCode::kRefused:
+      if (absl::IsUnauthenticated(status)) {
+        return absl::StrCat(message,
+                            "; name a token with --token-file or "
+                            "GEODESIC_TOKEN");
+      }
       if (absl::IsNotFound(status)) {
         return absl::StrCat(message,
                             "; `geodesic meshes` lists what is resident, "

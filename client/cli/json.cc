@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "geodesic_client/errors.h"
+
 namespace geodesic::client {
 
 Json ToJson(const MeshInfo& mesh) {
@@ -74,6 +76,7 @@ Json ToJson(const FieldStatistics& statistics) {
 Json ErrorToJson(const absl::Status& status, ExitCode exit_code) {
   return {{"error",
            {{"code", absl::StatusCodeToString(status.code())},
+            {"reason", ErrorReason(status)},
             {"message", std::string(status.message())},
             {"exit_code", static_cast<int>(exit_code)}}}};
 }

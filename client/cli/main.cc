@@ -10,6 +10,7 @@
 
 #include "client/cli/arguments.h"
 #include "client/cli/commands.h"
+#include "client/cli/connection.h"
 #include "client/cli/interrupt_listener.h"
 
 namespace geodesic::client {
@@ -28,9 +29,18 @@ ProgressDisplay::Style ProgressStyle(const Arguments& arguments) {
                                     : ProgressDisplay::Style::kLines;
 }
 
+ExitCode Fail(const absl::Status& status, const Arguments& arguments) {
+  const ExitCode exit_code = ExitCodeOf(status);
+  if (arguments.json) PrintJson(ErrorToJson(status, exit_code), &std::cout);
+  std::cerr << "geodesic: " << Explain(status, arguments.server) << std::endl;
+  return exit_code;
+}
+
 ExitCode Run(const Arguments& arguments) {
   InterruptListener interrupt;
-  Client client(arguments.server);
+  absl::StatusOr<ConnectionOptions> connection = ReadConnection(arguments);
+  if (!connection.ok()) return Fail(connection.status(), arguments);
+  Client client(arguments.server, *std::move(connection));
   CallOptions call = {.stop = interrupt.stop()};
   if (arguments.timeout.has_value()) {
     call.timeout = std::chrono::duration<double>(*arguments.timeout);
@@ -45,11 +55,7 @@ ExitCode Run(const Arguments& arguments) {
                            .terminal_width = TerminalWidth() - 1};
   const absl::Status status = RunCommand(session);
   std::cout.flush();
-  if (status.ok()) return ExitCode::kOk;
-  const ExitCode exit_code = ExitCodeOf(status);
-  if (arguments.json) PrintJson(ErrorToJson(status, exit_code), &std::cout);
-  std::cerr << "geodesic: " << Explain(status, arguments.server) << std::endl;
-  return exit_code;
+  return status.ok() ? ExitCode::kOk : Fail(status, arguments);
 }
 
 }  // namespace

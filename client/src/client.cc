@@ -1,12 +1,9 @@
 #include "geodesic_client/client.h"
 
-#include <grpcpp/create_channel.h>
-#include <grpcpp/security/credentials.h>
-#include <grpcpp/support/channel_arguments.h>
-
 #include <utility>
 
 #include "call.h"
+#include "channel.h"
 #include "connection.h"
 #include "rpc_status.h"
 #include "translate.h"
@@ -14,34 +11,14 @@
 namespace geodesic::client {
 namespace {
 
-constexpr int kMebibyte = 1 << 20;
-
-std::shared_ptr<grpc::Channel> Connect(const std::string& server) {
-  grpc::ChannelArguments arguments;
-  // A page of meshes or a chunk of a field is far smaller; the server's own
-  // limit on requests is its own affair.
-  arguments.SetMaxReceiveMessageSize(64 * kMebibyte);
-  arguments.SetMaxSendMessageSize(64 * kMebibyte);
-  // A dead peer is noticed while a call waits. Servers by default hang up on
-  // clients that ping more often than every five minutes.
-  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, 5 * 60 * 1000 + 10 * 1000);
-  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20 * 1000);
-  // Time for one attempt to connect; gRPC's 20 s is long for someone waiting.
-  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 5 * 1000);
-  // Clients of one process that name the same server do not share a
-  // connection, so that closing one means closing it.
-  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  return grpc::CreateCustomChannel(server, grpc::InsecureChannelCredentials(),
-                                   arguments);
-}
-
 // The largest page ListMeshes serves.
 constexpr int kPageSize = 1000;
 
 }  // namespace
 
-Client::Connection::Connection(const std::string& server)
-    : channel(Connect(server)),
+Client::Connection::Connection(const std::string& server,
+                               const ConnectionOptions& options)
+    : channel(MakeChannel(server, options)),
       meshes(v1::MeshService::NewStub(channel)),
       capabilities(v1::CapabilitiesService::NewStub(channel)),
       fields(channel),
@@ -49,8 +26,8 @@ Client::Connection::Connection(const std::string& server)
       paths(v1::PathService::NewStub(channel)),
       matrices(v1::MatrixService::NewStub(channel)) {}
 
-Client::Client(const std::string& server)
-    : connection_(std::make_unique<Connection>(server)) {}
+Client::Client(const std::string& server, const ConnectionOptions& options)
+    : connection_(std::make_unique<Connection>(server, options)) {}
 
 Client::~Client() = default;
 

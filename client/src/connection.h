@@ -24,7 +24,7 @@ using FieldStub =
     grpc::TemplatedGenericStub<v1::ComputeFieldRequest, grpc::ByteBuffer>;
 
 struct Client::Connection {
-  explicit Connection(const std::string& server);
+  Connection(const std::string& server, const ConnectionOptions& options);
 
   std::shared_ptr<grpc::Channel> channel;
   std::unique_ptr<v1::MeshService::Stub> meshes;

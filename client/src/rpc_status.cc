@@ -5,13 +5,29 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/cord.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
+#include "geodesic_client/errors.h"
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 
 namespace geodesic::client {
 namespace {
+
+std::chrono::duration<double> Seconds(
+    const google::protobuf::Duration& duration) {
+  return std::chrono::duration<double>(static_cast<double>(duration.seconds()) +
+                                       1e-9 * duration.nanos());
+}
+
+// The detail of this type, if there is one.
+template <typename Detail>
+bool ReadDetail(const absl::Status& status, Detail* detail) {
+  const auto payload = status.GetPayload(
+      absl::StrCat("type.googleapis.com/", detail->GetTypeName()));
+  return payload.has_value() && detail->ParseFromString(std::string(*payload));
+}
 
 // What one detail adds to `status_message`, in words.
 std::vector<std::string> Describe(const google::protobuf::Any& detail,
@@ -30,9 +46,8 @@ std::vector<std::string> Describe(const google::protobuf::Any& detail,
       notes.push_back(std::move(note));
     }
   } else if (detail.UnpackTo(&retry)) {
-    const double seconds = static_cast<double>(retry.retry_delay().seconds()) +
-                           1e-9 * retry.retry_delay().nanos();
-    notes.push_back(absl::StrCat("try again in ", seconds, " s"));
+    notes.push_back(absl::StrCat("try again in ",
+                                 Seconds(retry.retry_delay()).count(), " s"));
   }
   return notes;
 }
@@ -43,11 +58,11 @@ absl::Status FromRpcStatus(const grpc::Status& status) {
   if (status.ok()) return absl::OkStatus();
   std::vector<std::string> notes;
   google::rpc::Status rich;
-  if (rich.ParseFromString(status.error_details())) {
-    for (const google::protobuf::Any& detail : rich.details()) {
-      for (std::string& note : Describe(detail, status.error_message())) {
-        notes.push_back(std::move(note));
-      }
+  // What cannot be read is nothing, not half of it.
+  if (!rich.ParseFromString(status.error_details())) rich.Clear();
+  for (const google::protobuf::Any& detail : rich.details()) {
+    for (std::string& note : Describe(detail, status.error_message())) {
+      notes.push_back(std::move(note));
     }
   }
   std::string message = status.error_message();
@@ -55,8 +70,24 @@ absl::Status FromRpcStatus(const grpc::Status& status) {
     absl::StrAppend(&message, " [", absl::StrJoin(notes, "; "), "]");
   }
   // gRPC's codes and Abseil's are the same numbers.
-  return absl::Status(static_cast<absl::StatusCode>(status.error_code()),
+  absl::Status result(static_cast<absl::StatusCode>(status.error_code()),
                       message);
+  for (const google::protobuf::Any& detail : rich.details()) {
+    result.SetPayload(detail.type_url(), absl::Cord(detail.value()));
+  }
+  return result;
+}
+
+std::string ErrorReason(const absl::Status& status) {
+  google::rpc::ErrorInfo info;
+  return ReadDetail(status, &info) ? info.reason() : "";
+}
+
+std::optional<std::chrono::duration<double>> RetryDelay(
+    const absl::Status& status) {
+  google::rpc::RetryInfo retry;
+  if (!ReadDetail(status, &retry)) return std::nullopt;
+  return Seconds(retry.retry_delay());
 }
 
 }  // namespace geodesic::client

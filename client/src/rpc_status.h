@@ -10,7 +10,8 @@
 namespace geodesic::client {
 
 // Keeps code and message; what google.rpc.BadRequest and google.rpc.RetryInfo
-// in the details say is appended to the message in brackets.
+// in the details say is appended to the message in brackets. The details
+// themselves become payloads under their type URLs; errors.h reads them.
 absl::Status FromRpcStatus(const grpc::Status& status);
 
 }  // namespace geodesic::client

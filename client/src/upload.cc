@@ -10,6 +10,7 @@
 #include "call.h"
 #include "connection.h"
 #include "file_reader.h"
+#include "retry.h"
 #include "rpc_status.h"
 #include "sha256.h"
 #include "translate.h"
@@ -61,19 +62,21 @@ absl::StatusOr<UploadOutcome> SendOnce(v1::MeshService::Stub* stub,
                        .bytes_sent = sent};
 }
 
-// Once more if the connection broke: the server keeps nothing of an upload that
-// did not end, and one that did is merely found resident.
+// Again if the connection broke or the server is full: it keeps nothing of an
+// upload that did not end, and one that did is merely found resident.
 absl::StatusOr<UploadOutcome> Send(v1::MeshService::Stub* stub,
                                    const v1::UploadHeader& header,
                                    const ChunkSource& next_chunk,
                                    const CallOptions& options,
                                    const UploadProgressCallback& progress) {
-  absl::StatusOr<UploadOutcome> outcome =
-      SendOnce(stub, header, next_chunk, options, progress);
-  if (absl::IsUnavailable(outcome.status())) {
-    outcome = SendOnce(stub, header, next_chunk, options, progress);
+  for (int attempts = 1;; ++attempts) {
+    absl::StatusOr<UploadOutcome> outcome =
+        SendOnce(stub, header, next_chunk, options, progress);
+    if (outcome.ok() ||
+        !WaitToRetry(outcome.status(), attempts, options.stop)) {
+      return outcome;
+    }
   }
-  return outcome;
 }
 
 absl::StatusOr<std::string> HashFile(FileReader* file,

@@ -37,8 +37,9 @@ absl::Status CheckRadius(std::string_view field, double radius) {
 }
 
 absl::Status NotResident(const std::string& digest) {
-  return absl::NotFoundError(
-      absl::StrCat("mesh ", digest, " is not resident; upload it again"));
+  return WithMesh(absl::NotFoundError(absl::StrCat(
+                      "mesh ", digest, " is not resident; upload it again")),
+                  digest);
 }
 
 }  // namespace geodesic::server

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "server/engine/error_reasons.h"
 #include "server/engine/status_details.h"
 
 namespace geodesic::server {
@@ -39,11 +40,13 @@ absl::Status ByteBudget::Exhausted(uint64_t bytes) const {
         absl::StrCat(bytes, " bytes are needed, more than the ", name_, " of ",
                      capacity_, " bytes can ever hold"));
   }
-  return WithRetryAfter(
-      absl::ResourceExhaustedError(absl::StrCat(
-          bytes, " bytes are needed, but of the ", name_, " of ", capacity_,
-          " bytes too many are in use (", used(), "); try again later")),
-      kRetryDelay);
+  return WithReason(
+      WithRetryAfter(
+          absl::ResourceExhaustedError(absl::StrCat(
+              bytes, " bytes are needed, but of the ", name_, " of ", capacity_,
+              " bytes too many are in use (", used(), "); try again later")),
+          kRetryDelay),
+      reason::kMemoryFull);
 }
 
 uint64_t ByteBudget::used() const {

@@ -43,6 +43,7 @@ class FieldCache {
 
   size_t size() const { return fields_.size(); }
   uint64_t used_bytes() const { return fields_.used_bytes(); }
+  uint64_t evictions() const { return fields_.evictions(); }
 
  private:
   LruStore<FieldKey, DistanceField> fields_;

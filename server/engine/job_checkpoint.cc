@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "server/engine/error_reasons.h"
+#include "server/engine/status_details.h"
+
 namespace geodesic::server {
 namespace {
 
@@ -29,7 +32,8 @@ absl::Status JobCheckpoint::Poll(const Progress& progress) {
   }
   // Waiters that leave are seen above; this comes from a shutdown.
   if (stop_.stop_requested()) {
-    return absl::UnavailableError("the server is shutting down");
+    return WithReason(absl::UnavailableError("the server is shutting down"),
+                      reason::kShuttingDown);
   }
   if (progress.solver_bytes > memory_.bytes()) {
     absl::Status status = memory_.GrowTo(progress.solver_bytes + kMemoryStep);

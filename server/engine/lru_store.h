@@ -69,6 +69,7 @@ class LruStore {
       const auto entry = entries_.find(**it++);
       if (IsPinned(entry->second)) continue;
       Remove(entry);
+      ++evictions_;
       room = ByteReservation::Make(budget_, bytes);
     }
     return room;
@@ -144,6 +145,12 @@ class LruStore {
     return entries_.size();
   }
 
+  // Entries that went to make room, since the start.
+  uint64_t evictions() const {
+    std::lock_guard lock(mutex_);
+    return evictions_;
+  }
+
   // Includes reservations, and removed entries that are still held.
   uint64_t used_bytes() const { return budget_->used(); }
   uint64_t capacity() const { return budget_->capacity(); }
@@ -194,6 +201,7 @@ class LruStore {
   // Guarded by mutex_:
   Entries entries_;
   std::list<const Key*> recency_;  // keys of entries_, oldest first
+  uint64_t evictions_ = 0;
 };
 
 }  // namespace geodesic::server

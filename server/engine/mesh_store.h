@@ -68,6 +68,7 @@ class MeshStore {
   std::vector<MeshHandle> List(const std::string& after, size_t count) const;
 
   uint64_t used_bytes() const { return meshes_.used_bytes(); }
+  uint64_t evictions() const { return meshes_.evictions(); }
 
  private:
   // Its own lock is taken after the store's, never before.

@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "server/engine/argument_checks.h"
+#include "server/engine/error_reasons.h"
 #include "server/engine/guarded.h"
 #include "server/engine/status_details.h"
 #include "server/store/sha256.h"
@@ -17,7 +18,8 @@ constexpr int kDefaultPageSize = 100;
 constexpr int kMaxPageSize = 1000;
 
 absl::Status ShuttingDown() {
-  return absl::UnavailableError("the server is shutting down");
+  return WithReason(absl::UnavailableError("the server is shutting down"),
+                    reason::kShuttingDown);
 }
 
 uint64_t CurvePoints(const Query& query) {

@@ -18,6 +18,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/functional/any_invocable.h"
@@ -194,11 +195,19 @@ class QueryEngine {
   // Waits until there is no job. False when `limit` passed first.
   bool WaitIdle(std::chrono::milliseconds limit);
 
+  // As Scheduler::ObserveJobs.
+  void ObserveJobs(const Clock& clock,
+                   std::function<void(const JobTimes&)> ended) {
+    scheduler_.ObserveJobs(clock, std::move(ended));
+  }
+
   EngineCounters counters() const;
   const MeshStore& meshes() const { return meshes_.store(); }
   const MeshLoads& loads() const { return meshes_.loads(); }
   const FieldEngine& fields() const { return fields_; }
   const Scheduler& scheduler() const { return scheduler_; }
+  const ByteBudget& upload_memory() const { return *upload_memory_; }
+  const ByteBudget& solver_memory() const { return *solver_memory_; }
 
  private:
   absl::Status EraseMesh(const std::string& digest);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "server/engine/error_reasons.h"
 #include "server/engine/status_details.h"
 
 namespace geodesic::server {
@@ -12,7 +13,8 @@ namespace {
 constexpr std::chrono::milliseconds kRetryDelay{1000};
 
 absl::Status ShuttingDown() {
-  return absl::UnavailableError("the server is shutting down");
+  return WithReason(absl::UnavailableError("the server is shutting down"),
+                    reason::kShuttingDown);
 }
 
 }  // namespace
@@ -26,19 +28,31 @@ Scheduler::~Scheduler() {
   idle_.wait(lock, [this] { return workers_ == 0; });
 }
 
+void Scheduler::ObserveJobs(const Clock& clock,
+                            std::function<void(const JobTimes&)> ended) {
+  clock_ = &clock;
+  ended_ = std::move(ended);
+}
+
+TimePoint Scheduler::Now() const {
+  return clock_ == nullptr ? TimePoint() : clock_->Now();
+}
+
 absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
   std::lock_guard lock(mutex_);
   if (stopped_ || (draining_ && !job.is_continuation)) return ShuttingDown();
   if (!job.is_continuation &&
       queue_.size() + running_.size() >= max_running_ + max_queued_) {
-    return WithRetryAfter(
-        absl::ResourceExhaustedError(absl::StrCat(
-            "the job queue is full: ", running_.size(), " jobs run and ",
-            queue_.size(), " wait; try again later")),
-        kRetryDelay);
+    return WithReason(
+        WithRetryAfter(
+            absl::ResourceExhaustedError(absl::StrCat(
+                "the job queue is full: ", running_.size(), " jobs run and ",
+                queue_.size(), " wait; try again later")),
+            kRetryDelay),
+        reason::kQueueFull);
   }
   const JobId id{job.priority, next_number_++};
-  queue_.emplace(id, std::move(job));
+  queue_.emplace(id, Waiting{std::move(job), Now()});
   if (workers_ < max_running_) {
     ++workers_;
     executor_.Schedule([this] { RunOne(); });
@@ -53,7 +67,7 @@ void Scheduler::Cancel(JobId id) {
   {
     std::lock_guard lock(mutex_);
     if (const auto it = queue_.find(id); it != queue_.end()) {
-      dropped = std::move(it->second);
+      dropped = std::move(it->second.job);
       queue_.erase(it);
     } else if (const auto run = running_.find(id); run != running_.end()) {
       source = run->second;
@@ -68,7 +82,7 @@ void Scheduler::BeginDrain() {
 }
 
 void Scheduler::StopAll() {
-  std::map<JobId, Job> abandoned;
+  std::map<JobId, Waiting> abandoned;
   std::map<JobId, std::stop_source> stopped;
   {
     std::lock_guard lock(mutex_);
@@ -78,7 +92,7 @@ void Scheduler::StopAll() {
     stopped = running_;
   }
   for (auto& [id, source] : stopped) source.request_stop();
-  for (auto& [id, job] : abandoned) job.abandon(ShuttingDown());
+  for (auto& [id, waiting] : abandoned) waiting.job.abandon(ShuttingDown());
 }
 
 bool Scheduler::WaitIdle(std::chrono::milliseconds limit) {
@@ -102,7 +116,10 @@ void Scheduler::RunOne() {
   if (!queue_.empty()) {
     const auto first = queue_.begin();
     const JobId id = first->first;
-    Job job = std::move(first->second);
+    Job job = std::move(first->second.job);
+    JobTimes times{.priority = id.priority};
+    const TimePoint begin = Now();
+    times.waited = begin - first->second.since;
     queue_.erase(first);
     const std::stop_source source;
     running_.emplace(id, source);
@@ -110,6 +127,11 @@ void Scheduler::RunOne() {
     lock.unlock();
     job.run(source.get_token());
     job = Job();  // what it captured is gone before the job counts as done
+    if (ended_) {
+      times.ran = Now() - begin;
+      times.was_stopped = source.stop_requested();
+      ended_(times);
+    }
     lock.lock();
     running_.erase(id);
   }

@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -16,6 +17,7 @@
 #include "absl/functional/any_invocable.h"
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "server/engine/clock.h"
 #include "server/engine/executor.h"
 
 namespace geodesic::server {
@@ -41,6 +43,15 @@ struct Job {
   absl::AnyInvocable<void(const absl::Status&)> abandon;
 };
 
+// How a job that ran spent its time.
+struct JobTimes {
+  JobPriority priority = JobPriority::kSolve;
+  Duration waited{0};  // for a thread
+  Duration ran{0};
+  // It was asked to stop before its end.
+  bool was_stopped = false;
+};
+
 // Thread-safe. Among waiting jobs, priority and then age decide.
 class Scheduler {
  public:
@@ -56,6 +67,11 @@ class Scheduler {
   // Stops everything and waits for running jobs to return.
   // REQUIRES: the executor runs what it has been given.
   ~Scheduler();
+
+  // From now on `ended` hears of each job that ran, from the job's thread.
+  // `clock` outlives the scheduler. REQUIRES: no job has been submitted.
+  void ObserveJobs(const Clock& clock,
+                   std::function<void(const JobTimes&)> ended);
 
   // Errors: RESOURCE_EXHAUSTED with a retry hint when max_running jobs run and
   // max_queued wait; UNAVAILABLE after BeginDrain. Continuations are spared
@@ -81,16 +97,25 @@ class Scheduler {
   size_t queued() const;
 
  private:
+  struct Waiting {
+    Job job;
+    TimePoint since;
+  };
+
   void RunOne();
+  TimePoint Now() const;
 
   Executor& executor_;
   const size_t max_running_;
   const size_t max_queued_;
+  // Set before the first job, then constant:
+  const Clock* clock_ = nullptr;  // null: nobody asks for times
+  std::function<void(const JobTimes&)> ended_;
 
   mutable std::mutex mutex_;
   std::condition_variable idle_;
   // Guarded by mutex_:
-  std::map<JobId, Job> queue_;
+  std::map<JobId, Waiting> queue_;
   std::map<JobId, std::stop_source> running_;
   size_t workers_ = 0;  // tasks on the executor; <= max_running_
   uint64_t next_number_ = 0;

@@ -16,6 +16,7 @@
 #include <grpcpp/server_context.h>
 #include <grpcpp/support/server_callback.h>
 
+#include <chrono>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -25,9 +26,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "server/engine/clock.h"
 #include "server/engine/query_engine.h"
 #include "server/rpc/request_log.h"
-#include "server/rpc/status_translation.h"
 
 namespace geodesic::server {
 
@@ -48,6 +49,7 @@ class AnswerStream
   void OnWriteDone(bool ok) final {
     std::lock_guard lock(mutex_);
     writing_ = false;
+    entry_->add_write_time(std::chrono::steady_clock::now() - write_begin_);
     if (!ok) {
       // The stream is broken; OnCancel tells the engine.
       End(absl::CancelledError("the client is gone"));
@@ -80,11 +82,13 @@ class AnswerStream
   }
 
  protected:
-  // REQUIRES: `engine` and `log` outlive the call.
+  // REQUIRES: `engine` and `log` outlive the call; `context` lives until gRPC
+  // is done with it.
   AnswerStream(QueryEngine& engine, RequestLog& log, std::string_view method,
-               const std::string& mesh_digest)
-      : engine_(engine), log_(log), mesh_digest_(mesh_digest) {
-    entry_.emplace(log, method);
+               const std::string& mesh_digest,
+               grpc::CallbackServerContext& context)
+      : engine_(engine), mesh_digest_(mesh_digest) {
+    entry_.emplace(log, method, context);
     entry_->set_subject(DigestPrefix(mesh_digest));
   }
 
@@ -121,7 +125,7 @@ class AnswerStream
 
  private:
   void Begin() {
-    absl::Status status = log_.CheckRoom();
+    absl::Status status = entry_->AdmitStream();
     if (status.ok()) status = Ask();
     if (absl::IsNotFound(status) && engine_.CanLoadMesh(mesh_digest_)) {
       AwaitMesh();
@@ -193,11 +197,12 @@ class AnswerStream
       End(next.status());
     } else if (*next == NextMessage::kSend) {
       writing_ = true;
+      write_begin_ = std::chrono::steady_clock::now();
       this->StartWrite(&message_);
     } else if (*next == NextMessage::kSendLast) {
       finished_ = true;
       this->StartWriteAndFinish(&message_, grpc::WriteOptions(),
-                                grpc::Status::OK);
+                                entry_->End(absl::OkStatus()));
     }
   }
 
@@ -208,12 +213,10 @@ class AnswerStream
   void End(absl::Status status) {
     if (finished_) return;
     finished_ = true;
-    this->Finish(ToGrpcStatus(status));
-    entry_->set_status(std::move(status));
+    this->Finish(entry_->End(std::move(status)));
   }
 
   QueryEngine& engine_;
-  const RequestLog& log_;
   const std::string mesh_digest_;
 
   std::mutex mutex_;
@@ -225,6 +228,7 @@ class AnswerStream
   std::optional<MeshLoads::Seat> seat_;  // while the mesh is being loaded
   bool cancelled_ = false;
   bool writing_ = false;   // a message is on its way
+  TimePoint write_begin_;  // since when
   bool finished_ = false;  // Finish was called
   Response message_;
 };

@@ -17,7 +17,7 @@ constexpr size_t kSettledPerChunk = 32768;
 
 grpc::ServerWriteReactor<v1::ComputeFieldResponse>* FieldStream::Start(
     QueryEngine& engine, RequestLog& log, const std::string& version,
-    const grpc::CallbackServerContext& context,
+    grpc::CallbackServerContext& context,
     const v1::ComputeFieldRequest& request) {
   return Launch(std::shared_ptr<FieldStream>(
       new FieldStream(engine, log, version, context, request)));
@@ -25,9 +25,9 @@ grpc::ServerWriteReactor<v1::ComputeFieldResponse>* FieldStream::Start(
 
 FieldStream::FieldStream(QueryEngine& engine, RequestLog& log,
                          const std::string& version,
-                         const grpc::CallbackServerContext& context,
+                         grpc::CallbackServerContext& context,
                          const v1::ComputeFieldRequest& request)
-    : AnswerStream(engine, log, "ComputeField", request.mesh_digest()),
+    : AnswerStream(engine, log, "ComputeField", request.mesh_digest(), context),
       version_(version),
       context_(context),
       request_(request) {}

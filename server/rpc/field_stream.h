@@ -28,7 +28,7 @@ class FieldStream final : public AnswerStream<v1::ComputeFieldResponse>,
   // `request` live until gRPC is done with it.
   static grpc::ServerWriteReactor<v1::ComputeFieldResponse>* Start(
       QueryEngine& engine, RequestLog& log, const std::string& version,
-      const grpc::CallbackServerContext& context,
+      grpc::CallbackServerContext& context,
       const v1::ComputeFieldRequest& request);
 
   void OnProgress(const Progress& progress) override;
@@ -36,7 +36,7 @@ class FieldStream final : public AnswerStream<v1::ComputeFieldResponse>,
 
  private:
   FieldStream(QueryEngine& engine, RequestLog& log, const std::string& version,
-              const grpc::CallbackServerContext& context,
+              grpc::CallbackServerContext& context,
               const v1::ComputeFieldRequest& request);
 
   absl::Status Ask() override;

@@ -41,7 +41,7 @@ uint64_t BytesOf(const std::vector<Isoline>& isolines) {
 
 grpc::ServerWriteReactor<v1::ComputeIsolinesResponse>* IsolineStream::Start(
     QueryEngine& engine, RequestLog& log, const std::string& version,
-    const grpc::CallbackServerContext& context,
+    grpc::CallbackServerContext& context,
     const v1::ComputeIsolinesRequest& request) {
   return Launch(std::shared_ptr<IsolineStream>(
       new IsolineStream(engine, log, version, context, request)));
@@ -49,10 +49,10 @@ grpc::ServerWriteReactor<v1::ComputeIsolinesResponse>* IsolineStream::Start(
 
 IsolineStream::IsolineStream(QueryEngine& engine, RequestLog& log,
                              const std::string& version,
-                             const grpc::CallbackServerContext& context,
+                             grpc::CallbackServerContext& context,
                              const v1::ComputeIsolinesRequest& request)
     : QuestionStream(engine, log, "ComputeIsolines", request.mesh_digest(),
-                     version),
+                     version, context),
       context_(context),
       request_(request) {}
 

@@ -28,7 +28,7 @@ class IsolineStream final : public QuestionStream<v1::ComputeIsolinesResponse>,
   // `request` live until gRPC is done with it.
   static grpc::ServerWriteReactor<v1::ComputeIsolinesResponse>* Start(
       QueryEngine& engine, RequestLog& log, const std::string& version,
-      const grpc::CallbackServerContext& context,
+      grpc::CallbackServerContext& context,
       const v1::ComputeIsolinesRequest& request);
 
   void OnProgress(const Progress& progress) override;
@@ -37,7 +37,7 @@ class IsolineStream final : public QuestionStream<v1::ComputeIsolinesResponse>,
  private:
   IsolineStream(QueryEngine& engine, RequestLog& log,
                 const std::string& version,
-                const grpc::CallbackServerContext& context,
+                grpc::CallbackServerContext& context,
                 const v1::ComputeIsolinesRequest& request);
 
   absl::Status Ask() override;

@@ -19,7 +19,7 @@ constexpr uint64_t kVerticesPerChunk = 32768;
 
 grpc::ServerWriteReactor<v1::ComputeLogMapResponse>* LogMapStream::Start(
     QueryEngine& engine, RequestLog& log, const std::string& version,
-    const grpc::CallbackServerContext& context,
+    grpc::CallbackServerContext& context,
     const v1::ComputeLogMapRequest& request) {
   return Launch(std::shared_ptr<LogMapStream>(
       new LogMapStream(engine, log, version, context, request)));
@@ -27,10 +27,10 @@ grpc::ServerWriteReactor<v1::ComputeLogMapResponse>* LogMapStream::Start(
 
 LogMapStream::LogMapStream(QueryEngine& engine, RequestLog& log,
                            const std::string& version,
-                           const grpc::CallbackServerContext& context,
+                           grpc::CallbackServerContext& context,
                            const v1::ComputeLogMapRequest& request)
     : QuestionStream(engine, log, "ComputeLogMap", request.mesh_digest(),
-                     version),
+                     version, context),
       context_(context),
       request_(request) {}
 

@@ -27,7 +27,7 @@ class LogMapStream final : public QuestionStream<v1::ComputeLogMapResponse>,
   // `request` live until gRPC is done with it.
   static grpc::ServerWriteReactor<v1::ComputeLogMapResponse>* Start(
       QueryEngine& engine, RequestLog& log, const std::string& version,
-      const grpc::CallbackServerContext& context,
+      grpc::CallbackServerContext& context,
       const v1::ComputeLogMapRequest& request);
 
   void OnProgress(const Progress& progress) override;
@@ -35,7 +35,7 @@ class LogMapStream final : public QuestionStream<v1::ComputeLogMapResponse>,
 
  private:
   LogMapStream(QueryEngine& engine, RequestLog& log, const std::string& version,
-               const grpc::CallbackServerContext& context,
+               grpc::CallbackServerContext& context,
                const v1::ComputeLogMapRequest& request);
 
   absl::Status Ask() override;

@@ -14,7 +14,7 @@ namespace geodesic::server {
 
 grpc::ServerWriteReactor<v1::ComputeMatrixResponse>* MatrixStream::Start(
     QueryEngine& engine, RequestLog& log, const std::string& version,
-    const grpc::CallbackServerContext& context,
+    grpc::CallbackServerContext& context,
     const v1::ComputeMatrixRequest& request) {
   return Launch(std::shared_ptr<MatrixStream>(
       new MatrixStream(engine, log, version, context, request)));
@@ -22,9 +22,10 @@ grpc::ServerWriteReactor<v1::ComputeMatrixResponse>* MatrixStream::Start(
 
 MatrixStream::MatrixStream(QueryEngine& engine, RequestLog& log,
                            const std::string& version,
-                           const grpc::CallbackServerContext& context,
+                           grpc::CallbackServerContext& context,
                            const v1::ComputeMatrixRequest& request)
-    : RowStream(engine, log, "ComputeMatrix", request.mesh_digest(), version),
+    : RowStream(engine, log, "ComputeMatrix", request.mesh_digest(), version,
+                context),
       context_(context),
       request_(request) {}
 

@@ -23,12 +23,12 @@ class MatrixStream final : public RowStream<v1::ComputeMatrixResponse> {
   // `request` live until gRPC is done with it.
   static grpc::ServerWriteReactor<v1::ComputeMatrixResponse>* Start(
       QueryEngine& engine, RequestLog& log, const std::string& version,
-      const grpc::CallbackServerContext& context,
+      grpc::CallbackServerContext& context,
       const v1::ComputeMatrixRequest& request);
 
  private:
   MatrixStream(QueryEngine& engine, RequestLog& log, const std::string& version,
-               const grpc::CallbackServerContext& context,
+               grpc::CallbackServerContext& context,
                const v1::ComputeMatrixRequest& request);
 
   absl::StatusOr<Question> Translate(const Limits& limits) const override;

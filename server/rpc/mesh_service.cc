@@ -8,7 +8,6 @@
 #include "absl/strings/str_cat.h"
 #include "server/rpc/mesh_stream.h"
 #include "server/rpc/mesh_translation.h"
-#include "server/rpc/status_translation.h"
 #include "server/rpc/unary_call.h"
 #include "server/rpc/upload_stream.h"
 
@@ -76,8 +75,8 @@ grpc::ServerUnaryReactor* MeshService::GetMesh(
 }
 
 grpc::ServerWriteReactor<v1::ReadMeshResponse>* MeshService::ReadMesh(
-    grpc::CallbackServerContext*, const v1::ReadMeshRequest* request) {
-  return MeshStream::Start(engine_, log_, *request);
+    grpc::CallbackServerContext* context, const v1::ReadMeshRequest* request) {
+  return MeshStream::Start(engine_, log_, *context, *request);
 }
 
 grpc::ServerUnaryReactor* MeshService::ListMeshes(
@@ -99,14 +98,15 @@ grpc::ServerUnaryReactor* MeshService::ListMeshes(
 grpc::ServerUnaryReactor* MeshService::DeleteMesh(
     grpc::CallbackServerContext* context, const v1::DeleteMeshRequest* request,
     v1::DeleteMeshResponse*) {
-  const auto entry = std::make_shared<RequestLog::Entry>(log_, "DeleteMesh");
+  const auto entry =
+      std::make_shared<RequestLog::Entry>(log_, "DeleteMesh", *context);
   entry->set_subject(DigestPrefix(request->digest()));
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
   const auto finish = [reactor, entry](const absl::Status& status) {
-    entry->set_status(status);
-    reactor->Finish(ToGrpcStatus(status));
+    reactor->Finish(entry->End(status));
   };
-  const absl::Status status = engine_.DeleteMesh(request->digest(), finish);
+  absl::Status status = entry->Admit();
+  if (status.ok()) status = engine_.DeleteMesh(request->digest(), finish);
   if (!status.ok()) finish(status);
   return reactor;
 }

@@ -34,9 +34,10 @@ uint64_t FillChunk(uint64_t count, uint64_t begin, Item item,
 }  // namespace
 
 grpc::ServerWriteReactor<v1::ReadMeshResponse>* MeshStream::Start(
-    QueryEngine& engine, RequestLog& log, const v1::ReadMeshRequest& request) {
+    QueryEngine& engine, RequestLog& log, grpc::CallbackServerContext& context,
+    const v1::ReadMeshRequest& request) {
   return Launch(std::shared_ptr<MeshStream>(
-      new MeshStream(engine, log, request.digest())));
+      new MeshStream(engine, log, context, request.digest())));
 }
 
 absl::Status MeshStream::Ask() {

@@ -15,13 +15,17 @@ namespace geodesic::server {
 
 class MeshStream final : public AnswerStream<v1::ReadMeshResponse> {
  public:
-  // REQUIRES: `engine` and `log` outlive the call.
+  // REQUIRES: `engine` and `log` outlive the call; `context` lives until gRPC
+  // is done with it.
   static grpc::ServerWriteReactor<v1::ReadMeshResponse>* Start(
-      QueryEngine& engine, RequestLog& log, const v1::ReadMeshRequest& request);
+      QueryEngine& engine, RequestLog& log,
+      grpc::CallbackServerContext& context, const v1::ReadMeshRequest& request);
 
  private:
-  MeshStream(QueryEngine& engine, RequestLog& log, const std::string& digest)
-      : AnswerStream(engine, log, "ReadMesh", digest), digest_(digest) {}
+  MeshStream(QueryEngine& engine, RequestLog& log,
+             grpc::CallbackServerContext& context, const std::string& digest)
+      : AnswerStream(engine, log, "ReadMesh", digest, context),
+        digest_(digest) {}
 
   absl::Status Ask() override;
   void Cancel() override {}  // nothing is computed

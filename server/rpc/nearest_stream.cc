@@ -12,7 +12,7 @@ namespace geodesic::server {
 
 grpc::ServerWriteReactor<v1::FindNearestResponse>* NearestStream::Start(
     QueryEngine& engine, RequestLog& log, const std::string& version,
-    const grpc::CallbackServerContext& context,
+    grpc::CallbackServerContext& context,
     const v1::FindNearestRequest& request) {
   return Launch(std::shared_ptr<NearestStream>(
       new NearestStream(engine, log, version, context, request)));
@@ -20,9 +20,10 @@ grpc::ServerWriteReactor<v1::FindNearestResponse>* NearestStream::Start(
 
 NearestStream::NearestStream(QueryEngine& engine, RequestLog& log,
                              const std::string& version,
-                             const grpc::CallbackServerContext& context,
+                             grpc::CallbackServerContext& context,
                              const v1::FindNearestRequest& request)
-    : RowStream(engine, log, "FindNearest", request.mesh_digest(), version),
+    : RowStream(engine, log, "FindNearest", request.mesh_digest(), version,
+                context),
       context_(context),
       request_(request) {}
 

@@ -23,13 +23,13 @@ class NearestStream final : public RowStream<v1::FindNearestResponse> {
   // `request` live until gRPC is done with it.
   static grpc::ServerWriteReactor<v1::FindNearestResponse>* Start(
       QueryEngine& engine, RequestLog& log, const std::string& version,
-      const grpc::CallbackServerContext& context,
+      grpc::CallbackServerContext& context,
       const v1::FindNearestRequest& request);
 
  private:
   NearestStream(QueryEngine& engine, RequestLog& log,
                 const std::string& version,
-                const grpc::CallbackServerContext& context,
+                grpc::CallbackServerContext& context,
                 const v1::FindNearestRequest& request);
 
   absl::StatusOr<Question> Translate(const Limits& limits) const override;

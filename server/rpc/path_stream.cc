@@ -14,7 +14,7 @@ namespace geodesic::server {
 
 grpc::ServerWriteReactor<v1::ComputePathsResponse>* PathStream::Start(
     QueryEngine& engine, RequestLog& log, const std::string& version,
-    const grpc::CallbackServerContext& context,
+    grpc::CallbackServerContext& context,
     const v1::ComputePathsRequest& request) {
   return Launch(std::shared_ptr<PathStream>(
       new PathStream(engine, log, version, context, request)));
@@ -22,10 +22,10 @@ grpc::ServerWriteReactor<v1::ComputePathsResponse>* PathStream::Start(
 
 PathStream::PathStream(QueryEngine& engine, RequestLog& log,
                        const std::string& version,
-                       const grpc::CallbackServerContext& context,
+                       grpc::CallbackServerContext& context,
                        const v1::ComputePathsRequest& request)
     : QuestionStream(engine, log, "ComputePaths", request.mesh_digest(),
-                     version),
+                     version, context),
       context_(context),
       request_(request) {}
 

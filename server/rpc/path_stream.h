@@ -28,7 +28,7 @@ class PathStream final : public QuestionStream<v1::ComputePathsResponse>,
   // `request` live until gRPC is done with it.
   static grpc::ServerWriteReactor<v1::ComputePathsResponse>* Start(
       QueryEngine& engine, RequestLog& log, const std::string& version,
-      const grpc::CallbackServerContext& context,
+      grpc::CallbackServerContext& context,
       const v1::ComputePathsRequest& request);
 
   void OnProgress(const Progress& progress) override;
@@ -36,7 +36,7 @@ class PathStream final : public QuestionStream<v1::ComputePathsResponse>,
 
  private:
   PathStream(QueryEngine& engine, RequestLog& log, const std::string& version,
-             const grpc::CallbackServerContext& context,
+             grpc::CallbackServerContext& context,
              const v1::ComputePathsRequest& request);
 
   absl::Status Ask() override;

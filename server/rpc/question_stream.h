@@ -33,8 +33,9 @@ class QuestionStream : public AnswerStream<Response> {
  protected:
   // REQUIRES: `engine` and `version` outlive the call.
   QuestionStream(QueryEngine& engine, RequestLog& log, std::string_view method,
-                 const std::string& mesh_digest, const std::string& version)
-      : AnswerStream<Response>(engine, log, method, mesh_digest),
+                 const std::string& mesh_digest, const std::string& version,
+                 grpc::CallbackServerContext& context)
+      : AnswerStream<Response>(engine, log, method, mesh_digest, context),
         version_(version) {}
 
   // Fills the next part of the answer; false when there is none left. Under the

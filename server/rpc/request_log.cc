@@ -2,32 +2,37 @@
 
 #include <spdlog/spdlog.h>
 
+#include <optional>
 #include <utility>
 
+#include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
+#include "server/engine/error_reasons.h"
 #include "server/engine/status_details.h"
+#include "server/rpc/call_metadata.h"
+#include "server/rpc/required_scope.h"
+#include "server/rpc/status_translation.h"
 
 namespace geodesic::server {
-
 namespace {
 
 // Streams end within seconds unless their readers stall.
 constexpr std::chrono::milliseconds kRetryDelay{1000};
 
+std::string Named(const char* name, const std::string& value) {
+  return value.empty() ? "" : absl::StrCat(" ", name, "=", value);
+}
+
 }  // namespace
 
 RequestLog::RequestLog(std::shared_ptr<spdlog::logger> logger,
-                       size_t max_active)
-    : logger_(std::move(logger)), max_active_(max_active) {}
-
-absl::Status RequestLog::CheckRoom() const {
-  if (active() <= max_active_) return absl::OkStatus();
-  return WithRetryAfter(
-      absl::ResourceExhaustedError(
-          absl::StrCat("the server has ", max_active_,
-                       " requests in hand and takes no more; try again later")),
-      kRetryDelay);
-}
+                       size_t max_active, const AccessControl& access,
+                       Quotas& quotas, Metrics& metrics)
+    : logger_(std::move(logger)),
+      max_active_(max_active),
+      access_(access),
+      quotas_(quotas),
+      metrics_(metrics) {}
 
 bool RequestLog::WaitIdle(std::chrono::steady_clock::time_point until,
                           std::stop_token stop) {
@@ -41,22 +46,79 @@ size_t RequestLog::active() const {
   return active_;
 }
 
-RequestLog::Entry::Entry(RequestLog& log, std::string_view method)
-    : log_(log), method_(method), start_(std::chrono::steady_clock::now()) {
+RequestLog::Entry::Entry(RequestLog& log, std::string_view method,
+                         grpc::CallbackServerContext& context)
+    : log_(log),
+      method_(method),
+      context_(context),
+      start_(std::chrono::steady_clock::now()),
+      peer_(context.peer()),
+      request_id_(RequestId(context)),
+      trace_parent_(TraceParent(context)) {
   std::lock_guard lock(log_.mutex_);
   ++log_.active_;
+}
+
+absl::Status RequestLog::Entry::Admit() {
+  const absl::StatusOr<std::string> authorization = Authorization(context_);
+  absl::StatusOr<Caller> caller =
+      authorization.ok() ? log_.access_.Identify(*authorization)
+                         : (absl::IsNotFound(authorization.status())
+                                ? log_.access_.Identify(std::nullopt)
+                                : authorization.status());
+  if (!caller.ok()) return caller.status();
+  caller_ = *std::move(caller);
+  absl::Status status = CheckScope(caller_, RequiredScope(method_));
+  if (!status.ok()) return status;
+  return log_.quotas_.TakeRequest(caller_);
+}
+
+absl::Status RequestLog::Entry::AdmitStream() {
+  if (absl::Status status = Admit(); !status.ok()) return status;
+  if (log_.active() > log_.max_active_) {
+    return WithReason(
+        WithRetryAfter(absl::ResourceExhaustedError(absl::StrCat(
+                           "the server has ", log_.max_active_,
+                           " requests in hand and takes no more; try again "
+                           "later")),
+                       kRetryDelay),
+        reason::kTooManyRequests);
+  }
+  absl::StatusOr<Quotas::Job> job = log_.quotas_.TakeJob(caller_);
+  if (!job.ok()) return job.status();
+  job_ = *std::move(job);
+  return absl::OkStatus();
+}
+
+grpc::Status RequestLog::Entry::End(absl::Status status) {
+  AddTrailers(request_id_, status, context_);
+  status_ = std::move(status);
+  return ToGrpcStatus(status_);
 }
 
 RequestLog::Entry::~Entry() {
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start_;
+  log_.metrics_.RequestEnded(
+      {.method = method_,
+       .status = status_,
+       .seconds = seconds.count(),
+       .write_seconds = std::chrono::duration<double>(write_time_).count(),
+       .bytes = bytes_});
   // INTERNAL is a defect of this program; everything else is ordinary.
   const auto level =
       absl::IsInternal(status_) ? spdlog::level::err : spdlog::level::info;
-  log_.logger_->log(level, "{} {} {:.6f}s {} bytes{}{}{}{}", method_,
-                    absl::StatusCodeToString(status_.code()), seconds.count(),
-                    bytes_, subject_.empty() ? "" : " ", subject_,
-                    status_.ok() ? "" : ": ", PrintableMessage(status_));
+  log_.logger_->log(
+      level,
+      "request method={} code={} seconds={:.6f} bytes={}{}{} peer={} id={}{}{}",
+      method_, absl::StatusCodeToString(status_.code()), seconds.count(),
+      bytes_, Named("mesh", subject_), Named("client", caller_.name), peer_,
+      request_id_, Named("traceparent", trace_parent_),
+      status_.ok() ? ""
+                   : absl::StrCat(" reason=", ReasonOf(status_), " error=\"",
+                                  absl::CHexEscape(status_.message()), "\""));
+  // What is the caller's goes back before the entry counts as gone.
+  job_ = Quotas::Job();
   // Under the lock, so that a waiter who then lets the log go finds nobody
   // in it.
   std::lock_guard lock(log_.mutex_);
@@ -64,7 +126,10 @@ RequestLog::Entry::~Entry() {
 }
 
 std::string DigestPrefix(std::string_view digest) {
-  return std::string(digest.substr(0, 12));
+  const std::string_view prefix = digest.substr(0, 12);
+  return prefix.find_first_not_of("0123456789abcdef") == prefix.npos
+             ? std::string(prefix)
+             : "malformed";
 }
 
 }  // namespace geodesic::server

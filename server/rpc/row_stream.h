@@ -38,8 +38,9 @@ class RowStream : public AnswerStream<Response>, public RowObserver {
  protected:
   // REQUIRES: `engine` and `version` outlive the call.
   RowStream(QueryEngine& engine, RequestLog& log, std::string_view method,
-            const std::string& mesh_digest, const std::string& version)
-      : AnswerStream<Response>(engine, log, method, mesh_digest),
+            const std::string& mesh_digest, const std::string& version,
+            grpc::CallbackServerContext& context)
+      : AnswerStream<Response>(engine, log, method, mesh_digest, context),
         version_(version) {}
 
   struct Question {

@@ -18,7 +18,7 @@ constexpr uint64_t kSamplesPerChunk = 16384;
 
 grpc::ServerWriteReactor<v1::SampleFarthestPointsResponse>* SampleStream::Start(
     QueryEngine& engine, RequestLog& log, const std::string& version,
-    const grpc::CallbackServerContext& context,
+    grpc::CallbackServerContext& context,
     const v1::SampleFarthestPointsRequest& request) {
   return Launch(std::shared_ptr<SampleStream>(
       new SampleStream(engine, log, version, context, request)));
@@ -26,10 +26,10 @@ grpc::ServerWriteReactor<v1::SampleFarthestPointsResponse>* SampleStream::Start(
 
 SampleStream::SampleStream(QueryEngine& engine, RequestLog& log,
                            const std::string& version,
-                           const grpc::CallbackServerContext& context,
+                           grpc::CallbackServerContext& context,
                            const v1::SampleFarthestPointsRequest& request)
     : QuestionStream(engine, log, "SampleFarthestPoints", request.mesh_digest(),
-                     version),
+                     version, context),
       context_(context),
       request_(request) {}
 

@@ -29,7 +29,7 @@ class SampleStream final
   // `request` live until gRPC is done with it.
   static grpc::ServerWriteReactor<v1::SampleFarthestPointsResponse>* Start(
       QueryEngine& engine, RequestLog& log, const std::string& version,
-      const grpc::CallbackServerContext& context,
+      grpc::CallbackServerContext& context,
       const v1::SampleFarthestPointsRequest& request);
 
   void OnProgress(const Progress& progress) override;
@@ -37,7 +37,7 @@ class SampleStream final
 
  private:
   SampleStream(QueryEngine& engine, RequestLog& log, const std::string& version,
-               const grpc::CallbackServerContext& context,
+               grpc::CallbackServerContext& context,
                const v1::SampleFarthestPointsRequest& request);
 
   absl::Status Ask() override;

@@ -10,7 +10,9 @@
 namespace geodesic::server {
 
 // Code and message stay (see PrintableMessage). Details follow as google.rpc
-// messages: BadRequest for a field at fault, RetryInfo when waiting helps.
+// messages: ErrorInfo with the reason always, BadRequest for a field at fault,
+// ResourceInfo for a mesh that is not there, QuotaFailure, and RetryInfo when
+// waiting helps.
 grpc::Status ToGrpcStatus(const absl::Status& status);
 
 }  // namespace geodesic::server

@@ -11,7 +11,6 @@
 
 #include "absl/status/status.h"
 #include "server/rpc/request_log.h"
-#include "server/rpc/status_translation.h"
 
 namespace geodesic::server {
 
@@ -21,11 +20,11 @@ template <typename Work>
 grpc::ServerUnaryReactor* AnswerUnary(grpc::CallbackServerContext* context,
                                       RequestLog& log, std::string_view method,
                                       Work work) {
-  RequestLog::Entry entry(log, method);
-  absl::Status status = work(entry);
+  RequestLog::Entry entry(log, method, *context);
+  absl::Status status = entry.Admit();
+  if (status.ok()) status = work(entry);
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
-  reactor->Finish(ToGrpcStatus(status));
-  entry.set_status(std::move(status));
+  reactor->Finish(entry.End(std::move(status)));
   return reactor;
 }
 

@@ -4,31 +4,41 @@
 
 #include "server/engine/status_details.h"
 #include "server/rpc/mesh_translation.h"
-#include "server/rpc/status_translation.h"
 
 namespace geodesic::server {
+namespace {
+
+// What the mesh will take in memory, as far as its header tells: a file does
+// not say before it is read, so its own size stands for it.
+uint64_t LeastBytes(const UploadHeader& header) {
+  return header.format == UploadFormat::kArrays
+             ? Mesh::EstimateResidentBytes(header.vertex_count,
+                                           header.face_count)
+             : header.size_bytes;
+}
+
+}  // namespace
 
 grpc::ServerReadReactor<v1::CreateMeshRequest>* UploadStream::Start(
-    QueryEngine& engine, RequestLog& log,
-    const grpc::CallbackServerContext& context,
+    QueryEngine& engine, RequestLog& log, grpc::CallbackServerContext& context,
     v1::CreateMeshResponse& response) {
   const std::shared_ptr<UploadStream> stream(
       new UploadStream(engine, log, context, response));
   stream->self_ = stream;
-  stream->Begin(log);
+  stream->Begin();
   return stream.get();
 }
 
 UploadStream::UploadStream(QueryEngine& engine, RequestLog& log,
-                           const grpc::CallbackServerContext& context,
+                           grpc::CallbackServerContext& context,
                            v1::CreateMeshResponse& response)
     : engine_(engine), context_(context), response_(response) {
-  entry_.emplace(log, "CreateMesh");
+  entry_.emplace(log, "CreateMesh", context);
 }
 
-void UploadStream::Begin(const RequestLog& log) {
+void UploadStream::Begin() {
   std::lock_guard lock(mutex_);
-  if (absl::Status status = log.CheckRoom(); !status.ok()) {
+  if (absl::Status status = entry_->AdmitStream(); !status.ok()) {
     End(std::move(status));
     return;
   }
@@ -61,7 +71,7 @@ absl::Status UploadStream::TakeMessage() {
           engine_.StartUpload(*std::move(header));
       if (!upload.ok()) return upload.status();
       upload_ = *std::move(upload);
-      return absl::OkStatus();
+      return entry_->job().ReserveBytes(LeastBytes(upload_->header()));
     }
     case v1::CreateMeshRequest::kChunk:
       if (upload_ == nullptr) {
@@ -117,6 +127,7 @@ void UploadStream::OnBuilt(const absl::StatusOr<UploadResult>& result) {
     entry_->set_subject(DigestPrefix(result->mesh.digest));
     *response_.mutable_mesh() = ToProto(result->mesh);
     response_.set_already_resident(result->already_resident);
+    if (!result->already_resident) entry_->job().AddMesh(result->mesh);
   }
   End(result.status());
 }
@@ -143,8 +154,7 @@ void UploadStream::OnDone() {
 void UploadStream::End(absl::Status status) {
   if (finished_) return;
   finished_ = true;
-  Finish(ToGrpcStatus(status));
-  entry_->set_status(std::move(status));
+  Finish(entry_->End(std::move(status)));
 }
 
 }  // namespace geodesic::server

@@ -27,8 +27,7 @@ class UploadStream final
   // REQUIRES: `engine` and `log` outlive the call.
   static grpc::ServerReadReactor<v1::CreateMeshRequest>* Start(
       QueryEngine& engine, RequestLog& log,
-      const grpc::CallbackServerContext& context,
-      v1::CreateMeshResponse& response);
+      grpc::CallbackServerContext& context, v1::CreateMeshResponse& response);
 
   void OnReadDone(bool ok) override;
   void OnCancel() override;
@@ -36,10 +35,10 @@ class UploadStream final
 
  private:
   UploadStream(QueryEngine& engine, RequestLog& log,
-               const grpc::CallbackServerContext& context,
+               grpc::CallbackServerContext& context,
                v1::CreateMeshResponse& response);
 
-  void Begin(const RequestLog& log);
+  void Begin();
   // The client has sent everything.
   void Complete();
   void OnBuilt(const absl::StatusOr<UploadResult>& result);

@@ -72,6 +72,20 @@ TEST_F(ArgumentsTest, Field) {
   EXPECT_TRUE(arguments.quiet);
 }
 
+TEST_F(ArgumentsTest, Connection) {
+  const Arguments arguments = Accepted(
+      {"--tls-ca", "ca.pem", "--tls-cert", "c.pem", "--tls-key", "k.pem",
+       "--tls-server-name", "n", "--token-file", "t", "meshes"});
+  const ConnectionArguments& connection = arguments.connection;
+  EXPECT_EQ(connection.paths.authorities, "ca.pem");
+  EXPECT_EQ(connection.paths.certificate, "c.pem");
+  EXPECT_EQ(connection.paths.key, "k.pem");
+  EXPECT_EQ(connection.server_name, "n");
+  EXPECT_EQ(connection.token_file, "t");
+  EXPECT_FALSE(connection.tls);
+  EXPECT_TRUE(Accepted({"--tls", "meshes"}).connection.tls);
+}
+
 TEST_F(ArgumentsTest, FieldDefaults) {
   const Arguments arguments = Accepted({"field", "m", "-s", "0"});
   EXPECT_EQ(arguments.server, "127.0.0.1:50051");

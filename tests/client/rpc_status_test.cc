@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <optional>
+
+#include "geodesic_client/errors.h"
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 
@@ -24,12 +28,13 @@ TEST(RpcStatusTest, NamesTheFieldsAtFault) {
   other->set_description("too short");
   google::rpc::Status rich;
   rich.add_details()->PackFrom(bad_request);
-  EXPECT_EQ(
+  const absl::Status status =
       FromRpcStatus({grpc::StatusCode::INVALID_ARGUMENT,
-                     "source 9 is out of range", rich.SerializeAsString()}),
-      absl::InvalidArgumentError(
-          "source 9 is out of range [field sources[0].vertex; field "
-          "mesh_digest: too short]"));
+                     "source 9 is out of range", rich.SerializeAsString()});
+  EXPECT_TRUE(absl::IsInvalidArgument(status));
+  EXPECT_EQ(status.message(),
+            "source 9 is out of range [field sources[0].vertex; field "
+            "mesh_digest: too short]");
 }
 
 TEST(RpcStatusTest, SaysWhenToTryAgain) {
@@ -38,9 +43,25 @@ TEST(RpcStatusTest, SaysWhenToTryAgain) {
   retry.mutable_retry_delay()->set_nanos(500'000'000);
   google::rpc::Status rich;
   rich.add_details()->PackFrom(retry);
-  EXPECT_EQ(FromRpcStatus({grpc::StatusCode::RESOURCE_EXHAUSTED, "busy",
-                           rich.SerializeAsString()}),
-            absl::ResourceExhaustedError("busy [try again in 1.5 s]"));
+  const absl::Status status = FromRpcStatus(
+      {grpc::StatusCode::RESOURCE_EXHAUSTED, "busy", rich.SerializeAsString()});
+  EXPECT_TRUE(absl::IsResourceExhausted(status));
+  EXPECT_EQ(status.message(), "busy [try again in 1.5 s]");
+  EXPECT_EQ(RetryDelay(status), std::chrono::duration<double>(1.5));
+  EXPECT_EQ(ErrorReason(status), "");
+}
+
+TEST(RpcStatusTest, TheReasonCanBeRead) {
+  google::rpc::ErrorInfo info;
+  info.set_reason("MESH_NOT_RESIDENT");
+  google::rpc::Status rich;
+  rich.add_details()->PackFrom(info);
+  const absl::Status status = FromRpcStatus(
+      {grpc::StatusCode::NOT_FOUND, "gone", rich.SerializeAsString()});
+  EXPECT_EQ(status.message(), "gone");
+  EXPECT_EQ(ErrorReason(status), "MESH_NOT_RESIDENT");
+  EXPECT_EQ(RetryDelay(status), std::nullopt);
+  EXPECT_EQ(ErrorReason(absl::OkStatus()), "");
 }
 
 TEST(RpcStatusTest, IgnoresDetailsItCannotRead) {

@@ -53,7 +53,9 @@ TEST(LruStore, TheLeastRecentlyUsedGoesFirst) {
   Put(store, "b", 2);
   Put(store, "c", 3);
   store.Find("a");
+  EXPECT_EQ(store.evictions(), 0);
   Put(store, "d", 4);
+  EXPECT_EQ(store.evictions(), 1);
   EXPECT_NE(store.Find("a"), nullptr);
   EXPECT_EQ(store.Find("b"), nullptr);
   EXPECT_NE(store.Find("c"), nullptr);

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -119,6 +121,39 @@ TEST_F(SchedulerTest, ARunningJobIsAskedToStop) {
   EXPECT_FALSE(before);
   EXPECT_TRUE(after);
   scheduler_.Cancel(id);  // gone: nothing happens
+}
+
+TEST_F(SchedulerTest, TellsHowAJobSpentItsTime) {
+  test::FakeClock clock;
+  std::vector<JobTimes> seen;
+  scheduler_.ObserveJobs(clock,
+                         [&](const JobTimes& times) { seen.push_back(times); });
+  const auto takes = [&](int seconds) {
+    return Job{.priority = JobPriority::kBuild,
+               .run = [&clock, seconds](std::stop_token) {
+                 clock.Advance(std::chrono::seconds(seconds));
+               }};
+  };
+  ASSERT_TRUE(scheduler_.Submit(takes(5)).ok());
+  ASSERT_TRUE(scheduler_.Submit(takes(7)).ok());
+  clock.Advance(std::chrono::seconds(1));
+  executor_.RunAll();
+  ASSERT_EQ(seen.size(), 2);
+  EXPECT_EQ(seen[0].waited, std::chrono::seconds(1));
+  EXPECT_EQ(seen[0].ran, std::chrono::seconds(5));
+  EXPECT_EQ(seen[0].priority, JobPriority::kBuild);
+  EXPECT_FALSE(seen[0].was_stopped);
+  EXPECT_EQ(seen[1].waited, std::chrono::seconds(6));
+  EXPECT_EQ(seen[1].ran, std::chrono::seconds(7));
+
+  std::optional<Scheduler::JobId> id;
+  const auto stopped = scheduler_.Submit(
+      {.run = [&](std::stop_token) { scheduler_.Cancel(*id); }});
+  ASSERT_TRUE(stopped.ok());
+  id = *stopped;
+  executor_.RunAll();
+  ASSERT_EQ(seen.size(), 3);
+  EXPECT_TRUE(seen[2].was_stopped);
 }
 
 TEST_F(SchedulerTest, DrainFinishesWhatWasAdmitted) {

@@ -1,6 +1,14 @@
 #include "server/engine/status_details.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include "server/engine/error_reasons.h"
+#include "tests/support/temporary_folder.h"
 
 namespace geodesic::server {
 namespace {
@@ -18,6 +26,25 @@ TEST(StatusDetails, RetryTravelsWithTheStatus) {
       absl::ResourceExhaustedError("full"), std::chrono::milliseconds(1500));
   EXPECT_EQ(RetryAfter(status), std::chrono::milliseconds(1500));
   EXPECT_EQ(RetryAfter(absl::ResourceExhaustedError("full")), std::nullopt);
+}
+
+TEST(StatusDetails, AReasonTravelsWithTheStatus) {
+  const absl::Status full = absl::ResourceExhaustedError("full");
+  EXPECT_EQ(ReasonOf(full), reason::kLimitExceeded);
+  EXPECT_EQ(ReasonOf(WithReason(full, reason::kQueueFull)), reason::kQueueFull);
+  const absl::Status quota = WithQuotaFailure(full, "client:ci");
+  EXPECT_EQ(ReasonOf(quota), reason::kQuotaExceeded);
+  EXPECT_EQ(QuotaSubject(quota), "client:ci");
+  EXPECT_EQ(MeshAtFault(WithMesh(absl::NotFoundError("no"), "abc")), "abc");
+  EXPECT_EQ(MeshAtFault(full), std::nullopt);
+}
+
+// What clients are told to look for must be what they get.
+TEST(StatusDetails, TheProtocolListsEveryReason) {
+  const std::string text = geodesic::test::FileBytes(GEODESIC_PROTOCOL_PAGE);
+  for (const std::string_view reason : kErrorReasons) {
+    EXPECT_THAT(text, ::testing::HasSubstr("`" + std::string(reason) + "`"));
+  }
 }
 
 TEST(StatusDetails, OkStaysOk) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "geodesic_client/ask_about_file.h"
 #include "geodesic_client/client.h"
 #include "tests/integration/meshes.h"
 #include "tests/integration/running_server.h"
@@ -47,6 +48,34 @@ TEST_F(LibraryTest, ResidentArraysAreNotSent) {
   ASSERT_TRUE(again.ok());
   EXPECT_TRUE(again->already_resident);
   EXPECT_EQ(again->bytes_sent, 0);
+}
+
+TEST_F(LibraryTest, AMeshThatIsForgottenIsUploadedAgain) {
+  WriteFile(folder_ / "grid.off", OffText(PlanarGrid(4)));
+  int asked = 0;
+  const absl::StatusOr<Field> field = AskAboutFile(
+      client_, folder_ / "grid.off", [&](const std::string& digest) {
+        // As if it had been evicted.
+        if (++asked == 1) EXPECT_TRUE(client_.DeleteMesh(digest).ok());
+        return client_.ComputeField(
+            {.mesh_digest = digest, .sources = {{VertexPoint{0}}}});
+      });
+  EXPECT_TRUE(field.ok()) << field.status();
+  EXPECT_EQ(asked, 2);
+}
+
+TEST_F(LibraryTest, OtherErrorsAreNotAskedForTwice) {
+  WriteFile(folder_ / "grid.off", OffText(PlanarGrid(4)));
+  int asked = 0;
+  const absl::StatusOr<Field> field = AskAboutFile(
+      client_, folder_ / "grid.off", [&](const std::string& digest) {
+        ++asked;
+        return client_.ComputeField(
+            {.mesh_digest = digest, .sources = {{VertexPoint{25}}}});
+      });
+  EXPECT_TRUE(absl::IsInvalidArgument(field.status()));
+  EXPECT_EQ(ErrorReason(field.status()), "INVALID_REQUEST");
+  EXPECT_EQ(asked, 1);
 }
 
 TEST_F(LibraryTest, UploadsOfSeveralChunksArriveWhole) {

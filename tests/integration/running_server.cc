@@ -60,6 +60,8 @@ void RunningServer::Kill() {
   process_->Wait();
 }
 
+void RunningServer::Reload() const { process_->Signal(SIGHUP); }
+
 std::vector<std::string> IntegrationTest::CommandLine(
     const std::vector<std::string>& arguments) const {
   std::vector<std::string> words = {GEODESIC_BINARY, "--server",

@@ -32,6 +32,8 @@ class RunningServer {
 
   // Ends it at once, as the kernel does with those that take too much memory.
   void Kill();
+  // Asks it to read its tokens again.
+  void Reload() const;
 
   // Its exit code, once it has ended.
   int Wait() { return process_->Wait().exit_code; }

@@ -7,12 +7,15 @@
 
 #include <vector>
 
+#include "absl/strings/cord.h"
+
 namespace geodesic::server::test {
 
 absl::StatusOr<std::string> CallMethod(
     const std::shared_ptr<grpc::Channel>& channel, const std::string& method,
-    const std::string& request) {
+    const std::string& request, const Metadata& metadata) {
   grpc::ClientContext context;
+  for (const auto& [name, value] : metadata) context.AddMetadata(name, value);
   grpc::CompletionQueue queue;
   grpc::GenericStub stub(channel);
   const auto next = [&] {
@@ -39,8 +42,10 @@ absl::StatusOr<std::string> CallMethod(
   while (next()) {
   }
   if (!answered) {
-    return absl::Status(static_cast<absl::StatusCode>(status.error_code()),
-                        status.error_message());
+    absl::Status error(static_cast<absl::StatusCode>(status.error_code()),
+                       status.error_message());
+    error.SetPayload(kDetails, absl::Cord(status.error_details()));
+    return error;
   }
   std::vector<grpc::Slice> slices;
   response.Dump(&slices);

@@ -5,6 +5,7 @@
 
 #include <grpcpp/channel.h>
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -12,11 +13,17 @@
 
 namespace geodesic::server::test {
 
+// The payload under which errors carry their serialized google.rpc.Status.
+inline constexpr char kDetails[] = "test/grpc-status-details-bin";
+
+// What goes beside the messages of a call, by name.
+using Metadata = std::multimap<std::string, std::string>;
+
 // Sends one serialized message to `method` ("/package.Service/Method") and
 // returns the first one that comes back.
 absl::StatusOr<std::string> CallMethod(
     const std::shared_ptr<grpc::Channel>& channel, const std::string& method,
-    const std::string& request);
+    const std::string& request, const Metadata& metadata = {});
 
 }  // namespace geodesic::server::test
 

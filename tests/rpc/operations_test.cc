@@ -102,6 +102,16 @@ TEST_F(OperationsTest, ReflectionListsTheServices) {
   }
 }
 
+TEST_F(OperationsTest, ReflectionDescribesTheHealthService) {
+  // ServerReflectionRequest{file_containing_symbol: "grpc.health.v1.Health"}.
+  const auto answer = test::CallMethod(
+      channel_,
+      "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo",
+      "\x22\x15grpc.health.v1.Health");
+  ASSERT_TRUE(answer.ok()) << answer.status();
+  EXPECT_THAT(*answer, HasSubstr("HealthCheckRequest"));
+}
+
 class CrowdTest : public test::RpcTest {};
 
 TEST_F(CrowdTest, StreamsHaveALimit) {

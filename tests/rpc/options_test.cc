@@ -109,17 +109,20 @@ TEST_F(OptionsTest, TheFileMayComeFromTheEnvironment) {
 
 TEST_F(OptionsTest, HelpExplainsEveryFlag) {
   EXPECT_EQ(Parse({"--help"}).exit_code, 0);
-  for (const char* flag : {"--listen",        "--port-file",
-                           "--max-requests",  "--max-message-bytes",
-                           "--threads",       "--max-queued-jobs",
-                           "--max-sources",   "--mesh-store",
-                           "--field-cache",   "--upload-memory",
-                           "--solver-memory", "--max-upload-bytes",
-                           "--max-vertices",  "--max-faces",
-                           "--data-dir",      "--mesh-disk",
-                           "--field-disk",    "--drain-seconds",
-                           "--log-level",     "--config",
-                           "--version"}) {
+  for (const char* flag : {"--listen",          "--port-file",
+                           "--max-requests",    "--max-message-bytes",
+                           "--threads",         "--max-queued-jobs",
+                           "--max-sources",     "--mesh-store",
+                           "--field-cache",     "--upload-memory",
+                           "--solver-memory",   "--max-upload-bytes",
+                           "--max-vertices",    "--max-faces",
+                           "--data-dir",        "--mesh-disk",
+                           "--field-disk",      "--drain-seconds",
+                           "--log-level",       "--config",
+                           "--version",         "--tls-cert",
+                           "--tls-key",         "--tls-client-ca",
+                           "--insecure-listen", "--token-file",
+                           "--metrics-listen",  "--channelz"}) {
     EXPECT_THAT(out_, HasSubstr(flag));
   }
   EXPECT_THAT(out_, AllOf(HasSubstr("GEODESICD_MAX_UPLOAD_BYTES"),
@@ -144,6 +147,19 @@ TEST_F(OptionsTest, ErrorsNameTheFlag) {
   ExpectUsageError({"--max-upload-bytes", "8GiB"}, "--upload-memory");
   ExpectUsageError({"--no-such-flag"}, "--no-such-flag");
   ExpectUsageError({"--config", "/nonexistent/file"}, "/nonexistent/file");
+}
+
+TEST_F(OptionsTest, OtherMachinesAreServedInClearOnlyWhenThatIsSaid) {
+  ExpectUsageError({"--listen", "0.0.0.0:1"}, "--insecure-listen");
+  ExpectUsageError({"--tls-cert", "c.pem"}, "--tls-key");
+  ExpectUsageError({"--tls-client-ca", "c.pem"}, "--tls-cert");
+  EXPECT_TRUE(Parse({"--listen", "0.0.0.0:1", "--insecure-listen"})
+                  .options.insecure_listen);
+  EXPECT_FALSE(Parse({"--listen", "0.0.0.0:1", "--tls-cert", "c.pem",
+                      "--tls-key", "k.pem"})
+                   .exit_code.has_value());
+  SetVariable("GEODESICD_INSECURE_LISTEN", "true");
+  EXPECT_FALSE(Parse({"--listen", "0.0.0.0:1"}).exit_code.has_value()) << err_;
 }
 
 TEST_F(OptionsTest, ErrorsInTheFileNameTheSetting) {

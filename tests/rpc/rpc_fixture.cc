@@ -1,6 +1,5 @@
 #include "tests/rpc/rpc_fixture.h"
 
-#include <google/rpc/status.pb.h>
 #include <grpcpp/create_channel.h>
 #include <grpcpp/security/credentials.h>
 #include <spdlog/sinks/null_sink.h>
@@ -18,12 +17,6 @@ namespace geodesic::server::test {
 namespace {
 
 constexpr size_t kChunkBytes = 256 << 10;
-
-google::rpc::Status Details(const grpc::Status& status) {
-  google::rpc::Status details;
-  EXPECT_TRUE(details.ParseFromString(status.error_details()));
-  return details;
-}
 
 // A computation that is held up before it advances.
 class HeldComputation final : public Computation {
@@ -48,16 +41,6 @@ class HeldComputation final : public Computation {
   const Mesh& mesh_;
   const std::unique_ptr<Computation> computation_;
 };
-
-template <typename Message>
-std::optional<Message> Detail(const grpc::Status& status) {
-  const google::rpc::Status details = Details(status);
-  for (const auto& any : details.details()) {
-    Message message;
-    if (any.UnpackTo(&message)) return message;
-  }
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -213,6 +196,19 @@ FieldReply RpcTest::ComputeField(const v1::ComputeFieldRequest& request,
 FieldReply RpcTest::ComputeField(const std::string& digest, uint64_t vertex) {
   grpc::ClientContext context;
   return ComputeField(FieldRequest(digest, vertex), context);
+}
+
+google::rpc::Status Details(const grpc::Status& status) {
+  google::rpc::Status details;
+  EXPECT_TRUE(details.ParseFromString(status.error_details()));
+  return details;
+}
+
+std::string Reason(const grpc::Status& status) {
+  const auto info = Detail<google::rpc::ErrorInfo>(status);
+  if (!info.has_value()) return "";
+  EXPECT_EQ(info->domain(), "geodesic.v1");
+  return info->reason();
 }
 
 std::string FieldAtFault(const grpc::Status& status) {

@@ -4,6 +4,7 @@
 #define GEODESIC_TESTS_RPC_RPC_FIXTURE_H_
 
 #include <google/rpc/error_details.pb.h>
+#include <google/rpc/status.pb.h>
 #include <grpcpp/channel.h>
 #include <grpcpp/client_context.h>
 #include <grpcpp/support/status.h>
@@ -80,6 +81,22 @@ class RpcTest : public ::testing::Test {
   std::unique_ptr<v1::MeshService::Stub> meshes_;
   std::unique_ptr<v1::FieldService::Stub> fields_;
 };
+
+// The rich error in a status.
+google::rpc::Status Details(const grpc::Status& status);
+
+template <typename Message>
+std::optional<Message> Detail(const grpc::Status& status) {
+  const google::rpc::Status details = Details(status);
+  for (const auto& any : details.details()) {
+    Message message;
+    if (any.UnpackTo(&message)) return message;
+  }
+  return std::nullopt;
+}
+
+// The reason in its ErrorInfo, or "".
+std::string Reason(const grpc::Status& status);
 
 // The field that the BadRequest of a status names, or "".
 std::string FieldAtFault(const grpc::Status& status);

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <string>
 
+#include "server/engine/argument_checks.h"
+#include "server/engine/error_reasons.h"
 #include "server/engine/status_details.h"
 #include "tests/rpc/rpc_fixture.h"
 
@@ -16,7 +18,36 @@ TEST(StatusTranslation, KeepsCodeAndMessage) {
   const grpc::Status status = ToGrpcStatus(absl::NotFoundError("not here"));
   EXPECT_EQ(status.error_code(), grpc::StatusCode::NOT_FOUND);
   EXPECT_EQ(status.error_message(), "not here");
-  EXPECT_EQ(status.error_details(), "");
+  EXPECT_EQ(test::Reason(status), "MESH_NOT_RESIDENT");
+}
+
+TEST(StatusTranslation, EveryErrorHasAReasonFromTheList) {
+  for (int code = 1; code <= 16; ++code) {
+    const grpc::Status status =
+        ToGrpcStatus(absl::Status(static_cast<absl::StatusCode>(code), "no"));
+    EXPECT_NE(test::Reason(status), "") << code;
+  }
+  EXPECT_EQ(test::Reason(ToGrpcStatus(WithReason(
+                absl::ResourceExhaustedError("full"), reason::kQueueFull))),
+            "QUEUE_FULL");
+}
+
+TEST(StatusTranslation, AMissingMeshIsAResource) {
+  const auto resource = test::Detail<google::rpc::ResourceInfo>(
+      ToGrpcStatus(NotResident(std::string(64, 'a'))));
+  ASSERT_TRUE(resource.has_value());
+  EXPECT_EQ(resource->resource_type(), "geodesic.v1.Mesh");
+  EXPECT_EQ(resource->resource_name(), std::string(64, 'a'));
+}
+
+TEST(StatusTranslation, AQuotaNamesItsSubject) {
+  const grpc::Status status = ToGrpcStatus(
+      WithQuotaFailure(absl::ResourceExhaustedError("no more"), "client:ci"));
+  const auto quota = test::Detail<google::rpc::QuotaFailure>(status);
+  ASSERT_TRUE(quota.has_value());
+  ASSERT_EQ(quota->violations_size(), 1);
+  EXPECT_EQ(quota->violations(0).subject(), "client:ci");
+  EXPECT_EQ(test::Reason(status), "QUOTA_EXCEEDED");
 }
 
 TEST(StatusTranslation, AFieldAtFaultBecomesABadRequest) {

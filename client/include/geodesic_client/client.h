@@ -24,6 +24,7 @@
 #include "absl/status/statusor.h"
 #include "geodesic_client/answer.h"
 #include "geodesic_client/capabilities.h"
+#include "geodesic_client/connection_options.h"
 #include "geodesic_client/field.h"
 #include "geodesic_client/isolines.h"
 #include "geodesic_client/log_map.h"
@@ -51,23 +52,28 @@ using UploadProgressCallback =
 // Calls block until the server has answered; callbacks run on the calling
 // thread. Thread-safe: calls of several threads share one connection.
 //
+// Calls that change nothing are repeated by themselves, up to three times, when
+// no server is there or it is full and says that waiting helps; so are uploads.
+//
 // Errors have the server's code and message, and name the field of the request
-// the server points at. Besides the errors listed with each method any call may
-// fail with
-//   UNAVAILABLE: no server there, or it is shutting down;
+// the server points at; errors.h reads the rest. Besides the errors listed with
+// each method any call may fail with
+//   UNAVAILABLE: no server there, or it is shutting down, or TLS failed;
+//   UNAUTHENTICATED, PERMISSION_DENIED: the token is not what is needed;
 //   DEADLINE_EXCEEDED, CANCELLED: by CallOptions;
 //   DATA_LOSS: the server's answer contradicts itself;
 //   INTERNAL: a defect of the server.
 class Client {
  public:
-  // Connects to "HOST:PORT" at the first call, without encryption.
-  explicit Client(const std::string& server);
+  // Connects to "HOST:PORT" at the first call.
+  explicit Client(const std::string& server,
+                  const ConnectionOptions& options = {});
   ~Client();
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
   // Makes a mesh file resident. The file is hashed first and sent only if the
-  // server does not know it. An upload the connection loses is tried once more.
+  // server does not know it.
   // Errors: those of CreateMesh in mesh_service.proto; NOT_FOUND or
   // PERMISSION_DENIED if the file cannot be opened, INVALID_ARGUMENT if it is
   // no regular file; DATA_LOSS if it changes while it is read.

@@ -1,4 +1,4 @@
-#include "server/termination_signals.h"
+#include "server/process_signals.h"
 
 #include <pthread.h>
 #include <signal.h>
@@ -14,17 +14,18 @@ sigset_t WatchedSignals() {
   sigemptyset(&signals);
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGHUP);
   return signals;
 }
 
 }  // namespace
 
-void BlockTerminationSignals() {
+void BlockProcessSignals() {
   const sigset_t signals = WatchedSignals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
-TerminationSignals::TerminationSignals(std::function<void(int signal)> received)
+ProcessSignals::ProcessSignals(std::function<void(int signal)> received)
     : thread_([received = std::move(received)](const std::stop_token& stop) {
         const sigset_t signals = WatchedSignals();
         for (int signal = 0;;) {
@@ -34,7 +35,7 @@ TerminationSignals::TerminationSignals(std::function<void(int signal)> received)
         }
       }) {}
 
-TerminationSignals::~TerminationSignals() {
+ProcessSignals::~ProcessSignals() {
   thread_.request_stop();
   // Wakes sigwait, which then finds the request.
   pthread_kill(thread_.native_handle(), SIGTERM);

@@ -1,0 +1,54 @@
+// How a Client speaks with its server.
+//
+//   auto tls = ReadTlsFiles({.authorities = "ca.pem"});
+//   if (!tls.ok()) return tls.status();
+//   Client client("meshes.example:50051", {.tls = *tls, .token = token});
+
+#ifndef GEODESIC_CLIENT_CONNECTION_OPTIONS_H_
+#define GEODESIC_CLIENT_CONNECTION_OPTIONS_H_
+
+#include <optional>
+#include <string>
+
+#include "absl/status/statusor.h"
+
+namespace geodesic::client {
+
+// Texts in PEM form.
+struct TlsOptions {
+  // Authorities that vouch for the server. DEFAULT: those the system trusts.
+  std::string authorities;
+  // What the client shows a server that asks who it is. DEFAULT: nothing.
+  std::string certificate;
+  std::string key;
+  // The name in the server's certificate. DEFAULT: the host of its address.
+  std::string server_name;
+};
+
+struct ConnectionOptions {
+  // DEFAULT: in clear.
+  std::optional<TlsOptions> tls;
+  // Sent with each call as "authorization: Bearer ...", in clear if the
+  // connection is. DEFAULT: none.
+  std::string token;
+};
+
+// Paths of files with the members of TlsOptions; empty: none.
+struct TlsPaths {
+  std::string authorities;
+  std::string certificate;
+  std::string key;
+};
+
+// Errors: NOT_FOUND or PERMISSION_DENIED naming a file that cannot be read;
+// INVALID_ARGUMENT if it holds no PEM, or for a certificate without its key.
+absl::StatusOr<TlsOptions> ReadTlsFiles(const TlsPaths& paths);
+
+// The token that is the file's first line.
+// Errors: likewise; INVALID_ARGUMENT if that is empty or no header could carry
+// it.
+absl::StatusOr<std::string> ReadTokenFile(const std::string& path);
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_CONNECTION_OPTIONS_H_

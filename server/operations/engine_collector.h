@@ -1,0 +1,29 @@
+// The engine's own figures, read at each scrape.
+
+#ifndef GEODESIC_SERVER_OPERATIONS_ENGINE_COLLECTOR_H_
+#define GEODESIC_SERVER_OPERATIONS_ENGINE_COLLECTOR_H_
+
+#include <prometheus/collectable.h>
+#include <prometheus/metric_family.h>
+
+#include <vector>
+
+#include "server/engine/query_engine.h"
+
+namespace geodesic::server {
+
+// Thread-safe.
+class EngineCollector final : public prometheus::Collectable {
+ public:
+  // REQUIRES: `engine` outlives the collector.
+  explicit EngineCollector(const QueryEngine& engine) : engine_(engine) {}
+
+  std::vector<prometheus::MetricFamily> Collect() const override;
+
+ private:
+  const QueryEngine& engine_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_OPERATIONS_ENGINE_COLLECTOR_H_

@@ -1,0 +1,48 @@
+// /metrics, /livez and /readyz over HTTP/1.1, for those who watch the server.
+
+#ifndef GEODESIC_SERVER_OPERATIONS_HTTP_SERVER_H_
+#define GEODESIC_SERVER_OPERATIONS_HTTP_SERVER_H_
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "absl/status/status.h"
+
+struct mg_context;
+
+namespace geodesic::server {
+
+// Serves from threads of its own while it lives. In clear, and to everybody who
+// reaches it: what it tells are numbers, but it belongs on an address of the
+// operators.
+class HttpServer {
+ public:
+  // Called from any of the threads.
+  struct Pages {
+    std::function<std::string()> metrics;
+    std::function<bool()> is_ready;
+  };
+
+  explicit HttpServer(Pages pages) : pages_(std::move(pages)) {}
+
+  // Listens on "HOST:PORT"; port 0 takes a free one. Call once.
+  // Errors: UNAVAILABLE naming the address that could not be bound.
+  absl::Status Start(const std::string& address);
+
+  // REQUIRES: Start succeeded.
+  int port() const;
+
+ private:
+  struct Stop {
+    void operator()(mg_context* context) const;
+  };
+
+  const Pages pages_;
+  // Last, so that nobody is served when the pages go.
+  std::unique_ptr<mg_context, Stop> context_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_OPERATIONS_HTTP_SERVER_H_

@@ -1,0 +1,72 @@
+// What is counted, in the form Prometheus reads.
+//
+// docs/operations.md lists the metrics and what they are good for.
+
+#ifndef GEODESIC_SERVER_OPERATIONS_METRICS_H_
+#define GEODESIC_SERVER_OPERATIONS_METRICS_H_
+
+#include <prometheus/counter.h>
+#include <prometheus/family.h>
+#include <prometheus/histogram.h>
+#include <prometheus/registry.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "server/engine/scheduler.h"
+
+namespace geodesic::server {
+
+// A request that has ended.
+struct RequestReport {
+  std::string_view method;
+  absl::Status status;
+  double seconds = 0;
+  // Of these, spent waiting for the client to take what was written.
+  double write_seconds = 0;
+  uint64_t bytes = 0;
+};
+
+// Every label's values come from fixed lists, so that no client can make the
+// page grow. Thread-safe.
+class Metrics {
+ public:
+  Metrics();
+
+  void RequestEnded(const RequestReport& report);
+  void JobEnded(const JobTimes& times);
+  void TokensReloaded(bool is_ok);
+
+  // What collects other values, at each scrape. It lives as long as the
+  // metrics do. REQUIRES: nobody scrapes yet.
+  void Add(std::shared_ptr<prometheus::Collectable> collectable);
+
+  // A value that is asked for at each scrape, likewise.
+  void AddGauge(const std::string& name, const std::string& help,
+                std::function<double()> value);
+
+  // The page.
+  std::string Text() const;
+
+ private:
+  prometheus::Registry registry_;
+  std::vector<std::shared_ptr<prometheus::Collectable>> others_;
+  prometheus::Family<prometheus::Counter>& requests_;
+  prometheus::Family<prometheus::Counter>& errors_;
+  prometheus::Family<prometheus::Histogram>& request_seconds_;
+  prometheus::Family<prometheus::Histogram>& write_seconds_;
+  prometheus::Family<prometheus::Counter>& bytes_;
+  prometheus::Family<prometheus::Histogram>& queue_seconds_;
+  prometheus::Family<prometheus::Histogram>& run_seconds_;
+  prometheus::Counter& cancelled_seconds_;
+  prometheus::Family<prometheus::Counter>& reloads_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_OPERATIONS_METRICS_H_

@@ -1,0 +1,172 @@
+#include "server/security/quotas.h"
+
+#include <chrono>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "server/engine/error_reasons.h"
+#include "server/engine/status_details.h"
+#include "server/security/token_bucket.h"
+
+namespace geodesic::server {
+namespace {
+
+// Jobs end, and meshes are evicted, within about a second.
+constexpr std::chrono::milliseconds kRetryDelay{1000};
+
+}  // namespace
+
+class Quotas::Account {
+ public:
+  explicit Account(std::string name) : name_(std::move(name)) {}
+
+  // Quotas may change when the tokens are reloaded.
+  void SetQuota(const Quota& quota, TimePoint now) {
+    std::lock_guard lock(mutex_);
+    if (requests_.has_value() && quota == quota_) return;
+    quota_ = quota;
+    requests_.emplace(quota.requests_per_second, quota.burst, now);
+  }
+
+  absl::Status TakeRequest(TimePoint now) {
+    std::lock_guard lock(mutex_);
+    const Duration wait = requests_->Take(now);
+    if (wait == Duration::zero()) return absl::OkStatus();
+    return WithRetryAfter(
+        Exceeded("requests_per_second", quota_.requests_per_second),
+        std::chrono::ceil<std::chrono::milliseconds>(wait));
+  }
+
+  absl::Status TakeJob() {
+    std::lock_guard lock(mutex_);
+    if (jobs_ >= quota_.jobs) {
+      return WithRetryAfter(Exceeded("jobs", quota_.jobs), kRetryDelay);
+    }
+    ++jobs_;
+    return absl::OkStatus();
+  }
+
+  absl::Status TakeBytes(uint64_t bytes) {
+    std::lock_guard lock(mutex_);
+    if (bytes > quota_.resident_bytes) {
+      return Exceeded("resident_bytes", quota_.resident_bytes);
+    }
+    const uint64_t used = ResidentBytes() + uploading_;
+    if (used > quota_.resident_bytes - bytes) {
+      return WithRetryAfter(Exceeded("resident_bytes", quota_.resident_bytes),
+                            kRetryDelay);
+    }
+    uploading_ += bytes;
+    return absl::OkStatus();
+  }
+
+  void ReturnJob(uint64_t bytes) {
+    std::lock_guard lock(mutex_);
+    --jobs_;
+    uploading_ -= bytes;
+  }
+
+  void AddMesh(const MeshHandle& mesh) {
+    std::lock_guard lock(mutex_);
+    meshes_.push_back({mesh, mesh->mesh->resident_bytes()});
+  }
+
+ private:
+  // The rest REQUIRES: mutex_ held.
+
+  // A mesh whose memory has gone leaves an expired pointer, which pins nothing.
+  uint64_t ResidentBytes() {
+    std::erase_if(meshes_,
+                  [](const Mesh& mesh) { return mesh.data.expired(); });
+    uint64_t bytes = 0;
+    for (const Mesh& mesh : meshes_) bytes += mesh.bytes;
+    return bytes;
+  }
+
+  template <typename Number>
+  absl::Status Exceeded(std::string_view what, Number limit) const {
+    return WithQuotaFailure(absl::ResourceExhaustedError(absl::StrCat(
+                                "the quota of client ", name_, " is used up: ",
+                                std::string(what), " is ", limit)),
+                            absl::StrCat("client:", name_));
+  }
+
+  struct Mesh {
+    std::weak_ptr<const ResidentMesh> data;
+    uint64_t bytes;
+  };
+
+  const std::string name_;
+  std::mutex mutex_;
+  // Guarded by mutex_:
+  Quota quota_;
+  std::optional<TokenBucket> requests_;
+  uint64_t jobs_ = 0;
+  uint64_t uploading_ = 0;
+  std::vector<Mesh> meshes_;
+};
+
+Quotas::Job::Job(std::shared_ptr<Account> account)
+    : account_(std::move(account)) {}
+
+Quotas::Job::Job(Job&& other) noexcept
+    : account_(std::move(other.account_)),
+      bytes_(std::exchange(other.bytes_, 0)) {}
+
+Quotas::Job& Quotas::Job::operator=(Job&& other) noexcept {
+  if (this != &other) {
+    Return();
+    account_ = std::move(other.account_);
+    bytes_ = std::exchange(other.bytes_, 0);
+  }
+  return *this;
+}
+
+Quotas::Job::~Job() { Return(); }
+
+void Quotas::Job::Return() {
+  if (account_ != nullptr) account_->ReturnJob(bytes_);
+  account_ = nullptr;
+  bytes_ = 0;
+}
+
+absl::Status Quotas::Job::ReserveBytes(uint64_t bytes) {
+  if (account_ == nullptr) return absl::OkStatus();
+  absl::Status status = account_->TakeBytes(bytes);
+  if (status.ok()) bytes_ += bytes;
+  return status;
+}
+
+void Quotas::Job::AddMesh(const MeshHandle& mesh) {
+  if (account_ != nullptr) account_->AddMesh(mesh);
+}
+
+absl::Status Quotas::TakeRequest(const Caller& caller) {
+  const std::shared_ptr<Account> account = AccountOf(caller);
+  return account == nullptr ? absl::OkStatus()
+                            : account->TakeRequest(clock_.Now());
+}
+
+absl::StatusOr<Quotas::Job> Quotas::TakeJob(const Caller& caller) {
+  std::shared_ptr<Account> account = AccountOf(caller);
+  if (account == nullptr) return Job();
+  if (absl::Status status = account->TakeJob(); !status.ok()) return status;
+  return Job(std::move(account));
+}
+
+std::shared_ptr<Quotas::Account> Quotas::AccountOf(const Caller& caller) {
+  if (caller.name.empty() || caller.scopes.Allow(Scope::kAdmin)) return nullptr;
+  std::shared_ptr<Account> account;
+  {
+    std::lock_guard lock(mutex_);
+    std::shared_ptr<Account>& entry = accounts_[caller.name];
+    if (entry == nullptr) entry = std::make_shared<Account>(caller.name);
+    account = entry;
+  }
+  account->SetQuota(caller.quota, clock_.Now());
+  return account;
+}
+
+}  // namespace geodesic::server

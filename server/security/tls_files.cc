@@ -1,0 +1,82 @@
+#include "server/security/tls_files.h"
+
+#include <openssl/err.h>
+#include <openssl/pem.h>
+#include <openssl/x509.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+
+#include "absl/strings/str_cat.h"
+
+namespace geodesic::server {
+namespace {
+
+struct Freed {
+  void operator()(FILE* file) const { std::fclose(file); }
+  void operator()(X509* certificate) const { X509_free(certificate); }
+  void operator()(EVP_PKEY* key) const { EVP_PKEY_free(key); }
+};
+template <typename Thing>
+using Owned = std::unique_ptr<Thing, Freed>;
+
+// A key that asks for a passphrase must not make the server wait for one.
+int NoPassphrase(char*, int, int, void*) { return -1; }
+
+// What `read` makes of the PEM file.
+template <typename Thing>
+absl::Status Read(const std::string& path, const char* kind,
+                  Thing* (*read)(FILE*, Thing**, pem_password_cb*, void*),
+                  Owned<Thing>& thing) {
+  const Owned<FILE> file(std::fopen(path.c_str(), "re"));
+  if (file == nullptr) {
+    return absl::ErrnoToStatus(errno, absl::StrCat("cannot read ", path));
+  }
+  thing.reset(read(file.get(), nullptr, &NoPassphrase, nullptr));
+  ERR_clear_error();
+  if (thing != nullptr) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      absl::StrCat(path, " holds no ", kind, " in PEM form"));
+}
+
+}  // namespace
+
+absl::Status CheckTlsFiles(const TlsFiles& files) {
+  Owned<X509> certificate;
+  absl::Status status =
+      Read(files.certificate, "certificate", &PEM_read_X509, certificate);
+  if (!status.ok()) return status;
+  Owned<EVP_PKEY> key;
+  status =
+      Read(files.key, "unencrypted private key", &PEM_read_PrivateKey, key);
+  if (!status.ok()) return status;
+  const bool match = X509_check_private_key(certificate.get(), key.get()) == 1;
+  ERR_clear_error();
+  if (!match) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(files.key, " is not the key of the certificate in ",
+                     files.certificate));
+  }
+  if (files.client_authorities.empty()) return absl::OkStatus();
+  Owned<X509> authority;
+  return Read(files.client_authorities, "certificate", &PEM_read_X509,
+              authority);
+}
+
+absl::StatusOr<std::chrono::system_clock::time_point> CertificateEnd(
+    const TlsFiles& files) {
+  Owned<X509> certificate;
+  absl::Status status =
+      Read(files.certificate, "certificate", &PEM_read_X509, certificate);
+  if (!status.ok()) return status;
+  std::tm end = {};
+  if (ASN1_TIME_to_tm(X509_get0_notAfter(certificate.get()), &end) != 1) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(files.certificate, " has no end"));
+  }
+  return std::chrono::system_clock::from_time_t(timegm(&end));
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,145 @@
+// Who gets through to a server that speaks TLS, and with which certificates.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "geodesic_client/client.h"
+#include "tests/integration/process.h"
+#include "tests/integration/running_server.h"
+#include "tests/security/certificates.h"
+#include "tests/security/until.h"
+
+namespace geodesic::client {
+namespace {
+
+using ::testing::HasSubstr;
+
+ConnectionOptions Trusting(const TlsPaths& paths) {
+  absl::StatusOr<TlsOptions> tls = ReadTlsFiles(paths);
+  EXPECT_TRUE(tls.ok()) << tls.status();
+  return {.tls = *tls};
+}
+
+class TlsTest : public ::testing::Test {
+ protected:
+  std::vector<std::string> Flags(const Identity& identity) const {
+    return {"--tls-cert", identity.certificate, "--tls-key", identity.key};
+  }
+
+  absl::Status Ask(const RunningServer& server,
+                   const ConnectionOptions& options) const {
+    return Client(server.address(), options).ListMeshes().status();
+  }
+
+  // geodesicd with flags under which it does not start; what it says.
+  std::string Refusal(std::vector<std::string> flags) const {
+    flags.insert(flags.begin(), GEODESICD_BINARY);
+    const ProcessResult result = RunProgram(flags);
+    EXPECT_NE(result.exit_code, 0);
+    return result.err;
+  }
+
+  TemporaryFolder folder_;
+  const Authority authority_{folder_, "ca"};
+  const Identity server_identity_ = authority_.Issue("server");
+};
+
+TEST_F(TlsTest, ClientsThatTrustTheAuthorityAreServed) {
+  const RunningServer server(folder_, Flags(server_identity_));
+  EXPECT_TRUE(Ask(server, Trusting({.authorities = authority_.path()})).ok());
+  // By the other name in the certificate.
+  ConnectionOptions options = Trusting({.authorities = authority_.path()});
+  options.tls->server_name = "meshes.test";
+  EXPECT_TRUE(Ask(server, options).ok());
+}
+
+TEST_F(TlsTest, OthersAreNot) {
+  const RunningServer server(folder_, Flags(server_identity_));
+  const Authority stranger(folder_, "stranger");
+  EXPECT_TRUE(absl::IsUnavailable(
+      Ask(server, Trusting({.authorities = stranger.path()}))));
+  // In clear to a TLS port.
+  EXPECT_TRUE(absl::IsUnavailable(Ask(server, {})));
+  // The certificate has another name.
+  ConnectionOptions options = Trusting({.authorities = authority_.path()});
+  options.tls->server_name = "elsewhere.test";
+  EXPECT_TRUE(absl::IsUnavailable(Ask(server, options)));
+}
+
+TEST_F(TlsTest, WithClientAuthoritiesACertificateIsNeeded) {
+  const Authority clients(folder_, "clients");
+  const Identity friendly = clients.Issue("friend");
+  const Identity foreign = authority_.Issue("foreign");
+  std::vector<std::string> flags = Flags(server_identity_);
+  flags.insert(flags.end(), {"--tls-client-ca", clients.path()});
+  const RunningServer server(folder_, flags);
+  const auto with = [&](const Identity& identity) {
+    return Trusting({.authorities = authority_.path(),
+                     .certificate = identity.certificate,
+                     .key = identity.key});
+  };
+  EXPECT_TRUE(Ask(server, with(friendly)).ok());
+  EXPECT_TRUE(absl::IsUnavailable(Ask(server, with(foreign))));
+  EXPECT_TRUE(absl::IsUnavailable(
+      Ask(server, Trusting({.authorities = authority_.path()}))));
+}
+
+TEST_F(TlsTest, AChangedCertificateIsTakenUpWhileConnectionsLive) {
+  const RunningServer server(folder_, Flags(server_identity_));
+  Client old_client(server.address(),
+                    Trusting({.authorities = authority_.path()}));
+  ASSERT_TRUE(old_client.ListMeshes().ok());
+
+  const Authority next(folder_, "next");
+  const Identity renewed = next.Issue("server");
+  std::filesystem::rename(renewed.key, server_identity_.key);
+  std::filesystem::rename(renewed.certificate, server_identity_.certificate);
+  EXPECT_TRUE(Until([&] {
+    return Ask(server, Trusting({.authorities = next.path()})).ok();
+  }));
+  EXPECT_TRUE(absl::IsUnavailable(
+      Ask(server, Trusting({.authorities = authority_.path()}))));
+  // The connection that was open goes on.
+  EXPECT_TRUE(old_client.ListMeshes().ok());
+}
+
+TEST_F(TlsTest, TheCommandSpeaksTls) {
+  const RunningServer server(folder_, Flags(server_identity_));
+  const ProcessResult good =
+      RunProgram({GEODESIC_BINARY, "--server", server.address(), "--tls-ca",
+                  authority_.path(), "meshes"});
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  const Authority stranger(folder_, "stranger");
+  const ProcessResult bad =
+      RunProgram({GEODESIC_BINARY, "--server", server.address(), "--tls-ca",
+                  stranger.path(), "meshes"});
+  EXPECT_EQ(bad.exit_code, 4);
+  EXPECT_THAT(bad.err, HasSubstr("--tls-ca"));
+}
+
+TEST_F(TlsTest, WrongFilesAreNamedAtTheStart) {
+  const Identity other = authority_.Issue("other");
+  const std::string& certificate = server_identity_.certificate;
+  EXPECT_THAT(Refusal({"--tls-cert", certificate, "--tls-key", other.key}),
+              HasSubstr("is not the key"));
+  EXPECT_THAT(Refusal({"--tls-cert", certificate, "--tls-key", certificate}),
+              HasSubstr("no unencrypted private key"));
+  EXPECT_THAT(Refusal({"--tls-cert", folder_ / "none", "--tls-key", other.key}),
+              HasSubstr(folder_ / "none"));
+  EXPECT_THAT(Refusal({"--tls-cert", certificate}), HasSubstr("--tls-key"));
+  EXPECT_THAT(Refusal({"--tls-client-ca", certificate}),
+              HasSubstr("--tls-cert"));
+}
+
+TEST_F(TlsTest, OtherMachinesAreNotServedInClearUnlessThatIsMeant) {
+  for (const char* address :
+       {"0.0.0.0:0", "[::]:0", "meshes.test:0", "ipv4:127.0.0.1:0"}) {
+    EXPECT_THAT(Refusal({"--listen", address}), HasSubstr("--insecure-listen"))
+        << address;
+  }
+}
+
+}  // namespace
+}  // namespace geodesic::client

@@ -1,0 +1,192 @@
+// Tokens from the file to the command line, with real programs over TLS.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geodesic_client/client.h"
+#include "geodesic_client/errors.h"
+#include "server/store/sha256.h"
+#include "tests/integration/meshes.h"
+#include "tests/integration/process.h"
+#include "tests/integration/running_server.h"
+#include "tests/security/certificates.h"
+#include "tests/security/until.h"
+
+namespace geodesic::client {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct Token {
+  std::string token;
+  std::string scopes = R"(["read"])";
+  std::string more = "";
+};
+
+class TokensTest : public ::testing::Test {
+ protected:
+  // Replaced as a whole, as one should.
+  void WriteTokens(const std::vector<Token>& tokens) const {
+    std::string text;
+    for (const Token& token : tokens) {
+      text += text.empty() ? R"({"tokens": [)" : ", ";
+      text += R"({"name": "owner-of-)" + token.token.substr(0, 4) +
+              R"(", "sha256": ")" + server::Sha256Hex(token.token) +
+              R"(", "scopes": )" + token.scopes + token.more + "}";
+    }
+    WriteFile(folder_ / "tokens.new", text + "]}");
+    std::filesystem::rename(folder_ / "tokens.new", folder_ / "tokens.json");
+  }
+
+  std::vector<std::string> Flags() const {
+    return {"--tls-cert",  identity_.certificate, "--tls-key",
+            identity_.key, "--token-file",        folder_ / "tokens.json"};
+  }
+
+  Client Connect(const RunningServer& server, const std::string& token) const {
+    return Client(server.address(),
+                  {.tls = *ReadTlsFiles({.authorities = authority_.path()}),
+                   .token = token});
+  }
+
+  absl::Status Ask(const RunningServer& server,
+                   const std::string& token) const {
+    return Connect(server, token).ListMeshes().status();
+  }
+
+  // The command, over TLS.
+  ProcessResult Command(const RunningServer& server,
+                        std::vector<std::string> words) const {
+    words.insert(words.begin(), {GEODESIC_BINARY, "--server", server.address(),
+                                 "--tls-ca", authority_.path()});
+    return RunProgram(words);
+  }
+
+  TemporaryFolder folder_;
+  const Authority authority_{folder_, "ca"};
+  const Identity identity_ = authority_.Issue("server");
+};
+
+TEST_F(TokensTest, EveryRefusalHasItsReason) {
+  WriteTokens({{"good-token"},
+               {"late-token", R"(["read"])",
+                R"(, "expires": "2020-01-01T00:00:00Z")"}});
+  const RunningServer server(folder_, Flags());
+  EXPECT_TRUE(Ask(server, "good-token").ok());
+  const auto expect = [&](const std::string& token, const std::string& reason) {
+    const absl::Status status = Ask(server, token);
+    EXPECT_TRUE(absl::IsUnauthenticated(status)) << token << status;
+    EXPECT_EQ(ErrorReason(status), reason);
+  };
+  expect("", "TOKEN_MISSING");
+  expect("late-token", "TOKEN_EXPIRED");
+  expect("bad-token", "TOKEN_UNKNOWN");
+  // A hash is no token.
+  expect(server::Sha256Hex("good-token"), "TOKEN_UNKNOWN");
+  expect(std::string(5000, 'x'), "TOKEN_UNKNOWN");
+}
+
+TEST_F(TokensTest, WhoMayAskMayNotUploadOrDelete) {
+  WriteTokens({{"read-token"},
+               {"load-token", R"(["read", "upload"])"},
+               {"root-token", R"(["admin"])"}});
+  const RunningServer server(folder_, Flags());
+  const MeshArrays mesh = PlanarGrid(3);
+  const absl::Status refused =
+      Connect(server, "read-token").UploadArrays(mesh).status();
+  EXPECT_TRUE(absl::IsPermissionDenied(refused)) << refused;
+  EXPECT_EQ(ErrorReason(refused), "SCOPE_MISSING");
+  const auto upload = Connect(server, "load-token").UploadArrays(mesh);
+  ASSERT_TRUE(upload.ok()) << upload.status();
+  EXPECT_TRUE(absl::IsPermissionDenied(
+      Connect(server, "load-token").DeleteMesh(upload->mesh.digest)));
+  EXPECT_TRUE(
+      Connect(server, "root-token").DeleteMesh(upload->mesh.digest).ok());
+}
+
+TEST_F(TokensTest, AChangedFileIsTakenUpWhileConnectionsLive) {
+  WriteTokens({{"old-token"}});
+  const RunningServer server(folder_, Flags());
+  Client client = Connect(server, "old-token");
+  ASSERT_TRUE(client.ListMeshes().ok());
+  WriteTokens({{"new-token"}});
+  EXPECT_TRUE(Until([&] { return !client.ListMeshes().ok(); }));
+  EXPECT_EQ(ErrorReason(client.ListMeshes().status()), "TOKEN_UNKNOWN");
+  EXPECT_TRUE(Ask(server, "new-token").ok());
+}
+
+TEST_F(TokensTest, ASignalMakesTheServerReadTheFileAgain) {
+  WriteTokens({{"good-token"}});
+  const RunningServer server(folder_, Flags());
+  server.Reload();
+  EXPECT_TRUE(Until([&] {
+    return FileBytes(folder_ / "server.log").find("read again") !=
+           std::string::npos;
+  }));
+  EXPECT_TRUE(Ask(server, "good-token").ok());
+}
+
+TEST_F(TokensTest, NoTokenGetsIntoTheLog) {
+  WriteTokens({{"read-token"}});
+  {
+    RunningServer server(folder_, Flags());
+    EXPECT_TRUE(Ask(server, "read-token").ok());
+    EXPECT_FALSE(Ask(server, "stray-token").ok());
+    server.Terminate();
+    server.Wait();
+  }
+  const std::string log = FileBytes(folder_ / "server.log");
+  EXPECT_THAT(log, HasSubstr("client=owner-of-read"));
+  EXPECT_THAT(log, HasSubstr("reason=TOKEN_UNKNOWN"));
+  for (const std::string secret : {"read-token", "stray-token"}) {
+    EXPECT_THAT(log, Not(HasSubstr(secret)));
+    EXPECT_THAT(log, Not(HasSubstr(server::Sha256Hex(secret))));
+  }
+}
+
+TEST_F(TokensTest, TheCommandTakesTokensThreeWays) {
+  WriteTokens({{"read-token"}});
+  const RunningServer server(folder_, Flags());
+  EXPECT_EQ(Command(server, {"--token", "read-token", "meshes"}).exit_code, 0);
+  WriteFile(folder_ / "token", "read-token\n");
+  EXPECT_EQ(
+      Command(server, {"--token-file", folder_ / "token", "meshes"}).exit_code,
+      0);
+  setenv("GEODESIC_TOKEN", "read-token", 1);
+  EXPECT_EQ(Command(server, {"meshes"}).exit_code, 0);
+  unsetenv("GEODESIC_TOKEN");
+
+  const ProcessResult none = Command(server, {"meshes"});
+  EXPECT_EQ(none.exit_code, 5);
+  EXPECT_THAT(none.err, HasSubstr("--token-file"));
+  const ProcessResult missing =
+      Command(server, {"--token-file", folder_ / "nothing", "meshes"});
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_THAT(missing.err, HasSubstr(folder_ / "nothing"));
+}
+
+TEST_F(TokensTest, TheCommandSendsNoTokenToOthersInClear) {
+  const ProcessResult result =
+      RunProgram({GEODESIC_BINARY, "--server", "meshes.test:1", "--token",
+                  "read-token", "meshes"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("in clear"));
+  EXPECT_THAT(result.err, Not(HasSubstr("read-token")));
+}
+
+TEST_F(TokensTest, AMalformedFileKeepsTheServerFromStarting) {
+  WriteFile(folder_ / "tokens.json", "{\"tokens\": 1}");
+  const ProcessResult result =
+      RunProgram({GEODESICD_BINARY, "--listen", "127.0.0.1:0", "--token-file",
+                  folder_ / "tokens.json"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("tokens.json"));
+}
+
+}  // namespace
+}  // namespace geodesic::client
