@@ -90,6 +90,7 @@ absl::Status UploadStream::TakeMessage() {
 
 void UploadStream::Complete() {
   std::unique_ptr<MeshUpload> upload;
+  Quotas::MeshCharge charge;
   {
     std::lock_guard lock(mutex_);
     if (finished_) return;
@@ -102,11 +103,17 @@ void UploadStream::Complete() {
       return;
     }
     upload = std::move(upload_);
+    charge = entry_->job().mesh_charge();
   }
   // Without the lock: the engine may call back at once.
   absl::StatusOr<std::optional<Scheduler::JobId>> job = engine_.FinishUpload(
-      std::move(upload),
-      [self = shared_from_this()](const absl::StatusOr<UploadResult>& result) {
+      std::move(upload), [self = shared_from_this(),
+                          charge](const absl::StatusOr<UploadResult>& result) {
+        // Whether or not somebody still waits for the answer.
+        if (result.ok() && !result->already_resident) {
+          const auto mesh = self->engine_.GetMesh(result->mesh.digest);
+          if (mesh.ok()) charge.Add(*mesh);
+        }
         self->OnBuilt(result);
       });
   std::lock_guard lock(mutex_);
@@ -127,7 +134,6 @@ void UploadStream::OnBuilt(const absl::StatusOr<UploadResult>& result) {
     entry_->set_subject(DigestPrefix(result->mesh.digest));
     *response_.mutable_mesh() = ToProto(result->mesh);
     response_.set_already_resident(result->already_resident);
-    if (!result->already_resident) entry_->job().AddMesh(result->mesh);
   }
   End(result.status());
 }

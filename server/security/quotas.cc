@@ -139,7 +139,7 @@ absl::Status Quotas::Job::ReserveBytes(uint64_t bytes) {
   return status;
 }
 
-void Quotas::Job::AddMesh(const MeshHandle& mesh) {
+void Quotas::MeshCharge::Add(const MeshHandle& mesh) const {
   if (account_ != nullptr) account_->AddMesh(mesh);
 }
 

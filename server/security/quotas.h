@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -23,6 +24,23 @@ namespace geodesic::server {
 class Quotas {
  public:
   class Account;
+  class Job;
+
+  // Who a mesh is counted for.
+  class MeshCharge {
+   public:
+    MeshCharge() = default;
+
+    // The mesh counts until its memory is gone. Thread-safe.
+    void Add(const MeshHandle& mesh) const;
+
+   private:
+    friend class Job;
+    explicit MeshCharge(std::shared_ptr<Account> account)
+        : account_(std::move(account)) {}
+
+    std::shared_ptr<Account> account_;  // null: nobody
+  };
 
   // A job under way and the bytes its upload will take. Gives them back at the
   // end. Not thread-safe; outlives nothing it needs.
@@ -37,8 +55,8 @@ class Quotas {
     // Errors: with no retry hint when they never could.
     absl::Status ReserveBytes(uint64_t bytes);
 
-    // The upload made this mesh resident. It counts until its memory is gone.
-    void AddMesh(const MeshHandle& mesh);
+    // For the mesh that the upload makes resident; may outlive the job.
+    MeshCharge mesh_charge() const { return MeshCharge(account_); }
 
    private:
     friend class Quotas;

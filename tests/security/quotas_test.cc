@@ -107,7 +107,7 @@ TEST_F(QuotasTest, AMeshCountsUntilItsMemoryIsGone) {
     auto other = quotas_.TakeJob(ci);
     ExpectExceeded(other->ReserveBytes(bytes), true);
     ExpectExceeded(other->ReserveBytes(2 * bytes), false);
-    upload->AddMesh(resident);
+    upload->mesh_charge().Add(resident);
   }
   ExpectExceeded(quotas_.TakeJob(ci)->ReserveBytes(bytes), true);
   EXPECT_TRUE(quotas_.TakeJob(ci)->ReserveBytes(bytes - 1).ok());
