@@ -66,8 +66,8 @@ class Parser {
     added->callback([this, command] { arguments_->command = command; });
     added->footer(absl::StrCat(
         "Examples:\n", example,
-        "\n\n--server and the options beside it, --json, --quiet and "
-        "--timeout may follow too: see geodesic --help."));
+        "\n\n--server with its TLS and token, --json, --quiet and --timeout "
+        "may follow\ntoo: see geodesic --help."));
     return added;
   }
 

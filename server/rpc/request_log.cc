@@ -93,6 +93,8 @@ absl::Status RequestLog::Entry::AdmitStream() {
 grpc::Status RequestLog::Entry::End(absl::Status status) {
   AddTrailers(request_id_, status, context_);
   status_ = std::move(status);
+  // Before the client hears of the end: its next request must find the room.
+  job_ = Quotas::Job();
   return ToGrpcStatus(status_);
 }
 
@@ -117,8 +119,6 @@ RequestLog::Entry::~Entry() {
       status_.ok() ? ""
                    : absl::StrCat(" reason=", ReasonOf(status_), " error=\"",
                                   absl::CHexEscape(status_.message()), "\""));
-  // What is the caller's goes back before the entry counts as gone.
-  job_ = Quotas::Job();
   // Under the lock, so that a waiter who then lets the log go finds nobody
   // in it.
   std::lock_guard lock(log_.mutex_);
