@@ -42,7 +42,7 @@ TEST_F(InterruptionTest, CtrlCEndsTheCommand) {
   server_.Terminate();
   EXPECT_EQ(server_.Wait(), 0);
   EXPECT_THAT(FileBytes(folder_ / "server.log"),
-              HasSubstr("ComputeField CANCELLED"));
+              HasSubstr("method=ComputeField code=CANCELLED"));
 }
 
 TEST_F(InterruptionTest, WhatHadSettledWasFinal) {
