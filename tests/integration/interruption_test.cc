@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 class InterruptionTest : public IntegrationTest {
  protected:
-  // Far more than a second's work for any solver.
+  // Far more than a second's work for ICH, which all of these ask for.
   void SetUp() override {
     absl::StatusOr<UploadOutcome> upload = client_.UploadArrays(HillyGrid(500));
     ASSERT_TRUE(upload.ok()) << upload.status();
@@ -29,8 +29,8 @@ class InterruptionTest : public IntegrationTest {
 };
 
 TEST_F(InterruptionTest, CtrlCEndsTheCommand) {
-  Process field(
-      CommandLine({"field", digest_, "-s", "0", "-o", folder_ / "d.npy"}));
+  Process field(CommandLine({"field", digest_, "-s", "0", "--algorithm", "ich",
+                             "-o", folder_ / "d.npy"}));
   // Not on a terminal: a line of progress after a second.
   ASSERT_TRUE(field.AwaitError("solving"));
   field.Signal(SIGINT);
@@ -49,7 +49,9 @@ TEST_F(InterruptionTest, WhatHadSettledWasFinal) {
   std::stop_source stop;
   std::vector<SettledVertex> settled;
   absl::StatusOr<Field> field = client_.StreamField(
-      {.mesh_digest = digest_, .sources = {{VertexPoint{0}}}},
+      {.mesh_digest = digest_,
+       .sources = {{VertexPoint{0}}},
+       .algorithm = "ich"},
       [&](std::span<const SettledVertex> vertices) {
         settled.insert(settled.end(), vertices.begin(), vertices.end());
         if (settled.size() > 1) stop.request_stop();
@@ -75,8 +77,8 @@ TEST_F(InterruptionTest, WhatHadSettledWasFinal) {
 }
 
 TEST_F(InterruptionTest, CtrlCLeavesWhatHadSettled) {
-  Process field(CommandLine(
-      {"field", digest_, "-s", "0", "--progressive", "-o", folder_ / "d.csv"}));
+  Process field(CommandLine({"field", digest_, "-s", "0", "--algorithm", "ich",
+                             "--progressive", "-o", folder_ / "d.csv"}));
   ASSERT_TRUE(field.AwaitError("solving"));
   field.Signal(SIGINT);
   EXPECT_EQ(field.Wait().exit_code, 130);
@@ -85,8 +87,8 @@ TEST_F(InterruptionTest, CtrlCLeavesWhatHadSettled) {
 }
 
 TEST_F(InterruptionTest, TimeoutEndsTheCommand) {
-  const ProcessResult result =
-      Geodesic({"field", digest_, "-s", "0", "--timeout", "0.2"});
+  const ProcessResult result = Geodesic(
+      {"field", digest_, "-s", "0", "--algorithm", "ich", "--timeout", "0.2"});
   EXPECT_EQ(result.exit_code, 6) << result.err;
   EXPECT_THAT(result.err, HasSubstr("--timeout"));
 }
@@ -95,7 +97,9 @@ TEST_F(InterruptionTest, StopRequestCancelsTheCall) {
   std::stop_source stop;
   size_t reports = 0;
   absl::StatusOr<Field> field = client_.ComputeField(
-      {.mesh_digest = digest_, .sources = {{VertexPoint{0}}}},
+      {.mesh_digest = digest_,
+       .sources = {{VertexPoint{0}}},
+       .algorithm = "ich"},
       {.stop = stop.get_token()}, [&](const SolveProgress& progress) {
         EXPECT_EQ(progress.vertex_count, 501 * 501);
         ++reports;
@@ -110,11 +114,13 @@ TEST_F(InterruptionTest, StopRequestedBeforehandCancelsAtOnce) {
   stop.request_stop();
   const CallOptions options = {.stop = stop.get_token()};
   EXPECT_TRUE(absl::IsCancelled(client_.ListMeshes(options).status()));
-  EXPECT_TRUE(absl::IsCancelled(
-      client_
-          .ComputeField({.mesh_digest = digest_, .sources = {{VertexPoint{0}}}},
-                        options)
-          .status()));
+  EXPECT_TRUE(
+      absl::IsCancelled(client_
+                            .ComputeField({.mesh_digest = digest_,
+                                           .sources = {{VertexPoint{0}}},
+                                           .algorithm = "ich"},
+                                          options)
+                            .status()));
 }
 
 }  // namespace

@@ -28,12 +28,14 @@ TEST(ShutdownTest, WorkUnderWayIsFinished) {
   absl::StatusOr<UploadOutcome> upload = client.UploadArrays(mesh);
   ASSERT_TRUE(upload.ok()) << upload.status();
   bool terminated = false;
-  absl::StatusOr<Field> field = client.ComputeField(
-      {.mesh_digest = upload->mesh.digest, .sources = {{VertexPoint{0}}}}, {},
-      [&](const SolveProgress&) {
-        if (!terminated) server.Terminate();
-        terminated = true;
-      });
+  absl::StatusOr<Field> field =
+      client.ComputeField({.mesh_digest = upload->mesh.digest,
+                           .sources = {{VertexPoint{0}}},
+                           .algorithm = "ich"},
+                          {}, [&](const SolveProgress&) {
+                            if (!terminated) server.Terminate();
+                            terminated = true;
+                          });
   ASSERT_TRUE(terminated) << "the solver had ended before it reported";
   ASSERT_TRUE(field.ok()) << field.status();
   EXPECT_EQ(field->distances.size(), mesh.positions.size());
@@ -47,12 +49,14 @@ TEST(ShutdownTest, WorkThatTakesLongerThanTheDrainIsCancelled) {
   absl::StatusOr<UploadOutcome> upload = client.UploadArrays(HillyGrid(500));
   ASSERT_TRUE(upload.ok()) << upload.status();
   bool terminated = false;
-  absl::StatusOr<Field> field = client.ComputeField(
-      {.mesh_digest = upload->mesh.digest, .sources = {{VertexPoint{0}}}}, {},
-      [&](const SolveProgress&) {
-        if (!terminated) server.Terminate();
-        terminated = true;
-      });
+  absl::StatusOr<Field> field =
+      client.ComputeField({.mesh_digest = upload->mesh.digest,
+                           .sources = {{VertexPoint{0}}},
+                           .algorithm = "ich"},
+                          {}, [&](const SolveProgress&) {
+                            if (!terminated) server.Terminate();
+                            terminated = true;
+                          });
   EXPECT_FALSE(field.ok());
   EXPECT_EQ(server.Wait(), 3);
 }

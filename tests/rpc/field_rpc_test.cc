@@ -52,7 +52,7 @@ TEST_F(FieldRpcTest, StreamsAFieldInOrder) {
   const v1::FieldAccepted& accepted = reply.messages.front().accepted();
   EXPECT_EQ(accepted.mesh_digest(), digest);
   EXPECT_EQ(accepted.vertex_count(), soup.positions.size());
-  EXPECT_EQ(accepted.algorithm(), v1::ALGORITHM_FWP_CH);
+  EXPECT_EQ(accepted.algorithm(), v1::ALGORITHM_FWP_LIST);
   EXPECT_EQ(accepted.origin(), v1::FIELD_ORIGIN_SOLVED);
   int stage = 0;  // accepted, progress, chunk, trailer
   for (const v1::ComputeFieldResponse& message : reply.messages) {

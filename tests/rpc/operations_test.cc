@@ -42,8 +42,8 @@ TEST_F(OperationsTest, CapabilitiesTellTheLimits) {
   ASSERT_TRUE(stub->GetCapabilities(&context, {}, &response).ok());
   EXPECT_EQ(response.version(), ServerVersion());
   ASSERT_EQ(response.algorithms_size(), kAlgorithms.size());
-  EXPECT_EQ(response.algorithms(0).name(), "fwp-ch");
-  EXPECT_EQ(response.algorithms(0).algorithm(), v1::ALGORITHM_FWP_CH);
+  EXPECT_EQ(response.algorithms(0).name(), "fwp-list");
+  EXPECT_EQ(response.algorithms(0).algorithm(), v1::ALGORITHM_FWP_LIST);
   EXPECT_TRUE(response.algorithms(0).is_default());
   EXPECT_FALSE(response.algorithms(1).is_default());
   EXPECT_FALSE(response.algorithms(3).summary().empty());

@@ -120,7 +120,7 @@ class QuestionsTest : public RpcTest {
   void ExpectHeader(const v1::AnswerHeader& header) const {
     EXPECT_EQ(header.mesh_digest(), digest_);
     EXPECT_EQ(header.vertex_count(), soup_.positions.size());
-    EXPECT_EQ(header.algorithm(), v1::ALGORITHM_FWP_CH);
+    EXPECT_EQ(header.algorithm(), v1::ALGORITHM_FWP_LIST);
     EXPECT_EQ(header.relative_tolerance(), 1e-10);
     EXPECT_EQ(header.server_version(), ServerVersion());
   }

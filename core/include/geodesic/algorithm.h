@@ -14,8 +14,8 @@
 namespace geodesic {
 
 enum class Algorithm {
-  kFwpCh,    // Chen-Han rule with the Xin-Wang filter, FWP buckets.
   kFwpList,  // Lists of windows that cross a face together, FWP buckets.
+  kFwpCh,    // Chen-Han rule with the Xin-Wang filter, FWP buckets.
   kFwpMmp,   // Mitchell-Mount-Papadimitriou rule, FWP buckets.
   kIch,      // Chen-Han rule with the Xin-Wang filter, binary heap.
   kMmp,      // Mitchell-Mount-Papadimitriou rule, binary heap.
@@ -32,10 +32,10 @@ struct AlgorithmInfo {
 
 // The one list of algorithms; the first is the default.
 inline constexpr std::array<AlgorithmInfo, 8> kAlgorithms = {{
-    {Algorithm::kFwpCh, "fwp-ch",
-     "Chen-Han windows with the Xin-Wang filter in FWP buckets"},
     {Algorithm::kFwpList, "fwp-list",
      "Lists of windows, trimmed and propagated together, in FWP buckets"},
+    {Algorithm::kFwpCh, "fwp-ch",
+     "Chen-Han windows with the Xin-Wang filter in FWP buckets"},
     {Algorithm::kFwpMmp, "fwp-mmp",
      "MMP windows, trimmed against each other, in FWP buckets"},
     {Algorithm::kIch, "ich",

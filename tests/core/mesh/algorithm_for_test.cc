@@ -34,7 +34,9 @@ TEST(AlgorithmForTest, ChenHanRunsFromVerticesAndFromOnePoint) {
   for (const auto& sources : {std::vector<Source>{kAtVertex},
                               {kAtVertex, {VertexPoint{7}}},
                               {kInFace}}) {
-    EXPECT_EQ(AlgorithmFor({.sources = sources}, *mesh), Algorithm::kFwpCh);
+    EXPECT_EQ(AlgorithmFor({.sources = sources, .algorithm = Algorithm::kFwpCh},
+                           *mesh),
+              Algorithm::kFwpCh);
   }
   // A corner of a face is a vertex, however it is named.
   EXPECT_EQ(AlgorithmFor({.sources = {kAtVertex, {FacePoint{2, {0, 1, 0}}}},
