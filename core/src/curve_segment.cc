@@ -77,8 +77,6 @@ std::vector<CurveSegment> SegmentsOf(const Mesh& mesh, const Anchor& anchor) {
     const auto end = std::ranges::find(ends, begin.face, &FacePoint::face);
     if (end == ends.end()) continue;
     segments.emplace_back(mesh, begin, *end);
-    // Inside a face, that face is all there is.
-    if (!SharedSide(mesh, begin, *end).has_value()) break;
   }
   return segments;
 }

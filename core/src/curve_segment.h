@@ -41,7 +41,8 @@ class CurveSegment {
   FacePoint begin_, end_;
 };
 
-// The segment in every face that holds it: one, or all around its edge.
+// The segment in every face that holds both its ends: one, unless it runs along
+// an edge or a face is given twice.
 std::vector<CurveSegment> SegmentsOf(const Mesh& mesh, const Anchor& anchor);
 
 }  // namespace geodesic

@@ -24,7 +24,7 @@ struct Source {
 
 // A polyline on the surface from every point of which distances are measured.
 // Points that follow each other lie in a common face, where the segment between
-// them runs straight.
+// them runs straight; in each, if several faces hold both.
 struct CurveSource {
   std::vector<SurfacePoint> points;  // at least one
   double offset = 0;                 // as a Source's

@@ -136,6 +136,33 @@ TEST_P(Curves, EndNearVertices) {
   }
 }
 
+// A face given twice holds a curve twice: each sheet has it for its own.
+TEST_P(Curves, RunInEveryFaceThatHoldsThem) {
+  TriangleSoup soup = MakeGrid({.columns = 4, .rows = 4});
+  const size_t faces = soup.triangles.size();
+  for (size_t f = 0; f < faces; ++f)
+    soup.triangles.push_back(soup.triangles[f]);
+  const auto& [a, b, c] = soup.triangles[9];
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"two sheets", soup});
+  ASSERT_NE(mesh, nullptr);
+  const EdgePoint start{a, b, 0.4};
+  Query query{.curves = {{{start, VertexPoint{c}}}},
+              .algorithm = GetParam().algorithm};
+  for (uint32_t f = 0; f < mesh->face_count(); ++f) {
+    query.targets.push_back(FacePoint{f, {0.5, 0.3, 0.2}});
+  }
+  NoCheckpoint checkpoint;
+  const auto field = Solve(*mesh, query, {}, checkpoint);
+  ASSERT_TRUE(field.ok()) << field.status();
+  const Point from = PositionOf(start, *mesh), to = soup.positions[c];
+  const PlanarCurve curve{{{from[0], from[1]}, {to[0], to[1]}}};
+  for (uint32_t f = 0; f < mesh->face_count(); ++f) {
+    EXPECT_NEAR(field->target_distances[f],
+                DistanceTo(curve, PositionOf(query.targets[f], *mesh)), 1e-14)
+        << "face " << f;
+  }
+}
+
 // Distances from segments are sums of terms of both signs. Below 0, and
 // improving by less than nothing for ever, they may come out where vertices
 // coincide.
