@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -126,8 +127,10 @@ TEST_F(LimitedFieldTest, EqualLimitsShareAFlightAndOthersDoNot) {
 TEST_F(LimitedFieldTest, StopsWhenTargetsAreThere) {
   FieldRequest request = Request({.targets = 2});
   const double t = 0.25;
+  // The last one is the corner farthest from the source.
+  constexpr uint32_t kLast = (kSide + 1) * (kSide + 1) - 1;
   request.query.targets = {VertexPoint{3}, EdgePoint{1, 2, t},
-                           VertexPoint{kSide}};
+                           VertexPoint{kLast}};
   const Reply reply = Ask(request);
   const DistanceField& field = *reply.answer.field;
   ASSERT_EQ(field.target_distances.size(), 3);
@@ -139,7 +142,8 @@ TEST_F(LimitedFieldTest, StopsWhenTargetsAreThere) {
   request.reach.targets = 3;
   const Reply more = Ask(request);
   EXPECT_EQ(more.call.origin, FieldOrigin::kContinued);
-  EXPECT_NEAR(more.answer.field->target_distances[2], kSide, 1e-10);
+  EXPECT_NEAR(more.answer.field->target_distances[2],
+              kSide * std::numbers::sqrt2, 1e-10);
 }
 
 TEST_F(LimitedFieldTest, AWholeFieldAnswersForVertexTargets) {

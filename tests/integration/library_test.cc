@@ -56,7 +56,9 @@ TEST_F(LibraryTest, AMeshThatIsForgottenIsUploadedAgain) {
   const absl::StatusOr<Field> field = AskAboutFile(
       client_, folder_ / "grid.off", [&](const std::string& digest) {
         // As if it had been evicted.
-        if (++asked == 1) EXPECT_TRUE(client_.DeleteMesh(digest).ok());
+        if (++asked == 1) {
+          EXPECT_TRUE(client_.DeleteMesh(digest).ok());
+        }
         return client_.ComputeField(
             {.mesh_digest = digest, .sources = {{VertexPoint{0}}}});
       });
