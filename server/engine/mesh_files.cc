@@ -93,7 +93,7 @@ std::optional<MeshDescription> ToDescription(BlobInfo info) {
   std::optional<Metadata> metadata = Decode(info.metadata);
   if (!metadata) return std::nullopt;
   return MeshDescription{.digest = std::move(info.name),
-                         .summary = std::move(metadata->summary),
+                         .summary = metadata->summary,
                          .stored_bytes = info.file_bytes};
 }
 
@@ -214,13 +214,14 @@ absl::Status MeshFiles::Put(const ResidentMesh& mesh,
   const uint64_t bytes = head.size() +
                          uint64_t{arrays.vertex_count()} * sizeof(Point) +
                          uint64_t{arrays.face_count()} * sizeof(Triangle);
-  const absl::Status status = blobs_->Put(
-      mesh.digest, Encode(mesh.summary, file), bytes, [&](BlobSink& sink) {
-        absl::Status written = sink.Append(head);
-        if (written.ok()) written = AppendPositions(arrays, sink);
-        if (written.ok()) written = AppendTriangles(arrays, sink);
-        return written;
-      });
+  const auto write = [&](BlobSink& sink) {
+    absl::Status written = sink.Append(head);
+    if (written.ok()) written = AppendPositions(arrays, sink);
+    if (written.ok()) written = AppendTriangles(arrays, sink);
+    return written;
+  };
+  absl::Status status =
+      blobs_->Put(mesh.digest, Encode(mesh.summary, file), bytes, write);
   if (status.ok()) return status;
   const absl::Status told(
       status.code(), absl::StrCat("the mesh cannot be kept: ", status.message(),

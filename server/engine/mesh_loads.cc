@@ -17,8 +17,8 @@ absl::StatusOr<MeshLoads::Seat> MeshLoads::Join(const std::string& digest,
     // come first.
     absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
         {.priority = JobPriority::kBuild,
-         .run = [this, digest,
-                 number](std::stop_token stop) { Run(digest, number, stop); },
+         .run = [this, digest, number](
+                    const std::stop_token& stop) { Run(digest, number, stop); },
          .abandon =
              [this, digest, number](const absl::Status& why) {
                End(digest, number, why);

@@ -183,15 +183,11 @@ absl::Status QueryEngine::DeleteMesh(
     done(EraseMesh(digest));
     return absl::OkStatus();
   }
-  return scheduler_
-      .Submit({.priority = JobPriority::kBuild,
-               .run =
-                   [this, digest, done](const std::stop_token&) {
-                     done(Guarded("deleted a mesh",
-                                  [&] { return EraseMesh(digest); }));
-                   },
-               .abandon = done})
-      .status();
+  Job job{.priority = JobPriority::kBuild, .abandon = done};
+  job.run = [this, digest, done = std::move(done)](const std::stop_token&) {
+    done(Guarded("deleted a mesh", [&] { return EraseMesh(digest); }));
+  };
+  return scheduler_.Submit(std::move(job)).status();
 }
 
 absl::Status QueryEngine::EraseMesh(const std::string& digest) {
