@@ -288,13 +288,13 @@ void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
       lists_.Pass(half_edge);
       continue;
     }
+    const Origin older = next->window.origin;  // `next` may move from here on
     if (won.begin > overlap.begin) {
-      put_down(overlap.begin);  // `next` may have moved
+      put_down(overlap.begin);
       held_from = won.begin;
     }
     const Interval before{held.begin, won.begin};
     const Interval after{won.end, held.end};
-    const Origin older = next->window.origin;
     const bool keeps_before = !is_lost(before, older);
     const bool keeps_after = !is_lost(after, older);
     // Trimming only raises labels: the one a window is queued with stays a
