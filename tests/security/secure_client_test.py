@@ -3,12 +3,10 @@ what the server's metrics say of it afterwards. Skipped (exit code 77) only if
 python3-grpcio is not installed.
 """
 
-import argparse
 import hashlib
 import json
 import os
 import re
-import signal
 import struct
 import subprocess
 import sys
@@ -18,28 +16,13 @@ import unittest
 import urllib.error
 import urllib.request
 
-try:
-    import google.protobuf  # noqa: F401
-    import grpc
-except ImportError:
-    print("python3-grpcio is not installed: skipped")
-    sys.exit(77)
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "support",
+                                "python"))
+import geodesic_service  # noqa: E402
+import grpc  # noqa: E402
 
 ARGUMENTS = None
 TOKEN = "correct-horse-battery-staple"
-
-
-def generate_stubs(folder):
-    proto_folder = os.path.join(ARGUMENTS.protos, "geodesic", "v1")
-    protos = [
-        os.path.join(proto_folder, name)
-        for name in sorted(os.listdir(proto_folder)) if name.endswith(".proto")
-    ]
-    subprocess.run([
-        ARGUMENTS.protoc, "-I", ARGUMENTS.protos, "--python_out=" + folder,
-        "--grpc_out=" + folder, "--plugin=protoc-gen-grpc=" + ARGUMENTS.plugin
-    ] + protos, check=True)
-    sys.path.insert(0, folder)
 
 
 def make_certificate(folder):
@@ -57,7 +40,7 @@ def make_certificate(folder):
     return paths
 
 
-class Server:
+class Server(geodesic_service.Server):
     """geodesicd over TLS, with one token and metrics, on free ports."""
 
     def __init__(self, folder, certificate, key):
@@ -67,18 +50,12 @@ class Server:
                 "name": "python",
                 "sha256": hashlib.sha256(TOKEN.encode()).hexdigest(),
                 "scopes": ["read", "upload"]}]}, file)
-        port_file = os.path.join(folder, "port")
-        os.mkfifo(port_file)
         self.log = os.path.join(folder, "log")
         with open(self.log, "wb") as log:
-            self.process = subprocess.Popen([
-                ARGUMENTS.server, "--listen", "127.0.0.1:0", "--port-file",
-                port_file, "--tls-cert", certificate, "--tls-key", key,
-                "--token-file", tokens, "--metrics-listen", "127.0.0.1:0",
-                "--channelz"
-            ], stderr=log)
-        with open(port_file, encoding="ascii") as pipe:
-            self.address = "127.0.0.1:" + pipe.readline().strip()
+            super().__init__(ARGUMENTS, folder, [
+                "--tls-cert", certificate, "--tls-key", key, "--token-file",
+                tokens, "--metrics-listen", "127.0.0.1:0", "--channelz"
+            ], log)
         with open(self.log, encoding="utf-8") as log:
             port = re.search(r"metrics on port (\d+)", log.read()).group(1)
         self.http = "http://127.0.0.1:" + port
@@ -100,10 +77,6 @@ class Server:
         return {line.rsplit(" ", 1)[0]: float(line.rsplit(" ", 1)[1])
                 for line in lines}
 
-    def stop(self):
-        self.process.send_signal(signal.SIGTERM)
-        return self.process.wait(timeout=60)
-
 
 class SecureClientTest(unittest.TestCase):
 
@@ -111,7 +84,7 @@ class SecureClientTest(unittest.TestCase):
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
-        generate_stubs(folder.name)
+        geodesic_service.generate_stubs(ARGUMENTS, folder.name)
         certificate, key = make_certificate(folder.name)
         cls.server = Server(folder.name, certificate, key)
         cls.addClassCleanup(cls.server.stop)
@@ -313,8 +286,5 @@ class SecureClientTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    for name in ["server", "protos", "protoc", "plugin", "openssl"]:
-        parser.add_argument("--" + name, required=True)
-    ARGUMENTS = parser.parse_args()
+    ARGUMENTS = geodesic_service.parse_arguments("openssl")
     unittest.main(argv=sys.argv[:1])
