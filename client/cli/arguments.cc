@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
 #include "client/cli/connection.h"
 #include "client/cli/help_formatter.h"
 #include "client/cli/options.h"
@@ -26,7 +27,7 @@ class Parser {
     app_.formatter(std::make_shared<HelpFormatter>());
     app_.failure_message([this](const CLI::App*, const CLI::Error& error) {
       const std::vector<CLI::App*> given = app_.get_subcommands();
-      return absl::StrCat("geodesic: ", error.what(), "\nRun geodesic ",
+      return absl::StrCat("geodesic: ", MessageOf(error), "\nRun geodesic ",
                           given.empty() ? "" : given[0]->get_name() + " ",
                           "--help for more information.\n");
     });
@@ -69,6 +70,15 @@ class Parser {
         "\n\n--server with its TLS and token, --json, --quiet and --timeout "
         "may follow\ntoo: see geodesic --help."));
     return added;
+  }
+
+  std::string MessageOf(const CLI::Error& error) const {
+    // CLI11 lists these from the last to the first.
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+      return absl::StrCat("not expected here: ",
+                          absl::StrJoin(app_.remaining(true), " "));
+    }
+    return error.what();
   }
 
   void AddMeshCommands() {

@@ -29,8 +29,7 @@ struct FieldExtremes {
 
   void Add(uint64_t vertex, double distance) {
     if (!std::isfinite(distance)) return;
-    ++reached;
-    if (distance > largest) {
+    if (reached++ == 0 || distance > largest) {
       largest = distance;
       farthest_vertex = vertex;
     }

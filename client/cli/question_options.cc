@@ -247,7 +247,10 @@ void CheckArguments(const Arguments& arguments) {
   if (command == Command::kField) CheckField(arguments);
   if (command == Command::kIsolines &&
       arguments.levels.empty() != arguments.count.has_value()) {
-    throw CLI::ValidationError("--level", "give either levels or --count");
+    throw CLI::ValidationError(
+        "--level",
+        "give distances with --level, or their number with "
+        "--count");
   }
   if (command == Command::kLogMap && arguments.sources.size() != 1) {
     throw CLI::ValidationError("--source", "a log map has one source");

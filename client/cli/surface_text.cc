@@ -18,9 +18,15 @@ constexpr std::string_view kPointForms =
 constexpr std::string_view kEdge = "edge:";
 constexpr std::string_view kFace = "face:";
 
-absl::Status Wrong(std::string_view text, std::string_view expected) {
+absl::Status Wrong(std::string_view text, const char* kind,
+                   const std::string& problem, std::string_view forms) {
   return absl::InvalidArgumentError(
-      absl::StrCat("'", std::string(text), "' is not ", std::string(expected)));
+      absl::StrCat("'", std::string(text), "' is not a ", kind, ": ", problem,
+                   "; write ", std::string(forms)));
+}
+
+std::string Quoted(std::string_view text) {
+  return absl::StrCat("'", std::string(text), "'");
 }
 
 // Cuts `text` at the first `separator`; false if there is none.
@@ -33,56 +39,77 @@ bool Split(std::string_view text, char separator, std::string_view* before,
   return true;
 }
 
-bool ParseEdge(std::string_view text, EdgePoint* point) {
+// The functions below return what is wrong with the text, or nothing.
+
+std::string ParseIndex(std::string_view text, const char* what,
+                       uint64_t* number) {
+  return ParseNumber(text, number)
+             ? ""
+             : absl::StrCat(Quoted(text), " is not a ", what, "'s number");
+}
+
+std::string ParseEdge(std::string_view text, EdgePoint* point) {
   std::string_view ends;
   std::string_view t;
   std::string_view from;
   std::string_view to;
-  return Split(text, '@', &ends, &t) && Split(ends, '-', &from, &to) &&
-         ParseNumber(from, &point->from) && ParseNumber(to, &point->to) &&
-         ParseNumber(t, &point->t) && point->t >= 0 && point->t <= 1;
+  if (!Split(text, '@', &ends, &t) || !Split(ends, '-', &from, &to)) {
+    return "an edge needs A-B and @T";
+  }
+  std::string problem = ParseIndex(from, "vertex", &point->from);
+  if (problem.empty()) problem = ParseIndex(to, "vertex", &point->to);
+  if (!problem.empty()) return problem;
+  if (!ParseNumber(t, &point->t) || !(point->t >= 0 && point->t <= 1)) {
+    return absl::StrCat("T is ", Quoted(t), ", not a number from 0 to 1");
+  }
+  return "";
 }
 
-bool ParseFace(std::string_view text, FacePoint* point) {
+std::string ParseFace(std::string_view text, FacePoint* point) {
   std::string_view face;
   std::string_view weights;
   std::array<std::string_view, 3> w;
   if (!Split(text, '@', &face, &weights) ||
       !Split(weights, ',', &w[0], &weights) ||
-      !Split(weights, ',', &w[1], &w[2]) || !ParseNumber(face, &point->face)) {
-    return false;
+      !Split(weights, ',', &w[1], &w[2])) {
+    return "a face needs @ and three weights";
   }
-  for (size_t i = 0; i < w.size(); ++i) {
+  std::string problem = ParseIndex(face, "face", &point->face);
+  for (size_t i = 0; i < w.size() && problem.empty(); ++i) {
     double& weight = point->weights[i];
-    if (!ParseNumber(w[i], &weight) || !std::isfinite(weight) || weight < 0) {
-      return false;
+    if (!ParseNumber(w[i], &weight) || !std::isfinite(weight)) {
+      problem = absl::StrCat("the weight ", Quoted(w[i]), " is not a number");
+    } else if (weight < 0) {
+      problem = absl::StrCat("the weight ", Quoted(w[i]),
+                             " is below 0, outside the face");
     }
   }
-  return true;
+  return problem;
 }
 
-// Whether `text` is a point.
-bool ParsePlace(std::string_view text, SurfacePoint* point) {
+std::string ParsePlace(std::string_view text, SurfacePoint* point) {
   if (text.starts_with(kEdge)) {
     return ParseEdge(text.substr(kEdge.size()), &point->emplace<EdgePoint>());
   }
   if (text.starts_with(kFace)) {
     return ParseFace(text.substr(kFace.size()), &point->emplace<FacePoint>());
   }
-  return ParseNumber(text, &point->emplace<VertexPoint>().vertex);
+  return ParseIndex(text, "vertex", &point->emplace<VertexPoint>().vertex);
 }
 
 // Takes ":OFFSET" off the end of a place.
-bool TakeOffset(std::string_view* text, double* offset) {
+std::string TakeOffset(std::string_view* text, double* offset) {
   // The colon after "edge" and "face" belongs to the place.
   const size_t kind =
       text->starts_with(kEdge) || text->starts_with(kFace) ? kEdge.size() : 0;
   const size_t colon = text->find(':', kind);
-  if (colon == std::string_view::npos) return true;
-  const bool good = ParseNumber(text->substr(colon + 1), offset) &&
-                    std::isfinite(*offset) && *offset >= 0;
+  if (colon == std::string_view::npos) return "";
+  const std::string_view number = text->substr(colon + 1);
   *text = text->substr(0, colon);
-  return good;
+  return ParseNumber(number, offset) && std::isfinite(*offset) && *offset >= 0
+             ? ""
+             : absl::StrCat("the offset ", Quoted(number),
+                            " is not a number >= 0");
 }
 
 // What `parse` makes of each line of a file.
@@ -115,17 +142,21 @@ absl::StatusOr<std::vector<Item>> ReadList(const std::string& path,
 
 absl::StatusOr<SurfacePoint> ParsePoint(std::string_view text) {
   SurfacePoint point;
-  if (ParsePlace(text, &point)) return point;
-  return Wrong(text, absl::StrCat("a point: ", std::string(kPointForms)));
+  const std::string problem = ParsePlace(text, &point);
+  if (!problem.empty()) return Wrong(text, "point", problem, kPointForms);
+  return point;
 }
 
 absl::StatusOr<Source> ParseSource(std::string_view text) {
   Source source;
   std::string_view place = text;
   SurfacePoint point;
-  if (!TakeOffset(&place, &source.offset) || !ParsePlace(place, &point)) {
-    return Wrong(text, absl::StrCat("a source: ", std::string(kPointForms),
-                                    ", each also with :OFFSET >= 0"));
+  std::string problem = TakeOffset(&place, &source.offset);
+  if (problem.empty()) problem = ParsePlace(place, &point);
+  if (!problem.empty()) {
+    return Wrong(text, "source", problem,
+                 absl::StrCat(std::string(kPointForms),
+                              ", each also with :OFFSET >= 0"));
   }
   std::visit([&source](const auto& at) { source.place = at; }, point);
   return source;
@@ -137,16 +168,18 @@ absl::StatusOr<Source> ParseCurve(std::string_view text) {
   std::string_view rest = text;
   std::string_view place;
   SurfacePoint point;
-  bool good = true;
-  while (good && Split(rest, ';', &place, &rest)) {
-    good = ParsePlace(place, &point);
+  std::string problem;
+  while (problem.empty() && Split(rest, ';', &place, &rest)) {
+    problem = ParsePlace(place, &point);
     curve.points.push_back(point);
   }
-  if (!good || !TakeOffset(&rest, &source.offset) ||
-      !ParsePlace(rest, &point)) {
-    return Wrong(text, absl::StrCat("a curve: POINT;POINT;... or "
-                                    "POINT;POINT;...:OFFSET, where POINT is ",
-                                    std::string(kPointForms)));
+  if (problem.empty()) problem = TakeOffset(&rest, &source.offset);
+  if (problem.empty()) problem = ParsePlace(rest, &point);
+  if (!problem.empty()) {
+    return Wrong(text, "curve", problem,
+                 absl::StrCat("POINT;POINT;... or POINT;POINT;...:OFFSET, "
+                              "where POINT is ",
+                              std::string(kPointForms)));
   }
   curve.points.push_back(point);
   source.place = std::move(curve);

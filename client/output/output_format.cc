@@ -61,16 +61,19 @@ absl::StatusOr<OutputFormat> OutputFormatFromPath(
       return format;
     }
   }
-  return absl::InvalidArgumentError(
-      absl::StrCat("cannot tell what to write to ", std::string(path),
-                   ": name a file that ends in ", OutputEndings(formats)));
+  return absl::InvalidArgumentError(absl::StrCat(
+      "cannot tell what to write to ", std::string(path),
+      ": the endings this command knows are ", OutputEndings(formats)));
 }
 
 absl::Status CheckWritable(const std::string& path) {
   std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (folder.empty()) folder = ".";
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    return absl::ErrnoToStatus(errno, absl::StrCat("cannot write ", path));
+    return absl::ErrnoToStatus(
+        errno,
+        absl::StrCat("cannot write ", path, " into the folder ",
+                     folder.string(), ", which must exist and allow it"));
   }
   if (std::error_code error; std::filesystem::is_directory(path, error)) {
     return absl::InvalidArgumentError(

@@ -37,9 +37,9 @@ absl::Status CheckPoint(const EdgePoint& point, const Mesh& mesh,
         absl::StrCat(name, ".edge.t ", point.t, " is not within [0, 1]"));
   }
   if (SidesOf(mesh, point.from, point.to).empty()) {
-    return absl::InvalidArgumentError(
-        absl::StrCat(name, ".edge: the mesh has no edge between vertices ",
-                     point.from, " and ", point.to));
+    return absl::InvalidArgumentError(absl::StrCat(
+        name, ".edge: the mesh has no edge between vertices ", point.from,
+        " and ", point.to, "; name two corners of one face"));
   }
   return absl::OkStatus();
 }
@@ -63,8 +63,8 @@ absl::Status CheckPoint(const FacePoint& point, const Mesh& mesh,
     sum += point.weights[i];
   }
   if (!(std::abs(sum - 1) <= kWeightSumTolerance)) {
-    return absl::InvalidArgumentError(
-        absl::StrCat(name, ".weights sum to ", sum, ", not to 1"));
+    return absl::InvalidArgumentError(absl::StrCat(
+        name, ".weights sum to ", sum, ", not to 1; divide each by their sum"));
   }
   return absl::OkStatus();
 }

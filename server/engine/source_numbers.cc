@@ -76,7 +76,7 @@ absl::Status ValidateAsNumbered(const Query& query,
     Renumber(message, "sources", "", numbers.points, 0, numbers.is_single);
   }
   // The message begins with the path of what is wrong.
-  const std::string field = message.substr(0, message.find(' '));
+  const std::string field = message.substr(0, message.find_first_of(" :"));
   return WithField(absl::Status(status.code(), message), field);
 }
 

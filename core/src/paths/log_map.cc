@@ -116,7 +116,9 @@ absl::Status Compass::GoAround(uint32_t vertex) {
   const std::span<const HalfEdge> outgoing = mesh_.Outgoing(vertex);
   if (outgoing.empty()) {
     return absl::InvalidArgumentError(
-        absl::StrCat("source vertex ", vertex, " belongs to no face"));
+        absl::StrCat("source vertex ", vertex,
+                     " belongs to no face, so that no path leaves it; name a "
+                     "point of a face"));
   }
   zero_direction_ = DirectionInSpace(mesh_, outgoing[0], {1, 0});
   HalfEdge first = outgoing[0];

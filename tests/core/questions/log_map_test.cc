@@ -162,7 +162,9 @@ TEST(LogMap, RefusesWhatHasNoDirections) {
                 "source vertex 0: the surface around it is not one oriented "
                 "disk or half-disk"));
   EXPECT_EQ(status(touching, {.sources = {{VertexPoint{5}}}}),
-            absl::InvalidArgumentError("source vertex 5 belongs to no face"));
+            absl::InvalidArgumentError(
+                "source vertex 5 belongs to no face, so that no path leaves "
+                "it; name a point of a face"));
 }
 
 }  // namespace
