@@ -27,6 +27,8 @@ class RunningServer {
   // "127.0.0.1:PORT".
   const std::string& address() const { return address_; }
 
+  pid_t id() const { return process_->id(); }
+
   // Asks it to stop.
   void Terminate() const;
 

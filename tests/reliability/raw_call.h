@@ -1,0 +1,66 @@
+// RPCs from serialized requests to serialized answers, many at once and without
+// waiting: what a load is made of. Nothing is retried, so that a refusal is
+// seen.
+
+#ifndef GEODESIC_TESTS_RELIABILITY_RAW_CALL_H_
+#define GEODESIC_TESTS_RELIABILITY_RAW_CALL_H_
+
+#include <grpcpp/channel.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/support/status.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace geodesic::client {
+
+struct RawRequest {
+  std::string method;  // "/package.Service/Method"
+  std::vector<std::string> messages;
+};
+
+struct RawAnswer {
+  grpc::Status status;
+  std::vector<std::string> messages;
+  // When it was complete.
+  std::chrono::steady_clock::time_point end;
+};
+
+// A channel of its own: calls on it share one connection, and with nobody else.
+std::shared_ptr<grpc::Channel> OwnConnection(const std::string& address);
+
+// A connection and the calls on it. Thread-safe.
+class RawConnection {
+ public:
+  explicit RawConnection(const std::string& address);
+  // Waits for every answer.
+  ~RawConnection();
+  RawConnection(const RawConnection&) = delete;
+  RawConnection& operator=(const RawConnection&) = delete;
+
+  // Returns at once; `done` hears of the end, on a thread of gRPC. It comes in
+  // any case, within a minute.
+  void Send(RawRequest request, std::function<void(RawAnswer)> done);
+
+  // Waits until every call has ended and `done` of each has returned.
+  void WaitIdle();
+
+ private:
+  class Exchange;
+
+  grpc::GenericStub stub_;
+
+  std::mutex mutex_;
+  std::condition_variable idle_;
+  uint64_t active_ = 0;  // guarded by mutex_
+};
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_TESTS_RELIABILITY_RAW_CALL_H_

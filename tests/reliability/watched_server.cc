@@ -1,0 +1,93 @@
+#include "tests/reliability/watched_server.h"
+
+#include <array>
+#include <regex>
+#include <stdexcept>
+#include <thread>
+
+#include "absl/strings/str_cat.h"
+#include "tests/support/http_get.h"
+
+namespace geodesic::client {
+namespace {
+
+struct Budget {
+  const char* flag;
+  int mib;
+};
+
+// Small, so that a load of seconds fills them.
+constexpr std::array<Budget, 5> kBudgets = {{{"--mesh-store", 64},
+                                             {"--field-cache", 64},
+                                             {"--computation-store", 32},
+                                             {"--upload-memory", 96},
+                                             {"--solver-memory", 128}}};
+
+constexpr std::array kBackToZero = {
+    R"(geodesic_active_requests)",
+    R"(geodesic_jobs{state="running"})",
+    R"(geodesic_jobs{state="queued"})",
+    R"(geodesic_waiters)",
+    R"(geodesic_used_bytes{budget="uploads"})",
+    R"(geodesic_used_bytes{budget="solvers"})",
+};
+
+}  // namespace
+
+WatchedServer::WatchedServer(const Options& options) {
+  std::vector<std::string> all = {"--metrics-listen", "127.0.0.1:0",
+                                  "--max-upload-bytes", "16MiB"};
+  for (const Budget& budget : kBudgets) {
+    all.insert(all.end(), {budget.flag, absl::StrCat(budget.mib, "MiB")});
+  }
+  if (options.is_durable) {
+    all.insert(all.end(), {"--data-dir", folder_ / "data", "--mesh-disk",
+                           "256MiB", "--field-disk", "256MiB"});
+  }
+  all.insert(all.end(), options.flags.begin(), options.flags.end());
+  server_ = std::make_unique<RunningServer>(folder_, all, options.program);
+  const std::string log = test::FileBytes(folder_ / "server.log");
+  std::smatch match;
+  if (!std::regex_search(log, match, std::regex("metrics on port (\\d+)"))) {
+    throw std::runtime_error("the log does not name the port of the metrics");
+  }
+  metrics_port_ = std::stoi(match[1]);
+  series_ = std::make_unique<FigureSeries>(server_->id(), options.interval);
+}
+
+double WatchedServer::BudgetMib() {
+  double sum = 0;
+  for (const Budget& budget : kBudgets) sum += budget.mib;
+  return sum;
+}
+
+double WatchedServer::Metric(const std::string& name) const {
+  const std::string page = test::HttpGet(metrics_port_, "/metrics");
+  const size_t line = page.find(absl::StrCat("\n", name, " "));
+  if (line == std::string::npos) {
+    throw std::runtime_error("there is no metric " + name);
+  }
+  return std::stod(page.substr(line + name.size() + 2));
+}
+
+std::vector<std::string> WatchedServer::Leftovers() const {
+  const auto until =
+      std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  for (;;) {
+    std::vector<std::string> left;
+    for (const char* name : kBackToZero) {
+      const double value = Metric(name);
+      if (value != 0) left.push_back(absl::StrCat(name, " is ", value));
+    }
+    if (left.empty() || std::chrono::steady_clock::now() > until) return left;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+}
+
+nlohmann::ordered_json WatchedServer::Summary() const {
+  nlohmann::ordered_json summary = series_->Summary();
+  summary["budget_mib"] = BudgetMib();
+  return summary;
+}
+
+}  // namespace geodesic::client
