@@ -188,7 +188,15 @@ class Departures {
   // Of a piece from the source to vertex v.
   double AngleAt(const StraightPiece& piece, uint32_t v) const {
     if (piece.points.empty()) return 0;
-    if (piece.frame == kNoHalfEdge) return compass_.AngleTowards(v);
+    if (piece.frame == kNoHalfEdge) {
+      // Along an edge that ends at v, or at a vertex that edges without length
+      // join to v.
+      const size_t points = piece.points.size();
+      const auto* joined =
+          points < 2 ? nullptr
+                     : std::get_if<VertexPoint>(&piece.points[points - 2]);
+      return compass_.AngleTowards(joined == nullptr ? v : joined->vertex);
+    }
     return compass_.AngleOf(piece.frame, piece.direction);
   }
 

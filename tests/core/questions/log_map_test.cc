@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -129,6 +130,31 @@ TEST_P(LogMapTest, IsContinuousAroundTheSource) {
             std::hypot(map_.coordinates[a][0] - map_.coordinates[b][0],
                        map_.coordinates[a][1] - map_.coordinates[b][1]);
         EXPECT_LT(mapped, 1.8 * length) << source << ": " << a << "-" << b;
+      }
+    }
+  }
+}
+
+// A path along an edge of the source may end at a vertex that an edge without
+// length joins to the one it is asked for.
+TEST_P(LogMapTest, SeesPastEdgesWithoutLength) {
+  const TriangleSoup grid = MakeGrid({.columns = 4, .rows = 4});
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
+    std::vector<uint32_t> doubled;
+    const TriangleSoup soup = DoubleVertices(grid, 3, seed, &doubled);
+    for (const uint32_t source : {6u, 7u, 12u}) {
+      if (std::ranges::find(doubled, source) != doubled.end()) continue;
+      Prepare({"grid with double vertices", soup}, {VertexPoint{source}});
+      const Vec3 zero = ToVec3(map_.zero_direction);
+      for (uint32_t v = 0; v < mesh_->vertex_count(); ++v) {
+        const Vec3 away =
+            ToVec3(soup.positions[v]) - ToVec3(soup.positions[source]);
+        EXPECT_NEAR(map_.coordinates[v][0],
+                    static_cast<double>(Dot(zero, away)), 1e-12)
+            << seed << ": " << source << " to " << v;
+        EXPECT_NEAR(map_.coordinates[v][1],
+                    static_cast<double>(Cross(zero, away).z), 1e-12)
+            << seed << ": " << source << " to " << v;
       }
     }
   }
