@@ -341,9 +341,20 @@ class Unfolder {
   }
 
   // By way of the edge, lest a window seen edge-on lets the line reach a point
-  // that lies before it.
+  // that lies before it. The crossing divides the way along the edge by the
+  // heights of both over it: seen edge-on, the ray itself would meet the edge
+  // anywhere, also beyond a point that lies on it.
   static Real ThroughEdge(const Window& w, Vec2 p) {
-    const Vec2 crossing = OnRay(p, w.from, w.to);
+    const Real length = Norm(w.to - w.from);
+    if (length == 0) return Norm(w.from) + Norm(p - w.from);
+    const Vec2 along = (1 / length) * (w.to - w.from);
+    const Real before = std::max<Real>(Cross(w.from, along), 0);
+    const Real beyond = std::max<Real>(Cross(p - w.from, along), 0);
+    const Real here = -Dot(w.from, along), there = Dot(p - w.from, along);
+    const Real share = before + beyond > 0 ? before / (before + beyond) : 1;
+    const Vec2 crossing =
+        w.from +
+        std::clamp<Real>(here + share * (there - here), 0, length) * along;
     return Norm(crossing) + Norm(p - crossing);
   }
 

@@ -14,6 +14,8 @@
 #include "tests/support/planar_domain.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
+#include "tests/support/surface_points.h"
+#include "tests/support/vec.h"
 
 namespace geodesic::test {
 namespace {
@@ -71,6 +73,33 @@ TEST(Oracles, BruteForceSeesThroughFacesWithoutArea) {
         return static_cast<double>(
             Distance(soup.positions[s], soup.positions[v]));
       });
+    }
+  }
+}
+
+// From a point a hair inside a face, a vertex that lies on its side beyond is
+// seen along that side.
+TEST(Oracles, BruteForceSeesAlongAnEdge) {
+  const TriangleSoup soup = {
+      {{0, 0, 0}, {2, 0, 0}, {0.3, 1.7, 0}, {1, 0, 0}, {0.8, -1, 0}},
+      {{0, 1, 2}, {1, 0, 3}, {0, 4, 3}, {4, 1, 3}}};
+  std::vector<SurfacePoint> points;
+  for (const double inside : {1e-200, 1e-15, 1e-12, 4e-10, 1e-6}) {
+    for (const double to : {1e-9, 1e-3, 0.3}) {
+      points.push_back(FacePoint{0, {1 - to - inside, to, inside}});
+    }
+  }
+  for (uint64_t seed = 1; seed <= 8; ++seed) {
+    const TriangleSoup place = RotateAndShift(soup, seed);
+    const BruteForce brute_force(place, points);
+    for (const SurfacePoint& point : points) {
+      const std::vector<double> got =
+          brute_force.Distances(std::vector<Source>{{point}});
+      for (uint32_t v = 0; v < place.positions.size(); ++v) {
+        const double expected = static_cast<double>(
+            Norm(PositionIn(place, point) - ToVec3(place.positions[v])));
+        EXPECT_NEAR(got[v], expected, 1e-14) << v;
+      }
     }
   }
 }
