@@ -35,6 +35,7 @@ struct Window {
   uint32_t from_vertex;  // the end of the edge that lies at `from`
   Vec2 from, to;
   Vec2 right, left;
+  Real least;  // no edge that the rays have crossed is nearer
 };
 
 // Whether b lies left of a, by up to half a turn.
@@ -51,7 +52,11 @@ bool IsOpen(const Window& w) {
                    kLeastOpening * Norm(w.right) * Norm(w.left);
 }
 
+// Whether rays meet p behind the window's edge. Along the line of an edge, the
+// face behind may lie before it, as one without area may: no ray that crossed
+// the edge is there.
 bool Sees(const Window& w, Vec2 p) {
+  if (Norm(p) < w.least * (1 - kBoundSlack)) return false;
   const Real slack = kHitSlack * Norm(p);
   const Real to_right = Norm(w.right), to_left = Norm(w.left);
   if (Cross(w.right, p) < -slack * to_right) return false;
@@ -310,7 +315,7 @@ class Unfolder {
       if (place.weights[(i + 2) % 3] == 0) continue;
       const Vec2 from = plane.corners[i], to = plane.corners[(i + 1) % 3];
       if (Norm(from) == 0 || Norm(to) == 0) continue;
-      Push({3 * place.face + i, corners[i], from, to, from, to});
+      Push({3 * place.face + i, corners[i], from, to, from, to, 0});
     }
   }
 
@@ -335,9 +340,9 @@ class Unfolder {
     const uint32_t at_from = is_turned ? PreviousSide(h) : NextSide(h);
     const uint32_t at_to = is_turned ? NextSide(h) : PreviousSide(h);
     const Vec2 left_end = TurnsLeft(apex, w.left) ? apex : w.left;
-    Push({at_from, w.from_vertex, w.from, apex, w.right, left_end});
+    Push({at_from, w.from_vertex, w.from, apex, w.right, left_end, w.least});
     const Vec2 right_end = TurnsLeft(w.right, apex) ? apex : w.right;
-    Push({at_to, edges_.Opposite(h), apex, w.to, right_end, w.left});
+    Push({at_to, edges_.Opposite(h), apex, w.to, right_end, w.left, w.least});
   }
 
   // By way of the edge, lest a window seen edge-on lets the line reach a point
@@ -380,8 +385,10 @@ class Unfolder {
     }
   }
 
-  void Push(const Window& w) {
-    if (IsOpen(w)) windows_.push_back(w);
+  void Push(Window w) {
+    if (!IsOpen(w)) return;
+    w.least = std::max(w.least, Norm(NearestOnSegment(w.from, w.to)));
+    windows_.push_back(w);
   }
 
   // Whether a path through the window might be shorter than a known one, for

@@ -104,6 +104,35 @@ TEST(Oracles, BruteForceSeesAlongAnEdge) {
   }
 }
 
+// A line that runs along an edge into a face without area does not reach what
+// lies in that face before the edge, where the sheets are not joined.
+TEST(Oracles, BruteForceReachesNothingBeforeAnEdge) {
+  constexpr uint32_t kStart = 0, kCorner = 1;
+  const TriangleSoup soup = {{{-2, 0, 0},
+                              {0, 0, 0},
+                              {1, 0, 0},
+                              {0, 1, 0},
+                              {-1, 0, 0},
+                              {-0.35, 0, 0},
+                              {0, -1, 0}},
+                             {{0, 1, 3},
+                              {1, 2, 3},
+                              // On the edge 4-2, with its other side below.
+                              {2, 1, 5},
+                              {1, 4, 5},
+                              {4, 2, 5},
+                              {4, 6, 2}}};
+  for (uint64_t seed = 1; seed <= 30; ++seed) {
+    const std::vector<double> got =
+        BruteForce(RotateAndShift(soup, seed)).Distances(kStart);
+    EXPECT_NEAR(got[kCorner], 2, 1e-14);
+    EXPECT_NEAR(got[2], 3, 1e-14) << seed;
+    EXPECT_NEAR(got[4], 3, 1e-14) << seed;
+    EXPECT_NEAR(got[5], 2.35, 1e-14) << seed;
+    EXPECT_NEAR(got[6], 3, 1e-14) << seed;
+  }
+}
+
 TEST(Oracles, BruteForceUnfoldsFansPrismsAndFoldedSheets) {
   for (const double angle : {1.0, 3.0, 5.5, 6.283185307179586, 7.0, 11.0}) {
     for (const bool closed : {true, false}) {
