@@ -14,12 +14,14 @@ namespace {
 
 constexpr std::chrono::seconds kPatience{60};
 
-grpc::ByteBuffer ToBuffer(const std::string& bytes) {
+}  // namespace
+
+grpc::ByteBuffer BufferOf(const std::string& bytes) {
   const grpc::Slice slice(bytes);
   return {&slice, 1};
 }
 
-std::string ToBytes(const grpc::ByteBuffer& buffer) {
+std::string BytesOf(const grpc::ByteBuffer& buffer) {
   std::vector<grpc::Slice> slices;
   buffer.Dump(&slices);
   std::string bytes;
@@ -30,13 +32,16 @@ std::string ToBytes(const grpc::ByteBuffer& buffer) {
   return bytes;
 }
 
-}  // namespace
-
-std::shared_ptr<grpc::Channel> OwnConnection(const std::string& address) {
+std::shared_ptr<grpc::Channel> OwnConnection(const std::string& address,
+                                             Window window) {
   grpc::ChannelArguments arguments;
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);
   arguments.SetMaxReceiveMessageSize(-1);
+  if (window == Window::kSmall) {
+    arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
+    arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 1024);
+  }
   return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(),
                                    arguments);
 }
@@ -68,7 +73,7 @@ class RawConnection::Exchange final
 
   void OnReadDone(bool ok) override {
     if (!ok) return;
-    answer_.messages.push_back(ToBytes(incoming_));
+    answer_.messages.push_back(BytesOf(incoming_));
     StartRead(&incoming_);
   }
 
@@ -85,7 +90,7 @@ class RawConnection::Exchange final
 
  private:
   void Write() {
-    outgoing_ = ToBuffer(request_.messages[next_++]);
+    outgoing_ = BufferOf(request_.messages[next_++]);
     if (next_ == request_.messages.size()) {
       StartWriteLast(&outgoing_, grpc::WriteOptions());
     } else {

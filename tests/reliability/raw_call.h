@@ -7,6 +7,7 @@
 
 #include <grpcpp/channel.h>
 #include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/status.h>
 
 #include <chrono>
@@ -32,8 +33,18 @@ struct RawAnswer {
   std::chrono::steady_clock::time_point end;
 };
 
+grpc::ByteBuffer BufferOf(const std::string& bytes);
+std::string BytesOf(const grpc::ByteBuffer& buffer);
+
+enum class Window {
+  kUsual,
+  // Takes from the server hardly more than is read.
+  kSmall,
+};
+
 // A channel of its own: calls on it share one connection, and with nobody else.
-std::shared_ptr<grpc::Channel> OwnConnection(const std::string& address);
+std::shared_ptr<grpc::Channel> OwnConnection(const std::string& address,
+                                             Window window = Window::kUsual);
 
 // A connection and the calls on it. Thread-safe.
 class RawConnection {

@@ -34,6 +34,7 @@ class WatchedServer {
   // All its budgets together.
   static double BudgetMib();
 
+  ProcessFigures Now() const { return ReadFigures(server_->id()); }
   double PeakResidentMib() const { return series_->PeakResidentMib(); }
 
   // A number of the metrics page, e.g. `geodesic_jobs{state="queued"}`.

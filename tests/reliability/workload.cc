@@ -19,6 +19,7 @@ namespace {
 
 constexpr size_t kCachedFields = 8;
 constexpr uint32_t kUploadCells = 25;
+constexpr size_t kUploadChunkBytes = size_t{64} << 10;
 constexpr size_t kRows = 4;
 constexpr size_t kColumns = 16;
 
@@ -118,18 +119,18 @@ std::string CheckPath(const std::vector<std::string>& messages,
 }
 
 std::string CheckUpload(const std::vector<std::string>& messages,
-                        const std::string& digest) {
+                        const std::string& digest, uint64_t cells) {
   v1::CreateMeshResponse response;
   if (messages.size() != 1 || !response.ParseFromString(messages[0])) {
     return kUnreadable;
   }
-  constexpr uint64_t kN = kUploadCells;
   const v1::Mesh& mesh = response.mesh();
-  const bool is_right =
-      mesh.digest() == digest && mesh.vertex_count() == (kN + 1) * (kN + 1) &&
-      mesh.face_count() == 2 * kN * kN &&
-      mesh.edge_count() == 3 * kN * kN + 2 * kN &&
-      mesh.boundary_edge_count() == 4 * kN && !response.already_resident();
+  const bool is_right = mesh.digest() == digest &&
+                        mesh.vertex_count() == (cells + 1) * (cells + 1) &&
+                        mesh.face_count() == 2 * cells * cells &&
+                        mesh.edge_count() == 3 * cells * cells + 2 * cells &&
+                        mesh.boundary_edge_count() == 4 * cells &&
+                        !response.already_resident();
   return is_right ? "" : absl::StrCat("wrong mesh: ", mesh.ShortDebugString());
 }
 
@@ -184,7 +185,7 @@ absl::Status Workload::Prepare(Client& client) const {
 Question Workload::Next(QuestionKind kind) {
   switch (kind) {
     case QuestionKind::kUpload:
-      return Upload();
+      return Upload(kUploadCells, kUploadChunkBytes);
     case QuestionKind::kCold:
       return ColdField();
     case QuestionKind::kCached:
@@ -197,33 +198,35 @@ Question Workload::Next(QuestionKind kind) {
   return {};
 }
 
-Question Workload::Upload() {
-  MeshArrays mesh = PlanarGrid(kUploadCells);
+Question Workload::Upload(uint32_t cells, size_t chunk_bytes) {
+  MeshArrays mesh = PlanarGrid(cells);
   // The seed too, for a server may outlive a load.
   const double scale =
       1 + 1e-3 * static_cast<double>(++uploads_) + static_cast<double>(seed_);
   for (Point& p : mesh.positions) p[0] *= scale;
   const std::string digest = MeshDigest(mesh);
-  const size_t position_bytes = mesh.positions.size() * sizeof(Point);
-  const size_t triangle_bytes = mesh.triangles.size() * sizeof(Triangle);
+  std::string bytes(reinterpret_cast<const char*>(mesh.positions.data()),
+                    mesh.positions.size() * sizeof(Point));
+  bytes.append(reinterpret_cast<const char*>(mesh.triangles.data()),
+               mesh.triangles.size() * sizeof(Triangle));
 
   RawRequest request = {.method = "/geodesic.v1.MeshService/CreateMesh"};
   v1::CreateMeshRequest message;
   v1::UploadHeader& header = *message.mutable_header();
   header.set_format(v1::MESH_FORMAT_ARRAYS);
-  header.set_size_bytes(position_bytes + triangle_bytes);
+  header.set_size_bytes(bytes.size());
   header.set_vertex_count(mesh.positions.size());
   header.set_face_count(mesh.triangles.size());
   header.set_expected_digest(digest);
   request.messages.push_back(message.SerializeAsString());
-  message.mutable_chunk()->set_data(mesh.positions.data(), position_bytes);
-  request.messages.push_back(message.SerializeAsString());
-  message.mutable_chunk()->set_offset(position_bytes);
-  message.mutable_chunk()->set_data(mesh.triangles.data(), triangle_bytes);
-  request.messages.push_back(message.SerializeAsString());
+  for (size_t offset = 0; offset < bytes.size(); offset += chunk_bytes) {
+    message.mutable_chunk()->set_offset(offset);
+    message.mutable_chunk()->set_data(bytes.substr(offset, chunk_bytes));
+    request.messages.push_back(message.SerializeAsString());
+  }
   return {QuestionKind::kUpload, std::move(request),
-          [digest](const std::vector<std::string>& messages) {
-            return CheckUpload(messages, digest);
+          [digest, cells](const std::vector<std::string>& messages) {
+            return CheckUpload(messages, digest, cells);
           }};
 }
 

@@ -57,10 +57,14 @@ class Workload {
 
   Question Next(QuestionKind kind);
 
+  // The upload of a new mesh of 8 faces, a byte a message.
+  Question UploadByteByByte() { return Upload(2, 1); }
+
  private:
   using Place = std::array<double, 2>;
 
-  Question Upload();
+  // Of a grid of so many cells a side, in chunks of so many bytes.
+  Question Upload(uint32_t cells, size_t chunk_bytes);
   Question ColdField();
   Question CachedField();
   Question Path();

@@ -1,0 +1,268 @@
+// crowd: many who only take up room. Readers that ask for a large field, take
+// the first message and no more; uploads that come a byte at a time;
+// connections on which nothing is asked. Meanwhile others ask as ever.
+//
+//   crowd --readers 1000 --uploads 1000 --idle 1000 --seconds 60
+//
+// At the end the readers read on and the uploads hurry: every field and every
+// mesh must be right. Prints a line of JSON: latencies of the others before,
+// during and after, and the server's memory. Exit codes: 0 every answer was
+// right, nobody was refused, memory stayed within the budgets, a tenth, and
+// what those in the crowd may take each, and what requests hold went back to
+// zero; 1 not so, said on standard error; 2 wrong usage.
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic_client/client.h"
+#include "tests/reliability/open_loop.h"
+#include "tests/reliability/paced_call.h"
+#include "tests/reliability/watched_server.h"
+#include "tests/reliability/workload.h"
+
+namespace geodesic::client {
+namespace {
+
+struct Options {
+  size_t readers = 1000;
+  size_t uploads = 1000;
+  size_t idle = 1000;
+  uint32_t vertices = 100'000;
+  double seconds = 10;
+  double rate = 30;
+  uint64_t seed = 1;
+  std::string server = GEODESICD_BINARY;
+};
+
+// What the server may hold for each: a message that is made and one that gRPC
+// has taken; what HTTP/2 keeps of a stream; of a connection.
+constexpr double kReaderMib = 1.25;
+constexpr double kUploadMib = 0.25;
+constexpr double kIdleMib = 0.125;
+
+constexpr std::chrono::milliseconds kByteInterval{1000};
+
+WatchedServer::Options ServerOptions(const Options& options) {
+  const size_t requests = options.readers + options.uploads + 100;
+  return {.program = options.server,
+          .flags = {"--max-requests", std::to_string(requests)}};
+}
+
+// Somebody in the crowd, and what is wrong with an answer.
+struct Member {
+  std::unique_ptr<PacedCall> call;
+  std::function<std::string(const std::vector<std::string>&)> check;
+};
+
+// Each at once would be a crowd of handshakes.
+std::vector<std::shared_ptr<grpc::Channel>> ConnectIdly(
+    const std::string& address, size_t count) {
+  std::vector<std::shared_ptr<grpc::Channel>> channels;
+  for (size_t i = 0; i < count; ++i) {
+    channels.push_back(OwnConnection(address));
+    if (!channels.back()->WaitForConnected(std::chrono::system_clock::now() +
+                                           std::chrono::seconds(30))) {
+      throw std::runtime_error("a connection was not taken");
+    }
+  }
+  return channels;
+}
+
+// Lets each of the uploads send a byte every kByteInterval.
+void Trickle(const std::stop_token& stop, const std::vector<Member>& uploads) {
+  auto moment = std::chrono::steady_clock::now();
+  while (!uploads.empty()) {
+    for (const Member& upload : uploads) {
+      if (stop.stop_requested()) return;
+      upload.call->AllowWrite();
+      moment += kByteInterval / uploads.size();
+      std::this_thread::sleep_until(moment);
+    }
+  }
+}
+
+class Crowd {
+ public:
+  explicit Crowd(const Options& options)
+      : options_(options),
+        random_(options.seed),
+        large_(options.vertices, options.seed),
+        small_(4096, options.seed + 1),
+        server_(ServerOptions(options)) {
+    Client client(server_.address());
+    for (const Workload* workload : {&large_, &small_}) {
+      const absl::Status status = workload->Prepare(client);
+      if (!status.ok()) throw std::runtime_error(status.ToString());
+    }
+    for (int i = 0; i < 4; ++i) {
+      connections_.push_back(
+          std::make_unique<RawConnection>(server_.address()));
+    }
+  }
+
+  nlohmann::ordered_json Run() {
+    nlohmann::ordered_json result;
+    result["before"] = Others();
+    result["resident_mib_before"] = server_.Now().resident_mib;
+    result["seconds_to_gather"] = Gather();
+    {
+      const std::jthread trickle(
+          [this](const std::stop_token& stop) { Trickle(stop, uploads_); });
+      result["during"] = Others();
+    }
+    result["active_requests"] = server_.Metric("geodesic_active_requests");
+    result["resident_mib_during"] = server_.Now().resident_mib;
+    Disperse();
+    result["after"] = Others();
+    connections_.clear();
+    result["server"] = server_.Summary();
+    return result;
+  }
+
+  std::vector<std::string> Faults() const {
+    std::vector<std::string> faults = faults_;
+    for (const std::string& left : server_.Leftovers()) {
+      faults.push_back("not back to zero: " + left);
+    }
+    const double most = 1.1 * WatchedServer::BudgetMib() +
+                        kReaderMib * static_cast<double>(options_.readers) +
+                        kUploadMib * static_cast<double>(options_.uploads) +
+                        kIdleMib * static_cast<double>(options_.idle);
+    if (server_.PeakResidentMib() > most) {
+      faults.push_back(absl::StrCat("memory: ", server_.PeakResidentMib(),
+                                    " MiB, more than ", most));
+    }
+    return faults;
+  }
+
+ private:
+  // Latencies of those who ask and read as they should.
+  nlohmann::ordered_json Others() {
+    constexpr Mix kMix = {1, 2, 6, 1, 0};
+    const LoadFigures figures = RunOpenLoop(
+        connections_, small_, kMix, options_.rate, options_.seconds, random_);
+    if (figures.faults > 0 || figures.refused.count() > 0) {
+      faults_.push_back(absl::StrCat(figures.faults, " wrong or failed, ",
+                                     figures.refused.count(), " refused"));
+    }
+    faults_.insert(faults_.end(), figures.fault_examples.begin(),
+                   figures.fault_examples.end());
+    return figures.Summary();
+  }
+
+  // Returns once everybody is there; the seconds that it took.
+  double Gather() {
+    const auto start = std::chrono::steady_clock::now();
+    idle_ = ConnectIdly(server_.address(), options_.idle);
+    constexpr size_t kAny = std::numeric_limits<size_t>::max();
+    for (size_t i = 0; i < options_.readers; ++i) {
+      Enter(readers_, large_.Next(QuestionKind::kCached), kAny, 1);
+    }
+    for (size_t i = 0; i < options_.uploads; ++i) {
+      Enter(uploads_, small_.UploadByteByByte(), 1, 0);
+    }
+    const std::chrono::duration<double> took =
+        std::chrono::steady_clock::now() - start;
+    return took.count();
+  }
+
+  void Enter(std::vector<Member>& members, Question question, size_t writes,
+             size_t reads) {
+    members.push_back({std::make_unique<PacedCall>(
+                           server_.address(), question.request, writes, reads),
+                       question.check});
+    members.back().call->AwaitStall();
+  }
+
+  // The readers read on, the uploads hurry, and all go.
+  void Disperse() {
+    for (const auto* members : {&readers_, &uploads_}) {
+      for (const Member& member : *members) Judge(member);
+    }
+    readers_.clear();
+    uploads_.clear();
+    idle_.clear();
+  }
+
+  void Judge(const Member& member) {
+    const RawAnswer answer = member.call->Finish();
+    const std::string fault = answer.status.ok()
+                                  ? member.check(answer.messages)
+                                  : answer.status.error_message();
+    if (!fault.empty()) faults_.push_back("in the crowd: " + fault);
+  }
+
+  const Options& options_;
+  std::mt19937_64 random_;
+  Workload large_;
+  Workload small_;
+  WatchedServer server_;
+  std::vector<std::unique_ptr<RawConnection>> connections_;
+  std::vector<std::shared_ptr<grpc::Channel>> idle_;
+  std::vector<Member> readers_;
+  std::vector<Member> uploads_;
+  std::vector<std::string> faults_;
+};
+
+int Run(const Options& options) {
+  Crowd crowd(options);
+  std::cout << crowd.Run() << std::endl;
+  const std::vector<std::string> faults = crowd.Faults();
+  for (const std::string& fault : faults) {
+    std::cerr << "crowd: " << fault << '\n';
+  }
+  return faults.empty() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace geodesic::client
+
+int main(int argc, char** argv) {
+  geodesic::client::Options options;
+  CLI::App app("Takes up a server's room and looks what others feel of it.",
+               "crowd");
+  app.add_option("--readers", options.readers, "That stall")
+      ->capture_default_str();
+  app.add_option("--uploads", options.uploads, "A byte a second each")
+      ->capture_default_str();
+  app.add_option("--idle", options.idle, "Connections without a question")
+      ->capture_default_str();
+  app.add_option("--vertices", options.vertices, "Of the readers' fields")
+      ->check(CLI::Range(10'000, 1'000'000))
+      ->capture_default_str();
+  app.add_option("--seconds", options.seconds,
+                 "That others ask before, during, and after")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--rate", options.rate, "Questions of others a second")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "Of moments and questions")
+      ->capture_default_str();
+  app.add_option("--server", options.server, "The geodesicd to crowd")
+      ->check(CLI::ExistingFile)
+      ->capture_default_str();
+  try {
+    app.parse(argc, argv);
+    return geodesic::client::Run(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::cerr << "crowd: " << error.what() << '\n';
+    return 1;
+  }
+}
