@@ -124,7 +124,12 @@ class Crowd {
           [this](const std::stop_token& stop) { Trickle(stop, uploads_); });
       result["during"] = Others();
     }
-    result["active_requests"] = server_.Metric("geodesic_active_requests");
+    const double active = server_.Metric("geodesic_active_requests");
+    const size_t crowd = readers_.size() + uploads_.size();
+    if (active < static_cast<double>(crowd)) {
+      faults_.push_back(absl::StrCat(active, " requests active of ", crowd));
+    }
+    result["active_requests"] = active;
     result["resident_mib_during"] = server_.Now().resident_mib;
     Disperse();
     result["after"] = Others();
