@@ -25,7 +25,8 @@ std::vector<SurfacePoint> Between(const test::Place& a, const test::Place& b,
   return points;
 }
 
-// Points along the curve, and how far apart at the most.
+// Points along the curve, in each of the faces in which it runs (there are
+// several where a face is given twice), and how far apart at the most.
 std::vector<SurfacePoint> Along(const Scene& scene, const CurveSource& curve,
                                 double* apart) {
   constexpr int kPieces = 16;
@@ -45,7 +46,6 @@ std::vector<SurfacePoint> Along(const Scene& scene, const CurveSource& curve,
                       Norm(test::PositionIn(scene.soup, curve.points[i]) -
                            test::PositionIn(scene.soup, curve.points[i - 1]))) /
                       kPieces);
-      break;
     }
   }
   return all;
