@@ -268,19 +268,23 @@ class Unfolder {
     curve_bound_[curve] = std::min(curve_bound_[curve], distance);
   }
 
-  // The face laid into the plane with `place` at the origin.
-  PlaneFace LayDown(const Place& place) const {
-    // From the longest side: others may have no length.
-    uint32_t base = 3 * place.face;
-    const auto length = [&](uint32_t h) {
-      return Norm(positions_[edges_.To(h)] - positions_[edges_.From(h)]);
-    };
-    for (uint32_t h = base; h < 3 * place.face + 3; ++h) {
-      if (length(h) > length(base)) base = h;
+  Real LengthOf(uint32_t h) const {
+    return Norm(positions_[edges_.To(h)] - positions_[edges_.From(h)]);
+  }
+  uint32_t LongestSide(uint32_t face) const {
+    uint32_t longest = 3 * face;
+    for (uint32_t h = 3 * face + 1; h < 3 * face + 3; ++h) {
+      if (LengthOf(h) > LengthOf(longest)) longest = h;
     }
+    return longest;
+  }
+
+  // The face laid into the plane by one of its sides, with `place` at the
+  // origin.
+  PlaneFace LayDown(const Place& place, uint32_t base) const {
     PlaneFace plane{.face = place.face, .corners = {}};
-    if (length(base) == 0) return plane;
-    plane.corners[NextSide(base) % 3] = {length(base), 0};
+    if (LengthOf(base) == 0) return plane;
+    plane.corners[NextSide(base) % 3] = {LengthOf(base), 0};
     plane.corners[PreviousSide(base) % 3] = ApexInFrame(soup_, edges_, base);
     const Vec2 origin = plane.At(place);
     for (Vec2& corner : plane.corners) corner = corner - origin;
@@ -299,7 +303,9 @@ class Unfolder {
 
   // A face that holds the source: all of it is seen.
   void OpenFace(const Place& place) {
-    const PlaneFace plane = LayDown(place);
+    // By the longest, since others may have no length.
+    const uint32_t longest = LongestSide(place.face);
+    const PlaneFace plane = LayDown(place, longest);
     const Triangle& corners = soup_.triangles[place.face];
     for (int i = 0; i < 3; ++i) Reach(corners[i], Norm(plane.corners[i]));
     for (const auto& [node, at] : inside_[place.face].points) {
@@ -313,9 +319,14 @@ class Unfolder {
       // Across a side that holds the source lies another face around it. A
       // corner that coincides with the source opens the faces beyond itself.
       if (place.weights[(i + 2) % 3] == 0) continue;
-      const Vec2 from = plane.corners[i], to = plane.corners[(i + 1) % 3];
+      // By that side: the height of the source over it, which rounding must not
+      // turn over, then is a product.
+      const uint32_t side = 3 * place.face + i;
+      const PlaneFace by_side =
+          LengthOf(side) > 0 ? LayDown(place, side) : plane;
+      const Vec2 from = by_side.corners[i], to = by_side.corners[(i + 1) % 3];
       if (Norm(from) == 0 || Norm(to) == 0) continue;
-      Push({3 * place.face + i, corners[i], from, to, from, to, 0});
+      Push({side, corners[i], from, to, from, to, 0});
     }
   }
 

@@ -104,6 +104,27 @@ TEST(Oracles, BruteForceSeesAlongAnEdge) {
   }
 }
 
+// From a point a hair over a side, some ten thousand times shorter than the
+// others, rays go into the face beyond as well.
+TEST(Oracles, BruteForceLeavesThroughAShortSide) {
+  const TriangleSoup soup = {
+      {{1, 7e-6, 0}, {1, 1.4e-5, 0}, {1, 1.4e-5, 0.43}, {0.4, 1.4e-5, 0}},
+      {{0, 1, 2}, {1, 0, 3}}};
+  for (uint64_t seed = 1; seed <= 10; ++seed) {
+    const TriangleSoup place = RotateAndShift(soup, seed);
+    for (const double inside : {1e-200, 1e-18, 1e-16}) {
+      // Alone: another point as near would see what this one does not.
+      const SurfacePoint point = FacePoint{0, {0.776 - inside, 0.224, inside}};
+      const std::vector<Source> sources = {{point}};
+      EXPECT_NEAR(BruteForce(place, {point}).Distances(sources)[3],
+                  static_cast<double>(Norm(PositionIn(place, point) -
+                                           ToVec3(place.positions[3]))),
+                  1e-14)
+          << seed;
+    }
+  }
+}
+
 // A line that runs along an edge into a face without area does not reach what
 // lies in that face before the edge, where the sheets are not joined.
 TEST(Oracles, BruteForceReachesNothingBeforeAnEdge) {
