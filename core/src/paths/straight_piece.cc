@@ -31,16 +31,18 @@ double Norm(const PlanePoint& a) { return std::sqrt(Dot(a, a)); }
 using geodesic::Norm;
 
 // The line back from a piece's end, in the frame of some half-edge: where the
-// end lies, and the way from there towards the pseudo-source.
+// end lies, and the way from there to the pseudo-source (towards it, where that
+// is a segment).
 struct BackLine {
   PlanePoint end;
   PlanePoint way;
 };
 
-// Where the line, followed back, crosses AB; below its end if it runs along it.
-double CrossingOf(const BackLine& line) {
-  return line.way.y < 0 ? line.end.x - line.way.x * line.end.y / line.way.y
-                        : line.end.x;
+// Where the line, followed back along `way` to the piece's start, crosses AB;
+// below its end if it runs along it. Not beyond the start: where that lies on
+// AB, and all but in the line, rounding would have the line cross anywhere.
+double CrossingOf(const PlanePoint& end, const PlanePoint& way) {
+  return way.y < 0 ? end.x + way.x * std::min(end.y / -way.y, 1.0) : end.x;
 }
 
 // A face beyond an edge, by its half-edge there. A mirrored one runs along the
@@ -79,14 +81,16 @@ BackLine IntoRight(const BackLine& line, const HalfEdgeFrame& frame) {
   return {turn(line.end - PlanePoint{frame.length, 0}), turn(line.way)};
 }
 
-// A turn by an angle, as its cosine and sine. Squares of lengths may vanish
-// (kLeastHeight).
-PlanePoint TurnBetween(const PlanePoint& from, const PlanePoint& to) {
-  const double norms = std::hypot(from.x, from.y) * std::hypot(to.x, to.y);
-  return {Dot(from, to) / norms, Cross(from, to) / norms};
+// What turns and stretches `from` into `to`, as a complex number. Squares of
+// lengths may vanish (kLeastHeight).
+PlanePoint Quotient(const PlanePoint& to, const PlanePoint& from) {
+  const double norm = std::hypot(from.x, from.y);
+  if (norm == 0) return {1, 0};
+  const PlanePoint unit{from.x / norm, from.y / norm};
+  return {Dot(unit, to) / norm, Cross(unit, to) / norm};
 }
-PlanePoint Turn(const PlanePoint& v, const PlanePoint& turn) {
-  return {v.x * turn.x - v.y * turn.y, v.x * turn.y + v.y * turn.x};
+PlanePoint Product(const PlanePoint& a, const PlanePoint& b) {
+  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
 }
 
 // Whether a point is a vertex at the place of another.
@@ -165,8 +169,8 @@ class BackWalk {
     bool is_mirrored;
   };
 
-  // Adds the way over the edges crossed so far, as a line crosses them that is
-  // turned about the piece's end; `turn` is given in the present frame.
+  // Adds the way over the edges crossed so far, as a line crosses them whose
+  // way is `turn` times theirs, as complex numbers in the present frame.
   void GoOverEdges(const PlanePoint& turn);
   // Adds the way within `face` from the last point to the next.
   void GoTo(const SurfacePoint& next, uint32_t face) {
@@ -276,9 +280,13 @@ bool BackWalk::GoThroughFaces(uint32_t pseudo_source) {
     is_mirrored_ ^= face->is_mirrored;
     if (const std::optional<SurfacePoint> start =
             StartWithin(pseudo_source, beyond, line.end)) {
+      const uint32_t face_there = mesh_.FaceOf(beyond);
+      const PlanePoint way =
+          InFrame(mesh_, *WithinFace(mesh_, *start, face_there), beyond) -
+          line.end;
       StartAt(pseudo_source, beyond, line.way);
-      GoOverEdges({1, 0});
-      GoTo(*start, mesh_.FaceOf(beyond));
+      GoOverEdges(Quotient(way, line.way));
+      GoTo(*start, face_there);
       return true;
     }
     const PlanePoint apex{frame.apex_x, frame.apex_y};
@@ -310,7 +318,7 @@ bool BackWalk::PassesThrough(uint32_t vertex, const PlanePoint& at,
     return false;
   }
   StartAt(vertex, h, way);
-  GoOverEdges(TurnBetween(line.way, way));
+  GoOverEdges(Quotient(way, line.way));
   GoTo(VertexPoint{vertex}, mesh_.FaceOf(h));
   return true;
 }
@@ -319,7 +327,7 @@ void BackWalk::GoOverEdges(const PlanePoint& turn) {
   for (const auto& [h, line, is_mirrored] : crossed_) {
     const PlanePoint here =
         is_mirrored == is_mirrored_ ? turn : PlanePoint{turn.x, -turn.y};
-    const double crossing = CrossingOf({line.end, Turn(line.way, here)});
+    const double crossing = CrossingOf(line.end, Product(line.way, here));
     const double length = mesh_.frame(h).length;
     GoTo(
         Canonicalize(

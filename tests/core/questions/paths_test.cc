@@ -290,6 +290,38 @@ TEST_P(Paths, CrossEdgesRightBehindAVertexThatTheyPass) {
 
 GEODESIC_TEST_EVERY_ALGORITHM(Paths);
 
+// From a source on a side, along that side: rounding must not have the line
+// cross the side beyond the source.
+TEST_P(Paths, CrossASideAtTheSourceOnIt) {
+  // Vertex 1 lies on the side 0-2 of the first face; the others lead round
+  // vertex 2.
+  const TriangleSoup soup = {
+      {{0, 0, 0},
+       {1, 0, 0},
+       {2, 0, 0},
+       {1.2, -1, 0},
+       {0.9, 0.8, 0},
+       {2.3, -1.1, 0},
+       {3, -0.3, 0}},
+      {{0, 3, 2}, {2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {3, 5, 2}, {5, 6, 2}}};
+  for (uint64_t seed = 1; seed <= 10; ++seed) {
+    const std::shared_ptr<const Mesh> mesh =
+        BuildOrFail({"zero-area face", RotateAndShift(soup, seed)});
+    ASSERT_NE(mesh, nullptr);
+    Query query{.sources = {{VertexPoint{1}}},
+                .algorithm = GetParam().algorithm};
+    for (const uint32_t face : {0u, 4u, 5u}) {
+      for (const double a : {3e-10, 1e-9, 0.3}) {
+        for (const double b : {8e-10, 1e-7}) {
+          query.targets.push_back(FacePoint{face, {a, b, 1 - a - b}});
+        }
+      }
+    }
+    CheckAllPaths("along a side", *mesh, query,
+                  {.slack = 1e-15, .check_bends = false});
+  }
+}
+
 TEST(PathTracer, GivesOnePointWhereSourceAndTargetCoincide) {
   const TriangleSoup soup = Icosphere(1);
   const std::shared_ptr<const Mesh> mesh = BuildOrFail({"icosphere", soup});
