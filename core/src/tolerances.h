@@ -129,9 +129,9 @@ inline constexpr double kAtLevel = 1e-12;
 // this fraction of them. Pieces that are followed rightly agree to 1e-13.
 inline constexpr double kAsLong = 1e-11;
 
-// Weights tell the place of a point in a face within this fraction of the
-// face's longest edge: some dozen roundings. A distance that is no longer may
-// have come by a detour through faces without area, all of it rounding.
+// Weights tell the place of a point within this fraction of the longest edge of
+// the faces around: some dozen roundings. A distance that is no longer may have
+// come by a detour through such faces, all of it rounding.
 inline constexpr double kRoundedPlace = 1e-14;
 
 // A stretch between two points of a path that is shorter than this fraction of
