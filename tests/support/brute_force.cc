@@ -56,7 +56,9 @@ bool IsOpen(const Window& w) {
 // face behind may lie before it, as one without area may: no ray that crossed
 // the edge is there.
 bool Sees(const Window& w, Vec2 p) {
-  if (Norm(p) < w.least * (1 - kBoundSlack)) return false;
+  if (Norm(p) < w.least - kBoundSlack * (Norm(w.from) + Norm(w.to))) {
+    return false;
+  }
   const Real slack = kHitSlack * Norm(p);
   const Real to_right = Norm(w.right), to_left = Norm(w.left);
   if (Cross(w.right, p) < -slack * to_right) return false;
