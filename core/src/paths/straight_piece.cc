@@ -79,10 +79,16 @@ std::optional<StraightPiece> WalkEveryWay(const TracedField& field,
   return std::nullopt;
 }
 
-// The longest edge of the face.
-double LongestSide(const Mesh& mesh, HalfEdge h) {
-  return std::max({mesh.frame(h).length, mesh.frame(Next(h)).length,
-                   mesh.frame(Prev(h)).length});
+// The longest edge of the faces around a point.
+double LongestAround(const Mesh& mesh, const SurfacePoint& point) {
+  double longest = 0;
+  for (const FacePoint& around : FacesAround(mesh, point)) {
+    const HalfEdge h = mesh.FirstSide(around.face);
+    longest =
+        std::max({longest, mesh.frame(h).length, mesh.frame(Next(h)).length,
+                  mesh.frame(Prev(h)).length});
+  }
+  return longest;
 }
 
 // Goes straight from a pseudo-source in a face around the end, however the
@@ -93,7 +99,7 @@ std::optional<StraightPiece> WalkStraight(const TracedField& field, PathEnd end,
                                           double longest) {
   end.arrival = {.pseudo_source = pseudo_source};
   std::optional<StraightPiece> piece = WalkBack(field, end, 0).piece;
-  if (!piece.has_value() || piece->frame == kNoHalfEdge ||
+  if (!piece.has_value() || piece->points.empty() ||
       std::abs(DistanceBy(field, *piece) - end.distance) <=
           kRoundedPlace * longest) {
     return piece;
@@ -101,17 +107,25 @@ std::optional<StraightPiece> WalkStraight(const TracedField& field, PathEnd end,
   return std::nullopt;
 }
 
-// Likewise, to a point of an edge or a face. As short as rounding, the path to
-// it may have come round a vertex beside it.
+// Likewise from the pseudo-source that the trace names, or a corner of a face
+// around the end. As short as rounding, the path may have come round others.
 std::optional<StraightPiece> WalkWithinFace(const TracedField& field,
                                             const PathEnd& end) {
-  double longest = 0;
-  for (const FacePoint& around : FacesAround(field.mesh(), end.point)) {
-    longest = std::max(
-        longest,
-        LongestSide(field.mesh(), field.mesh().FirstSide(around.face)));
+  const Mesh& mesh = field.mesh();
+  const double longest = LongestAround(mesh, end.point);
+  // Between vertices it takes an edge to be there.
+  const uint32_t named = end.arrival.pseudo_source;
+  if (!std::holds_alternative<VertexPoint>(end.point) ||
+      !field.IsVertex(named)) {
+    if (auto piece = WalkStraight(field, end, named, longest)) return piece;
   }
-  return WalkStraight(field, end, end.arrival.pseudo_source, longest);
+  for (const FacePoint& around : FacesAround(mesh, end.point)) {
+    for (const uint32_t corner : mesh.triangle(around.face)) {
+      if (!(field.VertexDistance(corner) < end.distance)) continue;
+      if (auto piece = WalkStraight(field, end, corner, longest)) return piece;
+    }
+  }
+  return std::nullopt;
 }
 
 // The way from the first of `joined` to number `i`.
@@ -149,9 +163,8 @@ std::optional<StraightPiece> WalkFromJoined(const TracedField& field,
   // between it and them too.
   double longest = 0;
   for (const Joined& beside : joined) {
-    for (const HalfEdge h : field.mesh().Outgoing(beside.vertex)) {
-      longest = std::max(longest, LongestSide(field.mesh(), h));
-    }
+    longest = std::max(longest,
+                       LongestAround(field.mesh(), VertexPoint{beside.vertex}));
   }
   for (const Joined& beside : joined) {
     const uint32_t anchor = field.VertexArrival(beside.vertex).pseudo_source;
@@ -177,9 +190,8 @@ absl::StatusOr<StraightPiece> FollowBack(const TracedField& field,
     if (auto piece = WalkFromJoined(field, vertex->vertex)) {
       return *std::move(piece);
     }
-  } else if (auto piece = WalkWithinFace(field, end)) {
-    return *std::move(piece);
   }
+  if (auto piece = WalkWithinFace(field, end)) return *std::move(piece);
   // A piece about as short as the rounding of coordinates is as long as its
   // points say.
   if (auto piece = WalkBack(field, end, 0).piece) return *std::move(piece);
