@@ -28,7 +28,7 @@ namespace {
 
 struct Options {
   QuestionOptions question;
-  int threads = 1;
+  uint32_t threads = SolveOptions().threads;
   double bucket_width = SolveOptions().bucket_width;
   uint32_t max_batch = SolveOptions().max_batch;
   bool fixed_batch = false;
@@ -82,7 +82,8 @@ absl::Status Run(const Options& options) {
         Solve(**mesh, query,
               {.bucket_width = options.bucket_width,
                .max_batch = options.max_batch,
-               .adaptive_batch = !options.fixed_batch},
+               .adaptive_batch = !options.fixed_batch,
+               .threads = options.threads},
               checkpoint);
     if (!solved.ok()) return solved.status();
     field = *std::move(solved);
@@ -125,8 +126,8 @@ int main(int argc, char** argv) {
   geodesic::Options options;
   geodesic::AddQuestionOptions(app, options.question);
   app.add_option("--threads", options.threads,
-                 "threads to solve with; one query runs on one thread")
-      ->check(CLI::Range(1, 1))
+                 "threads to solve with; the result is the same to the bit")
+      ->check(CLI::Range(1u, geodesic::kMostSolveThreads))
       ->capture_default_str();
   app.add_option("--bucket-width", options.bucket_width,
                  "FWP bucket width in units of h / sqrt(n)")

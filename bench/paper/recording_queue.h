@@ -30,7 +30,7 @@ class RecordingQueue {
  public:
   static constexpr bool kStrict = Inner::kStrict;
 
-  explicit RecordingQueue(const QueueTuning& tuning) : inner_(tuning) {}
+  explicit RecordingQueue(const Tuning& tuning) : inner_(tuning) {}
 
   void Push(uint32_t id, double label) {
     if (!(id & kVertexEvent)) {

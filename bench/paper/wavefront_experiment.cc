@@ -27,7 +27,7 @@ void Record(const Subject& subject, Algorithm algorithm, Table& table) {
   const Query query{.sources = {{VertexPoint{subject.source()}}},
                     .algorithm = algorithm};
   const double h = mesh.mean_edge_length();
-  const QueueTuning tuning{
+  const Tuning tuning{
       .bucket_width = h / std::sqrt(static_cast<double>(mesh.face_count())),
       .max_batch = kPaperOptions.max_batch};
   Propagation<Rule, RecordingQueue<Queue>> propagation(mesh, query, tuning,

@@ -14,7 +14,7 @@ namespace geodesic {
 
 using StartFunction = std::unique_ptr<Computation> (*)(const Mesh&,
                                                        const Query&,
-                                                       const QueueTuning&,
+                                                       const Tuning&,
                                                        WindowObserver*);
 
 // Type erasure happens here, once per query.

@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
@@ -29,7 +31,7 @@ template <template <typename> typename Rule, WindowQueue Queue,
 class Propagation final : public Computation {
  public:
   // REQUIRES: the query is valid and its points are canonical.
-  Propagation(const Mesh& mesh, const Query& query, const QueueTuning& tuning,
+  Propagation(const Mesh& mesh, const Query& query, const Tuning& tuning,
               WindowObserver* observer)
       : algorithm_(query.algorithm),
         traces_(query.trace),
@@ -37,7 +39,7 @@ class Propagation final : public Computation {
         pending_anchors_(AnchorsOf(query)),
         queue_(tuning),
         front_(mesh, query, queue_, observer),
-        rule_(front_) {}
+        rule_(MakeRule(front_, tuning)) {}
 
   absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) override;
   DistanceField Field() const override;
@@ -53,11 +55,31 @@ class Propagation final : public Computation {
   // takes a whole list of windows.
   static constexpr uint64_t kPollPeriod = 1024;
 
+  using FrontType = Front<Queue, OriginType>;
+  using RuleType = Rule<FrontType>;
+  // Whether the rule propagates many half-edges together.
+  static constexpr bool kTogether =
+      requires(RuleType& rule, std::span<const HalfEdge> half_edges) {
+        rule.Propagate(half_edges);
+      };
+
+  static RuleType MakeRule(FrontType& front, const Tuning& tuning) {
+    if constexpr (kTogether) {
+      return RuleType(front, tuning.threads);
+    } else {
+      return RuleType(front);
+    }
+  }
+
   absl::Status Run(const Reach& reach, Checkpoint& checkpoint);
   void Seed();
   // Everything that is settled, but nothing beyond `radius`.
   void CertifyUpTo(double radius);
-  void Step(uint32_t id);
+  // Propagates what the queue gives next. Returns how many steps that were: 0
+  // if nothing is left.
+  uint64_t Step();
+  uint64_t StepTogether();
+  void Expand(uint32_t id);
   absl::Status Poll(Checkpoint& checkpoint);
   bool HasTargets(uint64_t wanted);
   void PrefetchUpcoming() const;
@@ -78,8 +100,9 @@ class Propagation final : public Computation {
   uint32_t next_source_;
   std::vector<Anchor> pending_anchors_;  // not yet in the front
   Queue queue_;
-  Front<Queue, OriginType> front_;
-  Rule<Front<Queue, OriginType>> rule_;
+  FrontType front_;
+  RuleType rule_;
+  std::vector<HalfEdge> together_;  // of one step
   SolveStatistics statistics_;
   double wavefront_sum_ = 0;
   uint64_t wavefront_samples_ = 0;
@@ -110,15 +133,21 @@ absl::Status Propagation<Rule, Queue, OriginType>::Run(const Reach& reach,
   if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
   Seed();
   const double radius = std::ldexp(reach.radius, -mesh().scale_exponent());
-  for (uint64_t steps = 1; queue_.SettledRadius() <= radius; ++steps) {
-    const uint32_t id = queue_.Pop();
-    if (id == kNothing) {
+  uint64_t steps = 0;
+  while (queue_.SettledRadius() <= radius) {
+    uint64_t taken = 0;
+    if constexpr (kTogether) {
+      taken = StepTogether();
+    } else {
+      taken = Step();
+    }
+    if (taken == 0) {
       certified_radius_ = std::numeric_limits<double>::infinity();
       return Poll(checkpoint);
     }
-    PrefetchUpcoming();
-    Step(id);
-    if (steps % kPollPeriod == 0) {
+    steps += taken;
+    if (steps >= kPollPeriod) {
+      steps = 0;
       if (absl::Status status = Poll(checkpoint); !status.ok()) {
         CertifyUpTo(reach.radius);
         return status;
@@ -170,15 +199,48 @@ absl::Status Propagation<Rule, Queue, OriginType>::AddSource(
 
 template <template <typename> typename Rule, WindowQueue Queue,
           typename OriginType>
-void Propagation<Rule, Queue, OriginType>::Step(uint32_t id) {
+uint64_t Propagation<Rule, Queue, OriginType>::Step() {
+  const uint32_t id = queue_.Pop();
+  if (id == kNothing) return 0;
+  PrefetchUpcoming();
   if (id & kVertexEvent) {
-    ++statistics_.pseudo_source_events;
-    front_.Expand(id & ~kVertexEvent, Opener());
+    Expand(id);
   } else {
     statistics_.windows_propagated += rule_.Propagate(id);
   }
   statistics_.peak_wavefront =
       std::max(statistics_.peak_wavefront, rule_.pending());
+  return 1;
+}
+
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+uint64_t Propagation<Rule, Queue, OriginType>::StepTogether() {
+  together_.clear();
+  uint64_t steps = 0;
+  do {
+    const uint32_t id = queue_.Pop();
+    if (id == kNothing) break;
+    ++steps;
+    if (id & kVertexEvent) {
+      Expand(id);
+    } else {
+      together_.push_back(id);
+    }
+    // Those that the queue knows already go together.
+  } while (together_.size() < RuleType::kMostTogether &&
+           queue_.Upcoming(1) != kNothing);
+  statistics_.windows_propagated += rule_.Propagate(together_);
+  statistics_.peak_wavefront =
+      std::max(statistics_.peak_wavefront, rule_.pending());
+  return steps;
+}
+
+template <template <typename> typename Rule, WindowQueue Queue,
+          typename OriginType>
+void Propagation<Rule, Queue, OriginType>::Expand(uint32_t id) {
+  ++statistics_.pseudo_source_events;
+  front_.Expand(id & ~kVertexEvent, Opener());
 }
 
 template <template <typename> typename Rule, WindowQueue Queue,

@@ -50,7 +50,7 @@ class RuleTimesQueue {
   template <template <typename> typename Rule, WindowQueue Queue>
   static std::unique_ptr<Computation> StartWith(const Mesh& mesh,
                                                 const Query& query,
-                                                const QueueTuning& tuning,
+                                                const Tuning& tuning,
                                                 WindowObserver* observer) {
     return std::make_unique<Propagation<Rule, Queue, OriginType>>(
         mesh, query, tuning, observer);

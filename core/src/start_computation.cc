@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "absl/strings/str_cat.h"
 #include "algorithm_table.h"
 #include "anchors.h"
 
 namespace geodesic {
 namespace {
 
-absl::StatusOr<QueueTuning> TuningFor(const Mesh& mesh,
+absl::StatusOr<Tuning> TuningFor(const Mesh& mesh,
                                       const SolveOptions& options) {
   if (!(options.bucket_width > 0) || !std::isfinite(options.bucket_width)) {
     return absl::InvalidArgumentError(
@@ -17,14 +18,20 @@ absl::StatusOr<QueueTuning> TuningFor(const Mesh& mesh,
   if (options.max_batch == 0) {
     return absl::InvalidArgumentError("options.max_batch is 0");
   }
+  if (options.threads == 0 || options.threads > kMostSolveThreads) {
+    return absl::InvalidArgumentError(absl::StrCat(
+        "options.threads ", options.threads, " is not in [1, ",
+        kMostSolveThreads, "]"));
+  }
   // l = h / sqrt(n), section 4.1. A mesh without extent has no h; any width
   // serves its distances, which are all 0 or offsets.
   const double h = mesh.mean_edge_length() > 0 ? mesh.mean_edge_length() : 1;
-  return QueueTuning{
+  return Tuning{
       .bucket_width = options.bucket_width * h /
                       std::sqrt(static_cast<double>(mesh.face_count())),
       .max_batch = options.max_batch,
-      .adaptive_batch = options.adaptive_batch};
+      .adaptive_batch = options.adaptive_batch,
+      .threads = options.threads};
 }
 
 }  // namespace
@@ -40,7 +47,7 @@ absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
     const Mesh& mesh, const Query& query, const SolveOptions& options,
     WindowObserver* observer) {
   if (absl::Status status = Validate(query, mesh); !status.ok()) return status;
-  absl::StatusOr<QueueTuning> tuning = TuningFor(mesh, options);
+  absl::StatusOr<Tuning> tuning = TuningFor(mesh, options);
   if (!tuning.ok()) return tuning.status();
   Query canonical = WithCanonicalPoints(query, mesh);
   canonical.algorithm = AlgorithmFor(query, mesh);

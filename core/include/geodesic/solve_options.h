@@ -7,7 +7,9 @@
 
 namespace geodesic {
 
-// Parameters of FWP (Xu et al. 2015, Algorithm 1).
+inline constexpr uint32_t kMostSolveThreads = 256;
+
+// Parameters of FWP (Xu et al. 2015, Algorithm 1), and threads.
 struct SolveOptions {
   // Bucket width as a multiple of h / sqrt(n), with h the mean edge length and
   // n the number of faces. DEFAULT: 16; the paper's 1 makes some per cent fewer
@@ -21,6 +23,11 @@ struct SolveOptions {
   // Whether K follows the wavefront (section 4.2). If not it is max_batch
   // throughout; 1 then drains the buckets one by one. DEFAULT: true.
   bool adaptive_batch = true;
+  // How many threads share the work of one computation, the calling one among
+  // them: in [1, kMostSolveThreads]. The result is the same to the bit. fwp-list
+  // uses them wherever the wavefront is wide enough; the others use one.
+  // DEFAULT: 1.
+  uint32_t threads = 1;
 };
 
 }  // namespace geodesic

@@ -17,7 +17,7 @@ class BinaryHeap {
  public:
   static constexpr bool kStrict = true;
 
-  explicit BinaryHeap(const QueueTuning&) {}
+  explicit BinaryHeap(const Tuning&) {}
 
   void Push(uint32_t id, double label) {
     heap_.push_back({label, id});

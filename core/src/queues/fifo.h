@@ -21,7 +21,7 @@ class Fifo {
  public:
   static constexpr bool kStrict = false;
 
-  explicit Fifo(const QueueTuning&) {}
+  explicit Fifo(const Tuning&) {}
 
   void Push(uint32_t id, double label) {
     born_.push_back(id);

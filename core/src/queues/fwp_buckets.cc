@@ -4,7 +4,7 @@
 
 namespace geodesic {
 
-FwpBuckets::FwpBuckets(const QueueTuning& tuning)
+FwpBuckets::FwpBuckets(const Tuning& tuning)
     : inverse_width_(1 / tuning.bucket_width),
       width_(tuning.bucket_width),
       max_batch_(tuning.max_batch),

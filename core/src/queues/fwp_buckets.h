@@ -37,7 +37,7 @@ class FwpBuckets {
  public:
   static constexpr bool kStrict = false;
 
-  explicit FwpBuckets(const QueueTuning& tuning);
+  explicit FwpBuckets(const Tuning& tuning);
 
   void Push(uint32_t id, double label);
   uint32_t Pop() {

@@ -31,7 +31,7 @@ class LabelCorrecting {
  public:
   static constexpr bool kStrict = false;
 
-  explicit LabelCorrecting(const QueueTuning&) {}
+  explicit LabelCorrecting(const Tuning&) {}
 
   void Push(uint32_t id, double label);
   uint32_t Pop();

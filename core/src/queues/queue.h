@@ -38,11 +38,13 @@ concept WindowQueue = requires(Q queue, const Q& view, uint32_t id,
   { view.bytes() } -> std::same_as<uint64_t>;
 };
 
-// What a queue may know about the mesh and the caller's wishes.
-struct QueueTuning {
+// What queues and rules may know about the mesh and the caller's wishes
+// (solve_options.h).
+struct Tuning {
   double bucket_width = 1;  // in the mesh's scaled unit
   uint32_t max_batch = 500;
   bool adaptive_batch = true;
+  uint32_t threads = 1;
 };
 
 }  // namespace geodesic

@@ -130,6 +130,11 @@ class Front {
     }
   }
 
+  // Whether a distance is better than the best one known, by more than rounding.
+  static bool Improves(double distance, double best) {
+    return distance < best * (1 - kImprovement);
+  }
+
   // Takes `distance` for v if it is better. A vertex that paths may bend at is
   // then queued with its distance as label (otherwise no bound on
   // what is pending holds).
@@ -140,7 +145,7 @@ class Front {
       distance = std::max(distance, 0.0);  // as MixedOrigin::PathTo
     }
     double& best = distances_[v];
-    if (distance >= best * (1 - kImprovement)) return;
+    if (!Improves(distance, best)) return;
     reached_ += std::isinf(best);
     best = distance;
     if (!arrivals_.empty()) arrivals_[v] = arrival;

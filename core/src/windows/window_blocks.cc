@@ -1,7 +1,10 @@
 #include "windows/window_blocks.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
+#include <new>
+#include <utility>
 
 namespace geodesic {
 namespace {
@@ -22,39 +25,97 @@ void CopySources(const void* from, void* to, size_t count) {
 
 }  // namespace
 
-WindowBlock WindowBlocks::Store(const WindowColumns& windows) {
-  const auto count = static_cast<uint32_t>(windows.size);
-  const size_t room = RoomFor(count);
-  WindowBlock block{.count = count};
-  if (std::vector<uint32_t>& free = FreeOf(room); free.empty()) {
-    block.place = static_cast<uint32_t>(arena_.size() / kLeastWords);
-    arena_.resize(arena_.size() + room / kLeastRoom * kLeastWords);
-  } else {
-    block.place = free.back();
-    free.pop_back();
-  }
-  double* to = arena_.data() + size_t{block.place} * kLeastWords;
+double* BlockPool::Allocate(size_t words) {
+  const std::lock_guard lock(mutex_);
+  bytes_ += words * sizeof(double);
+  chunks_.push_back(std::make_unique_for_overwrite<double[]>(words));
+  return chunks_.back().get();
+}
+
+void BlockPool::Give(uint32_t log_room, const Magazine& magazine) {
+  const std::lock_guard lock(mutex_);
+  free_[log_room].push_back(magazine);
+}
+
+Magazine BlockPool::Take(uint32_t log_room) {
+  const std::lock_guard lock(mutex_);
+  if (free_[log_room].empty()) return {};
+  const Magazine magazine = free_[log_room].back();
+  free_[log_room].pop_back();
+  return magazine;
+}
+
+uint64_t BlockPool::bytes() const {
+  const std::lock_guard lock(mutex_);
+  return bytes_;
+}
+
+WindowBlock* WindowBlocks::Store(const WindowColumns& windows) {
+  const size_t count = windows.size;
+  const auto log_room = std::max(
+      kLogLeastRoom, static_cast<uint32_t>(std::bit_width(count - 1)));
+  WindowBlock* const block = New(log_room);
+  *block = {nullptr, static_cast<uint32_t>(count), log_room};
+  double* to = ColumnsOf(block);
   for (const double* from :
        {windows.begin, windows.end, windows.x, windows.depth, windows.sigma}) {
     CopyColumn(from, to, count);
-    to += room;
+    to += size_t{1} << log_room;
   }
   CopySources(windows.pseudo_source, to, count);
   return block;
 }
 
-void WindowBlocks::Take(WindowBlock block, WindowColumns& windows) {
-  const size_t count = block.count, at = windows.size;
-  const size_t room = RoomFor(block.count);
-  const double* from = arena_.data() + size_t{block.place} * kLeastWords;
+WindowBlock* WindowBlocks::Take(WindowBlock* block, WindowColumns& windows) {
+  const size_t count = block->count, at = windows.size;
+  windows.Reserve(at + count);
+  const double* from = ColumnsOf(block);
   for (double* to :
        {windows.begin, windows.end, windows.x, windows.depth, windows.sigma}) {
     CopyColumn(from, to + at, count);
-    from += room;
+    from += size_t{1} << block->log_room;
   }
   CopySources(from, windows.pseudo_source + at, count);
   windows.size += count;
-  FreeOf(room).push_back(block.place);
+  WindowBlock* const next = block->next;
+  Release(block);
+  return next;
+}
+
+void WindowBlocks::PrefetchRest(const WindowBlock* block) {
+  constexpr size_t kMost = 12;
+  PrefetchLines(block, 3, std::min(kMost, (WordsOf(block->log_room) + 7) / 8));
+}
+
+WindowBlock* WindowBlocks::New(uint32_t log_room) {
+  Free& free = free_[log_room];
+  if (free.open.size == 0) {
+    std::swap(free.open, free.full);
+    if (free.open.size == 0) free.open = pool_.Take(log_room);
+  }
+  if (free.open.size > 0) {
+    --free.open.size;
+    return std::exchange(free.open.first, free.open.first->next);
+  }
+  const size_t words = WordsOf(log_room);
+  if (words > kChunkWords / 4) return new (pool_.Allocate(words)) WindowBlock;
+  if (words > words_left_) {
+    next_ = pool_.Allocate(kChunkWords);
+    words_left_ = kChunkWords;
+  }
+  words_left_ -= words;
+  return new (std::exchange(next_, next_ + words)) WindowBlock;
+}
+
+void WindowBlocks::Release(WindowBlock* block) {
+  const uint32_t log_room = block->log_room;
+  Free& free = free_[log_room];
+  if (free.open.size == MagazineSize(log_room)) {
+    if (free.full.size > 0) pool_.Give(log_room, free.full);
+    free.full = std::exchange(free.open, {});
+  }
+  block->next = std::exchange(free.open.first, block);
+  ++free.open.size;
 }
 
 }  // namespace geodesic

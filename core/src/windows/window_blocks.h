@@ -4,59 +4,102 @@
 #define GEODESIC_WINDOWS_WINDOW_BLOCKS_H_
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "windows/window_columns.h"
 
 namespace geodesic {
 
-// A list in the arena. Its distances are not kept.
+// A list at rest, in a chain of such lists; its columns lie behind it. Its
+// distances are not kept.
 struct WindowBlock {
-  uint32_t place = 0;  // in steps of kStep bytes
-  uint32_t count = 0;  // 0: no list, no room
+  WindowBlock* next;
+  uint32_t count;
+  uint32_t log_room;
 };
 
-// Blocks of columns in one arena, by powers of two; freed ones are reused.
-class WindowBlocks {
+// Blocks of one size that are free, chained.
+struct Magazine {
+  WindowBlock* first = nullptr;
+  uint32_t size = 0;
+};
+
+// The memory of blocks and what is free of it, for all threads of a
+// computation. Thread-safe.
+class BlockPool {
  public:
-  // Copies windows to a block of their own.
-  WindowBlock Store(const WindowColumns& windows);
-  // Appends the windows of a block to `windows`, without their distances, and
-  // frees the block. REQUIRES: `windows` has room for them.
-  void Take(WindowBlock block, WindowColumns& windows);
+  // Memory for `words` doubles, kept until the pool goes.
+  double* Allocate(size_t words);
 
-  void Prefetch(const WindowBlock& block) const {
-    const double* at = arena_.data() + size_t{block.place} * kLeastWords;
-    const size_t lines = (size_t{block.count} * 11 / 2 + 7) / 8;
-    for (size_t i = 0; i < lines && i < 12; ++i) {
-      __builtin_prefetch(at + 8 * i);
-    }
-  }
+  void Give(uint32_t log_room, const Magazine& magazine);
+  // Empty if there is none.
+  Magazine Take(uint32_t log_room);
 
-  uint64_t bytes() const {
-    uint64_t bytes = arena_.capacity() * sizeof(double);
-    for (const std::vector<uint32_t>& places : free_) {
-      bytes += places.capacity() * sizeof(uint32_t);
-    }
-    return bytes;
-  }
+  uint64_t bytes() const;
 
  private:
-  static constexpr uint32_t kLeastRoom = 4;
-  static constexpr size_t kLeastWords = 22;  // five doubles and a half, times 4
+  mutable std::mutex mutex_;
+  std::vector<std::unique_ptr<double[]>> chunks_;
+  std::array<std::vector<Magazine>, 32> free_;  // by log_room
+  uint64_t bytes_ = 0;
+};
 
-  static uint32_t RoomFor(uint32_t count) {
-    return count <= kLeastRoom ? kLeastRoom : std::bit_ceil(count);
-  }
-  std::vector<uint32_t>& FreeOf(uint32_t room) {
-    return free_[std::countr_zero(room)];
-  }
+// Blocks for one thread, with room for powers of two; freed ones are reused.
+// A block may be taken by another thread than the one that has stored it.
+// Memory goes from one to another by whole magazines (Bonwick, Adams:
+// Magazines and Vmem. USENIX 2001), so the pool is rarely asked.
+class WindowBlocks {
+ public:
+  explicit WindowBlocks(BlockPool& pool) : pool_(pool) {}
 
-  std::vector<double> arena_;
-  std::array<std::vector<uint32_t>, 32> free_;  // places by log2 of room
+  // Copies windows to a block of their own, the last of its chain.
+  WindowBlock* Store(const WindowColumns& windows);
+  // Appends the windows of a block to `windows`, without their distances, and
+  // frees the block. Returns the next of its chain.
+  WindowBlock* Take(WindowBlock* block, WindowColumns& windows);
+
+  // Fetches the begin of a block into cache, then (once that has arrived) the
+  // rest.
+  static void Prefetch(const WindowBlock* block) { PrefetchLines(block, 0, 3); }
+  static void PrefetchRest(const WindowBlock* block);
+
+ private:
+  static constexpr uint32_t kLogLeastRoom = 2;
+  static constexpr size_t kHeaderWords = sizeof(WindowBlock) / sizeof(double);
+  static constexpr size_t kChunkWords = 8192;
+
+  // What is free of one size: blocks come from `open` and go there; `full` has
+  // none or as many as a magazine holds.
+  struct Free {
+    Magazine open, full;
+  };
+
+  static size_t WordsOf(uint32_t log_room) {
+    return kHeaderWords + (size_t{11} << log_room) / 2;
+  }
+  // How many free blocks make a magazine.
+  static uint32_t MagazineSize(uint32_t log_room) {
+    return static_cast<uint32_t>(kChunkWords / 2 / WordsOf(log_room) + 1);
+  }
+  static double* ColumnsOf(WindowBlock* block) {
+    return reinterpret_cast<double*>(block) + kHeaderWords;
+  }
+  static void PrefetchLines(const WindowBlock* block, size_t from, size_t to) {
+    for (size_t line = from; line < to; ++line) {
+      __builtin_prefetch(reinterpret_cast<const double*>(block) + 8 * line);
+    }
+  }
+  WindowBlock* New(uint32_t log_room);
+  void Release(WindowBlock* block);
+
+  BlockPool& pool_;
+  double* next_ = nullptr;  // of the open chunk
+  size_t words_left_ = 0;
+  std::array<Free, 32> free_;  // by log_room
 };
 
 }  // namespace geodesic

@@ -25,7 +25,7 @@ class RandomQueue {
  public:
   static constexpr bool kStrict = false;
 
-  explicit RandomQueue(const QueueTuning& tuning) : random_(tuning.max_batch) {}
+  explicit RandomQueue(const Tuning& tuning) : random_(tuning.max_batch) {}
 
   void Push(uint32_t id, double) { ids_.push_back(id); }
   uint32_t Pop() {
@@ -57,7 +57,7 @@ void ExpectOrderDoesNotMatter(TriangleSoup soup) {
   const auto expected = Solve(*mesh, query, {}, checkpoint);
   ASSERT_TRUE(expected.ok());
   for (uint32_t seed : {1u, 2u, 3u}) {
-    const QueueTuning tuning{.bucket_width = 1, .max_batch = seed};
+    const Tuning tuning{.bucket_width = 1, .max_batch = seed};
     Propagation<Rule, RandomQueue> propagation(*mesh, query, tuning, nullptr);
     ASSERT_TRUE(propagation.Advance({}, checkpoint).ok());
     const DistanceField field = propagation.Field();
