@@ -59,9 +59,9 @@ class Propagation final : public Computation {
   using RuleType = Rule<FrontType>;
   // Whether the rule propagates many half-edges together.
   static constexpr bool kTogether =
-      requires(RuleType& rule, std::span<const HalfEdge> half_edges) {
-        rule.Propagate(half_edges);
-      };
+      requires(RuleType & rule, std::span<const HalfEdge> half_edges) {
+    rule.Propagate(half_edges);
+  };
 
   static RuleType MakeRule(FrontType& front, const Tuning& tuning) {
     if constexpr (kTogether) {

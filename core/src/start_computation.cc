@@ -10,7 +10,7 @@ namespace geodesic {
 namespace {
 
 absl::StatusOr<Tuning> TuningFor(const Mesh& mesh,
-                                      const SolveOptions& options) {
+                                 const SolveOptions& options) {
   if (!(options.bucket_width > 0) || !std::isfinite(options.bucket_width)) {
     return absl::InvalidArgumentError(
         "options.bucket_width is not a finite number > 0");
@@ -19,9 +19,9 @@ absl::StatusOr<Tuning> TuningFor(const Mesh& mesh,
     return absl::InvalidArgumentError("options.max_batch is 0");
   }
   if (options.threads == 0 || options.threads > kMostSolveThreads) {
-    return absl::InvalidArgumentError(absl::StrCat(
-        "options.threads ", options.threads, " is not in [1, ",
-        kMostSolveThreads, "]"));
+    return absl::InvalidArgumentError(
+        absl::StrCat("options.threads ", options.threads, " is not in [1, ",
+                     kMostSolveThreads, "]"));
   }
   // l = h / sqrt(n), section 4.1. A mesh without extent has no h; any width
   // serves its distances, which are all 0 or offsets.

@@ -27,8 +27,10 @@ class ThreadTeam {
   // happens before the work, and the work before what follows.
   template <typename Work>
   void Run(const Work& work) {
-    Run([](const void* of_type_work,
-           uint32_t member) { (*static_cast<const Work*>(of_type_work))(member); },
+    Run(
+        [](const void* of_type_work, uint32_t member) {
+          (*static_cast<const Work*>(of_type_work))(member);
+        },
         &work);
   }
 

@@ -130,7 +130,8 @@ class Front {
     }
   }
 
-  // Whether a distance is better than the best one known, by more than rounding.
+  // Whether a distance is better than the best one known, by more than
+  // rounding.
   static bool Improves(double distance, double best) {
     return distance < best * (1 - kImprovement);
   }

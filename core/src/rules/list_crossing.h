@@ -178,14 +178,13 @@ void ListCrossing<Front>::ReachApex(HalfEdge h, const HalfEdgeFrame& frame,
         std::clamp(crossings_[i], list_.begin[i], list_.end[i]);
     const bool is_straight = through == crossings_[i];
     const double distance =
-        origin.sigma + (is_straight ? DistanceToPlace(origin, apex)
-                                    : origin.DistanceTo(through) +
-                                          EdgePointTo(through, apex));
+        origin.sigma +
+        (is_straight ? DistanceToPlace(origin, apex)
+                     : origin.DistanceTo(through) + EdgePointTo(through, apex));
     if (!Front::Improves(distance, best)) continue;
     best = distance;
     crossed.arrival = {list_.pseudo_source[i], h, origin.x, origin.depth};
-    crossed.ray =
-        is_straight ? RayThrough(h, origin, apex) : IncomingRay();
+    crossed.ray = is_straight ? RayThrough(h, origin, apex) : IncomingRay();
   }
   crossed.apex_distance = best;
 }

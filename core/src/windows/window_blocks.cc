@@ -52,8 +52,8 @@ uint64_t BlockPool::bytes() const {
 
 WindowBlock* WindowBlocks::Store(const WindowColumns& windows) {
   const size_t count = windows.size;
-  const auto log_room = std::max(
-      kLogLeastRoom, static_cast<uint32_t>(std::bit_width(count - 1)));
+  const auto log_room =
+      std::max(kLogLeastRoom, static_cast<uint32_t>(std::bit_width(count - 1)));
   WindowBlock* const block = New(log_room);
   *block = {nullptr, static_cast<uint32_t>(count), log_room};
   double* to = ColumnsOf(block);

@@ -38,12 +38,13 @@ void ExpectFilled(uint32_t number, size_t from, size_t count,
 
 TEST(WindowBlocksTest, GiveBackWhatWasStored) {
   struct Stored {
-    WindowBlock block;
+    WindowBlock* block;
     uint32_t number;
     size_t count;
   };
   std::mt19937 random(1);
-  WindowBlocks blocks;
+  BlockPool pool;
+  WindowBlocks blocks(pool);
   WindowColumns windows;
   std::vector<Stored> stored;
   for (uint32_t number = 0; number < 2000; ++number) {
@@ -56,8 +57,7 @@ TEST(WindowBlocksTest, GiveBackWhatWasStored) {
                   [&](const Stored& s) { return s.number == taken.number; });
     // Behind what another list has left.
     Fill(7, 3, windows);
-    windows.Reserve(3 + taken.count);
-    blocks.Take(taken.block, windows);
+    EXPECT_EQ(blocks.Take(taken.block, windows), nullptr);
     ASSERT_EQ(windows.size, 3 + taken.count);
     ExpectFilled(7, 0, 3, windows);
     ExpectFilled(taken.number, 3, taken.count, windows);
@@ -65,20 +65,55 @@ TEST(WindowBlocksTest, GiveBackWhatWasStored) {
 }
 
 TEST(WindowBlocksTest, ReuseRoom) {
-  WindowBlocks blocks;
+  BlockPool pool;
+  WindowBlocks blocks(pool);
   WindowColumns windows;
-  Fill(1, 100, windows);
-  windows.size = 0;
   const auto store_and_take = [&] {
     Fill(1, 100, windows);
-    const WindowBlock block = blocks.Store(windows);
+    WindowBlock* const block = blocks.Store(windows);
     windows.size = 0;
     blocks.Take(block, windows);
   };
   store_and_take();
-  const uint64_t bytes = blocks.bytes();
+  const uint64_t bytes = pool.bytes();
   for (int i = 0; i < 100; ++i) store_and_take();
-  EXPECT_EQ(blocks.bytes(), bytes);
+  EXPECT_EQ(pool.bytes(), bytes);
+}
+
+TEST(WindowBlocksTest, KeepTheOrderOfAChain) {
+  BlockPool pool;
+  WindowBlocks blocks(pool);
+  WindowColumns windows;
+  Fill(1, 5, windows);
+  WindowBlock* const first = blocks.Store(windows);
+  Fill(2, 9, windows);
+  first->next = blocks.Store(windows);
+  windows.size = 0;
+  EXPECT_EQ(blocks.Take(blocks.Take(first, windows), windows), nullptr);
+  ASSERT_EQ(windows.size, 14u);
+  ExpectFilled(1, 0, 5, windows);
+  ExpectFilled(2, 5, 9, windows);
+}
+
+// One thread stores, another takes, for ever: what the one frees comes back to
+// the other.
+TEST(WindowBlocksTest, MemoryGoesRound) {
+  BlockPool pool;
+  WindowBlocks from(pool), to(pool);
+  WindowColumns windows;
+  const auto pass_on = [&](uint32_t lists) {
+    for (uint32_t number = 0; number < lists; ++number) {
+      Fill(number, 1 + number % 40, windows);
+      WindowBlock* const block = from.Store(windows);
+      windows.size = 0;
+      to.Take(block, windows);
+      ExpectFilled(number, 0, 1 + number % 40, windows);
+    }
+  };
+  pass_on(10000);
+  const uint64_t bytes = pool.bytes();
+  pass_on(40000);
+  EXPECT_EQ(pool.bytes(), bytes);
 }
 
 TEST(WindowColumnsTest, AMirrorImageOfAMirrorImageIsTheList) {
