@@ -110,6 +110,10 @@ void AddWorkOptions(CLI::App& app, ServerOptions& options) {
            "Jobs (solves and mesh builds) that run at once, one thread each");
   AddCount(app, "--max-queued-jobs", limits.max_queued_jobs, 1'000'000,
            "Jobs that may wait for a thread; more are refused, to be retried");
+  AddCount(app, "--max-queued-jobs-per-client",
+           limits.max_queued_jobs_per_client, 1'000'000,
+           "Jobs of one client (the name of its token, or its address) that "
+           "may wait");
 }
 
 void AddQuestionOptions(CLI::App& app, ServerOptions& options) {

@@ -2,6 +2,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/string_view.h"
+#include "server/engine/error_reasons.h"
 #include "server/engine/status_details.h"
 #include "server/store/sha256.h"
 
@@ -34,6 +35,13 @@ absl::Status CheckRadius(std::string_view field, double radius) {
   if (radius >= 0) return absl::OkStatus();
   return InvalidField(field, absl::StrCat(View(field), " is ", radius,
                                           "; it must be a number >= 0"));
+}
+
+absl::Status FieldNotKept() {
+  return WithReason(
+      absl::NotFoundError("the field is no longer kept: ask for it again, "
+                          "without a resumption"),
+      reason::kFieldNotKept);
 }
 
 absl::Status NotResident(const std::string& digest) {

@@ -22,6 +22,9 @@ absl::Status CheckCount(std::string_view things, uint64_t count,
 // Errors: INVALID_ARGUMENT naming `field` when it is negative or NaN.
 absl::Status CheckRadius(std::string_view field, double radius);
 
+// A field that is read on is no longer there, or is another one.
+absl::Status FieldNotKept();
+
 absl::Status NotResident(const std::string& digest);
 
 }  // namespace geodesic::server

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_replace.h"
 #include "server/engine/error_reasons.h"
 #include "server/engine/status_details.h"
 
@@ -29,22 +30,30 @@ absl::Status ByteBudget::Take(uint64_t bytes) {
   return Exhausted(bytes);
 }
 
+absl::Status ByteBudget::CheckCapacity(uint64_t bytes) const {
+  return bytes <= capacity_ ? absl::OkStatus() : Exhausted(bytes);
+}
+
 void ByteBudget::Return(uint64_t bytes) {
   std::lock_guard lock(mutex_);
   used_ -= bytes;
 }
 
 absl::Status ByteBudget::Exhausted(uint64_t bytes) const {
+  const std::string flag =
+      absl::StrCat("--", absl::StrReplaceAll(name_, {{" ", "-"}}));
   if (bytes > capacity_) {
-    return absl::ResourceExhaustedError(
-        absl::StrCat(bytes, " bytes are needed, more than the ", name_, " of ",
-                     capacity_, " bytes can ever hold"));
+    return absl::ResourceExhaustedError(absl::StrCat(
+        bytes, " bytes are needed, more than the ", name_, " of ", capacity_,
+        " bytes can ever hold; the server's ", flag, " sets it"));
   }
+  const uint64_t in_use = used();
   return WithReason(
       WithRetryAfter(
           absl::ResourceExhaustedError(absl::StrCat(
               bytes, " bytes are needed, but of the ", name_, " of ", capacity_,
-              " bytes too many are in use (", used(), "); try again later")),
+              " bytes ", in_use, " are in use and ", capacity_ - in_use,
+              " available; try again later, or raise the server's ", flag)),
           kRetryDelay),
       reason::kMemoryFull);
 }

@@ -22,13 +22,17 @@ namespace geodesic::server {
 // capacity().
 class ByteBudget {
  public:
-  // `name` appears in messages, e.g. "mesh store".
+  // `name` appears in messages; it is the server's flag in words, e.g. "mesh
+  // store" for --mesh-store.
   ByteBudget(std::string name, uint64_t capacity);
 
   // Takes `bytes`, all or nothing.
-  // Errors: RESOURCE_EXHAUSTED naming the budget, its capacity and the need;
-  // with a retry hint when the need would fit an idle server.
+  // Errors: RESOURCE_EXHAUSTED naming the budget and its flag, what is needed,
+  // used and available; with a retry hint when an idle server would have it.
   absl::Status Take(uint64_t bytes);
+
+  // Whether so many bytes can ever be taken. Errors: as Take.
+  absl::Status CheckCapacity(uint64_t bytes) const;
 
   // REQUIRES: taken before.
   void Return(uint64_t bytes);

@@ -8,14 +8,6 @@
 namespace geodesic::server {
 namespace {
 
-uint64_t BytesFor(const FieldExtras& extras, uint64_t vertices) {
-  uint64_t per_vertex = 0;
-  if (extras.nearest_sources) per_vertex += sizeof(uint32_t);
-  if (extras.gradients) per_vertex += sizeof(Point);
-  if (extras.log_map) per_vertex += sizeof(LogMap::coordinates[0]);
-  return vertices * per_vertex + sizeof(DerivedQuantities);
-}
-
 // Moves the value out, or passes the error on.
 template <typename T>
 absl::Status Assign(absl::StatusOr<T> from, T& to) {
@@ -26,14 +18,20 @@ absl::Status Assign(absl::StatusOr<T> from, T& to) {
 
 }  // namespace
 
+uint64_t DerivedBytes(const FieldExtras& extras, uint64_t vertices) {
+  if (!extras.NeedTrace()) return 0;
+  uint64_t per_vertex = 0;
+  if (extras.nearest_sources) per_vertex += sizeof(uint32_t);
+  if (extras.gradients) per_vertex += sizeof(Point);
+  if (extras.log_map) per_vertex += sizeof(LogMap::coordinates[0]);
+  return vertices * per_vertex + sizeof(DerivedQuantities);
+}
+
 absl::StatusOr<std::shared_ptr<const DerivedQuantities>> Derive(
     const MeshHandle& mesh, const Query& query, const FieldHandle& field,
-    const FieldExtras& extras, const std::shared_ptr<ByteBudget>& budget) {
-  absl::StatusOr<ByteReservation> memory = ByteReservation::Make(
-      budget, BytesFor(extras, mesh->mesh->vertex_count()));
-  if (!memory.ok()) return memory.status();
+    const FieldExtras& extras, ByteReservation memory) {
   auto derived = std::make_shared<DerivedQuantities>();
-  derived->memory = *std::move(memory);
+  derived->memory = std::move(memory);
   derived->mesh = mesh;
   derived->field = field;
   absl::Status status;

@@ -34,13 +34,15 @@ struct DerivedQuantities {
   std::optional<PathTracer> paths;
 };
 
+// What it takes: memory that Derive is to be given.
+uint64_t DerivedBytes(const FieldExtras& extras, uint64_t vertices);
+
 // O(V), and for a log map the edges that its paths cross.
 // REQUIRES: `field` was solved for `query`, with a trace; extras.NeedTrace().
-// Errors: INVALID_ARGUMENT for a log map around a vertex that allows none;
-// RESOURCE_EXHAUSTED when `budget` has no room.
+// Errors: INVALID_ARGUMENT for a log map around a vertex that allows none.
 absl::StatusOr<std::shared_ptr<const DerivedQuantities>> Derive(
     const MeshHandle& mesh, const Query& query, const FieldHandle& field,
-    const FieldExtras& extras, const std::shared_ptr<ByteBudget>& budget);
+    const FieldExtras& extras, ByteReservation memory);
 
 }  // namespace geodesic::server
 

@@ -14,6 +14,7 @@ namespace reason {
 inline constexpr std::string_view kInvalidRequest = "INVALID_REQUEST";
 // NOT_FOUND
 inline constexpr std::string_view kMeshNotResident = "MESH_NOT_RESIDENT";
+inline constexpr std::string_view kFieldNotKept = "FIELD_NOT_KEPT";
 // RESOURCE_EXHAUSTED: for good, or until others are done
 inline constexpr std::string_view kLimitExceeded = "LIMIT_EXCEEDED";
 inline constexpr std::string_view kQueueFull = "QUEUE_FULL";
@@ -38,15 +39,12 @@ inline constexpr std::string_view kInternal = "INTERNAL";
 }  // namespace reason
 
 inline constexpr std::string_view kErrorReasons[] = {
-    reason::kInvalidRequest,   reason::kMeshNotResident,
-    reason::kLimitExceeded,    reason::kQueueFull,
-    reason::kMemoryFull,       reason::kTooManyRequests,
-    reason::kServerFull,       reason::kQuotaExceeded,
-    reason::kTokenMissing,     reason::kTokenUnknown,
-    reason::kTokenExpired,     reason::kScopeMissing,
-    reason::kShuttingDown,     reason::kUnavailable,
-    reason::kDeadlineExceeded, reason::kCancelled,
-    reason::kInternal,
+    reason::kInvalidRequest,   reason::kMeshNotResident, reason::kFieldNotKept,
+    reason::kLimitExceeded,    reason::kQueueFull,       reason::kMemoryFull,
+    reason::kTooManyRequests,  reason::kServerFull,      reason::kQuotaExceeded,
+    reason::kTokenMissing,     reason::kTokenUnknown,    reason::kTokenExpired,
+    reason::kScopeMissing,     reason::kShuttingDown,    reason::kUnavailable,
+    reason::kDeadlineExceeded, reason::kCancelled,       reason::kInternal,
 };
 
 }  // namespace geodesic::server

@@ -71,6 +71,11 @@ FieldCache::Found FieldCache::Find(const FieldKey& key,
   return found;
 }
 
+absl::Status FieldCache::CheckCapacity(const FieldKey& key,
+                                       uint64_t vertices) const {
+  return fields_.CheckCapacity(FieldBytes(key, vertices));
+}
+
 absl::StatusOr<ByteReservation> FieldCache::Reserve(const FieldKey& key,
                                                     uint64_t vertices) {
   return fields_.Reserve(FieldBytes(key, vertices));

@@ -29,6 +29,9 @@ class FieldCache {
   // A field that answers the question. `field` is null when there is none.
   Found Find(const FieldKey& key, const FieldReach& reach);
 
+  // Whether the field can ever be kept. Errors: as Reserve.
+  absl::Status CheckCapacity(const FieldKey& key, uint64_t vertices) const;
+
   // Makes room for a field before it is computed.
   // Errors: RESOURCE_EXHAUSTED naming the budget and the need.
   absl::StatusOr<ByteReservation> Reserve(const FieldKey& key,

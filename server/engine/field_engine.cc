@@ -40,6 +40,11 @@ Query WithoutVertexTargets(Query query) {
   return query;
 }
 
+// What is kept of the solver's memory for the answer.
+uint64_t SettledBytes(const FieldExtras& extras, uint64_t vertices) {
+  return extras.settled_order ? SettledLog::BytesFor(vertices) : 0;
+}
+
 // The rest of the order, once the field is there.
 void FinishOrder(const DistanceField& field, double radius, SettledLog& log) {
   log.Append({.settled_radius = std::min(field.settled_radius, radius),
@@ -97,10 +102,18 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
                     .origin = FieldOrigin::kCached};
     return true;
   };
-  if (find_cached() && call.answer.has_value()) return call;
+  const bool is_kept = find_cached();
+  if (is_kept && call.answer.has_value()) return call;
+  if (request.must_be_kept && !is_kept &&
+      (files_ == nullptr || !files_->Find(key.field, key.reach))) {
+    return FieldNotKept();
+  }
 
-  call.seat = flights_.Join(key, {std::move(observer), request.deadline});
+  const JobPriority priority = SolvePriority(request.requester.is_batch);
+  call.seat =
+      flights_.Join(key, {std::move(observer), request.deadline, priority});
   if (!call.seat.is_first) {
+    if (call.seat.job) scheduler_.Expedite(*call.seat.job, priority);
     if (call.origin != FieldOrigin::kCached) {
       call.origin = FieldOrigin::kJoined;
       ++queries_joined_;
@@ -124,49 +137,97 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
       computations_.Contains(key.field)) {
     call.origin = FieldOrigin::kContinued;
   }
-  absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
-      {.priority = JobPriority::kSolve,
-       .run =
-           [this, mesh, key, flight,
-            settled = call.seat.settled](std::stop_token stop) {
-             flights_.Complete(*flight, Guarded("answered a query", [&] {
-               return Answer(mesh, key, *flight, settled.get(),
-                             std::move(stop));
-             }));
-           },
-       .abandon =
-           [this, flight](const absl::Status& why) {
-             flights_.Complete(*flight, why);
-           }});
+  absl::StatusOr<Scheduler::JobId> job =
+      Submit(request.requester, mesh, key, call.seat);
   if (!job.ok()) {
     flights_.Leave(call.seat);
     flights_.Complete(*flight, job.status());
     return job.status();
   }
-  flights_.SetJob(*flight, *job);
+  // Somebody in a hurry may have boarded in the meantime.
+  scheduler_.Expedite(*job, flights_.SetJob(*flight, *job));
   return call;
 }
 
-absl::StatusOr<FieldAnswer> FieldEngine::Answer(const MeshHandle& mesh,
-                                                const FlightKey& key,
-                                                FieldFlights::Flight& flight,
-                                                SettledLog* settled,
-                                                std::stop_token stop) {
+absl::StatusOr<Scheduler::JobId> FieldEngine::Submit(
+    const Requester& requester, const MeshHandle& mesh, const FlightKey& key,
+    const FieldFlights::Seat& seat) {
+  if (absl::Status status = CheckCapacity(mesh, key); !status.ok()) {
+    return status;
+  }
+  auto provision = std::make_shared<Provision>();
+  return scheduler_.Submit(
+      {.priority = SolvePriority(requester.is_batch),
+       .client = requester.client,
+       .reserve = [this, mesh, key,
+                   provision] { return Provide(mesh, key, *provision); },
+       .run =
+           [this, mesh, key, provision, flight = seat.flight,
+            settled = seat.settled](std::stop_token stop) {
+             flights_.Complete(*flight, Guarded("answered a query", [&] {
+               return Answer(mesh, key, *flight, settled.get(),
+                             std::move(*provision), std::move(stop));
+             }));
+           },
+       .abandon =
+           [this, flight = seat.flight](const absl::Status& why) {
+             flights_.Complete(*flight, why);
+           }});
+}
+
+absl::Status FieldEngine::CheckCapacity(const MeshHandle& mesh,
+                                        const FlightKey& key) const {
+  const uint64_t vertices = mesh->mesh->vertex_count();
+  absl::Status status = fields_.CheckCapacity(key.field, vertices);
+  if (!status.ok()) return status;
+  return solver_memory_->CheckCapacity(
+      PlannedSolverBytes(*mesh->mesh, ToQuery(key.field)) +
+      SettledBytes(key.extras, vertices) + DerivedBytes(key.extras, vertices));
+}
+
+absl::Status FieldEngine::Provide(const MeshHandle& mesh, const FlightKey& key,
+                                  Provision& provision) {
+  const uint64_t vertices = mesh->mesh->vertex_count();
+  Provision taken;
+  auto settled =
+      ByteReservation::Make(solver_memory_, SettledBytes(key.extras, vertices));
+  if (!settled.ok()) return settled.status();
+  taken.settled = *std::move(settled);
+  auto derived =
+      ByteReservation::Make(solver_memory_, DerivedBytes(key.extras, vertices));
+  if (!derived.ok()) return derived.status();
+  taken.derived = *std::move(derived);
+  taken.found = fields_.Find(key.field, key.reach);
+  if (taken.found.field == nullptr) {
+    // The cache's room is taken, too: a field that nobody could keep while it
+    // is streamed would be memory out of all bounds.
+    auto room = fields_.Reserve(key.field, vertices);
+    if (!room.ok()) return room.status();
+    auto memory = ByteReservation::Make(
+        solver_memory_, PlannedSolverBytes(*mesh->mesh, ToQuery(key.field)));
+    if (!memory.ok()) return memory.status();
+    taken.room = *std::move(room);
+    taken.memory = *std::move(memory);
+  }
+  provision = std::move(taken);
+  return absl::OkStatus();
+}
+
+absl::StatusOr<FieldAnswer> FieldEngine::Answer(
+    const MeshHandle& mesh, const FlightKey& key, FieldFlights::Flight& flight,
+    SettledLog* settled, Provision provision, std::stop_token stop) {
   FlightAudience audience(flights_, flight);
   if (settled != nullptr) {
-    absl::StatusOr<ByteReservation> memory =
-        ByteReservation::Make(solver_memory_, 0);
-    if (!memory.ok()) return memory.status();
-    absl::Status status =
-        settled->Reserve(*std::move(memory), mesh->mesh->vertex_count());
-    if (!status.ok()) return status;
+    settled->Reserve(std::move(provision.settled), mesh->mesh->vertex_count());
   }
-  FieldCache::Found found = fields_.Find(key.field, key.reach);
   FieldAnswer answer{.origin = FieldOrigin::kCached};
-  if (found.field == nullptr) found = LoadStored(mesh, key);
+  FieldCache::Found found = std::move(provision.found);
+  ByteReservation derived = std::move(provision.derived);
+  if (found.field == nullptr) found = LoadStored(mesh, key, provision.room);
   if (found.field == nullptr) {
     absl::StatusOr<FieldHandle> field =
-        Solve(mesh, key, audience, settled, std::move(stop), answer.origin);
+        Solve(mesh, key, audience, settled, std::move(provision),
+              std::move(stop), answer.origin);
     if (!field.ok()) return field.status();
     found = {key.field, *std::move(field)};
   }
@@ -176,46 +237,43 @@ absl::StatusOr<FieldAnswer> FieldEngine::Answer(const MeshHandle& mesh,
   answer.field = std::move(found.field);
   answer.query = std::make_shared<const Query>(ToQuery(found.key));
   if (key.extras.NeedTrace()) {
-    auto derived =
-        Derive(mesh, *answer.query, answer.field, key.extras, solver_memory_);
-    if (!derived.ok()) return derived.status();
-    answer.derived = *std::move(derived);
+    auto quantities = Derive(mesh, *answer.query, answer.field, key.extras,
+                             std::move(derived));
+    if (!quantities.ok()) return quantities.status();
+    answer.derived = *std::move(quantities);
   }
   return answer;
 }
 
 FieldCache::Found FieldEngine::LoadStored(const MeshHandle& mesh,
-                                          const FlightKey& key) {
+                                          const FlightKey& key,
+                                          ByteReservation& room) {
   if (files_ == nullptr) return {};
   std::optional<FieldKey> stored = files_->Find(key.field, key.reach);
   if (!stored) return {};
-  const uint64_t vertices = mesh->mesh->vertex_count();
-  absl::StatusOr<ByteReservation> room = fields_.Reserve(*stored, vertices);
-  if (!room.ok()) return {};
+  const bool is_other = *stored != key.field;
+  ByteReservation other_room;
+  if (is_other) {
+    auto taken = fields_.Reserve(*stored, mesh->mesh->vertex_count());
+    if (!taken.ok()) return {};
+    other_room = *std::move(taken);
+  }
   absl::StatusOr<DistanceField> field = files_->Load(*stored, *mesh->mesh);
   // What cannot be read is computed.
   if (!field.ok() || !Covers(*field, key.reach)) return {};
   ++fields_loaded_;
-  FieldHandle handle =
-      fields_.Insert(*stored, *std::move(field), *std::move(room));
+  FieldHandle handle = fields_.Insert(*stored, *std::move(field),
+                                      std::move(is_other ? other_room : room));
   return {*std::move(stored), std::move(handle)};
 }
 
 absl::StatusOr<FieldHandle> FieldEngine::Solve(
     const MeshHandle& mesh, const FlightKey& key, JobAudience& audience,
-    SettledLog* settled, std::stop_token stop, FieldOrigin& origin) {
-  // The cache's room is taken first: a field that nobody could keep while it
-  // is streamed would be memory out of all bounds.
-  absl::StatusOr<ByteReservation> room =
-      fields_.Reserve(key.field, mesh->mesh->vertex_count());
-  if (!room.ok()) return room.status();
-  absl::StatusOr<ByteReservation> memory = ByteReservation::Make(
-      solver_memory_, PlannedSolverBytes(*mesh->mesh, ToQuery(key.field)));
-  if (!memory.ok()) return memory.status();
-
+    SettledLog* settled, Provision provision, std::stop_token stop,
+    FieldOrigin& origin) {
   ++solves_started_;
-  JobCheckpoint job(audience, clock_, std::move(stop), *std::move(memory),
-                    limits_.progress_interval);
+  JobCheckpoint job(audience, clock_, std::move(stop),
+                    std::move(provision.memory), limits_.progress_interval);
   std::optional<SettledCheckpoint> ordered;
   if (settled != nullptr) {
     ordered.emplace(job, *settled, audience, key.reach.radius);
@@ -246,7 +304,7 @@ absl::StatusOr<FieldHandle> FieldEngine::Solve(
   }
   ++solves_finished_;
   FieldHandle handle =
-      fields_.Insert(key.field, *std::move(field), *std::move(room));
+      fields_.Insert(key.field, *std::move(field), std::move(provision.room));
   if (writer_) writer_->Enqueue(key.field, mesh, handle);
   if (!std::isinf(handle->settled_radius)) {
     computations_.Put(key.field, std::move(work));

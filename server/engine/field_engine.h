@@ -81,9 +81,10 @@ class FieldEngine {
   }
 
   // Starts, joins or finds the computation of a field on `mesh`.
-  // Errors: INVALID_ARGUMENT, RESOURCE_EXHAUSTED (queue full), UNAVAILABLE;
-  // `observer` is then not called. It may already be called before this
-  // returns.
+  // Errors: INVALID_ARGUMENT, NOT_FOUND (the field is to be kept already and is
+  // not), RESOURCE_EXHAUSTED (queue full, or memory that
+  // can never be had), UNAVAILABLE; `observer` is then not called. It may
+  // already be called before this returns.
   absl::StatusOr<FieldCall> Compute(const FieldRequest& request,
                                     MeshHandle mesh,
                                     std::shared_ptr<FieldObserver> observer);
@@ -104,17 +105,40 @@ class FieldEngine {
   const ComputationStore& computations() const { return computations_; }
 
  private:
+  // What a flight's job has before it runs: the field, or the memory for it.
+  struct Provision {
+    FieldCache::Found found;
+    ByteReservation room;     // of the field cache
+    ByteReservation memory;   // of the solver
+    ByteReservation settled;  // of the solver, too, for the settled order
+    ByteReservation derived;  // likewise, for other quantities
+  };
+
+  // Errors: as Scheduler::Submit; as CheckCapacity.
+  absl::StatusOr<Scheduler::JobId> Submit(const Requester& requester,
+                                          const MeshHandle& mesh,
+                                          const FlightKey& key,
+                                          const FieldFlights::Seat& seat);
+  // Whether the memory for it can ever be had. Errors: RESOURCE_EXHAUSTED.
+  absl::Status CheckCapacity(const MeshHandle& mesh,
+                             const FlightKey& key) const;
+  // Errors: as ByteBudget::Take.
+  absl::Status Provide(const MeshHandle& mesh, const FlightKey& key,
+                       Provision& provision);
   // One flight's work, from the job's thread.
   absl::StatusOr<FieldAnswer> Answer(const MeshHandle& mesh,
                                      const FlightKey& key,
                                      FieldFlights::Flight& flight,
-                                     SettledLog* settled, std::stop_token stop);
-  // A field on disk that answers the question, or nothing.
-  FieldCache::Found LoadStored(const MeshHandle& mesh, const FlightKey& key);
+                                     SettledLog* settled, Provision provision,
+                                     std::stop_token stop);
+  // A field on disk that answers the question, or nothing. `room` is for the
+  // key's field.
+  FieldCache::Found LoadStored(const MeshHandle& mesh, const FlightKey& key,
+                               ByteReservation& room);
   absl::StatusOr<FieldHandle> Solve(const MeshHandle& mesh,
                                     const FlightKey& key, JobAudience& audience,
-                                    SettledLog* settled, std::stop_token stop,
-                                    FieldOrigin& origin);
+                                    SettledLog* settled, Provision provision,
+                                    std::stop_token stop, FieldOrigin& origin);
 
   const Limits& limits_;
   const SolveOptions options_;

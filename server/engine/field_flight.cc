@@ -1,5 +1,7 @@
 #include "server/engine/field_flight.h"
 
+#include <algorithm>
+
 namespace geodesic::server {
 
 class FieldFlights::Flight {
@@ -12,6 +14,7 @@ class FieldFlights::Flight {
   std::shared_ptr<SettledLog> settled;
   std::map<uint64_t, Waiter> waiters;
   std::optional<Scheduler::JobId> job;
+  JobPriority priority = JobPriority::kStore;  // of the most urgent waiter
   bool is_open = true;
 };
 
@@ -19,9 +22,11 @@ FieldFlights::Seat FieldFlights::Join(const FlightKey& key, Waiter waiter) {
   std::lock_guard lock(mutex_);
   const auto [it, is_first] = open_.try_emplace(key);
   if (is_first) it->second = std::make_shared<Flight>(key);
+  Flight& flight = *it->second;
   const uint64_t number = next_number_++;
-  it->second->waiters.emplace(number, std::move(waiter));
-  return {it->second, number, is_first, it->second->settled};
+  flight.priority = std::min(flight.priority, waiter.priority);
+  flight.waiters.emplace(number, std::move(waiter));
+  return {it->second, number, is_first, flight.job, flight.settled};
 }
 
 std::optional<Scheduler::JobId> FieldFlights::Leave(const Seat& seat) {
@@ -34,9 +39,10 @@ std::optional<Scheduler::JobId> FieldFlights::Leave(const Seat& seat) {
   return flight.job;
 }
 
-void FieldFlights::SetJob(Flight& flight, Scheduler::JobId job) {
+JobPriority FieldFlights::SetJob(Flight& flight, Scheduler::JobId job) {
   std::lock_guard lock(mutex_);
   flight.job = job;
+  return flight.priority;
 }
 
 absl::Status FieldFlights::Expire(Flight& flight, TimePoint now) {

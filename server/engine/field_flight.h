@@ -41,6 +41,7 @@ class FieldObserver {
 struct Waiter {
   std::shared_ptr<FieldObserver> observer;
   TimePoint deadline = kNoDeadline;
+  JobPriority priority = JobPriority::kSolve;
 };
 
 // Thread-safe. Observers are never called under a lock.
@@ -54,6 +55,9 @@ class FieldFlights {
     uint64_t number = 0;
     // The first in its flight, who has to see to it that it takes place.
     bool is_first = false;
+    // The flight's job, if it has one already, which is to be as urgent as this
+    // waiter is.
+    std::optional<Scheduler::JobId> job;
     // If the key asks for it: what is final already. OnProgress tells of more.
     std::shared_ptr<SettledLog> settled;
   };
@@ -65,8 +69,8 @@ class FieldFlights {
   // its job, if it has one already, is returned for the caller to cancel.
   std::optional<Scheduler::JobId> Leave(const Seat& seat);
 
-  // Tells which job does the work.
-  void SetJob(Flight& flight, Scheduler::JobId job);
+  // Tells which job does the work. How urgent those are who have boarded.
+  JobPriority SetJob(Flight& flight, Scheduler::JobId job);
 
   // For the thread that does the work, and for nobody else at the same time:
 

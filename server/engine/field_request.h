@@ -12,6 +12,7 @@
 #include "server/engine/derived_quantities.h"
 #include "server/engine/field_cache.h"
 #include "server/engine/field_key.h"
+#include "server/engine/requester.h"
 #include "server/engine/source_numbers.h"
 
 namespace geodesic::server {
@@ -24,6 +25,9 @@ struct FieldRequest {
   FieldReach reach;
   FieldExtras extras;
   TimePoint deadline = kNoDeadline;
+  Requester requester;
+  // Only a field that is there already will do.
+  bool must_be_kept = false;
 };
 
 enum class FieldOrigin {

@@ -28,6 +28,8 @@ struct Limits {
   // Jobs (solves and mesh builds) that run, and that wait for a thread.
   uint64_t max_concurrent_jobs = 2;
   uint64_t max_queued_jobs = 256;
+  // Of those that wait, the ones of one client.
+  uint64_t max_queued_jobs_per_client = 64;
 
   // Byte budgets: resident meshes, finished fields, computations that stopped
   // early, uploads on their way to become meshes, and what running solvers

@@ -58,6 +58,11 @@ class LruStore {
     return ToHandle(it->second.charged);
   }
 
+  // Whether so many bytes can ever be reserved. Errors: as Reserve.
+  absl::Status CheckCapacity(uint64_t bytes) const {
+    return budget_->CheckCapacity(bytes);
+  }
+
   // Makes room. O(n) when something has to be evicted.
   // Errors: RESOURCE_EXHAUSTED naming the store, its capacity and the need.
   absl::StatusOr<ByteReservation> Reserve(uint64_t bytes) {

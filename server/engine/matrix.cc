@@ -99,25 +99,21 @@ absl::Status ValidateMatrix(const MatrixRequest& request, const Mesh& mesh,
   return absl::OkStatus();
 }
 
+uint64_t RowBytes(const Query& query, const Mesh& mesh) {
+  return (mesh.vertex_count() + query.targets.size()) *
+         (sizeof(double) + sizeof(uint32_t));
+}
+
 RowFunction MakeRowFunction(MeshHandle mesh, MatrixRequest request,
-                            const SolveOptions& options, StartFunction start,
-                            std::shared_ptr<ByteBudget> memory) {
+                            const SolveOptions& options, StartFunction start) {
   std::vector<uint32_t> sources = RowSources(request);
   return [mesh = std::move(mesh), request = std::move(request), options,
-          start = std::move(start), memory = std::move(memory),
-          sources = std::move(sources)](
-             uint64_t row,
-             Checkpoint& checkpoint) -> absl::StatusOr<MatrixRow> {
+          start = std::move(start), sources = std::move(sources)](
+             uint64_t row, Checkpoint& checkpoint,
+             ByteReservation memory) -> absl::StatusOr<MatrixRow> {
     const Query& all = request.query;
     const bool has_targets = !all.targets.empty();
-    MatrixRow result;
-    // While it is computed, a row is never larger than this.
-    absl::StatusOr<ByteReservation> room = ByteReservation::Make(
-        memory, (mesh->mesh->vertex_count() + all.targets.size()) *
-                    (sizeof(double) + sizeof(uint32_t)));
-    if (!room.ok()) return room.status();
-    result.memory = *std::move(room);
-
+    MatrixRow result{.memory = std::move(memory)};
     auto computation = start(*mesh->mesh, RowQuery(all, sources[row]), options);
     if (!computation.ok()) return computation.status();
     Reach reach{.radius = request.radius};

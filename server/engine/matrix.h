@@ -13,11 +13,11 @@
 #include "absl/status/status.h"
 #include "geodesic/query.h"
 #include "geodesic/solve_options.h"
-#include "server/engine/byte_budget.h"
 #include "server/engine/clock.h"
 #include "server/engine/field_engine.h"
 #include "server/engine/limits.h"
 #include "server/engine/mesh_store.h"
+#include "server/engine/requester.h"
 #include "server/engine/row_pipeline.h"
 #include "server/engine/source_numbers.h"
 
@@ -36,6 +36,7 @@ struct MatrixRequest {
   // and tells columns.
   std::optional<uint64_t> nearest;
   TimePoint deadline = kNoDeadline;
+  Requester requester;
 };
 
 // Which of the query's sources each row is; see query.h for the numbers.
@@ -46,10 +47,13 @@ std::vector<uint32_t> RowSources(const MatrixRequest& request);
 absl::Status ValidateMatrix(const MatrixRequest& request, const Mesh& mesh,
                             const Limits& limits);
 
-// What computes the rows of a valid request.
+// A row is never larger than this while it is computed.
+uint64_t RowBytes(const Query& query, const Mesh& mesh);
+
+// What computes the rows of a valid request. They shrink their memory to what
+// they keep. REQUIRES: they are given RowBytes.
 RowFunction MakeRowFunction(MeshHandle mesh, MatrixRequest request,
-                            const SolveOptions& options, StartFunction start,
-                            std::shared_ptr<ByteBudget> memory);
+                            const SolveOptions& options, StartFunction start);
 
 }  // namespace geodesic::server
 

@@ -85,13 +85,14 @@ std::vector<MeshDescription> MeshLibrary::List(const std::string& after,
 }
 
 absl::StatusOr<std::optional<MeshLoads::Seat>> MeshLibrary::Await(
-    const std::string& digest, MeshCallback done) {
+    const std::string& digest, MeshCallback done, const std::string& client) {
   if (MeshHandle mesh = FindResident(digest)) {
     done(std::move(mesh));
     return std::nullopt;
   }
   if (!Contains(digest)) return NotResident(digest);
-  absl::StatusOr<MeshLoads::Seat> seat = loads_.Join(digest, std::move(done));
+  absl::StatusOr<MeshLoads::Seat> seat =
+      loads_.Join(digest, std::move(done), client);
   if (!seat.ok()) return seat.status();
   return *std::move(seat);
 }

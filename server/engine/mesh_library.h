@@ -70,7 +70,7 @@ class MeshLibrary {
   // Errors, here or in `done`: NOT_FOUND; RESOURCE_EXHAUSTED (no memory, or the
   // queue is full); UNAVAILABLE (shutting down; the disk cannot be read).
   absl::StatusOr<std::optional<MeshLoads::Seat>> Await(
-      const std::string& digest, MeshCallback done);
+      const std::string& digest, MeshCallback done, const std::string& client);
   void Leave(const MeshLoads::Seat& seat) { loads_.Leave(seat); }
 
   // If the upload's file is known and is the expected one, what came of it.

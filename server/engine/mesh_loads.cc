@@ -8,7 +8,8 @@
 namespace geodesic::server {
 
 absl::StatusOr<MeshLoads::Seat> MeshLoads::Join(const std::string& digest,
-                                                MeshCallback done) {
+                                                MeshCallback done,
+                                                const std::string& client) {
   std::lock_guard lock(mutex_);
   const uint64_t number = next_number_++;
   auto it = loads_.find(digest);
@@ -17,6 +18,7 @@ absl::StatusOr<MeshLoads::Seat> MeshLoads::Join(const std::string& digest,
     // come first.
     absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
         {.priority = JobPriority::kBuild,
+         .client = client,
          .run = [this, digest, number](
                     const std::stop_token& stop) { Run(digest, number, stop); },
          .abandon =

@@ -40,8 +40,10 @@ class MeshLoads {
   // Starts to load the mesh unless that is being done. `done` is called once,
   // from the job, unless the waiter leaves before; perhaps already before this
   // returns.
+  // The load is a job of the client who asked first (see Requester).
   // Errors: as Scheduler::Submit; `done` is then not called.
-  absl::StatusOr<Seat> Join(const std::string& digest, MeshCallback done);
+  absl::StatusOr<Seat> Join(const std::string& digest, MeshCallback done,
+                            const std::string& client);
 
   // Does nothing when the load has ended.
   void Leave(const Seat& seat);

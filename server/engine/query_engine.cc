@@ -44,8 +44,8 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
       fields_(limits_, solve_options_, clock, scheduler_, solver_memory_,
               start_),
       solo_jobs_(clock, scheduler_, solver_memory_, limits.progress_interval),
-      scheduler_(executor, limits.max_concurrent_jobs, limits.max_queued_jobs) {
-}
+      scheduler_(executor, limits.max_concurrent_jobs, limits.max_queued_jobs,
+                 limits.max_queued_jobs_per_client) {}
 
 QueryEngine::~QueryEngine() { StopAll(); }
 
@@ -98,7 +98,8 @@ absl::StatusOr<std::unique_ptr<MeshUpload>> QueryEngine::StartUpload(
 }
 
 absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
-    std::unique_ptr<MeshUpload> upload, UploadCallback done) {
+    std::unique_ptr<MeshUpload> upload, UploadCallback done,
+    const std::string& client) {
   if (absl::Status status = upload->Finish(); !status.ok()) return status;
   if (std::optional<UploadResult> known = meshes_.FindUploaded(*upload)) {
     upload.reset();
@@ -109,6 +110,7 @@ absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
   auto shared = std::make_shared<UploadCallback>(std::move(done));
   absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
       {.priority = JobPriority::kBuild,
+       .client = client,
        .run =
            [this, shared,
             work = std::move(upload)](const std::stop_token&) mutable {
@@ -148,8 +150,8 @@ bool QueryEngine::CanLoadMesh(const std::string& digest) {
 }
 
 absl::StatusOr<std::optional<MeshLoads::Seat>> QueryEngine::AwaitMesh(
-    const std::string& digest, MeshCallback done) {
-  return meshes_.Await(digest, std::move(done));
+    const std::string& digest, MeshCallback done, const std::string& client) {
+  return meshes_.Await(digest, std::move(done), client);
 }
 
 absl::StatusOr<MeshPage> QueryEngine::ListMeshes(int page_size,
@@ -175,7 +177,8 @@ absl::StatusOr<MeshPage> QueryEngine::ListMeshes(int page_size,
 }
 
 absl::Status QueryEngine::DeleteMesh(
-    const std::string& digest, std::function<void(const absl::Status&)> done) {
+    const std::string& digest, std::function<void(const absl::Status&)> done,
+    const std::string& client) {
   if (absl::Status status = CheckDigest("digest", digest); !status.ok()) {
     return status;
   }
@@ -183,7 +186,7 @@ absl::Status QueryEngine::DeleteMesh(
     done(EraseMesh(digest));
     return absl::OkStatus();
   }
-  Job job{.priority = JobPriority::kBuild, .abandon = done};
+  Job job{.priority = JobPriority::kBuild, .client = client, .abandon = done};
   job.run = [this, digest, done = std::move(done)](const std::stop_token&) {
     done(Guarded("deleted a mesh", [&] { return EraseMesh(digest); }));
   };
@@ -223,19 +226,20 @@ absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
       .mesh = *std::move(mesh),
       .algorithm = algorithm,
       .answer_memory = std::make_shared<ByteReservation>(*std::move(memory))};
-  const TimePoint deadline = request.deadline;
-  const uint64_t planned_bytes =
-      PlannedSolverBytes(*call.mesh->mesh, request.query);
-  absl::StatusOr<SoloJobs::Call> job = solo_jobs_.Start(
-      {.deadline = deadline,
-       .planned_bytes = planned_bytes,
-       .work =
-           [this, mesh = call.mesh, memory = call.answer_memory,
-            request = std::move(request)](Checkpoint& checkpoint) mutable {
-             return request.work(*mesh->mesh, request.query, solve_options_,
-                                 checkpoint, *memory);
-           }},
-      std::move(observer));
+  SoloJob solo{
+      .priority = SolvePriority(request.requester.is_batch),
+      .client = request.requester.client,
+      .deadline = request.deadline,
+      .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, request.query)};
+  // How large the answer will be is not known before it is there.
+  solo.work = [this, mesh = call.mesh, memory = call.answer_memory,
+               request = std::move(request)](Checkpoint& checkpoint,
+                                             ByteReservation) mutable {
+    return request.work(*mesh->mesh, request.query, solve_options_, checkpoint,
+                        *memory);
+  };
+  absl::StatusOr<SoloJobs::Call> job =
+      solo_jobs_.Start(std::move(solo), std::move(observer));
   if (!job.ok()) return job.status();
   call.job = *std::move(job);
   return call;
@@ -263,15 +267,15 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
   MatrixCall call{.mesh = *std::move(mesh), .row_count = rows};
   call.column_count = query.targets.empty() ? call.mesh->mesh->vertex_count()
                                             : query.targets.size();
-  const TimePoint deadline = request.deadline;
-  const uint64_t planned_bytes =
-      PlannedSolverBytes(*call.mesh->mesh, request.query);
+  RowJobs plan{.requester = request.requester,
+               .deadline = request.deadline,
+               .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, query),
+               .row_bytes = RowBytes(query, *call.mesh->mesh)};
   // One more than can run, so that no thread waits for the reader's thanks.
   call.rows = std::make_shared<RowPipeline>(
-      solo_jobs_, rows, limits_.max_concurrent_jobs + 1,
-      MakeRowFunction(call.mesh, std::move(request), solve_options_, start_,
-                      solver_memory_),
-      deadline, planned_bytes, std::move(observer));
+      solo_jobs_, std::move(plan), rows, limits_.max_concurrent_jobs + 1,
+      MakeRowFunction(call.mesh, std::move(request), solve_options_, start_),
+      std::move(observer));
   if (status = call.rows->Start(); !status.ok()) return status;
   return call;
 }

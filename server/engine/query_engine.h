@@ -38,6 +38,7 @@
 #include "server/engine/mesh_loads.h"
 #include "server/engine/mesh_store.h"
 #include "server/engine/mesh_upload.h"
+#include "server/engine/requester.h"
 #include "server/engine/row_pipeline.h"
 #include "server/engine/scheduler.h"
 #include "server/engine/solo_job.h"
@@ -68,6 +69,7 @@ struct QuestionRequest {
   Query query;
   SourceNumbers numbers;
   TimePoint deadline = kNoDeadline;
+  Requester requester;
   // Charges `answer` with what it leaves behind.
   absl::AnyInvocable<absl::Status(const Mesh&, const Query&,
                                   const SolveOptions&, Checkpoint&,
@@ -97,8 +99,9 @@ struct EngineCounters : FieldCounters {
   uint64_t meshes_loaded = 0;  // from disk
 };
 
-// Thread-safe. No call waits for a job. No exception leaves a job: bad_alloc
-// becomes RESOURCE_EXHAUSTED, anything else INTERNAL.
+// Thread-safe. No call waits for a job. A job is the requester's, or that of
+// the `client` that a call names (see Requester). No exception leaves a job:
+// bad_alloc becomes RESOURCE_EXHAUSTED, anything else INTERNAL.
 class QueryEngine {
  public:
   // `clock` and `executor` outlive the engine. `start` is the seam where tests
@@ -133,7 +136,8 @@ class QueryEngine {
   // file; a refused mesh; another digest than expected); RESOURCE_EXHAUSTED;
   // UNAVAILABLE.
   absl::StatusOr<std::optional<Scheduler::JobId>> FinishUpload(
-      std::unique_ptr<MeshUpload> upload, UploadCallback done);
+      std::unique_ptr<MeshUpload> upload, UploadCallback done,
+      const std::string& client = {});
 
   // Drops an upload's job that waits for a thread.
   void CancelUpload(Scheduler::JobId job);
@@ -151,7 +155,8 @@ class QueryEngine {
 
   // Brings a mesh into memory and calls `done` with it; see MeshLibrary::Await.
   absl::StatusOr<std::optional<MeshLoads::Seat>> AwaitMesh(
-      const std::string& digest, MeshCallback done);
+      const std::string& digest, MeshCallback done,
+      const std::string& client = {});
   void LeaveMesh(const MeshLoads::Seat& seat) { meshes_.Leave(seat); }
 
   // `page_size` 0 means 100, above 1000 is taken as 1000.
@@ -164,7 +169,8 @@ class QueryEngine {
   // Errors, here or in `done`: as DescribeMesh; RESOURCE_EXHAUSTED (the queue
   // is full); UNAVAILABLE (shutting down; the disk cannot be written).
   absl::Status DeleteMesh(const std::string& digest,
-                          std::function<void(const absl::Status&)> done);
+                          std::function<void(const absl::Status&)> done,
+                          const std::string& client = {});
 
   // Starts, joins, continues or finds the computation of a field.
   // Errors: INVALID_ARGUMENT, NOT_FOUND, RESOURCE_EXHAUSTED (more than a limit;

@@ -10,8 +10,9 @@ class RowPipeline::RowJob final : public JobObserver {
   RowJob(std::shared_ptr<RowPipeline> pipeline, uint64_t row)
       : pipeline_(std::move(pipeline)), row_(row) {}
 
-  absl::Status Run(Checkpoint& checkpoint) {
-    absl::StatusOr<MatrixRow> result = pipeline_->function_(row_, checkpoint);
+  absl::Status Run(Checkpoint& checkpoint, ByteReservation memory) {
+    absl::StatusOr<MatrixRow> result =
+        pipeline_->function_(row_, checkpoint, std::move(memory));
     if (!result.ok()) return result.status();
     result_ = *std::move(result);
     return absl::OkStatus();
@@ -28,16 +29,14 @@ class RowPipeline::RowJob final : public JobObserver {
   MatrixRow result_;
 };
 
-RowPipeline::RowPipeline(SoloJobs& jobs, uint64_t rows, size_t window,
-                         RowFunction function, TimePoint deadline,
-                         uint64_t planned_bytes,
+RowPipeline::RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows,
+                         size_t window, RowFunction function,
                          std::shared_ptr<RowObserver> observer)
     : jobs_(jobs),
+      plan_(std::move(plan)),
       rows_(rows),
       window_(window),
       function_(std::move(function)),
-      deadline_(deadline),
-      planned_bytes_(planned_bytes),
       observer_(std::move(observer)) {}
 
 absl::Status RowPipeline::Start() {
@@ -49,13 +48,18 @@ absl::Status RowPipeline::Start() {
 
 absl::Status RowPipeline::SubmitNext(bool is_continuation) {
   auto job = std::make_shared<RowJob>(shared_from_this(), next_row_);
-  absl::StatusOr<SoloJobs::Call> call = jobs_.Start(
-      {.priority = JobPriority::kRow,
-       .is_continuation = is_continuation,
-       .deadline = deadline_,
-       .planned_bytes = planned_bytes_,
-       .work = [job](Checkpoint& checkpoint) { return job->Run(checkpoint); }},
-      job);
+  absl::StatusOr<SoloJobs::Call> call =
+      jobs_.Start({.priority = RowPriority(plan_.requester.is_batch),
+                   .client = plan_.requester.client,
+                   .is_continuation = is_continuation,
+                   .deadline = plan_.deadline,
+                   .planned_bytes = plan_.planned_bytes,
+                   .answer_bytes = plan_.row_bytes,
+                   .work =
+                       [job](Checkpoint& checkpoint, ByteReservation memory) {
+                         return job->Run(checkpoint, std::move(memory));
+                       }},
+                  job);
   if (!call.ok()) return call.status();
   running_.emplace(next_row_++, *std::move(call));
   return absl::OkStatus();

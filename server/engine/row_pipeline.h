@@ -18,6 +18,7 @@
 #include "geodesic/checkpoint.h"
 #include "server/engine/byte_budget.h"
 #include "server/engine/clock.h"
+#include "server/engine/requester.h"
 #include "server/engine/solo_job.h"
 
 namespace geodesic::server {
@@ -29,9 +30,19 @@ struct MatrixRow {
   std::vector<double> values;
 };
 
-// Must be thread-safe: rows are computed side by side.
-using RowFunction =
-    std::function<absl::StatusOr<MatrixRow>(uint64_t row, Checkpoint&)>;
+// Is given the memory for the row. Must be thread-safe: rows are computed side
+// by side.
+using RowFunction = std::function<absl::StatusOr<MatrixRow>(
+    uint64_t row, Checkpoint&, ByteReservation memory)>;
+
+// What the jobs of all rows have in common.
+struct RowJobs {
+  Requester requester;
+  TimePoint deadline = kNoDeadline;
+  // Of one row, for its solver and for the row itself; see SoloJob.
+  uint64_t planned_bytes = 0;
+  uint64_t row_bytes = 0;
+};
 
 class RowObserver {
  public:
@@ -45,15 +56,13 @@ class RowObserver {
 // Thread-safe. Held by whoever takes the rows and by the running jobs.
 class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
  public:
-  // At most `window` rows are computed but not taken, or being computed. Each
-  // sets planned_bytes of the solver budget aside before it starts.
+  // At most `window` rows are computed but not taken, or being computed.
   // REQUIRES: `jobs` outlives the pipeline's jobs; window > 0.
-  RowPipeline(SoloJobs& jobs, uint64_t rows, size_t window,
-              RowFunction function, TimePoint deadline, uint64_t planned_bytes,
-              std::shared_ptr<RowObserver> observer);
+  RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows, size_t window,
+              RowFunction function, std::shared_ptr<RowObserver> observer);
 
   // Call once.
-  // Errors: as Scheduler::Submit, when there is no room for the first row. The
+  // Errors: as SoloJobs::Start, when there is no room for the first row. The
   // others then count as its continuation.
   absl::Status Start();
 
@@ -78,11 +87,10 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   void FillWindow();
 
   SoloJobs& jobs_;
+  const RowJobs plan_;
   const uint64_t rows_;
   const size_t window_;
   const RowFunction function_;
-  const TimePoint deadline_;
-  const uint64_t planned_bytes_;
 
   mutable std::mutex mutex_;
   // Guarded by mutex_:

@@ -1,9 +1,11 @@
 #include "server/engine/scheduler.h"
 
 #include <utility>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "server/engine/error_reasons.h"
+#include "server/engine/guarded.h"
 #include "server/engine/status_details.h"
 
 namespace geodesic::server {
@@ -19,8 +21,12 @@ absl::Status ShuttingDown() {
 
 }  // namespace
 
-Scheduler::Scheduler(Executor& executor, size_t max_running, size_t max_queued)
-    : executor_(executor), max_running_(max_running), max_queued_(max_queued) {}
+Scheduler::Scheduler(Executor& executor, size_t max_running, size_t max_queued,
+                     size_t max_queued_per_client)
+    : executor_(executor),
+      max_running_(max_running),
+      max_queued_(max_queued),
+      max_queued_per_client_(max_queued_per_client) {}
 
 Scheduler::~Scheduler() {
   StopAll();
@@ -41,8 +47,20 @@ TimePoint Scheduler::Now() const {
 absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
   std::lock_guard lock(mutex_);
   if (stopped_ || (draining_ && !job.is_continuation)) return ShuttingDown();
-  if (!job.is_continuation &&
-      queue_.size() + running_.size() >= max_running_ + max_queued_) {
+  if (!job.is_continuation) {
+    absl::Status status = CheckRoom(job.client);
+    if (!status.ok()) return status;
+  }
+  const JobId id{next_number_++};
+  queue_.Push(id.number, {std::move(job), Now()});
+  AskForThreads();
+  return id;
+}
+
+absl::Status Scheduler::CheckRoom(const std::string& client) const {
+  // Those for whom there is a thread do not wait.
+  const size_t free_threads = max_running_ - running_.size();
+  if (queue_.size() >= max_queued_ + free_threads) {
     return WithReason(
         WithRetryAfter(
             absl::ResourceExhaustedError(absl::StrCat(
@@ -51,29 +69,52 @@ absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
             kRetryDelay),
         reason::kQueueFull);
   }
-  const JobId id{job.priority, next_number_++};
-  queue_.emplace(id, Waiting{std::move(job), Now()});
-  if (workers_ < max_running_) {
+  const size_t waiting = client.empty() ? 0 : queue_.size_of(client);
+  // Compared so that no limit at all does not overflow.
+  if (waiting < free_threads ||
+      waiting - free_threads < max_queued_per_client_) {
+    return absl::OkStatus();
+  }
+  return WithQuotaFailure(
+      WithRetryAfter(absl::ResourceExhaustedError(absl::StrCat(
+                         waiting, " jobs of ", client,
+                         " wait, its share of the queue "
+                         "(max_queued_jobs_per_client is ",
+                         max_queued_per_client_, "); try again later")),
+                     kRetryDelay),
+      client);
+}
+
+void Scheduler::AskForThreads() {
+  // A thread for each job that runs, and one for each that might.
+  while (workers_ < max_running_ &&
+         workers_ < running_.size() + queue_.size()) {
     ++workers_;
     executor_.Schedule([this] { RunOne(); });
   }
-  return id;
 }
 
 void Scheduler::Cancel(JobId id) {
   // Destroyed after the lock is released: what a job captured may be large.
-  Job dropped;
+  std::optional<WaitingJob> dropped;
   std::stop_source source(std::nostopstate);
   {
     std::lock_guard lock(mutex_);
-    if (const auto it = queue_.find(id); it != queue_.end()) {
-      dropped = std::move(it->second.job);
-      queue_.erase(it);
+    dropped = queue_.Remove(id.number);
+    if (dropped.has_value()) {
+      // It may have been the one that the others waited behind.
+      AskForThreads();
     } else if (const auto run = running_.find(id); run != running_.end()) {
       source = run->second;
     }
   }
   source.request_stop();
+}
+
+void Scheduler::Expedite(JobId id, JobPriority priority) {
+  std::lock_guard lock(mutex_);
+  queue_.Expedite(id.number, priority);
+  AskForThreads();
 }
 
 void Scheduler::BeginDrain() {
@@ -82,17 +123,17 @@ void Scheduler::BeginDrain() {
 }
 
 void Scheduler::StopAll() {
-  std::map<JobId, Waiting> abandoned;
+  std::vector<WaitingJob> abandoned;
   std::map<JobId, std::stop_source> stopped;
   {
     std::lock_guard lock(mutex_);
     draining_ = true;
     stopped_ = true;
-    abandoned.swap(queue_);
+    abandoned = queue_.Clear();
     stopped = running_;
   }
   for (auto& [id, source] : stopped) source.request_stop();
-  for (auto& [id, waiting] : abandoned) waiting.job.abandon(ShuttingDown());
+  for (WaitingJob& waiting : abandoned) waiting.job.abandon(ShuttingDown());
 }
 
 bool Scheduler::WaitIdle(std::chrono::milliseconds limit) {
@@ -113,14 +154,14 @@ size_t Scheduler::queued() const {
 
 void Scheduler::RunOne() {
   std::unique_lock lock(mutex_);
-  if (!queue_.empty()) {
-    const auto first = queue_.begin();
-    const JobId id = first->first;
-    Job job = std::move(first->second.job);
-    JobTimes times{.priority = id.priority};
+  JobId id;
+  bool progressed = false;
+  if (std::optional<WaitingJob> started = StartNext(lock, id, progressed)) {
+    progressed = true;
+    Job job = std::move(started->job);
+    JobTimes times{.priority = job.priority};
     const TimePoint begin = Now();
-    times.waited = begin - first->second.since;
-    queue_.erase(first);
+    times.waited = begin - started->since;
     const std::stop_source source;
     running_.emplace(id, source);
 
@@ -135,13 +176,33 @@ void Scheduler::RunOne() {
     lock.lock();
     running_.erase(id);
   }
-  // One task a job, so that an executor which others share stays fair.
-  if (!queue_.empty()) {
-    executor_.Schedule([this] { RunOne(); });
-  } else {
-    --workers_;
-    idle_.notify_all();
+  --workers_;
+  // One task a job, so that an executor which others share stays fair. When
+  // nothing could be done, the next change asks again.
+  if (progressed) AskForThreads();
+  if (workers_ == 0) idle_.notify_all();
+}
+
+std::optional<WaitingJob> Scheduler::StartNext(
+    std::unique_lock<std::mutex>& lock, JobId& id, bool& progressed) {
+  while (!queue_.empty()) {
+    id = {queue_.Next()};
+    Job& job = queue_.job(id.number);
+    const absl::Status room =
+        job.reserve
+            ? Guarded("made room for a job", [&] { return job.reserve(); })
+            : absl::OkStatus();
+    if (room.ok()) return queue_.Start();
+    // Those behind it do not overtake: else a large job might never run.
+    if (RetryAfter(room).has_value() && !running_.empty()) return std::nullopt;
+    WaitingJob refused = queue_.Start();
+    progressed = true;
+    lock.unlock();
+    refused.job.abandon(room);
+    refused = WaitingJob();
+    lock.lock();
   }
+  return std::nullopt;
 }
 
 }  // namespace geodesic::server

@@ -9,39 +9,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
-#include <memory>
 #include <mutex>
+#include <optional>
 #include <stop_token>
+#include <string>
 
-#include "absl/functional/any_invocable.h"
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "server/engine/clock.h"
 #include "server/engine/executor.h"
+#include "server/engine/job.h"
+#include "server/engine/job_queue.h"
 
 namespace geodesic::server {
-
-enum class JobPriority {
-  kBuild,  // of meshes: short, and queries wait for them
-  kSolve,
-  kRow,    // one of many that a single request needs
-  kStore,  // keeps on disk what would otherwise be computed again
-};
-
-// Exactly one of the two is called, once, unless the job is cancelled while it
-// waits: then neither is.
-struct Job {
-  JobPriority priority = JobPriority::kSolve;
-  // Whether a job that was admitted goes on in this one: it is then admitted
-  // too, though the queue be full or draining.
-  bool is_continuation = false;
-  // Does the work, on a thread of the executor. It should return soon after
-  // the token asks it to stop. Must not throw.
-  absl::AnyInvocable<void(std::stop_token)> run;
-  // Hears why the job will never run. Must be short.
-  absl::AnyInvocable<void(const absl::Status&)> abandon;
-};
 
 // How a job that ran spent its time.
 struct JobTimes {
@@ -52,17 +34,19 @@ struct JobTimes {
   bool was_stopped = false;
 };
 
-// Thread-safe. Among waiting jobs, priority and then age decide.
+// Thread-safe. job_queue.h says in which order jobs go.
 class Scheduler {
  public:
   struct JobId {
-    JobPriority priority = JobPriority::kSolve;
     uint64_t number = 0;
     friend auto operator<=>(const JobId&, const JobId&) = default;
   };
 
+  // Besides max_running jobs that run, max_queued may wait, of one client
+  // max_queued_per_client.
   // REQUIRES: max_running > 0; `executor` outlives the scheduler.
-  Scheduler(Executor& executor, size_t max_running, size_t max_queued);
+  Scheduler(Executor& executor, size_t max_running, size_t max_queued,
+            size_t max_queued_per_client = std::numeric_limits<size_t>::max());
 
   // Stops everything and waits for running jobs to return.
   // REQUIRES: the executor runs what it has been given.
@@ -73,15 +57,19 @@ class Scheduler {
   void ObserveJobs(const Clock& clock,
                    std::function<void(const JobTimes&)> ended);
 
-  // Errors: RESOURCE_EXHAUSTED with a retry hint when max_running jobs run and
-  // max_queued wait; UNAVAILABLE after BeginDrain. Continuations are spared
-  // both, but not UNAVAILABLE after StopAll. The job's callbacks are then not
-  // called.
+  // Errors: RESOURCE_EXHAUSTED with a retry hint when the queue is full, or the
+  // client's share of it, which it then names as a quota; UNAVAILABLE after
+  // BeginDrain. Continuations are spared all of these, but not UNAVAILABLE
+  // after StopAll. The job's callbacks are then not called.
   absl::StatusOr<JobId> Submit(Job job);
 
   // A waiting job is dropped, a running one asked to stop; neither callback is
   // called from here. Does nothing for a job that is gone.
   void Cancel(JobId id);
+
+  // Makes a job that waits more urgent: somebody in a hurry waits for it, too.
+  // Does nothing for a job that runs or is gone.
+  void Expedite(JobId id, JobPriority priority);
 
   // From now on Submit fails; what was admitted goes on.
   void BeginDrain();
@@ -97,17 +85,23 @@ class Scheduler {
   size_t queued() const;
 
  private:
-  struct Waiting {
-    Job job;
-    TimePoint since;
-  };
-
   void RunOne();
   TimePoint Now() const;
+
+  // The rest REQUIRES: mutex_ held.
+
+  absl::Status CheckRoom(const std::string& client) const;
+  // Asks the executor for as many threads as jobs may use.
+  void AskForThreads();
+  // The next job, if its memory is there. Those that will never get theirs are
+  // told so, without the lock; `progressed` becomes true then.
+  std::optional<WaitingJob> StartNext(std::unique_lock<std::mutex>& lock,
+                                      JobId& id, bool& progressed);
 
   Executor& executor_;
   const size_t max_running_;
   const size_t max_queued_;
+  const size_t max_queued_per_client_;
   // Set before the first job, then constant:
   const Clock* clock_ = nullptr;  // null: nobody asks for times
   std::function<void(const JobTimes&)> ended_;
@@ -115,7 +109,7 @@ class Scheduler {
   mutable std::mutex mutex_;
   std::condition_variable idle_;
   // Guarded by mutex_:
-  std::map<JobId, Waiting> queue_;
+  JobQueue queue_;
   std::map<JobId, std::stop_source> running_;
   size_t workers_ = 0;  // tasks on the executor; <= max_running_
   uint64_t next_number_ = 0;

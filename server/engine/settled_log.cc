@@ -4,13 +4,10 @@
 
 namespace geodesic::server {
 
-absl::Status SettledLog::Reserve(ByteReservation memory, size_t vertices) {
-  absl::Status status = memory.GrowTo(vertices * sizeof(SettledVertex));
-  if (!status.ok()) return status;
+void SettledLog::Reserve(ByteReservation memory, size_t vertices) {
   std::lock_guard lock(mutex_);
   memory_ = std::move(memory);
   entries_.reserve(vertices);
-  return absl::OkStatus();
 }
 
 void SettledLog::Append(const Progress& progress) {

@@ -5,6 +5,7 @@
 #define GEODESIC_SERVER_ENGINE_SETTLED_LOG_H_
 
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -18,9 +19,13 @@ namespace geodesic::server {
 // Thread-safe; one writer.
 class SettledLog {
  public:
-  // Takes the memory that `vertices` entries need.
-  // Errors: as ByteBudget::Take.
-  absl::Status Reserve(ByteReservation memory, size_t vertices);
+  // What `vertices` entries take.
+  static uint64_t BytesFor(uint64_t vertices) {
+    return vertices * sizeof(SettledVertex);
+  }
+
+  // Holds `memory`, which is enough for `vertices` entries.
+  void Reserve(ByteReservation memory, size_t vertices);
 
   // Appends the vertices that have become final since the last call. O(V).
   void Append(const Progress& progress);

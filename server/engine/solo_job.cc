@@ -60,26 +60,32 @@ SoloJobs::SoloJobs(const Clock& clock, Scheduler& scheduler,
 
 absl::StatusOr<SoloJobs::Call> SoloJobs::Start(
     SoloJob job, std::shared_ptr<JobObserver> observer) {
+  absl::Status fits =
+      solver_memory_->CheckCapacity(job.planned_bytes + job.answer_bytes);
+  if (!fits.ok()) return fits;
   auto audience = std::make_shared<Audience>(std::move(observer), job.deadline);
+  auto memory = std::make_shared<Memory>();
   absl::StatusOr<Scheduler::JobId> id = scheduler_.Submit(
       {.priority = job.priority,
+       .client = std::move(job.client),
        .is_continuation = job.is_continuation,
+       .reserve =
+           [this, memory, planned = job.planned_bytes,
+            answer = job.answer_bytes] {
+             return Reserve(planned, answer, *memory);
+           },
        .run =
-           [this, audience, planned_bytes = job.planned_bytes,
+           [this, audience, memory,
             work = std::move(job.work)](std::stop_token stop) mutable {
-             absl::StatusOr<ByteReservation> memory =
-                 ByteReservation::Make(solver_memory_, planned_bytes);
-             if (!memory.ok()) {
-               audience->Report({.status = memory.status()});
-               return;
-             }
              JobCheckpoint checkpoint(*audience, clock_, std::move(stop),
-                                      *std::move(memory), progress_interval_);
+                                      std::move(memory->solver),
+                                      progress_interval_);
              const TimePoint begin = clock_.Now();
              absl::Status status = audience->Expire(begin);
              if (status.ok()) {
-               status = Guarded("answered a request",
-                                [&] { return work(checkpoint); });
+               status = Guarded("answered a request", [&] {
+                 return work(checkpoint, std::move(memory->answer));
+               });
              }
              work = nullptr;  // what it captured goes before anyone hears
              audience->Report(
@@ -96,6 +102,16 @@ absl::StatusOr<SoloJobs::Call> SoloJobs::Start(
     return id.status();
   }
   return Call{*id, std::move(audience)};
+}
+
+absl::Status SoloJobs::Reserve(uint64_t solver_bytes, uint64_t answer_bytes,
+                               Memory& memory) const {
+  auto solver = ByteReservation::Make(solver_memory_, solver_bytes);
+  if (!solver.ok()) return solver.status();
+  auto answer = ByteReservation::Make(solver_memory_, answer_bytes);
+  if (!answer.ok()) return answer.status();
+  memory = {*std::move(solver), *std::move(answer)};
+  return absl::OkStatus();
 }
 
 void SoloJobs::Cancel(const Call& call) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "absl/functional/any_invocable.h"
 #include "absl/status/status.h"
@@ -40,11 +41,14 @@ class JobObserver {
 
 struct SoloJob {
   JobPriority priority = JobPriority::kSolve;
+  std::string client;            // see Requester
   bool is_continuation = false;  // see Job
   TimePoint deadline = kNoDeadline;
-  // Taken from the solver budget before the work begins.
+  // Taken from the solver budget before the work begins: for the solver, and
+  // for the answer, which the work is given.
   uint64_t planned_bytes = 0;
-  absl::AnyInvocable<absl::Status(Checkpoint&)> work;
+  uint64_t answer_bytes = 0;
+  absl::AnyInvocable<absl::Status(Checkpoint&, ByteReservation answer)> work;
 };
 
 // Thread-safe.
@@ -64,8 +68,9 @@ class SoloJobs {
            std::shared_ptr<ByteBudget> solver_memory,
            Duration progress_interval);
 
-  // Errors: as Scheduler::Submit; `observer` is then not called. It may already
-  // be called before this returns.
+  // Errors: as Scheduler::Submit; RESOURCE_EXHAUSTED when the memory can never
+  // be had. `observer` is then not called. It may already be called before this
+  // returns.
   absl::StatusOr<Call> Start(SoloJob job,
                              std::shared_ptr<JobObserver> observer);
 
@@ -73,6 +78,15 @@ class SoloJobs {
   void Cancel(const Call& call);
 
  private:
+  struct Memory {
+    ByteReservation solver;
+    ByteReservation answer;
+  };
+
+  // Errors: as ByteBudget::Take.
+  absl::Status Reserve(uint64_t solver_bytes, uint64_t answer_bytes,
+                       Memory& memory) const;
+
   const Clock& clock_;
   Scheduler& scheduler_;
   const std::shared_ptr<ByteBudget> solver_memory_;

@@ -42,6 +42,8 @@ std::string JobKind(JobPriority priority) {
       return "solve";
     case JobPriority::kRow:
       return "row";
+    case JobPriority::kBatch:
+      return "batch";
     case JobPriority::kStore:
       return "store";
   }

@@ -28,6 +28,7 @@
 #include "absl/status/statusor.h"
 #include "server/engine/clock.h"
 #include "server/engine/query_engine.h"
+#include "server/rpc/field_translation.h"
 #include "server/rpc/request_log.h"
 
 namespace geodesic::server {
@@ -113,6 +114,14 @@ class AnswerStream
   }
 
   RequestLog::Entry& entry() { return *entry_; }
+
+  // For what Ask asks. Errors: INVALID_ARGUMENT.
+  absl::StatusOr<Requester> MakeRequester(v1::Priority priority) {
+    const absl::StatusOr<bool> is_batch = IsBatch(priority);
+    if (!is_batch.ok()) return is_batch.status();
+    return Requester{.client = entry_->client(), .is_batch = *is_batch};
+  }
+
   QueryEngine& engine() { return engine_; }
 
   // Starts `stream`, which keeps itself alive until gRPC is done with it.
@@ -135,6 +144,7 @@ class AnswerStream
   }
 
   void AwaitMesh() {
+    std::string client;
     {
       std::lock_guard lock(mutex_);
       asking_ = false;
@@ -142,11 +152,13 @@ class AnswerStream
         EndCancelled();
         return;
       }
+      client = entry_->client();
     }
     absl::StatusOr<std::optional<MeshLoads::Seat>> seat = engine_.AwaitMesh(
         mesh_digest_,
         [self = this->shared_from_this()](
-            const absl::StatusOr<MeshHandle>& mesh) { self->OnMesh(mesh); });
+            const absl::StatusOr<MeshHandle>& mesh) { self->OnMesh(mesh); },
+        client);
     {
       std::lock_guard lock(mutex_);
       if (!seat.ok()) End(seat.status());

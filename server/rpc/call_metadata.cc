@@ -44,6 +44,12 @@ absl::StatusOr<std::string> Authorization(
   }
 }
 
+std::string PeerHost(std::string_view peer) {
+  // The colons of an IPv6 address are written otherwise or in brackets.
+  const bool has_port = peer.starts_with("ipv4:") || peer.starts_with("ipv6:");
+  return std::string(has_port ? peer.substr(0, peer.rfind(':')) : peer);
+}
+
 std::string RequestId(const grpc::CallbackServerContext& context) {
   const std::string_view given = Header(context, "x-request-id");
   if (!given.empty() && given.size() <= kMaxRequestIdBytes &&

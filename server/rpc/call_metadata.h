@@ -6,6 +6,7 @@
 #include <grpcpp/server_context.h>
 
 #include <string>
+#include <string_view>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -16,6 +17,10 @@ namespace geodesic::server {
 // Errors: NOT_FOUND if there is none; UNAUTHENTICATED if there are several.
 absl::StatusOr<std::string> Authorization(
     const grpc::CallbackServerContext& context);
+
+// A peer's address as gRPC tells it, without the port, which changes from one
+// connection to the next: "ipv4:10.1.2.3" of "ipv4:10.1.2.3:53412".
+std::string PeerHost(std::string_view peer);
 
 // The client's "x-request-id" if it can be logged: up to 64 letters, digits and
 // "-_."; else one of the server's.

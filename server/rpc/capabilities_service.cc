@@ -33,6 +33,7 @@ CapabilitiesService::CapabilitiesService(const Limits& limits,
   published.set_max_message_bytes(max_message_bytes);
   published.set_max_concurrent_jobs(limits.max_concurrent_jobs);
   published.set_max_queued_jobs(limits.max_queued_jobs);
+  published.set_max_queued_jobs_per_client(limits.max_queued_jobs_per_client);
   published.set_mesh_store_bytes(limits.mesh_store_bytes);
   published.set_field_cache_bytes(limits.field_cache_bytes);
   published.set_max_curve_points(limits.max_curve_points);

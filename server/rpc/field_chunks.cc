@@ -25,11 +25,20 @@ constexpr uint64_t kVerticesPerRichChunk = 16384;
 }  // namespace
 
 FieldChunks::FieldChunks(const FieldCall& call, FieldAnswer answer,
-                         FieldExtras extras, v1::ValueType value_type)
+                         FieldExtras extras, v1::ValueType value_type,
+                         uint64_t first_vertex)
     : call_(call),
       answer_(std::move(answer)),
       extras_(extras),
-      value_type_(value_type) {}
+      value_type_(value_type),
+      next_vertex_(first_vertex) {
+  // What was sent before may have been cut, too.
+  const std::span<const double> all = answer_.field->distances;
+  if (std::isinf(call_.reach.radius)) return;
+  for (const double distance : all.first(std::min(first_vertex, all.size()))) {
+    Cut(distance);
+  }
+}
 
 double FieldChunks::Cut(double distance) {
   if (distance <= call_.reach.radius) return distance;

@@ -15,9 +15,10 @@ namespace geodesic::server {
 // Not thread-safe. Pins the field.
 class FieldChunks {
  public:
+  // The first chunk begins at `first_vertex`.
   // REQUIRES: `call` outlives the chunks and led to `answer`.
   FieldChunks(const FieldCall& call, FieldAnswer answer, FieldExtras extras,
-              v1::ValueType value_type);
+              v1::ValueType value_type, uint64_t first_vertex);
 
   // Fills the next message of its kind; false when there is none left.
   bool Next(v1::FieldChunk& chunk);
@@ -36,7 +37,7 @@ class FieldChunks {
   const FieldAnswer answer_;
   const FieldExtras extras_;
   const v1::ValueType value_type_;
-  uint64_t next_vertex_ = 0;
+  uint64_t next_vertex_;
   uint64_t next_target_ = 0;
   // Of the field's own targets, which are those that are no vertices or all.
   uint64_t next_own_target_ = 0;

@@ -4,9 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
+#include "server/engine/argument_checks.h"
+#include "server/engine/status_details.h"
 #include "server/rpc/call_deadline.h"
 #include "server/rpc/field_translation.h"
 #include "server/rpc/value_bytes.h"
+#include "server/store/sha256.h"
 
 namespace geodesic::server {
 namespace {
@@ -40,6 +44,9 @@ absl::Status FieldStream::Ask() {
   absl::StatusOr<FieldRequest> query = FromProto(request_, engine().limits());
   if (!query.ok()) return query.status();
   query->deadline = CallDeadline(context_);
+  absl::StatusOr<Requester> requester = MakeRequester(request_.priority());
+  if (!requester.ok()) return requester.status();
+  query->requester = *std::move(requester);
   extras_ = query->extras;
   absl::StatusOr<FieldCall> call = engine().ComputeField(
       *query, std::static_pointer_cast<FieldStream>(shared_from_this()));
@@ -77,12 +84,46 @@ absl::StatusOr<NextMessage> FieldStream::Fill(
   }
   if (!answer_->ok()) return answer_->status();
   if (!chunks_.has_value()) {
-    chunks_.emplace(call_, **answer_, extras_, value_type_);
+    if (absl::Status status = StartChunks(); !status.ok()) return status;
   }
   if (!extras_.settled_order && FillChunk(message)) return NextMessage::kSend;
   if (FillTargets(message)) return NextMessage::kSend;
   FillTrailer(*message.mutable_trailer());
   return NextMessage::kSendLast;
+}
+
+absl::Status FieldStream::StartChunks() {
+  const FieldAnswer& answer = **answer_;
+  const v1::FieldResumption& resumption = request_.resumption();
+  const uint64_t first_vertex = resumption.first_vertex();
+  const uint64_t vertices = call_.mesh->mesh->vertex_count();
+  if (first_vertex > vertices) {
+    return InvalidField(
+        "resumption.first_vertex",
+        absl::StrCat("resumption.first_vertex is ", first_vertex,
+                     "; the mesh has ", vertices, " vertices"));
+  }
+  field_id_ = MakeFieldId(answer);
+  if (request_.has_resumption() && resumption.field_id() != field_id_) {
+    return FieldNotKept();
+  }
+  chunks_.emplace(call_, answer, extras_, value_type_, first_vertex);
+  return absl::OkStatus();
+}
+
+std::string FieldStream::MakeFieldId(const FieldAnswer& answer) const {
+  // Equal questions get equal bits, from the same program and as far as the
+  // search came.
+  v1::ComputeFieldRequest question = request_;
+  question.clear_resumption();
+  question.clear_priority();
+  Sha256 digest;
+  digest.Update(version_);
+  digest.Update(question.SerializeAsString());
+  const double radius =
+      std::min(answer.field->settled_radius, call_.reach.radius);
+  digest.Update({reinterpret_cast<const char*>(&radius), sizeof(radius)});
+  return digest.FinishHex();
 }
 
 bool FieldStream::FillSettled(v1::ComputeFieldResponse& message) {
@@ -107,7 +148,10 @@ bool FieldStream::FillSettled(v1::ComputeFieldResponse& message) {
 
 bool FieldStream::FillChunk(v1::ComputeFieldResponse& message) {
   v1::FieldChunk& chunk = *message.mutable_chunk();
+  // The message is used again and again.
+  chunk.clear_field_id();
   if (!chunks_->Next(chunk)) return false;
+  if (!field_id_.empty()) chunk.set_field_id(std::exchange(field_id_, {}));
   entry().add_bytes(chunk.distances().size() + chunk.nearest_sources().size() +
                     chunk.gradients().size());
   return true;

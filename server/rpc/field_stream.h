@@ -43,6 +43,12 @@ class FieldStream final : public AnswerStream<v1::ComputeFieldResponse>,
   void Cancel() override;
   absl::StatusOr<NextMessage> Fill(v1::ComputeFieldResponse& message) override;
 
+  // Once the answer is there. Errors: NOT_FOUND, INVALID_ARGUMENT: it cannot be
+  // resumed as the client wants.
+  absl::Status StartChunks();
+  // Names what this request gets: the same name, the same bits.
+  std::string MakeFieldId(const FieldAnswer& answer) const;
+
   // Fills the next message of its kind; false when there is none.
   bool FillSettled(v1::ComputeFieldResponse& message);
   bool FillChunk(v1::ComputeFieldResponse& message);
@@ -65,6 +71,7 @@ class FieldStream final : public AnswerStream<v1::ComputeFieldResponse>,
   std::optional<Progress> progress_;  // newer than what was sent
   std::optional<absl::StatusOr<FieldAnswer>> answer_;
   std::optional<FieldChunks> chunks_;  // of *answer_
+  std::string field_id_;               // until it is sent
   uint64_t settled_ = 0;               // entries of the log that were sent
 };
 

@@ -137,6 +137,20 @@ absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type) {
   }
 }
 
+absl::StatusOr<bool> IsBatch(v1::Priority priority) {
+  switch (priority) {
+    case v1::PRIORITY_UNSPECIFIED:
+    case v1::PRIORITY_INTERACTIVE:
+      return false;
+    case v1::PRIORITY_BATCH:
+      return true;
+    default:
+      return InvalidField(
+          "priority", absl::StrCat("priority is ", static_cast<int>(priority),
+                                   ", which this server does not know"));
+  }
+}
+
 absl::StatusOr<FieldRequest> FromProto(const v1::ComputeFieldRequest& request,
                                        const Limits& limits) {
   FieldRequest result{.mesh_digest = request.mesh_digest()};
@@ -159,6 +173,12 @@ absl::StatusOr<FieldRequest> FromProto(const v1::ComputeFieldRequest& request,
   absl::StatusOr<FieldExtras> extras = ExtrasFrom(request);
   if (!extras.ok()) return extras.status();
   result.extras = *extras;
+  if (request.has_resumption()) {
+    if (request.progressive()) {
+      return InvalidField("resumption", "a progressive field is not resumed");
+    }
+    result.must_be_kept = true;
+  }
   return result;
 }
 

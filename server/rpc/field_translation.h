@@ -28,6 +28,7 @@ v1::AnswerHeader MakeHeader(const ResidentMesh& mesh, Algorithm algorithm,
 absl::StatusOr<Algorithm> FromProto(v1::Algorithm algorithm);
 // Never unspecified.
 absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type);
+absl::StatusOr<bool> IsBatch(v1::Priority priority);
 // Errors: also RESOURCE_EXHAUSTED for counts beyond the limits.
 absl::StatusOr<FieldRequest> FromProto(const v1::ComputeFieldRequest& request,
                                        const Limits& limits);

@@ -59,8 +59,11 @@ IsolineStream::IsolineStream(QueryEngine& engine, RequestLog& log,
 absl::Status IsolineStream::Ask() {
   absl::Status status = CheckLevels(request_.levels(), engine().limits());
   if (!status.ok()) return status;
+  absl::StatusOr<Requester> requester = MakeRequester(request_.priority());
+  if (!requester.ok()) return requester.status();
   QuestionRequest question{.mesh_digest = request_.mesh_digest(),
-                           .deadline = CallDeadline(context_)};
+                           .deadline = CallDeadline(context_),
+                           .requester = *std::move(requester)};
   const absl::StatusOr<Algorithm> algorithm = FromProto(request_.algorithm());
   if (!algorithm.ok()) return algorithm.status();
   question.query.algorithm = *algorithm;

@@ -39,10 +39,13 @@ absl::Status LogMapStream::Ask() {
       ResolveValueType(request_.value_type());
   if (!value_type.ok()) return value_type.status();
   value_type_ = *value_type;
+  absl::StatusOr<Requester> requester = MakeRequester(request_.priority());
+  if (!requester.ok()) return requester.status();
   FieldRequest query{.mesh_digest = request_.mesh_digest(),
                      .numbers = {.is_single = true},
                      .extras = {.log_map = true},
-                     .deadline = CallDeadline(context_)};
+                     .deadline = CallDeadline(context_),
+                     .requester = *std::move(requester)};
   absl::StatusOr<Algorithm> algorithm = FromProto(request_.algorithm());
   if (!algorithm.ok()) return algorithm.status();
   query.query.algorithm = *algorithm;

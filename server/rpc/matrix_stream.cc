@@ -32,7 +32,8 @@ MatrixStream::MatrixStream(QueryEngine& engine, RequestLog& log,
 absl::StatusOr<MatrixStream::Question> MatrixStream::Translate(
     const Limits& limits) const {
   Question question{.request = {.mesh_digest = request_.mesh_digest(),
-                                .deadline = CallDeadline(context_)}};
+                                .deadline = CallDeadline(context_)},
+                    .priority = request_.priority()};
   const absl::StatusOr<v1::ValueType> value_type =
       ResolveValueType(request_.value_type());
   if (!value_type.ok()) return value_type.status();

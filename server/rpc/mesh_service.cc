@@ -106,7 +106,9 @@ grpc::ServerUnaryReactor* MeshService::DeleteMesh(
     reactor->Finish(entry->End(status));
   };
   absl::Status status = entry->Admit();
-  if (status.ok()) status = engine_.DeleteMesh(request->digest(), finish);
+  if (status.ok()) {
+    status = engine_.DeleteMesh(request->digest(), finish, entry->client());
+  }
   if (!status.ok()) finish(status);
   return reactor;
 }

@@ -30,7 +30,8 @@ NearestStream::NearestStream(QueryEngine& engine, RequestLog& log,
 absl::StatusOr<NearestStream::Question> NearestStream::Translate(
     const Limits& limits) const {
   Question question{.request = {.mesh_digest = request_.mesh_digest(),
-                                .deadline = CallDeadline(context_)}};
+                                .deadline = CallDeadline(context_)},
+                    .priority = request_.priority()};
   const absl::StatusOr<v1::ValueType> value_type =
       ResolveValueType(request_.value_type());
   if (!value_type.ok()) return value_type.status();

@@ -30,9 +30,12 @@ PathStream::PathStream(QueryEngine& engine, RequestLog& log,
       request_(request) {}
 
 absl::Status PathStream::Ask() {
+  absl::StatusOr<Requester> requester = MakeRequester(request_.priority());
+  if (!requester.ok()) return requester.status();
   FieldRequest query{.mesh_digest = request_.mesh_digest(),
                      .extras = {.paths = true},
-                     .deadline = CallDeadline(context_)};
+                     .deadline = CallDeadline(context_),
+                     .requester = *std::move(requester)};
   absl::StatusOr<Algorithm> algorithm = FromProto(request_.algorithm());
   if (!algorithm.ok()) return algorithm.status();
   query.query.algorithm = *algorithm;

@@ -90,6 +90,11 @@ absl::Status RequestLog::Entry::AdmitStream() {
   return absl::OkStatus();
 }
 
+std::string RequestLog::Entry::client() const {
+  return caller_.name.empty() ? PeerHost(peer_)
+                              : absl::StrCat("client:", caller_.name);
+}
+
 grpc::Status RequestLog::Entry::End(absl::Status status) {
   AddTrailers(request_id_, status, context_);
   status_ = std::move(status);

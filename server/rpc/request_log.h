@@ -61,6 +61,10 @@ class RequestLog {
     // Time in which the client was waited for.
     void add_write_time(Duration time) { write_time_ += time; }
 
+    // Who asks, for the engine (see Requester): the name of the token or, on a
+    // server without tokens, the address.
+    std::string client() const;
+
     // The caller's job, once AdmitStream has succeeded.
     Quotas::Job& job() { return job_; }
 

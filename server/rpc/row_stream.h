@@ -46,6 +46,7 @@ class RowStream : public AnswerStream<Response>, public RowObserver {
   struct Question {
     MatrixRequest request;
     v1::ValueType value_type = v1::VALUE_TYPE_FLOAT64;
+    v1::Priority priority = v1::PRIORITY_UNSPECIFIED;
   };
   virtual absl::StatusOr<Question> Translate(const Limits& limits) const = 0;
 
@@ -63,6 +64,10 @@ class RowStream : public AnswerStream<Response>, public RowObserver {
   absl::Status Ask() final {
     absl::StatusOr<Question> question = Translate(this->engine().limits());
     if (!question.ok()) return question.status();
+    absl::StatusOr<Requester> requester =
+        this->MakeRequester(question->priority);
+    if (!requester.ok()) return requester.status();
+    question->request.requester = *std::move(requester);
     value_type_ = question->value_type;
     const Algorithm algorithm = question->request.query.algorithm;
     is_sparse_ =

@@ -41,8 +41,11 @@ absl::Status SampleStream::Ask() {
   absl::Status status = CheckCount("samples", count, "max_samples",
                                    engine().limits().max_samples);
   if (!status.ok()) return status;
+  absl::StatusOr<Requester> requester = MakeRequester(request_.priority());
+  if (!requester.ok()) return requester.status();
   QuestionRequest question{.mesh_digest = request_.mesh_digest(),
-                           .deadline = CallDeadline(context_)};
+                           .deadline = CallDeadline(context_),
+                           .requester = *std::move(requester)};
   const absl::StatusOr<Algorithm> algorithm = FromProto(request_.algorithm());
   if (!algorithm.ok()) return algorithm.status();
   question.query.algorithm = *algorithm;

@@ -91,6 +91,7 @@ absl::Status UploadStream::TakeMessage() {
 void UploadStream::Complete() {
   std::unique_ptr<MeshUpload> upload;
   Quotas::MeshCharge charge;
+  std::string client;
   {
     std::lock_guard lock(mutex_);
     if (finished_) return;
@@ -104,18 +105,21 @@ void UploadStream::Complete() {
     }
     upload = std::move(upload_);
     charge = entry_->job().mesh_charge();
+    client = entry_->client();
   }
   // Without the lock: the engine may call back at once.
   absl::StatusOr<std::optional<Scheduler::JobId>> job = engine_.FinishUpload(
-      std::move(upload), [self = shared_from_this(),
-                          charge](const absl::StatusOr<UploadResult>& result) {
+      std::move(upload),
+      [self = shared_from_this(),
+       charge](const absl::StatusOr<UploadResult>& result) {
         // Whether or not somebody still waits for the answer.
         if (result.ok() && !result->already_resident) {
           const auto mesh = self->engine_.GetMesh(result->mesh.digest);
           if (mesh.ok()) charge.Add(*mesh);
         }
         self->OnBuilt(result);
-      });
+      },
+      client);
   std::lock_guard lock(mutex_);
   if (!job.ok()) {
     End(job.status());

@@ -60,7 +60,7 @@ TEST_F(FieldFlightTest, ACompletedFlightTakesNobodyOnBoard) {
 TEST_F(FieldFlightTest, OnlyTheLastToLeaveCallsItOff) {
   const auto a = Join(a_);
   const auto b = Join(b_);
-  const Scheduler::JobId job{JobPriority::kSolve, 7};
+  const Scheduler::JobId job{7};
   flights_.SetJob(*a.flight, job);
 
   EXPECT_EQ(flights_.Leave(a), std::nullopt);

@@ -29,11 +29,16 @@ class RowPipelineTest : public ::testing::Test {
   std::shared_ptr<RowPipeline> Make(uint64_t rows,
                                     TimePoint deadline = kNoDeadline) {
     return std::make_shared<RowPipeline>(
-        jobs_, rows, kWindow,
-        [this](uint64_t row,
-               Checkpoint& checkpoint) -> absl::StatusOr<MatrixRow> {
+        jobs_,
+        RowJobs{.deadline = deadline,
+                .planned_bytes = kPlannedBytes,
+                .row_bytes = kRowBytes},
+        rows, kWindow,
+        [this](uint64_t row, Checkpoint& checkpoint,
+               ByteReservation memory) -> absl::StatusOr<MatrixRow> {
           started_.push_back(row);
-          EXPECT_EQ(memory_->used(), kPlannedBytes);
+          EXPECT_EQ(memory.bytes(), kRowBytes);
+          EXPECT_EQ(memory_->used(), kPlannedBytes + kRowBytes);
           absl::Status status = checkpoint.Poll({.windows_propagated = 10});
           if (status.ok() && row == bad_row_) {
             status = absl::InternalError("bad row");
@@ -41,10 +46,11 @@ class RowPipelineTest : public ::testing::Test {
           if (!status.ok()) return status;
           return MatrixRow{.values = {static_cast<double>(row)}};
         },
-        deadline, kPlannedBytes, observer_);
+        observer_);
   }
 
   static constexpr uint64_t kPlannedBytes = 1000;
+  static constexpr uint64_t kRowBytes = 100;
 
   test::FakeClock clock_;
   test::ManualExecutor executor_;

@@ -4,11 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "server/engine/byte_budget.h"
+#include "server/engine/error_reasons.h"
 #include "server/engine/status_details.h"
 #include "tests/engine/fakes.h"
 
@@ -81,6 +87,159 @@ TEST_F(SchedulerTest, RefusesWhenFullAndTakesAgainAfterwards) {
   EXPECT_TRUE(scheduler_.Submit(NamedJob("e")).ok());
   executor_.RunAll();
   EXPECT_THAT(ran_, ElementsAre("a", "b", "c", "e"));
+}
+
+TEST_F(SchedulerTest, OneClientCannotFillTheQueue) {
+  Scheduler wide(executor_, /*max_running=*/2, /*max_queued=*/10,
+                 /*max_queued_per_client=*/3);
+  const auto submit = [&](const std::string& client,
+                          bool is_continuation = false) {
+    Job job = NamedJob(client);
+    job.client = client;
+    job.is_continuation = is_continuation;
+    return wide.Submit(std::move(job)).status();
+  };
+  // Two for the threads, three that wait.
+  for (int i = 0; i < 5; ++i) ASSERT_TRUE(submit("client:many").ok());
+  const absl::Status status = submit("client:many");
+  EXPECT_TRUE(absl::IsResourceExhausted(status));
+  EXPECT_TRUE(RetryAfter(status).has_value());
+  EXPECT_EQ(ReasonOf(status), reason::kQuotaExceeded);
+  EXPECT_EQ(QuotaSubject(status), "client:many");
+  EXPECT_THAT(std::string(status.message()),
+              HasSubstr("max_queued_jobs_per_client is 3"));
+  // Others have their own share, what was begun goes on, and the server's own
+  // jobs have no share.
+  EXPECT_TRUE(submit("client:one").ok());
+  EXPECT_TRUE(submit("client:many", /*is_continuation=*/true).ok());
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(submit("").ok());
+  executor_.RunAll();
+  EXPECT_TRUE(submit("client:many").ok());
+  executor_.RunAll();
+}
+
+TEST_F(SchedulerTest, ClientsTakeTurns) {
+  Scheduler wide(executor_, /*max_running=*/1, /*max_queued=*/10);
+  for (const char* client : {"a", "a", "a", "b", "c"}) {
+    Job job = NamedJob(client);
+    job.client = client;
+    ASSERT_TRUE(wide.Submit(std::move(job)).ok());
+  }
+  executor_.RunAll();
+  EXPECT_THAT(ran_, ElementsAre("a", "b", "c", "a", "a"));
+}
+
+TEST_F(SchedulerTest, AJobOfManyCanBeExpedited) {
+  const auto batch = scheduler_.Submit(NamedJob("batch", JobPriority::kBatch));
+  ASSERT_TRUE(batch.ok());
+  ASSERT_TRUE(scheduler_.Submit(NamedJob("row", JobPriority::kRow)).ok());
+  scheduler_.Expedite(*batch, JobPriority::kSolve);
+  executor_.RunAll();
+  EXPECT_THAT(ran_, ElementsAre("batch", "row"));
+  scheduler_.Expedite(*batch, JobPriority::kBuild);  // gone: nothing happens
+}
+
+// Jobs that need more than is there until others end.
+class MemoryTest : public SchedulerTest {
+ protected:
+  Job HungryJob(const std::string& name, uint64_t bytes) {
+    Job job = NamedJob(name);
+    job.reserve = [this, name, bytes, memory = memory_]() -> absl::Status {
+      asked_.push_back(name);
+      auto taken = ByteReservation::Make(memory, bytes);
+      if (!taken.ok()) return taken.status();
+      held_[name] = *std::move(taken);
+      return absl::OkStatus();
+    };
+    job.run = [this, name](std::stop_token) {
+      ran_.push_back(name);
+      if (while_running_[name]) while_running_[name]();
+      held_.erase(name);
+    };
+    return job;
+  }
+
+  std::shared_ptr<ByteBudget> memory_ =
+      std::make_shared<ByteBudget>("solver memory", 100);
+  std::map<std::string, ByteReservation> held_;
+  std::map<std::string, std::function<void()>> while_running_;
+  std::vector<std::string> asked_;
+  Scheduler wide_{executor_, /*max_running=*/3, /*max_queued=*/10};
+};
+
+TEST_F(MemoryTest, WhatDoesNotFitWaitsAndIsNotOvertaken) {
+  ASSERT_TRUE(wide_.Submit(HungryJob("a", 60)).ok());
+  ASSERT_TRUE(wide_.Submit(HungryJob("b", 60)).ok());
+  ASSERT_TRUE(wide_.Submit(HungryJob("c", 10)).ok());
+  while_running_["a"] = [&] {
+    // The other two threads find nothing to do.
+    executor_.RunAll();
+    EXPECT_THAT(ran_, ElementsAre("a"));
+    EXPECT_THAT(asked_, ElementsAre("a", "b", "b"));
+    EXPECT_EQ(wide_.queued(), 2);
+    // What is more urgent is asked first.
+    Job urgent = HungryJob("urgent", 10);
+    urgent.priority = JobPriority::kBuild;
+    EXPECT_TRUE(wide_.Submit(std::move(urgent)).ok());
+    executor_.RunAll();
+    EXPECT_THAT(ran_, ElementsAre("a", "urgent"));
+  };
+  executor_.RunAll();
+  EXPECT_THAT(ran_, ElementsAre("a", "urgent", "b", "c"));
+  EXPECT_THAT(abandoned_, IsEmpty());
+  EXPECT_EQ(memory_->used(), 0);
+}
+
+TEST_F(MemoryTest, WhoWaitedBehindADroppedJobGoesOn) {
+  const auto drop = [&] {
+    absl::StatusOr<Scheduler::JobId> large;
+    while_running_["a"] = [&] {
+      executor_.RunAll();
+      EXPECT_THAT(ran_, ElementsAre("a"));
+      wide_.Cancel(*large);
+      executor_.RunAll();
+      EXPECT_THAT(ran_, ElementsAre("a", "c"));
+    };
+    ASSERT_TRUE(wide_.Submit(HungryJob("a", 60)).ok());
+    large = wide_.Submit(HungryJob("b", 60));
+    ASSERT_TRUE(large.ok());
+    ASSERT_TRUE(wide_.Submit(HungryJob("c", 10)).ok());
+    executor_.RunAll();
+  };
+  drop();
+  EXPECT_EQ(memory_->used(), 0);
+}
+
+TEST_F(MemoryTest, WhatNoJobWillGiveBackIsNotWaitedFor) {
+  // Held by somebody who is no job: a reader that is slow.
+  auto answer = ByteReservation::Make(memory_, 50);
+  ASSERT_TRUE(answer.ok());
+  ASSERT_TRUE(wide_.Submit(HungryJob("a", 60)).ok());
+  ASSERT_TRUE(wide_.Submit(HungryJob("b", 40)).ok());
+  executor_.RunAll();
+  EXPECT_THAT(abandoned_, ElementsAre("a"));
+  EXPECT_TRUE(absl::IsResourceExhausted(reason_));
+  EXPECT_THAT(std::string(reason_.message()),
+              HasSubstr("60 bytes are needed, but of the solver memory of 100 "
+                        "bytes 50 are in use and 50 available"));
+  EXPECT_THAT(std::string(reason_.message()), HasSubstr("--solver-memory"));
+  EXPECT_THAT(ran_, ElementsAre("b"));
+  EXPECT_TRUE(wide_.WaitIdle(std::chrono::milliseconds(0)));
+}
+
+TEST_F(MemoryTest, WhatCannotBeHadAtAllIsAnError) {
+  Job job = HungryJob("a", 101);
+  bool runs = false;
+  while_running_["b"] = [&] {
+    runs = true;
+    ASSERT_TRUE(wide_.Submit(std::move(job)).ok());
+    executor_.RunAll();
+    EXPECT_THAT(abandoned_, ElementsAre("a"));
+  };
+  ASSERT_TRUE(wide_.Submit(HungryJob("b", 10)).ok());
+  executor_.RunAll();
+  EXPECT_TRUE(runs);
+  EXPECT_FALSE(RetryAfter(reason_).has_value());
 }
 
 TEST_F(SchedulerTest, AWaitingJobIsDroppedOnCancel) {

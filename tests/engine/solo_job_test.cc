@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <memory>
 #include <new>
 #include <optional>
 #include <vector>
 
+#include "server/engine/error_reasons.h"
+#include "server/engine/status_details.h"
 #include "tests/engine/fakes.h"
 
 namespace geodesic::server {
@@ -39,8 +42,12 @@ class SoloJobTest : public ::testing::Test {
   absl::StatusOr<SoloJobs::Call> Start(
       absl::AnyInvocable<absl::Status(Checkpoint&)> work,
       TimePoint deadline = kNoDeadline) {
-    return jobs_.Start({.deadline = deadline, .work = std::move(work)},
-                       observer_);
+    return jobs_.Start(
+        {.deadline = deadline,
+         .work = [work = std::move(work)](
+                     Checkpoint& checkpoint,
+                     ByteReservation) mutable { return work(checkpoint); }},
+        observer_);
   }
 
   test::FakeClock clock_;
@@ -55,26 +62,84 @@ class SoloJobTest : public ::testing::Test {
 
 TEST_F(SoloJobTest, PlannedMemoryIsTakenBeforeTheWork) {
   uint64_t used = 0;
-  const auto start = [&](uint64_t planned_bytes) {
+  uint64_t for_answer = 0;
+  const auto start = [&](uint64_t planned_bytes, uint64_t answer_bytes) {
     return jobs_
         .Start({.planned_bytes = planned_bytes,
+                .answer_bytes = answer_bytes,
                 .work =
-                    [&](Checkpoint&) {
+                    [&](Checkpoint&, ByteReservation answer) {
                       used = memory_->used();
+                      for_answer = answer.bytes();
                       return absl::OkStatus();
                     }},
                observer_)
-        .ok();
+        .status();
   };
-  ASSERT_TRUE(start(1000));
+  ASSERT_TRUE(start(1000, 200).ok());
   executor_.RunAll();
-  EXPECT_EQ(used, 1000);
+  EXPECT_EQ(used, 1200);
+  EXPECT_EQ(for_answer, 200);
   EXPECT_EQ(memory_->used(), 0);
-  used = 0;
-  ASSERT_TRUE(start(memory_->capacity() + 1));
+  // What can never be had is refused before it waits.
+  const absl::Status status = start(memory_->capacity() - 10, 11);
+  EXPECT_TRUE(absl::IsResourceExhausted(status));
+  EXPECT_FALSE(RetryAfter(status).has_value());
+  EXPECT_EQ(scheduler_.queued(), 0);
+  EXPECT_EQ(observer_->calls, 1);
+}
+
+TEST_F(SoloJobTest, WaitsForMemoryThatOthersHold) {
+  Scheduler wide(executor_, /*max_running=*/2, /*max_queued=*/2);
+  SoloJobs jobs(clock_, wide, memory_, milliseconds(50));
+  const uint64_t most = memory_->capacity() / 2 + 1;
+  std::vector<int> ran;
+  const auto start = [&](int number, std::function<void()> work) {
+    const auto call =
+        jobs.Start({.planned_bytes = most,
+                    .work =
+                        [&ran, number, work](Checkpoint&, ByteReservation) {
+                          ran.push_back(number);
+                          work();
+                          return absl::OkStatus();
+                        }},
+                   observer_);
+    EXPECT_TRUE(call.ok());
+  };
+  // While the first runs, the second thread finds no memory for the second.
+  start(1, [&] {
+    start(2, [] {});
+    executor_.RunAll();
+    EXPECT_EQ(ran, std::vector<int>{1});
+    EXPECT_EQ(wide.running(), 1);
+    EXPECT_EQ(wide.queued(), 1);
+  });
   executor_.RunAll();
-  EXPECT_EQ(used, 0);
-  EXPECT_TRUE(absl::IsResourceExhausted(observer_->report->status));
+  EXPECT_EQ(ran, (std::vector<int>{1, 2}));
+  EXPECT_TRUE(observer_->report->status.ok());
+  EXPECT_EQ(memory_->used(), 0);
+}
+
+TEST_F(SoloJobTest, HearsOfMemoryThatNoJobWillGiveBack) {
+  // A slow reader's answer, say.
+  auto held = ByteReservation::Make(memory_, 1000);
+  ASSERT_TRUE(held.ok());
+  ASSERT_TRUE(
+      jobs_
+          .Start({.planned_bytes = memory_->capacity(),
+                  .work = [](Checkpoint&, ByteReservation) -> absl::Status {
+                    ADD_FAILURE() << "there was no memory";
+                    return absl::OkStatus();
+                  }},
+                 observer_)
+          .ok());
+  executor_.RunAll();
+  ASSERT_EQ(observer_->calls, 1);
+  const absl::Status& status = observer_->report->status;
+  EXPECT_TRUE(absl::IsResourceExhausted(status));
+  EXPECT_TRUE(RetryAfter(status).has_value());
+  EXPECT_EQ(ReasonOf(status), reason::kMemoryFull);
+  EXPECT_EQ(memory_->used(), 1000);
 }
 
 TEST_F(SoloJobTest, ReportsHowItWent) {

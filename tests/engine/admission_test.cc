@@ -1,0 +1,344 @@
+// Memory that jobs set aside before they start, and who goes before whom, in
+// the engine as a whole.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "server/engine/error_reasons.h"
+#include "server/engine/status_details.h"
+#include "tests/engine/engine_fixture.h"
+#include "tests/engine/solving_computation.h"
+#include "tests/support/curved_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+using test::RecordingObserver;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class SilentRows final : public RowObserver {
+ public:
+  void OnRow() override {}
+};
+
+class RecordingJobObserver final : public JobObserver {
+ public:
+  void OnProgress(const Progress&) override {}
+  void OnDone(const JobReport& r) override { report = r; }
+  std::optional<JobReport> report;
+};
+
+class AdmissionTest : public test::EngineTest {
+ protected:
+  explicit AdmissionTest(Limits limits = RoomyQueue()) : EngineTest(limits) {}
+
+  static Limits RoomyQueue() {
+    Limits limits = SmallLimits();
+    limits.max_queued_jobs = 100;
+    return limits;
+  }
+
+  void SetUp() override {
+    const auto uploaded = Upload(geodesic::test::Icosphere(2));
+    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
+    digest_ = uploaded->mesh.digest;
+    start_ = test::StartWith(solve_);
+    solve_ = [this](const Mesh& mesh, const Query& query, const SolveOptions&,
+                    Checkpoint& checkpoint) -> absl::StatusOr<DistanceField> {
+      order_.push_back(std::get<VertexPoint>(query.sources[0].point).vertex);
+      if (at_poll_) at_poll_();
+      absl::Status status = checkpoint.Poll({.solver_bytes = 1 << 20});
+      if (!status.ok()) return status;
+      return DistanceField{.distances =
+                               std::vector<double>(mesh.vertex_count())};
+    };
+  }
+
+  FieldRequest Field(uint32_t vertex, bool is_batch = false) {
+    return {.mesh_digest = digest_,
+            .query = {.sources = {{VertexPoint{vertex}, 0}}},
+            .requester = {.client = "a", .is_batch = is_batch}};
+  }
+  absl::StatusOr<FieldCall> Ask(const FieldRequest& request) {
+    return engine_.ComputeField(request, observer_);
+  }
+  absl::StatusOr<MatrixCall> AskForMatrix(uint32_t first, uint32_t rows) {
+    MatrixRequest request{.mesh_digest = digest_,
+                          .requester = {.client = "matrix"}};
+    for (uint32_t row = 0; row < rows; ++row) {
+      request.query.sources.push_back({VertexPoint{first + row}, 0});
+    }
+    return engine_.ComputeMatrix(std::move(request),
+                                 std::make_shared<SilentRows>());
+  }
+
+  // What every outcome leaves behind.
+  void ExpectNothingHeld() {
+    EXPECT_EQ(engine_.solver_memory().used(), 0);
+    EXPECT_EQ(engine_.upload_memory().used(), 0);
+    EXPECT_EQ(engine_.scheduler().running(), 0);
+    EXPECT_EQ(engine_.scheduler().queued(), 0);
+    EXPECT_EQ(engine_.fields().flights().size(), 0);
+    EXPECT_EQ(engine_.fields().flights().waiters(), 0);
+  }
+
+  std::string digest_;
+  test::SolveFunction solve_;
+  std::function<void()> at_poll_;
+  std::vector<uint32_t> order_;  // of the vertices that were sources
+  std::shared_ptr<RecordingObserver> observer_ =
+      std::make_shared<RecordingObserver>();
+};
+
+class OutcomeTest : public AdmissionTest {
+ protected:
+  // Computes a field, with `act` done in the queue or while it is computed.
+  void Run(FieldRequest request, bool in_queue,
+           const std::function<void(const FieldCall&)>& act) {
+    absl::StatusOr<FieldCall> call;
+    at_poll_ = [&] {
+      EXPECT_GE(engine_.solver_memory().used(),
+                PlannedSolverBytes(*call->mesh->mesh, request.query));
+      if (!in_queue) act(*call);
+    };
+    call = Ask(request);
+    ASSERT_TRUE(call.ok()) << call.status();
+    EXPECT_EQ(engine_.solver_memory().used(), 0);  // it only waits
+    if (in_queue) act(*call);
+    executor_.RunAll();
+    call = absl::CancelledError();  // which held the mesh
+    ExpectNothingHeld();
+  }
+};
+
+TEST_F(OutcomeTest, AnAnswerLeavesTheFieldAlone) {
+  Run(Field(0), false, [](const FieldCall&) {});
+  EXPECT_TRUE(observer_->field->ok());
+  EXPECT_EQ(engine_.fields().fields().size(), 1);
+}
+
+TEST_F(OutcomeTest, CancellingLeavesNothing) {
+  for (const bool in_queue : {true, false}) {
+    Run(Field(0), in_queue,
+        [&](const FieldCall& call) { engine_.Cancel(call); });
+    EXPECT_EQ(observer_->calls, 0);
+  }
+  EXPECT_EQ(engine_.fields().fields().used_bytes(), 0);
+}
+
+TEST_F(OutcomeTest, ADeadlineLeavesNothing) {
+  for (const bool in_queue : {true, false}) {
+    FieldRequest request = Field(0);
+    request.deadline = clock_.Now() + std::chrono::seconds(1);
+    Run(request, in_queue,
+        [&](const FieldCall&) { clock_.Advance(std::chrono::seconds(2)); });
+    EXPECT_TRUE(absl::IsDeadlineExceeded(observer_->field->status()));
+  }
+  EXPECT_EQ(engine_.fields().fields().used_bytes(), 0);
+}
+
+TEST_F(OutcomeTest, AnErrorLeavesNothing) {
+  solve_ = [](const auto&...) -> absl::StatusOr<DistanceField> {
+    return absl::InternalError("a bug");
+  };
+  Run(Field(0), false, [](const FieldCall&) {});
+  EXPECT_TRUE(absl::IsInternal(observer_->field->status()));
+  solve_ = [](const auto&...) -> absl::StatusOr<DistanceField> {
+    throw std::bad_alloc();
+  };
+  Run(Field(0), false, [](const FieldCall&) {});
+  EXPECT_TRUE(absl::IsResourceExhausted(observer_->field->status()));
+  EXPECT_EQ(engine_.fields().fields().used_bytes(), 0);
+}
+
+TEST_F(OutcomeTest, StoppingInTheQueueLeavesNothing) {
+  Run(Field(0), true, [&](const FieldCall&) { engine_.StopAll(); });
+  EXPECT_TRUE(absl::IsUnavailable(observer_->field->status()));
+}
+
+TEST_F(OutcomeTest, StoppingTheSolverLeavesNothing) {
+  Run(Field(0), false, [&](const FieldCall&) { engine_.StopAll(); });
+  EXPECT_TRUE(absl::IsUnavailable(observer_->field->status()));
+  EXPECT_EQ(engine_.fields().fields().used_bytes(), 0);
+}
+
+TEST_F(OutcomeTest, ASettledOrderAndQuantitiesAreSetAsideToo) {
+  FieldRequest request = Field(0);
+  request.extras.settled_order = true;
+  absl::StatusOr<FieldCall> call;
+  at_poll_ = [&] {
+    const Mesh& mesh = *call->mesh->mesh;
+    EXPECT_GE(engine_.solver_memory().used(),
+              PlannedSolverBytes(mesh, request.query) +
+                  SettledLog::BytesFor(mesh.vertex_count()));
+  };
+  call = Ask(request);
+  ASSERT_TRUE(call.ok());
+  executor_.RunAll();
+  EXPECT_TRUE(observer_->field->ok());
+  // Readers may still want the order.
+  EXPECT_GT(engine_.solver_memory().used(), 0);
+  call = absl::CancelledError();
+  ExpectNothingHeld();
+}
+
+TEST_F(OutcomeTest, AMatrixGivesEachRowBack) {
+  auto call = AskForMatrix(0, 4);
+  ASSERT_TRUE(call.ok()) << call.status();
+  executor_.RunAll();
+  // One thread: two rows are there and wait to be taken.
+  const uint64_t row_bytes = call->column_count * sizeof(double);
+  EXPECT_EQ(engine_.solver_memory().used(), 2 * row_bytes);
+  for (int row = 0; row < 4; ++row) {
+    executor_.RunAll();
+    EXPECT_TRUE(call->rows->Take()->ok());
+  }
+  executor_.RunAll();
+  ExpectNothingHeld();
+
+  call = AskForMatrix(0, 4);
+  executor_.RunOne();
+  call->rows->Cancel();
+  executor_.RunAll();
+  ExpectNothingHeld();
+}
+
+TEST_F(OutcomeTest, AQuestionGivesItsMemoryBack) {
+  const auto observer = std::make_shared<RecordingJobObserver>();
+  for (const bool fails : {false, true}) {
+    auto call = engine_.StartQuestion(
+        {.mesh_digest = digest_,
+         .query = {.sources = {{VertexPoint{0}, 0}}},
+         .work =
+             [&](const Mesh& mesh, const Query& query, const SolveOptions&,
+                 Checkpoint&, ByteReservation& answer) {
+               EXPECT_EQ(engine_.solver_memory().used(),
+                         PlannedSolverBytes(mesh, query));
+               absl::Status status = answer.GrowTo(1000);
+               return fails ? absl::InternalError("a bug") : status;
+             }},
+        observer);
+    ASSERT_TRUE(call.ok());
+    executor_.RunAll();
+    EXPECT_EQ(observer->report->status.ok(), !fails);
+    EXPECT_EQ(engine_.solver_memory().used(), 1000);
+    call = absl::CancelledError();  // who streamed the answer is done
+    ExpectNothingHeld();
+  }
+}
+
+class TinySolverTest : public AdmissionTest {
+ protected:
+  static Limits TinySolver() {
+    Limits limits = RoomyQueue();
+    limits.solver_memory_bytes = 1000;
+    return limits;
+  }
+  TinySolverTest() : AdmissionTest(TinySolver()) {}
+};
+
+TEST_F(TinySolverTest, WhatCanNeverFitIsRefusedAtOnceWithTheFigures) {
+  const absl::Status status = Ask(Field(0)).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(status));
+  EXPECT_EQ(ReasonOf(status), reason::kLimitExceeded);
+  EXPECT_FALSE(RetryAfter(status).has_value());
+  const std::string message(status.message());
+  EXPECT_THAT(message, HasSubstr("bytes are needed"));
+  EXPECT_THAT(message, HasSubstr("1000 bytes"));
+  EXPECT_THAT(message, HasSubstr("--solver-memory"));
+  EXPECT_TRUE(absl::IsResourceExhausted(AskForMatrix(0, 2).status()));
+  EXPECT_EQ(observer_->calls, 0);
+  ExpectNothingHeld();
+}
+
+class NoRoomForFieldsTest : public AdmissionTest {
+ protected:
+  static Limits NoRoomForFields() {
+    Limits limits = RoomyQueue();
+    limits.field_cache_bytes = 1000;
+    return limits;
+  }
+  NoRoomForFieldsTest() : AdmissionTest(NoRoomForFields()) {}
+};
+
+TEST_F(NoRoomForFieldsTest, AFieldThatTheCacheCannotHoldIsRefusedAtOnce) {
+  const absl::Status status = Ask(Field(0)).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(status));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("--field-cache"));
+  ExpectNothingHeld();
+}
+
+TEST_F(AdmissionTest, AQuestionWaitsForOneRowAtMost) {
+  auto matrix = AskForMatrix(100, 5);
+  ASSERT_TRUE(matrix.ok());
+  executor_.RunOne();  // the first row
+  ASSERT_TRUE(Ask(Field(1)).ok());
+  ASSERT_TRUE(Ask(Field(2)).ok());
+  // While these run, the reader takes rows, so that others are submitted.
+  at_poll_ = [&] { matrix->rows->Take(); };
+  executor_.RunAll();
+  ASSERT_GE(order_.size(), 4);
+  EXPECT_THAT(std::vector(order_.begin(), order_.begin() + 4),
+              ElementsAre(100, 1, 2, 101));
+  EXPECT_TRUE(observer_->field->ok());
+  while (matrix->rows->Take()) executor_.RunAll();
+}
+
+TEST_F(AdmissionTest, BatchesGoAfterRowsAndQuestions) {
+  ASSERT_TRUE(Ask(Field(1, /*is_batch=*/true)).ok());
+  const auto matrix = AskForMatrix(100, 2);
+  ASSERT_TRUE(matrix.ok());
+  ASSERT_TRUE(Ask(Field(2)).ok());
+  executor_.RunAll();
+  EXPECT_THAT(order_, ElementsAre(2, 100, 101, 1));
+}
+
+TEST_F(AdmissionTest, ABatchThatSomebodyWaitsForIsNoBatch) {
+  ASSERT_TRUE(Ask(Field(1, /*is_batch=*/true)).ok());
+  ASSERT_TRUE(Ask(Field(2, /*is_batch=*/true)).ok());
+  const auto matrix = AskForMatrix(100, 1);
+  ASSERT_TRUE(matrix.ok());
+  const auto joined = Ask(Field(2));
+  ASSERT_TRUE(joined.ok());
+  EXPECT_EQ(joined->origin, FieldOrigin::kJoined);
+  executor_.RunAll();
+  EXPECT_THAT(order_, ElementsAre(2, 100, 1));
+}
+
+TEST_F(AdmissionTest, ClientsTakeTurns) {
+  for (uint32_t vertex = 0; vertex < 3; ++vertex) {
+    ASSERT_TRUE(Ask(Field(vertex)).ok());
+  }
+  FieldRequest other = Field(50);
+  other.requester.client = "b";
+  ASSERT_TRUE(Ask(other).ok());
+  executor_.RunAll();
+  EXPECT_THAT(order_, ElementsAre(0, 50, 1, 2));
+}
+
+TEST_F(AdmissionTest, WhatMustBeKeptIsNotComputed) {
+  FieldRequest request = Field(0);
+  request.must_be_kept = true;
+  const absl::Status status = Ask(request).status();
+  EXPECT_TRUE(absl::IsNotFound(status));
+  EXPECT_EQ(ReasonOf(status), reason::kFieldNotKept);
+  ASSERT_TRUE(Ask(Field(0)).ok());
+  // Not while it is computed, either.
+  EXPECT_TRUE(absl::IsNotFound(Ask(request).status()));
+  executor_.RunAll();
+  const auto call = Ask(request);
+  ASSERT_TRUE(call.ok());
+  EXPECT_TRUE(call->answer.has_value());
+}
+
+}  // namespace
+}  // namespace geodesic::server
