@@ -15,6 +15,7 @@
 #include "client/cli/exit_code.h"
 #include "client/output/output_format.h"
 #include "client/picture/picture.h"
+#include "geodesic_client/answer.h"
 #include "geodesic_client/connection_options.h"
 #include "geodesic_client/mesh.h"
 #include "geodesic_client/surface_point.h"
@@ -50,6 +51,7 @@ struct ConnectionArguments {
   std::string server_name;
   std::string token;
   std::string token_file;
+  bool no_retry = false;
 };
 
 struct Arguments {
@@ -71,6 +73,7 @@ struct Arguments {
   std::vector<SurfacePoint> targets;
   std::vector<std::string> target_files;
   std::string algorithm;
+  Priority priority = Priority::kInteractive;
   std::optional<double> radius;
   // kAllTargets, or how many.
   std::optional<uint64_t> stop_at_targets;

@@ -46,6 +46,8 @@ absl::Status RunCapabilities(const Session& session) {
       {"largest message", ByteCount(limits.max_message_bytes)},
       {"concurrent jobs", GroupedNumber(limits.max_concurrent_jobs)},
       {"queued jobs", GroupedNumber(limits.max_queued_jobs)},
+      {"queued jobs a client",
+       GroupedNumber(limits.max_queued_jobs_per_client)},
       {"mesh store", ByteCount(limits.mesh_store_bytes)},
       {"field cache", ByteCount(limits.field_cache_bytes)},
       {"computation store", ByteCount(limits.computation_store_bytes)},

@@ -67,6 +67,10 @@ void AddConnection(CLI::App* app, Arguments* arguments) {
   add("--token-file", connection.token_file,
       "Read the token from the first line of this file", "FILE",
       "GEODESIC_TOKEN_FILE");
+  app->add_flag("--no-retry", connection.no_retry,
+                "Report at once that the server is full, away, or was cut off, "
+                "instead of trying again a few times")
+      ->envname("GEODESIC_NO_RETRY");
 }
 
 absl::StatusOr<ConnectionOptions> ReadConnection(const Arguments& arguments) {
@@ -89,6 +93,7 @@ absl::StatusOr<ConnectionOptions> ReadConnection(const Arguments& arguments) {
                      " in clear: use TLS (--tls or --tls-ca FILE)")));
   }
   options.token = *std::move(token);
+  options.retry = !connection.no_retry;
   return options;
 }
 

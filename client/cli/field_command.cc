@@ -45,7 +45,8 @@ FieldQuery ToQuery(const Arguments& arguments, const Question& question) {
                       .nearest_sources = arguments.labels,
                       .gradients = arguments.gradients,
                       .value_type = arguments.float32 ? ValueType::kFloat32
-                                                      : ValueType::kFloat64};
+                                                      : ValueType::kFloat64,
+                      .priority = arguments.priority};
   if (arguments.stop_at_targets.has_value()) {
     query.stop_after_targets = *arguments.stop_at_targets == kAllTargets
                                    ? question.targets.size()

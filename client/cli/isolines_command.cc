@@ -72,7 +72,8 @@ absl::StatusOr<Field> ComputeField(const Session& session,
                                    const Question& question, Stopwatch* watch) {
   return session.client.ComputeField({.mesh_digest = question.mesh_digest,
                                       .sources = question.sources,
-                                      .algorithm = session.arguments.algorithm},
+                                      .algorithm = session.arguments.algorithm,
+                                      .priority = session.arguments.priority},
                                      session.call, watch->OnSolve());
 }
 
@@ -169,7 +170,8 @@ absl::Status RunIsolines(const Session& session) {
       session.client.ComputeIsolines({.mesh_digest = question->mesh_digest,
                                       .sources = question->sources,
                                       .levels = levels,
-                                      .algorithm = arguments.algorithm},
+                                      .algorithm = arguments.algorithm,
+                                      .priority = arguments.priority},
                                      session.call, watch.OnSolve());
   if (!answer.ok()) return answer.status();
   const double seconds = watch.seconds();

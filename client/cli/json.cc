@@ -55,6 +55,7 @@ Json ToJson(const Capabilities& capabilities) {
             {"max_message_bytes", limits.max_message_bytes},
             {"max_concurrent_jobs", limits.max_concurrent_jobs},
             {"max_queued_jobs", limits.max_queued_jobs},
+            {"max_queued_jobs_per_client", limits.max_queued_jobs_per_client},
             {"mesh_store_bytes", limits.mesh_store_bytes},
             {"field_cache_bytes", limits.field_cache_bytes},
             {"computation_store_bytes", limits.computation_store_bytes},

@@ -85,7 +85,8 @@ absl::Status RunLogMap(const Session& session) {
        .algorithm = arguments.algorithm,
        .value_type =
            arguments.float32 ? ValueType::kFloat32 : ValueType::kFloat64,
-       .max_distance = arguments.radius},
+       .max_distance = arguments.radius,
+       .priority = arguments.priority},
       session.call, watch.OnSolve());
   if (!map.ok()) return map.status();
   const double seconds = watch.seconds();

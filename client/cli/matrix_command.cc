@@ -139,7 +139,8 @@ absl::Status RunMatrix(const Session& session) {
        .value_type =
            arguments.float32 ? ValueType::kFloat32 : ValueType::kFloat64,
        .max_distance = arguments.radius,
-       .sparse = IsSparse(arguments)},
+       .sparse = IsSparse(arguments),
+       .priority = arguments.priority},
       destination.Receiver(&watch), session.call);
   if (!info.ok()) return info.status();
   const double seconds = watch.seconds();

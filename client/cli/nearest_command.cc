@@ -83,7 +83,8 @@ absl::Status RunNearest(const Session& session) {
                                   .targets = question->targets,
                                   .count = session.arguments.count.value_or(1),
                                   .algorithm = session.arguments.algorithm,
-                                  .max_distance = session.arguments.radius},
+                                  .max_distance = session.arguments.radius,
+                                  .priority = session.arguments.priority},
                                  session.call, watch.OnCount("sources"));
   if (!answer.ok()) return answer.status();
   const double seconds = watch.seconds();

@@ -112,6 +112,20 @@ void AddAlgorithm(CLI::App* command, Arguments* arguments) {
       ->check(CLI::IsMember(AlgorithmNames()).description(""));
 }
 
+void AddPriority(CLI::App* command, Arguments* arguments) {
+  command
+      ->add_option_function<std::string>(
+          "--priority",
+          [arguments](const std::string& priority) {
+            arguments->priority =
+                priority == "batch" ? Priority::kBatch : Priority::kInteractive;
+          },
+          "Let the questions of those who wait go first: batch; default: "
+          "interactive")
+      ->type_name("interactive|batch")
+      ->check(CLI::IsMember({"interactive", "batch"}).description(""));
+}
+
 void AddRadius(CLI::App* command, const std::string& help,
                Arguments* arguments) {
   AddParsed(command, "-r,--radius", help, ParseRadius,

@@ -53,6 +53,7 @@ void AddTargets(CLI::App* command, Need need, const std::string& help,
                 Arguments* arguments);
 
 void AddAlgorithm(CLI::App* command, Arguments* arguments);
+void AddPriority(CLI::App* command, Arguments* arguments);
 void AddRadius(CLI::App* command, const std::string& help,
                Arguments* arguments);
 void AddFloat32(CLI::App* command, Arguments* arguments);

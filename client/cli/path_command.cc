@@ -99,7 +99,8 @@ absl::Status RunPath(const Session& session) {
                                    .sources = question->sources,
                                    .targets = question->targets,
                                    .algorithm = session.arguments.algorithm,
-                                   .max_distance = session.arguments.radius},
+                                   .max_distance = session.arguments.radius,
+                                   .priority = session.arguments.priority},
                                   session.call, watch.OnSolve());
   if (!answer.ok()) return answer.status();
   for (const GeodesicPath& path : answer->paths) {

@@ -39,6 +39,7 @@ void AddField(CLI::App* command, Arguments* arguments) {
                     "Print vertices and their distances as they become final, "
                     "in order of distance; or write them to -o FILE.csv");
   AddAlgorithm(command, arguments);
+  AddPriority(command, arguments);
   AddOutputs(command,
              "Write the field here (labels and gradients too in .npz, .csv, "
              ".ply and .vtk)",
@@ -53,6 +54,7 @@ void AddPath(CLI::App* command, Arguments* arguments) {
              "Find the path here from the nearest source", arguments);
   AddRadius(command, "Give up targets that are farther", arguments);
   AddAlgorithm(command, arguments);
+  AddPriority(command, arguments);
   AddOutputs(command, "Write the paths here", kLineFormats, arguments);
   AddPicture(command, arguments);
 }
@@ -75,6 +77,7 @@ void AddIsolines(CLI::App* command, Arguments* arguments) {
             })
       ->type_name("N");
   AddAlgorithm(command, arguments);
+  AddPriority(command, arguments);
   AddOutputs(command, "Write the lines here", kLineFormats, arguments);
   AddPicture(command, arguments);
 }
@@ -87,6 +90,7 @@ void AddMatrix(CLI::App* command, Arguments* arguments) {
   AddRadius(command, "Leave out distances beyond this one", arguments);
   AddFloat32(command, arguments);
   AddAlgorithm(command, arguments);
+  AddPriority(command, arguments);
   AddOutputs(command,
              "Write the matrix here, row by row: dense to .npy, as sparse "
              "rows to .npz (scipy.sparse.load_npz reads it), as "
@@ -107,6 +111,7 @@ void AddNearest(CLI::App* command, Arguments* arguments) {
       ->type_name("K");
   AddRadius(command, "Find no members farther than this", arguments);
   AddAlgorithm(command, arguments);
+  AddPriority(command, arguments);
   AddOutputs(command, "Write what was found here", kTableFormats, arguments);
 }
 
@@ -120,6 +125,7 @@ void AddSample(CLI::App* command, Arguments* arguments) {
       ->type_name("N");
   AddSources(command, Need::kOptional, arguments);
   AddAlgorithm(command, arguments);
+  AddPriority(command, arguments);
   AddOutputs(command, "Write the samples here", kSampleFormats, arguments);
 }
 
@@ -141,6 +147,7 @@ void AddLogMap(CLI::App* command, Arguments* arguments) {
   AddRadius(command, "End the map at this distance", arguments);
   AddFloat32(command, arguments);
   AddAlgorithm(command, arguments);
+  AddPriority(command, arguments);
   AddOutputs(command, "Write u and v of every vertex here", kLogMapFormats,
              arguments);
 }

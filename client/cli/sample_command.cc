@@ -98,7 +98,8 @@ absl::Status RunSample(const Session& session) {
       {.mesh_digest = question->mesh_digest,
        .sources = question->sources,
        .count = session.arguments.count.value_or(kDefaultCount),
-       .algorithm = session.arguments.algorithm},
+       .algorithm = session.arguments.algorithm,
+       .priority = session.arguments.priority},
       session.call, watch.OnSolve());
   if (!answer.ok()) return answer.status();
   const double seconds = watch.seconds();

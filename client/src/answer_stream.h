@@ -112,6 +112,7 @@ absl::Status SetCommon(const Query& query, Request* request) {
   if (!algorithm.ok()) return algorithm.status();
   request->set_mesh_digest(query.mesh_digest);
   request->set_algorithm(*algorithm);
+  request->set_priority(ToProto(query.priority));
   return absl::OkStatus();
 }
 

@@ -8,40 +8,12 @@
 #include <vector>
 
 #include "call_metadata.h"
+#include "service_config.h"
 
 namespace geodesic::client {
 namespace {
 
 constexpr int kMebibyte = 1 << 20;
-
-// Questions and look-ups change nothing, so they are asked again while nothing
-// of an answer has come: when the server is not there, or, at the time it names
-// itself, when it is full. A mesh that was deleted by a call whose answer was
-// lost would then be reported missing, so DeleteMesh is not among them; and
-// what CreateMesh sends is too much to be kept for a repetition by gRPC, so
-// upload.cc sees to that.
-constexpr char kServiceConfig[] = R"json({
-  "methodConfig": [{
-    "name": [
-      {"service": "geodesic.v1.FieldService"},
-      {"service": "geodesic.v1.PathService"},
-      {"service": "geodesic.v1.MatrixService"},
-      {"service": "geodesic.v1.CapabilitiesService"},
-      {"service": "geodesic.v1.MeshService", "method": "FindMissingMeshes"},
-      {"service": "geodesic.v1.MeshService", "method": "GetMesh"},
-      {"service": "geodesic.v1.MeshService", "method": "ReadMesh"},
-      {"service": "geodesic.v1.MeshService", "method": "ListMeshes"}
-    ],
-    "retryPolicy": {
-      "maxAttempts": 4,
-      "initialBackoff": "0.2s",
-      "maxBackoff": "3s",
-      "backoffMultiplier": 2,
-      "retryableStatusCodes": ["UNAVAILABLE", "RESOURCE_EXHAUSTED"]
-    }
-  }],
-  "retryThrottling": {"maxTokens": 20, "tokenRatio": 0.5}
-})json";
 
 std::shared_ptr<grpc::ChannelCredentials> MakeCredentials(
     const std::optional<TlsOptions>& tls) {
@@ -71,7 +43,11 @@ std::shared_ptr<grpc::Channel> MakeChannel(const std::string& server,
   // Clients of one process that name the same server do not share a
   // connection, so that closing one means closing it.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  arguments.SetServiceConfigJSON(kServiceConfig);
+  if (options.retry) {
+    arguments.SetServiceConfigJSON(kServiceConfig);
+  } else {
+    arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);
+  }
   if (options.tls.has_value() && !options.tls->server_name.empty()) {
     arguments.SetSslTargetNameOverride(options.tls->server_name);
   }

@@ -18,7 +18,8 @@ constexpr int kPageSize = 1000;
 
 Client::Connection::Connection(const std::string& server,
                                const ConnectionOptions& options)
-    : channel(MakeChannel(server, options)),
+    : retry(options.retry),
+      channel(MakeChannel(server, options)),
       meshes(v1::MeshService::NewStub(channel)),
       capabilities(v1::CapabilitiesService::NewStub(channel)),
       fields(channel),

@@ -1,5 +1,5 @@
 // Client::ComputeField and StreamField: one server stream, received into its
-// final buffer or handed on.
+// final buffer or handed on. One that breaks is read on.
 
 #include <grpcpp/completion_queue.h>
 
@@ -9,6 +9,8 @@
 #include "call.h"
 #include "connection.h"
 #include "field_assembler.h"
+#include "geodesic_client/errors.h"
+#include "retry.h"
 #include "rpc_status.h"
 #include "translate.h"
 
@@ -84,37 +86,77 @@ absl::StatusOr<v1::ComputeFieldRequest> ToRequest(const FieldQuery& query) {
     request.add_quantities(v1::FIELD_QUANTITY_NEAREST_SOURCE);
   }
   if (query.gradients) request.add_quantities(v1::FIELD_QUANTITY_GRADIENT);
+  request.set_priority(ToProto(query.priority));
   return request;
+}
+
+// Reads one stream to its end.
+absl::Status ReceiveStream(FieldStub* stub,
+                           const v1::ComputeFieldRequest& request,
+                           const CallOptions& options,
+                           FieldAssembler* assembler) {
+  Call call(options);
+  FieldStream stream(stub, call.context());
+  absl::Status broken;
+  if (stream.Send(request)) {
+    grpc::ByteBuffer message;
+    while (broken.ok() && stream.Read(&message)) {
+      broken = assembler->Consume(&message);
+    }
+    if (!broken.ok()) call.context()->TryCancel();
+  }
+  const absl::Status status = FromRpcStatus(stream.Finish());
+  return broken.ok() ? status : broken;
+}
+
+// Whether and how to go on after a stream has failed; until it had begun, gRPC
+// has tried again itself.
+bool ReadOn(const absl::Status& failed, int attempts,
+            const CallOptions& options, FieldAssembler* assembler,
+            v1::ComputeFieldRequest* request) {
+  if (ErrorReason(failed) == "FIELD_NOT_KEPT") {
+    assembler->Restart();
+    request->clear_resumption();
+    return attempts < kMaxAttempts;
+  }
+  if (!WaitToRetry(failed, attempts, options.stop)) return false;
+  const FieldAssembler::Position position = assembler->Resume();
+  request->clear_resumption();
+  if (!position.field_id.empty()) {
+    request->mutable_resumption()->set_field_id(position.field_id);
+    request->mutable_resumption()->set_first_vertex(position.first_vertex);
+  }
+  return true;
 }
 
 absl::StatusOr<Field> Receive(FieldStub* stub, const FieldQuery& query,
                               const SettledCallback& on_settled,
                               const CallOptions& options,
-                              const SolveProgressCallback& progress) {
+                              const SolveProgressCallback& progress,
+                              bool retry) {
   absl::StatusOr<v1::ComputeFieldRequest> request = ToRequest(query);
   if (!request.ok()) return request.status();
   request->set_progressive(on_settled != nullptr);
-
-  Call call(options);
-  FieldStream stream(stub, call.context());
   FieldAssembler assembler({.value_type = query.value_type,
                             .nearest_sources = query.nearest_sources,
                             .gradients = query.gradients,
                             .target_count = query.targets.size(),
                             .on_settled = on_settled},
                            progress);
-  absl::Status broken;
-  if (stream.Send(*request)) {
-    grpc::ByteBuffer message;
-    while (broken.ok() && stream.Read(&message)) {
-      broken = assembler.Consume(&message);
+  bool begun = false;
+  for (int attempts = 1;; ++attempts) {
+    const uint64_t had = assembler.received();
+    const absl::Status status =
+        ReceiveStream(stub, *request, options, &assembler);
+    if (status.ok()) return std::move(assembler).Finish();
+    begun |= assembler.accepted();
+    // What has been handed out cannot be taken back.
+    if (!retry || !begun || on_settled != nullptr) return status;
+    if (assembler.received() > had) attempts = 1;
+    if (!ReadOn(status, attempts, options, &assembler, &*request)) {
+      return status;
     }
-    if (!broken.ok()) call.context()->TryCancel();
   }
-  const absl::Status status = FromRpcStatus(stream.Finish());
-  if (!broken.ok()) return broken;
-  if (!status.ok()) return status;
-  return std::move(assembler).Finish();
 }
 
 }  // namespace
@@ -122,13 +164,15 @@ absl::StatusOr<Field> Receive(FieldStub* stub, const FieldQuery& query,
 absl::StatusOr<Field> Client::ComputeField(
     const FieldQuery& query, const CallOptions& options,
     const SolveProgressCallback& progress) {
-  return Receive(&connection_->fields, query, nullptr, options, progress);
+  return Receive(&connection_->fields, query, nullptr, options, progress,
+                 connection_->retry);
 }
 
 absl::StatusOr<Field> Client::StreamField(
     const FieldQuery& query, const SettledCallback& on_settled,
     const CallOptions& options, const SolveProgressCallback& progress) {
-  return Receive(&connection_->fields, query, on_settled, options, progress);
+  return Receive(&connection_->fields, query, on_settled, options, progress,
+                 connection_->retry);
 }
 
 }  // namespace geodesic::client

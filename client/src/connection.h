@@ -26,6 +26,7 @@ using FieldStub =
 struct Client::Connection {
   Connection(const std::string& server, const ConnectionOptions& options);
 
+  const bool retry;  // see ConnectionOptions
   std::shared_ptr<grpc::Channel> channel;
   std::unique_ptr<v1::MeshService::Stub> meshes;
   std::unique_ptr<v1::CapabilitiesService::Stub> capabilities;

@@ -36,7 +36,12 @@ constexpr uint32_t kNearestTag =
     BytesTag(FieldChunk::kNearestSourcesFieldNumber);
 constexpr uint32_t kGradientsTag = BytesTag(FieldChunk::kGradientsFieldNumber);
 
+constexpr uint32_t kFieldIdTag = BytesTag(FieldChunk::kFieldIdFieldNumber);
+
 constexpr size_t kDimensions = 3;
+
+// The server's are 64 bytes.
+constexpr uint32_t kLongestFieldId = 1024;
 
 // Room taken on the server's word alone, in values: address space that no
 // memory backs until values arrive. Larger fields grow as vectors do.
@@ -92,6 +97,8 @@ absl::Status FieldAssembler::ConsumeChunk(CodedInputStream* input) {
       status = ConsumeNearest(input);
     } else if (tag == kGradientsTag) {
       status = ConsumeValues(input, kDimensions, &gradient_values_);
+    } else if (tag == kFieldIdTag) {
+      status = ConsumeFieldId(input);
     } else if (!WireFormatLite::SkipField(input, tag)) {
       return Malformed();
     }
@@ -149,6 +156,33 @@ absl::Status FieldAssembler::ConsumeNearest(CodedInputStream* input) {
              : Malformed();
 }
 
+absl::Status FieldAssembler::ConsumeFieldId(CodedInputStream* input) {
+  uint32_t size = 0;
+  return ReadSize(input, 1, &size) && size <= kLongestFieldId &&
+                 input->ReadString(&field_id_, static_cast<int>(size))
+             ? absl::OkStatus()
+             : Malformed();
+}
+
+FieldAssembler::Position FieldAssembler::Resume() {
+  if (field_id_.empty()) {
+    Restart();
+    return {};
+  }
+  accepted_ = false;
+  complete_ = false;
+  field_.target_distances.clear();
+  return {field_id_, received()};
+}
+
+void FieldAssembler::Restart() {
+  field_ = Field();
+  field_id_.clear();
+  gradient_values_.clear();
+  accepted_ = false;
+  complete_ = false;
+}
+
 absl::Status FieldAssembler::ConsumeTargets(const v1::TargetChunk& chunk) {
   if (chunk.offset() != field_.target_distances.size() ||
       !AppendValues(chunk.distances(), expected_.value_type,
@@ -200,6 +234,11 @@ absl::Status FieldAssembler::ConsumeOther(const ComputeFieldResponse& message) {
     case ComputeFieldResponse::kAccepted:
       if (accepted_) {
         return absl::DataLossError("the server accepted one query twice");
+      }
+      // When a field is read on, it must be the same.
+      if (!field_id_.empty() &&
+          message.accepted().vertex_count() != field_.vertex_count) {
+        return absl::DataLossError("the server went on with another field");
       }
       Accept(message.accepted());
       return absl::OkStatus();

@@ -11,6 +11,7 @@
 #include <grpcpp/support/byte_buffer.h>
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,20 @@ class FieldAssembler {
   // memory never grows by more than the bytes that have arrived.
   absl::Status Consume(grpc::ByteBuffer* message);
 
+  // Whether the server has begun to answer.
+  bool accepted() const { return accepted_; }
+  uint64_t received() const { return field_.distances.size(); }
+
+  // After a stream has broken: the next one is to begin where this one ended,
+  // or at the start if what came cannot be added to.
+  struct Position {
+    std::string field_id;  // empty: at the start
+    uint64_t first_vertex = 0;
+  };
+  Position Resume();
+  // After a stream has broken: the next one begins at the start.
+  void Restart();
+
   // The field, after the stream has ended well.
   // Errors: DATA_LOSS if anything is missing.
   absl::StatusOr<Field> Finish() &&;
@@ -55,6 +70,7 @@ class FieldAssembler {
   absl::Status ConsumeValues(Input* input, size_t per_vertex,
                              std::vector<double>* values);
   absl::Status ConsumeNearest(Input* input);
+  absl::Status ConsumeFieldId(Input* input);
   absl::Status ConsumeOther(const v1::ComputeFieldResponse& message);
   absl::Status ConsumeTargets(const v1::TargetChunk& chunk);
   absl::Status ConsumeSettled(const v1::SettledChunk& chunk);
@@ -66,6 +82,7 @@ class FieldAssembler {
   // Three per vertex, until the field is handed out.
   std::vector<double> gradient_values_;
   uint64_t settled_count_ = 0;
+  std::string field_id_;
   std::vector<float> narrow_;
   bool accepted_ = false;
   bool complete_ = false;

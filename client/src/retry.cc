@@ -15,8 +15,6 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-// As the channel's own policy has it.
-constexpr int kMaxAttempts = 4;
 constexpr Seconds kFirstDelay(0.2);
 constexpr Seconds kLongestDelay(10);
 

@@ -9,6 +9,9 @@
 
 namespace geodesic::client {
 
+// As the channel's own policy has it.
+inline constexpr int kMaxAttempts = 4;
+
 // Waits before the next attempt, as long as the server suggests or twice as
 // long each time; `attempts` have failed, the last with `status`. False, at
 // once or when `stop` asks for it, if there is to be none: the error would come

@@ -138,7 +138,8 @@ Capabilities FromProto(const v1::GetCapabilitiesResponse& response) {
       .max_matrix_values = limits.max_matrix_values(),
       .computation_store_bytes = limits.computation_store_bytes(),
       .mesh_disk_bytes = limits.mesh_disk_bytes(),
-      .field_disk_bytes = limits.field_disk_bytes()};
+      .field_disk_bytes = limits.field_disk_bytes(),
+      .max_queued_jobs_per_client = limits.max_queued_jobs_per_client()};
   return capabilities;
 }
 
@@ -183,6 +184,11 @@ v1::Source ToProto(const Source& source) {
   std::visit(PlaceSetter(&message), source.place);
   message.set_offset(source.offset);
   return message;
+}
+
+v1::Priority ToProto(Priority priority) {
+  return priority == Priority::kBatch ? v1::PRIORITY_BATCH
+                                      : v1::PRIORITY_INTERACTIVE;
 }
 
 v1::ValueType ToProto(ValueType type) {

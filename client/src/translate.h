@@ -34,6 +34,7 @@ absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point);
 v1::SurfacePoint ToProto(const SurfacePoint& point);
 v1::Source ToProto(const Source& source);
 v1::ValueType ToProto(ValueType type);
+v1::Priority ToProto(Priority priority);
 
 // Appends sources or targets to a request.
 template <typename Items, typename Messages>

@@ -68,11 +68,12 @@ absl::StatusOr<UploadOutcome> Send(v1::MeshService::Stub* stub,
                                    const v1::UploadHeader& header,
                                    const ChunkSource& next_chunk,
                                    const CallOptions& options,
-                                   const UploadProgressCallback& progress) {
+                                   const UploadProgressCallback& progress,
+                                   bool retry) {
   for (int attempts = 1;; ++attempts) {
     absl::StatusOr<UploadOutcome> outcome =
         SendOnce(stub, header, next_chunk, options, progress);
-    if (outcome.ok() ||
+    if (outcome.ok() || !retry ||
         !WaitToRetry(outcome.status(), attempts, options.stop)) {
       return outcome;
     }
@@ -160,7 +161,8 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
     left -= chunk->size();
     return status;
   };
-  return Send(connection_->meshes.get(), header, next_chunk, options, progress);
+  return Send(connection_->meshes.get(), header, next_chunk, options, progress,
+              connection_->retry);
 }
 
 absl::StatusOr<UploadOutcome> Client::UploadFile(
@@ -208,7 +210,8 @@ absl::StatusOr<UploadOutcome> Client::UploadArrays(
     offset += chunk->size();
     return absl::OkStatus();
   };
-  return Send(connection_->meshes.get(), header, next_chunk, options, progress);
+  return Send(connection_->meshes.get(), header, next_chunk, options, progress,
+              connection_->retry);
 }
 
 }  // namespace geodesic::client

@@ -95,6 +95,45 @@ TEST_F(FieldAssemblerTest, PutsChunksTogether) {
   EXPECT_EQ(field->server_version, "1.2.3");
 }
 
+ComputeFieldResponse NamedChunk(uint64_t offset,
+                                const std::vector<double>& values) {
+  ComputeFieldResponse message = Chunk(offset, values);
+  message.mutable_chunk()->set_field_id("the field");
+  return message;
+}
+
+TEST_F(FieldAssemblerTest, ReadsOnWhereAStreamBroke) {
+  ASSERT_TRUE(Consume(Accepted(4)).ok());
+  ASSERT_TRUE(Consume(NamedChunk(0, {0, 1.5})).ok());
+  ASSERT_TRUE(Consume(Chunk(2, {2})).ok());
+  const FieldAssembler::Position position = assembler_.Resume();
+  EXPECT_EQ(position.field_id, "the field");
+  EXPECT_EQ(position.first_vertex, 3);
+  EXPECT_FALSE(assembler_.accepted());
+  ASSERT_TRUE(Consume(Accepted(4)).ok());
+  ASSERT_TRUE(Consume(NamedChunk(3, {7})).ok());
+  ASSERT_TRUE(Consume(Trailer()).ok());
+  absl::StatusOr<Field> field = std::move(assembler_).Finish();
+  ASSERT_TRUE(field.ok()) << field.status();
+  EXPECT_THAT(field->distances, ElementsAre(0, 1.5, 2, 7));
+}
+
+TEST_F(FieldAssemblerTest, WhatHasNoNameIsReadFromTheStart) {
+  ASSERT_TRUE(Consume(Accepted(4)).ok());
+  ASSERT_TRUE(Consume(Chunk(0, {0, 1.5})).ok());
+  EXPECT_EQ(assembler_.Resume().field_id, "");
+  EXPECT_EQ(assembler_.received(), 0);
+  ASSERT_TRUE(Consume(Accepted(4)).ok());
+  ExpectDataLoss(Consume(Chunk(2, {2})), "from vertex 0 were due");
+}
+
+TEST_F(FieldAssemblerTest, AFieldIsNotReadOnWithAnother) {
+  ASSERT_TRUE(Consume(Accepted(4)).ok());
+  ASSERT_TRUE(Consume(NamedChunk(0, {0, 1.5})).ok());
+  assembler_.Resume();
+  ExpectDataLoss(Consume(Accepted(1)), "another field");
+}
+
 TEST_F(FieldAssemblerTest, SlicesMayCutAnywhere) {
   for (const size_t slice_size : {1, 2, 3, 7, 8, 13}) {
     FieldAssembler assembler({}, nullptr);

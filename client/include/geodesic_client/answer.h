@@ -21,6 +21,12 @@ enum class ValueType {
   kFloat32,  // Half the bytes; each value is the nearest float.
 };
 
+// How urgent an answer is.
+enum class Priority {
+  kInteractive,  // Somebody waits for it.
+  kBatch,        // Others' questions may go first.
+};
+
 // How far a running computation has come.
 struct SolveProgress {
   // Distances up to here are final. 0 while the job waits for a thread.

@@ -39,6 +39,8 @@ struct ServerLimits {
   // 0: nothing outlives the server.
   uint64_t mesh_disk_bytes = 0;
   uint64_t field_disk_bytes = 0;
+  // Of the jobs that may wait, those of one client.
+  uint64_t max_queued_jobs_per_client = 0;
 };
 
 struct Capabilities {

@@ -54,6 +54,8 @@ using UploadProgressCallback =
 //
 // Calls that change nothing are repeated by themselves, up to three times, when
 // no server is there or it is full and says that waiting helps; so are uploads.
+// A field whose stream breaks is read on where it broke, and if the server has
+// dropped it, asked for again. ConnectionOptions::retry turns all that off.
 //
 // Errors have the server's code and message, and name the field of the request
 // the server points at; errors.h reads the rest. Besides the errors listed with

@@ -31,6 +31,9 @@ struct ConnectionOptions {
   // Sent with each call as "authorization: Bearer ...", in clear if the
   // connection is. DEFAULT: none.
   std::string token;
+  // Whether calls are repeated, and broken reads resumed, as client.h says.
+  // Without it every error is reported at once.
+  bool retry = true;
 };
 
 // Paths of files with the members of TlsOptions; empty: none.

@@ -36,6 +36,7 @@ struct FieldQuery {
   bool nearest_sources = false;
   bool gradients = false;
   ValueType value_type = ValueType::kFloat64;
+  Priority priority = Priority::kInteractive;
 };
 
 // Where a field came from.

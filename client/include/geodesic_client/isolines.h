@@ -20,6 +20,7 @@ struct IsolineQuery {
   std::vector<double> levels;
   // As in FieldQuery.
   std::string algorithm;
+  Priority priority = Priority::kInteractive;
 };
 
 struct Isoline {

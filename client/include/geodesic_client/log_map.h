@@ -23,6 +23,7 @@ struct LogMapQuery {
   ValueType value_type = ValueType::kFloat64;
   // The map ends here. DEFAULT: no limit.
   std::optional<double> max_distance;
+  Priority priority = Priority::kInteractive;
 };
 
 struct LogMap {

@@ -29,6 +29,7 @@ struct MatrixQuery {
   std::optional<double> max_distance;
   // Whether to send only the finite values, with their columns.
   bool sparse = false;
+  Priority priority = Priority::kInteractive;
 };
 
 struct MatrixShape {

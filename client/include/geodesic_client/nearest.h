@@ -26,6 +26,7 @@ struct NearestQuery {
   std::string algorithm;
   // Targets farther than this are not found. DEFAULT: no limit.
   std::optional<double> max_distance;
+  Priority priority = Priority::kInteractive;
 };
 
 struct NearestTarget {

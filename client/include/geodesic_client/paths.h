@@ -25,6 +25,7 @@ struct PathQuery {
   std::string algorithm;
   // Targets farther than this count as not reached. DEFAULT: no limit.
   std::optional<double> max_distance;
+  Priority priority = Priority::kInteractive;
 };
 
 struct GeodesicPath {

@@ -20,6 +20,7 @@ struct SampleQuery {
   uint64_t count = 1;
   // As in FieldQuery.
   std::string algorithm;
+  Priority priority = Priority::kInteractive;
 };
 
 struct FarthestSample {

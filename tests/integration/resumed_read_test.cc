@@ -1,0 +1,102 @@
+// A connection that is cut while a field comes: the client reads on where it
+// broke, and what it ends with is what it would have had.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "geodesic_client/client.h"
+#include "geodesic_client/errors.h"
+#include "tests/integration/meshes.h"
+#include "tests/integration/running_server.h"
+#include "tests/support/tcp_relay.h"
+
+namespace geodesic::client {
+namespace {
+
+class ResumedReadTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const absl::StatusOr<UploadOutcome> upload =
+        direct_.UploadArrays(HillyGrid(kSide));
+    ASSERT_TRUE(upload.ok()) << upload.status();
+    query_ = {.mesh_digest = upload->mesh.digest,
+              .sources = {{VertexPoint{0}}},
+              .targets = {VertexPoint{7}, FacePoint{3, {0.2, 0.3, 0.5}}},
+              .nearest_sources = true,
+              .gradients = true};
+    whole_ = direct_.ComputeField(query_);
+    ASSERT_TRUE(whole_.ok()) << whole_.status();
+  }
+
+  void ExpectWhole(const absl::StatusOr<Field>& field) {
+    ASSERT_TRUE(field.ok()) << field.status();
+    EXPECT_EQ(field->distances, whole_->distances);
+    EXPECT_EQ(field->nearest_sources, whole_->nearest_sources);
+    EXPECT_EQ(field->gradients, whole_->gradients);
+    EXPECT_EQ(field->target_distances, whole_->target_distances);
+    EXPECT_EQ(field->settled_radius, whole_->settled_radius);
+  }
+
+  std::string RelayAddress() const {
+    return "127.0.0.1:" + std::to_string(relay_.port());
+  }
+  static int PortOf(const std::string& address) {
+    return std::stoi(address.substr(address.rfind(':') + 1));
+  }
+
+  // 160,801 vertices: the field has ten chunks of 36 bytes a vertex.
+  static constexpr uint32_t kSide = 400;
+  static constexpr uint64_t kFieldBytes = uint64_t{401} * 401 * 36;
+
+  TemporaryFolder folder_;
+  RunningServer server_{folder_};
+  geodesic::test::TcpRelay relay_{PortOf(server_.address())};
+  Client direct_{server_.address()};
+  FieldQuery query_;
+  absl::StatusOr<Field> whole_;
+};
+
+TEST_F(ResumedReadTest, ACutInTheMiddleIsNotNoticed) {
+  Client client(RelayAddress());
+  relay_.CutAfter(kFieldBytes / 2);
+  ExpectWhole(client.ComputeField(query_));
+  EXPECT_EQ(relay_.cuts(), 1);
+}
+
+TEST_F(ResumedReadTest, NorIsOneBeforeTheFirstChunkOrAfterTheLast) {
+  for (const uint64_t bytes : {uint64_t{1000}, kFieldBytes - 1000}) {
+    Client client(RelayAddress());
+    relay_.CutAfter(bytes);
+    ExpectWhole(client.ComputeField(query_));
+  }
+  EXPECT_EQ(relay_.cuts(), 2);
+}
+
+TEST_F(ResumedReadTest, WithoutRetriesTheErrorIsReported) {
+  Client client(RelayAddress(), {.retry = false});
+  relay_.CutAfter(kFieldBytes / 2);
+  EXPECT_TRUE(absl::IsUnavailable(client.ComputeField(query_).status()));
+  ExpectWhole(client.ComputeField(query_));
+}
+
+TEST_F(ResumedReadTest, AMeshThatWentMeanwhileIsReportedMissing) {
+  Client client(RelayAddress());
+  FieldQuery other = query_;
+  other.sources = {{VertexPoint{1}}};
+  bool deleted = false;
+  const absl::StatusOr<Field> field =
+      client.ComputeField(other, {}, [&](const SolveProgress&) {
+        if (deleted) return;
+        deleted = true;
+        EXPECT_TRUE(direct_.DeleteMesh(other.mesh_digest).ok());
+        relay_.Cut();
+      });
+  ASSERT_TRUE(deleted) << "the solver had ended before it reported";
+  // The one error that AskAboutFile answers with an upload.
+  EXPECT_EQ(ErrorReason(field.status()), "MESH_NOT_RESIDENT") << field.status();
+}
+
+}  // namespace
+}  // namespace geodesic::client
