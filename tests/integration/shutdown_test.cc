@@ -20,13 +20,12 @@ TEST(ShutdownTest, IdleServerStopsInOrder) {
   EXPECT_TRUE(absl::IsUnavailable(client.ListMeshes().status()));
 }
 
-TEST(ShutdownTest, WorkUnderWayIsFinished) {
-  TemporaryFolder folder;
-  RunningServer server(folder, {"--drain-seconds", "200"});
+// A field whose server is asked to stop once its solver reports.
+absl::StatusOr<Field> AskAndTerminate(const RunningServer& server,
+                                      const MeshArrays& mesh) {
   Client client(server.address());
-  const MeshArrays mesh = HillyGrid(150);
   absl::StatusOr<UploadOutcome> upload = client.UploadArrays(mesh);
-  ASSERT_TRUE(upload.ok()) << upload.status();
+  if (!upload.ok()) return upload.status();
   bool terminated = false;
   absl::StatusOr<Field> field =
       client.ComputeField({.mesh_digest = upload->mesh.digest,
@@ -36,7 +35,15 @@ TEST(ShutdownTest, WorkUnderWayIsFinished) {
                             if (!terminated) server.Terminate();
                             terminated = true;
                           });
-  ASSERT_TRUE(terminated) << "the solver had ended before it reported";
+  EXPECT_TRUE(terminated) << "the solver had ended before it reported";
+  return field;
+}
+
+TEST(ShutdownTest, WorkUnderWayIsFinished) {
+  TemporaryFolder folder;
+  RunningServer server(folder, {"--drain-seconds", "200"});
+  const MeshArrays mesh = HillyGrid(150);
+  const absl::StatusOr<Field> field = AskAndTerminate(server, mesh);
   ASSERT_TRUE(field.ok()) << field.status();
   EXPECT_EQ(field->distances.size(), mesh.positions.size());
   EXPECT_EQ(server.Wait(), 0);
@@ -45,19 +52,7 @@ TEST(ShutdownTest, WorkUnderWayIsFinished) {
 TEST(ShutdownTest, WorkThatTakesLongerThanTheDrainIsCancelled) {
   TemporaryFolder folder;
   RunningServer server(folder, {"--drain-seconds", "0"});
-  Client client(server.address());
-  absl::StatusOr<UploadOutcome> upload = client.UploadArrays(HillyGrid(500));
-  ASSERT_TRUE(upload.ok()) << upload.status();
-  bool terminated = false;
-  absl::StatusOr<Field> field =
-      client.ComputeField({.mesh_digest = upload->mesh.digest,
-                           .sources = {{VertexPoint{0}}},
-                           .algorithm = "ich"},
-                          {}, [&](const SolveProgress&) {
-                            if (!terminated) server.Terminate();
-                            terminated = true;
-                          });
-  EXPECT_FALSE(field.ok());
+  EXPECT_FALSE(AskAndTerminate(server, HillyGrid(500)).ok());
   EXPECT_EQ(server.Wait(), 3);
 }
 

@@ -1,20 +1,465 @@
-// A client that gives up while its question is computed: the call ends as
-// cancelled and the work stops. (Fields, isolines and matrices have tests of
-// their own beside their answers.)
+// The ends that a call may come to before its own: the client cancels, its
+// deadline comes, something fails, the server stops, the client is gone. Each
+// is tried with calls of each kind in each phase that they have; afterwards
+// nothing is left of the call: no job, no waiter, no memory set aside, no mesh
+// pinned.
+//
+// What is not in the table cannot be: a mesh is built without a pause and looks
+// up only when it is done, and nothing fails in a queue or in a stream.
 
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <future>
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
+#include "absl/strings/str_cat.h"
+#include "tests/engine/uploads.h"
 #include "tests/rpc/questions_fixture.h"
 #include "tests/support/curved_meshes.h"
+#include "tests/support/tcp_relay.h"
+#include "tests/support/temporary_folder.h"
 
 namespace geodesic::server {
 namespace {
 
-class CancellationTest : public test::QuestionsTest {
+using std::chrono::steady_clock;
+
+enum class Cause { kCancel, kDeadline, kError, kShutdown, kGone };
+enum class Kind { kUnary, kUpload, kStream };
+enum class Phase { kQueued, kComputing, kStreaming };
+
+struct Row {
+  Cause cause;
+  Kind kind;
+  Phase phase;
+};
+
+std::string NameOf(const Row& row) {
+  constexpr const char* kCauses[] = {"Cancel", "Deadline", "Error", "Shutdown",
+                                     "ClientGone"};
+  constexpr const char* kKinds[] = {"Unary", "Upload", "Stream"};
+  constexpr const char* kPhases[] = {"Queued", "Computing", "Streaming"};
+  return absl::StrCat(kCauses[static_cast<int>(row.cause)],
+                      kKinds[static_cast<int>(row.kind)],
+                      kPhases[static_cast<int>(row.phase)]);
+}
+
+std::vector<Row> Table() {
+  std::vector<Row> table = {{Cause::kError, Kind::kUnary, Phase::kComputing},
+                            {Cause::kError, Kind::kUpload, Phase::kComputing},
+                            {Cause::kError, Kind::kUpload, Phase::kStreaming},
+                            {Cause::kError, Kind::kStream, Phase::kComputing}};
+  for (const Cause cause :
+       {Cause::kCancel, Cause::kDeadline, Cause::kShutdown, Cause::kGone}) {
+    table.push_back({cause, Kind::kUnary, Phase::kQueued});
+    table.push_back({cause, Kind::kUpload, Phase::kStreaming});
+    table.push_back({cause, Kind::kUpload, Phase::kQueued});
+    table.push_back({cause, Kind::kStream, Phase::kQueued});
+    table.push_back({cause, Kind::kStream, Phase::kComputing});
+    table.push_back({cause, Kind::kStream, Phase::kStreaming});
+  }
+  return table;
+}
+
+// Solvers that solve the same again and again until they are stopped, at their
+// own polls.
+class EndlessSolvers {
+ public:
+  StartFunction Start() {
+    return [this](const Mesh& mesh, const Query& query,
+                  const SolveOptions& options)
+               -> absl::StatusOr<std::unique_ptr<Computation>> {
+      return std::make_unique<Endless>(*this, mesh, query, options);
+    };
+  }
+
+  // From now on solvers end as others do.
+  void LetGo() {
+    std::lock_guard lock(mutex_);
+    endless_ = false;
+  }
+  // Makes those fail that work on this vertex.
+  void Fail(uint32_t vertex) {
+    std::lock_guard lock(mutex_);
+    failing_ = vertex;
+  }
+  int starts() {
+    std::lock_guard lock(mutex_);
+    return starts_;
+  }
+  // When the last one was stopped.
+  std::optional<steady_clock::time_point> stopped() {
+    std::lock_guard lock(mutex_);
+    return stopped_;
+  }
+
+ private:
+  class Endless final : public Computation {
+   public:
+    Endless(EndlessSolvers& all, const Mesh& mesh, Query query,
+            const SolveOptions& options)
+        : all_(all), mesh_(mesh), query_(std::move(query)), options_(options) {}
+
+    absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) override {
+      all_.Count();
+      for (;;) {
+        auto started = StartComputation(mesh_, query_, options_);
+        if (!started.ok()) return started.status();
+        computation_ = *std::move(started);
+        absl::Status status = computation_->Advance(reach, checkpoint);
+        if (status.ok()) status = all_.Verdict(query_);
+        if (!status.ok()) all_.Stopped();
+        if (!status.ok() || !all_.endless()) return status;
+      }
+    }
+    DistanceField Field() const override { return computation_->Field(); }
+    absl::Status AddSource(const Source& source) override {
+      return computation_->AddSource(source);
+    }
+    uint64_t bytes() const override { return computation_->bytes(); }
+
+   private:
+    EndlessSolvers& all_;
+    const Mesh& mesh_;
+    const Query query_;
+    const SolveOptions options_;
+    std::unique_ptr<Computation> computation_;
+  };
+
+  void Count() {
+    std::lock_guard lock(mutex_);
+    ++starts_;
+  }
+  void Stopped() {
+    std::lock_guard lock(mutex_);
+    stopped_ = steady_clock::now();
+  }
+  bool endless() {
+    std::lock_guard lock(mutex_);
+    return endless_;
+  }
+  absl::Status Verdict(const Query& query) {
+    std::lock_guard lock(mutex_);
+    return query.sources[0].point == SurfacePoint(VertexPoint{failing_})
+               ? absl::InternalError("the solver failed")
+               : absl::OkStatus();
+  }
+
+  std::mutex mutex_;
+  bool endless_ = true;
+  uint32_t failing_ = 0xffffffff;
+  int starts_ = 0;
+  std::optional<steady_clock::time_point> stopped_;
+};
+
+// Asks again until `holds()`; false if that takes two minutes.
+template <typename Condition>
+bool Until(Condition holds) {
+  const auto patience = steady_clock::now() + std::chrono::minutes(2);
+  while (!holds()) {
+    if (steady_clock::now() > patience) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+class CancelMatrixTest : public test::RpcTest,
+                         public ::testing::WithParamInterface<Row> {
  protected:
-  void SetUp() override { StartWithGrid(/*held=*/true); }
+  using FieldReader = grpc::ClientReader<v1::ComputeFieldResponse>;
+
+  ~CancelMatrixTest() override {
+    solvers_.LetGo();
+    if (blocker_ != nullptr) blocker_context_.TryCancel();
+    if (stopped_.valid()) stopped_.get();
+    server_.reset();  // its jobs use the solvers
+  }
+
+  // One thread, to be reached through a relay that can be cut.
+  void SetUp() override {
+    ServerOptions options = SmallServer();
+    options.limits.max_concurrent_jobs = 1;
+    options.limits.max_queued_jobs = 10;
+    // So that deletions are jobs.
+    if (GetParam().kind == Kind::kUnary) options.data_dir = folder_ / "data";
+    options.limits.mesh_disk_bytes = options.limits.field_disk_bytes = 1 << 30;
+    StartWith(options, solvers_.Start());
+    soup_ = geodesic::test::Icosphere(6);
+    digest_ = Upload(soup_);
+    relay_.emplace(server_->port());
+    relayed_ = grpc::CreateChannel(absl::StrCat("127.0.0.1:", relay_->port()),
+                                   grpc::InsecureChannelCredentials());
+    relayed_meshes_ = v1::MeshService::NewStub(relayed_);
+    relayed_fields_ = v1::FieldService::NewStub(relayed_);
+    const auto mesh = server_->engine().GetMesh(digest_);
+    ASSERT_TRUE(mesh.ok());
+    mesh_ = *mesh;
+  }
+
+  const QueryEngine& engine() { return server_->engine(); }
+
+  // Occupies the thread.
+  void Block() {
+    blocker_ =
+        fields_->ComputeField(&blocker_context_, FieldRequest(digest_, 0));
+    ASSERT_TRUE(Until([&] { return solvers_.starts() == 1; }));
+  }
+  void Unblock() {
+    if (blocker_ == nullptr) return;
+    blocker_context_.TryCancel();
+    v1::ComputeFieldResponse message;
+    while (blocker_->Read(&message)) {
+    }
+    blocker_->Finish();
+    blocker_ = nullptr;
+  }
+
+  // The end comes.
+  void Trigger() {
+    begin_ = steady_clock::now();
+    switch (GetParam().cause) {
+      case Cause::kCancel:
+        context_.TryCancel();
+        break;
+      case Cause::kDeadline:
+        begin_ = deadline_;
+        break;
+      case Cause::kError:
+        solvers_.Fail(1);
+        break;
+      case Cause::kShutdown:
+        stopped_ = std::async(std::launch::async, [this] {
+          server_->Shutdown(std::chrono::milliseconds(0));
+          return server_->Wait();
+        });
+        break;
+      case Cause::kGone:
+        relay_->Cut();
+        break;
+    }
+  }
+  // The call's context is made just before it begins.
+  void SetDeadline() {
+    if (GetParam().cause != Cause::kDeadline) return;
+    constexpr std::chrono::seconds kTime(1);
+    deadline_ = steady_clock::now() + kTime;
+    context_.set_deadline(std::chrono::system_clock::now() + kTime);
+  }
+  // Waits for what makes the phase, or for a deadline that came before.
+  template <typename Condition>
+  bool Reach(Condition holds) {
+    return Until([&] {
+      return holds() || (GetParam().cause == Cause::kDeadline &&
+                         steady_clock::now() > deadline_);
+    });
+  }
+
+  void ExpectCode(const grpc::Status& status, grpc::StatusCode at_error) {
+    const grpc::StatusCode code = status.error_code();
+    switch (GetParam().cause) {
+      case Cause::kCancel:
+        EXPECT_EQ(code, grpc::StatusCode::CANCELLED);
+        break;
+      case Cause::kDeadline:
+        EXPECT_EQ(code, grpc::StatusCode::DEADLINE_EXCEEDED);
+        break;
+      case Cause::kError:
+        EXPECT_EQ(code, at_error) << status.error_message();
+        break;
+      case Cause::kShutdown:
+        // A stream that is cut off may merely hear that it was cancelled.
+        if (GetParam().phase == Phase::kStreaming &&
+            code == grpc::StatusCode::CANCELLED) {
+          break;
+        }
+        [[fallthrough]];
+      case Cause::kGone:
+        EXPECT_EQ(code, grpc::StatusCode::UNAVAILABLE);
+        break;
+    }
+  }
+
+  void ExpectNothingLeft() {
+    Unblock();
+    EXPECT_TRUE(Until([&] {
+      return engine().scheduler().running() == 0 &&
+             engine().scheduler().queued() == 0 &&
+             engine().fields().flights().size() == 0 &&
+             engine().fields().flights().waiters() == 0 &&
+             engine().loads().size() == 0 &&
+             engine().solver_memory().used() == 0 &&
+             engine().upload_memory().used() == 0;
+    })) << engine().solver_memory().used()
+        << ' ' << engine().upload_memory().used();
+    // Nobody has the mesh any more but its store.
+    (void)server_->engine().DeleteMesh(digest_, [](const absl::Status&) {});
+    if (GetParam().kind != Kind::kUnary) {
+      EXPECT_TRUE(Until([&] { return mesh_.expired(); }));
+    }
+    if (stopped_.valid()) stopped_.get();
+  }
+
+  void PrintFigure() {
+    const auto stopped = solvers_.stopped();
+    if (!stopped.has_value() || GetParam().cause == Cause::kError) return;
+    const std::chrono::duration<double, std::milli> took = *stopped - begin_;
+    std::cout << "[  FIGURE  ] the solver stopped after " << took.count()
+              << " ms\n";
+  }
+
+  void RunUnary();
+  void RunUpload();
+  void RunStream();
+
+  const geodesic::test::TemporaryFolder folder_;
+  EndlessSolvers solvers_;
+  TriangleSoup soup_;
+  std::string digest_;
+  std::weak_ptr<const ResidentMesh> mesh_;
+  std::optional<geodesic::test::TcpRelay> relay_;
+  std::shared_ptr<grpc::Channel> relayed_;
+  std::unique_ptr<v1::MeshService::Stub> relayed_meshes_;
+  std::unique_ptr<v1::FieldService::Stub> relayed_fields_;
+
+  grpc::ClientContext blocker_context_;
+  std::unique_ptr<FieldReader> blocker_;
+
+  grpc::ClientContext context_;
+  steady_clock::time_point deadline_;
+  steady_clock::time_point begin_;
+  std::future<bool> stopped_;
+};
+
+// Deletes a mesh, which on this server is a job. It is done though nobody waits
+// for the answer, unless the server stops.
+void CancelMatrixTest::RunUnary() {
+  const bool is_error = GetParam().cause == Cause::kError;
+  if (!is_error) Block();
+  v1::DeleteMeshRequest request;
+  request.set_digest(is_error ? std::string(64, 'a') : digest_);
+  v1::DeleteMeshResponse response;
+  SetDeadline();
+  auto answer = std::async(std::launch::async, [&] {
+    return relayed_meshes_->DeleteMesh(&context_, request, &response);
+  });
+  if (!is_error) {
+    ASSERT_TRUE(Reach([&] { return engine().scheduler().queued() == 1; }));
+    Trigger();
+  }
+  ExpectCode(answer.get(), grpc::StatusCode::NOT_FOUND);
+}
+
+void CancelMatrixTest::RunUpload() {
+  const auto [cause, kind, phase] = GetParam();
+  if (phase == Phase::kQueued) Block();
+  const bool is_bad_mesh = phase == Phase::kComputing && cause == Cause::kError;
+  const std::string bytes = is_bad_mesh ? "OFF\n1 1 0\n0 0 0\n3 0 1 2\n"
+                                        : test::ArrayBytes(test::Tetrahedron());
+  v1::CreateMeshRequest message;
+  v1::UploadHeader& header = *message.mutable_header();
+  header.set_size_bytes(bytes.size());
+  if (is_bad_mesh) {
+    header.set_format(v1::MESH_FORMAT_OFF);
+  } else {
+    header.set_format(v1::MESH_FORMAT_ARRAYS);
+    header.set_vertex_count(4);
+    header.set_face_count(4);
+  }
+  v1::CreateMeshResponse response;
+  SetDeadline();
+  const auto writer = relayed_meshes_->CreateMesh(&context_, &response);
+  writer->Write(message);
+  message.mutable_chunk()->set_data(
+      phase == Phase::kStreaming ? bytes.substr(0, 10) : bytes);
+  writer->Write(message);
+  if (phase == Phase::kStreaming) {
+    ASSERT_TRUE(Reach([&] { return engine().upload_memory().used() > 0; }));
+    if (cause == Cause::kError) {
+      message.mutable_chunk()->set_offset(7);  // 10 was due
+      writer->Write(message);
+    }
+  } else {
+    writer->WritesDone();
+    if (phase == Phase::kQueued) {
+      ASSERT_TRUE(Reach([&] { return engine().scheduler().queued() == 1; }));
+    }
+  }
+  Trigger();
+  ExpectCode(writer->Finish(), grpc::StatusCode::INVALID_ARGUMENT);
+}
+
+void CancelMatrixTest::RunStream() {
+  const Phase phase = GetParam().phase;
+  if (phase == Phase::kQueued) Block();
+  if (phase == Phase::kStreaming) solvers_.LetGo();
+  SetDeadline();
+  const auto reader =
+      relayed_fields_->ComputeField(&context_, FieldRequest(digest_, 1));
+  ASSERT_TRUE(Reach([&] {
+    switch (phase) {
+      case Phase::kQueued:
+        return engine().scheduler().queued() == 1;
+      case Phase::kComputing:
+        return solvers_.starts() == 1;
+      case Phase::kStreaming:
+        // A field of 320 KiB that nobody reads fills what the connection takes
+        // in advance.
+        return engine().fields().fields().size() == 1 &&
+               engine().scheduler().running() == 0;
+    }
+    return false;
+  }));
+  Trigger();
+  // The solver and whatever waits are let go though the client reads nothing.
+  if (phase != Phase::kQueued) {
+    EXPECT_TRUE(Until([&] {
+      return engine().scheduler().running() == 0 &&
+             engine().fields().flights().size() == 0;
+    }));
+    if (phase == Phase::kComputing) PrintFigure();
+  } else {
+    EXPECT_TRUE(Until([&] { return engine().scheduler().queued() == 0; }));
+  }
+  if (phase == Phase::kStreaming) {
+    (void)server_->engine().DeleteMesh(digest_, [](const absl::Status&) {});
+    EXPECT_TRUE(Until([&] { return mesh_.expired(); }));
+  }
+  v1::ComputeFieldResponse message;
+  while (reader->Read(&message)) EXPECT_FALSE(message.has_trailer());
+  ExpectCode(reader->Finish(), grpc::StatusCode::INTERNAL);
+}
+
+TEST_P(CancelMatrixTest, NothingIsLeft) {
+  switch (GetParam().kind) {
+    case Kind::kUnary:
+      RunUnary();
+      break;
+    case Kind::kUpload:
+      RunUpload();
+      break;
+    case Kind::kStream:
+      RunStream();
+      break;
+  }
+  ExpectNothingLeft();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CancelMatrixTest, ::testing::ValuesIn(Table()),
+                         [](const auto& info) { return NameOf(info.param); });
+
+// Every question's work stops when its client gives up. (Fields are above,
+// matrices beside their answers.)
+class QuestionCancellationTest : public test::QuestionsTest {
+ protected:
+  void SetUp() override {}  // Each test starts a server as it needs it.
 
   // `start` begins the call. Nothing of the answer can have come when it is
   // cancelled, since the solver waits.
@@ -32,9 +477,29 @@ class CancellationTest : public test::QuestionsTest {
     // The solver is still held: only what cancels it lets it end.
     EXPECT_TRUE(server_->engine().WaitIdle(std::chrono::seconds(120)));
   }
+
+  // The same for work that no test can hold up, on a mesh so large that it
+  // takes long: it is cancelled once it tells of its progress.
+  template <typename Response, typename StartCall>
+  void ExpectCancelledUnderWay(StartCall start) {
+    Start();
+    digest_ = Upload(geodesic::test::Icosphere(7));
+    paths_ = v1::PathService::NewStub(channel_);
+    grpc::ClientContext context;
+    const auto reader = start(&context);
+    Response message;
+    do {
+      ASSERT_TRUE(reader->Read(&message));
+    } while (!message.has_progress());
+    context.TryCancel();
+    EXPECT_EQ(ReadAll(*reader).status.error_code(),
+              grpc::StatusCode::CANCELLED);
+    EXPECT_TRUE(server_->engine().WaitIdle(std::chrono::seconds(120)));
+  }
 };
 
-TEST_F(CancellationTest, StopsPaths) {
+TEST_F(QuestionCancellationTest, StopsPaths) {
+  StartWithGrid(/*held=*/true);
   v1::ComputePathsRequest request;
   request.set_mesh_digest(digest_);
   request.add_sources()->set_vertex(0);
@@ -44,7 +509,8 @@ TEST_F(CancellationTest, StopsPaths) {
   });
 }
 
-TEST_F(CancellationTest, StopsALogMap) {
+TEST_F(QuestionCancellationTest, StopsALogMap) {
+  StartWithGrid(/*held=*/true);
   v1::ComputeLogMapRequest request;
   request.set_mesh_digest(digest_);
   request.mutable_source()->set_vertex(Vertex(kSide / 2, kSide / 2));
@@ -53,7 +519,8 @@ TEST_F(CancellationTest, StopsALogMap) {
   });
 }
 
-TEST_F(CancellationTest, StopsTheNearest) {
+TEST_F(QuestionCancellationTest, StopsTheNearest) {
+  StartWithGrid(/*held=*/true);
   v1::FindNearestRequest request;
   request.set_mesh_digest(digest_);
   request.add_sources()->set_vertex(0);
@@ -66,25 +533,26 @@ TEST_F(CancellationTest, StopsTheNearest) {
   });
 }
 
-// Samples come while the next one is sought, so the mesh is large enough for
-// that to take long.
-class SampleCancellationTest : public test::QuestionsTest {};
+TEST_F(QuestionCancellationTest, StopsSamples) {
+  ExpectCancelledUnderWay<v1::SampleFarthestPointsResponse>(
+      [&](grpc::ClientContext* context) {
+        v1::SampleFarthestPointsRequest request;
+        request.set_mesh_digest(digest_);
+        request.add_sources()->set_vertex(0);
+        request.set_count(20);
+        return fields_->SampleFarthestPoints(context, request);
+      });
+}
 
-TEST_F(SampleCancellationTest, StopsSamples) {
-  digest_ = Upload(geodesic::test::Icosphere(7));
-  v1::SampleFarthestPointsRequest request;
-  request.set_mesh_digest(digest_);
-  request.add_sources()->set_vertex(0);
-  request.set_count(20);
-  grpc::ClientContext context;
-  const auto reader = fields_->SampleFarthestPoints(&context, request);
-  v1::SampleFarthestPointsResponse message;
-  do {
-    ASSERT_TRUE(reader->Read(&message));
-  } while (!message.has_progress());
-  context.TryCancel();
-  EXPECT_EQ(ReadAll(*reader).status.error_code(), grpc::StatusCode::CANCELLED);
-  EXPECT_TRUE(server_->engine().WaitIdle(std::chrono::seconds(120)));
+TEST_F(QuestionCancellationTest, StopsIsolines) {
+  ExpectCancelledUnderWay<v1::ComputeIsolinesResponse>(
+      [&](grpc::ClientContext* context) {
+        v1::ComputeIsolinesRequest request;
+        request.set_mesh_digest(digest_);
+        request.add_sources()->set_vertex(0);
+        request.add_levels(100);
+        return paths_->ComputeIsolines(context, request);
+      });
 }
 
 }  // namespace

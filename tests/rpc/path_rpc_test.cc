@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "tests/rpc/questions_fixture.h"
-#include "tests/support/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {
@@ -215,22 +214,6 @@ TEST_F(IsolineRpcTest, WrongArgumentsAreNamed) {
   for (int i = 0; i < 5; ++i) request.add_levels(1 + i);
   EXPECT_EQ(Ask(request).status.error_code(),
             grpc::StatusCode::RESOURCE_EXHAUSTED);
-}
-
-TEST_F(IsolineRpcTest, CancellingStopsTheSolver) {
-  soup_ = geodesic::test::Icosphere(7);
-  digest_ = Upload(soup_);
-  v1::ComputeIsolinesRequest request = Request();
-  request.add_levels(100);
-  grpc::ClientContext context;
-  const auto reader = paths_->ComputeIsolines(&context, request);
-  v1::ComputeIsolinesResponse message;
-  do {
-    ASSERT_TRUE(reader->Read(&message));
-  } while (!message.has_progress());
-  context.TryCancel();
-  EXPECT_EQ(ReadAll(*reader).status.error_code(), grpc::StatusCode::CANCELLED);
-  EXPECT_TRUE(server_->engine().WaitIdle(std::chrono::seconds(120)));
 }
 
 }  // namespace

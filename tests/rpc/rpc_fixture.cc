@@ -108,8 +108,6 @@ ServerOptions RpcTest::SmallServer() {
 }
 
 void RpcTest::Start(const ServerOptions& options, bool held) {
-  const auto logger = std::make_shared<spdlog::logger>(
-      "test", std::make_shared<spdlog::sinks::null_sink_mt>());
   StartFunction start = &StartComputation;
   if (held) {
     start = [this](const Mesh& mesh, const Query& query,
@@ -121,7 +119,13 @@ void RpcTest::Start(const ServerOptions& options, bool held) {
                                                *std::move(computation));
     };
   }
-  server_ = std::make_unique<Server>(options, logger, start);
+  StartWith(options, std::move(start));
+}
+
+void RpcTest::StartWith(const ServerOptions& options, StartFunction start) {
+  const auto logger = std::make_shared<spdlog::logger>(
+      "test", std::make_shared<spdlog::sinks::null_sink_mt>());
+  server_ = std::make_unique<Server>(options, logger, std::move(start));
   const absl::Status status = server_->Start();
   ASSERT_TRUE(status.ok()) << status;
   grpc::ChannelArguments arguments;

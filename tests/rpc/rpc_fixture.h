@@ -62,6 +62,8 @@ class RpcTest : public ::testing::Test {
 
   // Starts the server; once a test. `held` makes it wait in `solver_`.
   void Start(const ServerOptions& options = SmallServer(), bool held = false);
+  // The same with solvers of the test's own.
+  void StartWith(const ServerOptions& options, StartFunction start);
 
   // Streams `bytes` in chunks.
   grpc::Status Upload(const v1::UploadHeader& header, const std::string& bytes,
