@@ -14,7 +14,7 @@
 namespace geodesic::server {
 namespace {
 
-using test::HttpGet;
+using geodesic::test::HttpGet;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
