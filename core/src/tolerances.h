@@ -94,7 +94,7 @@ inline constexpr double kDominance = 1e-12;
 inline constexpr double kSameRay = 1e-9;
 
 // Two windows on an edge whose distances differ by no more than this fraction
-// at a point are tied there, and the older keeps the point.
+// at a point are tied there; WonByNewer says which keeps the point.
 inline constexpr double kTie = 1e-15;
 
 // On meshes with faces without area, a tie by this fraction of the edge and the

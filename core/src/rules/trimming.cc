@@ -137,12 +137,22 @@ Interval WonByNewer(const BasicWindow<OriginType>& older,
   const double end = std::min(older.interval.end, newer.interval.end);
   const Contest at_begin = AtBegin(older, newer, slack);
   const Contest at_end = AtEnd(older, newer, slack);
-  const bool wins_begin = at_begin.newer_wins();
-  if (!wins_begin && !at_end.newer_wins()) return {begin, begin};
+  const bool takes_ties =
+      older.origin.sigma - newer.origin.sigma > kDominance * at_begin.older;
+  const auto newer_gets = [takes_ties](const Contest& at) {
+    return takes_ties ? !at.newer_loses() : at.newer_wins();
+  };
+  const bool gets_begin = newer_gets(at_begin);
+  if (!gets_begin && !newer_gets(at_end)) return {begin, begin};
   if (!at_begin.newer_loses() && !at_end.newer_loses()) return {begin, end};
+  if (std::signbit(at_begin.difference()) ==
+      std::signbit(at_end.difference())) {
+    // A tie at one end, and the older nearer at both.
+    return {begin, begin};
+  }
   const double crossing = FindCrossing(
       older, newer, begin, at_begin.difference(), end, at_end.difference());
-  return wins_begin ? Interval{begin, crossing} : Interval{crossing, end};
+  return gets_begin ? Interval{begin, crossing} : Interval{crossing, end};
 }
 
 template Interval WonByNewer(const Window& older, const Window& newer,

@@ -11,7 +11,13 @@
 namespace geodesic {
 
 // The part of two windows' overlap where the newer is nearer; of width 0 if the
-// older keeps all of it. Ties (kTie, and `slack`) go to the older.
+// older keeps all of it. Ties (kTie, and `slack`) go to the window of the lesser
+// sigma, or else to the older.
+//
+// Where pseudo-sources lie all but in one line, their windows tie over whole
+// intervals, and the paths by way of the second are really as long as the first
+// one's or longer. Were such intervals shared, there would be a gap between
+// the rays of the two, which diverge from where the shares meet.
 //
 // Decided by the distances at both ends of the overlap. That is exact: the
 // difference of the two distances has its only extremum where the line through

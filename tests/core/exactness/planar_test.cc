@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/planar_domain.h"
 #include "tests/support/planar_meshes.h"
+#include "tests/support/random.h"
+#include "tests/support/vec.h"
 
 namespace geodesic::test {
 namespace {
@@ -89,6 +93,38 @@ TEST_P(PlanarMeshes, HolesAndNotches) {
             name, *mesh, {{VertexPoint{s}}},
             domain.Distances(named.soup.positions[s], named.soup.positions));
       }
+    }
+  }
+}
+
+// Along a side that is straight but for noise, vertices in a row cast shadows
+// too thin for distances to tell who is nearest there.
+TEST_P(PlanarMeshes, RaggedSides) {
+  NoCheckpoint checkpoint;
+  for (uint64_t seed = 1; seed <= 700; ++seed) {
+    Random random(seed);
+    TriangleSoup soup = MakeGrid({.columns = 20,
+                                  .rows = 1 + static_cast<uint32_t>(seed % 3),
+                                  .diagonals = Diagonals::kRandom,
+                                  .seed = seed});
+    const double noise = std::pow(10, -6 - 0.5 * static_cast<double>(seed % 7));
+    for (Point& position : soup.positions) {
+      for (double& c : position) c += random.Uniform(-noise, noise);
+    }
+    const auto mesh = *Mesh::Build(soup);
+    const uint32_t source = random.Below(mesh->vertex_count());
+    const auto field = Solve(
+        *mesh,
+        {.sources = {{VertexPoint{source}}}, .algorithm = GetParam().algorithm},
+        {}, checkpoint);
+    ASSERT_TRUE(field.ok()) << field.status();
+    for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+      // Bends are as small as the noise, detours as its square.
+      ASSERT_NEAR(field->distances[v],
+                  static_cast<double>(
+                      Distance(soup.positions[source], soup.positions[v])),
+                  1e-9)
+          << "seed " << seed << ", from " << source << " to " << v;
     }
   }
 }

@@ -23,6 +23,19 @@ TEST(TrimmingTest, TheOlderKeepsTies) {
   EXPECT_EQ(Won(origin, origin, {0, 1}).width(), 0);
 }
 
+// Of two in one line the first keeps all, whoever came first: paths by way of
+// the second are as long.
+TEST(TrimmingTest, TheLesserSigmaTakesTies) {
+  const Origin first{.x = 0.25, .depth = 4, .sigma = 1},
+      second{.x = 0.25, .depth = 1, .sigma = 4};
+  const Interval overlap{0.25 - 1e-9, 0.25 + 1e-9};
+  EXPECT_EQ(Won(second, first, overlap).width(), overlap.width());
+  EXPECT_EQ(Won(first, second, overlap).width(), 0);
+  // But nothing where it is farther.
+  const Origin nearer{.x = 0.25, .depth = 1, .sigma = 3.9};
+  EXPECT_EQ(Won(nearer, first, overlap).width(), 0);
+}
+
 TEST(TrimmingTest, MirrorImagesShareTheEdgeInItsMiddle) {
   const Origin left{.x = 0, .depth = 1}, right{.x = 1, .depth = 1};
   const Interval won = Won(left, right, {0, 1});
