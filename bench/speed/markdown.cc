@@ -59,6 +59,18 @@ std::string SolveName(std::string_view algorithm, const Subject& subject) {
   return absl::StrCat("solve/", std::string(algorithm), "/", subject.name);
 }
 
+// A column for each algorithm that is measured, of `cell(name, subject)`.
+template <typename Cell>
+void AddAlgorithms(std::vector<Column>& columns, Cell cell) {
+  for (const AlgorithmInfo& info : kAlgorithms) {
+    if (!IsMeasured(info.algorithm)) continue;
+    columns.push_back({absl::StrCat("`", std::string(info.name), "`"),
+                       [cell, name = info.name](const Subject& subject) {
+                         return cell(name, subject);
+                       }});
+  }
+}
+
 std::string CpuModel() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
@@ -100,13 +112,9 @@ void WriteSolve(std::ostream& out, const Report& report,
          "faster. CGAL is its Surface_mesh_shortest_path, run once; the last "
          "column is the largest relative difference from it.\n\n";
   std::vector<Column> columns;
-  for (const AlgorithmInfo& info : kAlgorithms) {
-    if (!IsMeasured(info.algorithm)) continue;
-    columns.push_back({absl::StrCat("`", std::string(info.name), "`"),
-                       [=, name = info.name](const Subject& subject) {
-                         return Text(ms(name, subject), "%.1f");
-                       }});
-  }
+  AddAlgorithms(columns, [=](std::string_view name, const Subject& subject) {
+    return Text(ms(name, subject), "%.1f");
+  });
   const auto ratio = [&](std::string_view slow, std::string_view fast) {
     columns.push_back(
         {absl::StrCat("`", std::string(slow), "` / `", std::string(fast), "`"),
@@ -148,22 +156,17 @@ void WriteWindows(std::ostream& out, const Report& report,
                          Value(static_cast<double>(subject.mesh->face_count())),
                      "%.1f");
        }});
-  for (const AlgorithmInfo& info : kAlgorithms) {
-    if (!IsMeasured(info.algorithm)) continue;
-    columns.push_back(
-        {absl::StrCat("`", std::string(info.name), "`"),
-         [&, envelope, name = info.name](const Subject& subject) {
-           const std::string solve = SolveName(name, subject);
-           return absl::StrCat(
-               Text(report.Counter(solve, "created") / envelope(subject),
-                    "%.2f"),
-               ", ",
-               Text(report.Milliseconds(solve) * 1e6 /
-                        report.Counter(solve, "propagated"),
-                    "%.0f"),
-               " ns");
-         }});
-  }
+  AddAlgorithms(columns, [&report, envelope](std::string_view name,
+                                             const Subject& subject) {
+    const std::string solve = SolveName(name, subject);
+    return absl::StrCat(
+        Text(report.Counter(solve, "created") / envelope(subject), "%.2f"),
+        ", ",
+        Text(report.Milliseconds(solve) * 1e6 /
+                 report.Counter(solve, "propagated"),
+             "%.0f"),
+        " ns");
+  });
   WriteTable(out, subjects, columns);
 }
 
@@ -180,19 +183,14 @@ void WriteMemory(std::ostream& out, const Report& report,
       {"mesh, a face", [=](const Subject& subject) {
          return Text(resident(subject) / subject.mesh->face_count(), "%.1f");
        }});
-  for (const AlgorithmInfo& info : kAlgorithms) {
-    if (!IsMeasured(info.algorithm)) continue;
-    columns.push_back({absl::StrCat("`", std::string(info.name), "`"),
-                       [&, resident, name = info.name](const Subject& subject) {
-                         const Value bytes =
-                             report.Counter(SolveName(name, subject), "bytes");
-                         if (!bytes.has_value()) return std::string("-");
-                         return Text(
-                             (*bytes - 8.0 * subject.mesh->vertex_count()) /
-                                 resident(subject) * 100,
-                             "%.0f%%");
-                       }});
-  }
+  AddAlgorithms(columns, [&report, resident](std::string_view name,
+                                             const Subject& subject) {
+    const Value bytes = report.Counter(SolveName(name, subject), "bytes");
+    if (!bytes.has_value()) return std::string("-");
+    return Text(
+        (*bytes - 8.0 * subject.mesh->vertex_count()) / resident(subject) * 100,
+        "%.0f%%");
+  });
   WriteTable(out, subjects, columns);
 }
 

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -64,6 +65,21 @@ class BinaryReader {
   std::string_view bytes_;
   bool ok_ = true;
 };
+
+// What `read(reader, record)` takes from bytes that begin with this version and
+// end with the record; nothing for others.
+template <typename Record, typename Read>
+std::optional<Record> DecodeRecord(std::string_view bytes, uint32_t version,
+                                   Read read) {
+  BinaryReader reader(bytes);
+  uint32_t found = 0;
+  reader.Get(found);
+  if (found != version) return std::nullopt;
+  Record record;
+  read(reader, record);
+  if (!reader.AtEnd()) return std::nullopt;
+  return record;
+}
 
 }  // namespace geodesic::server
 

@@ -96,20 +96,17 @@ std::string Encode(const FieldKey& key, const Mesh& mesh,
 
 // Nothing for the metadata of another version.
 std::optional<Metadata> Decode(std::string_view bytes) {
-  BinaryReader reader(bytes);
-  uint32_t version = 0;
-  reader.Get(version);
-  if (version != kMetadataVersion) return std::nullopt;
-  Metadata metadata;
-  reader.GetString(metadata.mesh_digest);
-  reader.Get(metadata.has_arrivals);
-  reader.Get(metadata.layout);
-  reader.Get(metadata.targets);
-  reader.Get(metadata.settled_radius);
-  reader.GetString(metadata.algorithm);
-  VisitNumbers(metadata.statistics, [&](auto& number) { reader.Get(number); });
-  if (!reader.AtEnd()) return std::nullopt;
-  return metadata;
+  return DecodeRecord<Metadata>(
+      bytes, kMetadataVersion, [](BinaryReader& reader, Metadata& metadata) {
+        reader.GetString(metadata.mesh_digest);
+        reader.Get(metadata.has_arrivals);
+        reader.Get(metadata.layout);
+        reader.Get(metadata.targets);
+        reader.Get(metadata.settled_radius);
+        reader.GetString(metadata.algorithm);
+        VisitNumbers(metadata.statistics,
+                     [&](auto& number) { reader.Get(number); });
+      });
 }
 
 template <typename T>

@@ -66,27 +66,24 @@ std::string Encode(const MeshSummary& summary,
 
 // Nothing for the metadata of another version.
 std::optional<Metadata> Decode(std::string_view bytes) {
-  BinaryReader reader(bytes);
-  uint32_t version = 0;
-  reader.Get(version);
-  if (version != kMetadataVersion) return std::nullopt;
-  Metadata metadata;
-  VisitNumbers(metadata.summary, [&](auto& number) { reader.Get(number); });
-  bool has_genus = false;
-  int64_t genus = 0;
-  reader.Get(has_genus);
-  reader.Get(genus);
-  if (has_genus) metadata.summary.genus = genus;
-  bool has_file = false;
-  uint32_t format = 0;
-  FileKey file;
-  reader.Get(has_file);
-  reader.Get(format);
-  reader.GetString(file.sha256);
-  if (!reader.AtEnd()) return std::nullopt;
-  file.format = static_cast<UploadFormat>(format);
-  if (has_file) metadata.file = std::move(file);
-  return metadata;
+  return DecodeRecord<Metadata>(
+      bytes, kMetadataVersion, [](BinaryReader& reader, Metadata& metadata) {
+        VisitNumbers(metadata.summary,
+                     [&](auto& number) { reader.Get(number); });
+        bool has_genus = false;
+        int64_t genus = 0;
+        reader.Get(has_genus);
+        reader.Get(genus);
+        if (has_genus) metadata.summary.genus = genus;
+        bool has_file = false;
+        uint32_t format = 0;
+        FileKey file;
+        reader.Get(has_file);
+        reader.Get(format);
+        reader.GetString(file.sha256);
+        file.format = static_cast<UploadFormat>(format);
+        if (has_file) metadata.file = std::move(file);
+      });
 }
 
 std::optional<MeshDescription> ToDescription(BlobInfo info) {

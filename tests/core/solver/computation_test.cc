@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "tests/core/exactness/every_algorithm.h"
+#include "tests/core/solver/computation_fixture.h"
 #include "tests/core/solver/computation_scenes.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
@@ -43,15 +43,7 @@ class StoppingCheckpoint final : public Checkpoint {
   double told_ = 0;
 };
 
-class ComputationTest : public EveryAlgorithm {
- protected:
-  Query WithAlgorithm(Query query) const {
-    query.algorithm = GetParam().algorithm;
-    return query;
-  }
-
-  NoCheckpoint checkpoint_;
-};
+class ComputationTest : public ComputationFixture {};
 
 TEST_P(ComputationTest, InStepsIsBitForBitWhatItIsAtOnce) {
   for (const ComputationScene& scene : ComputationScenes()) {

@@ -11,7 +11,7 @@
 
 #include "absl/status/status.h"
 #include "geodesic/computation.h"
-#include "tests/core/exactness/every_algorithm.h"
+#include "tests/core/solver/computation_fixture.h"
 #include "tests/core/solver/computation_scenes.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/planar_meshes.h"
@@ -22,15 +22,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-class ReachTest : public EveryAlgorithm {
- protected:
-  Query WithAlgorithm(Query query) const {
-    query.algorithm = GetParam().algorithm;
-    return query;
-  }
-
-  NoCheckpoint checkpoint_;
-};
+class ReachTest : public ComputationFixture {};
 
 // On a plane, where the answer is Euclid's.
 TEST_P(ReachTest, IsExactUpToTheRadiusAndAbsentBeyond) {
