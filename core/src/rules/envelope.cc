@@ -9,8 +9,6 @@
 namespace geodesic {
 namespace {
 
-constexpr size_t kUnknown = std::numeric_limits<size_t>::max();
-
 ListedWindow Listed(const WindowColumns& windows, size_t i) {
   return {windows.At(i), windows.pseudo_source[i]};
 }
@@ -30,12 +28,80 @@ void Shift(size_t from, size_t to, WindowColumns& windows) {
 }  // namespace
 
 void Envelope::Trim(double length, bool may_split, WindowColumns& windows) {
+  if (windows.size < 2) return;
   length_ = length;
   may_split_ = may_split;
-  size_t i = 1;
-  while (i < windows.size && windows.end[i - 1] <= windows.begin[i]) ++i;
-  if (i >= windows.size) return;
-  MeetNeighbours(windows, meetings_);
+  FindMeetings(windows);
+  const size_t done = CutAtMeetings(windows);
+  if (done == meetings_.size) return;
+  next_meeting_ = done;
+  TrimFrom(meetings_.pair[done] + 1, windows);
+}
+
+void Envelope::FindMeetings(WindowColumns& windows) {
+  const size_t pairs = windows.size - 1;
+  if (begins_.size() <= pairs) {
+    begins_.resize(2 * windows.size);
+    overlaps_.resize(2 * windows.size);
+  }
+  OverlapsOfNeighbours(length_, windows, begins_.data(), overlaps_.data());
+  meetings_.Reserve(pairs);
+  size_t count = 0;
+  for (size_t i = 0; i < pairs; ++i) {
+    meetings_.pair[count] = static_cast<uint32_t>(i);
+    count += !(overlaps_[i] <= 0);
+  }
+  meetings_.size = count;
+  std::copy_n(begins_.data(), windows.size, windows.begin);
+  if (count == 0) return;
+  for (size_t k = 0; k < count; ++k) {
+    const size_t i = meetings_.pair[k];
+    meetings_.end[k] = windows.end[i];
+    meetings_.end_distance[k] = windows.end_distance[i];
+    meetings_.x[k] = windows.x[i];
+    meetings_.depth[k] = windows.depth[i];
+    meetings_.sigma[k] = windows.sigma[i];
+    meetings_.next_begin[k] = windows.begin[i + 1];
+    meetings_.next_end[k] = windows.end[i + 1];
+    meetings_.next_begin_distance[k] = windows.begin_distance[i + 1];
+    meetings_.next_x[k] = windows.x[i + 1];
+    meetings_.next_depth[k] = windows.depth[i + 1];
+    meetings_.next_sigma[k] = windows.sigma[i + 1];
+  }
+  Meet(meetings_);
+}
+
+size_t Envelope::CutAtMeetings(WindowColumns& windows) const {
+  if (may_split_) return 0;
+  const double least = kLeastWidth * length_;
+  for (size_t k = 0; k < meetings_.size; ++k) {
+    const size_t i = meetings_.pair[k];
+    const double at = meetings_.at[k];
+    // Also if there is no such place.
+    if (!(at - windows.begin[i] > least && windows.end[i + 1] - at > least &&
+          overlaps_[i] > 0)) {
+      return k;
+    }
+    windows.end[i] = at;
+    windows.end_distance[i] = meetings_.distance[k];
+    windows.begin[i + 1] = at;
+    windows.begin_distance[i + 1] = meetings_.next_distance[k];
+  }
+  return meetings_.size;
+}
+
+size_t Envelope::MeetingOf(size_t pair) {
+  while (next_meeting_ < meetings_.size &&
+         meetings_.pair[next_meeting_] < pair) {
+    ++next_meeting_;
+  }
+  const bool is_known = next_meeting_ < meetings_.size &&
+                        meetings_.pair[next_meeting_] == pair &&
+                        !std::isnan(meetings_.at[next_meeting_]);
+  return is_known ? next_meeting_ : kNone;
+}
+
+void Envelope::TrimFrom(size_t i, WindowColumns& windows) {
   size_t kept = i;
   // Whether the last of the kept is window i - 1, as it was.
   bool is_neighbour = true;
@@ -44,14 +110,15 @@ void Envelope::Trim(double length, bool may_split, WindowColumns& windows) {
     if (kept > 0 && windows.end[kept - 1] > windows.begin[i]) {
       // Those that follow may have been shifted.
       const size_t pair = i - 1 - (windows.size - size);
-      if (!TrimNeighbours(i, is_neighbour ? pair : kUnknown, kept, windows)) {
+      if (!TrimNeighbours(i, is_neighbour ? MeetingOf(pair) : kNone, kept,
+                          windows)) {
         i = TrimSeveral(i, kept, windows);
         is_neighbour = false;
         continue;
       }
     }
     const Interval interval{windows.begin[i], windows.end[i]};
-    if (interval.width() > kLeastWidth * length ||
+    if (interval.width() > kLeastWidth * length_ ||
         !IsLost(interval, windows.OriginAt(i))) {
       if (kept != i) windows.Move(i, kept);
       ++kept;
@@ -64,7 +131,7 @@ void Envelope::Trim(double length, bool may_split, WindowColumns& windows) {
   windows.size = kept;
 }
 
-bool Envelope::TrimNeighbours(size_t i, size_t pair, size_t& kept,
+bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
                               WindowColumns& windows) {
   const size_t top = kept - 1;
   const double begin = windows.begin[i];
@@ -76,12 +143,12 @@ bool Envelope::TrimNeighbours(size_t i, size_t pair, size_t& kept,
     windows.begin[i] = top_end;
     return true;
   }
-  if (pair != kUnknown && !std::isnan(meetings_.at[pair])) {
-    const double met = meetings_.at[pair];
+  if (meeting != kNone) {
+    const double met = meetings_.at[meeting];
     windows.begin[i] = met;
-    windows.begin_distance[i] = meetings_.next_distance[pair];
+    windows.begin_distance[i] = meetings_.next_distance[meeting];
     windows.end[top] = met;
-    windows.end_distance[top] = meetings_.distance[pair];
+    windows.end_distance[top] = meetings_.distance[meeting];
     if (IsLost({windows.begin[top], met}, windows.OriginAt(top))) --kept;
     return true;
   }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "rules/list_kernels.h"
@@ -20,8 +21,9 @@ namespace geodesic {
 //
 // The lists of windows that cross a face nearly are that already: where the
 // wavefronts of two pseudo-sources meet, their neighbouring windows overlap.
-// That is done in place. Whatever is more involved goes through a short list of
-// its own, window by window.
+// That is done in place, for all of them together. From the first overlap on
+// that is more involved, windows are taken one by one, and what one of them
+// meets goes through a short list of its own.
 class Envelope {
  public:
   // `length`: of the half-edge. `may_split`: Front::MayChangeOverTwice.
@@ -34,11 +36,22 @@ class Envelope {
              WindowColumns& windows);
 
  private:
+  // Finds the neighbours that overlap by more than rounding, which is given up,
+  // and where they meet.
+  void FindMeetings(WindowColumns& windows);
+  // Cuts windows where they meet their neighbours. Returns the first meeting
+  // that asks for more, or how many there are.
+  size_t CutAtMeetings(WindowColumns& windows) const;
+  // Trims windows from `i` on, one by one; those before are done.
+  void TrimFrom(size_t i, WindowColumns& windows);
+  // The number of the meeting of window `pair` and the next one, kNone if they
+  // do not meet. REQUIRES: pairs are asked for in order.
+  size_t MeetingOf(size_t pair);
   // Trims window i, which begins before the last of the `kept` ends, against
   // that if one of the two gives way on their common side. Otherwise changes
-  // nothing and returns false. `pair`: their number in meetings_, if they are
-  // as they were, or kUnknown.
-  bool TrimNeighbours(size_t i, size_t pair, size_t& kept,
+  // nothing and returns false. `meeting`: where the two meet, or kNone if that
+  // is not known.
+  bool TrimNeighbours(size_t i, size_t meeting, size_t& kept,
                       WindowColumns& windows);
   // Trims windows from `i` on against those of the `kept` that they meet, until
   // one meets none of them; that is the next. Makes room if it needs any.
@@ -56,9 +69,13 @@ class Envelope {
            IsSliver(part, origin, length_);
   }
 
+  static constexpr size_t kNone = std::numeric_limits<size_t>::max();
+
   double length_ = 0;
   bool may_split_ = false;
+  std::vector<double> begins_, overlaps_;
   Meetings meetings_;
+  size_t next_meeting_ = 0;  // for MeetingOf
   std::vector<ListedWindow> sorted_;
   std::vector<ListedWindow> aside_;  // a stack
 };

@@ -228,29 +228,65 @@ void ChildrenRight(const HalfEdgeFrame& frame, const ExitEdge& exit,
 }
 
 GEODESIC_FOR_EVERY_WIDTH
-void MeetNeighbours(const WindowColumns& windows, Meetings& meetings) {
-  const size_t n = Padded(windows.size - 1);
-  if (meetings.at.size() < n) {
-    for (auto* column :
-         {&meetings.at, &meetings.distance, &meetings.next_distance}) {
-      column->resize(2 * n);
-    }
-  }
+void OverlapsOfNeighbours(double length, const WindowColumns& windows,
+                          double* const new_begin, double* const overlap) {
   const double* const begin = windows.begin;
   const double* const end = windows.end;
-  const double* const xs = windows.x;
-  const double* const depths = windows.depth;
   const double* const sigmas = windows.sigma;
   const double* const begin_distance = windows.begin_distance;
-  const double* const end_distance = windows.end_distance;
+  const double least_width = kLeastWidth * length;
+  const double rounded_width = kRoundedWidth * length;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const size_t n = windows.size - 1;
+  new_begin[0] = begin[0];
+  GEODESIC_INDEPENDENT
+  for (size_t i = 0; i < n; ++i) {
+    const double low = begin[i + 1], high = end[i];
+    const double width = high - low;
+    // As IsSliver.
+    double narrow = kLeastWidth * (begin_distance[i + 1] - sigmas[i + 1]);
+    narrow = narrow > rounded_width ? narrow : rounded_width;
+    narrow = narrow < least_width ? narrow : least_width;
+    const bool is_rounding = width > 0 && width <= narrow;
+    new_begin[i + 1] = is_rounding ? high : low;
+    const double left = is_rounding ? 0 : width;
+    overlap[i] = low < begin[i] ? kNone : left;
+  }
+}
+
+void Meetings::Reserve(size_t count) {
+  const size_t room = Padded(count);
+  if (at.size() >= room) return;
+  pair.resize(2 * room);
+  for (auto* column : {&end, &end_distance, &x, &depth, &sigma, &next_begin,
+                       &next_end, &next_begin_distance, &next_x, &next_depth,
+                       &next_sigma, &at, &distance, &next_distance}) {
+    column->resize(2 * room);
+  }
+}
+
+GEODESIC_FOR_EVERY_WIDTH
+void Meet(Meetings& meetings) {
+  const double* const lows = meetings.next_begin.data();
+  const double* const highs = meetings.end.data();
+  const double* const next_ends = meetings.next_end.data();
+  const double* const xs = meetings.x.data();
+  const double* const depths = meetings.depth.data();
+  const double* const sigmas = meetings.sigma.data();
+  const double* const next_xs = meetings.next_x.data();
+  const double* const next_depths = meetings.next_depth.data();
+  const double* const next_sigmas = meetings.next_sigma.data();
+  const double* const next_begin_distance = meetings.next_begin_distance.data();
+  const double* const end_distance = meetings.end_distance.data();
   double* const meeting = meetings.at.data();
   double* const distance = meetings.distance.data();
   double* const next_distance = meetings.next_distance.data();
+  const size_t n = Padded(meetings.size);
   GEODESIC_INDEPENDENT
   for (size_t i = 0; i < n; ++i) {
     const double x0 = xs[i], y0 = depths[i], sigma0 = sigmas[i];
-    const double x1 = xs[i + 1], y1 = depths[i + 1], sigma1 = sigmas[i + 1];
-    const double low = begin[i + 1], high = end[i];
+    const double x1 = next_xs[i], y1 = next_depths[i], sigma1 = next_sigmas[i];
+    const double low = lows[i], high = highs[i];
     const double square0 = y0 * y0, square1 = y1 * y1;
     const double low0 = low - x0, high1 = high - x1;
     const double at_low = sigma0 + std::sqrt(low0 * low0 + square0);
@@ -281,8 +317,8 @@ void MeetNeighbours(const WindowColumns& windows, Meetings& meetings) {
     double at = off <= kCrossingRoundings * kTie * older ? x : kNone;
     at = x > low ? at : kNone;
     at = x < high ? at : kNone;
-    at = high <= end[i + 1] ? at : kNone;
-    at = begin_distance[i + 1] - at_low > kTie * at_low ? at : kNone;
+    at = high <= next_ends[i] ? at : kNone;
+    at = next_begin_distance[i] - at_low > kTie * at_low ? at : kNone;
     at = at_high - end_distance[i] < -kTie * end_distance[i] ? at : kNone;
     meeting[i] = at;
     distance[i] = older;

@@ -44,14 +44,31 @@ void ChildrenRight(const HalfEdgeFrame& frame, const ExitEdge& exit,
                    size_t first, size_t last, WindowColumns& children,
                    double* label);
 
-// Where each window of a list and the next one change over, if the two overlap
-// only there, the next one ends last, and each is nearer on its own side: the
-// case of WonByNewer that wavefronts meeting in a face make.
+// Of a list: where its windows begin, if they give up what they share with the
+// one before by rounding alone: that is no wider than a window may be lost with
+// (IsSliver). overlap: by how much window i then still reaches into window
+// i + 1; NaN if window i + 1 begins before window i.
+void OverlapsOfNeighbours(double length, const WindowColumns& windows,
+                          double* begin, double* overlap);
+
+// Pairs of neighbours in a list that overlap, and where they change over, if
+// the next one ends last and each is nearer on its own side: the case of
+// WonByNewer that wavefronts meeting in a face make. Columns of `size` pairs.
 struct Meetings {
+  size_t size = 0;
+  std::vector<uint32_t> pair;  // windows i and i + 1
+  // Of the first window, and of the next.
+  std::vector<double> end, end_distance, x, depth, sigma;
+  std::vector<double> next_begin, next_end, next_begin_distance, next_x,
+      next_depth, next_sigma;
+  // Results.
   std::vector<double> at;  // NaN: another case
   std::vector<double> distance, next_distance;
+
+  // Makes room for `count` pairs.
+  void Reserve(size_t count);
 };
-void MeetNeighbours(const WindowColumns& windows, Meetings& meetings);
+void Meet(Meetings& meetings);
 
 }  // namespace geodesic
 
