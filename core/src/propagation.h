@@ -57,10 +57,10 @@ class Propagation final : public Computation {
 
   using FrontType = Front<Queue, OriginType>;
   using RuleType = Rule<FrontType>;
-  // Whether the rule propagates many half-edges together.
+  // Whether the rule handles many ids of the queue together.
   static constexpr bool kTogether =
-      requires(RuleType & rule, std::span<const HalfEdge> half_edges) {
-    rule.Propagate(half_edges);
+      requires(RuleType & rule, std::span<const uint32_t> ids) {
+    rule.Propagate(ids);
   };
 
   static RuleType MakeRule(FrontType& front, const Tuning& tuning) {
@@ -79,7 +79,6 @@ class Propagation final : public Computation {
   // if nothing is left.
   uint64_t Step();
   uint64_t StepTogether();
-  void Expand(uint32_t id);
   absl::Status Poll(Checkpoint& checkpoint);
   bool HasTargets(uint64_t wanted);
   void PrefetchUpcoming() const;
@@ -87,13 +86,24 @@ class Propagation final : public Computation {
   double ToFileUnit(double length) const {
     return std::ldexp(length, mesh().scale_exponent());
   }
-  // What Rule::Open is, as the front calls it.
-  auto Opener() {
-    return [this](HalfEdge half_edge, uint32_t pseudo_source,
-                  const OriginType& origin, const Interval& interval) {
-      rule_.Open(half_edge, pseudo_source, origin, interval);
-    };
-  }
+  // As the front calls it (Front::Expand): what is found is applied at once.
+  struct Sink {
+    FrontType& front;
+    RuleType& rule;
+
+    void Relax(uint32_t vertex, double distance, const Arrival& arrival,
+               const IncomingRay& ray = {}) {
+      front.Relax(vertex, distance, arrival, ray);
+    }
+    void Observe(HalfEdge h, const BasicWindow<OriginType>& window,
+                 uint32_t pseudo_source) {
+      front.Observe(h, window, pseudo_source);
+    }
+    void Open(HalfEdge half_edge, uint32_t pseudo_source,
+              const OriginType& origin, const Interval& interval) {
+      rule.Open(half_edge, pseudo_source, origin, interval);
+    }
+  };
 
   const Algorithm algorithm_;
   const bool traces_;
@@ -102,7 +112,7 @@ class Propagation final : public Computation {
   Queue queue_;
   FrontType front_;
   RuleType rule_;
-  std::vector<HalfEdge> together_;  // of one step
+  std::vector<uint32_t> together_;  // of one step
   SolveStatistics statistics_;
   double wavefront_sum_ = 0;
   uint64_t wavefront_samples_ = 0;
@@ -169,8 +179,9 @@ void Propagation<Rule, Queue, OriginType>::CertifyUpTo(double radius) {
 template <template <typename> typename Rule, WindowQueue Queue,
           typename OriginType>
 void Propagation<Rule, Queue, OriginType>::Seed() {
+  Sink sink{front_, rule_};
   for (const Anchor& anchor : std::exchange(pending_anchors_, {})) {
-    front_.AddAnchor(anchor, Opener());
+    front_.AddAnchor(anchor, sink);
   }
 }
 
@@ -204,7 +215,10 @@ uint64_t Propagation<Rule, Queue, OriginType>::Step() {
   if (id == kNothing) return 0;
   PrefetchUpcoming();
   if (id & kVertexEvent) {
-    Expand(id);
+    ++statistics_.pseudo_source_events;
+    const uint32_t v = id & ~kVertexEvent;
+    Sink sink{front_, rule_};
+    if (front_.TakeEvent(v)) front_.Expand(v, sink);
   } else {
     statistics_.windows_propagated += rule_.Propagate(id);
   }
@@ -217,30 +231,18 @@ template <template <typename> typename Rule, WindowQueue Queue,
           typename OriginType>
 uint64_t Propagation<Rule, Queue, OriginType>::StepTogether() {
   together_.clear();
-  uint64_t steps = 0;
+  // Those that the queue knows already go together.
   do {
     const uint32_t id = queue_.Pop();
     if (id == kNothing) break;
-    ++steps;
-    if (id & kVertexEvent) {
-      Expand(id);
-    } else {
-      together_.push_back(id);
-    }
-    // Those that the queue knows already go together.
+    if (id & kVertexEvent) ++statistics_.pseudo_source_events;
+    together_.push_back(id);
   } while (together_.size() < RuleType::kMostTogether &&
            queue_.Upcoming(1) != kNothing);
   statistics_.windows_propagated += rule_.Propagate(together_);
   statistics_.peak_wavefront =
       std::max(statistics_.peak_wavefront, rule_.pending());
-  return steps;
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-void Propagation<Rule, Queue, OriginType>::Expand(uint32_t id) {
-  ++statistics_.pseudo_source_events;
-  front_.Expand(id & ~kVertexEvent, Opener());
+  return together_.size();
 }
 
 template <template <typename> typename Rule, WindowQueue Queue,

@@ -98,6 +98,10 @@ class Front {
   void PrefetchDistance(uint32_t v) const {
     __builtin_prefetch(&distances_[v]);
   }
+  // Fetches the faces around v.
+  void PrefetchFan(uint32_t v) const {
+    for (HalfEdge h : mesh_.Outgoing(v)) PrefetchFace(h);
+  }
 
   // Whether a window on the edge from -> to is useless because paths through
   // the edge's ends and along it are shorter: if at the interval's end the one
@@ -172,11 +176,11 @@ class Front {
     });
   }
 
-  // Starts from an anchor: relaxes the vertices around it and calls
-  // open(half_edge, pseudo_source, origin, interval) for all that it sees of
-  // every edge.
-  template <typename Open>
-  void AddAnchor(const Anchor& anchor, Open open) {
+  // Starts from an anchor: relaxes the vertices around it and opens all that it
+  // sees of every edge. Sink: as for Expand; its Relax and Observe are those
+  // here.
+  template <typename Sink>
+  void AddAnchor(const Anchor& anchor, Sink& sink) {
     const auto number = static_cast<uint32_t>(distances_.size());
     const double sigma = std::ldexp(anchor.offset, -mesh_.scale_exponent());
     has_free_anchor_ = has_free_anchor_ ||
@@ -187,7 +191,7 @@ class Front {
       // it never improves.
       distances_.push_back(std::numeric_limits<double>::infinity());
       if constexpr (std::is_same_v<Origin, MixedOrigin>) {
-        AddSegment(anchor, sigma, number, open);
+        AddSegment(anchor, sigma, number, sink);
       }
       return;
     }
@@ -214,7 +218,7 @@ class Front {
                    {.x = length - at.x,
                     .depth = std::max(at.y, kLeastHeight),
                     .sigma = sigma},
-                   {0, length}, number, open);
+                   {0, length}, number, sink);
       }
       const PlanePoint from =
           InFrame(mesh_, point, mesh_.FirstSide(point.face));
@@ -224,23 +228,27 @@ class Front {
     }
   }
 
-  // Handles the event of v: relaxes v's neighbours along their edges and calls
-  // open(half_edge, pseudo_source, origin, interval) for every edge that v sees
-  // whole, where the half-edge enters the face beyond. These are the edges
-  // opposite to v, and where v lies on one (across a face without area), the
-  // other edges of the face beyond. Does nothing if v has not improved since it
-  // was last expanded.
-  template <typename Open>
-  void Expand(uint32_t v, Open open) {
-    if (!(states_[v] & kPending)) return;
+  // Whether v has improved since its event was last taken.
+  bool TakeEvent(uint32_t v) {
+    if (!(states_[v] & kPending)) return false;
     states_[v] &= ~kPending;
+    return true;
+  }
+
+  // What the event of v leads to: relaxes v's neighbours along their edges and
+  // opens every edge that v sees whole, where the half-edge enters the face
+  // beyond. These are the edges opposite to v, and where v lies on one (across
+  // a face without area), the other edges of the face beyond. Sink has Relax and
+  // Observe, as here, and Open, as rules have.
+  template <typename Sink>
+  void Expand(uint32_t v, Sink& sink) const {
     const double sigma = distances_[v];
     const Arrival along_edge{.pseudo_source = v};
     for (HalfEdge h : mesh_.Outgoing(v)) {
-      Relax(mesh_.To(h), sigma + mesh_.frame(h).length, along_edge,
-            IncomingRay::Along(h));
-      Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length, along_edge,
-            IncomingRay::Along(Prev(h)));
+      sink.Relax(mesh_.To(h), sigma + mesh_.frame(h).length, along_edge,
+                 IncomingRay::Along(h));
+      sink.Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length, along_edge,
+                 IncomingRay::Along(Prev(h)));
     }
     const auto look = [&](HalfEdge h, const Interval& part) {
       const HalfEdge opposite = Next(h);
@@ -250,7 +258,7 @@ class Front {
                  {.x = frame.length - frame.apex_x,
                   .depth = frame.apex_y,
                   .sigma = sigma},
-                 Mirror(part, frame.length), v, open);
+                 Mirror(part, frame.length), v, sink);
     };
     if (incoming_.empty() || incoming_[v].half_edge == kNoHalfEdge ||
         (states_[v] & kSource) || mesh_.IsNonManifold(v)) {
@@ -288,49 +296,49 @@ class Front {
   static constexpr int kMostFolds = 64;
 
   // Opens what the pseudo-source sees across `side`; origin as for Cross.
-  template <typename Open>
+  template <typename Sink>
   void LookAcross(HalfEdge side, const Origin& origin, const Interval& part,
-                  uint32_t pseudo_source, Open open) {
+                  uint32_t pseudo_source, Sink& sink) const {
     int folds_left = kMostFolds;
-    LookAcross(side, origin, part, pseudo_source, folds_left, open);
+    LookAcross(side, origin, part, pseudo_source, folds_left, sink);
   }
 
-  template <typename Open>
+  template <typename Sink>
   void LookAcross(HalfEdge side, const Origin& origin, const Interval& part,
-                  uint32_t pseudo_source, int& folds_left, Open open) {
+                  uint32_t pseudo_source, int& folds_left, Sink& sink) const {
     Cross(side, origin, part,
           [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
-            LookInto(half_edge, seen, through, pseudo_source, folds_left, open);
+            LookInto(half_edge, seen, through, pseudo_source, folds_left, sink);
           });
   }
 
   // Opens `half_edge`, or if the pseudo-source lies on it, what lies beyond.
-  template <typename Open>
+  template <typename Sink>
   void LookInto(HalfEdge half_edge, const Origin& origin, const Interval& part,
-                uint32_t pseudo_source, int& folds_left, Open open) {
+                uint32_t pseudo_source, int& folds_left, Sink& sink) const {
     const HalfEdgeFrame& frame = mesh_.frame(half_edge);
     if (!LiesOnEdge(origin, frame) || folds_left == 0) {
-      open(half_edge, pseudo_source, origin, part);
+      sink.Open(half_edge, pseudo_source, origin, part);
       return;
     }
     --folds_left;
-    Observe(half_edge, Window::Over(part, origin), pseudo_source);
-    Relax(mesh_.Apex(half_edge),
+    sink.Observe(half_edge, Window::Over(part, origin), pseudo_source);
+    sink.Relax(mesh_.Apex(half_edge),
           origin.sigma + DistanceToPlace(origin, ApexOf(frame)),
           {pseudo_source, half_edge, origin.x, origin.depth});
     const double left_length = mesh_.frame(Prev(half_edge)).length;
     const double right_length = mesh_.frame(Next(half_edge)).length;
     LookAcross(Prev(half_edge), UnfoldLeft(origin, frame), {0, left_length},
-               pseudo_source, folds_left, open);
+               pseudo_source, folds_left, sink);
     LookAcross(Next(half_edge), UnfoldRight(origin, frame, right_length),
-               {0, right_length}, pseudo_source, folds_left, open);
+               {0, right_length}, pseudo_source, folds_left, sink);
   }
 
   // Starts from a segment, in each of the faces that hold it.
   // REQUIRES: Origin is MixedOrigin.
-  template <typename Open>
+  template <typename Sink>
   void AddSegment(const Anchor& anchor, double sigma, uint32_t number,
-                  Open open) {
+                  Sink& sink) {
     for (const CurveSegment& segment : SegmentsOf(mesh_, anchor)) {
       const HalfEdge first = mesh_.FirstSide(segment.face());
       const Arrival straight{.pseudo_source = number};
@@ -347,7 +355,7 @@ class Front {
         Cross(h, beam->origin, beam->interval,
               [&](HalfEdge half_edge, const Origin& origin,
                   const Interval& interval) {
-                open(half_edge, number, origin, interval);
+                sink.Open(half_edge, number, origin, interval);
               });
       }
       targets_.OfferWithin(segment.face(), number,

@@ -15,10 +15,11 @@
 // and exact discrete geodesic computation based on triangle-oriented wavefront
 // propagation. ACM TOG 35(4), 2016; ordered by vertices there, and linked.
 //
-// Half-edges are propagated by rounds: what waits at each of them when the
-// round begins crosses its face (list_crossing.h), none of them sees what
-// becomes of the others, and then the results are applied in order. So the
-// threads that share the crossings change nothing, whatever their number.
+// Work is done by rounds: of each half-edge, what waits there when the round
+// begins crosses its face, and each vertex that has improved by then becomes a
+// pseudo-source (list_worker.h). None of them sees what comes of the others,
+// which is applied afterwards, in order. So the threads that share the work
+// change nothing, whatever their number.
 
 #ifndef GEODESIC_RULES_LIST_RULE_H_
 #define GEODESIC_RULES_LIST_RULE_H_
@@ -34,10 +35,9 @@
 #include <vector>
 
 #include "rules/front.h"
-#include "rules/list_crossing.h"
+#include "rules/list_worker.h"
 #include "thread_team.h"
 #include "windows/window_blocks.h"
-#include "windows/window_columns.h"
 
 namespace geodesic {
 
@@ -45,16 +45,15 @@ namespace geodesic {
 template <typename Front>
 class ListRule {
  public:
-  // The most half-edges of a round.
+  // The most half-edges and vertices of a round.
   static constexpr size_t kMostTogether = 1024;
 
   ListRule(Front& front, uint32_t threads)
       : front_(front),
         mesh_(front.mesh()),
-        threads_(threads),
         waiting_(front.mesh().half_edge_count(), kNone) {
     for (uint32_t member = 0; member < threads; ++member) {
-      crossings_.emplace_back(front, pool_);
+      workers_.emplace_back(front, pool_);
     }
   }
 
@@ -65,9 +64,10 @@ class ListRule {
   // Sources were added: nothing here depends on them.
   void Restart() {}
 
-  // Propagates all that waits at some half-edges across their faces. Returns
-  // how many windows; a half-edge that is named twice counts once.
-  uint64_t Propagate(std::span<const HalfEdge> half_edges);
+  // A round: propagates all that waits at some half-edges across their faces
+  // and expands vertices (numbers with kVertexEvent). Returns how many windows
+  // were propagated; whatever is named twice counts once.
+  uint64_t Propagate(std::span<const uint32_t> events);
 
   uint64_t created() const { return created_; }
   uint64_t pending() const { return pending_; }
@@ -80,49 +80,48 @@ class ListRule {
   }
 
  private:
+  using Worker = ListWorker<Front>;
+
   static constexpr uint32_t kNone = 0xffffffffu;
-  // Rounds of fewer half-edges are not worth a team's start.
+  // Rounds of fewer events are not worth a team's start.
   static constexpr size_t kLeastShared = 32;
-  // How many half-edges a thread takes at a time.
+  // How many events a thread takes at a time.
   static constexpr size_t kShare = 4;
 
   struct Queued {
     double label;  // the least the half-edge is queued with
     WaitingLists lists;
   };
-  // A half-edge of the round.
-  struct Taken {
-    HalfEdge half_edge;
-    WaitingLists lists;
-    uint32_t member = 0;  // who crosses it
+  // One of the round.
+  struct Event {
+    uint32_t id;
+    WaitingLists lists;  // of a half-edge
+    uint32_t member;     // who does it
+    typename Worker::Outcome outcome;
   };
 
-  // Moves what waits at the half-edges to taken_.
-  void Take(std::span<const HalfEdge> half_edges);
-  // Crosses taken_[i] for i in [first, last).
-  void Cross(size_t first, size_t last, uint32_t member);
-  void CrossAll();
-  void Apply(const Taken& taken, const Crossed& crossed);
-  void HandOn(HalfEdge side, Exit exit, Side from,
-              const Crossed::HandedOn& handed_on);
-  // Adds a list to what waits at h.
-  void Enqueue(HalfEdge h, Side from, const Crossed::HandedOn& handed_on);
+  // Makes events_ of those that have something to do.
+  void Take(std::span<const uint32_t> ids);
+  void DoAll();
+  // Does events_[i] for i in [first, last).
+  void Do(size_t first, size_t last, uint32_t member);
+  void Prefetch(size_t i) const;
+  void Apply(const Event& event);
+  // Adds a list to what waits at a half-edge.
+  void Enqueue(const typename Worker::HandedOn& list);
 
   Front& front_;
   const Mesh& mesh_;
-  const uint32_t threads_;
   std::vector<uint32_t> waiting_;  // by half-edge, into queues_; or kNone
   std::vector<Queued> queues_;
   std::vector<uint32_t> free_;  // of queues_
   BlockPool pool_;
-  std::deque<ListCrossing<Front>> crossings_;  // by member of the team
-  std::optional<ThreadTeam> team_;             // once a round was wide enough
-  WindowColumns scratch_;
+  std::deque<Worker> workers_;      // by member of the team
+  std::optional<ThreadTeam> team_;  // once a round was wide enough
 
   // Of the round.
-  std::vector<Taken> taken_;
-  std::vector<Crossed> crossed_;  // by number in taken_
-  std::atomic<size_t> next_ = 0;  // of taken_, that nobody has begun
+  std::vector<Event> events_;
+  std::atomic<size_t> next_ = 0;  // of events_, that nobody has begun
 
   uint64_t pending_ = 0;
   uint64_t peak_ = 0;
@@ -132,135 +131,122 @@ class ListRule {
 template <typename Front>
 void ListRule<Front>::Open(HalfEdge half_edge, uint32_t pseudo_source,
                            const Origin& origin, const Interval& interval) {
-  const double length = mesh_.frame(half_edge).length;
-  if (interval.width() <= kLeastWidth * length &&
-      IsSliver(interval, origin, length)) {
-    return;
-  }
-  const Window window = Window::Over(interval, origin);
-  if (front_.EndsAreNearer(window, length, mesh_.From(half_edge),
-                           mesh_.To(half_edge))) {
-    return;
-  }
-  scratch_.Reserve(1);
-  scratch_.Set(0, window, pseudo_source);
-  scratch_.size = 1;
-  Enqueue(half_edge, kLeft,
-          {crossings_[0].blocks().Store(scratch_), window.Label()});
+  Worker& worker = workers_[0];
+  worker.Open(half_edge, pseudo_source, origin, interval);
+  for (const auto& list : worker.handed_on()) Enqueue(list);
+  worker.Forget();
 }
 
 template <typename Front>
-uint64_t ListRule<Front>::Propagate(std::span<const HalfEdge> half_edges) {
-  Take(half_edges);
-  CrossAll();
+uint64_t ListRule<Front>::Propagate(std::span<const uint32_t> ids) {
+  Take(ids);
+  DoAll();
   uint64_t propagated = 0;
-  for (size_t i = 0; i < taken_.size(); ++i) {
-    if (i + 2 < taken_.size()) {
-      const HalfEdgeFrame& frame = mesh_.frame(taken_[i + 2].half_edge);
-      for (const Exit exit : {frame.left_exit, frame.right_exit}) {
-        if (exit < kIrregularExit) __builtin_prefetch(&waiting_[exit]);
-      }
-    }
-    Apply(taken_[i], crossed_[i]);
-    propagated += crossed_[i].propagated;
+  for (const Event& event : events_) {
+    Apply(event);
+    propagated += event.outcome.propagated;
   }
-  for (ListCrossing<Front>& crossing : crossings_) crossing.ForgetObserved();
+  for (Worker& worker : workers_) worker.Forget();
   return propagated;
 }
 
 template <typename Front>
-void ListRule<Front>::Take(std::span<const HalfEdge> half_edges) {
+void ListRule<Front>::Take(std::span<const uint32_t> ids) {
   constexpr size_t kAhead = 8;
-  taken_.clear();
-  for (size_t i = 0; i < half_edges.size(); ++i) {
-    if (i + kAhead < half_edges.size()) {
-      __builtin_prefetch(&waiting_[half_edges[i + kAhead]]);
+  events_.clear();
+  for (size_t i = 0; i < ids.size(); ++i) {
+    if (i + kAhead < ids.size() && !(ids[i + kAhead] & kVertexEvent)) {
+      __builtin_prefetch(&waiting_[ids[i + kAhead]]);
     }
-    const HalfEdge h = half_edges[i];
-    if (waiting_[h] == kNone) continue;
-    taken_.push_back({h, queues_[waiting_[h]].lists});
-    free_.push_back(waiting_[h]);
-    waiting_[h] = kNone;
+    const uint32_t id = ids[i];
+    if (id & kVertexEvent) {
+      if (front_.TakeEvent(id & ~kVertexEvent)) events_.push_back({.id = id});
+    } else if (waiting_[id] != kNone) {
+      events_.push_back({.id = id, .lists = queues_[waiting_[id]].lists});
+      free_.push_back(waiting_[id]);
+      waiting_[id] = kNone;
+    }
   }
-  if (crossed_.size() < taken_.size()) crossed_.resize(taken_.size());
 }
 
 template <typename Front>
-void ListRule<Front>::CrossAll() {
-  const size_t count = taken_.size();
-  if (threads_ == 1 || count < kLeastShared) {
-    Cross(0, count, 0);
+void ListRule<Front>::DoAll() {
+  const size_t count = events_.size();
+  if (workers_.size() == 1 || count < kLeastShared) {
+    Do(0, count, 0);
     return;
   }
-  if (!team_.has_value()) team_.emplace(threads_);
+  if (!team_.has_value()) {
+    team_.emplace(static_cast<uint32_t>(workers_.size()));
+  }
   next_.store(0, std::memory_order_relaxed);
   team_->Run([this, count](uint32_t member) {
     for (;;) {
       const size_t first = next_.fetch_add(kShare, std::memory_order_relaxed);
       if (first >= count) return;
-      Cross(first, std::min(first + kShare, count), member);
+      Do(first, std::min(first + kShare, count), member);
     }
   });
 }
 
 template <typename Front>
-void ListRule<Front>::Cross(size_t first, size_t last, uint32_t member) {
+void ListRule<Front>::Do(size_t first, size_t last, uint32_t member) {
   for (size_t i = first; i < last; ++i) {
-    if (i + 3 < taken_.size()) {
-      front_.PrefetchFace(taken_[i + 3].half_edge);
-      for (const WindowBlock* list : taken_[i + 3].lists) {
+    Prefetch(i);
+    Event& event = events_[i];
+    event.member = member;
+    Worker& worker = workers_[member];
+    event.outcome = event.id & kVertexEvent
+                        ? worker.Expand(event.id & ~kVertexEvent)
+                        : worker.Cross(event.id, event.lists);
+  }
+}
+
+// What the events after events_[i] will need. Each stage needs what the one
+// before has fetched.
+template <typename Front>
+void ListRule<Front>::Prefetch(size_t i) const {
+  if (i + 3 < events_.size()) {
+    const Event& event = events_[i + 3];
+    if (event.id & kVertexEvent) {
+      front_.PrefetchFan(event.id & ~kVertexEvent);
+    } else {
+      front_.PrefetchFace(event.id);
+      for (const WindowBlock* list : event.lists) {
         if (list != nullptr) WindowBlocks::Prefetch(list);
       }
     }
-    if (i + 1 < taken_.size()) {
-      front_.PrefetchCorners(taken_[i + 1].half_edge);
-      for (const WindowBlock* list : taken_[i + 1].lists) {
-        if (list != nullptr) WindowBlocks::PrefetchRest(list);
-      }
+  }
+  if (i + 1 < events_.size() && !(events_[i + 1].id & kVertexEvent)) {
+    const Event& event = events_[i + 1];
+    front_.PrefetchCorners(event.id);
+    for (const WindowBlock* list : event.lists) {
+      if (list != nullptr) WindowBlocks::PrefetchRest(list);
     }
-    taken_[i].member = member;
-    crossings_[member].Cross(taken_[i].half_edge, taken_[i].lists, crossed_[i]);
   }
 }
 
 template <typename Front>
-void ListRule<Front>::Apply(const Taken& taken, const Crossed& crossed) {
-  const HalfEdge h = taken.half_edge;
-  pending_ -= crossed.waited;
-  for (const auto& [window, pseudo_source] :
-       crossings_[taken.member].Observed(crossed)) {
+void ListRule<Front>::Apply(const Event& event) {
+  const Worker& worker = workers_[event.member];
+  const auto& [waited, propagated, begin, end] = event.outcome;
+  pending_ -= waited;
+  for (uint32_t i = begin.observed; i < end.observed; ++i) {
+    const auto& [h, window, pseudo_source] = worker.observed()[i];
     front_.Observe(h, window, pseudo_source);
   }
-  front_.Relax(mesh_.Apex(h), crossed.apex_distance, crossed.arrival,
-               crossed.ray);
-  const HalfEdgeFrame& frame = mesh_.frame(h);
-  HandOn(Prev(h), frame.left_exit, kLeft, crossed.sides[kLeft]);
-  HandOn(Next(h), frame.right_exit, kRight, crossed.sides[kRight]);
-}
-
-template <typename Front>
-void ListRule<Front>::HandOn(HalfEdge side, Exit exit, Side from,
-                             const Crossed::HandedOn& handed_on) {
-  if (handed_on.list == nullptr) return;
-  if (exit < kIrregularExit) {
-    Enqueue(exit, from, handed_on);
-    return;
+  for (uint32_t i = begin.relaxation; i < end.relaxation; ++i) {
+    const auto& [vertex, distance, arrival, ray] = worker.relaxations()[i];
+    front_.Relax(vertex, distance, arrival, ray);
   }
-  WindowBlocks& blocks = crossings_[0].blocks();
-  scratch_.size = 0;
-  blocks.Take(handed_on.list, scratch_);
-  const double length = mesh_.frame(side).length;
-  mesh_.ForEachBeyond(side, [&](HalfEdge half_edge, bool is_mirrored) {
-    if (is_mirrored) scratch_.Mirror(length);
-    Enqueue(half_edge, is_mirrored ? kRight : from,
-            {blocks.Store(scratch_), handed_on.label});
-    if (is_mirrored) scratch_.Mirror(length);
-  });
+  for (uint32_t i = begin.handed_on; i < end.handed_on; ++i) {
+    Enqueue(worker.handed_on()[i]);
+  }
 }
 
 template <typename Front>
-void ListRule<Front>::Enqueue(HalfEdge h, Side from,
-                              const Crossed::HandedOn& handed_on) {
+void ListRule<Front>::Enqueue(const typename Worker::HandedOn& handed_on) {
+  const auto& [h, from, list, label] = handed_on;
   if (waiting_[h] == kNone) {
     if (free_.empty()) {
       waiting_[h] = static_cast<uint32_t>(queues_.size());
@@ -274,13 +260,13 @@ void ListRule<Front>::Enqueue(HalfEdge h, Side from,
   Queued& queued = queues_[waiting_[h]];
   WindowBlock** place = &queued.lists[from];
   while (*place != nullptr) place = &(*place)->next;
-  *place = handed_on.list;
-  created_ += handed_on.list->count;
-  pending_ += handed_on.list->count;
+  *place = list;
+  created_ += list->count;
+  pending_ += list->count;
   peak_ = std::max(peak_, pending_);
-  if (handed_on.label >= queued.label) return;
-  queued.label = handed_on.label;
-  front_.queue().Push(h, handed_on.label);
+  if (label >= queued.label) return;
+  queued.label = label;
+  front_.queue().Push(h, label);
 }
 
 }  // namespace geodesic
