@@ -3,8 +3,12 @@
 namespace geodesic {
 namespace {
 
-// Some ten microseconds: waking a sleeping thread takes longer.
-constexpr int kSpins = 2000;
+// Of the gate: the call's number is above.
+constexpr uint64_t kClosed = uint64_t{1} << 31;
+constexpr uint64_t kInside = kClosed - 1;
+
+// Some tens of microseconds: waking a sleeping thread takes as long.
+constexpr int kSpins = 1000;
 
 void Pause() {
 #if defined(__x86_64__)
@@ -12,13 +16,16 @@ void Pause() {
 #endif
 }
 
-// Until `value` is no longer `old`.
-void AwaitChange(const std::atomic<uint32_t>& value, uint32_t old) {
+// Returns the value once it is no longer `old`.
+template <typename Number>
+Number AwaitChange(const std::atomic<Number>& value, Number old) {
   for (int i = 0; i < kSpins; ++i) {
-    if (value.load(std::memory_order_acquire) != old) return;
+    const Number now = value.load(std::memory_order_acquire);
+    if (now != old) return now;
     Pause();
   }
   value.wait(old, std::memory_order_acquire);
+  return value.load(std::memory_order_acquire);
 }
 
 }  // namespace
@@ -40,23 +47,39 @@ ThreadTeam::~ThreadTeam() {
 void ThreadTeam::Run(Call call, const void* work) {
   call_ = call;
   work_ = work;
-  working_.store(size() - 1, std::memory_order_relaxed);
-  calls_.fetch_add(1, std::memory_order_release);
+  const uint32_t number = calls_.load(std::memory_order_relaxed) + 1;
+  gate_.store(uint64_t{number} << 32, std::memory_order_release);
+  calls_.store(number, std::memory_order_release);
   calls_.notify_all();
   call(work, 0);
-  while (const uint32_t left = working_.load(std::memory_order_acquire)) {
-    AwaitChange(working_, left);
-  }
+  uint64_t gate = gate_.fetch_or(kClosed, std::memory_order_acq_rel) | kClosed;
+  while (gate & kInside) gate = AwaitChange(gate_, gate);
 }
 
 void ThreadTeam::Serve(uint32_t member) {
-  for (uint32_t served = 0;; ++served) {
-    AwaitChange(calls_, served);
+  for (uint32_t served = 0;;) {
+    served = AwaitChange(calls_, served);
     if (is_over_.load(std::memory_order_relaxed)) return;
+    if (!Enter(served)) continue;
     call_(work_, member);
-    working_.fetch_sub(1, std::memory_order_acq_rel);
-    working_.notify_one();
+    Leave();
   }
+}
+
+bool ThreadTeam::Enter(uint32_t call) {
+  uint64_t gate = gate_.load(std::memory_order_relaxed);
+  while (gate >> 32 == call && !(gate & kClosed)) {
+    if (gate_.compare_exchange_weak(gate, gate + 1, std::memory_order_acquire,
+                                    std::memory_order_relaxed)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void ThreadTeam::Leave() {
+  const uint64_t gate = gate_.fetch_sub(1, std::memory_order_release) - 1;
+  if ((gate & kClosed) && !(gate & kInside)) gate_.notify_one();
 }
 
 }  // namespace geodesic

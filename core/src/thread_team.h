@@ -1,4 +1,4 @@
-// Threads that do the same work together, again and again.
+// Threads that share one piece of work after the other.
 
 #ifndef GEODESIC_THREAD_TEAM_H_
 #define GEODESIC_THREAD_TEAM_H_
@@ -10,8 +10,10 @@
 
 namespace geodesic {
 
-// The calling thread is a member too. Between two pieces of work the others
-// spin for some microseconds, then sleep. Used by one thread at a time.
+// The thread that calls is a member too, and waits for nobody who has not
+// begun: on a busy machine a member that gets no processor costs nothing.
+// Between two calls the others spin for some microseconds, then sleep. For one
+// calling thread at a time.
 class ThreadTeam {
  public:
   // REQUIRES: size >= 1.
@@ -22,9 +24,11 @@ class ThreadTeam {
 
   uint32_t size() const { return static_cast<uint32_t>(threads_.size()) + 1; }
 
-  // Calls work(member) in every member, from 0 (the calling thread) to
-  // size() - 1, and returns when all have returned. What happened before
-  // happens before the work, and the work before what follows.
+  // Calls work(0) here, and meanwhile work(member), 0 < member < size(), in
+  // those of the others that come in time, each at most once. Returns when all
+  // that have begun have returned: work is to go on until nothing is left of
+  // it. What happened before the call happens before the work, and the work
+  // before the return.
   template <typename Work>
   void Run(const Work& work) {
     Run(
@@ -39,11 +43,16 @@ class ThreadTeam {
 
   void Run(Call call, const void* work);
   void Serve(uint32_t member);
+  // Whether the work of this call may be begun; then Leave follows.
+  bool Enter(uint32_t call);
+  void Leave();
 
   Call call_ = nullptr;
   const void* work_ = nullptr;
-  std::atomic<uint32_t> calls_ = 0;    // how often there has been work
-  std::atomic<uint32_t> working_ = 0;  // other members that have not returned
+  std::atomic<uint32_t> calls_ = 0;  // how many there have been
+  // The number of the call, whether nobody may begin any more, and how many of
+  // the others have begun and not returned.
+  std::atomic<uint64_t> gate_ = 0;
   std::atomic<bool> is_over_ = false;
   std::vector<std::thread> threads_;
 };

@@ -238,8 +238,8 @@ class Front {
   // What the event of v leads to: relaxes v's neighbours along their edges and
   // opens every edge that v sees whole, where the half-edge enters the face
   // beyond. These are the edges opposite to v, and where v lies on one (across
-  // a face without area), the other edges of the face beyond. Sink has Relax and
-  // Observe, as here, and Open, as rules have.
+  // a face without area), the other edges of the face beyond. Sink has Relax
+  // and Observe, as here, and Open, as rules have.
   template <typename Sink>
   void Expand(uint32_t v, Sink& sink) const {
     const double sigma = distances_[v];
@@ -324,8 +324,8 @@ class Front {
     --folds_left;
     sink.Observe(half_edge, Window::Over(part, origin), pseudo_source);
     sink.Relax(mesh_.Apex(half_edge),
-          origin.sigma + DistanceToPlace(origin, ApexOf(frame)),
-          {pseudo_source, half_edge, origin.x, origin.depth});
+               origin.sigma + DistanceToPlace(origin, ApexOf(frame)),
+               {pseudo_source, half_edge, origin.x, origin.depth});
     const double left_length = mesh_.frame(Prev(half_edge)).length;
     const double right_length = mesh_.frame(Next(half_edge)).length;
     LookAcross(Prev(half_edge), UnfoldLeft(origin, frame), {0, left_length},

@@ -230,7 +230,8 @@ double ListWorker<Front>::ReachApex(HalfEdge h, const HalfEdgeFrame& frame) {
   const PlanePoint apex = ApexOf(frame);
   const uint32_t vertex = mesh_.Apex(h);
   const double known = front_.distance(vertex);
-  Relaxation best{.vertex = vertex, .distance = known, .arrival = {}, .ray = {}};
+  Relaxation best{
+      .vertex = vertex, .distance = known, .arrival = {}, .ray = {}};
   for (size_t i = 0; i < list_.size; ++i) {
     if (!(misses_[i] <= 0)) continue;
     const Origin origin = list_.OriginAt(i);
@@ -238,9 +239,9 @@ double ListWorker<Front>::ReachApex(HalfEdge h, const HalfEdgeFrame& frame) {
         std::clamp(crossings_[i], list_.begin[i], list_.end[i]);
     const bool is_straight = through == crossings_[i];
     const double distance =
-        origin.sigma + (is_straight ? DistanceToPlace(origin, apex)
-                                    : origin.DistanceTo(through) +
-                                          EdgePointTo(through, apex));
+        origin.sigma +
+        (is_straight ? DistanceToPlace(origin, apex)
+                     : origin.DistanceTo(through) + EdgePointTo(through, apex));
     if (!Front::Improves(distance, best.distance)) continue;
     best.distance = distance;
     best.arrival = {list_.pseudo_source[i], h, origin.x, origin.depth};
