@@ -9,14 +9,23 @@
 #include "absl/strings/str_cat.h"
 #include "anchors.h"
 #include "surface_location.h"
+#include "tolerances.h"
 
 namespace geodesic {
 namespace {
 
-absl::Status CheckOffset(double offset, const std::string& name) {
-  if (std::isfinite(offset) && offset >= 0) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      absl::StrCat(name, ".offset ", offset, " is not a finite number >= 0"));
+absl::Status CheckOffset(double offset, const Mesh& mesh,
+                         const std::string& name) {
+  if (!std::isfinite(offset) || offset < 0) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(name, ".offset ", offset, " is not a finite number >= 0"));
+  }
+  if (std::ldexp(offset, -mesh.scale_exponent()) > kMostOffset) {
+    return absl::InvalidArgumentError(absl::StrCat(
+        name, ".offset ", offset, " is more than ", kMostOffset,
+        " times the size of the mesh, which would be lost in its rounding"));
+  }
+  return absl::OkStatus();
 }
 
 bool ShareAFace(const Mesh& mesh, const SurfacePoint& a,
@@ -51,7 +60,7 @@ absl::Status CheckCurve(const CurveSource& curve, const Mesh& mesh,
           "edges"));
     }
   }
-  return CheckOffset(curve.offset, name);
+  return CheckOffset(curve.offset, mesh, name);
 }
 
 }  // namespace
@@ -66,7 +75,7 @@ absl::Status Validate(const Query& query, const Mesh& mesh) {
         !status.ok()) {
       return status;
     }
-    if (absl::Status status = CheckOffset(query.sources[i].offset, name);
+    if (absl::Status status = CheckOffset(query.sources[i].offset, mesh, name);
         !status.ok()) {
       return status;
     }

@@ -139,6 +139,12 @@ inline constexpr double kRoundedPlace = 1e-14;
 // Asked only beside faces without area, which have no plane to tell it.
 inline constexpr double kDirectionless = 1e-9;
 
+// A source's offset in sizes of the mesh may not exceed this. Labels are sums
+// with it: a part in 2^53 of it is their grain, and what is shorter is a tie.
+// From 1e8 on ties multiply the windows of the Chen-Han rules on meshes with
+// short edges; from 1e15 on, where an edge is a grain, no rule comes to an end.
+inline constexpr double kMostOffset = 1e6;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_

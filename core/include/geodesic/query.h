@@ -16,7 +16,8 @@ namespace geodesic {
 // A point from which distances are measured.
 struct Source {
   SurfacePoint point;
-  // In the unit of the mesh's file; finite, >= 0.
+  // In the unit of the mesh's file; finite, >= 0, and at most about 1e6 times
+  // the mesh's extent, beside which the mesh would be lost in rounding.
   double offset = 0;
 
   friend auto operator<=>(const Source&, const Source&) = default;

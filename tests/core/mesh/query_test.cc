@@ -46,6 +46,16 @@ TEST(QueryTest, RefusalsNameTheSource) {
               HasSubstr("algorithm"));
 }
 
+// The strip is 4 long. Far larger offsets leave no digits for its distances.
+TEST(QueryTest, OffsetsAreBoundedByTheSizeOfTheMesh) {
+  EXPECT_EQ(Validate(Query{.sources = {{VertexPoint{3}, 1e6}}}, *Strip()),
+            absl::OkStatus());
+  for (double offset : {1e7, 2e272}) {
+    EXPECT_THAT(RefusalOf(Query{.sources = {{VertexPoint{3}, offset}}}),
+                HasSubstr("size of the mesh"));
+  }
+}
+
 TEST(QueryTest, RefusalsNamePointsOffTheSurface) {
   EXPECT_THAT(RefusalOf(EdgePoint{0, 10, 0.5}), HasSubstr("edge.to 10"));
   EXPECT_THAT(RefusalOf(EdgePoint{0, 4, 0.5}),
