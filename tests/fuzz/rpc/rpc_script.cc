@@ -1,0 +1,167 @@
+#include "tests/fuzz/rpc/rpc_script.h"
+
+#include <google/protobuf/text_format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "geodesic/v1/capabilities_service.pb.h"
+#include "geodesic/v1/field_service.pb.h"
+#include "geodesic/v1/matrix_service.pb.h"
+#include "geodesic/v1/mesh_service.pb.h"
+#include "geodesic/v1/path_service.pb.h"
+
+namespace geodesic::server::test {
+namespace {
+
+// A frame: method, flags, length (two bytes, the lower first), message.
+constexpr size_t kHeaderBytes = 4;
+constexpr uint8_t kOverlaps = 0x80;
+constexpr uint8_t kEndsUpload = 0x40;
+constexpr uint8_t kCancelAfter = 0x3f;
+constexpr size_t kMostBytes = 0xffff;
+
+struct Seed {
+  RpcMethod method;
+  const char* text;
+};
+
+constexpr Seed kSeeds[] = {
+    {RpcMethod::kGetCapabilities, ""},
+    {RpcMethod::kFindMissingMeshes,
+     R"(mesh_digests: "A" files { format: MESH_FORMAT_OFF sha256: "A" })"},
+    {RpcMethod::kGetMesh, R"(digest: "A")"},
+    {RpcMethod::kReadMesh, R"(digest: "B")"},
+    {RpcMethod::kListMeshes, "page_size: 2"},
+    {RpcMethod::kDeleteMesh, R"(digest: "C")"},
+    {RpcMethod::kComputeField,
+     R"(mesh_digest: "A" sources { vertex: 0 offset: 0.5 })"},
+    {RpcMethod::kComputeField,
+     R"(mesh_digest: "B" algorithm: ALGORITHM_MMP value_type: VALUE_TYPE_FLOAT32
+        sources { edge { from: 0 to: 1 t: 0.25 } }
+        targets { vertex: 3 } targets { face { face: 2 weights: 0.5
+          weights: 0.25 weights: 0.25 } } stop_after_targets: 1)"},
+    {RpcMethod::kComputeField,
+     R"(mesh_digest: "C" max_distance: 1.5 progressive: true
+        sources { face { face: 1 weights: 0.2 weights: 0.3 weights: 0.5 } })"},
+    {RpcMethod::kComputeField,
+     R"(mesh_digest: "D" quantities: FIELD_QUANTITY_NEAREST_SOURCE
+        quantities: FIELD_QUANTITY_GRADIENT
+        sources { curve { points { vertex: 0 } points { vertex: 1 } } })"},
+    {RpcMethod::kComputeLogMap,
+     R"(mesh_digest: "C" source { vertex: 5 } max_distance: 2)"},
+    {RpcMethod::kSampleFarthestPoints,
+     R"(mesh_digest: "B" sources { vertex: 1 } count: 3)"},
+    {RpcMethod::kComputePaths,
+     R"(mesh_digest: "C" sources { vertex: 0 } sources { vertex: 9 }
+        targets { vertex: 7 } targets { edge { from: 1 to: 2 t: 0.5 } })"},
+    {RpcMethod::kComputeIsolines,
+     R"(mesh_digest: "C" sources { vertex: 2 } levels: 0.5 levels: 1)"},
+    {RpcMethod::kComputeMatrix,
+     R"(mesh_digest: "B" sources { vertex: 0 } sources { vertex: 1 }
+        targets { vertex: 2 } layout: MATRIX_LAYOUT_SPARSE max_distance: 1)"},
+    {RpcMethod::kFindNearest,
+     R"(mesh_digest: "C" sources { vertex: 0 } targets { vertex: 1 }
+        targets { vertex: 4 } count: 1)"},
+};
+
+constexpr const char* kUpload[] = {
+    "header { format: MESH_FORMAT_OFF size_bytes: 38 }",
+    R"(chunk { data: "OFF\n3 1 0\n0 0 0\n1 0 0\n" })",
+    R"(chunk { offset: 22 data: "0 1 0\n3 0 1 2\n\n\n" })",
+};
+
+RpcFrame FrameOf(RpcMethod method, const char* text) {
+  const auto request = NewRequest(method);
+  if (!google::protobuf::TextFormat::ParseFromString(text, request.get())) {
+    std::abort();
+  }
+  return {.method = method, .message = request->SerializeAsString()};
+}
+
+std::vector<RpcScript> MakeSeeds() {
+  std::vector<RpcScript> seeds;
+  for (const Seed& seed : kSeeds) {
+    seeds.push_back({FrameOf(seed.method, seed.text)});
+  }
+  RpcScript upload;
+  for (const char* text : kUpload) {
+    upload.push_back(FrameOf(RpcMethod::kCreateMesh, text));
+  }
+  seeds.push_back(upload);
+  return seeds;
+}
+
+}  // namespace
+
+RpcScript ParseScript(std::string_view bytes) {
+  const auto byte = [&](size_t i) { return static_cast<uint8_t>(bytes[i]); };
+  RpcScript script;
+  while (bytes.size() >= kHeaderBytes) {
+    const size_t length = byte(2) + size_t{256} * byte(3);
+    script.push_back(
+        {.method = static_cast<RpcMethod>(byte(0) % kRpcMethods),
+         .cancel_after = static_cast<uint8_t>(byte(1) & kCancelAfter),
+         .overlaps = (byte(1) & kOverlaps) != 0,
+         .ends_upload = (byte(1) & kEndsUpload) != 0,
+         .message = std::string(bytes.substr(kHeaderBytes, length))});
+    bytes.remove_prefix(std::min(bytes.size(), kHeaderBytes + length));
+  }
+  return script;
+}
+
+std::string SerializeScript(const RpcScript& script) {
+  std::string bytes;
+  for (const RpcFrame& frame : script) {
+    const size_t length = std::min(frame.message.size(), kMostBytes);
+    const int flags = frame.cancel_after | (frame.overlaps ? kOverlaps : 0) |
+                      (frame.ends_upload ? kEndsUpload : 0);
+    bytes.push_back(static_cast<char>(frame.method));
+    bytes.push_back(static_cast<char>(flags));
+    bytes.push_back(static_cast<char>(length % 256));
+    bytes.push_back(static_cast<char>(length / 256));
+    bytes.append(frame.message, 0, length);
+  }
+  return bytes;
+}
+
+std::unique_ptr<google::protobuf::Message> NewRequest(RpcMethod method) {
+  switch (method) {
+    case RpcMethod::kGetCapabilities:
+      return std::make_unique<v1::GetCapabilitiesRequest>();
+    case RpcMethod::kFindMissingMeshes:
+      return std::make_unique<v1::FindMissingMeshesRequest>();
+    case RpcMethod::kCreateMesh:
+      return std::make_unique<v1::CreateMeshRequest>();
+    case RpcMethod::kGetMesh:
+      return std::make_unique<v1::GetMeshRequest>();
+    case RpcMethod::kReadMesh:
+      return std::make_unique<v1::ReadMeshRequest>();
+    case RpcMethod::kListMeshes:
+      return std::make_unique<v1::ListMeshesRequest>();
+    case RpcMethod::kDeleteMesh:
+      return std::make_unique<v1::DeleteMeshRequest>();
+    case RpcMethod::kComputeField:
+      return std::make_unique<v1::ComputeFieldRequest>();
+    case RpcMethod::kComputeLogMap:
+      return std::make_unique<v1::ComputeLogMapRequest>();
+    case RpcMethod::kSampleFarthestPoints:
+      return std::make_unique<v1::SampleFarthestPointsRequest>();
+    case RpcMethod::kComputePaths:
+      return std::make_unique<v1::ComputePathsRequest>();
+    case RpcMethod::kComputeIsolines:
+      return std::make_unique<v1::ComputeIsolinesRequest>();
+    case RpcMethod::kComputeMatrix:
+      return std::make_unique<v1::ComputeMatrixRequest>();
+    case RpcMethod::kFindNearest:
+      return std::make_unique<v1::FindNearestRequest>();
+  }
+  std::abort();
+}
+
+const std::vector<RpcScript>& SeedScripts() {
+  static const auto& seeds = *new std::vector<RpcScript>(MakeSeeds());
+  return seeds;
+}
+
+}  // namespace geodesic::server::test

@@ -1,0 +1,64 @@
+// What a hostile client sends, as the bytes of a fuzz input: calls one after
+// the other, each a method and a message that may be anything.
+
+#ifndef GEODESIC_TESTS_FUZZ_RPC_RPC_SCRIPT_H_
+#define GEODESIC_TESTS_FUZZ_RPC_RPC_SCRIPT_H_
+
+#include <google/protobuf/message.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geodesic::server::test {
+
+enum class RpcMethod : uint8_t {
+  kGetCapabilities,
+  kFindMissingMeshes,
+  kCreateMesh,
+  kGetMesh,
+  kReadMesh,
+  kListMeshes,
+  kDeleteMesh,
+  kComputeField,
+  kComputeLogMap,
+  kSampleFarthestPoints,
+  kComputePaths,
+  kComputeIsolines,
+  kComputeMatrix,
+  kFindNearest,
+};
+inline constexpr size_t kRpcMethods = 14;
+
+// A message of a call. Messages of CreateMesh that follow each other are one
+// upload, up to one with `ends_upload`.
+struct RpcFrame {
+  RpcMethod method = RpcMethod::kGetCapabilities;
+  // The client goes after so many events of the call; 0: it stays.
+  uint8_t cancel_after = 0;
+  // The next call begins while this one is under way.
+  bool overlaps = false;
+  bool ends_upload = false;
+  std::string message;
+};
+
+using RpcScript = std::vector<RpcFrame>;
+
+// Every byte string is a script.
+RpcScript ParseScript(std::string_view bytes);
+std::string SerializeScript(const RpcScript& script);
+
+// An empty request of the method.
+std::unique_ptr<google::protobuf::Message> NewRequest(RpcMethod method);
+
+// A well-formed call of each method: where mutations begin. A digest of one
+// letter stands for one of the meshes that are there: see rpc_subject.h.
+const std::vector<RpcScript>& SeedScripts();
+
+}  // namespace geodesic::server::test
+
+#endif  // GEODESIC_TESTS_FUZZ_RPC_RPC_SCRIPT_H_
