@@ -3,6 +3,7 @@
 
 #include <grpcpp/completion_queue.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -144,15 +145,17 @@ absl::StatusOr<Field> Receive(FieldStub* stub, const FieldQuery& query,
                             .on_settled = on_settled},
                            progress);
   bool begun = false;
+  uint64_t most = 0;  // that has been received
   for (int attempts = 1;; ++attempts) {
-    const uint64_t had = assembler.received();
     const absl::Status status =
         ReceiveStream(stub, *request, options, &assembler);
     if (status.ok()) return std::move(assembler).Finish();
     begun |= assembler.accepted();
     // What has been handed out cannot be taken back.
     if (!retry || !begun || on_settled != nullptr) return status;
-    if (assembler.received() > had) attempts = 1;
+    // As long as it gets on.
+    if (assembler.received() > most) attempts = 1;
+    most = std::max(most, assembler.received());
     if (!ReadOn(status, attempts, options, &assembler, &*request)) {
       return status;
     }

@@ -152,21 +152,20 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
 absl::StatusOr<Scheduler::JobId> FieldEngine::Submit(
     const Requester& requester, const MeshHandle& mesh, const FlightKey& key,
     const FieldFlights::Seat& seat) {
-  if (absl::Status status = CheckCapacity(mesh, key); !status.ok()) {
-    return status;
-  }
-  auto provision = std::make_shared<Provision>();
+  auto job = std::make_shared<FlightJob>();
+  job->mesh = mesh;
+  job->key = key;
+  job->solver_bytes = PlannedSolverBytes(*mesh->mesh, ToQuery(key.field));
+  if (absl::Status status = CheckCapacity(*job); !status.ok()) return status;
   return scheduler_.Submit(
       {.priority = SolvePriority(requester.is_batch),
        .client = requester.client,
-       .reserve = [this, mesh, key,
-                   provision] { return Provide(mesh, key, *provision); },
+       .reserve = [this, job] { return Provide(*job); },
        .run =
-           [this, mesh, key, provision, flight = seat.flight,
+           [this, job, flight = seat.flight,
             settled = seat.settled](std::stop_token stop) {
              flights_.Complete(*flight, Guarded("answered a query", [&] {
-               return Answer(mesh, key, *flight, settled.get(),
-                             std::move(*provision), std::move(stop));
+               return Answer(*job, *flight, settled.get(), std::move(stop));
              }));
            },
        .abandon =
@@ -175,59 +174,55 @@ absl::StatusOr<Scheduler::JobId> FieldEngine::Submit(
            }});
 }
 
-absl::Status FieldEngine::CheckCapacity(const MeshHandle& mesh,
-                                        const FlightKey& key) const {
-  const uint64_t vertices = mesh->mesh->vertex_count();
-  absl::Status status = fields_.CheckCapacity(key.field, vertices);
+absl::Status FieldEngine::CheckCapacity(const FlightJob& job) const {
+  const uint64_t vertices = job.mesh->mesh->vertex_count();
+  absl::Status status = fields_.CheckCapacity(job.key.field, vertices);
   if (!status.ok()) return status;
-  return solver_memory_->CheckCapacity(
-      PlannedSolverBytes(*mesh->mesh, ToQuery(key.field)) +
-      SettledBytes(key.extras, vertices) + DerivedBytes(key.extras, vertices));
+  return solver_memory_->CheckCapacity(job.solver_bytes +
+                                       SettledBytes(job.key.extras, vertices) +
+                                       DerivedBytes(job.key.extras, vertices));
 }
 
-absl::Status FieldEngine::Provide(const MeshHandle& mesh, const FlightKey& key,
-                                  Provision& provision) {
-  const uint64_t vertices = mesh->mesh->vertex_count();
-  Provision taken;
-  auto settled =
-      ByteReservation::Make(solver_memory_, SettledBytes(key.extras, vertices));
+absl::Status FieldEngine::Provide(FlightJob& job) {
+  const uint64_t vertices = job.mesh->mesh->vertex_count();
+  auto settled = ByteReservation::Make(solver_memory_,
+                                       SettledBytes(job.key.extras, vertices));
   if (!settled.ok()) return settled.status();
-  taken.settled = *std::move(settled);
-  auto derived =
-      ByteReservation::Make(solver_memory_, DerivedBytes(key.extras, vertices));
+  auto derived = ByteReservation::Make(solver_memory_,
+                                       DerivedBytes(job.key.extras, vertices));
   if (!derived.ok()) return derived.status();
-  taken.derived = *std::move(derived);
-  taken.found = fields_.Find(key.field, key.reach);
-  if (taken.found.field == nullptr) {
+  FieldCache::Found found = fields_.Find(job.key.field, job.key.reach);
+  if (found.field == nullptr) {
     // The cache's room is taken, too: a field that nobody could keep while it
     // is streamed would be memory out of all bounds.
-    auto room = fields_.Reserve(key.field, vertices);
+    auto room = fields_.Reserve(job.key.field, vertices);
     if (!room.ok()) return room.status();
-    auto memory = ByteReservation::Make(
-        solver_memory_, PlannedSolverBytes(*mesh->mesh, ToQuery(key.field)));
+    auto memory = ByteReservation::Make(solver_memory_, job.solver_bytes);
     if (!memory.ok()) return memory.status();
-    taken.room = *std::move(room);
-    taken.memory = *std::move(memory);
+    job.room = *std::move(room);
+    job.memory = *std::move(memory);
   }
-  provision = std::move(taken);
+  job.found = std::move(found);
+  job.settled = *std::move(settled);
+  job.derived = *std::move(derived);
   return absl::OkStatus();
 }
 
-absl::StatusOr<FieldAnswer> FieldEngine::Answer(
-    const MeshHandle& mesh, const FlightKey& key, FieldFlights::Flight& flight,
-    SettledLog* settled, Provision provision, std::stop_token stop) {
+absl::StatusOr<FieldAnswer> FieldEngine::Answer(FlightJob& job,
+                                                FieldFlights::Flight& flight,
+                                                SettledLog* settled,
+                                                std::stop_token stop) {
+  const FlightKey& key = job.key;
   FlightAudience audience(flights_, flight);
   if (settled != nullptr) {
-    settled->Reserve(std::move(provision.settled), mesh->mesh->vertex_count());
+    settled->Reserve(std::move(job.settled), job.mesh->mesh->vertex_count());
   }
   FieldAnswer answer{.origin = FieldOrigin::kCached};
-  FieldCache::Found found = std::move(provision.found);
-  ByteReservation derived = std::move(provision.derived);
-  if (found.field == nullptr) found = LoadStored(mesh, key, provision.room);
+  FieldCache::Found found = std::move(job.found);
+  if (found.field == nullptr) found = LoadStored(job);
   if (found.field == nullptr) {
     absl::StatusOr<FieldHandle> field =
-        Solve(mesh, key, audience, settled, std::move(provision),
-              std::move(stop), answer.origin);
+        Solve(job, audience, settled, std::move(stop), answer.origin);
     if (!field.ok()) return field.status();
     found = {key.field, *std::move(field)};
   }
@@ -237,43 +232,46 @@ absl::StatusOr<FieldAnswer> FieldEngine::Answer(
   answer.field = std::move(found.field);
   answer.query = std::make_shared<const Query>(ToQuery(found.key));
   if (key.extras.NeedTrace()) {
-    auto quantities = Derive(mesh, *answer.query, answer.field, key.extras,
-                             std::move(derived));
-    if (!quantities.ok()) return quantities.status();
-    answer.derived = *std::move(quantities);
+    auto derived = Derive(job.mesh, *answer.query, answer.field, key.extras,
+                          std::move(job.derived));
+    if (!derived.ok()) return derived.status();
+    answer.derived = *std::move(derived);
   }
   return answer;
 }
 
-FieldCache::Found FieldEngine::LoadStored(const MeshHandle& mesh,
-                                          const FlightKey& key,
-                                          ByteReservation& room) {
+FieldCache::Found FieldEngine::LoadStored(FlightJob& job) {
   if (files_ == nullptr) return {};
+  const FlightKey& key = job.key;
+  const Mesh& mesh = *job.mesh->mesh;
   std::optional<FieldKey> stored = files_->Find(key.field, key.reach);
   if (!stored) return {};
   const bool is_other = *stored != key.field;
   ByteReservation other_room;
   if (is_other) {
-    auto taken = fields_.Reserve(*stored, mesh->mesh->vertex_count());
+    auto taken = fields_.Reserve(*stored, mesh.vertex_count());
     if (!taken.ok()) return {};
     other_room = *std::move(taken);
   }
-  absl::StatusOr<DistanceField> field = files_->Load(*stored, *mesh->mesh);
+  absl::StatusOr<DistanceField> field = files_->Load(*stored, mesh);
   // What cannot be read is computed.
   if (!field.ok() || !Covers(*field, key.reach)) return {};
   ++fields_loaded_;
-  FieldHandle handle = fields_.Insert(*stored, *std::move(field),
-                                      std::move(is_other ? other_room : room));
+  FieldHandle handle = fields_.Insert(
+      *stored, *std::move(field), std::move(is_other ? other_room : job.room));
   return {*std::move(stored), std::move(handle)};
 }
 
-absl::StatusOr<FieldHandle> FieldEngine::Solve(
-    const MeshHandle& mesh, const FlightKey& key, JobAudience& audience,
-    SettledLog* settled, Provision provision, std::stop_token stop,
-    FieldOrigin& origin) {
+absl::StatusOr<FieldHandle> FieldEngine::Solve(FlightJob& flight_job,
+                                               JobAudience& audience,
+                                               SettledLog* settled,
+                                               std::stop_token stop,
+                                               FieldOrigin& origin) {
+  const MeshHandle& mesh = flight_job.mesh;
+  const FlightKey& key = flight_job.key;
   ++solves_started_;
   JobCheckpoint job(audience, clock_, std::move(stop),
-                    std::move(provision.memory), limits_.progress_interval);
+                    std::move(flight_job.memory), limits_.progress_interval);
   std::optional<SettledCheckpoint> ordered;
   if (settled != nullptr) {
     ordered.emplace(job, *settled, audience, key.reach.radius);
@@ -304,7 +302,7 @@ absl::StatusOr<FieldHandle> FieldEngine::Solve(
   }
   ++solves_finished_;
   FieldHandle handle =
-      fields_.Insert(key.field, *std::move(field), std::move(provision.room));
+      fields_.Insert(key.field, *std::move(field), std::move(flight_job.room));
   if (writer_) writer_->Enqueue(key.field, mesh, handle);
   if (!std::isinf(handle->settled_radius)) {
     computations_.Put(key.field, std::move(work));

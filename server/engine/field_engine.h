@@ -81,10 +81,10 @@ class FieldEngine {
   }
 
   // Starts, joins or finds the computation of a field on `mesh`.
-  // Errors: INVALID_ARGUMENT, NOT_FOUND (the field is to be kept already and is
-  // not), RESOURCE_EXHAUSTED (queue full, or memory that
-  // can never be had), UNAVAILABLE; `observer` is then not called. It may
-  // already be called before this returns.
+  // Errors: INVALID_ARGUMENT; NOT_FOUND: the field must be kept already and is
+  // not; RESOURCE_EXHAUSTED: the queue is full, or the memory can never be had;
+  // UNAVAILABLE. `observer` is then not called. It may already be called before
+  // this returns.
   absl::StatusOr<FieldCall> Compute(const FieldRequest& request,
                                     MeshHandle mesh,
                                     std::shared_ptr<FieldObserver> observer);
@@ -105,8 +105,13 @@ class FieldEngine {
   const ComputationStore& computations() const { return computations_; }
 
  private:
-  // What a flight's job has before it runs: the field, or the memory for it.
-  struct Provision {
+  // One flight's job, and what it has before it runs: the field, or the memory
+  // for it.
+  struct FlightJob {
+    MeshHandle mesh;
+    FlightKey key;
+    uint64_t solver_bytes = 0;  // that the solver is planned to take
+
     FieldCache::Found found;
     ByteReservation room;     // of the field cache
     ByteReservation memory;   // of the solver
@@ -120,25 +125,18 @@ class FieldEngine {
                                           const FlightKey& key,
                                           const FieldFlights::Seat& seat);
   // Whether the memory for it can ever be had. Errors: RESOURCE_EXHAUSTED.
-  absl::Status CheckCapacity(const MeshHandle& mesh,
-                             const FlightKey& key) const;
-  // Errors: as ByteBudget::Take.
-  absl::Status Provide(const MeshHandle& mesh, const FlightKey& key,
-                       Provision& provision);
-  // One flight's work, from the job's thread.
-  absl::StatusOr<FieldAnswer> Answer(const MeshHandle& mesh,
-                                     const FlightKey& key,
+  absl::Status CheckCapacity(const FlightJob& job) const;
+  // All or nothing. Errors: as ByteBudget::Take.
+  absl::Status Provide(FlightJob& job);
+  // The flight's work, from the job's thread.
+  absl::StatusOr<FieldAnswer> Answer(FlightJob& job,
                                      FieldFlights::Flight& flight,
-                                     SettledLog* settled, Provision provision,
-                                     std::stop_token stop);
-  // A field on disk that answers the question, or nothing. `room` is for the
-  // key's field.
-  FieldCache::Found LoadStored(const MeshHandle& mesh, const FlightKey& key,
-                               ByteReservation& room);
-  absl::StatusOr<FieldHandle> Solve(const MeshHandle& mesh,
-                                    const FlightKey& key, JobAudience& audience,
-                                    SettledLog* settled, Provision provision,
-                                    std::stop_token stop, FieldOrigin& origin);
+                                     SettledLog* settled, std::stop_token stop);
+  // A field on disk that answers the question, or nothing.
+  FieldCache::Found LoadStored(FlightJob& job);
+  absl::StatusOr<FieldHandle> Solve(FlightJob& job, JobAudience& audience,
+                                    SettledLog* settled, std::stop_token stop,
+                                    FieldOrigin& origin);
 
   const Limits& limits_;
   const SolveOptions options_;

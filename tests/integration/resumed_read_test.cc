@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <future>
 #include <string>
 
 #include "geodesic_client/client.h"
@@ -72,6 +74,25 @@ TEST_F(ResumedReadTest, NorIsOneBeforeTheFirstChunkOrAfterTheLast) {
     ExpectWhole(client.ComputeField(query_));
   }
   EXPECT_EQ(relay_.cuts(), 2);
+}
+
+TEST_F(ResumedReadTest, AFieldThatWasDroppedMeanwhileIsAskedForAgain) {
+  Client client(RelayAddress());
+  ASSERT_TRUE(client.ListMeshes().ok());  // has a connection
+  relay_.CutAfter(kFieldBytes / 2);
+  relay_.Hold();
+  auto field = std::async(std::launch::async,
+                          [&] { return client.ComputeField(query_); });
+  while (relay_.cuts() == 0 && field.wait_for(std::chrono::milliseconds(1)) !=
+                                   std::future_status::ready) {
+  }
+  // The mesh is there again, its fields are not.
+  ASSERT_TRUE(direct_.DeleteMesh(query_.mesh_digest).ok());
+  ASSERT_TRUE(direct_.UploadArrays(HillyGrid(kSide)).ok());
+  relay_.Release();
+  const absl::StatusOr<Field> again = field.get();
+  ExpectWhole(again);
+  EXPECT_EQ(again->origin, FieldOrigin::kSolved);
 }
 
 TEST_F(ResumedReadTest, WithoutRetriesTheErrorIsReported) {

@@ -23,7 +23,8 @@ TEST(ShutdownTest, IdleServerStopsInOrder) {
 // A field whose server is asked to stop once its solver reports.
 absl::StatusOr<Field> AskAndTerminate(const RunningServer& server,
                                       const MeshArrays& mesh) {
-  Client client(server.address());
+  // It does not come back, so nobody is to wait for it.
+  Client client(server.address(), {.retry = false});
   absl::StatusOr<UploadOutcome> upload = client.UploadArrays(mesh);
   if (!upload.ok()) return upload.status();
   bool terminated = false;

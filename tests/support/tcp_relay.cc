@@ -51,6 +51,7 @@ TcpRelay::TcpRelay(int server_port)
 }
 
 TcpRelay::~TcpRelay() {
+  Release();
   shutdown(listener_, SHUT_RDWR);
   acceptor_.join();
   {
@@ -70,6 +71,10 @@ void TcpRelay::Accept() {
   for (;;) {
     const int client = accept(listener_, nullptr, nullptr);
     if (client < 0) return;
+    {
+      std::unique_lock lock(mutex_);
+      released_.wait(lock, [this] { return !held_; });
+    }
     const int server = socket(AF_INET, SOCK_STREAM, 0);
     const sockaddr_in address = Loopback(server_port_);
     // When nobody is there, the client hears so by the end of its connection.
@@ -122,6 +127,17 @@ void TcpRelay::CutAll() {
 void TcpRelay::CutAfter(uint64_t bytes) {
   std::lock_guard lock(mutex_);
   bytes_left_ = bytes;
+}
+
+void TcpRelay::Hold() {
+  std::lock_guard lock(mutex_);
+  held_ = true;
+}
+
+void TcpRelay::Release() {
+  std::lock_guard lock(mutex_);
+  held_ = false;
+  released_.notify_all();
 }
 
 int TcpRelay::cuts() const {

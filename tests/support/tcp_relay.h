@@ -3,6 +3,7 @@
 #ifndef GEODESIC_TESTS_SUPPORT_TCP_RELAY_H_
 #define GEODESIC_TESTS_SUPPORT_TCP_RELAY_H_
 
+#include <condition_variable>
 #include <cstdint>
 #include <limits>
 #include <list>
@@ -27,6 +28,9 @@ class TcpRelay {
   void Cut();
   // Cuts, once, when so many more bytes have come from the server.
   void CutAfter(uint64_t bytes);
+  // Connections that come from now on wait until Release.
+  void Hold();
+  void Release();
   // How often there was something to cut.
   int cuts() const;
 
@@ -52,6 +56,8 @@ class TcpRelay {
   std::list<Connection> connections_;
   uint64_t bytes_left_ = std::numeric_limits<uint64_t>::max();
   int cuts_ = 0;
+  bool held_ = false;
+  std::condition_variable released_;
 
   std::jthread acceptor_;
 };
