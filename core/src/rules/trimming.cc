@@ -137,8 +137,9 @@ Interval WonByNewer(const BasicWindow<OriginType>& older,
   const double end = std::min(older.interval.end, newer.interval.end);
   const Contest at_begin = AtBegin(older, newer, slack);
   const Contest at_end = AtEnd(older, newer, slack);
-  const bool takes_ties =
-      older.origin.sigma - newer.origin.sigma > kDominance * at_begin.older;
+  // Where slack is needed, windows could take ties from each other without end.
+  const double lead = older.origin.sigma - newer.origin.sigma;
+  const bool takes_ties = slack == 0 && lead > kDominance * at_begin.older;
   const auto newer_gets = [takes_ties](const Contest& at) {
     return takes_ties ? !at.newer_loses() : at.newer_wins();
   };
