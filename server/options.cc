@@ -11,6 +11,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_replace.h"
+#include "geodesic/solve_options.h"
 #include "server/security/listen_address.h"
 
 namespace geodesic::server {
@@ -108,6 +109,9 @@ void AddWorkOptions(CLI::App& app, ServerOptions& options) {
       std::max<uint64_t>(1, std::thread::hardware_concurrency());
   AddCount(app, "--threads", limits.max_concurrent_jobs, 4096,
            "Jobs (solves and mesh builds) that run at once, one thread each");
+  AddCount(app, "--max-threads-per-solve", limits.max_threads_per_solve,
+           kMostSolveThreads,
+           "Threads that share one solve while they have no job of their own");
   AddCount(app, "--max-queued-jobs", limits.max_queued_jobs, 1'000'000,
            "Jobs that may wait for a thread; more are refused, to be retried");
   AddCount(app, "--max-queued-jobs-per-client",

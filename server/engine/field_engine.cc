@@ -9,6 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "server/engine/argument_checks.h"
 #include "server/engine/guarded.h"
+#include "server/engine/idle_threads.h"
 #include "server/engine/job_checkpoint.h"
 #include "server/engine/settled_checkpoint.h"
 #include "server/engine/status_details.h"
@@ -284,7 +285,9 @@ absl::StatusOr<FieldHandle> FieldEngine::Solve(FlightJob& flight_job,
   absl::StatusOr<DistanceField> field =
       Guarded("computed a field", [&]() -> absl::StatusOr<DistanceField> {
         if (work.computation == nullptr) {
-          auto started = start_(*mesh->mesh, ToQuery(key.field), options_);
+          auto started = start_(*mesh->mesh, ToQuery(key.field),
+                                WithIdleThreads(options_, scheduler_,
+                                                limits_.max_threads_per_solve));
           if (!started.ok()) return started.status();
           work = {mesh, *std::move(started)};
         } else {

@@ -27,6 +27,8 @@ struct Limits {
 
   // Jobs (solves and mesh builds) that run, and that wait for a thread.
   uint64_t max_concurrent_jobs = 2;
+  // That share one solve, if they have no job when it starts.
+  uint64_t max_threads_per_solve = 8;
   uint64_t max_queued_jobs = 256;
   // Of those that wait, the ones of one client.
   uint64_t max_queued_jobs_per_client = 64;

@@ -7,6 +7,7 @@
 #include "server/engine/argument_checks.h"
 #include "server/engine/error_reasons.h"
 #include "server/engine/guarded.h"
+#include "server/engine/idle_threads.h"
 #include "server/engine/status_details.h"
 #include "server/store/sha256.h"
 
@@ -235,8 +236,10 @@ absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
   solo.work = [this, mesh = call.mesh, memory = call.answer_memory,
                request = std::move(request)](Checkpoint& checkpoint,
                                              ByteReservation) mutable {
-    return request.work(*mesh->mesh, request.query, solve_options_, checkpoint,
-                        *memory);
+    return request.work(*mesh->mesh, request.query,
+                        WithIdleThreads(solve_options_, scheduler_,
+                                        limits_.max_threads_per_solve),
+                        checkpoint, *memory);
   };
   absl::StatusOr<SoloJobs::Call> job =
       solo_jobs_.Start(std::move(solo), std::move(observer));

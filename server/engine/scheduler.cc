@@ -147,6 +147,12 @@ size_t Scheduler::running() const {
   return running_.size();
 }
 
+size_t Scheduler::idle() const {
+  std::lock_guard lock(mutex_);
+  const size_t busy = running_.size() + queue_.size();
+  return busy < max_running_ ? max_running_ - busy : 0;
+}
+
 size_t Scheduler::queued() const {
   std::lock_guard lock(mutex_);
   return queue_.size();

@@ -83,6 +83,8 @@ class Scheduler {
 
   size_t running() const;
   size_t queued() const;
+  // Threads that no job has or waits for.
+  size_t idle() const;
 
  private:
   void RunOne();

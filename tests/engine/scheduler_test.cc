@@ -15,6 +15,7 @@
 
 #include "server/engine/byte_budget.h"
 #include "server/engine/error_reasons.h"
+#include "server/engine/idle_threads.h"
 #include "server/engine/status_details.h"
 #include "tests/engine/fakes.h"
 
@@ -50,6 +51,32 @@ class SchedulerTest : public ::testing::Test {
   std::vector<std::string> abandoned_;
   absl::Status reason_;
 };
+
+TEST(SchedulerIdleTest, ThreadsThatNoJobHasOrWaitsForAreIdle) {
+  test::ManualExecutor executor;
+  Scheduler scheduler(executor, /*max_running=*/3, /*max_queued=*/9);
+  std::vector<size_t> idle;
+  std::vector<uint32_t> threads;
+  const auto submit = [&] {
+    ASSERT_TRUE(
+        scheduler
+            .Submit({.run =
+                         [&](std::stop_token) {
+                           idle.push_back(scheduler.idle());
+                           threads.push_back(
+                               WithIdleThreads({}, scheduler, 2).threads);
+                         }})
+            .ok());
+  };
+  EXPECT_EQ(scheduler.idle(), 3u);
+  for (int i = 0; i < 5; ++i) submit();
+  EXPECT_EQ(scheduler.idle(), 0u);
+  executor.RunAll();
+  EXPECT_EQ(scheduler.idle(), 3u);
+  // One after the other; the last of them has the scheduler to itself.
+  EXPECT_THAT(idle, ElementsAre(0, 0, 0, 1, 2));
+  EXPECT_THAT(threads, ElementsAre(1, 1, 1, 2, 2));
+}
 
 TEST_F(SchedulerTest, RunsJobsInOrder) {
   ASSERT_TRUE(scheduler_.Submit(NamedJob("a")).ok());

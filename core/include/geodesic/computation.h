@@ -32,7 +32,8 @@ struct Reach {
   uint64_t targets = std::numeric_limits<uint64_t>::max();
 };
 
-// Not thread-safe; one thread at a time. Holds the wavefront and the distances
+// Not thread-safe; one thread at a time. Has threads of its own
+// (SolveOptions::threads) during Advance alone. Holds the wavefront and the distances
 // between calls; the mesh must outlive it.
 class Computation {
  public:

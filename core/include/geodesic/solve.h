@@ -25,7 +25,8 @@ namespace geodesic {
 //      larger fraction of them are good to that rounding);
 //   2. +infinity exactly where no path leads;
 //   3. deterministic: the same arguments give the same bits;
-//   4. pure and thread-safe: no I/O, no threads, no shared state.
+//   4. pure and thread-safe: no I/O, no shared state, and no threads unless
+//      options.threads asks for them; the bits do not depend on how many.
 //
 // Errors: INVALID_ARGUMENT as Validate; whatever `checkpoint` returns.
 // Time: O(n^2 log n) at worst, in practice about n^1.5 on smooth meshes and

@@ -64,6 +64,9 @@ class ListRule {
   // Sources were added: nothing here depends on them.
   void Restart() {}
 
+  // Keeps no threads until the next round.
+  void Rest() { team_.reset(); }
+
   // A round: propagates all that waits at some half-edges across their faces
   // and expands vertices (numbers with kVertexEvent). Returns how many windows
   // were propagated; whatever is named twice counts once.
