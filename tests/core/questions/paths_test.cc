@@ -67,7 +67,9 @@ class Paths : public EveryAlgorithm {
           {.sources = {{point}}, .targets = targets, .algorithm = algorithm},
           options);
       all.sources.push_back(
-          {point, 0.01 * static_cast<double>(all.sources.size())});
+          {point, 0.01 * mesh->mean_edge_length() *
+                      std::ldexp(1, mesh->scale_exponent()) *
+                      static_cast<double>(all.sources.size())});
     };
     for (uint32_t v : SpreadVertices(named.soup, vertex_sources)) {
       from(VertexPoint{v});
