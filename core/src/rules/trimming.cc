@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace geodesic {
 namespace {
@@ -137,9 +138,11 @@ Interval WonByNewer(const BasicWindow<OriginType>& older,
   const double end = std::min(older.interval.end, newer.interval.end);
   const Contest at_begin = AtBegin(older, newer, slack);
   const Contest at_end = AtEnd(older, newer, slack);
-  // Where slack is needed, windows could take ties from each other without end.
+  // Where slack is needed, and beside curves, windows could take ties from each
+  // other without end.
   const double lead = older.origin.sigma - newer.origin.sigma;
-  const bool takes_ties = slack == 0 && lead > kDominance * at_begin.older;
+  const bool takes_ties = std::is_same_v<OriginType, Origin> && slack == 0 &&
+                          lead > kDominance * at_begin.older;
   const auto newer_gets = [takes_ties](const Contest& at) {
     return takes_ties ? !at.newer_loses() : at.newer_wins();
   };
