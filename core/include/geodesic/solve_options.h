@@ -24,9 +24,9 @@ struct SolveOptions {
   // throughout; 1 then drains the buckets one by one. DEFAULT: true.
   bool adaptive_batch = true;
   // How many threads share the work of one computation, the calling one among
-  // them: in [1, kMostSolveThreads]. The result is the same to the bit. fwp-list
-  // uses them wherever the wavefront is wide enough; the others use one.
-  // DEFAULT: 1.
+  // them: in [1, kMostSolveThreads]. The result is the same to the bit.
+  // fwp-list uses them wherever the wavefront is wide enough; the others use
+  // one. DEFAULT: 1.
   uint32_t threads = 1;
 };
 

@@ -118,8 +118,7 @@ void Envelope::TrimFrom(size_t i, WindowColumns& windows) {
       }
     }
     const Interval interval{windows.begin[i], windows.end[i]};
-    if (interval.width() > kLeastWidth * length_ ||
-        !IsLost(interval, windows.OriginAt(i))) {
+    if (!IsLost(interval, windows.OriginAt(i), length_)) {
       if (kept != i) windows.Move(i, kept);
       ++kept;
       is_neighbour = true;
@@ -137,8 +136,7 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
   const double begin = windows.begin[i];
   const double top_end = windows.end[top];
   if (begin < windows.begin[top] || may_split_) return false;
-  if (top_end - begin <= kLeastWidth * length_ &&
-      IsLost({begin, top_end}, windows.OriginAt(i))) {
+  if (IsLost({begin, top_end}, windows.OriginAt(i), length_)) {
     // Two windows along one ray, overlapping by rounding.
     windows.begin[i] = top_end;
     return true;
@@ -149,7 +147,8 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
     windows.begin_distance[i] = meetings_.next_distance[meeting];
     windows.end[top] = met;
     windows.end_distance[top] = meetings_.distance[meeting];
-    if (IsLost({windows.begin[top], met}, windows.OriginAt(top))) --kept;
+    if (IsLost({windows.begin[top], met}, windows.OriginAt(top), length_))
+      --kept;
     return true;
   }
   const Window older = windows.At(top);
@@ -162,7 +161,7 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
   } else {
     newer.CutTo({won.begin, newer.interval.end});
     const Interval held{older.interval.begin, won.begin};
-    if (IsLost(held, older.origin)) {
+    if (IsLost(held, older.origin, length_)) {
       --kept;
     } else {
       windows.end[top] = won.begin;
@@ -230,7 +229,7 @@ void Envelope::Merge(double length, bool may_split, size_t middle,
 
 void Envelope::Add(const ListedWindow& window) {
   const Interval& interval = window.window.interval;
-  if (IsLost(interval, window.window.origin)) return;
+  if (IsLost(interval, window.window.origin, length_)) return;
   if (sorted_.empty() || sorted_.back().window.interval.end <= interval.begin) {
     sorted_.push_back(window);
   } else if (sorted_.back().window.interval.begin > interval.begin) {
@@ -287,7 +286,7 @@ void Envelope::Contest(const ListedWindow& window) {
 }
 
 void Envelope::Push(const ListedWindow& window, const Interval& part) {
-  if (IsLost(part, window.window.origin)) return;
+  if (IsLost(part, window.window.origin, length_)) return;
   sorted_.push_back(window);
   sorted_.back().window.CutTo(part);
 }

@@ -63,12 +63,6 @@ class Envelope {
   void Contest(const ListedWindow& window);
   void Push(const ListedWindow& window, const Interval& part);
 
-  // Whether a part of a window is too narrow to matter.
-  bool IsLost(const Interval& part, const Origin& origin) const {
-    return part.width() <= kLeastWidth * length_ &&
-           IsSliver(part, origin, length_);
-  }
-
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
   double length_ = 0;

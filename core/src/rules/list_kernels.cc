@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tolerances.h"
+#include "windows/window.h"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -12,6 +13,13 @@
   __attribute__((target_clones("avx2", "default")))
 #else
 #define GEODESIC_FOR_EVERY_WIDTH
+#endif
+
+// Into each of the versions.
+#if defined(__GNUC__)
+#define GEODESIC_INLINE inline __attribute__((always_inline))
+#else
+#define GEODESIC_INLINE inline
 #endif
 
 // Before a loop whose columns do not overlap.
@@ -31,6 +39,22 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 size_t Padded(size_t count) {
   constexpr size_t kStep = WindowColumns::kPadding;
   return (count + kStep - 1) / kStep * kStep;
+}
+
+// What the children kernels make a window's label: the least distance, infinite
+// if it is useless. As Window::Label, IsLost and Front::EndsAreNearer.
+GEODESIC_INLINE double LabelOf(const Interval& part, const Origin& origin,
+                               double begin_distance, double end_distance,
+                               const ExitEdge& exit) {
+  double least =
+      part.end < origin.x ? end_distance : origin.sigma + origin.depth;
+  least = part.begin > origin.x ? begin_distance : least;
+  const double known_at_begin = exit.to_distance + (exit.length - part.begin);
+  const double known_at_end = exit.from_distance + part.end;
+  const double lost = WidthOfLost(begin_distance - origin.sigma, exit.length);
+  least = part.end - part.begin <= lost ? kInfinity : least;
+  least = end_distance > known_at_end * (1 + kDominance) ? kInfinity : least;
+  return begin_distance > known_at_begin * (1 + kDominance) ? kInfinity : least;
 }
 
 }  // namespace
@@ -98,10 +122,6 @@ void ChildrenLeft(const HalfEdgeFrame& frame, const ExitEdge& exit,
   double* const end_distance = children.end_distance;
   const double cosine = frame.left_x, sine = frame.left_y;
   const double length = exit.length;
-  const double from_distance = exit.from_distance;
-  const double to_distance = exit.to_distance;
-  const double least_width = kLeastWidth * length;
-  const double rounded_width = kRoundedWidth * length;
   children.size = last - first;
   const size_t n = Padded(children.size);
   std::copy_n(sources, n, children.pseudo_source);
@@ -134,19 +154,8 @@ void ChildrenLeft(const HalfEdgeFrame& frame, const ExitEdge& exit,
     child_sigma[i] = sigma;
     begin_distance[i] = d_begin;
     end_distance[i] = d_end;
-    double least = to_end < 0 ? d_end : sigma + new_depth;
-    least = to_begin > 0 ? d_begin : least;
-    // As IsSliver.
-    double narrow = kLeastWidth * (d_begin - sigma);
-    narrow = narrow > rounded_width ? narrow : rounded_width;
-    narrow = narrow < least_width ? narrow : least_width;
-    least = at_end - at_begin <= narrow ? kInfinity : least;
-    least =
-        d_end > (from_distance + at_end) * (1 + kDominance) ? kInfinity : least;
-    least = d_begin > (to_distance + (length - at_begin)) * (1 + kDominance)
-                ? kInfinity
-                : least;
-    label[i] = least;
+    label[i] = LabelOf({at_begin, at_end}, {new_x, new_depth, sigma}, d_begin,
+                       d_end, exit);
   }
 }
 
@@ -172,10 +181,6 @@ void ChildrenRight(const HalfEdgeFrame& frame, const ExitEdge& exit,
   const double cosine = frame.right_x, sine = frame.right_y;
   const double edge = frame.length;
   const double length = exit.length;
-  const double from_distance = exit.from_distance;
-  const double to_distance = exit.to_distance;
-  const double least_width = kLeastWidth * length;
-  const double rounded_width = kRoundedWidth * length;
   children.size = last - first;
   const size_t n = Padded(children.size);
   std::copy_n(sources, n, children.pseudo_source);
@@ -211,19 +216,8 @@ void ChildrenRight(const HalfEdgeFrame& frame, const ExitEdge& exit,
     child_sigma[i] = sigma;
     begin_distance[i] = d_begin;
     end_distance[i] = d_end;
-    double least = to_end < 0 ? d_end : sigma + new_depth;
-    least = to_begin > 0 ? d_begin : least;
-    // As IsSliver.
-    double narrow = kLeastWidth * (d_begin - sigma);
-    narrow = narrow > rounded_width ? narrow : rounded_width;
-    narrow = narrow < least_width ? narrow : least_width;
-    least = at_end - at_begin <= narrow ? kInfinity : least;
-    least =
-        d_end > (from_distance + at_end) * (1 + kDominance) ? kInfinity : least;
-    least = d_begin > (to_distance + (length - at_begin)) * (1 + kDominance)
-                ? kInfinity
-                : least;
-    label[i] = least;
+    label[i] = LabelOf({at_begin, at_end}, {new_x, new_depth, sigma}, d_begin,
+                       d_end, exit);
   }
 }
 
@@ -234,8 +228,6 @@ void OverlapsOfNeighbours(double length, const WindowColumns& windows,
   const double* const end = windows.end;
   const double* const sigmas = windows.sigma;
   const double* const begin_distance = windows.begin_distance;
-  const double least_width = kLeastWidth * length;
-  const double rounded_width = kRoundedWidth * length;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const size_t n = windows.size - 1;
   new_begin[0] = begin[0];
@@ -243,11 +235,9 @@ void OverlapsOfNeighbours(double length, const WindowColumns& windows,
   for (size_t i = 0; i < n; ++i) {
     const double low = begin[i + 1], high = end[i];
     const double width = high - low;
-    // As IsSliver.
-    double narrow = kLeastWidth * (begin_distance[i + 1] - sigmas[i + 1]);
-    narrow = narrow > rounded_width ? narrow : rounded_width;
-    narrow = narrow < least_width ? narrow : least_width;
-    const bool is_rounding = width > 0 && width <= narrow;
+    const bool is_rounding =
+        width > 0 &&
+        width <= WidthOfLost(begin_distance[i + 1] - sigmas[i + 1], length);
     new_begin[i + 1] = is_rounding ? high : low;
     const double left = is_rounding ? 0 : width;
     overlap[i] = low < begin[i] ? kNone : left;

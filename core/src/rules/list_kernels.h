@@ -46,7 +46,7 @@ void ChildrenRight(const HalfEdgeFrame& frame, const ExitEdge& exit,
 
 // Of a list: where its windows begin, if they give up what they share with the
 // one before by rounding alone: that is no wider than a window may be lost with
-// (IsSliver). overlap: by how much window i then still reaches into window
+// (IsLost). overlap: by how much window i then still reaches into window
 // i + 1; NaN if window i + 1 begins before window i.
 void OverlapsOfNeighbours(double length, const WindowColumns& windows,
                           double* begin, double* overlap);

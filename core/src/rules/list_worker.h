@@ -152,10 +152,7 @@ template <typename Front>
 void ListWorker<Front>::Open(HalfEdge half_edge, uint32_t pseudo_source,
                              const Origin& origin, const Interval& interval) {
   const double length = mesh_.frame(half_edge).length;
-  if (interval.width() <= kLeastWidth * length &&
-      IsSliver(interval, origin, length)) {
-    return;
-  }
+  if (IsLost(interval, origin, length)) return;
   const Window window = Window::Over(interval, origin);
   if (front_.EndsAreNearer(window, length, mesh_.From(half_edge),
                            mesh_.To(half_edge))) {

@@ -235,12 +235,7 @@ template <typename Front>
 void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
                             const Origin& origin, const Interval& interval) {
   const double length = mesh_.frame(half_edge).length;
-  const double least_width = kLeastWidth * length;
-  // Rarely narrow, and then seldom wide for the pseudo-source.
-  const auto is_lost = [&](const Interval& part, const Origin& from) {
-    return part.width() <= least_width && IsSliver(part, from, length);
-  };
-  if (is_lost(interval, origin)) return;
+  if (IsLost(interval, origin, length)) return;
   const Window newer = Window::Over(interval, origin);
   // Cheaper than the contests it saves: a third of them, on real meshes.
   if (front_.EndsAreNearer(newer, length, mesh_.From(half_edge),
@@ -258,7 +253,7 @@ void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
   double held_from = interval.begin;
   const auto put_down = [&](double held_until) {
     const Interval held{held_from, held_until};
-    if (is_lost(held, origin)) return;
+    if (IsLost(held, origin, length)) return;
     ListedWindow part{newer, pseudo_source};
     part.window.CutTo(held);
     const double label = part.window.Label();
@@ -295,8 +290,8 @@ void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
     }
     const Interval before{held.begin, won.begin};
     const Interval after{won.end, held.end};
-    const bool keeps_before = !is_lost(before, older);
-    const bool keeps_after = !is_lost(after, older);
+    const bool keeps_before = !IsLost(before, older, length);
+    const bool keeps_after = !IsLost(after, older, length);
     // Trimming only raises labels: the one a window is queued with stays a
     // lower bound.
     const double label = lists_.NextLabel(half_edge);

@@ -47,9 +47,10 @@ inline double LeastDistance(const MixedOrigin& origin, const Interval& interval,
 }
 
 // Parallel rays see no more of what lies behind.
-inline bool IsSliver(const Interval& part, const MixedOrigin& origin,
-                     double length) {
-  return origin.is_segment || IsSliver(part, origin.AsPoint(), length);
+inline bool IsLost(const Interval& part, const MixedOrigin& origin,
+                   double length) {
+  return origin.is_segment ? part.width() <= kLeastWidth * length
+                           : IsLost(part, origin.AsPoint(), length);
 }
 
 inline double CrossingTo(const MixedOrigin& origin, const PlanePoint& place) {

@@ -89,12 +89,18 @@ inline bool Exceeds(double distance, double known) {
   return distance > known * (1 + kDominance);
 }
 
-// Whether a part of an edge no wider than kLeastWidth is too narrow for this
-// pseudo-source too.
-inline bool IsSliver(const Interval& part, const Origin& origin,
-                     double length) {
-  return part.width() <= std::max(kLeastWidth * origin.DistanceTo(part.begin),
-                                  kRoundedWidth * length);
+// The widest part of an edge of this length that may be lost, if the
+// pseudo-source is this far from where it begins.
+inline double WidthOfLost(double distance, double length) {
+  return std::min(kLeastWidth * length,
+                  std::max(kLeastWidth * distance, kRoundedWidth * length));
+}
+
+// Whether a part of an edge is too narrow to matter.
+inline bool IsLost(const Interval& part, const Origin& origin, double length) {
+  // Rarely narrow, and then seldom wide for the pseudo-source.
+  return part.width() <= kLeastWidth * length &&
+         part.width() <= WidthOfLost(origin.DistanceTo(part.begin), length);
 }
 
 inline PlanePoint ApexOf(const HalfEdgeFrame& frame) {
