@@ -28,8 +28,8 @@ inline constexpr double kCollapsedFace = 1e-12;
 // A face no higher over its longest edge than this fraction of that edge may
 // lie whole in the gap behind a vertex that hides nothing by kFlatAngle, where
 // no window goes: a vertex behind it, relaxed by a near miss, passes nothing on
-// (kNearMiss), and so its corners become pseudo-sources. More than kFlatAngle
-// and kNearMiss, since gaps widen with the way from the pseudo-source.
+// (kNearMiss), and so its corners become pseudo-sources. More than kFlatAngle,
+// since gaps widen with the way from the pseudo-source.
 inline constexpr double kNarrowFace = 1e-8;
 
 // Least distance of an apex or a pseudo-source from an edge's line. It keeps
@@ -50,10 +50,14 @@ inline constexpr double kRoundedWidth = 1e-15;
 
 // A window that misses the apex by no more than this fraction of its reach (the
 // edge and the way from the pseudo-source), seen across the ray, relaxes it
-// through its nearest end, which is a real path. On regular grids rays run
-// exactly into vertices, and rounding, which goes with the reach, puts them on
-// either side.
-inline constexpr double kNearMiss = 1e-9;
+// through its nearest end, which is a real path, longer by the square of this.
+// Nobody else may reach the apex: on regular grids rays run exactly into
+// vertices, and rounding, which goes with the reach, puts them on either side;
+// and where paths by way of two pseudo-sources tie over a whole interval
+// (kTie), as on plates that are all but flat, their rays part at the point up
+// to which either of them holds it, by up to sqrt(8 kTie), 1e-7, and a few times
+// that where one of the pseudo-sources is much nearer.
+inline constexpr double kNearMiss = 2e-7;
 
 // The same where sources are curves. A segment and the point in which it ends
 // share the ray that bounds both their windows; in either it is off by the
@@ -114,11 +118,15 @@ inline constexpr double kCrossingRoundings = 8;
 inline constexpr double kTiedSamples = 1e-12;
 
 // A path that passes a vertex no farther than this fraction of its reach (as
-// for kNearMiss) is led through it, if that makes it no longer. The straight
-// line to a vertex that a window missed narrowly may pass the vertex that
-// bounds the window on the wrong side, by as much as the miss, and there the
-// surface unfolds differently.
-inline constexpr double kPassedVertex = 4 * kNearMiss;
+// for kNearMiss) is led through it, if that makes it no longer: rays that run
+// into vertices pass them by rounding.
+inline constexpr double kPassedVertex = 4e-9;
+
+// The same where a path is not found otherwise. The straight line to a vertex
+// that a window missed narrowly may pass the vertex that bounds the window on
+// the wrong side, by as much as the miss, and there the surface unfolds
+// differently.
+inline constexpr double kPassedNarrowly = 4 * kNearMiss;
 
 // A vertex whose distance is within this fraction of a level lies at it: on
 // regular grids whole rows do, and rounding would otherwise scatter the

@@ -92,11 +92,13 @@ PlanePoint Product(const PlanePoint& a, const PlanePoint& b) {
 
 class Walker {
  public:
-  Walker(const TracedField& field, const PathEnd& end, uint32_t turns)
+  Walker(const TracedField& field, const PathEnd& end, uint32_t turns,
+         double nearness)
       : field_(field),
         mesh_(field.mesh()),
         end_(end),
         turns_(turns),
+        relative_nearness_(nearness),
         last_(end.point) {}
 
   // In how many ways together the walk might have gone.
@@ -195,6 +197,7 @@ class Walker {
   const Mesh& mesh_;
   const PathEnd& end_;
   uint32_t turns_;  // those left
+  const double relative_nearness_;
   double ways_ = 1;
   SurfacePoint last_;
   double nearness_ = 0;  // to a vertex at which the path passes it
@@ -249,8 +252,8 @@ bool Walker::GoThroughFaces(uint32_t pseudo_source) {
   line.way =
       is_segment ? PlanePoint{-x, -depth} : PlanePoint{x, -depth} - line.end;
   nearness_ =
-      kPassedVertex * (mesh_.frame(entry).length +
-                       (is_segment ? end_.distance : std::abs(x) + depth));
+      relative_nearness_ * (mesh_.frame(entry).length +
+                            (is_segment ? end_.distance : std::abs(x) + depth));
   if (PassesThrough(mesh_.From(entry), {0, 0}, line, entry) ||
       PassesThrough(mesh_.To(entry), {mesh_.frame(entry).length, 0}, line,
                     entry)) {
@@ -328,9 +331,9 @@ void Walker::GoOverEdges(const PlanePoint& turn) {
 
 }  // namespace
 
-BackWalk WalkBack(const TracedField& field, const PathEnd& end,
-                  uint32_t turns) {
-  Walker walker(field, end, turns);
+BackWalk WalkBack(const TracedField& field, const PathEnd& end, uint32_t turns,
+                  double nearness) {
+  Walker walker(field, end, turns, nearness);
   std::optional<StraightPiece> piece = walker.Walk();
   return {std::move(piece), walker.ways()};
 }

@@ -11,6 +11,7 @@
 #include "geodesic/surface_point.h"
 #include "paths/straight_piece.h"
 #include "paths/traced_field.h"
+#include "tolerances.h"
 
 namespace geodesic {
 
@@ -24,9 +25,11 @@ struct BackWalk {
 
 // Walks from `end` towards its pseudo-source. Where the line runs into a vertex
 // that it may not pass through, and where an edge has several faces beyond,
-// `turns` says which way to take: 0 and up to `ways` name them all.
-// O(edges crossed).
-BackWalk WalkBack(const TracedField& field, const PathEnd& end, uint32_t turns);
+// `turns` says which way to take: 0 and up to `ways` name them all. It is led
+// through vertices that it passes no farther than `nearness`, a fraction of its
+// reach, if that makes it no longer. O(edges crossed).
+BackWalk WalkBack(const TracedField& field, const PathEnd& end, uint32_t turns,
+                  double nearness = kPassedVertex);
 
 // Whether a point is a vertex at the place of another.
 bool Coincide(const Mesh& mesh, const SurfacePoint& point, uint32_t vertex);

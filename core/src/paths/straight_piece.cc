@@ -68,13 +68,15 @@ std::optional<StraightPiece> WalkEveryWay(const TracedField& field,
   // More are as rare as several vertices at one place, beside a source in a
   // face without area.
   constexpr double kMostWays = 256;
-  double ways = 1;
-  for (uint32_t turns = 0; turns < ways; ++turns) {
-    BackWalk walk = WalkBack(field, end, turns);
-    if (walk.piece.has_value() && IsSound(field, end, *walk.piece)) {
-      return std::move(walk.piece);
+  for (const double nearness : {kPassedVertex, kPassedNarrowly}) {
+    double ways = 1;
+    for (uint32_t turns = 0; turns < ways; ++turns) {
+      BackWalk walk = WalkBack(field, end, turns, nearness);
+      if (walk.piece.has_value() && IsSound(field, end, *walk.piece)) {
+        return std::move(walk.piece);
+      }
+      ways = std::max(ways, std::min(walk.ways, kMostWays));
     }
-    ways = std::max(ways, std::min(walk.ways, kMostWays));
   }
   return std::nullopt;
 }
