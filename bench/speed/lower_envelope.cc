@@ -4,6 +4,7 @@
 
 #include "anchors.h"
 #include "queues/fwp_buckets.h"
+#include "rules/direct_sink.h"
 #include "rules/front.h"
 #include "rules/mmp_rule.h"
 
@@ -26,14 +27,12 @@ uint64_t LowerEnvelope(const Mesh& mesh, uint32_t source) {
                        std::sqrt(static_cast<double>(mesh.face_count()))});
   Front<NeverSettled, Origin> front(mesh, query, queue, nullptr);
   MmpRule<Front<NeverSettled, Origin>> rule(front);
-  const auto open = [&](HalfEdge half_edge, uint32_t pseudo_source,
-                        const Origin& origin, const Interval& interval) {
-    rule.Open(half_edge, pseudo_source, origin, interval);
-  };
-  for (const Anchor& anchor : AnchorsOf(query)) front.AddAnchor(anchor, open);
+  DirectSink sink(front, rule);
+  for (const Anchor& anchor : AnchorsOf(query)) front.AddAnchor(anchor, sink);
   for (uint32_t id = queue.Pop(); id != kNothing; id = queue.Pop()) {
     if (id & kVertexEvent) {
-      front.Expand(id & ~kVertexEvent, open);
+      const uint32_t v = id & ~kVertexEvent;
+      if (front.TakeEvent(v)) front.Expand(v, sink);
     } else {
       rule.Propagate(id);
     }

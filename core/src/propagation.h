@@ -19,6 +19,7 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/query.h"
+#include "rules/direct_sink.h"
 #include "rules/front.h"
 #include "windows/window_observer.h"
 
@@ -86,24 +87,6 @@ class Propagation final : public Computation {
   double ToFileUnit(double length) const {
     return std::ldexp(length, mesh().scale_exponent());
   }
-  // As the front calls it (Front::Expand): what is found is applied at once.
-  struct Sink {
-    FrontType& front;
-    RuleType& rule;
-
-    void Relax(uint32_t vertex, double distance, const Arrival& arrival,
-               const IncomingRay& ray = {}) {
-      front.Relax(vertex, distance, arrival, ray);
-    }
-    void Observe(HalfEdge h, const BasicWindow<OriginType>& window,
-                 uint32_t pseudo_source) {
-      front.Observe(h, window, pseudo_source);
-    }
-    void Open(HalfEdge half_edge, uint32_t pseudo_source,
-              const OriginType& origin, const Interval& interval) {
-      rule.Open(half_edge, pseudo_source, origin, interval);
-    }
-  };
 
   const Algorithm algorithm_;
   const bool traces_;
@@ -180,7 +163,7 @@ void Propagation<Rule, Queue, OriginType>::CertifyUpTo(double radius) {
 template <template <typename> typename Rule, WindowQueue Queue,
           typename OriginType>
 void Propagation<Rule, Queue, OriginType>::Seed() {
-  Sink sink{front_, rule_};
+  DirectSink sink(front_, rule_);
   for (const Anchor& anchor : std::exchange(pending_anchors_, {})) {
     front_.AddAnchor(anchor, sink);
   }
@@ -218,7 +201,7 @@ uint64_t Propagation<Rule, Queue, OriginType>::Step() {
   if (id & kVertexEvent) {
     ++statistics_.pseudo_source_events;
     const uint32_t v = id & ~kVertexEvent;
-    Sink sink{front_, rule_};
+    DirectSink sink(front_, rule_);
     if (front_.TakeEvent(v)) front_.Expand(v, sink);
   } else {
     statistics_.windows_propagated += rule_.Propagate(id);
