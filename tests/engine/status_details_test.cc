@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "absl/strings/str_cat.h"
 #include "server/engine/error_reasons.h"
 #include "tests/support/temporary_folder.h"
 
@@ -43,7 +44,8 @@ TEST(StatusDetails, AReasonTravelsWithTheStatus) {
 TEST(StatusDetails, TheProtocolListsEveryReason) {
   const std::string text = geodesic::test::FileBytes(GEODESIC_PROTOCOL_PAGE);
   for (const std::string_view reason : kErrorReasons) {
-    EXPECT_THAT(text, ::testing::HasSubstr("`" + std::string(reason) + "`"));
+    EXPECT_THAT(text, ::testing::HasSubstr(
+                          absl::StrCat("`", std::string(reason), "`")));
   }
 }
 
