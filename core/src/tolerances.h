@@ -55,8 +55,8 @@ inline constexpr double kRoundedWidth = 1e-15;
 // vertices, and rounding, which goes with the reach, puts them on either side;
 // and where paths by way of two pseudo-sources tie over a whole interval
 // (kTie), as on plates that are all but flat, their rays part at the point up
-// to which either of them holds it, by up to sqrt(8 kTie), 1e-7, and a few times
-// that where one of the pseudo-sources is much nearer.
+// to which either of them holds it, by up to sqrt(8 kTie), 1e-7, and a few
+// times that where one of the pseudo-sources is much nearer.
 inline constexpr double kNearMiss = 2e-7;
 
 // The same where sources are curves. A segment and the point in which it ends

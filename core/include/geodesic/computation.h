@@ -33,8 +33,8 @@ struct Reach {
 };
 
 // Not thread-safe; one thread at a time. Has threads of its own
-// (SolveOptions::threads) during Advance alone. Holds the wavefront and the distances
-// between calls; the mesh must outlive it.
+// (SolveOptions::threads) during Advance alone. Holds the wavefront and the
+// distances between calls; the mesh must outlive it.
 class Computation {
  public:
   virtual ~Computation() = default;
