@@ -68,7 +68,7 @@ FieldEngine::FieldEngine(const Limits& limits, const SolveOptions& options,
       computations_(limits.computation_store_bytes) {}
 
 absl::StatusOr<FieldCall> FieldEngine::Compute(
-    const FieldRequest& request, MeshHandle mesh,
+    const FieldRequest& request, const MeshHandle& mesh,
     std::shared_ptr<FieldObserver> observer) {
   absl::Status status =
       ValidateAsNumbered(request.query, request.numbers, *mesh->mesh);

@@ -86,7 +86,7 @@ class FieldEngine {
   // UNAVAILABLE. `observer` is then not called. It may already be called before
   // this returns.
   absl::StatusOr<FieldCall> Compute(const FieldRequest& request,
-                                    MeshHandle mesh,
+                                    const MeshHandle& mesh,
                                     std::shared_ptr<FieldObserver> observer);
 
   // The caller of `call` waits no longer. When it was the last, the solver
