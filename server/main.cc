@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "server/memory_trimmer.h"
 #include "server/options.h"
 #include "server/process_signals.h"
 #include "server/server.h"
@@ -48,6 +49,7 @@ int Run(const ServerOptions& options) {
   logger->info("geodesicd {} serves on {}:{} {}", ServerVersion(),
                options.listen.substr(0, colon), server.port(),
                options.tls.enabled() ? "over TLS" : "in clear");
+  const MemoryTrimmer trimmer;
   const ProcessSignals signals([&](int signal) {
     if (signal == SIGHUP) {
       server.Reload();
