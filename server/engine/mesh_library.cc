@@ -9,6 +9,26 @@
 #include "server/engine/status_details.h"
 
 namespace geodesic::server {
+namespace {
+
+// Of the mesh store.
+uint64_t BytesToKeep(const std::string& digest, uint64_t vertices,
+                     uint64_t faces) {
+  return Mesh::EstimateResidentBytes(vertices, faces) + sizeof(ResidentMesh) +
+         digest.capacity();
+}
+
+// The arrays, and what a build needs beyond what stays.
+uint64_t BytesToLoad(const MeshDescription& mesh) {
+  const uint64_t vertices = mesh.summary.vertices;
+  const uint64_t faces = mesh.summary.faces;
+  const uint64_t peak = Mesh::EstimateBuildBytes(vertices, faces);
+  const uint64_t resident = Mesh::EstimateResidentBytes(vertices, faces);
+  return vertices * sizeof(Point) + faces * sizeof(Triangle) +
+         (peak > resident ? peak - resident : 0);
+}
+
+}  // namespace
 
 MeshLibrary::MeshLibrary(const Limits& limits, Scheduler& scheduler,
                          std::shared_ptr<ByteBudget> upload_memory,
@@ -16,10 +36,13 @@ MeshLibrary::MeshLibrary(const Limits& limits, Scheduler& scheduler,
     : upload_memory_(std::move(upload_memory)),
       free_memory_(std::move(free_memory)),
       store_(limits.mesh_store_bytes),
-      loads_(scheduler,
-             [this](const std::string& digest, const std::stop_token& stop) {
-               return Load(digest, stop);
-             }) {}
+      loads_(
+          scheduler,
+          [this](const std::string& digest) { return Provide(digest); },
+          [this](const std::string& digest, MeshLoads::Provision provision,
+                 const std::stop_token& stop) {
+            return Load(digest, std::move(provision), stop);
+          }) {}
 
 void MeshLibrary::Attach(
     MeshFiles& files, std::function<void(const std::string& digest)> removed) {
@@ -90,30 +113,45 @@ absl::StatusOr<std::optional<MeshLoads::Seat>> MeshLibrary::Await(
     done(std::move(mesh));
     return std::nullopt;
   }
-  if (!Contains(digest)) return NotResident(digest);
+  const std::optional<MeshDescription> mesh = Describe(digest);
+  if (!mesh) return NotResident(digest);
+  if (absl::Status status = CheckCapacity(*mesh); !status.ok()) return status;
   absl::StatusOr<MeshLoads::Seat> seat =
       loads_.Join(digest, std::move(done), client);
   if (!seat.ok()) return seat.status();
   return *std::move(seat);
 }
 
-absl::StatusOr<MeshHandle> MeshLibrary::Load(const std::string& digest,
-                                             const std::stop_token& stop) {
-  if (MeshHandle mesh = FindResident(digest)) return mesh;
+absl::Status MeshLibrary::CheckCapacity(const MeshDescription& mesh) const {
+  absl::Status status = upload_memory_->CheckCapacity(BytesToLoad(mesh));
+  if (!status.ok()) return status;
+  return store_.CheckCapacity(
+      BytesToKeep(mesh.digest, mesh.summary.vertices, mesh.summary.faces));
+}
+
+absl::StatusOr<MeshLoads::Provision> MeshLibrary::Provide(
+    const std::string& digest) {
+  if (MeshHandle mesh = FindResident(digest)) {
+    return MeshLoads::Provision{.mesh = std::move(mesh)};
+  }
   const std::optional<MeshDescription> mesh = files_->Describe(digest);
   if (!mesh) return NotResident(digest);
-  const uint64_t vertices = mesh->summary.vertices;
-  const uint64_t faces = mesh->summary.faces;
-  // The arrays, and what a build needs beyond what stays.
-  const uint64_t peak = Mesh::EstimateBuildBytes(vertices, faces);
-  const uint64_t resident = Mesh::EstimateResidentBytes(vertices, faces);
-  absl::StatusOr<ByteReservation> arrays = ByteReservation::Make(
-      upload_memory_, vertices * sizeof(Point) + faces * sizeof(Triangle) +
-                          (peak > resident ? peak - resident : 0));
+  absl::StatusOr<ByteReservation> arrays =
+      ByteReservation::Make(upload_memory_, BytesToLoad(*mesh));
   if (!arrays.ok()) return arrays.status();
   absl::StatusOr<ByteReservation> room =
-      ReserveResident(digest, vertices, faces);
+      ReserveResident(digest, mesh->summary.vertices, mesh->summary.faces);
   if (!room.ok()) return room.status();
+  return MeshLoads::Provision{.arrays = *std::move(arrays),
+                              .room = *std::move(room)};
+}
+
+absl::StatusOr<MeshHandle> MeshLibrary::Load(const std::string& digest,
+                                             MeshLoads::Provision provision,
+                                             const std::stop_token& stop) {
+  if (provision.mesh != nullptr) return std::move(provision.mesh);
+  const std::optional<MeshDescription> mesh = files_->Describe(digest);
+  if (!mesh) return NotResident(digest);
   absl::StatusOr<TriangleSoup> soup = files_->Load(*mesh, stop);
   if (!soup.ok()) return soup.status();
   absl::StatusOr<std::shared_ptr<const Mesh>> built =
@@ -123,8 +161,9 @@ absl::StatusOr<MeshHandle> MeshLibrary::Load(const std::string& digest,
     return absl::InternalError(absl::StrCat(
         "mesh ", digest, " cannot be built: ", built.status().message()));
   }
-  MeshHandle kept =
-      Keep({digest, *std::move(built), mesh->summary}, *std::move(room)).mesh;
+  MeshHandle kept = Keep({digest, *std::move(built), mesh->summary},
+                         std::move(provision.room))
+                        .mesh;
   if (kept == nullptr) return NotResident(digest);
   ++meshes_loaded_;
   return kept;
@@ -168,8 +207,7 @@ void MeshLibrary::RememberFile(const MeshUpload& upload,
 
 absl::StatusOr<ByteReservation> MeshLibrary::ReserveResident(
     const std::string& digest, uint64_t vertices, uint64_t faces) {
-  const uint64_t bytes = Mesh::EstimateResidentBytes(vertices, faces) +
-                         sizeof(ResidentMesh) + digest.capacity();
+  const uint64_t bytes = BytesToKeep(digest, vertices, faces);
   absl::StatusOr<ByteReservation> room = store_.Reserve(bytes);
   if (room.ok()) return room;
   free_memory_();

@@ -66,9 +66,11 @@ class MeshLibrary {
                                     size_t count) const;
 
   // Calls `done` with the mesh in memory: at once if it is there, otherwise
-  // from the job that loads it. Returns the seat of who has to wait.
-  // Errors, here or in `done`: NOT_FOUND; RESOURCE_EXHAUSTED (no memory, or the
-  // queue is full); UNAVAILABLE (shutting down; the disk cannot be read).
+  // from the job that loads it, which waits for its memory as Job::reserve
+  // says. Returns the seat of who has to wait.
+  // Errors, here or in `done`: NOT_FOUND; RESOURCE_EXHAUSTED (no memory, at
+  // once if it can never be had; the queue is full); UNAVAILABLE (shutting
+  // down; the disk cannot be read).
   absl::StatusOr<std::optional<MeshLoads::Seat>> Await(
       const std::string& digest, MeshCallback done, const std::string& client);
   void Leave(const MeshLoads::Seat& seat) { loads_.Leave(seat); }
@@ -96,8 +98,12 @@ class MeshLibrary {
                                                   uint64_t vertices,
                                                   uint64_t faces);
   void RememberFile(const MeshUpload& upload, const std::string& digest);
-  // The work of a load.
+  // Whether the memory for a load can ever be had. Errors: RESOURCE_EXHAUSTED.
+  absl::Status CheckCapacity(const MeshDescription& mesh) const;
+  // What a load needs, and its work.
+  absl::StatusOr<MeshLoads::Provision> Provide(const std::string& digest);
   absl::StatusOr<MeshHandle> Load(const std::string& digest,
+                                  MeshLoads::Provision provision,
                                   const std::stop_token& stop);
   // Keeps the mesh in memory, unless the disk has lost it meanwhile: then
   // `mesh` of the result is null.

@@ -1,5 +1,6 @@
 #include "server/engine/mesh_loads.h"
 
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -16,11 +17,18 @@ absl::StatusOr<MeshLoads::Seat> MeshLoads::Join(const std::string& digest,
   if (it == loads_.end()) {
     // The lock is held until the load is on the list, so that its end cannot
     // come first.
+    auto provision = std::make_shared<Provision>();
     absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
         {.priority = JobPriority::kBuild,
          .client = client,
-         .run = [this, digest, number](
-                    const std::stop_token& stop) { Run(digest, number, stop); },
+         .reserve = [this, digest,
+                     provision] { return Provide(digest, *provision); },
+         .run =
+             [this, digest, number, provision](const std::stop_token& stop) {
+               End(digest, number, Guarded("loaded a mesh", [&] {
+                     return load_(digest, std::move(*provision), stop);
+                   }));
+             },
          .abandon =
              [this, digest, number](const absl::Status& why) {
                End(digest, number, why);
@@ -47,10 +55,12 @@ void MeshLoads::Leave(const Seat& seat) {
   scheduler_.Cancel(*job);
 }
 
-void MeshLoads::Run(const std::string& digest, uint64_t number,
-                    const std::stop_token& stop) {
-  End(digest, number,
-      Guarded("loaded a mesh", [&] { return load_(digest, stop); }));
+absl::Status MeshLoads::Provide(const std::string& digest,
+                                Provision& provision) const {
+  absl::StatusOr<Provision> provided = provide_(digest);
+  if (!provided.ok()) return provided.status();
+  provision = *std::move(provided);
+  return absl::OkStatus();
 }
 
 void MeshLoads::End(const std::string& digest, uint64_t number,

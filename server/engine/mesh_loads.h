@@ -11,8 +11,11 @@
 #include <mutex>
 #include <stop_token>
 #include <string>
+#include <utility>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "server/engine/byte_budget.h"
 #include "server/engine/mesh_store.h"
 #include "server/engine/scheduler.h"
 
@@ -23,9 +26,21 @@ using MeshCallback = std::function<void(const absl::StatusOr<MeshHandle>&)>;
 // Thread-safe. Nobody is called under a lock.
 class MeshLoads {
  public:
+  // What a load has before it runs: the mesh, if it has come meanwhile, or the
+  // memory for it.
+  struct Provision {
+    MeshHandle mesh;
+    ByteReservation arrays;  // and what else is gone when the mesh is there
+    ByteReservation room;    // of the mesh store
+  };
+
+  // See Job::reserve.
+  using ProvideFunction =
+      std::function<absl::StatusOr<Provision>(const std::string& digest)>;
   // The work of one load, done in a job.
   using LoadFunction = std::function<absl::StatusOr<MeshHandle>(
-      const std::string& digest, const std::stop_token& stop)>;
+      const std::string& digest, Provision provision,
+      const std::stop_token& stop)>;
 
   // A place among those who wait.
   struct Seat {
@@ -34,8 +49,10 @@ class MeshLoads {
   };
 
   // REQUIRES: `scheduler` outlives the object and has no job left when it goes.
-  MeshLoads(Scheduler& scheduler, LoadFunction load)
-      : scheduler_(scheduler), load_(std::move(load)) {}
+  MeshLoads(Scheduler& scheduler, ProvideFunction provide, LoadFunction load)
+      : scheduler_(scheduler),
+        provide_(std::move(provide)),
+        load_(std::move(load)) {}
 
   // Starts to load the mesh unless that is being done. `done` is called once,
   // from the job, unless the waiter leaves before; perhaps already before this
@@ -58,12 +75,12 @@ class MeshLoads {
     uint64_t number = 0;  // tells it from an earlier one of the same mesh
   };
 
-  void Run(const std::string& digest, uint64_t number,
-           const std::stop_token& stop);
+  absl::Status Provide(const std::string& digest, Provision& provision) const;
   void End(const std::string& digest, uint64_t number,
            const absl::StatusOr<MeshHandle>& result);
 
   Scheduler& scheduler_;
+  const ProvideFunction provide_;
   const LoadFunction load_;
 
   // Taken before the scheduler's.

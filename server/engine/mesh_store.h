@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
@@ -44,6 +45,11 @@ class MeshStore {
 
   // The digest of the resident mesh that was uploaded as this file.
   std::optional<std::string> FindFile(const FileKey& file) const;
+
+  // Whether so many bytes can ever be reserved. Errors: as Reserve.
+  absl::Status CheckCapacity(uint64_t bytes) const {
+    return meshes_.CheckCapacity(bytes);
+  }
 
   // Makes room for a mesh before it is built.
   // Errors: RESOURCE_EXHAUSTED naming the budget and the need.

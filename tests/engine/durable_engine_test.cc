@@ -1,5 +1,5 @@
-// The engine with a data folder: what is there after a restart, what comes back
-// to memory, and what happens when the disk fails.
+// The engine with a data folder: what is there after a restart, and what
+// happens when the disk fails.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,141 +11,24 @@
 #include <string>
 #include <vector>
 
-#include "server/engine/durable_store.h"
-#include "server/engine/mesh_digest.h"
-#include "server/engine/query_engine.h"
 #include "server/engine/status_details.h"
 #include "server/store/sha256.h"
-#include "tests/engine/fakes.h"
-#include "tests/engine/uploads.h"
+#include "tests/engine/durable_fixture.h"
 #include "tests/support/curved_meshes.h"
-#include "tests/support/planar_meshes.h"
 #include "tests/support/small_disk.h"
-#include "tests/support/temporary_folder.h"
 
 namespace geodesic::server {
 namespace {
 
 namespace fs = std::filesystem;
 using geodesic::test::SmallDisk;
+using test::DurableEngineTest;
+using test::Grid;
+using test::kMiB;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-constexpr uint64_t kMiB = uint64_t{1} << 20;
-
-TriangleSoup Grid(uint32_t columns, uint32_t rows = 12) {
-  return geodesic::test::MakeGrid({.columns = columns, .rows = rows});
-}
-
-class DurableEngineTest : public ::testing::Test {
- protected:
-  void SetUp() override { Restart(); }
-  void TearDown() override { Stop(); }
-
-  void Stop() {
-    if (engine_ == nullptr) return;
-    engine_->StopAll();
-    executor_.RunAll();
-    engine_.reset();
-  }
-
-  // A new engine on the same folder.
-  void Restart() {
-    Stop();
-    engine_ = std::make_unique<QueryEngine>(limits_, clock_, executor_);
-    auto store = DurableStore::Open({.path = data_dir(),
-                                     .mesh_bytes = limits_.mesh_disk_bytes,
-                                     .field_bytes = limits_.field_disk_bytes,
-                                     .version = version_,
-                                     .warn = [this](const std::string& line) {
-                                       warnings_.push_back(line);
-                                     }});
-    ASSERT_TRUE(store.ok()) << store.status();
-    engine_->Attach(*std::move(store));
-  }
-
-  absl::StatusOr<UploadResult> Upload(const UploadHeader& header,
-                                      std::string_view bytes) {
-    auto upload = engine_->StartUpload(header);
-    if (!upload.ok()) return upload.status();
-    if (absl::Status s = (*upload)->Append(0, bytes); !s.ok()) return s;
-    absl::StatusOr<UploadResult> result = absl::UnknownError("not told");
-    auto job = engine_->FinishUpload(*std::move(upload),
-                                     [&](const auto& r) { result = r; });
-    if (!job.ok()) return job.status();
-    executor_.RunAll();
-    return result;
-  }
-  absl::StatusOr<UploadResult> Upload(const TriangleSoup& soup) {
-    return Upload(test::ArrayHeader(soup), test::ArrayBytes(soup));
-  }
-
-  absl::Status Delete(const std::string& digest) {
-    absl::Status result = absl::UnknownError("not told");
-    absl::Status status = engine_->DeleteMesh(
-        digest, [&](const absl::Status& told) { result = told; });
-    if (!status.ok()) return status;
-    executor_.RunAll();
-    return result;
-  }
-
-  // What a request for the mesh gets, once the jobs have run.
-  absl::StatusOr<MeshHandle> Await(const std::string& digest) {
-    absl::StatusOr<MeshHandle> result = absl::UnknownError("not told");
-    auto seat =
-        engine_->AwaitMesh(digest, [&](const auto& mesh) { result = mesh; });
-    if (!seat.ok()) return seat.status();
-    executor_.RunAll();
-    return result;
-  }
-
-  // The field from vertex 0; the mesh must be in memory.
-  absl::StatusOr<FieldAnswer> Field(FieldRequest request) {
-    request.query.sources = {{VertexPoint{0}}};
-    auto observer = std::make_shared<test::RecordingObserver>();
-    auto call = engine_->ComputeField(request, observer);
-    if (!call.ok()) return call.status();
-    executor_.RunAll();
-    if (call->answer) return *call->answer;
-    return *observer->answer;
-  }
-
-  std::vector<std::string> Listed() {
-    std::vector<std::string> digests;
-    const absl::StatusOr<MeshPage> page = engine_->ListMeshes(0, "");
-    EXPECT_TRUE(page.ok()) << page.status();
-    for (const MeshDescription& mesh : page->meshes) {
-      digests.push_back(mesh.digest);
-    }
-    return digests;
-  }
-
-  std::string data_dir() const { return temporary_ / "data"; }
-  std::string FileOf(const std::string& digest) const {
-    return data_dir() + "/meshes/" + digest + ".mesh";
-  }
-  static std::string DigestOf(const TriangleSoup& soup) {
-    return MeshDigest(soup.positions, soup.triangles);
-  }
-
-  Limits limits_ = {.max_concurrent_jobs = 1,
-                    .max_queued_jobs = 10,
-                    .mesh_store_bytes = 64 * kMiB,
-                    .field_cache_bytes = 16 * kMiB,
-                    .computation_store_bytes = 16 * kMiB,
-                    .upload_memory_bytes = 1024 * kMiB,
-                    .solver_memory_bytes = 256 * kMiB,
-                    .mesh_disk_bytes = 64 * kMiB,
-                    .field_disk_bytes = 16 * kMiB};
-  std::string version_ = "1";
-  geodesic::test::TemporaryFolder temporary_;
-  std::vector<std::string> warnings_;
-  test::FakeClock clock_;
-  test::ManualExecutor executor_;
-  std::unique_ptr<QueryEngine> engine_;
-};
 
 TEST_F(DurableEngineTest, AnUploadIsOnDiskWhenItIsAnswered) {
   const TriangleSoup soup = geodesic::test::Icosphere(2);
@@ -246,89 +129,6 @@ TEST_F(DurableEngineTest, ADeletionDuringALoadWins) {
   EXPECT_TRUE(deleted.ok()) << deleted;
   EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(digest).status()));
   EXPECT_THAT(Listed(), IsEmpty());
-}
-
-// Room in memory for one mesh.
-class EvictionTest : public DurableEngineTest {
- protected:
-  EvictionTest() {
-    limits_.mesh_store_bytes = Mesh::EstimateResidentBytes(182, 312) + 4096;
-  }
-};
-
-TEST_F(EvictionTest, WhatMemoryForgotComesBackByItself) {
-  const std::string first = Upload(Grid(12))->mesh.digest;
-  const std::string second = Upload(Grid(13))->mesh.digest;
-  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(first).status()));
-  EXPECT_TRUE(engine_->CanLoadMesh(first));
-  for (int round = 0; round < 3; ++round) {
-    for (const std::string& digest : {first, second}) {
-      const auto mesh = Await(digest);
-      ASSERT_TRUE(mesh.ok()) << mesh.status();
-      EXPECT_EQ((*mesh)->digest, digest);
-    }
-  }
-  EXPECT_EQ(engine_->counters().meshes_loaded, 6);
-  EXPECT_THAT(Listed(), SizeIs(2));
-}
-
-TEST_F(EvictionTest, RoomIsTakenBeforeALoad) {
-  const std::string first = Upload(Grid(12))->mesh.digest;
-  ASSERT_TRUE(Upload(Grid(13)).ok());
-  const auto pinned = engine_->GetMesh(DigestOf(Grid(13)));
-  ASSERT_TRUE(pinned.ok());
-  const absl::Status status = Await(first).status();
-  EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
-  EXPECT_TRUE(RetryAfter(status).has_value());
-  // The mesh is not held against its file.
-  EXPECT_TRUE(engine_->CanLoadMesh(first));
-}
-
-TEST_F(DurableEngineTest, OneLoadForAllWhoAsk) {
-  const std::string digest = Upload(Grid(5))->mesh.digest;
-  Restart();
-  std::vector<MeshHandle> meshes;
-  std::vector<MeshLoads::Seat> seats;
-  for (int i = 0; i < 5; ++i) {
-    auto seat = engine_->AwaitMesh(digest, [&](const auto& mesh) {
-      ASSERT_TRUE(mesh.ok());
-      meshes.push_back(*mesh);
-    });
-    ASSERT_TRUE(seat.ok());
-    ASSERT_TRUE(seat->has_value());
-    seats.push_back(**seat);
-  }
-  EXPECT_EQ(engine_->loads().size(), 1);
-  engine_->LeaveMesh(seats[0]);
-  executor_.RunAll();
-  EXPECT_THAT(meshes, SizeIs(4));
-  EXPECT_EQ(engine_->counters().meshes_loaded, 1);
-  EXPECT_EQ(engine_->loads().size(), 0);
-}
-
-TEST_F(DurableEngineTest, ALoadNobodyWaitsForIsCalledOff) {
-  const std::string digest = Upload(Grid(5))->mesh.digest;
-  Restart();
-  bool called = false;
-  const auto seat =
-      engine_->AwaitMesh(digest, [&](const auto&) { called = true; });
-  ASSERT_TRUE(seat.ok());
-  engine_->LeaveMesh(**seat);
-  EXPECT_EQ(engine_->loads().size(), 0);
-  executor_.RunAll();
-  EXPECT_FALSE(called);
-  EXPECT_EQ(engine_->counters().meshes_loaded, 0);
-}
-
-TEST_F(DurableEngineTest, LoadsEndWithTheServer) {
-  const std::string digest = Upload(Grid(5))->mesh.digest;
-  Restart();
-  absl::StatusOr<MeshHandle> loaded = absl::UnknownError("not told");
-  ASSERT_TRUE(
-      engine_->AwaitMesh(digest, [&](const auto& mesh) { loaded = mesh; })
-          .ok());
-  engine_->StopAll();
-  EXPECT_TRUE(absl::IsUnavailable(loaded.status())) << loaded.status();
 }
 
 // Room on disk for two small meshes.

@@ -1,0 +1,150 @@
+// An engine with a data folder, on one thread, with time standing still.
+
+#ifndef GEODESIC_TESTS_ENGINE_DURABLE_FIXTURE_H_
+#define GEODESIC_TESTS_ENGINE_DURABLE_FIXTURE_H_
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "server/engine/durable_store.h"
+#include "server/engine/mesh_digest.h"
+#include "server/engine/query_engine.h"
+#include "tests/engine/fakes.h"
+#include "tests/engine/uploads.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace geodesic::server::test {
+
+inline constexpr uint64_t kMiB = uint64_t{1} << 20;
+
+inline TriangleSoup Grid(uint32_t columns, uint32_t rows = 12) {
+  return geodesic::test::MakeGrid({.columns = columns, .rows = rows});
+}
+
+class DurableEngineTest : public ::testing::Test {
+ protected:
+  void SetUp() override { Restart(); }
+  void TearDown() override { Stop(); }
+
+  void Stop() {
+    if (engine_ == nullptr) return;
+    engine_->StopAll();
+    executor_.RunAll();
+    engine_.reset();
+  }
+
+  // A new engine on the same folder.
+  void Restart() {
+    Stop();
+    engine_ = std::make_unique<QueryEngine>(
+        limits_, clock_, executor_,
+        [this](const Mesh& mesh, const Query& query,
+               const SolveOptions& options) {
+          if (at_start_) at_start_();
+          return StartComputation(mesh, query, options);
+        });
+    auto store = DurableStore::Open({.path = data_dir(),
+                                     .mesh_bytes = limits_.mesh_disk_bytes,
+                                     .field_bytes = limits_.field_disk_bytes,
+                                     .version = version_,
+                                     .warn = [this](const std::string& line) {
+                                       warnings_.push_back(line);
+                                     }});
+    ASSERT_TRUE(store.ok()) << store.status();
+    engine_->Attach(*std::move(store));
+  }
+
+  absl::StatusOr<UploadResult> Upload(const UploadHeader& header,
+                                      std::string_view bytes) {
+    auto upload = engine_->StartUpload(header);
+    if (!upload.ok()) return upload.status();
+    if (absl::Status s = (*upload)->Append(0, bytes); !s.ok()) return s;
+    absl::StatusOr<UploadResult> result = absl::UnknownError("not told");
+    auto job = engine_->FinishUpload(*std::move(upload),
+                                     [&](const auto& r) { result = r; });
+    if (!job.ok()) return job.status();
+    executor_.RunAll();
+    return result;
+  }
+  absl::StatusOr<UploadResult> Upload(const TriangleSoup& soup) {
+    return Upload(ArrayHeader(soup), ArrayBytes(soup));
+  }
+
+  absl::Status Delete(const std::string& digest) {
+    absl::Status result = absl::UnknownError("not told");
+    absl::Status status = engine_->DeleteMesh(
+        digest, [&](const absl::Status& told) { result = told; });
+    if (!status.ok()) return status;
+    executor_.RunAll();
+    return result;
+  }
+
+  // What a request for the mesh gets, once the jobs have run.
+  absl::StatusOr<MeshHandle> Await(const std::string& digest) {
+    absl::StatusOr<MeshHandle> result = absl::UnknownError("not told");
+    auto seat =
+        engine_->AwaitMesh(digest, [&](const auto& mesh) { result = mesh; });
+    if (!seat.ok()) return seat.status();
+    executor_.RunAll();
+    return result;
+  }
+
+  // The field from vertex 0; the mesh must be in memory.
+  absl::StatusOr<FieldAnswer> Field(FieldRequest request) {
+    request.query.sources = {{VertexPoint{0}}};
+    auto observer = std::make_shared<RecordingObserver>();
+    auto call = engine_->ComputeField(request, observer);
+    if (!call.ok()) return call.status();
+    executor_.RunAll();
+    if (call->answer) return *call->answer;
+    return *observer->answer;
+  }
+
+  std::vector<std::string> Listed() {
+    std::vector<std::string> digests;
+    const absl::StatusOr<MeshPage> page = engine_->ListMeshes(0, "");
+    EXPECT_TRUE(page.ok()) << page.status();
+    for (const MeshDescription& mesh : page->meshes) {
+      digests.push_back(mesh.digest);
+    }
+    return digests;
+  }
+
+  std::string data_dir() const { return temporary_ / "data"; }
+  std::string FileOf(const std::string& digest) const {
+    return data_dir() + "/meshes/" + digest + ".mesh";
+  }
+  static std::string DigestOf(const TriangleSoup& soup) {
+    return MeshDigest(soup.positions, soup.triangles);
+  }
+
+  Limits limits_ = {.max_concurrent_jobs = 1,
+                    .max_queued_jobs = 10,
+                    .mesh_store_bytes = 64 * kMiB,
+                    .field_cache_bytes = 16 * kMiB,
+                    .computation_store_bytes = 16 * kMiB,
+                    .upload_memory_bytes = 1024 * kMiB,
+                    .solver_memory_bytes = 256 * kMiB,
+                    .mesh_disk_bytes = 64 * kMiB,
+                    .field_disk_bytes = 16 * kMiB};
+  std::string version_ = "1";
+  geodesic::test::TemporaryFolder temporary_;
+  std::vector<std::string> warnings_;
+  FakeClock clock_;
+  ManualExecutor executor_;
+  std::function<void()> at_start_;  // of a computation
+  std::unique_ptr<QueryEngine> engine_;
+};
+
+}  // namespace geodesic::server::test
+
+#endif  // GEODESIC_TESTS_ENGINE_DURABLE_FIXTURE_H_

@@ -1,0 +1,188 @@
+// Meshes that come back from disk to memory.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "server/engine/status_details.h"
+#include "tests/engine/durable_fixture.h"
+
+namespace geodesic::server {
+namespace {
+
+using test::DurableEngineTest;
+using test::Grid;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+TEST_F(DurableEngineTest, OneLoadForAllWhoAsk) {
+  const std::string digest = Upload(Grid(5))->mesh.digest;
+  Restart();
+  std::vector<MeshHandle> meshes;
+  std::vector<MeshLoads::Seat> seats;
+  for (int i = 0; i < 5; ++i) {
+    auto seat = engine_->AwaitMesh(digest, [&](const auto& mesh) {
+      ASSERT_TRUE(mesh.ok());
+      meshes.push_back(*mesh);
+    });
+    ASSERT_TRUE(seat.ok());
+    ASSERT_TRUE(seat->has_value());
+    seats.push_back(**seat);
+  }
+  EXPECT_EQ(engine_->loads().size(), 1);
+  engine_->LeaveMesh(seats[0]);
+  executor_.RunAll();
+  EXPECT_THAT(meshes, SizeIs(4));
+  EXPECT_EQ(engine_->counters().meshes_loaded, 1);
+  EXPECT_EQ(engine_->loads().size(), 0);
+}
+
+TEST_F(DurableEngineTest, ALoadNobodyWaitsForIsCalledOff) {
+  const std::string digest = Upload(Grid(5))->mesh.digest;
+  Restart();
+  bool called = false;
+  const auto seat =
+      engine_->AwaitMesh(digest, [&](const auto&) { called = true; });
+  ASSERT_TRUE(seat.ok());
+  engine_->LeaveMesh(**seat);
+  EXPECT_EQ(engine_->loads().size(), 0);
+  executor_.RunAll();
+  EXPECT_FALSE(called);
+  EXPECT_EQ(engine_->counters().meshes_loaded, 0);
+}
+
+TEST_F(DurableEngineTest, LoadsEndWithTheServer) {
+  const std::string digest = Upload(Grid(5))->mesh.digest;
+  Restart();
+  absl::StatusOr<MeshHandle> loaded = absl::UnknownError("not told");
+  ASSERT_TRUE(
+      engine_->AwaitMesh(digest, [&](const auto& mesh) { loaded = mesh; })
+          .ok());
+  engine_->StopAll();
+  EXPECT_TRUE(absl::IsUnavailable(loaded.status())) << loaded.status();
+}
+
+// Room in memory for one mesh.
+class EvictionTest : public DurableEngineTest {
+ protected:
+  EvictionTest() {
+    limits_.mesh_store_bytes = Mesh::EstimateResidentBytes(182, 312) + 4096;
+  }
+};
+
+TEST_F(EvictionTest, WhatMemoryForgotComesBackByItself) {
+  const std::string first = Upload(Grid(12))->mesh.digest;
+  const std::string second = Upload(Grid(13))->mesh.digest;
+  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(first).status()));
+  EXPECT_TRUE(engine_->CanLoadMesh(first));
+  for (int round = 0; round < 3; ++round) {
+    for (const std::string& digest : {first, second}) {
+      const auto mesh = Await(digest);
+      ASSERT_TRUE(mesh.ok()) << mesh.status();
+      EXPECT_EQ((*mesh)->digest, digest);
+    }
+  }
+  EXPECT_EQ(engine_->counters().meshes_loaded, 6);
+  EXPECT_THAT(Listed(), SizeIs(2));
+}
+
+TEST_F(EvictionTest, RoomIsTakenBeforeALoad) {
+  const std::string first = Upload(Grid(12))->mesh.digest;
+  ASSERT_TRUE(Upload(Grid(13)).ok());
+  const auto pinned = engine_->GetMesh(DigestOf(Grid(13)));
+  ASSERT_TRUE(pinned.ok());
+  const absl::Status status = Await(first).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
+  EXPECT_TRUE(RetryAfter(status).has_value());
+  // The mesh is not held against its file.
+  EXPECT_TRUE(engine_->CanLoadMesh(first));
+}
+
+// The same with two threads, one of which computes a field on the second mesh
+// while the first is asked for.
+class LoadAdmissionTest : public EvictionTest {
+ protected:
+  LoadAdmissionTest() { limits_.max_concurrent_jobs = 2; }
+
+  void SetUp() override {
+    EvictionTest::SetUp();
+    first_ = Upload(Grid(12))->mesh.digest;
+    second_ = Upload(Grid(13))->mesh.digest;
+  }
+
+  // Asks for the first mesh from within the field's job and gives the load its
+  // thread; then calls `act`.
+  void LoadBeside(const std::function<void(const MeshLoads::Seat&)>& act) {
+    at_start_ = [&] {
+      const auto seat =
+          engine_->AwaitMesh(first_, [&](const auto& mesh) { loaded_ = mesh; });
+      ASSERT_TRUE(seat.ok());
+      ASSERT_TRUE(seat->has_value());
+      executor_.RunOne();
+      EXPECT_FALSE(loaded_.has_value()) << loaded_->status();
+      EXPECT_EQ(engine_->scheduler().queued(), 1);
+      EXPECT_EQ(engine_->upload_memory().used(), 0) << "it only waits";
+      act(**seat);
+    };
+    const auto observer = std::make_shared<test::RecordingObserver>();
+    FieldRequest request{.mesh_digest = second_};
+    request.query.sources = {{VertexPoint{0}}};
+    // The job alone pins the mesh.
+    ASSERT_TRUE(engine_->ComputeField(request, observer).ok());
+    executor_.RunAll();
+    EXPECT_EQ(engine_->loads().size(), 0);
+    EXPECT_EQ(engine_->upload_memory().used(), 0);
+    EXPECT_EQ(engine_->scheduler().queued(), 0);
+  }
+
+  std::string first_;
+  std::string second_;
+  std::optional<absl::StatusOr<MeshHandle>> loaded_;
+};
+
+TEST_F(LoadAdmissionTest, ALoadWaitsForTheMemoryThatAJobHolds) {
+  LoadBeside([](const auto&) {});
+  ASSERT_TRUE(loaded_.has_value());
+  ASSERT_TRUE(loaded_->ok()) << loaded_->status();
+  EXPECT_EQ((**loaded_)->digest, first_);
+}
+
+TEST_F(LoadAdmissionTest, WhoeverLeavesMeanwhileLeavesNothing) {
+  LoadBeside([&](const MeshLoads::Seat& seat) { engine_->LeaveMesh(seat); });
+  EXPECT_FALSE(loaded_.has_value());
+  EXPECT_EQ(engine_->counters().meshes_loaded, 0);
+}
+
+TEST_F(LoadAdmissionTest, TheServersEndIsTold) {
+  LoadBeside([&](const auto&) { engine_->StopAll(); });
+  ASSERT_TRUE(loaded_.has_value());
+  EXPECT_TRUE(absl::IsUnavailable(loaded_->status())) << loaded_->status();
+}
+
+TEST_F(EvictionTest, WhatCanNeverBeLoadedIsRefusedAtOnceWithTheFigures) {
+  const std::string digest = Upload(Grid(12))->mesh.digest;
+  const auto refusal = [&] {
+    Restart();
+    return engine_->AwaitMesh(digest, [](const auto&) { FAIL(); }).status();
+  };
+  for (const auto& [budget, flag] :
+       {std::pair(&limits_.upload_memory_bytes, "--upload-memory"),
+        std::pair(&limits_.mesh_store_bytes, "--mesh-store")}) {
+    const uint64_t enough = std::exchange(*budget, 1000);
+    const absl::Status status = refusal();
+    EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
+    EXPECT_FALSE(RetryAfter(status).has_value());
+    EXPECT_THAT(std::string(status.message()), HasSubstr("1000 bytes"));
+    EXPECT_THAT(std::string(status.message()), HasSubstr(flag));
+    *budget = enough;
+  }
+}
+
+}  // namespace
+}  // namespace geodesic::server
