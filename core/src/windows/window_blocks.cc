@@ -55,7 +55,8 @@ WindowBlock* WindowBlocks::Store(const WindowColumns& windows) {
   const auto log_room =
       std::max(kLogLeastRoom, static_cast<uint32_t>(std::bit_width(count - 1)));
   WindowBlock* const block = New(log_room);
-  *block = {nullptr, static_cast<uint32_t>(count), log_room};
+  block->next = nullptr;
+  block->count = static_cast<uint32_t>(count);
   double* to = ColumnsOf(block);
   for (const double* from :
        {windows.begin, windows.end, windows.x, windows.depth, windows.sigma}) {
@@ -98,13 +99,16 @@ WindowBlock* WindowBlocks::New(uint32_t log_room) {
     return std::exchange(free.open.first, free.open.first->next);
   }
   const size_t words = WordsOf(log_room);
-  if (words > kChunkWords / 4) return new (pool_.Allocate(words)) WindowBlock;
+  if (words > kChunkWords / 4) {
+    return new (pool_.Allocate(words)) WindowBlock{nullptr, 0, log_room};
+  }
   if (words > words_left_) {
     next_ = pool_.Allocate(kChunkWords);
     words_left_ = kChunkWords;
   }
   words_left_ -= words;
-  return new (std::exchange(next_, next_ + words)) WindowBlock;
+  return new (std::exchange(next_, next_ + words))
+      WindowBlock{nullptr, 0, log_room};
 }
 
 void WindowBlocks::Release(WindowBlock* block) {

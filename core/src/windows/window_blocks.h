@@ -19,7 +19,8 @@ namespace geodesic {
 struct WindowBlock {
   WindowBlock* next;
   uint32_t count;
-  uint32_t log_room;
+  // Never changes: PrefetchRest reads it when others may have the block.
+  const uint32_t log_room;
 };
 
 // Blocks of one size that are free, chained.
@@ -63,7 +64,7 @@ class WindowBlocks {
   WindowBlock* Take(WindowBlock* block, WindowColumns& windows);
 
   // Fetches the begin of a block into cache, then (once that has arrived) the
-  // rest.
+  // rest. Another thread may be using the block.
   static void Prefetch(const WindowBlock* block) { PrefetchLines(block, 0, 3); }
   static void PrefetchRest(const WindowBlock* block);
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <random>
+#include <thread>
 #include <vector>
 
 #include "windows/window_columns.h"
@@ -114,6 +115,22 @@ TEST(WindowBlocksTest, MemoryGoesRound) {
   const uint64_t bytes = pool.bytes();
   pass_on(40000);
   EXPECT_EQ(pool.bytes(), bytes);
+}
+
+// Says something under ThreadSanitizer alone.
+TEST(WindowBlocksTest, OthersMayPrefetchWhatIsTakenAndStored) {
+  BlockPool pool;
+  WindowBlocks blocks(pool);
+  WindowColumns windows;
+  Fill(1, 20, windows);
+  WindowBlock* block = blocks.Store(windows);
+  const std::jthread other([block] {
+    WindowBlocks::Prefetch(block);
+    WindowBlocks::PrefetchRest(block);
+  });
+  windows.size = 0;
+  blocks.Take(block, windows);
+  EXPECT_EQ(blocks.Store(windows), block);
 }
 
 TEST(WindowColumnsTest, AMirrorImageOfAMirrorImageIsTheList) {
