@@ -13,20 +13,17 @@
 #include <cstdlib>
 #include <deque>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "tests/fuzz/rpc/require.h"
+
 namespace geodesic::server::test {
 
 // What happens next, in order.
 using Events = std::deque<std::function<void()>>;
-
-inline void Require(bool promise) {
-  if (!promise) std::abort();
-}
 
 // A call that was begun. It is over when it is answered and nothing of it is
 // among the events.
@@ -70,137 +67,131 @@ class FakeUnary final : public FakeCall {
       }};
 };
 
+// A stream in either direction, an operation at a time: Call is gRPC's side of
+// it, which Reactor asks.
+template <typename Call, typename Reactor>
+class FakeStreamCall : public FakeCall, protected Call {
+ public:
+  void Cancel() final {
+    was_cancelled_ = true;
+    reactor_->OnCancel();
+  }
+  bool is_over() const final { return is_over_; }
+
+ protected:
+  explicit FakeStreamCall(Events& events) : events_(events) {}
+
+  // To be called once, with what the service's method returned.
+  void Bind(Reactor* reactor) {
+    reactor_ = reactor;
+    this->BindReactor(reactor);
+  }
+
+  Reactor& reactions() { return *reactor_; }
+  bool is_busy() const { return is_busy_; }
+
+  // A read or a write begins; `end` tells the reactor of its end.
+  void BeginOperation(std::function<void()> end) {
+    Require(!is_busy_);
+    is_busy_ = true;
+    events_.emplace_back([this, end = std::move(end)] {
+      is_busy_ = false;
+      end();
+    });
+  }
+
+  void Finish(grpc::Status status) final {
+    Require(!status_.has_value());
+    status_ = std::move(status);
+    End();
+  }
+
+ private:
+  // OnDone comes after the end of the operation that is under way.
+  void End() {
+    events_.emplace_back([this] {
+      if (is_busy_) {
+        End();
+        return;
+      }
+      is_over_ = true;
+      reactor_->OnDone();
+    });
+  }
+
+  void SendInitialMetadata() final { std::abort(); }
+  void CallOnDone() final { std::abort(); }
+  grpc::internal::ServerReactor* reactor() final { return reactor_; }
+
+  Events& events_;
+  Reactor* reactor_ = nullptr;
+  bool is_busy_ = false;
+  bool is_over_ = false;
+};
+
 // A server stream. `take` gets each message.
 template <typename Request, typename Response>
-class FakeStream final : public FakeCall,
-                         private grpc::ServerCallbackWriter<Response> {
+class FakeDownload final
+    : public FakeStreamCall<grpc::ServerCallbackWriter<Response>,
+                            grpc::ServerWriteReactor<Response>> {
  public:
   using Take = std::function<void(const Response&)>;
 
   template <typename Method>
-  FakeStream(Events& events, Request request, Take take, Method method)
-      : events_(events), request_(std::move(request)), take_(std::move(take)) {
-    reactor_ = method(&context_, &request_);
-    this->BindReactor(reactor_);
+  FakeDownload(Events& events, Request request, Take take, Method method)
+      : FakeDownload::FakeStreamCall(events),
+        request_(std::move(request)),
+        take_(std::move(take)) {
+    this->Bind(method(&context_, &request_));
   }
-
-  void Cancel() override {
-    was_cancelled_ = true;
-    reactor_->OnCancel();
-  }
-  bool is_over() const override { return is_over_; }
 
  private:
-  void SendInitialMetadata() override { std::abort(); }
-
   void Write(const Response* message, grpc::WriteOptions) override {
-    Require(!is_writing_ && !status_.has_value());
-    is_writing_ = true;
+    Require(!this->status_.has_value());
     take_(*message);
-    events_.emplace_back([this] {
-      is_writing_ = false;
-      reactor_->OnWriteDone(!was_cancelled_);
-    });
+    this->BeginOperation(
+        [this] { this->reactions().OnWriteDone(!this->was_cancelled_); });
   }
 
   void WriteAndFinish(const Response* message, grpc::WriteOptions,
                       grpc::Status status) override {
-    Require(!is_writing_);
+    Require(!this->is_busy());
     take_(*message);
-    Finish(std::move(status));
+    this->Finish(std::move(status));
   }
 
-  void Finish(grpc::Status status) override {
-    Require(!status_.has_value());
-    status_ = std::move(status);
-    End();
-  }
-
-  // OnDone comes after the reaction to a write that is under way.
-  void End() {
-    events_.emplace_back([this] {
-      if (is_writing_) {
-        End();
-        return;
-      }
-      is_over_ = true;
-      reactor_->OnDone();
-    });
-  }
-
-  grpc::internal::ServerReactor* reactor() override { return reactor_; }
-  void CallOnDone() override { std::abort(); }
-
-  Events& events_;
   const Request request_;
   const Take take_;
   grpc::CallbackServerContext context_;
-  grpc::ServerWriteReactor<Response>* reactor_ = nullptr;
-  bool is_writing_ = false;
-  bool is_over_ = false;
 };
 
 // A client stream of these requests.
 template <typename Request, typename Response>
-class FakeUpload final : public FakeCall,
-                         private grpc::ServerCallbackReader<Request> {
+class FakeUpload final
+    : public FakeStreamCall<grpc::ServerCallbackReader<Request>,
+                            grpc::ServerReadReactor<Request>> {
  public:
   template <typename Method>
   FakeUpload(Events& events, std::vector<Request> requests, Method method)
-      : events_(events), requests_(std::move(requests)) {
-    reactor_ = method(&context_, &response_);
-    this->BindReactor(reactor_);
+      : FakeUpload::FakeStreamCall(events), requests_(std::move(requests)) {
+    this->Bind(method(&context_, &response_));
   }
-
-  void Cancel() override {
-    was_cancelled_ = true;
-    reactor_->OnCancel();
-  }
-  bool is_over() const override { return is_over_; }
 
  private:
-  void SendInitialMetadata() override { std::abort(); }
-
   void Read(Request* message) override {
-    Require(!is_reading_);
-    is_reading_ = true;
-    events_.emplace_back([this, message] {
-      is_reading_ = false;
-      const bool ok =
-          next_ < requests_.size() && !was_cancelled_ && !status_.has_value();
+    message->Clear();  // it is gRPC's from now on
+    this->BeginOperation([this, message] {
+      const bool ok = next_ < requests_.size() && !this->was_cancelled_ &&
+                      !this->status_.has_value();
       if (ok) *message = requests_[next_++];
-      reactor_->OnReadDone(ok);
+      this->reactions().OnReadDone(ok);
     });
   }
 
-  void Finish(grpc::Status status) override {
-    Require(!status_.has_value());
-    status_ = std::move(status);
-    End();
-  }
-
-  void End() {
-    events_.emplace_back([this] {
-      if (is_reading_) {
-        End();
-        return;
-      }
-      is_over_ = true;
-      reactor_->OnDone();
-    });
-  }
-
-  grpc::internal::ServerReactor* reactor() override { return reactor_; }
-  void CallOnDone() override { std::abort(); }
-
-  Events& events_;
   const std::vector<Request> requests_;
   size_t next_ = 0;
   Response response_;
   grpc::CallbackServerContext context_;
-  grpc::ServerReadReactor<Request>* reactor_ = nullptr;
-  bool is_reading_ = false;
-  bool is_over_ = false;
 };
 
 }  // namespace geodesic::server::test

@@ -22,14 +22,6 @@ constexpr size_t kMostFrames = 16;
 constexpr int kMostItems = 100;
 
 class Mutator {
- private:
-  size_t Below(size_t end) { return random_() % end; }
-
-  template <typename Container>
-  auto& Any(Container& items) {
-    return items[Below(items.size())];
-  }
-
  public:
   explicit Mutator(std::mt19937_64& random) : random_(random) {}
 
@@ -63,6 +55,13 @@ class Mutator {
   }
 
  private:
+  size_t Below(size_t end) { return random_() % end; }
+
+  template <typename Container>
+  auto Any(Container& items) -> decltype(items[0]) {
+    return items[Below(items.size())];
+  }
+
   void ChangeBytes(std::string& bytes) {
     const size_t at = Below(bytes.size() + 1);
     switch (Below(4)) {

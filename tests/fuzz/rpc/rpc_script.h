@@ -6,7 +6,6 @@
 
 #include <google/protobuf/message.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -35,10 +34,12 @@ enum class RpcMethod : uint8_t {
 inline constexpr size_t kRpcMethods = 14;
 
 // A message of a call. Messages of CreateMesh that follow each other are one
-// upload, up to one with `ends_upload`.
+// upload, up to one with `ends_upload`; the first says when its client goes,
+// the last whether it overlaps.
 struct RpcFrame {
   RpcMethod method = RpcMethod::kGetCapabilities;
-  // The client goes after so many events of the call; 0: it stays.
+  // The client goes at so manyth an event since the server was last idle, of
+  // whatever call; 0: it stays.
   uint8_t cancel_after = 0;
   // The next call begins while this one is under way.
   bool overlaps = false;

@@ -1,16 +1,14 @@
 #include "tests/fuzz/rpc/rpc_subject.h"
 
 #include <google/protobuf/descriptor.h>
-#include <google/rpc/error_details.pb.h>
-#include <google/rpc/status.pb.h>
 #include <spdlog/sinks/null_sink.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <cstring>
+#include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "server/engine/query_engine.h"
 #include "server/operations/metrics.h"
@@ -24,6 +22,7 @@
 #include "server/security/quotas.h"
 #include "tests/engine/fakes.h"
 #include "tests/engine/uploads.h"
+#include "tests/fuzz/rpc/answer_check.h"
 #include "tests/fuzz/rpc/fake_call.h"
 #include "tests/support/curved_meshes.h"
 
@@ -92,75 +91,6 @@ void SetDigests(Message& message, const std::vector<std::string>& digests) {
   }
 }
 
-void CheckDistances(const std::string& bytes) {
-  std::vector<double> values(bytes.size() / sizeof(double));
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
-  for (const double value : values) Require(value >= 0);
-}
-
-// The messages of one answer.
-class AnswerCheck {
- public:
-  void Take(const Message& message) {
-    const auto* type = message.GetDescriptor();
-    const auto* part = message.GetReflection()->GetOneofFieldDescriptor(
-        message, type->FindOneofByName("part"));
-    Require(part != nullptr);
-    const bool is_header =
-        part->name() == "header" || part->name() == "accepted";
-    Require(is_header == !has_begun_ && !has_trailer_);
-    has_begun_ = true;
-    has_trailer_ = part->name() == "trailer";
-    promises_trailer_ = type->name() != "ReadMeshResponse";
-    if (type->name() == "ComputeFieldResponse") {
-      CheckField(static_cast<const v1::ComputeFieldResponse&>(message));
-    }
-  }
-
-  void End(const grpc::Status& status, bool was_cancelled) const {
-    if (status.ok()) {
-      Require(has_begun_ && has_trailer_ == promises_trailer_);
-    } else {
-      CheckRefusal(status, was_cancelled);
-    }
-  }
-
-  static void CheckRefusal(const grpc::Status& status, bool was_cancelled) {
-    switch (status.error_code()) {
-      case grpc::StatusCode::INVALID_ARGUMENT:
-      case grpc::StatusCode::NOT_FOUND:
-      case grpc::StatusCode::RESOURCE_EXHAUSTED:
-        break;
-      case grpc::StatusCode::CANCELLED:
-        Require(was_cancelled);
-        break;
-      default:
-        std::abort();
-    }
-    Require(!status.error_message().empty());
-    google::rpc::Status details;
-    Require(details.ParseFromString(status.error_details()));
-    Require(std::any_of(details.details().begin(), details.details().end(),
-                        [](const auto& any) {
-                          return any.template Is<google::rpc::ErrorInfo>();
-                        }));
-  }
-
- private:
-  void CheckField(const v1::ComputeFieldResponse& message) {
-    if (message.has_accepted()) value_type_ = message.accepted().value_type();
-    if (value_type_ != v1::VALUE_TYPE_FLOAT64) return;
-    CheckDistances(message.chunk().distances());
-    CheckDistances(message.targets().distances());
-    CheckDistances(message.settled().distances());
-  }
-
-  bool has_begun_ = false;
-  bool has_trailer_ = false;
-  bool promises_trailer_ = true;
-  v1::ValueType value_type_ = v1::VALUE_TYPE_UNSPECIFIED;
-};
-
 class Subject {
  public:
   Subject() {
@@ -192,7 +122,7 @@ class Subject {
   struct Call {
     std::unique_ptr<FakeCall> call;
     std::shared_ptr<AnswerCheck> check;  // null: not a stream of answers
-    size_t cancel_after;
+    size_t cancel_after = 0;
   };
 
   std::string Upload(const TriangleSoup& soup) {
@@ -218,26 +148,36 @@ class Subject {
     return true;
   }
 
-  template <typename Request, typename Response, typename Method>
-  void Unary(const RpcFrame& frame, Method method) {
+  template <typename Service, typename Request, typename Response>
+  void BeginCall(const RpcFrame& frame, Service& service,
+                 grpc::ServerUnaryReactor* (Service::*method)(
+                     grpc::CallbackServerContext*, const Request*, Response*)) {
     Request request;
     if (!Read(frame, request)) return;
-    calls_.push_back({std::make_unique<FakeUnary<Request, Response>>(
-                          std::move(request), method),
-                      nullptr, 0});
+    const auto call = [&](auto*... arguments) {
+      (service.*method)(arguments...);
+    };
+    calls_.push_back({.call = std::make_unique<FakeUnary<Request, Response>>(
+                          std::move(request), call),
+                      .cancel_after = frame.cancel_after});
   }
 
-  template <typename Request, typename Response, typename Method>
-  void Stream(const RpcFrame& frame, Method method) {
+  template <typename Service, typename Request, typename Response>
+  void BeginCall(const RpcFrame& frame, Service& service,
+                 grpc::ServerWriteReactor<Response>* (Service::*method)(
+                     grpc::CallbackServerContext*, const Request*)) {
     Request request;
     if (!Read(frame, request)) return;
+    const auto call = [&](auto*... arguments) {
+      return (service.*method)(arguments...);
+    };
     const auto check = std::make_shared<AnswerCheck>();
     calls_.push_back(
-        {std::make_unique<FakeStream<Request, Response>>(
+        {.call = std::make_unique<FakeDownload<Request, Response>>(
              events_, std::move(request),
-             [check](const Response& message) { check->Take(message); },
-             method),
-         check, frame.cancel_after});
+             [check](const Response& message) { check->Take(message); }, call),
+         .check = check,
+         .cancel_after = frame.cancel_after});
   }
 
   void Begin(const RpcScript& script, size_t begin, size_t end);
@@ -272,7 +212,7 @@ class Subject {
     if (call.check != nullptr) {
       call.check->End(status, was_cancelled);
     } else if (!status.ok()) {
-      AnswerCheck::CheckRefusal(status, was_cancelled);
+      CheckRefusal(status, was_cancelled);
     }
   }
 
@@ -310,49 +250,48 @@ void Subject::BeginUpload(const RpcScript& script, size_t begin, size_t end) {
     v1::CreateMeshRequest request;
     if (Read(script[i], request)) requests.push_back(std::move(request));
   }
-  calls_.push_back(
-      {std::make_unique<
-           FakeUpload<v1::CreateMeshRequest, v1::CreateMeshResponse>>(
-           events_, std::move(requests),
-           [this](auto* context, auto* response) {
-             return meshes_.CreateMesh(context, response);
-           }),
-       nullptr, script[begin].cancel_after});
+  using Upload = FakeUpload<v1::CreateMeshRequest, v1::CreateMeshResponse>;
+  calls_.push_back({.call = std::make_unique<Upload>(
+                        events_, std::move(requests),
+                        [this](auto* context, auto* response) {
+                          return meshes_.CreateMesh(context, response);
+                        }),
+                    .cancel_after = script[begin].cancel_after});
 }
 
 void Subject::Begin(const RpcScript& script, size_t begin, size_t end) {
   const RpcFrame& frame = script[begin];
-#define GEODESIC_UNARY(service, Name)                                       \
-  case RpcMethod::k##Name:                                                  \
-    return Unary<v1::Name##Request, v1::Name##Response>(                    \
-        frame, [this](auto* context, const auto* request, auto* response) { \
-          service.Name(context, request, response);                         \
-        })
-#define GEODESIC_STREAM(service, Name)                      \
-  case RpcMethod::k##Name:                                  \
-    return Stream<v1::Name##Request, v1::Name##Response>(   \
-        frame, [this](auto* context, const auto* request) { \
-          return service.Name(context, request);            \
-        })
   switch (frame.method) {
-    GEODESIC_UNARY(capabilities_, GetCapabilities);
-    GEODESIC_UNARY(meshes_, FindMissingMeshes);
-    GEODESIC_UNARY(meshes_, GetMesh);
-    GEODESIC_UNARY(meshes_, ListMeshes);
-    GEODESIC_UNARY(meshes_, DeleteMesh);
-    GEODESIC_STREAM(meshes_, ReadMesh);
-    GEODESIC_STREAM(fields_, ComputeField);
-    GEODESIC_STREAM(fields_, ComputeLogMap);
-    GEODESIC_STREAM(fields_, SampleFarthestPoints);
-    GEODESIC_STREAM(paths_, ComputePaths);
-    GEODESIC_STREAM(paths_, ComputeIsolines);
-    GEODESIC_STREAM(matrices_, ComputeMatrix);
-    GEODESIC_STREAM(matrices_, FindNearest);
+    case RpcMethod::kGetCapabilities:
+      return BeginCall(frame, capabilities_,
+                       &CapabilitiesService::GetCapabilities);
+    case RpcMethod::kFindMissingMeshes:
+      return BeginCall(frame, meshes_, &MeshService::FindMissingMeshes);
     case RpcMethod::kCreateMesh:
       return BeginUpload(script, begin, end);
+    case RpcMethod::kGetMesh:
+      return BeginCall(frame, meshes_, &MeshService::GetMesh);
+    case RpcMethod::kReadMesh:
+      return BeginCall(frame, meshes_, &MeshService::ReadMesh);
+    case RpcMethod::kListMeshes:
+      return BeginCall(frame, meshes_, &MeshService::ListMeshes);
+    case RpcMethod::kDeleteMesh:
+      return BeginCall(frame, meshes_, &MeshService::DeleteMesh);
+    case RpcMethod::kComputeField:
+      return BeginCall(frame, fields_, &FieldService::ComputeField);
+    case RpcMethod::kComputeLogMap:
+      return BeginCall(frame, fields_, &FieldService::ComputeLogMap);
+    case RpcMethod::kSampleFarthestPoints:
+      return BeginCall(frame, fields_, &FieldService::SampleFarthestPoints);
+    case RpcMethod::kComputePaths:
+      return BeginCall(frame, paths_, &PathService::ComputePaths);
+    case RpcMethod::kComputeIsolines:
+      return BeginCall(frame, paths_, &PathService::ComputeIsolines);
+    case RpcMethod::kComputeMatrix:
+      return BeginCall(frame, matrices_, &MatrixService::ComputeMatrix);
+    case RpcMethod::kFindNearest:
+      return BeginCall(frame, matrices_, &MatrixService::FindNearest);
   }
-#undef GEODESIC_STREAM
-#undef GEODESIC_UNARY
 }
 
 }  // namespace
