@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "bench/plain_ply.h"
 #include "bench/speed/benchmarks.h"
-#include "bench/speed/plain_ply.h"
 #include "geodesic/mesh_summary.h"
 #include "geodesic/read_mesh.h"
 #include "server/engine/mesh_digest.h"

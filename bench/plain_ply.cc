@@ -1,4 +1,4 @@
-#include "bench/speed/plain_ply.h"
+#include "bench/plain_ply.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <vector>
 
-namespace geodesic::speed {
+namespace geodesic {
 namespace {
 
 struct PlainHeader {
@@ -63,4 +63,4 @@ std::optional<TriangleSoup> ReadPlainPly(const std::string& path) {
   return soup;
 }
 
-}  // namespace geodesic::speed
+}  // namespace geodesic
