@@ -1,8 +1,10 @@
 #include "locality.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace geodesic {
 namespace {
@@ -28,27 +30,46 @@ uint64_t AlongCurve(const Point& point) {
   return key;
 }
 
-// A face, and where along the curve it lies.
+// A face, and the upper bits of where along the curve it lies.
 struct Place {
-  uint64_t key;
+  uint32_t upper_key;
   uint32_t face;
 };
+constexpr int kLowerBits = 16;
 
-// Sorts by key, equal keys in the order in which they are: digit by digit, the
-// last first.
-void Sort(std::vector<Place>& places) {
-  constexpr int kKeyBits = 48, kDigitBits = 12;
+// Sorts by upper key, equal ones in the order in which they are: digit by
+// digit, the last first.
+void SortByUpperKey(std::vector<Place>& places) {
+  constexpr int kKeyBits = 32, kDigitBits = 11;
   constexpr size_t kDigits = size_t{1} << kDigitBits;
   std::vector<Place> sorted(places.size());
   for (int shift = 0; shift < kKeyBits; shift += kDigitBits) {
     const auto digit = [&](const Place& place) {
-      return place.key >> shift & (kDigits - 1);
+      return place.upper_key >> shift & (kDigits - 1);
     };
-    std::vector<uint32_t> next(kDigits + 1, 0);
+    std::array<uint32_t, kDigits + 1> next = {};
     for (const Place& place : places) ++next[digit(place) + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
     for (const Place& place : places) sorted[next[digit(place)]++] = place;
     places.swap(sorted);
+  }
+}
+
+// Sorts those with equal upper keys, which are few unless faces crowd in a
+// corner of the box: by the lower bits, then by number.
+void SortTies(std::vector<Place>& places,
+              const std::vector<uint16_t>& lower_keys) {
+  for (auto begin = places.begin(); begin != places.end();) {
+    const auto end = std::find_if(begin + 1, places.end(), [&](const Place& p) {
+      return p.upper_key != begin->upper_key;
+    });
+    if (end - begin > 1) {
+      std::sort(begin, end, [&](const Place& a, const Place& b) {
+        return std::pair(lower_keys[a.face], a.face) <
+               std::pair(lower_keys[b.face], b.face);
+      });
+    }
+    begin = end;
   }
 }
 
@@ -67,18 +88,27 @@ std::vector<uint32_t> FacesAlongCurve(const TriangleSoup& soup) {
   for (int axis = 0; axis < 3; ++axis) {
     longest = std::max(longest, high[axis] / 16 - low[axis] / 16);
   }
+  // A third of each vertex's place in the box, which is the unit cube then.
+  std::vector<Point> thirds(soup.positions.size(), Point{});
+  for (size_t v = 0; v < thirds.size() && longest > 0; ++v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double along = soup.positions[v][axis] / 16 - low[axis] / 16;
+      thirds[v][axis] = along / longest / 3;
+    }
+  }
   std::vector<Place> places(soup.triangles.size());
+  std::vector<uint16_t> lower_keys(places.size());
   for (uint32_t face = 0; face < places.size(); ++face) {
     Point centroid = {};
     for (const uint32_t v : soup.triangles[face]) {
-      for (int axis = 0; axis < 3 && longest > 0; ++axis) {
-        const double along = soup.positions[v][axis] / 16 - low[axis] / 16;
-        centroid[axis] += along / longest / 3;
-      }
+      for (int axis = 0; axis < 3; ++axis) centroid[axis] += thirds[v][axis];
     }
-    places[face] = {AlongCurve(centroid), face};
+    const uint64_t key = AlongCurve(centroid);
+    places[face] = {static_cast<uint32_t>(key >> kLowerBits), face};
+    lower_keys[face] = static_cast<uint16_t>(key);
   }
-  Sort(places);
+  SortByUpperKey(places);
+  SortTies(places, lower_keys);
   std::vector<uint32_t> faces(places.size());
   for (size_t i = 0; i < places.size(); ++i) faces[i] = places[i].face;
   return faces;
