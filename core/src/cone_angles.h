@@ -28,15 +28,21 @@ class ConeAngles {
     cone.turns += was_below && !cone.IsBelow();
   }
 
+  // Whether the angle exceeds this one. Most need no arc tangent.
+  bool Exceeds(uint32_t v, double angle) const {
+    return kTurn * (cones_[v].turns + 1) > angle && Of(v) > angle;
+  }
+
   // In radians.
   double Of(uint32_t v) const {
     const Cone& cone = cones_[v];
     const double angle = std::atan2(std::abs(cone.y), cone.x);
-    constexpr double kTurn = 2 * std::numbers::pi;
     return kTurn * cone.turns + (cone.IsBelow() ? kTurn - angle : angle);
   }
 
  private:
+  static constexpr double kTurn = 2 * std::numbers::pi;
+
   struct Cone {
     double x = 1, y = 0;
     uint32_t turns = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -80,14 +81,13 @@ int ScaleExponent(std::span<const Point> positions) {
 absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(TriangleSoup soup) {
   if (absl::Status status = CheckSoup(soup); !status.ok()) return status;
   std::shared_ptr<Mesh> mesh(new Mesh(std::move(soup)));
-  Connectivity connectivity =
-      FindConnectivity(mesh->triangles_, mesh->vertex_count());
+  Connectivity connectivity = FindConnectivity(
+      {mesh->triangles_, mesh->outgoing_begin_, mesh->outgoing_});
   mesh->crowds_begin_ = std::move(connectivity.crowds_begin);
   mesh->crowds_ = std::move(connectivity.crowds);
   ConeAngles angles(mesh->vertex_count());
   mesh->BuildFrames(connectivity.exits, angles);
-  mesh->BuildOutgoing();
-  mesh->ClassifyVertices(connectivity.exits, angles);
+  mesh->ClassifyVertices(connectivity.is_closed_fan, angles);
   return mesh;
 }
 
@@ -102,11 +102,10 @@ uint64_t Mesh::EstimateResidentBytes(uint64_t vertices, uint64_t faces) {
 }
 
 uint64_t Mesh::EstimateBuildBytes(uint64_t vertices, uint64_t faces) {
-  constexpr uint64_t kExitAndSidePerHalfEdge = 12, kCursorsPerVertex = 8;
+  // While frames are built; what the earlier steps need is gone by then.
   constexpr uint64_t kAnglesPerVertex = sizeof(double) * 3;
-  return EstimateResidentBytes(vertices, faces) +
-         3 * faces * kExitAndSidePerHalfEdge +
-         vertices * (kCursorsPerVertex + kAnglesPerVertex);
+  return EstimateResidentBytes(vertices, faces) + 3 * faces * sizeof(Exit) +
+         vertices * (kAnglesPerVertex + sizeof(uint8_t));
 }
 
 uint64_t Mesh::resident_bytes() const {
@@ -129,6 +128,7 @@ Mesh::Mesh(TriangleSoup soup)
     slots_[face] = static_cast<uint32_t>(triangles_.size());
     triangles_.push_back(soup.triangles[face]);
   }
+  BuildOutgoing(soup);
   positions_ = std::move(soup.positions);
   positions_.shrink_to_fit();
 }
@@ -178,23 +178,20 @@ void Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles) {
   mean_edge_length_ = sum / static_cast<double>(edges);
 }
 
-void Mesh::BuildOutgoing() {
-  outgoing_begin_.assign(vertex_count() + 1, 0);
-  for (HalfEdge h = 0; h < half_edge_count(); ++h) {
-    ++outgoing_begin_[From(h) + 1];
+void Mesh::BuildOutgoing(const TriangleSoup& soup) {
+  outgoing_begin_.assign(soup.positions.size() + 1, 0);
+  for (const Triangle& corners : soup.triangles) {
+    for (const uint32_t v : corners) ++outgoing_begin_[v + 1];
   }
-  for (uint32_t v = 0; v < vertex_count(); ++v) {
-    outgoing_begin_[v + 1] += outgoing_begin_[v];
-  }
-  outgoing_.resize(half_edge_count());
+  std::partial_sum(outgoing_begin_.begin(), outgoing_begin_.end(),
+                   outgoing_begin_.begin());
+  outgoing_.resize(3 * soup.triangles.size());
   std::vector<uint32_t> fill(outgoing_begin_.begin(),
                              outgoing_begin_.end() - 1);
   // In order of faces, wherever these are kept.
-  for (uint32_t face = 0; face < face_count(); ++face) {
-    const HalfEdge first = FirstSide(face);
-    for (HalfEdge h = first; h < first + 3; ++h) {
-      outgoing_[fill[From(h)]++] = h;
-    }
+  for (uint32_t face = 0; face < soup.triangles.size(); ++face) {
+    HalfEdge h = FirstSide(face);
+    for (const uint32_t v : soup.triangles[face]) outgoing_[fill[v]++] = h++;
   }
 }
 
@@ -243,31 +240,11 @@ bool Mesh::IsDisk(uint32_t v) const {
          });
 }
 
-bool Mesh::IsOrientedDisk(uint32_t v, std::span<const Exit> exits) const {
-  const std::span<const HalfEdge> outgoing = Outgoing(v);
-  size_t faces = 1;
-  // From the first face one way round, and if that ends, the other way.
-  for (HalfEdge h = outgoing[0]; faces <= outgoing.size(); ++faces) {
-    const Exit exit = exits[Prev(h)];
-    if (exit == outgoing[0]) return faces == outgoing.size();
-    if (exit == kNoHalfEdge) break;
-    if (exit >= kIrregularExit) return false;
-    h = exit;
-  }
-  for (HalfEdge h = outgoing[0]; faces <= outgoing.size(); ++faces) {
-    const Exit exit = exits[h];
-    if (exit == kNoHalfEdge) break;
-    if (exit >= kIrregularExit) return false;
-    h = Next(exit);
-  }
-  return faces == outgoing.size();
-}
-
-void Mesh::ClassifyVertices(std::span<const Exit> exits,
+void Mesh::ClassifyVertices(std::span<const uint8_t> is_closed_fan,
                             const ConeAngles& angles) {
   for (uint32_t v = 0; v < vertex_count(); ++v) {
     if (Outgoing(v).empty()) continue;
-    if (!IsOrientedDisk(v, exits) && !IsDisk(v)) {
+    if (!is_closed_fan[v] && !IsDisk(v)) {
       kinds_[v] |= kNonManifold | kPseudoSource;
     }
     // A path may bend where it has an angle of pi or more on every side that
@@ -275,7 +252,7 @@ void Mesh::ClassifyVertices(std::span<const Exit> exits,
     const bool is_boundary = kinds_[v] & kBoundary;
     const double flat = is_boundary ? std::numbers::pi + kStraightAngle
                                     : 2 * std::numbers::pi + kFlatAngle;
-    if (angles.Of(v) > flat) {
+    if (angles.Exceeds(v, flat)) {
       kinds_[v] |= kPseudoSource | (is_boundary ? 0 : kSaddle);
     }
   }

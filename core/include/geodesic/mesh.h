@@ -188,15 +188,14 @@ class Mesh {
             crowds_.data() + crowds_begin_[i + 1]};
   }
   void BuildFrames(std::span<const Exit> exits, ConeAngles& angles);
-  void BuildOutgoing();
+  void BuildOutgoing(const TriangleSoup& soup);
   // Whether the face of h is no higher over its longest edge than this fraction
   // of that edge.
   bool IsNoHigher(HalfEdge h, double of_longest) const;
   // Whether the faces around v form one fan, closed or open.
   bool IsDisk(uint32_t v) const;
-  // The same, quickly and for certain if true, where faces agree.
-  bool IsOrientedDisk(uint32_t v, std::span<const Exit> exits) const;
-  void ClassifyVertices(std::span<const Exit> exits, const ConeAngles& angles);
+  void ClassifyVertices(std::span<const uint8_t> is_closed_fan,
+                        const ConeAngles& angles);
 
   std::vector<Point> positions_;
   std::vector<uint32_t> faces_;           // face in each slot
