@@ -25,7 +25,7 @@ class ConeAngles {
     const bool was_below = cone.IsBelow();
     cone = {cone.x * x - cone.y * y, cone.x * y + cone.y * x, cone.turns};
     // By pi at the most: out of the lower half only past 2 pi.
-    cone.turns += was_below && !cone.IsBelow();
+    cone.turns += was_below & !cone.IsBelow();
   }
 
   // Whether the angle exceeds this one. Most need no arc tangent.
@@ -47,8 +47,9 @@ class ConeAngles {
     double x = 1, y = 0;
     uint32_t turns = 0;
 
-    // Whether the direction is at pi or beyond.
-    bool IsBelow() const { return y < 0 || (y == 0 && x < 0); }
+    // Whether the direction is at pi or beyond. Without a branch, for it cannot
+    // be foreseen.
+    bool IsBelow() const { return (y < 0) | ((y == 0) & (x < 0)); }
   };
 
   std::vector<Cone> cones_;

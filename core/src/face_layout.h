@@ -29,9 +29,10 @@ inline std::array<HalfEdgeFrame, 3> LayOutFace(
                                       Dot(sides[2], sides[0])};
   // Coordinates rather than the three lengths: a cap's height is far below one
   // rounding of its lengths. And from the two shorter sides: the product of
-  // long ones cancels in a needle.
-  const int longest = static_cast<int>(
-      std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+  // long ones cancels in a needle. Compared without a branch, for which side is
+  // longest cannot be foreseen.
+  int longest = lengths[1] > lengths[0] ? 1 : 0;
+  longest = lengths[2] > lengths[longest] ? 2 : longest;
   const double twice_area =
       Norm(Cross(sides[(longest + 1) % 3], sides[(longest + 2) % 3]));
   for (int i = 0; i < 3; ++i) {

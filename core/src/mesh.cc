@@ -1,6 +1,7 @@
 #include "geodesic/mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,6 +13,7 @@
 #include "cone_angles.h"
 #include "connectivity.h"
 #include "face_layout.h"
+#include "huge_pages.h"
 #include "locality.h"
 #include "scaled_difference.h"
 #include "tolerances.h"
@@ -112,7 +114,7 @@ uint64_t Mesh::resident_bytes() const {
   return sizeof(Mesh) + positions_.capacity() * sizeof(Point) +
          (faces_.capacity() + slots_.capacity()) * sizeof(uint32_t) +
          triangles_.capacity() * sizeof(Triangle) +
-         frames_.capacity() * sizeof(HalfEdgeFrame) +
+         half_edge_count() * sizeof(HalfEdgeFrame) +
          outgoing_begin_.capacity() * sizeof(uint32_t) +
          outgoing_.capacity() * sizeof(HalfEdge) + kinds_.capacity() +
          crowds_begin_.capacity() * sizeof(uint32_t) +
@@ -136,7 +138,7 @@ Mesh::Mesh(TriangleSoup soup)
 void Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles) {
   constexpr HalfEdge kAhead = 3 * 8;
   const ScaledDifference difference(scale_exponent_);
-  frames_.reserve(exits.size());
+  frames_ = MakeLargeArray<HalfEdgeFrame>(half_edge_count());
   kinds_.assign(vertex_count(), 0);
   double sum = 0;
   uint64_t edges = 0;
@@ -149,26 +151,28 @@ void Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles) {
         angles.Prefetch(v);
       }
     }
-    for (const HalfEdgeFrame& frame :
-         LayOutFace({&positions_[corners[0]], &positions_[corners[1]],
-                     &positions_[corners[2]]},
-                    difference)) {
-      frames_.push_back(frame);
-    }
-    for (HalfEdge h = first; h < first + 3; ++h) {
-      HalfEdgeFrame& frame = frames_[h];
-      frame.left_exit = exits[Prev(h)];
-      frame.right_exit = exits[Next(h)];
-      angles.Add(From(h), frame.left_x, frame.left_y);
+    const std::array<HalfEdgeFrame, 3> frames =
+        LayOutFace({&positions_[corners[0]], &positions_[corners[1]],
+                    &positions_[corners[2]]},
+                   difference);
+    std::ranges::copy(frames, &frames_[first]);
+    for (int i = 0; i < 3; ++i) {
+      frames_[first + i].left_exit = exits[first + (i + 2) % 3];
+      frames_[first + i].right_exit = exits[first + (i + 1) % 3];
+      angles.Add(corners[i], frames[i].left_x, frames[i].left_y);
+      const HalfEdge h = first + i;
       const Exit exit = exits[h];
       if (exit == kNoHalfEdge) {
-        kinds_[From(h)] |= kBoundary;
-        kinds_[To(h)] |= kBoundary;
-      } else if (exit < kIrregularExit ? exit < h : Crowd(exit)[0] != h) {
-        continue;  // counted with another side of the edge
+        kinds_[corners[i]] |= kBoundary;
+        kinds_[corners[(i + 1) % 3]] |= kBoundary;
       }
-      sum += frame.length;
-      ++edges;
+      // Once an edge, with its first side. Without a branch: what comes first
+      // cannot be foreseen.
+      const bool is_first = exit < kIrregularExit || exit == kNoHalfEdge
+                                ? h < exit
+                                : Crowd(exit)[0] == h;
+      sum += is_first ? frames[i].length : 0;
+      edges += is_first;
     }
     if (IsNoHigher(first, kNarrowFace)) {
       for (const uint32_t v : corners) kinds_[v] |= kPseudoSource;

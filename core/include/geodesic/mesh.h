@@ -198,15 +198,15 @@ class Mesh {
                         const ConeAngles& angles);
 
   std::vector<Point> positions_;
-  std::vector<uint32_t> faces_;           // face in each slot
-  std::vector<uint32_t> slots_;           // slot of each face
-  std::vector<Triangle> triangles_;       // by slot
-  std::vector<HalfEdgeFrame> frames_;     // one per half-edge
-  std::vector<uint32_t> outgoing_begin_;  // V + 1
-  std::vector<HalfEdge> outgoing_;        // 3F
-  std::vector<uint8_t> kinds_;            // V, VertexKind bits
-  std::vector<uint32_t> crowds_begin_;    // irregular edges + 1, if any
-  std::vector<HalfEdge> crowds_;          // their half-edges
+  std::vector<uint32_t> faces_;              // face in each slot
+  std::vector<uint32_t> slots_;              // slot of each face
+  std::vector<Triangle> triangles_;          // by slot
+  std::unique_ptr<HalfEdgeFrame[]> frames_;  // one per half-edge
+  std::vector<uint32_t> outgoing_begin_;     // V + 1
+  std::vector<HalfEdge> outgoing_;           // 3F
+  std::vector<uint8_t> kinds_;               // V, VertexKind bits
+  std::vector<uint32_t> crowds_begin_;       // irregular edges + 1, if any
+  std::vector<HalfEdge> crowds_;             // their half-edges
   bool has_collapsed_faces_ = false;
   int scale_exponent_ = 0;
   double mean_edge_length_ = 0;
