@@ -168,6 +168,8 @@ void AddDiskOptions(CLI::App& app, ServerOptions& options) {
   AddBytes(app, "--field-disk", limits.field_disk_bytes,
            "Disk for fields in --data-dir; the least recently used are "
            "evicted");
+  AddBytes(app, "--quarantine-disk", options.quarantine_bytes,
+           "Disk for damaged files in --data-dir; the oldest are removed");
 }
 
 void AddMeshOptions(CLI::App& app, ServerOptions& options) {

@@ -10,6 +10,7 @@
 
 #include "server/engine/limits.h"
 #include "server/security/tls_files.h"
+#include "server/store/quarantine.h"
 
 namespace geodesic::server {
 
@@ -32,6 +33,8 @@ struct ServerOptions {
   std::string port_file;
   // What to keep meshes and fields in; empty: nothing outlives the server.
   std::string data_dir;
+  // Of its damaged files.
+  uint64_t quarantine_bytes = kQuarantineBytes;
   // Requests at once; beyond that streams are refused.
   uint64_t max_requests = 1000;
   // Largest gRPC message taken.

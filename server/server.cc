@@ -92,15 +92,17 @@ absl::Status Server::OpenDataFolder() {
       DurableStore::Open({.path = options_.data_dir,
                           .mesh_bytes = options_.limits.mesh_disk_bytes,
                           .field_bytes = options_.limits.field_disk_bytes,
+                          .quarantine_bytes = options_.quarantine_bytes,
                           .version = std::string(ServerVersion()),
                           .warn = [logger = logger_](const std::string& line) {
                             logger->error("data folder: {}", line);
                           }});
   if (!store.ok()) return store.status();
+  const BlobStore& meshes = (*store)->meshes().blobs();
+  const BlobStore& fields = (*store)->fields().blobs();
   logger_->info("data folder {}: {} meshes ({} bytes), {} fields ({} bytes)",
-                options_.data_dir, (*store)->meshes().size(),
-                (*store)->meshes().used_bytes(), (*store)->fields().size(),
-                (*store)->fields().used_bytes());
+                options_.data_dir, meshes.size(), meshes.used_bytes(),
+                fields.size(), fields.used_bytes());
   engine_.Attach(*std::move(store));
   return absl::OkStatus();
 }

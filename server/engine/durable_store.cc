@@ -6,7 +6,8 @@ namespace geodesic::server {
 
 absl::StatusOr<std::unique_ptr<DurableStore>> DurableStore::Open(
     const Options& options) {
-  absl::StatusOr<DataFolder> folder = DataFolder::Open(options.path);
+  absl::StatusOr<DataFolder> folder =
+      DataFolder::Open(options.path, options.quarantine_bytes);
   if (!folder.ok()) return folder.status();
   std::unique_ptr<DurableStore> store(new DurableStore(*std::move(folder)));
   auto meshes =

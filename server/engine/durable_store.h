@@ -13,6 +13,7 @@
 #include "server/engine/field_files.h"
 #include "server/engine/mesh_files.h"
 #include "server/store/data_folder.h"
+#include "server/store/quarantine.h"
 
 namespace geodesic::server {
 
@@ -23,6 +24,7 @@ class DurableStore {
     // Bytes of disk.
     uint64_t mesh_bytes = 0;
     uint64_t field_bytes = 0;
+    uint64_t quarantine_bytes = kQuarantineBytes;
     // Of the program; see FieldFiles.
     std::string version;
     // Hears, in a line for people, of damaged files.
@@ -36,6 +38,9 @@ class DurableStore {
 
   MeshFiles& meshes() { return *meshes_; }
   FieldFiles& fields() { return *fields_; }
+  const MeshFiles& meshes() const { return *meshes_; }
+  const FieldFiles& fields() const { return *fields_; }
+  const Quarantine& quarantine() const { return folder_.quarantine(); }
 
  private:
   explicit DurableStore(DataFolder folder) : folder_(std::move(folder)) {}

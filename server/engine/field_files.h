@@ -46,8 +46,7 @@ class FieldFiles {
   // read-only, stays and is right still: meshes are named by their content.
   void EraseMesh(const std::string& digest);
 
-  size_t size() const { return blobs_->size(); }
-  uint64_t used_bytes() const { return blobs_->used_bytes(); }
+  const BlobStore& blobs() const { return *blobs_; }
 
  private:
   FieldFiles(std::string version, std::unique_ptr<BlobStore> blobs)

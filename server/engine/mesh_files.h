@@ -67,8 +67,7 @@ class MeshFiles {
   // Errors: NOT_FOUND; UNAVAILABLE.
   absl::Status Erase(const std::string& digest);
 
-  size_t size() const { return blobs_->size(); }
-  uint64_t used_bytes() const { return blobs_->used_bytes(); }
+  const BlobStore& blobs() const { return *blobs_; }
 
  private:
   MeshFiles() = default;

@@ -208,6 +208,7 @@ class QueryEngine {
   }
 
   EngineCounters counters() const;
+  const DurableStore* durable() const { return durable_.get(); }  // may be null
   const MeshStore& meshes() const { return meshes_.store(); }
   const MeshLoads& loads() const { return meshes_.loads(); }
   const FieldEngine& fields() const { return fields_; }

@@ -1,9 +1,9 @@
 #include "server/operations/engine_collector.h"
 
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace geodesic::server {
 namespace {
@@ -20,7 +20,7 @@ struct Sample {
 // there is one member.
 MetricFamily Make(MetricType type, const std::string& family,
                   const std::string& help, const std::string& name,
-                  std::initializer_list<Sample> samples) {
+                  const std::vector<Sample>& samples) {
   MetricFamily result{family, help, type, {}};
   for (const Sample& sample : samples) {
     prometheus::ClientMetric metric;
@@ -33,9 +33,66 @@ MetricFamily Make(MetricType type, const std::string& family,
   return result;
 }
 
+// What the data folder takes and does.
+void AppendDisk(const DurableStore& durable,
+                std::vector<MetricFamily>& families) {
+  const BlobStore& meshes = durable.meshes().blobs();
+  const BlobStore& fields = durable.fields().blobs();
+  const BlobCounters of_meshes = meshes.counters();
+  const BlobCounters of_fields = fields.counters();
+  const Quarantine& quarantine = durable.quarantine();
+  const Quarantine::Contents aside = quarantine.Count();
+  const auto add = [&](MetricType type, const std::string& name,
+                       const std::string& help,
+                       const std::vector<Sample>& samples) {
+    families.push_back(Make(type, name, help, "store", samples));
+  };
+  const auto add_counter = [&](const std::string& name, const std::string& help,
+                               uint64_t BlobCounters::*counter) {
+    add(MetricType::Counter, name, help,
+        {{"meshes", of_meshes.*counter}, {"fields", of_fields.*counter}});
+  };
+  add(MetricType::Gauge, "geodesic_disk_used_bytes",
+      "Disk that files take, or will when they are written",
+      {{"meshes", meshes.used_bytes()},
+       {"fields", fields.used_bytes()},
+       {"quarantine", aside.bytes}});
+  add(MetricType::Gauge, "geodesic_disk_capacity_bytes", "What they may take",
+      {{"meshes", meshes.capacity()},
+       {"fields", fields.capacity()},
+       {"quarantine", quarantine.capacity()}});
+  add(MetricType::Gauge, "geodesic_disk_files", "Files on disk",
+      {{"meshes", meshes.size()},
+       {"fields", fields.size()},
+       {"quarantine", aside.files}});
+  add(MetricType::Counter, "geodesic_disk_evictions_total",
+      "Files that went to make room",
+      {{"meshes", of_meshes.evictions},
+       {"fields", of_fields.evictions},
+       {"quarantine", quarantine.evictions()}});
+  add_counter("geodesic_disk_writes_total", "Files to be written, failures too",
+              &BlobCounters::writes);
+  add_counter("geodesic_disk_write_failures_total",
+              "Files that could not be written", &BlobCounters::write_failures);
+  add_counter("geodesic_disk_reads_total", "Files to be read, failures too",
+              &BlobCounters::reads);
+  add_counter("geodesic_disk_read_failures_total",
+              "Files that could not be read, the damaged too",
+              &BlobCounters::read_failures);
+  add_counter("geodesic_disk_damaged_total",
+              "Files that were found damaged, at the start or later",
+              &BlobCounters::damaged);
+}
+
 }  // namespace
 
 std::vector<MetricFamily> EngineCollector::Collect() const {
+  std::vector<MetricFamily> families = CollectMemory();
+  if (engine_.durable() != nullptr) AppendDisk(*engine_.durable(), families);
+  return families;
+}
+
+std::vector<MetricFamily> EngineCollector::CollectMemory() const {
   const EngineCounters counters = engine_.counters();
   const Limits& limits = engine_.limits();
   const MeshStore& meshes = engine_.meshes();

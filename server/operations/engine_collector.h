@@ -21,6 +21,8 @@ class EngineCollector final : public prometheus::Collectable {
   std::vector<prometheus::MetricFamily> Collect() const override;
 
  private:
+  std::vector<prometheus::MetricFamily> CollectMemory() const;
+
   const QueryEngine& engine_;
 };
 

@@ -1,6 +1,5 @@
 #include "server/store/blob_store.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -23,28 +22,8 @@ constexpr absl::string_view kTemporaryEnding = ".tmp";
 // follows it.
 constexpr uint64_t kMaxMetadataBytes = uint64_t{256} << 20;
 
-// What a file of so many bytes takes of a disk.
-uint64_t OnDisk(uint64_t bytes) {
-  constexpr uint64_t kBlock = 4096;
-  return (bytes + kBlock - 1) / kBlock * kBlock;
-}
-
 std::string Plural(const std::string& kind) {
   return absl::StrCat(kind, absl::EndsWith(kind, "h") ? "es" : "s");
-}
-
-absl::StatusOr<std::vector<std::string>> NamesIn(int folder) {
-  // A description of its own, for a listing moves its offset.
-  const int copy = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  DIR* listing = copy < 0 ? nullptr : fdopendir(copy);
-  if (listing == nullptr) return DiskError(errno, "list", "--data-dir");
-  std::vector<std::string> names;
-  errno = 0;
-  while (const dirent* entry = readdir(listing)) names.push_back(entry->d_name);
-  const int error = errno;
-  closedir(listing);
-  if (error != 0) return DiskError(error, "list", "--data-dir");
-  return names;
 }
 
 }  // namespace
@@ -79,25 +58,22 @@ absl::StatusOr<std::unique_ptr<BlobStore>> BlobStore::Open(
   absl::StatusOr<FileDescriptor> files =
       OpenFolder(folder.descriptor(), Plural(options.kind));
   if (!files.ok()) return files.status();
-  absl::StatusOr<FileDescriptor> quarantine =
-      OpenFolder(folder.descriptor(), "quarantine");
-  if (!quarantine.ok()) return quarantine.status();
   // The folders' own names, too, are to outlive the machine.
   absl::Status status = Sync(folder.descriptor(), "--data-dir");
   if (!status.ok()) return status;
   auto removed = std::exchange(options.removed, nullptr);
   std::unique_ptr<BlobStore> store(new BlobStore(
-      std::move(options), *std::move(files), *std::move(quarantine)));
+      std::move(options), *std::move(files), folder.quarantine()));
   if (status = store->Scan(); !status.ok()) return status;
   store->options_.removed = std::move(removed);
   return store;
 }
 
 BlobStore::BlobStore(Options options, FileDescriptor folder,
-                     FileDescriptor quarantine)
+                     Quarantine& quarantine)
     : options_(std::move(options)),
       folder_(std::move(folder)),
-      quarantine_(std::move(quarantine)) {}
+      quarantine_(quarantine) {}
 
 std::string BlobStore::FileName(const std::string& name) const {
   return absl::StrCat(name, ".", options_.kind);
@@ -163,7 +139,7 @@ absl::StatusOr<BlobStore::Found> BlobStore::Inspect(const std::string& name) {
   BlobHeader header;
   absl::StatusOr<BlobInfo> info = ReadInfo(file.get(), name, header);
   if (absl::IsDataLoss(info.status())) {
-    Quarantine(name, facts.st_ino, info.status());
+    SetAside(name, facts.st_ino, info.status());
   }
   if (!info.ok()) return info.status();
   return Found{*std::move(info), facts.st_mtim};
@@ -261,6 +237,16 @@ absl::Status BlobStore::Put(const std::string& name, std::string_view metadata,
 absl::Status BlobStore::Put(
     const std::string& name, std::string_view metadata, uint64_t body_bytes,
     absl::FunctionRef<absl::Status(BlobSink& sink)> write) {
+  absl::Status status = Keep(name, metadata, body_bytes, write);
+  std::lock_guard lock(mutex_);
+  ++counters_.writes;
+  if (!status.ok()) ++counters_.write_failures;
+  return status;
+}
+
+absl::Status BlobStore::Keep(
+    const std::string& name, std::string_view metadata, uint64_t body_bytes,
+    absl::FunctionRef<absl::Status(BlobSink& sink)> write) {
   BlobInfo info{.name = name,
                 .metadata = std::string(metadata),
                 .body_bytes = body_bytes,
@@ -308,7 +294,12 @@ absl::Status BlobStore::MakeRoom(uint64_t bytes) {
     }
     absl::Status status = Erase(victim);
     if (!status.ok() && !absl::IsNotFound(status)) return status;
-    if (status.ok() && options_.removed) options_.removed(victim);
+    if (!status.ok()) continue;
+    {
+      std::lock_guard lock(mutex_);
+      ++counters_.evictions;
+    }
+    if (options_.removed) options_.removed(victim);
   }
 }
 
@@ -392,6 +383,17 @@ absl::Status BlobStore::Read(
   if (!Find(name).has_value()) {
     return absl::NotFoundError(absl::StrCat("there is no ", PathOf(name)));
   }
+  absl::Status status = Take(name, take);
+  std::lock_guard lock(mutex_);
+  ++counters_.reads;
+  // Whoever wants no more has not found anything wrong.
+  if (!status.ok() && !absl::IsCancelled(status)) ++counters_.read_failures;
+  return status;
+}
+
+absl::Status BlobStore::Take(
+    const std::string& name,
+    absl::FunctionRef<absl::Status(BlobBody& body)> take) {
   const FileDescriptor file(openat(folder_.get(), FileName(name).c_str(),
                                    O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
   if (file.get() < 0) {
@@ -433,7 +435,7 @@ absl::Status BlobStore::Read(
     }
   }
   if (absl::IsDataLoss(status)) {
-    Quarantine(name, facts.st_ino, status);
+    SetAside(name, facts.st_ino, status);
     return absl::DataLossError(absl::StrCat(
         PathOf(name),
         " was damaged and has been set aside: ", status.message()));
@@ -441,8 +443,8 @@ absl::Status BlobStore::Read(
   return status;
 }
 
-void BlobStore::Quarantine(const std::string& name, ino_t inode,
-                           absl::Status why) {
+void BlobStore::SetAside(const std::string& name, ino_t inode,
+                         const absl::Status& why) {
   {
     std::lock_guard names_lock(names_mutex_);
     struct stat facts {};
@@ -450,24 +452,14 @@ void BlobStore::Quarantine(const std::string& name, ino_t inode,
         facts.st_ino != inode) {
       return;
     }
-    // A name can be damaged more than once.
-    std::string aside = FileName(name);
-    for (int i = 1; fstatat(quarantine_.get(), aside.c_str(), &facts, 0) == 0;
-         ++i) {
-      aside = absl::StrCat(FileName(name), ".", i);
-    }
-    const bool moved = renameat(folder_.get(), FileName(name).c_str(),
-                                quarantine_.get(), aside.c_str()) == 0;
-    const int error = errno;
-    if (moved) {
-      fsync(quarantine_.get());
-      fsync(folder_.get());
-    }
+    const absl::StatusOr<std::string> aside =
+        quarantine_.Take(folder_.get(), FileName(name));
     Warn(absl::StrCat(PathOf(name), " is damaged (", why.message(), "): ",
-                      moved ? "moved to quarantine/" + aside
-                            : DiskError(error, "move", PathOf(name)).message(),
+                      aside.ok() ? "moved to quarantine/" + *aside
+                                 : std::string(aside.status().message()),
                       "; it is not served"));
     std::lock_guard lock(mutex_);
+    ++counters_.damaged;
     if (const auto it = entries_.find(name); it != entries_.end()) Remove(it);
   }
   if (options_.removed) options_.removed(name);
@@ -513,6 +505,11 @@ void BlobStore::Remove(Entries::iterator it) {
 size_t BlobStore::size() const {
   std::lock_guard lock(mutex_);
   return entries_.size();
+}
+
+BlobCounters BlobStore::counters() const {
+  std::lock_guard lock(mutex_);
+  return counters_;
 }
 
 uint64_t BlobStore::used_bytes() const {

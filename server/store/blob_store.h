@@ -12,8 +12,8 @@
 //      then takes its name in one step; what a crash left beside is removed by
 //      the next Open;
 //   4. no damaged byte is handed out: Read fails unless the digests agree. A
-//      damaged file is moved to the folder "quarantine" and reported, never
-//      deleted, and its name is free again;
+//      damaged file is moved to the folder "quarantine" and reported, and its
+//      name is free again;
 //   5. the files, those being written included, never take more than the
 //      capacity together, counted in blocks of 4 KiB as disks do, nor are there
 //      more than a number; room is made by removing what was unused longest;
@@ -48,6 +48,7 @@
 #include "server/store/blob_format.h"
 #include "server/store/data_folder.h"
 #include "server/store/posix_file.h"
+#include "server/store/quarantine.h"
 #include "server/store/sha256.h"
 
 namespace geodesic::server {
@@ -57,6 +58,16 @@ struct BlobInfo {
   std::string metadata;
   uint64_t body_bytes = 0;
   uint64_t file_bytes = 0;
+};
+
+// How often things have happened since the start.
+struct BlobCounters {
+  uint64_t writes = 0;  // failures included
+  uint64_t write_failures = 0;
+  uint64_t reads = 0;  // likewise
+  uint64_t read_failures = 0;
+  uint64_t evictions = 0;
+  uint64_t damaged = 0;
 };
 
 // A body while it is read, from its first byte to its last. What was read
@@ -162,6 +173,7 @@ class BlobStore {
   size_t size() const;
   uint64_t used_bytes() const;
   uint64_t capacity() const { return options_.capacity; }
+  BlobCounters counters() const;
 
  private:
   struct Entry {
@@ -174,7 +186,7 @@ class BlobStore {
   // A file as the scan finds it.
   struct Found;
 
-  BlobStore(Options options, FileDescriptor folder, FileDescriptor quarantine);
+  BlobStore(Options options, FileDescriptor folder, Quarantine& quarantine);
 
   std::string FileName(const std::string& name) const;
   std::string PathOf(const std::string& name) const;  // for messages
@@ -186,6 +198,12 @@ class BlobStore {
   absl::StatusOr<BlobInfo> ReadInfo(int file, const std::string& name,
                                     BlobHeader& header) const;
   absl::Status MakeRoom(uint64_t bytes);
+  // Put and Read, uncounted.
+  absl::Status Keep(const std::string& name, std::string_view metadata,
+                    uint64_t body_bytes,
+                    absl::FunctionRef<absl::Status(BlobSink& sink)> write);
+  absl::Status Take(const std::string& name,
+                    absl::FunctionRef<absl::Status(BlobBody& body)> take);
   // A whole file beside the others.
   absl::StatusOr<std::string> WriteTemporary(
       const BlobInfo& info,
@@ -198,7 +216,7 @@ class BlobStore {
       int file, const BlobInfo& info,
       absl::FunctionRef<absl::Status(BlobSink& sink)> write) const;
   // Takes a damaged file out of the way, if it still is the one with `inode`.
-  void Quarantine(const std::string& name, ino_t inode, absl::Status why);
+  void SetAside(const std::string& name, ino_t inode, const absl::Status& why);
 
   // These REQUIRE mutex_ held:
   bool HasRoom(uint64_t bytes) const;
@@ -207,7 +225,7 @@ class BlobStore {
 
   Options options_;  // constant after Open
   const FileDescriptor folder_;
-  const FileDescriptor quarantine_;
+  Quarantine& quarantine_;
 
   // Held while room is made, so that no two count the same bytes as theirs.
   // Taken before the others.
@@ -224,6 +242,7 @@ class BlobStore {
   std::list<const std::string*> recency_;  // keys of entries_, oldest first
   uint64_t entry_bytes_ = 0;               // of entries_
   uint64_t reserved_bytes_ = 0;            // of what is being written
+  BlobCounters counters_;
 };
 
 }  // namespace geodesic::server

@@ -26,7 +26,8 @@ std::string Owner(int lock) {
 
 }  // namespace
 
-absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path) {
+absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path,
+                                            uint64_t quarantine_bytes) {
   absl::StatusOr<FileDescriptor> folder = OpenFolder(AT_FDCWD, path);
   if (!folder.ok()) {
     return absl::UnavailableError(
@@ -51,7 +52,14 @@ absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path) {
   const FileDescriptor owner(
       openat(folder->get(), "lock", O_WRONLY | O_TRUNC | O_CLOEXEC));
   (void)WriteAt(owner.get(), 0, absl::StrCat(getpid(), "\n"), "lock");
-  return DataFolder(*std::move(folder), std::move(lock));
+  absl::StatusOr<std::unique_ptr<Quarantine>> quarantine =
+      Quarantine::Open(folder->get(), quarantine_bytes);
+  if (!quarantine.ok()) {
+    return absl::UnavailableError(
+        absl::StrCat("--data-dir: ", quarantine.status().message()));
+  }
+  return DataFolder(*std::move(folder), std::move(lock),
+                    *std::move(quarantine));
 }
 
 }  // namespace geodesic::server

@@ -3,10 +3,14 @@
 #ifndef GEODESIC_SERVER_STORE_DATA_FOLDER_H_
 #define GEODESIC_SERVER_STORE_DATA_FOLDER_H_
 
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "absl/status/statusor.h"
 #include "server/store/posix_file.h"
+#include "server/store/quarantine.h"
 
 namespace geodesic::server {
 
@@ -14,19 +18,25 @@ namespace geodesic::server {
 class DataFolder {
  public:
   // Makes the folder when there is none, readable by this user alone; its
-  // parents must exist.
+  // parents must exist. Damaged files in it may take `quarantine_bytes`.
   // Errors: UNAVAILABLE naming the process that has the folder already, or what
   // keeps it from being made or opened.
-  static absl::StatusOr<DataFolder> Open(const std::string& path);
+  static absl::StatusOr<DataFolder> Open(
+      const std::string& path, uint64_t quarantine_bytes = kQuarantineBytes);
 
   int descriptor() const { return folder_.get(); }
+  Quarantine& quarantine() const { return *quarantine_; }
 
  private:
-  DataFolder(FileDescriptor folder, FileDescriptor lock)
-      : folder_(std::move(folder)), lock_(std::move(lock)) {}
+  DataFolder(FileDescriptor folder, FileDescriptor lock,
+             std::unique_ptr<Quarantine> quarantine)
+      : folder_(std::move(folder)),
+        lock_(std::move(lock)),
+        quarantine_(std::move(quarantine)) {}
 
   FileDescriptor folder_;
   FileDescriptor lock_;
+  std::unique_ptr<Quarantine> quarantine_;
 };
 
 }  // namespace geodesic::server

@@ -1,5 +1,6 @@
 #include "server/store/posix_file.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -91,6 +92,25 @@ absl::Status ReadAt(int file, uint64_t offset, std::span<char> bytes,
 absl::Status Sync(int file, std::string_view name) {
   if (fsync(file) != 0) return DiskError(errno, "flush", name);
   return absl::OkStatus();
+}
+
+absl::StatusOr<std::vector<std::string>> NamesIn(int folder) {
+  // A description of its own, for a listing moves its offset.
+  const int copy = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  DIR* listing = copy < 0 ? nullptr : fdopendir(copy);
+  if (listing == nullptr) return DiskError(errno, "list", "--data-dir");
+  std::vector<std::string> names;
+  errno = 0;
+  while (const dirent* entry = readdir(listing)) names.push_back(entry->d_name);
+  const int error = errno;
+  closedir(listing);
+  if (error != 0) return DiskError(error, "list", "--data-dir");
+  return names;
+}
+
+uint64_t OnDisk(uint64_t bytes) {
+  constexpr uint64_t kBlock = 4096;
+  return (bytes + kBlock - 1) / kBlock * kBlock;
 }
 
 }  // namespace geodesic::server

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -43,6 +44,12 @@ absl::Status DiskError(int error, std::string_view verb, std::string_view name);
 // Opens a folder for use with the functions that take its descriptor; makes it
 // (mode 0700), but not its parents, when there is none.
 absl::StatusOr<FileDescriptor> OpenFolder(int parent, const std::string& name);
+
+// The names in a folder, among them "." and "..". Errors: as DiskError.
+absl::StatusOr<std::vector<std::string>> NamesIn(int folder);
+
+// What a file of so many bytes takes of a disk, in blocks of 4 KiB.
+uint64_t OnDisk(uint64_t bytes);
 
 // Writes or reads all of it, at `offset`. `name` is for messages.
 // Errors: as DiskError; ReadAt: DATA_LOSS when the file ends before.

@@ -143,7 +143,7 @@ TEST_F(FieldFilesTest, TheFieldThatReachesFurtherIsKept) {
   EXPECT_EQ(files_->Load(Key(), *mesh_)->settled_radius, 2);
   ASSERT_TRUE(files_->Put(Key(), *mesh_, Field(4)).ok());
   EXPECT_TRUE(files_->Find(Key(), {.radius = 3}).has_value());
-  EXPECT_EQ(files_->size(), 1);
+  EXPECT_EQ(files_->blobs().size(), 1);
 }
 
 TEST_F(FieldFilesTest, FieldsAreThoseOfOneVersion) {

@@ -1,0 +1,131 @@
+// Where damaged files go, and how many may lie there.
+
+#include "server/store/quarantine.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "tests/store/blob_fixture.h"
+
+namespace geodesic::server {
+namespace {
+
+using geodesic::test::WriteFile;
+using test::Name;
+
+class QuarantineTest : public test::BlobTest {
+ protected:
+  void OpenBounded(uint64_t capacity) {
+    Close();
+    auto folder = DataFolder::Open(data_dir(), capacity);
+    ASSERT_TRUE(folder.ok()) << folder.status();
+    folder_.emplace(*std::move(folder));
+  }
+  Quarantine& quarantine() { return folder_->quarantine(); }
+
+  // Sets aside a file of so many bytes.
+  void Take(const std::string& name, size_t bytes = 10) {
+    WriteFile(data_dir() + "/" + name, std::string(bytes, 'x'));
+    const auto taken = quarantine().Take(folder_->descriptor(), name);
+    ASSERT_TRUE(taken.ok()) << taken.status();
+    EXPECT_FALSE(std::filesystem::exists(data_dir() + "/" + name));
+  }
+  bool Has(const std::string& name) const {
+    return std::filesystem::exists(data_dir() + "/quarantine/" + name);
+  }
+};
+
+TEST_F(QuarantineTest, TheOldestGoFirst) {
+  OpenBounded(3 * kBlock);
+  for (const char* name : {"a", "b", "c"}) Take(name);
+  EXPECT_EQ(quarantine().Count().files, 3);
+  EXPECT_EQ(quarantine().Count().bytes, 3 * kBlock);
+  EXPECT_EQ(quarantine().evictions(), 0);
+  Take("d", kBlock + 1);
+  EXPECT_FALSE(Has("a"));
+  EXPECT_FALSE(Has("b"));
+  EXPECT_TRUE(Has("c"));
+  EXPECT_TRUE(Has("d"));
+  EXPECT_EQ(quarantine().Count().bytes, 3 * kBlock);
+  EXPECT_EQ(quarantine().evictions(), 2);
+}
+
+TEST_F(QuarantineTest, WhatAloneIsTooMuchGoesToo) {
+  OpenBounded(kBlock);
+  Take("a", kBlock + 1);
+  EXPECT_EQ(quarantine().Count().files, 0);
+}
+
+TEST_F(QuarantineTest, TheNumberIsBoundedToo) {
+  OpenBounded(kQuarantineBytes);
+  for (int i = 0; i < 1000; ++i) {
+    WriteFile(data_dir() + "/quarantine/" + std::to_string(1000 + i), "x");
+  }
+  Take("a");
+  EXPECT_EQ(quarantine().Count().files, 1000);
+  EXPECT_FALSE(Has("1000"));
+  EXPECT_TRUE(Has("1001"));
+  EXPECT_TRUE(Has("a"));
+}
+
+TEST_F(QuarantineTest, ANameMayComeAgain) {
+  OpenBounded(kQuarantineBytes);
+  Take("a");
+  Take("a");
+  EXPECT_TRUE(Has("a"));
+  EXPECT_TRUE(Has("a.1"));
+}
+
+TEST_F(QuarantineTest, ASmallerBoundHoldsFromTheStart) {
+  OpenBounded(2 * kBlock);
+  for (const char* name : {"a", "b"}) Take(name);
+  OpenBounded(kBlock);
+  EXPECT_FALSE(Has("a"));
+  EXPECT_TRUE(Has("b"));
+}
+
+TEST_F(QuarantineTest, PeopleMayTakeFilesAway) {
+  OpenBounded(2 * kBlock);
+  for (const char* name : {"a", "b"}) Take(name);
+  std::filesystem::remove(data_dir() + "/quarantine/b");
+  EXPECT_EQ(quarantine().Count().files, 1);
+  Take("c");
+  EXPECT_TRUE(Has("a"));
+}
+
+using BlobCountersTest = test::BlobTest;
+
+TEST_F(BlobCountersTest, EverythingIsCountedOnce) {
+  ASSERT_TRUE(Open(2 * kBlock).ok());
+  for (const char digit : {'a', 'b', 'c'}) {
+    ASSERT_TRUE(test::Put(*store_, Name(digit), "body").ok());
+  }
+  EXPECT_FALSE(
+      test::Put(*store_, Name('d'), std::string(3 * kBlock, 'x')).ok());
+  ASSERT_TRUE(test::Read(*store_, Name('b')).ok());
+  EXPECT_TRUE(absl::IsNotFound(test::Read(*store_, Name('a')).status()));
+  EXPECT_TRUE(absl::IsCancelled(store_->Read(
+      Name('b'), [](auto&) { return absl::CancelledError("enough"); })));
+  WriteFile(FileOf(Name('c')), "damaged");
+  EXPECT_TRUE(absl::IsDataLoss(test::Read(*store_, Name('c')).status()));
+  const BlobCounters counters = store_->counters();
+  EXPECT_EQ(counters.writes, 4);
+  EXPECT_EQ(counters.write_failures, 1);
+  EXPECT_EQ(counters.evictions, 1);
+  EXPECT_EQ(counters.reads, 3);
+  EXPECT_EQ(counters.read_failures, 1);
+  EXPECT_EQ(counters.damaged, 1);
+
+  // What is found at the start counts, too.
+  WriteFile(FileOf(Name('b')), "damaged");
+  ASSERT_TRUE(Open().ok());
+  EXPECT_EQ(store_->counters().damaged, 1);
+  EXPECT_EQ(store_->counters().reads, 0);
+}
+
+}  // namespace
+}  // namespace geodesic::server
