@@ -9,7 +9,6 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -18,10 +17,12 @@
 #include <thread>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "geodesic_client/client.h"
 #include "tests/integration/running_server.h"
 #include "tests/reliability/mesh_ledger.h"
 #include "tests/reliability/mixed_load.h"
+#include "tests/reliability/program.h"
 
 namespace geodesic::client {
 namespace {
@@ -112,7 +113,10 @@ class Kill9 {
   LoadCounts counts_;
 };
 
-int Run(const Options& options) {
+std::vector<std::string> Run(const Options& options) {
+  if (options.meshes < options.clients) {
+    throw CLI::ValidationError("--meshes must not be below --clients");
+  }
   Kill9 kill9(options);
   uint64_t bad_rounds = 0;
   const auto start = std::chrono::steady_clock::now();
@@ -135,7 +139,8 @@ int Run(const Options& options) {
                                {"fields_checked", counts.fields},
                                {"meshes_read", counts.reads}})
             << '\n';
-  return bad_rounds == 0 ? 0 : 1;
+  if (bad_rounds == 0) return {};
+  return {absl::StrCat("wrong after ", bad_rounds, " lives of the server")};
 }
 
 }  // namespace
@@ -161,16 +166,6 @@ int main(int argc, char** argv) {
   app.add_option("--server", options.server, "The geodesicd to kill")
       ->check(CLI::ExistingFile)
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-    if (options.meshes < options.clients) {
-      throw CLI::ValidationError("--meshes must not be below --clients");
-    }
-    return geodesic::client::Run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::cerr << "kill9: " << error.what() << '\n';
-    return 1;
-  }
+  return geodesic::client::RunMain(
+      app, argc, argv, [&] { return geodesic::client::Run(options); });
 }

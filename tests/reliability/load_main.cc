@@ -17,17 +17,19 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "absl/strings/str_cat.h"
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
 #include "geodesic_client/client.h"
 #include "tests/reliability/open_loop.h"
+#include "tests/reliability/program.h"
 #include "tests/reliability/watched_server.h"
 #include "tests/reliability/workload.h"
 
@@ -88,14 +90,8 @@ class Load {
   // What was not as it must be.
   std::vector<std::string> Faults() const {
     std::vector<std::string> faults = faults_;
-    for (const std::string& left : server_.Leftovers()) {
-      faults.push_back("not back to zero: " + left);
-    }
-    const double most = 1.1 * WatchedServer::BudgetMib();
-    if (server_.PeakResidentMib() > most) {
-      faults.push_back(absl::StrCat("memory: ", server_.PeakResidentMib(),
-                                    " MiB, more than ", most));
-    }
+    const std::vector<std::string> of_server = server_.Faults();
+    faults.insert(faults.end(), of_server.begin(), of_server.end());
     return faults;
   }
 
@@ -103,11 +99,8 @@ class Load {
   LoadFigures Phase(double rate, double seconds) {
     LoadFigures figures =
         RunOpenLoop(connections_, workload_, mix_, rate, seconds, random_);
-    if (figures.faults > 0) {
-      faults_.push_back(absl::StrCat(figures.faults, " wrong or failed"));
-    }
-    faults_.insert(faults_.end(), figures.fault_examples.begin(),
-                   figures.fault_examples.end());
+    const std::vector<std::string> faults = figures.Faults();
+    faults_.insert(faults_.end(), faults.begin(), faults.end());
     return figures;
   }
 
@@ -132,14 +125,14 @@ class Load {
   std::vector<std::string> faults_;
 };
 
-int Run(const Options& options, const Mix& mix) {
-  Load load(options, mix);
-  std::cout << load.Run() << std::endl;
-  const std::vector<std::string> faults = load.Faults();
-  for (const std::string& fault : faults) {
-    std::cerr << "load: " << fault << '\n';
+std::vector<std::string> Run(const Options& options) {
+  const absl::StatusOr<Mix> mix = ParseMix(options.mix);
+  if (!mix.ok()) {
+    throw CLI::ValidationError("--mix", std::string(mix.status().message()));
   }
-  return faults.empty() ? 0 : 1;
+  Load load(options, *mix);
+  std::cout << load.Run() << std::endl;
+  return load.Faults();
 }
 
 }  // namespace
@@ -170,22 +163,9 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--durable", options.server.is_durable,
                "Give the server a data folder");
-  app.add_option("--server", options.server.program, "The geodesicd to ask")
-      ->check(CLI::ExistingFile)
-      ->capture_default_str();
+  geodesic::client::AddServerOptions(app, options.server);
   app.add_option("FLAG", options.server.flags,
                  "For the server, after \"--\": beside those of its budgets");
-  try {
-    app.parse(argc, argv);
-    const auto mix = geodesic::client::ParseMix(options.mix);
-    if (!mix.ok()) {
-      throw CLI::ValidationError("--mix", std::string(mix.status().message()));
-    }
-    return geodesic::client::Run(options, *mix);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::cerr << "load: " << error.what() << '\n';
-    return 1;
-  }
+  return geodesic::client::RunMain(
+      app, argc, argv, [&] { return geodesic::client::Run(options); });
 }

@@ -77,6 +77,13 @@ uint64_t LoadFigures::answers() const {
   return count;
 }
 
+std::vector<std::string> LoadFigures::Faults() const {
+  if (faults == 0) return {};
+  std::vector<std::string> lines = {absl::StrCat(faults, " wrong or failed")};
+  lines.insert(lines.end(), fault_examples.begin(), fault_examples.end());
+  return lines;
+}
+
 nlohmann::ordered_json LoadFigures::Summary() const {
   nlohmann::ordered_json kinds;
   for (size_t i = 0; i < kQuestionKinds; ++i) {

@@ -35,6 +35,8 @@ struct LoadFigures {
   std::vector<std::string> fault_examples;
 
   uint64_t answers() const;
+  // In words; empty if there are none.
+  std::vector<std::string> Faults() const;
   nlohmann::ordered_json Summary() const;
 };
 

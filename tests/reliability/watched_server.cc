@@ -32,9 +32,17 @@ constexpr std::array kBackToZero = {
     R"(geodesic_used_bytes{budget="solvers"})",
 };
 
+// All budgets together.
+double BudgetMib() {
+  double sum = 0;
+  for (const Budget& budget : kBudgets) sum += budget.mib;
+  return sum;
+}
+
 }  // namespace
 
-WatchedServer::WatchedServer(const Options& options) {
+WatchedServer::WatchedServer(const Options& options)
+    : ignores_memory_(options.ignores_memory) {
   std::vector<std::string> all = {"--metrics-listen", "127.0.0.1:0",
                                   "--max-upload-bytes", "16MiB"};
   for (const Budget& budget : kBudgets) {
@@ -53,12 +61,6 @@ WatchedServer::WatchedServer(const Options& options) {
   }
   metrics_port_ = std::stoi(match[1]);
   series_ = std::make_unique<FigureSeries>(server_->id(), options.interval);
-}
-
-double WatchedServer::BudgetMib() {
-  double sum = 0;
-  for (const Budget& budget : kBudgets) sum += budget.mib;
-  return sum;
 }
 
 double WatchedServer::Metric(const std::string& name) const {
@@ -84,10 +86,31 @@ std::vector<std::string> WatchedServer::Leftovers() const {
   }
 }
 
+std::vector<std::string> WatchedServer::Faults(double more_mib) const {
+  std::vector<std::string> faults;
+  for (const std::string& left : Leftovers()) {
+    faults.push_back("not back to zero: " + left);
+  }
+  const double most = 1.1 * BudgetMib() + more_mib;
+  const double peak = series_->PeakResidentMib();
+  if (!ignores_memory_ && peak > most) {
+    faults.push_back(absl::StrCat("memory: ", peak, " MiB, more than ", most));
+  }
+  return faults;
+}
+
 nlohmann::ordered_json WatchedServer::Summary() const {
   nlohmann::ordered_json summary = series_->Summary();
   summary["budget_mib"] = BudgetMib();
   return summary;
+}
+
+void AddServerOptions(CLI::App& app, WatchedServer::Options& options) {
+  app.add_option("--server", options.program, "The geodesicd to ask")
+      ->check(CLI::ExistingFile)
+      ->capture_default_str();
+  app.add_flag("--ignore-memory", options.ignores_memory,
+               "Its memory says nothing: a sanitizer's is beside any budget");
 }
 
 }  // namespace geodesic::client

@@ -3,6 +3,7 @@
 #ifndef GEODESIC_TESTS_RELIABILITY_WATCHED_SERVER_H_
 #define GEODESIC_TESTS_RELIABILITY_WATCHED_SERVER_H_
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -23,6 +24,8 @@ class WatchedServer {
     std::vector<std::string> flags;
     // Whether it has a data folder.
     bool is_durable = false;
+    // Whether its memory says nothing: a sanitizer's is beside any budget.
+    bool ignores_memory = false;
     // Of samples.
     std::chrono::milliseconds interval{500};
   };
@@ -31,28 +34,32 @@ class WatchedServer {
 
   const std::string& address() const { return server_->address(); }
 
-  // All its budgets together.
-  static double BudgetMib();
-
   ProcessFigures Now() const { return ReadFigures(server_->id()); }
-  double PeakResidentMib() const { return series_->PeakResidentMib(); }
 
   // A number of the metrics page, e.g. `geodesic_jobs{state="queued"}`.
   // Errors: throws std::runtime_error if it is not there.
   double Metric(const std::string& name) const;
 
-  // Once nobody asks any more: what is not back to zero within ten seconds,
-  // of requests, jobs, waiters, and memory of uploads and solvers.
-  std::vector<std::string> Leftovers() const;
+  // Once nobody asks any more: what requests held that is not back to zero
+  // within ten seconds (requests, jobs, waiters, memory of uploads and
+  // solvers), and whether the process ever took more memory than its budgets, a
+  // tenth, and `more_mib`. A line each.
+  std::vector<std::string> Faults(double more_mib = 0) const;
 
   nlohmann::ordered_json Summary() const;
 
  private:
+  std::vector<std::string> Leftovers() const;
+
+  const bool ignores_memory_;
   TemporaryFolder folder_;
   std::unique_ptr<RunningServer> server_;
   int metrics_port_ = 0;
   std::unique_ptr<FigureSeries> series_;
 };
+
+// The options that every program with such a server has.
+void AddServerOptions(CLI::App& app, WatchedServer::Options& options);
 
 }  // namespace geodesic::client
 

@@ -84,24 +84,18 @@ class SecureClientTest(unittest.TestCase):
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
-        geodesic_service.generate_stubs(ARGUMENTS, folder.name)
+        stubs = geodesic_service.generate_stubs(ARGUMENTS, folder.name)
         certificate, key = make_certificate(folder.name)
         cls.server = Server(folder.name, certificate, key)
         cls.addClassCleanup(cls.server.stop)
         with open(certificate, "rb") as file:
             cls.transport = grpc.ssl_channel_credentials(file.read())
-        from geodesic.v1 import field_service_pb2
-        from geodesic.v1 import field_service_pb2_grpc
-        from geodesic.v1 import mesh_pb2
-        from geodesic.v1 import mesh_service_pb2
-        from geodesic.v1 import mesh_service_pb2_grpc
-        from geodesic.v1 import surface_pb2
-        cls.field_pb = field_service_pb2
-        cls.field_grpc = field_service_pb2_grpc
-        cls.mesh_pb = mesh_pb2
-        cls.meshes_pb = mesh_service_pb2
-        cls.meshes_grpc = mesh_service_pb2_grpc
-        cls.surface_pb = surface_pb2
+        cls.field_pb = stubs.field_service_pb2
+        cls.field_grpc = stubs.field_service_pb2_grpc
+        cls.mesh_pb = stubs.mesh_pb2
+        cls.meshes_pb = stubs.mesh_service_pb2
+        cls.meshes_grpc = stubs.mesh_service_pb2_grpc
+        cls.surface_pb = stubs.surface_pb2
 
     def connect(self, token=TOKEN):
         credentials = self.transport

@@ -65,38 +65,26 @@ class ClientTest(unittest.TestCase):
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
-        geodesic_service.generate_stubs(cls.arguments, folder.name)
+        stubs = geodesic_service.generate_stubs(cls.arguments, folder.name)
         server = geodesic_service.Server(cls.arguments, folder.name)
         cls.addClassCleanup(server.stop)
         channel = grpc.insecure_channel(server.address)
         cls.addClassCleanup(channel.close)
-        from geodesic.v1 import capabilities_service_pb2
-        from geodesic.v1 import capabilities_service_pb2_grpc
-        from geodesic.v1 import field_service_pb2
-        from geodesic.v1 import field_service_pb2_grpc
-        from geodesic.v1 import matrix_service_pb2
-        from geodesic.v1 import matrix_service_pb2_grpc
-        from geodesic.v1 import mesh_pb2
-        from geodesic.v1 import mesh_service_pb2
-        from geodesic.v1 import mesh_service_pb2_grpc
-        from geodesic.v1 import path_service_pb2
-        from geodesic.v1 import path_service_pb2_grpc
-        from geodesic.v1 import query_pb2
-        from geodesic.v1 import surface_pb2
-        cls.capabilities_pb = capabilities_service_pb2
-        cls.field_pb = field_service_pb2
-        cls.mesh_pb = mesh_pb2
-        cls.mesh_service_pb = mesh_service_pb2
-        cls.matrix_pb = matrix_service_pb2
-        cls.path_pb = path_service_pb2
-        cls.query_pb = query_pb2
-        cls.surface_pb = surface_pb2
-        cls.meshes = mesh_service_pb2_grpc.MeshServiceStub(channel)
-        cls.fields = field_service_pb2_grpc.FieldServiceStub(channel)
-        cls.paths = path_service_pb2_grpc.PathServiceStub(channel)
-        cls.matrices = matrix_service_pb2_grpc.MatrixServiceStub(channel)
+        cls.capabilities_pb = stubs.capabilities_service_pb2
+        cls.field_pb = stubs.field_service_pb2
+        cls.mesh_pb = stubs.mesh_pb2
+        cls.mesh_service_pb = stubs.mesh_service_pb2
+        cls.matrix_pb = stubs.matrix_service_pb2
+        cls.path_pb = stubs.path_service_pb2
+        cls.query_pb = stubs.query_pb2
+        cls.surface_pb = stubs.surface_pb2
+        cls.meshes = stubs.mesh_service_pb2_grpc.MeshServiceStub(channel)
+        cls.fields = stubs.field_service_pb2_grpc.FieldServiceStub(channel)
+        cls.paths = stubs.path_service_pb2_grpc.PathServiceStub(channel)
+        cls.matrices = stubs.matrix_service_pb2_grpc.MatrixServiceStub(channel)
         cls.capabilities = (
-            capabilities_service_pb2_grpc.CapabilitiesServiceStub(channel))
+            stubs.capabilities_service_pb2_grpc.CapabilitiesServiceStub(
+                channel))
 
     def upload(self, positions, faces, expected_digest=""):
         data = canonical_arrays(positions, faces)

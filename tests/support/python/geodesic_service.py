@@ -5,10 +5,12 @@ python3-grpcio is not installed.
 """
 
 import argparse
+import importlib
 import os
 import signal
 import subprocess
 import sys
+import types
 
 try:
     import google.protobuf  # noqa: F401
@@ -27,8 +29,12 @@ def parse_arguments(*more):
 
 
 def generate_stubs(arguments, folder):
-    """Makes `import geodesic.v1...` work, from modules written to `folder`."""
+    """The modules of the protocol by their names, e.g. `.mesh_pb2` or
+    `.mesh_service_pb2_grpc`; written to `folder`.
+    """
     protos = os.path.join(arguments.protos, "geodesic", "v1")
+    names = [name[:-len(".proto")] for name in sorted(os.listdir(protos))
+             if name.endswith(".proto")]
     subprocess.run(
         [
             arguments.protoc,
@@ -36,12 +42,13 @@ def generate_stubs(arguments, folder):
             "--python_out=" + folder,
             "--grpc_out=" + folder,
             "--plugin=protoc-gen-grpc=" + arguments.plugin,
-        ] + [
-            os.path.join(protos, name)
-            for name in sorted(os.listdir(protos)) if name.endswith(".proto")
-        ],
+        ] + [os.path.join(protos, name + ".proto") for name in names],
         check=True)
     sys.path.insert(0, folder)
+    return types.SimpleNamespace(**{
+        name + ending: importlib.import_module("geodesic.v1." + name + ending)
+        for name in names for ending in ("_pb2", "_pb2_grpc")
+    })
 
 
 class Server:
