@@ -117,15 +117,12 @@ TEST_F(DurableEngineTest, WhatIsDeletedStaysAway) {
 TEST_F(DurableEngineTest, ADeletionDuringALoadWins) {
   const std::string digest = Upload(Grid(5))->mesh.digest;
   Restart();
-  absl::StatusOr<MeshHandle> loaded = absl::UnknownError("not told");
-  ASSERT_TRUE(
-      engine_->AwaitMesh(digest, [&](const auto& mesh) { loaded = mesh; })
-          .ok());
+  const auto loaded = AskFor(digest);
   absl::Status deleted = absl::UnknownError("not told");
   ASSERT_TRUE(
       engine_->DeleteMesh(digest, [&](const auto& s) { deleted = s; }).ok());
   executor_.RunAll();
-  EXPECT_TRUE(loaded.ok()) << loaded.status();
+  EXPECT_TRUE(loaded->ok()) << loaded->status();
   EXPECT_TRUE(deleted.ok()) << deleted;
   EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(digest).status()));
   EXPECT_THAT(Listed(), IsEmpty());

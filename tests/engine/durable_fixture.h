@@ -88,14 +88,22 @@ class DurableEngineTest : public ::testing::Test {
     return result;
   }
 
-  // What a request for the mesh gets, once the jobs have run.
-  absl::StatusOr<MeshHandle> Await(const std::string& digest) {
-    absl::StatusOr<MeshHandle> result = absl::UnknownError("not told");
+  // What a request for the mesh is told, when it is.
+  std::shared_ptr<const absl::StatusOr<MeshHandle>> AskFor(
+      const std::string& digest) {
+    const auto told = std::make_shared<absl::StatusOr<MeshHandle>>(
+        absl::UnknownError("not told"));
     auto seat =
-        engine_->AwaitMesh(digest, [&](const auto& mesh) { result = mesh; });
-    if (!seat.ok()) return seat.status();
+        engine_->AwaitMesh(digest, [told](const auto& mesh) { *told = mesh; });
+    if (!seat.ok()) *told = seat.status();
+    return told;
+  }
+
+  // The same, once the jobs have run.
+  absl::StatusOr<MeshHandle> Await(const std::string& digest) {
+    const auto told = AskFor(digest);
     executor_.RunAll();
-    return result;
+    return *told;
   }
 
   // The field from vertex 0; the mesh must be in memory.

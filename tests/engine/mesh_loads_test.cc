@@ -60,12 +60,9 @@ TEST_F(DurableEngineTest, ALoadNobodyWaitsForIsCalledOff) {
 TEST_F(DurableEngineTest, LoadsEndWithTheServer) {
   const std::string digest = Upload(Grid(5))->mesh.digest;
   Restart();
-  absl::StatusOr<MeshHandle> loaded = absl::UnknownError("not told");
-  ASSERT_TRUE(
-      engine_->AwaitMesh(digest, [&](const auto& mesh) { loaded = mesh; })
-          .ok());
+  const auto loaded = AskFor(digest);
   engine_->StopAll();
-  EXPECT_TRUE(absl::IsUnavailable(loaded.status())) << loaded.status();
+  EXPECT_TRUE(absl::IsUnavailable(loaded->status())) << loaded->status();
 }
 
 // Room in memory for one mesh.
