@@ -28,22 +28,25 @@ struct IncomingRay {
   float tangent = std::numeric_limits<float>::quiet_NaN();
 
   static IncomingRay Along(HalfEdge half_edge) { return {half_edge}; }
+  // Not known if the tangent is beyond single precision.
+  static IncomingRay Across(HalfEdge half_edge, double tangent) {
+    const auto rounded = static_cast<float>(tangent);
+    return std::isfinite(rounded) ? IncomingRay{half_edge, rounded}
+                                  : IncomingRay{};
+  }
 };
 
 // The ray of a window on half_edge into the apex.
 inline IncomingRay RayThrough(HalfEdge half_edge, const Origin& origin,
                               const PlanePoint& apex) {
-  const auto tangent =
-      static_cast<float>((apex.x - origin.x) / (apex.y + origin.depth));
-  return std::isfinite(tangent) ? IncomingRay{half_edge, tangent}
-                                : IncomingRay{};
+  return IncomingRay::Across(half_edge,
+                             (apex.x - origin.x) / (apex.y + origin.depth));
 }
 inline IncomingRay RayThrough(HalfEdge half_edge, const MixedOrigin& origin,
                               const PlanePoint& apex) {
-  if (!origin.is_segment) return RayThrough(half_edge, origin.AsPoint(), apex);
-  const auto tangent = static_cast<float>(origin.x / origin.depth);
-  return std::isfinite(tangent) ? IncomingRay{half_edge, tangent}
-                                : IncomingRay{};
+  return origin.is_segment
+             ? IncomingRay::Across(half_edge, origin.x / origin.depth)
+             : RayThrough(half_edge, origin.AsPoint(), apex);
 }
 
 // The fan behind one vertex of a mesh without irregular edges.
@@ -60,8 +63,11 @@ class ShadowFan {
   // that lies in there.
   template <typename Visit>
   void ForEachFace(Visit visit) const {
-    const std::optional<Limit> left = WalkLeft();
-    const std::optional<Limit> right = WalkRight();
+    const std::optional<Limit> left = LeftLimit();
+    const std::optional<Limit> right = RightLimit();
+    // Where the faces around v close, a side that is nowhere pi away from the
+    // ray takes less than pi in all: a spike has no shadow.
+    if (left.has_value() != right.has_value() && !mesh_.IsBoundary(v_)) return;
     if (left.has_value() && right.has_value() &&
         left->half_edge == right->half_edge) {
       Interval part{left->at, right->at};
@@ -142,36 +148,37 @@ class ShadowFan {
     right_.angle = Turn(right_.angle, margin);
   }
 
-  // Counterclockwise until the angle to the ray is pi. No limit if a boundary
-  // comes first.
-  std::optional<Limit> WalkLeft() const {
-    Direction angle = left_.angle;
-    HalfEdge h = left_.half_edge;
-    for (size_t i = 0; h != kNoHalfEdge && i < Degree(); ++i) {
-      const HalfEdgeFrame& frame = mesh_.frame(h);
-      const Direction corner{frame.left_x, frame.left_y};
-      const Direction turned = Turn(angle, corner);
-      if (turned.y <= 0) {
-        return Limit{h, HitOnOpposite(frame, {-angle.x, angle.y}, h)};
-      }
-      angle = turned;
-      h = LeftOf(h);
-    }
-    return std::nullopt;
+  std::optional<Limit> LeftLimit() const {
+    return Walk(
+        left_, [this](HalfEdge h) { return LeftOf(h); },
+        [](const Direction& angle, const Direction&) {
+          return Direction{-angle.x, angle.y};
+        });
   }
-  std::optional<Limit> WalkRight() const {
-    Direction angle = right_.angle;
-    HalfEdge h = right_.half_edge;
+  std::optional<Limit> RightLimit() const {
+    return Walk(
+        right_, [this](HalfEdge h) { return RightOf(h); },
+        [](const Direction& angle, const Direction& corner) {
+          return Turn(corner, {-angle.x, -angle.y});
+        });
+  }
+  // From face to face until the angle to the ray is pi. No limit if a boundary
+  // comes first, or the way round v is shorter. ray(angle, corner): the
+  // direction at pi, from the half-edge, where the face's corner starts at
+  // `angle` from the ray.
+  template <typename Step, typename Ray>
+  std::optional<Limit> Walk(const Start& start, Step step, Ray ray) const {
+    Direction angle = start.angle;
+    HalfEdge h = start.half_edge;
     for (size_t i = 0; h != kNoHalfEdge && i < Degree(); ++i) {
       const HalfEdgeFrame& frame = mesh_.frame(h);
       const Direction corner{frame.left_x, frame.left_y};
       const Direction turned = Turn(angle, corner);
       if (turned.y <= 0) {
-        return Limit{
-            h, HitOnOpposite(frame, Turn(corner, {-angle.x, -angle.y}), h)};
+        return Limit{h, HitOnOpposite(frame, ray(angle, corner), h)};
       }
       angle = turned;
-      h = RightOf(h);
+      h = step(h);
     }
     return std::nullopt;
   }

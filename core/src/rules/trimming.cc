@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace geodesic {
 namespace {
@@ -69,6 +68,17 @@ double CommonRay(const MixedOrigin& a, const MixedOrigin& b) {
   const MixedOrigin& segment = a.is_segment ? a : b;
   const MixedOrigin& point = a.is_segment ? b : a;
   return point.x + point.depth * segment.x / segment.depth;
+}
+
+// By how much the newer's pseudo-source is nearer to the source. None where one
+// is a segment, whose sigma is that of no pseudo-source.
+double LeadOfNewer(const Origin& older, const Origin& newer) {
+  return older.sigma - newer.sigma;
+}
+double LeadOfNewer(const MixedOrigin& older, const MixedOrigin& newer) {
+  return older.is_segment || newer.is_segment
+             ? 0
+             : LeadOfNewer(older.AsPoint(), newer.AsPoint());
 }
 
 // How fast the distance grows along the edge.
@@ -138,11 +148,10 @@ Interval WonByNewer(const BasicWindow<OriginType>& older,
   const double end = std::min(older.interval.end, newer.interval.end);
   const Contest at_begin = AtBegin(older, newer, slack);
   const Contest at_end = AtEnd(older, newer, slack);
-  // Where slack is needed, and beside curves, windows could take ties from each
-  // other without end.
-  const double lead = older.origin.sigma - newer.origin.sigma;
-  const bool takes_ties = std::is_same_v<OriginType, Origin> && slack == 0 &&
-                          lead > kDominance * at_begin.older;
+  // Where slack is needed, windows could take ties from each other without end.
+  const bool takes_ties =
+      slack == 0 &&
+      LeadOfNewer(older.origin, newer.origin) > kDominance * at_begin.older;
   const auto newer_gets = [takes_ties](const Contest& at) {
     return takes_ties ? !at.newer_loses() : at.newer_wins();
   };

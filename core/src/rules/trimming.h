@@ -12,7 +12,8 @@ namespace geodesic {
 
 // The part of two windows' overlap where the newer is nearer; of width 0 if the
 // older keeps all of it. Ties (kTie, and `slack`) go to the window of the
-// lesser sigma, or else, and wherever there is slack or a curve, to the older.
+// lesser sigma, or else, and wherever there is slack or a segment, to the
+// older.
 //
 // Where pseudo-sources lie all but in one line, their windows tie over whole
 // intervals, and the paths by way of the second are really as long as the first

@@ -2,14 +2,17 @@
 
 #include "rules/shadow_fan.h"
 
+#include <absl/strings/str_cat.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include "geodesic/mesh.h"
+#include "geodesic/triangle_soup.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/planar_meshes.h"
 
@@ -126,6 +129,32 @@ TEST(ShadowFanTest, BehindReflexCorners) {
     ExpectShadows(*mesh, v);
   }
   EXPECT_GT(corners, 3);
+}
+
+// Six faces that make a spike of less than half a turn. A ray may come so that
+// on one side of it more than pi is left, and less on the other.
+TEST(ShadowFanTest, SpikesHaveNone) {
+  TriangleSoup soup;
+  constexpr int kFaces = 6;
+  constexpr double kHeight = 1.77;  // six corners of 0.158 pi
+  for (uint32_t i = 0; i < kFaces; ++i) {
+    const double turn = 2 * kPi * i / kFaces;
+    soup.positions.push_back({std::cos(turn), std::sin(turn), 0});
+    soup.triangles.push_back({kFaces, i, (i + 1) % kFaces});
+  }
+  soup.positions.push_back({0, 0, kHeight});
+  const auto mesh = *Mesh::Build(soup);
+  const std::vector<HalfEdge> around = Around(*mesh, kFaces);
+  ASSERT_EQ(around.size(), static_cast<size_t>(kFaces));
+  for (const Ray& ray : RaysInto(*mesh, around)) {
+    const auto walk = [&] {
+      ShadowFan(*mesh, kFaces, ray.ray)
+          .ForEachFace([&](HalfEdge h, const Interval&) {
+            throw std::logic_error(absl::StrCat("half-edge ", h, " is seen"));
+          });
+    };
+    EXPECT_NO_THROW(walk()) << "ray " << ray.angle;
+  }
 }
 
 }  // namespace
