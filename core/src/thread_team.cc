@@ -7,8 +7,9 @@ namespace {
 constexpr uint64_t kClosed = uint64_t{1} << 31;
 constexpr uint64_t kInside = kClosed - 1;
 
-// Some tens of microseconds: waking a sleeping thread takes as long.
-constexpr int kSpins = 1000;
+// Some hundred microseconds: what one thread does alone between two calls takes
+// some tens, and waking a sleeping one as long.
+constexpr int kSpins = 4000;
 
 void Pause() {
 #if defined(__x86_64__)

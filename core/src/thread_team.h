@@ -4,11 +4,15 @@
 #define GEODESIC_THREAD_TEAM_H_
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <thread>
 #include <vector>
 
 namespace geodesic {
+
+// What one thread writes often is kept off the lines that others use.
+inline constexpr size_t kCacheLine = 64;
 
 // The thread that calls is a member too, and waits for nobody who has not
 // begun: on a busy machine a member that gets no processor costs nothing.

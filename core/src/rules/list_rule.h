@@ -19,7 +19,8 @@
 // begins crosses its face, and each vertex that has improved by then becomes a
 // pseudo-source (list_worker.h). None of them sees what comes of the others,
 // which is applied afterwards, in order. So the threads that share the work
-// change nothing, whatever their number.
+// change nothing, whatever their number. Who has handed on a list is the first
+// to be given it: it lies in that thread's cache, and so will its children.
 
 #ifndef GEODESIC_RULES_LIST_RULE_H_
 #define GEODESIC_RULES_LIST_RULE_H_
@@ -54,6 +55,7 @@ class ListRule {
         waiting_(front.mesh().half_edge_count(), kNone) {
     for (uint32_t member = 0; member < threads; ++member) {
       workers_.emplace_back(front, pool_);
+      shares_.emplace_back();
     }
   }
 
@@ -89,29 +91,37 @@ class ListRule {
   // Rounds of fewer events are not worth a team's start.
   static constexpr size_t kLeastShared = 32;
   // How many events a thread takes at a time.
-  static constexpr size_t kShare = 4;
+  static constexpr size_t kShare = 8;
 
   struct Queued {
     double label;  // the least the half-edge is queued with
     WaitingLists lists;
+    uint32_t member;  // who has handed on the latest
   };
   // One of the round.
   struct Event {
     uint32_t id;
+    uint32_t member;     // who has done it
     WaitingLists lists;  // of a half-edge
-    uint32_t member;     // who does it
     typename Worker::Outcome outcome;
   };
+  // What a member is to do. When nothing is left of it, that is what others
+  // have not begun.
+  struct alignas(kCacheLine) Share {
+    std::vector<Event> events;
+    std::atomic<size_t> next = 0;  // that nobody has begun
+    size_t applied = 0;
+  };
 
-  // Makes events_ of those that have something to do.
+  // Shares out those that have something to do.
   void Take(std::span<const uint32_t> ids);
   void DoAll();
-  // Does events_[i] for i in [first, last).
-  void Do(size_t first, size_t last, uint32_t member);
-  void Prefetch(size_t i) const;
+  // Does events [first, last).
+  void Do(std::span<Event> events, size_t first, size_t last, uint32_t member);
+  void Prefetch(std::span<const Event> events, size_t i) const;
   void Apply(const Event& event);
-  // Adds a list to what waits at a half-edge.
-  void Enqueue(const typename Worker::HandedOn& list);
+  // Adds a list, which this member has handed on, to what waits at a half-edge.
+  void Enqueue(const typename Worker::HandedOn& list, uint32_t member);
 
   Front& front_;
   const Mesh& mesh_;
@@ -123,8 +133,8 @@ class ListRule {
   std::optional<ThreadTeam> team_;  // once a round was wide enough
 
   // Of the round.
-  std::vector<Event> events_;
-  std::atomic<size_t> next_ = 0;  // of events_, that nobody has begun
+  std::deque<Share> shares_;     // by member
+  std::vector<uint32_t> order_;  // of events: whose share has the next
 
   uint64_t pending_ = 0;
   uint64_t peak_ = 0;
@@ -136,7 +146,7 @@ void ListRule<Front>::Open(HalfEdge half_edge, uint32_t pseudo_source,
                            const Origin& origin, const Interval& interval) {
   Worker& worker = workers_[0];
   worker.Open(half_edge, pseudo_source, origin, interval);
-  for (const auto& list : worker.handed_on()) Enqueue(list);
+  for (const auto& list : worker.handed_on()) Enqueue(list, 0);
   worker.Forget();
 }
 
@@ -145,7 +155,9 @@ uint64_t ListRule<Front>::Propagate(std::span<const uint32_t> ids) {
   Take(ids);
   DoAll();
   uint64_t propagated = 0;
-  for (const Event& event : events_) {
+  for (const uint32_t member : order_) {
+    Share& share = shares_[member];
+    const Event& event = share.events[share.applied++];
     Apply(event);
     propagated += event.outcome.propagated;
   }
@@ -156,16 +168,31 @@ uint64_t ListRule<Front>::Propagate(std::span<const uint32_t> ids) {
 template <typename Front>
 void ListRule<Front>::Take(std::span<const uint32_t> ids) {
   constexpr size_t kAhead = 8;
-  events_.clear();
+  order_.clear();
+  for (Share& share : shares_) {
+    share.events.clear();
+    share.next.store(0, std::memory_order_relaxed);
+    share.applied = 0;
+  }
+  const auto give = [this](uint32_t member, const Event& event) {
+    shares_[member].events.push_back(event);
+    order_.push_back(member);
+  };
+  // A vertex goes with what came before it.
+  uint32_t member = 0;
   for (size_t i = 0; i < ids.size(); ++i) {
     if (i + kAhead < ids.size() && !(ids[i + kAhead] & kVertexEvent)) {
       __builtin_prefetch(&waiting_[ids[i + kAhead]]);
     }
     const uint32_t id = ids[i];
     if (id & kVertexEvent) {
-      if (front_.TakeEvent(id & ~kVertexEvent)) events_.push_back({.id = id});
+      if (front_.TakeEvent(id & ~kVertexEvent)) {
+        give(member, {.id = id});
+      }
     } else if (waiting_[id] != kNone) {
-      events_.push_back({.id = id, .lists = queues_[waiting_[id]].lists});
+      const Queued& queued = queues_[waiting_[id]];
+      member = queued.member;
+      give(member, {.id = id, .lists = queued.lists});
       free_.push_back(waiting_[id]);
       waiting_[id] = kNone;
     }
@@ -174,29 +201,35 @@ void ListRule<Front>::Take(std::span<const uint32_t> ids) {
 
 template <typename Front>
 void ListRule<Front>::DoAll() {
-  const size_t count = events_.size();
-  if (workers_.size() == 1 || count < kLeastShared) {
-    Do(0, count, 0);
+  if (workers_.size() == 1 || order_.size() < kLeastShared) {
+    for (Share& share : shares_) {
+      Do(share.events, 0, share.events.size(), 0);
+    }
     return;
   }
   if (!team_.has_value()) {
     team_.emplace(static_cast<uint32_t>(workers_.size()));
   }
-  next_.store(0, std::memory_order_relaxed);
-  team_->Run([this, count](uint32_t member) {
-    for (;;) {
-      const size_t first = next_.fetch_add(kShare, std::memory_order_relaxed);
-      if (first >= count) return;
-      Do(first, std::min(first + kShare, count), member);
+  team_->Run([this](uint32_t member) {
+    for (size_t k = 0; k < shares_.size(); ++k) {
+      Share& share = shares_[(member + k) % shares_.size()];
+      for (;;) {
+        const size_t first =
+            share.next.fetch_add(kShare, std::memory_order_relaxed);
+        if (first >= share.events.size()) break;
+        Do(share.events, first, std::min(first + kShare, share.events.size()),
+           member);
+      }
     }
   });
 }
 
 template <typename Front>
-void ListRule<Front>::Do(size_t first, size_t last, uint32_t member) {
+void ListRule<Front>::Do(std::span<Event> events, size_t first, size_t last,
+                         uint32_t member) {
   for (size_t i = first; i < last; ++i) {
-    Prefetch(i);
-    Event& event = events_[i];
+    Prefetch(events, i);
+    Event& event = events[i];
     event.member = member;
     Worker& worker = workers_[member];
     event.outcome = event.id & kVertexEvent
@@ -205,12 +238,12 @@ void ListRule<Front>::Do(size_t first, size_t last, uint32_t member) {
   }
 }
 
-// What the events after events_[i] will need. Each stage needs what the one
+// What the events after that one will need. Each stage needs what the one
 // before has fetched.
 template <typename Front>
-void ListRule<Front>::Prefetch(size_t i) const {
-  if (i + 3 < events_.size()) {
-    const Event& event = events_[i + 3];
+void ListRule<Front>::Prefetch(std::span<const Event> events, size_t i) const {
+  if (i + 3 < events.size()) {
+    const Event& event = events[i + 3];
     if (event.id & kVertexEvent) {
       front_.PrefetchFan(event.id & ~kVertexEvent);
     } else {
@@ -220,8 +253,9 @@ void ListRule<Front>::Prefetch(size_t i) const {
       }
     }
   }
-  if (i + 1 < events_.size() && !(events_[i + 1].id & kVertexEvent)) {
-    const Event& event = events_[i + 1];
+  if (i + 1 < events.size()) {
+    const Event& event = events[i + 1];
+    if (event.id & kVertexEvent) return;
     front_.PrefetchCorners(event.id);
     for (const WindowBlock* list : event.lists) {
       if (list != nullptr) WindowBlocks::PrefetchRest(list);
@@ -243,13 +277,14 @@ void ListRule<Front>::Apply(const Event& event) {
     front_.Relax(vertex, distance, arrival, ray);
   }
   for (uint32_t i = begin.handed_on; i < end.handed_on; ++i) {
-    Enqueue(worker.handed_on()[i]);
+    Enqueue(worker.handed_on()[i], event.member);
   }
 }
 
 template <typename Front>
-void ListRule<Front>::Enqueue(const typename Worker::HandedOn& handed_on) {
-  const auto& [h, from, list, label] = handed_on;
+void ListRule<Front>::Enqueue(const typename Worker::HandedOn& handed_on,
+                              uint32_t member) {
+  const auto& [h, from, list, count, label] = handed_on;
   if (waiting_[h] == kNone) {
     if (free_.empty()) {
       waiting_[h] = static_cast<uint32_t>(queues_.size());
@@ -258,14 +293,16 @@ void ListRule<Front>::Enqueue(const typename Worker::HandedOn& handed_on) {
       waiting_[h] = free_.back();
       free_.pop_back();
     }
-    queues_[waiting_[h]] = {std::numeric_limits<double>::infinity(), {}};
+    queues_[waiting_[h]] = {
+        std::numeric_limits<double>::infinity(), {}, member};
   }
   Queued& queued = queues_[waiting_[h]];
+  queued.member = member;
   WindowBlock** place = &queued.lists[from];
   while (*place != nullptr) place = &(*place)->next;
   *place = list;
-  created_ += list->count;
-  pending_ += list->count;
+  created_ += count;
+  pending_ += count;
   peak_ = std::max(peak_, pending_);
   if (label >= queued.label) return;
   queued.label = label;

@@ -20,6 +20,7 @@
 #include "rules/envelope.h"
 #include "rules/list_kernels.h"
 #include "rules/shadow_fan.h"
+#include "thread_team.h"
 #include "tolerances.h"
 #include "windows/window_blocks.h"
 #include "windows/window_columns.h"
@@ -33,9 +34,10 @@ enum Side { kLeft, kRight };
 // What waits at a half-edge: chains of lists, each list trimmed. By Side.
 using WaitingLists = std::array<WindowBlock*, 2>;
 
+// On cache lines of its own, for its scratch is written all the time.
 // REQUIRES: the front's origins are points.
 template <typename Front>
-class ListWorker {
+class alignas(kCacheLine) ListWorker {
  public:
   // A better path to a vertex, as Front::Relax takes it.
   struct Relaxation {
@@ -49,7 +51,8 @@ class ListWorker {
     HalfEdge to;
     Side from;
     WindowBlock* list;
-    double label;  // no window's label is below
+    uint32_t count;  // its windows
+    double label;    // no window's label is below
   };
   // A window that the front watches.
   struct Observed {
@@ -162,7 +165,7 @@ void ListWorker<Front>::Open(HalfEdge half_edge, uint32_t pseudo_source,
   children_.Set(0, window, pseudo_source);
   children_.size = 1;
   handed_on_.push_back(
-      {half_edge, kLeft, blocks_.Store(children_), window.Label()});
+      {half_edge, kLeft, blocks_.Store(children_), 1, window.Label()});
 }
 
 template <typename Front>
@@ -294,14 +297,15 @@ void ListWorker<Front>::HandOn(HalfEdge side, Exit exit, const ExitEdge& edge,
   }
   envelope_.Trim(edge.length, front_.MayChangeOverTwice(), children_);
   if (children_.size == 0) return;
+  const auto count = static_cast<uint32_t>(children_.size);
   if (exit < kIrregularExit) {
-    handed_on_.push_back({exit, from, blocks_.Store(children_), label});
+    handed_on_.push_back({exit, from, blocks_.Store(children_), count, label});
     return;
   }
   mesh_.ForEachBeyond(side, [&](HalfEdge to, bool is_mirrored) {
     if (is_mirrored) children_.Mirror(edge.length);
-    handed_on_.push_back(
-        {to, is_mirrored ? kRight : from, blocks_.Store(children_), label});
+    handed_on_.push_back({to, is_mirrored ? kRight : from,
+                          blocks_.Store(children_), count, label});
     if (is_mirrored) children_.Mirror(edge.length);
   });
 }
