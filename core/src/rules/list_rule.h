@@ -95,8 +95,8 @@ class ListRule {
 
   struct Queued {
     double label;  // the least the half-edge is queued with
-    WaitingLists lists;
-    uint32_t member;  // who has handed on the latest
+    WaitingLists lists = {};
+    uint32_t member = 0;  // who has handed on the latest
   };
   // One of the round.
   struct Event {
@@ -293,8 +293,7 @@ void ListRule<Front>::Enqueue(const typename Worker::HandedOn& handed_on,
       waiting_[h] = free_.back();
       free_.pop_back();
     }
-    queues_[waiting_[h]] = {
-        std::numeric_limits<double>::infinity(), {}, member};
+    queues_[waiting_[h]] = {.label = std::numeric_limits<double>::infinity()};
   }
   Queued& queued = queues_[waiting_[h]];
   queued.member = member;
