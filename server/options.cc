@@ -49,9 +49,9 @@ void AddBytes(CLI::App& app, const std::string& flag, uint64_t& value,
 }
 
 void AddCount(CLI::App& app, const std::string& flag, uint64_t& value,
-              uint64_t most, const std::string& help) {
+              uint64_t most, const std::string& help, uint64_t least = 1) {
   app.add_option(flag, value, help)
-      ->check(CLI::Range(uint64_t{1}, most).description(""))
+      ->check(CLI::Range(least, most).description(""))
       ->capture_default_str()
       ->type_name("N");
 }
@@ -113,7 +113,8 @@ void AddWorkOptions(CLI::App& app, ServerOptions& options) {
            kMostSolveThreads,
            "Threads that share one solve while they have no job of their own");
   AddCount(app, "--max-queued-jobs", limits.max_queued_jobs, 1'000'000,
-           "Jobs that may wait for a thread; more are refused, to be retried");
+           "Jobs that may wait for a thread; more are refused, to be retried",
+           /*least=*/0);
   AddCount(app, "--max-queued-jobs-per-client",
            limits.max_queued_jobs_per_client, 1'000'000,
            "Jobs of one client (the name of its token, or its address) that "

@@ -52,6 +52,20 @@ class SchedulerTest : public ::testing::Test {
   absl::Status reason_;
 };
 
+TEST(SchedulerRoomTest, WithoutAQueueWhatHasNoThreadIsRefused) {
+  test::ManualExecutor executor;
+  Scheduler scheduler(executor, /*max_running=*/2, /*max_queued=*/0);
+  const auto submit = [&] {
+    return scheduler.Submit({.run = [](std::stop_token) {}}).status();
+  };
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_TRUE(submit().ok());
+    EXPECT_TRUE(submit().ok());
+    EXPECT_EQ(submit().code(), absl::StatusCode::kResourceExhausted);
+    executor.RunAll();
+  }
+}
+
 TEST(SchedulerIdleTest, ThreadsThatNoJobHasOrWaitsForAreIdle) {
   test::ManualExecutor executor;
   Scheduler scheduler(executor, /*max_running=*/3, /*max_queued=*/9);
