@@ -1,5 +1,6 @@
 #include "server/engine/job_checkpoint.h"
 
+#include <thread>
 #include <utility>
 
 #include "server/engine/error_reasons.h"
@@ -25,6 +26,9 @@ JobCheckpoint::JobCheckpoint(JobAudience& audience, const Clock& clock,
       next_progress_(clock.Now()) {}
 
 absl::Status JobCheckpoint::Poll(const Progress& progress) {
+  // Where every processor solves, calls that need a moment of one would wait
+  // for the end of a solver's slice: milliseconds.
+  std::this_thread::yield();
   windows_propagated_ = progress.windows_propagated;
   const TimePoint now = clock_.Now();
   if (absl::Status status = audience_.Expire(now); !status.ok()) {
