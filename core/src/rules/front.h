@@ -48,9 +48,7 @@ class Front {
                    std::numeric_limits<double>::infinity()),
         states_(mesh.vertex_count(), 0) {
     if (query.trace) arrivals_.resize(mesh.vertex_count());
-    if (!mesh.HasIrregularEdges() && !mesh.HasCollapsedFaces()) {
-      incoming_.resize(mesh.vertex_count());
-    }
+    if (!mesh.HasCollapsedFaces()) incoming_.resize(mesh.vertex_count());
   }
 
   const Mesh& mesh() const { return mesh_; }
@@ -261,7 +259,7 @@ class Front {
                  Mirror(part, frame.length), v, sink);
     };
     if (incoming_.empty() || incoming_[v].half_edge == kNoHalfEdge ||
-        (states_[v] & kSource) || mesh_.IsNonManifold(v)) {
+        (states_[v] & kSource) || !HasRegularFan(v)) {
       for (HalfEdge h : mesh_.Outgoing(v)) {
         look(h, {0, mesh_.frame(Next(h)).length});
       }
@@ -278,6 +276,15 @@ class Front {
 
   size_t anchor_count() const {
     return distances_.size() - mesh_.vertex_count();
+  }
+
+  // Whether one can simply turn around v, from face to face.
+  bool HasRegularFan(uint32_t v) const {
+    if (mesh_.IsNonManifold(v)) return false;
+    return !mesh_.HasIrregularEdges() ||
+           std::ranges::none_of(mesh_.Outgoing(v), [this](HalfEdge h) {
+             return mesh_.IsIrregularEdge(h) || mesh_.IsIrregularEdge(Prev(h));
+           });
   }
 
   // Of the faces around v.
@@ -373,7 +380,7 @@ class Front {
   std::vector<Arrival> arrivals_;  // of vertices; empty without a trace
   std::vector<uint8_t> states_;
   // Of pseudo-sources: whence their shortest path comes. Empty where the mesh
-  // has edges or faces around which one cannot simply turn.
+  // has faces without area.
   std::vector<IncomingRay> incoming_;
   bool has_free_anchor_ = false;  // one that is not a vertex
   uint64_t reached_ = 0;
