@@ -72,7 +72,8 @@ void Envelope::FindMeetings(WindowColumns& windows) {
 }
 
 size_t Envelope::CutAtMeetings(WindowColumns& windows) const {
-  if (may_split_) return 0;
+  // Two windows that may change over twice do so once where each is nearer on
+  // its own side, as here.
   const double least = kLeastWidth * length_;
   for (size_t k = 0; k < meetings_.size; ++k) {
     const size_t i = meetings_.pair[k];
@@ -135,7 +136,7 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
   const size_t top = kept - 1;
   const double begin = windows.begin[i];
   const double top_end = windows.end[top];
-  if (begin < windows.begin[top] || may_split_) return false;
+  if (begin < windows.begin[top]) return false;
   if (IsLost({begin, top_end}, windows.OriginAt(i), length_)) {
     // Two windows along one ray, overlapping by rounding.
     windows.begin[i] = top_end;
@@ -151,6 +152,7 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
       --kept;
     return true;
   }
+  if (may_split_) return false;
   const Window older = windows.At(top);
   Window newer = windows.At(i);
   const Interval won = WonByNewer(older, newer);

@@ -9,8 +9,9 @@
 // The queue orders half-edges. One that is strict about labels takes windows
 // one by one, as MMP does, and has an entry for each. Any other takes all
 // pending windows of a half-edge together, which any order permits (Xu et al.
-// 2015, Proposition 1): their children arrive next to each other, and the
-// half-edge's face is looked up once.
+// 2015, Proposition 1): they cross the face together (FaceCrossing), trim each
+// other before they meet those that are on the next half-edge already, and what
+// meets nobody there is added as it is, run by run.
 //
 // The windows of a half-edge are disjoint. Propagated ones stay in its list, to
 // trim those that come later, until the wavefront has passed the edge: then
@@ -26,11 +27,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
+#include "rules/face_crossing.h"
 #include "rules/front.h"
 #include "rules/trimming.h"
 #include "windows/window.h"
+#include "windows/window_columns.h"
 #include "windows/window_lists.h"
 
 namespace geodesic {
@@ -49,7 +53,8 @@ class MmpRule {
   explicit MmpRule(Front& front)
       : front_(front),
         mesh_(front.mesh()),
-        lists_(front.mesh().half_edge_count()) {}
+        lists_(front.mesh().half_edge_count()),
+        crossing_(front) {}
 
   // Adds a pseudo-source's window over what it sees of a half-edge.
   void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
@@ -102,12 +107,30 @@ class MmpRule {
   static constexpr double kAnyLabel = std::numeric_limits<double>::max();
   static constexpr size_t kAll = std::numeric_limits<size_t>::max();
 
+  // Whether windows may cross faces together.
+  static constexpr bool kTogether =
+      !Queue::kStrict && std::is_same_v<Origin, geodesic::Origin>;
+  struct Nothing {
+    explicit Nothing(const Front&) {}
+  };
+  using Crossing = std::conditional_t<kTogether, FaceCrossing<Front>, Nothing>;
+
+  // As Propagate: the first windows with labels up to `due`, `most` at the
+  // most.
+  uint32_t PropagateOneByOne(HalfEdge h, double due, size_t most);
+  // All of them.
+  uint32_t PropagateTogether(HalfEdge h);
+  // Adds windows that have trimmed each other; no label among them is below.
+  void InsertAll(HalfEdge half_edge, const WindowColumns& windows,
+                 double label);
   // Inserts a window that leaves its face across `side` in every face beyond.
   void InsertBeyond(HalfEdge side, Exit exit, uint32_t pseudo_source,
                     const Origin& origin, const Interval& interval);
   // Adds a window, as far as it beats those on the half-edge already.
   void Insert(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
               const Interval& interval);
+  // The same for one that paths through the edge's ends leave a chance.
+  void Contest(HalfEdge half_edge, uint32_t pseudo_source, const Window& newer);
   // Sees to it that a window of `half_edge` with this label will be due.
   void Enqueue(HalfEdge half_edge, double label);
   void Cross(HalfEdge h, const Window& window, uint32_t pseudo_source);
@@ -118,9 +141,9 @@ class MmpRule {
   // given way: measured by the distances at the edge, not by sigma, which may
   // be that of a vertex right beside a source.
   bool IsStale(const ListedWindow& listed) const {
-    return listed.window.origin.sigma -
-               front_.PseudoSourceDistance(listed.pseudo_source) >
-           kDominance * listed.window.Label();
+    const double improved = listed.window.origin.sigma -
+                            front_.PseudoSourceDistance(listed.pseudo_source);
+    return improved > 0 && improved > kDominance * listed.window.Label();
   }
 
   template <typename Visit>
@@ -136,23 +159,32 @@ class MmpRule {
   std::vector<HalfEdge> listed_;       // with a list, since the last sweep
   uint64_t next_sweep_ = kLeastSweep;  // when so many windows are in lists
   std::vector<ListedWindow> due_;      // of Propagate, kept for its memory
+  [[no_unique_address]] Crossing crossing_;
   uint64_t pending_ = 0;
   uint64_t created_ = 0;
 };
 
 template <typename Front>
 uint32_t MmpRule<Front>::Propagate(HalfEdge h) {
-  double due = kAnyLabel;
-  size_t most = kAll;
   if constexpr (Queue::kStrict) {
-    due = front_.queue().popped_label();
-    most = 1;
+    return PropagateOneByOne(h, front_.queue().popped_label(), 1);
   } else {
     if (lists_.queued(h) == kPropagated) return 0;
     lists_.set_queued(h, kPropagated);
+    if constexpr (kTogether) {
+      if (!mesh_.HasCollapsedFaces()) return PropagateTogether(h);
+    }
+    return PropagateOneByOne(h, kAnyLabel, kAll);
   }
+}
+
+template <typename Front>
+uint32_t MmpRule<Front>::PropagateOneByOne(HalfEdge h, double due,
+                                           size_t most) {
   due_.clear();  // copies: lists will move
-  lists_.TakeDue(h, due, most, due_);
+  lists_.TakeDue(h, due, most, [this](const ListedWindow& listed) {
+    due_.push_back(listed);
+  });
   pending_ -= due_.size();
   uint32_t propagated = 0;
   for (const ListedWindow& listed : due_) {
@@ -164,11 +196,76 @@ uint32_t MmpRule<Front>::Propagate(HalfEdge h) {
 }
 
 template <typename Front>
+uint32_t MmpRule<Front>::PropagateTogether(HalfEdge h) {
+  WindowColumns& list = crossing_.list();
+  list.size = 0;
+  lists_.TakeDue(h, kAnyLabel, kAll, [&](const ListedWindow& listed) {
+    --pending_;
+    if (IsStale(listed)) return;
+    list.Reserve(list.size + 1);
+    list.Set(list.size++, listed.window, listed.pseudo_source);
+  });
+  if (list.size == 0) return 0;
+  crossing_.Cross(
+      h,
+      [this](uint32_t apex, double distance, const Arrival& arrival,
+             const IncomingRay& ray) {
+        front_.Relax(apex, distance, arrival, ray);
+      },
+      [this](HalfEdge side, Exit exit, const WindowColumns& children,
+             double label) {
+        if (exit < kIrregularExit) {
+          InsertAll(exit, children, label);
+          return;
+        }
+        for (size_t i = 0; i < children.size; ++i) {
+          InsertBeyond(side, exit, children.pseudo_source[i],
+                       children.OriginAt(i),
+                       {children.begin[i], children.end[i]});
+        }
+      });
+  return static_cast<uint32_t>(list.size);
+}
+
+template <typename Front>
+void MmpRule<Front>::InsertAll(HalfEdge half_edge, const WindowColumns& windows,
+                               double label) {
+  for (size_t i = 0; i < windows.size;) {
+    lists_.Seek(half_edge, windows.begin[i]);
+    // Those that end before the next window there meet nobody.
+    size_t last = windows.size;
+    if (const ListedWindow* next = lists_.Next(half_edge)) {
+      const double held_from = next->window.interval.begin;
+      last = i;
+      while (last < windows.size && windows.end[last] <= held_from) ++last;
+    }
+    if (last == i) {
+      Contest(half_edge, windows.pseudo_source[i], windows.At(i));
+      ++i;
+      continue;
+    }
+    if (!lists_.has_room(half_edge)) listed_.push_back(half_edge);
+    created_ += last - i;
+    pending_ += last - i;
+    lists_.MakeRoom(half_edge, static_cast<uint32_t>(last - i));
+    for (; i < last; ++i) {
+      lists_.Add(half_edge, {windows.At(i), windows.pseudo_source[i]}, label);
+      front_.Observe(half_edge, windows.At(i), windows.pseudo_source[i]);
+    }
+    Enqueue(half_edge, label);
+  }
+  if (lists_.size() >= next_sweep_) Sweep();
+}
+
+template <typename Front>
 void MmpRule<Front>::Sweep() {
   const double settled = front_.queue().SettledRadius();
   std::erase_if(listed_, [&](HalfEdge h) {
     if (front_.Farthest(h) > settled) return false;
-    pending_ -= lists_.Pending(h);
+    // What is pending is queued: with a strict queue one by one.
+    if (Queue::kStrict || lists_.queued(h) != kPropagated) {
+      pending_ -= lists_.Pending(h);
+    }
     lists_.Drop(h);
     return true;
   });
@@ -242,6 +339,15 @@ void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
                            mesh_.To(half_edge))) {
     return;
   }
+  Contest(half_edge, pseudo_source, newer);
+}
+
+template <typename Front>
+void MmpRule<Front>::Contest(HalfEdge half_edge, uint32_t pseudo_source,
+                             const Window& newer) {
+  const Interval& interval = newer.interval;
+  const Origin& origin = newer.origin;
+  const double length = mesh_.frame(half_edge).length;
   if (!lists_.has_room(half_edge)) listed_.push_back(half_edge);
   lists_.Seek(half_edge, interval.begin);
   const double slack =
@@ -301,7 +407,10 @@ void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
       part.window.CutTo(before);
       lists_.Add(half_edge, part, label);
       // Both ends of a window in the queue are left: it counts twice now.
-      if (keeps_after && label != kPropagated) Enqueue(half_edge, label);
+      if (keeps_after && label != kPropagated) {
+        ++created_;
+        Enqueue(half_edge, label);
+      }
     }
     if (!keeps_after) {
       lists_.RemoveNext(half_edge);

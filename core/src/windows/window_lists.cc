@@ -1,29 +1,13 @@
 #include "windows/window_lists.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <utility>
 
 #include "windows/mixed_origin.h"
 
 namespace geodesic {
-
-template <typename OriginType>
-void WindowLists<OriginType>::TakeDue(HalfEdge h, double due, size_t most,
-                                      std::vector<ListedWindow>& taken) {
-  const Head& list = HeadOf(h);
-  const size_t enough = taken.size() + most;
-  const auto take = [&](const ListedWindow* windows, double* labels,
-                        uint32_t count) {
-    for (uint32_t i = 0; i < count && taken.size() < enough; ++i) {
-      if (labels[i] > due) continue;
-      labels[i] = kPropagated;
-      taken.push_back(windows[i]);
-    }
-  };
-  take(Begin(list), Labels(list), list.before);
-  take(Next(list), NextLabel(list), list.after);
-}
 
 template <typename OriginType>
 uint32_t WindowLists<OriginType>::Pending(HalfEdge h) const {
@@ -47,7 +31,7 @@ void WindowLists<OriginType>::Drop(HalfEdge h) {
 }
 
 template <typename OriginType>
-void WindowLists<OriginType>::Grow(HalfEdge h) {
+void WindowLists<OriginType>::Grow(HalfEdge h, uint32_t needed) {
   if (!has_room(h)) {
     if (free_heads_.empty()) {
       free_heads_.push_back(static_cast<uint32_t>(heads_.size()));
@@ -58,7 +42,7 @@ void WindowLists<OriginType>::Grow(HalfEdge h) {
   }
   Head& list = HeadOf(h);
   Head grown = list;
-  grown.room = std::max(2 * list.room, kLeastRoom);
+  grown.room = std::bit_ceil(std::max(needed, kLeastRoom));
   if (std::vector<uint32_t>& free = FreeOf(grown.room); free.empty()) {
     grown.offset = static_cast<uint32_t>(arena_.size());
     const size_t size = arena_.size() + grown.room;

@@ -83,9 +83,14 @@ class WindowLists {
     --HeadOf(h).after;
     --size_;
   }
+  // Makes room for `count` windows more.
+  void MakeRoom(HalfEdge h, uint32_t count) {
+    const uint32_t needed = HeadOf(h).before + HeadOf(h).after + count;
+    if (needed > HeadOf(h).room) Grow(h, needed);
+  }
   // Adds a window before the cursor.
   void Add(HalfEdge h, const ListedWindow& window, double label) {
-    if (HeadOf(h).before + HeadOf(h).after == HeadOf(h).room) Grow(h);
+    MakeRoom(h, 1);
     Head& list = HeadOf(h);
     Begin(list)[list.before] = window;
     Labels(list)[list.before] = label;
@@ -93,10 +98,23 @@ class WindowLists {
     peak_size_ = std::max(peak_size_, ++size_);
   }
 
-  // Copies the first windows of h with labels up to `due` to the end of
-  // `taken`, `most` at the most, and marks them as propagated.
-  void TakeDue(HalfEdge h, double due, size_t most,
-               std::vector<ListedWindow>& taken);
+  // Calls take(window) for the first windows of h with labels up to `due`,
+  // `most` at the most, and marks them as propagated. `take` changes no list.
+  template <typename Take>
+  void TakeDue(HalfEdge h, double due, size_t most, Take take) {
+    const Head& list = HeadOf(h);
+    const auto take_from = [&](const ListedWindow* windows, double* labels,
+                               uint32_t count) {
+      for (uint32_t i = 0; i < count && most > 0; ++i) {
+        if (labels[i] > due) continue;
+        labels[i] = kPropagated;
+        --most;
+        take(windows[i]);
+      }
+    };
+    take_from(Begin(list), Labels(list), list.before);
+    take_from(Next(list), NextLabel(list), list.after);
+  }
 
   // Windows of h that are not propagated yet.
   uint32_t Pending(HalfEdge h) const;
@@ -159,7 +177,8 @@ class WindowLists {
   }
   Head& HeadOf(HalfEdge h) { return heads_[slots_[h]]; }
   const Head& HeadOf(HalfEdge h) const { return heads_[slots_[h]]; }
-  void Grow(HalfEdge h);
+  // To a room of `needed` at the least.
+  void Grow(HalfEdge h, uint32_t needed);
 
   // Of each half-edge its head. Few have a list at a time: their heads lie
   // together, in cache, and the others take four bytes.

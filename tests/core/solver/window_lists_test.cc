@@ -75,12 +75,10 @@ TEST(WindowListsTest, TakesWhatIsDueOnceAndInOrder) {
     lists.Add(0, Unit(at, at), 10 - at);  // the last in place is due first
   }
   const auto take = [&](double due, size_t most) {
-    std::vector<ListedWindow> taken;
-    lists.TakeDue(0, due, most, taken);
     std::vector<uint32_t> numbers;
-    for (const ListedWindow& window : taken) {
+    lists.TakeDue(0, due, most, [&](const ListedWindow& window) {
       numbers.push_back(window.pseudo_source);
-    }
+    });
     return numbers;
   };
   using Numbers = std::vector<uint32_t>;
