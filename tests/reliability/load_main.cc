@@ -49,7 +49,7 @@ struct Options {
 
 // What a server with nothing to do can be asked for to see its latency.
 constexpr double kUnloadedRate = 10;
-constexpr double kUnloadedSeconds = 5;
+constexpr double kUnloadedSeconds = 30;
 // The search for the capacity.
 constexpr double kFirstRate = 20;
 constexpr double kStepSeconds = 2;
@@ -163,6 +163,10 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--durable", options.server.is_durable,
                "Give the server a data folder");
+  app.add_option("--disk-mib", options.server.disk_mib,
+                 "Room in it for meshes, and as much for fields")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   geodesic::client::AddServerOptions(app, options.server);
   app.add_option("FLAG", options.server.flags,
                  "For the server, after \"--\": beside those of its budgets");

@@ -49,8 +49,9 @@ WatchedServer::WatchedServer(const Options& options)
     all.insert(all.end(), {budget.flag, absl::StrCat(budget.mib, "MiB")});
   }
   if (options.is_durable) {
-    all.insert(all.end(), {"--data-dir", folder_ / "data", "--mesh-disk",
-                           "256MiB", "--field-disk", "256MiB"});
+    const std::string disk = absl::StrCat(options.disk_mib, "MiB");
+    all.insert(all.end(), {"--data-dir", folder_ / "data", "--mesh-disk", disk,
+                           "--field-disk", disk});
   }
   all.insert(all.end(), options.flags.begin(), options.flags.end());
   server_ = std::make_unique<RunningServer>(folder_, all, options.program);

@@ -22,8 +22,9 @@ class WatchedServer {
     std::string program;
     // Beside the budgets.
     std::vector<std::string> flags;
-    // Whether it has a data folder.
+    // Whether it has a data folder; for so much of meshes, and of fields.
     bool is_durable = false;
+    int disk_mib = 256;
     // Whether its memory says nothing: a sanitizer's is beside any budget.
     bool ignores_memory = false;
     // Of samples.
