@@ -3,9 +3,10 @@
 //   stream_field [HOST:PORT] [--vertices V] [--repeat R]
 //
 // Uploads a flat triangulated square of V vertices (default 200,000), has its
-// field computed once, and fetches it R more times (default 200). Prints one
-// JSON line: bytes of a field, median and best seconds of a call, and the
-// median's rate in GB/s.
+// field computed once, and fetches it R more times (default 200). Fails unless
+// the distances are Euclid's, and the same each time. Prints one JSON line:
+// bytes of a field, median and best seconds of a call, and the median's rate in
+// GB/s.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -39,6 +40,15 @@ MeshArrays Square(uint32_t vertex_count) {
   return mesh;
 }
 
+// Whether these are the distances from the square's first corner.
+bool AreEuclids(const std::vector<double>& distances,
+                const MeshArrays& square) {
+  return std::ranges::equal(
+      distances, square.positions, [](double distance, const Point& p) {
+        return std::abs(distance - std::hypot(p[0], p[1])) <= 1e-10 * distance;
+      });
+}
+
 int Fail(const absl::Status& status) {
   std::cerr << "stream_field: " << status << std::endl;
   return 1;
@@ -46,14 +56,18 @@ int Fail(const absl::Status& status) {
 
 int Measure(const std::string& server, uint32_t vertex_count, int repeat) {
   Client client(server);
-  absl::StatusOr<UploadOutcome> upload =
-      client.UploadArrays(Square(vertex_count));
+  const MeshArrays square = Square(vertex_count);
+  absl::StatusOr<UploadOutcome> upload = client.UploadArrays(square);
   if (!upload.ok()) return Fail(upload.status());
   const FieldQuery query = {.mesh_digest = upload->mesh.digest,
                             .sources = {{VertexPoint{0}}}};
   absl::StatusOr<Field> field = client.ComputeField(query);
   if (!field.ok()) return Fail(field.status());
-  const size_t bytes = field->distances.size() * sizeof(double);
+  const std::vector<double> distances = field->distances;
+  if (!AreEuclids(distances, square)) {
+    return Fail(absl::DataLossError("the distances are wrong"));
+  }
+  const size_t bytes = distances.size() * sizeof(double);
 
   std::vector<double> seconds;
   for (int i = 0; i < repeat; ++i) {
@@ -65,12 +79,15 @@ int Measure(const std::string& server, uint32_t vertex_count, int repeat) {
     if (field->origin != FieldOrigin::kCached) {
       return Fail(absl::FailedPreconditionError("the field was not cached"));
     }
+    if (field->distances != distances) {
+      return Fail(absl::DataLossError("the distances have changed"));
+    }
     seconds.push_back(elapsed.count());
   }
   std::ranges::sort(seconds);
   const double median = seconds[seconds.size() / 2];
   const nlohmann::ordered_json line = {
-      {"vertices", field->distances.size()},
+      {"vertices", distances.size()},
       {"bytes", bytes},
       {"repeat", repeat},
       {"median_s", median},
