@@ -46,6 +46,12 @@ void VisitNumbers(Summary& summary, Visit visit) {
   visit(summary.anisotropy);
 }
 
+// Of a mesh's file.
+uint64_t BodyBytes(uint64_t vertices, uint64_t faces) {
+  return MeshDigestHead(vertices, faces).size() + vertices * sizeof(Point) +
+         faces * sizeof(Triangle);
+}
+
 struct Metadata {
   MeshSummary summary;
   std::optional<FileKey> file;
@@ -203,27 +209,34 @@ void MeshFiles::AddFile(FileKey file, const std::string& digest) {
   if (!Contains(digest)) files_.Forget(digest);
 }
 
+absl::Status MeshFiles::Admit(uint64_t vertices, uint64_t faces) {
+  // The largest metadata there is.
+  const std::string metadata =
+      Encode(MeshSummary(), FileKey{UploadFormat::kStl, std::string(64, '0')});
+  return blobs_->Admit(BodyBytes(vertices, faces), metadata.size());
+}
+
 absl::Status MeshFiles::Put(const ResidentMesh& mesh,
                             const std::optional<FileKey>& file) {
   const Mesh& arrays = *mesh.mesh;
-  const std::string head =
-      MeshDigestHead(arrays.vertex_count(), arrays.face_count());
-  const uint64_t bytes = head.size() +
-                         uint64_t{arrays.vertex_count()} * sizeof(Point) +
-                         uint64_t{arrays.face_count()} * sizeof(Triangle);
+  absl::Status status = Admit(arrays.vertex_count(), arrays.face_count());
+  if (!status.ok()) return status;
   const auto write = [&](BlobSink& sink) {
-    absl::Status written = sink.Append(head);
+    absl::Status written =
+        sink.Append(MeshDigestHead(arrays.vertex_count(), arrays.face_count()));
     if (written.ok()) written = AppendPositions(arrays, sink);
     if (written.ok()) written = AppendTriangles(arrays, sink);
     return written;
   };
-  absl::Status status =
-      blobs_->Put(mesh.digest, Encode(mesh.summary, file), bytes, write);
+  status =
+      blobs_->Put(mesh.digest, Encode(mesh.summary, file),
+                  BodyBytes(arrays.vertex_count(), arrays.face_count()), write);
   if (status.ok()) return status;
-  const absl::Status told(
-      status.code(), absl::StrCat("the mesh cannot be kept: ", status.message(),
-                                  "; delete meshes or free the server's disk"));
-  return bytes > blobs_->capacity() ? told : WithRetryAfter(told, kRetryDelay);
+  return WithRetryAfter(
+      absl::Status(status.code(),
+                   absl::StrCat("the mesh cannot be kept: ", status.message(),
+                                "; delete meshes or free the server's disk")),
+      kRetryDelay);
 }
 
 absl::StatusOr<TriangleSoup> MeshFiles::Load(const MeshDescription& mesh,
@@ -232,9 +245,8 @@ absl::StatusOr<TriangleSoup> MeshFiles::Load(const MeshDescription& mesh,
   const absl::Status status = blobs_->Read(mesh.digest, [&](BlobBody& body) {
     const std::string expected =
         MeshDigestHead(mesh.summary.vertices, mesh.summary.faces);
-    if (body.bytes_left() != expected.size() +
-                                 mesh.summary.vertices * sizeof(Point) +
-                                 mesh.summary.faces * sizeof(Triangle)) {
+    if (body.bytes_left() !=
+        BodyBytes(mesh.summary.vertices, mesh.summary.faces)) {
       return absl::DataLossError("the body has not the size of the mesh");
     }
     // The counts, which the digest covers.

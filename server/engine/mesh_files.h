@@ -52,9 +52,12 @@ class MeshFiles {
   std::optional<std::string> FindFile(const FileKey& file) const;
   void AddFile(FileKey file, const std::string& digest);
 
+  // Whether a mesh of this size can ever be kept; see BlobStore::Admit.
+  absl::Status Admit(uint64_t vertices, uint64_t faces);
+
   // Returns when the mesh is on the disk for good.
-  // Errors: RESOURCE_EXHAUSTED (disk or budget full; with a retry hint when
-  // waiting may help), UNAVAILABLE.
+  // Errors: as Admit; RESOURCE_EXHAUSTED (disk or budget full), UNAVAILABLE,
+  // both with a retry hint.
   absl::Status Put(const ResidentMesh& mesh,
                    const std::optional<FileKey>& file);
 

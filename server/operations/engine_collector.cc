@@ -74,6 +74,9 @@ void AppendDisk(const DurableStore& durable,
               &BlobCounters::writes);
   add_counter("geodesic_disk_write_failures_total",
               "Files that could not be written", &BlobCounters::write_failures);
+  add_counter("geodesic_disk_too_large_total",
+              "Files refused because they are larger than the capacity",
+              &BlobCounters::too_large);
   add_counter("geodesic_disk_reads_total", "Files to be read, failures too",
               &BlobCounters::reads);
   add_counter("geodesic_disk_read_failures_total",

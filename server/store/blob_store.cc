@@ -221,6 +221,17 @@ std::vector<std::string> BlobStore::Select(
   return names;
 }
 
+absl::Status BlobStore::Admit(uint64_t body_bytes, uint64_t metadata_bytes) {
+  const uint64_t bytes = OnDisk(kBlobHeaderBytes + body_bytes + metadata_bytes);
+  if (bytes <= options_.capacity) return absl::OkStatus();
+  std::lock_guard lock(mutex_);
+  ++counters_.too_large;
+  return absl::ResourceExhaustedError(absl::StrCat(
+      bytes, " bytes of disk are needed, more than the ", options_.capacity,
+      " that the server may use for ", Plural(options_.kind),
+      " can ever hold; the server's --", options_.kind, "-disk sets it"));
+}
+
 absl::Status BlobStore::Put(const std::string& name, std::string_view metadata,
                             std::span<const std::string_view> body) {
   uint64_t bytes = 0;
@@ -237,7 +248,9 @@ absl::Status BlobStore::Put(const std::string& name, std::string_view metadata,
 absl::Status BlobStore::Put(
     const std::string& name, std::string_view metadata, uint64_t body_bytes,
     absl::FunctionRef<absl::Status(BlobSink& sink)> write) {
-  absl::Status status = Keep(name, metadata, body_bytes, write);
+  absl::Status status = Admit(body_bytes, metadata.size());
+  if (!status.ok()) return status;
+  status = Keep(name, metadata, body_bytes, write);
   std::lock_guard lock(mutex_);
   ++counters_.writes;
   if (!status.ok()) ++counters_.write_failures;
@@ -272,12 +285,6 @@ absl::Status BlobStore::MakeRoom(uint64_t bytes) {
     std::string victim;
     {
       std::lock_guard lock(mutex_);
-      if (bytes > options_.capacity) {
-        return absl::ResourceExhaustedError(
-            absl::StrCat(bytes, " bytes of disk are needed, more than the ",
-                         options_.capacity, " that the server may use for ",
-                         Plural(options_.kind)));
-      }
       if (HasRoom(bytes)) {
         reserved_bytes_ += bytes;
         return absl::OkStatus();

@@ -64,7 +64,8 @@ struct BlobInfo {
 struct BlobCounters {
   uint64_t writes = 0;  // failures included
   uint64_t write_failures = 0;
-  uint64_t reads = 0;  // likewise
+  uint64_t too_large = 0;  // for the whole store; nothing was written
+  uint64_t reads = 0;      // likewise
   uint64_t read_failures = 0;
   uint64_t evictions = 0;
   uint64_t damaged = 0;
@@ -147,10 +148,15 @@ class BlobStore {
                              std::string_view metadata)>
           predicate) const;
 
+  // Whether a blob of so many bytes can ever be kept; one that cannot is
+  // counted as refused. Errors: RESOURCE_EXHAUSTED with the figures and the
+  // server's flag.
+  absl::Status Admit(uint64_t body_bytes, uint64_t metadata_bytes);
+
   // Keeps a blob, whose body `write` appends, `body_bytes` in all; in place of
   // the one with this name, if there is one.
-  // Errors: RESOURCE_EXHAUSTED (larger than the capacity, or than what others
-  // do not write at the moment; disk full), UNAVAILABLE (the disk cannot be
+  // Errors: as Admit; RESOURCE_EXHAUSTED (larger than what others do not write
+  // at the moment; disk full), UNAVAILABLE (the disk cannot be
   // written), INTERNAL (the body has not that size; the name is not its digest,
   // but should be); those of `write`.
   // REQUIRES: IsSha256Hex(name).

@@ -52,6 +52,7 @@ TEST_F(BlobDiskTest, AFullDiskIsSaidAndLeft) {
   EXPECT_EQ(store_->used_bytes(), kBlock);
   // What fits is taken.
   EXPECT_TRUE(Put(*store_, Name('b'), std::string(kMiB / 2, 'x')).ok());
+  EXPECT_EQ(store_->counters().write_failures, 1);
 }
 
 TEST_F(BlobDiskTest, ItGoesOnWhenThereIsSpaceAgain) {
