@@ -90,9 +90,9 @@ ByteReservation::~ByteReservation() { ShrinkTo(0); }
 
 absl::Status ByteReservation::GrowTo(uint64_t bytes) {
   if (bytes <= bytes_) return absl::OkStatus();
-  if (absl::Status status = budget_->Take(bytes - bytes_); !status.ok()) {
-    return status;
-  }
+  absl::Status status = budget_->CheckCapacity(bytes);
+  if (status.ok()) status = budget_->Take(bytes - bytes_);
+  if (!status.ok()) return status;
   bytes_ = bytes;
   return absl::OkStatus();
 }

@@ -65,7 +65,8 @@ class ByteReservation {
   ByteReservation& operator=(ByteReservation&& other) noexcept;
   ~ByteReservation();
 
-  // Errors: as ByteBudget::Take; the reservation then stays as it is.
+  // Errors: as ByteBudget::Take, without a retry hint when the budget can never
+  // hold that many; the reservation then stays as it is.
   absl::Status GrowTo(uint64_t bytes);
 
   // Does nothing when `bytes` are not less than what is held.

@@ -30,8 +30,8 @@ constexpr JobPriority RowPriority(bool is_batch) {
   return is_batch ? JobPriority::kBatch : JobPriority::kRow;
 }
 
-// Either `run` or `abandon` is called, once, unless the job is cancelled while
-// it waits: then neither is. None of them may throw.
+// Either `run` or `abandon` ends the job, unless it is cancelled while it
+// waits: then neither is called. None of them may throw.
 struct Job {
   JobPriority priority = JobPriority::kSolve;
   // See Requester.
@@ -47,6 +47,10 @@ struct Job {
   // Does the work, on a thread of the executor. It should return soon after
   // the token asks it to stop.
   absl::AnyInvocable<void(std::stop_token)> run;
+  // After `run`: whether there is more to do, for which the job waits in its
+  // old place, takes memory and runs again; may be empty. One that was asked to
+  // stop is dropped instead.
+  absl::AnyInvocable<bool()> goes_on;
   // Hears why the job will never run. Must be short.
   absl::AnyInvocable<void(const absl::Status&)> abandon;
 };

@@ -3,7 +3,6 @@
 #include <thread>
 #include <utility>
 
-#include "server/engine/error_reasons.h"
 #include "server/engine/status_details.h"
 
 namespace geodesic::server {
@@ -36,8 +35,7 @@ absl::Status JobCheckpoint::Poll(const Progress& progress) {
   }
   // Waiters that leave are seen above; this comes from a shutdown.
   if (stop_.stop_requested()) {
-    return WithReason(absl::UnavailableError("the server is shutting down"),
-                      reason::kShuttingDown);
+    return ShuttingDown();
   }
   if (progress.solver_bytes > memory_.bytes()) {
     absl::Status status = memory_.GrowTo(progress.solver_bytes + kMemoryStep);

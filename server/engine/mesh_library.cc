@@ -5,7 +5,6 @@
 
 #include "absl/strings/str_cat.h"
 #include "server/engine/argument_checks.h"
-#include "server/engine/mesh_digest.h"
 #include "server/engine/status_details.h"
 
 namespace geodesic::server {
@@ -18,14 +17,10 @@ uint64_t BytesToKeep(const std::string& digest, uint64_t vertices,
          digest.capacity();
 }
 
-// The arrays, and what a build needs beyond what stays.
-uint64_t BytesToLoad(const MeshDescription& mesh) {
-  const uint64_t vertices = mesh.summary.vertices;
-  const uint64_t faces = mesh.summary.faces;
-  const uint64_t peak = Mesh::EstimateBuildBytes(vertices, faces);
-  const uint64_t resident = Mesh::EstimateResidentBytes(vertices, faces);
+// Of the upload memory, for a mesh whose arrays are all it comes from.
+uint64_t BytesFromArrays(uint64_t vertices, uint64_t faces) {
   return vertices * sizeof(Point) + faces * sizeof(Triangle) +
-         (peak > resident ? peak - resident : 0);
+         MeshLibrary::BytesToBuild(vertices, faces);
 }
 
 }  // namespace
@@ -115,18 +110,36 @@ absl::StatusOr<std::optional<MeshLoads::Seat>> MeshLibrary::Await(
   }
   const std::optional<MeshDescription> mesh = Describe(digest);
   if (!mesh) return NotResident(digest);
-  if (absl::Status status = CheckCapacity(*mesh); !status.ok()) return status;
+  absl::Status status =
+      CheckMemory(digest, mesh->summary.vertices, mesh->summary.faces);
+  if (!status.ok()) return status;
   absl::StatusOr<MeshLoads::Seat> seat =
       loads_.Join(digest, std::move(done), client);
   if (!seat.ok()) return seat.status();
   return *std::move(seat);
 }
 
-absl::Status MeshLibrary::CheckCapacity(const MeshDescription& mesh) const {
-  absl::Status status = upload_memory_->CheckCapacity(BytesToLoad(mesh));
+absl::Status MeshLibrary::CheckCapacity(const UploadHeader& header) const {
+  absl::Status status =
+      upload_memory_->CheckCapacity(MeshUpload::BytesToParse(header));
+  if (!status.ok() || header.format != UploadFormat::kArrays) return status;
+  return CheckCapacity(/*digest=*/{}, header.vertex_count, header.face_count);
+}
+
+absl::Status MeshLibrary::CheckCapacity(const std::string& digest,
+                                        uint64_t vertices,
+                                        uint64_t faces) const {
+  absl::Status status = CheckMemory(digest, vertices, faces);
+  if (!status.ok() || files_ == nullptr) return status;
+  return files_->Admit(vertices, faces);
+}
+
+absl::Status MeshLibrary::CheckMemory(const std::string& digest,
+                                      uint64_t vertices, uint64_t faces) const {
+  absl::Status status =
+      upload_memory_->CheckCapacity(BytesFromArrays(vertices, faces));
   if (!status.ok()) return status;
-  return store_.CheckCapacity(
-      BytesToKeep(mesh.digest, mesh.summary.vertices, mesh.summary.faces));
+  return store_.CheckCapacity(BytesToKeep(digest, vertices, faces));
 }
 
 absl::StatusOr<MeshLoads::Provision> MeshLibrary::Provide(
@@ -136,8 +149,9 @@ absl::StatusOr<MeshLoads::Provision> MeshLibrary::Provide(
   }
   const std::optional<MeshDescription> mesh = files_->Describe(digest);
   if (!mesh) return NotResident(digest);
-  absl::StatusOr<ByteReservation> arrays =
-      ByteReservation::Make(upload_memory_, BytesToLoad(*mesh));
+  absl::StatusOr<ByteReservation> arrays = ByteReservation::Make(
+      upload_memory_,
+      BytesFromArrays(mesh->summary.vertices, mesh->summary.faces));
   if (!arrays.ok()) return arrays.status();
   absl::StatusOr<ByteReservation> room =
       ReserveResident(digest, mesh->summary.vertices, mesh->summary.faces);
@@ -214,32 +228,26 @@ absl::StatusOr<ByteReservation> MeshLibrary::ReserveResident(
   return store_.Reserve(bytes);
 }
 
-absl::StatusOr<UploadResult> MeshLibrary::Build(MeshUpload& upload) {
-  absl::StatusOr<TriangleSoup> soup = upload.Parse();
-  if (!soup.ok()) return soup.status();
-  const std::string digest = MeshDigest(soup->positions, soup->triangles);
-  const std::string& expected = upload.header().expected_digest;
-  if (!expected.empty() && expected != digest) {
-    return InvalidField("header.expected_digest",
-                        absl::StrCat("the mesh has digest ", digest,
-                                     ", not the expected ", expected));
-  }
-  if (std::optional<MeshDescription> present = Describe(digest)) {
-    RememberFile(upload, digest);
-    return UploadResult{*std::move(present), true};
-  }
+uint64_t MeshLibrary::BytesToBuild(uint64_t vertices, uint64_t faces) {
+  // What stays is the mesh store's.
+  return Mesh::EstimateBuildBytes(vertices, faces) -
+         Mesh::EstimateResidentBytes(vertices, faces);
+}
 
-  const uint64_t vertices = soup->positions.size();
-  const uint64_t faces = soup->triangles.size();
-  if (absl::Status status = upload.ReserveForBuild(vertices, faces);
-      !status.ok()) {
-    return status;
-  }
-  absl::StatusOr<ByteReservation> room =
-      ReserveResident(digest, vertices, faces);
-  if (!room.ok()) return room.status();
+std::optional<UploadResult> MeshLibrary::FindBuilt(const std::string& digest,
+                                                   const MeshUpload& upload) {
+  std::optional<MeshDescription> present = Describe(digest);
+  if (!present) return std::nullopt;
+  RememberFile(upload, digest);
+  return UploadResult{*std::move(present), true};
+}
+
+absl::StatusOr<UploadResult> MeshLibrary::Build(TriangleSoup soup,
+                                                const std::string& digest,
+                                                const MeshUpload& upload,
+                                                ByteReservation room) {
   absl::StatusOr<std::shared_ptr<const Mesh>> built =
-      Mesh::Build(*std::move(soup));
+      Mesh::Build(std::move(soup));
   if (!built.ok()) {
     return absl::IsInvalidArgument(built.status())
                ? WithField(built.status(), "chunk.data")
@@ -256,7 +264,7 @@ absl::StatusOr<UploadResult> MeshLibrary::Build(MeshUpload& upload) {
       description.stored_bytes = stored->stored_bytes;
     }
   }
-  const bool is_new = Keep(std::move(mesh), *std::move(room)).is_new;
+  const bool is_new = Keep(std::move(mesh), std::move(room)).is_new;
   RememberFile(upload, digest);
   ++meshes_built_;
   return UploadResult{std::move(description), !is_new};

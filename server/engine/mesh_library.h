@@ -78,10 +78,36 @@ class MeshLibrary {
   // If the upload's file is known and is the expected one, what came of it.
   std::optional<UploadResult> FindUploaded(const MeshUpload& upload);
 
-  // Parses, checks and keeps an upload. Not for a thread that must not wait.
-  // REQUIRES: upload.Finish() succeeded.
-  // Errors: INVALID_ARGUMENT, RESOURCE_EXHAUSTED, UNAVAILABLE.
-  absl::StatusOr<UploadResult> Build(MeshUpload& upload);
+  // The rest of what an upload needs on its way (MeshBuild).
+
+  // Whether it can ever become a mesh that is kept, as far as its header tells.
+  // Errors: RESOURCE_EXHAUSTED with the figures.
+  absl::Status CheckCapacity(const UploadHeader& header) const;
+  // The same of a mesh.
+  absl::Status CheckCapacity(const std::string& digest, uint64_t vertices,
+                             uint64_t faces) const;
+
+  // The mesh of this digest that is there, known as the upload's file from now
+  // on.
+  std::optional<UploadResult> FindBuilt(const std::string& digest,
+                                        const MeshUpload& upload);
+
+  // What a build takes of the upload memory, beside its arrays.
+  static uint64_t BytesToBuild(uint64_t vertices, uint64_t faces);
+
+  // Makes room in memory for a mesh.
+  // Errors: RESOURCE_EXHAUSTED, without a retry hint if there never will be
+  // any.
+  absl::StatusOr<ByteReservation> ReserveResident(const std::string& digest,
+                                                  uint64_t vertices,
+                                                  uint64_t faces);
+
+  // Checks and keeps the mesh of an upload. Not for a thread that must not
+  // wait. Errors: INVALID_ARGUMENT, RESOURCE_EXHAUSTED, UNAVAILABLE.
+  absl::StatusOr<UploadResult> Build(TriangleSoup soup,
+                                     const std::string& digest,
+                                     const MeshUpload& upload,
+                                     ByteReservation room);
 
   // Waits for the disk, if there is one.
   // Errors: NOT_FOUND; UNAVAILABLE (it cannot be removed from the disk).
@@ -94,12 +120,10 @@ class MeshLibrary {
   const MeshLoads& loads() const { return loads_; }
 
  private:
-  absl::StatusOr<ByteReservation> ReserveResident(const std::string& digest,
-                                                  uint64_t vertices,
-                                                  uint64_t faces);
+  // Whether the memory to build a mesh can ever be had.
+  absl::Status CheckMemory(const std::string& digest, uint64_t vertices,
+                           uint64_t faces) const;
   void RememberFile(const MeshUpload& upload, const std::string& digest);
-  // Whether the memory for a load can ever be had. Errors: RESOURCE_EXHAUSTED.
-  absl::Status CheckCapacity(const MeshDescription& mesh) const;
   // What a load needs, and its work.
   absl::StatusOr<MeshLoads::Provision> Provide(const std::string& digest);
   absl::StatusOr<MeshHandle> Load(const std::string& digest,

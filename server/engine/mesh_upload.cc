@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/mesh.h"
 #include "geodesic/read_mesh.h"
 #include "server/engine/status_details.h"
 
@@ -21,10 +20,24 @@ static_assert(std::endian::native == std::endian::little);
 // The buffer starts with the size of a usual chunk and then doubles.
 constexpr uint64_t kFirstCapacity = uint64_t{1} << 20;
 
-// Triangles take more memory than the text they are read from: "f 1 2 3\n" is
-// 8 bytes and makes 12, "v 0 0 0\n" makes 24, and a growing vector holds up to
-// twice its content.
-constexpr uint64_t kParseFactor = 3;
+// What triangles take of memory, by the size of their file. Most files keep to
+// the first: "f 1001 1002 1003\n" is 17 bytes and makes 12. A file that does
+// not is read again with more, at the last with what one of any content keeps
+// to: a byte may be a corner, and add a triangle.
+constexpr uint64_t kUsualFactor = 3;
+constexpr uint64_t kNextFactor = 4;
+constexpr uint64_t kLastFactor = 48;
+
+uint64_t FirstFactor(const UploadHeader& header) {
+  return header.format == UploadFormat::kArrays ? 1 : kUsualFactor;
+}
+
+// Half of the bytes is for vertices and half for triangles; an array that grows
+// takes twice its content while it is moved.
+ReadLimits LimitsWithin(uint64_t bytes) {
+  return {.max_vertices = bytes / (4 * sizeof(Point)),
+          .max_triangles = bytes / (4 * sizeof(Triangle))};
+}
 
 absl::Status CheckLimit(std::string_view what, uint64_t value,
                         std::string_view limit_name, uint64_t limit) {
@@ -118,7 +131,10 @@ absl::StatusOr<std::unique_ptr<MeshUpload>> MeshUpload::Start(
 
 MeshUpload::MeshUpload(UploadHeader header, const Limits& limits,
                        std::shared_ptr<ByteBudget> budget)
-    : header_(std::move(header)), limits_(limits), budget_(std::move(budget)) {}
+    : header_(std::move(header)),
+      limits_(limits),
+      budget_(std::move(budget)),
+      soup_factor_(FirstFactor(header_)) {}
 
 absl::Status MeshUpload::Append(uint64_t offset, std::string_view data) {
   if (offset != bytes_.size()) {
@@ -166,13 +182,31 @@ absl::Status MeshUpload::Finish() {
   return absl::OkStatus();
 }
 
-absl::StatusOr<TriangleSoup> MeshUpload::Parse() {
-  const bool arrays = header_.format == UploadFormat::kArrays;
-  const uint64_t soup_bound =
-      arrays ? bytes_.size() : kParseFactor * bytes_.size();
-  absl::Status status = reservation_.GrowTo(bytes_.capacity() + soup_bound);
-  if (!status.ok()) return status;
-  absl::StatusOr<TriangleSoup> soup = arrays ? ParseArrays() : ParseFile();
+uint64_t MeshUpload::BytesToParse(const UploadHeader& header) {
+  return (1 + FirstFactor(header)) * header.size_bytes;
+}
+
+absl::Status MeshUpload::ReserveForParse() {
+  return reservation_.GrowTo(bytes_.capacity() + SoupBound());
+}
+
+absl::StatusOr<std::optional<TriangleSoup>> MeshUpload::Parse() {
+  const ReadLimits core_limits;
+  const ReadLimits own = {
+      .max_vertices = std::min(limits_.max_vertices, core_limits.max_vertices),
+      .max_triangles = std::min(limits_.max_faces, core_limits.max_triangles)};
+  const ReadLimits within = LimitsWithin(SoupBound());
+  absl::StatusOr<TriangleSoup> soup =
+      header_.format == UploadFormat::kArrays
+          ? ParseArrays()
+          : ParseFile({std::min(own.max_vertices, within.max_vertices),
+                       std::min(own.max_triangles, within.max_triangles)});
+  if (absl::IsResourceExhausted(soup.status()) && soup_factor_ < kLastFactor &&
+      (within.max_vertices < own.max_vertices ||
+       within.max_triangles < own.max_triangles)) {
+    soup_factor_ *= kNextFactor;
+    return std::nullopt;
+  }
   std::vector<char>().swap(bytes_);
   if (!soup.ok()) {
     reservation_.ShrinkTo(0);
@@ -181,17 +215,7 @@ absl::StatusOr<TriangleSoup> MeshUpload::Parse() {
                : soup.status();
   }
   reservation_.ShrinkTo(SoupBytes(*soup));
-  if (status = reservation_.GrowTo(SoupBytes(*soup)); !status.ok()) {
-    return status;
-  }
-  return soup;
-}
-
-absl::Status MeshUpload::ReserveForBuild(uint64_t vertices, uint64_t faces) {
-  const uint64_t peak = Mesh::EstimateBuildBytes(vertices, faces);
-  const uint64_t resident = Mesh::EstimateResidentBytes(vertices, faces);
-  return reservation_.GrowTo(reservation_.bytes() +
-                             (peak > resident ? peak - resident : 0));
+  return std::optional(*std::move(soup));
 }
 
 absl::StatusOr<TriangleSoup> MeshUpload::ParseArrays() const {
@@ -209,13 +233,10 @@ absl::StatusOr<TriangleSoup> MeshUpload::ParseArrays() const {
   return soup;
 }
 
-absl::StatusOr<TriangleSoup> MeshUpload::ParseFile() const {
-  const ReadLimits core_limits;
-  return ReadMesh(
-      {bytes_.data(), bytes_.size()}, FileFormat(header_.format),
-      {.max_vertices = std::min(limits_.max_vertices, core_limits.max_vertices),
-       .max_triangles =
-           std::min(limits_.max_faces, core_limits.max_triangles)});
+absl::StatusOr<TriangleSoup> MeshUpload::ParseFile(
+    const ReadLimits& limits) const {
+  return ReadMesh({bytes_.data(), bytes_.size()}, FileFormat(header_.format),
+                  limits);
 }
 
 }  // namespace geodesic::server

@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "geodesic/read_mesh.h"
 #include "geodesic/triangle_soup.h"
 #include "server/engine/byte_budget.h"
 #include "server/engine/limits.h"
@@ -18,7 +20,8 @@
 
 namespace geodesic::server {
 
-// Not thread-safe. Call Append for each chunk, then Finish, then Parse.
+// Not thread-safe. Call Append for each chunk, then Finish, ReserveForParse and
+// Parse.
 class MeshUpload {
  public:
   // Nothing is allocated on the word of the header.
@@ -41,16 +44,24 @@ class MeshUpload {
   // The name of the bytes. REQUIRES: Finish succeeded.
   const FileKey& file() const { return file_; }
 
-  // Makes triangles of the bytes, which are gone afterwards. Linear in their
-  // number: not for a thread that must not wait. REQUIRES: Finish succeeded.
-  // Errors: INVALID_ARGUMENT naming line, byte or element; RESOURCE_EXHAUSTED
-  // when a limit is passed or memory is short.
-  absl::StatusOr<TriangleSoup> Parse();
+  // What the bytes of such an upload and, as a rule, the triangles made of them
+  // take.
+  static uint64_t BytesToParse(const UploadHeader& header);
 
-  // Takes from the upload budget what a build of this size needs beyond what
-  // stays resident.
-  // Errors: RESOURCE_EXHAUSTED.
-  absl::Status ReserveForBuild(uint64_t vertices, uint64_t faces);
+  // Takes memory for the triangles. REQUIRES: Finish succeeded.
+  // Errors: as ByteReservation::GrowTo.
+  absl::Status ReserveForParse();
+
+  // Makes triangles of the bytes, which are gone afterwards. Linear in their
+  // number: not for a thread that must not wait. Nothing, and the bytes stay,
+  // when the file holds more than the memory taken for it: ReserveForParse then
+  // takes more. REQUIRES: ReserveForParse succeeded.
+  // Errors: INVALID_ARGUMENT naming line, byte or element; RESOURCE_EXHAUSTED
+  // when a limit is passed.
+  absl::StatusOr<std::optional<TriangleSoup>> Parse();
+
+  // Covers the bytes, and the triangles once there are any.
+  ByteReservation& memory() { return reservation_; }
 
   const UploadHeader& header() const { return header_; }
   uint64_t received_bytes() const { return bytes_.size(); }
@@ -59,14 +70,16 @@ class MeshUpload {
   MeshUpload(UploadHeader header, const Limits& limits,
              std::shared_ptr<ByteBudget> budget);
 
+  uint64_t SoupBound() const { return soup_factor_ * header_.size_bytes; }
   absl::StatusOr<TriangleSoup> ParseArrays() const;
-  absl::StatusOr<TriangleSoup> ParseFile() const;
+  absl::StatusOr<TriangleSoup> ParseFile(const ReadLimits& limits) const;
 
   const UploadHeader header_;
   const Limits limits_;
   const std::shared_ptr<ByteBudget> budget_;
-  ByteReservation reservation_;  // covers bytes_.capacity(), later the soup
+  ByteReservation reservation_;
   std::vector<char> bytes_;
+  uint64_t soup_factor_;  // the triangles' bytes by those of the upload
   Sha256 hash_;
   FileKey file_;
 };

@@ -5,9 +5,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "server/engine/argument_checks.h"
-#include "server/engine/error_reasons.h"
 #include "server/engine/guarded.h"
 #include "server/engine/idle_threads.h"
+#include "server/engine/mesh_build.h"
 #include "server/engine/status_details.h"
 #include "server/store/sha256.h"
 
@@ -17,11 +17,6 @@ namespace {
 constexpr size_t kMaxDigestsPerRequest = 1000;
 constexpr int kDefaultPageSize = 100;
 constexpr int kMaxPageSize = 1000;
-
-absl::Status ShuttingDown() {
-  return WithReason(absl::UnavailableError("the server is shutting down"),
-                    reason::kShuttingDown);
-}
 
 uint64_t CurvePoints(const Query& query) {
   uint64_t points = 0;
@@ -95,7 +90,12 @@ absl::StatusOr<MissingMeshes> QueryEngine::FindMissing(
 absl::StatusOr<std::unique_ptr<MeshUpload>> QueryEngine::StartUpload(
     UploadHeader header) {
   if (draining_) return ShuttingDown();
-  return MeshUpload::Start(std::move(header), limits_, upload_memory_);
+  absl::Status status;
+  absl::StatusOr<std::unique_ptr<MeshUpload>> upload =
+      MeshUpload::Start(std::move(header), limits_, upload_memory_);
+  if (upload.ok()) status = meshes_.CheckCapacity((*upload)->header());
+  if (!status.ok()) return status;
+  return upload;
 }
 
 absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
@@ -107,20 +107,34 @@ absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
     done(*std::move(known));
     return std::nullopt;
   }
-  // Both callbacks share what only one of them will use.
-  auto shared = std::make_shared<UploadCallback>(std::move(done));
+  // What the callbacks share; the build goes before anyone hears of it.
+  struct Work {
+    std::optional<MeshBuild> build;
+    UploadCallback done;
+    void End(const absl::StatusOr<UploadResult>& result) {
+      build.reset();
+      done(result);
+    }
+  };
+  auto work = std::make_shared<Work>();
+  work->build.emplace(meshes_, std::move(upload));
+  work->done = std::move(done);
   absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
       {.priority = JobPriority::kBuild,
        .client = client,
+       .reserve = [work] { return work->build->Reserve(); },
        .run =
-           [this, shared,
-            work = std::move(upload)](const std::stop_token&) mutable {
+           [work](const std::stop_token&) {
              auto result =
-                 Guarded("built a mesh", [&] { return meshes_.Build(*work); });
-             work.reset();
-             (*shared)(result);
+                 Guarded("built a mesh", [&] { return work->build->Run(); });
+             if (!result.ok()) {
+               work->End(result.status());
+             } else if (result->has_value()) {
+               work->End(**std::move(result));
+             }
            },
-       .abandon = [shared](const absl::Status& status) { (*shared)(status); }});
+       .goes_on = [work] { return work->build.has_value(); },
+       .abandon = [work](const absl::Status& why) { work->End(why); }});
   if (!job.ok()) return job.status();
   return *job;
 }

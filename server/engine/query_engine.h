@@ -125,13 +125,14 @@ class QueryEngine {
       const std::vector<std::string>& mesh_digests,
       const std::vector<FileKey>& files);
 
-  // Errors: as MeshUpload::Start; UNAVAILABLE while shutting down.
+  // Errors: as MeshUpload::Start; RESOURCE_EXHAUSTED when the memory for such
+  // an upload can never be had; UNAVAILABLE while shutting down.
   absl::StatusOr<std::unique_ptr<MeshUpload>> StartUpload(UploadHeader header);
 
-  // Parses, builds and keeps the mesh in a job and calls `done` from there,
-  // once, unless the job is cancelled before it starts; with a durable store,
-  // when the mesh is on the disk. Calls it at once, from here, when the file is
-  // known.
+  // Parses, builds and keeps the mesh in a job, which waits for its memory as
+  // Job::reserve says, and calls `done` from there, once, unless the job is
+  // cancelled while it waits; with a durable store, when the mesh is on the
+  // disk. Calls it at once, from here, when the file is known.
   // Errors, here or in `done`: INVALID_ARGUMENT (bytes missing; a malformed
   // file; a refused mesh; another digest than expected); RESOURCE_EXHAUSTED;
   // UNAVAILABLE.
@@ -139,7 +140,7 @@ class QueryEngine {
       std::unique_ptr<MeshUpload> upload, UploadCallback done,
       const std::string& client = {});
 
-  // Drops an upload's job that waits for a thread.
+  // Drops an upload's job that waits for a thread or for memory.
   void CancelUpload(Scheduler::JobId job);
 
   // A mesh in memory, which the questions below need.

@@ -14,11 +14,6 @@ namespace {
 // A queue moves on within about a second: most jobs take less.
 constexpr std::chrono::milliseconds kRetryDelay{1000};
 
-absl::Status ShuttingDown() {
-  return WithReason(absl::UnavailableError("the server is shutting down"),
-                    reason::kShuttingDown);
-}
-
 }  // namespace
 
 Scheduler::Scheduler(Executor& executor, size_t max_running, size_t max_queued,
@@ -164,22 +159,21 @@ void Scheduler::RunOne() {
   bool progressed = false;
   if (std::optional<WaitingJob> started = StartNext(lock, id, progressed)) {
     progressed = true;
-    Job job = std::move(started->job);
-    JobTimes times{.priority = job.priority};
-    const TimePoint begin = Now();
-    times.waited = begin - started->since;
     const std::stop_source source;
     running_.emplace(id, source);
-
     lock.unlock();
-    job.run(source.get_token());
-    job = Job();  // what it captured is gone before the job counts as done
-    if (ended_) {
-      times.ran = Now() - begin;
-      times.was_stopped = source.stop_requested();
-      ended_(times);
-    }
+    bool goes_on = Run(*started, source);
     lock.lock();
+    if (goes_on && !stopped_ && !source.stop_requested()) {
+      queue_.Push(id.number, {std::move(started->job), Now()});
+    } else if (goes_on) {
+      // What it captured goes without the lock, before it counts as done.
+      const bool is_end = stopped_;
+      lock.unlock();
+      if (is_end) started->job.abandon(ShuttingDown());
+      started.reset();
+      lock.lock();
+    }
     running_.erase(id);
   }
   --workers_;
@@ -187,6 +181,22 @@ void Scheduler::RunOne() {
   // nothing could be done, the next change asks again.
   if (progressed) AskForThreads();
   if (workers_ == 0) idle_.notify_all();
+}
+
+bool Scheduler::Run(WaitingJob& started, const std::stop_source& source) {
+  JobTimes times{.priority = started.job.priority};
+  const TimePoint begin = Now();
+  times.waited = begin - started.since;
+  started.job.run(source.get_token());
+  const bool goes_on = started.job.goes_on && started.job.goes_on();
+  // Else what it captured is gone before the job counts as done.
+  if (!goes_on) started.job = Job();
+  if (ended_) {
+    times.ran = Now() - begin;
+    times.was_stopped = source.stop_requested();
+    ended_(times);
+  }
+  return goes_on;
 }
 
 std::optional<WaitingJob> Scheduler::StartNext(

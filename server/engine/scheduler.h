@@ -89,6 +89,8 @@ class Scheduler {
  private:
   void RunOne();
   TimePoint Now() const;
+  // Runs the job; whether it goes on.
+  bool Run(WaitingJob& started, const std::stop_source& source);
 
   // The rest REQUIRES: mutex_ held.
 

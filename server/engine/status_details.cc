@@ -102,6 +102,11 @@ std::optional<std::string> MeshAtFault(const absl::Status& status) {
   return TextOf(status, kMeshUrl);
 }
 
+absl::Status ShuttingDown() {
+  return WithReason(absl::UnavailableError("the server is shutting down"),
+                    reason::kShuttingDown);
+}
+
 std::string PrintableMessage(const absl::Status& status) {
   const absl::string_view message = status.message();
   const bool printable =

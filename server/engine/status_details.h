@@ -45,6 +45,9 @@ absl::Status WithMesh(absl::Status status, std::string_view digest);
 
 std::optional<std::string> MeshAtFault(const absl::Status& status);
 
+// UNAVAILABLE: the server ends.
+absl::Status ShuttingDown();
+
 // The message in printable ASCII: bytes of a file or request that it quotes
 // beyond that are escaped.
 std::string PrintableMessage(const absl::Status& status);

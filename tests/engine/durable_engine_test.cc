@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
+#include "server/engine/error_reasons.h"
 #include "server/engine/status_details.h"
 #include "server/store/sha256.h"
 #include "tests/engine/durable_fixture.h"
@@ -154,9 +156,19 @@ TEST_F(DiskBudgetTest, WhatTheDiskForgetsIsGone) {
 
 TEST_F(DiskBudgetTest, AMeshBeyondTheBudgetIsRefused) {
   const std::string small = Upload(Grid(2, 1))->mesh.digest;
-  const absl::Status status = Upload(Grid(20, 20)).status();
+  // Before a byte is sent, since its header says how large it is.
+  const absl::Status status =
+      engine_->StartUpload(test::ArrayHeader(Grid(20, 20))).status();
   EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
   EXPECT_FALSE(RetryAfter(status).has_value()) << "waiting would not help";
+  EXPECT_EQ(ReasonOf(status), reason::kLimitExceeded);
+  EXPECT_THAT(std::string(status.message()),
+              HasSubstr(absl::StrCat(limits_.mesh_disk_bytes)));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("--mesh-disk"));
+  // That is no fault of the disk.
+  const BlobCounters counters = engine_->durable()->meshes().blobs().counters();
+  EXPECT_EQ(counters.too_large, 1);
+  EXPECT_EQ(counters.write_failures, 0);
   EXPECT_THAT(Listed(), ElementsAre(small));
   EXPECT_TRUE(
       absl::IsNotFound(engine_->GetMesh(DigestOf(Grid(20, 20))).status()));

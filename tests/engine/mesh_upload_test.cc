@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "absl/strings/str_cat.h"
 #include "server/engine/status_details.h"
 #include "tests/engine/uploads.h"
 #include "tests/support/curved_meshes.h"
@@ -21,6 +24,30 @@ class MeshUploadTest : public ::testing::Test {
   absl::StatusOr<std::unique_ptr<MeshUpload>> Start(
       const UploadHeader& header) {
     return MeshUpload::Start(header, limits_, memory_);
+  }
+
+  std::unique_ptr<MeshUpload> Received(const std::string& off_file) {
+    auto upload =
+        *Start({.format = UploadFormat::kOff, .size_bytes = off_file.size()});
+    EXPECT_TRUE(upload->Append(0, off_file).ok());
+    EXPECT_TRUE(upload->Finish().ok());
+    return upload;
+  }
+
+  // Parses with as much memory as it takes, in the end `taken`.
+  absl::StatusOr<TriangleSoup> TryToParse(MeshUpload& upload, uint64_t& taken) {
+    for (;;) {
+      absl::Status status = upload.ReserveForParse();
+      if (!status.ok()) return status;
+      taken = memory_->used();
+      auto parsed = upload.Parse();
+      if (!parsed.ok()) return parsed.status();
+      if (parsed->has_value()) return **std::move(parsed);
+    }
+  }
+  absl::StatusOr<TriangleSoup> TryToParse(MeshUpload& upload) {
+    uint64_t taken = 0;
+    return TryToParse(upload, taken);
   }
 
   // What is wrong with the header, and where.
@@ -50,29 +77,25 @@ TEST_F(MeshUploadTest, ArraysArriveUnchanged) {
   Sha256 hash;
   hash.Update(bytes);
   EXPECT_EQ(upload->file().sha256, hash.FinishHex());
+  ASSERT_TRUE(upload->ReserveForParse().ok());
   const auto parsed = upload->Parse();
   ASSERT_TRUE(parsed.ok()) << parsed.status();
-  EXPECT_EQ(parsed->positions, soup.positions);
-  EXPECT_EQ(parsed->triangles, soup.triangles);
+  ASSERT_TRUE(parsed->has_value());
+  EXPECT_EQ((*parsed)->positions, soup.positions);
+  EXPECT_EQ((*parsed)->triangles, soup.triangles);
 }
 
 TEST_F(MeshUploadTest, FilesAreRead) {
-  auto upload = *Start(test::TetrahedronOffHeader());
-  ASSERT_TRUE(upload->Append(0, test::kTetrahedronOff).ok());
-  ASSERT_TRUE(upload->Finish().ok());
-  const auto parsed = upload->Parse();
+  auto upload = Received(test::kTetrahedronOff);
+  const auto parsed = TryToParse(*upload);
   ASSERT_TRUE(parsed.ok()) << parsed.status();
   EXPECT_EQ(parsed->positions, test::Tetrahedron().positions);
   EXPECT_EQ(parsed->triangles, test::Tetrahedron().triangles);
 }
 
 TEST_F(MeshUploadTest, AMalformedFileIsNamedAsSuch) {
-  const std::string bytes = "OFF\n1 1 0\n0 0 zero\n3 0 0 0\n";
-  auto upload =
-      *Start({.format = UploadFormat::kOff, .size_bytes = bytes.size()});
-  ASSERT_TRUE(upload->Append(0, bytes).ok());
-  ASSERT_TRUE(upload->Finish().ok());
-  const absl::Status status = upload->Parse().status();
+  auto upload = Received("OFF\n1 1 0\n0 0 zero\n3 0 0 0\n");
+  const absl::Status status = TryToParse(*upload).status();
   EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
   EXPECT_EQ(FieldAtFault(status), "chunk.data");
 }
@@ -170,7 +193,45 @@ TEST_F(MeshUploadTest, ParsingIsPaidForInAdvance) {
       tight);
   ASSERT_TRUE(upload->Append(0, bytes).ok());
   ASSERT_TRUE(upload->Finish().ok());
-  EXPECT_TRUE(absl::IsResourceExhausted(upload->Parse().status()));
+  EXPECT_TRUE(absl::IsResourceExhausted(upload->ReserveForParse()));
+}
+
+// "3 0 0 0 ...", a polygon of so many corners in two bytes each.
+std::string Polygon(uint32_t corners) {
+  std::string bytes = absl::StrCat("OFF\n1 1 0\n0 0 0\n", corners);
+  for (uint32_t corner = 0; corner < corners; ++corner) bytes += " 0";
+  return bytes + "\n";
+}
+
+// It makes six times its size of triangles, and an array that grows holds twice
+// its content at times.
+TEST_F(MeshUploadTest, NoFileTakesMoreThanWasSetAside) {
+  constexpr uint32_t kCorners = 100'000;
+  constexpr uint64_t kTriangleBytes = (kCorners - 2) * sizeof(Triangle);
+  limits_.max_faces = kCorners;
+  auto upload = Received(Polygon(kCorners));
+  ASSERT_TRUE(upload->ReserveForParse().ok());
+  EXPECT_EQ(memory_->used(), MeshUpload::BytesToParse(upload->header()));
+  const auto cut_off = upload->Parse();
+  ASSERT_TRUE(cut_off.ok()) << cut_off.status();
+  EXPECT_FALSE(cut_off->has_value());
+
+  uint64_t taken = 0;
+  const auto parsed = TryToParse(*upload, taken);
+  ASSERT_TRUE(parsed.ok()) << parsed.status();
+  EXPECT_EQ(parsed->triangles.size(), kCorners - 2);
+  EXPECT_GE(taken, upload->header().size_bytes + 2 * kTriangleBytes);
+  EXPECT_EQ(memory_->used(), upload->memory().bytes());
+  EXPECT_GE(memory_->used(), kTriangleBytes);
+}
+
+TEST_F(MeshUploadTest, ALimitIsNoLackOfMemory) {
+  limits_.max_faces = 10;
+  auto upload = Received(Polygon(100));
+  const absl::Status status = TryToParse(*upload).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr("limit of 10"));
+  EXPECT_EQ(memory_->used(), 0);
 }
 
 }  // namespace

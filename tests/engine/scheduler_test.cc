@@ -385,5 +385,81 @@ TEST_F(SchedulerTest, StopAbandonsWhatWaitsAndStopsWhatRuns) {
   EXPECT_TRUE(absl::IsUnavailable(reason_));
 }
 
+// A job that runs twice, with memory taken before each time.
+class SteppedJobTest : public SchedulerTest {
+ protected:
+  Job Stepped() {
+    Job job = NamedJob("stepped");
+    job.reserve = [this] {
+      ++reserves_;
+      return absl::OkStatus();
+    };
+    job.goes_on = [this] {
+      if (at_end_) at_end_();
+      return ++steps_ < 2;
+    };
+    return job;
+  }
+
+  int reserves_ = 0;
+  int steps_ = 0;
+  std::function<void()> at_end_;  // of each step
+};
+
+TEST_F(SteppedJobTest, WhatGoesOnWaitsInItsOldPlace) {
+  ASSERT_TRUE(scheduler_.Submit(Stepped()).ok());
+  ASSERT_TRUE(scheduler_.Submit(NamedJob("next")).ok());
+  ASSERT_TRUE(scheduler_.Submit(NamedJob("build", JobPriority::kBuild)).ok());
+  executor_.RunAll();
+  EXPECT_THAT(ran_, ElementsAre("build", "stepped", "stepped", "next"));
+  EXPECT_EQ(reserves_, 2);
+  EXPECT_THAT(abandoned_, IsEmpty());
+}
+
+TEST_F(SteppedJobTest, ItIsAdmittedThoughTheQueueBeFullOrDraining) {
+  at_end_ = [this] {
+    if (steps_ > 0) return;
+    ASSERT_TRUE(scheduler_.Submit(NamedJob("a")).ok());
+    ASSERT_TRUE(scheduler_.Submit(NamedJob("b")).ok());
+    EXPECT_FALSE(scheduler_.Submit(NamedJob("c")).ok());
+    scheduler_.BeginDrain();
+  };
+  ASSERT_TRUE(scheduler_.Submit(Stepped()).ok());
+  executor_.RunAll();
+  EXPECT_THAT(ran_, ElementsAre("stepped", "stepped", "a", "b"));
+}
+
+TEST_F(SteppedJobTest, CancelledInAStepItHasNoOther) {
+  absl::StatusOr<Scheduler::JobId> id;
+  at_end_ = [&] { scheduler_.Cancel(*id); };
+  id = scheduler_.Submit(Stepped());
+  ASSERT_TRUE(id.ok());
+  executor_.RunAll();
+  EXPECT_THAT(ran_, ElementsAre("stepped"));
+  EXPECT_THAT(abandoned_, IsEmpty());
+  EXPECT_EQ(scheduler_.queued(), 0);
+}
+
+TEST_F(SteppedJobTest, CancelledBetweenItsStepsItIsDropped) {
+  const auto id = scheduler_.Submit(Stepped());
+  ASSERT_TRUE(id.ok());
+  executor_.RunOne();
+  EXPECT_EQ(scheduler_.queued(), 1);
+  scheduler_.Cancel(*id);
+  EXPECT_EQ(scheduler_.queued(), 0);
+  executor_.RunAll();
+  EXPECT_THAT(ran_, ElementsAre("stepped"));
+  EXPECT_THAT(abandoned_, IsEmpty());
+}
+
+TEST_F(SteppedJobTest, TheEndIsTold) {
+  at_end_ = [&] { scheduler_.StopAll(); };
+  ASSERT_TRUE(scheduler_.Submit(Stepped()).ok());
+  executor_.RunAll();
+  EXPECT_THAT(ran_, ElementsAre("stepped"));
+  EXPECT_THAT(abandoned_, ElementsAre("stepped"));
+  EXPECT_TRUE(absl::IsUnavailable(reason_)) << reason_;
+}
+
 }  // namespace
 }  // namespace geodesic::server

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "absl/strings/str_cat.h"
 #include "geodesic/triangle_soup.h"
 #include "server/engine/upload_header.h"
 
@@ -24,6 +25,19 @@ inline UploadHeader ArrayHeader(const TriangleSoup& soup) {
           .size_bytes = ArrayBytes(soup).size(),
           .vertex_count = soup.positions.size(),
           .face_count = soup.triangles.size()};
+}
+
+// Coordinates are rounded to six digits.
+inline std::string OffFile(const TriangleSoup& soup) {
+  std::string file = absl::StrCat("OFF\n", soup.positions.size(), " ",
+                                  soup.triangles.size(), " 0\n");
+  for (const Point& p : soup.positions) {
+    absl::StrAppend(&file, p[0], " ", p[1], " ", p[2], "\n");
+  }
+  for (const Triangle& t : soup.triangles) {
+    absl::StrAppend(&file, "3 ", t[0], " ", t[1], " ", t[2], "\n");
+  }
+  return file;
 }
 
 // A tetrahedron as an OFF file and as arrays.

@@ -5,7 +5,9 @@
 // pinned.
 //
 // What is not in the table cannot be: a mesh is built without a pause and looks
-// up only when it is done, and nothing fails in a queue or in a stream.
+// up only when it is done, and nothing fails in a queue or in a stream. Of what
+// waits for memory, uploads are tried here; loads and solves in
+// tests/engine/mesh_loads_test.cc and admission_test.cc.
 
 #include <grpcpp/create_channel.h>
 #include <grpcpp/security/credentials.h>
@@ -27,6 +29,7 @@
 #include "tests/engine/uploads.h"
 #include "tests/rpc/questions_fixture.h"
 #include "tests/support/curved_meshes.h"
+#include "tests/support/planar_meshes.h"
 #include "tests/support/tcp_relay.h"
 #include "tests/support/temporary_folder.h"
 
@@ -37,7 +40,8 @@ using std::chrono::steady_clock;
 
 enum class Cause { kCancel, kDeadline, kError, kShutdown, kGone };
 enum class Kind { kUnary, kUpload, kStream };
-enum class Phase { kQueued, kComputing, kStreaming };
+// kMemory: the job waits for memory that another holds.
+enum class Phase { kQueued, kMemory, kComputing, kStreaming };
 
 struct Row {
   Cause cause;
@@ -49,7 +53,8 @@ std::string NameOf(const Row& row) {
   constexpr const char* kCauses[] = {"Cancel", "Deadline", "Error", "Shutdown",
                                      "ClientGone"};
   constexpr const char* kKinds[] = {"Unary", "Upload", "Stream"};
-  constexpr const char* kPhases[] = {"Queued", "Computing", "Streaming"};
+  constexpr const char* kPhases[] = {"Queued", "Memory", "Computing",
+                                     "Streaming"};
   return absl::StrCat(kCauses[static_cast<int>(row.cause)],
                       kKinds[static_cast<int>(row.kind)],
                       kPhases[static_cast<int>(row.phase)]);
@@ -65,6 +70,7 @@ std::vector<Row> Table() {
     table.push_back({cause, Kind::kUnary, Phase::kQueued});
     table.push_back({cause, Kind::kUpload, Phase::kStreaming});
     table.push_back({cause, Kind::kUpload, Phase::kQueued});
+    table.push_back({cause, Kind::kUpload, Phase::kMemory});
     table.push_back({cause, Kind::kStream, Phase::kQueued});
     table.push_back({cause, Kind::kStream, Phase::kComputing});
     table.push_back({cause, Kind::kStream, Phase::kStreaming});
@@ -186,16 +192,26 @@ class CancelMatrixTest : public test::RpcTest,
     server_.reset();  // its jobs use the solvers
   }
 
-  // One thread, to be reached through a relay that can be cut.
+  // One thread, and another for what waits for memory, to be reached through a
+  // relay that can be cut.
   void SetUp() override {
     ServerOptions options = SmallServer();
+    soup_ = geodesic::test::Icosphere(6);
     options.limits.max_concurrent_jobs = 1;
     options.limits.max_queued_jobs = 10;
+    if (GetParam().phase == Phase::kMemory) {
+      // A quarter as many faces do not fit beside the mesh of the job that
+      // runs.
+      options.limits.max_concurrent_jobs = 2;
+      options.limits.mesh_store_bytes =
+          Mesh::EstimateResidentBytes(soup_.positions.size(),
+                                      soup_.triangles.size()) +
+          4096;
+    }
     // So that deletions are jobs.
     if (GetParam().kind == Kind::kUnary) options.data_dir = folder_ / "data";
     options.limits.mesh_disk_bytes = options.limits.field_disk_bytes = 1 << 30;
     StartWith(options, solvers_.Start());
-    soup_ = geodesic::test::Icosphere(6);
     digest_ = Upload(soup_);
     relay_.emplace(server_->port());
     // Whoever does not read takes little in advance.
@@ -368,19 +384,25 @@ void CancelMatrixTest::RunUnary() {
 void CancelMatrixTest::RunUpload() {
   const Cause cause = GetParam().cause;
   const Phase phase = GetParam().phase;
-  if (phase == Phase::kQueued) Block();
+  if (phase == Phase::kQueued || phase == Phase::kMemory) Block();
   const bool is_bad_mesh = phase == Phase::kComputing && cause == Cause::kError;
+  const bool is_file = is_bad_mesh || phase == Phase::kMemory;
+  const TriangleSoup soup =
+      phase == Phase::kMemory
+          ? geodesic::test::MakeGrid({.columns = 100, .rows = 100})
+          : test::Tetrahedron();
   const std::string bytes = is_bad_mesh ? "OFF\n1 1 0\n0 0 0\n3 0 1 2\n"
-                                        : test::ArrayBytes(test::Tetrahedron());
+                            : is_file   ? test::OffFile(soup)
+                                        : test::ArrayBytes(soup);
   v1::CreateMeshRequest message;
   v1::UploadHeader& header = *message.mutable_header();
   header.set_size_bytes(bytes.size());
-  if (is_bad_mesh) {
+  if (is_file) {
     header.set_format(v1::MESH_FORMAT_OFF);
   } else {
     header.set_format(v1::MESH_FORMAT_ARRAYS);
-    header.set_vertex_count(4);
-    header.set_face_count(4);
+    header.set_vertex_count(soup.positions.size());
+    header.set_face_count(soup.triangles.size());
   }
   v1::CreateMeshResponse response;
   SetDeadline();
@@ -399,6 +421,11 @@ void CancelMatrixTest::RunUpload() {
     writer->WritesDone();
     if (phase == Phase::kQueued) {
       ASSERT_TRUE(Reach([&] { return engine().scheduler().queued() == 1; }));
+    } else if (phase == Phase::kMemory) {
+      // The file has been parsed; its triangles alone are held.
+      ASSERT_TRUE(Reach([&] {
+        return engine().upload_memory().used() == test::ArrayBytes(soup).size();
+      }));
     }
   }
   Trigger();
@@ -418,6 +445,8 @@ void CancelMatrixTest::RunStream() {
         return engine().scheduler().queued() == 1;
       case Phase::kComputing:
         return solvers_.starts() == 1;
+      case Phase::kMemory:
+        break;
       case Phase::kStreaming:
         // A field of 320 KiB is more than its reader takes unread.
         return engine().fields().fields().size() == 1 &&
