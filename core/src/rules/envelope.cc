@@ -40,9 +40,10 @@ void Envelope::Trim(double length, bool may_split, WindowColumns& windows) {
 
 void Envelope::FindMeetings(WindowColumns& windows) {
   const size_t pairs = windows.size - 1;
-  if (begins_.size() <= pairs) {
-    begins_.resize(2 * windows.size);
-    overlaps_.resize(2 * windows.size);
+  const size_t room = windows.size + WindowColumns::kPadding;
+  if (begins_.size() < room) {
+    begins_.resize(2 * room);
+    overlaps_.resize(2 * room);
   }
   OverlapsOfNeighbours(length_, windows, begins_.data(), overlaps_.data());
   meetings_.Reserve(pairs);

@@ -229,7 +229,7 @@ void OverlapsOfNeighbours(double length, const WindowColumns& windows,
   const double* const sigmas = windows.sigma;
   const double* const begin_distance = windows.begin_distance;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const size_t n = windows.size - 1;
+  const size_t n = Padded(windows.size - 1);
   new_begin[0] = begin[0];
   GEODESIC_INDEPENDENT
   for (size_t i = 0; i < n; ++i) {

@@ -63,6 +63,7 @@ class alignas(kCacheLine) ListWorker {
   // A place in what is kept.
   struct Place {
     uint32_t relaxation = 0, handed_on = 0, observed = 0;
+    bool operator==(const Place&) const = default;
   };
   // What comes of one half-edge or vertex.
   struct Outcome {
@@ -128,6 +129,7 @@ class alignas(kCacheLine) ListWorker {
   // Scratch, kept for its memory.
   WindowColumns list_, children_;
   std::vector<double> crossings_, misses_, labels_;
+  std::vector<uint32_t> hits_;
   Envelope envelope_;
 };
 
@@ -217,6 +219,7 @@ void ListWorker<Front>::CrossFace(HalfEdge h, const HalfEdgeFrame& frame) {
     crossings_.resize(2 * room);
     misses_.resize(2 * room);
     labels_.resize(2 * room);
+    hits_.resize(2 * room);
   }
   children_.Reserve(list_.size);
   CrossingsToApex(frame, list_, crossings_.data(), misses_.data());
@@ -232,8 +235,13 @@ double ListWorker<Front>::ReachApex(HalfEdge h, const HalfEdgeFrame& frame) {
   const double known = front_.distance(vertex);
   Relaxation best{
       .vertex = vertex, .distance = known, .arrival = {}, .ray = {}};
+  // Gathered without a branch: which they are cannot be foreseen.
+  size_t hits = 0;
   for (size_t i = 0; i < list_.size; ++i) {
-    if (!(misses_[i] <= 0)) continue;
+    hits_[hits] = static_cast<uint32_t>(i);
+    hits += misses_[i] <= 0;
+  }
+  for (const uint32_t i : std::span(hits_).first(hits)) {
     const Origin origin = list_.OriginAt(i);
     const double through =
         std::clamp(crossings_[i], list_.begin[i], list_.end[i]);

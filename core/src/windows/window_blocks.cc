@@ -9,18 +9,18 @@
 namespace geodesic {
 namespace {
 
-void CopyColumn(const double* from, double* to, size_t count) {
-  for (size_t i = 0; i < count; i += WindowColumns::kPadding) {
-    std::memcpy(to + i, from + i, WindowColumns::kPadding * sizeof(double));
-  }
-}
+// Four windows of a block, as columns.
+struct Tile {
+  static constexpr size_t kWindows = WindowColumns::kPadding;
+  double begin[kWindows], end[kWindows], x[kWindows], depth[kWindows],
+      sigma[kWindows];
+  uint32_t pseudo_source[kWindows];
+};
+static_assert(sizeof(Tile) == 22 * sizeof(double));
 
-void CopySources(const void* from, void* to, size_t count) {
-  constexpr size_t kBytes = WindowColumns::kPadding * sizeof(uint32_t);
-  for (size_t i = 0; i < count; i += WindowColumns::kPadding) {
-    std::memcpy(static_cast<char*>(to) + i * sizeof(uint32_t),
-                static_cast<const char*>(from) + i * sizeof(uint32_t), kBytes);
-  }
+template <typename T>
+void CopyFour(const T* from, T* to) {
+  std::memcpy(to, from, Tile::kWindows * sizeof(T));
 }
 
 }  // namespace
@@ -57,26 +57,30 @@ WindowBlock* WindowBlocks::Store(const WindowColumns& windows) {
   WindowBlock* const block = New(log_room);
   block->next = nullptr;
   block->count = static_cast<uint32_t>(count);
-  double* to = ColumnsOf(block);
-  for (const double* from :
-       {windows.begin, windows.end, windows.x, windows.depth, windows.sigma}) {
-    CopyColumn(from, to, count);
-    to += size_t{1} << log_room;
+  auto* tile = reinterpret_cast<Tile*>(WindowsOf(block));
+  for (size_t i = 0; i < count; i += Tile::kWindows, ++tile) {
+    CopyFour(windows.begin + i, tile->begin);
+    CopyFour(windows.end + i, tile->end);
+    CopyFour(windows.x + i, tile->x);
+    CopyFour(windows.depth + i, tile->depth);
+    CopyFour(windows.sigma + i, tile->sigma);
+    CopyFour(windows.pseudo_source + i, tile->pseudo_source);
   }
-  CopySources(windows.pseudo_source, to, count);
   return block;
 }
 
 WindowBlock* WindowBlocks::Take(WindowBlock* block, WindowColumns& windows) {
   const size_t count = block->count, at = windows.size;
   windows.Reserve(at + count);
-  const double* from = ColumnsOf(block);
-  for (double* to :
-       {windows.begin, windows.end, windows.x, windows.depth, windows.sigma}) {
-    CopyColumn(from, to + at, count);
-    from += size_t{1} << block->log_room;
+  const auto* tile = reinterpret_cast<const Tile*>(WindowsOf(block));
+  for (size_t i = at; i < at + count; i += Tile::kWindows, ++tile) {
+    CopyFour(tile->begin, windows.begin + i);
+    CopyFour(tile->end, windows.end + i);
+    CopyFour(tile->x, windows.x + i);
+    CopyFour(tile->depth, windows.depth + i);
+    CopyFour(tile->sigma, windows.sigma + i);
+    CopyFour(tile->pseudo_source, windows.pseudo_source + i);
   }
-  CopySources(from, windows.pseudo_source + at, count);
   windows.size += count;
   WindowBlock* const next = block->next;
   Release(block);

@@ -86,7 +86,7 @@ class WindowBlocks {
   static uint32_t MagazineSize(uint32_t log_room) {
     return static_cast<uint32_t>(kChunkWords / 2 / WordsOf(log_room) + 1);
   }
-  static double* ColumnsOf(WindowBlock* block) {
+  static double* WindowsOf(WindowBlock* block) {
     return reinterpret_cast<double*>(block) + kHeaderWords;
   }
   static void PrefetchLines(const WindowBlock* block, size_t from, size_t to) {
