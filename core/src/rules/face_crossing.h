@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "geodesic/distance_field.h"
@@ -48,7 +49,7 @@ class FaceCrossing {
   void Reserve(size_t count);
   // Returns the distance of the apex that is known then.
   template <typename Relax>
-  double ReachApex(HalfEdge h, const HalfEdgeFrame& frame, Relax relax) const;
+  double ReachApex(HalfEdge h, const HalfEdgeFrame& frame, Relax relax);
   void CrossLeft(const HalfEdgeFrame& frame, const ExitEdge& edge);
   void CrossRight(const HalfEdgeFrame& frame, const ExitEdge& edge);
   // Trims children_. Returns a lower bound on their labels.
@@ -58,6 +59,7 @@ class FaceCrossing {
   const Mesh& mesh_;
   WindowColumns list_, children_;
   std::vector<double> crossings_, misses_, labels_;
+  std::vector<uint32_t> hits_;
   Envelope envelope_;
 };
 
@@ -93,20 +95,26 @@ void FaceCrossing<Front>::Reserve(size_t count) {
   for (auto* column : {&crossings_, &misses_, &labels_}) {
     column->resize(2 * room);
   }
+  hits_.resize(2 * room);
 }
 
 template <typename Front>
 template <typename Relax>
 double FaceCrossing<Front>::ReachApex(HalfEdge h, const HalfEdgeFrame& frame,
-                                      Relax relax) const {
+                                      Relax relax) {
   const PlanePoint apex = ApexOf(frame);
   const uint32_t vertex = mesh_.Apex(h);
   double best = front_.distance(vertex);
   Arrival arrival;
   IncomingRay ray;
   bool improves = false;
+  // Gathered without a branch: which windows see the apex cannot be foreseen.
+  size_t hits = 0;
   for (size_t i = 0; i < list_.size; ++i) {
-    if (!(misses_[i] <= 0)) continue;
+    hits_[hits] = static_cast<uint32_t>(i);
+    hits += misses_[i] <= 0;
+  }
+  for (const uint32_t i : std::span(hits_).first(hits)) {
     const Origin origin = list_.OriginAt(i);
     // The point of the interval nearest to the ray through the apex; paths
     // through it to the apex are real, and straight if the ray is in there.

@@ -6,19 +6,17 @@
 #ifndef GEODESIC_RULES_LIST_WORKER_H_
 #define GEODESIC_RULES_LIST_WORKER_H_
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "rules/envelope.h"
-#include "rules/list_kernels.h"
+#include "rules/face_crossing.h"
 #include "rules/shadow_fan.h"
 #include "thread_team.h"
 #include "tolerances.h"
@@ -73,7 +71,11 @@ class alignas(kCacheLine) ListWorker {
   };
 
   ListWorker(const Front& front, BlockPool& pool)
-      : front_(front), mesh_(front.mesh()), blocks_(pool) {}
+      : front_(front),
+        mesh_(front.mesh()),
+        blocks_(pool),
+        crossing_(front),
+        list_(crossing_.list()) {}
 
   // Takes and frees the lists that wait at h.
   Outcome Cross(HalfEdge h, const WaitingLists& lists);
@@ -107,17 +109,14 @@ class alignas(kCacheLine) ListWorker {
             static_cast<uint32_t>(handed_on_.size()),
             static_cast<uint32_t>(observed_.size())};
   }
-  void CrossFace(HalfEdge h, const HalfEdgeFrame& frame);
+  void CrossFace(HalfEdge h);
   // Moves what waits to list_. Returns how many windows that were.
   uint32_t Take(const WaitingLists& lists, double length);
   // Drops useless windows of list_ from `first` on.
   void DropStale(size_t first);
-  // Returns the distance of the apex that is known then.
-  double ReachApex(HalfEdge h, const HalfEdgeFrame& frame);
-  void CrossLeft(HalfEdge h, const HalfEdgeFrame& frame, double apex_distance);
-  void CrossRight(HalfEdge h, const HalfEdgeFrame& frame, double apex_distance);
-  // Trims children_, which leave the face across `side`, and hands them on.
-  void HandOn(HalfEdge side, Exit exit, const ExitEdge& edge, Side from);
+  // Hands on what leaves a face across `side`.
+  void HandOn(HalfEdge side, Exit exit, Side from, double label,
+              WindowColumns& children);
 
   const Front& front_;
   const Mesh& mesh_;
@@ -127,20 +126,19 @@ class alignas(kCacheLine) ListWorker {
   std::vector<Observed> observed_;
 
   // Scratch, kept for its memory.
-  WindowColumns list_, children_;
-  std::vector<double> crossings_, misses_, labels_;
-  std::vector<uint32_t> hits_;
+  FaceCrossing<Front> crossing_;
+  WindowColumns& list_;  // of crossing_
+  WindowColumns opened_;
   Envelope envelope_;
 };
 
 template <typename Front>
 typename ListWorker<Front>::Outcome ListWorker<Front>::Cross(
     HalfEdge h, const WaitingLists& lists) {
-  const HalfEdgeFrame& frame = mesh_.frame(h);
   Outcome outcome{.begin = Here()};
-  outcome.waited = Take(lists, frame.length);
+  outcome.waited = Take(lists, mesh_.frame(h).length);
   outcome.propagated = static_cast<uint32_t>(list_.size);
-  if (list_.size > 0) CrossFace(h, frame);
+  if (list_.size > 0) CrossFace(h);
   outcome.end = Here();
   return outcome;
 }
@@ -163,11 +161,11 @@ void ListWorker<Front>::Open(HalfEdge half_edge, uint32_t pseudo_source,
                            mesh_.To(half_edge))) {
     return;
   }
-  children_.Reserve(1);
-  children_.Set(0, window, pseudo_source);
-  children_.size = 1;
+  opened_.Reserve(1);
+  opened_.Set(0, window, pseudo_source);
+  opened_.size = 1;
   handed_on_.push_back(
-      {half_edge, kLeft, blocks_.Store(children_), 1, window.Label()});
+      {half_edge, kLeft, blocks_.Store(opened_), 1, window.Label()});
 }
 
 template <typename Front>
@@ -206,7 +204,7 @@ void ListWorker<Front>::DropStale(size_t first) {
 }
 
 template <typename Front>
-void ListWorker<Front>::CrossFace(HalfEdge h, const HalfEdgeFrame& frame) {
+void ListWorker<Front>::CrossFace(HalfEdge h) {
   if (front_.Watches(h)) {
     for (size_t i = 0; i < list_.size; ++i) {
       Observe(h,
@@ -214,107 +212,32 @@ void ListWorker<Front>::CrossFace(HalfEdge h, const HalfEdgeFrame& frame) {
               list_.pseudo_source[i]);
     }
   }
-  const size_t room = list_.size + WindowColumns::kPadding;
-  if (crossings_.size() < room) {
-    crossings_.resize(2 * room);
-    misses_.resize(2 * room);
-    labels_.resize(2 * room);
-    hits_.resize(2 * room);
-  }
-  children_.Reserve(list_.size);
-  CrossingsToApex(frame, list_, crossings_.data(), misses_.data());
-  const double apex_distance = ReachApex(h, frame);
-  if (frame.left_exit != kNoHalfEdge) CrossLeft(h, frame, apex_distance);
-  if (frame.right_exit != kNoHalfEdge) CrossRight(h, frame, apex_distance);
+  crossing_.Cross(
+      h,
+      [this](uint32_t apex, double distance, const Arrival& arrival,
+             const IncomingRay& ray) {
+        relaxations_.push_back({apex, distance, arrival, ray});
+      },
+      [this, h](HalfEdge side, Exit exit, WindowColumns& children,
+                double label) {
+        HandOn(side, exit, side == Prev(h) ? kLeft : kRight, label, children);
+      });
 }
 
 template <typename Front>
-double ListWorker<Front>::ReachApex(HalfEdge h, const HalfEdgeFrame& frame) {
-  const PlanePoint apex = ApexOf(frame);
-  const uint32_t vertex = mesh_.Apex(h);
-  const double known = front_.distance(vertex);
-  Relaxation best{
-      .vertex = vertex, .distance = known, .arrival = {}, .ray = {}};
-  // Gathered without a branch: which they are cannot be foreseen.
-  size_t hits = 0;
-  for (size_t i = 0; i < list_.size; ++i) {
-    hits_[hits] = static_cast<uint32_t>(i);
-    hits += misses_[i] <= 0;
-  }
-  for (const uint32_t i : std::span(hits_).first(hits)) {
-    const Origin origin = list_.OriginAt(i);
-    const double through =
-        std::clamp(crossings_[i], list_.begin[i], list_.end[i]);
-    const bool is_straight = through == crossings_[i];
-    const double distance =
-        origin.sigma +
-        (is_straight ? DistanceToPlace(origin, apex)
-                     : origin.DistanceTo(through) + EdgePointTo(through, apex));
-    if (!Front::Improves(distance, best.distance)) continue;
-    best.distance = distance;
-    best.arrival = {list_.pseudo_source[i], h, origin.x, origin.depth};
-    best.ray = is_straight ? RayThrough(h, origin, apex) : IncomingRay();
-  }
-  if (best.distance != known) relaxations_.push_back(best);
-  return best.distance;
-}
-
-template <typename Front>
-void ListWorker<Front>::CrossLeft(HalfEdge h, const HalfEdgeFrame& frame,
-                                  double apex_distance) {
-  size_t last = list_.size;
-  while (last > 0 && crossings_[last - 1] <= list_.begin[last - 1]) --last;
-  if (last == 0) return;
-  const ExitEdge edge{mesh_.frame(Prev(h)).length,
-                      front_.distance(mesh_.From(h)), apex_distance};
-  ChildrenLeft(frame, edge, list_, crossings_.data(), 0, last, children_,
-               labels_.data());
-  HandOn(Prev(h), frame.left_exit, edge, kLeft);
-}
-
-template <typename Front>
-void ListWorker<Front>::CrossRight(HalfEdge h, const HalfEdgeFrame& frame,
-                                   double apex_distance) {
-  size_t first = 0;
-  while (first < list_.size && crossings_[first] >= list_.end[first]) ++first;
-  if (first == list_.size) return;
-  const ExitEdge edge{mesh_.frame(Next(h)).length, apex_distance,
-                      front_.distance(mesh_.To(h))};
-  ChildrenRight(frame, edge, list_, crossings_.data(), first, list_.size,
-                children_, labels_.data());
-  HandOn(Next(h), frame.right_exit, edge, kRight);
-}
-
-template <typename Front>
-void ListWorker<Front>::HandOn(HalfEdge side, Exit exit, const ExitEdge& edge,
-                               Side from) {
-  constexpr double kUseless = std::numeric_limits<double>::infinity();
-  double label = kUseless, most = 0;
-  for (size_t i = 0; i < children_.size; ++i) {
-    label = std::min(label, labels_[i]);
-    most = std::max(most, labels_[i]);
-  }
-  if (most == kUseless) {
-    size_t kept = 0;
-    for (size_t i = 0; i < children_.size; ++i) {
-      if (labels_[i] == kUseless) continue;
-      if (kept != i) children_.Move(i, kept);
-      ++kept;
-    }
-    children_.size = kept;
-  }
-  envelope_.Trim(edge.length, front_.MayChangeOverTwice(), children_);
-  if (children_.size == 0) return;
-  const auto count = static_cast<uint32_t>(children_.size);
+void ListWorker<Front>::HandOn(HalfEdge side, Exit exit, Side from,
+                               double label, WindowColumns& children) {
+  const auto count = static_cast<uint32_t>(children.size);
   if (exit < kIrregularExit) {
-    handed_on_.push_back({exit, from, blocks_.Store(children_), count, label});
+    handed_on_.push_back({exit, from, blocks_.Store(children), count, label});
     return;
   }
+  const double length = mesh_.frame(side).length;
   mesh_.ForEachBeyond(side, [&](HalfEdge to, bool is_mirrored) {
-    if (is_mirrored) children_.Mirror(edge.length);
+    if (is_mirrored) children.Mirror(length);
     handed_on_.push_back({to, is_mirrored ? kRight : from,
-                          blocks_.Store(children_), count, label});
-    if (is_mirrored) children_.Mirror(edge.length);
+                          blocks_.Store(children), count, label});
+    if (is_mirrored) children.Mirror(length);
   });
 }
 
