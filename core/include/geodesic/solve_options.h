@@ -16,10 +16,10 @@ struct SolveOptions {
   // windows, each of which costs more.
   double bucket_width = 16;
   // Bound on K, the number of windows an iteration propagates (with the MMP
-  // rule: of half-edges, each with all its windows). DEFAULT: 128.
+  // rule: of half-edges, each with all its windows). DEFAULT: 256.
   // The paper's 20000 takes whole wavefronts at once on meshes below a million
   // faces; smaller batches make fewer windows and let MMP forget sooner.
-  uint32_t max_batch = 128;
+  uint32_t max_batch = 256;
   // Whether K follows the wavefront (section 4.2). If not it is max_batch
   // throughout; 1 then drains the buckets one by one. DEFAULT: true.
   bool adaptive_batch = true;

@@ -42,7 +42,7 @@ concept WindowQueue = requires(Q queue, const Q& view, uint32_t id,
 // (solve_options.h).
 struct Tuning {
   double bucket_width = 1;  // in the mesh's scaled unit
-  uint32_t max_batch = 128;
+  uint32_t max_batch = 256;
   bool adaptive_batch = true;
   uint32_t threads = 1;
 };

@@ -184,14 +184,15 @@ void ListRule<Front>::Take(std::span<const uint32_t> ids) {
     shares_[member].events.push_back(event);
     order_.push_back(member);
   };
+  for (const uint32_t id : ids) {
+    if (!(id & kVertexEvent)) __builtin_prefetch(&waiting_[id]);
+  }
   // A vertex goes with the half-edge before it.
   uint32_t member = 0;
   for (const uint32_t id : ids) {
     if (id & kVertexEvent) {
       if (front_.TakeEvent(id & ~kVertexEvent)) give(member, {.id = id});
-    } else if (workers_.size() == 1) {
-      __builtin_prefetch(&waiting_[id]);
-    } else if (waiting_[id] != kNone) {
+    } else if (workers_.size() > 1 && waiting_[id] != kNone) {
       member = queues_[waiting_[id]].member;
     }
   }
@@ -309,7 +310,7 @@ void ListRule<Front>::Enqueue(const Run& run) {
   constexpr uint32_t kAhead = 16;
   const auto lists = workers_[run.member].handed_on();
   for (uint32_t i = run.begin.handed_on; i < run.end.handed_on; ++i) {
-    if (i + kAhead < run.end.handed_on) {
+    if (i + kAhead < lists.size()) {
       __builtin_prefetch(&waiting_[lists[i + kAhead].to]);
     }
     Enqueue(lists[i], run.member);
