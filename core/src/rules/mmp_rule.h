@@ -139,11 +139,14 @@ class MmpRule {
   // Whether the pseudo-source has improved since, by so much that its newer
   // window has won whatever this one held. By less, the newer one has tied and
   // given way: measured by the distances at the edge, not by sigma, which may
-  // be that of a vertex right beside a source.
-  bool IsStale(const ListedWindow& listed) const {
+  // be that of a vertex right beside a source, and by a bound of all of them,
+  // since windows tie by what they have at the ends of an overlap.
+  bool IsStale(HalfEdge h, const ListedWindow& listed) const {
     const double improved = listed.window.origin.sigma -
                             front_.PseudoSourceDistance(listed.pseudo_source);
-    return improved > 0 && improved > kDominance * listed.window.Label();
+    return improved > 0 &&
+           improved > kDominance * (listed.window.begin_distance +
+                                    mesh_.frame(h).length);
   }
 
   template <typename Visit>
@@ -188,7 +191,7 @@ uint32_t MmpRule<Front>::PropagateOneByOne(HalfEdge h, double due,
   pending_ -= due_.size();
   uint32_t propagated = 0;
   for (const ListedWindow& listed : due_) {
-    if (IsStale(listed)) continue;
+    if (IsStale(h, listed)) continue;
     Cross(h, listed.window, listed.pseudo_source);
     ++propagated;
   }
@@ -201,7 +204,7 @@ uint32_t MmpRule<Front>::PropagateTogether(HalfEdge h) {
   list.size = 0;
   lists_.TakeDue(h, kAnyLabel, kAll, [&](const ListedWindow& listed) {
     --pending_;
-    if (IsStale(listed)) return;
+    if (IsStale(h, listed)) return;
     list.Reserve(list.size + 1);
     list.Set(list.size++, listed.window, listed.pseudo_source);
   });
