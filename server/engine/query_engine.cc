@@ -90,11 +90,11 @@ absl::StatusOr<MissingMeshes> QueryEngine::FindMissing(
 absl::StatusOr<std::unique_ptr<MeshUpload>> QueryEngine::StartUpload(
     UploadHeader header) {
   if (draining_) return ShuttingDown();
-  absl::Status status;
   absl::StatusOr<std::unique_ptr<MeshUpload>> upload =
       MeshUpload::Start(std::move(header), limits_, upload_memory_);
-  if (upload.ok()) status = meshes_.CheckCapacity((*upload)->header());
-  if (!status.ok()) return status;
+  if (!upload.ok()) return upload;
+  absl::Status fits = meshes_.CheckCapacity((*upload)->header());
+  if (!fits.ok()) return fits;
   return upload;
 }
 

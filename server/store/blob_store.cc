@@ -228,8 +228,8 @@ absl::Status BlobStore::Admit(uint64_t body_bytes, uint64_t metadata_bytes) {
   ++counters_.too_large;
   return absl::ResourceExhaustedError(absl::StrCat(
       bytes, " bytes of disk are needed, more than the ", options_.capacity,
-      " that the server may use for ", Plural(options_.kind),
-      " can ever hold; the server's --", options_.kind, "-disk sets it"));
+      " that the server may use for ", Plural(options_.kind), "; --",
+      options_.kind, "-disk sets that"));
 }
 
 absl::Status BlobStore::Put(const std::string& name, std::string_view metadata,
