@@ -113,7 +113,7 @@ class alignas(kCacheLine) ListWorker {
   // Moves what waits to list_. Returns how many windows that were.
   uint32_t Take(const WaitingLists& lists, double length);
   // Drops useless windows of list_ from `first` on.
-  void DropStale(size_t first);
+  void DropStale(double length, size_t first);
   // Hands on what leaves a face across `side`.
   void HandOn(HalfEdge side, Exit exit, Side from, double label,
               WindowColumns& children);
@@ -177,7 +177,7 @@ uint32_t ListWorker<Front>::Take(const WaitingLists& lists, double length) {
       waited += list->count;
       const size_t middle = list_.size;
       list = blocks_.Take(list, list_);
-      DropStale(middle);
+      DropStale(length, middle);
       envelope_.Merge(length, front_.MayChangeOverTwice(), middle, list_);
     }
   }
@@ -185,16 +185,18 @@ uint32_t ListWorker<Front>::Take(const WaitingLists& lists, double length) {
 }
 
 template <typename Front>
-void ListWorker<Front>::DropStale(size_t first) {
+void ListWorker<Front>::DropStale(double length, size_t first) {
   size_t kept = first;
   for (size_t i = first; i < list_.size; ++i) {
     // The pseudo-source has improved since, and by so much that its newer
-    // window wins whatever this one holds: by less it may have tied there.
+    // window wins whatever this one holds: by less it may have tied there, as
+    // MmpRule::IsStale.
     const double improved =
         list_.sigma[i] - front_.PseudoSourceDistance(list_.pseudo_source[i]);
     if (improved > 0 &&
-        improved > kDominance * (list_.sigma[i] + list_.depth[i] +
-                                 std::abs(list_.begin[i] - list_.x[i]))) {
+        improved >
+            kDominance * (list_.sigma[i] + list_.depth[i] +
+                          std::abs(list_.begin[i] - list_.x[i]) + length)) {
       continue;
     }
     if (kept != i) list_.Move(i, kept);
