@@ -18,20 +18,8 @@ for tool in h2load protoc; do
   command -v "$tool" >/dev/null || { echo "there is no $tool" >&2; exit 77; }
 done
 
-folder=$(mktemp -d)
-server=
-cleanup() {
-  [[ -z $server ]] || { kill -TERM "$server" && wait "$server"; } || true
-  rm -rf "$folder"
-}
-trap cleanup EXIT
-
-# A named pipe as the port file: reading it waits for the server.
-mkfifo "$folder/port"
-"$bin/geodesicd" --listen 127.0.0.1:0 --port-file "$folder/port" \
-  --metrics-listen 127.0.0.1:0 2>"$folder/log" &
-server=$!
-port=$(<"$folder/port")
+source "$(dirname "$0")/../support/start_geodesicd.sh"
+start_geodesicd "$bin/geodesicd" --metrics-listen 127.0.0.1:0
 metrics=$(grep -oP 'metrics on port \K[0-9]+' "$folder/log")
 
 # A square of side x side vertices.
