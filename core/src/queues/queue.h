@@ -7,6 +7,8 @@
 #include <concepts>
 #include <cstdint>
 
+#include "geodesic/solve_options.h"
+
 namespace geodesic {
 
 // Numbers with this bit stand for pseudo-source events (the rest is the
@@ -42,7 +44,7 @@ concept WindowQueue = requires(Q queue, const Q& view, uint32_t id,
 // (solve_options.h).
 struct Tuning {
   double bucket_width = 1;  // in the mesh's scaled unit
-  uint32_t max_batch = 256;
+  uint32_t max_batch = SolveOptions().max_batch;
   bool adaptive_batch = true;
   uint32_t threads = 1;
 };
