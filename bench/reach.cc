@@ -37,7 +37,7 @@ double Median(std::vector<double> values) {
 
 // Medians over the repeats.
 struct Cost {
-  double start_ms = 0;    // StartComputation
+  double start_ms = 0;    // ValidQuery::Make and StartComputation
   double advance_ms = 0;  // Advance
   uint64_t windows = 0;
 };
@@ -51,9 +51,6 @@ class Bench {
                .algorithm = algorithm} {}
 
   absl::Status Run() {
-    if (absl::Status status = Validate(query_, mesh_); !status.ok()) {
-      return status;
-    }
     absl::StatusOr<DistanceField> whole = FieldWithin({});
     if (!whole.ok()) return whole.status();
     std::vector<std::pair<double, uint32_t>> by_distance;
@@ -98,10 +95,15 @@ class Bench {
   }
 
  private:
+  absl::StatusOr<std::unique_ptr<Computation>> Start(const Query& query) const {
+    const absl::StatusOr<ValidQuery> valid = ValidQuery::Make(query, mesh_);
+    if (!valid.ok()) return valid.status();
+    return StartComputation(mesh_, *valid, {});
+  }
+
   absl::StatusOr<DistanceField> FieldWithin(const Reach& reach) const {
     NoCheckpoint checkpoint;
-    absl::StatusOr<std::unique_ptr<Computation>> computation =
-        StartComputation(mesh_, query_, {});
+    absl::StatusOr<std::unique_ptr<Computation>> computation = Start(query_);
     if (!computation.ok()) return computation.status();
     if (absl::Status status = (*computation)->Advance(reach, checkpoint);
         !status.ok()) {
@@ -117,8 +119,7 @@ class Bench {
     uint64_t windows = 0;
     for (int i = 0; i < options_.repeat; ++i) {
       const Clock::time_point start = Clock::now();
-      absl::StatusOr<std::unique_ptr<Computation>> computation =
-          StartComputation(mesh_, query, {});
+      absl::StatusOr<std::unique_ptr<Computation>> computation = Start(query);
       if (!computation.ok()) return computation.status();
       start_ms.push_back(MillisecondsSince(start));
       const Clock::time_point advance = Clock::now();
@@ -139,8 +140,7 @@ class Bench {
     NoCheckpoint checkpoint;
     std::vector<std::vector<double>> all(rows.size());
     for (int i = 0; i < options_.repeat; ++i) {
-      absl::StatusOr<std::unique_ptr<Computation>> computation =
-          StartComputation(mesh_, query_, {});
+      absl::StatusOr<std::unique_ptr<Computation>> computation = Start(query_);
       if (!computation.ok()) return computation.status();
       for (size_t row = 0; row < rows.size(); ++row) {
         const Clock::time_point start = Clock::now();

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What a server's memory goes to: resident bytes, as the kernel counts them, for
-# a mesh, a solve by each algorithm, a field, a field with labels. docs/operations.md, "Sizing".
+# a mesh, a solve by each algorithm, a field, a field with nearest sources. docs/operations.md, "Sizing".
 #
 #   bench/sizing.sh MESH [FIELDS]
 #
@@ -87,6 +87,6 @@ with_fields=$(settled)
 report "$fields fields" $((with_fields - with_solves)) \
   $(($(used fields) - counted)) $((fields * vertices)) vertex
 counted=$(used fields)
-ask --labels
-report "$fields with labels" $(($(settled) - with_fields)) \
+ask --nearest-sources
+report "$fields with nearest sources" $(($(settled) - with_fields)) \
   $(($(used fields) - counted)) $((fields * vertices)) vertex

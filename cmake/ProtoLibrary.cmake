@@ -27,8 +27,13 @@ function(geodesic_proto_library target)
       DEPENDS ${arg_ROOT}/${proto}
       VERBATIM)
     list(APPEND sources ${generated})
+    # These share names; the stubs are compiled together, so that they read
+    # gRPC's headers once.
+    set_source_files_properties(${out}/${stem}.pb.cc
+      PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endforeach()
   add_library(${target} STATIC ${sources})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
   target_include_directories(${target} SYSTEM PUBLIC
     $<BUILD_INTERFACE:${out}>)
   target_link_libraries(${target} PUBLIC protobuf::libprotobuf)

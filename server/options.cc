@@ -56,6 +56,17 @@ void AddCount(CLI::App& app, const std::string& flag, uint64_t& value,
       ->type_name("N");
 }
 
+void AddSeconds(CLI::App& app, const std::string& flag,
+                std::chrono::seconds& value, int64_t least,
+                const std::string& help) {
+  app.add_option_function<int64_t>(
+         flag, [&value](int64_t count) { value = std::chrono::seconds(count); },
+         help)
+      ->check(CLI::Range(least, int64_t{86400}).description(""))
+      ->default_str(std::to_string(value.count()))
+      ->type_name("SECONDS");
+}
+
 // What is wrong with an address, or nothing.
 std::string CheckAddress(const std::string& address) {
   const size_t colon = address.rfind(':');
@@ -80,6 +91,10 @@ void AddNetworkOptions(CLI::App& app, ServerOptions& options) {
       ->type_name("PATH");
   AddCount(app, "--max-requests", options.max_requests, 1'000'000,
            "Requests at once; each may hold a few messages in memory");
+  AddCount(app, "--max-connection-streams", options.max_connection_streams,
+           1'000'000, "Requests at once on one connection; more wait");
+  AddSeconds(app, "--receive-seconds", options.receive_patience, 1,
+             "How long a message of a request may take to come in");
   AddBytes(app, "--max-message-bytes", options.max_message_bytes,
            "Largest gRPC message taken from a client", kMaxMessageBytes);
 }
@@ -142,12 +157,14 @@ void AddQuestionOptions(CLI::App& app, ServerOptions& options) {
 
 void AddMemoryOptions(CLI::App& app, ServerOptions& options) {
   Limits& limits = options.limits;
+  AddBytes(app, "--receive-memory", options.receive_memory_bytes,
+           "Memory for messages that are still coming in, all together");
+  AddBytes(app, "--request-memory", options.request_memory_bytes,
+           "Memory for requests in hand: decoded, and as questions");
   AddBytes(app, "--mesh-store", limits.mesh_store_bytes,
            "Memory for resident meshes; the least recently used are evicted");
   AddBytes(app, "--field-cache", limits.field_cache_bytes,
            "Memory for finished fields; the least recently used are evicted");
-  AddBytes(app, "--computation-store", limits.computation_store_bytes,
-           "Memory for computations that stopped early and may go on");
   AddBytes(app, "--upload-memory", limits.upload_memory_bytes,
            "Memory for uploads on their way to become meshes, all together");
   AddBytes(app, "--solver-memory", limits.solver_memory_bytes,
@@ -169,8 +186,6 @@ void AddDiskOptions(CLI::App& app, ServerOptions& options) {
   AddBytes(app, "--field-disk", limits.field_disk_bytes,
            "Disk for fields in --data-dir; the least recently used are "
            "evicted");
-  AddBytes(app, "--quarantine-disk", options.quarantine_bytes,
-           "Disk for damaged files in --data-dir; the oldest are removed");
 }
 
 void AddMeshOptions(CLI::App& app, ServerOptions& options) {
@@ -183,14 +198,10 @@ void AddMeshOptions(CLI::App& app, ServerOptions& options) {
            "Triangles of one mesh");
 }
 
-void AddOperationOptions(CLI::App& app, ServerOptions& options,
-                         int64_t& drain_seconds) {
-  app.add_option("--drain-seconds", drain_seconds,
-                 "After SIGTERM or SIGINT, how long requests may go on before "
-                 "they are cancelled; a second signal cancels them at once")
-      ->check(CLI::Range(int64_t{0}, int64_t{86400}).description(""))
-      ->capture_default_str()
-      ->type_name("SECONDS");
+void AddOperationOptions(CLI::App& app, ServerOptions& options) {
+  AddSeconds(app, "--drain-seconds", options.drain, 0,
+             "After SIGTERM or SIGINT, how long requests may go on before they "
+             "are cancelled; a second signal cancels them at once");
   app.add_option("--metrics-listen", options.metrics_listen,
                  "Serve /metrics for Prometheus, /livez and /readyz here, over "
                  "HTTP in clear")
@@ -273,6 +284,14 @@ std::string CheckTogether(const ServerOptions& options) {
                         " would serve other machines in clear: give --tls-cert "
                         "and --tls-key, or --insecure-listen if that is meant");
   }
+  for (const auto& [flag, bytes] :
+       {std::pair{"--receive-memory", options.receive_memory_bytes},
+        {"--request-memory", options.request_memory_bytes}}) {
+    if (options.max_message_bytes <= bytes) continue;
+    return absl::StrCat("--max-message-bytes (",
+                        InUnits(options.max_message_bytes),
+                        ") must not exceed ", flag, " (", InUnits(bytes), ")");
+  }
   const Limits& limits = options.limits;
   if (limits.max_upload_bytes > limits.upload_memory_bytes) {
     return absl::StrCat("--max-upload-bytes (",
@@ -289,7 +308,6 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
                              const std::string& version) {
   CommandLine result;
   ServerOptions& options = result.options;
-  int64_t drain_seconds = options.drain.count();
 
   CLI::App app("Serves exact geodesic distances on triangle meshes over gRPC.",
                "geodesicd");
@@ -305,8 +323,7 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
   AddGroup(app, "Memory", [&] { AddMemoryOptions(app, options); });
   AddGroup(app, "Disk", [&] { AddDiskOptions(app, options); });
   AddGroup(app, "Meshes", [&] { AddMeshOptions(app, options); });
-  AddGroup(app, "Operation",
-           [&] { AddOperationOptions(app, options, drain_seconds); });
+  AddGroup(app, "Operation", [&] { AddOperationOptions(app, options); });
   NameEnvironmentVariables(app);
   app.footer(
       "BYTES take a unit: B, KiB, MiB, GiB, or KB, MB, GB. A setting comes\n"
@@ -326,7 +343,6 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
     const int code = app.exit(error);
     result.exit_code = code == 0 ? 0 : kUsageError;
   }
-  options.drain = std::chrono::seconds(drain_seconds);
   if (options.data_dir.empty()) {
     options.limits.mesh_disk_bytes = 0;
     options.limits.field_disk_bytes = 0;

@@ -8,9 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "server/engine/limits.h"
+#include "server/engine/base/limits.h"
 #include "server/security/tls_files.h"
-#include "server/store/quarantine.h"
 
 namespace geodesic::server {
 
@@ -33,12 +32,18 @@ struct ServerOptions {
   std::string port_file;
   // What to keep meshes and fields in; empty: nothing outlives the server.
   std::string data_dir;
-  // Of its damaged files.
-  uint64_t quarantine_bytes = kQuarantineBytes;
   // Requests at once; beyond that streams are refused.
   uint64_t max_requests = 1000;
   // Largest gRPC message taken.
   uint64_t max_message_bytes = uint64_t{4} << 20;
+  // Calls at once on one connection.
+  uint64_t max_connection_streams = 256;
+  // How long a message may take to come in.
+  std::chrono::seconds receive_patience{60};
+  // Of messages that are still coming in.
+  uint64_t receive_memory_bytes = uint64_t{256} << 20;
+  // Of requests that were decoded, and of the questions in them.
+  uint64_t request_memory_bytes = uint64_t{1} << 30;
   // How long requests may go on after SIGTERM.
   std::chrono::seconds drain{30};
   // A level of spdlog.

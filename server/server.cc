@@ -4,6 +4,7 @@
 #include <grpcpp/ext/channelz_service_plugin.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/resource_quota.h>
 #include <grpcpp/server.h>
 #include <grpcpp/server_builder.h>
 #include <spdlog/spdlog.h>
@@ -12,8 +13,10 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/status_details.h"
+#include "server/engine/base/status_details.h"
 #include "server/operations/engine_collector.h"
+#include "server/rpc/capabilities.h"
+#include "server/rpc/services.h"
 #include "server/tls_credentials.h"
 
 namespace geodesic::server {
@@ -28,25 +31,43 @@ constexpr std::chrono::seconds kStoreGrace{2};
 // How long the last reactions of cancelled calls may take.
 constexpr std::chrono::seconds kCancelGrace{10};
 
+constexpr int kMostReflections = 32;
+
 double EndOf(const TlsFiles& files) {
   const auto end = CertificateEnd(files);
   if (!end.ok()) return 0;
   return std::chrono::duration<double>(end->time_since_epoch()).count();
 }
 
+double UnixNow() {
+  return std::chrono::duration<double>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
 // Bounds what connections can hold. Those who are slow to say who they are, or
 // are gone without a word, are found out.
-void BoundConnections(uint64_t max_requests, grpc::ServerBuilder& builder) {
+void BoundConnections(const ServerOptions& options,
+                      grpc::ServerBuilder& builder) {
+  // Intake bounds what comes in for the methods of the protocol; this, what
+  // does for others, a little late. The threads are those of reflection, of
+  // which each call takes one.
+  builder.SetResourceQuota(grpc::ResourceQuota("geodesicd")
+                               .Resize(2 * options.receive_memory_bytes)
+                               .SetMaxThreads(kMostReflections));
   constexpr int kSecond = 1000;
   builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS,
                              20 * kSecond);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 120 * kSecond);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20 * kSecond);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
-  // More than are served, so that the server itself says no to what is too
-  // much, and not so many that they cost memory before it can.
+  // What a stream may send that is not read, however fast the connection is.
+  // One that is read may send its message.
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 16 << 10);
+  // A client that has more waits.
   builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS,
-                             static_cast<int>(2 * max_requests + 100));
+                             static_cast<int>(options.max_connection_streams));
 }
 
 }  // namespace
@@ -62,15 +83,18 @@ Server::Server(const ServerOptions& options,
       log_(logger_, options.max_requests, access_, quotas_, metrics_),
       pool_(options.limits.max_concurrent_jobs),
       engine_(options.limits, clock_, pool_, std::move(start)),
-      mesh_service_(engine_, log_),
-      field_service_(engine_, std::string(ServerVersion()), log_),
-      path_service_(engine_, std::string(ServerVersion()), log_),
-      matrix_service_(engine_, std::string(ServerVersion()), log_),
-      capabilities_service_(options.limits, options.max_message_bytes,
-                            std::string(ServerVersion()), log_) {
+      intake_(
+          {.slots = options.receive_memory_bytes / options.max_message_bytes,
+           .patience = options.receive_patience,
+           .memory_bytes = options.request_memory_bytes}),
+      service_context_{
+          engine_, log_, intake_, std::string(ServerVersion()),
+          MakeCapabilities(options.limits, options.max_message_bytes,
+                           std::string(ServerVersion()))},
+      services_(MakeServices(service_context_)) {
   engine_.ObserveJobs(
       clock_, [this](const JobTimes& times) { metrics_.JobEnded(times); });
-  metrics_.Add(std::make_shared<EngineCollector>(engine_));
+  metrics_.Add(std::make_shared<EngineCollector>(engine_, intake_.memory()));
   metrics_.AddGauge("geodesic_active_requests", "Requests that have not ended",
                     [this] { return static_cast<double>(log_.active()); });
   if (options_.tls.enabled()) {
@@ -92,7 +116,6 @@ absl::Status Server::OpenDataFolder() {
       DurableStore::Open({.path = options_.data_dir,
                           .mesh_bytes = options_.limits.mesh_disk_bytes,
                           .field_bytes = options_.limits.field_disk_bytes,
-                          .quarantine_bytes = options_.quarantine_bytes,
                           .version = std::string(ServerVersion()),
                           .warn = [logger = logger_](const std::string& line) {
                             logger->error("data folder: {}", line);
@@ -127,15 +150,11 @@ absl::Status Server::Start() {
   grpc::ServerBuilder builder;
   // Without it two servers could share a port, each with half of the meshes.
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
-  BoundConnections(options_.max_requests, builder);
+  BoundConnections(options_, builder);
   builder.SetMaxReceiveMessageSize(
       static_cast<int>(options_.max_message_bytes));
   builder.AddListeningPort(options_.listen, *std::move(credentials), &port_);
-  builder.RegisterService(&mesh_service_);
-  builder.RegisterService(&field_service_);
-  builder.RegisterService(&path_service_);
-  builder.RegisterService(&matrix_service_);
-  builder.RegisterService(&capabilities_service_);
+  for (const auto& service : services_) builder.RegisterService(service.get());
   grpc_server_ = builder.BuildAndStart();
   if (grpc_server_ == nullptr || port_ == 0) {
     grpc_server_.reset();
@@ -152,6 +171,12 @@ absl::Status Server::Start() {
 }
 
 absl::Status Server::StartOperations() {
+  if (options_.tls.enabled() && EndOf(options_.tls) <= UnixNow()) {
+    logger_->warn(
+        "the certificate in {} has expired: clients will refuse it; a new one "
+        "that is written over it is taken up without a restart",
+        options_.tls.certificate);
+  }
   if (!options_.token_file.empty()) {
     if (!options_.tls.enabled()) {
       logger_->warn(
@@ -223,11 +248,9 @@ bool Server::Wait() {
 void Server::SetServing(bool serving) {
   grpc::HealthCheckServiceInterface* health =
       grpc_server_->GetHealthCheckService();
-  for (const char* service :
-       {"", "geodesic.v1.MeshService", "geodesic.v1.FieldService",
-        "geodesic.v1.PathService", "geodesic.v1.MatrixService",
-        "geodesic.v1.CapabilitiesService"}) {
-    health->SetServingStatus(service, serving);
+  health->SetServingStatus("", serving);
+  for (const auto& service : services_) {
+    health->SetServingStatus(service->name(), serving);
   }
 }
 

@@ -15,20 +15,19 @@
 #include <optional>
 #include <stop_token>
 #include <string_view>
+#include <vector>
 
 #include "absl/status/status.h"
-#include "server/engine/clock.h"
+#include "server/engine/base/clock.h"
+#include "server/engine/jobs/thread_pool.h"
 #include "server/engine/query_engine.h"
-#include "server/engine/thread_pool.h"
 #include "server/operations/http_server.h"
 #include "server/operations/metrics.h"
 #include "server/options.h"
-#include "server/rpc/capabilities_service.h"
-#include "server/rpc/field_service.h"
-#include "server/rpc/matrix_service.h"
-#include "server/rpc/mesh_service.h"
-#include "server/rpc/path_service.h"
-#include "server/rpc/request_log.h"
+#include "server/rpc/calls/intake.h"
+#include "server/rpc/calls/request_log.h"
+#include "server/rpc/calls/service.h"
+#include "server/rpc/calls/service_context.h"
 #include "server/security/access_control.h"
 #include "server/security/file_watch.h"
 #include "server/security/quotas.h"
@@ -96,11 +95,9 @@ class Server {
   RequestLog log_;
   ThreadPool pool_;
   QueryEngine engine_;
-  MeshService mesh_service_;
-  FieldService field_service_;
-  PathService path_service_;
-  MatrixService matrix_service_;
-  CapabilitiesService capabilities_service_;
+  Intake intake_;
+  const ServiceContext service_context_;
+  const std::vector<std::unique_ptr<Service>> services_;
   std::unique_ptr<grpc::Server> grpc_server_;
   int port_ = 0;
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "queues/queue.h"
+#include "solver/queues/queue.h"
 
 namespace geodesic::paper {
 

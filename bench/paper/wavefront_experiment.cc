@@ -9,12 +9,12 @@
 #include "bench/paper/experiments.h"
 #include "bench/paper/recording_queue.h"
 #include "bench/paper/table.h"
-#include "propagation.h"
-#include "queues/binary_heap.h"
-#include "queues/fwp_buckets.h"
-#include "queues/label_correcting.h"
-#include "rules/ch_rule.h"
-#include "rules/mmp_rule.h"
+#include "solver/propagation.h"
+#include "solver/queues/binary_heap.h"
+#include "solver/queues/fwp_buckets.h"
+#include "solver/queues/label_correcting.h"
+#include "solver/rules/ch_rule.h"
+#include "solver/rules/mmp_rule.h"
 #include "tests/support/curved_meshes.h"
 
 namespace geodesic::paper {
@@ -24,8 +24,11 @@ namespace {
 template <template <typename> typename Rule, WindowQueue Queue>
 void Record(const Subject& subject, Algorithm algorithm, Table& table) {
   const Mesh& mesh = *subject.mesh;
-  const Query query{.sources = {{VertexPoint{subject.source()}}},
-                    .algorithm = algorithm};
+  const ValidQuery query =
+      ValidQuery::Make({.sources = {{VertexPoint{subject.source()}}},
+                        .algorithm = algorithm},
+                       mesh)
+          .value();
   const double h = mesh.mean_edge_length();
   const Tuning tuning{
       .bucket_width = h / std::sqrt(static_cast<double>(mesh.face_count())),

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "anchors.h"
-#include "queues/fwp_buckets.h"
-#include "rules/direct_sink.h"
-#include "rules/front.h"
-#include "rules/mmp_rule.h"
+#include "solver/queues/fwp_buckets.h"
+#include "solver/rules/direct_sink.h"
+#include "solver/rules/front.h"
+#include "solver/rules/mmp_rule.h"
+#include "surface/anchors.h"
 
 namespace geodesic::speed {
 namespace {
@@ -21,11 +21,12 @@ class NeverSettled : public FwpBuckets {
 }  // namespace
 
 uint64_t LowerEnvelope(const Mesh& mesh, uint32_t source) {
-  const Query query{.sources = {{VertexPoint{source}}}};
+  const ValidQuery query =
+      ValidQuery::Make({.sources = {{VertexPoint{source}}}}, mesh).value();
   NeverSettled queue(
       {.bucket_width = mesh.mean_edge_length() /
                        std::sqrt(static_cast<double>(mesh.face_count()))});
-  Front<NeverSettled, Origin> front(mesh, query, queue, nullptr);
+  Front<NeverSettled, Origin> front(mesh, *query, queue, nullptr);
   MmpRule<Front<NeverSettled, Origin>> rule(front);
   DirectSink sink(front, rule);
   for (const Anchor& anchor : AnchorsOf(query)) front.AddAnchor(anchor, sink);

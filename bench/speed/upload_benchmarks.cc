@@ -13,12 +13,12 @@
 #include "absl/strings/str_cat.h"
 #include "bench/plain_ply.h"
 #include "bench/speed/benchmarks.h"
+#include "digest/sha256.h"
 #include "geodesic/mesh_summary.h"
 #include "geodesic/read_mesh.h"
-#include "server/engine/mesh_digest.h"
+#include "server/engine/jobs/thread_pool.h"
+#include "server/engine/meshes/mesh_digest.h"
 #include "server/engine/query_engine.h"
-#include "server/engine/thread_pool.h"
-#include "server/store/sha256.h"
 
 namespace geodesic::speed {
 namespace {
@@ -81,7 +81,7 @@ void MeasureWhole(benchmark::State& state, const std::string& bytes,
 
 void MeasureReceive(benchmark::State& state, std::string_view bytes) {
   for (auto _ : state) {
-    server::Sha256 hash;
+    Sha256 hash;
     std::vector<char> received;
     for (size_t at = 0; at < bytes.size(); at += kChunk) {
       const std::string_view chunk = bytes.substr(at, kChunk);

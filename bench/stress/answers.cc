@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "geodesic/solve.h"
+#include "tests/support/edge_law.h"
 
 namespace geodesic::stress {
 namespace {
@@ -34,7 +37,12 @@ std::vector<double> AllDistances(const Mesh& mesh, const Query& query,
   const absl::StatusOr<DistanceField> field = Solve(mesh, query, {}, patience);
   report.Check(field.ok(), "a valid query is answered", field.status(), ", ",
                Name(query));
-  return field.ok() ? AllDistances(*field) : std::vector<double>{};
+  if (!field.ok()) return {};
+  const std::optional<std::string> breach =
+      test::BreachOfEdgeLaw(mesh, field->distances);
+  report.Check(!breach.has_value(), "no vertex is farther than by an edge",
+               breach.value_or(""), ", ", Name(query));
+  return AllDistances(*field);
 }
 
 bool AreEqual(double expected, double got, double slack) {

@@ -42,20 +42,21 @@ void CheckPoints(const Scene& scene, const test::BruteForce& brute_force,
 
 // With curves, alone and beside a point.
 void CheckCurves(const Scene& scene, test::Random& random, Report& report) {
-  Query query{.targets = scene.points};
+  std::vector<Source> curves, points;
   for (uint32_t i = random.Below(2) + 1; i > 0; --i) {
-    query.curves.push_back(DrawCurve(scene, random));
+    curves.push_back(DrawCurve(scene, random));
   }
-  const test::BruteForce brute_force(scene.soup, scene.points, query.curves,
+  const test::BruteForce brute_force(scene.soup, scene.points, curves,
                                      kMostWindows);
   if (!brute_force.is_complete()) return;
   for (int i = 0; i < 2; ++i) {
     if (i == 1) {
-      query.sources = {
+      points = {
           {DrawPoint(scene, random), scene.size() * random.Uniform(0, 0.2)}};
     }
-    const std::vector<double> expected =
-        brute_force.DistancesFromAll(query.sources);
+    Query query{.sources = curves, .targets = scene.points};
+    query.sources.insert(query.sources.end(), points.begin(), points.end());
+    const std::vector<double> expected = brute_force.DistancesFromAll(points);
     for (const AlgorithmInfo& info : AlgorithmsFor(scene)) {
       query.algorithm = info.algorithm;
       CheckEqual("brute force for curves", query, expected,

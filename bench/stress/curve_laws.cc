@@ -27,7 +27,7 @@ std::vector<SurfacePoint> Between(const test::Place& a, const test::Place& b,
 
 // Points along the curve, in each of the faces in which it runs (there are
 // several where a face is given twice), and how far apart at the most.
-std::vector<SurfacePoint> Along(const Scene& scene, const CurveSource& curve,
+std::vector<SurfacePoint> Along(const Scene& scene, const Curve& curve,
                                 double* apart) {
   constexpr int kPieces = 16;
   std::vector<SurfacePoint> all = {curve.points[0]};
@@ -54,15 +54,17 @@ std::vector<SurfacePoint> Along(const Scene& scene, const CurveSource& curve,
 }  // namespace
 
 void CheckCurveLaws(const Scene& scene, test::Random& random, Report& report) {
-  Query query{.curves = {DrawCurve(scene, random)},
+  const Source source = DrawCurve(scene, random);
+  Query query{.sources = {source},
               .targets = scene.points,
               .algorithm = DrawAlgorithm(scene, random)};
   const std::vector<double> curve = AllDistances(*scene.mesh, query, report);
   double apart = 0;
   Query points{.targets = scene.points,
                .algorithm = DrawAlgorithm(scene, random)};
-  for (const SurfacePoint& point : Along(scene, query.curves[0], &apart)) {
-    points.sources.push_back({point, query.curves[0].offset});
+  for (const SurfacePoint& point :
+       Along(scene, std::get<Curve>(source.place), &apart)) {
+    points.sources.push_back({point, source.offset});
   }
   const std::vector<double> nearest = AllDistances(*scene.mesh, points, report);
   if (curve.size() != nearest.size()) return;

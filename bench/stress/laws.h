@@ -11,7 +11,7 @@ namespace geodesic::stress {
 
 // REQUIRES, of all: the scene has a mesh.
 
-// d(s) = 0, symmetry, triangle inequality, Lipschitz along edges, Euclid <= d
+// d(s) = 0, symmetry, triangle inequality, Euclid <= d
 // <= edge path, a point made a vertex, all algorithms agree, the same bits
 // again, rigid motion and relabelling.
 void CheckFieldLaws(const Scene& scene, test::Random& random, Report& report);

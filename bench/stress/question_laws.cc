@@ -9,6 +9,7 @@
 #include "geodesic/log_map.h"
 #include "geodesic/path.h"
 #include "geodesic/solve.h"
+#include "tests/support/queries.h"
 #include "tests/support/surface_points.h"
 #include "tests/support/vec.h"
 
@@ -47,10 +48,8 @@ void CheckPath(const Scene& scene, const Query& query,
   }
   const double slack =
       scene.rounding * 4 * static_cast<double>(path->points.size());
-  const double offset =
-      path->source < query.sources.size()
-          ? query.sources[path->source].offset
-          : query.curves[path->source - query.sources.size()].offset;
+  const Source& source = query.sources[path->source];
+  const double offset = source.offset;
   report.Check(AreEqual(distance, offset + static_cast<double>(length), slack),
                "a path is as long as the distance", offset, " + ",
                static_cast<double>(length), " for ", distance, " to ",
@@ -63,17 +62,17 @@ void CheckPath(const Scene& scene, const Query& query,
   };
   report.Check(apart(path->points.back(), target) <= slack,
                "a path ends at its target", Name(target), ", ", Name(query));
-  if (path->source < query.sources.size()) {
-    report.Check(
-        apart(path->points.front(), query.sources[path->source].point) <= slack,
-        "a path starts at its source", Name(target), ", ", Name(query));
+  if (!IsCurve(source)) {
+    report.Check(apart(path->points.front(), test::PointOf(source)) <= slack,
+                 "a path starts at its source", Name(target), ", ",
+                 Name(query));
   }
 }
 
 void CheckPaths(const Scene& scene, const Query& query,
                 const DistanceField& field, Random& random, Report& report) {
   const absl::StatusOr<PathTracer> tracer =
-      PathTracer::Create(*scene.mesh, query, field);
+      PathTracer::Create(*scene.mesh, test::Valid(*scene.mesh, query), field);
   if (!report.Check(tracer.ok(), "a traced field has paths", tracer.status())) {
     return;
   }
@@ -92,7 +91,7 @@ void CheckPaths(const Scene& scene, const Query& query,
 void CheckLabels(const Scene& scene, const Query& query,
                  const DistanceField& field, Report& report) {
   const absl::StatusOr<std::vector<uint32_t>> nearest =
-      NearestSources(*scene.mesh, query, field);
+      NearestSources(*scene.mesh, test::Valid(*scene.mesh, query), field);
   if (!report.Check(nearest.ok(), "a traced field has labels",
                     nearest.status())) {
     return;
@@ -101,11 +100,6 @@ void CheckLabels(const Scene& scene, const Query& query,
   for (const Source& source : query.sources) {
     single.push_back(AllDistances(
         *scene.mesh, {.sources = {source}, .algorithm = query.algorithm},
-        report));
-  }
-  for (const CurveSource& curve : query.curves) {
-    single.push_back(AllDistances(
-        *scene.mesh, {.curves = {curve}, .algorithm = query.algorithm},
         report));
   }
   bool holds = true;
@@ -128,7 +122,7 @@ void CheckLabels(const Scene& scene, const Query& query,
 void CheckGradients(const Scene& scene, const Query& query,
                     const DistanceField& field, Report& report) {
   const absl::StatusOr<std::vector<Point>> gradients =
-      Gradients(*scene.mesh, query, field);
+      Gradients(*scene.mesh, test::Valid(*scene.mesh, query), field);
   if (!report.Check(gradients.ok(), "a traced field has gradients",
                     gradients.status())) {
     return;
@@ -142,8 +136,9 @@ void CheckGradients(const Scene& scene, const Query& query,
 
 void CheckLogMap(const Scene& scene, const Query& query,
                  const DistanceField& field, Report& report) {
-  if (query.sources.size() != 1 || !query.curves.empty()) return;
-  const absl::StatusOr<LogMap> map = ComputeLogMap(*scene.mesh, query, field);
+  if (query.sources.size() != 1 || IsCurve(query.sources[0])) return;
+  const absl::StatusOr<LogMap> map =
+      ComputeLogMap(*scene.mesh, test::Valid(*scene.mesh, query), field);
   if (!map.ok()) {
     report.Check(absl::IsInvalidArgument(map.status()),
                  "a log map is drawn or refused", map.status(), ", ",
@@ -175,8 +170,8 @@ void CheckIsolines(const Scene& scene, Query query, const DistanceField& field,
   query.trace = false;
   query.targets.clear();
   NoCheckpoint checkpoint;
-  const absl::StatusOr<std::vector<Isoline>> lines =
-      ComputeIsolines(*scene.mesh, query, {level}, {}, checkpoint);
+  const absl::StatusOr<std::vector<Isoline>> lines = ComputeIsolines(
+      *scene.mesh, test::Valid(*scene.mesh, query), {level}, {}, checkpoint);
   if (!report.Check(lines.ok(), "isolines are drawn", lines.status(), ", ",
                     Name(query))) {
     return;
@@ -208,7 +203,7 @@ void CheckQuestionLaws(const Scene& scene, Random& random, Report& report) {
         {DrawPoint(scene, random),
          i == 0 ? 0 : scene.rounding * 0x1p52 * random.Uniform(0, 0.1)});
   }
-  if (random.Below(3) == 0) query.curves.push_back(DrawCurve(scene, random));
+  if (random.Below(3) == 0) query.sources.push_back(DrawCurve(scene, random));
   NoCheckpoint checkpoint;
   const absl::StatusOr<DistanceField> field =
       Solve(*scene.mesh, query, {}, checkpoint);

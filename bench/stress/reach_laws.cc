@@ -11,6 +11,7 @@
 #include "bench/stress/laws.h"
 #include "geodesic/computation.h"
 #include "geodesic/settled_vertices.h"
+#include "tests/support/queries.h"
 
 namespace geodesic::stress {
 namespace {
@@ -54,7 +55,7 @@ class Watcher final : public Checkpoint {
 std::unique_ptr<Computation> Start(const Scene& scene, const Query& query,
                                    Report& report) {
   absl::StatusOr<std::unique_ptr<Computation>> started =
-      StartComputation(*scene.mesh, query, {});
+      StartComputation(*scene.mesh, test::Valid(*scene.mesh, query), {});
   report.Check(started.ok(), "a valid query is answered", started.status());
   return started.ok() ? *std::move(started) : nullptr;
 }

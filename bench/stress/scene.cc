@@ -12,6 +12,7 @@
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
+#include "tests/support/queries.h"
 #include "tests/support/random_meshes.h"
 #include "tests/support/surface_points.h"
 
@@ -254,9 +255,9 @@ SurfacePoint DrawPoint(const Scene& scene, Random& random) {
   return scene.points[random.Below(static_cast<uint32_t>(scene.points.size()))];
 }
 
-CurveSource DrawCurve(const Scene& scene, Random& random) {
+Source DrawCurve(const Scene& scene, Random& random) {
   return {
-      .points = test::RandomCurve(scene.soup, 5, random),
+      .place = Curve{test::RandomCurve(scene.soup, 5, random)},
       .offset = OneIn(2, random) ? 0 : scene.size() * random.Uniform(0, 0.3)};
 }
 
@@ -279,13 +280,15 @@ std::string Name(const Query& query) {
   std::ostringstream text;
   text << std::setprecision(17) << AlgorithmName(query.algorithm);
   for (const Source& source : query.sources) {
-    text << "; source " << Name(source.point);
+    text << "; source";
+    if (const auto* curve = std::get_if<Curve>(&source.place)) {
+      for (const SurfacePoint& point : curve->points) {
+        text << " " << Name(point);
+      }
+    } else {
+      text << " " << Name(test::PointOf(source));
+    }
     if (source.offset != 0) text << " + " << source.offset;
-  }
-  for (const CurveSource& curve : query.curves) {
-    text << "; curve";
-    for (const SurfacePoint& point : curve.points) text << " " << Name(point);
-    if (curve.offset != 0) text << " + " << curve.offset;
   }
   return text.str();
 }

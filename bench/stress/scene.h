@@ -50,7 +50,7 @@ std::vector<AlgorithmInfo> AlgorithmsFor(const Scene& scene);
 SurfacePoint DrawPoint(const Scene& scene, test::Random& random);
 
 // A polyline, with an offset within the size of the scene or none.
-CurveSource DrawCurve(const Scene& scene, test::Random& random);
+Source DrawCurve(const Scene& scene, test::Random& random);
 
 // A point, in words.
 std::string Name(const SurfacePoint& point);

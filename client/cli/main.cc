@@ -4,14 +4,16 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <utility>
 #include <variant>
 
-#include "client/cli/arguments.h"
-#include "client/cli/commands.h"
-#include "client/cli/connection.h"
-#include "client/cli/interrupt_listener.h"
+#include "client/cli/command_line.h"
+#include "client/cli/commands/json.h"
+#include "client/cli/terminal/interrupt_listener.h"
+#include "client/cli/terminal/standard_output.h"
+#include "client/cli/terminal/text.h"
 
 namespace geodesic::client {
 namespace {
@@ -23,39 +25,52 @@ int TerminalWidth() {
              : 80;
 }
 
-ProgressDisplay::Style ProgressStyle(const Arguments& arguments) {
-  if (arguments.quiet) return ProgressDisplay::Style::kNone;
+ProgressDisplay::Style ProgressStyle(bool quiet) {
+  if (quiet) return ProgressDisplay::Style::kNone;
   return isatty(STDERR_FILENO) != 0 ? ProgressDisplay::Style::kBar
                                     : ProgressDisplay::Style::kLines;
 }
 
-ExitCode Fail(const absl::Status& status, const Arguments& arguments) {
-  const ExitCode exit_code = ExitCodeOf(status);
-  if (arguments.json) PrintJson(ErrorToJson(status, exit_code), &std::cout);
-  std::cerr << "geodesic: " << Explain(status, arguments.server) << std::endl;
-  return exit_code;
+absl::Status RunCommand(const CommandLine& line, std::ostream& out) {
+  InterruptListener interrupt;
+  absl::StatusOr<ConnectionOptions> connection =
+      ReadConnection(line.connection);
+  if (!connection.ok()) return connection.status();
+  Client client(line.connection.server, *std::move(connection));
+  CallOptions call = {.stop = interrupt.stop()};
+  if (line.timeout.has_value()) {
+    call.timeout = std::chrono::duration<double>(*line.timeout);
+  }
+  absl::Status status =
+      line.command.run({.client = client,
+                        .server = line.connection.server,
+                        .call = call,
+                        .json = line.json,
+                        .quiet = line.quiet,
+                        .out = out,
+                        .err = std::cerr,
+                        .progress_style = ProgressStyle(line.quiet),
+                        // The last column makes some terminals wrap.
+                        .terminal_width = TerminalWidth() - 1});
+  if (absl::IsCancelled(status) && call.stop.stop_requested()) {
+    return Interrupted();
+  }
+  return status;
 }
 
-ExitCode Run(const Arguments& arguments) {
-  InterruptListener interrupt;
-  absl::StatusOr<ConnectionOptions> connection = ReadConnection(arguments);
-  if (!connection.ok()) return Fail(connection.status(), arguments);
-  Client client(arguments.server, *std::move(connection));
-  CallOptions call = {.stop = interrupt.stop()};
-  if (arguments.timeout.has_value()) {
-    call.timeout = std::chrono::duration<double>(*arguments.timeout);
-  }
-  const Session session = {.arguments = arguments,
-                           .client = client,
-                           .call = std::move(call),
-                           .out = std::cout,
-                           .err = std::cerr,
-                           .progress_style = ProgressStyle(arguments),
-                           // The last column makes some terminals wrap.
-                           .terminal_width = TerminalWidth() - 1};
-  const absl::Status status = RunCommand(session);
-  std::cout.flush();
-  return status.ok() ? ExitCode::kOk : Fail(status, arguments);
+ExitCode ParseAndRun(int argc, const char* const* argv, std::ostream& out) {
+  std::variant<CommandLine, ExitCode> parsed =
+      ParseCommandLine(argc, argv, out, std::cerr);
+  if (const auto* ended = std::get_if<ExitCode>(&parsed)) return *ended;
+  const auto& line = std::get<CommandLine>(parsed);
+  const absl::Status status = RunCommand(line, out);
+  // Finish says what is wrong with the output.
+  if (status.ok() || !out) return ExitCode::kOk;
+  const ExitCode exit_code = ExitCodeOf(status);
+  if (line.json) PrintJson(ErrorToJson(status, exit_code), &out);
+  std::cerr << "geodesic: "
+            << Printable(Explain(status, line.connection.server)) << std::endl;
+  return exit_code;
 }
 
 }  // namespace
@@ -63,9 +78,13 @@ ExitCode Run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   using namespace geodesic::client;
-  std::variant<Arguments, ExitCode> parsed =
-      ParseArguments(argc, argv, std::cout, std::cerr);
-  const ExitCode* ended = std::get_if<ExitCode>(&parsed);
-  return static_cast<int>(ended != nullptr ? *ended
-                                           : Run(std::get<Arguments>(parsed)));
+  // Failures are reported here; gRPC's own lines are for those who ask.
+  setenv("GRPC_VERBOSITY", "NONE", /*overwrite=*/0);
+  StandardOutput out;
+  ExitCode exit_code = ParseAndRun(argc, argv, out.stream());
+  if (const absl::Status status = out.Finish(); !status.ok()) {
+    std::cerr << "geodesic: " << std::string(status.message()) << std::endl;
+    exit_code = ExitCode::kFile;
+  }
+  return static_cast<int>(exit_code);
 }

@@ -12,7 +12,7 @@ namespace geodesic::client {
 
 // The names of columns, in every format that has names.
 inline constexpr char kDistanceColumn[] = "geodesic_distance";
-inline constexpr char kLabelColumn[] = "label";
+inline constexpr char kNearestSourceColumn[] = "nearest_source";
 inline constexpr char kGradientColumn[] = "gradient";
 
 struct Column {

@@ -15,6 +15,8 @@
 #include "client/output/atomic_file.h"
 #include "client/output/csv.h"
 #include "client/output/npy.h"
+#include "client/output/number_text.h"
+#include "client/output/place_text.h"
 #include "client/output/zip_archive.h"
 
 namespace geodesic::client {
@@ -57,19 +59,18 @@ class NpyMatrixWriter final : public MatrixWriter {
 
 class CsvMatrixWriter final : public MatrixWriter {
  public:
-  explicit CsvMatrixWriter(AtomicFile file) : file_(std::move(file)) {}
+  CsvMatrixWriter(AtomicFile file, const MatrixPlaces& places)
+      : file_(std::move(file)), places_(places) {}
 
   absl::Status Begin(const MatrixShape&) override {
-    file_.Append("source,target,distance\n");
+    file_.Append(kMatrixCsvHeader);
     return file_.status();
   }
 
   absl::Status Append(const MatrixRow& row) override {
-    VisitValues(row, /*finite_only=*/false, [&](uint64_t column, double value) {
-      line_.Integer(static_cast<int64_t>(row.row));
-      line_.Integer(static_cast<int64_t>(column)).Number(value);
-      file_.Append(line_.End());
-    });
+    text_.clear();
+    AppendCsvRow(places_, row, &text_);
+    file_.Append(text_);
     return file_.status();
   }
 
@@ -80,7 +81,8 @@ class CsvMatrixWriter final : public MatrixWriter {
 
  private:
   AtomicFile file_;
-  CsvLine line_;
+  const MatrixPlaces places_;
+  std::string text_;
 };
 
 // An .npy file of one dimension that has no name and grows; its header, which
@@ -220,8 +222,21 @@ class NpzMatrixWriter final : public MatrixWriter {
 
 }  // namespace
 
+void AppendCsvRow(const MatrixPlaces& places, const MatrixRow& row,
+                  std::string* text) {
+  const std::string source = SourceText(places.sources.at(row.row));
+  CsvLine line;
+  VisitValues(row, /*finite_only=*/false, [&](uint64_t column, double value) {
+    const std::string target = column < places.targets.size()
+                                   ? PointText(places.targets[column])
+                                   : NumberText(column);
+    text->append(line.Text(source).Text(target).Number(value).End());
+  });
+}
+
 absl::StatusOr<std::unique_ptr<MatrixWriter>> CreateMatrixWriter(
-    const std::string& path, OutputFormat format, NumberType type) {
+    const std::string& path, OutputFormat format, NumberType type,
+    const MatrixPlaces& places) {
   if (format == OutputFormat::kNpz) {
     absl::StatusOr<GrowingNpy> data = GrowingNpy::Create(path, type);
     if (!data.ok()) return data.status();
@@ -234,7 +249,7 @@ absl::StatusOr<std::unique_ptr<MatrixWriter>> CreateMatrixWriter(
   absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
   if (!file.ok()) return file.status();
   if (format == OutputFormat::kCsv) {
-    return std::make_unique<CsvMatrixWriter>(*std::move(file));
+    return std::make_unique<CsvMatrixWriter>(*std::move(file), places);
   }
   return std::make_unique<NpyMatrixWriter>(*std::move(file), type);
 }

@@ -6,14 +6,29 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "client/output/number_type.h"
 #include "client/output/output_format.h"
 #include "geodesic_client/matrix.h"
+#include "geodesic_client/surface_point.h"
 
 namespace geodesic::client {
+
+// What rows and columns are; without targets every vertex is a column.
+struct MatrixPlaces {
+  std::vector<Source> sources;
+  std::vector<SurfacePoint> targets;
+};
+
+inline constexpr char kMatrixCsvHeader[] = "source,target,distance\n";
+
+// Adds a line for each value of the row, which names its source and target as
+// the command line does.
+void AppendCsvRow(const MatrixPlaces& places, const MatrixRow& row,
+                  std::string* text);
 
 // Nothing appears under the file's name before Commit. Not thread-safe.
 class MatrixWriter {
@@ -35,11 +50,12 @@ class MatrixWriter {
 // .npz: compressed sparse rows as scipy.sparse.load_npz reads them: data,
 //   indices, indptr, shape, format. Of dense rows the finite values are kept.
 //   While it grows, data and indices wait in files without a name beside it.
-// .csv: "source,target,distance", a line for each value.
-// `type` is that of the values in .npy and .npz, a float type.
-// Errors: those of opening files for writing, naming the path.
+// .csv: "source,target,distance", a line for each value, as AppendCsvRow has
+// it. `type` is that of the values in .npy and .npz, a float type. Errors:
+// those of opening files for writing, naming the path.
 absl::StatusOr<std::unique_ptr<MatrixWriter>> CreateMatrixWriter(
-    const std::string& path, OutputFormat format, NumberType type);
+    const std::string& path, OutputFormat format, NumberType type,
+    const MatrixPlaces& places);
 
 }  // namespace geodesic::client
 

@@ -82,12 +82,8 @@ Colormap::Colormap() {
   for (int entry = 0; entry < kEntries; ++entry) {
     const double wanted = walked[kSteps] * entry / (kEntries - 1);
     while (step < kSteps && walked[step] < wanted) ++step;
-    LinearColor color =
-        LinearFromOkLab(PathAt(static_cast<double>(step) / kSteps));
-    for (float* channel : {&color.red, &color.green, &color.blue}) {
-      *channel = std::clamp(*channel, 0.0F, 1.0F);
-    }
-    entries_[entry] = color;
+    entries_[entry] =
+        Clamp(LinearFromOkLab(PathAt(static_cast<double>(step) / kSteps)));
   }
 }
 

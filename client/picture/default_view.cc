@@ -44,7 +44,7 @@ Trial Try(const MeshArrays& mesh, const std::vector<Point>& shown,
   const VisibilityBuffer buffer =
       Rasterize(screen, mesh.triangles, kTrialSize, kTrialSize);
   const auto covered =
-      std::ranges::count_if(buffer.pixels, [](const VisibleSample& sample) {
+      std::ranges::count_if(buffer.samples, [](const VisibleSample& sample) {
         return sample.triangle != kNoTriangle;
       });
   Trial trial = {

@@ -1,11 +1,14 @@
-// Pictures while they are drawn and when they are done.
+// Pictures and their colours.
 
 #ifndef GEODESIC_CLIENT_PICTURE_IMAGE_H_
 #define GEODESIC_CLIENT_PICTURE_IMAGE_H_
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
+#include <cairo.h>
+
+#include <memory>
+#include <string>
+
+#include "absl/status/statusor.h"
 
 namespace geodesic::client {
 
@@ -26,42 +29,44 @@ inline LinearColor operator*(float s, const LinearColor& a) {
 inline LinearColor Mix(const LinearColor& a, const LinearColor& b, float t) {
   return (1 - t) * a + t * b;
 }
+// Each channel brought into 0 to 1.
+LinearColor Clamp(const LinearColor& color);
 
-// Rows from the top, pixels from the left.
-template <typename Pixel>
-struct Raster {
-  Raster(int w, int h, Pixel fill)
-      : width(w), height(h), pixels(static_cast<size_t>(w) * h, fill) {}
+// Pixels in sRGB (IEC 61966-2-1), and Cairo to draw lines and text over them.
+// Coordinates are in pixels, from the left and from the top.
+class Image {
+ public:
+  // White. REQUIRES: 0 < width, height <= 32767.
+  Image(int width, int height);
 
-  Pixel& At(int x, int y) { return pixels[static_cast<size_t>(y) * width + x]; }
-  const Pixel& At(int x, int y) const {
-    return pixels[static_cast<size_t>(y) * width + x];
-  }
+  int width() const;
+  int height() const;
 
-  int width;
-  int height;
-  std::vector<Pixel> pixels;
+  // Of a colour beyond 0 to 1, the nearest that the screen can show.
+  // REQUIRES: nothing has been drawn with cairo() yet.
+  void Set(int x, int y, const LinearColor& color);
+
+  // Draws on this image, for as long as it lives.
+  cairo_t* cairo() { return cairo_.get(); }
+  // What cairo() draws with from now on.
+  void SetInk(const LinearColor& color);
+  // Writes a line of UTF-8 that stands on `baseline`, in letters of `size`
+  // pixels. Returns where it ends.
+  double DrawText(const std::string& text, double left, double baseline,
+                  double size);
+
+  // The bytes of a PNG file.
+  // Errors: INTERNAL with Cairo's message, if it could not draw or encode.
+  absl::StatusOr<std::string> EncodePng() const;
+
+ private:
+  struct Destroy {
+    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+  };
+
+  // Holds the pixels too.
+  std::unique_ptr<cairo_t, Destroy> cairo_;
 };
-
-using LinearImage = Raster<LinearColor>;
-
-// sRGB, 8 bits a channel.
-struct Rgb8 {
-  uint8_t red = 0;
-  uint8_t green = 0;
-  uint8_t blue = 0;
-
-  friend bool operator==(const Rgb8&, const Rgb8&) = default;
-};
-
-using Image = Raster<Rgb8>;
-
-// The transfer function of sRGB (IEC 61966-2-1) and its inverse.
-float SrgbFromLinear(float linear);
-float LinearFromSrgb(float srgb);
-
-// Encodes for the screen; values beyond 0 to 1 are clipped.
-Image Encode(const LinearImage& image);
 
 }  // namespace geodesic::client
 

@@ -3,7 +3,7 @@
 //   Image image = Render(mesh, {.distances = field.distances,
 //                               .isolines = true,
 //                               .sources = {mesh.positions[0]}}, {});
-//   absl::StatusOr<std::string> png = EncodePng(image);
+//   absl::StatusOr<std::string> png = image.EncodePng();
 
 #ifndef GEODESIC_CLIENT_PICTURE_PICTURE_H_
 #define GEODESIC_CLIENT_PICTURE_PICTURE_H_
@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "client/picture/camera.h"
@@ -48,8 +49,11 @@ struct PictureContent {
   // One per vertex: colours from 0 to the largest finite one, told by a colour
   // bar; light grey where a corner's is infinite. Empty: one colour all over.
   std::span<const double> distances;
-  // One per vertex: a colour for each number instead. Needs distances too.
-  std::span<const uint32_t> labels;
+  // One per vertex: a colour for each source's cell instead. Needs distances
+  // too.
+  std::span<const uint32_t> nearest_sources;
+  // What the legend calls them, by their numbers.
+  std::vector<std::string> source_names;
   // Dark lines of constant width at round distances.
   bool isolines = false;
   // Thin dark lines: isolines as computed. `levels` are marked in the colour
@@ -58,14 +62,16 @@ struct PictureContent {
   std::vector<double> levels;
   // Bold lines: paths and curves. What is hidden of them shows faintly.
   std::vector<PictureLine> bold_lines;
-  // Dots of two kinds.
+  // Dots of two colours, told below the picture; dashed rings where something
+  // hides them.
   std::vector<Point> sources;
   std::vector<Point> targets;
 };
 
-// Draws the mesh on white, smoothly shaded, with what of the lines and dots is
-// seen.
-// REQUIRES: one distance and label per vertex, or none; indices in range.
+// Draws the mesh on white, smoothly shaded, with what of the lines is seen.
+// Pictures too narrow for a colour bar or a legend of sources have none.
+// REQUIRES: one distance and nearest source per vertex, or none; indices in
+// range.
 // Coordinates and distances of any magnitude are fine. Takes memory of 36 bytes
 // a pixel.
 Image Render(const MeshArrays& mesh, const PictureContent& content,

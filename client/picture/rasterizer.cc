@@ -54,12 +54,14 @@ void DrawTriangle(const Vector3& a, const Vector3& b, const Vector3& c,
 
 }  // namespace
 
+bool IsOnScreen(const Vector3& point, const VisibilityBuffer& buffer) {
+  return point.x >= 0 && point.x < buffer.width && point.y >= 0 &&
+         point.y < buffer.height;
+}
+
 bool IsVisible(const Vector3& point, double tolerance,
                const VisibilityBuffer& buffer) {
-  if (!(point.x >= 0 && point.x < buffer.width && point.y >= 0 &&
-        point.y < buffer.height)) {
-    return false;
-  }
+  if (!IsOnScreen(point, buffer)) return false;
   const VisibleSample& sample =
       buffer.At(static_cast<int>(point.x), static_cast<int>(point.y));
   return point.z + tolerance >= sample.depth;
@@ -78,7 +80,7 @@ Barycentric BarycentricAt(const Vector3& a, const Vector3& b, const Vector3& c,
 VisibilityBuffer Rasterize(const std::vector<Vector3>& screen,
                            const std::vector<Triangle>& triangles, int width,
                            int height) {
-  VisibilityBuffer buffer(width, height, VisibleSample{});
+  VisibilityBuffer buffer(width, height);
   for (uint32_t triangle = 0; triangle < triangles.size(); ++triangle) {
     const Triangle& corners = triangles[triangle];
     DrawTriangle(screen[corners[0]], screen[corners[1]], screen[corners[2]],

@@ -3,11 +3,11 @@
 #ifndef GEODESIC_CLIENT_PICTURE_RASTERIZER_H_
 #define GEODESIC_CLIENT_PICTURE_RASTERIZER_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "client/picture/image.h"
 #include "client/picture/vector3.h"
 #include "geodesic_client/mesh.h"
 
@@ -21,10 +21,31 @@ struct VisibleSample {
   uint32_t triangle = kNoTriangle;
 };
 
-using VisibilityBuffer = Raster<VisibleSample>;
+// Samples a pixel of a picture has, across and down.
+inline constexpr int kSamples = 2;
+
+// Rows from the top, samples from the left.
+struct VisibilityBuffer {
+  VisibilityBuffer(int w, int h)
+      : width(w), height(h), samples(static_cast<size_t>(w) * h) {}
+
+  VisibleSample& At(int x, int y) {
+    return samples[static_cast<size_t>(y) * width + x];
+  }
+  const VisibleSample& At(int x, int y) const {
+    return samples[static_cast<size_t>(y) * width + x];
+  }
+
+  int width;
+  int height;
+  std::vector<VisibleSample> samples;
+};
+
+// False for what is no number.
+bool IsOnScreen(const Vector3& point, const VisibilityBuffer& buffer);
 
 // Whether nothing is in front of a point by more than `tolerance`, in samples.
-// False off the screen, and for what is no number.
+// False off the screen.
 bool IsVisible(const Vector3& point, double tolerance,
                const VisibilityBuffer& buffer);
 

@@ -22,8 +22,7 @@ Client::Connection::Connection(const std::string& server,
       channel(MakeChannel(server, options)),
       meshes(v1::MeshService::NewStub(channel)),
       capabilities(v1::CapabilitiesService::NewStub(channel)),
-      fields(channel),
-      field_service(v1::FieldService::NewStub(channel)),
+      fields(v1::FieldService::NewStub(channel)),
       paths(v1::PathService::NewStub(channel)),
       matrices(v1::MatrixService::NewStub(channel)) {}
 
@@ -31,19 +30,6 @@ Client::Client(const std::string& server, const ConnectionOptions& options)
     : connection_(std::make_unique<Connection>(server, options)) {}
 
 Client::~Client() = default;
-
-absl::StatusOr<std::vector<std::string>> Client::FindMissing(
-    const std::vector<std::string>& mesh_digests, const CallOptions& options) {
-  v1::FindMissingMeshesRequest request;
-  request.mutable_mesh_digests()->Add(mesh_digests.begin(), mesh_digests.end());
-  v1::FindMissingMeshesResponse response;
-  Call call(options);
-  absl::Status status = FromRpcStatus(connection_->meshes->FindMissingMeshes(
-      call.context(), request, &response));
-  if (!status.ok()) return status;
-  return std::vector<std::string>(response.missing_mesh_digests().begin(),
-                                  response.missing_mesh_digests().end());
-}
 
 absl::StatusOr<MeshInfo> Client::GetMesh(const std::string& digest,
                                          const CallOptions& options) {

@@ -35,8 +35,7 @@ absl::StatusOr<SampleAnswer> Client::SampleFarthestPoints(
   absl::StatusOr<AnswerInfo> info =
       ReadAnswer<v1::SampleFarthestPointsResponse>(
           &call,
-          connection_->field_service->SampleFarthestPoints(call.context(),
-                                                           request),
+          connection_->fields->SampleFarthestPoints(call.context(), request),
           SolveHandlers(progress, part),
           [&answer] { return answer.samples.size(); });
   if (!info.ok()) return info.status();
@@ -77,7 +76,7 @@ absl::StatusOr<LogMap> Client::ComputeLogMap(
   };
   Call call(options);
   absl::StatusOr<AnswerInfo> info = ReadAnswer<v1::ComputeLogMapResponse>(
-      &call, connection_->field_service->ComputeLogMap(call.context(), request),
+      &call, connection_->fields->ComputeLogMap(call.context(), request),
       SolveHandlers(progress, part), [&values] { return values.size() / 2; });
   if (!info.ok()) return info.status();
   if (!has_frame || values.size() / 2 != info->vertex_count) {

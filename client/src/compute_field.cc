@@ -1,8 +1,6 @@
 // Client::ComputeField and StreamField: one server stream, received into its
 // final buffer or handed on. One that breaks is read on.
 
-#include <grpcpp/completion_queue.h>
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -17,56 +15,6 @@
 
 namespace geodesic::client {
 namespace {
-
-constexpr char kMethod[] = "/geodesic.v1.FieldService/ComputeField";
-
-// A stream on a completion queue of its own, one operation at a time: the
-// calling thread does the reading itself and nobody has to wake it.
-class FieldStream {
- public:
-  FieldStream(FieldStub* stub, grpc::ClientContext* context)
-      : stream_(stub->PrepareCall(context, kMethod, &queue_)) {}
-
-  ~FieldStream() {
-    queue_.Shutdown();
-    void* tag = nullptr;
-    bool ok = false;
-    while (queue_.Next(&tag, &ok)) {
-    }
-  }
-
-  bool Send(const v1::ComputeFieldRequest& request) {
-    stream_->StartCall(this);
-    if (!Await()) return false;
-    stream_->WriteLast(request, grpc::WriteOptions(), this);
-    return Await();
-  }
-
-  bool Read(grpc::ByteBuffer* message) {
-    stream_->Read(message, this);
-    return Await();
-  }
-
-  grpc::Status Finish() {
-    grpc::Status status;
-    stream_->Finish(&status, this);
-    Await();
-    return status;
-  }
-
- private:
-  // Whether the operation that has been started went well.
-  bool Await() {
-    void* tag = nullptr;
-    bool ok = false;
-    return queue_.Next(&tag, &ok) && ok;
-  }
-
-  grpc::CompletionQueue queue_;
-  std::unique_ptr<
-      grpc::ClientAsyncReaderWriter<v1::ComputeFieldRequest, grpc::ByteBuffer>>
-      stream_;
-};
 
 absl::StatusOr<v1::ComputeFieldRequest> ToRequest(const FieldQuery& query) {
   v1::ComputeFieldRequest request;
@@ -92,21 +40,19 @@ absl::StatusOr<v1::ComputeFieldRequest> ToRequest(const FieldQuery& query) {
 }
 
 // Reads one stream to its end.
-absl::Status ReceiveStream(FieldStub* stub,
+absl::Status ReceiveStream(v1::FieldService::Stub* stub,
                            const v1::ComputeFieldRequest& request,
                            const CallOptions& options,
                            FieldAssembler* assembler) {
   Call call(options);
-  FieldStream stream(stub, call.context());
+  const auto reader = stub->ComputeField(call.context(), request);
+  v1::ComputeFieldResponse message;
   absl::Status broken;
-  if (stream.Send(request)) {
-    grpc::ByteBuffer message;
-    while (broken.ok() && stream.Read(&message)) {
-      broken = assembler->Consume(&message);
-    }
-    if (!broken.ok()) call.context()->TryCancel();
+  while (broken.ok() && reader->Read(&message)) {
+    broken = assembler->Consume(message);
   }
-  const absl::Status status = FromRpcStatus(stream.Finish());
+  if (!broken.ok()) call.context()->TryCancel();
+  const absl::Status status = FromRpcStatus(reader->Finish());
   return broken.ok() ? status : broken;
 }
 
@@ -130,7 +76,8 @@ bool ReadOn(const absl::Status& failed, int attempts,
   return true;
 }
 
-absl::StatusOr<Field> Receive(FieldStub* stub, const FieldQuery& query,
+absl::StatusOr<Field> Receive(v1::FieldService::Stub* stub,
+                              const FieldQuery& query,
                               const SettledCallback& on_settled,
                               const CallOptions& options,
                               const SolveProgressCallback& progress,
@@ -167,15 +114,15 @@ absl::StatusOr<Field> Receive(FieldStub* stub, const FieldQuery& query,
 absl::StatusOr<Field> Client::ComputeField(
     const FieldQuery& query, const CallOptions& options,
     const SolveProgressCallback& progress) {
-  return Receive(&connection_->fields, query, nullptr, options, progress,
+  return Receive(connection_->fields.get(), query, nullptr, options, progress,
                  connection_->retry);
 }
 
 absl::StatusOr<Field> Client::StreamField(
     const FieldQuery& query, const SettledCallback& on_settled,
     const CallOptions& options, const SolveProgressCallback& progress) {
-  return Receive(&connection_->fields, query, on_settled, options, progress,
-                 connection_->retry);
+  return Receive(connection_->fields.get(), query, on_settled, options,
+                 progress, connection_->retry);
 }
 
 }  // namespace geodesic::client

@@ -4,8 +4,6 @@
 #define GEODESIC_CLIENT_CONNECTION_H_
 
 #include <grpcpp/channel.h>
-#include <grpcpp/generic/generic_stub.h>
-#include <grpcpp/support/byte_buffer.h>
 
 #include <memory>
 #include <string>
@@ -19,10 +17,6 @@
 
 namespace geodesic::client {
 
-// Its answers stay serialized: see field_assembler.h.
-using FieldStub =
-    grpc::TemplatedGenericStub<v1::ComputeFieldRequest, grpc::ByteBuffer>;
-
 struct Client::Connection {
   Connection(const std::string& server, const ConnectionOptions& options);
 
@@ -30,10 +24,7 @@ struct Client::Connection {
   std::shared_ptr<grpc::Channel> channel;
   std::unique_ptr<v1::MeshService::Stub> meshes;
   std::unique_ptr<v1::CapabilitiesService::Stub> capabilities;
-  // ComputeField goes through `fields`, all else of its service through
-  // `field_service`.
-  FieldStub fields;
-  std::unique_ptr<v1::FieldService::Stub> field_service;
+  std::unique_ptr<v1::FieldService::Stub> fields;
   std::unique_ptr<v1::PathService::Stub> paths;
   std::unique_ptr<v1::MatrixService::Stub> matrices;
 };

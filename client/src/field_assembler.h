@@ -1,14 +1,7 @@
 // Puts a distance field together from the messages of a ComputeField stream.
-//
-// The values are copied once, from the transport's slices to where they stay:
-// chunks are decoded here instead of by the generated message, which would put
-// them into a string first.
 
 #ifndef GEODESIC_CLIENT_FIELD_ASSEMBLER_H_
 #define GEODESIC_CLIENT_FIELD_ASSEMBLER_H_
-
-#include <google/protobuf/io/coded_stream.h>
-#include <grpcpp/support/byte_buffer.h>
 
 #include <cstdint>
 #include <string>
@@ -39,10 +32,10 @@ class FieldAssembler {
   FieldAssembler(FieldExpectation expected, SolveProgressCallback progress)
       : expected_(std::move(expected)), progress_(std::move(progress)) {}
 
-  // Takes the next serialized ComputeFieldResponse of the stream.
-  // Errors: DATA_LOSS if it is malformed or breaks the stream's protocol;
-  // memory never grows by more than the bytes that have arrived.
-  absl::Status Consume(grpc::ByteBuffer* message);
+  // Takes the next message of the stream.
+  // Errors: DATA_LOSS if it breaks the stream's protocol; memory never grows by
+  // more than the bytes that have arrived.
+  absl::Status Consume(const v1::ComputeFieldResponse& message);
 
   // Whether the server has begun to answer.
   bool accepted() const { return accepted_; }
@@ -63,18 +56,10 @@ class FieldAssembler {
   absl::StatusOr<Field> Finish() &&;
 
  private:
-  using Input = google::protobuf::io::CodedInputStream;
-
-  absl::Status ConsumeChunk(Input* input);
-  // The bytes field that comes next holds `per_vertex` values for each vertex.
-  absl::Status ConsumeValues(Input* input, size_t per_vertex,
-                             std::vector<double>* values);
-  absl::Status ConsumeNearest(Input* input);
-  absl::Status ConsumeFieldId(Input* input);
-  absl::Status ConsumeOther(const v1::ComputeFieldResponse& message);
+  absl::Status ConsumeChunk(const v1::FieldChunk& chunk);
   absl::Status ConsumeTargets(const v1::TargetChunk& chunk);
   absl::Status ConsumeSettled(const v1::SettledChunk& chunk);
-  void Accept(const v1::FieldAccepted& accepted);
+  absl::Status Accept(const v1::FieldAccepted& accepted);
 
   FieldExpectation expected_;
   SolveProgressCallback progress_;
@@ -83,7 +68,6 @@ class FieldAssembler {
   std::vector<double> gradient_values_;
   uint64_t settled_count_ = 0;
   std::string field_id_;
-  std::vector<float> narrow_;
   bool accepted_ = false;
   bool complete_ = false;
 };

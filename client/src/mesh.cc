@@ -6,7 +6,7 @@
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
-#include "sha256.h"
+#include "digest/sha256.h"
 
 namespace geodesic::client {
 namespace {
@@ -20,24 +20,26 @@ constexpr std::string_view kDigestPreamble = "geodesic.mesh.v1\n";
 constexpr std::array kFormats = {MeshFormat::kObj, MeshFormat::kPly,
                                  MeshFormat::kOff, MeshFormat::kStl};
 
+template <typename Items>
+std::string_view BytesOf(const Items& items) {
+  return {reinterpret_cast<const char*>(items.data()),
+          items.size() * sizeof(items[0])};
+}
+
 }  // namespace
 
 std::string MeshDigest(const MeshArrays& mesh) {
   const std::array<uint64_t, 2> counts = {mesh.positions.size(),
                                           mesh.triangles.size()};
   Sha256 hash;
-  hash.Update(kDigestPreamble.data(), kDigestPreamble.size());
-  hash.Update(counts.data(), sizeof(counts));
-  hash.Update(mesh.positions.data(), mesh.positions.size() * sizeof(Point));
-  hash.Update(mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
+  hash.Update(kDigestPreamble);
+  hash.Update(BytesOf(counts));
+  hash.Update(BytesOf(mesh.positions));
+  hash.Update(BytesOf(mesh.triangles));
   return hash.FinishHex();
 }
 
-bool IsMeshDigest(std::string_view text) {
-  return text.size() == 64 && std::ranges::all_of(text, [](char c) {
-           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
-         });
-}
+bool IsMeshDigest(std::string_view text) { return IsSha256Hex(text); }
 
 std::string_view MeshFormatName(MeshFormat format) {
   switch (format) {

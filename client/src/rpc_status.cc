@@ -31,11 +31,12 @@ bool ReadDetail(const absl::Status& status, Detail* detail) {
 
 // What one detail adds to `status_message`, in words.
 std::vector<std::string> Describe(const google::protobuf::Any& detail,
-                                  std::string_view status_message) {
+                                  std::string_view status_message,
+                                  bool name_fields) {
   std::vector<std::string> notes;
   google::rpc::BadRequest bad_request;
   google::rpc::RetryInfo retry;
-  if (detail.UnpackTo(&bad_request)) {
+  if (name_fields && detail.UnpackTo(&bad_request)) {
     for (const auto& violation : bad_request.field_violations()) {
       std::string note = absl::StrCat("field ", violation.field());
       // Servers tend to say the same twice.
@@ -54,14 +55,15 @@ std::vector<std::string> Describe(const google::protobuf::Any& detail,
 
 }  // namespace
 
-absl::Status FromRpcStatus(const grpc::Status& status) {
+absl::Status FromRpcStatus(const grpc::Status& status, std::string_view file) {
   if (status.ok()) return absl::OkStatus();
   std::vector<std::string> notes;
   google::rpc::Status rich;
   // What cannot be read is nothing, not half of it.
   if (!rich.ParseFromString(status.error_details())) rich.Clear();
   for (const google::protobuf::Any& detail : rich.details()) {
-    for (std::string& note : Describe(detail, status.error_message())) {
+    for (std::string& note :
+         Describe(detail, status.error_message(), file.empty())) {
       notes.push_back(std::move(note));
     }
   }
@@ -70,8 +72,12 @@ absl::Status FromRpcStatus(const grpc::Status& status) {
     absl::StrAppend(&message, " [", absl::StrJoin(notes, "; "), "]");
   }
   // gRPC's codes and Abseil's are the same numbers.
-  absl::Status result(static_cast<absl::StatusCode>(status.error_code()),
-                      message);
+  const auto code = static_cast<absl::StatusCode>(status.error_code());
+  if (!file.empty() && (code == absl::StatusCode::kInvalidArgument ||
+                        code == absl::StatusCode::kResourceExhausted)) {
+    message = absl::StrCat(std::string(file), ": ", message);
+  }
+  absl::Status result(code, message);
   for (const google::protobuf::Any& detail : rich.details()) {
     result.SetPayload(detail.type_url(), absl::Cord(detail.value()));
   }

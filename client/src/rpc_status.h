@@ -5,6 +5,8 @@
 
 #include <grpcpp/support/status.h>
 
+#include <string_view>
+
 #include "absl/status/status.h"
 
 namespace geodesic::client {
@@ -12,7 +14,10 @@ namespace geodesic::client {
 // Keeps code and message; what google.rpc.BadRequest and google.rpc.RetryInfo
 // in the details say is appended to the message in brackets. The details
 // themselves become payloads under their type URLs; errors.h reads them.
-absl::Status FromRpcStatus(const grpc::Status& status);
+// For a call that sent the file `file` what is wrong with the request is wrong
+// with the file: the message then begins with its path and names no fields.
+absl::Status FromRpcStatus(const grpc::Status& status,
+                           std::string_view file = "");
 
 }  // namespace geodesic::client
 

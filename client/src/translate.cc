@@ -89,8 +89,6 @@ FieldOrigin FromProto(v1::FieldOrigin origin) {
       return FieldOrigin::kJoined;
     case v1::FIELD_ORIGIN_CACHED:
       return FieldOrigin::kCached;
-    case v1::FIELD_ORIGIN_CONTINUED:
-      return FieldOrigin::kContinued;
     default:
       return FieldOrigin::kSolved;
   }
@@ -136,7 +134,6 @@ Capabilities FromProto(const v1::GetCapabilitiesResponse& response) {
       .max_samples = limits.max_samples(),
       .max_matrix_rows = limits.max_matrix_rows(),
       .max_matrix_values = limits.max_matrix_values(),
-      .computation_store_bytes = limits.computation_store_bytes(),
       .mesh_disk_bytes = limits.mesh_disk_bytes(),
       .field_disk_bytes = limits.field_disk_bytes(),
       .max_queued_jobs_per_client = limits.max_queued_jobs_per_client()};
@@ -246,8 +243,6 @@ std::string_view FieldOriginName(FieldOrigin origin) {
       return "joined";
     case FieldOrigin::kCached:
       return "cached";
-    case FieldOrigin::kContinued:
-      return "continued";
   }
   return "unknown";
 }

@@ -9,10 +9,10 @@
 #include "absl/strings/str_cat.h"
 #include "call.h"
 #include "connection.h"
+#include "digest/sha256.h"
 #include "file_reader.h"
 #include "retry.h"
 #include "rpc_status.h"
-#include "sha256.h"
 #include "translate.h"
 
 namespace geodesic::client {
@@ -26,6 +26,7 @@ using ChunkSource =
     std::function<absl::Status(bool restart, std::string* chunk)>;
 
 absl::StatusOr<UploadOutcome> SendOnce(v1::MeshService::Stub* stub,
+                                       const std::string& path,
                                        const v1::UploadHeader& header,
                                        const ChunkSource& next_chunk,
                                        const CallOptions& options,
@@ -54,7 +55,7 @@ absl::StatusOr<UploadOutcome> SendOnce(v1::MeshService::Stub* stub,
   }
   writer->WritesDone();
   // A write that failed has its reason here.
-  const absl::Status status = FromRpcStatus(writer->Finish());
+  const absl::Status status = FromRpcStatus(writer->Finish(), path);
   if (!local.ok()) return local;
   if (!status.ok()) return status;
   return UploadOutcome{.mesh = FromProto(response.mesh()),
@@ -63,8 +64,10 @@ absl::StatusOr<UploadOutcome> SendOnce(v1::MeshService::Stub* stub,
 }
 
 // Again if the connection broke or the server is full: it keeps nothing of an
-// upload that did not end, and one that did is merely found resident.
+// upload that did not end, and one that did is merely found resident. `path` is
+// the file's, or empty.
 absl::StatusOr<UploadOutcome> Send(v1::MeshService::Stub* stub,
+                                   const std::string& path,
                                    const v1::UploadHeader& header,
                                    const ChunkSource& next_chunk,
                                    const CallOptions& options,
@@ -72,7 +75,7 @@ absl::StatusOr<UploadOutcome> Send(v1::MeshService::Stub* stub,
                                    bool retry) {
   for (int attempts = 1;; ++attempts) {
     absl::StatusOr<UploadOutcome> outcome =
-        SendOnce(stub, header, next_chunk, options, progress);
+        SendOnce(stub, path, header, next_chunk, options, progress);
     if (outcome.ok() || !retry ||
         !WaitToRetry(outcome.status(), attempts, options.stop)) {
       return outcome;
@@ -90,7 +93,7 @@ absl::StatusOr<std::string> HashFile(FileReader* file,
     }
     buffer.resize(kChunkBytes);
     if (absl::Status status = file->Read(&buffer); !status.ok()) return status;
-    hash.Update(buffer.data(), buffer.size());
+    hash.Update(buffer);
   } while (!buffer.empty());
   return hash.FinishHex();
 }
@@ -161,8 +164,8 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
     left -= chunk->size();
     return status;
   };
-  return Send(connection_->meshes.get(), header, next_chunk, options, progress,
-              connection_->retry);
+  return Send(connection_->meshes.get(), path, header, next_chunk, options,
+              progress, connection_->retry);
 }
 
 absl::StatusOr<UploadOutcome> Client::UploadFile(
@@ -210,8 +213,8 @@ absl::StatusOr<UploadOutcome> Client::UploadArrays(
     offset += chunk->size();
     return absl::OkStatus();
   };
-  return Send(connection_->meshes.get(), header, next_chunk, options, progress,
-              connection_->retry);
+  return Send(connection_->meshes.get(), /*path=*/"", header, next_chunk,
+              options, progress, connection_->retry);
 }
 
 }  // namespace geodesic::client

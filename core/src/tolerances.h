@@ -6,31 +6,18 @@
 
 namespace geodesic {
 
-// An inner vertex whose cone angle exceeds 2 pi by no more than this is flat:
-// it hides nothing from the windows on both its sides, so paths need not bend
-// there. Angle sums of flat vertices are off by about 1e-15 a corner; treating
-// every one of them as a saddle doubles the windows of a plane.
-inline constexpr double kFlatAngle = 1e-9;
-
-// A boundary vertex whose angle exceeds pi by no more than this is straight:
-// the rounding of a hundred angles. Unlike an inner one it hides what lies
-// behind it along the boundary, and no window comes from the other side: of a
-// row of vertices each reflex by 1e-11, those from the third on were not
-// reached.
-inline constexpr double kStraightAngle = 1e-13;
+// A vertex whose angle exceeds 2 pi (at a boundary: pi) by no more than this is
+// flat: the rounding of a hundred angles. It hides a wedge of that angle from
+// the windows that pass it. What lies in there they miss narrowly (kNearMiss),
+// and it is reached all the same. That would do for larger angles too, but each
+// such vertex would open windows in all directions, not only in the wedge.
+inline constexpr double kFlatAngle = 1e-13;
 
 // A face whose height over its longest edge is below this fraction of that edge
 // lets no ray of any width through along itself. Its corners become
 // pseudo-sources, so that paths pass through them and along its edges; one that
 // is no higher over the opposite edge than this lies on it.
 inline constexpr double kCollapsedFace = 1e-12;
-
-// A face no higher over its longest edge than this fraction of that edge may
-// lie whole in the gap behind a vertex that hides nothing by kFlatAngle, where
-// no window goes: a vertex behind it, relaxed by a near miss, passes nothing on
-// (kNearMiss), and so its corners become pseudo-sources. More than kFlatAngle,
-// since gaps widen with the way from the pseudo-source.
-inline constexpr double kNarrowFace = 1e-8;
 
 // Least distance of an apex or a pseudo-source from an edge's line. It keeps
 // quotients defined on faces without area. Its square vanishes, so it adds
@@ -59,6 +46,13 @@ inline constexpr double kRoundedWidth = 1e-15;
 // times that where one of the pseudo-sources is much nearer.
 inline constexpr double kNearMiss = 2e-7;
 
+// A vertex that is missed so by more than this fraction of the least height of
+// the faces around it is a pseudo-source, whatever its angle: some of those
+// faces may lie whole in the gap that the windows leave, where only this vertex
+// is left to pass anything on. By less, the gap is too narrow for a face, and
+// the direction of the ray is off by less than kFanMargin.
+inline constexpr double kMissedFaces = 1e-7;
+
 // The same where sources are curves. A segment and the point in which it ends
 // share the ray that bounds both their windows; in either it is off by the
 // rounding of the end's place over its distance from the nearest vertex, 1e-7
@@ -77,6 +71,11 @@ inline constexpr double kLeastWeight = 1e-18;
 // the vertex may be off by more than kNearMiss; the way through the vertex is
 // longer only by the square of that.
 inline constexpr double kNearVertex = 1e-5;
+
+// A way from a pseudo-source that is no longer than this is held against the
+// straight line through space. Some dozen roundings, those of a few faces laid
+// into the plane, are 1e-14, and more than a part in 1e10 of such a way.
+inline constexpr double kShortWay = 1e-4;
 
 // By how much the fan behind a pseudo-source is widened on either side, in
 // radians. Directions are kept in single precision, 3e-8; the paths of this
@@ -100,6 +99,12 @@ inline constexpr double kSameRay = 1e-9;
 // Two windows on an edge whose distances differ by no more than this fraction
 // at a point are tied there; WonByNewer says which keeps the point.
 inline constexpr double kTie = 1e-15;
+
+// They are tied too where they differ by no more than this fraction of the
+// point's distance from the edge's begin: its place is known no better. Beside
+// a source at a vertex a window that goes round the vertex, through faces of
+// hardly any angle there, would win by such roundings without end.
+inline constexpr double kRoundedPosition = 0x1p-52;
 
 // On meshes with faces without area, a tie by this fraction of the edge and the
 // distances as well. Windows can go round a loop of such faces at no length,
@@ -137,9 +142,9 @@ inline constexpr double kAtLevel = 1e-12;
 // this fraction of them. Pieces that are followed rightly agree to 1e-13.
 inline constexpr double kAsLong = 1e-11;
 
-// Weights tell the place of a point within this fraction of the longest edge of
-// the faces around: some dozen roundings. A distance that is no longer may have
-// come by a detour through such faces, all of it rounding.
+// A piece of a path whose way rounding has bent misses the distances of its
+// ends by no more than this, beside kAsLong: some dozen roundings of
+// coordinates, which are about 1 at the most.
 inline constexpr double kRoundedPlace = 1e-14;
 
 // A stretch between two points of a path that is shorter than this fraction of

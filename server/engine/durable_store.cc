@@ -6,8 +6,7 @@ namespace geodesic::server {
 
 absl::StatusOr<std::unique_ptr<DurableStore>> DurableStore::Open(
     const Options& options) {
-  absl::StatusOr<DataFolder> folder =
-      DataFolder::Open(options.path, options.quarantine_bytes);
+  absl::StatusOr<DataFolder> folder = DataFolder::Open(options.path);
   if (!folder.ok()) return folder.status();
   std::unique_ptr<DurableStore> store(new DurableStore(*std::move(folder)));
   auto meshes =

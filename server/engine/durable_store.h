@@ -10,8 +10,8 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "server/engine/field_files.h"
-#include "server/engine/mesh_files.h"
+#include "server/engine/fields/field_files.h"
+#include "server/engine/meshes/mesh_files.h"
 #include "server/store/data_folder.h"
 #include "server/store/quarantine.h"
 
@@ -24,7 +24,6 @@ class DurableStore {
     // Bytes of disk.
     uint64_t mesh_bytes = 0;
     uint64_t field_bytes = 0;
-    uint64_t quarantine_bytes = kQuarantineBytes;
     // Of the program; see FieldFiles.
     std::string version;
     // Hears, in a line for people, of damaged files.

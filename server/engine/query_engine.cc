@@ -4,12 +4,13 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/argument_checks.h"
-#include "server/engine/guarded.h"
-#include "server/engine/idle_threads.h"
-#include "server/engine/mesh_build.h"
-#include "server/engine/status_details.h"
-#include "server/store/sha256.h"
+#include "digest/sha256.h"
+#include "geodesic/field_path.h"
+#include "server/engine/base/argument_checks.h"
+#include "server/engine/base/guarded.h"
+#include "server/engine/base/status_details.h"
+#include "server/engine/jobs/idle_threads.h"
+#include "server/engine/meshes/mesh_build.h"
 
 namespace geodesic::server {
 namespace {
@@ -17,12 +18,6 @@ namespace {
 constexpr size_t kMaxDigestsPerRequest = 1000;
 constexpr int kDefaultPageSize = 100;
 constexpr int kMaxPageSize = 1000;
-
-uint64_t CurvePoints(const Query& query) {
-  uint64_t points = 0;
-  for (const CurveSource& curve : query.curves) points += curve.points.size();
-  return points;
-}
 
 }  // namespace
 
@@ -34,11 +29,13 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
                                                   limits.upload_memory_bytes)),
       solver_memory_(std::make_shared<ByteBudget>("solver memory",
                                                   limits.solver_memory_bytes)),
-      // A paused computation is worth less than a mesh.
-      meshes_(limits, scheduler_, upload_memory_,
-              [this] { fields_.DropComputations(); }),
+      meshes_(limits, clock, scheduler_, upload_memory_),
+      uploads_(scheduler_, clock, limits.progress_interval),
       fields_(limits_, solve_options_, clock, scheduler_, solver_memory_,
-              start_),
+              start_,
+              [this](const std::string& digest) {
+                return meshes_.Contains(digest);
+              }),
       solo_jobs_(clock, scheduler_, solver_memory_, limits.progress_interval),
       scheduler_(executor, limits.max_concurrent_jobs, limits.max_queued_jobs,
                  limits.max_queued_jobs_per_client) {}
@@ -98,48 +95,34 @@ absl::StatusOr<std::unique_ptr<MeshUpload>> QueryEngine::StartUpload(
   return upload;
 }
 
-absl::StatusOr<std::optional<Scheduler::JobId>> QueryEngine::FinishUpload(
+absl::StatusOr<std::optional<UploadJobs::Ticket>> QueryEngine::FinishUpload(
     std::unique_ptr<MeshUpload> upload, UploadCallback done,
-    const std::string& client) {
+    const std::string& client, std::function<void(const UploadResult&)> built) {
   if (absl::Status status = upload->Finish(); !status.ok()) return status;
   if (std::optional<UploadResult> known = meshes_.FindUploaded(*upload)) {
     upload.reset();
+    built = nullptr;  // the client's next request may come before the return
     done(*std::move(known));
     return std::nullopt;
   }
-  // What the callbacks share; the build goes before anyone hears of it.
-  struct Work {
-    std::optional<MeshBuild> build;
-    UploadCallback done;
-    void End(const absl::StatusOr<UploadResult>& result) {
-      build.reset();
-      done(result);
-    }
-  };
-  auto work = std::make_shared<Work>();
-  work->build.emplace(meshes_, std::move(upload));
-  work->done = std::move(done);
-  absl::StatusOr<Scheduler::JobId> job = scheduler_.Submit(
-      {.priority = JobPriority::kBuild,
-       .client = client,
-       .reserve = [work] { return work->build->Reserve(); },
-       .run =
-           [work](const std::stop_token&) {
-             auto result =
-                 Guarded("built a mesh", [&] { return work->build->Run(); });
-             if (!result.ok()) {
-               work->End(result.status());
-             } else if (result->has_value()) {
-               work->End(**std::move(result));
-             }
-           },
-       .goes_on = [work] { return work->build.has_value(); },
-       .abandon = [work](const absl::Status& why) { work->End(why); }});
-  if (!job.ok()) return job.status();
-  return *job;
+  auto build = std::make_shared<MeshBuild>(meshes_, std::move(upload));
+  absl::StatusOr<UploadJobs::Ticket> ticket = uploads_.Join(
+      next_upload_++, {.done = std::move(done)}, JobPriority::kBuild, [&] {
+        return SharedWork<UploadResult>{
+            .priority = JobPriority::kBuild,
+            .client = client,
+            .reserve = [build] { return build->Reserve(); },
+            .run =
+                [build, built = std::move(built)](JobCheckpoint& checkpoint) {
+                  auto result = build->Run(checkpoint);
+                  if (result.ok() && result->has_value() && built)
+                    built(**result);
+                  return result;
+                }};
+      });
+  if (!ticket.ok()) return ticket.status();
+  return *std::move(ticket);
 }
-
-void QueryEngine::CancelUpload(Scheduler::JobId job) { scheduler_.Cancel(job); }
 
 absl::StatusOr<MeshHandle> QueryEngine::GetMesh(const std::string& digest) {
   if (absl::Status status = CheckDigest("digest", digest); !status.ok()) {
@@ -164,7 +147,7 @@ bool QueryEngine::CanLoadMesh(const std::string& digest) {
   return meshes_.is_durable() && meshes_.Contains(digest);
 }
 
-absl::StatusOr<std::optional<MeshLoads::Seat>> QueryEngine::AwaitMesh(
+absl::StatusOr<std::optional<MeshLoads::Ticket>> QueryEngine::AwaitMesh(
     const std::string& digest, MeshCallback done, const std::string& client) {
   return meshes_.Await(digest, std::move(done), client);
 }
@@ -216,8 +199,6 @@ absl::Status QueryEngine::EraseMesh(const std::string& digest) {
 
 absl::StatusOr<FieldCall> QueryEngine::ComputeField(
     const FieldRequest& request, std::shared_ptr<FieldObserver> observer) {
-  absl::Status status = CheckQuery(request.query);
-  if (!status.ok()) return status;
   absl::StatusOr<MeshHandle> mesh = FindMesh(request.mesh_digest);
   if (!mesh.ok()) return mesh.status();
   return fields_.Compute(request, *std::move(mesh), std::move(observer));
@@ -227,33 +208,30 @@ void QueryEngine::Cancel(const FieldCall& call) { fields_.Cancel(call); }
 
 absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
     QuestionRequest request, std::shared_ptr<JobObserver> observer) {
-  absl::Status status = CheckQuery(request.query);
-  if (!status.ok()) return status;
   absl::StatusOr<MeshHandle> mesh = FindMesh(request.mesh_digest);
   if (!mesh.ok()) return mesh.status();
-  status = ValidateAsNumbered(request.query, request.numbers, *(*mesh)->mesh);
-  if (!status.ok()) return status;
+  absl::StatusOr<ValidQuery> query =
+      ValidQuery::Make(std::move(request.query), *(*mesh)->mesh);
+  if (!query.ok()) return query.status();
   absl::StatusOr<ByteReservation> memory =
       ByteReservation::Make(solver_memory_, 0);
   if (!memory.ok()) return memory.status();
-  const Algorithm algorithm = AlgorithmFor(request.query, *(*mesh)->mesh);
   QuestionCall call{
       .mesh = *std::move(mesh),
-      .algorithm = algorithm,
+      .algorithm = (*query)->algorithm,
       .answer_memory = std::make_shared<ByteReservation>(*std::move(memory))};
-  SoloJob solo{
-      .priority = SolvePriority(request.requester.is_batch),
-      .client = request.requester.client,
-      .deadline = request.deadline,
-      .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, request.query)};
+  SoloJob solo{.priority = SolvePriority(request.requester.is_batch),
+               .client = request.requester.client,
+               .deadline = request.deadline,
+               .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, *query)};
   // How large the answer will be is not known before it is there.
   solo.work = [this, mesh = call.mesh, memory = call.answer_memory,
-               request = std::move(request)](Checkpoint& checkpoint,
-                                             ByteReservation) mutable {
-    return request.work(*mesh->mesh, request.query,
-                        WithIdleThreads(solve_options_, scheduler_,
-                                        limits_.max_threads_per_solve),
-                        checkpoint, *memory);
+               query = *std::move(query), work = std::move(request.work)](
+                  Checkpoint& checkpoint, ByteReservation) mutable {
+    return work(*mesh->mesh, query,
+                WithIdleThreads(solve_options_, scheduler_,
+                                limits_.max_threads_per_solve),
+                checkpoint, *memory);
   };
   absl::StatusOr<SoloJobs::Call> job =
       solo_jobs_.Start(std::move(solo), std::move(observer));
@@ -268,43 +246,30 @@ void QueryEngine::Cancel(const QuestionCall& call) {
 
 absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
     MatrixRequest request, std::shared_ptr<RowObserver> observer) {
-  const Query& query = request.query;
-  const uint64_t rows = SourceCount(query);
-  absl::Status status =
-      CheckCount("rows", rows, "max_matrix_rows", limits_.max_matrix_rows);
-  status.Update(CheckCount("curve points", CurvePoints(query),
-                           "max_curve_points", limits_.max_curve_points));
-  status.Update(CheckCount("targets", query.targets.size(), "max_targets",
-                           limits_.max_targets));
-  if (!status.ok()) return status;
   absl::StatusOr<MeshHandle> mesh = FindMesh(request.mesh_digest);
   if (!mesh.ok()) return mesh.status();
-  status = ValidateMatrix(request, *(*mesh)->mesh, limits_);
+  absl::StatusOr<ValidQuery> valid =
+      ValidQuery::Make(std::move(request.query), *(*mesh)->mesh);
+  if (!valid.ok()) return valid.status();
+  const ValidQuery& query = *valid;
+  absl::Status status = CheckMatrix(request, query, *(*mesh)->mesh, limits_);
   if (!status.ok()) return status;
+  const uint64_t rows = query->sources.size();
   MatrixCall call{.mesh = *std::move(mesh), .row_count = rows};
-  call.column_count = query.targets.empty() ? call.mesh->mesh->vertex_count()
-                                            : query.targets.size();
+  call.algorithm = query.OfSource(0, *call.mesh->mesh)->algorithm;
+  call.column_count = query->targets.empty() ? call.mesh->mesh->vertex_count()
+                                             : query->targets.size();
   RowJobs plan{.requester = request.requester,
                .deadline = request.deadline,
                .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, query),
-               .row_bytes = RowBytes(query, *call.mesh->mesh)};
+               .row_bytes = RowBytes(*query, *call.mesh->mesh)};
   // One more than can run, so that no thread waits for the reader's thanks.
   call.rows = std::make_shared<RowPipeline>(
       solo_jobs_, std::move(plan), rows, limits_.max_concurrent_jobs + 1,
-      MakeRowFunction(call.mesh, std::move(request), solve_options_, start_),
+      MakeRowFunction(call.mesh, query, request, solve_options_, start_),
       std::move(observer));
   if (status = call.rows->Start(); !status.ok()) return status;
   return call;
-}
-
-absl::Status QueryEngine::CheckQuery(const Query& query) const {
-  absl::Status status = CheckCount("sources", SourceCount(query), "max_sources",
-                                   limits_.max_sources);
-  status.Update(CheckCount("curve points", CurvePoints(query),
-                           "max_curve_points", limits_.max_curve_points));
-  status.Update(CheckCount("targets", query.targets.size(), "max_targets",
-                           limits_.max_targets));
-  return status;
 }
 
 absl::StatusOr<MeshHandle> QueryEngine::FindMesh(const std::string& digest) {

@@ -26,26 +26,27 @@
 #include "absl/status/statusor.h"
 #include "geodesic/computation.h"
 #include "geodesic/solve_options.h"
-#include "server/engine/byte_budget.h"
-#include "server/engine/clock.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/base/clock.h"
+#include "server/engine/base/limits.h"
+#include "server/engine/base/requester.h"
 #include "server/engine/durable_store.h"
-#include "server/engine/executor.h"
-#include "server/engine/field_engine.h"
-#include "server/engine/limits.h"
-#include "server/engine/matrix.h"
-#include "server/engine/mesh_description.h"
-#include "server/engine/mesh_library.h"
-#include "server/engine/mesh_loads.h"
-#include "server/engine/mesh_store.h"
-#include "server/engine/mesh_upload.h"
-#include "server/engine/requester.h"
-#include "server/engine/row_pipeline.h"
-#include "server/engine/scheduler.h"
-#include "server/engine/solo_job.h"
+#include "server/engine/fields/field_engine.h"
+#include "server/engine/fields/matrix.h"
+#include "server/engine/jobs/executor.h"
+#include "server/engine/jobs/row_pipeline.h"
+#include "server/engine/jobs/scheduler.h"
+#include "server/engine/jobs/shared_jobs.h"
+#include "server/engine/jobs/solo_job.h"
+#include "server/engine/meshes/mesh_description.h"
+#include "server/engine/meshes/mesh_library.h"
+#include "server/engine/meshes/mesh_store.h"
+#include "server/engine/meshes/mesh_upload.h"
 
 namespace geodesic::server {
 
 using UploadCallback = std::function<void(const absl::StatusOr<UploadResult>&)>;
+using UploadJobs = SharedJobs<uint64_t, UploadResult>;  // each of its own key
 
 struct MissingMeshes {
   std::vector<std::string> mesh_digests;
@@ -67,11 +68,10 @@ struct MeshPage {
 struct QuestionRequest {
   std::string mesh_digest;
   Query query;
-  SourceNumbers numbers;
   TimePoint deadline = kNoDeadline;
   Requester requester;
   // Charges `answer` with what it leaves behind.
-  absl::AnyInvocable<absl::Status(const Mesh&, const Query&,
+  absl::AnyInvocable<absl::Status(const Mesh&, const ValidQuery&,
                                   const SolveOptions&, Checkpoint&,
                                   ByteReservation& answer)>
       work;
@@ -79,7 +79,7 @@ struct QuestionRequest {
 
 struct QuestionCall {
   MeshHandle mesh;
-  // The one that runs (AlgorithmFor).
+  // The one that runs.
   Algorithm algorithm = kDefaultAlgorithm;
   SoloJobs::Call job;
   // What the work was given to charge; held as long as the answer is.
@@ -91,6 +91,7 @@ struct MatrixCall {
   std::shared_ptr<RowPipeline> rows;
   uint64_t row_count = 0;
   uint64_t column_count = 0;
+  Algorithm algorithm = kDefaultAlgorithm;  // of the first row
 };
 
 // How often things have happened since the start.
@@ -136,12 +137,18 @@ class QueryEngine {
   // Errors, here or in `done`: INVALID_ARGUMENT (bytes missing; a malformed
   // file; a refused mesh; another digest than expected); RESOURCE_EXHAUSTED;
   // UNAVAILABLE.
-  absl::StatusOr<std::optional<Scheduler::JobId>> FinishUpload(
+  // `built` is called from the job before, with the mesh, whether or not
+  // somebody still waits; what it captured goes when the job has ended.
+  absl::StatusOr<std::optional<UploadJobs::Ticket>> FinishUpload(
       std::unique_ptr<MeshUpload> upload, UploadCallback done,
-      const std::string& client = {});
+      const std::string& client = {},
+      std::function<void(const UploadResult&)> built = nullptr);
 
-  // Drops an upload's job that waits for a thread or for memory.
-  void CancelUpload(Scheduler::JobId job);
+  // Nobody waits for the upload's mesh any longer: its job is dropped, or stops
+  // soon and keeps nothing. Its callback is not called.
+  void CancelUpload(const UploadJobs::Ticket& upload) {
+    uploads_.Leave(upload);
+  }
 
   // A mesh in memory, which the questions below need.
   // Errors: INVALID_ARGUMENT: malformed digest; NOT_FOUND: not resident.
@@ -155,10 +162,10 @@ class QueryEngine {
   bool CanLoadMesh(const std::string& digest);
 
   // Brings a mesh into memory and calls `done` with it; see MeshLibrary::Await.
-  absl::StatusOr<std::optional<MeshLoads::Seat>> AwaitMesh(
+  absl::StatusOr<std::optional<MeshLoads::Ticket>> AwaitMesh(
       const std::string& digest, MeshCallback done,
       const std::string& client = {});
-  void LeaveMesh(const MeshLoads::Seat& seat) { meshes_.Leave(seat); }
+  void LeaveMesh(const MeshLoads::Ticket& ticket) { meshes_.Leave(ticket); }
 
   // `page_size` 0 means 100, above 1000 is taken as 1000.
   // Errors: INVALID_ARGUMENT: negative size or malformed token.
@@ -219,8 +226,6 @@ class QueryEngine {
 
  private:
   absl::Status EraseMesh(const std::string& digest);
-  // Counts against the limits.
-  absl::Status CheckQuery(const Query& query) const;
   // The mesh that a request names as mesh_digest.
   absl::StatusOr<MeshHandle> FindMesh(const std::string& digest);
 
@@ -231,6 +236,8 @@ class QueryEngine {
   const std::shared_ptr<ByteBudget> solver_memory_;
   std::unique_ptr<DurableStore> durable_;  // may be null
   MeshLibrary meshes_;
+  UploadJobs uploads_;
+  std::atomic<uint64_t> next_upload_ = 0;
   FieldEngine fields_;
   SoloJobs solo_jobs_;
 

@@ -40,8 +40,7 @@ void AppendDisk(const DurableStore& durable,
   const BlobStore& fields = durable.fields().blobs();
   const BlobCounters of_meshes = meshes.counters();
   const BlobCounters of_fields = fields.counters();
-  const Quarantine& quarantine = durable.quarantine();
-  const Quarantine::Contents aside = quarantine.Count();
+  const Quarantine::Contents aside = durable.quarantine().Count();
   const auto add = [&](MetricType type, const std::string& name,
                        const std::string& help,
                        const std::vector<Sample>& samples) {
@@ -58,18 +57,14 @@ void AppendDisk(const DurableStore& durable,
        {"fields", fields.used_bytes()},
        {"quarantine", aside.bytes}});
   add(MetricType::Gauge, "geodesic_disk_capacity_bytes", "What they may take",
-      {{"meshes", meshes.capacity()},
-       {"fields", fields.capacity()},
-       {"quarantine", quarantine.capacity()}});
+      {{"meshes", meshes.capacity()}, {"fields", fields.capacity()}});
   add(MetricType::Gauge, "geodesic_disk_files", "Files on disk",
       {{"meshes", meshes.size()},
        {"fields", fields.size()},
        {"quarantine", aside.files}});
   add(MetricType::Counter, "geodesic_disk_evictions_total",
       "Files that went to make room",
-      {{"meshes", of_meshes.evictions},
-       {"fields", of_fields.evictions},
-       {"quarantine", quarantine.evictions()}});
+      {{"meshes", of_meshes.evictions}, {"fields", of_fields.evictions}});
   add_counter("geodesic_disk_writes_total", "Files to be written, failures too",
               &BlobCounters::writes);
   add_counter("geodesic_disk_write_failures_total",
@@ -102,15 +97,13 @@ std::vector<MetricFamily> EngineCollector::CollectMemory() const {
   const FieldEngine& fields = engine_.fields();
   const Scheduler& scheduler = engine_.scheduler();
   return {
-      Make(
-          MetricType::Counter, "geodesic_field_answers_total",
-          "Questions about a field, by how it came about: computed, continued, "
-          "joined (coalesced with one under way), cached",
-          "origin",
-          {{"computed", counters.solves_started - counters.solves_continued},
-           {"continued", counters.solves_continued},
-           {"joined", counters.queries_joined},
-           {"cached", counters.queries_cached}}),
+      Make(MetricType::Counter, "geodesic_field_answers_total",
+           "Questions about a field, by how it came about: computed, joined "
+           "(coalesced with one under way), cached",
+           "origin",
+           {{"computed", counters.solves_started},
+            {"joined", counters.queries_joined},
+            {"cached", counters.queries_cached}}),
       Make(MetricType::Counter, "geodesic_solves_ended_total",
            "Computations of fields that have ended, by result", "result",
            {{"finished", counters.solves_finished},
@@ -126,22 +119,22 @@ std::vector<MetricFamily> EngineCollector::CollectMemory() const {
            "Memory in use or reserved, by budget", "budget",
            {{"meshes", meshes.used_bytes()},
             {"fields", fields.fields().used_bytes()},
-            {"computations", fields.computations().used_bytes()},
             {"uploads", engine_.upload_memory().used()},
-            {"solvers", engine_.solver_memory().used()}}),
+            {"solvers", engine_.solver_memory().used()},
+            {"requests", requests_.used()}}),
       Make(MetricType::Gauge, "geodesic_capacity_bytes",
            "What each budget may hold", "budget",
            {{"meshes", limits.mesh_store_bytes},
             {"fields", limits.field_cache_bytes},
-            {"computations", limits.computation_store_bytes},
             {"uploads", limits.upload_memory_bytes},
-            {"solvers", limits.solver_memory_bytes}}),
+            {"solvers", limits.solver_memory_bytes},
+            {"requests", requests_.capacity()}}),
       Make(MetricType::Gauge, "geodesic_jobs",
            "Jobs that run, and that wait for a thread", "state",
            {{"running", scheduler.running()}, {"queued", scheduler.queued()}}),
       Make(MetricType::Gauge, "geodesic_waiters",
            "Requests that wait for a field under way", "",
-           {{"", fields.flights().waiters()}}),
+           {{"", fields.jobs().waiters()}}),
   };
 }
 

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "server/engine/base/byte_budget.h"
 #include "server/engine/query_engine.h"
 
 namespace geodesic::server {
@@ -15,8 +16,9 @@ namespace geodesic::server {
 // Thread-safe.
 class EngineCollector final : public prometheus::Collectable {
  public:
-  // REQUIRES: `engine` outlives the collector.
-  explicit EngineCollector(const QueryEngine& engine) : engine_(engine) {}
+  // REQUIRES: `engine` and the budget of requests outlive the collector.
+  EngineCollector(const QueryEngine& engine, const ByteBudget& requests)
+      : engine_(engine), requests_(requests) {}
 
   std::vector<prometheus::MetricFamily> Collect() const override;
 
@@ -24,6 +26,7 @@ class EngineCollector final : public prometheus::Collectable {
   std::vector<prometheus::MetricFamily> CollectMemory() const;
 
   const QueryEngine& engine_;
+  const ByteBudget& requests_;
 };
 
 }  // namespace geodesic::server

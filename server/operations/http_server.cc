@@ -1,8 +1,8 @@
 #include "server/operations/http_server.h"
 
-#include <civetweb.h>
+#include <microhttpd.h>
+#include <netdb.h>
 
-#include <array>
 #include <string_view>
 
 #include "absl/strings/str_cat.h"
@@ -10,66 +10,97 @@
 namespace geodesic::server {
 namespace {
 
-constexpr int kOk = 200;
+// Room for all who watch a server, and for many connections that say nothing.
+constexpr unsigned kMostConnections = 512;
+constexpr unsigned kIdleSeconds = 10;
+// A request's head must fit in here.
+constexpr size_t kConnectionBytes = 8192;
 
-int Reply(mg_connection* connection, int code, const std::string& body) {
-  const std::string head = absl::StrCat(
-      "HTTP/1.1 ", code, " ", mg_get_response_code_text(connection, code),
-      "\r\nContent-Type: text/plain; version=0.0.4; charset=utf-8"
-      "\r\nCache-Control: no-store\r\nConnection: close\r\nContent-Length: ",
-      body.size(), "\r\n\r\n");
-  mg_write(connection, head.data(), head.size());
-  mg_write(connection, body.data(), body.size());
-  return code;
+MHD_Result Reply(MHD_Connection* connection, unsigned code, std::string body) {
+  MHD_Response* response = MHD_create_response_from_buffer(
+      body.size(), body.data(), MHD_RESPMEM_MUST_COPY);
+  if (response == nullptr) return MHD_NO;
+  MHD_add_response_header(response, MHD_HTTP_HEADER_CONTENT_TYPE,
+                          "text/plain; version=0.0.4; charset=utf-8");
+  MHD_add_response_header(response, MHD_HTTP_HEADER_CACHE_CONTROL, "no-store");
+  MHD_add_response_header(response, MHD_HTTP_HEADER_CONNECTION, "close");
+  const MHD_Result result = MHD_queue_response(connection, code, response);
+  MHD_destroy_response(response);
+  return result;
 }
 
-int Serve(mg_connection* connection, void* data) {
+MHD_Result Serve(void* data, MHD_Connection* connection, const char* url,
+                 const char* method, const char*, const char*, size_t*,
+                 void**) {
   const auto& pages = *static_cast<const HttpServer::Pages*>(data);
-  const std::string_view path = mg_get_request_info(connection)->local_uri;
-  if (path == "/metrics") return Reply(connection, kOk, pages.metrics());
-  // Alive is who answers.
-  if (path == "/livez") return Reply(connection, kOk, "ok\n");
-  if (path == "/readyz") {
-    return pages.is_ready() ? Reply(connection, kOk, "ok\n")
-                            : Reply(connection, 503, "draining\n");
+  const std::string_view path = url, verb = method;
+  if (verb != MHD_HTTP_METHOD_GET && verb != MHD_HTTP_METHOD_HEAD) {
+    return Reply(connection, MHD_HTTP_METHOD_NOT_ALLOWED, "GET only\n");
   }
-  return Reply(connection, 404, "there are /metrics, /livez and /readyz\n");
+  if (path == "/metrics") {
+    return Reply(connection, MHD_HTTP_OK, pages.metrics());
+  }
+  // Alive is who answers.
+  if (path == "/livez") return Reply(connection, MHD_HTTP_OK, "ok\n");
+  if (path == "/readyz") {
+    return pages.is_ready()
+               ? Reply(connection, MHD_HTTP_OK, "ok\n")
+               : Reply(connection, MHD_HTTP_SERVICE_UNAVAILABLE, "draining\n");
+  }
+  return Reply(connection, MHD_HTTP_NOT_FOUND,
+               "there are /metrics, /livez and /readyz\n");
+}
+
+// What getaddrinfo makes of "HOST:PORT" or "[HOST]:PORT"; null if nothing.
+std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> Resolve(
+    const std::string& address) {
+  const size_t colon = address.rfind(':');
+  addrinfo* found = nullptr;
+  if (colon != std::string::npos) {
+    std::string host = address.substr(0, colon);
+    if (host.starts_with('[') && host.ends_with(']')) {
+      host = host.substr(1, host.size() - 2);
+    }
+    const addrinfo hints = {.ai_flags = AI_PASSIVE | AI_NUMERICSERV,
+                            .ai_socktype = SOCK_STREAM};
+    if (getaddrinfo(host.empty() ? nullptr : host.c_str(),
+                    address.c_str() + colon + 1, &hints, &found) != 0) {
+      found = nullptr;
+    }
+  }
+  return {found, &freeaddrinfo};
 }
 
 }  // namespace
 
-void HttpServer::Stop::operator()(mg_context* context) const {
-  mg_stop(context);
+void HttpServer::Stop::operator()(MHD_Daemon* daemon) const {
+  MHD_stop_daemon(daemon);
 }
 
 absl::Status HttpServer::Start(const std::string& address) {
-  // Two threads, so that one slow reader does not hide the server's health.
-  const std::array<const char*, 9> options = {"listening_ports",
-                                              address.c_str(),
-                                              "num_threads",
-                                              "2",
-                                              "request_timeout_ms",
-                                              "5000",
-                                              "enable_keep_alive",
-                                              "no",
-                                              nullptr};
-  const mg_callbacks callbacks = {};
-  context_.reset(
-      mg_start(&callbacks, nullptr, const_cast<const char**>(options.data())));
-  if (context_ == nullptr) {
-    return absl::UnavailableError(absl::StrCat(
-        "cannot serve metrics on ", address,
-        ": the port is in use or the address is not of this machine"));
+  const auto resolved = Resolve(address);
+  if (resolved == nullptr) {
+    return absl::UnavailableError(
+        absl::StrCat("cannot serve metrics on ", address,
+                     ": it is no HOST:PORT of this machine"));
   }
-  // "/" stands for everything below.
-  mg_set_request_handler(context_.get(), "/", &Serve,
-                         const_cast<Pages*>(&pages_));
-  return absl::OkStatus();
+  // One thread that waits for no connection in particular: who sends half a
+  // request, or reads slowly, holds nobody up.
+  unsigned flags = MHD_USE_EPOLL_INTERNAL_THREAD | MHD_USE_ITC;
+  if (resolved->ai_family == AF_INET6) flags |= MHD_USE_IPv6;
+  daemon_.reset(MHD_start_daemon(
+      flags, 0, nullptr, nullptr, &Serve, const_cast<Pages*>(&pages_),
+      MHD_OPTION_SOCK_ADDR, resolved->ai_addr, MHD_OPTION_CONNECTION_LIMIT,
+      kMostConnections, MHD_OPTION_CONNECTION_TIMEOUT, kIdleSeconds,
+      MHD_OPTION_CONNECTION_MEMORY_LIMIT, kConnectionBytes, MHD_OPTION_END));
+  if (daemon_ != nullptr) return absl::OkStatus();
+  return absl::UnavailableError(absl::StrCat(
+      "cannot serve metrics on ", address,
+      ": the port is in use or the address is not of this machine"));
 }
 
 int HttpServer::port() const {
-  mg_server_port port = {};
-  return mg_get_server_ports(context_.get(), 1, &port) == 1 ? port.port : 0;
+  return MHD_get_daemon_info(daemon_.get(), MHD_DAEMON_INFO_BIND_PORT)->port;
 }
 
 }  // namespace geodesic::server

@@ -9,16 +9,16 @@
 
 #include "absl/status/status.h"
 
-struct mg_context;
+struct MHD_Daemon;
 
 namespace geodesic::server {
 
-// Serves from threads of its own while it lives. In clear, and to everybody who
-// reaches it: what it tells are numbers, but it belongs on an address of the
-// operators.
+// Serves from a thread of its own while it lives. In clear, and to everybody
+// who reaches it: what it tells are numbers, but it belongs on an address of
+// the operators.
 class HttpServer {
  public:
-  // Called from any of the threads.
+  // Called from that thread; must be short.
   struct Pages {
     std::function<std::string()> metrics;
     std::function<bool()> is_ready;
@@ -35,12 +35,12 @@ class HttpServer {
 
  private:
   struct Stop {
-    void operator()(mg_context* context) const;
+    void operator()(MHD_Daemon* daemon) const;
   };
 
   const Pages pages_;
   // Last, so that nobody is served when the pages go.
-  std::unique_ptr<mg_context, Stop> context_;
+  std::unique_ptr<MHD_Daemon, Stop> daemon_;
 };
 
 }  // namespace geodesic::server

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/engine/status_details.h"
+#include "server/engine/base/status_details.h"
 
 namespace geodesic::server {
 namespace {

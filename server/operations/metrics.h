@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "server/engine/scheduler.h"
+#include "server/engine/jobs/scheduler.h"
 
 namespace geodesic::server {
 

@@ -7,8 +7,8 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
-#include "server/engine/error_reasons.h"
-#include "server/engine/status_details.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
 
 namespace geodesic::server {
 namespace {

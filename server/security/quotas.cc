@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/error_reasons.h"
-#include "server/engine/status_details.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
 #include "server/security/token_bucket.h"
 
 namespace geodesic::server {
@@ -68,20 +68,20 @@ class Quotas::Account {
     uploading_ -= bytes;
   }
 
-  void AddMesh(const MeshHandle& mesh) {
+  void AddMemory(const std::shared_ptr<const void>& memory, uint64_t bytes) {
     std::lock_guard lock(mutex_);
-    meshes_.push_back({mesh, mesh->mesh->resident_bytes()});
+    held_.push_back({memory, bytes});
   }
 
  private:
   // The rest REQUIRES: mutex_ held.
 
-  // A mesh whose memory has gone leaves an expired pointer, which pins nothing.
+  // Memory that has gone leaves an expired pointer, which pins nothing.
   uint64_t ResidentBytes() {
-    std::erase_if(meshes_,
-                  [](const Mesh& mesh) { return mesh.data.expired(); });
+    std::erase_if(held_,
+                  [](const Held& held) { return held.memory.expired(); });
     uint64_t bytes = 0;
-    for (const Mesh& mesh : meshes_) bytes += mesh.bytes;
+    for (const Held& held : held_) bytes += held.bytes;
     return bytes;
   }
 
@@ -93,8 +93,8 @@ class Quotas::Account {
                             absl::StrCat("client:", name_));
   }
 
-  struct Mesh {
-    std::weak_ptr<const ResidentMesh> data;
+  struct Held {
+    std::weak_ptr<const void> memory;
     uint64_t bytes;
   };
 
@@ -105,7 +105,7 @@ class Quotas::Account {
   std::optional<TokenBucket> requests_;
   uint64_t jobs_ = 0;
   uint64_t uploading_ = 0;
-  std::vector<Mesh> meshes_;
+  std::vector<Held> held_;
 };
 
 Quotas::Job::Job(std::shared_ptr<Account> account)
@@ -139,8 +139,9 @@ absl::Status Quotas::Job::ReserveBytes(uint64_t bytes) {
   return status;
 }
 
-void Quotas::MeshCharge::Add(const MeshHandle& mesh) const {
-  if (account_ != nullptr) account_->AddMesh(mesh);
+void Quotas::MemoryCharge::Add(const std::shared_ptr<const void>& memory,
+                               uint64_t bytes) const {
+  if (account_ != nullptr) account_->AddMemory(memory, bytes);
 }
 
 absl::Status Quotas::TakeRequest(const Caller& caller) {

@@ -12,8 +12,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "server/engine/clock.h"
-#include "server/engine/mesh_store.h"
+#include "server/engine/base/clock.h"
 #include "server/security/caller.h"
 
 namespace geodesic::server {
@@ -26,17 +25,17 @@ class Quotas {
   class Account;
   class Job;
 
-  // Who a mesh is counted for.
-  class MeshCharge {
+  // Who pays for what stays in memory.
+  class MemoryCharge {
    public:
-    MeshCharge() = default;
+    MemoryCharge() = default;
 
-    // The mesh counts until its memory is gone. Thread-safe.
-    void Add(const MeshHandle& mesh) const;
+    // The bytes count until nobody holds `memory` any more. Thread-safe.
+    void Add(const std::shared_ptr<const void>& memory, uint64_t bytes) const;
 
    private:
     friend class Job;
-    explicit MeshCharge(std::shared_ptr<Account> account)
+    explicit MemoryCharge(std::shared_ptr<Account> account)
         : account_(std::move(account)) {}
 
     std::shared_ptr<Account> account_;  // null: nobody
@@ -56,7 +55,7 @@ class Quotas {
     absl::Status ReserveBytes(uint64_t bytes);
 
     // For the mesh that the upload makes resident; may outlive the job.
-    MeshCharge mesh_charge() const { return MeshCharge(account_); }
+    MemoryCharge memory_charge() const { return MemoryCharge(account_); }
 
    private:
     friend class Quotas;

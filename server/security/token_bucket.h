@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "server/engine/clock.h"
+#include "server/engine/base/clock.h"
 
 namespace geodesic::server {
 

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/error_reasons.h"
-#include "server/engine/status_details.h"
-#include "server/store/sha256.h"
+#include "digest/sha256.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
 
 namespace geodesic::server {
 namespace {

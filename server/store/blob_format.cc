@@ -5,7 +5,7 @@
 
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
-#include "server/store/sha256.h"
+#include "digest/sha256.h"
 
 namespace geodesic::server {
 namespace {

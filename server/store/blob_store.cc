@@ -129,15 +129,15 @@ absl::Status BlobStore::Scan() {
 }
 
 absl::StatusOr<BlobStore::Found> BlobStore::Inspect(const std::string& name) {
-  const FileDescriptor file(openat(folder_.get(), FileName(name).c_str(),
-                                   O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
-  if (file.get() < 0) return DiskError(errno, "open", PathOf(name));
+  const absl::StatusOr<FileDescriptor> file =
+      OpenToRead(folder_.get(), FileName(name), PathOf(name));
+  if (!file.ok()) return file.status();
   struct stat facts {};
-  if (fstat(file.get(), &facts) != 0) {
+  if (fstat(file->get(), &facts) != 0) {
     return DiskError(errno, "examine", PathOf(name));
   }
   BlobHeader header;
-  absl::StatusOr<BlobInfo> info = ReadInfo(file.get(), name, header);
+  absl::StatusOr<BlobInfo> info = ReadInfo(file->get(), name, header);
   if (absl::IsDataLoss(info.status())) {
     SetAside(name, facts.st_ino, info.status());
   }
@@ -150,9 +150,6 @@ absl::StatusOr<BlobInfo> BlobStore::ReadInfo(int file, const std::string& name,
   struct stat facts {};
   if (fstat(file, &facts) != 0) {
     return DiskError(errno, "examine", PathOf(name));
-  }
-  if (!S_ISREG(facts.st_mode)) {
-    return absl::FailedPreconditionError("it is no regular file");
   }
   std::string bytes(kBlobHeaderBytes, '\0');
   absl::Status status = ReadAt(file, 0, bytes, PathOf(name));
@@ -401,11 +398,10 @@ absl::Status BlobStore::Read(
 absl::Status BlobStore::Take(
     const std::string& name,
     absl::FunctionRef<absl::Status(BlobBody& body)> take) {
-  const FileDescriptor file(openat(folder_.get(), FileName(name).c_str(),
-                                   O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
-  if (file.get() < 0) {
-    const int error = errno;
-    if (error == ENOENT) {
+  const absl::StatusOr<FileDescriptor> file =
+      OpenToRead(folder_.get(), FileName(name), PathOf(name));
+  if (!file.ok()) {
+    if (absl::IsNotFound(file.status())) {
       // Somebody took the file away under the server's feet, or erased it.
       std::lock_guard names_lock(names_mutex_);
       struct stat facts {};
@@ -416,21 +412,21 @@ absl::Status BlobStore::Take(
         }
       }
     }
-    return DiskError(error, "open", PathOf(name));
+    return file.status();
   }
   struct stat facts {};
-  if (fstat(file.get(), &facts) != 0) {
+  if (fstat(file->get(), &facts) != 0) {
     return DiskError(errno, "examine", PathOf(name));
   }
   // The time of last use; without it the order after a restart is rougher.
   const timespec now[2] = {{0, UTIME_NOW}, {0, UTIME_NOW}};
-  futimens(file.get(), now);
+  futimens(file->get(), now);
 
   BlobHeader header;
-  absl::StatusOr<BlobInfo> info = ReadInfo(file.get(), name, header);
+  absl::StatusOr<BlobInfo> info = ReadInfo(file->get(), name, header);
   absl::Status status = info.status();
   if (status.ok()) {
-    BlobBody body(file.get(), header.body_bytes);
+    BlobBody body(file->get(), header.body_bytes);
     status = take(body);
     if (status.ok() && body.bytes_left() > 0) {
       return absl::InternalError(absl::StrCat(body.bytes_left(), " bytes of ",

@@ -45,11 +45,11 @@
 #include "absl/functional/function_ref.h"
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "digest/sha256.h"
 #include "server/store/blob_format.h"
 #include "server/store/data_folder.h"
 #include "server/store/posix_file.h"
 #include "server/store/quarantine.h"
-#include "server/store/sha256.h"
 
 namespace geodesic::server {
 

@@ -26,8 +26,7 @@ std::string Owner(int lock) {
 
 }  // namespace
 
-absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path,
-                                            uint64_t quarantine_bytes) {
+absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path) {
   absl::StatusOr<FileDescriptor> folder = OpenFolder(AT_FDCWD, path);
   if (!folder.ok()) {
     return absl::UnavailableError(
@@ -35,16 +34,15 @@ absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path,
   }
   // Open for reading only: a disk with a file open for writing could not be
   // made read-only.
-  FileDescriptor lock(openat(folder->get(), "lock",
-                             O_RDONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW,
-                             0600));
-  if (lock.get() < 0) {
-    return absl::UnavailableError(absl::StrCat(
-        "--data-dir: ", DiskError(errno, "open", path + "/lock").message()));
-  }
-  if (flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
+  absl::StatusOr<FileDescriptor> lock =
+      OpenToRead(folder->get(), "lock", path + "/lock", O_CREAT);
+  if (!lock.ok()) {
     return absl::UnavailableError(
-        absl::StrCat("--data-dir ", path, " is in use", Owner(lock.get()),
+        absl::StrCat("--data-dir: ", lock.status().message()));
+  }
+  if (flock(lock->get(), LOCK_EX | LOCK_NB) != 0) {
+    return absl::UnavailableError(
+        absl::StrCat("--data-dir ", path, " is in use", Owner(lock->get()),
                      "; each server needs a folder of its own"));
   }
   // For people and the message above only: the lock is the kernel's, and a
@@ -53,12 +51,12 @@ absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path,
       openat(folder->get(), "lock", O_WRONLY | O_TRUNC | O_CLOEXEC));
   (void)WriteAt(owner.get(), 0, absl::StrCat(getpid(), "\n"), "lock");
   absl::StatusOr<std::unique_ptr<Quarantine>> quarantine =
-      Quarantine::Open(folder->get(), quarantine_bytes);
+      Quarantine::Open(folder->get());
   if (!quarantine.ok()) {
     return absl::UnavailableError(
         absl::StrCat("--data-dir: ", quarantine.status().message()));
   }
-  return DataFolder(*std::move(folder), std::move(lock),
+  return DataFolder(*std::move(folder), *std::move(lock),
                     *std::move(quarantine));
 }
 

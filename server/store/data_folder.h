@@ -3,7 +3,6 @@
 #ifndef GEODESIC_SERVER_STORE_DATA_FOLDER_H_
 #define GEODESIC_SERVER_STORE_DATA_FOLDER_H_
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -18,11 +17,10 @@ namespace geodesic::server {
 class DataFolder {
  public:
   // Makes the folder when there is none, readable by this user alone; its
-  // parents must exist. Damaged files in it may take `quarantine_bytes`.
+  // parents must exist.
   // Errors: UNAVAILABLE naming the process that has the folder already, or what
   // keeps it from being made or opened.
-  static absl::StatusOr<DataFolder> Open(
-      const std::string& path, uint64_t quarantine_bytes = kQuarantineBytes);
+  static absl::StatusOr<DataFolder> Open(const std::string& path);
 
   int descriptor() const { return folder_.get(); }
   Quarantine& quarantine() const { return *quarantine_; }

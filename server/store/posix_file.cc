@@ -57,6 +57,25 @@ absl::StatusOr<FileDescriptor> OpenFolder(int parent, const std::string& name) {
   return folder;
 }
 
+absl::StatusOr<FileDescriptor> OpenToRead(int folder, const std::string& file,
+                                          std::string_view name,
+                                          int more_flags) {
+  FileDescriptor opened(openat(
+      folder, file.c_str(),
+      O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | more_flags,
+      0600));
+  if (opened.get() < 0) return DiskError(errno, "open", name);
+  struct stat facts {};
+  if (fstat(opened.get(), &facts) != 0) {
+    return DiskError(errno, "examine", name);
+  }
+  if (!S_ISREG(facts.st_mode)) {
+    return absl::UnavailableError(
+        absl::StrCat(View(name), " is no regular file"));
+  }
+  return opened;
+}
+
 absl::Status WriteAt(int file, uint64_t offset, std::string_view bytes,
                      std::string_view name) {
   while (!bytes.empty()) {

@@ -45,6 +45,15 @@ absl::Status DiskError(int error, std::string_view verb, std::string_view name);
 // (mode 0700), but not its parents, when there is none.
 absl::StatusOr<FileDescriptor> OpenFolder(int parent, const std::string& name);
 
+// Opens a regular file for reading, and never waits for anything else that has
+// its name, such as a pipe. Follows no link. `more_flags` of open(2): with
+// O_CREAT the file is made (mode 0600) when there is none. `name` is for
+// messages.
+// Errors: as DiskError; UNAVAILABLE: it is no regular file.
+absl::StatusOr<FileDescriptor> OpenToRead(int folder, const std::string& file,
+                                          std::string_view name,
+                                          int more_flags = 0);
+
 // The names in a folder, among them "." and "..". Errors: as DiskError.
 absl::StatusOr<std::vector<std::string>> NamesIn(int folder);
 

@@ -1,4 +1,4 @@
-#include "client/cli/exit_code.h"
+#include "client/cli/terminal/exit_code.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,12 +15,21 @@ TEST(ExitCodeTest, FollowsFromTheStatus) {
   EXPECT_EQ(ExitCodeOf(absl::NotFoundError("")), ExitCode::kRefused);
   EXPECT_EQ(ExitCodeOf(absl::InternalError("")), ExitCode::kRefused);
   EXPECT_EQ(ExitCodeOf(absl::DeadlineExceededError("")), ExitCode::kTimeout);
-  EXPECT_EQ(ExitCodeOf(absl::CancelledError("")), ExitCode::kInterrupted);
+  EXPECT_EQ(ExitCodeOf(Interrupted()), ExitCode::kInterrupted);
 }
 
 TEST(ExitCodeTest, LocalFilesAreTheirOwnCase) {
   EXPECT_EQ(ExitCodeOf(FileError(absl::NotFoundError("x"))), ExitCode::kFile);
   EXPECT_TRUE(FileError(absl::OkStatus()).ok());
+}
+
+// A server, or a proxy, may end a call when it stops.
+TEST(ExitCodeTest, AServersCancellationIsNoInterruption) {
+  const absl::Status status = absl::CancelledError("going down");
+  EXPECT_EQ(ExitCodeOf(status), ExitCode::kUnreachable);
+  EXPECT_EQ(Explain(status, "host:1"),
+            "the server at host:1 ended the call: going down; try again in a "
+            "moment");
 }
 
 TEST(ExplainTest, UnreachableServerSaysWhatToDo) {
@@ -41,6 +50,13 @@ TEST(ExplainTest, ServerThatShutsDownIsNotCalledUnreachable) {
 TEST(ExplainTest, MissingMeshPointsToUpload) {
   EXPECT_THAT(Explain(absl::NotFoundError("mesh ab is not resident"), "h:1"),
               HasSubstr("geodesic upload"));
+}
+
+TEST(ExplainTest, ARequestThatIsTooLargeNamesTheLimit) {
+  EXPECT_THAT(Explain(absl::ResourceExhaustedError(
+                          "Received message larger than max (9 vs. 4)"),
+                      "h:1"),
+              HasSubstr("max_message_bytes"));
 }
 
 TEST(ExplainTest, ServersWordsAreKept) {

@@ -35,10 +35,10 @@ Column DistanceColumn(const std::vector<double>& distances = Distances()) {
   return {.name = kDistanceColumn, .values = distances};
 }
 
-// Labels and gradients too.
+// Nearest sources and gradients too.
 std::vector<Column> AllColumns() {
   return {DistanceColumn(),
-          {.name = kLabelColumn,
+          {.name = kNearestSourceColumn,
            .values = {0, 1, 1, -1},
            .type = NumberType::kInt32},
           {.name = kGradientColumn,
@@ -201,7 +201,8 @@ TEST(FieldWritersTest, FloatsAreHalfAsLong) {
 
 TEST(FieldWritersTest, CsvOfAllColumns) {
   EXPECT_EQ(Written([](AtomicFile* file) { WriteCsv(AllColumns(), file); }),
-            "vertex,geodesic_distance,label,gradient_x,gradient_y,gradient_z\n"
+            "vertex,geodesic_distance,nearest_source,gradient_x,gradient_y,"
+            "gradient_z\n"
             "0,0,0,0,0,0\n"
             "1,0.1,1,1,0,0\n"
             "2,0.3333333333333333,1,0,1,0\n"
@@ -212,8 +213,9 @@ TEST(FieldWritersTest, PlyOfAllColumns) {
   const std::string bytes =
       Written([](AtomicFile* file) { WritePly(Square(), AllColumns(), file); });
   const size_t body = bytes.find("end_header\n") + 11;
-  EXPECT_NE(bytes.find("property int label\nproperty double gradient_x\n"),
-            std::string::npos);
+  EXPECT_NE(
+      bytes.find("property int nearest_source\nproperty double gradient_x\n"),
+      std::string::npos);
   constexpr size_t kRow = 4 * 8 + 4 + 3 * 8;
   ASSERT_EQ(bytes.size(), body + 4 * kRow + 2 * 13);
   EXPECT_EQ(At<int32_t>(bytes, body + 3 * kRow + 32), -1);
@@ -223,7 +225,8 @@ TEST(FieldWritersTest, PlyOfAllColumns) {
 TEST(FieldWritersTest, VtkOfAllColumns) {
   const std::string bytes =
       Written([](AtomicFile* file) { WriteVtk(Square(), AllColumns(), file); });
-  const std::string labels = "\nSCALARS label int 1\nLOOKUP_TABLE default\n";
+  const std::string labels =
+      "\nSCALARS nearest_source int 1\nLOOKUP_TABLE default\n";
   const size_t at_labels = bytes.find(labels) + labels.size();
   EXPECT_EQ(bytes.substr(at_labels + 12, 4), std::string(4, '\xff'));
   const std::string vectors = "\nVECTORS gradient double\n";

@@ -49,7 +49,7 @@ class MatrixWritersTest : public ::testing::Test {
  protected:
   void Open(OutputFormat format, NumberType type = NumberType::kFloat64) {
     absl::StatusOr<std::unique_ptr<MatrixWriter>> writer =
-        CreateMatrixWriter(path_, format, type);
+        CreateMatrixWriter(path_, format, type, places_);
     ASSERT_TRUE(writer.ok()) << writer.status();
     writer_ = *std::move(writer);
     ASSERT_TRUE(writer_->Begin({2, 3}).ok());
@@ -72,6 +72,7 @@ class MatrixWritersTest : public ::testing::Test {
 
   TemporaryFolder folder_;
   std::string path_ = folder_ / "m";
+  MatrixPlaces places_ = {.sources = {{VertexPoint{7}}, {VertexPoint{0}, 0.5}}};
   std::unique_ptr<MatrixWriter> writer_;
   // An AtomicFile shows beside its place while it grows.
   size_t visible_before_ = 1;
@@ -146,7 +147,8 @@ TEST_F(MatrixWritersTest, CsvHasALineForEachValue) {
   Append(0, {0, 2.5}, {0, 2});
   Append(1, {1, 0, kInfinity});
   EXPECT_EQ(Committed(),
-            "source,target,distance\n0,0,0\n0,2,2.5\n1,0,1\n1,1,0\n1,2,inf\n");
+            "source,target,distance\n7,0,0\n7,2,2.5\n0:0.5,0,1\n0:0.5,1,0\n"
+            "0:0.5,2,inf\n");
 }
 
 TEST_F(MatrixWritersTest, NothingIsLeftWithoutCommit) {
@@ -161,7 +163,8 @@ TEST_F(MatrixWritersTest, NothingIsLeftWithoutCommit) {
 TEST(CreateMatrixWriterTest, NamesThePathItCannotWrite) {
   for (const OutputFormat format : kMatrixFormats) {
     const absl::Status status =
-        CreateMatrixWriter("/nowhere/m", format, NumberType::kFloat64).status();
+        CreateMatrixWriter("/nowhere/m", format, NumberType::kFloat64, {})
+            .status();
     EXPECT_FALSE(status.ok());
     EXPECT_NE(status.message().find("/nowhere/m"), absl::string_view::npos);
   }

@@ -2,18 +2,99 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <optional>
 
-#include "client/picture/color_bar.h"
 #include "client/picture/colormap.h"
+#include "client/picture/key.h"
 
 namespace geodesic::client {
 namespace {
 
 constexpr int kWidth = 480;
 constexpr int kHeight = 360;
+
+struct Rgb8 {
+  uint8_t red = 0;
+  uint8_t green = 0;
+  uint8_t blue = 0;
+
+  friend bool operator==(const Rgb8&, const Rgb8&) = default;
+};
+
+constexpr Rgb8 kWhite = {255, 255, 255};
+
+// A picture's pixels, from the file that it becomes.
+class Pixels {
+ public:
+  explicit Pixels(const Image& image) {
+    absl::StatusOr<std::string> png = image.EncodePng();
+    EXPECT_TRUE(png.ok()) << png.status();
+    surface_.reset(cairo_image_surface_create_from_png_stream(Read, &*png));
+    EXPECT_EQ(cairo_surface_status(surface_.get()), CAIRO_STATUS_SUCCESS);
+  }
+
+  int width() const { return cairo_image_surface_get_width(surface_.get()); }
+  int height() const { return cairo_image_surface_get_height(surface_.get()); }
+
+  Rgb8 At(int x, int y) const {
+    uint32_t pixel;
+    std::memcpy(&pixel,
+                cairo_image_surface_get_data(surface_.get()) +
+                    y * cairo_image_surface_get_stride(surface_.get()) + 4 * x,
+                sizeof(pixel));
+    return {static_cast<uint8_t>(pixel >> 16), static_cast<uint8_t>(pixel >> 8),
+            static_cast<uint8_t>(pixel)};
+  }
+
+  // How many of a rectangle's pixels satisfy a condition.
+  template <typename Condition>
+  int Count(int left, int top, int right, int bottom, Condition is) const {
+    int count = 0;
+    for (int y = top; y < bottom; ++y) {
+      for (int x = left; x < right; ++x) count += is(At(x, y)) ? 1 : 0;
+    }
+    return count;
+  }
+
+  friend bool operator==(const Pixels& a, const Pixels& b) {
+    if (a.width() != b.width() || a.height() != b.height()) return false;
+    for (int y = 0; y < a.height(); ++y) {
+      for (int x = 0; x < a.width(); ++x) {
+        if (a.At(x, y) != b.At(x, y)) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  struct Destroy {
+    void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+  };
+
+  static cairo_status_t Read(void* from, unsigned char* data,
+                             unsigned int length) {
+    auto* bytes = static_cast<std::string*>(from);
+    if (bytes->size() < length) return CAIRO_STATUS_READ_ERROR;
+    std::memcpy(data, bytes->data(), length);
+    bytes->erase(0, length);
+    return CAIRO_STATUS_SUCCESS;
+  }
+
+  std::unique_ptr<cairo_surface_t, Destroy> surface_;
+};
+
+Pixels Draw(const MeshArrays& mesh, const PictureContent& content,
+            const PictureOptions& options) {
+  return Pixels(Render(mesh, content, options));
+}
+
+double LinearFromSrgb(double srgb) {
+  return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
+}
 
 // A quad that faces the viewer; its distances rise from 0 at the left to
 // `largest` at the right.
@@ -30,12 +111,12 @@ PictureOptions FromTheFront() {
   return options;
 }
 
-Image RenderField(const MeshArrays& mesh, const std::vector<double>& distances,
-                  const std::vector<Point>& sources = {},
-                  const PictureOptions& options = FromTheFront()) {
-  return Render(mesh,
-                {.distances = distances, .isolines = true, .sources = sources},
-                options);
+Pixels RenderField(const MeshArrays& mesh, const std::vector<double>& distances,
+                   const std::vector<Point>& sources = {},
+                   const PictureOptions& options = FromTheFront()) {
+  return Draw(mesh,
+              {.distances = distances, .isolines = true, .sources = sources},
+              options);
 }
 
 // Where the quad is: the square in the middle of what the colour bar leaves.
@@ -44,7 +125,7 @@ struct Placement {
 };
 Placement QuadPlacement() {
   const double margin = 0.05 * kHeight;
-  const double width = kWidth - ColorBarWidth(kWidth, kHeight) - margin;
+  const double width = kWidth - KeyWidth(kWidth, kHeight) - margin;
   const double side = std::min(width, kHeight - 2 * margin);
   const double x = margin + width / 2;
   return {x - side / 2, x + side / 2, kHeight / 2 - side / 2,
@@ -56,20 +137,19 @@ int Brightness(const Rgb8& pixel) {
 }
 
 TEST(PictureTest, TheMeshIsWhereItBelongsOnWhite) {
-  const Image image = RenderField(Quad(), {0, 1, 0, 1});
+  const Pixels image = RenderField(Quad(), {0, 1, 0, 1});
   const Placement at = QuadPlacement();
-  const Rgb8 white = {255, 255, 255};
   const auto left = static_cast<int>(at.left);
   const auto top = static_cast<int>(at.top);
-  EXPECT_EQ(image.At(left - 2, kHeight / 2), white);
-  EXPECT_NE(image.At(left + 2, kHeight / 2), white);
-  EXPECT_EQ(image.At(left + 20, top - 2), white);
-  EXPECT_NE(image.At(left + 20, top + 2), white);
-  EXPECT_EQ(image.At(0, 0), white);
+  EXPECT_EQ(image.At(left - 2, kHeight / 2), kWhite);
+  EXPECT_NE(image.At(left + 2, kHeight / 2), kWhite);
+  EXPECT_EQ(image.At(left + 20, top - 2), kWhite);
+  EXPECT_NE(image.At(left + 20, top + 2), kWhite);
+  EXPECT_EQ(image.At(0, 0), kWhite);
 }
 
 TEST(PictureTest, ColoursFollowTheDistanceInHue) {
-  const Image image = RenderField(Quad(), {0, 1, 0, 1});
+  const Pixels image = RenderField(Quad(), {0, 1, 0, 1});
   const Placement at = QuadPlacement();
   const Colormap colormap;
   for (const double t : {0.07, 0.28, 0.53, 0.72, 0.97}) {
@@ -79,11 +159,10 @@ TEST(PictureTest, ColoursFollowTheDistanceInHue) {
     // is that of its position.
     const LinearColor expected =
         colormap.At((x + 0.5 - at.left) / (at.right - at.left));
-    const float scale = LinearFromSrgb(pixel.green / 255.0F) / expected.green;
-    EXPECT_NEAR(LinearFromSrgb(pixel.red / 255.0F), scale * expected.red, 0.02)
+    const double scale = LinearFromSrgb(pixel.green / 255.0) / expected.green;
+    EXPECT_NEAR(LinearFromSrgb(pixel.red / 255.0), scale * expected.red, 0.02)
         << t;
-    EXPECT_NEAR(LinearFromSrgb(pixel.blue / 255.0F), scale * expected.blue,
-                0.02)
+    EXPECT_NEAR(LinearFromSrgb(pixel.blue / 255.0), scale * expected.blue, 0.02)
         << t;
     EXPECT_GT(scale, 0.6);
     EXPECT_LE(scale, 1.1);
@@ -92,7 +171,7 @@ TEST(PictureTest, ColoursFollowTheDistanceInHue) {
 
 TEST(PictureTest, IsolinesRunAtRoundDistances) {
   // Labelled lines at multiples of 0.2, others at multiples of 0.05.
-  const Image image = RenderField(Quad(), {0, 1, 0, 1});
+  const Pixels image = RenderField(Quad(), {0, 1, 0, 1});
   const Placement at = QuadPlacement();
   const auto pixel_at = [&](double distance) {
     const double x = at.left + distance * (at.right - at.left);
@@ -110,7 +189,8 @@ TEST(PictureTest, IsolinesRunAtRoundDistances) {
 
 TEST(PictureTest, UnreachablePartsAreGrey) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const Image image = RenderField(Quad(), {kInfinity, kInfinity, 1, kInfinity});
+  const Pixels image =
+      RenderField(Quad(), {kInfinity, kInfinity, 1, kInfinity});
   const Placement at = QuadPlacement();
   const Rgb8 pixel = image.At(static_cast<int>(at.left) + 20, kHeight / 2);
   EXPECT_EQ(pixel.red, pixel.green);
@@ -119,8 +199,12 @@ TEST(PictureTest, UnreachablePartsAreGrey) {
   EXPECT_LT(pixel.red, 230);
 }
 
-TEST(PictureTest, SourcesAreMarkedWhereTheyAreSeen) {
-  // The middle of the quad is behind it for vertex 5 and in front for vertex 4.
+bool IsRed(const Rgb8& pixel) {
+  return pixel.red > 180 && pixel.green < 80 && pixel.blue < 80;
+}
+
+TEST(PictureTest, HiddenSourcesAreRingsAndToldSo) {
+  // The middle of the quad is behind vertex 5 and in front of vertex 6.
   MeshArrays mesh = Quad();
   mesh.positions.push_back({0.5, 0.5, 0.0});
   mesh.positions.push_back({0.5, 0.5, -0.9});
@@ -129,22 +213,36 @@ TEST(PictureTest, SourcesAreMarkedWhereTheyAreSeen) {
   const std::vector<double> distances = {0.4, 1, 0.4, 1, 0, 0};
   const Placement at = QuadPlacement();
   const auto x = static_cast<int>((at.left + at.right) / 2);
-  const Rgb8 seen =
-      RenderField(mesh, distances, {mesh.positions[4]}).At(x, kHeight / 2);
-  EXPECT_GT(seen.red, 180);
-  EXPECT_LT(seen.green, 60);
-  const Rgb8 hidden =
-      RenderField(mesh, distances, {mesh.positions[5]}).At(x, kHeight / 2);
-  EXPECT_EQ(hidden, RenderField(mesh, distances, {}).At(x, kHeight / 2));
+  const int y = kHeight / 2;
+  const auto red_around = [&](const Pixels& image) {
+    return image.Count(x - 4, y - 4, x + 5, y + 5, IsRed);
+  };
+  const auto legend = [](const Pixels& image) {
+    const int top = kHeight - static_cast<int>(0.05 * kHeight) + 1;
+    return image.Count(0, top, kWidth, kHeight,
+                       [](const Rgb8& pixel) { return pixel != kWhite; });
+  };
+  const Pixels none = RenderField(mesh, distances);
+  const Pixels seen = RenderField(mesh, distances, {mesh.positions[4]});
+  const Pixels hidden = RenderField(mesh, distances, {mesh.positions[5]});
+  EXPECT_TRUE(IsRed(seen.At(x, y)));
+  // Hollow: the surface is seen through the ring.
+  EXPECT_EQ(hidden.At(x, y), none.At(x, y));
+  EXPECT_FALSE(hidden == none);
+  EXPECT_LT(red_around(hidden), red_around(seen));
+  // "source", and the longer "source (hidden)".
+  EXPECT_EQ(legend(none), 0);
+  EXPECT_GT(legend(seen), 50);
+  EXPECT_GT(legend(hidden), 1.5 * legend(seen));
 }
 
 TEST(PictureTest, TheColourBarGoesFromDarkToLight) {
-  const Image image = RenderField(Quad(), {0, 1, 0, 1});
+  const Pixels image = RenderField(Quad(), {0, 1, 0, 1});
   // A column of the bar: the first right of the mesh that is not white.
   const auto bottom = static_cast<int>(0.87 * kHeight);
   const auto top = static_cast<int>(0.17 * kHeight);
   int x = static_cast<int>(QuadPlacement().right) + 3;
-  while (x < kWidth && image.At(x, bottom) == Rgb8{255, 255, 255}) ++x;
+  while (x < kWidth && image.At(x, bottom) == kWhite) ++x;
   ASSERT_LT(x, kWidth);
   x += 3;
   EXPECT_GT(Brightness(image.At(x, top)),
@@ -153,13 +251,13 @@ TEST(PictureTest, TheColourBarGoesFromDarkToLight) {
 
 TEST(PictureTest, AnyMagnitudeIsDrawn) {
   // The pictures do not depend on the unit.
-  const Image unit = RenderField(Quad(), {0, 1, 0, 1});
+  const Pixels unit = RenderField(Quad(), {0, 1, 0, 1});
   for (const double scale : {1e-300, 1e300}) {
     MeshArrays mesh = Quad();
     for (Point& point : mesh.positions) {
       for (double& coordinate : point) coordinate *= scale;
     }
-    const Image scaled = RenderField(mesh, {0, scale, 0, scale});
+    const Pixels scaled = RenderField(mesh, {0, scale, 0, scale});
     const auto x = static_cast<int>(QuadPlacement().left) + 25;
     EXPECT_NEAR(scaled.At(x, kHeight / 2).green, unit.At(x, kHeight / 2).green,
                 2);
@@ -174,24 +272,24 @@ TEST(PictureTest, StrayVerticesDoNotShrinkTheMesh) {
   options.width = kWidth;
   options.height = kHeight;
   // As a source, too, it changes nothing.
-  const Image with =
+  const Pixels with =
       RenderField(mesh, {0, 1, 0, 1, kInfinity}, {mesh.positions[4]}, options);
-  const Image without = RenderField(Quad(), {0, 1, 0, 1}, {}, options);
-  EXPECT_TRUE(with.pixels == without.pixels);
+  const Pixels without = RenderField(Quad(), {0, 1, 0, 1}, {}, options);
+  EXPECT_TRUE(with == without);
 }
 
 TEST(PictureTest, NothingToSeeIsStillAPicture) {
-  EXPECT_EQ(RenderField({}, {}).width, kWidth);
-  EXPECT_EQ(RenderField({{{0, 0, 0}}, {}}, {0}, {{0, 0, 0}}).height, kHeight);
+  EXPECT_EQ(RenderField({}, {}).width(), kWidth);
+  EXPECT_EQ(RenderField({{{0, 0, 0}}, {}}, {0}, {{0, 0, 0}}).height(), kHeight);
 }
 
 TEST(PictureTest, ChoosesAViewByItself) {
   PictureOptions options;
   options.width = 64;
   options.height = 64;
-  const Image image = RenderField(Quad(), {0, 1, 0, 1}, {{0, 0, 0}}, options);
-  EXPECT_EQ(image.width, 64);
-  EXPECT_NE(image.At(25, 32), (Rgb8{255, 255, 255}));
+  const Pixels image = RenderField(Quad(), {0, 1, 0, 1}, {{0, 0, 0}}, options);
+  EXPECT_EQ(image.width(), 64);
+  EXPECT_NE(image.At(25, 32), kWhite);
 }
 
 // Without a colour bar the quad fills the height and is centred.
@@ -205,7 +303,7 @@ TEST(PictureTest, BoldLinesAreFaintWhereSomethingHidesThem) {
   mesh.triangles.push_back({4, 5, 6});
   mesh.triangles.push_back({6, 5, 7});
   const PictureLine line = {.points = {{0.1, 0.5, 0}, {0.9, 0.5, 0}}};
-  const Image image = Render(mesh, {.bold_lines = {line}}, FromTheFront());
+  const Pixels image = Draw(mesh, {.bold_lines = {line}}, FromTheFront());
   const double side = 0.9 * kHeight;
   const auto pixel = [&](double x, double y) {
     return image.At(static_cast<int>(kWidth / 2.0 + (x - 0.5) * side),
@@ -220,9 +318,9 @@ TEST(PictureTest, BoldLinesAreFaintWhereSomethingHidesThem) {
 
 TEST(PictureTest, ClosedLinesComeBack) {
   PictureLine line = {.points = {{0.2, 0.2, 0}, {0.8, 0.2, 0}, {0.5, 0.8, 0}}};
-  const Image open = Render(Quad(), {.thin_lines = {line}}, FromTheFront());
+  const Pixels open = Draw(Quad(), {.thin_lines = {line}}, FromTheFront());
   line.is_closed = true;
-  const Image closed = Render(Quad(), {.thin_lines = {line}}, FromTheFront());
+  const Pixels closed = Draw(Quad(), {.thin_lines = {line}}, FromTheFront());
   const double side = 0.9 * kHeight;
   // The middle of the closing side.
   const auto x = static_cast<int>(kWidth / 2.0 + (0.35 - 0.5) * side);
@@ -230,18 +328,89 @@ TEST(PictureTest, ClosedLinesComeBack) {
   EXPECT_LT(Brightness(closed.At(x, y)), Brightness(open.At(x, y)) - 100);
 }
 
-TEST(PictureTest, LabelsHaveColoursOfTheirOwn) {
-  const std::vector<double> distances = {0, 0, 0, 0};
-  const std::vector<uint32_t> labels = {0, 1, 0, 1};
-  const Image image = Render(Quad(), {.distances = distances, .labels = labels},
-                             FromTheFront());
-  const Rgb8 left = image.At(kWidth / 2 - 80, kHeight / 2);
-  const Rgb8 right = image.At(kWidth / 2 + 80, kHeight / 2);
-  EXPECT_EQ(image.At(kWidth / 2 - 60, kHeight / 2), left);
-  EXPECT_GT(std::abs(left.red - right.red) +
-                std::abs(left.green - right.green) +
-                std::abs(left.blue - right.blue),
-            60);
+// A flat square of 2 * cells^2 triangles, and the distances and numbers of
+// those of two sources that are nearest.
+struct TwoCells {
+  explicit TwoCells(int cells) {
+    const Point sources[] = {{0.1, 0.2, 0}, {0.8, 0.9, 0}};
+    for (int row = 0; row <= cells; ++row) {
+      for (int column = 0; column <= cells; ++column) {
+        const double x = double(column) / cells;
+        const double y = double(row) / cells;
+        mesh.positions.push_back({x, y, 0});
+        const double first = std::hypot(x - sources[0][0], y - sources[0][1]);
+        const double second = std::hypot(x - sources[1][0], y - sources[1][1]);
+        distances.push_back(std::min(first, second));
+        nearest.push_back(first <= second ? 0 : 1);
+      }
+    }
+    const auto vertex = [cells](int column, int row) {
+      return static_cast<uint32_t>(row * (cells + 1) + column);
+    };
+    for (int row = 0; row < cells; ++row) {
+      for (int column = 0; column < cells; ++column) {
+        mesh.triangles.push_back({vertex(column, row), vertex(column + 1, row),
+                                  vertex(column, row + 1)});
+        mesh.triangles.push_back({vertex(column, row + 1),
+                                  vertex(column + 1, row),
+                                  vertex(column + 1, row + 1)});
+      }
+    }
+  }
+
+  MeshArrays mesh;
+  std::vector<double> distances;
+  std::vector<uint32_t> nearest;
+};
+
+TEST(PictureTest, CellsHaveStraightBordersAndALegend) {
+  const TwoCells two(9);
+  const Pixels image = Draw(two.mesh,
+                            {.distances = two.distances,
+                             .nearest_sources = two.nearest,
+                             .source_names = {"first", "second"}},
+                            FromTheFront());
+  const Placement at = QuadPlacement();
+  const double side = at.right - at.left;
+  const auto pixel = [&](double x, double y) {
+    return image.At(static_cast<int>(at.left + x * side),
+                    static_cast<int>(at.bottom - y * side));
+  };
+  const Rgb8 first = pixel(0.2, 0.25);
+  const Rgb8 second = pixel(0.75, 0.8);
+  EXPECT_NE(first, second);
+  // As far from both: x + y = 1.
+  for (const double x : {0.05, 0.11, 0.23, 0.38, 0.5, 0.61, 0.77, 0.94}) {
+    const double off = 2.5 / side;  // pixels on either side
+    EXPECT_EQ(pixel(x - off, 1 - x), first) << x;
+    EXPECT_EQ(pixel(x + off, 1 - x), second) << x;
+  }
+  // Both colours stand at the right too. Shading scales all channels alike.
+  const auto like = [&](const Rgb8& color) {
+    const auto ratio = [](uint8_t p, uint8_t q) {
+      return LinearFromSrgb(p / 255.0) / LinearFromSrgb(q / 255.0);
+    };
+    return image.Count(
+        static_cast<int>(at.right) + 5, 0, kWidth, kHeight, [&](const Rgb8& p) {
+          const double red = ratio(p.red, color.red);
+          return std::abs(ratio(p.green, color.green) / red - 1) < 0.03 &&
+                 std::abs(ratio(p.blue, color.blue) / red - 1) < 0.03;
+        });
+  };
+  EXPECT_GT(like(first), 40);
+  EXPECT_GT(like(second), 40);
+}
+
+TEST(PictureTest, PicturesTooNarrowForAKeyHaveNone) {
+  PictureOptions options = FromTheFront();
+  options.width = 100;
+  const Pixels image =
+      Draw(Quad(), {.distances = std::vector<double>{0, 1, 0, 1}}, options);
+  // The mesh is in the middle.
+  const auto left = image.At(15, kHeight / 2);
+  EXPECT_NE(left, kWhite);
+  EXPECT_NE(image.At(84, kHeight / 2), kWhite);
+  EXPECT_EQ(image.At(97, kHeight / 2), kWhite);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "client/cli/progress_display.h"
+#include "client/cli/terminal/progress_display.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

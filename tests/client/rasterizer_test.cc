@@ -53,7 +53,7 @@ TEST(RasterizerTest, EdgeOnAndOffscreenAreSkipped) {
       {-40, -50, 0}, {-50, -40, 0}, {NAN, 1, 1}};
   const VisibilityBuffer buffer =
       Rasterize(screen, {{0, 1, 2}, {3, 4, 5}, {0, 1, 6}, {1, 1, 1}}, 10, 10);
-  for (const VisibleSample& sample : buffer.pixels) {
+  for (const VisibleSample& sample : buffer.samples) {
     EXPECT_EQ(sample.triangle, kNoTriangle);
   }
 }
@@ -62,7 +62,7 @@ TEST(RasterizerTest, TrianglesAreClippedToTheScreen) {
   const std::vector<Vector3> screen = {
       {-1000, -1000, 0}, {3000, -1000, 0}, {-1000, 3000, 0}};
   const VisibilityBuffer buffer = Rasterize(screen, {{0, 1, 2}}, 10, 10);
-  for (const VisibleSample& sample : buffer.pixels) {
+  for (const VisibleSample& sample : buffer.samples) {
     EXPECT_EQ(sample.triangle, 0);
   }
 }

@@ -37,6 +37,21 @@ TEST(RpcStatusTest, NamesTheFieldsAtFault) {
             "mesh_digest: too short]");
 }
 
+TEST(RpcStatusTest, NamesTheFileInsteadOfFields) {
+  google::rpc::BadRequest bad_request;
+  bad_request.add_field_violations()->set_field("chunk.data");
+  google::rpc::Status rich;
+  rich.add_details()->PackFrom(bad_request);
+  EXPECT_EQ(FromRpcStatus({grpc::StatusCode::INVALID_ARGUMENT, "line 3: oops",
+                           rich.SerializeAsString()},
+                          "a.off")
+                .message(),
+            "a.off: line 3: oops");
+  EXPECT_EQ(
+      FromRpcStatus({grpc::StatusCode::UNAVAILABLE, "away"}, "a.off").message(),
+      "away");
+}
+
 TEST(RpcStatusTest, SaysWhenToTryAgain) {
   google::rpc::RetryInfo retry;
   retry.mutable_retry_delay()->set_seconds(1);

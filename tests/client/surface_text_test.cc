@@ -1,4 +1,4 @@
-#include "client/cli/surface_text.h"
+#include "client/cli/arguments/surface_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "client/cli/text.h"
+#include "client/cli/terminal/text.h"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +37,19 @@ TEST(TextTest, TablesLineUp) {
   std::ostringstream out;
   PrintTable({"name", "n"}, {{"x", "1,000"}, {"longer", "2"}}, &out);
   EXPECT_EQ(out.str(), "name        n\nx       1,000\nlonger      2\n");
+}
+
+TEST(TextTest, ControlCharactersDoNotReachTheTerminal) {
+  EXPECT_EQ(Printable("a\x1b[31m\n\x7f"), "a\\x1b[31m\\x0a\\x7f");
+  // U+009B begins a command, as ESC [ does.
+  EXPECT_EQ(Printable("\xc2\x9b"
+                      "31m"),
+            "\\x9b31m");
+  EXPECT_EQ(Printable("H\xc3\xb6he \xc2\xb5m"), "H\xc3\xb6he \xc2\xb5m");
+  std::ostringstream out;
+  PrintFacts({{"name", "\x1b[2J"}}, &out);
+  PrintTable({"h"}, {{"\x1b[2J"}}, &out);
+  EXPECT_EQ(out.str().find('\x1b'), std::string::npos);
 }
 
 }  // namespace

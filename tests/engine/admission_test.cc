@@ -12,8 +12,8 @@
 #include <variant>
 #include <vector>
 
-#include "server/engine/error_reasons.h"
-#include "server/engine/status_details.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/engine/solving_computation.h"
 #include "tests/support/curved_meshes.h"
@@ -52,9 +52,11 @@ class AdmissionTest : public test::EngineTest {
     ASSERT_TRUE(uploaded.ok()) << uploaded.status();
     digest_ = uploaded->mesh.digest;
     start_ = test::StartWith(solve_);
-    solve_ = [this](const Mesh& mesh, const Query& query, const SolveOptions&,
+    solve_ = [this](const Mesh& mesh, const ValidQuery& query,
+                    const SolveOptions&,
                     Checkpoint& checkpoint) -> absl::StatusOr<DistanceField> {
-      order_.push_back(std::get<VertexPoint>(query.sources[0].point).vertex);
+      const auto& point = std::get<SurfacePoint>(query->sources[0].place);
+      order_.push_back(std::get<VertexPoint>(point).vertex);
       if (at_poll_) at_poll_();
       absl::Status status = checkpoint.Poll({.solver_bytes = 1 << 20});
       if (!status.ok()) return status;
@@ -87,8 +89,8 @@ class AdmissionTest : public test::EngineTest {
     EXPECT_EQ(engine_.upload_memory().used(), 0);
     EXPECT_EQ(engine_.scheduler().running(), 0);
     EXPECT_EQ(engine_.scheduler().queued(), 0);
-    EXPECT_EQ(engine_.fields().flights().size(), 0);
-    EXPECT_EQ(engine_.fields().flights().waiters(), 0);
+    EXPECT_EQ(engine_.fields().jobs().size(), 0);
+    EXPECT_EQ(engine_.fields().jobs().waiters(), 0);
   }
 
   std::string digest_;
@@ -107,7 +109,7 @@ class OutcomeTest : public AdmissionTest {
     absl::StatusOr<FieldCall> call;
     at_poll_ = [&] {
       EXPECT_GE(engine_.solver_memory().used(),
-                PlannedSolverBytes(*call->mesh->mesh, request.query));
+                PlannedSolverBytes(*call->mesh->mesh, call->query));
       if (!in_queue) act(*call);
     };
     call = Ask(request);
@@ -178,7 +180,7 @@ TEST_F(OutcomeTest, ASettledOrderAndQuantitiesAreSetAsideToo) {
   at_poll_ = [&] {
     const Mesh& mesh = *call->mesh->mesh;
     EXPECT_GE(engine_.solver_memory().used(),
-              PlannedSolverBytes(mesh, request.query) +
+              PlannedSolverBytes(mesh, call->query) +
                   SettledLog::BytesFor(mesh.vertex_count()));
   };
   call = Ask(request);
@@ -219,7 +221,7 @@ TEST_F(OutcomeTest, AQuestionGivesItsMemoryBack) {
         {.mesh_digest = digest_,
          .query = {.sources = {{VertexPoint{0}, 0}}},
          .work =
-             [&](const Mesh& mesh, const Query& query, const SolveOptions&,
+             [&](const Mesh& mesh, const ValidQuery& query, const SolveOptions&,
                  Checkpoint&, ByteReservation& answer) {
                EXPECT_EQ(engine_.solver_memory().used(),
                          PlannedSolverBytes(mesh, query));

@@ -1,4 +1,4 @@
-#include "server/engine/byte_budget.h"
+#include "server/engine/base/byte_budget.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "server/engine/status_details.h"
+#include "server/engine/base/status_details.h"
 
 namespace geodesic::server {
 namespace {

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "server/engine/jobs/thread_pool.h"
 #include "server/engine/query_engine.h"
-#include "server/engine/thread_pool.h"
 #include "tests/engine/uploads.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/planar_meshes.h"
@@ -167,15 +167,15 @@ TEST_F(EngineConcurrencyTest, CancelsAndDeletesLeaveNothingBehind) {
     }
   });
   EXPECT_TRUE(engine_.WaitIdle(std::chrono::seconds(60)));
-  EXPECT_EQ(engine_.fields().flights().size(), 0);
+  EXPECT_EQ(engine_.fields().jobs().size(), 0);
   const EngineCounters counters = engine_.counters();
   EXPECT_EQ(counters.solves_started,
             counters.solves_finished + counters.solves_stopped);
 }
 
-// Limited, continued, progressive and traced fields of the same few sources,
+// Limited, progressive and traced fields of the same few sources,
 // some of them cancelled: whatever is answered is right.
-TEST_F(EngineConcurrencyTest, LimitedFieldsAreContinuedByOneAtATime) {
+TEST_F(EngineConcurrencyTest, LimitedFieldsAreRight) {
   const TriangleSoup soup =
       geodesic::test::MakeGrid({.columns = 30, .rows = 30});
   const std::string digest = Upload(soup);
@@ -209,12 +209,12 @@ TEST_F(EngineConcurrencyTest, LimitedFieldsAreContinuedByOneAtATime) {
         ASSERT_NEAR(distances[v], expected, 1e-9);
       }
       if (request.extras.settled_order) {
-        ASSERT_EQ(call->seat.settled->size(), within);
+        ASSERT_EQ(call->settled->size(), within);
       }
     }
   });
   EXPECT_TRUE(engine_.WaitIdle(std::chrono::seconds(60)));
-  EXPECT_EQ(engine_.fields().flights().size(), 0);
+  EXPECT_EQ(engine_.fields().jobs().size(), 0);
 }
 
 // Takes all rows on the threads that compute them.

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/error_reasons.h"
-#include "server/engine/status_details.h"
-#include "server/store/sha256.h"
+#include "digest/sha256.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
 #include "tests/engine/durable_fixture.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/small_disk.h"
@@ -267,6 +267,80 @@ TEST_F(DurableEngineTest, FieldsGoWithTheirMesh) {
   EXPECT_TRUE(fs::is_empty(data_dir() + "/fields"));
   ASSERT_TRUE(Upload(soup).ok());
   EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kSolved);
+}
+
+// A mesh that is deleted while one of its fields is on its way.
+class LateFieldTest : public DurableEngineTest {
+ protected:
+  LateFieldTest() { limits_.max_concurrent_jobs = 2; }
+
+  void SetUp() override {
+    DurableEngineTest::SetUp();
+    digest_ = Upload(soup_)->mesh.digest;
+  }
+
+  void StartDelete() {
+    ASSERT_TRUE(
+        engine_->DeleteMesh(digest_, [&](const auto& s) { deleted_ = s; })
+            .ok());
+  }
+
+  // The client keeps what it was given.
+  void Ask() {
+    FieldRequest request{.mesh_digest = digest_};
+    request.query.sources = {{VertexPoint{0}}};
+    call_ = engine_->ComputeField(request, observer_);
+    ASSERT_TRUE(call_.ok()) << call_.status();
+  }
+
+  void ExpectNoFieldIsLeft() {
+    executor_.RunAll();
+    EXPECT_TRUE(deleted_.ok()) << deleted_;
+    EXPECT_TRUE(observer_->answer->ok()) << observer_->answer->status();
+    EXPECT_EQ(engine_->fields().fields().size(), 0);
+    EXPECT_TRUE(fs::is_empty(data_dir() + "/fields"));
+    at_start_ = nullptr;
+    Restart();
+    ASSERT_TRUE(Upload(soup_).ok());
+    EXPECT_EQ(Field({.mesh_digest = digest_})->origin, FieldOrigin::kSolved);
+  }
+
+  const TriangleSoup soup_ = Grid(5);
+  std::string digest_;
+  absl::Status deleted_ = absl::UnknownError("not told");
+  absl::StatusOr<FieldCall> call_;
+  std::shared_ptr<test::RecordingObserver> observer_ =
+      std::make_shared<test::RecordingObserver>();
+};
+
+TEST_F(LateFieldTest, DeletedWhileItWaits) {
+  Ask();
+  StartDelete();
+  ExpectNoFieldIsLeft();
+}
+
+TEST_F(LateFieldTest, DeletedWhileItIsComputed) {
+  at_start_ = [&] {
+    StartDelete();
+    executor_.RunAll();
+  };
+  Ask();
+  ExpectNoFieldIsLeft();
+}
+
+TEST_F(LateFieldTest, DeletedBeforeItIsWritten) {
+  at_start_ = [&] { StartDelete(); };
+  Ask();
+  ExpectNoFieldIsLeft();
+}
+
+TEST_F(LateFieldTest, DeletedWhileItIsRead) {
+  ASSERT_TRUE(Field({.mesh_digest = digest_}).ok());
+  Restart();
+  ASSERT_TRUE(Await(digest_).ok());
+  Ask();
+  StartDelete();
+  ExpectNoFieldIsLeft();
 }
 
 TEST_F(DurableEngineTest, ADamagedFieldIsComputedAgain) {

@@ -15,7 +15,7 @@
 
 #include "absl/status/statusor.h"
 #include "server/engine/durable_store.h"
-#include "server/engine/mesh_digest.h"
+#include "server/engine/meshes/mesh_digest.h"
 #include "server/engine/query_engine.h"
 #include "tests/engine/fakes.h"
 #include "tests/engine/uploads.h"
@@ -47,7 +47,7 @@ class DurableEngineTest : public ::testing::Test {
     Stop();
     engine_ = std::make_unique<QueryEngine>(
         limits_, clock_, executor_,
-        [this](const Mesh& mesh, const Query& query,
+        [this](const Mesh& mesh, const ValidQuery& query,
                const SolveOptions& options) {
           if (at_start_) at_start_();
           return StartComputation(mesh, query, options);
@@ -93,9 +93,9 @@ class DurableEngineTest : public ::testing::Test {
       const std::string& digest) {
     const auto told = std::make_shared<absl::StatusOr<MeshHandle>>(
         absl::UnknownError("not told"));
-    auto seat =
+    auto ticket =
         engine_->AwaitMesh(digest, [told](const auto& mesh) { *told = mesh; });
-    if (!seat.ok()) *told = seat.status();
+    if (!ticket.ok()) *told = ticket.status();
     return told;
   }
 
@@ -139,7 +139,6 @@ class DurableEngineTest : public ::testing::Test {
                     .max_queued_jobs = 10,
                     .mesh_store_bytes = 64 * kMiB,
                     .field_cache_bytes = 16 * kMiB,
-                    .computation_store_bytes = 16 * kMiB,
                     .upload_memory_bytes = 1024 * kMiB,
                     .solver_memory_bytes = 256 * kMiB,
                     .mesh_disk_bytes = 64 * kMiB,

@@ -21,7 +21,7 @@ class EngineTest : public ::testing::Test {
  protected:
   explicit EngineTest(Limits limits = SmallLimits())
       : engine_(limits, clock_, executor_,
-                [this](const Mesh& mesh, const Query& query,
+                [this](const Mesh& mesh, const ValidQuery& query,
                        const SolveOptions& options) {
                   return start_(mesh, query, options);
                 }) {}
@@ -48,7 +48,6 @@ class EngineTest : public ::testing::Test {
             .max_queued_jobs = 2,
             .mesh_store_bytes = 64 * kMiB,
             .field_cache_bytes = 16 * kMiB,
-            .computation_store_bytes = 16 * kMiB,
             .upload_memory_bytes = 256 * kMiB,
             .solver_memory_bytes = 256 * kMiB};
   }

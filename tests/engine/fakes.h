@@ -5,23 +5,30 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "server/engine/clock.h"
-#include "server/engine/executor.h"
-#include "server/engine/field_flight.h"
+#include "server/engine/base/clock.h"
+#include "server/engine/fields/field_engine.h"
+#include "server/engine/jobs/executor.h"
 
 namespace geodesic::server::test {
 
 // Stands still until it is told to move.
 class FakeClock final : public Clock {
  public:
-  TimePoint Now() const override { return now_; }
+  TimePoint Now() const override {
+    if (at_look) at_look();
+    return now_;
+  }
   void Advance(Duration by) { now_ += by; }
+
+  // Called whenever somebody looks at the time, as jobs do at each poll.
+  std::function<void()> at_look;
 
  private:
   TimePoint now_ = TimePoint() + std::chrono::hours(1);

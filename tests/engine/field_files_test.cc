@@ -1,7 +1,8 @@
-#include "server/engine/field_files.h"
+#include "server/engine/fields/field_files.h"
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "server/store/data_folder.h"
+#include "tests/engine/field_keys.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geodesic::server {
@@ -31,11 +33,12 @@ class FieldFilesTest : public ::testing::Test {
     files_ = *std::move(files);
   }
 
-  static FieldKey Key() {
-    return {.mesh_digest = std::string(64, 'a'),
-            .sources = {{VertexPoint{1}, 0.5}},
-            .curves = {{.points = {VertexPoint{2}, EdgePoint{2, 3, 0.25}}}},
-            .targets = {FacePoint{4, {0.25, 0.25, 0.5}}}};
+  static FieldKey Key(const std::function<void(Query&)>& change = {}) {
+    Query query{.sources = {{VertexPoint{1}, 0.5},
+                            {Curve{{VertexPoint{2}, EdgePoint{2, 3, 0.25}}}}},
+                .targets = {FacePoint{4, {0.25, 0.25, 0.5}}}};
+    if (change) change(query);
+    return test::KeyOf(query, std::string(64, 'a'));
   }
 
   static DistanceField Field(double settled_radius = kInfinity) {
@@ -102,33 +105,41 @@ TEST_F(FieldFilesTest, ATracedFieldIsOfOneLayout) {
 TEST_F(FieldFilesTest, OtherQuestionsAreOthers) {
   ASSERT_TRUE(files_->Put(Key(), *mesh_, Field()).ok());
   EXPECT_TRUE(files_->Find(Key(), {}).has_value());
-  std::vector<FieldKey> others(13, Key());
-  others[0].mesh_digest[0] = 'b';
-  others[1].sources[0].offset = 0.25;
-  others[2].sources[0].point = VertexPoint{2};
-  others[3].sources.clear();
-  others[4].curves[0].offset = 1;
-  others[5].curves[0].points.pop_back();
-  others[6].curves[0].points[1] = EdgePoint{2, 3, 0.5};
-  others[7].targets[0] = FacePoint{5, {0.25, 0.25, 0.5}};
-  others[8].targets[0] = EdgePoint{4, 5, 0.25};
-  others[9].targets.clear();
-  others[10].algorithm = Algorithm::kMmp;
-  others[11].bucket_width = 1;
-  others[12].max_batch = 1;
+  const auto curve = [](Query& query) -> std::vector<SurfacePoint>& {
+    return std::get<Curve>(query.sources[1].place).points;
+  };
+  std::vector<FieldKey> others = {
+      Key([](Query& query) { query.sources[0].offset = 0.25; }),
+      Key([](Query& query) { query.sources[0].place = VertexPoint{2}; }),
+      Key([](Query& query) { query.sources.erase(query.sources.begin()); }),
+      Key([](Query& query) { query.sources[1].offset = 1; }),
+      Key([&](Query& query) { curve(query).pop_back(); }),
+      Key([&](Query& query) {
+        curve(query)[1] = EdgePoint{2, 3, 0.5};
+      }),
+      // A curve is not its points.
+      Key([](Query& query) {
+        query.sources[0].place = Curve{{VertexPoint{1}}};
+      }),
+      Key([](Query& query) {
+        query.targets[0] = FacePoint{5, {0.25, 0.25, 0.5}};
+      }),
+      Key([](Query& query) {
+        query.targets[0] = EdgePoint{4, 5, 0.25};
+      }),
+      Key([](Query& query) { query.targets.clear(); }),
+      Key([](Query& query) { query.algorithm = Algorithm::kMmp; })};
+  others.resize(14, Key());
+  others[11].mesh_digest[0] = 'b';
+  others[12].bucket_width = 1;
+  others[13].max_batch = 1;
   for (size_t i = 0; i < others.size(); ++i) {
     EXPECT_FALSE(files_->Find(others[i], {}).has_value()) << i;
   }
-  // A curve is not its two points.
-  FieldKey moved = Key();
-  moved.sources.clear();
-  moved.curves.push_back({.points = {VertexPoint{1}}, .offset = 0.5});
-  EXPECT_FALSE(files_->Find(moved, {}).has_value());
 }
 
 TEST_F(FieldFilesTest, ATracedFieldAnswersForOneWithout) {
-  FieldKey traced = Key();
-  traced.trace = true;
+  const FieldKey traced = Key([](Query& query) { query.trace = true; });
   ASSERT_TRUE(files_->Put(traced, *mesh_, Field()).ok());
   EXPECT_EQ(files_->Find(Key(), {}), traced);
   ASSERT_TRUE(files_->Put(Key(), *mesh_, Field()).ok());

@@ -1,40 +1,44 @@
-#include "server/engine/job_checkpoint.h"
+#include "server/engine/jobs/job_checkpoint.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <stop_token>
+#include <vector>
 
-#include "server/engine/field_flight.h"
 #include "tests/engine/fakes.h"
 
 namespace geodesic::server {
 namespace {
 
 using std::chrono::milliseconds;
-using test::RecordingObserver;
 
 constexpr uint64_t kMiB = uint64_t{1} << 20;
+
+class RecordingWaiters final : public JobWaiters {
+ public:
+  absl::Status Expire(TimePoint) override { return verdict; }
+  void Publish(const Progress& progress) override { seen.push_back(progress); }
+
+  absl::Status verdict;
+  std::vector<Progress> seen;
+};
 
 class JobCheckpointTest : public ::testing::Test {
  protected:
   JobCheckpoint MakeCheckpoint() {
-    return JobCheckpoint(audience_, clock_, stop_.get_token(),
-                         *ByteReservation::Make(memory_, 0), milliseconds(50));
+    JobCheckpoint checkpoint(waiters_, clock_, stop_.get_token(),
+                             milliseconds(50));
+    checkpoint.Hold(*ByteReservation::Make(memory_, 0));
+    return checkpoint;
   }
 
-  FieldFlights flights_;
   test::FakeClock clock_;
   std::stop_source stop_;
   std::shared_ptr<ByteBudget> memory_ =
       std::make_shared<ByteBudget>("solver memory", 100 * kMiB);
-  std::shared_ptr<RecordingObserver> observer_ =
-      std::make_shared<RecordingObserver>();
-  FieldFlights::Seat seat_ =
-      flights_.Join({.field = {.mesh_digest = "mesh"}},
-                    {observer_, clock_.Now() + milliseconds(500)});
-  FlightAudience audience_{flights_, *seat_.flight};
+  RecordingWaiters waiters_;
 };
 
 TEST_F(JobCheckpointTest, LetsTheSolverGoOn) {
@@ -49,25 +53,16 @@ TEST_F(JobCheckpointTest, PublishesAtABoundedRate) {
     clock_.Advance(milliseconds(1));
   }
   // At 0 and 50 ms of 100.
-  ASSERT_EQ(observer_->seen.size(), 2);
-  EXPECT_EQ(observer_->seen[0].windows_propagated, 0);
-  EXPECT_EQ(observer_->seen[1].windows_propagated, 50);
+  ASSERT_EQ(waiters_.seen.size(), 2);
+  EXPECT_EQ(waiters_.seen[0].windows_propagated, 0);
+  EXPECT_EQ(waiters_.seen[1].windows_propagated, 50);
 }
 
 TEST_F(JobCheckpointTest, StopsWhenNobodyWaits) {
   JobCheckpoint checkpoint = MakeCheckpoint();
   EXPECT_TRUE(checkpoint.Poll({}).ok());
-  flights_.Leave(seat_);
+  waiters_.verdict = absl::CancelledError("nobody");
   EXPECT_TRUE(absl::IsCancelled(checkpoint.Poll({})));
-}
-
-TEST_F(JobCheckpointTest, StopsAtTheLastDeadline) {
-  JobCheckpoint checkpoint = MakeCheckpoint();
-  clock_.Advance(milliseconds(499));
-  EXPECT_TRUE(checkpoint.Poll({}).ok());
-  clock_.Advance(milliseconds(1));
-  EXPECT_TRUE(absl::IsDeadlineExceeded(checkpoint.Poll({})));
-  EXPECT_TRUE(absl::IsDeadlineExceeded(observer_->field->status()));
 }
 
 TEST_F(JobCheckpointTest, StopsWhenAsked) {

@@ -1,4 +1,4 @@
-#include "server/engine/job_queue.h"
+#include "server/engine/jobs/job_queue.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Fields that end at a radius or a target: cut, covered, continued, in order.
+// Fields that end at a radius or a target: cut, covered, in order.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "server/engine/status_details.h"
+#include "geodesic/field_path.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/planar_meshes.h"
 
@@ -52,7 +52,6 @@ class LimitedFieldTest : public test::EngineTest {
     const auto observer = std::make_shared<RecordingObserver>();
     const auto call = engine_.ComputeField(request, observer);
     EXPECT_TRUE(call.ok()) << call.status();
-    if (!call.ok()) return {};
     if (call->answer.has_value()) return {*call, *call->answer};
     executor_.RunAll();
     EXPECT_EQ(observer->calls, 1);
@@ -80,7 +79,6 @@ TEST_F(LimitedFieldTest, EndsAtTheRadius) {
   EXPECT_EQ(reply.answer.field->settled_radius, 5);
   ExpectExactUpTo(*reply.answer.field, 5);
   EXPECT_EQ(reply.answer.field->distances.back(), kInfinity);
-  EXPECT_EQ(engine_.fields().computations().size(), 1);
 }
 
 TEST_F(LimitedFieldTest, WhatReachesFurtherAnswersLess) {
@@ -90,22 +88,28 @@ TEST_F(LimitedFieldTest, WhatReachesFurtherAnswersLess) {
   EXPECT_EQ(engine_.counters().solves_started, 1);
 }
 
-TEST_F(LimitedFieldTest, GoesOnInsteadOfStartingAgain) {
-  const uint64_t first =
-      Ask(Request({.radius = 5})).answer.field->statistics.windows_propagated;
-  const Reply more = Ask(Request({.radius = 10}));
-  EXPECT_EQ(more.call.origin, FieldOrigin::kContinued);
-  EXPECT_EQ(more.answer.origin, FieldOrigin::kContinued);
-  ExpectExactUpTo(*more.answer.field, 10);
+// Drawing the rest of the map would be work for nothing.
+TEST_F(LimitedFieldTest, ALogMapEndsAtItsRadiusInAFieldThatReachesFurther) {
+  FieldRequest request = Request();
+  request.extras.log_map = true;
+  Ask(request);
+  request.reach.radius = 5;
+  const Reply reply = Ask(request);
+  EXPECT_EQ(reply.call.origin, FieldOrigin::kCached);
+  const LogMap& map = reply.answer.derived->log_map;
+  for (size_t v = 0; v < map.coordinates.size(); ++v) {
+    EXPECT_EQ(std::isnan(map.coordinates[v][0]),
+              reply.answer.field->distances[v] > 5)
+        << v;
+  }
+}
+
+TEST_F(LimitedFieldTest, AWiderOneTakesTheOthersPlace) {
+  Ask(Request({.radius = 5}));
   const Reply all = Ask(Request());
-  EXPECT_EQ(all.answer.origin, FieldOrigin::kContinued);
+  EXPECT_EQ(all.answer.origin, FieldOrigin::kSolved);
   EXPECT_EQ(all.answer.field->settled_radius, kInfinity);
   ExpectExactUpTo(*all.answer.field, kInfinity);
-  // Counted over all its parts, so more than the first.
-  EXPECT_GT(all.answer.field->statistics.windows_propagated, first);
-  EXPECT_EQ(engine_.counters().solves_continued, 2);
-  // A whole field has nothing to go on with, and has taken the others' place.
-  EXPECT_EQ(engine_.fields().computations().size(), 0);
   EXPECT_EQ(engine_.fields().fields().size(), 1);
   EXPECT_EQ(Ask(Request({.radius = 5})).call.origin, FieldOrigin::kCached);
 }
@@ -138,10 +142,9 @@ TEST_F(LimitedFieldTest, StopsWhenTargetsAreThere) {
   EXPECT_NEAR(field.target_distances[1], 1 + t, 1e-10);
   EXPECT_LT(field.settled_radius, kInfinity);
   ExpectExactUpTo(field, field.settled_radius);
-  // One target more goes on.
   request.reach.targets = 3;
   const Reply more = Ask(request);
-  EXPECT_EQ(more.call.origin, FieldOrigin::kContinued);
+  EXPECT_EQ(more.call.origin, FieldOrigin::kSolved);
   EXPECT_NEAR(more.answer.field->target_distances[2],
               kSide * std::numbers::sqrt2, 1e-10);
 }
@@ -160,12 +163,12 @@ TEST_F(LimitedFieldTest, AWholeFieldAnswersForVertexTargets) {
 TEST_F(LimitedFieldTest, PointsAndCurvesAreSources) {
   FieldRequest request = Request();
   // The left side of the square as a curve: distance is x.
-  CurveSource side;
+  Curve side;
   for (uint32_t y = 0; y <= kSide; ++y) {
     side.points.push_back(VertexPoint{y * (kSide + 1)});
   }
   side.points.resize(10);
-  request.query = {.curves = {side}};
+  request.query = {.sources = {{side}}};
   const Reply reply = Ask(request);
   for (uint32_t x = 0; x <= kSide; ++x) {
     EXPECT_NEAR(reply.answer.field->distances[5 * (kSide + 1) + x], x, 1e-10);
@@ -175,15 +178,14 @@ TEST_F(LimitedFieldTest, PointsAndCurvesAreSources) {
 TEST_F(LimitedFieldTest, SourcesKeepTheClientsNumbers) {
   FieldRequest request = Request();
   request.query = {.sources = {{VertexPoint{9}, 1},
+                               {Curve{{VertexPoint{2}}}},
                                {VertexPoint{4}, 0},
                                {VertexPoint{9}, 0}},
-                   .curves = {{{VertexPoint{2}}}},
                    .trace = true};
-  request.numbers = {.points = {0, 2, 3}, .curves = {1}};
   const auto call =
       engine_.ComputeField(request, std::make_shared<RecordingObserver>());
   ASSERT_TRUE(call.ok()) << call.status();
-  // Canonical order: vertex 4, vertex 9 without offset, the curve.
+  // Sorted: vertex 4, vertex 9 without offset, the curve.
   EXPECT_EQ(call->source_numbers, (std::vector<uint32_t>{2, 3, 1}));
 }
 
@@ -193,10 +195,10 @@ TEST_F(LimitedFieldTest, VerticesComeInOrderWhileItSolves) {
   const auto observer = std::make_shared<RecordingObserver>();
   const auto call = engine_.ComputeField(request, observer);
   ASSERT_TRUE(call.ok()) << call.status();
-  ASSERT_NE(call->seat.settled, nullptr);
+  ASSERT_NE(call->settled, nullptr);
   executor_.RunAll();
   ASSERT_TRUE(observer->answer->ok());
-  const auto settled = call->seat.settled->Read(0, 10'000);
+  const auto settled = call->settled->Read(0, 10'000);
   uint32_t expected = 0;
   for (const Point& position : soup_.positions) {
     expected += Euclid(soup_.positions[0], position) <= 12;
@@ -213,7 +215,7 @@ TEST_F(LimitedFieldTest, VerticesComeInOrderWhileItSolves) {
       engine_.ComputeField(request, std::make_shared<RecordingObserver>());
   EXPECT_EQ(again->origin, FieldOrigin::kCached);
   executor_.RunAll();
-  const auto cached = again->seat.settled->Read(0, 10'000);
+  const auto cached = again->settled->Read(0, 10'000);
   ASSERT_EQ(cached.size(), settled.size());
   for (size_t i = 0; i < settled.size(); ++i) {
     EXPECT_EQ(cached[i].vertex, settled[i].vertex);
@@ -225,7 +227,7 @@ TEST_F(LimitedFieldTest, WrongLimitsAreNamed) {
   const auto fault = [&](FieldReach reach) {
     FieldRequest request = Request(reach);
     request.query.targets = {VertexPoint{1}};
-    return FieldAtFault(
+    return FieldPathOf(
         engine_.ComputeField(request, std::make_shared<RecordingObserver>())
             .status());
   };
@@ -233,52 +235,6 @@ TEST_F(LimitedFieldTest, WrongLimitsAreNamed) {
   EXPECT_EQ(fault({.radius = std::nan("")}), "max_distance");
   EXPECT_EQ(fault({.targets = 0}), "stop_after_targets");
   EXPECT_EQ(fault({.targets = 2}), "stop_after_targets");
-}
-
-TEST_F(LimitedFieldTest, DeletingAMeshDropsItsComputations) {
-  Ask(Request({.radius = 5}));
-  EXPECT_GT(engine_.fields().computations().used_bytes(), 0);
-  ASSERT_TRUE(Delete(digest_).ok());
-  EXPECT_EQ(engine_.fields().computations().size(), 0);
-  EXPECT_EQ(engine_.fields().computations().used_bytes(), 0);
-}
-
-class SmallMeshStoreTest : public LimitedFieldTest {
- protected:
-  static Limits SmallMeshStore() {
-    Limits limits = SmallLimits();
-    // Room for one grid, not for two.
-    limits.mesh_store_bytes = 300'000;
-    return limits;
-  }
-  SmallMeshStoreTest() : LimitedFieldTest(SmallMeshStore()) {}
-};
-
-TEST_F(SmallMeshStoreTest, APausedComputationMakesWayForAMesh) {
-  Ask(Request({.radius = 5}));
-  EXPECT_EQ(engine_.fields().computations().size(), 1);
-  const auto other = Upload(geodesic::test::MakeGrid(
-      {.columns = kSide, .rows = kSide, .cell_width = 2}));
-  EXPECT_TRUE(other.ok()) << other.status();
-  EXPECT_EQ(engine_.fields().computations().size(), 0);
-}
-
-class SmallComputationStoreTest : public LimitedFieldTest {
- protected:
-  static Limits SmallComputationStore() {
-    Limits limits = SmallLimits();
-    limits.computation_store_bytes = 1;
-    return limits;
-  }
-  SmallComputationStoreTest() : LimitedFieldTest(SmallComputationStore()) {}
-};
-
-TEST_F(SmallComputationStoreTest, WithoutRoomItStartsAgain) {
-  Ask(Request({.radius = 5}));
-  EXPECT_EQ(engine_.fields().computations().size(), 0);
-  const Reply more = Ask(Request({.radius = 10}));
-  EXPECT_EQ(more.answer.origin, FieldOrigin::kSolved);
-  ExpectExactUpTo(*more.answer.field, 10);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "server/engine/lru_store.h"
+#include "server/engine/base/lru_store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "server/engine/status_details.h"
+#include "server/engine/base/status_details.h"
 
 namespace geodesic::server {
 namespace {

@@ -1,11 +1,11 @@
-#include "server/engine/mesh_digest.h"
+#include "server/engine/meshes/mesh_digest.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "server/store/sha256.h"
+#include "digest/sha256.h"
 
 namespace geodesic::server {
 namespace {

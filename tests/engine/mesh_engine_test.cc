@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "server/engine/mesh_digest.h"
-#include "server/engine/status_details.h"
-#include "server/store/sha256.h"
+#include "digest/sha256.h"
+#include "geodesic/field_path.h"
+#include "server/engine/base/status_details.h"
+#include "server/engine/meshes/mesh_digest.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/planar_meshes.h"
@@ -98,7 +99,7 @@ TEST_F(MeshEngineTest, ExpectedDigestsAreChecked) {
   header.expected_digest = std::string(64, '0');
   const absl::Status status = Upload(header, test::ArrayBytes(soup)).status();
   EXPECT_TRUE(absl::IsInvalidArgument(status));
-  EXPECT_EQ(FieldAtFault(status), "header.expected_digest");
+  EXPECT_EQ(FieldPathOf(status), "header.expected_digest");
   EXPECT_EQ(engine_.meshes().used_bytes(), 0);
 
   header.expected_digest = MeshDigest(soup.positions, soup.triangles);
@@ -118,7 +119,7 @@ TEST_F(MeshEngineTest, ARefusedMeshLeavesNothingBehind) {
   const absl::Status status = Upload(soup).status();
   EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
   EXPECT_THAT(std::string(status.message()), HasSubstr("77"));
-  EXPECT_EQ(FieldAtFault(status), "chunk.data");
+  EXPECT_EQ(FieldPathOf(status), "chunk.data");
   EXPECT_EQ(engine_.meshes().used_bytes(), 0);
 }
 
@@ -155,10 +156,10 @@ TEST_F(MeshEngineTest, FindMissingTellsWhatToUpload) {
 TEST_F(MeshEngineTest, FindMissingChecksItsArguments) {
   const std::string good(64, '0');
   const absl::Status digest = engine_.FindMissing({good, "x"}, {}).status();
-  EXPECT_EQ(FieldAtFault(digest), "mesh_digests[1]");
+  EXPECT_EQ(FieldPathOf(digest), "mesh_digests[1]");
   const absl::Status file =
       engine_.FindMissing({}, {{UploadFormat::kObj, "X"}}).status();
-  EXPECT_EQ(FieldAtFault(file), "files[0].sha256");
+  EXPECT_EQ(FieldPathOf(file), "files[0].sha256");
   EXPECT_TRUE(
       engine_.FindMissing(std::vector<std::string>(1000, good), {}).ok());
   EXPECT_TRUE(absl::IsInvalidArgument(
@@ -200,8 +201,8 @@ TEST_F(MeshEngineTest, ListsInPages) {
 }
 
 TEST_F(MeshEngineTest, ListChecksItsArguments) {
-  EXPECT_EQ(FieldAtFault(engine_.ListMeshes(-1, "").status()), "page_size");
-  EXPECT_EQ(FieldAtFault(engine_.ListMeshes(1, "x").status()), "page_token");
+  EXPECT_EQ(FieldPathOf(engine_.ListMeshes(-1, "").status()), "page_size");
+  EXPECT_EQ(FieldPathOf(engine_.ListMeshes(1, "x").status()), "page_token");
 }
 
 TEST_F(MeshEngineTest, DeleteForgetsTheMesh) {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/engine/status_details.h"
+#include "server/engine/base/status_details.h"
 #include "tests/engine/durable_fixture.h"
 
 namespace geodesic::server {
@@ -25,18 +25,18 @@ TEST_F(DurableEngineTest, OneLoadForAllWhoAsk) {
   const std::string digest = Upload(Grid(5))->mesh.digest;
   Restart();
   std::vector<MeshHandle> meshes;
-  std::vector<MeshLoads::Seat> seats;
+  std::vector<MeshLoads::Ticket> tickets;
   for (int i = 0; i < 5; ++i) {
-    auto seat = engine_->AwaitMesh(digest, [&](const auto& mesh) {
+    auto ticket = engine_->AwaitMesh(digest, [&](const auto& mesh) {
       ASSERT_TRUE(mesh.ok());
       meshes.push_back(*mesh);
     });
-    ASSERT_TRUE(seat.ok());
-    ASSERT_TRUE(seat->has_value());
-    seats.push_back(**seat);
+    ASSERT_TRUE(ticket.ok());
+    ASSERT_TRUE(ticket->has_value());
+    tickets.push_back(**ticket);
   }
   EXPECT_EQ(engine_->loads().size(), 1);
-  engine_->LeaveMesh(seats[0]);
+  engine_->LeaveMesh(tickets[0]);
   executor_.RunAll();
   EXPECT_THAT(meshes, SizeIs(4));
   EXPECT_EQ(engine_->counters().meshes_loaded, 1);
@@ -47,10 +47,10 @@ TEST_F(DurableEngineTest, ALoadNobodyWaitsForIsCalledOff) {
   const std::string digest = Upload(Grid(5))->mesh.digest;
   Restart();
   bool called = false;
-  const auto seat =
+  const auto ticket =
       engine_->AwaitMesh(digest, [&](const auto&) { called = true; });
-  ASSERT_TRUE(seat.ok());
-  engine_->LeaveMesh(**seat);
+  ASSERT_TRUE(ticket.ok());
+  engine_->LeaveMesh(**ticket);
   EXPECT_EQ(engine_->loads().size(), 0);
   executor_.RunAll();
   EXPECT_FALSE(called);
@@ -115,17 +115,17 @@ class LoadAdmissionTest : public EvictionTest {
 
   // Asks for the first mesh from within the field's job and gives the load its
   // thread; then calls `act`.
-  void LoadBeside(const std::function<void(const MeshLoads::Seat&)>& act) {
+  void LoadBeside(const std::function<void(const MeshLoads::Ticket&)>& act) {
     at_start_ = [&] {
-      const auto seat =
+      const auto ticket =
           engine_->AwaitMesh(first_, [&](const auto& mesh) { loaded_ = mesh; });
-      ASSERT_TRUE(seat.ok());
-      ASSERT_TRUE(seat->has_value());
+      ASSERT_TRUE(ticket.ok());
+      ASSERT_TRUE(ticket->has_value());
       executor_.RunOne();
       EXPECT_FALSE(loaded_.has_value()) << loaded_->status();
       EXPECT_EQ(engine_->scheduler().queued(), 1);
       EXPECT_EQ(engine_->upload_memory().used(), 0) << "it only waits";
-      act(**seat);
+      act(**ticket);
     };
     const auto observer = std::make_shared<test::RecordingObserver>();
     FieldRequest request{.mesh_digest = second_};
@@ -151,7 +151,8 @@ TEST_F(LoadAdmissionTest, ALoadWaitsForTheMemoryThatAJobHolds) {
 }
 
 TEST_F(LoadAdmissionTest, WhoeverLeavesMeanwhileLeavesNothing) {
-  LoadBeside([&](const MeshLoads::Seat& seat) { engine_->LeaveMesh(seat); });
+  LoadBeside(
+      [&](const MeshLoads::Ticket& ticket) { engine_->LeaveMesh(ticket); });
   EXPECT_FALSE(loaded_.has_value());
   EXPECT_EQ(engine_->counters().meshes_loaded, 0);
 }

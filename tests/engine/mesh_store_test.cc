@@ -1,10 +1,10 @@
-#include "server/engine/mesh_store.h"
+#include "server/engine/meshes/mesh_store.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "server/engine/mesh_digest.h"
+#include "server/engine/meshes/mesh_digest.h"
 #include "tests/engine/uploads.h"
 #include "tests/support/curved_meshes.h"
 

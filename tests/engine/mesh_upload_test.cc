@@ -1,4 +1,4 @@
-#include "server/engine/mesh_upload.h"
+#include "server/engine/meshes/mesh_upload.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/status_details.h"
+#include "geodesic/field_path.h"
 #include "tests/engine/uploads.h"
 #include "tests/support/curved_meshes.h"
 
@@ -40,7 +40,7 @@ class MeshUploadTest : public ::testing::Test {
       absl::Status status = upload.ReserveForParse();
       if (!status.ok()) return status;
       taken = memory_->used();
-      auto parsed = upload.Parse();
+      auto parsed = upload.Parse(checkpoint_);
       if (!parsed.ok()) return parsed.status();
       if (parsed->has_value()) return **std::move(parsed);
     }
@@ -55,10 +55,11 @@ class MeshUploadTest : public ::testing::Test {
                      const std::string& field, const std::string& message) {
     const absl::Status status = Start(header).status();
     EXPECT_EQ(status.code(), code) << status;
-    EXPECT_EQ(FieldAtFault(status).value_or(""), field);
+    EXPECT_EQ(FieldPathOf(status).value_or(""), field);
     EXPECT_THAT(std::string(status.message()), HasSubstr(message));
   }
 
+  NoCheckpoint checkpoint_;
   Limits limits_ = {
       .max_upload_bytes = 1 << 20, .max_vertices = 1000, .max_faces = 2000};
   std::shared_ptr<ByteBudget> memory_ =
@@ -78,7 +79,7 @@ TEST_F(MeshUploadTest, ArraysArriveUnchanged) {
   hash.Update(bytes);
   EXPECT_EQ(upload->file().sha256, hash.FinishHex());
   ASSERT_TRUE(upload->ReserveForParse().ok());
-  const auto parsed = upload->Parse();
+  const auto parsed = upload->Parse(checkpoint_);
   ASSERT_TRUE(parsed.ok()) << parsed.status();
   ASSERT_TRUE(parsed->has_value());
   EXPECT_EQ((*parsed)->positions, soup.positions);
@@ -97,13 +98,13 @@ TEST_F(MeshUploadTest, AMalformedFileIsNamedAsSuch) {
   auto upload = Received("OFF\n1 1 0\n0 0 zero\n3 0 0 0\n");
   const absl::Status status = TryToParse(*upload).status();
   EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
-  EXPECT_EQ(FieldAtFault(status), "chunk.data");
+  EXPECT_EQ(FieldPathOf(status), "chunk.data");
 }
 
 TEST_F(MeshUploadTest, BadHeadersAreRefused) {
   using enum absl::StatusCode;
   ExpectRefused({.format = UploadFormat::kObj}, kInvalidArgument,
-                "header.size_bytes", "is 0");
+                "header.size_bytes", "empty");
   ExpectRefused({.format = UploadFormat::kObj, .size_bytes = (1 << 20) + 1},
                 kResourceExhausted, "", "max_upload_bytes");
   ExpectRefused({.format = UploadFormat::kObj,
@@ -139,7 +140,7 @@ TEST_F(MeshUploadTest, ChunksMustFollowEachOther) {
   for (const uint64_t offset : {0, 2, 4}) {
     const absl::Status status = upload->Append(offset, "d");
     EXPECT_TRUE(absl::IsInvalidArgument(status));
-    EXPECT_EQ(FieldAtFault(status), "chunk.offset");
+    EXPECT_EQ(FieldPathOf(status), "chunk.offset");
     EXPECT_THAT(std::string(status.message()), HasSubstr("3 bytes"));
   }
   EXPECT_TRUE(upload->Append(3, "d").ok());
@@ -150,7 +151,7 @@ TEST_F(MeshUploadTest, NoMoreNorLessThanAnnounced) {
   ASSERT_TRUE(upload->Append(0, "abc").ok());
   const absl::Status more = upload->Append(3, "de");
   EXPECT_TRUE(absl::IsInvalidArgument(more));
-  EXPECT_EQ(FieldAtFault(more), "chunk.data");
+  EXPECT_EQ(FieldPathOf(more), "chunk.data");
   const absl::Status less = upload->Finish();
   EXPECT_TRUE(absl::IsInvalidArgument(less));
   EXPECT_THAT(std::string(less.message()),
@@ -212,7 +213,7 @@ TEST_F(MeshUploadTest, NoFileTakesMoreThanWasSetAside) {
   auto upload = Received(Polygon(kCorners));
   ASSERT_TRUE(upload->ReserveForParse().ok());
   EXPECT_EQ(memory_->used(), MeshUpload::BytesToParse(upload->header()));
-  const auto cut_off = upload->Parse();
+  const auto cut_off = upload->Parse(checkpoint_);
   ASSERT_TRUE(cut_off.ok()) << cut_off.status();
   EXPECT_FALSE(cut_off->has_value());
 

@@ -1,4 +1,4 @@
-#include "server/engine/row_pipeline.h"
+#include "server/engine/jobs/row_pipeline.h"
 
 #include <gtest/gtest.h>
 

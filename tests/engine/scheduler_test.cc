@@ -1,4 +1,4 @@
-#include "server/engine/scheduler.h"
+#include "server/engine/jobs/scheduler.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "server/engine/byte_budget.h"
-#include "server/engine/error_reasons.h"
-#include "server/engine/idle_threads.h"
-#include "server/engine/status_details.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
+#include "server/engine/jobs/idle_threads.h"
 #include "tests/engine/fakes.h"
 
 namespace geodesic::server {
@@ -266,6 +266,44 @@ TEST_F(MemoryTest, WhatNoJobWillGiveBackIsNotWaitedFor) {
   EXPECT_THAT(std::string(reason_.message()), HasSubstr("--solver-memory"));
   EXPECT_THAT(ran_, ElementsAre("b"));
   EXPECT_TRUE(wide_.WaitIdle(std::chrono::milliseconds(0)));
+}
+
+// Like a question that holds its mesh while it waits.
+TEST_F(MemoryTest, ThoseWhoHoldMemoryInTheQueueGoFirst) {
+  for (const char* name : {"a", "b"}) {
+    Job job = NamedJob(name);
+    held_[name] = *ByteReservation::Make(memory_, 50);
+    job.run = [this, name](std::stop_token) {
+      ran_.push_back(name);
+      held_.erase(name);
+    };
+    ASSERT_TRUE(wide_.Submit(std::move(job)).ok());
+  }
+  Job large = HungryJob("large", 60);
+  large.priority = JobPriority::kBuild;
+  ASSERT_TRUE(wide_.Submit(std::move(large)).ok());
+  ASSERT_TRUE(wide_.Submit(HungryJob("c", 30)).ok());
+  executor_.RunAll();
+  // As soon as there is enough, its turn comes.
+  EXPECT_THAT(ran_, ElementsAre("a", "b", "large", "c"));
+  EXPECT_THAT(abandoned_, IsEmpty());
+}
+
+TEST_F(MemoryTest, NobodyIsOvertakenForEver) {
+  auto answer = ByteReservation::Make(memory_, 50);
+  ASSERT_TRUE(answer.ok());
+  ASSERT_TRUE(wide_.Submit(HungryJob("large", 60)).ok());
+  // Another one comes whenever one has run.
+  while_running_["small"] = [&] {
+    if (ran_.size() > 1000) return;
+    ASSERT_TRUE(wide_.Submit(HungryJob("small", 10)).ok());
+  };
+  ASSERT_TRUE(wide_.Submit(HungryJob("small", 10)).ok());
+  while (abandoned_.empty() && executor_.RunOne()) {
+  }
+  EXPECT_THAT(abandoned_, ElementsAre("large"));
+  EXPECT_LT(ran_.size(), 1000);
+  executor_.RunAll();
 }
 
 TEST_F(MemoryTest, WhatCannotBeHadAtAllIsAnError) {

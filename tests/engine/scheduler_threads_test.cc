@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/byte_budget.h"
-#include "server/engine/scheduler.h"
-#include "server/engine/thread_pool.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/jobs/scheduler.h"
+#include "server/engine/jobs/thread_pool.h"
 #include "tests/support/random.h"
 
 namespace geodesic::server {

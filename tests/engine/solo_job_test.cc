@@ -1,4 +1,4 @@
-#include "server/engine/solo_job.h"
+#include "server/engine/jobs/solo_job.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "server/engine/error_reasons.h"
-#include "server/engine/status_details.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
 #include "tests/engine/fakes.h"
 
 namespace geodesic::server {
@@ -40,11 +40,9 @@ class SoloJobTest : public ::testing::Test {
   }
 
   absl::StatusOr<SoloJobs::Call> Start(
-      absl::AnyInvocable<absl::Status(Checkpoint&)> work,
-      TimePoint deadline = kNoDeadline) {
+      absl::AnyInvocable<absl::Status(Checkpoint&)> work) {
     return jobs_.Start(
-        {.deadline = deadline,
-         .work = [work = std::move(work)](
+        {.work = [work = std::move(work)](
                      Checkpoint& checkpoint,
                      ByteReservation) mutable { return work(checkpoint); }},
         observer_);
@@ -158,52 +156,6 @@ TEST_F(SoloJobTest, ReportsHowItWent) {
   EXPECT_EQ(observer_.use_count(), 1);
 }
 
-TEST_F(SoloJobTest, CancelInTheQueueNeverRuns) {
-  bool ran = false;
-  const auto call = Start([&](Checkpoint&) {
-    ran = true;
-    return absl::OkStatus();
-  });
-  jobs_.Cancel(*call);
-  executor_.RunAll();
-  EXPECT_FALSE(ran);
-  EXPECT_EQ(observer_->calls, 0);
-  EXPECT_EQ(observer_.use_count(), 1);
-}
-
-TEST_F(SoloJobTest, CancelWhileItRunsStopsAtTheNextPoll) {
-  absl::StatusOr<SoloJobs::Call> call;
-  int polls = 0;
-  call = Start([&](Checkpoint& checkpoint) {
-    for (;; ++polls) {
-      if (polls == 3) jobs_.Cancel(*call);
-      absl::Status status = checkpoint.Poll({});
-      if (!status.ok()) return status;
-    }
-  });
-  executor_.RunAll();
-  EXPECT_EQ(polls, 3);
-  EXPECT_EQ(observer_->calls, 0);
-}
-
-TEST_F(SoloJobTest, DeadlinesHoldInTheQueueAndAfter) {
-  const TimePoint soon = clock_.Now() + milliseconds(10);
-  ASSERT_TRUE(Start([](Checkpoint&) { return absl::OkStatus(); }, soon).ok());
-  clock_.Advance(milliseconds(10));
-  executor_.RunAll();
-  EXPECT_TRUE(absl::IsDeadlineExceeded(observer_->report->status));
-  ASSERT_TRUE(Start(
-                  [&](Checkpoint& checkpoint) {
-                    clock_.Advance(milliseconds(10));
-                    return checkpoint.Poll({});
-                  },
-                  clock_.Now() + milliseconds(5))
-                  .ok());
-  executor_.RunAll();
-  EXPECT_EQ(observer_->calls, 2);
-  EXPECT_TRUE(absl::IsDeadlineExceeded(observer_->report->status));
-}
-
 TEST_F(SoloJobTest, SharesTheSolversMemory) {
   ASSERT_TRUE(Start([&](Checkpoint& checkpoint) {
                 return checkpoint.Poll({.solver_bytes = 2 << 20});
@@ -218,19 +170,6 @@ TEST_F(SoloJobTest, ExceptionsBecomeStatuses) {
       Start([](Checkpoint&) -> absl::Status { throw std::bad_alloc(); }).ok());
   executor_.RunAll();
   EXPECT_TRUE(absl::IsResourceExhausted(observer_->report->status));
-}
-
-TEST_F(SoloJobTest, AFullQueueRefuses) {
-  const auto nothing = [](Checkpoint&) { return absl::OkStatus(); };
-  ASSERT_TRUE(Start(nothing).ok());
-  ASSERT_TRUE(Start(nothing).ok());
-  EXPECT_TRUE(absl::IsResourceExhausted(Start(nothing).status()));
-}
-
-TEST_F(SoloJobTest, StoppingTellsTheObserver) {
-  ASSERT_TRUE(Start([](Checkpoint&) { return absl::OkStatus(); }).ok());
-  scheduler_.StopAll();
-  EXPECT_TRUE(absl::IsUnavailable(observer_->report->status));
 }
 
 }  // namespace

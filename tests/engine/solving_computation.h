@@ -16,12 +16,12 @@
 namespace geodesic::server::test {
 
 using SolveFunction = std::function<absl::StatusOr<DistanceField>(
-    const Mesh&, const Query&, const SolveOptions&, Checkpoint&)>;
+    const Mesh&, const ValidQuery&, const SolveOptions&, Checkpoint&)>;
 
 class SolvingComputation final : public Computation {
  public:
-  SolvingComputation(const Mesh& mesh, Query query, const SolveOptions& options,
-                     SolveFunction solve)
+  SolvingComputation(const Mesh& mesh, ValidQuery query,
+                     const SolveOptions& options, SolveFunction solve)
       : mesh_(mesh),
         query_(std::move(query)),
         options_(options),
@@ -41,7 +41,7 @@ class SolvingComputation final : public Computation {
 
  private:
   const Mesh& mesh_;
-  const Query query_;
+  const ValidQuery query_;
   const SolveOptions options_;
   const SolveFunction solve_;
   DistanceField field_;
@@ -50,7 +50,7 @@ class SolvingComputation final : public Computation {
 // Starts computations that call what `solve` is at that time, which outlives
 // them.
 inline StartFunction StartWith(const SolveFunction& solve) {
-  return [&solve](const Mesh& mesh, const Query& query,
+  return [&solve](const Mesh& mesh, const ValidQuery& query,
                   const SolveOptions& options)
              -> absl::StatusOr<std::unique_ptr<Computation>> {
     return std::make_unique<SolvingComputation>(mesh, query, options, solve);

@@ -1,4 +1,4 @@
-#include "server/engine/status_details.h"
+#include "server/engine/base/status_details.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,8 @@
 #include <string_view>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/error_reasons.h"
+#include "geodesic/field_path.h"
+#include "server/engine/base/error_reasons.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geodesic::server {
@@ -18,8 +19,8 @@ TEST(StatusDetails, FieldTravelsWithTheStatus) {
   const absl::Status status = InvalidField("chunk.offset", "it is wrong");
   EXPECT_TRUE(absl::IsInvalidArgument(status));
   EXPECT_EQ(status.message(), "it is wrong");
-  EXPECT_EQ(FieldAtFault(status), "chunk.offset");
-  EXPECT_EQ(FieldAtFault(absl::InternalError("x")), std::nullopt);
+  EXPECT_EQ(FieldPathOf(status), "chunk.offset");
+  EXPECT_EQ(FieldPathOf(absl::InternalError("x")), std::nullopt);
 }
 
 TEST(StatusDetails, RetryTravelsWithTheStatus) {
@@ -50,8 +51,8 @@ TEST(StatusDetails, TheProtocolListsEveryReason) {
 }
 
 TEST(StatusDetails, OkStaysOk) {
-  EXPECT_TRUE(WithField(absl::OkStatus(), "a").ok());
-  EXPECT_EQ(FieldAtFault(WithField(absl::OkStatus(), "a")), std::nullopt);
+  EXPECT_TRUE(WithFieldPath(absl::OkStatus(), "a").ok());
+  EXPECT_EQ(FieldPathOf(WithFieldPath(absl::OkStatus(), "a")), std::nullopt);
 }
 
 TEST(StatusDetails, MessagesArePrintable) {

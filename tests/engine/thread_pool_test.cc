@@ -1,4 +1,4 @@
-#include "server/engine/thread_pool.h"
+#include "server/engine/jobs/thread_pool.h"
 
 #include <gtest/gtest.h>
 

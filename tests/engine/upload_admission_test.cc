@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/status_details.h"
+#include "server/engine/base/status_details.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/planar_meshes.h"
 
@@ -61,7 +61,8 @@ class UploadAdmissionTest : public test::EngineTest {
   }
 
   // Sends in an upload; what came of it is in `result` once it is known.
-  Scheduler::JobId Finish(std::unique_ptr<MeshUpload> upload, Result& result) {
+  UploadJobs::Ticket Finish(std::unique_ptr<MeshUpload> upload,
+                            Result& result) {
     const auto job = engine_.FinishUpload(std::move(upload),
                                           [&](const auto& r) { result = r; });
     EXPECT_TRUE(job.ok()) << job.status();
@@ -71,7 +72,7 @@ class UploadAdmissionTest : public test::EngineTest {
 
   // Calls `act` while a field is computed, whose job pins the resident mesh.
   void Beside(const std::function<void()>& act) {
-    start_ = [act](const Mesh& mesh, const Query& query,
+    start_ = [act](const Mesh& mesh, const ValidQuery& query,
                    const SolveOptions& options) {
       act();
       return StartComputation(mesh, query, options);
@@ -106,11 +107,11 @@ class WaitingUploadTest : public UploadAdmissionTest,
  protected:
   // Finishes an upload beside a field's job, for whose mesh it has to wait;
   // then calls `act`.
-  void FinishBeside(const std::function<void(Scheduler::JobId)>& act) {
+  void FinishBeside(const std::function<void(UploadJobs::Ticket)>& act) {
     const TriangleSoup soup = Grid(12);
     const std::string file = test::OffFile(soup);
     Beside([&] {
-      const Scheduler::JobId job =
+      const UploadJobs::Ticket job =
           GetParam() == UploadFormat::kArrays
               ? Finish(
                     Received(test::ArrayHeader(soup), test::ArrayBytes(soup)),
@@ -137,7 +138,7 @@ TEST_P(WaitingUploadTest, AnUploadWaitsForTheMemoryThatAJobHolds) {
 }
 
 TEST_P(WaitingUploadTest, WhoeverLeavesMeanwhileLeavesNothing) {
-  FinishBeside([&](Scheduler::JobId job) {
+  FinishBeside([&](UploadJobs::Ticket job) {
     engine_.CancelUpload(job);
     EXPECT_EQ(engine_.upload_memory().used(), 0);
   });
@@ -154,6 +155,60 @@ TEST_P(WaitingUploadTest, TheServersEndIsTold) {
 INSTANTIATE_TEST_SUITE_P(Formats, WaitingUploadTest,
                          ::testing::Values(UploadFormat::kArrays,
                                            UploadFormat::kOff));
+
+class CancelledUploadTest : public test::EngineTest,
+                            public ::testing::WithParamInterface<UploadFormat> {
+ protected:
+  // Uploads a mesh, and cancels that when its job looks at the clock for this
+  // time. Whether it did.
+  bool CancelAtLook(int number) {
+    const TriangleSoup soup = Grid(12);
+    const bool is_file = GetParam() == UploadFormat::kOff;
+    const std::string bytes =
+        is_file ? test::OffFile(soup) : test::ArrayBytes(soup);
+    auto upload = *engine_.StartUpload(is_file ? OffHeader(bytes)
+                                               : test::ArrayHeader(soup));
+    EXPECT_TRUE(upload->Append(0, bytes).ok());
+    bool is_cancelled = false;
+    const auto job = engine_.FinishUpload(
+        std::move(upload),
+        [&](const auto& result) { EXPECT_NE(result.ok(), is_cancelled); });
+    EXPECT_TRUE(job.ok() && job->has_value()) << job.status();
+    clock_.at_look = [&] {
+      if (number-- != 0) return;
+      is_cancelled = true;
+      engine_.CancelUpload(**job);
+    };
+    executor_.RunAll();
+    clock_.at_look = nullptr;
+    return is_cancelled;
+  }
+};
+
+TEST_P(CancelledUploadTest, IsNotBuilt) {
+  int looks = 0;
+  for (; CancelAtLook(looks); ++looks) {
+    EXPECT_EQ(engine_.counters().meshes_built, 0) << looks;
+    EXPECT_EQ(engine_.meshes().used_bytes(), 0) << looks;
+    EXPECT_EQ(engine_.upload_memory().used(), 0) << looks;
+  }
+  EXPECT_GE(looks, 8);
+  EXPECT_EQ(engine_.counters().meshes_built, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, CancelledUploadTest,
+                         ::testing::Values(UploadFormat::kArrays,
+                                           UploadFormat::kOff));
+
+TEST_F(UploadAdmissionTest, AnUploadWaitsForTheMemoryThatAWaitingJobHolds) {
+  FieldRequest request{.mesh_digest = resident_};
+  request.query.sources = {{VertexPoint{0}}};
+  const auto observer = std::make_shared<test::RecordingObserver>();
+  ASSERT_TRUE(engine_.ComputeField(request, observer).ok());
+  const auto uploaded = Upload(Grid(12));
+  ASSERT_TRUE(uploaded.ok()) << uploaded.status();
+  EXPECT_TRUE(observer->answer->ok());
+}
 
 TEST_F(UploadAdmissionTest, WhenNobodyGivesMemoryBackTheRefusalComesAtOnce) {
   const auto pinned = engine_.GetMesh(resident_);

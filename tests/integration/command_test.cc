@@ -129,6 +129,73 @@ TEST_F(CommandTest, Capabilities) {
   EXPECT_THAT(Geodesic({"capabilities"}).out, HasSubstr("fwp-ch"));
 }
 
+TEST_F(CommandTest, SeveralFilesAreUploadedAtOnce) {
+  const std::string left = folder_ / "left.off";
+  const std::string right = folder_ / "right.off";
+  WriteFile(left, OffText(PlanarGrid(2)));
+  WriteFile(right, OffText(PlanarGrid(3)));
+  const json uploads = GeodesicJson({"upload", left, right})["uploads"];
+  ASSERT_EQ(uploads.size(), 2);
+  EXPECT_EQ(uploads[0]["mesh"]["digest"], MeshDigest(PlanarGrid(2)));
+  EXPECT_EQ(uploads[1]["mesh"]["digest"], MeshDigest(PlanarGrid(3)));
+  EXPECT_EQ(
+      Geodesic({"upload", "--quiet", left, right}).out,
+      MeshDigest(PlanarGrid(2)) + "\n" + MeshDigest(PlanarGrid(3)) + "\n");
+}
+
+TEST_F(CommandTest, DigestsMayBeInUpperCase) {
+  const std::string path = folder_ / "grid.off";
+  WriteFile(path, OffText(PlanarGrid(2)));
+  std::string digest = GeodesicJson({"upload", path})["mesh"]["digest"];
+  for (const size_t digits : {size_t{8}, digest.size()}) {
+    std::string upper = digest.substr(0, digits);
+    for (char& c : upper) {
+      c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+    EXPECT_EQ(GeodesicJson({"info", upper})["digest"], digest);
+  }
+}
+
+TEST_F(CommandTest, ListsComeFromStandardInput) {
+  const std::string path = folder_ / "grid.off";
+  WriteFile(path, OffText(PlanarGrid(2)));
+  std::vector<std::string> words = {"/bin/bash", "-c",
+                                    "printf '3\\n5\\n' | \"$@\"", "bash"};
+  const std::vector<std::string> command =
+      CommandLine({"field", path, "-s", "0", "--targets", "-", "--json"});
+  words.insert(words.end(), command.begin(), command.end());
+  const ProcessResult result = RunProgram(words);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json targets = json::parse(result.out)["targets"];
+  ASSERT_EQ(targets.size(), 2);
+  EXPECT_EQ(targets[1]["vertex"], 5);
+}
+
+TEST_F(CommandTest, QuietLeavesNothingButTheRowsAskedFor) {
+  const std::string path = folder_ / "grid.off";
+  WriteFile(path, OffText(PlanarGrid(2)));
+  const std::vector<std::string> question = {"path", path, "-s", "0",
+                                             "-t",   "1",  "-q"};
+  EXPECT_THAT(Geodesic(question).out,
+              ::testing::AllOf(HasSubstr("target  source"),
+                               ::testing::Not(HasSubstr("solver"))));
+  std::vector<std::string> to_file = question;
+  to_file.insert(to_file.end(), {"-o", folder_ / "path.obj"});
+  EXPECT_EQ(Geodesic(to_file).out, "");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "path.obj"));
+  EXPECT_EQ(
+      Geodesic({"field", path, "-s", "0", "-q", "-o", folder_ / "d.npy"}).out,
+      "");
+  EXPECT_EQ(Geodesic({"delete", path, "-q"}).out, "");
+}
+
+TEST_F(CommandTest, GrpcKeepsItsWordsToItself) {
+  std::vector<std::string> words = {"/usr/bin/env", "grpc_proxy=ftp://proxy"};
+  const std::vector<std::string> command = CommandLine({"meshes"});
+  words.insert(words.end(), command.begin(), command.end());
+  EXPECT_EQ(RunProgram(words).err, "");
+}
+
 TEST_F(CommandTest, ServerMayBeNamedByTheEnvironment) {
   const ProcessResult result =
       RunProgram({"/usr/bin/env", "GEODESIC_SERVER=" + server_.address(),

@@ -12,6 +12,7 @@ namespace {
 using nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class ErrorTest : public IntegrationTest {
  protected:
@@ -72,6 +73,32 @@ TEST_F(ErrorTest, MalformedFileIsNamedByLine) {
   WriteFile(folder_ / "bad.off",
             "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n");
   ExpectFailure({"upload", folder_ / "bad.off"}, 5, "INVALID_ARGUMENT", "4");
+}
+
+TEST_F(ErrorTest, AFaultOfAMeshNamesTheFileAndNoFieldOfTheProtocol) {
+  const std::string path = folder_ / "bad.off";
+  for (const std::string text :
+       {"", "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n",
+        "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"}) {
+    WriteFile(path, text);
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"upload", path},
+          {"field", path, "-s", "0"}}) {
+      const ProcessResult result = Geodesic(words);
+      EXPECT_EQ(result.exit_code, 5);
+      EXPECT_THAT(
+          result.err,
+          AllOf(HasSubstr("geodesic: " + path + ": "), Not(HasSubstr("chunk")),
+                Not(HasSubstr("size_bytes")), Not(HasSubstr("[field"))));
+    }
+  }
+}
+
+TEST_F(ErrorTest, ControlCharactersOfAFileAreEscaped) {
+  WriteFile(folder_ / "list.txt", "\x1b[31m3\n");
+  ExpectFailure(
+      {"field", folder_ / "grid.off", "--sources", folder_ / "list.txt"}, 3,
+      "INVALID_ARGUMENT", "'\\x1b[31m3'");
 }
 
 TEST_F(ErrorTest, UnknownOutputEndingFailsBeforeAnythingIsSent) {

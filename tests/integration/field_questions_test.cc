@@ -68,13 +68,6 @@ TEST_F(FieldQuestionsTest, RadiusEndsTheField) {
       ASSERT_EQ(field->distances[v], kInfinity);
     }
   }
-  // More of the same is no new computation.
-  absl::StatusOr<Field> wider =
-      client_.ComputeField({.mesh_digest = digest_,
-                            .sources = {{VertexPoint{0}}},
-                            .max_distance = 0.8});
-  ASSERT_TRUE(wider.ok()) << wider.status();
-  EXPECT_EQ(wider->origin, FieldOrigin::kContinued);
 }
 
 TEST_F(FieldQuestionsTest, SearchEndsAtTheTargets) {
@@ -186,7 +179,7 @@ TEST_F(FieldQuestionsTest, FieldStopsAtARadius) {
   const json field = GeodesicJson(
       {"field", grid_, "-s", "0", "-r", "0.5", "-o", folder_ / "d.csv"});
   EXPECT_GE(field["settled_radius"], 0.5);
-  EXPECT_LE(field["max_distance"], 0.5);
+  EXPECT_LE(field["largest_distance"], 0.5);
   size_t reached = 0;
   for (const std::vector<double>& row : Rows(FileBytes(folder_ / "d.csv"))) {
     const double expected = Euclid(At(0), At(static_cast<size_t>(row[0])));
@@ -211,8 +204,8 @@ TEST_F(FieldQuestionsTest, FieldStopsAtTargets) {
       HasSubstr("target"));
 }
 
-TEST_F(FieldQuestionsTest, FieldHasLabelsAndGradients) {
-  GeodesicJson({"field", grid_, "-s", "0", "-s", "80", "--labels",
+TEST_F(FieldQuestionsTest, FieldHasNearestSourcesAndGradients) {
+  GeodesicJson({"field", grid_, "-s", "0", "-s", "80", "--nearest-sources",
                 "--gradients", "-o", folder_ / "d.csv", "-o", folder_ / "d.npz",
                 "-o", folder_ / "d.png", "--size", "320x240"});
   for (const std::vector<double>& row : Rows(FileBytes(folder_ / "d.csv"))) {
@@ -227,7 +220,8 @@ TEST_F(FieldQuestionsTest, FieldHasLabelsAndGradients) {
     }
   }
   const std::string npz = FileBytes(folder_ / "d.npz");
-  for (const char* member : {"distances.npy", "labels.npy", "gradients.npy"}) {
+  for (const char* member :
+       {"distances.npy", "nearest_sources.npy", "gradients.npy"}) {
     EXPECT_THAT(npz, HasSubstr(member));
   }
   EXPECT_THAT(FileBytes(folder_ / "d.png"), StartsWith("\x89PNG"));

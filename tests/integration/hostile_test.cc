@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 
 #include "geodesic_client/client.h"
 #include "tests/integration/running_server.h"
+#include "tests/support/test_meshes.h"
 
 namespace geodesic::client {
 namespace {
@@ -15,10 +15,7 @@ namespace {
 using nlohmann::json;
 
 std::filesystem::path HostileFolder() {
-  const char* folder = std::getenv("GEODESIC_TEST_MESHES");
-  return std::filesystem::path(
-             folder != nullptr ? folder : GEODESIC_DEFAULT_TEST_MESHES) /
-         "hostile";
+  return test::TestMeshFolder() / "hostile";
 }
 
 class HostileTest : public IntegrationTest {

@@ -14,8 +14,6 @@
 namespace geodesic::client {
 namespace {
 
-using ::testing::ElementsAre;
-
 class LibraryTest : public IntegrationTest {
  protected:
   Client client_{server_.address()};
@@ -92,17 +90,6 @@ TEST_F(LibraryTest, UploadsOfSeveralChunksArriveWhole) {
   ASSERT_TRUE(file.ok()) << file.status();
   EXPECT_EQ(file->mesh.digest, upload->mesh.digest);
   EXPECT_TRUE(file->already_resident);
-}
-
-TEST_F(LibraryTest, FindMissingKeepsTheOrder) {
-  const MeshArrays mesh = PlanarGrid(3);
-  ASSERT_TRUE(client_.UploadArrays(mesh).ok());
-  const std::string a(64, 'a');
-  const std::string b(64, 'b');
-  absl::StatusOr<std::vector<std::string>> missing =
-      client_.FindMissing({b, MeshDigest(mesh), a});
-  ASSERT_TRUE(missing.ok()) << missing.status();
-  EXPECT_THAT(*missing, ElementsAre(b, a));
 }
 
 TEST_F(LibraryTest, ListsMoreMeshesThanAPageHolds) {

@@ -173,6 +173,15 @@ TEST_F(MatrixQuestionsTest, MatrixIsSparseWithinARadius) {
   EXPECT_THAT(text.out, StartsWith("source,target,distance\n0,0,0\n"));
 }
 
+TEST_F(MatrixQuestionsTest, TextNamesPlacesAsNearestAndPathDo) {
+  const ProcessResult result =
+      Geodesic({"matrix", grid_, "-s", "9:2", "-s", "face:7@0.5,0.25,0.25",
+                "-t", "9", "-t", "edge:0-1@0.5"});
+  EXPECT_THAT(result.out, StartsWith("source,target,distance\n9:2,9,2\n"
+                                     "9:2,edge:0-1@0.5,"));
+  EXPECT_THAT(result.out, HasSubstr("\n\"face:7@0.5,0.25,0.25\",9,"));
+}
+
 TEST_F(MatrixQuestionsTest, NearestAreListed) {
   const json answer = GeodesicJson(
       {"nearest", grid_, "-s", "0", "-t", "80", "-t", "3", "-t", "9", "-k", "2",

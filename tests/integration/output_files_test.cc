@@ -55,7 +55,7 @@ TEST_F(OutputFilesTest, SayWhatTheyAre) {
   EXPECT_EQ(field_["vertices"], kVertices);
   EXPECT_EQ(field_["unreachable_vertices"], 0);
   EXPECT_EQ(field_["farthest_vertex"], kVertices - 1);
-  EXPECT_NEAR(field_["max_distance"], std::sqrt(2), 1e-10);
+  EXPECT_NEAR(field_["largest_distance"], std::sqrt(2), 1e-10);
   EXPECT_EQ(field_["mesh"], MeshDigest(mesh_));
   EXPECT_GT(field_["relative_tolerance"], 0);
   EXPECT_GT(field_["statistics"]["windows_created"], 0);

@@ -178,6 +178,9 @@ TEST_F(WrongArgumentsTest, CountsAndLevels) {
        {"", "'0' is not a count", "a whole number from 1", kUsage}},
       {{"isolines", grid_, "-s", "0", "-n", "0"},
        {"", "'0' is not a count", "a whole number from 1", kUsage}},
+      {{"isolines", grid_, "-s", "0", "-n", "1000000"},
+       {"", "--count 1000000 is more than the 1000 levels", "max_levels",
+        kRefused}},
       {{"isolines", grid_, "-s", "0", "-l", "0"},
        {"", "'0' is not a level", "a distance above 0", kUsage}},
       {{"isolines", grid_, "-s", "0", "-l", "nan"},
@@ -252,7 +255,7 @@ TEST_F(WrongArgumentsTest, SourceOnAnIsolatedVertex) {
   const json field = GeodesicJson({"field", path, "-s", "81:0.5"});
   EXPECT_EQ(field["unreachable_vertices"], 81);
   EXPECT_EQ(field["farthest_vertex"], 81);
-  EXPECT_EQ(field["max_distance"], 0.5);
+  EXPECT_EQ(field["largest_distance"], 0.5);
   const json paths =
       GeodesicJson({"path", path, "-s", "81", "-t", "0"})["paths"];
   EXPECT_TRUE(paths[0]["distance"].is_null());

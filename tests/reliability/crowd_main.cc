@@ -64,7 +64,11 @@ constexpr std::chrono::milliseconds kMemoryInterval{100};
 WatchedServer::Options ServerOptions(const Options& options) {
   WatchedServer::Options server = options.server;
   const size_t requests = options.readers + options.uploads + 100;
-  server.flags = {"--max-requests", std::to_string(requests)};
+  // Each upload has a message that comes slowly.
+  constexpr size_t kMessageMib = 4;
+  server.flags = {"--max-requests", std::to_string(requests),
+                  "--receive-memory",
+                  std::to_string(kMessageMib * requests) + "MiB"};
   return server;
 }
 

@@ -14,7 +14,6 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -32,8 +31,8 @@ struct Options {
   uint64_t clients = 6;
   uint64_t meshes = 60;
   uint64_t seed = 1;
-  // Of load, before the server is killed.
-  uint64_t most_milliseconds = 800;
+  // From the server, before it is killed.
+  uint64_t most_answers = 400;
   std::string server = GEODESICD_BINARY;
 };
 
@@ -58,8 +57,7 @@ class Kill9 {
     RunningServer server = Start();
     std::vector<std::string> wrong = Check(server);
     MixedLoad load(server.address(), ledger_, options_.clients, random_());
-    std::this_thread::sleep_for(
-        std::chrono::milliseconds(random_() % options_.most_milliseconds));
+    load.AwaitAnswers(random_() % options_.most_answers);
     load.ExpectDeath();
     server.Kill();
     counts_ += load.Join();
@@ -159,8 +157,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--seed", options.seed, "Of the load and the moments")
       ->capture_default_str();
-  app.add_option("--most-milliseconds", options.most_milliseconds,
-                 "Longest load before the server is killed")
+  app.add_option("--most-answers", options.most_answers,
+                 "Answers from the server before it is killed, at most")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--server", options.server, "The geodesicd to kill")

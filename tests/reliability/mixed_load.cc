@@ -29,11 +29,16 @@ LoadCounts& LoadCounts::operator+=(const LoadCounts& other) {
 MixedLoad::MixedLoad(const std::string& address,
                      std::vector<LedgerMesh>& ledger, size_t clients,
                      uint64_t seed)
-    : ledger_(ledger), clients_(clients) {
+    : ledger_(ledger), clients_(clients), running_(clients) {
   for (size_t i = 0; i < clients; ++i) {
     threads_.emplace_back(
         [this, address, i, seed] { Run(address, i, seed + i); });
   }
+}
+
+void MixedLoad::AwaitAnswers(uint64_t answers) {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return answers_ >= answers || running_ == 0; });
 }
 
 LoadCounts MixedLoad::Join() {
@@ -57,9 +62,14 @@ void MixedLoad::Run(const std::string& address, size_t number, uint64_t seed) {
       const size_t any = is_own ? own : random() % ledger_.size();
       goes_on = Ask(client, ledger_[any], is_own, random(), counts);
     }
+    std::lock_guard lock(mutex_);
+    ++answers_;
+    changed_.notify_one();
   }
   std::lock_guard lock(mutex_);
   counts_ += counts;
+  --running_;
+  changed_.notify_one();
 }
 
 bool MixedLoad::Change(Client& client, LedgerMesh& mesh, LoadCounts& counts) {

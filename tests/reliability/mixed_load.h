@@ -4,6 +4,7 @@
 #define GEODESIC_TESTS_RELIABILITY_MIXED_LOAD_H_
 
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -34,6 +35,10 @@ class MixedLoad {
   MixedLoad(const std::string& address, std::vector<LedgerMesh>& ledger,
             size_t clients, uint64_t seed);
 
+  // Waits until the clients together have had so many answers, or all of them
+  // have noticed that the server is gone.
+  void AwaitAnswers(uint64_t answers);
+
   // To be called just before the server is killed: from now on calls may fail.
   void ExpectDeath() { is_dying_ = true; }
 
@@ -58,7 +63,10 @@ class MixedLoad {
   std::atomic<bool> is_dying_ = false;
 
   std::mutex mutex_;
+  std::condition_variable changed_;
   // Guarded by mutex_:
+  uint64_t answers_ = 0;
+  size_t running_;
   LoadCounts counts_;
   std::vector<std::string> wrong_;
 

@@ -17,9 +17,8 @@ struct Budget {
 };
 
 // Small, so that a load of seconds fills them.
-constexpr std::array<Budget, 5> kBudgets = {{{"--mesh-store", 64},
+constexpr std::array<Budget, 4> kBudgets = {{{"--mesh-store", 64},
                                              {"--field-cache", 64},
-                                             {"--computation-store", 32},
                                              {"--upload-memory", 96},
                                              {"--solver-memory", 128}}};
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "server/rpc/required_scope.h"
-#include "server/store/sha256.h"
+#include "digest/sha256.h"
+#include "server/rpc/calls/required_scope.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/generic_call.h"
 #include "tests/rpc/rpc_fixture.h"

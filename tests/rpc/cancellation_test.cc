@@ -4,10 +4,9 @@
 // nothing is left of the call: no job, no waiter, no memory set aside, no mesh
 // pinned.
 //
-// What is not in the table cannot be: a mesh is built without a pause and looks
-// up only when it is done, and nothing fails in a queue or in a stream. Of what
-// waits for memory, uploads are tried here; loads and solves in
-// tests/engine/mesh_loads_test.cc and admission_test.cc.
+// What is not in the table cannot be: nothing fails in a queue or in a stream.
+// Of what waits for memory, uploads are tried here; loads, solves, and uploads
+// that are being built in tests/engine.
 
 #include <grpcpp/create_channel.h>
 #include <grpcpp/security/credentials.h>
@@ -83,7 +82,7 @@ std::vector<Row> Table() {
 class EndlessSolvers {
  public:
   StartFunction Start() {
-    return [this](const Mesh& mesh, const Query& query,
+    return [this](const Mesh& mesh, const ValidQuery& query,
                   const SolveOptions& options)
                -> absl::StatusOr<std::unique_ptr<Computation>> {
       return std::make_unique<Endless>(*this, mesh, query, options);
@@ -113,7 +112,7 @@ class EndlessSolvers {
  private:
   class Endless final : public Computation {
    public:
-    Endless(EndlessSolvers& all, const Mesh& mesh, Query query,
+    Endless(EndlessSolvers& all, const Mesh& mesh, ValidQuery query,
             const SolveOptions& options)
         : all_(all), mesh_(mesh), query_(std::move(query)), options_(options) {}
 
@@ -138,7 +137,7 @@ class EndlessSolvers {
    private:
     EndlessSolvers& all_;
     const Mesh& mesh_;
-    const Query query_;
+    const ValidQuery query_;
     const SolveOptions options_;
     std::unique_ptr<Computation> computation_;
   };
@@ -155,9 +154,9 @@ class EndlessSolvers {
     std::lock_guard lock(mutex_);
     return endless_;
   }
-  absl::Status Verdict(const Query& query) {
+  absl::Status Verdict(const ValidQuery& query) {
     std::lock_guard lock(mutex_);
-    return query.sources[0].point == SurfacePoint(VertexPoint{failing_})
+    return query->sources == std::vector<Source>{{VertexPoint{failing_}}}
                ? absl::InternalError("the solver failed")
                : absl::OkStatus();
   }
@@ -316,8 +315,8 @@ class CancelMatrixTest : public test::RpcTest,
     EXPECT_TRUE(Until([&] {
       return engine().scheduler().running() == 0 &&
              engine().scheduler().queued() == 0 &&
-             engine().fields().flights().size() == 0 &&
-             engine().fields().flights().waiters() == 0 &&
+             engine().fields().jobs().size() == 0 &&
+             engine().fields().jobs().waiters() == 0 &&
              engine().loads().size() == 0 &&
              engine().solver_memory().used() == 0 &&
              engine().upload_memory().used() == 0;
@@ -459,7 +458,7 @@ void CancelMatrixTest::RunStream() {
   if (phase != Phase::kQueued) {
     EXPECT_TRUE(Until([&] {
       return engine().scheduler().running() == 0 &&
-             engine().fields().flights().size() == 0;
+             engine().fields().jobs().size() == 0;
     }));
     if (phase == Phase::kComputing) PrintFigure();
   } else {

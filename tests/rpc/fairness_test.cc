@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "server/rpc/call_metadata.h"
-#include "server/store/sha256.h"
+#include "digest/sha256.h"
+#include "server/rpc/calls/call_metadata.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/questions_fixture.h"
 #include "tests/support/temporary_folder.h"

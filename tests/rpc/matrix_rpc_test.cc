@@ -242,7 +242,7 @@ TEST_F(MatrixRpcTest, WrongArgumentsAreNamed) {
   EXPECT_EQ(Fault(request), "max_distance");
   request.clear_max_distance();
   request.mutable_sources(1)->set_offset(-1);
-  EXPECT_EQ(Fault(request), "sources[1].curve.offset");
+  EXPECT_EQ(Fault(request), "sources[1].offset");
   request.mutable_sources(1)->clear_offset();
   request.mutable_sources(3)->set_vertex(1000);
   EXPECT_EQ(Fault(request), "sources[3].vertex");

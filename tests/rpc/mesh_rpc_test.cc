@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "server/engine/mesh_digest.h"
+#include "server/engine/meshes/mesh_digest.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/curved_meshes.h"

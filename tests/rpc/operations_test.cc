@@ -65,8 +65,6 @@ TEST_F(OperationsTest, CapabilitiesTellTheLimits) {
   EXPECT_EQ(limits.max_samples(), options.limits.max_samples);
   EXPECT_EQ(limits.max_matrix_rows(), options.limits.max_matrix_rows);
   EXPECT_EQ(limits.max_matrix_values(), options.limits.max_matrix_values);
-  EXPECT_EQ(limits.computation_store_bytes(),
-            options.limits.computation_store_bytes);
   // This server keeps nothing on disk.
   EXPECT_EQ(limits.mesh_disk_bytes(), 0);
   EXPECT_EQ(limits.field_disk_bytes(), 0);

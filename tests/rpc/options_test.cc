@@ -124,7 +124,9 @@ TEST_F(OptionsTest, HelpExplainsEveryFlag) {
                            "--version",         "--tls-cert",
                            "--tls-key",         "--tls-client-ca",
                            "--insecure-listen", "--token-file",
-                           "--metrics-listen",  "--channelz"}) {
+                           "--metrics-listen",  "--channelz",
+                           "--receive-memory",  "--request-memory",
+                           "--receive-seconds", "--max-connection-streams"}) {
     EXPECT_THAT(out_, HasSubstr(flag));
   }
   EXPECT_THAT(out_, AllOf(HasSubstr("GEODESICD_MAX_UPLOAD_BYTES"),
@@ -146,6 +148,11 @@ TEST_F(OptionsTest, ErrorsNameTheFlag) {
   ExpectUsageError({"--max-message-bytes", "3GiB"}, "--max-message-bytes");
   ExpectUsageError({"--max-faces", "2000000000"}, "--max-faces");
   ExpectUsageError({"--log-level", "loud"}, "--log-level");
+  ExpectUsageError({"--receive-seconds", "0"}, "--receive-seconds");
+  ExpectUsageError({"--max-connection-streams", "0"},
+                   "--max-connection-streams");
+  ExpectUsageError({"--receive-memory", "1MiB"}, "--max-message-bytes");
+  ExpectUsageError({"--request-memory", "1MiB"}, "--max-message-bytes");
   ExpectUsageError({"--max-upload-bytes", "8GiB"}, "--upload-memory");
   ExpectUsageError({"--no-such-flag"}, "--no-such-flag");
   ExpectUsageError({"--config", "/nonexistent/file"}, "/nonexistent/file");

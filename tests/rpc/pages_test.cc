@@ -6,6 +6,7 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "tests/engine/uploads.h"
 #include "tests/rpc/rpc_fixture.h"
@@ -49,6 +50,22 @@ TEST_F(PagesTest, ADrainingServerIsAliveAndNotReady) {
   EXPECT_TRUE(server_->Wait());
   EXPECT_THAT(HttpGet(port, "/metrics"),
               HasSubstr("geodesic_jobs{state=\"running\"} 0"));
+}
+
+// Answered while all of them are still waited for.
+TEST_F(PagesTest, HalfRequestsHoldNobodyUp) {
+  const int port = server_->metrics_port();
+  std::vector<int> halves;
+  for (int i = 0; i < 50; ++i) {
+    halves.push_back(
+        geodesic::test::ConnectAndSend(port, "GET /livez HTTP/1.1\r\nHost:"));
+  }
+  EXPECT_THAT(HttpGet(port, "/livez"), StartsWith("HTTP/1.1 200 "));
+  for (const int half : halves) {
+    char byte;
+    EXPECT_EQ(recv(half, &byte, 1, MSG_DONTWAIT), -1) << "was given up";
+    close(half);
+  }
 }
 
 TEST_F(PagesTest, CancelledWorkIsCounted) {

@@ -132,6 +132,9 @@ TEST_F(QuantitiesTest, ALogMapNamesWhatIsWrong) {
   EXPECT_EQ(Fault(request), "source");
   request.mutable_source()->set_vertex(1000);
   EXPECT_EQ(Fault(request), "source.vertex");
+  v1::FacePoint& face = *request.mutable_source()->mutable_face();
+  for (const double weight : {0.5, -0.5, 1.0}) face.add_weights(weight);
+  EXPECT_EQ(Fault(request), "source.face.weights[1]");
   request.mutable_source()->set_vertex(0);
   request.set_max_distance(-1);
   EXPECT_EQ(Fault(request), "max_distance");

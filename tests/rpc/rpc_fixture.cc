@@ -101,7 +101,6 @@ ServerOptions RpcTest::SmallServer() {
                      .max_queued_jobs = 2,
                      .mesh_store_bytes = 512 * kMiB,
                      .field_cache_bytes = 64 * kMiB,
-                     .computation_store_bytes = 64 * kMiB,
                      .upload_memory_bytes = 1024 * kMiB,
                      .solver_memory_bytes = 1024 * kMiB,
                      .progress_interval = std::chrono::milliseconds(5)}};
@@ -110,7 +109,7 @@ ServerOptions RpcTest::SmallServer() {
 void RpcTest::Start(const ServerOptions& options, bool held) {
   StartFunction start = &StartComputation;
   if (held) {
-    start = [this](const Mesh& mesh, const Query& query,
+    start = [this](const Mesh& mesh, const ValidQuery& query,
                    const SolveOptions& solve_options)
         -> absl::StatusOr<std::unique_ptr<Computation>> {
       auto computation = StartComputation(mesh, query, solve_options);

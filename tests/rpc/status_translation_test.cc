@@ -1,13 +1,14 @@
-#include "server/rpc/status_translation.h"
+#include "server/rpc/calls/status_translation.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <string>
 
-#include "server/engine/argument_checks.h"
-#include "server/engine/error_reasons.h"
-#include "server/engine/status_details.h"
+#include "geodesic/field_path.h"
+#include "server/engine/base/argument_checks.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
 #include "tests/rpc/rpc_fixture.h"
 
 namespace geodesic::server {

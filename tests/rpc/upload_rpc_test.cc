@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "digest/sha256.h"
 #include "geodesic/read_mesh.h"
-#include "server/store/sha256.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/curved_meshes.h"

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "server/engine/error_reasons.h"
-#include "server/engine/status_details.h"
-#include "server/store/sha256.h"
+#include "digest/sha256.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geodesic::server {

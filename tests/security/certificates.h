@@ -32,6 +32,9 @@ class Authority {
   const Identity own_;
 };
 
+// A certificate of nobody's but its own, whose day has passed.
+Identity MakeExpired(const TemporaryFolder& folder);
+
 }  // namespace geodesic::client
 
 #endif  // GEODESIC_TESTS_SECURITY_CERTIFICATES_H_

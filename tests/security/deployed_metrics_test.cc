@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
+#include "digest/sha256.h"
 #include "geodesic_client/client.h"
-#include "server/store/sha256.h"
 #include "tests/integration/meshes.h"
 #include "tests/integration/running_server.h"
 #include "tests/security/certificates.h"
@@ -45,7 +45,7 @@ class DeployedMetricsTest : public ::testing::Test {
   DeployedMetricsTest() {
     WriteFile(tokens_, R"({"tokens": [{"name": "tester", "scopes": ["admin"],
                            "sha256": ")" +
-                           server::Sha256Hex("good-token") + R"("}]})");
+                           Sha256Hex("good-token") + R"("}]})");
     const RunningServer server(
         folder_, {"--tls-cert", identity_.certificate, "--tls-key",
                   identity_.key, "--token-file", tokens_, "--data-dir",

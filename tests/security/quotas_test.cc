@@ -8,11 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "server/engine/error_reasons.h"
-#include "server/engine/mesh_digest.h"
-#include "server/engine/status_details.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
 #include "tests/engine/fakes.h"
-#include "tests/engine/uploads.h"
 
 namespace geodesic::server {
 namespace {
@@ -93,11 +91,9 @@ TEST_F(QuotasTest, JobsAreGivenBackAtTheirEnd) {
   EXPECT_TRUE(quotas_.TakeJob(ci).ok());
 }
 
-TEST_F(QuotasTest, AMeshCountsUntilItsMemoryIsGone) {
-  auto mesh = *Mesh::Build(test::Tetrahedron());
-  auto resident = std::make_shared<const ResidentMesh>(
-      ResidentMesh{std::string(64, 'a'), mesh, {}});
-  const uint64_t bytes = mesh->resident_bytes();
+TEST_F(QuotasTest, MemoryCountsUntilItIsGone) {
+  auto resident = std::make_shared<const int>();
+  const uint64_t bytes = 1000;
   const Caller ci = Named("ci", {.resident_bytes = 2 * bytes - 1});
   {
     auto upload = quotas_.TakeJob(ci);
@@ -107,7 +103,7 @@ TEST_F(QuotasTest, AMeshCountsUntilItsMemoryIsGone) {
     auto other = quotas_.TakeJob(ci);
     ExpectExceeded(other->ReserveBytes(bytes), true);
     ExpectExceeded(other->ReserveBytes(2 * bytes), false);
-    upload->mesh_charge().Add(resident);
+    upload->memory_charge().Add(resident, bytes);
   }
   ExpectExceeded(quotas_.TakeJob(ci)->ReserveBytes(bytes), true);
   EXPECT_TRUE(quotas_.TakeJob(ci)->ReserveBytes(bytes - 1).ok());

@@ -133,6 +133,13 @@ TEST_F(TlsTest, WrongFilesAreNamedAtTheStart) {
               HasSubstr("--tls-cert"));
 }
 
+TEST_F(TlsTest, AnExpiredCertificateIsToldAtTheStart) {
+  const Identity expired = MakeExpired(folder_);
+  const RunningServer server(folder_, Flags(expired));
+  EXPECT_THAT(FileBytes(folder_ / "server.log"),
+              HasSubstr(expired.certificate + " has expired"));
+}
+
 TEST_F(TlsTest, OtherMachinesAreNotServedInClearUnlessThatIsMeant) {
   for (const char* address :
        {"0.0.0.0:0", "[::]:0", "meshes.test:0", "ipv4:127.0.0.1:0"}) {

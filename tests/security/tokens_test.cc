@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "digest/sha256.h"
 #include "geodesic_client/client.h"
 #include "geodesic_client/errors.h"
-#include "server/store/sha256.h"
 #include "tests/integration/meshes.h"
 #include "tests/integration/process.h"
 #include "tests/integration/running_server.h"
@@ -36,7 +36,7 @@ class TokensTest : public ::testing::Test {
     for (const Token& token : tokens) {
       text += text.empty() ? R"({"tokens": [)" : ", ";
       text += R"({"name": "owner-of-)" + token.token.substr(0, 4) +
-              R"(", "sha256": ")" + server::Sha256Hex(token.token) +
+              R"(", "sha256": ")" + Sha256Hex(token.token) +
               R"(", "scopes": )" + token.scopes + token.more + "}";
     }
     WriteFile(folder_ / "tokens.new", text + "]}");
@@ -87,7 +87,7 @@ TEST_F(TokensTest, EveryRefusalHasItsReason) {
   expect("late-token", "TOKEN_EXPIRED");
   expect("bad-token", "TOKEN_UNKNOWN");
   // A hash is no token.
-  expect(server::Sha256Hex("good-token"), "TOKEN_UNKNOWN");
+  expect(Sha256Hex("good-token"), "TOKEN_UNKNOWN");
   expect(std::string(5000, 'x'), "TOKEN_UNKNOWN");
 }
 
@@ -145,7 +145,7 @@ TEST_F(TokensTest, NoTokenGetsIntoTheLog) {
   EXPECT_THAT(log, HasSubstr("reason=TOKEN_UNKNOWN"));
   for (const std::string secret : {"read-token", "stray-token"}) {
     EXPECT_THAT(log, Not(HasSubstr(secret)));
-    EXPECT_THAT(log, Not(HasSubstr(server::Sha256Hex(secret))));
+    EXPECT_THAT(log, Not(HasSubstr(Sha256Hex(secret))));
   }
 }
 

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -13,6 +17,7 @@
 namespace geodesic::server {
 namespace {
 
+namespace fs = std::filesystem;
 using geodesic::test::FileBytes;
 using geodesic::test::WriteFile;
 using test::Name;
@@ -21,6 +26,7 @@ using test::Read;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 
 class BlobDamageTest : public test::BlobTest {
  protected:
@@ -124,6 +130,43 @@ TEST_F(BlobDamageTest, BytesTooMany) { ExpectNeverServed(good_ + '\0'); }
 
 TEST_F(BlobDamageTest, AnotherBlobsFile) {
   ExpectNeverServed(FileBytes(FileOf(Name('b'))));
+}
+
+// A name under which there is something else than a file.
+TEST_F(BlobDamageTest, WhatIsNoFileIsLeftOutByName) {
+  const std::string pipe = FileOf(Name('c'));
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int listener = socket(AF_UNIX, SOCK_STREAM, 0);
+  sockaddr_un address{.sun_family = AF_UNIX};
+  // An address is short, so it is given from within the folder.
+  const std::string socket_name = Name('d') + ".thing";
+  ASSERT_LT(socket_name.size(), sizeof(address.sun_path));
+  socket_name.copy(address.sun_path, socket_name.size());
+  const fs::path before = fs::current_path();
+  fs::current_path(fs::path(pipe).parent_path());
+  const int bound =
+      bind(listener, reinterpret_cast<sockaddr*>(&address), sizeof(address));
+  fs::current_path(before);
+  close(listener);
+  ASSERT_EQ(bound, 0);
+  fs::create_directory(FileOf(Name('e')));
+  fs::create_symlink("/dev/zero", FileOf(Name('f')));
+
+  ASSERT_TRUE(Open().ok());
+  EXPECT_EQ(store_->size(), 2);
+  EXPECT_THAT(warnings_,
+              UnorderedElementsAre(HasSubstr(Name('c')), HasSubstr(Name('d')),
+                                   HasSubstr(Name('e')), HasSubstr(Name('f'))));
+  EXPECT_EQ(*Read(*store_, Name('b')), "untouched");
+}
+
+// It takes the place of a file while the store is open.
+TEST_F(BlobDamageTest, APipeIsNotWaitedFor) {
+  fs::remove(FileOf(Name('a')));
+  ASSERT_EQ(mkfifo(FileOf(Name('a')).c_str(), 0600), 0);
+  const absl::Status status = Read(*store_, Name('a')).status();
+  EXPECT_TRUE(absl::IsUnavailable(status)) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr(Name('a')));
 }
 
 TEST_F(BlobDamageTest, EverySampleIsKept) {

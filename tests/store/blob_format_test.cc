@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "server/store/sha256.h"
+#include "digest/sha256.h"
 
 namespace geodesic::server {
 namespace {

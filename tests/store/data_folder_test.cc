@@ -72,5 +72,13 @@ TEST_F(DataFolderTest, SaysWhatIsInTheWay) {
   EXPECT_TRUE(absl::IsUnavailable(DataFolder::Open(path_).status()));
 }
 
+TEST_F(DataFolderTest, APipeIsNoLock) {
+  ASSERT_EQ(mkdir(path_.c_str(), 0700), 0);
+  ASSERT_EQ(mkfifo((path_ + "/lock").c_str(), 0600), 0);
+  const absl::Status status = DataFolder::Open(path_).status();
+  EXPECT_TRUE(absl::IsUnavailable(status));
+  EXPECT_THAT(std::string(status.message()), HasSubstr(path_ + "/lock"));
+}
+
 }  // namespace
 }  // namespace geodesic::server

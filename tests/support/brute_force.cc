@@ -149,7 +149,7 @@ class Unfolder {
  public:
   // `nodes` beyond the vertices.
   Unfolder(const TriangleSoup& soup, const std::vector<SurfacePoint>& nodes,
-           const std::vector<CurveSource>& curves)
+           const std::vector<Source>& curves)
       : soup_(soup), edges_(soup), inside_(soup.triangles.size()) {
     for (uint32_t v = 0; v < soup.positions.size(); ++v) {
       places_.push_back(PlacesOf(soup, VertexPoint{v}));
@@ -161,7 +161,9 @@ class Unfolder {
       }
       positions_.push_back(PositionIn(soup, node));
     }
-    for (uint32_t c = 0; c < curves.size(); ++c) AddCurve(c, curves[c]);
+    for (uint32_t c = 0; c < curves.size(); ++c) {
+      AddCurve(c, std::get<Curve>(curves[c].place));
+    }
     for (uint32_t h = 0; h < edges_.size(); ++h) {
       const Vec3 a = positions_[edges_.From(h)];
       const Vec3 b = positions_[edges_.To(h)];
@@ -199,7 +201,7 @@ class Unfolder {
   // Also where a curve is one point or stands still. Its points are pieces by
   // themselves in every face around them: seen from beyond an edge, a piece
   // that ends on it is seen all but edge-on there.
-  void AddCurve(uint32_t number, const CurveSource& curve) {
+  void AddCurve(uint32_t number, const Curve& curve) {
     std::vector<std::vector<Place>> places;
     for (const SurfacePoint& point : curve.points) {
       places.push_back(PlacesOf(soup_, point));
@@ -436,11 +438,10 @@ class Unfolder {
 
 BruteForce::BruteForce(const TriangleSoup& soup,
                        const std::vector<SurfacePoint>& points,
-                       const std::vector<CurveSource>& curves,
-                       uint64_t most_windows)
+                       const std::vector<Source>& curves, uint64_t most_windows)
     : vertex_count_(static_cast<uint32_t>(soup.positions.size())),
       points_(points) {
-  for (const CurveSource& curve : curves) {
+  for (const Source& curve : curves) {
     curve_offsets_.push_back(curve.offset);
   }
   Unfolder unfolder(soup, points, curves);
@@ -483,7 +484,7 @@ std::vector<double> BruteForce::Spread(std::vector<Real> distances) const {
 std::vector<Real> BruteForce::Seeds(std::span<const Source> sources) const {
   std::vector<Real> distances(direct_.size(), kInfinity);
   for (const Source& s : sources) {
-    Real& distance = distances[NodeAt(s.point)];
+    Real& distance = distances[NodeAt(std::get<SurfacePoint>(s.place))];
     distance = std::min<Real>(distance, s.offset);
   }
   return distances;

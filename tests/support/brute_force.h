@@ -30,12 +30,13 @@ namespace geodesic::test {
 
 class BruteForce {
  public:
-  // Unfolds from every vertex and every point. Meant for up to some hundred
+  // Unfolds from every vertex and every point. `curves` are sources that are
+  // curves. Meant for up to some hundred
   // faces; on long thin ones even those may take for ever, so that it gives up
   // after `most_windows`.
   explicit BruteForce(
       const TriangleSoup& soup, const std::vector<SurfacePoint>& points = {},
-      const std::vector<CurveSource>& curves = {},
+      const std::vector<Source>& curves = {},
       uint64_t most_windows = std::numeric_limits<uint64_t>::max());
 
   // False if it has given up: then it knows nothing.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geodesic/solve.h"
+#include "tests/support/edge_law.h"
 
 namespace geodesic::test {
 namespace {
@@ -54,10 +55,15 @@ std::vector<double> SolveOrFail(const Mesh& mesh, Algorithm algorithm,
   NoCheckpoint checkpoint;
   absl::StatusOr<DistanceField> field =
       Solve(mesh, {.sources = sources, .algorithm = algorithm}, {}, checkpoint);
-  if (field.ok()) return std::move(field->distances);
-  ADD_FAILURE() << AlgorithmName(algorithm) << ": "
-                << field.status().ToString();
-  return {};
+  if (!field.ok()) {
+    ADD_FAILURE() << AlgorithmName(algorithm) << ": "
+                  << field.status().ToString();
+    return {};
+  }
+  if (const auto breach = BreachOfEdgeLaw(mesh, field->distances)) {
+    ADD_FAILURE() << AlgorithmName(algorithm) << ": " << *breach;
+  }
+  return std::move(field->distances);
 }
 
 std::string Name(const SurfacePoint& point) {
@@ -74,6 +80,20 @@ std::string Name(const SurfacePoint& point) {
   return text.str();
 }
 
+std::string Name(const Source& source) {
+  std::ostringstream text;
+  if (const auto* curve = std::get_if<Curve>(&source.place)) {
+    text << "curve";
+    for (const SurfacePoint& point : curve->points) text << " " << Name(point);
+  } else {
+    text << Name(std::get<SurfacePoint>(source.place));
+  }
+  if (source.offset != 0) {
+    text << " + " << std::setprecision(17) << source.offset;
+  }
+  return text.str();
+}
+
 testing::AssertionResult FieldsAgree(const FieldContext& context,
                                      const std::vector<double>& expected,
                                      const std::vector<double>& got,
@@ -81,10 +101,7 @@ testing::AssertionResult FieldsAgree(const FieldContext& context,
   std::ostringstream text;
   text << std::setprecision(17) << context.mesh << ", " << context.algorithm
        << ", sources";
-  for (const Source& s : context.sources) {
-    text << " " << Name(s.point);
-    if (s.offset != 0) text << ":" << s.offset;
-  }
+  for (const Source& source : context.sources) text << "; " << Name(source);
   if (expected.size() != got.size()) {
     return testing::AssertionFailure()
            << text.str() << ": " << got.size() << " distances for "

@@ -15,6 +15,7 @@
 #include "geodesic/mesh.h"
 #include "geodesic/query.h"
 #include "geodesic/triangle_soup.h"
+#include "tests/support/queries.h"
 
 namespace geodesic::test {
 
@@ -32,6 +33,7 @@ struct NamedMesh {
 // Fails the test, and returns an empty result, if the mesh is refused or the
 // solver fails.
 std::shared_ptr<const Mesh> BuildOrFail(const NamedMesh& mesh);
+// Also fails the test if the field breaks the law of edges (edge_law.h).
 std::vector<double> SolveOrFail(const Mesh& mesh, Algorithm algorithm,
                                 const std::vector<Source>& sources);
 
@@ -42,8 +44,9 @@ struct FieldContext {
   std::string_view algorithm;
 };
 
-// A surface point in words, for messages.
+// In words, for messages.
 std::string Name(const SurfacePoint& point);
+std::string Name(const Source& source);
 
 // Success if at every vertex the two differ by at most kRelativeTolerance times
 // what is expected, plus `slack`, or are infinite both. Otherwise names the

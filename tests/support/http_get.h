@@ -14,24 +14,33 @@
 
 namespace geodesic::test {
 
-// The whole answer, head and body.
-// Errors: throws std::runtime_error if nobody answers on the port.
-inline std::string HttpGet(int port, const std::string& path) {
+// A connection to a port of this machine over which `bytes` were sent.
+// Errors: throws std::runtime_error if nobody takes them.
+inline int ConnectAndSend(int port, const std::string& bytes) {
   const int connection = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address = {};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  const std::string request = "GET " + path + " HTTP/1.1\r\nHost: test\r\n\r\n";
-  std::string answer;
   if (connect(connection, reinterpret_cast<const sockaddr*>(&address),
-              sizeof(address)) == 0 &&
-      write(connection, request.data(), request.size()) ==
-          static_cast<ssize_t>(request.size())) {
-    char buffer[4096];
-    for (ssize_t n = 0; (n = read(connection, buffer, sizeof(buffer))) > 0;) {
-      answer.append(buffer, static_cast<size_t>(n));
-    }
+              sizeof(address)) != 0 ||
+      write(connection, bytes.data(), bytes.size()) !=
+          static_cast<ssize_t>(bytes.size())) {
+    close(connection);
+    throw std::runtime_error("nobody listens on port " + std::to_string(port));
+  }
+  return connection;
+}
+
+// The whole answer, head and body.
+// Errors: throws std::runtime_error if nobody answers on the port.
+inline std::string HttpGet(int port, const std::string& path) {
+  const int connection =
+      ConnectAndSend(port, "GET " + path + " HTTP/1.1\r\nHost: test\r\n\r\n");
+  std::string answer;
+  char buffer[4096];
+  for (ssize_t n = 0; (n = read(connection, buffer, sizeof(buffer))) > 0;) {
+    answer.append(buffer, static_cast<size_t>(n));
   }
   close(connection);
   if (answer.empty()) throw std::runtime_error("no answer to GET " + path);

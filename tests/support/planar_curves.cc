@@ -60,9 +60,9 @@ double DistanceTo(const PlanarCurve& curve, const Point& p) {
   return curve.offset + least;
 }
 
-CurveSource OnMesh(const TriangleSoup& soup, const PlanarCurve& curve) {
+Source OnMesh(const TriangleSoup& soup, const PlanarCurve& curve) {
   constexpr double kSame = 1e-12;
-  CurveSource on_mesh{.offset = curve.offset};
+  Curve on_mesh;
   on_mesh.points.push_back(Locate(soup, curve.corners[0]));
   for (size_t i = 1; i < curve.corners.size(); ++i) {
     const Place &p = curve.corners[i - 1], &q = curve.corners[i];
@@ -110,7 +110,7 @@ CurveSource OnMesh(const TriangleSoup& soup, const PlanarCurve& curve) {
     }
     on_mesh.points.push_back(Locate(soup, q));
   }
-  return on_mesh;
+  return {std::move(on_mesh), curve.offset};
 }
 
 }  // namespace geodesic::test

@@ -21,7 +21,7 @@ double DistanceTo(const PlanarCurve& curve, const Point& p);
 
 // The curve as points of the mesh: its corners, and where it crosses edges.
 // REQUIRES: the mesh lies in the plane z = 0 and covers the curve.
-CurveSource OnMesh(const TriangleSoup& soup, const PlanarCurve& curve);
+Source OnMesh(const TriangleSoup& soup, const PlanarCurve& curve);
 
 }  // namespace geodesic::test
 

@@ -35,7 +35,6 @@ struct ServerLimits {
   // Of one matrix: its rows, and its rows times its columns.
   uint64_t max_matrix_rows = 0;
   uint64_t max_matrix_values = 0;
-  uint64_t computation_store_bytes = 0;
   // 0: nothing outlives the server.
   uint64_t mesh_disk_bytes = 0;
   uint64_t field_disk_bytes = 0;

@@ -78,7 +78,8 @@ class Client {
   // server does not know it.
   // Errors: those of CreateMesh in mesh_service.proto; NOT_FOUND or
   // PERMISSION_DENIED if the file cannot be opened, INVALID_ARGUMENT if it is
-  // no regular file; DATA_LOSS if it changes while it is read.
+  // no regular file; DATA_LOSS if it changes while it is read. What is wrong
+  // with the file is said with its path in front.
   absl::StatusOr<UploadOutcome> UploadFile(
       const std::string& path, MeshFormat format,
       const CallOptions& options = {},
@@ -99,12 +100,6 @@ class Client {
   // nothing if the server does not know the file. Errors: as UploadFile.
   absl::StatusOr<std::optional<std::string>> FindFile(
       const std::string& path, MeshFormat format,
-      const CallOptions& options = {});
-
-  // Which of these meshes are not resident, in the order given.
-  // Errors: INVALID_ARGUMENT for a malformed digest, or more than 1000.
-  absl::StatusOr<std::vector<std::string>> FindMissing(
-      const std::vector<std::string>& mesh_digests,
       const CallOptions& options = {});
 
   // Errors: INVALID_ARGUMENT for a malformed digest; NOT_FOUND: not resident,

@@ -41,13 +41,12 @@ struct FieldQuery {
 
 // Where a field came from.
 enum class FieldOrigin {
-  kSolved,     // Computed for this request.
-  kJoined,     // Another request had started the computation.
-  kCached,     // Taken from the server's cache.
-  kContinued,  // A computation that had stopped early went on.
+  kSolved,  // Computed for this request.
+  kJoined,  // Another request had started the computation.
+  kCached,  // Taken from the server's cache.
 };
 
-// "solved", "joined", "cached" or "continued".
+// "solved", "joined" or "cached".
 std::string_view FieldOriginName(FieldOrigin origin);
 
 // Figures of merit of the computation (of the first one, for a cached field).

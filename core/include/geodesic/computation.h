@@ -18,8 +18,8 @@
 #include "geodesic/checkpoint.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
-#include "geodesic/query.h"
 #include "geodesic/solve_options.h"
+#include "geodesic/valid_query.h"
 
 namespace geodesic {
 
@@ -50,12 +50,12 @@ class Computation {
   // After an Advance that stopped at a radius, that is settled_radius. O(V).
   virtual DistanceField Field() const = 0;
 
-  // Adds a source to a computation that has come to its end; the next Advance
-  // starts from it. What was certified is so no longer: distances may only
-  // become smaller. `offset` and point as in a Query. Its number follows those
-  // of the query's.
-  // Errors: INVALID_ARGUMENT as Validate; FAILED_PRECONDITION: the last Advance
-  // has left something to do, or the query asked for a trace.
+  // Adds a source, which is a point, to a computation that has come to its end;
+  // the next Advance starts from it. What was certified is so no longer:
+  // distances may only become smaller. Its number follows those of the query's.
+  // Errors: INVALID_ARGUMENT as ValidQuery::Make, or for a curve;
+  // FAILED_PRECONDITION: the last Advance has left something to do, or the
+  // query asked for a trace.
   virtual absl::Status AddSource(const Source& source) = 0;
 
   // Bytes held beside the mesh.
@@ -65,11 +65,11 @@ class Computation {
 // What to set aside before a computation of this query starts: what it holds
 // per vertex and target, and a quarter of the mesh for the rest. What it turns
 // out to need beyond that, Progress::solver_bytes tells. O(1).
-uint64_t PlannedSolverBytes(const Mesh& mesh, const Query& query);
+uint64_t PlannedSolverBytes(const Mesh& mesh, const ValidQuery& query);
 
-// Errors: INVALID_ARGUMENT as Validate, or for an option out of range.
+// Errors: INVALID_ARGUMENT for an option out of range.
 absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
-    const Mesh& mesh, const Query& query, const SolveOptions& options);
+    const Mesh& mesh, const ValidQuery& query, const SolveOptions& options);
 
 }  // namespace geodesic
 

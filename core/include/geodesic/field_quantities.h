@@ -10,25 +10,25 @@
 #include "absl/status/statusor.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
-#include "geodesic/query.h"
+#include "geodesic/valid_query.h"
 
 namespace geodesic {
 
 inline constexpr uint32_t kNoSource = 0xffffffffu;
 
-// The number (query.h) of the source whose path arrives at each vertex: its
+// The number of the source whose path arrives at each vertex: its
 // Voronoi cell. kNoSource where none does. At a tie, one of the nearest. O(V).
 // Errors: INVALID_ARGUMENT: a field without trace, or of another mesh or query;
 // INTERNAL: the trace leads in circles (a defect).
 absl::StatusOr<std::vector<uint32_t>> NearestSources(
-    const Mesh& mesh, const Query& query, const DistanceField& field);
+    const Mesh& mesh, const ValidQuery& query, const DistanceField& field);
 
 // The unit vector in space in which the shortest path arrives at each vertex:
 // the gradient of the distance there, in the plane of the path's last face. The
 // zero vector at sources and where no path arrives. O(V).
 // Errors: as NearestSources.
 absl::StatusOr<std::vector<Point>> Gradients(const Mesh& mesh,
-                                             const Query& query,
+                                             const ValidQuery& query,
                                              const DistanceField& field);
 
 }  // namespace geodesic

@@ -8,9 +8,9 @@
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
-#include "geodesic/query.h"
 #include "geodesic/solve_options.h"
 #include "geodesic/surface_point.h"
+#include "geodesic/valid_query.h"
 
 namespace geodesic {
 
@@ -47,10 +47,10 @@ struct Isoline {
 // Time: as Solve with that radius, and O(windows near an isoline * levels
 // there). Memory beside it: 16 bytes a face, and 56 a window within about a
 // face of an isoline until the wavefront has passed.
-// Errors: INVALID_ARGUMENT as Validate; no level, or one that is not finite and
+// Errors: INVALID_ARGUMENT: no level, or one that is not finite and
 // > 0; whatever `checkpoint` returns.
 absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
-    const Mesh& mesh, const Query& query, std::vector<double> levels,
+    const Mesh& mesh, const ValidQuery& query, std::vector<double> levels,
     const SolveOptions& options, Checkpoint& checkpoint);
 
 }  // namespace geodesic

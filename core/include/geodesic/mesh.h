@@ -58,6 +58,7 @@ struct alignas(64) HalfEdgeFrame {
 };
 static_assert(sizeof(HalfEdgeFrame) == 64);
 
+class Checkpoint;
 class ConeAngles;
 
 class Mesh {
@@ -68,6 +69,9 @@ class Mesh {
   // a vertex.
   // RESOURCE_EXHAUSTED: more faces or vertices than 32-bit numbers can name.
   static absl::StatusOr<std::shared_ptr<const Mesh>> Build(TriangleSoup soup);
+  // Likewise, and asks `checkpoint` between its steps. Errors: its own, too.
+  static absl::StatusOr<std::shared_ptr<const Mesh>> Build(
+      TriangleSoup soup, Checkpoint& checkpoint);
 
   // An upper bound on what Build needs at its peak and on what stays resident,
   // for admission before any memory is taken.
@@ -189,9 +193,6 @@ class Mesh {
   }
   void BuildFrames(std::span<const Exit> exits, ConeAngles& angles);
   void BuildOutgoing(const TriangleSoup& soup);
-  // Whether the face of h is no higher over its longest edge than this fraction
-  // of that edge.
-  bool IsNoHigher(HalfEdge h, double of_longest) const;
   // Whether the faces around v form one fan, closed or open.
   bool IsDisk(uint32_t v) const;
   void ClassifyVertices(std::span<const uint8_t> is_closed_fan,

@@ -10,8 +10,8 @@
 #include "absl/status/statusor.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
-#include "geodesic/query.h"
 #include "geodesic/surface_point.h"
+#include "geodesic/valid_query.h"
 
 namespace geodesic {
 
@@ -24,10 +24,13 @@ struct GeodesicPath {
   std::vector<SurfacePoint> points;
   // The same in space, in the unit of the mesh's file.
   std::vector<Point> positions;
-  // Sum of the lengths of its pieces: distance at the target less the source's
-  // offset, within 1e-10 relative. +infinity if there is no path.
+  // The distance at the target: the field's own bits. +infinity if there is no
+  // path.
+  double distance = 0;
+  // The same less the source's offset. The lengths of the pieces sum to it
+  // within 1e-10 relative and the rounding of coordinates.
   double length = 0;
-  // Where it starts: a number as in query.h.
+  // Where it starts: its number.
   uint32_t source = 0;
 };
 
@@ -43,7 +46,8 @@ class PathTracer {
   // the tracer. O(V + sources).
   // Errors: INVALID_ARGUMENT: a field without trace, or one of another mesh or
   // query.
-  static absl::StatusOr<PathTracer> Create(const Mesh& mesh, const Query& query,
+  static absl::StatusOr<PathTracer> Create(const Mesh& mesh,
+                                           const ValidQuery& query,
                                            const DistanceField& field);
   PathTracer(PathTracer&&) noexcept;
   PathTracer& operator=(PathTracer&&) noexcept;
@@ -64,11 +68,11 @@ class PathTracer {
 
 // The same for a single path.
 absl::StatusOr<GeodesicPath> TracePathToVertex(const Mesh& mesh,
-                                               const Query& query,
+                                               const ValidQuery& query,
                                                const DistanceField& field,
                                                uint32_t vertex);
 absl::StatusOr<GeodesicPath> TracePathToTarget(const Mesh& mesh,
-                                               const Query& query,
+                                               const ValidQuery& query,
                                                const DistanceField& field,
                                                uint32_t target);
 

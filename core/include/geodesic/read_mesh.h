@@ -43,16 +43,21 @@ std::string_view MeshFormatName(MeshFormat format);
 // Errors: INVALID_ARGUMENT naming the path and the endings that are known.
 absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path);
 
+class Checkpoint;
+
 struct ReadLimits {
   // DEFAULT: what 32-bit half-edge indices can address.
   uint64_t max_vertices = uint64_t{1} << 31;
   uint64_t max_triangles = (uint64_t{1} << 32) / 3 - 1;
+  // Asked now and then whether to go on. DEFAULT: nobody is.
+  Checkpoint* checkpoint = nullptr;
 };
 
 // Reads a whole file. Thread-safe; linear in the size of `bytes`.
 // Errors: INVALID_ARGUMENT for a malformed file, naming the line (text) or the
 // byte offset (binary) and the element; RESOURCE_EXHAUSTED when a limit is
-// passed, naming it. A file without faces is not an error here.
+// passed, naming it; what the checkpoint says. A file without faces is not an
+// error here.
 absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes, MeshFormat format,
                                       const ReadLimits& limits = {});
 

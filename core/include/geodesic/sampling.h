@@ -9,8 +9,8 @@
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
-#include "geodesic/query.h"
 #include "geodesic/solve_options.h"
+#include "geodesic/valid_query.h"
 
 namespace geodesic {
 
@@ -30,9 +30,9 @@ struct FarthestSample {
 // One computation that goes on with every sample: each costs O(V) and about the
 // area that it takes over, where `checkpoint` sees the settled radius start
 // from 0 again.
-// Errors: INVALID_ARGUMENT as Validate; whatever `checkpoint` returns.
+// Errors: whatever `checkpoint` returns.
 absl::StatusOr<std::vector<FarthestSample>> SampleFarthestPoints(
-    const Mesh& mesh, const Query& query, uint32_t count,
+    const Mesh& mesh, const ValidQuery& query, uint32_t count,
     const SolveOptions& options, Checkpoint& checkpoint);
 
 }  // namespace geodesic

@@ -1,8 +1,9 @@
 // Exact geodesic distances from one or many sources to every vertex and target.
 //
-//   Query query{.sources = {{VertexPoint{0}}}};
+//   absl::StatusOr<ValidQuery> query =
+//       ValidQuery::Make({.sources = {{VertexPoint{0}}}}, *mesh);
 //   NoCheckpoint checkpoint;
-//   absl::StatusOr<DistanceField> field = Solve(*mesh, query, {}, checkpoint);
+//   absl::StatusOr<DistanceField> field = Solve(*mesh, *query, {}, checkpoint);
 
 #ifndef GEODESIC_SOLVE_H_
 #define GEODESIC_SOLVE_H_
@@ -13,6 +14,7 @@
 #include "geodesic/mesh.h"
 #include "geodesic/query.h"
 #include "geodesic/solve_options.h"
+#include "geodesic/valid_query.h"
 
 namespace geodesic {
 
@@ -28,9 +30,17 @@ namespace geodesic {
 //   4. pure and thread-safe: no I/O, no shared state, and no threads unless
 //      options.threads asks for them; the bits do not depend on how many.
 //
-// Errors: INVALID_ARGUMENT as Validate; whatever `checkpoint` returns.
+// Errors: INVALID_ARGUMENT for an option out of range; INTERNAL: a vertex was
+// left out beside one that was reached (a defect; another algorithm may know
+// the answer); whatever `checkpoint` returns.
 // Time: O(n^2 log n) at worst, in practice about n^1.5 on smooth meshes and
 // less on rough ones. Memory beside the mesh: docs/algorithm.md.
+absl::StatusOr<DistanceField> Solve(const Mesh& mesh, const ValidQuery& query,
+                                    const SolveOptions& options,
+                                    Checkpoint& checkpoint);
+
+// The same for a query that is not yet valid.
+// Errors: as ValidQuery::Make, too.
 absl::StatusOr<DistanceField> Solve(const Mesh& mesh, const Query& query,
                                     const SolveOptions& options,
                                     Checkpoint& checkpoint);

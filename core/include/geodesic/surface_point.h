@@ -43,12 +43,13 @@ using SurfacePoint = std::variant<VertexPoint, EdgePoint, FacePoint>;
 // out.
 inline constexpr double kWeightSumTolerance = 1e-6;
 
-// Errors: INVALID_ARGUMENT that begins with `name` and says what is wrong, e.g.
-// "targets[2].face 99 is out of range: the mesh has 12 faces, numbered from 0":
-// an index out of range, an edge that is not in the mesh, t outside [0, 1], a
-// weight that is negative or not finite, weights that do not sum to 1.
+// `path` names the point. Errors: INVALID_ARGUMENT that begins with the path of
+// what is wrong and carries it (field_path.h), e.g. "targets[2].face.face 99 is
+// out of range: the mesh has 12 faces, numbered from 0": an index out of range,
+// an edge that is not in the mesh, t outside [0, 1], a weight that is negative
+// or not finite, weights that do not sum to 1.
 absl::Status Validate(const SurfacePoint& point, const Mesh& mesh,
-                      const std::string& name);
+                      const std::string& path);
 
 // The same point in one fixed form: on the lowest element that holds it (a
 // weight or t of 0, or below 1e-18, leads to an edge or a vertex), edges from

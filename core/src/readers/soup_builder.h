@@ -15,7 +15,8 @@ namespace geodesic {
 // Polygons arrive corner by corner, so that no polygon is ever held beside its
 // triangles, however many corners it claims.
 //
-// Errors of all calls: RESOURCE_EXHAUSTED naming the limit that is passed.
+// Errors of all calls: RESOURCE_EXHAUSTED naming the limit that is passed; what
+// the limits' checkpoint says.
 class SoupBuilder {
  public:
   explicit SoupBuilder(const ReadLimits& limits);
@@ -26,7 +27,9 @@ class SoupBuilder {
   absl::Status ReserveTriangles(uint64_t count);
 
   absl::Status AddVertex(const Point& point) {
-    if (soup_.positions.size() >= max_vertices_) return TooManyVertices();
+    if (soup_.positions.size() >= next_vertices_) {
+      if (absl::Status status = PauseAtVertex(); !status.ok()) return status;
+    }
     soup_.positions.push_back(point);
     return absl::OkStatus();
   }
@@ -36,7 +39,11 @@ class SoupBuilder {
   void BeginFace() { corners_ = 0; }
   absl::Status AddCorner(uint32_t vertex) {
     if (corners_ >= 2) {
-      if (soup_.triangles.size() >= max_triangles_) return TooManyTriangles();
+      if (soup_.triangles.size() >= next_triangles_) {
+        if (absl::Status status = PauseAtTriangle(); !status.ok()) {
+          return status;
+        }
+      }
       soup_.triangles.push_back({first_, previous_, vertex});
     } else if (corners_ == 0) {
       first_ = vertex;
@@ -51,11 +58,18 @@ class SoupBuilder {
   TriangleSoup Take() && { return std::move(soup_); }
 
  private:
+  // Ask whether to go on.
+  absl::Status PauseAtVertex();
+  absl::Status PauseAtTriangle();
   absl::Status TooManyVertices() const;
   absl::Status TooManyTriangles() const;
 
-  uint64_t max_vertices_;
-  uint64_t max_triangles_;
+  const uint64_t max_vertices_;
+  const uint64_t max_triangles_;
+  Checkpoint* const checkpoint_;
+  // How many there may be before the next pause; not above the limits.
+  uint64_t next_vertices_ = 0;
+  uint64_t next_triangles_ = 0;
   TriangleSoup soup_;
   // Of the polygon at hand.
   uint64_t corners_ = 0;

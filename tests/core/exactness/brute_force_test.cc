@@ -61,7 +61,7 @@ TEST(BruteForceComparison, CurvesThatEndOnEdges) {
   const FacePoint node{
       1, {8.7052580812239745e-10, 0.99999999870099854, 4.2847566226357701e-10}};
   const EdgePoint end{2, 0, 0.045761953606791902};
-  const CurveSource curve{{FacePoint{0, {0.001, 0.159, 0.84}}, end}};
+  const Source curve{Curve{{FacePoint{0, {0.001, 0.159, 0.84}}, end}}};
   const BruteForce brute_force(soup, {node}, {curve});
   // In the plane, straight to the curve's end.
   const Point from = PositionOf(node, *BuildOrFail({"two faces", soup}));

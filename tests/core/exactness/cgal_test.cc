@@ -10,6 +10,7 @@
 #include "tests/support/cgal_oracle.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
+#include "tests/support/gentle_saddles.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/test_meshes.h"
 
@@ -41,6 +42,9 @@ TEST(CgalComparison, GeneratedMeshes) {
            {"terrain", Terrain(24, 20, 1.5, 7)},
            {"saddle fan",
             Fan({.spokes = 16, .rings = 6, .total_angle = 9}).soup()},
+           {"gentle saddles in a row", SaddleRow(200, 0.97e-9, 24)},
+           {"faces behind a gentle saddle", SaddleCluster(0.97e-9, 6, 10)},
+           {"hyperbolic grid", HyperbolicGrid(16, 20, 1e-3)},
            {"plate with a hole",
             MakePlate(WithHole({.columns = 12, .rows = 12}), 0.5)},
            {"jittered U",

@@ -29,7 +29,7 @@ class Curves : public EveryAlgorithm {
     ASSERT_NE(mesh, nullptr);
     Query query{.sources = points, .algorithm = GetParam().algorithm};
     for (const PlanarCurve& curve : curves) {
-      query.curves.push_back(OnMesh(soup, curve));
+      query.sources.push_back(OnMesh(soup, curve));
     }
     // Points inside faces as targets.
     for (uint32_t f = 0; f < mesh->face_count(); f += 3) {
@@ -46,7 +46,7 @@ class Curves : public EveryAlgorithm {
         least = std::min(least, DistanceTo(curve, p));
       }
       for (const Source& source : points) {
-        const Point q = PositionOf(source.point, *mesh);
+        const Point q = PositionOf(PointOf(source), *mesh);
         least = std::min(least,
                          source.offset + std::hypot(p[0] - q[0], p[1] - q[1]));
       }
@@ -119,7 +119,7 @@ TEST_P(Curves, EndNearVertices) {
     for (uint32_t f = 0; f < mesh->face_count(); f += 5) {
       const uint32_t a = soup.triangles[f][0], b = soup.triangles[f][1];
       if (std::max(a, b) >= kGridVertices) continue;
-      Query query{.curves = {{{EdgePoint{a, b, t}, VertexPoint{b}}}},
+      Query query{.sources = {{Curve{{EdgePoint{a, b, t}, VertexPoint{b}}}}},
                   .algorithm = GetParam().algorithm};
       NoCheckpoint checkpoint;
       const auto field = Solve(*mesh, query, {}, checkpoint);
@@ -146,7 +146,7 @@ TEST_P(Curves, RunInEveryFaceThatHoldsThem) {
   const std::shared_ptr<const Mesh> mesh = BuildOrFail({"two sheets", soup});
   ASSERT_NE(mesh, nullptr);
   const EdgePoint start{a, b, 0.4};
-  Query query{.curves = {{{start, VertexPoint{c}}}},
+  Query query{.sources = {{Curve{{start, VertexPoint{c}}}}},
               .algorithm = GetParam().algorithm};
   for (uint32_t f = 0; f < mesh->face_count(); ++f) {
     query.targets.push_back(FacePoint{f, {0.5, 0.3, 0.2}});
@@ -180,11 +180,12 @@ TEST_P(Curves, AreNowhereNearerThanTheirOffset) {
           soup.triangles[f].end()) {
         continue;
       }
-      Query query{.curves = {{{VertexPoint{c}, FacePoint{f, {0.38, 0.3, 0.32}},
-                               EdgePoint{a, b, 0.58}, EdgePoint{b, c, 0.49},
-                               EdgePoint{c, a, 0.95}}}},
-                  .algorithm = GetParam().algorithm};
-      query.targets = query.curves[0].points;
+      const Curve curve{{VertexPoint{c}, FacePoint{f, {0.38, 0.3, 0.32}},
+                         EdgePoint{a, b, 0.58}, EdgePoint{b, c, 0.49},
+                         EdgePoint{c, a, 0.95}}};
+      const Query query{.sources = {{curve}},
+                        .targets = curve.points,
+                        .algorithm = GetParam().algorithm};
       NoCheckpoint checkpoint;
       const auto field = Solve(*mesh, query, {}, checkpoint);
       ASSERT_TRUE(field.ok()) << field.status();

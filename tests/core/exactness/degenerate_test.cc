@@ -157,6 +157,33 @@ TEST_P(DegenerateMeshes, WindowsDoNotGoRoundSacksForEver) {
   }
 }
 
+// The same round a vertex of hardly any angle, close to a source: distances at
+// the vertex are less there than the rounding of a place on the edge.
+TEST_P(DegenerateMeshes, WindowsDoNotGoRoundSpikesForEver) {
+  // A needle, there twice, and a face through which the source sees it.
+  const TriangleSoup soup = {
+      {{-2.9550162213877655, 1.7609383355124615, -3.2770312019469272},
+       {-2.4559909778145417, 1.7379631808282747, -3.4126598894785465},
+       {-3.4473857569924897, 2.4673107224915443, -3.1842395457637878},
+       {-3.2012009892150037, 2.1141245289943731, -3.2306353739083495}},
+      {{0, 1, 2}, {2, 0, 3}, {2, 0, 3}}};
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"spike", soup});
+  ASSERT_NE(mesh, nullptr);
+  for (const double t : {1e-15, 1e-14, 1e-12, 1e-6}) {
+    const Query query{.sources = {{EdgePoint{0, 1, t}}},
+                      .algorithm = GetParam().algorithm};
+    ManyWindows checkpoint;
+    const auto field = Solve(*mesh, query, {}, checkpoint);
+    ASSERT_TRUE(field.ok()) << field.status() << ", t " << t;
+    const double length =
+        static_cast<double>(Distance(soup.positions[0], soup.positions[1]));
+    EXPECT_TRUE(FieldsAgree({"spike", query.sources, GetParam().name},
+                            SolveOn(*mesh, {{VertexPoint{0}}}),
+                            field->distances,
+                            t * length + 4 * CoordinateRounding(soup)));
+  }
+}
+
 // Few faces, around one without area.
 TEST_P(DegenerateMeshes, PathsCrossFacesWithoutArea) {
   const std::vector<NamedMesh> meshes = {

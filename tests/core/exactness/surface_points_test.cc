@@ -108,7 +108,7 @@ TEST_P(SurfacePoints, OffsetsInThePlane) {
       double offset = j == 0 ? 0.5 : 1e9;
       for (const Source& other : sources) {
         const Real apart = Norm(PositionIn(named.soup, point) -
-                                PositionIn(named.soup, other.point));
+                                PositionIn(named.soup, PointOf(other)));
         offset = std::min(offset, static_cast<double>(other.offset + apart));
       }
       sources.push_back(
@@ -120,9 +120,9 @@ TEST_P(SurfacePoints, OffsetsInThePlane) {
     const auto expect = [&](const Vec3& p) {
       Real least = std::numeric_limits<Real>::infinity();
       for (const Source& source : sources) {
-        least =
-            std::min(least, source.offset +
-                                Norm(p - PositionIn(named.soup, source.point)));
+        least = std::min(
+            least,
+            source.offset + Norm(p - PositionIn(named.soup, PointOf(source))));
       }
       expected.push_back(static_cast<double>(least));
     };
@@ -264,16 +264,18 @@ TEST(CurvesOnRandomMeshes, AgreeWithBruteForce) {
                           TurnFaces(soup, seed)};
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
     ASSERT_NE(mesh, nullptr);
-    Query query{.sources = {{RandomSurfacePoint(soup, random), 0.3}},
-                .targets = ManyPoints(named.soup, 8, random)};
+    const std::vector<Source> point = {{RandomSurfacePoint(soup, random), 0.3}};
+    Query query{.sources = point, .targets = ManyPoints(named.soup, 8, random)};
+    std::vector<Source> curves;
     for (int i = 0; i < 2; ++i) {
-      query.curves.push_back(
-          {RandomCurve(named.soup, 5, random), random.Uniform(0, 0.5)});
+      curves.push_back(
+          {Curve{RandomCurve(named.soup, 5, random)}, random.Uniform(0, 0.5)});
+      query.sources.push_back(curves.back());
     }
     std::vector<SurfacePoint> points = query.targets;
-    points.push_back(query.sources[0].point);
-    std::vector<double> expected = BruteForce(named.soup, points, query.curves)
-                                       .DistancesFromAll(query.sources);
+    points.push_back(PointOf(point[0]));
+    std::vector<double> expected =
+        BruteForce(named.soup, points, curves).DistancesFromAll(point);
     expected.pop_back();
     for (const AlgorithmInfo& info : kAlgorithms) {
       query.algorithm = info.algorithm;

@@ -5,9 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "geodesic/query.h"
 #include "geodesic/solve.h"
+#include "geodesic/valid_query.h"
 #include "tests/support/planar_meshes.h"
+#include "tests/support/queries.h"
 
 namespace geodesic {
 namespace {
@@ -17,6 +18,11 @@ const Source kAtVertex{VertexPoint{1}};
 
 std::shared_ptr<const Mesh> Grid() {
   return *Mesh::Build(test::MakeGrid({.columns = 4, .rows = 4}));
+}
+
+// The algorithm that runs for a query.
+Algorithm AlgorithmFor(const Query& query, const Mesh& mesh) {
+  return test::Valid(mesh, query)->algorithm;
 }
 
 TEST(AlgorithmForTest, ListsGiveWayToTheMmpRuleToo) {
@@ -49,10 +55,11 @@ TEST(AlgorithmForTest, TrimmingTakesItsPlaceWhereRaysMayPassASource) {
   const auto mesh = Grid();
   EXPECT_EQ(AlgorithmFor({.sources = {kInFace, kAtVertex}}, *mesh),
             Algorithm::kFwpMmp);
-  EXPECT_EQ(AlgorithmFor({.curves = {{{VertexPoint{0}, VertexPoint{1}}}},
-                          .algorithm = Algorithm::kIch},
-                         *mesh),
-            Algorithm::kMmp);
+  EXPECT_EQ(
+      AlgorithmFor({.sources = {{Curve{{VertexPoint{0}, VertexPoint{1}}}}},
+                    .algorithm = Algorithm::kIch},
+                   *mesh),
+      Algorithm::kMmp);
   EXPECT_EQ(
       AlgorithmFor({.sources = {kInFace}, .algorithm = Algorithm::kCh}, *mesh),
       Algorithm::kMmp);

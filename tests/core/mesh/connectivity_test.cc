@@ -1,4 +1,4 @@
-#include "connectivity.h"
+#include "mesh/connectivity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "locality.h"
+#include "mesh/locality.h"
 
 #include <gtest/gtest.h>
 

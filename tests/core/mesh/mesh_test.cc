@@ -1,5 +1,6 @@
 #include "geodesic/mesh.h"
 
+#include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +14,7 @@
 #include "geodesic/open_mesh.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
+#include "tests/support/curved_meshes.h"
 #include "tests/support/planar_meshes.h"
 
 namespace geodesic {
@@ -276,7 +278,7 @@ TEST(MeshTest, OpenMeshSeesTheSameConnectivity) {
   const auto mesh =
       Mesh::Build(test::MakeGrid(test::WithHole({.columns = 6, .rows = 6})));
   ASSERT_TRUE(mesh.ok());
-  const OpenMesh::TriConnectivity kernel = ToOpenMesh(**mesh);
+  const OpenMesh::TriMesh kernel = ToOpenMesh(**mesh);
   ASSERT_EQ(kernel.n_vertices(), (*mesh)->vertex_count());
   ASSERT_EQ(kernel.n_faces(), (*mesh)->face_count());
   for (const auto face : kernel.faces()) {
@@ -292,6 +294,39 @@ TEST(MeshTest, OpenMeshSeesTheSameConnectivity) {
     uint32_t valence = 0;
     for (const auto face : kernel.vf_range(v)) valence += face.is_valid();
     EXPECT_EQ(valence, (*mesh)->Outgoing(v.idx()).size());
+  }
+}
+
+TEST(MeshTest, GoesToOpenMeshAndBack) {
+  for (const TriangleSoup& soup :
+       {test::MakeGrid(
+            test::WithHole({.columns = 6, .rows = 6, .jitter = 0.2})),
+        test::Icosphere(2)}) {
+    const auto mesh = Mesh::Build(soup);
+    ASSERT_TRUE(mesh.ok());
+    const TriangleSoup back = FromOpenMesh(ToOpenMesh(**mesh));
+    EXPECT_EQ(back.positions, soup.positions);
+    EXPECT_EQ(back.triangles, soup.triangles);
+  }
+}
+
+TEST(MeshTest, OpenMeshSubdividesIt) {
+  const auto mesh = Mesh::Build(test::Icosphere(1));
+  ASSERT_TRUE(mesh.ok());
+  OpenMesh::TriMesh smooth = ToOpenMesh(**mesh);
+  OpenMesh::Subdivider::Uniform::LoopT<OpenMesh::TriMesh> loop;
+  loop.attach(smooth);
+  loop(2);
+  loop.detach();
+  const auto finer = Mesh::Build(FromOpenMesh(smooth));
+  ASSERT_TRUE(finer.ok()) << finer.status();
+  EXPECT_EQ((*finer)->face_count(), 16 * (*mesh)->face_count());
+  // As many as Euler says for a sphere.
+  EXPECT_EQ((*finer)->vertex_count(), (*finer)->face_count() / 2 + 2);
+  // Loop's rule averages: the surface stays within the sphere.
+  for (const Point& p : (*finer)->positions()) {
+    EXPECT_LE(std::hypot(p[0], p[1], p[2]), 1);
+    EXPECT_GE(std::hypot(p[0], p[1], p[2]), 0.8);
   }
 }
 

@@ -1,10 +1,12 @@
-#include "geodesic/query.h"
-
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "geodesic/field_path.h"
+#include "geodesic/valid_query.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "tests/support/planar_meshes.h"
@@ -23,73 +25,101 @@ std::shared_ptr<const Mesh> Strip() {
   return *Mesh::Build(test::MakeGrid({.columns = 4, .rows = 1}));
 }
 
-std::string RefusalOf(const Query& query) {
-  const absl::Status status = Validate(query, *Strip());
+// What is refused: its path, and why.
+struct Refusal {
+  std::string path;
+  std::string message;
+};
+
+Refusal RefusalOf(const Query& query) {
+  const absl::Status status = ValidQuery::Make(query, *Strip()).status();
   EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << status;
-  return std::string(status.message());
+  return {FieldPathOf(status).value_or(""), std::string(status.message())};
 }
 
-std::string RefusalOf(const SurfacePoint& point) {
+Refusal RefusalOf(const SurfacePoint& point) {
   return RefusalOf(Query{.sources = {{VertexPoint{0}}, {point}}});
 }
 
+// The message begins with the path and goes on with `why`.
+MATCHER_P2(Refuses, path, why, "") {
+  return arg.path == path && arg.message.starts_with(path) &&
+         arg.message.find(why) != std::string::npos;
+}
+
 TEST(QueryTest, RefusalsNameTheSource) {
-  EXPECT_THAT(RefusalOf(Query{}), HasSubstr("sources is empty"));
+  EXPECT_THAT(RefusalOf(Query{}), Refuses("sources", "is empty"));
   EXPECT_THAT(RefusalOf(VertexPoint{10}),
-              HasSubstr("sources[1].vertex 10 is out of range"));
+              Refuses("sources[1].vertex",
+                      "10 is out of range: the mesh has "
+                      "10 vertices, numbered from 0"));
   for (double offset : {-1.0, kInfinity, kNan}) {
     EXPECT_THAT(RefusalOf(Query{.sources = {{VertexPoint{3}, offset}}}),
-                HasSubstr("sources[0].offset"));
+                Refuses("sources[0].offset", "not a finite number >= 0"));
   }
   EXPECT_THAT(RefusalOf(Query{.sources = {{VertexPoint{0}}},
                               .algorithm = Algorithm(99)}),
-              HasSubstr("algorithm"));
+              Refuses("algorithm", "unknown"));
 }
 
 // The strip is 4 long. Far larger offsets leave no digits for its distances.
 TEST(QueryTest, OffsetsAreBoundedByTheSizeOfTheMesh) {
-  EXPECT_EQ(Validate(Query{.sources = {{VertexPoint{3}, 1e6}}}, *Strip()),
-            absl::OkStatus());
+  EXPECT_TRUE(
+      ValidQuery::Make({.sources = {{VertexPoint{3}, 1e6}}}, *Strip()).ok());
   for (double offset : {1e7, 2e272}) {
     EXPECT_THAT(RefusalOf(Query{.sources = {{VertexPoint{3}, offset}}}),
-                HasSubstr("size of the mesh"));
+                Refuses("sources[0].offset", "size of the mesh"));
   }
 }
 
 TEST(QueryTest, RefusalsNamePointsOffTheSurface) {
-  EXPECT_THAT(RefusalOf(EdgePoint{0, 10, 0.5}), HasSubstr("edge.to 10"));
+  EXPECT_THAT(RefusalOf(EdgePoint{10, 0, 0.5}),
+              Refuses("sources[1].edge.from", "10 is out of range"));
+  EXPECT_THAT(RefusalOf(EdgePoint{0, 10, 0.5}),
+              Refuses("sources[1].edge.to", "10 is out of range"));
   EXPECT_THAT(RefusalOf(EdgePoint{0, 4, 0.5}),
-              HasSubstr("no edge between vertices 0 and 4"));
+              Refuses("sources[1].edge", "no edge between vertices 0 and 4"));
   for (double t : {-0.1, 1.1, kNan}) {
-    EXPECT_THAT(RefusalOf(EdgePoint{0, 1, t}), HasSubstr("sources[1].edge.t"));
+    EXPECT_THAT(RefusalOf(EdgePoint{0, 1, t}),
+                Refuses("sources[1].edge.t", "not within [0, 1]"));
   }
-  EXPECT_THAT(RefusalOf(FacePoint{8, {1, 0, 0}}), HasSubstr("face 8"));
+  EXPECT_THAT(RefusalOf(FacePoint{8, {1, 0, 0}}),
+              Refuses("sources[1].face.face", "8 is out of range"));
   EXPECT_THAT(RefusalOf(FacePoint{2, {-0.1, 0.6, 0.5}}),
-              HasSubstr("outside face 2"));
-  EXPECT_THAT(RefusalOf(FacePoint{2, {0, kNan, 0.5}}), HasSubstr("weights[1]"));
+              Refuses("sources[1].face.weights[0]", "outside face 2"));
+  EXPECT_THAT(RefusalOf(FacePoint{2, {0, kNan, 0.5}}),
+              Refuses("sources[1].face.weights[1]", "outside face 2"));
   EXPECT_THAT(RefusalOf(FacePoint{2, {0.5, 0.5, 0.5}}),
-              HasSubstr("sum to 1.5"));
+              Refuses("sources[1].face.weights", "sum to 1.5"));
 }
 
 TEST(QueryTest, RefusalsNameCurvesAndTargets) {
-  EXPECT_THAT(RefusalOf(Query{.curves = {{}}}),
-              HasSubstr("curves[0].points is empty"));
-  EXPECT_THAT(RefusalOf(Query{.curves = {{{VertexPoint{0}, VertexPoint{4}}}}}),
-              HasSubstr("curves[0].points[0] and [1] lie in no common face"));
-  EXPECT_THAT(RefusalOf(Query{.curves = {{{VertexPoint{0}}, kNan}}}),
-              HasSubstr("curves[0].offset"));
+  const auto after_a_point = [](Curve curve, double offset = 0) {
+    return RefusalOf(
+        Query{.sources = {{VertexPoint{0}}, {std::move(curve), offset}}});
+  };
+  EXPECT_THAT(after_a_point({}),
+              Refuses("sources[1].curve.points", "is empty"));
+  EXPECT_THAT(after_a_point({{VertexPoint{0}, VertexPoint{10}}}),
+              Refuses("sources[1].curve.points[1].vertex", "10 is out of"));
+  const Refusal apart = after_a_point({{VertexPoint{0}, VertexPoint{4}}});
+  EXPECT_EQ(apart.path, "sources[1].curve.points[1]");
+  EXPECT_THAT(apart.message, HasSubstr("sources[1].curve.points[0] and [1] lie "
+                                       "in no common face"));
+  EXPECT_THAT(after_a_point({{VertexPoint{0}}}, kNan),
+              Refuses("sources[1].offset", "not a finite number"));
   EXPECT_THAT(RefusalOf(Query{.sources = {{VertexPoint{0}}},
                               .targets = {VertexPoint{0}, VertexPoint{11}}}),
-              HasSubstr("targets[1].vertex 11"));
+              Refuses("targets[1].vertex", "11 is out of range"));
 }
 
 TEST(QueryTest, EveryListedAlgorithmIsValidAndKnownByName) {
   const auto mesh = Strip();
   for (const AlgorithmInfo& info : kAlgorithms) {
-    EXPECT_TRUE(Validate(Query{.sources = {{VertexPoint{9}}},
-                               .algorithm = info.algorithm},
-                         *mesh)
-                    .ok());
+    EXPECT_TRUE(
+        ValidQuery::Make(
+            {.sources = {{VertexPoint{9}}}, .algorithm = info.algorithm}, *mesh)
+            .ok());
     EXPECT_EQ(*AlgorithmFromName(info.name), info.algorithm);
     EXPECT_EQ(AlgorithmName(info.algorithm), info.name);
   }
@@ -97,15 +127,67 @@ TEST(QueryTest, EveryListedAlgorithmIsValidAndKnownByName) {
               HasSubstr("fwp-ch"));
 }
 
-TEST(QueryTest, CanonicalFormSortsAndKeepsTheLeastOffset) {
-  const auto at = [](uint32_t vertex, double offset) {
-    return Source{VertexPoint{vertex}, offset};
+Source At(uint32_t vertex, double offset = 0) {
+  return {VertexPoint{vertex}, offset};
+}
+
+TEST(QueryTest, AValidQueryHasWhatWasGivenInCanonicalForm) {
+  const auto mesh = Strip();
+  const Triangle corners = mesh->triangle(3);
+  const Source curve = {
+      Curve{{FacePoint{3, {0, 1, 0}}, VertexPoint{corners[2]}}}, 2};
+  const absl::StatusOr<ValidQuery> query =
+      ValidQuery::Make({.sources = {At(5, 2), curve, At(1, -0.0), At(5, 1)},
+                        .targets = {EdgePoint{1, 0, 0}, VertexPoint{7}}},
+                       *mesh);
+  ASSERT_TRUE(query.ok()) << query.status();
+  const Source canonical = {
+      Curve{{VertexPoint{corners[1]}, VertexPoint{corners[2]}}}, 2};
+  EXPECT_THAT((*query)->sources,
+              ElementsAre(At(5, 2), canonical, At(1, 0), At(5, 1)));
+  EXPECT_FALSE(std::signbit((*query)->sources[2].offset));
+  EXPECT_THAT((*query)->targets, ElementsAre(SurfacePoint(VertexPoint{1}),
+                                             SurfacePoint(VertexPoint{7})));
+}
+
+TEST(QueryTest, SortingKeepsTheLeastOffsetAndCurvesAsTheyCome) {
+  const auto mesh = Strip();
+  const Source first{Curve{{VertexPoint{6}}}}, second{Curve{{VertexPoint{2}}}};
+  const auto sorted = [&](std::vector<Source> sources) {
+    return ValidQuery::Make({.sources = std::move(sources)}, *mesh)->Sorted();
   };
-  const Query canonical = Canonicalize(
-      Query{.sources = {at(5, 2), at(1, -0.0), at(5, 1), at(1, 0), at(3, 0)}},
-      *Strip());
-  EXPECT_THAT(canonical.sources, ElementsAre(at(1, 0), at(3, 0), at(5, 1)));
-  EXPECT_FALSE(std::signbit(canonical.sources[0].offset));
+  const SortedQuery one =
+      sorted({At(5, 2), first, At(1), At(5, 1), At(1), second, At(3)});
+  EXPECT_THAT(one.query->sources,
+              ElementsAre(At(1), At(3), At(5, 1), first, second));
+  EXPECT_THAT(one.numbers, ElementsAre(2, 6, 3, 1, 5));
+  EXPECT_EQ(one.query, sorted({first, At(3), At(5, 1), second, At(1)}).query);
+  EXPECT_NE(one.query, sorted({second, At(3), At(5, 1), first, At(1)}).query);
+}
+
+TEST(QueryTest, PartsOfAQuestion) {
+  const auto mesh = Strip();
+  const absl::StatusOr<ValidQuery> query = ValidQuery::Make(
+      {.sources = {At(1), {EdgePoint{0, 1, 0.5}, 2}},
+       .targets = {VertexPoint{1}, EdgePoint{0, 1, 0.25}, VertexPoint{2}},
+       .algorithm = Algorithm::kFwpList,
+       .trace = true},
+      *mesh);
+  ASSERT_TRUE(query.ok()) << query.status();
+  EXPECT_EQ((*query)->algorithm, Algorithm::kFwpMmp);
+  EXPECT_THAT(query->WithoutVertexTargets()->targets,
+              ElementsAre(SurfacePoint(EdgePoint{0, 1, 0.25})));
+  EXPECT_FALSE(query->WithTrace(false)->trace);
+  EXPECT_EQ(query->WithTrace(false).WithTrace(true), *query);
+  const ValidQuery alone = query->DistancesAlone();
+  EXPECT_EQ(alone->sources, (*query)->sources);
+  EXPECT_TRUE(alone->targets.empty());
+  EXPECT_FALSE(alone->trace);
+  const ValidQuery second = query->OfSource(1, *mesh);
+  EXPECT_THAT(second->sources, ElementsAre((*query)->sources[1]));
+  EXPECT_EQ(second->targets, (*query)->targets);
+  // What was asked for, which several sources do not allow.
+  EXPECT_EQ(second->algorithm, Algorithm::kFwpList);
 }
 
 TEST(QueryTest, CanonicalPointsLieOnTheLowestElement) {

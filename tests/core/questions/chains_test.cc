@@ -1,6 +1,6 @@
 // Segments put together into chains.
 
-#include "isolines/chains.h"
+#include "questions/isolines/chains.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

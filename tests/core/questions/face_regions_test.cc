@@ -1,6 +1,6 @@
 // Crossings around a face joined, with the regions given.
 
-#include "isolines/face_regions.h"
+#include "questions/isolines/face_regions.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -31,7 +31,7 @@ class GradientsTest : public EveryAlgorithm {
     query_ = query;
     field_ = SolveTraced(*mesh_, query_);
     absl::StatusOr<std::vector<Point>> gradients =
-        Gradients(*mesh_, query_, field_);
+        Gradients(*mesh_, Valid(*mesh_, query_), field_);
     ASSERT_TRUE(gradients.ok()) << gradients.status();
     ASSERT_EQ(gradients->size(), mesh_->vertex_count());
     gradients_ = *std::move(gradients);
@@ -45,7 +45,7 @@ class GradientsTest : public EveryAlgorithm {
     for (uint32_t v = 0; v < gradients_.size(); ++v) {
       const Vec3 gradient = ToVec3(gradients_[v]);
       const absl::StatusOr<GeodesicPath> path =
-          TracePathToVertex(*mesh_, query_, field_, v);
+          TracePathToVertex(*mesh_, Valid(*mesh_, query_), field_, v);
       ASSERT_TRUE(path.ok()) << path.status();
       if (path->points.size() < 2) {
         EXPECT_EQ(Norm(gradient), 0) << named.name << " " << v;
@@ -101,7 +101,7 @@ TEST_P(GradientsTest, RunAlongPaths) {
       MakeGrid({.columns = 12, .rows = 10, .jitter = 0.24, .seed = 5});
   ExpectAlongPaths(
       {"curve", grid},
-      {.curves = {OnMesh(grid, {{{2.2, 1.1}, {6.1, 7.3}, {10.3, 3.9}}, 0})}});
+      {.sources = {OnMesh(grid, {{{2.2, 1.1}, {6.1, 7.3}, {10.3, 3.9}}, 0})}});
 }
 
 // A step back along the gradient shortens the distance by its length.
@@ -181,7 +181,8 @@ TEST(Gradients, SaySoWhenTheTraceIsMissing) {
   const Query query{.sources = {{VertexPoint{0}}}, .trace = true};
   DistanceField field = SolveTraced(*mesh, query);
   field.arrivals.clear();
-  EXPECT_TRUE(absl::IsInvalidArgument(Gradients(*mesh, query, field).status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(
+      Gradients(*mesh, Valid(*mesh, query), field).status()));
 }
 
 }  // namespace

@@ -186,7 +186,8 @@ class IsolineCheck {
 std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
                                     const std::vector<double>& levels) {
   NoCheckpoint checkpoint;
-  auto isolines = ComputeIsolines(mesh, query, levels, {}, checkpoint);
+  auto isolines =
+      ComputeIsolines(mesh, Valid(mesh, query), levels, {}, checkpoint);
   if (isolines.ok()) return *std::move(isolines);
   ADD_FAILURE() << isolines.status().ToString();
   return {};

@@ -262,7 +262,7 @@ TEST_P(Isolines, AroundCurves) {
           std::vector{bent, short_one, straight}}) {
       Query query = From({});
       for (const PlanarCurve& curve : curves) {
-        query.curves.push_back(OnMesh(named.soup, curve));
+        query.sources.push_back(OnMesh(named.soup, curve));
       }
       ExpectIsolines(named, query, levels, 300, 1e-14);
       for (const Isoline& isoline : IsolinesOrFail(*mesh, query, levels)) {
@@ -277,7 +277,7 @@ TEST_P(Isolines, AroundCurves) {
     }
     // A ring around one curve: its sides, and a circle's worth of ends.
     Query query = From({});
-    query.curves = {OnMesh(named.soup, {{{3.3, 4.2}, {8.4, 5.9}}, 0})};
+    query.sources = {OnMesh(named.soup, {{{3.3, 4.2}, {8.4, 5.9}}, 0})};
     const auto rings = IsolinesOrFail(*mesh, query, {1.7});
     ASSERT_EQ(rings.size(), 1u);
     EXPECT_TRUE(rings[0].is_closed);
@@ -294,7 +294,7 @@ TEST_P(Isolines, ACircleThatMeetsAParallel) {
   const auto mesh = BuildOrFail({"grid", soup});
   ASSERT_NE(mesh, nullptr);
   Query query = From({{PointAt(soup, 6.9, 3.3)}});
-  query.curves = {OnMesh(soup, {{{2.2, 0.2}, {2.2, 5.8}}, 0})};
+  query.sources.push_back(OnMesh(soup, {{{2.2, 0.2}, {2.2, 5.8}}, 0}));
   const double meeting = (6.9 - 2.2) / 2;
   for (const double part : {0.99, 0.9999, 0.99999999}) {
     const auto apart = IsolinesOrFail(*mesh, query, {meeting * part});
@@ -456,27 +456,26 @@ TEST(IsolinesErrors, SayWhatIsWrong) {
   ASSERT_NE(mesh, nullptr);
   NoCheckpoint checkpoint;
   const Query query{.sources = {{VertexPoint{0}}}};
-  const auto error = [&](const Query& asked, std::vector<double> levels) {
-    return ComputeIsolines(*mesh, asked, std::move(levels), {}, checkpoint)
+  const auto error = [&](std::vector<double> levels) {
+    return ComputeIsolines(*mesh, Valid(*mesh, query), std::move(levels), {},
+                           checkpoint)
         .status();
   };
-  EXPECT_EQ(error(query, {}),
+  EXPECT_EQ(error({}),
             absl::InvalidArgumentError("levels is empty: name at least one"));
+  EXPECT_EQ(error({1, 0}), absl::InvalidArgumentError(
+                               "levels[1] 0 is not a finite number > 0"));
   EXPECT_EQ(
-      error(query, {1, 0}),
-      absl::InvalidArgumentError("levels[1] 0 is not a finite number > 0"));
-  EXPECT_EQ(
-      error(query, {std::numeric_limits<double>::infinity()}),
+      error({std::numeric_limits<double>::infinity()}),
       absl::InvalidArgumentError("levels[0] inf is not a finite number > 0"));
-  EXPECT_EQ(error({}, {1}),
-            absl::InvalidArgumentError("sources is empty: name at least one"));
   class Cancel final : public Checkpoint {
     absl::Status Poll(const Progress&) override {
       return absl::CancelledError("enough");
     }
   } cancel;
-  EXPECT_EQ(ComputeIsolines(*mesh, query, {1}, {}, cancel).status(),
-            absl::CancelledError("enough"));
+  EXPECT_EQ(
+      ComputeIsolines(*mesh, Valid(*mesh, query), {1}, {}, cancel).status(),
+      absl::CancelledError("enough"));
 }
 
 // With so many levels that every window is kept for a while, faces are dealt
@@ -503,7 +502,8 @@ TEST(IsolinesOfManyLevels, AreThoseOfEachLevel) {
   std::vector<double> levels;
   for (int i = 1; i < 150; ++i) levels.push_back(0.0207 * i);
   Peak peak;
-  const auto isolines = ComputeIsolines(*mesh, query, levels, {}, peak);
+  const auto isolines =
+      ComputeIsolines(*mesh, Valid(*mesh, query), levels, {}, peak);
   ASSERT_TRUE(isolines.ok()) << isolines.status();
   EXPECT_LT(peak.bytes(), peak.windows() * sizeof(double) * 3);
   for (size_t i = 0; i < levels.size(); i += 37) {
@@ -538,12 +538,15 @@ TEST(IsolinesErrors, CancelAtAnyPoll) {
   const Query query{.sources = {{VertexPoint{0}}}};
   const std::vector<double> levels = SpreadLevels(*mesh, query, 30);
   CancelAt never(UINT64_MAX);
-  ASSERT_TRUE(ComputeIsolines(*mesh, query, levels, {}, never).ok());
+  ASSERT_TRUE(
+      ComputeIsolines(*mesh, Valid(*mesh, query), levels, {}, never).ok());
   EXPECT_GT(never.polls(), 20u);
   for (uint64_t poll = 0; poll < never.polls(); ++poll) {
     CancelAt checkpoint(poll);
-    EXPECT_EQ(ComputeIsolines(*mesh, query, levels, {}, checkpoint).status(),
-              absl::CancelledError("enough"));
+    EXPECT_EQ(
+        ComputeIsolines(*mesh, Valid(*mesh, query), levels, {}, checkpoint)
+            .status(),
+        absl::CancelledError("enough"));
     EXPECT_EQ(checkpoint.polls(), poll + 1);
   }
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "geodesic/field_path.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/core/questions/path_check.h"
 #include "tests/support/curved_meshes.h"
@@ -30,7 +31,8 @@ class LogMapTest : public EveryAlgorithm {
     const Query query{
         .sources = {source}, .algorithm = GetParam().algorithm, .trace = true};
     field_ = SolveTraced(*mesh_, query);
-    absl::StatusOr<LogMap> map = ComputeLogMap(*mesh_, query, field_);
+    absl::StatusOr<LogMap> map =
+        ComputeLogMap(*mesh_, Valid(*mesh_, query), field_);
     ASSERT_TRUE(map.ok()) << map.status();
     ASSERT_EQ(map->coordinates.size(), mesh_->vertex_count());
     map_ = *std::move(map);
@@ -178,11 +180,16 @@ TEST(LogMap, RefusesWhatHasNoDirections) {
   const auto status = [](const TriangleSoup& soup, Query query) {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail({"mesh", soup});
     query.trace = true;
-    return ComputeLogMap(*mesh, query, SolveTraced(*mesh, query)).status();
+    return ComputeLogMap(*mesh, Valid(*mesh, query), SolveTraced(*mesh, query))
+        .status();
   };
   EXPECT_EQ(status(sphere, {.sources = {{VertexPoint{0}}, {VertexPoint{1}}}}),
-            absl::InvalidArgumentError("a log map has one source point: the "
-                                       "query has 2 and 0 curves"));
+            InvalidField("sources",
+                         "sources: a log map has exactly one, which "
+                         "is a point"));
+  EXPECT_EQ(
+      FieldPathOf(status(sphere, {.sources = {{Curve{{VertexPoint{0}}}}}})),
+      "sources");
   EXPECT_EQ(status(touching, {.sources = {{VertexPoint{0}}}}),
             absl::InvalidArgumentError(
                 "source vertex 0: the surface around it is not one oriented "

@@ -29,7 +29,7 @@ class NearestSourcesTest : public EveryAlgorithm {
     const Query query{
         .sources = sources, .algorithm = GetParam().algorithm, .trace = true};
     const absl::StatusOr<std::vector<uint32_t>> labels =
-        NearestSources(*mesh, query, SolveTraced(*mesh, query));
+        NearestSources(*mesh, Valid(*mesh, query), SolveTraced(*mesh, query));
     ASSERT_TRUE(labels.ok()) << labels.status();
     std::vector<std::vector<double>> fields;
     for (const Source& source : sources) {
@@ -77,33 +77,35 @@ TEST_P(NearestSourcesTest, LeaveOutDominatedSources) {
                     .algorithm = GetParam().algorithm,
                     .trace = true};
   const absl::StatusOr<std::vector<uint32_t>> labels =
-      NearestSources(*mesh, query, SolveTraced(*mesh, query));
+      NearestSources(*mesh, Valid(*mesh, query), SolveTraced(*mesh, query));
   ASSERT_TRUE(labels.ok()) << labels.status();
   EXPECT_EQ(*labels, std::vector<uint32_t>(mesh->vertex_count(), 1));
 }
 
-// On a plane, where each curve's distance is Euclid's: two of them, numbered
-// after the point.
-TEST_P(NearestSourcesTest, CountCurvesAfterPoints) {
+// On a plane, where each curve's distance is Euclid's: a point between two of
+// them.
+TEST_P(NearestSourcesTest, AreNumberedAsTheyAreListed) {
   const TriangleSoup grid =
       MakeGrid({.columns = 12, .rows = 12, .jitter = 0.2, .seed = 3});
   const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", grid});
   ASSERT_NE(mesh, nullptr);
   const PlanarCurve low{{{1.3, 1.1}, {10.2, 1.9}}, 0.25};
   const PlanarCurve high{{{2.4, 9.7}, {6.1, 10.4}, {9.8, 8.2}}, 0};
-  const Query query{.sources = {{VertexPoint{6 * 13 + 12}, 0.5}},
-                    .curves = {OnMesh(grid, low), OnMesh(grid, high)},
+  const Query query{.sources = {OnMesh(grid, low),
+                                {VertexPoint{6 * 13 + 12}, 0.5},
+                                OnMesh(grid, high)},
                     .algorithm = GetParam().algorithm,
                     .trace = true};
   const absl::StatusOr<std::vector<uint32_t>> labels =
-      NearestSources(*mesh, query, SolveTraced(*mesh, query));
+      NearestSources(*mesh, Valid(*mesh, query), SolveTraced(*mesh, query));
   ASSERT_TRUE(labels.ok()) << labels.status();
   std::vector<uint32_t> count(3);
   for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
     const Point& p = grid.positions[v];
     const std::vector<double> distances = {
+        DistanceTo(low, p),
         0.5 + static_cast<double>(Distance(p, grid.positions[6 * 13 + 12])),
-        DistanceTo(low, p), DistanceTo(high, p)};
+        DistanceTo(high, p)};
     const uint32_t label = (*labels)[v];
     ASSERT_LT(label, 3u) << v;
     EXPECT_LE(distances[label],
@@ -131,10 +133,11 @@ TEST(NearestSources, SaysSoWhenTheTraceIsMissingOrBroken) {
   DistanceField field = SolveTraced(*mesh, query);
   field.arrivals[1] = {.pseudo_source = 2};
   field.arrivals[2] = {.pseudo_source = 1};
-  EXPECT_TRUE(absl::IsInternal(NearestSources(*mesh, query, field).status()));
+  EXPECT_TRUE(absl::IsInternal(
+      NearestSources(*mesh, Valid(*mesh, query), field).status()));
   field.arrivals.clear();
-  EXPECT_TRUE(
-      absl::IsInvalidArgument(NearestSources(*mesh, query, field).status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(
+      NearestSources(*mesh, Valid(*mesh, query), field).status()));
 }
 
 }  // namespace

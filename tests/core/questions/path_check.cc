@@ -255,7 +255,7 @@ void CheckAllPaths(const std::string& name, const Mesh& mesh, Query query,
   query.trace = true;
   const DistanceField field = SolveTraced(mesh, query);
   const absl::StatusOr<PathTracer> tracer =
-      PathTracer::Create(mesh, query, field);
+      PathTracer::Create(mesh, Valid(mesh, query), field);
   ASSERT_TRUE(tracer.ok()) << tracer.status();
   int failures = 0;
   const auto check = [&](const absl::StatusOr<GeodesicPath>& path,
@@ -264,26 +264,25 @@ void CheckAllPaths(const std::string& name, const Mesh& mesh, Query query,
     testing::AssertionResult result = testing::AssertionSuccess();
     if (!path.ok()) {
       result = testing::AssertionFailure() << path.status();
+    } else if (path->distance != distance) {
+      result = testing::AssertionFailure()
+               << "the path tells a distance of " << path->distance;
     } else if (std::isinf(distance)) {
       if (!path->points.empty() || path->length != distance) {
         result = testing::AssertionFailure()
                  << "a path to where none leads, " << path->length << " long";
       }
-    } else if (path->source >= SourceCount(query)) {
-      result = testing::AssertionFailure() << "no source " << path->source;
     } else if (path->source >= query.sources.size()) {
-      // From somewhere on a curve.
-      const CurveSource& curve =
-          query.curves[path->source - query.sources.size()];
-      result = path->points.empty()
-                   ? testing::AssertionFailure() << "the path has no points"
-                   : IsShortestPath(mesh, *path, path->points[0],
-                                    Canonicalize(target, mesh),
-                                    distance - curve.offset, options);
+      result = testing::AssertionFailure() << "no source " << path->source;
+    } else if (path->points.empty()) {
+      result = testing::AssertionFailure() << "the path has no points";
     } else {
       const Source& source = query.sources[path->source];
-      result = IsShortestPath(mesh, *path, Canonicalize(source.point, mesh),
-                              Canonicalize(target, mesh),
+      // On a curve it may start anywhere.
+      const SurfacePoint from = IsCurve(source)
+                                    ? path->points[0]
+                                    : Canonicalize(PointOf(source), mesh);
+      result = IsShortestPath(mesh, *path, from, Canonicalize(target, mesh),
                               distance - source.offset, options);
     }
     if (!result && ++failures <= kMostReported) {

@@ -242,14 +242,14 @@ TEST_P(Paths, FromCurves) {
                 .algorithm = GetParam().algorithm,
                 .trace = true};
     for (const PlanarCurve& curve : curves) {
-      query.curves.push_back(OnMesh(soup, curve));
+      query.sources.push_back(OnMesh(soup, curve));
     }
     CheckAllPaths("curves in a grid", *mesh, query, {.slack = 1e-14});
     // Each starts on the curve that it names.
     const DistanceField field = SolveTraced(*mesh, query);
     for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
       const absl::StatusOr<GeodesicPath> path =
-          TracePathToVertex(*mesh, query, field, v);
+          TracePathToVertex(*mesh, Valid(*mesh, query), field, v);
       ASSERT_TRUE(path.ok()) << path.status();
       PlanarCurve curve = curves[path->source];
       curve.offset = 0;
@@ -266,7 +266,7 @@ TEST_P(Paths, FromCurves) {
     return copy;
   }();
   CheckAllPaths("curve on terrain", *mesh,
-                {.curves = {OnMesh(flat, {{{2.2, 1.1}, {9.1, 7.3}}, 0})},
+                {.sources = {OnMesh(flat, {{{2.2, 1.1}, {9.1, 7.3}}, 0})},
                  .targets = RandomPoints(soup, 40, 3),
                  .algorithm = GetParam().algorithm},
                 {.slack = 1e-14});
@@ -333,7 +333,7 @@ TEST(PathTracer, GivesOnePointWhereSourceAndTargetCoincide) {
         .sources = {{point, 2}}, .targets = {point}, .trace = true};
     const DistanceField field = SolveTraced(*mesh, query);
     const absl::StatusOr<GeodesicPath> path =
-        TracePathToTarget(*mesh, query, field, 0);
+        TracePathToTarget(*mesh, Valid(*mesh, query), field, 0);
     ASSERT_TRUE(path.ok()) << path.status();
     EXPECT_EQ(path->points.size(), 1);
     EXPECT_EQ(path->length, 0);
@@ -353,7 +353,7 @@ TEST(PathTracer, ReversesToAPathOfTheSameLength) {
                         .trace = true};
       const DistanceField field = SolveTraced(*mesh, query);
       const absl::StatusOr<GeodesicPath> path =
-          TracePathToTarget(*mesh, query, field, 0);
+          TracePathToTarget(*mesh, Valid(*mesh, query), field, 0);
       ASSERT_TRUE(path.ok()) << path.status();
       lengths[reversed] = path->length;
     }
@@ -372,10 +372,10 @@ TEST(PathTracer, FollowsTheStraightLineInAPlane) {
   const Query query{.sources = {{FacePoint{57, {0.5, 0.3, 0.2}}}},
                     .trace = true};
   const DistanceField field = SolveTraced(*mesh, query);
-  const Point from = PositionOf(query.sources[0].point, *mesh);
+  const Point from = PositionOf(PointOf(query.sources[0]), *mesh);
   for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
     const absl::StatusOr<GeodesicPath> path =
-        TracePathToVertex(*mesh, query, field, v);
+        TracePathToVertex(*mesh, Valid(*mesh, query), field, v);
     ASSERT_TRUE(path.ok()) << path.status();
     const Point& to = soup.positions[v];
     double walked = 0;
@@ -397,7 +397,7 @@ TEST(PathTracer, TakesWhatIsNotCertifiedForNotReached) {
   ASSERT_NE(mesh, nullptr);
   const Query query{.sources = {{VertexPoint{0}}}, .trace = true};
   absl::StatusOr<std::unique_ptr<Computation>> computation =
-      StartComputation(*mesh, query, {});
+      StartComputation(*mesh, Valid(*mesh, query), {});
   ASSERT_TRUE(computation.ok()) << computation.status();
   NoCheckpoint checkpoint;
   ASSERT_TRUE((*computation)->Advance({.radius = 5}, checkpoint).ok());
@@ -405,7 +405,7 @@ TEST(PathTracer, TakesWhatIsNotCertifiedForNotReached) {
   int reached = 0;
   for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
     const absl::StatusOr<GeodesicPath> path =
-        TracePathToVertex(*mesh, query, field, v);
+        TracePathToVertex(*mesh, Valid(*mesh, query), field, v);
     ASSERT_TRUE(path.ok()) << path.status();
     if (std::isfinite(field.distances[v])) {
       ++reached;
@@ -428,22 +428,22 @@ TEST(PathTracer, RefusesWhatItWasNotAsked) {
                     .targets = {VertexPoint{3}},
                     .trace = true};
   const DistanceField field = SolveTraced(*mesh, query);
-  const auto vertex = TracePathToVertex(*mesh, query, field, 42);
+  const auto vertex = TracePathToVertex(*mesh, Valid(*mesh, query), field, 42);
   EXPECT_EQ(vertex.status(),
             absl::InvalidArgumentError("vertex 42 is out of range: the mesh "
                                        "has 42 vertices, numbered from 0"));
-  const auto target = TracePathToTarget(*mesh, query, field, 1);
+  const auto target = TracePathToTarget(*mesh, Valid(*mesh, query), field, 1);
   EXPECT_EQ(target.status(),
             absl::InvalidArgumentError("target 1 is out of range: the query "
                                        "has 1 targets, numbered from 0"));
   // Another query's field, another mesh's, and one without trace.
   const Query other{.sources = {{VertexPoint{0}}}, .trace = true};
   EXPECT_TRUE(absl::IsInvalidArgument(
-      PathTracer::Create(*mesh, other, field).status()));
+      PathTracer::Create(*mesh, Valid(*mesh, other), field).status()));
   const std::shared_ptr<const Mesh> finer =
       BuildOrFail({"finer icosphere", Icosphere(2)});
   EXPECT_TRUE(absl::IsInvalidArgument(
-      PathTracer::Create(*finer, query, field).status()));
+      PathTracer::Create(*finer, Valid(*finer, query), field).status()));
   NoCheckpoint checkpoint;
   Query untraced = query;
   untraced.trace = false;
@@ -451,7 +451,7 @@ TEST(PathTracer, RefusesWhatItWasNotAsked) {
       Solve(*mesh, untraced, {}, checkpoint);
   ASSERT_TRUE(plain.ok()) << plain.status();
   EXPECT_TRUE(absl::IsInvalidArgument(
-      PathTracer::Create(*mesh, query, *plain).status()));
+      PathTracer::Create(*mesh, Valid(*mesh, query), *plain).status()));
 }
 
 TEST(PathTracer, SaysSoWhenTheTraceIsBroken) {
@@ -462,12 +462,12 @@ TEST(PathTracer, SaysSoWhenTheTraceIsBroken) {
   DistanceField circular = SolveTraced(*mesh, query);
   circular.arrivals[1] = {.pseudo_source = 2};
   circular.arrivals[2] = {.pseudo_source = 1};
-  EXPECT_TRUE(
-      absl::IsInternal(TracePathToVertex(*mesh, query, circular, 1).status()));
+  EXPECT_TRUE(absl::IsInternal(
+      TracePathToVertex(*mesh, Valid(*mesh, query), circular, 1).status()));
   DistanceField foreign = SolveTraced(*mesh, query);
   foreign.arrivals[1] = {.pseudo_source = mesh->vertex_count() + 1};
   EXPECT_TRUE(absl::IsInvalidArgument(
-      TracePathToVertex(*mesh, query, foreign, 1).status()));
+      TracePathToVertex(*mesh, Valid(*mesh, query), foreign, 1).status()));
 }
 
 }  // namespace

@@ -26,8 +26,9 @@ class Sampling : public EveryAlgorithm {
                                      uint32_t count) const {
     NoCheckpoint checkpoint;
     auto samples = SampleFarthestPoints(
-        mesh, {.sources = sources, .algorithm = GetParam().algorithm}, count,
-        {}, checkpoint);
+        mesh,
+        Valid(mesh, {.sources = sources, .algorithm = GetParam().algorithm}),
+        count, {}, checkpoint);
     if (samples.ok()) return *std::move(samples);
     ADD_FAILURE() << samples.status().ToString();
     return {};
@@ -112,21 +113,19 @@ TEST_P(Sampling, EndsWhenEveryVertexIsASample) {
 
 GEODESIC_TEST_EVERY_ALGORITHM(Sampling);
 
-TEST(SamplingErrors, SayWhatIsWrong) {
+TEST(SamplingErrors, AreThoseOfTheCheckpoint) {
   const auto mesh = BuildOrFail({"grid", MakeGrid({.columns = 2, .rows = 2})});
   ASSERT_NE(mesh, nullptr);
-  NoCheckpoint checkpoint;
-  EXPECT_EQ(SampleFarthestPoints(*mesh, {}, 3, {}, checkpoint).status(),
-            absl::InvalidArgumentError("sources is empty: name at least one"));
   class Cancel final : public Checkpoint {
     absl::Status Poll(const Progress&) override {
       return absl::CancelledError("enough");
     }
   } cancel;
-  EXPECT_EQ(SampleFarthestPoints(*mesh, {.sources = {{VertexPoint{0}}}}, 3, {},
-                                 cancel)
-                .status(),
-            absl::CancelledError("enough"));
+  EXPECT_EQ(
+      SampleFarthestPoints(*mesh, Valid(*mesh, {.sources = {{VertexPoint{0}}}}),
+                           3, {}, cancel)
+          .status(),
+      absl::CancelledError("enough"));
 }
 
 }  // namespace

@@ -49,13 +49,15 @@ std::vector<ComputationScene> ComputationScenes() {
   scenes.push_back(
       MakeScene("icosphere", sphere,
                 {.sources = {{FacePoint{3, {0.25, 0.25, 0.5}}, 0.125}}}));
-  scenes.push_back(MakeScene(
-      "torus with needles", needles,
-      {.sources = {{VertexPoint{9}, 0.25}, {RandomEdgePoint(needles, random)}},
-       .curves = {{RandomCurve(needles, 4, random)}}}));
-  scenes.push_back(MakeScene("U", bay,
-                             {.curves = {{RandomCurve(bay, 5, random), 0.5},
-                                         {RandomCurve(bay, 3, random)}}}));
+  scenes.push_back(
+      MakeScene("torus with needles", needles,
+                {.sources = {{VertexPoint{9}, 0.25},
+                             {RandomEdgePoint(needles, random)},
+                             {Curve{RandomCurve(needles, 4, random)}}}}));
+  scenes.push_back(
+      MakeScene("U", bay,
+                {.sources = {{Curve{RandomCurve(bay, 5, random)}, 0.5},
+                             {Curve{RandomCurve(bay, 3, random)}}}}));
   scenes.push_back(MakeScene("pieces", pieces,
                              {.sources = {{VertexPoint{17}},
                                           {RandomFacePoint(pieces, random)},
@@ -65,7 +67,7 @@ std::vector<ComputationScene> ComputationScenes() {
 
 std::unique_ptr<Computation> StartOrFail(const Mesh& mesh, const Query& query) {
   absl::StatusOr<std::unique_ptr<Computation>> started =
-      StartComputation(mesh, query, {});
+      StartComputation(mesh, Valid(mesh, query), {});
   if (started.ok()) return *std::move(started);
   ADD_FAILURE() << started.status().ToString();
   return nullptr;

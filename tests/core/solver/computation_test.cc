@@ -207,8 +207,8 @@ TEST_P(ComputationTest, RefusesSourcesThatItCannotTake) {
   for (const Source& source :
        {Source{VertexPoint{42}}, Source{VertexPoint{1}, std::nan("")},
         Source{VertexPoint{1}, -1}, Source{EdgePoint{0, 0, 0.5}},
-        Source{FacePoint{80, {1, 0, 0}}},
-        Source{FacePoint{0, {0.5, 0.6, 0.7}}}}) {
+        Source{FacePoint{80, {1, 0, 0}}}, Source{FacePoint{0, {0.5, 0.6, 0.7}}},
+        Source{Curve{{VertexPoint{1}}}}}) {
     const absl::Status status = computation->AddSource(source);
     EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
   }

@@ -1,4 +1,4 @@
-#include "rules/envelope.h"
+#include "solver/rules/envelope.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "solver/windows/window_columns.h"
 #include "tolerances.h"
-#include "windows/window_columns.h"
 
 namespace geodesic {
 namespace {

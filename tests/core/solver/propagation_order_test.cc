@@ -10,13 +10,14 @@
 
 #include "geodesic/solve.h"
 #include "gtest/gtest.h"
-#include "propagation.h"
-#include "queues/queue.h"
-#include "rules/ch_rule.h"
-#include "rules/list_rule.h"
-#include "rules/mmp_rule.h"
+#include "solver/propagation.h"
+#include "solver/queues/queue.h"
+#include "solver/rules/ch_rule.h"
+#include "solver/rules/list_rule.h"
+#include "solver/rules/mmp_rule.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/planar_meshes.h"
+#include "tests/support/queries.h"
 
 namespace geodesic {
 namespace {
@@ -52,7 +53,8 @@ class RandomQueue {
 template <template <typename> typename Rule>
 void ExpectOrderDoesNotMatter(TriangleSoup soup) {
   const auto mesh = *Mesh::Build(std::move(soup));
-  const Query query{.sources = {{VertexPoint{3}}, {VertexPoint{40}, 0.5}}};
+  const ValidQuery query = test::Valid(
+      *mesh, {.sources = {{VertexPoint{3}}, {VertexPoint{40}, 0.5}}});
   NoCheckpoint checkpoint;
   const auto expected = Solve(*mesh, query, {}, checkpoint);
   ASSERT_TRUE(expected.ok());

@@ -5,10 +5,10 @@
 
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "queues/binary_heap.h"
-#include "queues/fifo.h"
-#include "queues/fwp_buckets.h"
-#include "queues/label_correcting.h"
+#include "solver/queues/binary_heap.h"
+#include "solver/queues/fifo.h"
+#include "solver/queues/fwp_buckets.h"
+#include "solver/queues/label_correcting.h"
 
 namespace geodesic {
 namespace {

@@ -40,9 +40,10 @@ class SettledVerticesTest : public ::testing::TestWithParam<AlgorithmInfo> {};
 TEST_P(SettledVerticesTest, GivesOutEveryReachedVertexOnceInOrder) {
   const auto mesh =
       *Mesh::Build(test::AddIsolatedVertices(test::Terrain(30, 30, 1.0, 5), 2));
-  auto computation = *StartComputation(
-      *mesh,
-      {.sources = {{VertexPoint{17}}}, .algorithm = GetParam().algorithm}, {});
+  const auto query = *ValidQuery::Make(
+      {.sources = {{VertexPoint{17}}}, .algorithm = GetParam().algorithm},
+      *mesh);
+  auto computation = *StartComputation(*mesh, query, {});
   CollectingCheckpoint checkpoint;
   ASSERT_TRUE(computation->Advance({}, checkpoint).ok());
   const DistanceField field = computation->Field();

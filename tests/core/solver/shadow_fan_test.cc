@@ -1,6 +1,6 @@
 // The shadow behind a vertex, against angles added up face by face.
 
-#include "rules/shadow_fan.h"
+#include "solver/rules/shadow_fan.h"
 
 #include <absl/strings/str_cat.h>
 #include <gtest/gtest.h>

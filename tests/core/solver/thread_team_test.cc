@@ -1,4 +1,4 @@
-#include "thread_team.h"
+#include "solver/thread_team.h"
 
 #include <gtest/gtest.h>
 

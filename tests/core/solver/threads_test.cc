@@ -98,7 +98,8 @@ TEST(ThreadsTest, AComputationThatStopsGoesOnWithItsThreads) {
   NoCheckpoint checkpoint;
   std::vector<DistanceField> fields;
   for (const uint32_t threads : {1u, 4u}) {
-    auto computation = StartComputation(*mesh, query, {.threads = threads});
+    auto computation = StartComputation(*mesh, test::Valid(*mesh, query),
+                                        {.threads = threads});
     ASSERT_TRUE(computation.ok());
     for (const double radius : {5.0, 12.0, 1e9}) {
       ASSERT_TRUE((*computation)->Advance({.radius = radius}, checkpoint).ok());

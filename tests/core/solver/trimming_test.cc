@@ -1,4 +1,4 @@
-#include "rules/trimming.h"
+#include "solver/rules/trimming.h"
 
 #include <cmath>
 #include <random>

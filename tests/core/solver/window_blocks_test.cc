@@ -1,4 +1,4 @@
-#include "windows/window_blocks.h"
+#include "solver/windows/window_blocks.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "windows/window_columns.h"
+#include "solver/windows/window_columns.h"
 
 namespace geodesic {
 namespace {

@@ -1,4 +1,4 @@
-#include "windows/window_lists.h"
+#include "solver/windows/window_lists.h"
 
 #include <cstddef>
 #include <cstdint>

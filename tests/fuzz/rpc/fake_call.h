@@ -6,8 +6,9 @@
 #define GEODESIC_TESTS_FUZZ_RPC_FAKE_CALL_H_
 
 #include <grpcpp/server_context.h>
+#include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/server_callback.h>
-#include <grpcpp/test/default_reactor_test_peer.h>
+#include <grpcpp/support/slice.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -18,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "server/rpc/calls/service.h"
 #include "tests/fuzz/rpc/require.h"
 
 namespace geodesic::server::test {
@@ -44,51 +46,66 @@ class FakeCall {
   std::optional<grpc::Status> status_;
 };
 
-template <typename Request, typename Response>
-class FakeUnary final : public FakeCall {
+// A call of Type with these messages from the client, an operation at a time.
+// `take` gets each message of the answer.
+template <typename Type>
+class FakeCallOf final
+    : public FakeCall,
+      private grpc::ServerCallbackReaderWriter<grpc::ByteBuffer,
+                                               typename Type::Response> {
  public:
-  template <typename Method>
-  FakeUnary(Request request, Method method) : request_(std::move(request)) {
-    method(&context_, &request_, &response_);
+  using Response = typename Type::Response;
+  using Take = std::function<void(const Response&)>;
+
+  FakeCallOf(Events& events, const ServiceContext& service,
+             std::vector<std::string> messages, Take take)
+      : events_(events),
+        messages_(std::move(messages)),
+        take_(std::move(take)),
+        reactor_(Launch<Type>(service, context_)) {
+    this->BindReactor(reactor_);
   }
 
-  // DefaultReactor has no reaction to it.
-  void Cancel() override { was_cancelled_ = true; }
-  bool is_over() const override { return status_.has_value(); }
-
- private:
-  const Request request_;
-  Response response_;
-  grpc::CallbackServerContext context_;
-  grpc::testing::DefaultReactorTestPeer peer_{
-      &context_, [this](const grpc::Status& status) {
-        Require(!status_.has_value());
-        status_ = status;
-      }};
-};
-
-// A stream in either direction, an operation at a time: Call is gRPC's side of
-// it, which Reactor asks.
-template <typename Call, typename Reactor>
-class FakeStreamCall : public FakeCall, protected Call {
- public:
-  void Cancel() final {
+  void Cancel() override {
     was_cancelled_ = true;
     reactor_->OnCancel();
   }
-  bool is_over() const final { return is_over_; }
+  bool is_over() const override { return is_over_; }
 
- protected:
-  explicit FakeStreamCall(Events& events) : events_(events) {}
+ private:
+  using Reactor = grpc::ServerBidiReactor<grpc::ByteBuffer, Response>;
 
-  // To be called once, with what the service's method returned.
-  void Bind(Reactor* reactor) {
-    reactor_ = reactor;
-    this->BindReactor(reactor);
+  void Read(grpc::ByteBuffer* bytes) override {
+    bytes->Clear();  // they are gRPC's from now on
+    BeginOperation([this, bytes] {
+      const bool ok =
+          next_ < messages_.size() && !was_cancelled_ && !status_.has_value();
+      if (ok) {
+        const grpc::Slice slice(messages_[next_++]);
+        *bytes = grpc::ByteBuffer(&slice, 1);
+      }
+      reactor_->OnReadDone(ok);
+    });
   }
 
-  Reactor& reactions() { return *reactor_; }
-  bool is_busy() const { return is_busy_; }
+  void Write(const Response* message, grpc::WriteOptions) override {
+    Require(!status_.has_value());
+    take_(*message);
+    BeginOperation([this] { reactor_->OnWriteDone(!was_cancelled_); });
+  }
+
+  void WriteAndFinish(const Response* message, grpc::WriteOptions,
+                      grpc::Status status) override {
+    Require(!is_busy_);
+    take_(*message);
+    Finish(std::move(status));
+  }
+
+  void Finish(grpc::Status status) override {
+    Require(!status_.has_value());
+    status_ = std::move(status);
+    End();
+  }
 
   // A read or a write begins; `end` tells the reactor of its end.
   void BeginOperation(std::function<void()> end) {
@@ -100,13 +117,6 @@ class FakeStreamCall : public FakeCall, protected Call {
     });
   }
 
-  void Finish(grpc::Status status) final {
-    Require(!status_.has_value());
-    status_ = std::move(status);
-    End();
-  }
-
- private:
   // OnDone comes after the end of the operation that is under way.
   void End() {
     events_.emplace_back([this] {
@@ -119,79 +129,18 @@ class FakeStreamCall : public FakeCall, protected Call {
     });
   }
 
-  void SendInitialMetadata() final { std::abort(); }
-  void CallOnDone() final { std::abort(); }
-  grpc::internal::ServerReactor* reactor() final { return reactor_; }
+  void SendInitialMetadata() override { std::abort(); }
+  void CallOnDone() override { std::abort(); }
+  grpc::internal::ServerReactor* reactor() override { return reactor_; }
 
   Events& events_;
-  Reactor* reactor_ = nullptr;
-  bool is_busy_ = false;
-  bool is_over_ = false;
-};
-
-// A server stream. `take` gets each message.
-template <typename Request, typename Response>
-class FakeDownload final
-    : public FakeStreamCall<grpc::ServerCallbackWriter<Response>,
-                            grpc::ServerWriteReactor<Response>> {
- public:
-  using Take = std::function<void(const Response&)>;
-
-  template <typename Method>
-  FakeDownload(Events& events, Request request, Take take, Method method)
-      : FakeDownload::FakeStreamCall(events),
-        request_(std::move(request)),
-        take_(std::move(take)) {
-    this->Bind(method(&context_, &request_));
-  }
-
- private:
-  void Write(const Response* message, grpc::WriteOptions) override {
-    Require(!this->status_.has_value());
-    take_(*message);
-    this->BeginOperation(
-        [this] { this->reactions().OnWriteDone(!this->was_cancelled_); });
-  }
-
-  void WriteAndFinish(const Response* message, grpc::WriteOptions,
-                      grpc::Status status) override {
-    Require(!this->is_busy());
-    take_(*message);
-    this->Finish(std::move(status));
-  }
-
-  const Request request_;
+  const std::vector<std::string> messages_;
+  size_t next_ = 0;
   const Take take_;
   grpc::CallbackServerContext context_;
-};
-
-// A client stream of these requests.
-template <typename Request, typename Response>
-class FakeUpload final
-    : public FakeStreamCall<grpc::ServerCallbackReader<Request>,
-                            grpc::ServerReadReactor<Request>> {
- public:
-  template <typename Method>
-  FakeUpload(Events& events, std::vector<Request> requests, Method method)
-      : FakeUpload::FakeStreamCall(events), requests_(std::move(requests)) {
-    this->Bind(method(&context_, &response_));
-  }
-
- private:
-  void Read(Request* message) override {
-    message->Clear();  // it is gRPC's from now on
-    this->BeginOperation([this, message] {
-      const bool ok = next_ < requests_.size() && !this->was_cancelled_ &&
-                      !this->status_.has_value();
-      if (ok) *message = requests_[next_++];
-      this->reactions().OnReadDone(ok);
-    });
-  }
-
-  const std::vector<Request> requests_;
-  size_t next_ = 0;
-  Response response_;
-  grpc::CallbackServerContext context_;
+  bool is_busy_ = false;
+  bool is_over_ = false;
+  Reactor* const reactor_;
 };
 
 }  // namespace geodesic::server::test

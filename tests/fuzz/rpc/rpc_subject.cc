@@ -4,6 +4,7 @@
 #include <spdlog/sinks/null_sink.h>
 #include <spdlog/spdlog.h>
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -12,12 +13,20 @@
 
 #include "server/engine/query_engine.h"
 #include "server/operations/metrics.h"
-#include "server/rpc/capabilities_service.h"
-#include "server/rpc/field_service.h"
-#include "server/rpc/matrix_service.h"
-#include "server/rpc/mesh_service.h"
-#include "server/rpc/path_service.h"
-#include "server/rpc/request_log.h"
+#include "server/rpc/calls/intake.h"
+#include "server/rpc/calls/request_log.h"
+#include "server/rpc/calls/service_context.h"
+#include "server/rpc/capabilities.h"
+#include "server/rpc/mesh_calls.h"
+#include "server/rpc/streams/field_stream.h"
+#include "server/rpc/streams/isoline_stream.h"
+#include "server/rpc/streams/log_map_stream.h"
+#include "server/rpc/streams/matrix_stream.h"
+#include "server/rpc/streams/mesh_stream.h"
+#include "server/rpc/streams/nearest_stream.h"
+#include "server/rpc/streams/path_stream.h"
+#include "server/rpc/streams/sample_stream.h"
+#include "server/rpc/streams/upload_stream.h"
 #include "server/security/access_control.h"
 #include "server/security/quotas.h"
 #include "tests/engine/fakes.h"
@@ -53,7 +62,6 @@ Limits SmallLimits() {
   limits.max_queued_jobs = 4;
   limits.mesh_store_bytes = 1 << 20;
   limits.field_cache_bytes = 1 << 16;
-  limits.computation_store_bytes = 1 << 16;
   limits.upload_memory_bytes = 1 << 21;
   limits.solver_memory_bytes = 1 << 24;
   return limits;
@@ -140,44 +148,38 @@ class Subject {
     return digest;
   }
 
-  // Frames that gRPC could not read never reach the service.
+  // The frame's message with digests in place of letters; as it is if it is
+  // malformed.
   template <typename Request>
-  bool Read(const RpcFrame& frame, Request& request) const {
-    if (!request.ParseFromString(frame.message)) return false;
+  std::string Message(const RpcFrame& frame) const {
+    Request request;
+    if (!request.ParseFromString(frame.message)) return frame.message;
     SetDigests(request, digests_);
-    return true;
+    return request.SerializeAsString();
   }
 
-  template <typename Service, typename Request, typename Response>
-  void BeginCall(const RpcFrame& frame, Service& service,
-                 grpc::ServerUnaryReactor* (Service::*method)(
-                     grpc::CallbackServerContext*, const Request*, Response*)) {
-    Request request;
-    if (!Read(frame, request)) return;
-    const auto call = [&](auto*... arguments) {
-      (service.*method)(arguments...);
-    };
-    calls_.push_back({.call = std::make_unique<FakeUnary<Request, Response>>(
-                          std::move(request), call),
-                      .cancel_after = frame.cancel_after});
+  template <typename Type>
+  void BeginUnary(const RpcFrame& frame) {
+    BeginCall<Type>({Message<typename Type::Request>(frame)},
+                    frame.cancel_after, nullptr);
   }
 
-  template <typename Service, typename Request, typename Response>
-  void BeginCall(const RpcFrame& frame, Service& service,
-                 grpc::ServerWriteReactor<Response>* (Service::*method)(
-                     grpc::CallbackServerContext*, const Request*)) {
-    Request request;
-    if (!Read(frame, request)) return;
-    const auto call = [&](auto*... arguments) {
-      return (service.*method)(arguments...);
+  template <typename Type>
+  void BeginStream(const RpcFrame& frame) {
+    BeginCall<Type>({Message<typename Type::Request>(frame)},
+                    frame.cancel_after, std::make_shared<AnswerCheck>());
+  }
+
+  template <typename Type>
+  void BeginCall(std::vector<std::string> messages, size_t cancel_after,
+                 const std::shared_ptr<AnswerCheck>& check) {
+    const auto take = [check](const typename Type::Response& message) {
+      if (check != nullptr) check->Take(message);
     };
-    const auto check = std::make_shared<AnswerCheck>();
-    calls_.push_back(
-        {.call = std::make_unique<FakeDownload<Request, Response>>(
-             events_, std::move(request),
-             [check](const Response& message) { check->Take(message); }, call),
-         .check = check,
-         .cancel_after = frame.cancel_after});
+    calls_.push_back({.call = std::make_unique<FakeCallOf<Type>>(
+                          events_, service_, std::move(messages), take),
+                      .check = check,
+                      .cancel_after = cancel_after});
   }
 
   void Begin(const RpcScript& script, size_t begin, size_t end);
@@ -221,8 +223,9 @@ class Subject {
     Require(engine_.scheduler().queued() == 0);
     Require(engine_.upload_memory().used() == 0);
     Require(engine_.solver_memory().used() == 0);
-    Require(engine_.fields().flights().waiters() == 0);
+    Require(engine_.fields().jobs().waiters() == 0);
     Require(log_.active() == 0);
+    Require(intake_.memory().used() == 0);
   }
 
   Events events_;
@@ -235,62 +238,55 @@ class Subject {
                       "", std::make_shared<spdlog::sinks::null_sink_mt>()),
                   /*max_active=*/8, access_, quotas_, metrics_};
   QueryEngine engine_{SmallLimits(), clock_, executor_};
-  MeshService meshes_{engine_, log_};
-  FieldService fields_{engine_, "1", log_};
-  PathService paths_{engine_, "1", log_};
-  MatrixService matrices_{engine_, "1", log_};
-  CapabilitiesService capabilities_{engine_.limits(), 1 << 22, "1", log_};
+  // Nothing is late here.
+  Intake intake_{{.patience = std::chrono::hours(24), .memory_bytes = 1 << 22}};
+  const ServiceContext service_{
+      engine_, log_, intake_, "1",
+      MakeCapabilities(engine_.limits(), 1 << 22, "1")};
   std::vector<std::string> digests_;
   std::vector<Call> calls_;
 };
 
 void Subject::BeginUpload(const RpcScript& script, size_t begin, size_t end) {
-  std::vector<v1::CreateMeshRequest> requests;
+  std::vector<std::string> messages;
   for (size_t i = begin; i < end; ++i) {
-    v1::CreateMeshRequest request;
-    if (Read(script[i], request)) requests.push_back(std::move(request));
+    messages.push_back(Message<v1::CreateMeshRequest>(script[i]));
   }
-  using Upload = FakeUpload<v1::CreateMeshRequest, v1::CreateMeshResponse>;
-  calls_.push_back({.call = std::make_unique<Upload>(
-                        events_, std::move(requests),
-                        [this](auto* context, auto* response) {
-                          return meshes_.CreateMesh(context, response);
-                        }),
-                    .cancel_after = script[begin].cancel_after});
+  BeginCall<UploadStream>(std::move(messages), script[begin].cancel_after,
+                          nullptr);
 }
 
 void Subject::Begin(const RpcScript& script, size_t begin, size_t end) {
   const RpcFrame& frame = script[begin];
   switch (frame.method) {
     case RpcMethod::kGetCapabilities:
-      return BeginCall(frame, capabilities_,
-                       &CapabilitiesService::GetCapabilities);
+      return BeginUnary<CapabilitiesCall>(frame);
     case RpcMethod::kFindMissingMeshes:
-      return BeginCall(frame, meshes_, &MeshService::FindMissingMeshes);
+      return BeginUnary<FindMissingCall>(frame);
     case RpcMethod::kCreateMesh:
       return BeginUpload(script, begin, end);
     case RpcMethod::kGetMesh:
-      return BeginCall(frame, meshes_, &MeshService::GetMesh);
+      return BeginUnary<GetMeshCall>(frame);
     case RpcMethod::kReadMesh:
-      return BeginCall(frame, meshes_, &MeshService::ReadMesh);
+      return BeginStream<MeshStream>(frame);
     case RpcMethod::kListMeshes:
-      return BeginCall(frame, meshes_, &MeshService::ListMeshes);
+      return BeginUnary<ListMeshesCall>(frame);
     case RpcMethod::kDeleteMesh:
-      return BeginCall(frame, meshes_, &MeshService::DeleteMesh);
+      return BeginUnary<DeleteMeshCall>(frame);
     case RpcMethod::kComputeField:
-      return BeginCall(frame, fields_, &FieldService::ComputeField);
+      return BeginStream<FieldStream>(frame);
     case RpcMethod::kComputeLogMap:
-      return BeginCall(frame, fields_, &FieldService::ComputeLogMap);
+      return BeginStream<LogMapStream>(frame);
     case RpcMethod::kSampleFarthestPoints:
-      return BeginCall(frame, fields_, &FieldService::SampleFarthestPoints);
+      return BeginStream<SampleStream>(frame);
     case RpcMethod::kComputePaths:
-      return BeginCall(frame, paths_, &PathService::ComputePaths);
+      return BeginStream<PathStream>(frame);
     case RpcMethod::kComputeIsolines:
-      return BeginCall(frame, paths_, &PathService::ComputeIsolines);
+      return BeginStream<IsolineStream>(frame);
     case RpcMethod::kComputeMatrix:
-      return BeginCall(frame, matrices_, &MatrixService::ComputeMatrix);
+      return BeginStream<MatrixStream>(frame);
     case RpcMethod::kFindNearest:
-      return BeginCall(frame, matrices_, &MatrixService::FindNearest);
+      return BeginStream<NearestStream>(frame);
   }
 }
 

@@ -148,7 +148,7 @@ class FieldTest(ClientTest):
                     self.assertAlmostEqual(value, expected, delta=1e-10)
                 else:
                     self.assertEqual(value, math.inf)
-        self.assertEqual(origins[1], self.field_pb.FIELD_ORIGIN_CONTINUED)
+        self.assertEqual(origins[1], self.field_pb.FIELD_ORIGIN_SOLVED)
 
     def test_what_had_settled_before_a_cancel_is_final(self):
         side = 150

@@ -1,0 +1,152 @@
+// Options, and what several commands share of them. Each function adds to `app`
+// what writes into its last argument, both of which outlive the parsing.
+
+#ifndef GEODESIC_CLIENT_CLI_ARGUMENTS_OPTIONS_H_
+#define GEODESIC_CLIENT_CLI_ARGUMENTS_OPTIONS_H_
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "client/output/output_format.h"
+#include "client/picture/picture.h"
+#include "geodesic_client/answer.h"
+#include "geodesic_client/mesh.h"
+#include "geodesic_client/surface_point.h"
+
+// Of CLI11, whose header takes seconds to compile.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace geodesic::client {
+
+struct MeshArgument {
+  // A file or a digest.
+  std::string text;
+  // DEFAULT: what the file's ending says.
+  std::optional<MeshFormat> format;
+};
+
+// Numbered in this order: points, curves, then those of files.
+struct SourceArguments {
+  std::vector<Source> points;
+  std::vector<Source> curves;
+  std::vector<std::string> files;
+};
+
+// Likewise.
+struct TargetArguments {
+  std::vector<SurfacePoint> points;
+  std::vector<std::string> files;
+};
+
+struct OutputArgument {
+  std::string path;
+  OutputFormat format = OutputFormat::kNpy;
+};
+
+// What every question is given.
+struct QuestionArguments {
+  MeshArgument mesh;
+  SourceArguments sources;
+  TargetArguments targets;
+  std::string algorithm;
+  Priority priority = Priority::kInteractive;
+  std::vector<OutputArgument> outputs;
+};
+
+// How an option is written and shown.
+struct OptionText {
+  // "-s,--source", or a word in capitals for what has no name.
+  std::string name;
+  std::string help;
+  // What its value is; flags have none.
+  std::string type;
+  std::string group = "Options";
+  bool required = false;
+};
+
+// An option that may be repeated; `take` may say what is wrong with a value.
+CLI::Option* AddText(CLI::App* app, const OptionText& text,
+                     std::function<absl::Status(const std::string&)> take);
+
+// The same for a value that goes through `parse`; the last mention decides.
+template <typename Parse, typename Value>
+CLI::Option* AddValue(CLI::App* app, const OptionText& text, Parse parse,
+                      Value* value) {
+  return AddText(app, text, [=](const std::string& word) {
+    auto parsed = parse(word);
+    if (parsed.ok()) *value = *std::move(parsed);
+    return parsed.status();
+  });
+}
+
+// The same for the values of all mentions.
+template <typename Parse, typename Value>
+CLI::Option* AddValues(CLI::App* app, const OptionText& text, Parse parse,
+                       std::vector<Value>* values) {
+  return AddText(app, text, [=](const std::string& word) {
+    auto parsed = parse(word);
+    if (parsed.ok()) values->push_back(*std::move(parsed));
+    return parsed.status();
+  });
+}
+
+// An option that is there or not.
+void AddFlag(CLI::App* app, const OptionText& text, bool* flag);
+// A flag that may have a count from 1; without one it is `all`.
+void AddFlagOrCount(CLI::App* app, const OptionText& text, int64_t all,
+                    std::optional<uint64_t>* count);
+
+// Calls `check` once all of the command line has been taken.
+void AddCheck(CLI::App* app, std::function<void()> check);
+// Refuses the command line, in a check.
+[[noreturn]] void Refuse(const std::string& option, const std::string& why);
+// Whether --json is given. For checks.
+bool WantsJson(const CLI::App& app);
+
+// FILE...
+void AddFiles(CLI::App* app, const std::string& help,
+              std::vector<std::string>* files);
+// MESH, as `help` explains it, and --format.
+inline constexpr char kMeshHelp[] =
+    "A mesh file, uploaded if the server lacks it; or the digest of a resident "
+    "mesh, of which the first 8 digits do if they are unique";
+void AddMesh(CLI::App* app, const std::string& help, MeshArgument* mesh);
+void AddFormat(CLI::App* app, std::optional<MeshFormat>* format);
+
+// Only what the help says; RequireSources and RequireTargets see to it.
+enum class Need { kRequired, kOptional };
+
+// --source, --curve, --sources.
+void AddSources(CLI::App* app, Need need, SourceArguments* sources);
+// --target, --targets; `help` says what targets are for.
+void AddTargets(CLI::App* app, Need need, const std::string& help,
+                TargetArguments* targets);
+
+// Refuse the command line if nothing was given. For checks.
+void RequireSources(const SourceArguments& sources);
+void RequireTargets(const TargetArguments& targets);
+
+// --algorithm, --priority and -o, whose `output_help` begins the sentence that
+// the endings end.
+void AddQuestion(CLI::App* app, const std::string& output_help,
+                 std::span<const OutputFormat> formats,
+                 QuestionArguments* question);
+
+void AddRadius(CLI::App* app, const std::string& help,
+               std::optional<double>* radius);
+void AddFloat32(CLI::App* app, bool* float32);
+// --view, --up, --size.
+void AddPicture(CLI::App* app, PictureOptions* picture);
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_CLI_ARGUMENTS_OPTIONS_H_

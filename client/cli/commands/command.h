@@ -1,0 +1,88 @@
+// A command of `geodesic`, and what it works with.
+
+#ifndef GEODESIC_CLIENT_CLI_COMMANDS_COMMAND_H_
+#define GEODESIC_CLIENT_CLI_COMMANDS_COMMAND_H_
+
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "client/cli/terminal/progress_display.h"
+#include "geodesic_client/client.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace geodesic::client {
+
+struct Session {
+  Client& client;
+  // Where the server listens.
+  const std::string& server;
+  // Timeout and Ctrl-C, for every call.
+  CallOptions call;
+  // Whether to print one JSON object, or nothing but what was asked for.
+  bool json = false;
+  bool quiet = false;
+  // Results, and everything else.
+  std::ostream& out;
+  std::ostream& err;
+  ProgressDisplay::Style progress_style = ProgressDisplay::Style::kNone;
+  int terminal_width = 80;
+};
+
+struct Command {
+  std::string name;
+  std::string help;
+  // Lines to try.
+  std::string examples;
+  // Adds the options, and checks of what they say together.
+  std::function<void(CLI::App* app)> add_options;
+  // Does the work and prints the result. Nothing has been printed to `out` if
+  // it fails, but for what is printed as it comes.
+  std::function<absl::Status(const Session&)> run;
+};
+
+// A command whose options write into an `Arguments`.
+template <typename Arguments>
+Command MakeCommand(std::string name, std::string help, std::string examples,
+                    void (*add_options)(CLI::App*, Arguments*),
+                    absl::Status (*run)(const Arguments&, const Session&)) {
+  const auto arguments = std::make_shared<Arguments>();
+  return {
+      .name = std::move(name),
+      .help = std::move(help),
+      .examples = std::move(examples),
+      .add_options = [=](CLI::App* app) { add_options(app, arguments.get()); },
+      .run = [=](const Session& session) { return run(*arguments, session); }};
+}
+
+// For commands without options.
+struct NoArguments {};
+inline void AddNoOptions(CLI::App*, NoArguments*) {}
+
+// One each, in the file of its name.
+Command CapabilitiesCommand();
+Command DeleteCommand();
+Command FieldCommand();
+Command InfoCommand();
+Command IsolinesCommand();
+Command LogMapCommand();
+Command MatrixCommand();
+Command MeshesCommand();
+Command NearestCommand();
+Command PathCommand();
+Command SampleCommand();
+Command UploadCommand();
+
+// All of them, as --help lists them.
+std::vector<Command> AllCommands();
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_CLI_COMMANDS_COMMAND_H_

@@ -1,0 +1,214 @@
+// isolines: lines of equal distance.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "client/cli/arguments/values.h"
+#include "client/cli/commands/command.h"
+#include "client/cli/commands/field_outputs.h"
+#include "client/cli/commands/line_outputs.h"
+#include "client/output/number_text.h"
+
+namespace geodesic::client {
+namespace {
+
+struct IsolinesArguments {
+  QuestionArguments question;
+  std::vector<double> levels;
+  // Instead of levels.
+  std::optional<uint64_t> count;
+  PictureOptions picture;
+};
+
+void AddOptions(CLI::App* app, IsolinesArguments* arguments) {
+  AddMesh(app, kMeshHelp, &arguments->question.mesh);
+  AddSources(app, Need::kRequired, &arguments->question.sources);
+  AddValues(app,
+            {"-l,--level", "Draw the line at this distance; may be repeated",
+             "DISTANCE"},
+            ParseLevel, &arguments->levels);
+  AddValue(app,
+           {"-n,--count",
+            "Draw lines at this many distances instead, evenly spread up to "
+            "the largest",
+            "N"},
+           ParseCount, &arguments->count);
+  AddQuestion(app, "Write the lines here", kLineFormats, &arguments->question);
+  AddPicture(app, &arguments->picture);
+  AddCheck(app, [arguments] {
+    RequireSources(arguments->question.sources);
+    if (arguments->levels.empty() != arguments->count.has_value()) {
+      Refuse("--level",
+             "give distances with --level, or their number with --count");
+    }
+  });
+}
+
+double LengthOf(const Isoline& isoline) {
+  const std::vector<Point>& points = isoline.line.positions;
+  const auto piece = [&points](size_t a, size_t b) {
+    return std::hypot(points[b][0] - points[a][0], points[b][1] - points[a][1],
+                      points[b][2] - points[a][2]);
+  };
+  double length = 0;
+  for (size_t i = 1; i < points.size(); ++i) length += piece(i - 1, i);
+  if (isoline.is_closed && points.size() > 1) {
+    length += piece(points.size() - 1, 0);
+  }
+  return length;
+}
+
+Lines LinesOf(const IsolineAnswer& answer) {
+  Lines lines = {.attributes = {{"level"}}};
+  for (const Isoline& isoline : answer.isolines) {
+    lines.lines.push_back({.polyline = isoline.line,
+                           .is_closed = isoline.is_closed,
+                           .values = {isoline.level}});
+  }
+  return lines;
+}
+
+// `count` levels that cut the range of distances into equal parts.
+absl::StatusOr<std::vector<double>> SpreadLevels(const Field& field,
+                                                 uint64_t count) {
+  double largest = 0;
+  for (const double distance : field.distances) {
+    if (std::isfinite(distance)) largest = std::max(largest, distance);
+  }
+  if (!(largest > 0)) {
+    return absl::InvalidArgumentError(
+        "no vertex is farther than 0 from the sources: there are no isolines");
+  }
+  std::vector<double> levels;
+  for (uint64_t i = 1; i <= count; ++i) {
+    levels.push_back(largest * static_cast<double>(i) /
+                     static_cast<double>(count + 1));
+  }
+  return levels;
+}
+
+// Refuses more levels than the server draws before the field below them is
+// computed.
+absl::Status CheckCount(const Session& session, uint64_t count) {
+  absl::StatusOr<Capabilities> capabilities =
+      session.client.GetCapabilities(session.call);
+  if (!capabilities.ok()) return capabilities.status();
+  const uint64_t most = capabilities->limits.max_levels;
+  if (count <= most) return absl::OkStatus();
+  return absl::ResourceExhaustedError(
+      absl::StrCat("--count ", count, " is more than the ", most,
+                   " levels that this server takes (max_levels)"));
+}
+
+PictureContent ContentOf(const Question& question, const Field& field,
+                         const std::vector<double>& levels,
+                         const IsolineAnswer& answer, const MeshArrays& mesh) {
+  PictureContent content = {.distances = field.distances, .levels = levels};
+  for (const Isoline& isoline : answer.isolines) {
+    content.thin_lines.push_back(
+        {.points = isoline.line.positions, .is_closed = isoline.is_closed});
+  }
+  ShowSources(question.sources, mesh, &content);
+  return content;
+}
+
+// What is said about the lines of each level; lengths are those in space.
+Report ReportOf(std::vector<double> levels, const IsolineAnswer& answer) {
+  Report report = {.header = {"level", "lines", "closed", "points", "length"}};
+  Json list = Json::array();
+  std::ranges::sort(levels);
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  for (const double level : levels) {
+    uint64_t lines = 0, closed = 0, points = 0;
+    double length = 0;
+    for (const Isoline& isoline : answer.isolines) {
+      if (isoline.level != level) continue;
+      ++lines;
+      closed += isoline.is_closed ? 1 : 0;
+      points += isoline.line.points.size();
+      length += LengthOf(isoline);
+    }
+    report.rows.push_back({NumberText(level), GroupedNumber(lines),
+                           GroupedNumber(closed), GroupedNumber(points),
+                           ShortNumber(length)});
+    list.push_back({{"level", level},
+                    {"lines", lines},
+                    {"closed", closed},
+                    {"points", points},
+                    {"length", length}});
+  }
+  report.json["levels"] = std::move(list);
+  return report;
+}
+
+absl::Status Answer(const IsolinesArguments& arguments, const Session& session,
+                    const Question& question) {
+  if (arguments.count.has_value()) {
+    absl::Status status = CheckCount(session, *arguments.count);
+    if (!status.ok()) return status;
+  }
+  Stopwatch watch(session);
+  // Below the lines, for the picture and for what --count means.
+  std::optional<Field> field;
+  const auto need_field = [&]() -> absl::Status {
+    if (field.has_value()) return absl::OkStatus();
+    absl::StatusOr<Field> computed =
+        session.client.ComputeField({.mesh_digest = question.mesh_digest,
+                                     .sources = question.sources,
+                                     .algorithm = arguments.question.algorithm,
+                                     .priority = arguments.question.priority},
+                                    session.call, watch.OnSolve());
+    if (computed.ok()) field = *std::move(computed);
+    return computed.status();
+  };
+  std::vector<double> levels = arguments.levels;
+  if (arguments.count.has_value()) {
+    if (absl::Status status = need_field(); !status.ok()) return status;
+    absl::StatusOr<std::vector<double>> spread =
+        SpreadLevels(*field, *arguments.count);
+    if (!spread.ok()) return spread.status();
+    levels = *std::move(spread);
+  }
+  absl::StatusOr<IsolineAnswer> answer =
+      session.client.ComputeIsolines({.mesh_digest = question.mesh_digest,
+                                      .sources = question.sources,
+                                      .levels = levels,
+                                      .algorithm = arguments.question.algorithm,
+                                      .priority = arguments.question.priority},
+                                     session.call, watch.OnSolve());
+  if (!answer.ok()) return answer.status();
+  const double seconds = watch.seconds();
+  MeshOnDemand mesh(session, question.mesh_digest);
+  const auto write_picture =
+      [&](const std::string& path) -> absl::StatusOr<uint64_t> {
+    if (absl::Status status = need_field(); !status.ok()) return status;
+    absl::StatusOr<const MeshArrays*> arrays = mesh.Get(field->vertex_count);
+    if (!arrays.ok()) return arrays.status();
+    return WritePicture(path, **arrays,
+                        ContentOf(question, *field, levels, *answer, **arrays),
+                        arguments.picture);
+  };
+  absl::StatusOr<std::vector<WrittenFile>> files = WriteLineOutputs(
+      session, arguments.question.outputs, LinesOf(*answer), write_picture);
+  if (!files.ok()) return files.status();
+  PrintReport(session, question, answer->info, seconds, *files,
+              ReportOf(levels, *answer));
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+Command IsolinesCommand() {
+  return MakeQuestion(
+      "isolines", "Lines of equal distance",
+      "  geodesic isolines horse.ply --source 0 --level 0.05 --level 0.1 "
+      "-o l.obj\n"
+      "  geodesic isolines horse.ply --source 0 --count 20 -o l.png",
+      AddOptions, Answer);
+}
+
+}  // namespace geodesic::client

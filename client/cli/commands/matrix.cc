@@ -1,0 +1,198 @@
+// matrix: distances between many points, row by row to files or the terminal.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "client/cli/commands/command.h"
+#include "client/cli/commands/question.h"
+#include "client/output/matrix_writers.h"
+
+namespace geodesic::client {
+namespace {
+
+struct MatrixArguments {
+  QuestionArguments question;
+  std::optional<double> radius;
+  bool float32 = false;
+};
+
+void AddOptions(CLI::App* app, MatrixArguments* arguments) {
+  AddMesh(app, kMeshHelp, &arguments->question.mesh);
+  AddSources(app, Need::kRequired, &arguments->question.sources);
+  AddTargets(app, Need::kOptional,
+             "Make this point a column (default: every vertex)",
+             &arguments->question.targets);
+  AddRadius(app, "Leave out distances beyond this one", &arguments->radius);
+  AddFloat32(app, &arguments->float32);
+  AddQuestion(app,
+              "Write the matrix here, row by row: dense to .npy, as sparse "
+              "rows to .npz (scipy.sparse.load_npz reads it), as "
+              "source,target,distance to .csv",
+              kMatrixFormats, &arguments->question);
+  AddCheck(app, [arguments] { RequireSources(arguments->question.sources); });
+}
+
+// The largest finite distance and how many finite ones there are.
+struct MatrixSummary {
+  MatrixShape shape;
+  uint64_t finite = 0;
+  double largest = 0;
+};
+
+// The writers of all outputs, or the terminal if there are none.
+class Destination {
+ public:
+  Destination(const Session& session, const Question& question,
+              const std::vector<OutputArgument>& outputs)
+      : session_(session),
+        outputs_(outputs),
+        places_{question.sources, question.targets} {}
+
+  // Errors: those of opening files.
+  absl::Status Open(NumberType type) {
+    for (const OutputArgument& output : outputs_) {
+      absl::StatusOr<std::unique_ptr<MatrixWriter>> writer =
+          CreateMatrixWriter(output.path, output.format, type, places_);
+      if (!writer.ok()) return FileError(writer.status());
+      writers_.push_back(*std::move(writer));
+    }
+    return absl::OkStatus();
+  }
+
+  MatrixReceiver Receiver(Stopwatch* watch) {
+    return {.on_shape = [this](const MatrixShape& s) { return Begin(s); },
+            .on_row = [this](const MatrixRow& row) { return Append(row); },
+            .on_progress = watch->OnCount("rows")};
+  }
+
+  absl::StatusOr<std::vector<WrittenFile>> Commit() {
+    size_t next = 0;
+    return WriteOutputs(session_, outputs_,
+                        [&](const OutputArgument&) -> absl::StatusOr<uint64_t> {
+                          absl::StatusOr<uint64_t> size =
+                              writers_[next++]->Commit();
+                          if (!size.ok()) return FileError(size.status());
+                          return size;
+                        });
+  }
+
+  const MatrixSummary& summary() const { return summary_; }
+  // With --json and no file: the rows.
+  const Json& rows() const { return rows_; }
+
+ private:
+  bool is_text() const { return writers_.empty() && !session_.json; }
+
+  absl::Status Begin(const MatrixShape& shape) {
+    summary_.shape = shape;
+    if (is_text()) session_.out << kMatrixCsvHeader;
+    for (const auto& writer : writers_) {
+      absl::Status status = writer->Begin(shape);
+      if (!status.ok()) return FileError(status);
+    }
+    return absl::OkStatus();
+  }
+
+  absl::Status Append(const MatrixRow& row) {
+    for (const double value : row.values) {
+      if (!std::isfinite(value)) continue;
+      ++summary_.finite;
+      summary_.largest = std::max(summary_.largest, value);
+    }
+    if (is_text()) {
+      std::string text;
+      AppendCsvRow(places_, row, &text);
+      session_.out << text;
+    }
+    if (!session_.out) return OutputFailed();
+    if (writers_.empty() && session_.json) {
+      rows_.push_back({{"columns", std::vector<uint32_t>(row.columns.begin(),
+                                                         row.columns.end())},
+                       {"distances", std::vector<double>(row.values.begin(),
+                                                         row.values.end())}});
+    }
+    for (const auto& writer : writers_) {
+      absl::Status status = writer->Append(row);
+      if (!status.ok()) return FileError(status);
+    }
+    return absl::OkStatus();
+  }
+
+  const Session& session_;
+  const std::vector<OutputArgument>& outputs_;
+  const MatrixPlaces places_;
+  std::vector<std::unique_ptr<MatrixWriter>> writers_;
+  MatrixSummary summary_;
+  Json rows_ = Json::array();
+};
+
+// Rows travel dense if a file needs them so; .npz never does.
+bool IsSparse(const MatrixArguments& arguments) {
+  const bool is_limited = arguments.radius.has_value();
+  const std::vector<OutputArgument>& outputs = arguments.question.outputs;
+  if (outputs.empty()) return is_limited;
+  return std::ranges::all_of(outputs, [is_limited](const auto& output) {
+    return output.format == OutputFormat::kNpz ||
+           (output.format == OutputFormat::kCsv && is_limited);
+  });
+}
+
+absl::Status Answer(const MatrixArguments& arguments, const Session& session,
+                    const Question& question) {
+  Destination destination(session, question, arguments.question.outputs);
+  absl::Status opened = destination.Open(NumberTypeOf(arguments.float32));
+  if (!opened.ok()) return opened;
+  Stopwatch watch(session);
+  absl::StatusOr<AnswerInfo> info = session.client.ComputeMatrix(
+      {.mesh_digest = question.mesh_digest,
+       .sources = question.sources,
+       .targets = question.targets,
+       .algorithm = arguments.question.algorithm,
+       .value_type = ValueTypeOf(arguments.float32),
+       .max_distance = arguments.radius,
+       .sparse = IsSparse(arguments),
+       .priority = arguments.question.priority},
+      destination.Receiver(&watch), session.call);
+  if (!info.ok()) return info.status();
+  const double seconds = watch.seconds();
+  absl::StatusOr<std::vector<WrittenFile>> files = destination.Commit();
+  if (!files.ok()) return files.status();
+  // Rows that went to the terminal are all that it gets.
+  if (!session.json && files->empty()) return absl::OkStatus();
+
+  const MatrixSummary& summary = destination.summary();
+  Report report = {
+      .facts = {{"matrix",
+                 absl::StrCat(GroupedNumber(summary.shape.rows), " rows x ",
+                              GroupedNumber(summary.shape.columns),
+                              " columns")},
+                {"finite values", GroupedNumber(summary.finite)},
+                {"largest distance", ShortNumber(summary.largest)}},
+      .json = {{"rows", summary.shape.rows},
+               {"columns", summary.shape.columns},
+               {"finite_values", summary.finite},
+               {"largest_distance", summary.largest}}};
+  if (files->empty()) report.json["matrix"] = destination.rows();
+  PrintReport(session, question, *info, seconds, *files, report);
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+Command MatrixCommand() {
+  return MakeQuestion(
+      "matrix", "Distances between many points",
+      "  geodesic matrix horse.ply --source 0 --source 9 --target 5 "
+      "--target 7\n"
+      "  geodesic matrix horse.ply --sources rows.txt --radius 0.02 "
+      "-o near.npz\n"
+      "  geodesic matrix horse.ply --sources all.txt --float32 -o d.npy",
+      AddOptions, Answer);
+}
+
+}  // namespace geodesic::client

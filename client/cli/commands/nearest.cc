@@ -1,0 +1,133 @@
+// nearest: the nearest members of a set.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "client/cli/arguments/values.h"
+#include "client/cli/commands/command.h"
+#include "client/cli/commands/question.h"
+#include "client/output/csv.h"
+#include "client/output/number_text.h"
+#include "client/output/place_text.h"
+
+namespace geodesic::client {
+namespace {
+
+struct NearestArguments {
+  QuestionArguments question;
+  uint64_t count = 1;
+  std::optional<double> radius;
+};
+
+void AddOptions(CLI::App* app, NearestArguments* arguments) {
+  AddMesh(app, kMeshHelp, &arguments->question.mesh);
+  AddSources(app, Need::kRequired, &arguments->question.sources);
+  AddTargets(app, Need::kRequired, "A member of the set to search",
+             &arguments->question.targets);
+  AddValue(app,
+           {"-k,--count",
+            "How many members to find for each source; default: 1", "K"},
+           ParseCount, &arguments->count);
+  AddRadius(app, "Find no members farther than this", &arguments->radius);
+  AddQuestion(app, "Write what was found here", kTableFormats,
+              &arguments->question);
+  AddCheck(app, [arguments] {
+    RequireSources(arguments->question.sources);
+    RequireTargets(arguments->question.targets);
+  });
+}
+
+Json FoundJson(const Question& question, const NearestAnswer& answer) {
+  Json rows = Json::array();
+  for (size_t source = 0; source < answer.found.size(); ++source) {
+    Json found = Json::array();
+    for (const NearestTarget& nearest : answer.found[source]) {
+      Json target = PointToJson(question.targets[nearest.target]);
+      found.push_back({{"target", nearest.target},
+                       {"point", std::move(target)},
+                       {"distance", nearest.distance}});
+    }
+    rows.push_back({{"source", SourceToJson(question.sources[source])},
+                    {"nearest", std::move(found)}});
+  }
+  return rows;
+}
+
+// Calls `visit(source, rank, nearest)` for all that was found; the nearest has
+// rank 1.
+template <typename Visit>
+void VisitFound(const NearestAnswer& answer, Visit visit) {
+  for (size_t source = 0; source < answer.found.size(); ++source) {
+    for (size_t rank = 0; rank < answer.found[source].size(); ++rank) {
+      visit(source, rank + 1, answer.found[source][rank]);
+    }
+  }
+}
+
+void WriteCsv(const Question& question, const NearestAnswer& answer,
+              AtomicFile* file) {
+  file->Append("source,rank,target,point,distance\n");
+  CsvLine line;
+  VisitFound(answer, [&](size_t source, size_t rank, const NearestTarget& t) {
+    line.Integer(static_cast<int64_t>(source))
+        .Integer(static_cast<int64_t>(rank))
+        .Integer(static_cast<int64_t>(t.target))
+        .Text(PointText(question.targets[t.target]))
+        .Number(t.distance);
+    file->Append(line.End());
+  });
+}
+
+Report ReportOf(const Question& question, const NearestAnswer& answer) {
+  Report report = {.header = {"source", "rank", "target", "distance"}};
+  VisitFound(answer, [&](size_t source, size_t rank, const NearestTarget& t) {
+    report.rows.push_back(
+        {SourceText(question.sources[source]), NumberText(rank),
+         PointText(question.targets[t.target]), NumberText(t.distance)});
+  });
+  report.json["found"] = FoundJson(question, answer);
+  return report;
+}
+
+absl::Status Answer(const NearestArguments& arguments, const Session& session,
+                    const Question& question) {
+  Stopwatch watch(session);
+  absl::StatusOr<NearestAnswer> answer =
+      session.client.FindNearest({.mesh_digest = question.mesh_digest,
+                                  .sources = question.sources,
+                                  .targets = question.targets,
+                                  .count = arguments.count,
+                                  .algorithm = arguments.question.algorithm,
+                                  .max_distance = arguments.radius,
+                                  .priority = arguments.question.priority},
+                                 session.call, watch.OnCount("sources"));
+  if (!answer.ok()) return answer.status();
+  const double seconds = watch.seconds();
+  absl::StatusOr<std::vector<WrittenFile>> files = WriteOutputs(
+      session, arguments.question.outputs, [&](const OutputArgument& output) {
+        return WriteFile(output.path, [&](AtomicFile* file) {
+          if (output.format == OutputFormat::kCsv) {
+            WriteCsv(question, *answer, file);
+          } else {
+            file->Append(FoundJson(question, *answer).dump(2) + "\n");
+          }
+          return absl::OkStatus();
+        });
+      });
+  if (!files.ok()) return files.status();
+  PrintReport(session, question, answer->info, seconds, *files,
+              ReportOf(question, *answer));
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+Command NearestCommand() {
+  return MakeQuestion(
+      "nearest", "The nearest members of a set",
+      "  geodesic nearest horse.ply --source 0 --targets stations.txt -k 3",
+      AddOptions, Answer);
+}
+
+}  // namespace geodesic::client

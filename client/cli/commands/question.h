@@ -1,0 +1,151 @@
+// What the commands that ask a question have in common.
+
+#ifndef GEODESIC_CLIENT_CLI_COMMANDS_QUESTION_H_
+#define GEODESIC_CLIENT_CLI_COMMANDS_QUESTION_H_
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "client/cli/arguments/options.h"
+#include "client/cli/commands/command.h"
+#include "client/cli/commands/json.h"
+#include "client/cli/terminal/exit_code.h"
+#include "client/cli/terminal/progress_display.h"
+#include "client/cli/terminal/text.h"
+#include "client/output/atomic_file.h"
+#include "client/output/number_type.h"
+#include "geodesic_client/answer.h"
+
+namespace geodesic::client {
+
+// A question about a mesh, before it is sent.
+struct Question {
+  std::string mesh_digest;
+  // Numbered as the server will number them.
+  std::vector<Source> sources;
+  std::vector<SurfacePoint> targets;
+};
+
+// Reads the lists of --sources and --targets, sees whether the outputs can be
+// written, makes the mesh resident and calls `answer`; again if the mesh was
+// evicted before the question came. Errors: those of `answer`, too.
+absl::Status AskQuestion(
+    const Session& session, const QuestionArguments& arguments,
+    const std::function<absl::Status(const Question&)>& answer);
+
+// A command that answers a question; its `Arguments` have QuestionArguments
+// called `question`.
+template <typename Arguments>
+Command MakeQuestion(std::string name, std::string help, std::string examples,
+                     void (*add_options)(CLI::App*, Arguments*),
+                     absl::Status (*answer)(const Arguments&, const Session&,
+                                            const Question&)) {
+  const auto arguments = std::make_shared<Arguments>();
+  return {
+      .name = std::move(name),
+      .help = std::move(help),
+      .examples = std::move(examples),
+      .add_options = [=](CLI::App* app) { add_options(app, arguments.get()); },
+      .run =
+          [=](const Session& session) {
+            return AskQuestion(session, arguments->question,
+                               [&](const Question& question) {
+                                 return answer(*arguments, session, question);
+                               });
+          }};
+}
+
+// Shows how far a computation has come, and measures how long it takes.
+class Stopwatch {
+ public:
+  explicit Stopwatch(const Session& session)
+      : start_(Clock::now()),
+        display_(session.progress_style, session.terminal_width, start_,
+                 &session.err) {}
+
+  // Valid as long as this is.
+  SolveProgressCallback OnSolve();
+  // `what` is counted, in the plural.
+  std::function<void(uint64_t, uint64_t)> OnCount(const std::string& what);
+
+  double seconds() const {
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point start_;
+  ProgressDisplay display_;
+};
+
+// The mesh itself, for outputs that hold or show it; fetched at most once.
+class MeshOnDemand {
+ public:
+  MeshOnDemand(const Session& session, const std::string& digest)
+      : session_(session), digest_(digest) {}
+
+  // Errors: those of the server; DATA_LOSS if it has not `vertex_count`
+  // vertices.
+  absl::StatusOr<const MeshArrays*> Get(uint64_t vertex_count);
+
+ private:
+  const Session& session_;
+  const std::string digest_;
+  std::optional<MeshArrays> mesh_;
+};
+
+// How numbers travel, and stand in binary files.
+inline ValueType ValueTypeOf(bool float32) {
+  return float32 ? ValueType::kFloat32 : ValueType::kFloat64;
+}
+inline NumberType NumberTypeOf(bool float32) {
+  return float32 ? NumberType::kFloat32 : NumberType::kFloat64;
+}
+
+struct WrittenFile {
+  OutputArgument output;
+  uint64_t bytes = 0;
+};
+
+// Writes the whole file or nothing; its size.
+absl::StatusOr<uint64_t> WriteFile(
+    const std::string& path,
+    const std::function<absl::Status(AtomicFile*)>& write);
+
+// Calls `write` for every output.
+absl::StatusOr<std::vector<WrittenFile>> WriteOutputs(
+    const Session& session, const std::vector<OutputArgument>& outputs,
+    const std::function<absl::StatusOr<uint64_t>(const OutputArgument&)>&
+        write);
+
+// What an answer says besides its files.
+struct Report {
+  // A table, or none.
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<Fact> facts;
+  // Members of the object that --json prints.
+  Json json = Json::object();
+};
+
+// Prints the table and the facts, with what all answers have in common, or one
+// JSON object. With --quiet only the table and the report's own facts, and
+// nothing if the answer went to files.
+void PrintReport(const Session& session, const Question& question,
+                 const AnswerInfo& info, double call_seconds,
+                 const std::vector<WrittenFile>& files, const Report& report);
+
+// Ends a command whose output cannot be written.
+absl::Status OutputFailed();
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_CLI_COMMANDS_QUESTION_H_

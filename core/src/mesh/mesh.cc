@@ -1,0 +1,272 @@
+#include "geodesic/mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/checkpoint.h"
+#include "mesh/cone_angles.h"
+#include "mesh/connectivity.h"
+#include "mesh/face_layout.h"
+#include "mesh/huge_pages.h"
+#include "mesh/locality.h"
+#include "mesh/scaled_difference.h"
+#include "tolerances.h"
+
+namespace geodesic {
+namespace {
+
+absl::Status CheckSoup(const TriangleSoup& soup) {
+  constexpr uint64_t kMostVertices = std::numeric_limits<uint32_t>::max() / 2;
+  constexpr uint64_t kMostFaces = (kIrregularExit - 1) / 3;
+  const uint64_t vertices = soup.positions.size();
+  const uint64_t faces = soup.triangles.size();
+  if (vertices > kMostVertices || faces > kMostFaces) {
+    return absl::ResourceExhaustedError(
+        absl::StrCat("a mesh of ", vertices, " vertices and ", faces,
+                     " faces is too large: at most ", kMostVertices,
+                     " vertices and ", kMostFaces, " faces are possible"));
+  }
+  if (faces == 0) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("the mesh has no faces (", vertices,
+                     " vertices): there is no surface to measure on"));
+  }
+  for (uint64_t v = 0; v < vertices; ++v) {
+    for (double x : soup.positions[v]) {
+      if (!std::isfinite(x)) {
+        return absl::InvalidArgumentError(absl::StrCat(
+            "vertex ", v, " has a coordinate that is not finite (", x, ")"));
+      }
+    }
+  }
+  for (uint64_t f = 0; f < faces; ++f) {
+    const auto& [a, b, c] = soup.triangles[f];
+    for (uint32_t v : {a, b, c}) {
+      if (v >= vertices) {
+        return absl::InvalidArgumentError(
+            absl::StrCat("face ", f, " names vertex ", v, ", but there are ",
+                         vertices, " vertices"));
+      }
+    }
+    if (a == b || b == c || c == a) {
+      return absl::InvalidArgumentError(absl::StrCat(
+          "face ", f, " repeats vertex ", a == b || c == a ? a : b));
+    }
+  }
+  return absl::OkStatus();
+}
+
+// The exponent e for which the mesh's longest extent lies in [2^(e-1), 2^e).
+int ScaleExponent(std::span<const Point> positions) {
+  double longest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = positions[0][axis], high = low;
+    for (const Point& p : positions) {
+      low = std::min(low, p[axis]);
+      high = std::max(high, p[axis]);
+    }
+    longest = std::max(longest, high / 4 - low / 4);
+  }
+  if (longest == 0) return 0;
+  // 2^(2 - e) must stay a normal number.
+  return std::clamp(std::ilogb(longest) + 3, -1000, 1027);
+}
+
+}  // namespace
+
+absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(TriangleSoup soup) {
+  NoCheckpoint checkpoint;
+  return Build(std::move(soup), checkpoint);
+}
+
+absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(
+    TriangleSoup soup, Checkpoint& checkpoint) {
+  if (absl::Status status = CheckSoup(soup); !status.ok()) return status;
+  if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
+  std::shared_ptr<Mesh> mesh(new Mesh(std::move(soup)));
+  if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
+  Connectivity connectivity = FindConnectivity(
+      {mesh->triangles_, mesh->outgoing_begin_, mesh->outgoing_});
+  mesh->crowds_begin_ = std::move(connectivity.crowds_begin);
+  mesh->crowds_ = std::move(connectivity.crowds);
+  if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
+  ConeAngles angles(mesh->vertex_count());
+  mesh->BuildFrames(connectivity.exits, angles);
+  if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
+  mesh->ClassifyVertices(connectivity.is_closed_fan, angles);
+  return mesh;
+}
+
+uint64_t Mesh::EstimateResidentBytes(uint64_t vertices, uint64_t faces) {
+  return sizeof(Mesh) +
+         faces * (3 * sizeof(HalfEdgeFrame) + sizeof(Triangle) +
+                  3 * sizeof(HalfEdge) + 2 * sizeof(uint32_t)) +
+         // At irregular edges: as many half-edges, half as many edges.
+         faces * (3 * sizeof(HalfEdge) + 3 * sizeof(uint32_t) / 2) +
+         vertices * (sizeof(Point) + sizeof(uint32_t) + sizeof(uint8_t)) +
+         sizeof(uint32_t);
+}
+
+uint64_t Mesh::EstimateBuildBytes(uint64_t vertices, uint64_t faces) {
+  // While frames are built; what the earlier steps need is gone by then.
+  constexpr uint64_t kAnglesPerVertex = sizeof(double) * 3;
+  return EstimateResidentBytes(vertices, faces) + 3 * faces * sizeof(Exit) +
+         vertices * (kAnglesPerVertex + sizeof(uint8_t));
+}
+
+uint64_t Mesh::resident_bytes() const {
+  return sizeof(Mesh) + positions_.capacity() * sizeof(Point) +
+         (faces_.capacity() + slots_.capacity()) * sizeof(uint32_t) +
+         triangles_.capacity() * sizeof(Triangle) +
+         half_edge_count() * sizeof(HalfEdgeFrame) +
+         outgoing_begin_.capacity() * sizeof(uint32_t) +
+         outgoing_.capacity() * sizeof(HalfEdge) + kinds_.capacity() +
+         crowds_begin_.capacity() * sizeof(uint32_t) +
+         crowds_.capacity() * sizeof(HalfEdge);
+}
+
+Mesh::Mesh(TriangleSoup soup)
+    : faces_(FacesAlongCurve(soup)),
+      slots_(faces_.size()),
+      scale_exponent_(ScaleExponent(soup.positions)) {
+  triangles_.reserve(faces_.size());
+  for (const uint32_t face : faces_) {
+    slots_[face] = static_cast<uint32_t>(triangles_.size());
+    triangles_.push_back(soup.triangles[face]);
+  }
+  BuildOutgoing(soup);
+  positions_ = std::move(soup.positions);
+  positions_.shrink_to_fit();
+}
+
+void Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles) {
+  constexpr HalfEdge kAhead = 3 * 8;
+  const ScaledDifference difference(scale_exponent_);
+  frames_ = MakeLargeArray<HalfEdgeFrame>(half_edge_count());
+  kinds_.assign(vertex_count(), 0);
+  double sum = 0;
+  uint64_t edges = 0;
+  for (HalfEdge first = 0; first < half_edge_count(); first += 3) {
+    const Triangle& corners = TriangleOf(first);
+    // Vertices lie in the caller's order: far apart.
+    if (first + kAhead < half_edge_count()) {
+      for (const uint32_t v : TriangleOf(first + kAhead)) {
+        __builtin_prefetch(&positions_[v]);
+        angles.Prefetch(v);
+      }
+    }
+    const std::array<HalfEdgeFrame, 3> frames =
+        LayOutFace({&positions_[corners[0]], &positions_[corners[1]],
+                    &positions_[corners[2]]},
+                   difference);
+    std::ranges::copy(frames, &frames_[first]);
+    for (int i = 0; i < 3; ++i) {
+      frames_[first + i].left_exit = exits[first + (i + 2) % 3];
+      frames_[first + i].right_exit = exits[first + (i + 1) % 3];
+      angles.Add(corners[i], frames[i].left_x, frames[i].left_y);
+      const HalfEdge h = first + i;
+      const Exit exit = exits[h];
+      if (exit == kNoHalfEdge) {
+        kinds_[corners[i]] |= kBoundary;
+        kinds_[corners[(i + 1) % 3]] |= kBoundary;
+      }
+      // Once an edge, with its first side. Without a branch: what comes first
+      // cannot be foreseen.
+      const bool is_first = exit < kIrregularExit || exit == kNoHalfEdge
+                                ? h < exit
+                                : Crowd(exit)[0] == h;
+      sum += is_first ? frames[i].length : 0;
+      edges += is_first;
+    }
+    if (IsCollapsed(first)) {
+      for (const uint32_t v : corners) kinds_[v] |= kPseudoSource;
+      has_collapsed_faces_ = true;
+    }
+  }
+  mean_edge_length_ = sum / static_cast<double>(edges);
+}
+
+void Mesh::BuildOutgoing(const TriangleSoup& soup) {
+  outgoing_begin_.assign(soup.positions.size() + 1, 0);
+  for (const Triangle& corners : soup.triangles) {
+    for (const uint32_t v : corners) ++outgoing_begin_[v + 1];
+  }
+  std::partial_sum(outgoing_begin_.begin(), outgoing_begin_.end(),
+                   outgoing_begin_.begin());
+  outgoing_.resize(3 * soup.triangles.size());
+  std::vector<uint32_t> fill(outgoing_begin_.begin(),
+                             outgoing_begin_.end() - 1);
+  // In order of faces, wherever these are kept.
+  for (uint32_t face = 0; face < soup.triangles.size(); ++face) {
+    HalfEdge h = FirstSide(face);
+    for (const uint32_t v : soup.triangles[face]) outgoing_[fill[v]++] = h++;
+  }
+}
+
+bool Mesh::IsCollapsed(HalfEdge h) const {
+  const HalfEdgeFrame* sides = &frames_[h - h % 3];
+  const double longest =
+      std::max({sides[0].length, sides[1].length, sides[2].length});
+  return sides[0].length * sides[0].apex_y <=
+         kCollapsedFace * longest * longest;
+}
+
+bool Mesh::IsDisk(uint32_t v) const {
+  // The two edges at v of the face that `outgoing` leaves into.
+  struct Wedge {
+    HalfEdge outgoing;
+    bool leaves_by_previous;  // the walk goes on across Prev(outgoing)
+  };
+  const std::span<const HalfEdge> outgoing = Outgoing(v);
+  const auto step = [&](Wedge wedge) -> std::optional<Wedge> {
+    std::optional<Wedge> next;
+    int faces = 0;
+    ForEachBeyond(
+        wedge.leaves_by_previous ? Prev(wedge.outgoing) : wedge.outgoing,
+        [&](HalfEdge other, bool) {
+          ++faces;
+          next =
+              From(other) == v ? Wedge{other, true} : Wedge{Next(other), false};
+        });
+    return faces == 1 ? next : std::nullopt;
+  };
+  // From the first face one way round, and if that ends, the other way.
+  size_t wedges = 1;
+  for (const bool by_previous : {true, false}) {
+    std::optional<Wedge> wedge = Wedge{outgoing[0], by_previous};
+    while (wedges <= outgoing.size() && (wedge = step(*wedge))) {
+      if (wedge->outgoing == outgoing[0]) return wedges == outgoing.size();
+      ++wedges;
+    }
+  }
+  return wedges == outgoing.size() &&
+         std::ranges::all_of(outgoing, [&](HalfEdge h) {
+           return !IsCrowdedEdge(h) && !IsCrowdedEdge(Prev(h));
+         });
+}
+
+void Mesh::ClassifyVertices(std::span<const uint8_t> is_closed_fan,
+                            const ConeAngles& angles) {
+  for (uint32_t v = 0; v < vertex_count(); ++v) {
+    if (Outgoing(v).empty()) continue;
+    if (!is_closed_fan[v] && !IsDisk(v)) {
+      kinds_[v] |= kNonManifold | kPseudoSource;
+    }
+    // A path may bend where it has an angle of pi or more on every side that
+    // lies in the surface: one side at a boundary, two elsewhere.
+    const bool is_boundary = kinds_[v] & kBoundary;
+    const double flat = is_boundary ? std::numbers::pi : 2 * std::numbers::pi;
+    if (angles.Exceeds(v, flat + kFlatAngle)) {
+      kinds_[v] |= kPseudoSource | (is_boundary ? 0 : kSaddle);
+    }
+  }
+}
+
+}  // namespace geodesic

@@ -1,0 +1,348 @@
+#include "questions/paths/back_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "mesh/scaled_difference.h"
+#include "questions/paths/anchor_foot.h"
+#include "solver/windows/window.h"
+#include "surface/surface_location.h"
+#include "tolerances.h"
+
+namespace geodesic {
+namespace {
+
+PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+double Dot(const PlanePoint& a, const PlanePoint& b) {
+  return a.x * b.x + a.y * b.y;
+}
+double Cross(const PlanePoint& a, const PlanePoint& b) {
+  return a.x * b.y - a.y * b.x;
+}
+double Norm(const PlanePoint& a) { return std::sqrt(Dot(a, a)); }
+using geodesic::Norm;
+
+// The line back from a piece's end, in the frame of some half-edge: where the
+// end lies, and the way from there to the pseudo-source (towards it, where that
+// is a segment).
+struct BackLine {
+  PlanePoint end;
+  PlanePoint way;
+};
+
+// Where the line, followed back along `way` to the piece's start, crosses AB;
+// below its end if it runs along it. Not beyond the start: where that lies on
+// AB, and all but in the line, rounding would have the line cross anywhere.
+double CrossingOf(const PlanePoint& end, const PlanePoint& way) {
+  return way.y < 0 ? end.x + way.x * std::min(end.y / -way.y, 1.0) : end.x;
+}
+
+// A face beyond an edge, by its half-edge there. A mirrored one runs along the
+// edge in the same direction, so that its frame is turned over.
+struct FaceBeyond {
+  HalfEdge half_edge;
+  bool is_mirrored;
+};
+
+// From the frame of a half-edge into that of a face beyond.
+BackLine Enter(const FaceBeyond& face, const BackLine& line, double length) {
+  if (face.is_mirrored) {
+    return {{line.end.x, -line.end.y}, {line.way.x, -line.way.y}};
+  }
+  return {{length - line.end.x, -line.end.y}, {-line.way.x, -line.way.y}};
+}
+
+// From the frame of a half-edge into that of its face's side C -> A.
+BackLine IntoLeft(const BackLine& line, const HalfEdgeFrame& frame,
+                  double left_length) {
+  const auto turn = [&](const PlanePoint& v) {
+    return PlanePoint{-(v.x * frame.left_x + v.y * frame.left_y),
+                      v.x * frame.left_y - v.y * frame.left_x};
+  };
+  BackLine turned{turn(line.end), turn(line.way)};
+  turned.end.x += left_length;
+  return turned;
+}
+
+// From the frame of a half-edge into that of its face's side B -> C.
+BackLine IntoRight(const BackLine& line, const HalfEdgeFrame& frame) {
+  const auto turn = [&](const PlanePoint& v) {
+    return PlanePoint{v.x * frame.right_x + v.y * frame.right_y,
+                      v.y * frame.right_x - v.x * frame.right_y};
+  };
+  return {turn(line.end - PlanePoint{frame.length, 0}), turn(line.way)};
+}
+
+// What turns and stretches `from` into `to`, as a complex number. Squares of
+// lengths may vanish (kLeastHeight).
+PlanePoint Quotient(const PlanePoint& to, const PlanePoint& from) {
+  const double norm = std::hypot(from.x, from.y);
+  if (norm == 0) return {1, 0};
+  const PlanePoint unit{from.x / norm, from.y / norm};
+  return {Dot(unit, to) / norm, Cross(unit, to) / norm};
+}
+PlanePoint Product(const PlanePoint& a, const PlanePoint& b) {
+  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
+
+class Walker {
+ public:
+  Walker(const TracedField& field, const PathEnd& end, uint32_t turns,
+         double nearness)
+      : field_(field),
+        mesh_(field.mesh()),
+        end_(end),
+        turns_(turns),
+        relative_nearness_(nearness),
+        last_(end.point) {}
+
+  // In how many ways together the walk might have gone.
+  double ways() const { return ways_; }
+
+  // The piece, if the walk arrives.
+  std::optional<StraightPiece> Walk() {
+    const uint32_t pseudo_source = end_.arrival.pseudo_source;
+    const bool arrives = end_.arrival.entry == kNoHalfEdge
+                             ? GoWithinFace(pseudo_source)
+                             : GoThroughFaces(pseudo_source);
+    if (!arrives) return std::nullopt;
+    return std::move(piece_);
+  }
+
+ private:
+  uint32_t Choose(uint32_t ways) {
+    ways_ *= ways;
+    const uint32_t choice = turns_ % ways;
+    turns_ /= ways;
+    return choice;
+  }
+
+  // The face beyond h to go on in; nothing at a boundary.
+  std::optional<FaceBeyond> Beyond(HalfEdge h) {
+    if (const HalfEdge twin = mesh_.Twin(h); twin != kNoHalfEdge) {
+      return FaceBeyond{twin, false};
+    }
+    std::vector<FaceBeyond> faces;
+    mesh_.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
+      faces.push_back({other, is_mirrored});
+    });
+    if (faces.empty()) return std::nullopt;
+    return faces[Choose(static_cast<uint32_t>(faces.size()))];
+  }
+
+  // Where the path to a place in the frame of h starts, if its pseudo-source
+  // lies in the face of h.
+  std::optional<SurfacePoint> StartWithin(uint32_t pseudo_source, HalfEdge h,
+                                          const PlanePoint& place) const {
+    if (field_.IsVertex(pseudo_source)) {
+      const VertexPoint start{pseudo_source};
+      if (!WithinFace(mesh_, start, mesh_.FaceOf(h)).has_value())
+        return std::nullopt;
+      return start;
+    }
+    const Anchor& anchor = field_.AnchorOf(pseudo_source);
+    const std::optional<FacePoint> foot = FootOf(mesh_, anchor, h, place);
+    if (!foot.has_value()) return std::nullopt;
+    if (!anchor.is_segment) return anchor.begin;
+    return Canonicalize(*foot, mesh_);
+  }
+
+  // An edge that the line crosses, seen from the face that it leaves.
+  struct CrossedEdge {
+    HalfEdge half_edge;
+    BackLine line;
+    bool is_mirrored;
+  };
+
+  // Adds the way over the edges crossed so far, as a line crosses them whose
+  // way is `turn` times theirs, as complex numbers in the present frame.
+  void GoOverEdges(const PlanePoint& turn);
+  // Adds the way within `face` from the last point to the next.
+  void GoTo(const SurfacePoint& next, uint32_t face) {
+    if (next == last_) return;
+    const HalfEdge first = mesh_.FirstSide(face);
+    piece_.length +=
+        Norm(InFrame(mesh_, *WithinFace(mesh_, next, face), first) -
+             InFrame(mesh_, *WithinFace(mesh_, last_, face), first));
+    last_ = next;
+    piece_.points.push_back(next);
+  }
+
+  // Ends the piece at its start, `way` back from the end in the frame of h.
+  void StartAt(uint32_t start, HalfEdge h, const PlanePoint& way) {
+    piece_.start = start;
+    piece_.frame = h;
+    piece_.direction = {-way.x, -way.y};
+  }
+
+  // The piece from a pseudo-source in a face around the end.
+  bool GoWithinFace(uint32_t pseudo_source);
+  // The piece that enters its last face through an edge.
+  bool GoThroughFaces(uint32_t pseudo_source);
+  // Whether the line passes a place as near as rounding.
+  bool RunsInto(const PlanePoint& at, const BackLine& line) const {
+    return std::abs(Cross(line.way, at - line.end)) <=
+           nearness_ * Norm(line.way);
+  }
+  // Ends the piece at `vertex`, which lies at `at`, if the path passes there.
+  bool PassesThrough(uint32_t vertex, const PlanePoint& at,
+                     const BackLine& line, HalfEdge h);
+
+  const TracedField& field_;
+  const Mesh& mesh_;
+  const PathEnd& end_;
+  uint32_t turns_;  // those left
+  const double relative_nearness_;
+  double ways_ = 1;
+  SurfacePoint last_;
+  double nearness_ = 0;  // to a vertex at which the path passes it
+  std::vector<CrossedEdge> crossed_;
+  bool is_mirrored_ = false;  // whether the present frame is turned over
+  StraightPiece piece_;
+};
+
+bool Walker::GoWithinFace(uint32_t pseudo_source) {
+  piece_.start = pseudo_source;
+  const auto* to = std::get_if<VertexPoint>(&last_);
+  const bool from_vertex = field_.IsVertex(pseudo_source);
+  if (from_vertex && to != nullptr) {
+    // Along an edge; its face would take a search around a vertex.
+    const ScaledDifference difference(mesh_.scale_exponent());
+    piece_.length = Norm(difference(mesh_.positions()[pseudo_source],
+                                    mesh_.positions()[to->vertex]));
+    piece_.points.push_back(VertexPoint{pseudo_source});
+    return true;
+  }
+  const SurfacePoint anchored =
+      from_vertex ? last_ : field_.AnchorOf(pseudo_source).begin;
+  if (anchored == last_ && !from_vertex &&
+      !field_.AnchorOf(pseudo_source).is_segment) {
+    return true;
+  }
+  for (const FacePoint& around : FacesAround(mesh_, anchored)) {
+    const HalfEdge h = mesh_.FirstSide(around.face);
+    const std::optional<FacePoint> end = WithinFace(mesh_, last_, around.face);
+    if (!end.has_value()) continue;
+    const PlanePoint place = InFrame(mesh_, *end, h);
+    const std::optional<SurfacePoint> start =
+        StartWithin(pseudo_source, h, place);
+    if (!start.has_value()) continue;
+    if (*start == last_) return true;
+    StartAt(pseudo_source, h,
+            InFrame(mesh_, *WithinFace(mesh_, *start, around.face), h) - place);
+    GoTo(*start, around.face);
+    return true;
+  }
+  return false;
+}
+
+bool Walker::GoThroughFaces(uint32_t pseudo_source) {
+  const auto& [entry_source, entry, x, depth] = end_.arrival;
+  const std::optional<FacePoint> end =
+      WithinFace(mesh_, end_.point, mesh_.FaceOf(entry));
+  if (!end.has_value()) return false;
+  BackLine line{.end = InFrame(mesh_, *end, entry)};
+  const bool is_segment = !field_.IsVertex(pseudo_source) &&
+                          field_.AnchorOf(pseudo_source).is_segment;
+  line.way =
+      is_segment ? PlanePoint{-x, -depth} : PlanePoint{x, -depth} - line.end;
+  nearness_ =
+      relative_nearness_ * (mesh_.frame(entry).length +
+                            (is_segment ? end_.distance : std::abs(x) + depth));
+  if (PassesThrough(mesh_.From(entry), {0, 0}, line, entry) ||
+      PassesThrough(mesh_.To(entry), {mesh_.frame(entry).length, 0}, line,
+                    entry)) {
+    return true;
+  }
+  HalfEdge h = entry;
+  // A shortest path enters a face once at most.
+  for (uint32_t faces = 0; faces < mesh_.face_count(); ++faces) {
+    crossed_.push_back({h, line, is_mirrored_});
+    const std::optional<FaceBeyond> face = Beyond(h);
+    if (!face.has_value()) return false;
+    const HalfEdge beyond = face->half_edge;
+    const HalfEdgeFrame& frame = mesh_.frame(beyond);
+    line = Enter(*face, line, mesh_.frame(h).length);
+    is_mirrored_ ^= face->is_mirrored;
+    if (const std::optional<SurfacePoint> start =
+            StartWithin(pseudo_source, beyond, line.end)) {
+      const uint32_t face_there = mesh_.FaceOf(beyond);
+      const PlanePoint way =
+          InFrame(mesh_, *WithinFace(mesh_, *start, face_there), beyond) -
+          line.end;
+      StartAt(pseudo_source, beyond, line.way);
+      GoOverEdges(Quotient(way, line.way));
+      GoTo(*start, face_there);
+      return true;
+    }
+    const PlanePoint apex{frame.apex_x, frame.apex_y};
+    if (PassesThrough(mesh_.Apex(beyond), apex, line, beyond)) return true;
+    // No window has crossed a side without length.
+    const double left_length = mesh_.frame(Prev(beyond)).length;
+    bool goes_right = mesh_.frame(Next(beyond)).length > 0;
+    if (goes_right && left_length > 0) {
+      goes_right = Cross(line.way, apex - line.end) > 0;
+      if (RunsInto(apex, line) && Choose(2) == 1) goes_right = !goes_right;
+    }
+    line = goes_right ? IntoRight(line, frame)
+                      : IntoLeft(line, frame, left_length);
+    h = goes_right ? Next(beyond) : Prev(beyond);
+  }
+  return false;
+}
+
+bool Walker::PassesThrough(uint32_t vertex, const PlanePoint& at,
+                           const BackLine& line, HalfEdge h) {
+  const double distance = field_.VertexDistance(vertex);
+  // Nearer than the end, or the way back would lead in circles.
+  if (!(distance < end_.distance) || Coincide(mesh_, end_.point, vertex)) {
+    return false;
+  }
+  const PlanePoint way = at - line.end;
+  if (Dot(way, line.way) <= 0 || !RunsInto(at, line) ||
+      Exceeds(distance + Norm(way), end_.distance + field_.rounding())) {
+    return false;
+  }
+  StartAt(vertex, h, way);
+  GoOverEdges(Quotient(way, line.way));
+  GoTo(VertexPoint{vertex}, mesh_.FaceOf(h));
+  return true;
+}
+
+void Walker::GoOverEdges(const PlanePoint& turn) {
+  for (const auto& [h, line, is_mirrored] : crossed_) {
+    const PlanePoint here =
+        is_mirrored == is_mirrored_ ? turn : PlanePoint{turn.x, -turn.y};
+    const double crossing = CrossingOf(line.end, Product(line.way, here));
+    const double length = mesh_.frame(h).length;
+    GoTo(
+        Canonicalize(
+            EdgePoint{mesh_.From(h), mesh_.To(h),
+                      length > 0 ? std::clamp(crossing / length, 0.0, 1.0) : 0},
+            mesh_),
+        mesh_.FaceOf(h));
+  }
+}
+
+}  // namespace
+
+BackWalk WalkBack(const TracedField& field, const PathEnd& end, uint32_t turns,
+                  double nearness) {
+  Walker walker(field, end, turns, nearness);
+  std::optional<StraightPiece> piece = walker.Walk();
+  return {std::move(piece), walker.ways()};
+}
+
+// Whether a point is a vertex at the place of another.
+bool Coincide(const Mesh& mesh, const SurfacePoint& point, uint32_t vertex) {
+  const auto* at = std::get_if<VertexPoint>(&point);
+  return at != nullptr &&
+         mesh.positions()[at->vertex] == mesh.positions()[vertex];
+}
+
+}  // namespace geodesic

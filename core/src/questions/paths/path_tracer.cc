@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "absl/strings/str_cat.h"
+#include "geodesic/path.h"
+#include "questions/paths/straight_piece.h"
+#include "questions/paths/traced_field.h"
+
+namespace geodesic {
+namespace {
+
+absl::Status CheckNumber(uint32_t number, size_t count, const char* name,
+                         const char* owner, const char* what) {
+  if (number < count) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      absl::StrCat(name, " ", number, " is out of range: the ", owner, " has ",
+                   count, " ", what, ", numbered from 0"));
+}
+
+// `distance`: the field's at `end`.
+absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
+                                       double distance) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (end.arrival.pseudo_source == kNoPseudoSource) {
+    return GeodesicPath{.distance = kInfinity, .length = kInfinity};
+  }
+  GeodesicPath path{.distance = distance};
+  path.points.push_back(end.point);
+  // From one vertex to a nearer one: no vertex comes twice.
+  for (uint32_t pieces = 0; pieces <= field.mesh().vertex_count(); ++pieces) {
+    absl::StatusOr<StraightPiece> piece = FollowBack(field, end);
+    if (!piece.ok()) return piece.status();
+    path.points.insert(path.points.end(), piece->points.begin(),
+                       piece->points.end());
+    if (field.IsVertex(piece->start)) {
+      end = field.Vertex(piece->start);
+      continue;
+    }
+    const Anchor& anchor = field.AnchorOf(piece->start);
+    path.source = anchor.source;
+    path.length = std::max(distance - anchor.offset, 0.0);
+    std::ranges::reverse(path.points);
+    for (const SurfacePoint& point : path.points) {
+      path.positions.push_back(PositionOf(point, field.mesh()));
+    }
+    return path;
+  }
+  return absl::InternalError("the trace leads in circles");
+}
+
+}  // namespace
+
+PathTracer::PathTracer(std::unique_ptr<const TracedField> field)
+    : field_(std::move(field)) {}
+PathTracer::PathTracer(PathTracer&&) noexcept = default;
+PathTracer& PathTracer::operator=(PathTracer&&) noexcept = default;
+PathTracer::~PathTracer() = default;
+
+absl::StatusOr<PathTracer> PathTracer::Create(const Mesh& mesh,
+                                              const ValidQuery& query,
+                                              const DistanceField& field) {
+  absl::StatusOr<TracedField> traced = TracedField::Create(mesh, query, field);
+  if (!traced.ok()) return traced.status();
+  return PathTracer(std::make_unique<TracedField>(*std::move(traced)));
+}
+
+absl::StatusOr<GeodesicPath> PathTracer::ToVertex(uint32_t vertex) const {
+  if (absl::Status status = CheckNumber(vertex, field_->mesh().vertex_count(),
+                                        "vertex", "mesh", "vertices");
+      !status.ok()) {
+    return status;
+  }
+  return TracePath(*field_, field_->Vertex(vertex),
+                   field_->field().distances[vertex]);
+}
+
+absl::StatusOr<GeodesicPath> PathTracer::ToTarget(uint32_t target) const {
+  if (absl::Status status = CheckNumber(target, field_->targets().size(),
+                                        "target", "query", "targets");
+      !status.ok()) {
+    return status;
+  }
+  return TracePath(*field_, field_->Target(target),
+                   field_->field().target_distances[target]);
+}
+
+absl::StatusOr<GeodesicPath> TracePathToVertex(const Mesh& mesh,
+                                               const ValidQuery& query,
+                                               const DistanceField& field,
+                                               uint32_t vertex) {
+  absl::StatusOr<PathTracer> tracer = PathTracer::Create(mesh, query, field);
+  if (!tracer.ok()) return tracer.status();
+  return tracer->ToVertex(vertex);
+}
+
+absl::StatusOr<GeodesicPath> TracePathToTarget(const Mesh& mesh,
+                                               const ValidQuery& query,
+                                               const DistanceField& field,
+                                               uint32_t target) {
+  absl::StatusOr<PathTracer> tracer = PathTracer::Create(mesh, query, field);
+  if (!tracer.ok()) return tracer.status();
+  return tracer->ToTarget(target);
+}
+
+}  // namespace geodesic

@@ -1,0 +1,46 @@
+// Following a shortest path back over its last straight piece.
+//
+// Xu et al. 2015, section 3.1, after Mitchell, Mount and Papadimitriou 1987: a
+// shortest path crosses edges straight when the faces on both sides are laid
+// into one plane, and bends at pseudo-sources only. A trace says where the
+// pseudo-source lies when all faces of the piece are laid into the plane of the
+// last one. So the piece is found again by laying one face after the other into
+// the plane, from the last to the first.
+
+#ifndef GEODESIC_QUESTIONS_PATHS_STRAIGHT_PIECE_H_
+#define GEODESIC_QUESTIONS_PATHS_STRAIGHT_PIECE_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic/mesh.h"
+#include "geodesic/surface_point.h"
+#include "questions/paths/traced_field.h"
+#include "surface/surface_location.h"
+
+namespace geodesic {
+
+struct StraightPiece {
+  // From the end (left out) back to the start: where edges are crossed, then
+  // the start itself. Empty if end and start are one point.
+  std::vector<SurfacePoint> points;
+  double length = 0;  // in the scaled unit
+  // Where it starts: a vertex, or an anchor if not TracedField::IsVertex. A
+  // vertex need not be a pseudo-source, if the path goes straight on there.
+  uint32_t start = kNoPseudoSource;
+  // The direction in which it leaves the start, in the frame of that half-edge
+  // of its first face; not normalized. kNoHalfEdge: along the edge from vertex
+  // `start` to the end, which is a vertex too, or nowhere.
+  HalfEdge frame = kNoHalfEdge;
+  PlanePoint direction;
+};
+
+// The last straight piece of a shortest path to `end`. O(edges crossed).
+// Errors: INTERNAL: the trace does not lead back.
+absl::StatusOr<StraightPiece> FollowBack(const TracedField& field,
+                                         const PathEnd& end);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_QUESTIONS_PATHS_STRAIGHT_PIECE_H_

@@ -1,0 +1,10 @@
+#include "solver/rule_times_queue.h"
+#include "solver/windows/mixed_origin.h"
+
+namespace geodesic {
+
+StartFunction CurveStart(Algorithm algorithm) {
+  return RuleTimesQueue<MixedOrigin>::Of(algorithm);
+}
+
+}  // namespace geodesic

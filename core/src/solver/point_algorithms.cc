@@ -1,0 +1,10 @@
+#include "solver/rule_times_queue.h"
+#include "solver/windows/window.h"
+
+namespace geodesic {
+
+StartFunction PointStart(Algorithm algorithm) {
+  return RuleTimesQueue<Origin>::Of(algorithm);
+}
+
+}  // namespace geodesic

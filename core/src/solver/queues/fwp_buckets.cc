@@ -1,0 +1,73 @@
+#include "solver/queues/fwp_buckets.h"
+
+#include <algorithm>
+
+namespace geodesic {
+
+FwpBuckets::FwpBuckets(const Tuning& tuning)
+    : inverse_width_(1 / tuning.bucket_width),
+      width_(tuning.bucket_width),
+      max_batch_(tuning.max_batch),
+      adaptive_batch_(tuning.adaptive_batch) {}
+
+int64_t FwpBuckets::BucketOf(double label) const {
+  constexpr double kLast = 4e18;  // within int64_t
+  const int64_t bucket =
+      static_cast<int64_t>(std::min(label * inverse_width_, kLast));
+  return std::max(bucket, first_);
+}
+
+void FwpBuckets::Push(uint32_t id, double label) {
+  const int64_t bucket = BucketOf(label);
+  ++entries_;
+  ++(bucket < end_ ? near_ : far_);
+  if (bucket < first_ + kRing) {
+    ring_.Append(bucket & kMask, id);
+    ++in_ring_;
+  } else {
+    beyond_.push_back({bucket, id});
+    std::push_heap(beyond_.begin(), beyond_.end(), After());
+  }
+}
+
+bool FwpBuckets::StartIteration() {
+  if (entries_ == 0) return false;
+  Advance();
+  SetLeast();
+  ++iterations_;
+  batch_.clear();
+  next_ = 0;
+  // The ring holds every bucket below first_ + kRing, and no iteration reaches
+  // further.
+  for (end_ = first_; in_ring_ > 0 && end_ < first_ + kRing &&
+                      static_cast<int64_t>(batch_.size()) < least_;
+       ++end_) {
+    in_ring_ -= ring_.MoveTo(end_ & kMask, batch_);
+  }
+  return true;
+}
+
+void FwpBuckets::SetLeast() {
+  // The first K is the whole front of the seeds: c_large starts as its size.
+  least_ += iterations_ == 0 ? far_ : far_ - near_;
+  if (!adaptive_batch_) least_ = max_batch_;
+  const int64_t most =
+      std::min(std::max(static_cast<int64_t>(size()), int64_t{1}), max_batch_);
+  least_ = std::clamp(least_, int64_t{1}, most);
+  near_ = far_ = 0;
+}
+
+void FwpBuckets::Advance() {
+  if (in_ring_ == 0) first_ = beyond_.front().bucket;
+  for (;; ++first_) {
+    while (!beyond_.empty() && beyond_.front().bucket < first_ + kRing) {
+      std::pop_heap(beyond_.begin(), beyond_.end(), After());
+      ring_.Append(beyond_.back().bucket & kMask, beyond_.back().id);
+      ++in_ring_;
+      beyond_.pop_back();
+    }
+    if (!ring_.IsEmpty(first_ & kMask)) return;
+  }
+}
+
+}  // namespace geodesic

@@ -1,0 +1,334 @@
+// The Chen-Han rule, without (CH) and with the Xin-Wang filter (ICH).
+//
+// Chen, Han: Shortest paths on a polyhedron. SoCG 1990: one angle, one split.
+// Xin, Wang: Improving Chen and Han's algorithm on the discrete geodesic
+// problem. ACM TOG 28(4), 2009: the window filter.
+//
+// A window is propagated once and then freed. It has two children only if its
+// distance at the apex is the best yet across its half-edge; a worse one keeps
+// the child on its own side of the best one's ray, because its rays to the
+// other side cross that ray where the best one is nearer. Sides are told by the
+// lean of the rays at the apex, which differs even where the apex lies on the
+// edge. Where both rays lie on one line nothing crosses, and both children
+// stay: the worse window may come from behind the better one's pseudo-source,
+// past which its other rays go undisturbed. So they may where that is no vertex
+// but one of several sources (Front::MayBePassedBy): such a one prunes nothing.
+// Where more than that one comes in question the MMP rule is used instead
+// (AlgorithmFor).
+//
+// Without the filter, nothing else ends a window on a closed surface, so two
+// facts do, which any shortest path obeys: it enters a face once at most (the
+// bound of Chen and Han: no window has more ancestors than the mesh has faces),
+// and it is no longer than the way along edges to the farthest point.
+
+#ifndef GEODESIC_SOLVER_RULES_CH_RULE_H_
+#define GEODESIC_SOLVER_RULES_CH_RULE_H_
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "solver/rules/edge_reach.h"
+#include "solver/rules/front.h"
+#include "solver/windows/window.h"
+#include "solver/windows/window_pool.h"
+
+namespace geodesic {
+
+// What ends windows, beside one angle, one split.
+enum class WindowFilter { kNone, kXinWang };
+
+template <typename Front, WindowFilter kFilter>
+class ChenHanRule {
+ public:
+  using Origin = typename Front::Origin;
+  using Window = BasicWindow<Origin>;
+
+  // How many windows ahead of their use the stages of Prefetch come.
+  static constexpr std::array<uint32_t, 3> kPrefetchAhead = {12, 8, 4};
+
+  explicit ChenHanRule(Front& front)
+      : front_(front),
+        mesh_(front.mesh()),
+        best_(front.mesh().half_edge_count()) {}
+
+  // Adds a pseudo-source's window over what it sees of a half-edge.
+  void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
+            const Interval& interval) {
+    if (interval.width() > 0) {
+      Add(Window::Over(interval, origin), half_edge, pseudo_source, {});
+    }
+  }
+
+  // Sources were added: more may be within reach.
+  void Restart() {
+    reach_.reset();
+    if (std::exchange(holds_anchors_, false)) {
+      std::ranges::fill(best_, Best());
+    }
+  }
+
+  // Propagates window `id` across its face and frees it. False if the window
+  // turned out to be useless: it does not count as propagated.
+  bool Propagate(uint32_t id);
+
+  // Fetches into cache what propagating window `id` will need. Each stage
+  // needs what the one before has fetched.
+  void Prefetch(uint32_t id, size_t stage) const {
+    if (stage == 0) {
+      pool_.Prefetch(id);
+      return;
+    }
+    const Entry& entry = pool_[id];
+    if (stage == 1) {
+      front_.PrefetchFace(entry.half_edge);
+      front_.PrefetchDistance(entry.pseudo_source);
+      __builtin_prefetch(&best_[entry.half_edge]);
+    } else {
+      front_.PrefetchCorners(entry.half_edge);
+    }
+  }
+
+  uint64_t created() const { return created_; }
+  uint64_t pending() const { return pool_.live(); }
+  uint64_t peak_windows() const { return pool_.peak(); }
+  uint64_t bytes() const {
+    return pool_.bytes() + best_.capacity() * sizeof(Best);
+  }
+
+ private:
+  static constexpr bool kFilters = kFilter == WindowFilter::kXinWang;
+
+  // How many faces a window has crossed since its pseudo-source: kept only
+  // where it ends windows.
+  struct Crossed {
+    uint32_t faces = 0;
+  };
+  struct Untold {};
+  using Depth = std::conditional_t<kFilters, Untold, Crossed>;
+
+  // A window of the wavefront.
+  struct Entry {
+    Interval interval;
+    Origin origin;
+    HalfEdge half_edge;
+    uint32_t pseudo_source;
+    [[no_unique_address]] Depth depth;
+  };
+  static_assert(!kFilters || !std::is_same_v<Origin, geodesic::Origin> ||
+                sizeof(Entry) == 48);
+
+  // The best window so far to reach the apex across a half-edge, among those
+  // whose ray no other window can go round.
+  struct Best {
+    double distance = std::numeric_limits<double>::infinity();
+    double lean = 0;
+  };
+
+  // The face a window crosses.
+  struct Crossing {
+    const HalfEdgeFrame& frame;
+    uint32_t from, to, apex;
+    double left_length, right_length;
+  };
+
+  void Add(const Window& window, HalfEdge half_edge, uint32_t pseudo_source,
+           Depth depth) {
+    ++created_;
+    front_.Observe(half_edge, window, pseudo_source);
+    front_.queue().Push(pool_.Allocate({window.interval, window.origin,
+                                        half_edge, pseudo_source, depth}),
+                        window.Label());
+  }
+  // Adds a child of `parent`, which leaves the face across `side`, in every
+  // face beyond it.
+  void AddChildren(const Window& window, HalfEdge side, Exit exit,
+                   const Entry& parent);
+  void AddChild(const Window& window, HalfEdge half_edge, const Entry& parent);
+
+  void PropagateLeft(const Entry& parent, const Crossing& face,
+                     bool ends_at_apex);
+  void PropagateRight(const Entry& parent, const Crossing& face,
+                      bool starts_at_apex);
+
+  Front& front_;
+  const Mesh& mesh_;
+  WindowPool<Entry> pool_;
+  std::vector<Best> best_;  // one per half-edge
+  // Whether some of them are of sources that are no vertex.
+  bool holds_anchors_ = false;
+  // No point is farther than this; set by the first window of a start. Not if
+  // kFilters.
+  std::optional<double> reach_;
+  uint64_t created_ = 0;
+};
+
+// As templates over the front alone, which is what Propagation takes.
+template <typename Front>
+using ChRule = ChenHanRule<Front, WindowFilter::kNone>;
+template <typename Front>
+using IchRule = ChenHanRule<Front, WindowFilter::kXinWang>;
+
+template <typename Front, WindowFilter kFilter>
+bool ChenHanRule<Front, kFilter>::Propagate(uint32_t id) {
+  const Entry entry = pool_[id];
+  pool_.Free(id);
+  const auto& [interval, origin, h, pseudo_source, depth] = entry;
+  // The pseudo-source has improved since: its newer windows replace this one.
+  if (Exceeds(origin.sigma, front_.PseudoSourceDistance(pseudo_source)))
+    return false;
+  const HalfEdgeFrame& frame = mesh_.frame(h);
+  const Crossing face{frame,
+                      mesh_.From(h),
+                      mesh_.To(h),
+                      mesh_.Apex(h),
+                      mesh_.frame(Prev(h)).length,
+                      mesh_.frame(Next(h)).length};
+  const Window window = Window::Over(interval, origin);
+  if constexpr (kFilters) {
+    // Distances have improved since the window was made: test it again.
+    if (front_.EndsAreNearer(window, frame.length, face.from, face.to)) {
+      return false;
+    }
+  }
+  if (!kFilters && !reach_.has_value()) reach_ = EdgeReach(front_);
+
+  const Arrival arrival{pseudo_source, h, origin.x, origin.depth};
+  const PlanePoint apex = ApexOf(frame);
+  const double crossing = CrossingTo(origin, apex);
+  const double near_miss = NearMiss(origin, frame, apex);
+  if (crossing <= interval.begin) {
+    if (crossing > interval.begin - near_miss) {
+      front_.Relax(
+          face.apex, window.begin_distance + EdgePointTo(interval.begin, apex),
+          arrival, RayPast(mesh_, h, origin, interval.begin - crossing));
+    }
+    PropagateRight(entry, face, false);
+    return true;
+  }
+  if (crossing >= interval.end) {
+    if (crossing < interval.end + near_miss) {
+      front_.Relax(face.apex,
+                   window.end_distance + EdgePointTo(interval.end, apex),
+                   arrival, RayPast(mesh_, h, origin, crossing - interval.end));
+    }
+    PropagateLeft(entry, face, false);
+    return true;
+  }
+
+  const double to_apex = DistanceToPlace(origin, apex);
+  const double at_apex = origin.sigma + to_apex;
+  front_.Relax(face.apex, at_apex, arrival, RayThrough(h, origin, apex));
+  // Grows as the ray into the apex comes from further left.
+  const double lean = Lean(origin, apex, to_apex);
+  Best& best = best_[h];
+  const bool is_worse = Exceeds(at_apex, best.distance);
+  const bool goes_left = !is_worse || lean > best.lean - kSameRay;
+  const bool goes_right = !is_worse || lean < best.lean + kSameRay;
+  if (at_apex < best.distance && !front_.MayBePassedBy(pseudo_source)) {
+    best = {at_apex, lean};
+    holds_anchors_ |= pseudo_source >= mesh_.vertex_count();
+  }
+  if (goes_left) PropagateLeft(entry, face, true);
+  if (goes_right) PropagateRight(entry, face, true);
+  return true;
+}
+
+template <typename Front, WindowFilter kFilter>
+void ChenHanRule<Front, kFilter>::PropagateLeft(const Entry& parent,
+                                                const Crossing& face,
+                                                bool ends_at_apex) {
+  const Exit exit = face.frame.left_exit;
+  if (exit == kNoHalfEdge) return;
+  const double length = face.left_length;
+  const Interval interval{
+      ProjectLeft(parent.origin, parent.interval.begin, face.frame, length),
+      ends_at_apex ? length
+                   : ProjectLeft(parent.origin, parent.interval.end, face.frame,
+                                 length)};
+  if (interval.width() <= kLeastWidth * length) return;
+  const Window child =
+      Window::Over(interval, UnfoldLeft(parent.origin, face.frame));
+  if constexpr (kFilters) {
+    if (front_.EndsAreNearer(child, length, face.from, face.apex)) return;
+    // Third condition: through the far end B of the parent's edge.
+    const double dx = interval.begin * face.frame.left_x - face.frame.length;
+    const double dy = interval.begin * face.frame.left_y;
+    if (Exceeds(child.begin_distance,
+                front_.distance(face.to) + std::sqrt(dx * dx + dy * dy))) {
+      return;
+    }
+  }
+  AddChildren(child, Prev(parent.half_edge), exit, parent);
+}
+
+template <typename Front, WindowFilter kFilter>
+void ChenHanRule<Front, kFilter>::PropagateRight(const Entry& parent,
+                                                 const Crossing& face,
+                                                 bool starts_at_apex) {
+  const Exit exit = face.frame.right_exit;
+  if (exit == kNoHalfEdge) return;
+  const double length = face.right_length;
+  const double from_b =
+      ProjectRight(parent.origin, parent.interval.end, face.frame, length);
+  const Interval interval{
+      starts_at_apex
+          ? 0
+          : length - ProjectRight(parent.origin, parent.interval.begin,
+                                  face.frame, length),
+      length - from_b};
+  if (interval.width() <= kLeastWidth * length) return;
+  const Window child =
+      Window::Over(interval, UnfoldRight(parent.origin, face.frame, length));
+  if constexpr (kFilters) {
+    if (front_.EndsAreNearer(child, length, face.apex, face.to)) return;
+    // Third condition: through the far end A of the parent's edge.
+    const double dx = face.frame.length + from_b * face.frame.right_x;
+    const double dy = from_b * face.frame.right_y;
+    if (Exceeds(child.end_distance,
+                front_.distance(face.from) + std::sqrt(dx * dx + dy * dy))) {
+      return;
+    }
+  }
+  AddChildren(child, Next(parent.half_edge), exit, parent);
+}
+
+template <typename Front, WindowFilter kFilter>
+void ChenHanRule<Front, kFilter>::AddChildren(const Window& window,
+                                              HalfEdge side, Exit exit,
+                                              const Entry& parent) {
+  if (exit < kIrregularExit) {
+    AddChild(window, exit, parent);
+    return;
+  }
+  front_.Cross(
+      side, window.origin, window.interval,
+      [&](HalfEdge half_edge, const Origin& origin, const Interval& interval) {
+        AddChild(Window::Over(interval, origin), half_edge, parent);
+      });
+}
+
+template <typename Front, WindowFilter kFilter>
+void ChenHanRule<Front, kFilter>::AddChild(const Window& window,
+                                           HalfEdge half_edge,
+                                           const Entry& parent) {
+  if constexpr (kFilters) {
+    Add(window, half_edge, parent.pseudo_source, {});
+  } else {
+    const Crossed depth{parent.depth.faces + 1};
+    if (depth.faces >= mesh_.face_count()) return;
+    if (Exceeds(window.Label(), *reach_)) return;
+    Add(window, half_edge, parent.pseudo_source, depth);
+  }
+}
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SOLVER_RULES_CH_RULE_H_

@@ -1,0 +1,297 @@
+#include "solver/rules/envelope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/rules/trimming.h"
+
+namespace geodesic {
+namespace {
+
+ListedWindow Listed(const WindowColumns& windows, size_t i) {
+  return {windows.At(i), windows.pseudo_source[i]};
+}
+
+// Moves windows [from, size) to `to`.
+void Shift(size_t from, size_t to, WindowColumns& windows) {
+  const size_t size = windows.size;
+  windows.Reserve(size - from + to);
+  if (to < from) {
+    for (size_t i = from; i < size; ++i) windows.Move(i, i - from + to);
+  } else if (to > from) {
+    for (size_t i = size; i-- > from;) windows.Move(i, i - from + to);
+  }
+  windows.size = size - from + to;
+}
+
+}  // namespace
+
+void Envelope::Trim(double length, bool may_split, WindowColumns& windows) {
+  if (windows.size < 2) return;
+  length_ = length;
+  may_split_ = may_split;
+  FindMeetings(windows);
+  const size_t done = CutAtMeetings(windows);
+  if (done == meetings_.size) return;
+  next_meeting_ = done;
+  TrimFrom(meetings_.pair[done] + 1, windows);
+}
+
+void Envelope::FindMeetings(WindowColumns& windows) {
+  const size_t pairs = windows.size - 1;
+  const size_t room = windows.size + WindowColumns::kPadding;
+  if (begins_.size() < room) {
+    begins_.resize(2 * room);
+    overlaps_.resize(2 * room);
+  }
+  OverlapsOfNeighbours(length_, windows, begins_.data(), overlaps_.data());
+  meetings_.Reserve(pairs);
+  size_t count = 0;
+  for (size_t i = 0; i < pairs; ++i) {
+    meetings_.pair[count] = static_cast<uint32_t>(i);
+    count += !(overlaps_[i] <= 0);
+  }
+  meetings_.size = count;
+  std::copy_n(begins_.data(), windows.size, windows.begin);
+  if (count == 0) return;
+  for (size_t k = 0; k < count; ++k) {
+    const size_t i = meetings_.pair[k];
+    meetings_.end[k] = windows.end[i];
+    meetings_.end_distance[k] = windows.end_distance[i];
+    meetings_.x[k] = windows.x[i];
+    meetings_.depth[k] = windows.depth[i];
+    meetings_.sigma[k] = windows.sigma[i];
+    meetings_.next_begin[k] = windows.begin[i + 1];
+    meetings_.next_end[k] = windows.end[i + 1];
+    meetings_.next_begin_distance[k] = windows.begin_distance[i + 1];
+    meetings_.next_x[k] = windows.x[i + 1];
+    meetings_.next_depth[k] = windows.depth[i + 1];
+    meetings_.next_sigma[k] = windows.sigma[i + 1];
+  }
+  Meet(meetings_);
+}
+
+size_t Envelope::CutAtMeetings(WindowColumns& windows) const {
+  // Two windows that may change over twice do so once where each is nearer on
+  // its own side, as here.
+  const double least = kLeastWidth * length_;
+  for (size_t k = 0; k < meetings_.size; ++k) {
+    const size_t i = meetings_.pair[k];
+    const double at = meetings_.at[k];
+    // Also if there is no such place.
+    if (!(at - windows.begin[i] > least && windows.end[i + 1] - at > least &&
+          overlaps_[i] > 0)) {
+      return k;
+    }
+    windows.end[i] = at;
+    windows.end_distance[i] = meetings_.distance[k];
+    windows.begin[i + 1] = at;
+    windows.begin_distance[i + 1] = meetings_.next_distance[k];
+  }
+  return meetings_.size;
+}
+
+size_t Envelope::MeetingOf(size_t pair) {
+  while (next_meeting_ < meetings_.size &&
+         meetings_.pair[next_meeting_] < pair) {
+    ++next_meeting_;
+  }
+  const bool is_known = next_meeting_ < meetings_.size &&
+                        meetings_.pair[next_meeting_] == pair &&
+                        !std::isnan(meetings_.at[next_meeting_]);
+  return is_known ? next_meeting_ : kNone;
+}
+
+void Envelope::TrimFrom(size_t i, WindowColumns& windows) {
+  size_t kept = i;
+  // Whether the last of the kept is window i - 1, as it was.
+  bool is_neighbour = true;
+  const size_t size = windows.size;
+  while (i < windows.size) {
+    if (kept > 0 && windows.end[kept - 1] > windows.begin[i]) {
+      // Those that follow may have been shifted.
+      const size_t pair = i - 1 - (windows.size - size);
+      if (!TrimNeighbours(i, is_neighbour ? MeetingOf(pair) : kNone, kept,
+                          windows)) {
+        i = TrimSeveral(i, kept, windows);
+        is_neighbour = false;
+        continue;
+      }
+    }
+    const Interval interval{windows.begin[i], windows.end[i]};
+    if (!IsLost(interval, windows.OriginAt(i), length_)) {
+      if (kept != i) windows.Move(i, kept);
+      ++kept;
+      is_neighbour = true;
+    } else {
+      is_neighbour = false;
+    }
+    ++i;
+  }
+  windows.size = kept;
+}
+
+bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
+                              WindowColumns& windows) {
+  const size_t top = kept - 1;
+  const double begin = windows.begin[i];
+  const double top_end = windows.end[top];
+  if (begin < windows.begin[top]) return false;
+  if (IsLost({begin, top_end}, windows.OriginAt(i), length_)) {
+    // Two windows along one ray, overlapping by rounding.
+    windows.begin[i] = top_end;
+    return true;
+  }
+  if (meeting != kNone) {
+    const double met = meetings_.at[meeting];
+    windows.begin[i] = met;
+    windows.begin_distance[i] = meetings_.next_distance[meeting];
+    windows.end[top] = met;
+    windows.end_distance[top] = meetings_.distance[meeting];
+    if (IsLost({windows.begin[top], met}, windows.OriginAt(top), length_))
+      --kept;
+    return true;
+  }
+  if (may_split_) return false;
+  const Window older = windows.At(top);
+  Window newer = windows.At(i);
+  const Interval won = WonByNewer(older, newer);
+  if (won.width() <= 0) {
+    newer.CutTo({top_end, newer.interval.end});
+  } else if (won.end < top_end) {
+    return false;
+  } else {
+    newer.CutTo({won.begin, newer.interval.end});
+    const Interval held{older.interval.begin, won.begin};
+    if (IsLost(held, older.origin, length_)) {
+      --kept;
+    } else {
+      windows.end[top] = won.begin;
+      windows.end_distance[top] = older.DistanceTo(won.begin);
+    }
+  }
+  windows.begin[i] = newer.interval.begin;
+  windows.begin_distance[i] = newer.begin_distance;
+  return true;
+}
+
+size_t Envelope::TrimSeveral(size_t i, size_t& kept, WindowColumns& windows) {
+  size_t first = kept;
+  while (first > 0 && windows.end[first - 1] > windows.begin[i]) --first;
+  sorted_.clear();
+  for (size_t k = first; k < kept; ++k) sorted_.push_back(Listed(windows, k));
+  const auto meets = [&](size_t k) {
+    const double begin = windows.begin[k];
+    return !sorted_.empty() && begin < sorted_.back().window.interval.end &&
+           (first == 0 || begin >= windows.end[first - 1]);
+  };
+  do {
+    Add(Listed(windows, i++));
+  } while (i < windows.size && meets(i));
+  kept = first + sorted_.size();
+  if (kept > i) {
+    Shift(i, kept, windows);
+    i = kept;
+  }
+  for (size_t k = 0; k < sorted_.size(); ++k) {
+    windows.Set(first + k, sorted_[k].window, sorted_[k].pseudo_source);
+  }
+  return i;
+}
+
+void Envelope::Merge(double length, bool may_split, size_t middle,
+                     WindowColumns& windows) {
+  if (middle == 0 || middle == windows.size ||
+      windows.end[middle - 1] <= windows.begin[middle]) {
+    return;
+  }
+  length_ = length;
+  may_split_ = may_split;
+  // Whatever meets nothing of the other list stays in place.
+  size_t first = 0;
+  while (windows.end[first] <= windows.begin[middle]) ++first;
+  size_t last = windows.size;
+  while (windows.begin[last - 1] >= windows.end[middle - 1]) --last;
+  sorted_.clear();
+  const auto add = [&](size_t i) {
+    Add({Window::Over({windows.begin[i], windows.end[i]}, windows.OriginAt(i)),
+         windows.pseudo_source[i]});
+  };
+  size_t i = first, j = middle;
+  while (i < middle && j < last) {
+    add(windows.begin[i] <= windows.begin[j] ? i++ : j++);
+  }
+  while (i < middle) add(i++);
+  while (j < last) add(j++);
+  Shift(last, first + sorted_.size(), windows);
+  for (size_t k = 0; k < sorted_.size(); ++k) {
+    windows.Set(first + k, sorted_[k].window, sorted_[k].pseudo_source);
+  }
+}
+
+void Envelope::Add(const ListedWindow& window) {
+  const Interval& interval = window.window.interval;
+  if (IsLost(interval, window.window.origin, length_)) return;
+  if (sorted_.empty() || sorted_.back().window.interval.end <= interval.begin) {
+    sorted_.push_back(window);
+  } else if (sorted_.back().window.interval.begin > interval.begin) {
+    AddInside(window);
+  } else {
+    Contest(window);
+  }
+}
+
+void Envelope::AddInside(const ListedWindow& window) {
+  const size_t below = aside_.size();
+  while (!sorted_.empty() &&
+         sorted_.back().window.interval.begin > window.window.interval.begin) {
+    aside_.push_back(sorted_.back());
+    sorted_.pop_back();
+  }
+  Add(window);
+  while (aside_.size() > below) {
+    const ListedWindow next = aside_.back();
+    aside_.pop_back();
+    Add(next);
+  }
+}
+
+// REQUIRES: the window begins within the last.
+void Envelope::Contest(const ListedWindow& window) {
+  const ListedWindow older = sorted_.back();
+  const Interval held = older.window.interval;
+  const Interval interval = window.window.interval;
+  if (may_split_) {
+    if (const auto at = SplitBeforeContest(older.window, window.window)) {
+      ListedWindow before = window, after = window;
+      before.window.CutTo({interval.begin, *at});
+      after.window.CutTo({*at, interval.end});
+      Add(before);
+      Add(after);
+      return;
+    }
+  }
+  const Interval won = WonByNewer(older.window, window.window);
+  if (won.width() <= 0) {
+    Push(window, {held.end, interval.end});
+    return;
+  }
+  sorted_.pop_back();
+  Push(older, {held.begin, won.begin});
+  if (won.end >= held.end) {
+    Push(window, {won.begin, interval.end});
+    return;
+  }
+  Push(window, won);
+  Push(older, {won.end, held.end});
+  Push(window, {held.end, interval.end});
+}
+
+void Envelope::Push(const ListedWindow& window, const Interval& part) {
+  if (IsLost(part, window.window.origin, length_)) return;
+  sorted_.push_back(window);
+  sorted_.back().window.CutTo(part);
+}
+
+}  // namespace geodesic

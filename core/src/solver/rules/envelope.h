@@ -1,0 +1,79 @@
+// Trimming a whole list of windows: what is left is their lower envelope.
+
+#ifndef GEODESIC_SOLVER_RULES_ENVELOPE_H_
+#define GEODESIC_SOLVER_RULES_ENVELOPE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "solver/rules/list_kernels.h"
+#include "solver/windows/window.h"
+#include "solver/windows/window_columns.h"
+#include "solver/windows/window_lists.h"
+#include "tolerances.h"
+
+namespace geodesic {
+
+// Trims windows of one half-edge against each other (WonByNewer; the later in
+// the list count as the newer) until they are disjoint and sorted.
+//
+// The lists of windows that cross a face nearly are that already: where the
+// wavefronts of two pseudo-sources meet, their neighbouring windows overlap.
+// That is done in place, for all of them together. From the first overlap on
+// that is more involved, windows are taken one by one, and what one of them
+// meets goes through a short list of its own.
+class Envelope {
+ public:
+  // `length`: of the half-edge. `may_split`: Front::MayChangeOverTwice.
+  void Trim(double length, bool may_split, WindowColumns& windows);
+
+  // The same for two lists, [0, middle) and [middle, size), each of which is
+  // trimmed already; the distances at the windows' ends need not be known, and
+  // are not afterwards.
+  void Merge(double length, bool may_split, size_t middle,
+             WindowColumns& windows);
+
+ private:
+  // Finds the neighbours that overlap by more than rounding, which is given up,
+  // and where they meet.
+  void FindMeetings(WindowColumns& windows);
+  // Cuts windows where they meet their neighbours. Returns the first meeting
+  // that asks for more, or how many there are.
+  size_t CutAtMeetings(WindowColumns& windows) const;
+  // Trims windows from `i` on, one by one; those before are done.
+  void TrimFrom(size_t i, WindowColumns& windows);
+  // The number of the meeting of window `pair` and the next one, kNone if they
+  // do not meet. REQUIRES: pairs are asked for in order.
+  size_t MeetingOf(size_t pair);
+  // Trims window i, which begins before the last of the `kept` ends, against
+  // that if one of the two gives way on their common side. Otherwise changes
+  // nothing and returns false. `meeting`: where the two meet, or kNone if that
+  // is not known.
+  bool TrimNeighbours(size_t i, size_t meeting, size_t& kept,
+                      WindowColumns& windows);
+  // Trims windows from `i` on against those of the `kept` that they meet, until
+  // one meets none of them; that is the next. Makes room if it needs any.
+  size_t TrimSeveral(size_t i, size_t& kept, WindowColumns& windows);
+
+  // Of sorted_, to which windows are added.
+  void Add(const ListedWindow& window);
+  void AddInside(const ListedWindow& window);
+  void Contest(const ListedWindow& window);
+  void Push(const ListedWindow& window, const Interval& part);
+
+  static constexpr size_t kNone = std::numeric_limits<size_t>::max();
+
+  double length_ = 0;
+  bool may_split_ = false;
+  std::vector<double> begins_, overlaps_;
+  Meetings meetings_;
+  size_t next_meeting_ = 0;  // for MeetingOf
+  std::vector<ListedWindow> sorted_;
+  std::vector<ListedWindow> aside_;  // a stack
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SOLVER_RULES_ENVELOPE_H_

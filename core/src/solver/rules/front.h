@@ -1,0 +1,467 @@
+// What every rule shares: the distances of the vertices and how paths arrive
+// there, the sources, and the pseudo-source events that a better distance sets
+// off.
+
+#ifndef GEODESIC_SOLVER_RULES_FRONT_H_
+#define GEODESIC_SOLVER_RULES_FRONT_H_
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "geodesic/distance_field.h"
+#include "geodesic/mesh.h"
+#include "solver/curve_segment.h"
+#include "solver/queues/queue.h"
+#include "solver/rules/shadow_fan.h"
+#include "solver/targets.h"
+#include "solver/windows/mixed_origin.h"
+#include "solver/windows/window.h"
+#include "solver/windows/window_observer.h"
+#include "surface/anchors.h"
+#include "surface/straight_line.h"
+#include "surface/surface_location.h"
+#include "tolerances.h"
+
+namespace geodesic {
+
+// OriginType as for BasicWindow.
+template <WindowQueue QueueType, typename OriginType>
+class Front {
+ public:
+  using Queue = QueueType;
+  using Origin = OriginType;
+  using Window = BasicWindow<Origin>;
+
+  // `observer`, if any, hears of every window.
+  Front(const Mesh& mesh, const Query& query, Queue& queue,
+        WindowObserver* observer)
+      : mesh_(mesh),
+        queue_(queue),
+        observer_(observer),
+        targets_(mesh, query.targets),
+        distances_(mesh.vertex_count(),
+                   std::numeric_limits<double>::infinity()),
+        states_(mesh.vertex_count(), 0) {
+    if (query.trace) arrivals_.resize(mesh.vertex_count());
+    if (!mesh.HasCollapsedFaces()) incoming_.resize(mesh.vertex_count());
+  }
+
+  const Mesh& mesh() const { return mesh_; }
+  Queue& queue() { return queue_; }
+  const Targets& targets() const { return targets_; }
+  double distance(uint32_t v) const { return distances_[v]; }
+  std::span<const double> distances() const {
+    return std::span(distances_).first(mesh_.vertex_count());
+  }
+  std::span<const Arrival> arrivals() const { return arrivals_; }
+  // What bounds a window of this pseudo-source from below: the distance of a
+  // vertex, the offset of an anchor.
+  double PseudoSourceDistance(uint32_t pseudo_source) const {
+    return distances_[pseudo_source];
+  }
+  // Whether the rays of other windows may pass by this pseudo-source on both
+  // sides and be the shortest there. Not by a vertex, where windows end; nor by
+  // the only source, since whoever comes from behind it is farther everywhere.
+  bool MayBePassedBy(uint32_t pseudo_source) const {
+    return pseudo_source >= mesh_.vertex_count() && anchor_count() > 1;
+  }
+  // Whether two windows may change over more than once on an edge: only beside
+  // a pseudo-source that can be passed by, or where rays that coincide have
+  // come by different faces of a crowded edge.
+  bool MayChangeOverTwice() const {
+    return (has_free_anchor_ && anchor_count() > 1) || mesh_.HasCrowdedEdges();
+  }
+  uint64_t reached() const { return reached_; }
+  uint64_t bytes() const {
+    return distances_.capacity() * sizeof(double) + states_.capacity() +
+           arrivals_.capacity() * sizeof(Arrival) + targets_.bytes();
+  }
+  // Fetches the face of h, then (once that has arrived) the distances of its
+  // corners into cache.
+  void PrefetchFace(HalfEdge h) const {
+    const HalfEdge first = h - h % 3;
+    __builtin_prefetch(&mesh_.frame(first));
+    __builtin_prefetch(&mesh_.frame(first + 1));
+    __builtin_prefetch(&mesh_.frame(first + 2));
+    __builtin_prefetch(&mesh_.TriangleOf(h));
+  }
+  void PrefetchCorners(HalfEdge h) const {
+    for (uint32_t v : mesh_.TriangleOf(h)) PrefetchDistance(v);
+  }
+  void PrefetchDistance(uint32_t v) const {
+    __builtin_prefetch(&distances_[v]);
+  }
+  // Fetches the faces around v.
+  void PrefetchFan(uint32_t v) const {
+    for (HalfEdge h : mesh_.Outgoing(v)) PrefetchFace(h);
+  }
+
+  // Whether a window on the edge from -> to is useless because paths through
+  // the edge's ends and along it are shorter: if at the interval's end the one
+  // from `from` is, then it is at every point of the interval before, and
+  // likewise for `to`. The first two conditions of the Xin-Wang filter.
+  bool EndsAreNearer(const Window& window, double length, uint32_t from,
+                     uint32_t to) const {
+    const auto& [begin, end] = window.interval;
+    return Exceeds(window.end_distance, distances_[from] + end) ||
+           Exceeds(window.begin_distance, distances_[to] + (length - begin));
+  }
+
+  // No point of the edge is farther than this: one of its ends and the edge
+  // itself lead there.
+  double Farthest(HalfEdge h) const {
+    return (distances_[mesh_.From(h)] + distances_[mesh_.To(h)] +
+            mesh_.frame(h).length) /
+           2;
+  }
+
+  // Whether somebody wants to know of windows that enter the face of h.
+  bool Watches(HalfEdge h) const {
+    return observer_ != nullptr || targets_.Watches(h);
+  }
+  // Tells whoever wants to know of a window that enters the face of h.
+  void Observe(HalfEdge h, const Window& window, uint32_t pseudo_source) {
+    if (targets_.Watches(h)) {
+      targets_.Offer(h, window, pseudo_source,
+                     [&](double distance, const FacePoint& target) {
+                       return AtLeastStraight(distance, pseudo_source, target);
+                     });
+    }
+    if (observer_ != nullptr) {
+      observer_->OnWindow(h, AsMixed(window), pseudo_source);
+    }
+  }
+
+  // Whether a distance is better than the best one known, by more than
+  // rounding.
+  static bool Improves(double distance, double best) {
+    return distance < best * (1 - kImprovement);
+  }
+
+  // Takes `distance` for v if it is better. A vertex that paths may bend at, or
+  // that is reached by one which bends already, is then queued with its
+  // distance as label (otherwise no bound on what is pending holds).
+  // `ray`: whence the path comes, if that is known.
+  void Relax(uint32_t v, double distance, const Arrival& arrival,
+             const IncomingRay& ray = {}) {
+    if constexpr (std::is_same_v<Origin, MixedOrigin>) {
+      distance = std::max(distance, 0.0);  // as MixedOrigin::PathTo
+    }
+    double& best = distances_[v];
+    if (!Improves(distance, best)) return;
+    if (arrival.entry != kNoHalfEdge) {
+      distance =
+          AtLeastStraight(distance, arrival.pseudo_source, VertexPoint{v});
+      if (!Improves(distance, best)) return;
+    }
+    reached_ += std::isinf(best);
+    best = distance;
+    if (!arrivals_.empty()) arrivals_[v] = arrival;
+    if (!(states_[v] & kSource) && !mesh_.IsPseudoSource(v) && !ray.is_bent()) {
+      // The windows that brought a straight path pass v on both sides.
+      states_[v] &= ~kPending;
+      return;
+    }
+    states_[v] |= kPending;
+    if (!incoming_.empty()) incoming_[v] = ray;
+    queue_.Push(kVertexEvent | v, distance);
+  }
+
+  // Calls enter(half_edge, origin, interval) for every face beyond `side` that
+  // a window enters; origin and interval are given in the frame that an
+  // oriented neighbour has.
+  template <typename Enter>
+  void Cross(HalfEdge side, const Origin& origin, const Interval& interval,
+             Enter enter) const {
+    const double length = mesh_.frame(side).length;
+    mesh_.ForEachBeyond(side, [&](HalfEdge half_edge, bool is_mirrored) {
+      if (is_mirrored) {
+        enter(half_edge, Mirror(origin, length), Mirror(interval, length));
+      } else {
+        enter(half_edge, origin, interval);
+      }
+    });
+  }
+
+  // Starts from an anchor: relaxes the vertices around it and opens all that it
+  // sees of every edge. Sink: as for Expand; its Relax and Observe are those
+  // here.
+  template <typename Sink>
+  void AddAnchor(const Anchor& anchor, Sink& sink) {
+    const auto number = static_cast<uint32_t>(distances_.size());
+    const double sigma = std::ldexp(anchor.offset, -mesh_.scale_exponent());
+    has_free_anchor_ = has_free_anchor_ ||
+                       !std::holds_alternative<VertexPoint>(anchor.begin) ||
+                       anchor.is_segment;
+    if (anchor.is_segment) {
+      // Distances at edges do not tell whether a segment's windows are stale:
+      // it never improves.
+      distances_.push_back(std::numeric_limits<double>::infinity());
+      anchor_places_.emplace_back();
+      if constexpr (std::is_same_v<Origin, MixedOrigin>) {
+        AddSegment(anchor, sigma, number, sink);
+      }
+      return;
+    }
+    distances_.push_back(sigma);
+    anchor_places_.push_back(InSpace(mesh_, anchor.begin));
+    if (const auto* at = std::get_if<VertexPoint>(&anchor.begin)) {
+      states_[at->vertex] |= kSource;
+      Relax(at->vertex, sigma, {.pseudo_source = number});
+      return;
+    }
+    for (const FacePoint& point : FacesAround(mesh_, anchor.begin)) {
+      const Arrival straight{.pseudo_source = number};
+      for (uint32_t corner = 0; corner < 3; ++corner) {
+        const HalfEdge h = mesh_.FirstSide(point.face) + corner;
+        const double to_corner = DistanceToCorner(mesh_, point, corner);
+        if (to_corner <= kNearVertex * LongestEdgeAt(mesh_.From(h))) {
+          states_[mesh_.From(h)] |= kSource;
+        }
+        Relax(mesh_.From(h), sigma + to_corner, straight);
+        // The faces beyond an edge that holds the point are around it too.
+        if (point.weights[Prev(h) % 3] == 0) continue;
+        const PlanePoint at = InFrame(mesh_, point, h);
+        const double length = mesh_.frame(h).length;
+        LookAcross(h,
+                   {.x = length - at.x,
+                    .depth = std::max(at.y, kLeastHeight),
+                    .sigma = sigma},
+                   {0, length}, number, sink);
+      }
+      const PlanePoint from =
+          InFrame(mesh_, point, mesh_.FirstSide(point.face));
+      targets_.OfferWithin(point.face, number, [&](const PlanePoint& to) {
+        return sigma + std::hypot(to.x - from.x, to.y - from.y);
+      });
+    }
+  }
+
+  // A vertex that was not reached, beside one that was. None once nothing is
+  // pending. O(1) where all vertices are reached.
+  std::optional<uint32_t> FindGap() const {
+    if (reached_ == mesh_.vertex_count()) return std::nullopt;
+    for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      if (!std::isinf(distances_[v])) continue;
+      for (const HalfEdge h : mesh_.Outgoing(v)) {
+        for (const uint32_t corner : mesh_.TriangleOf(h)) {
+          if (!std::isinf(distances_[corner])) return v;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Whether v has improved since its event was last taken.
+  bool TakeEvent(uint32_t v) {
+    if (!(states_[v] & kPending)) return false;
+    states_[v] &= ~kPending;
+    return true;
+  }
+
+  // What the event of v leads to: relaxes v's neighbours along their edges and
+  // opens every edge that v sees whole, where the half-edge enters the face
+  // beyond. These are the edges opposite to v, and where v lies on one (across
+  // a face without area), the other edges of the face beyond. Sink has Relax
+  // and Observe, as here, and Open, as rules have.
+  template <typename Sink>
+  void Expand(uint32_t v, Sink& sink) const {
+    const double sigma = distances_[v];
+    const Arrival along_edge{.pseudo_source = v};
+    for (HalfEdge h : mesh_.Outgoing(v)) {
+      sink.Relax(mesh_.To(h), sigma + mesh_.frame(h).length, along_edge,
+                 IncomingRay::Along(h));
+      sink.Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length, along_edge,
+                 IncomingRay::Along(Prev(h)));
+    }
+    const auto look = [&](HalfEdge h, const Interval& part) {
+      const HalfEdge opposite = Next(h);
+      const HalfEdgeFrame& frame = mesh_.frame(opposite);
+      // Seen from beyond, the edge runs the other way.
+      LookAcross(opposite,
+                 {.x = frame.length - frame.apex_x,
+                  .depth = frame.apex_y,
+                  .sigma = sigma},
+                 Mirror(part, frame.length), v, sink);
+    };
+    if (incoming_.empty() || !incoming_[v].is_known() ||
+        (states_[v] & kSource) || !HasRegularFan(v)) {
+      for (HalfEdge h : mesh_.Outgoing(v)) {
+        look(h, {0, mesh_.frame(Next(h)).length});
+      }
+    } else {
+      ShadowFan(mesh_, v, incoming_[v]).ForEachFace(look);
+    }
+  }
+
+ private:
+  enum State : uint8_t {
+    kSource = 1,
+    kPending = 2,  // improved since it was last expanded
+  };
+
+  size_t anchor_count() const {
+    return distances_.size() - mesh_.vertex_count();
+  }
+
+  // Whether one can simply turn around v, from face to face.
+  bool HasRegularFan(uint32_t v) const {
+    if (mesh_.IsNonManifold(v)) return false;
+    return !mesh_.HasIrregularEdges() ||
+           std::ranges::none_of(mesh_.Outgoing(v), [this](HalfEdge h) {
+             return mesh_.IsIrregularEdge(h) || mesh_.IsIrregularEdge(Prev(h));
+           });
+  }
+
+  // A distance by way of windows, but no less than straight through space from
+  // the pseudo-source: unfolding rounds by about the same length everywhere,
+  // which is much of a way that is very short.
+  double AtLeastStraight(double distance, uint32_t pseudo_source,
+                         const SurfacePoint& point) const {
+    const double sigma = PseudoSourceDistance(pseudo_source);
+    if (distance - sigma > kShortWay || std::isinf(sigma)) return distance;
+    const SpacePoint from =
+        pseudo_source < mesh_.vertex_count()
+            ? SpacePoint{.vertex = pseudo_source}
+            : anchor_places_[pseudo_source - mesh_.vertex_count()];
+    return std::max(
+        distance, sigma + StraightDistance(mesh_, from, InSpace(mesh_, point)));
+  }
+
+  // Of the faces around v.
+  double LongestEdgeAt(uint32_t v) const {
+    double longest = 0;
+    for (HalfEdge h : mesh_.Outgoing(v)) {
+      longest =
+          std::max({longest, mesh_.frame(h).length, mesh_.frame(Next(h)).length,
+                    mesh_.frame(Prev(h)).length});
+    }
+    return longest;
+  }
+
+  // Through how many faces without area a pseudo-source looks on, one beside or
+  // behind the other.
+  static constexpr int kMostFolds = 64;
+
+  // Opens what the pseudo-source sees across `side`; origin as for Cross.
+  template <typename Sink>
+  void LookAcross(HalfEdge side, const Origin& origin, const Interval& part,
+                  uint32_t pseudo_source, Sink& sink) const {
+    int folds_left = kMostFolds;
+    LookAcross(side, origin, part, pseudo_source, folds_left, sink);
+  }
+
+  template <typename Sink>
+  void LookAcross(HalfEdge side, const Origin& origin, const Interval& part,
+                  uint32_t pseudo_source, int& folds_left, Sink& sink) const {
+    Cross(side, origin, part,
+          [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
+            LookInto(half_edge, seen, through, pseudo_source, folds_left, sink);
+          });
+  }
+
+  // Opens `half_edge`, or if the pseudo-source lies on it, what lies beyond.
+  template <typename Sink>
+  void LookInto(HalfEdge half_edge, const Origin& origin, const Interval& part,
+                uint32_t pseudo_source, int& folds_left, Sink& sink) const {
+    const HalfEdgeFrame& frame = mesh_.frame(half_edge);
+    if (!LiesOnEdge(origin, frame) || folds_left == 0) {
+      sink.Open(half_edge, pseudo_source, origin, part);
+      return;
+    }
+    --folds_left;
+    const Window window = Window::Over(part, origin);
+    sink.Observe(half_edge, window, pseudo_source);
+    const PlanePoint apex = ApexOf(frame);
+    const double crossing = CrossingTo(origin, apex);
+    const double through = std::clamp(crossing, part.begin, part.end);
+    sink.Relax(mesh_.Apex(half_edge),
+               through == crossing
+                   ? origin.sigma + DistanceToPlace(origin, apex)
+                   : window.DistanceTo(through) + EdgePointTo(through, apex),
+               {pseudo_source, half_edge, origin.x, origin.depth});
+    const double left_length = mesh_.frame(Prev(half_edge)).length;
+    const double right_length = mesh_.frame(Next(half_edge)).length;
+    Interval left{0, left_length}, right{0, right_length};
+    // All of both is seen, unless an end of the edge is so near that it hides
+    // more than rounding: then it is a pseudo-source and opens what it hides.
+    if (std::min(origin.x, frame.length - origin.x) <=
+        kNearVertex * frame.length) {
+      left.begin = ProjectLeft(origin, 0, frame, left_length);
+      right.end = right_length -
+                  ProjectRight(origin, frame.length, frame, right_length);
+      if (crossing < 0) {
+        left.end = 0;
+        right.begin =
+            right_length - ProjectRight(origin, 0, frame, right_length);
+      } else if (crossing > frame.length) {
+        right.end = 0;
+        left.end = ProjectLeft(origin, frame.length, frame, left_length);
+      }
+    }
+    if (left.begin < left.end) {
+      LookAcross(Prev(half_edge), UnfoldLeft(origin, frame), left,
+                 pseudo_source, folds_left, sink);
+    }
+    if (right.begin < right.end) {
+      LookAcross(Next(half_edge), UnfoldRight(origin, frame, right_length),
+                 right, pseudo_source, folds_left, sink);
+    }
+  }
+
+  // Starts from a segment, in each of the faces that hold it.
+  // REQUIRES: Origin is MixedOrigin.
+  template <typename Sink>
+  void AddSegment(const Anchor& anchor, double sigma, uint32_t number,
+                  Sink& sink) {
+    for (const CurveSegment& segment : SegmentsOf(mesh_, anchor)) {
+      const HalfEdge first = mesh_.FirstSide(segment.face());
+      const Arrival straight{.pseudo_source = number};
+      for (uint32_t corner = 0; corner < 3; ++corner) {
+        FacePoint at{.face = segment.face()};
+        at.weights[corner] = 1;
+        Relax(mesh_.From(first + corner),
+              sigma + segment.DistanceTo(InFrame(mesh_, at, first)), straight);
+      }
+      for (HalfEdge h = first; h < first + 3; ++h) {
+        auto beam = segment.BeamAcross(h);
+        if (!beam.has_value()) continue;
+        beam->origin.sigma += sigma;
+        Cross(h, beam->origin, beam->interval,
+              [&](HalfEdge half_edge, const Origin& origin,
+                  const Interval& interval) {
+                sink.Open(half_edge, number, origin, interval);
+              });
+      }
+      targets_.OfferWithin(segment.face(), number,
+                           [&](const PlanePoint& place) {
+                             return sigma + segment.DistanceTo(place);
+                           });
+    }
+  }
+
+  const Mesh& mesh_;
+  Queue& queue_;
+  WindowObserver* const observer_;
+  Targets targets_;
+  std::vector<double> distances_;  // of vertices, then offsets of anchors
+  std::vector<SpacePoint> anchor_places_;  // of those that are points
+  std::vector<Arrival> arrivals_;          // of vertices; empty without a trace
+  std::vector<uint8_t> states_;
+  // Of pseudo-sources: whence their shortest path comes. Empty where the mesh
+  // has faces without area.
+  std::vector<IncomingRay> incoming_;
+  bool has_free_anchor_ = false;  // one that is not a vertex
+  uint64_t reached_ = 0;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SOLVER_RULES_FRONT_H_

@@ -1,0 +1,242 @@
+// What one thread does of a round of the list rule: lists of windows cross the
+// faces that they wait to enter, and vertices that have improved become
+// pseudo-sources. Reads the front and changes nothing there; what comes of it
+// is kept until it is applied (list_rule.h).
+
+#ifndef GEODESIC_SOLVER_RULES_LIST_WORKER_H_
+#define GEODESIC_SOLVER_RULES_LIST_WORKER_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geodesic/distance_field.h"
+#include "geodesic/mesh.h"
+#include "solver/rules/envelope.h"
+#include "solver/rules/face_crossing.h"
+#include "solver/rules/shadow_fan.h"
+#include "solver/thread_team.h"
+#include "solver/windows/window_blocks.h"
+#include "solver/windows/window_columns.h"
+
+namespace geodesic {
+
+// Across which side of the neighbouring face windows come: those that come
+// across its left side arrive nearer to the half-edge's begin.
+enum Side { kLeft, kRight };
+
+// What waits at a half-edge: chains of lists, each list trimmed. By Side.
+using WaitingLists = std::array<WindowBlock*, 2>;
+
+// On cache lines of its own, for its scratch is written all the time.
+// REQUIRES: the front's origins are points.
+template <typename Front>
+class alignas(kCacheLine) ListWorker {
+ public:
+  // A better path to a vertex, as Front::Relax takes it.
+  struct Relaxation {
+    uint32_t vertex;
+    double distance;
+    Arrival arrival;
+    IncomingRay ray;
+  };
+  // A list that goes on through a half-edge.
+  struct HandedOn {
+    HalfEdge to;
+    Side from;
+    WindowBlock* list;
+    uint32_t count;  // its windows
+    double label;    // no window's label is below
+  };
+  // A window that the front watches.
+  struct Observed {
+    HalfEdge half_edge;
+    Window window;
+    uint32_t pseudo_source;
+  };
+  // A place in what is kept.
+  struct Place {
+    uint32_t relaxation = 0, handed_on = 0, observed = 0;
+    bool operator==(const Place&) const = default;
+  };
+  // What comes of one half-edge or vertex.
+  struct Outcome {
+    uint32_t waited = 0;      // windows
+    uint32_t propagated = 0;  // those among them that were not useless
+    Place begin, end;
+  };
+
+  ListWorker(const Front& front, BlockPool& pool)
+      : front_(front),
+        mesh_(front.mesh()),
+        blocks_(pool),
+        crossing_(front),
+        list_(crossing_.list()) {}
+
+  // Takes and frees the lists that wait at h.
+  Outcome Cross(HalfEdge h, const WaitingLists& lists);
+  Outcome Expand(uint32_t vertex);
+
+  // What came of all that was done since the last Forget.
+  std::span<const Relaxation> relaxations() const { return relaxations_; }
+  std::span<const HandedOn> handed_on() const { return handed_on_; }
+  std::span<const Observed> observed() const { return observed_; }
+  void Forget() {
+    relaxations_.clear();
+    handed_on_.clear();
+    observed_.clear();
+  }
+
+  // As Front::Expand calls them.
+  void Relax(uint32_t vertex, double distance, const Arrival& arrival,
+             const IncomingRay& ray = {}) {
+    if (!Front::Improves(distance, front_.distance(vertex))) return;
+    relaxations_.push_back({vertex, distance, arrival, ray});
+  }
+  void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
+            const Interval& interval);
+  void Observe(HalfEdge h, const Window& window, uint32_t pseudo_source) {
+    if (front_.Watches(h)) observed_.push_back({h, window, pseudo_source});
+  }
+
+ private:
+  Place Here() const {
+    return {static_cast<uint32_t>(relaxations_.size()),
+            static_cast<uint32_t>(handed_on_.size()),
+            static_cast<uint32_t>(observed_.size())};
+  }
+  void CrossFace(HalfEdge h);
+  // Moves what waits to list_. Returns how many windows that were.
+  uint32_t Take(const WaitingLists& lists, double length);
+  // Drops useless windows of list_ from `first` on.
+  void DropStale(size_t first);
+  // Hands on what leaves a face across `side`.
+  void HandOn(HalfEdge side, Exit exit, Side from, double label,
+              WindowColumns& children);
+
+  const Front& front_;
+  const Mesh& mesh_;
+  WindowBlocks blocks_;
+  std::vector<Relaxation> relaxations_;
+  std::vector<HandedOn> handed_on_;
+  std::vector<Observed> observed_;
+
+  // Scratch, kept for its memory.
+  FaceCrossing<Front> crossing_;
+  WindowColumns& list_;  // of crossing_
+  WindowColumns opened_;
+  Envelope envelope_;
+};
+
+template <typename Front>
+typename ListWorker<Front>::Outcome ListWorker<Front>::Cross(
+    HalfEdge h, const WaitingLists& lists) {
+  Outcome outcome{.begin = Here()};
+  outcome.waited = Take(lists, mesh_.frame(h).length);
+  outcome.propagated = static_cast<uint32_t>(list_.size);
+  if (list_.size > 0) CrossFace(h);
+  outcome.end = Here();
+  return outcome;
+}
+
+template <typename Front>
+typename ListWorker<Front>::Outcome ListWorker<Front>::Expand(uint32_t vertex) {
+  Outcome outcome{.begin = Here()};
+  front_.Expand(vertex, *this);
+  outcome.end = Here();
+  return outcome;
+}
+
+template <typename Front>
+void ListWorker<Front>::Open(HalfEdge half_edge, uint32_t pseudo_source,
+                             const Origin& origin, const Interval& interval) {
+  const double length = mesh_.frame(half_edge).length;
+  if (IsLost(interval, origin, length)) return;
+  const Window window = Window::Over(interval, origin);
+  if (front_.EndsAreNearer(window, length, mesh_.From(half_edge),
+                           mesh_.To(half_edge))) {
+    return;
+  }
+  opened_.Reserve(1);
+  opened_.Set(0, window, pseudo_source);
+  opened_.size = 1;
+  handed_on_.push_back(
+      {half_edge, kLeft, blocks_.Store(opened_), 1, window.Label()});
+}
+
+template <typename Front>
+uint32_t ListWorker<Front>::Take(const WaitingLists& lists, double length) {
+  uint32_t waited = 0;
+  list_.size = 0;
+  for (WindowBlock* list : lists) {
+    while (list != nullptr) {
+      waited += list->count;
+      const size_t middle = list_.size;
+      list = blocks_.Take(list, list_);
+      DropStale(middle);
+      envelope_.Merge(length, front_.MayChangeOverTwice(), middle, list_);
+    }
+  }
+  return waited;
+}
+
+template <typename Front>
+void ListWorker<Front>::DropStale(size_t first) {
+  size_t kept = first;
+  for (size_t i = first; i < list_.size; ++i) {
+    // The pseudo-source has improved since: a newer window is on its way, or
+    // those of a straight path to it. By however little: unlike MMP's
+    // (MmpRule::IsStale), a newer window never meets the older one, which is
+    // dropped first, and so cannot have given way to it.
+    if (list_.sigma[i] > front_.PseudoSourceDistance(list_.pseudo_source[i])) {
+      continue;
+    }
+    if (kept != i) list_.Move(i, kept);
+    ++kept;
+  }
+  list_.size = kept;
+}
+
+template <typename Front>
+void ListWorker<Front>::CrossFace(HalfEdge h) {
+  if (front_.Watches(h)) {
+    for (size_t i = 0; i < list_.size; ++i) {
+      Observe(h,
+              Window::Over({list_.begin[i], list_.end[i]}, list_.OriginAt(i)),
+              list_.pseudo_source[i]);
+    }
+  }
+  crossing_.Cross(
+      h,
+      [this](uint32_t apex, double distance, const Arrival& arrival,
+             const IncomingRay& ray) {
+        relaxations_.push_back({apex, distance, arrival, ray});
+      },
+      [this, h](HalfEdge side, Exit exit, WindowColumns& children,
+                double label) {
+        HandOn(side, exit, side == Prev(h) ? kLeft : kRight, label, children);
+      });
+}
+
+template <typename Front>
+void ListWorker<Front>::HandOn(HalfEdge side, Exit exit, Side from,
+                               double label, WindowColumns& children) {
+  const auto count = static_cast<uint32_t>(children.size);
+  if (exit < kIrregularExit) {
+    handed_on_.push_back({exit, from, blocks_.Store(children), count, label});
+    return;
+  }
+  const double length = mesh_.frame(side).length;
+  mesh_.ForEachBeyond(side, [&](HalfEdge to, bool is_mirrored) {
+    if (is_mirrored) children.Mirror(length);
+    handed_on_.push_back({to, is_mirrored ? kRight : from,
+                          blocks_.Store(children), count, label});
+    if (is_mirrored) children.Mirror(length);
+  });
+}
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SOLVER_RULES_LIST_WORKER_H_

@@ -1,0 +1,189 @@
+#include "geodesic/valid_query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/field_path.h"
+#include "surface/surface_location.h"
+#include "tolerances.h"
+
+namespace geodesic {
+namespace {
+
+// Checks a number, a point or a list of them, and makes it canonical. `path`
+// names it.
+
+absl::Status MakeCanonical(SurfacePoint& point, const Mesh& mesh,
+                           const std::string& path) {
+  absl::Status status = Validate(point, mesh, path);
+  if (status.ok()) point = Canonicalize(point, mesh);
+  return status;
+}
+
+absl::Status MakeCanonical(std::vector<SurfacePoint>& points, const Mesh& mesh,
+                           const std::string& path) {
+  for (size_t i = 0; i < points.size(); ++i) {
+    absl::Status status =
+        MakeCanonical(points[i], mesh, absl::StrCat(path, "[", i, "]"));
+    if (!status.ok()) return status;
+  }
+  return absl::OkStatus();
+}
+
+absl::Status MakeCanonical(double& offset, const Mesh& mesh,
+                           const std::string& path) {
+  if (!std::isfinite(offset) || offset < 0) {
+    return InvalidField(
+        path, absl::StrCat(path, " ", offset, " is not a finite number >= 0"));
+  }
+  if (std::ldexp(offset, -mesh.scale_exponent()) > kMostOffset) {
+    return InvalidField(
+        path,
+        absl::StrCat(path, " ", offset, " is more than ", kMostOffset,
+                     " times the size of the mesh, which would be lost in its "
+                     "rounding"));
+  }
+  offset += 0.0;  // -0 -> +0
+  return absl::OkStatus();
+}
+
+bool ShareAFace(const Mesh& mesh, const SurfacePoint& a,
+                const SurfacePoint& b) {
+  const std::vector<FacePoint> around_b = FacesAround(mesh, b);
+  for (const FacePoint& in_a : FacesAround(mesh, a)) {
+    if (std::ranges::find(around_b, in_a.face, &FacePoint::face) !=
+        around_b.end()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+absl::Status MakeCanonical(Curve& curve, const Mesh& mesh,
+                           const std::string& path) {
+  std::vector<SurfacePoint>& points = curve.points;
+  const std::string list = absl::StrCat(path, ".curve.points");
+  if (points.empty()) {
+    return InvalidField(list,
+                        absl::StrCat(list, " is empty: name at least one"));
+  }
+  absl::Status status = MakeCanonical(points, mesh, list);
+  if (!status.ok()) return status;
+  for (size_t i = 1; i < points.size(); ++i) {
+    if (ShareAFace(mesh, points[i - 1], points[i])) continue;
+    return InvalidField(
+        absl::StrCat(list, "[", i, "]"),
+        absl::StrCat(list, "[", i - 1, "] and [", i,
+                     "] lie in no common face: add the points where the curve "
+                     "crosses edges"));
+  }
+  return absl::OkStatus();
+}
+
+absl::Status MakeCanonical(Source& source, const Mesh& mesh,
+                           const std::string& path) {
+  absl::Status status =
+      std::visit([&](auto& place) { return MakeCanonical(place, mesh, path); },
+                 source.place);
+  if (!status.ok()) return status;
+  return MakeCanonical(source.offset, mesh, absl::StrCat(path, ".offset"));
+}
+
+// REQUIRES: the points of `query` are canonical.
+Algorithm AlgorithmFor(const Query& query, Algorithm asked, const Mesh& mesh) {
+  const bool all_vertices =
+      std::ranges::all_of(query.sources, [](const Source& source) {
+        const auto* point = std::get_if<SurfacePoint>(&source.place);
+        return point != nullptr && std::holds_alternative<VertexPoint>(*point);
+      });
+  const bool is_one_point =
+      query.sources.size() == 1 && !IsCurve(query.sources[0]);
+  // The filter helps Chen and Han's rule over a source added later
+  // (Computation::AddSource); without it nothing would.
+  const bool may_split =
+      all_vertices || (is_one_point && asked != Algorithm::kCh);
+  return may_split && !mesh.HasCrowdedEdges() && !mesh.HasCollapsedFaces()
+             ? asked
+             : WithTrimming(asked);
+}
+
+}  // namespace
+
+absl::StatusOr<ValidQuery> ValidQuery::Make(Query query, const Mesh& mesh) {
+  if (query.sources.empty()) {
+    return InvalidField("sources", "sources is empty: name at least one");
+  }
+  for (size_t i = 0; i < query.sources.size(); ++i) {
+    absl::Status status =
+        MakeCanonical(query.sources[i], mesh, absl::StrCat("sources[", i, "]"));
+    if (!status.ok()) return status;
+  }
+  absl::Status status = MakeCanonical(query.targets, mesh, "targets");
+  if (!status.ok()) return status;
+  const Algorithm asked = query.algorithm;
+  if (std::ranges::find(kAlgorithms, asked, &AlgorithmInfo::algorithm) ==
+      kAlgorithms.end()) {
+    return InvalidField("algorithm", "algorithm is unknown");
+  }
+  query.algorithm = AlgorithmFor(query, asked, mesh);
+  return ValidQuery(std::move(query), asked);
+}
+
+ValidQuery::ValidQuery(Query query, Algorithm asked)
+    : query_(std::make_shared<const Query>(std::move(query))), asked_(asked) {}
+
+SortedQuery ValidQuery::Sorted() const {
+  const std::vector<Source>& sources = query_->sources;
+  std::vector<uint32_t> numbers(sources.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  std::ranges::stable_sort(numbers, [&](uint32_t a, uint32_t b) {
+    if (IsCurve(sources[a])) return false;
+    return IsCurve(sources[b]) || sources[a] < sources[b];
+  });
+  // Not of std::ranges, whose views clang 14 cannot compile.
+  const auto repeated =
+      std::unique(numbers.begin(), numbers.end(), [&](auto a, auto b) {
+        return !IsCurve(sources[a]) && sources[a].place == sources[b].place;
+      });
+  numbers.erase(repeated, numbers.end());
+  Query sorted{.targets = query_->targets,
+               .algorithm = query_->algorithm,
+               .trace = query_->trace};
+  for (const uint32_t number : numbers) {
+    sorted.sources.push_back(sources[number]);
+  }
+  return {ValidQuery(std::move(sorted), asked_), std::move(numbers)};
+}
+
+ValidQuery ValidQuery::WithTrace(bool trace) const {
+  Query query = *query_;
+  query.trace = trace;
+  return {std::move(query), asked_};
+}
+
+ValidQuery ValidQuery::WithoutVertexTargets() const {
+  Query query = *query_;
+  std::erase_if(query.targets, [](const SurfacePoint& target) {
+    return std::holds_alternative<VertexPoint>(target);
+  });
+  return {std::move(query), asked_};
+}
+
+ValidQuery ValidQuery::DistancesAlone() const {
+  return {{.sources = query_->sources, .algorithm = query_->algorithm}, asked_};
+}
+
+ValidQuery ValidQuery::OfSource(uint32_t source, const Mesh& mesh) const {
+  Query query{.sources = {query_->sources[source]},
+              .targets = query_->targets,
+              .trace = query_->trace};
+  query.algorithm = AlgorithmFor(query, asked_, mesh);
+  return {std::move(query), asked_};
+}
+
+}  // namespace geodesic

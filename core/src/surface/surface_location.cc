@@ -1,0 +1,75 @@
+#include "surface/surface_location.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodesic {
+
+std::vector<HalfEdge> SidesOf(const Mesh& mesh, uint32_t from, uint32_t to) {
+  std::vector<HalfEdge> sides;
+  for (HalfEdge h : mesh.Outgoing(from)) {
+    if (mesh.To(h) == to) sides.push_back(h);
+    if (mesh.Apex(h) == to) sides.push_back(Prev(h));
+  }
+  return sides;
+}
+
+std::vector<FacePoint> FacesAround(const Mesh& mesh,
+                                   const SurfacePoint& point) {
+  std::vector<FacePoint> faces;
+  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+    for (HalfEdge h : mesh.Outgoing(vertex->vertex)) {
+      faces.push_back({.face = mesh.FaceOf(h)});
+      faces.back().weights[h % 3] = 1;
+    }
+  } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
+    for (HalfEdge h : SidesOf(mesh, edge->from, edge->to)) {
+      const bool forward = mesh.From(h) == edge->from;
+      faces.push_back({.face = mesh.FaceOf(h)});
+      faces.back().weights[h % 3] = forward ? 1 - edge->t : edge->t;
+      faces.back().weights[Next(h) % 3] = forward ? edge->t : 1 - edge->t;
+    }
+  } else {
+    faces.push_back(std::get<FacePoint>(point));
+  }
+  return faces;
+}
+
+std::optional<FacePoint> WithinFace(const Mesh& mesh, const SurfacePoint& point,
+                                    uint32_t face) {
+  if (const auto* inside = std::get_if<FacePoint>(&point)) {
+    if (inside->face != face) return std::nullopt;
+    return *inside;
+  }
+  const Triangle& corners = mesh.triangle(face);
+  FacePoint found{.face = face};
+  const auto give = [&](uint32_t vertex, double weight) {
+    const auto corner = std::ranges::find(corners, vertex);
+    if (corner == corners.end()) return false;
+    found.weights[corner - corners.begin()] = weight;
+    return true;
+  };
+  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+    if (!give(vertex->vertex, 1)) return std::nullopt;
+  } else {
+    const auto& [from, to, t] = std::get<EdgePoint>(point);
+    if (!give(from, 1 - t) || !give(to, t)) return std::nullopt;
+  }
+  return found;
+}
+
+PlanePoint InFrame(const Mesh& mesh, const FacePoint& point, HalfEdge h) {
+  const HalfEdgeFrame& frame = mesh.frame(h);
+  const double at_b = point.weights[Next(h) % 3];
+  const double at_c = point.weights[Prev(h) % 3];
+  return {at_b * frame.length + at_c * frame.apex_x, at_c * frame.apex_y};
+}
+
+double DistanceToCorner(const Mesh& mesh, const FacePoint& point,
+                        uint32_t corner) {
+  const PlanePoint at =
+      InFrame(mesh, point, mesh.FirstSide(point.face) + corner);
+  return std::sqrt(at.x * at.x + at.y * at.y);
+}
+
+}  // namespace geodesic

@@ -1,0 +1,54 @@
+#include "server/engine/base/argument_checks.h"
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/string_view.h"
+#include "digest/sha256.h"
+#include "geodesic/field_path.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
+
+namespace geodesic::server {
+namespace {
+
+absl::string_view View(std::string_view text) {
+  return {text.data(), text.size()};
+}
+
+}  // namespace
+
+absl::Status CheckDigest(std::string_view field, const std::string& digest) {
+  if (IsSha256Hex(digest)) return absl::OkStatus();
+  return InvalidField(
+      field,
+      absl::StrCat(View(field), " must be 64 lower-case hexadecimal digits, ",
+                   "not \"", digest.substr(0, 80), "\""));
+}
+
+absl::Status CheckCount(std::string_view things, uint64_t count,
+                        std::string_view limit_name, uint64_t limit) {
+  if (count <= limit) return absl::OkStatus();
+  return absl::ResourceExhaustedError(
+      absl::StrCat("the request has ", count, " ", View(things), "; ",
+                   View(limit_name), " is ", limit));
+}
+
+absl::Status CheckRadius(std::string_view field, double radius) {
+  if (radius >= 0) return absl::OkStatus();
+  return InvalidField(field, absl::StrCat(View(field), " is ", radius,
+                                          "; it must be a number >= 0"));
+}
+
+absl::Status FieldNotKept() {
+  return WithReason(
+      absl::NotFoundError("the field is no longer kept: ask for it again, "
+                          "without a resumption"),
+      reason::kFieldNotKept);
+}
+
+absl::Status NotResident(const std::string& digest) {
+  return WithMesh(absl::NotFoundError(absl::StrCat(
+                      "mesh ", digest, " is not resident; upload it again")),
+                  digest);
+}
+
+}  // namespace geodesic::server

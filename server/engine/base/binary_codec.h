@@ -1,0 +1,86 @@
+// Numbers and strings as bytes, for files of our own: little endian, in order,
+// nothing between.
+
+#ifndef GEODESIC_SERVER_ENGINE_BASE_BINARY_CODEC_H_
+#define GEODESIC_SERVER_ENGINE_BASE_BINARY_CODEC_H_
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace geodesic::server {
+
+static_assert(std::endian::native == std::endian::little);
+
+class BinaryWriter {
+ public:
+  template <typename T>
+  void Put(const T& value) {
+    static_assert(std::is_arithmetic_v<T>);
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  }
+  void PutString(std::string_view text) {
+    Put(uint64_t{text.size()});
+    bytes_.append(text);
+  }
+
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+// Once a value would lie beyond the end, it and all that follow are zero and
+// ok() is false.
+class BinaryReader {
+ public:
+  explicit BinaryReader(std::string_view bytes) : bytes_(bytes) {}
+
+  template <typename T>
+  void Get(T& value) {
+    static_assert(std::is_arithmetic_v<T>);
+    value = T();
+    ok_ = ok_ && bytes_.size() >= sizeof(value);
+    if (!ok_) return;
+    std::memcpy(&value, bytes_.data(), sizeof(value));
+    bytes_.remove_prefix(sizeof(value));
+  }
+  void GetString(std::string& text) {
+    uint64_t size = 0;
+    Get(size);
+    ok_ = ok_ && bytes_.size() >= size;
+    text = ok_ ? bytes_.substr(0, size) : "";
+    if (ok_) bytes_.remove_prefix(size);
+  }
+
+  bool ok() const { return ok_; }
+  // Whether all went well and nothing is left.
+  bool AtEnd() const { return ok_ && bytes_.empty(); }
+
+ private:
+  std::string_view bytes_;
+  bool ok_ = true;
+};
+
+// What `read(reader, record)` takes from bytes that begin with this version and
+// end with the record; nothing for others.
+template <typename Record, typename Read>
+std::optional<Record> DecodeRecord(std::string_view bytes, uint32_t version,
+                                   Read read) {
+  BinaryReader reader(bytes);
+  uint32_t found = 0;
+  reader.Get(found);
+  if (found != version) return std::nullopt;
+  Record record;
+  read(reader, record);
+  if (!reader.AtEnd()) return std::nullopt;
+  return record;
+}
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_BASE_BINARY_CODEC_H_

@@ -1,0 +1,86 @@
+// Memory is reserved from a budget before it is grown into, and goes back when
+// what it was reserved for is gone.
+//
+//   auto budget = std::make_shared<ByteBudget>("upload memory", 1 << 30);
+//   absl::StatusOr<ByteReservation> room =
+//       ByteReservation::Make(budget, chunk.size());
+
+#ifndef GEODESIC_SERVER_ENGINE_BASE_BYTE_BUDGET_H_
+#define GEODESIC_SERVER_ENGINE_BASE_BYTE_BUDGET_H_
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+
+namespace geodesic::server {
+
+// A number of bytes shared by many holders. Thread-safe; used() never exceeds
+// capacity().
+class ByteBudget {
+ public:
+  // `name` appears in messages; it is the server's flag in words, e.g. "mesh
+  // store" for --mesh-store.
+  ByteBudget(std::string name, uint64_t capacity);
+
+  // Takes `bytes`, all or nothing.
+  // Errors: RESOURCE_EXHAUSTED naming the budget and its flag, what is needed,
+  // used and available; with a retry hint when an idle server would have it.
+  absl::Status Take(uint64_t bytes);
+
+  // Whether so many bytes can ever be taken. Errors: as Take.
+  absl::Status CheckCapacity(uint64_t bytes) const;
+
+  // REQUIRES: taken before.
+  void Return(uint64_t bytes);
+
+  // The error of Take.
+  absl::Status Exhausted(uint64_t bytes) const;
+
+  uint64_t used() const;
+  uint64_t capacity() const { return capacity_; }
+
+ private:
+  const std::string name_;
+  const uint64_t capacity_;
+
+  mutable std::mutex mutex_;
+  uint64_t used_ = 0;  // guarded by mutex_
+};
+
+// Bytes taken from a budget, returned on destruction. Movable; not thread-safe.
+class ByteReservation {
+ public:
+  // Holds nothing, of no budget.
+  ByteReservation() = default;
+
+  // Errors: as ByteBudget::Take.
+  static absl::StatusOr<ByteReservation> Make(
+      std::shared_ptr<ByteBudget> budget, uint64_t bytes);
+
+  ByteReservation(ByteReservation&& other) noexcept;
+  ByteReservation& operator=(ByteReservation&& other) noexcept;
+  ~ByteReservation();
+
+  // Errors: as ByteBudget::Take, without a retry hint when the budget can never
+  // hold that many; the reservation then stays as it is.
+  absl::Status GrowTo(uint64_t bytes);
+
+  // Does nothing when `bytes` are not less than what is held.
+  void ShrinkTo(uint64_t bytes);
+
+  uint64_t bytes() const { return bytes_; }
+
+ private:
+  ByteReservation(std::shared_ptr<ByteBudget> budget, uint64_t bytes);
+
+  std::shared_ptr<ByteBudget> budget_;
+  uint64_t bytes_ = 0;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_BASE_BYTE_BUDGET_H_

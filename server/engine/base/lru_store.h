@@ -1,0 +1,214 @@
+// A store bounded in bytes that forgets what was least recently used.
+//
+//   LruStore<std::string, Thing> store("thing store", 1 << 30);
+//   absl::StatusOr<ByteReservation> room = store.Reserve(SizeOf(thing));
+//   std::shared_ptr<const Thing> kept =
+//       store.Insert("a", std::move(thing), *std::move(room)).value;
+//
+// Guarantees:
+//   1. the charges of all entries, of all reservations, and of removed entries
+//      that somebody still holds, never exceed the capacity together;
+//   2. an entry is pinned while a handle to it is out: it is not evicted;
+//   3. room is made by evicting unpinned entries, least recently used first,
+//      and only when that suffices: a request in vain evicts nothing;
+//   4. an entry never changes.
+
+#ifndef GEODESIC_SERVER_ENGINE_BASE_LRU_STORE_H_
+#define GEODESIC_SERVER_ENGINE_BASE_LRU_STORE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "server/engine/base/byte_budget.h"
+
+namespace geodesic::server {
+
+// Thread-safe. Keys are ordered by <. Every call is O(log n) but for those
+// that say otherwise.
+template <typename Key, typename Value>
+class LruStore {
+ public:
+  using Handle = std::shared_ptr<const Value>;
+
+  // `removed` hears of each entry that is evicted or erased, under the store's
+  // lock: it must be short and must not call the store.
+  LruStore(std::string name, uint64_t capacity,
+           std::function<void(const Key&)> removed = nullptr)
+      : budget_(std::make_shared<ByteBudget>(std::move(name), capacity)),
+        removed_(std::move(removed)) {}
+
+  LruStore(const LruStore&) = delete;
+  LruStore& operator=(const LruStore&) = delete;
+
+  // Marks the entry as used. Null when absent.
+  Handle Find(const Key& key) {
+    std::lock_guard lock(mutex_);
+    const auto it = entries_.find(key);
+    if (it == entries_.end()) return nullptr;
+    recency_.splice(recency_.end(), recency_, it->second.position);
+    return ToHandle(it->second.charged);
+  }
+
+  // Whether so many bytes can ever be reserved. Errors: as Reserve.
+  absl::Status CheckCapacity(uint64_t bytes) const {
+    return budget_->CheckCapacity(bytes);
+  }
+
+  // Makes room. O(n) when something has to be evicted.
+  // Errors: RESOURCE_EXHAUSTED naming the store, its capacity and the need.
+  absl::StatusOr<ByteReservation> Reserve(uint64_t bytes) {
+    std::lock_guard lock(mutex_);
+    absl::StatusOr<ByteReservation> room =
+        ByteReservation::Make(budget_, bytes);
+    if (room.ok() || !EvictionMakesRoom(bytes)) return room;
+    for (auto it = recency_.begin(); it != recency_.end() && !room.ok();) {
+      const auto entry = entries_.find(**it++);
+      if (IsPinned(entry->second)) continue;
+      Remove(entry);
+      ++evictions_;
+      room = ByteReservation::Make(budget_, bytes);
+    }
+    return room;
+  }
+
+  struct Inserted {
+    Handle value;
+    bool is_new = false;
+  };
+
+  // Keeps `value` with `charge` until it is evicted or erased. When the key is
+  // present already, the present entry wins and is marked as used, unless
+  // `keep(present)` is false: then it is replaced.
+  template <typename Keep>
+  Inserted Insert(Key key, Value value, ByteReservation charge, Keep keep) {
+    auto charged =
+        std::make_shared<const Charged>(std::move(charge), std::move(value));
+    // Allocated first, so that no exception leaves half an entry.
+    std::list<const Key*> node(1, nullptr);
+    std::lock_guard lock(mutex_);
+    const auto [it, is_new] = entries_.try_emplace(std::move(key));
+    if (is_new) {
+      it->second.charged = std::move(charged);
+      node.front() = &it->first;
+      it->second.position = node.begin();
+      recency_.splice(recency_.end(), node);
+    } else {
+      recency_.splice(recency_.end(), recency_, it->second.position);
+      // The old value goes with `charged`, after the lock.
+      if (!keep(it->second.charged->value)) it->second.charged.swap(charged);
+    }
+    return {ToHandle(it->second.charged), is_new};
+  }
+
+  Inserted Insert(Key key, Value value, ByteReservation charge) {
+    return Insert(std::move(key), std::move(value), std::move(charge),
+                  [](const Value&) { return true; });
+  }
+
+  // Forgets the entry; those who hold it keep it. Whether there was one.
+  bool Erase(const Key& key) {
+    std::lock_guard lock(mutex_);
+    const auto it = entries_.find(key);
+    if (it == entries_.end()) return false;
+    Remove(it);
+    return true;
+  }
+
+  // Forgets the entries whose key satisfies `predicate`. O(n).
+  template <typename Predicate>
+  void EraseIf(Predicate predicate) {
+    std::lock_guard lock(mutex_);
+    for (auto it = entries_.begin(); it != entries_.end();) {
+      const auto entry = it++;
+      if (predicate(entry->first)) Remove(entry);
+    }
+  }
+
+  // Up to `count` entries in order of key, from the first key above `after`.
+  // Marks nothing as used. O(log n + count).
+  std::vector<Handle> List(const Key& after, size_t count) const {
+    std::lock_guard lock(mutex_);
+    std::vector<Handle> page;
+    for (auto it = entries_.upper_bound(after);
+         it != entries_.end() && page.size() < count; ++it) {
+      page.push_back(ToHandle(it->second.charged));
+    }
+    return page;
+  }
+
+  size_t size() const {
+    std::lock_guard lock(mutex_);
+    return entries_.size();
+  }
+
+  // Entries that went to make room, since the start.
+  uint64_t evictions() const {
+    std::lock_guard lock(mutex_);
+    return evictions_;
+  }
+
+  // Includes reservations, and removed entries that are still held.
+  uint64_t used_bytes() const { return budget_->used(); }
+  uint64_t capacity() const { return budget_->capacity(); }
+
+ private:
+  // The charge goes back to the budget when the memory does, not when the
+  // store forgets the entry.
+  struct Charged {
+    Charged(ByteReservation c, Value v)
+        : charge(std::move(c)), value(std::move(v)) {}
+    ByteReservation charge;
+    Value value;
+  };
+  struct Entry {
+    std::shared_ptr<const Charged> charged;
+    typename std::list<const Key*>::iterator position;
+  };
+  using Entries = std::map<Key, Entry>;
+
+  static Handle ToHandle(const std::shared_ptr<const Charged>& charged) {
+    return Handle(charged, &charged->value);
+  }
+
+  // Handles are only ever made from none under mutex_, so while it is held a
+  // count of one cannot grow.
+  static bool IsPinned(const Entry& entry) {
+    return entry.charged.use_count() > 1;
+  }
+
+  bool EvictionMakesRoom(uint64_t bytes) const {
+    uint64_t room = budget_->capacity() - budget_->used();
+    for (const auto& [key, entry] : entries_) {
+      if (!IsPinned(entry)) room += entry.charged->charge.bytes();
+    }
+    return bytes <= room;
+  }
+
+  void Remove(typename Entries::iterator it) {
+    if (removed_) removed_(it->first);
+    recency_.erase(it->second.position);
+    entries_.erase(it);
+  }
+
+  const std::shared_ptr<ByteBudget> budget_;
+  const std::function<void(const Key&)> removed_;
+
+  mutable std::mutex mutex_;
+  // Guarded by mutex_:
+  Entries entries_;
+  std::list<const Key*> recency_;  // keys of entries_, oldest first
+  uint64_t evictions_ = 0;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_BASE_LRU_STORE_H_

@@ -1,0 +1,100 @@
+#include "server/engine/fields/field_cache.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+namespace geodesic::server {
+namespace {
+
+// Of all curves together.
+uint64_t CurvePoints(const Query& query) {
+  uint64_t points = 0;
+  for (const Source& source : query.sources) {
+    const auto* curve = std::get_if<Curve>(&source.place);
+    if (curve != nullptr) points += curve->points.size();
+  }
+  return points;
+}
+
+// What a field takes in the cache; known before it is computed.
+uint64_t FieldBytes(const FieldKey& key, uint64_t vertices) {
+  const Query& query = *key.query;
+  const uint64_t per_value =
+      sizeof(double) + (query.trace ? sizeof(Arrival) : 0);
+  return (vertices + query.targets.size()) * per_value +
+         query.sources.size() * sizeof(Source) +
+         (CurvePoints(query) + query.targets.size()) * sizeof(SurfacePoint) +
+         key.mesh_digest.size() + sizeof(FieldKey) + sizeof(Query) +
+         sizeof(DistanceField);
+}
+
+}  // namespace
+
+bool Covers(const DistanceField& field, const FieldReach& reach) {
+  if (field.settled_radius >= reach.radius) return true;
+  if (!reach.LimitsTargets()) return false;
+  // What is not certified is infinite.
+  const auto certified = std::ranges::count_if(
+      field.target_distances, [](double d) { return std::isfinite(d); });
+  return static_cast<uint64_t>(certified) >= reach.targets;
+}
+
+bool VisitAnsweringKeys(const FieldKey& key,
+                        absl::FunctionRef<bool(const FieldKey&)> visit) {
+  if (visit(key)) return true;
+  // A traced field holds all that one without a trace does.
+  const auto visit_traced = [&](FieldKey other) {
+    if (other.query->trace) return false;
+    other.query = other.query.WithTrace(true);
+    return visit(other);
+  };
+  if (visit_traced(key)) return true;
+  // Distances at vertices are in every field that reaches far enough.
+  FieldKey other = key;
+  other.query = key.query.WithoutVertexTargets();
+  if (key.query->targets.empty() || !other.query->targets.empty()) return false;
+  return visit(other) || visit_traced(other);
+}
+
+std::optional<FieldCache::Found> FieldCache::Find(const FieldKey& key,
+                                                  const FieldReach& reach) {
+  std::optional<Found> found;
+  VisitAnsweringKeys(key, [&](const FieldKey& candidate) {
+    FieldHandle field = fields_.Find(candidate);
+    if (field != nullptr && Covers(*field, reach)) {
+      found = {candidate, std::move(field)};
+    }
+    return found.has_value();
+  });
+  return found;
+}
+
+absl::Status FieldCache::CheckCapacity(const FieldKey& key,
+                                       uint64_t vertices) const {
+  return fields_.CheckCapacity(FieldBytes(key, vertices));
+}
+
+absl::StatusOr<ByteReservation> FieldCache::Reserve(const FieldKey& key,
+                                                    uint64_t vertices) {
+  return fields_.Reserve(FieldBytes(key, vertices));
+}
+
+FieldHandle FieldCache::Insert(const FieldKey& key, DistanceField field,
+                               ByteReservation room) {
+  const double radius = field.settled_radius;
+  return fields_
+      .Insert(key, std::move(field), std::move(room),
+              [radius](const DistanceField& present) {
+                return present.settled_radius >= radius;
+              })
+      .value;
+}
+
+void FieldCache::EraseMesh(const std::string& digest) {
+  fields_.EraseIf(
+      [&](const FieldKey& key) { return key.mesh_digest == digest; });
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,310 @@
+#include "server/engine/fields/field_engine.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/field_path.h"
+#include "server/engine/base/argument_checks.h"
+#include "server/engine/base/guarded.h"
+#include "server/engine/fields/settled_checkpoint.h"
+#include "server/engine/jobs/idle_threads.h"
+#include "server/engine/jobs/job_checkpoint.h"
+
+namespace geodesic::server {
+namespace {
+
+absl::Status CheckReach(const FieldReach& reach, size_t targets) {
+  if (absl::Status status = CheckRadius("max_distance", reach.radius);
+      !status.ok()) {
+    return status;
+  }
+  if (reach.LimitsTargets() &&
+      (reach.targets == 0 || reach.targets > targets)) {
+    return InvalidField(
+        "stop_after_targets",
+        absl::StrCat("stop_after_targets is ", reach.targets,
+                     "; the request has ", targets, " targets"));
+  }
+  return absl::OkStatus();
+}
+
+// The request's query, to be solved as its quantities need it.
+// Errors: as ValidQuery::Make.
+absl::StatusOr<ValidQuery> MakeValid(const FieldRequest& request,
+                                     const Mesh& mesh) {
+  Query query = request.query;
+  // The protocol calls the only source of a log map by another name.
+  if (request.extras.log_map && query.sources.size() == 1) {
+    const auto* point = std::get_if<SurfacePoint>(&query.sources[0].place);
+    absl::Status status =
+        point == nullptr ? absl::OkStatus() : Validate(*point, mesh, "source");
+    if (!status.ok()) return status;
+  }
+  query.trace |= request.extras.NeedTrace();
+  return ValidQuery::Make(std::move(query), mesh);
+}
+
+// What is kept of the solver's memory for the answer.
+uint64_t SettledBytes(const FieldExtras& extras, uint64_t vertices) {
+  return extras.settled_order ? SettledLog::BytesFor(vertices) : 0;
+}
+
+// The rest of the order, once the field is there.
+void FinishOrder(const DistanceField& field, double radius, SettledLog& log) {
+  log.Append({.settled_radius = std::min(field.settled_radius, radius),
+              .distances = field.distances});
+}
+
+}  // namespace
+
+FieldEngine::FieldEngine(const Limits& limits, const SolveOptions& options,
+                         const Clock& clock, Scheduler& scheduler,
+                         std::shared_ptr<ByteBudget> solver_memory,
+                         StartFunction start, HasMeshFunction has_mesh)
+    : limits_(limits),
+      options_(options),
+      start_(std::move(start)),
+      has_mesh_(std::move(has_mesh)),
+      solver_memory_(std::move(solver_memory)),
+      scheduler_(scheduler),
+      fields_(limits.field_cache_bytes),
+      jobs_(scheduler, clock, limits.progress_interval) {}
+
+absl::StatusOr<FieldCall> FieldEngine::Compute(
+    const FieldRequest& request, const MeshHandle& mesh,
+    std::shared_ptr<FieldObserver> observer) {
+  const absl::StatusOr<ValidQuery> query = MakeValid(request, *mesh->mesh);
+  if (!query.ok()) return query.status();
+  absl::Status status = CheckReach(request.reach, request.query.targets.size());
+  if (!status.ok()) return status;
+
+  SortedQuery sorted = query->Sorted();
+  FieldCall call{.mesh = mesh,
+                 .query = std::move(sorted.query),
+                 .source_numbers = std::move(sorted.numbers),
+                 .reach = request.reach};
+  // Distances at vertices are in the field itself, so the targets that the
+  // solver need not know of are left out: more questions are the same then.
+  const FlightKey key{
+      .field = {.mesh_digest = mesh->digest,
+                .query = request.reach.LimitsTargets()
+                             ? call.query
+                             : call.query.WithoutVertexTargets(),
+                .bucket_width = options_.bucket_width,
+                .max_batch = options_.max_batch},
+      .reach = request.reach,
+      .extras = request.extras};
+
+  const bool is_cached = [&] {
+    std::optional<FieldCache::Found> found = fields_.Find(key.field, key.reach);
+    if (found && !key.extras.Any()) {
+      call.answer = FieldAnswer{.field = std::move(found->field),
+                                .origin = FieldOrigin::kCached};
+    }
+    return found.has_value();
+  }();
+  if (call.answer.has_value()) {
+    ++queries_cached_;
+    call.origin = FieldOrigin::kCached;
+    return call;
+  }
+  const bool is_kept =
+      is_cached || (files_ != nullptr && files_->Find(key.field, key.reach));
+  if (request.must_be_kept && !is_kept) return FieldNotKept();
+
+  auto job = std::make_shared<FieldJob>(FieldJob{
+      .mesh = mesh,
+      .key = key,
+      .settled_log =
+          key.extras.settled_order ? std::make_shared<SettledLog>() : nullptr,
+      .solver_bytes = PlannedSolverBytes(*mesh->mesh, key.field.query)});
+  if (status = CheckCapacity(*job); !status.ok()) return status;
+  Waiter<FieldAnswer> waiter{
+      .done =
+          [observer](const absl::StatusOr<FieldAnswer>& answer) {
+            observer->OnField(answer);
+          },
+      .progress =
+          [observer = std::move(observer)](const Progress& progress) {
+            observer->OnProgress(progress);
+          },
+      .deadline = request.deadline};
+  const JobPriority priority = SolvePriority(request.requester.is_batch);
+  absl::StatusOr<FieldJobs::Ticket> ticket =
+      jobs_.Join(key, std::move(waiter), priority, [&] {
+        return SharedWork<FieldAnswer, SettledLog>{
+            .priority = priority,
+            .client = request.requester.client,
+            .reserve = [this, job] { return Provide(*job); },
+            .run = [this, job](JobCheckpoint& checkpoint)
+                -> absl::StatusOr<std::optional<FieldAnswer>> {
+              return Answer(*job, checkpoint);
+            },
+            .shared = job->settled_log};
+      });
+  if (!ticket.ok()) return ticket.status();
+  call.ticket = *std::move(ticket);
+  call.settled = call.ticket.shared;
+  // What is in the cache takes a job only for its extras.
+  if (is_cached || (is_kept && call.ticket.is_first)) {
+    ++queries_cached_;
+    call.origin = FieldOrigin::kCached;
+  } else if (!call.ticket.is_first) {
+    ++queries_joined_;
+    call.origin = FieldOrigin::kJoined;
+  }
+  return call;
+}
+
+absl::Status FieldEngine::CheckCapacity(const FieldJob& job) const {
+  const uint64_t vertices = job.mesh->mesh->vertex_count();
+  absl::Status status = fields_.CheckCapacity(job.key.field, vertices);
+  if (!status.ok()) return status;
+  return solver_memory_->CheckCapacity(job.solver_bytes +
+                                       SettledBytes(job.key.extras, vertices) +
+                                       DerivedBytes(job.key.extras, vertices));
+}
+
+absl::Status FieldEngine::Provide(FieldJob& job) {
+  const uint64_t vertices = job.mesh->mesh->vertex_count();
+  auto settled = ByteReservation::Make(solver_memory_,
+                                       SettledBytes(job.key.extras, vertices));
+  if (!settled.ok()) return settled.status();
+  auto derived = ByteReservation::Make(solver_memory_,
+                                       DerivedBytes(job.key.extras, vertices));
+  if (!derived.ok()) return derived.status();
+  std::optional<FieldCache::Found> found =
+      fields_.Find(job.key.field, job.key.reach);
+  if (!found) {
+    // The cache's room is taken, too: a field that nobody could keep while it
+    // is streamed would be memory out of all bounds.
+    auto room = fields_.Reserve(job.key.field, vertices);
+    if (!room.ok()) return room.status();
+    auto memory = ByteReservation::Make(solver_memory_, job.solver_bytes);
+    if (!memory.ok()) return memory.status();
+    job.room = *std::move(room);
+    job.memory = *std::move(memory);
+  }
+  job.found = std::move(found);
+  job.settled = *std::move(settled);
+  job.derived = *std::move(derived);
+  return absl::OkStatus();
+}
+
+absl::StatusOr<FieldAnswer> FieldEngine::Answer(FieldJob& job,
+                                                JobCheckpoint& checkpoint) {
+  const FlightKey& key = job.key;
+  SettledLog* const settled = job.settled_log.get();
+  if (settled != nullptr) {
+    settled->Reserve(std::move(job.settled), job.mesh->mesh->vertex_count());
+  }
+  FieldAnswer answer{.origin = FieldOrigin::kCached};
+  std::optional<FieldCache::Found> found = std::move(job.found);
+  if (!found) found = LoadStored(job);
+  if (!found) {
+    absl::StatusOr<FieldHandle> field = Solve(job, checkpoint);
+    if (!field.ok()) return field.status();
+    answer.origin = FieldOrigin::kSolved;
+    found = {key.field, *std::move(field)};
+  }
+  if (settled != nullptr) {
+    FinishOrder(*found->field, key.reach.radius, *settled);
+  }
+  answer.field = std::move(found->field);
+  if (key.extras.NeedTrace()) {
+    auto derived = Derive(job.mesh, found->key.query, answer.field, key.extras,
+                          key.reach.radius, std::move(job.derived));
+    if (!derived.ok()) return derived.status();
+    answer.derived = *std::move(derived);
+  }
+  return answer;
+}
+
+FieldHandle FieldEngine::Keep(const FieldKey& key, DistanceField field,
+                              ByteReservation room) {
+  FieldHandle kept = fields_.Insert(key, std::move(field), std::move(room));
+  // Whoever deleted the mesh before this moment found no field to erase;
+  // whoever does so later will.
+  if (!has_mesh_(key.mesh_digest)) fields_.EraseMesh(key.mesh_digest);
+  return kept;
+}
+
+std::optional<FieldCache::Found> FieldEngine::LoadStored(FieldJob& job) {
+  if (files_ == nullptr) return {};
+  const FlightKey& key = job.key;
+  const Mesh& mesh = *job.mesh->mesh;
+  std::optional<FieldKey> stored = files_->Find(key.field, key.reach);
+  if (!stored) return {};
+  const bool is_other = *stored != key.field;
+  ByteReservation other_room;
+  if (is_other) {
+    auto taken = fields_.Reserve(*stored, mesh.vertex_count());
+    if (!taken.ok()) return {};
+    other_room = *std::move(taken);
+  }
+  absl::StatusOr<DistanceField> field = files_->Load(*stored, mesh);
+  // What cannot be read is computed.
+  if (!field.ok() || !Covers(*field, key.reach)) return {};
+  ++fields_loaded_;
+  FieldHandle handle = Keep(*stored, *std::move(field),
+                            std::move(is_other ? other_room : job.room));
+  return FieldCache::Found{*std::move(stored), std::move(handle)};
+}
+
+absl::StatusOr<FieldHandle> FieldEngine::Solve(FieldJob& job,
+                                               JobCheckpoint& job_checkpoint) {
+  const MeshHandle& mesh = job.mesh;
+  const FlightKey& key = job.key;
+  ++solves_started_;
+  job_checkpoint.Hold(std::move(job.memory));
+  std::optional<SettledCheckpoint> ordered;
+  if (job.settled_log != nullptr) {
+    ordered.emplace(job_checkpoint, *job.settled_log, key.reach.radius);
+  }
+  Checkpoint& checkpoint =
+      ordered ? static_cast<Checkpoint&>(*ordered) : job_checkpoint;
+
+  absl::StatusOr<DistanceField> field =
+      Guarded("computed a field", [&]() -> absl::StatusOr<DistanceField> {
+        auto computation =
+            start_(*mesh->mesh, key.field.query,
+                   WithIdleThreads(options_, scheduler_,
+                                   limits_.max_threads_per_solve));
+        if (!computation.ok()) return computation.status();
+        absl::Status status = (*computation)
+                                  ->Advance({.radius = key.reach.radius,
+                                             .targets = key.reach.targets},
+                                            checkpoint);
+        if (!status.ok()) return status;
+        return (*computation)->Field();
+      });
+  if (!field.ok()) {
+    ++solves_stopped_;
+    return field.status();
+  }
+  ++solves_finished_;
+  FieldHandle handle = Keep(key.field, *std::move(field), std::move(job.room));
+  if (writer_) writer_->Enqueue(key.field, mesh, handle);
+  return handle;
+}
+
+void FieldEngine::Cancel(const FieldCall& call) { jobs_.Leave(call.ticket); }
+
+void FieldEngine::EraseMesh(const std::string& digest) {
+  fields_.EraseMesh(digest);
+  if (files_ != nullptr) files_->EraseMesh(digest);
+}
+
+FieldCounters FieldEngine::counters() const {
+  return {.solves_started = solves_started_,
+          .solves_finished = solves_finished_,
+          .solves_stopped = solves_stopped_,
+          .queries_joined = queries_joined_,
+          .queries_cached = queries_cached_,
+          .fields_loaded = fields_loaded_};
+}
+
+}  // namespace geodesic::server

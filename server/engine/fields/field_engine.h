@@ -1,0 +1,174 @@
+// Fields: found in the cache, joined or computed.
+
+#ifndef GEODESIC_SERVER_ENGINE_FIELDS_FIELD_ENGINE_H_
+#define GEODESIC_SERVER_ENGINE_FIELDS_FIELD_ENGINE_H_
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/computation.h"
+#include "geodesic/solve_options.h"
+#include "geodesic/valid_query.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/base/clock.h"
+#include "server/engine/base/limits.h"
+#include "server/engine/fields/field_cache.h"
+#include "server/engine/fields/field_files.h"
+#include "server/engine/fields/field_key.h"
+#include "server/engine/fields/field_request.h"
+#include "server/engine/fields/field_writer.h"
+#include "server/engine/fields/settled_log.h"
+#include "server/engine/jobs/scheduler.h"
+#include "server/engine/jobs/shared_jobs.h"
+#include "server/engine/meshes/mesh_store.h"
+
+namespace geodesic::server {
+
+using StartFunction =
+    std::function<absl::StatusOr<std::unique_ptr<Computation>>(
+        const Mesh&, const ValidQuery&, const SolveOptions&)>;
+
+// Who waits for a field. Calls come from a solver's thread, one at a time, and
+// must be short; they may still arrive while and just after the waiter leaves.
+class FieldObserver {
+ public:
+  virtual ~FieldObserver() = default;
+
+  // A later call replaces what an earlier one said.
+  virtual void OnProgress(const Progress& progress) = 0;
+
+  // The last call, at most once: the answer or why there is none.
+  virtual void OnField(const absl::StatusOr<FieldAnswer>& answer) = 0;
+};
+
+// Equal questions that are asked at the same time share one computation.
+using FieldJobs = SharedJobs<FlightKey, FieldAnswer, SettledLog>;
+
+// What a question was answered with at once.
+struct FieldCall {
+  FieldOrigin origin = FieldOrigin::kSolved;
+  MeshHandle mesh;
+  // Sorted; its targets are all that were asked for, in the same order.
+  ValidQuery query;
+  // The number, in the request, of each of the query's sources.
+  std::vector<uint32_t> source_numbers;
+  FieldReach reach;
+  // Set when origin is kCached and nothing is left to do; the observer is then
+  // never called.
+  std::optional<FieldAnswer> answer;
+  // Otherwise: for Cancel, and, if asked for, what is final already; OnProgress
+  // tells of more.
+  FieldJobs::Ticket ticket;
+  std::shared_ptr<SettledLog> settled;
+};
+
+// How often things have happened since the start.
+struct FieldCounters {
+  uint64_t solves_started = 0;
+  uint64_t solves_finished = 0;
+  // Cancelled, late, out of memory, or failed.
+  uint64_t solves_stopped = 0;
+  uint64_t queries_joined = 0;
+  uint64_t queries_cached = 0;
+  uint64_t fields_loaded = 0;  // from disk
+};
+
+// Whether a mesh is in memory or on disk.
+using HasMeshFunction = std::function<bool(const std::string& digest)>;
+
+// Thread-safe. No call waits for a job.
+class FieldEngine {
+ public:
+  // No field stays whose mesh is gone according to `has_mesh`, which is called
+  // from any thread and must be short.
+  // What is referred to outlives the engine, and `scheduler` has no job left
+  // when it goes.
+  FieldEngine(const Limits& limits, const SolveOptions& options,
+              const Clock& clock, Scheduler& scheduler,
+              std::shared_ptr<ByteBudget> solver_memory, StartFunction start,
+              HasMeshFunction has_mesh);
+
+  // From now on keeps fields in `files`, too, which outlives the object. Call
+  // before all else.
+  void Attach(FieldFiles& files) {
+    files_ = &files;
+    writer_.emplace(files, scheduler_, has_mesh_);
+  }
+
+  // Starts, joins or finds the computation of a field on `mesh`.
+  // Errors: INVALID_ARGUMENT; NOT_FOUND: the field must be kept already and is
+  // not; RESOURCE_EXHAUSTED: the queue is full, or the memory can never be had;
+  // UNAVAILABLE. `observer` is then not called. It may already be called before
+  // this returns.
+  absl::StatusOr<FieldCall> Compute(const FieldRequest& request,
+                                    const MeshHandle& mesh,
+                                    std::shared_ptr<FieldObserver> observer);
+
+  // The caller of `call` waits no longer. When it was the last, the solver
+  // stops at its next poll.
+  void Cancel(const FieldCall& call);
+
+  // Drops the fields of a mesh. Waits for the disk, if fields are kept there.
+  void EraseMesh(const std::string& digest);
+
+  FieldCounters counters() const;
+  const FieldCache& fields() const { return fields_; }
+  const FieldJobs& jobs() const { return jobs_; }
+
+ private:
+  // One job, and what it has before it runs: the field, or the memory for it.
+  struct FieldJob {
+    MeshHandle mesh;
+    FlightKey key;
+    std::shared_ptr<SettledLog> settled_log;  // null: nobody asks for it
+    uint64_t solver_bytes = 0;  // that the solver is planned to take
+
+    std::optional<FieldCache::Found> found;
+    ByteReservation room;     // of the field cache
+    ByteReservation memory;   // of the solver
+    ByteReservation settled;  // of the solver, too, for the settled order
+    ByteReservation derived;  // likewise, for other quantities
+  };
+
+  // Whether the memory for it can ever be had. Errors: RESOURCE_EXHAUSTED.
+  absl::Status CheckCapacity(const FieldJob& job) const;
+  // All or nothing. Errors: as ByteBudget::Take.
+  absl::Status Provide(FieldJob& job);
+  absl::StatusOr<FieldAnswer> Answer(FieldJob& job, JobCheckpoint& checkpoint);
+  // Puts a field into the cache.
+  FieldHandle Keep(const FieldKey& key, DistanceField field,
+                   ByteReservation room);
+  // A field on disk that answers the question, or nothing.
+  std::optional<FieldCache::Found> LoadStored(FieldJob& job);
+  absl::StatusOr<FieldHandle> Solve(FieldJob& job, JobCheckpoint& checkpoint);
+
+  const Limits& limits_;
+  const SolveOptions options_;
+  const StartFunction start_;
+  const HasMeshFunction has_mesh_;
+  const std::shared_ptr<ByteBudget> solver_memory_;
+  Scheduler& scheduler_;
+  FieldCache fields_;
+  FieldJobs jobs_;
+  FieldFiles* files_ = nullptr;        // null: fields are kept in memory alone
+  std::optional<FieldWriter> writer_;  // of files_
+
+  std::atomic<uint64_t> solves_started_ = 0;
+  std::atomic<uint64_t> solves_finished_ = 0;
+  std::atomic<uint64_t> solves_stopped_ = 0;
+  std::atomic<uint64_t> queries_joined_ = 0;
+  std::atomic<uint64_t> queries_cached_ = 0;
+  std::atomic<uint64_t> fields_loaded_ = 0;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_FIELDS_FIELD_ENGINE_H_

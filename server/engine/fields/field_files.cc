@@ -1,0 +1,239 @@
+#include "server/engine/fields/field_files.h"
+
+#include <array>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "geodesic/algorithm.h"
+#include "server/engine/base/binary_codec.h"
+#include "server/engine/fields/field_cache.h"
+
+namespace geodesic::server {
+namespace {
+
+constexpr uint32_t kMetadataVersion = 1;
+
+// Each takes some memory for as long as it lies on the disk.
+constexpr size_t kMaxFields = 100'000;
+
+static_assert(sizeof(Arrival) == 24, "arrivals are kept as they lie in memory");
+
+void Encode(const SurfacePoint& point, BinaryWriter& writer) {
+  writer.Put(static_cast<uint32_t>(point.index()));
+  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+    writer.Put(vertex->vertex);
+  } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
+    writer.Put(edge->from);
+    writer.Put(edge->to);
+    writer.Put(edge->t);
+  } else {
+    const auto& face = std::get<FacePoint>(point);
+    writer.Put(face.face);
+    for (const double weight : face.weights) writer.Put(weight);
+  }
+}
+
+void Encode(const std::vector<SurfacePoint>& points, BinaryWriter& writer) {
+  writer.Put(uint64_t{points.size()});
+  for (const SurfacePoint& point : points) Encode(point, writer);
+}
+
+void Encode(const Curve& curve, BinaryWriter& writer) {
+  Encode(curve.points, writer);
+}
+
+// Calls `visit` for each number of the statistics, in the order of the file.
+template <typename Statistics, typename Visit>
+void VisitNumbers(Statistics& statistics, Visit visit) {
+  visit(statistics.iterations);
+  visit(statistics.windows_created);
+  visit(statistics.windows_propagated);
+  visit(statistics.peak_wavefront);
+  visit(statistics.mean_wavefront);
+  visit(statistics.peak_windows);
+  visit(statistics.pseudo_source_events);
+  visit(statistics.peak_solver_bytes);
+  visit(statistics.solve_seconds);
+}
+
+// All but the arrays.
+struct Metadata {
+  std::string mesh_digest;
+  bool has_arrivals = false;
+  uint64_t layout = 0;  // of the mesh, where arrivals depend on it
+  uint64_t targets = 0;
+  double settled_radius = 0;
+  std::string algorithm;
+  SolveStatistics statistics;
+};
+
+// Changes with the numbers of half-edges, which arrivals name, and with where
+// they lie. O(F).
+uint64_t LayoutOf(const Mesh& mesh) {
+  constexpr uint64_t kPrime = 0x100000001b3;  // FNV-1a's
+  uint64_t hash = 0xcbf29ce484222325;
+  for (uint32_t face = 0; face < mesh.face_count(); ++face) {
+    const HalfEdge first = mesh.FirstSide(face);
+    hash = (hash ^ first) * kPrime;
+    hash = (hash ^ mesh.From(first)) * kPrime;
+  }
+  return hash;
+}
+
+std::string Encode(const FieldKey& key, const Mesh& mesh,
+                   const DistanceField& field) {
+  BinaryWriter writer;
+  writer.Put(kMetadataVersion);
+  writer.PutString(key.mesh_digest);
+  writer.Put(!field.arrivals.empty());
+  writer.Put(field.arrivals.empty() ? 0 : LayoutOf(mesh));
+  writer.Put(uint64_t{field.target_distances.size()});
+  writer.Put(field.settled_radius);
+  const std::string_view algorithm = AlgorithmName(field.algorithm);
+  writer.PutString(algorithm);
+  VisitNumbers(field.statistics, [&](auto number) { writer.Put(number); });
+  return writer.bytes();
+}
+
+// Nothing for the metadata of another version.
+std::optional<Metadata> Decode(std::string_view bytes) {
+  return DecodeRecord<Metadata>(
+      bytes, kMetadataVersion, [](BinaryReader& reader, Metadata& metadata) {
+        reader.GetString(metadata.mesh_digest);
+        reader.Get(metadata.has_arrivals);
+        reader.Get(metadata.layout);
+        reader.Get(metadata.targets);
+        reader.Get(metadata.settled_radius);
+        reader.GetString(metadata.algorithm);
+        VisitNumbers(metadata.statistics,
+                     [&](auto& number) { reader.Get(number); });
+      });
+}
+
+template <typename T>
+std::string_view AsBytes(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()),
+          values.size() * sizeof(T)};
+}
+
+template <typename T>
+absl::Status ReadArray(BlobBody& body, size_t count, std::vector<T>& values) {
+  if (body.bytes_left() / sizeof(T) < count) {
+    return absl::DataLossError("the arrays are shorter than the mesh");
+  }
+  values.resize(count);
+  return body.Read({reinterpret_cast<char*>(values.data()), count * sizeof(T)});
+}
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<FieldFiles>> FieldFiles::Open(
+    const DataFolder& folder, uint64_t capacity, std::string version,
+    std::function<void(const std::string&)> warn) {
+  auto blobs = BlobStore::Open(folder, {.kind = "field",
+                                        .capacity = capacity,
+                                        .max_count = kMaxFields,
+                                        .warn = std::move(warn)});
+  if (!blobs.ok()) return blobs.status();
+  return std::unique_ptr<FieldFiles>(
+      new FieldFiles(std::move(version), *std::move(blobs)));
+}
+
+std::string FieldFiles::NameOf(const FieldKey& key) const {
+  BinaryWriter writer;
+  writer.PutString("geodesic.field.v2");
+  writer.PutString(version_);
+  writer.PutString(key.mesh_digest);
+  const Query& query = *key.query;
+  writer.Put(uint64_t{query.sources.size()});
+  for (const Source& source : query.sources) {
+    writer.Put(IsCurve(source));
+    std::visit([&](const auto& place) { Encode(place, writer); }, source.place);
+    writer.Put(source.offset);
+  }
+  Encode(query.targets, writer);
+  writer.PutString(AlgorithmName(query.algorithm));
+  writer.Put(query.trace);
+  writer.Put(key.bucket_width);
+  writer.Put(key.max_batch);
+  return Sha256Hex(writer.bytes());
+}
+
+std::optional<FieldKey> FieldFiles::Find(const FieldKey& key,
+                                         const FieldReach& reach) {
+  std::optional<FieldKey> found;
+  VisitAnsweringKeys(key, [&](const FieldKey& candidate) {
+    const std::optional<BlobInfo> info = blobs_->Find(NameOf(candidate));
+    const std::optional<Metadata> metadata =
+        info ? Decode(info->metadata) : std::nullopt;
+    // Whether targets are certified only the field itself tells.
+    if (metadata &&
+        (reach.LimitsTargets() || metadata->settled_radius >= reach.radius)) {
+      found = candidate;
+    }
+    return found.has_value();
+  });
+  return found;
+}
+
+absl::Status FieldFiles::Put(const FieldKey& key, const Mesh& mesh,
+                             const DistanceField& field) {
+  const std::string name = NameOf(key);
+  if (const std::optional<BlobInfo> present = blobs_->Find(name)) {
+    const std::optional<Metadata> metadata = Decode(present->metadata);
+    if (metadata && metadata->settled_radius >= field.settled_radius) {
+      return absl::OkStatus();
+    }
+  }
+  const std::array<std::string_view, 4> body = {
+      AsBytes(field.distances), AsBytes(field.target_distances),
+      AsBytes(field.arrivals), AsBytes(field.target_arrivals)};
+  return blobs_->Put(name, Encode(key, mesh, field), body);
+}
+
+absl::StatusOr<DistanceField> FieldFiles::Load(const FieldKey& key,
+                                               const Mesh& mesh) {
+  const std::string name = NameOf(key);
+  const std::optional<BlobInfo> info = blobs_->Find(name);
+  std::optional<Metadata> metadata =
+      info ? Decode(info->metadata) : std::nullopt;
+  if (!metadata ||
+      (metadata->has_arrivals && metadata->layout != LayoutOf(mesh))) {
+    return absl::NotFoundError("the field is not on disk");
+  }
+  const uint64_t vertices = mesh.vertex_count();
+  const absl::StatusOr<Algorithm> algorithm =
+      AlgorithmFromName(metadata->algorithm);
+  if (!algorithm.ok()) return algorithm.status();
+  DistanceField field{.settled_radius = metadata->settled_radius,
+                      .algorithm = *algorithm,
+                      .statistics = metadata->statistics};
+  absl::Status status = blobs_->Read(name, [&](BlobBody& body) {
+    absl::Status read = ReadArray(body, vertices, field.distances);
+    if (read.ok()) {
+      read = ReadArray(body, metadata->targets, field.target_distances);
+    }
+    if (!metadata->has_arrivals) return read;
+    if (read.ok()) read = ReadArray(body, vertices, field.arrivals);
+    if (read.ok()) {
+      read = ReadArray(body, metadata->targets, field.target_arrivals);
+    }
+    return read;
+  });
+  if (!status.ok()) return status;
+  return field;
+}
+
+void FieldFiles::EraseMesh(const std::string& digest) {
+  const std::vector<std::string> names =
+      blobs_->Select([&](const std::string&, std::string_view metadata) {
+        const std::optional<Metadata> decoded = Decode(metadata);
+        return decoded && decoded->mesh_digest == digest;
+      });
+  for (const std::string& name : names) (void)blobs_->Erase(name);
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,49 @@
+// The vertices of one computation in order of distance, as they become final.
+// The solver writes at its end, any number of readers read along.
+
+#ifndef GEODESIC_SERVER_ENGINE_FIELDS_SETTLED_LOG_H_
+#define GEODESIC_SERVER_ENGINE_FIELDS_SETTLED_LOG_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "geodesic/checkpoint.h"
+#include "geodesic/settled_vertices.h"
+#include "server/engine/base/byte_budget.h"
+
+namespace geodesic::server {
+
+// Thread-safe; one writer.
+class SettledLog {
+ public:
+  // What `vertices` entries take.
+  static uint64_t BytesFor(uint64_t vertices) {
+    return vertices * sizeof(SettledVertex);
+  }
+
+  // Holds `memory`, which is enough for `vertices` entries.
+  void Reserve(ByteReservation memory, size_t vertices);
+
+  // Appends the vertices that have become final since the last call. O(V).
+  void Append(const Progress& progress);
+
+  size_t size() const;
+
+  // Up to `count` entries from number `begin` on.
+  std::vector<SettledVertex> Read(size_t begin, size_t count) const;
+
+ private:
+  SettledVertices collector_;  // the writer's
+
+  mutable std::mutex mutex_;
+  // Guarded by mutex_:
+  std::vector<SettledVertex> entries_;
+  ByteReservation memory_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_FIELDS_SETTLED_LOG_H_

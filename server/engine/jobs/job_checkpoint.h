@@ -1,0 +1,63 @@
+// What a running solver meets at each poll: those who wait for it and their
+// deadlines, a request to stop, and the memory budget that all solvers share.
+
+#ifndef GEODESIC_SERVER_ENGINE_JOBS_JOB_CHECKPOINT_H_
+#define GEODESIC_SERVER_ENGINE_JOBS_JOB_CHECKPOINT_H_
+
+#include <stop_token>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "geodesic/checkpoint.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/base/clock.h"
+
+namespace geodesic::server {
+
+// Those who wait for a job. Called from the job's thread.
+class JobWaiters {
+ public:
+  virtual ~JobWaiters() = default;
+
+  // Lets those go whose deadline has come.
+  // Errors: DEADLINE_EXCEEDED or CANCELLED when nobody is left.
+  virtual absl::Status Expire(TimePoint now) = 0;
+
+  virtual void Publish(const Progress& progress) = 0;
+};
+
+// Belongs to one job and its thread.
+class JobCheckpoint final : public Checkpoint {
+ public:
+  // The references outlive the checkpoint.
+  JobCheckpoint(JobWaiters& waiters, const Clock& clock, std::stop_token stop,
+                Duration progress_interval);
+
+  // What the solver has of its budget so far; without it a solver may take
+  // nothing.
+  void Hold(ByteReservation memory) { memory_ = std::move(memory); }
+
+  // Tells those who wait at once.
+  void Publish(const Progress& progress) { waiters_.Publish(progress); }
+
+  // Errors: as JobWaiters::Expire; UNAVAILABLE when the job was asked to stop
+  // though somebody waits; RESOURCE_EXHAUSTED when the solver has outgrown the
+  // memory budget.
+  absl::Status Poll(const Progress& progress) override;
+
+  // Of the last poll.
+  uint64_t windows_propagated() const { return windows_propagated_; }
+
+ private:
+  JobWaiters& waiters_;
+  const Clock& clock_;
+  const std::stop_token stop_;
+  const Duration progress_interval_;
+  ByteReservation memory_;
+  TimePoint next_progress_;
+  uint64_t windows_propagated_ = 0;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_JOBS_JOB_CHECKPOINT_H_

@@ -1,0 +1,127 @@
+#include "server/engine/jobs/job_queue.h"
+
+#include <utility>
+
+namespace geodesic::server {
+namespace {
+
+// Starts that those who wait let pass.
+constexpr uint64_t kPatience = 8;
+
+constexpr auto kStoreLane = static_cast<size_t>(JobPriority::kStore);
+
+}  // namespace
+
+void JobQueue::Push(uint64_t number, WaitingJob waiting) {
+  const auto it = jobs_.emplace(number, std::move(waiting)).first;
+  ++clients_[it->second.job.client];
+  Enter(number, it->second.job);
+}
+
+size_t JobQueue::MostUrgent() const {
+  size_t lane = 0;
+  while (lanes_[lane].turns.empty()) ++lane;
+  return lane;
+}
+
+size_t JobQueue::NextLane() const {
+  const size_t urgent = MostUrgent();
+  if (passes_ < kPatience || last_lane_ > urgent) return urgent;
+  size_t next = urgent;
+  for (size_t lane = urgent + 1; lane < kStoreLane; ++lane) {
+    if (lanes_[lane].turns.empty()) continue;
+    if (next == urgent || lanes_[lane].passed_over > lanes_[next].passed_over) {
+      next = lane;
+    }
+  }
+  return next;
+}
+
+uint64_t JobQueue::Next() const {
+  return *lanes_[NextLane()].turns.front().numbers.begin();
+}
+
+std::optional<uint64_t> JobQueue::Oldest(
+    absl::FunctionRef<bool(Job&)> can_start) {
+  for (auto& [number, waiting] : jobs_) {
+    if (can_start(waiting.job)) return number;
+  }
+  return std::nullopt;
+}
+
+WaitingJob JobQueue::Start() {
+  const size_t urgent = MostUrgent();
+  const size_t next = NextLane();
+  Lane& lane = lanes_[next];
+  const uint64_t number = *lane.turns.front().numbers.begin();
+  // The client stands behind the others again; if this was its last job, its
+  // line goes below.
+  lane.turns.splice(lane.turns.end(), lane.turns, lane.turns.begin());
+  WaitingJob started = *Remove(number);
+
+  bool passed = false;
+  for (size_t other = next + 1; other < kStoreLane; ++other) {
+    if (lanes_[other].turns.empty()) continue;
+    ++lanes_[other].passed_over;
+    passed = true;
+  }
+  lane.passed_over = 0;
+  passes_ = next == urgent && passed ? passes_ + 1 : 0;
+  last_lane_ = next;
+  return started;
+}
+
+std::optional<WaitingJob> JobQueue::Remove(uint64_t number) {
+  const auto it = jobs_.find(number);
+  if (it == jobs_.end()) return std::nullopt;
+  WaitingJob waiting = std::move(it->second);
+  jobs_.erase(it);
+  Leave(number, waiting.job);
+  const auto client = clients_.find(waiting.job.client);
+  if (--client->second == 0) clients_.erase(client);
+  return waiting;
+}
+
+void JobQueue::Expedite(uint64_t number, JobPriority priority) {
+  const auto it = jobs_.find(number);
+  if (it == jobs_.end() || it->second.job.priority <= priority) return;
+  Leave(number, it->second.job);
+  it->second.job.priority = priority;
+  Enter(number, it->second.job);
+}
+
+std::vector<WaitingJob> JobQueue::Clear() {
+  std::vector<WaitingJob> all;
+  all.reserve(jobs_.size());
+  for (auto& [number, waiting] : jobs_) all.push_back(std::move(waiting));
+  jobs_.clear();
+  clients_.clear();
+  for (Lane& lane : lanes_) lane = Lane();
+  return all;
+}
+
+size_t JobQueue::size_of(const std::string& client) const {
+  const auto it = clients_.find(client);
+  return it == clients_.end() ? 0 : it->second;
+}
+
+void JobQueue::Enter(uint64_t number, const Job& job) {
+  Lane& lane = LaneOf(job.priority);
+  const auto [it, is_new] = lane.lines.try_emplace(job.client);
+  if (is_new) {
+    it->second = lane.turns.insert(lane.turns.end(), Line{job.client, {}});
+  }
+  it->second->numbers.insert(number);
+}
+
+void JobQueue::Leave(uint64_t number, const Job& job) {
+  Lane& lane = LaneOf(job.priority);
+  const auto line = lane.lines.find(job.client);
+  line->second->numbers.erase(number);
+  if (!line->second->numbers.empty()) return;
+  lane.turns.erase(line->second);
+  lane.lines.erase(line);
+  if (lane.turns.empty()) lane.passed_over = 0;
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,141 @@
+#include "server/engine/jobs/row_pipeline.h"
+
+#include <utility>
+
+namespace geodesic::server {
+
+// One row on its way.
+class RowPipeline::RowJob final : public JobObserver {
+ public:
+  RowJob(std::shared_ptr<RowPipeline> pipeline, uint64_t row)
+      : pipeline_(std::move(pipeline)), row_(row) {}
+
+  absl::Status Run(Checkpoint& checkpoint, ByteReservation memory) {
+    absl::StatusOr<MatrixRow> result =
+        pipeline_->function_(row_, checkpoint, std::move(memory));
+    if (!result.ok()) return result.status();
+    result_ = *std::move(result);
+    return absl::OkStatus();
+  }
+
+  void OnProgress(const Progress&) override {}
+  void OnDone(const JobReport& report) override {
+    pipeline_->Finish(row_, report, std::move(result_));
+  }
+
+ private:
+  const std::shared_ptr<RowPipeline> pipeline_;
+  const uint64_t row_;
+  MatrixRow result_;
+};
+
+RowPipeline::RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows,
+                         size_t window, RowFunction function,
+                         std::shared_ptr<RowObserver> observer)
+    : jobs_(jobs),
+      plan_(std::move(plan)),
+      rows_(rows),
+      window_(window),
+      function_(std::move(function)),
+      observer_(std::move(observer)) {}
+
+absl::Status RowPipeline::Start() {
+  std::lock_guard lock(mutex_);
+  absl::Status status = SubmitNext(/*is_continuation=*/false);
+  if (status.ok()) FillWindow();
+  return status;
+}
+
+absl::Status RowPipeline::SubmitNext(bool is_continuation) {
+  auto job = std::make_shared<RowJob>(shared_from_this(), next_row_);
+  absl::StatusOr<SoloJobs::Call> call =
+      jobs_.Start({.priority = RowPriority(plan_.requester.is_batch),
+                   .client = plan_.requester.client,
+                   .is_continuation = is_continuation,
+                   .deadline = plan_.deadline,
+                   .planned_bytes = plan_.planned_bytes,
+                   .answer_bytes = plan_.row_bytes,
+                   .work =
+                       [job](Checkpoint& checkpoint, ByteReservation memory) {
+                         return job->Run(checkpoint, std::move(memory));
+                       }},
+                  job);
+  if (!call.ok()) return call.status();
+  running_.emplace(next_row_++, *std::move(call));
+  return absl::OkStatus();
+}
+
+void RowPipeline::FillWindow() {
+  while (failure_.ok() && next_row_ < rows_ &&
+         next_row_ < next_take_ + window_) {
+    failure_ = SubmitNext(/*is_continuation=*/true);
+  }
+}
+
+void RowPipeline::Finish(uint64_t row, const JobReport& report,
+                         MatrixRow result) {
+  std::shared_ptr<RowObserver> observer;
+  {
+    std::lock_guard lock(mutex_);
+    running_.erase(row);
+    seconds_ += report.seconds;
+    windows_propagated_ += report.windows_propagated;
+    if (report.status.ok()) {
+      ++rows_finished_;
+      finished_.emplace(row, std::move(result));
+    } else if (failure_.ok()) {
+      failure_ = report.status;
+    }
+    observer = observer_;
+    // Whoever takes the rows holds the pipeline: no circle is left behind.
+    if (!failure_.ok() || rows_finished_ == rows_) observer_.reset();
+  }
+  if (observer != nullptr) observer->OnRow();
+}
+
+std::optional<absl::StatusOr<MatrixRow>> RowPipeline::Take() {
+  std::lock_guard lock(mutex_);
+  // Rows before the one that failed are good.
+  const auto it = finished_.find(next_take_);
+  if (it == finished_.end()) {
+    if (failure_.ok()) return std::nullopt;
+    return failure_;
+  }
+  MatrixRow row = std::move(it->second);
+  finished_.erase(it);
+  ++next_take_;
+  FillWindow();
+  return row;
+}
+
+void RowPipeline::Cancel() {
+  // Destroyed after the lock is released.
+  std::map<uint64_t, SoloJobs::Call> running;
+  std::map<uint64_t, MatrixRow> finished;
+  std::shared_ptr<RowObserver> observer;
+  {
+    std::lock_guard lock(mutex_);
+    if (failure_.ok()) failure_ = absl::CancelledError("nobody waits");
+    running.swap(running_);
+    finished.swap(finished_);
+    observer.swap(observer_);
+  }
+  for (const auto& [row, call] : running) jobs_.Cancel(call);
+}
+
+uint64_t RowPipeline::rows_finished() const {
+  std::lock_guard lock(mutex_);
+  return rows_finished_;
+}
+
+double RowPipeline::seconds() const {
+  std::lock_guard lock(mutex_);
+  return seconds_;
+}
+
+uint64_t RowPipeline::windows_propagated() const {
+  std::lock_guard lock(mutex_);
+  return windows_propagated_;
+}
+
+}  // namespace geodesic::server

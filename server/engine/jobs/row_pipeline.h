@@ -1,0 +1,110 @@
+// The rows of a matrix: each computed in a job of its own, handed out in order,
+// and never more than a few ahead of what was taken.
+
+#ifndef GEODESIC_SERVER_ENGINE_JOBS_ROW_PIPELINE_H_
+#define GEODESIC_SERVER_ENGINE_JOBS_ROW_PIPELINE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/base/clock.h"
+#include "server/engine/base/requester.h"
+#include "server/engine/jobs/solo_job.h"
+
+namespace geodesic::server {
+
+struct MatrixRow {
+  ByteReservation memory;
+  // Of each value its column; empty in a dense row.
+  std::vector<uint32_t> columns;
+  std::vector<double> values;
+};
+
+// Is given the memory for the row. Must be thread-safe: rows are computed side
+// by side.
+using RowFunction = std::function<absl::StatusOr<MatrixRow>(
+    uint64_t row, Checkpoint&, ByteReservation memory)>;
+
+// What the jobs of all rows have in common.
+struct RowJobs {
+  Requester requester;
+  TimePoint deadline = kNoDeadline;
+  // Of one row, for its solver and for the row itself; see SoloJob.
+  uint64_t planned_bytes = 0;
+  uint64_t row_bytes = 0;
+};
+
+class RowObserver {
+ public:
+  virtual ~RowObserver() = default;
+
+  // There may be a row to take. From a job's thread; must be short; may still
+  // arrive while and just after the pipeline is cancelled.
+  virtual void OnRow() = 0;
+};
+
+// Thread-safe. Held by whoever takes the rows and by the running jobs.
+class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
+ public:
+  // At most `window` rows are computed but not taken, or being computed.
+  // REQUIRES: `jobs` outlives the pipeline's jobs; window > 0.
+  RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows, size_t window,
+              RowFunction function, std::shared_ptr<RowObserver> observer);
+
+  // Call once.
+  // Errors: as SoloJobs::Start, when there is no room for the first row. The
+  // others then count as its continuation.
+  absl::Status Start();
+
+  // The next row if it is finished, or why there will be none.
+  std::optional<absl::StatusOr<MatrixRow>> Take();
+
+  // Nobody takes any more: running jobs stop at their next poll.
+  void Cancel();
+
+  // Of what is finished:
+  uint64_t rows_finished() const;
+  double seconds() const;
+  uint64_t windows_propagated() const;
+
+ private:
+  class RowJob;
+
+  void Finish(uint64_t row, const JobReport& report, MatrixRow result);
+
+  // These REQUIRE mutex_ held:
+  absl::Status SubmitNext(bool is_continuation);
+  void FillWindow();
+
+  SoloJobs& jobs_;
+  const RowJobs plan_;
+  const uint64_t rows_;
+  const size_t window_;
+  const RowFunction function_;
+
+  mutable std::mutex mutex_;
+  // Guarded by mutex_:
+  std::shared_ptr<RowObserver> observer_;
+  uint64_t next_row_ = 0;   // to be submitted
+  uint64_t next_take_ = 0;  // to be taken
+  std::map<uint64_t, SoloJobs::Call> running_;
+  std::map<uint64_t, MatrixRow> finished_;
+  absl::Status failure_;
+  uint64_t rows_finished_ = 0;
+  double seconds_ = 0;
+  uint64_t windows_propagated_ = 0;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_JOBS_ROW_PIPELINE_H_

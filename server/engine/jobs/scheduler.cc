@@ -1,0 +1,239 @@
+#include "server/engine/jobs/scheduler.h"
+
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/guarded.h"
+#include "server/engine/base/status_details.h"
+
+namespace geodesic::server {
+namespace {
+
+// A queue moves on within about a second: most jobs take less.
+constexpr std::chrono::milliseconds kRetryDelay{1000};
+
+// As many as usually wait.
+constexpr uint64_t kMostOvertaken = 256;
+
+}  // namespace
+
+Scheduler::Scheduler(Executor& executor, size_t max_running, size_t max_queued,
+                     size_t max_queued_per_client)
+    : executor_(executor),
+      max_running_(max_running),
+      max_queued_(max_queued),
+      max_queued_per_client_(max_queued_per_client) {}
+
+Scheduler::~Scheduler() {
+  StopAll();
+  std::unique_lock lock(mutex_);
+  idle_.wait(lock, [this] { return workers_ == 0; });
+}
+
+void Scheduler::ObserveJobs(const Clock& clock,
+                            std::function<void(const JobTimes&)> ended) {
+  clock_ = &clock;
+  ended_ = std::move(ended);
+}
+
+TimePoint Scheduler::Now() const {
+  return clock_ == nullptr ? TimePoint() : clock_->Now();
+}
+
+absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
+  std::lock_guard lock(mutex_);
+  if (stopped_ || (draining_ && !job.is_continuation)) return ShuttingDown();
+  if (!job.is_continuation) {
+    absl::Status status = CheckRoom(job.client);
+    if (!status.ok()) return status;
+  }
+  const JobId id{next_number_++};
+  queue_.Push(id.number, {std::move(job), Now()});
+  AskForThreads();
+  return id;
+}
+
+absl::Status Scheduler::CheckRoom(const std::string& client) const {
+  // Those for whom there is a thread do not wait.
+  const size_t free_threads = max_running_ - running_.size();
+  if (queue_.size() >= max_queued_ + free_threads) {
+    return WithReason(
+        WithRetryAfter(
+            absl::ResourceExhaustedError(absl::StrCat(
+                "the job queue is full: ", running_.size(), " jobs run and ",
+                queue_.size(), " wait; try again later")),
+            kRetryDelay),
+        reason::kQueueFull);
+  }
+  const size_t waiting = client.empty() ? 0 : queue_.size_of(client);
+  // Compared so that no limit at all does not overflow.
+  if (waiting < free_threads ||
+      waiting - free_threads < max_queued_per_client_) {
+    return absl::OkStatus();
+  }
+  return WithQuotaFailure(
+      WithRetryAfter(absl::ResourceExhaustedError(absl::StrCat(
+                         waiting, " jobs of ", client,
+                         " wait, its share of the queue "
+                         "(max_queued_jobs_per_client is ",
+                         max_queued_per_client_, "); try again later")),
+                     kRetryDelay),
+      client);
+}
+
+void Scheduler::AskForThreads() {
+  // A thread for each job that runs, and one for each that might.
+  while (workers_ < max_running_ &&
+         workers_ < running_.size() + queue_.size()) {
+    ++workers_;
+    executor_.Schedule([this] { RunOne(); });
+  }
+}
+
+void Scheduler::Cancel(JobId id) {
+  // Destroyed after the lock is released: what a job captured may be large.
+  std::optional<WaitingJob> dropped;
+  std::stop_source source(std::nostopstate);
+  {
+    std::lock_guard lock(mutex_);
+    dropped = queue_.Remove(id.number);
+    if (dropped.has_value()) {
+      // It may have been the one that the others waited behind.
+      AskForThreads();
+    } else if (const auto run = running_.find(id); run != running_.end()) {
+      source = run->second;
+    }
+  }
+  source.request_stop();
+}
+
+void Scheduler::Expedite(JobId id, JobPriority priority) {
+  std::lock_guard lock(mutex_);
+  queue_.Expedite(id.number, priority);
+  AskForThreads();
+}
+
+void Scheduler::BeginDrain() {
+  std::lock_guard lock(mutex_);
+  draining_ = true;
+}
+
+void Scheduler::StopAll() {
+  std::vector<WaitingJob> abandoned;
+  std::map<JobId, std::stop_source> stopped;
+  {
+    std::lock_guard lock(mutex_);
+    draining_ = true;
+    stopped_ = true;
+    abandoned = queue_.Clear();
+    stopped = running_;
+  }
+  for (auto& [id, source] : stopped) source.request_stop();
+  for (WaitingJob& waiting : abandoned) waiting.job.abandon(ShuttingDown());
+}
+
+bool Scheduler::WaitIdle(std::chrono::milliseconds limit) {
+  std::unique_lock lock(mutex_);
+  return idle_.wait_for(lock, limit,
+                        [this] { return workers_ == 0 && queue_.empty(); });
+}
+
+size_t Scheduler::running() const {
+  std::lock_guard lock(mutex_);
+  return running_.size();
+}
+
+size_t Scheduler::idle() const {
+  std::lock_guard lock(mutex_);
+  const size_t busy = running_.size() + queue_.size();
+  return busy < max_running_ ? max_running_ - busy : 0;
+}
+
+size_t Scheduler::queued() const {
+  std::lock_guard lock(mutex_);
+  return queue_.size();
+}
+
+void Scheduler::RunOne() {
+  std::unique_lock lock(mutex_);
+  JobId id;
+  bool progressed = false;
+  if (std::optional<WaitingJob> started = StartNext(lock, id, progressed)) {
+    progressed = true;
+    const std::stop_source source;
+    running_.emplace(id, source);
+    lock.unlock();
+    bool goes_on = Run(*started, source);
+    lock.lock();
+    if (goes_on && !stopped_ && !source.stop_requested()) {
+      queue_.Push(id.number, {std::move(started->job), Now()});
+    } else if (goes_on) {
+      // What it captured goes without the lock, before it counts as done.
+      const bool is_end = stopped_;
+      lock.unlock();
+      if (is_end) started->job.abandon(ShuttingDown());
+      started.reset();
+      lock.lock();
+    }
+    running_.erase(id);
+  }
+  --workers_;
+  // One task a job, so that an executor which others share stays fair. When
+  // nothing could be done, the next change asks again.
+  if (progressed) AskForThreads();
+  if (workers_ == 0) idle_.notify_all();
+}
+
+bool Scheduler::Run(WaitingJob& started, const std::stop_source& source) {
+  JobTimes times{.priority = started.job.priority};
+  const TimePoint begin = Now();
+  times.waited = begin - started.since;
+  started.job.run(source.get_token());
+  const bool goes_on = started.job.goes_on && started.job.goes_on();
+  // Else what it captured is gone before the job counts as done.
+  if (!goes_on) started.job = Job();
+  if (ended_) {
+    times.ran = Now() - begin;
+    times.was_stopped = source.stop_requested();
+    ended_(times);
+  }
+  return goes_on;
+}
+
+absl::Status Scheduler::Reserve(Job& job) {
+  if (!job.reserve) return absl::OkStatus();
+  return Guarded("made room for a job", [&] { return job.reserve(); });
+}
+
+std::optional<WaitingJob> Scheduler::StartNext(
+    std::unique_lock<std::mutex>& lock, JobId& id, bool& progressed) {
+  while (!queue_.empty()) {
+    id = {queue_.Next()};
+    WaitingJob& next = queue_.waiting(id.number);
+    const absl::Status room = Reserve(next.job);
+    if (room.ok()) return queue_.Start();
+    if (RetryAfter(room).has_value()) {
+      if (!running_.empty()) return std::nullopt;
+      const auto can_start = [](Job& job) { return Reserve(job).ok(); };
+      const std::optional<uint64_t> other = next.overtaken < kMostOvertaken
+                                                ? queue_.Oldest(can_start)
+                                                : std::nullopt;
+      if (other.has_value()) {
+        ++next.overtaken;
+        id = {*other};
+        return queue_.Remove(*other);
+      }
+    }
+    WaitingJob refused = queue_.Start();
+    progressed = true;
+    lock.unlock();
+    refused.job.abandon(room);
+    refused = WaitingJob();
+    lock.lock();
+  }
+  return std::nullopt;
+}
+
+}  // namespace geodesic::server

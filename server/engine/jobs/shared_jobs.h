@@ -1,0 +1,279 @@
+// Work that is done once for all who ask for the same.
+//
+//   SharedJobs<std::string, Mesh> loads(scheduler, clock, interval);
+//   auto ticket = loads.Join(
+//       digest, {.done = [](const absl::StatusOr<Mesh>& mesh) { ... }},
+//       [&] { return SharedWork<Mesh>{.run = ...}; });
+//   ...
+//   loads.Leave(*ticket);  // unless it was told
+//
+// Who asks first starts the job, others join it. Each may leave, or be late for
+// its own deadline; when nobody is left, the job is dropped, or stops at its
+// next poll. A job that nobody can join has a key of its own.
+
+#ifndef GEODESIC_SERVER_ENGINE_JOBS_SHARED_JOBS_H_
+#define GEODESIC_SERVER_ENGINE_JOBS_SHARED_JOBS_H_
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "absl/functional/any_invocable.h"
+#include "absl/functional/function_ref.h"
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "server/engine/base/clock.h"
+#include "server/engine/base/guarded.h"
+#include "server/engine/jobs/job_checkpoint.h"
+#include "server/engine/jobs/scheduler.h"
+
+namespace geodesic::server {
+
+// Who waits for a job. Calls come from the job's thread, one at a time, and
+// must be short; they may still arrive while and just after the waiter leaves.
+template <typename Result>
+struct Waiter {
+  // The last call, at most once: the result or why there is none.
+  std::function<void(const absl::StatusOr<Result>&)> done;
+  // A later call replaces what an earlier one said. May be empty.
+  std::function<void(const Progress&)> progress;
+  TimePoint deadline = kNoDeadline;
+};
+
+template <typename Result, typename Shared = std::monostate>
+struct SharedWork {
+  JobPriority priority = JobPriority::kSolve;
+  std::string client;            // see Requester
+  bool is_continuation = false;  // see Job
+  // See Job. Must not call the SharedJobs.
+  absl::AnyInvocable<absl::Status()> reserve;
+  // Does the work. Nothing: it has more to do, and runs again when it has
+  // reserved the memory for that. The checkpoint says when to stop.
+  absl::AnyInvocable<absl::StatusOr<std::optional<Result>>(JobCheckpoint&)> run;
+  // What everybody who waits can see meanwhile; may be null.
+  std::shared_ptr<Shared> shared;
+};
+
+// Thread-safe. Waiters are never called under a lock. Keys are ordered by <.
+template <typename Key, typename Result, typename Shared = std::monostate>
+class SharedJobs {
+  struct Entry;
+
+ public:
+  // A place among those who wait.
+  struct Ticket {
+    std::shared_ptr<Entry> entry;  // null: nobody waits
+    uint64_t number = 0;
+    // Who started the job.
+    bool is_first = false;
+    std::shared_ptr<Shared> shared;
+  };
+
+  // REQUIRES: `scheduler` and `clock` outlive the object, and `scheduler` has
+  // no job left when it goes.
+  SharedJobs(Scheduler& scheduler, const Clock& clock,
+             Duration progress_interval)
+      : scheduler_(scheduler),
+        clock_(clock),
+        progress_interval_(progress_interval) {}
+
+  // Joins the job of this key, which then is as urgent as `priority` at least;
+  // submits what `make` makes, which must not call this object, if there is
+  // none. The waiter may be told before this returns.
+  // Errors: as Scheduler::Submit; the waiter is then not called, and nobody has
+  // joined.
+  absl::StatusOr<Ticket> Join(
+      const Key& key, Waiter<Result> waiter, JobPriority priority,
+      absl::FunctionRef<SharedWork<Result, Shared>()> make) {
+    // Held until the waiter is on the list: the job's end cannot come first,
+    // and nobody joins a job that is refused.
+    std::lock_guard lock(mutex_);
+    const auto it = open_.find(key);
+    std::shared_ptr<Entry> entry;
+    if (it != open_.end()) {
+      entry = it->second;
+      scheduler_.Expedite(entry->job, priority);
+    } else {
+      entry = std::make_shared<Entry>(*this, key);
+      absl::Status status = Submit(entry, make());
+      if (!status.ok()) return status;
+      open_.emplace(key, entry);
+    }
+    const uint64_t number = next_number_++;
+    entry->waiters.emplace(number, std::move(waiter));
+    return Ticket{entry, number, it == open_.end(), entry->shared};
+  }
+
+  // Does nothing when the job has ended.
+  void Leave(const Ticket& ticket) {
+    if (ticket.entry == nullptr) return;
+    typename Waiters::node_type left;  // destroyed after the lock is released
+    {
+      std::lock_guard lock(mutex_);
+      left = ticket.entry->waiters.extract(ticket.number);
+      if (left.empty() || !ticket.entry->waiters.empty()) return;
+      Close(*ticket.entry);
+    }
+    scheduler_.Cancel(ticket.entry->job);
+  }
+
+  // Jobs that wait or run, and those who wait for them.
+  size_t size() const {
+    std::lock_guard lock(mutex_);
+    return open_.size();
+  }
+  size_t waiters() const {
+    std::lock_guard lock(mutex_);
+    size_t count = 0;
+    for (const auto& [key, entry] : open_) count += entry->waiters.size();
+    return count;
+  }
+
+ private:
+  using Waiters = std::map<uint64_t, Waiter<Result>>;
+  using Work = SharedWork<Result, Shared>;
+
+  struct Entry final : public JobWaiters {
+    Entry(SharedJobs& j, Key k) : jobs(j), key(std::move(k)) {}
+
+    absl::Status Expire(TimePoint now) override {
+      return jobs.Expire(*this, now);
+    }
+    void Publish(const Progress& progress) override {
+      jobs.Publish(*this, progress);
+    }
+
+    SharedJobs& jobs;
+    const Key key;
+    // Guarded by jobs.mutex_:
+    Scheduler::JobId job;
+    std::shared_ptr<Shared> shared;
+    Waiters waiters;
+  };
+
+  // REQUIRES: mutex_ held.
+  absl::Status Submit(const std::shared_ptr<Entry>& entry, Work work) {
+    entry->shared = std::move(work.shared);
+    // The job's callbacks share the work, which goes before anyone hears of its
+    // end.
+    struct Held {
+      Work work;
+      bool goes_on = false;
+    };
+    auto held = std::make_shared<Held>(Held{std::move(work)});
+    Job job{.priority = held->work.priority,
+            .client = held->work.client,
+            .is_continuation = held->work.is_continuation};
+    if (held->work.reserve) {
+      job.reserve = [held] { return held->work.reserve(); };
+    }
+    job.run = [this, entry, held](std::stop_token stop) {
+      absl::StatusOr<std::optional<Result>> result =
+          Run(*entry, held->work, std::move(stop));
+      held->goes_on = result.ok() && !result->has_value();
+      if (held->goes_on) return;
+      held->work = Work();
+      if (result.ok()) {
+        End(*entry, **std::move(result));
+      } else {
+        End(*entry, result.status());
+      }
+    };
+    job.goes_on = [held] { return held->goes_on; };
+    job.abandon = [this, entry, held](const absl::Status& why) {
+      held->work = Work();
+      End(*entry, why);
+    };
+    absl::StatusOr<Scheduler::JobId> id = scheduler_.Submit(std::move(job));
+    if (id.ok()) entry->job = *id;
+    return id.status();
+  }
+
+  absl::StatusOr<std::optional<Result>> Run(Entry& entry, Work& work,
+                                            std::stop_token stop) {
+    JobCheckpoint checkpoint(entry, clock_, std::move(stop),
+                             progress_interval_);
+    absl::Status status = Expire(entry, clock_.Now());
+    if (!status.ok()) return status;
+    return Guarded("did a job", [&] { return work.run(checkpoint); });
+  }
+
+  // Takes out the waiters whose deadline has come and tells them so.
+  // Errors: DEADLINE_EXCEEDED or CANCELLED when nobody is left.
+  absl::Status Expire(Entry& entry, TimePoint now) {
+    const absl::Status late = absl::DeadlineExceededError(
+        "the deadline came before the answer was computed");
+    std::vector<Waiter<Result>> expired;
+    bool is_abandoned = false;
+    {
+      std::lock_guard lock(mutex_);
+      for (auto it = entry.waiters.begin(); it != entry.waiters.end();) {
+        const auto waiter = it++;
+        if (waiter->second.deadline > now) continue;
+        expired.push_back(std::move(waiter->second));
+        entry.waiters.erase(waiter);
+      }
+      is_abandoned = entry.waiters.empty();
+      if (is_abandoned) Close(entry);
+    }
+    for (const Waiter<Result>& waiter : expired) waiter.done(late);
+    if (!is_abandoned) return absl::OkStatus();
+    return expired.empty() ? absl::CancelledError("nobody waits for the answer")
+                           : late;
+  }
+
+  void Publish(Entry& entry, const Progress& progress) {
+    std::vector<std::function<void(const Progress&)>> listeners;
+    {
+      std::lock_guard lock(mutex_);
+      for (const auto& [number, waiter] : entry.waiters) {
+        if (waiter.progress) listeners.push_back(waiter.progress);
+      }
+    }
+    for (const auto& listener : listeners) listener(progress);
+  }
+
+  // Whoever asks from now on starts another job: what should be found then must
+  // be there before.
+  void End(Entry& entry, const absl::StatusOr<Result>& result) {
+    Waiters waiters;
+    {
+      std::lock_guard lock(mutex_);
+      waiters.swap(entry.waiters);
+      Close(entry);
+    }
+    for (const auto& [number, waiter] : waiters) waiter.done(result);
+  }
+
+  // REQUIRES: mutex_ held.
+  void Close(const Entry& entry) {
+    const auto it = open_.find(entry.key);
+    // Another job of the same key may have come since this one closed.
+    if (it != open_.end() && it->second.get() == &entry) open_.erase(it);
+  }
+
+  Scheduler& scheduler_;
+  const Clock& clock_;
+  const Duration progress_interval_;
+
+  // Taken before the scheduler's.
+  mutable std::mutex mutex_;
+  // Guarded by mutex_:
+  std::map<Key, std::shared_ptr<Entry>> open_;
+  uint64_t next_number_ = 0;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_JOBS_SHARED_JOBS_H_

@@ -1,0 +1,68 @@
+#include "server/engine/jobs/solo_job.h"
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+namespace geodesic::server {
+
+SoloJobs::SoloJobs(const Clock& clock, Scheduler& scheduler,
+                   std::shared_ptr<ByteBudget> solver_memory,
+                   Duration progress_interval)
+    : clock_(clock),
+      solver_memory_(std::move(solver_memory)),
+      jobs_(scheduler, clock, progress_interval) {}
+
+absl::StatusOr<SoloJobs::Call> SoloJobs::Start(
+    SoloJob job, std::shared_ptr<JobObserver> observer) {
+  absl::Status fits =
+      solver_memory_->CheckCapacity(job.planned_bytes + job.answer_bytes);
+  if (!fits.ok()) return fits;
+  Waiter<JobReport> waiter{
+      .done =
+          [observer](const absl::StatusOr<JobReport>& report) {
+            observer->OnDone(
+                report.ok() ? *report : JobReport{.status = report.status()});
+          },
+      .progress =
+          [observer = std::move(observer)](const Progress& progress) {
+            observer->OnProgress(progress);
+          },
+      .deadline = job.deadline};
+  auto memory = std::make_shared<Memory>();
+  return jobs_.Join(next_key_++, std::move(waiter), job.priority, [&] {
+    return SharedWork<JobReport>{
+        .priority = job.priority,
+        .client = std::move(job.client),
+        .is_continuation = job.is_continuation,
+        .reserve =
+            [this, memory, planned = job.planned_bytes,
+             answer = job.answer_bytes] {
+              return Reserve(planned, answer, *memory);
+            },
+        .run = [this, memory,
+                work = std::move(job.work)](JobCheckpoint& checkpoint) mutable
+        -> absl::StatusOr<std::optional<JobReport>> {
+          checkpoint.Hold(std::move(memory->solver));
+          const TimePoint begin = clock_.Now();
+          absl::Status status = work(checkpoint, std::move(memory->answer));
+          if (!status.ok()) return status;
+          return JobReport{
+              .seconds =
+                  std::chrono::duration<double>(clock_.Now() - begin).count(),
+              .windows_propagated = checkpoint.windows_propagated()};
+        }};
+  });
+}
+
+absl::Status SoloJobs::Reserve(uint64_t solver_bytes, uint64_t answer_bytes,
+                               Memory& memory) const {
+  auto solver = ByteReservation::Make(solver_memory_, solver_bytes);
+  if (!solver.ok()) return solver.status();
+  auto answer = ByteReservation::Make(solver_memory_, answer_bytes);
+  if (!answer.ok()) return answer.status();
+  memory = {*std::move(solver), *std::move(answer)};
+  return absl::OkStatus();
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,95 @@
+// Work for one client alone, with the same scheduling, deadlines, cancellation
+// and memory budget as fields have.
+
+#ifndef GEODESIC_SERVER_ENGINE_JOBS_SOLO_JOB_H_
+#define GEODESIC_SERVER_ENGINE_JOBS_SOLO_JOB_H_
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "absl/functional/any_invocable.h"
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/base/clock.h"
+#include "server/engine/jobs/scheduler.h"
+#include "server/engine/jobs/shared_jobs.h"
+
+namespace geodesic::server {
+
+// How a job ended.
+struct JobReport {
+  absl::Status status;
+  // What it took on its thread.
+  double seconds = 0;
+  uint64_t windows_propagated = 0;
+};
+
+// Who waits for a job. Calls come from the job's thread and must be short; they
+// may still arrive while and just after the job is cancelled.
+class JobObserver {
+ public:
+  virtual ~JobObserver() = default;
+
+  // A later call replaces what an earlier one said.
+  virtual void OnProgress(const Progress& progress) = 0;
+
+  // The last call, at most once.
+  virtual void OnDone(const JobReport& report) = 0;
+};
+
+struct SoloJob {
+  JobPriority priority = JobPriority::kSolve;
+  std::string client;            // see Requester
+  bool is_continuation = false;  // see Job
+  TimePoint deadline = kNoDeadline;
+  // Taken from the solver budget before the work begins: for the solver, and
+  // for the answer, which the work is given.
+  uint64_t planned_bytes = 0;
+  uint64_t answer_bytes = 0;
+  absl::AnyInvocable<absl::Status(Checkpoint&, ByteReservation answer)> work;
+};
+
+// Thread-safe.
+class SoloJobs {
+ public:
+  // For Cancel.
+  using Call = SharedJobs<uint64_t, JobReport>::Ticket;
+
+  // What is referred to outlives the object, and `scheduler` has no job left
+  // when it goes.
+  SoloJobs(const Clock& clock, Scheduler& scheduler,
+           std::shared_ptr<ByteBudget> solver_memory,
+           Duration progress_interval);
+
+  // Errors: as Scheduler::Submit; RESOURCE_EXHAUSTED when the memory can never
+  // be had. `observer` is then not called. It may already be called before this
+  // returns.
+  absl::StatusOr<Call> Start(SoloJob job,
+                             std::shared_ptr<JobObserver> observer);
+
+  // Nobody waits any longer: the work is dropped, or stops at its next poll.
+  void Cancel(const Call& call) { jobs_.Leave(call); }
+
+ private:
+  struct Memory {
+    ByteReservation solver;
+    ByteReservation answer;
+  };
+
+  // Errors: as ByteBudget::Take.
+  absl::Status Reserve(uint64_t solver_bytes, uint64_t answer_bytes,
+                       Memory& memory) const;
+
+  const Clock& clock_;
+  const std::shared_ptr<ByteBudget> solver_memory_;
+  SharedJobs<uint64_t, JobReport> jobs_;  // each of a key of its own
+  std::atomic<uint64_t> next_key_ = 0;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_JOBS_SOLO_JOB_H_

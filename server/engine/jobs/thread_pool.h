@@ -1,0 +1,43 @@
+// A fixed number of threads that take tasks in order.
+
+#ifndef GEODESIC_SERVER_ENGINE_JOBS_THREAD_POOL_H_
+#define GEODESIC_SERVER_ENGINE_JOBS_THREAD_POOL_H_
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "server/engine/jobs/executor.h"
+
+namespace geodesic::server {
+
+// The queue itself has no bound: whoever schedules (see scheduler.h) keeps
+// count. Thread-safe.
+class ThreadPool final : public Executor {
+ public:
+  // REQUIRES: threads > 0.
+  explicit ThreadPool(size_t threads);
+
+  // Runs every task that was scheduled, then joins the threads.
+  ~ThreadPool() override;
+
+  void Schedule(Task task) override;
+
+ private:
+  void Work();
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  // Guarded by mutex_:
+  std::deque<Task> tasks_;
+  bool stopping_ = false;
+
+  std::vector<std::jthread> threads_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_JOBS_THREAD_POOL_H_

@@ -1,0 +1,244 @@
+#include "server/engine/meshes/mesh_upload.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/field_path.h"
+#include "geodesic/read_mesh.h"
+
+namespace geodesic::server {
+namespace {
+
+// Canonical arrays are copied as they lie in memory.
+static_assert(std::endian::native == std::endian::little);
+
+// The buffer starts with the size of a usual chunk and then doubles.
+constexpr uint64_t kFirstCapacity = uint64_t{1} << 20;
+
+// What triangles take of memory, by the size of their file. Most files keep to
+// the first: "f 1001 1002 1003\n" is 17 bytes and makes 12. A file that does
+// not is read again with more, at the last with what one of any content keeps
+// to: a byte may be a corner, and add a triangle.
+constexpr uint64_t kUsualFactor = 3;
+constexpr uint64_t kNextFactor = 4;
+constexpr uint64_t kLastFactor = 48;
+
+uint64_t FirstFactor(const UploadHeader& header) {
+  return header.format == UploadFormat::kArrays ? 1 : kUsualFactor;
+}
+
+// Half of the bytes is for vertices and half for triangles; an array that grows
+// takes twice its content while it is moved.
+ReadLimits LimitsWithin(uint64_t bytes) {
+  return {.max_vertices = bytes / (4 * sizeof(Point)),
+          .max_triangles = bytes / (4 * sizeof(Triangle))};
+}
+
+absl::Status CheckLimit(std::string_view what, uint64_t value,
+                        std::string_view limit_name, uint64_t limit) {
+  if (value <= limit) return absl::OkStatus();
+  return absl::ResourceExhaustedError(absl::StrCat(
+      "the upload announces ", value, " ",
+      absl::string_view(what.data(), what.size()), "; ",
+      absl::string_view(limit_name.data(), limit_name.size()), " is ", limit));
+}
+
+absl::Status CheckArraysHeader(const UploadHeader& header,
+                               const Limits& limits) {
+  // The counts are checked first, so that the sizes below cannot overflow.
+  for (const absl::Status& status :
+       {CheckLimit("vertices", header.vertex_count, "max_vertices",
+                   limits.max_vertices),
+        CheckLimit("faces", header.face_count, "max_faces",
+                   limits.max_faces)}) {
+    if (!status.ok()) return status;
+  }
+  const uint64_t size = header.vertex_count * sizeof(Point) +
+                        header.face_count * sizeof(Triangle);
+  if (size == header.size_bytes) return absl::OkStatus();
+  return InvalidField(
+      "header.size_bytes",
+      absl::StrCat("header.size_bytes is ", header.size_bytes, ", but ",
+                   header.vertex_count, " vertices and ", header.face_count,
+                   " faces take ", size, " bytes"));
+}
+
+absl::Status CheckHeader(const UploadHeader& header, const Limits& limits) {
+  if (!header.expected_digest.empty() && !IsSha256Hex(header.expected_digest)) {
+    return InvalidField("header.expected_digest",
+                        "header.expected_digest must be empty or 64 lower-case "
+                        "hexadecimal digits");
+  }
+  if (header.size_bytes == 0) {
+    return InvalidField("header.size_bytes",
+                        "the file is empty: it holds no mesh");
+  }
+  absl::Status status = CheckLimit("bytes", header.size_bytes,
+                                   "max_upload_bytes", limits.max_upload_bytes);
+  if (!status.ok()) return status;
+  if (header.format == UploadFormat::kArrays) {
+    return CheckArraysHeader(header, limits);
+  }
+  if (header.vertex_count != 0 || header.face_count != 0) {
+    return InvalidField(
+        header.vertex_count != 0 ? "header.vertex_count" : "header.face_count",
+        "header.vertex_count and header.face_count belong to uploads of "
+        "arrays; a file says itself what it holds");
+  }
+  return absl::OkStatus();
+}
+
+MeshFormat FileFormat(UploadFormat format) {
+  switch (format) {
+    case UploadFormat::kPly:
+      return MeshFormat::kPly;
+    case UploadFormat::kOff:
+      return MeshFormat::kOff;
+    case UploadFormat::kStl:
+      return MeshFormat::kStl;
+    case UploadFormat::kObj:
+    case UploadFormat::kArrays:
+      break;
+  }
+  return MeshFormat::kObj;
+}
+
+uint64_t SoupBytes(const TriangleSoup& soup) {
+  return soup.positions.capacity() * sizeof(Point) +
+         soup.triangles.capacity() * sizeof(Triangle);
+}
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<MeshUpload>> MeshUpload::Start(
+    UploadHeader header, const Limits& limits,
+    std::shared_ptr<ByteBudget> budget) {
+  if (absl::Status status = CheckHeader(header, limits); !status.ok()) {
+    return status;
+  }
+  absl::StatusOr<ByteReservation> nothing = ByteReservation::Make(budget, 0);
+  if (!nothing.ok()) return nothing.status();
+  auto upload = std::unique_ptr<MeshUpload>(
+      new MeshUpload(std::move(header), limits, std::move(budget)));
+  upload->reservation_ = *std::move(nothing);
+  return upload;
+}
+
+MeshUpload::MeshUpload(UploadHeader header, const Limits& limits,
+                       std::shared_ptr<ByteBudget> budget)
+    : header_(std::move(header)),
+      limits_(limits),
+      budget_(std::move(budget)),
+      soup_factor_(FirstFactor(header_)) {}
+
+absl::Status MeshUpload::Append(uint64_t offset, std::string_view data) {
+  if (offset != bytes_.size()) {
+    return InvalidField("chunk.offset",
+                        absl::StrCat("chunk.offset is ", offset, ", but ",
+                                     bytes_.size(), " bytes came before it"));
+  }
+  if (data.size() > header_.size_bytes - bytes_.size()) {
+    return InvalidField(
+        "chunk.data",
+        absl::StrCat("the chunk at offset ", offset, " brings ", data.size(),
+                     " bytes, beyond the ", header_.size_bytes,
+                     " that header.size_bytes announced"));
+  }
+  if (const uint64_t needed = bytes_.size() + data.size();
+      needed > bytes_.capacity()) {
+    // Old and new buffer live side by side while the bytes move over.
+    const uint64_t held = bytes_.capacity();
+    const uint64_t capacity = std::min(
+        header_.size_bytes, std::max({needed, 2 * held, kFirstCapacity}));
+    absl::Status status = reservation_.GrowTo(held + capacity);
+    if (!status.ok()) return status;
+    try {
+      bytes_.reserve(capacity);
+    } catch (const std::bad_alloc&) {
+      return absl::ResourceExhaustedError(absl::StrCat(
+          "the server has no memory for an upload of ", capacity, " bytes"));
+    }
+    reservation_.ShrinkTo(capacity);
+  }
+  bytes_.insert(bytes_.end(), data.begin(), data.end());
+  hash_.Update(data);
+  return absl::OkStatus();
+}
+
+absl::Status MeshUpload::Finish() {
+  if (bytes_.size() != header_.size_bytes) {
+    return InvalidField(
+        "header.size_bytes",
+        absl::StrCat("the upload ended after ", bytes_.size(), " of the ",
+                     header_.size_bytes,
+                     " bytes that header.size_bytes announced"));
+  }
+  file_ = {header_.format, hash_.FinishHex()};
+  return absl::OkStatus();
+}
+
+uint64_t MeshUpload::BytesToParse(const UploadHeader& header) {
+  return (1 + FirstFactor(header)) * header.size_bytes;
+}
+
+absl::Status MeshUpload::ReserveForParse() {
+  return reservation_.GrowTo(bytes_.capacity() + SoupBound());
+}
+
+absl::StatusOr<std::optional<TriangleSoup>> MeshUpload::Parse(
+    Checkpoint& checkpoint) {
+  const ReadLimits core_limits;
+  const ReadLimits own = {
+      .max_vertices = std::min(limits_.max_vertices, core_limits.max_vertices),
+      .max_triangles = std::min(limits_.max_faces, core_limits.max_triangles)};
+  const ReadLimits within = LimitsWithin(SoupBound());
+  absl::StatusOr<TriangleSoup> soup =
+      header_.format == UploadFormat::kArrays
+          ? ParseArrays()
+          : ParseFile({std::min(own.max_vertices, within.max_vertices),
+                       std::min(own.max_triangles, within.max_triangles),
+                       &checkpoint});
+  if (absl::IsResourceExhausted(soup.status()) && soup_factor_ < kLastFactor &&
+      (within.max_vertices < own.max_vertices ||
+       within.max_triangles < own.max_triangles)) {
+    soup_factor_ *= kNextFactor;
+    return std::nullopt;
+  }
+  std::vector<char>().swap(bytes_);
+  if (!soup.ok()) {
+    reservation_.ShrinkTo(0);
+    return absl::IsInvalidArgument(soup.status())
+               ? WithFieldPath(soup.status(), "chunk.data")
+               : soup.status();
+  }
+  reservation_.ShrinkTo(SoupBytes(*soup));
+  return std::optional(*std::move(soup));
+}
+
+absl::StatusOr<TriangleSoup> MeshUpload::ParseArrays() const {
+  TriangleSoup soup;
+  soup.positions.resize(header_.vertex_count);
+  soup.triangles.resize(header_.face_count);
+  const size_t position_bytes = soup.positions.size() * sizeof(Point);
+  if (position_bytes != 0) {
+    std::memcpy(soup.positions.data(), bytes_.data(), position_bytes);
+  }
+  if (!soup.triangles.empty()) {
+    std::memcpy(soup.triangles.data(), bytes_.data() + position_bytes,
+                soup.triangles.size() * sizeof(Triangle));
+  }
+  return soup;
+}
+
+absl::StatusOr<TriangleSoup> MeshUpload::ParseFile(
+    const ReadLimits& limits) const {
+  return ReadMesh({bytes_.data(), bytes_.size()}, FileFormat(header_.format),
+                  limits);
+}
+
+}  // namespace geodesic::server

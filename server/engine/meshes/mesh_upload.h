@@ -1,0 +1,89 @@
+// One upload: bytes as they arrive, checked and counted before they are kept.
+
+#ifndef GEODESIC_SERVER_ENGINE_MESHES_MESH_UPLOAD_H_
+#define GEODESIC_SERVER_ENGINE_MESHES_MESH_UPLOAD_H_
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "digest/sha256.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/read_mesh.h"
+#include "geodesic/triangle_soup.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/base/limits.h"
+#include "server/engine/meshes/upload_header.h"
+
+namespace geodesic::server {
+
+// Not thread-safe. Call Append for each chunk, then Finish, ReserveForParse and
+// Parse.
+class MeshUpload {
+ public:
+  // Nothing is allocated on the word of the header.
+  // Errors: INVALID_ARGUMENT naming the field of the header;
+  // RESOURCE_EXHAUSTED naming the limit that the header exceeds.
+  static absl::StatusOr<std::unique_ptr<MeshUpload>> Start(
+      UploadHeader header, const Limits& limits,
+      std::shared_ptr<ByteBudget> budget);
+
+  // Takes the bytes at `offset`.
+  // Errors: INVALID_ARGUMENT when the offset is not the number of bytes so far
+  // or more bytes come than were announced; RESOURCE_EXHAUSTED when the budget
+  // has no room. An upload that has failed is of no further use.
+  absl::Status Append(uint64_t offset, std::string_view data);
+
+  // Says that no more will come.
+  // Errors: INVALID_ARGUMENT when bytes are missing.
+  absl::Status Finish();
+
+  // The name of the bytes. REQUIRES: Finish succeeded.
+  const FileKey& file() const { return file_; }
+
+  // What the bytes of such an upload and, as a rule, the triangles made of them
+  // take.
+  static uint64_t BytesToParse(const UploadHeader& header);
+
+  // Takes memory for the triangles. REQUIRES: Finish succeeded.
+  // Errors: as ByteReservation::GrowTo.
+  absl::Status ReserveForParse();
+
+  // Makes triangles of the bytes, which are gone afterwards. Linear in their
+  // number: not for a thread that must not wait. Nothing, and the bytes stay,
+  // when the file holds more than the memory taken for it: ReserveForParse then
+  // takes more. REQUIRES: ReserveForParse succeeded.
+  // Errors: INVALID_ARGUMENT naming line, byte or element; RESOURCE_EXHAUSTED
+  // when a limit is passed; what `checkpoint` says.
+  absl::StatusOr<std::optional<TriangleSoup>> Parse(Checkpoint& checkpoint);
+
+  // Covers the bytes, and the triangles once there are any.
+  ByteReservation& memory() { return reservation_; }
+
+  const UploadHeader& header() const { return header_; }
+
+ private:
+  MeshUpload(UploadHeader header, const Limits& limits,
+             std::shared_ptr<ByteBudget> budget);
+
+  uint64_t SoupBound() const { return soup_factor_ * header_.size_bytes; }
+  absl::StatusOr<TriangleSoup> ParseArrays() const;
+  absl::StatusOr<TriangleSoup> ParseFile(const ReadLimits& limits) const;
+
+  const UploadHeader header_;
+  const Limits limits_;
+  const std::shared_ptr<ByteBudget> budget_;
+  ByteReservation reservation_;
+  std::vector<char> bytes_;
+  uint64_t soup_factor_;  // the triangles' bytes by those of the upload
+  Sha256 hash_;
+  FileKey file_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_MESHES_MESH_UPLOAD_H_

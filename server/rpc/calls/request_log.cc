@@ -1,0 +1,140 @@
+#include "server/rpc/calls/request_log.h"
+
+#include <spdlog/spdlog.h>
+
+#include <optional>
+#include <utility>
+
+#include "absl/strings/escaping.h"
+#include "absl/strings/str_cat.h"
+#include "server/engine/base/error_reasons.h"
+#include "server/engine/base/status_details.h"
+#include "server/rpc/calls/call_metadata.h"
+#include "server/rpc/calls/required_scope.h"
+#include "server/rpc/calls/status_translation.h"
+
+namespace geodesic::server {
+namespace {
+
+// Streams end within seconds unless their readers stall.
+constexpr std::chrono::milliseconds kRetryDelay{1000};
+
+std::string Named(const char* name, const std::string& value) {
+  return value.empty() ? "" : absl::StrCat(" ", name, "=", value);
+}
+
+}  // namespace
+
+RequestLog::RequestLog(std::shared_ptr<spdlog::logger> logger,
+                       size_t max_active, const AccessControl& access,
+                       Quotas& quotas, Metrics& metrics)
+    : logger_(std::move(logger)),
+      max_active_(max_active),
+      access_(access),
+      quotas_(quotas),
+      metrics_(metrics) {}
+
+bool RequestLog::WaitIdle(std::chrono::steady_clock::time_point until,
+                          std::stop_token stop) {
+  std::unique_lock lock(mutex_);
+  return idle_.wait_until(lock, std::move(stop), until,
+                          [this] { return active_ == 0; });
+}
+
+size_t RequestLog::active() const {
+  std::lock_guard lock(mutex_);
+  return active_;
+}
+
+RequestLog::Entry::Entry(RequestLog& log, std::string_view method,
+                         grpc::CallbackServerContext& context)
+    : log_(log),
+      method_(method),
+      context_(context),
+      start_(std::chrono::steady_clock::now()),
+      peer_(context.peer()),
+      request_id_(RequestId(context)),
+      trace_parent_(TraceParent(context)) {
+  std::lock_guard lock(log_.mutex_);
+  ++log_.active_;
+}
+
+absl::Status RequestLog::Entry::Admit() {
+  const absl::StatusOr<std::string> authorization = Authorization(context_);
+  absl::StatusOr<Caller> caller =
+      authorization.ok() ? log_.access_.Identify(*authorization)
+                         : (absl::IsNotFound(authorization.status())
+                                ? log_.access_.Identify(std::nullopt)
+                                : authorization.status());
+  if (!caller.ok()) return caller.status();
+  caller_ = *std::move(caller);
+  absl::Status status = CheckScope(caller_, RequiredScope(method_));
+  if (!status.ok()) return status;
+  return log_.quotas_.TakeRequest(caller_);
+}
+
+absl::Status RequestLog::Entry::AdmitStream() {
+  if (absl::Status status = Admit(); !status.ok()) return status;
+  if (log_.active() > log_.max_active_) {
+    return WithReason(
+        WithRetryAfter(absl::ResourceExhaustedError(absl::StrCat(
+                           "the server has ", log_.max_active_,
+                           " requests in hand and takes no more; try again "
+                           "later")),
+                       kRetryDelay),
+        reason::kTooManyRequests);
+  }
+  absl::StatusOr<Quotas::Job> job = log_.quotas_.TakeJob(caller_);
+  if (!job.ok()) return job.status();
+  job_ = std::make_shared<Quotas::Job>(*std::move(job));
+  return absl::OkStatus();
+}
+
+std::string RequestLog::Entry::client() const {
+  return caller_.name.empty() ? PeerHost(peer_)
+                              : absl::StrCat("client:", caller_.name);
+}
+
+grpc::Status RequestLog::Entry::End(absl::Status status) {
+  AddTrailers(request_id_, status, context_);
+  status_ = std::move(status);
+  // Before the client hears of the end: its next request must find the room.
+  job_.reset();
+  return ToGrpcStatus(status_);
+}
+
+RequestLog::Entry::~Entry() {
+  const std::chrono::duration<double> seconds =
+      std::chrono::steady_clock::now() - start_;
+  log_.metrics_.RequestEnded(
+      {.method = method_,
+       .status = status_,
+       .seconds = seconds.count(),
+       .write_seconds = std::chrono::duration<double>(write_time_).count(),
+       .bytes = bytes_});
+  // INTERNAL is a defect of this program; everything else is ordinary.
+  const auto level =
+      absl::IsInternal(status_) ? spdlog::level::err : spdlog::level::info;
+  log_.logger_->log(
+      level,
+      "request method={} code={} seconds={:.6f} bytes={}{}{} peer={} id={}{}{}",
+      method_, absl::StatusCodeToString(status_.code()), seconds.count(),
+      bytes_, Named("mesh", subject_), Named("client", caller_.name), peer_,
+      request_id_, Named("traceparent", trace_parent_),
+      status_.ok() ? ""
+                   : absl::StrCat(" reason=", ReasonOf(status_), " error=\"",
+                                  absl::CHexEscape(status_.message()), "\""));
+  // Under the lock, so that a waiter who then lets the log go finds nobody
+  // in it.
+  std::lock_guard lock(log_.mutex_);
+  if (--log_.active_ == 0) log_.idle_.notify_all();
+}
+
+std::string DigestPrefix(std::string_view digest) {
+  const std::string_view prefix = digest.substr(0, 12);
+  return prefix.find_first_not_of("0123456789abcdef") == prefix.npos
+             ? std::string(prefix)
+             : "malformed";
+}
+
+}  // namespace geodesic::server

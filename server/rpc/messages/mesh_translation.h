@@ -1,0 +1,25 @@
+// Meshes and uploads <-> the protocol's messages.
+
+#ifndef GEODESIC_SERVER_RPC_MESSAGES_MESH_TRANSLATION_H_
+#define GEODESIC_SERVER_RPC_MESSAGES_MESH_TRANSLATION_H_
+
+#include "absl/status/statusor.h"
+#include "geodesic/v1/mesh.pb.h"
+#include "geodesic/v1/mesh_service.pb.h"
+#include "server/engine/meshes/mesh_description.h"
+#include "server/engine/meshes/upload_header.h"
+
+namespace geodesic::server {
+
+v1::Mesh ToProto(const MeshDescription& mesh);
+v1::FileDigest ToProto(const FileKey& file);
+
+// Errors of these: INVALID_ARGUMENT naming `field`, the path of the value in
+// the request.
+absl::StatusOr<UploadFormat> FromProto(v1::MeshFormat format,
+                                       std::string_view field);
+absl::StatusOr<UploadHeader> FromProto(const v1::UploadHeader& header);
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_RPC_MESSAGES_MESH_TRANSLATION_H_

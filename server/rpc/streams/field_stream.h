@@ -1,0 +1,69 @@
+// One ComputeField call: accepted, progress, chunks, targets, trailer.
+
+#ifndef GEODESIC_SERVER_RPC_STREAMS_FIELD_STREAM_H_
+#define GEODESIC_SERVER_RPC_STREAMS_FIELD_STREAM_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "digest/sha256.h"
+#include "geodesic/v1/field_service.pb.h"
+#include "server/engine/query_engine.h"
+#include "server/rpc/calls/answer_stream.h"
+#include "server/rpc/messages/field_chunks.h"
+
+namespace geodesic::server {
+
+// Progress that nobody took is overwritten by newer.
+class FieldStream final
+    : public AnswerStream<v1::ComputeFieldRequest, v1::ComputeFieldResponse>,
+      public FieldObserver {
+ public:
+  using AnswerStream::AnswerStream;
+
+  void OnProgress(const Progress& progress) override;
+  void OnField(const absl::StatusOr<FieldAnswer>& answer) override;
+
+ private:
+  absl::Status Ask() override;
+  void Cancel() override;
+  absl::StatusOr<NextMessage> Fill(v1::ComputeFieldResponse& message) override;
+
+  // Once the answer is there. Errors: NOT_FOUND, INVALID_ARGUMENT: it cannot be
+  // resumed as the client wants.
+  absl::Status StartChunks();
+  // Of the request, which goes, what StartChunks and MakeFieldId need.
+  void KeepQuestion();
+  // Names what this request gets: the same name, the same bits. Call once.
+  std::string MakeFieldId(const FieldAnswer& answer);
+
+  // Fills the next message of its kind; false when there is none.
+  bool FillSettled(v1::ComputeFieldResponse& message);
+  bool FillChunk(v1::ComputeFieldResponse& message);
+  bool FillTargets(v1::ComputeFieldResponse& message);
+
+  void FillAccepted(v1::FieldAccepted& accepted) const;
+  void FillTrailer(v1::FieldTrailer& trailer) const;
+
+  // Set by Ask, then constant:
+  FieldExtras extras_;
+  v1::ValueType value_type_ = v1::VALUE_TYPE_FLOAT64;
+  std::optional<FieldCall> call_;
+  std::optional<v1::FieldResumption> resumption_;
+  Sha256 question_;  // of what was asked, for the field's name
+
+  // Guarded by the stream's lock:
+  bool accepted_ = false;
+  std::optional<Progress> progress_;  // newer than what was sent
+  std::optional<absl::StatusOr<FieldAnswer>> answer_;
+  std::optional<FieldChunks> chunks_;  // of *answer_
+  std::string field_id_;               // until it is sent
+  uint64_t settled_ = 0;               // entries of the log that were sent
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_RPC_STREAMS_FIELD_STREAM_H_

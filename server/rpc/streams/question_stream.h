@@ -1,0 +1,218 @@
+// What the streams of one question share: header, progress, parts, trailer.
+
+#ifndef GEODESIC_SERVER_RPC_STREAMS_QUESTION_STREAM_H_
+#define GEODESIC_SERVER_RPC_STREAMS_QUESTION_STREAM_H_
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "absl/functional/any_invocable.h"
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/algorithm.h"
+#include "geodesic/checkpoint.h"
+#include "server/engine/meshes/mesh_store.h"
+#include "server/rpc/calls/answer_stream.h"
+#include "server/rpc/messages/field_translation.h"
+#include "server/rpc/messages/surface_translation.h"
+
+namespace geodesic::server {
+
+// What an answer cost.
+struct AnswerCost {
+  double seconds = 0;
+  uint64_t windows_propagated = 0;
+};
+
+// FieldQuestionStream and JobQuestionStream, below, say how the engine is
+// asked.
+template <typename Request, typename Response>
+class QuestionStream : public AnswerStream<Request, Response> {
+ public:
+  using AnswerStream<Request, Response>::AnswerStream;
+
+ protected:
+  // Fills the next part of the answer; false when there is none left. Under the
+  // stream's lock, after SetFinished.
+  virtual absl::StatusOr<bool> FillPart(Response& message) = 0;
+
+  // Items that were sent, for the trailer.
+  virtual uint64_t item_count() const = 0;
+
+  // For Ask:
+  void SetSubject(MeshHandle mesh, Algorithm algorithm) {
+    mesh_ = std::move(mesh);
+    algorithm_ = algorithm;
+  }
+
+  void SetProgress(const Progress& progress) {
+    this->Update([&] {
+      progress_ = progress;
+      progress_->distances = {};  // valid during this call only
+    });
+  }
+
+  // `change` puts the answer where FillPart finds it.
+  template <typename Change>
+  void SetFinished(absl::Status status, AnswerCost cost, Change change) {
+    this->Update([&] {
+      change();
+      cost_ = cost;
+      status_ = std::move(status);
+    });
+  }
+
+ private:
+  absl::StatusOr<NextMessage> Fill(Response& message) final {
+    if (!std::exchange(has_header_, true)) {
+      *message.mutable_header() =
+          MakeHeader(*mesh_, algorithm_, this->version());
+      return NextMessage::kSend;
+    }
+    if (!status_.has_value()) {
+      if (!progress_.has_value()) return NextMessage::kWait;
+      *message.mutable_progress() = ToProto(*std::exchange(progress_, {}));
+      return NextMessage::kSend;
+    }
+    if (!status_->ok()) return *status_;
+    absl::StatusOr<bool> has_part = FillPart(message);
+    if (!has_part.ok()) return has_part.status();
+    if (*has_part) return NextMessage::kSend;
+    v1::AnswerTrailer& trailer = *message.mutable_trailer();
+    trailer.set_compute_seconds(cost_.seconds);
+    trailer.set_windows_propagated(cost_.windows_propagated);
+    trailer.set_item_count(item_count());
+    return NextMessage::kSendLast;
+  }
+
+  MeshHandle mesh_;
+  Algorithm algorithm_ = kDefaultAlgorithm;
+
+  // Guarded by the stream's lock:
+  bool has_header_ = false;
+  std::optional<Progress> progress_;  // newer than what was sent
+  std::optional<absl::Status> status_;
+  AnswerCost cost_;
+};
+
+// Questions that a field answers.
+template <typename Request, typename Response>
+class FieldQuestionStream : public QuestionStream<Request, Response>,
+                            public FieldObserver {
+ public:
+  using QuestionStream<Request, Response>::QuestionStream;
+
+  void OnProgress(const Progress& progress) final {
+    this->SetProgress(progress);
+  }
+
+  void OnField(const absl::StatusOr<FieldAnswer>& answer) final {
+    if (!answer.ok()) {
+      this->SetFinished(answer.status(), {}, [] {});
+      return;
+    }
+    AnswerCost cost;
+    if (answer->origin != FieldOrigin::kCached) {
+      const SolveStatistics& statistics = answer->field->statistics;
+      cost = {statistics.solve_seconds, statistics.windows_propagated};
+    }
+    this->SetFinished(absl::OkStatus(), cost, [&] { answer_ = *answer; });
+  }
+
+ protected:
+  // Adds to `question` what only this stream knows.
+  virtual absl::Status Translate(FieldRequest& question) = 0;
+
+  // Of the call, constant once it has been asked.
+  const FieldCall& call() const { return *call_; }
+  // For FillPart.
+  const FieldAnswer& answer() const { return answer_; }
+
+ private:
+  absl::Status Ask() final {
+    FieldRequest question;
+    absl::Status status = this->BeginQuestion(question);
+    if (status.ok()) status = Translate(question);
+    if (!status.ok()) return status;
+    if (this->request().has_max_distance()) {
+      question.reach.radius = this->request().max_distance();
+    }
+    absl::StatusOr<FieldCall> call =
+        this->engine().ComputeField(question, this->Shared(this));
+    if (!call.ok()) return call.status();
+    call_ = *std::move(call);
+    this->SetSubject(call_->mesh, call_->query->algorithm);
+    return absl::OkStatus();
+  }
+
+  void Cancel() final { this->engine().Cancel(*call_); }
+
+  std::optional<FieldCall> call_;
+  FieldAnswer answer_;  // guarded by the stream's lock
+};
+
+// Questions that are answered by a job of their own, which leaves a Result.
+template <typename Request, typename Response, typename Result>
+class JobQuestionStream : public QuestionStream<Request, Response>,
+                          public JobObserver {
+ public:
+  using QuestionStream<Request, Response>::QuestionStream;
+
+  void OnProgress(const Progress& progress) final {
+    this->SetProgress(progress);
+  }
+
+  void OnDone(const JobReport& report) final {
+    this->SetFinished(report.status,
+                      {report.seconds, report.windows_propagated}, [] {});
+  }
+
+ protected:
+  // What the job does. Charges `memory` with the result.
+  using Work = absl::AnyInvocable<absl::StatusOr<Result>(
+      const Mesh&, const ValidQuery&, const SolveOptions&, Checkpoint&,
+      ByteReservation& memory)>;
+  virtual absl::StatusOr<Work> MakeWork() = 0;
+
+  // For FillPart.
+  const Result& result() const { return *result_; }
+
+ private:
+  absl::Status Ask() final {
+    absl::StatusOr<Work> work = MakeWork();
+    if (!work.ok()) return work.status();
+    QuestionRequest question;
+    absl::Status status = this->BeginQuestion(question);
+    if (!status.ok()) return status;
+    status = AddSources(this->request().sources(), this->engine().limits(),
+                        question.query);
+    if (!status.ok()) return status;
+    question.work = [result = result_, work = *std::move(work)](
+                        const Mesh& mesh, const ValidQuery& query,
+                        const SolveOptions& options, Checkpoint& checkpoint,
+                        ByteReservation& memory) mutable {
+      absl::StatusOr<Result> found =
+          work(mesh, query, options, checkpoint, memory);
+      if (found.ok()) *result = *std::move(found);
+      return found.status();
+    };
+    absl::StatusOr<QuestionCall> call =
+        this->engine().StartQuestion(std::move(question), this->Shared(this));
+    if (!call.ok()) return call.status();
+    call_ = *std::move(call);
+    this->SetSubject(call_.mesh, call_.algorithm);
+    return absl::OkStatus();
+  }
+
+  void Cancel() final { this->engine().Cancel(call_); }
+
+  QuestionCall call_;  // set by Ask, then constant
+  // The job's until it is done, then guarded by the stream's lock:
+  const std::shared_ptr<Result> result_ = std::make_shared<Result>();
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_RPC_STREAMS_QUESTION_STREAM_H_

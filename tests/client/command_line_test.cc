@@ -1,0 +1,258 @@
+#include "client/cli/command_line.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace geodesic::client {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class CommandLineTest : public ::testing::Test {
+ protected:
+  void SetUp() override { unsetenv("GEODESIC_SERVER"); }
+
+  std::variant<CommandLine, ExitCode> Parse(std::vector<const char*> words) {
+    words.insert(words.begin(), "geodesic");
+    return ParseCommandLine(static_cast<int>(words.size()), words.data(), out_,
+                            err_);
+  }
+
+  CommandLine Accepted(const std::vector<const char*>& words) {
+    std::variant<CommandLine, ExitCode> parsed = Parse(words);
+    EXPECT_TRUE(std::holds_alternative<CommandLine>(parsed)) << err_.str();
+    return std::holds_alternative<CommandLine>(parsed)
+               ? std::get<CommandLine>(parsed)
+               : CommandLine{};
+  }
+
+  // What is said about a command line that is refused as wrong usage.
+  std::string Refused(const std::vector<const char*>& words) {
+    err_.str("");
+    std::variant<CommandLine, ExitCode> parsed = Parse(words);
+    EXPECT_TRUE(std::holds_alternative<ExitCode>(parsed));
+    if (std::holds_alternative<ExitCode>(parsed)) {
+      EXPECT_EQ(std::get<ExitCode>(parsed), ExitCode::kUsage);
+    }
+    return err_.str();
+  }
+
+  std::ostringstream out_;
+  std::ostringstream err_;
+};
+
+TEST_F(CommandLineTest, EachCommandTakesItsOptions) {
+  for (const std::vector<const char*>& words :
+       std::vector<std::vector<const char*>>{
+           {"upload", "a.obj"},
+           {"upload", "a.obj", "b.obj", "--format", "stl"},
+           {"meshes"},
+           {"info", "a", "--format", "off"},
+           {"delete", "a"},
+           {"capabilities"},
+           {"field",       "--source", "3",      "-s",         "7:0.5",
+            "horse.ply",   "-o",       "a.npy",  "-o",         "b.PNG",
+            "--algorithm", "ich",      "--view", "-30,20",     "--size",
+            "640x480",     "--up",     "z",      "--priority", "batch"},
+           {"field", "-s", "1", "-t", "4", "-t", "5", "--stop-at-targets=1",
+            "m"},
+           {"field", "m", "-s", "1", "-r", "2.5", "--nearest-sources",
+            "--gradients", "--float32", "-t", "4", "--stop-at-targets"},
+           {"field", "m", "--source", "edge:3-8@0.25:2", "--source",
+            "face:5@0.2,0.3,0.5", "--curve", "1;edge:1-2@0.5:0.5", "--sources",
+            "a.txt", "--target", "face:0@1,0,0", "--targets", "-"},
+           {"path", "m", "-s", "1", "-t", "2"},
+           {"matrix", "m", "-s", "1"},
+           {"nearest", "m", "-s", "1", "-t", "2", "-k", "3"},
+           {"sample", "m", "-n", "5"},
+           {"logmap", "m", "-s", "1"},
+           {"isolines", "m", "-s", "1", "-l", "0.5", "-l", "1"}}) {
+    EXPECT_EQ(Accepted(words).command.name, words[0]);
+  }
+}
+
+TEST_F(CommandLineTest, CommonOptions) {
+  const CommandLine line = Accepted({"meshes", "--timeout", "2.5", "--quiet"});
+  EXPECT_EQ(line.timeout, 2.5);
+  EXPECT_TRUE(line.quiet);
+  const CommandLine plain = Accepted({"meshes"});
+  EXPECT_EQ(plain.connection.server, "127.0.0.1:50051");
+  EXPECT_FALSE(plain.timeout.has_value());
+  EXPECT_FALSE(plain.json);
+  EXPECT_FALSE(plain.quiet);
+}
+
+TEST_F(CommandLineTest, Connection) {
+  const CommandLine line = Accepted(
+      {"--tls-ca", "ca.pem", "--tls-cert", "c.pem", "--tls-key", "k.pem",
+       "--tls-server-name", "n", "--token-file", "t", "meshes"});
+  const ConnectionArguments& connection = line.connection;
+  EXPECT_EQ(connection.paths.authorities, "ca.pem");
+  EXPECT_EQ(connection.paths.certificate, "c.pem");
+  EXPECT_EQ(connection.paths.key, "k.pem");
+  EXPECT_EQ(connection.server_name, "n");
+  EXPECT_EQ(connection.token_file, "t");
+  EXPECT_FALSE(connection.tls);
+  EXPECT_TRUE(Accepted({"--tls", "meshes"}).connection.tls);
+}
+
+TEST_F(CommandLineTest, CombinationsThatMakeNoSenseAreRefused) {
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "--stop-at-targets"}),
+              HasSubstr("--target"));
+  EXPECT_THAT(
+      Refused({"field", "m", "-s", "1", "--progressive", "-o", "a.npy"}),
+      HasSubstr("a.npy"));
+  EXPECT_THAT(
+      Refused({"field", "m", "-s", "1", "--progressive", "--gradients"}),
+      HasSubstr("--gradients"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "--progressive", "--json"}),
+              HasSubstr("-o FILE.csv"));
+  EXPECT_THAT(Refused({"isolines", "m", "-s", "1"}), HasSubstr("--count"));
+  EXPECT_THAT(Refused({"isolines", "m", "-s", "1", "-l", "1", "-n", "2"}),
+              HasSubstr("--count"));
+  EXPECT_THAT(Refused({"path", "m", "-s", "1"}), HasSubstr("--targets"));
+  EXPECT_THAT(Refused({"nearest", "m", "-s", "1"}), HasSubstr("--targets"));
+  EXPECT_THAT(Refused({"matrix", "m"}), HasSubstr("--sources"));
+  EXPECT_THAT(Refused({"logmap", "m", "-s", "1", "-s", "2"}),
+              HasSubstr("one source"));
+}
+
+TEST_F(CommandLineTest, CommonOptionsMayComeBeforeOrAfterTheCommand) {
+  EXPECT_EQ(Accepted({"--server", "a:1", "meshes"}).connection.server, "a:1");
+  EXPECT_EQ(Accepted({"meshes", "--server", "a:1"}).connection.server, "a:1");
+  EXPECT_TRUE(Accepted({"--json", "meshes"}).json);
+  EXPECT_TRUE(Accepted({"meshes", "--json"}).json);
+}
+
+TEST_F(CommandLineTest, ServerFromTheEnvironmentYieldsToTheOption) {
+  setenv("GEODESIC_SERVER", "env:7", 1);
+  EXPECT_EQ(Accepted({"meshes"}).connection.server, "env:7");
+  EXPECT_EQ(Accepted({"meshes", "--server", "a:1"}).connection.server, "a:1");
+  unsetenv("GEODESIC_SERVER");
+}
+
+TEST_F(CommandLineTest, WrongValuesAreNamed) {
+  EXPECT_THAT(Refused({"field", "m", "-s", "-1"}), HasSubstr("'-1'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1:-2"}), HasSubstr("'1:-2'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1:inf"}), HasSubstr("'1:inf'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1:nan"}), HasSubstr("'1:nan'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1:"}), HasSubstr("'1:'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1x"}), HasSubstr("'1x'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "-t", "edge:1-2@1.5"}),
+              HasSubstr("'edge:1-2@1.5'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "-r", "-1"}),
+              HasSubstr("'-1'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "-r", "nan"}),
+              HasSubstr("'nan'"));
+  EXPECT_THAT(Refused({"isolines", "m", "-s", "1", "-l", "0"}),
+              HasSubstr("'0'"));
+  EXPECT_THAT(Refused({"nearest", "m", "-s", "1", "-t", "1", "-k", "0"}),
+              HasSubstr("'0'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "--view", "1"}),
+              HasSubstr("AZIMUTH,ELEVATION"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "--view", "0,91"}),
+              HasSubstr("'0,91'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "--size", "63x100"}),
+              HasSubstr("'63x100'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "--size", "100x99999"}),
+              HasSubstr("'100x99999'"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "--algorithm", "heat"}),
+              HasSubstr("heat"));
+  for (const char* timeout : {"0", "-1", "nan", "", "soon"}) {
+    EXPECT_THAT(Refused({"meshes", "--timeout", timeout}),
+                HasSubstr("is not a time: a number of seconds above 0\n"));
+  }
+}
+
+TEST_F(CommandLineTest, WrongServersAreNamedAtOnce) {
+  for (const char* server :
+       {"", "localhost", ":99999", "http://", "http://localhost:50051",
+        "localhost:", "localhost:0", "localhost:99999", "a b:1", "1:2:3", ":1",
+        "[::1]", "dns:///localhost:1"}) {
+    EXPECT_THAT(
+        Refused({"meshes", "--server", server}),
+        HasSubstr(std::string("'") + server + "' is not a server: HOST:PORT"));
+    setenv("GEODESIC_SERVER", server, 1);
+    if (*server != '\0') Refused({"meshes"});
+    unsetenv("GEODESIC_SERVER");
+  }
+  EXPECT_EQ(Accepted({"--server", "[::1]:5", "meshes"}).connection.server,
+            "[::1]:5");
+}
+
+TEST_F(CommandLineTest, UnknownOutputEndingListsTheKnownOnes) {
+  const std::string message = Refused({"field", "m", "-s", "1", "-o", "a.xyz"});
+  EXPECT_THAT(message, HasSubstr("a.xyz"));
+  EXPECT_THAT(message,
+              HasSubstr(".npy, .npz, .csv, .f64, .f32, .ply, .vtk and .png"));
+}
+
+TEST_F(CommandLineTest, MissingPartsAreNamed) {
+  EXPECT_THAT(Refused({}), HasSubstr("subcommand"));
+  EXPECT_THAT(Refused({"field", "m"}), HasSubstr("--source"));
+  EXPECT_THAT(Refused({"field", "-s", "1"}), HasSubstr("MESH"));
+  EXPECT_THAT(Refused({"upload"}), HasSubstr("FILE"));
+}
+
+TEST_F(CommandLineTest, TyposAreAnsweredByWhatWasMeant) {
+  EXPECT_THAT(Refused({"fild", "m", "-s", "1"}),
+              HasSubstr("there is no command fild; did you mean field?"));
+  EXPECT_THAT(Refused({"explode"}), HasSubstr("no command explode\n"));
+  EXPECT_THAT(Refused({"field", "m", "--sorce", "3"}),
+              HasSubstr("--sorce 3; did you mean --source?"));
+  EXPECT_THAT(Refused({"field", "m", "-s", "1", "--sever=a:1"}),
+              HasSubstr("--sever=a:1; did you mean --server?"));
+}
+
+TEST_F(CommandLineTest, HelpIsACommandToo) {
+  const auto text = [this](const std::vector<const char*>& words) {
+    out_.str("");
+    std::variant<CommandLine, ExitCode> parsed = Parse(words);
+    EXPECT_EQ(std::get<ExitCode>(parsed), ExitCode::kOk);
+    return out_.str();
+  };
+  EXPECT_EQ(text({"help"}), text({"--help"}));
+  EXPECT_EQ(text({"help", "field"}), text({"field", "--help"}));
+  EXPECT_THAT(Refused({"help", "fild"}),
+              HasSubstr("no command fild; did you mean field?"));
+}
+
+TEST_F(CommandLineTest, HelpAndVersionEndWell) {
+  for (const std::vector<const char*>& words :
+       std::vector<std::vector<const char*>>{
+           {"--help"}, {"--version"}, {"field", "--help"}}) {
+    std::variant<CommandLine, ExitCode> parsed = Parse(words);
+    ASSERT_TRUE(std::holds_alternative<ExitCode>(parsed));
+    EXPECT_EQ(std::get<ExitCode>(parsed), ExitCode::kOk);
+  }
+  EXPECT_THAT(out_.str(), HasSubstr("Exit codes:"));
+  EXPECT_THAT(out_.str(), HasSubstr("geodesic 0."));
+  EXPECT_THAT(out_.str(), HasSubstr("POINT[:OFFSET]"));
+}
+
+TEST_F(CommandLineTest, HelpFitsATerminalAndHasExamples) {
+  std::string all_help;
+  Parse({"--help"});
+  all_help += out_.str();
+  for (const char* command :
+       {"upload", "meshes", "info", "delete", "field", "path", "isolines",
+        "matrix", "nearest", "sample", "logmap", "capabilities"}) {
+    out_.str("");
+    Parse({command, "--help"});
+    EXPECT_THAT(out_.str(), HasSubstr("Examples:\n  geodesic ")) << command;
+    all_help += out_.str();
+  }
+  std::istringstream lines(all_help);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(line.size(), 80) << line;
+  }
+}
+
+}  // namespace
+}  // namespace geodesic::client

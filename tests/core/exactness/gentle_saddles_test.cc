@@ -1,0 +1,143 @@
+// Vertices that exceed a full turn by next to nothing, alone and in rows: each
+// hides a wedge too thin to see, and all of them together hide whole edges.
+
+#include "tests/support/gentle_saddles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/edge_dijkstra.h"
+#include "tests/support/test_meshes.h"
+#include "tests/support/vec.h"
+
+namespace geodesic::test {
+namespace {
+
+class GentleSaddles : public EveryAlgorithm {
+ protected:
+  // From vertices 0, 1 and the last: no nearer than Euclid says and no farther
+  // than along edges, which is the same in straight rows; and symmetric.
+  void ExpectStraightRows(const NamedMesh& named) const {
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    const std::vector<Point>& p = named.soup.positions;
+    const auto last = static_cast<uint32_t>(p.size() - 1);
+    const std::vector<uint32_t> sources = {0, 1, last};
+    std::vector<std::vector<double>> fields;
+    for (const uint32_t s : sources) {
+      fields.push_back(SolveOn(*mesh, {{VertexPoint{s}}}));
+      const std::vector<double>& field = fields.back();
+      ASSERT_EQ(field.size(), p.size());
+      const std::vector<Real> edges = EdgeDistances(named.soup, s);
+      for (uint32_t v = 0; v < field.size(); ++v) {
+        ASSERT_GE(field[v], Distance(p[s], p[v]) * (1 - 1e-13L))
+            << named.name << ", " << s << " to " << v;
+        ASSERT_LE(field[v], edges[v] * (1 + 1e-13L))
+            << named.name << ", " << s << " to " << v;
+      }
+    }
+    for (size_t i = 0; i < sources.size(); ++i) {
+      for (size_t j = 0; j < i; ++j) {
+        const double there = fields[i][sources[j]];
+        EXPECT_NEAR(fields[j][sources[i]], there, 1e-13 * there) << named.name;
+      }
+    }
+  }
+
+  bool IsQuickEnough() const { return GetParam().algorithm != Algorithm::kCh; }
+};
+
+// The last are hidden from the solver by kFlatAngle, one by one.
+TEST_P(GentleSaddles, HundredsInARow) {
+  if (!IsQuickEnough()) GTEST_SKIP() << "too many windows";
+  for (const double excess : {1e-6, 0.97e-9, 1e-11, 0.9e-13, 1e-15}) {
+    ExpectStraightRows(
+        {absl::StrCat("row of excess ", excess), SaddleRow(450, excess, 16)});
+  }
+}
+
+TEST_P(GentleSaddles, HyperbolicGrids) {
+  for (const double twist :
+       {1e-12, 1e-10, 1e-8, 1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 1e-3, 1e-2}) {
+    ExpectStraightRows(
+        {absl::StrCat("twist ", twist), HyperbolicGrid(12, 16, twist)});
+  }
+  if (!IsQuickEnough()) GTEST_SKIP() << "too many windows";
+  for (const double twist : {1e-7, 3e-5}) {
+    ExpectStraightRows(
+        {absl::StrCat("long, twist ", twist), HyperbolicGrid(250, 4, twist)});
+  }
+}
+
+// Faces that lie whole in the wedge behind one saddle.
+TEST_P(GentleSaddles, SmallFacesBehindOne) {
+  for (const double excess : {1e-6, 0.97e-9, 1e-11, 0.9e-13, 1e-14, 1e-15}) {
+    const NamedMesh named{absl::StrCat("cluster behind ", excess),
+                          SaddleCluster(excess, 10, 10)};
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    ASSERT_NE(mesh, nullptr);
+    const BruteForce brute_force(named.soup);
+    for (const uint32_t s : {0, 1, 3, 49}) {
+      ExpectField(named.name, *mesh, {{VertexPoint{s}}},
+                  brute_force.Distances(s));
+    }
+  }
+}
+
+// Distances on a plate with heights of no more than `height` are those in the
+// plane, but for the slopes.
+TEST_P(GentleSaddles, RandomHeights) {
+  for (const double height : {1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5}) {
+    for (const uint64_t seed : {1, 2}) {
+      const NamedMesh named{absl::StrCat("heights of ", height),
+                            Terrain(24, 24, height, seed)};
+      const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+      ASSERT_NE(mesh, nullptr);
+      const std::vector<Point>& p = named.soup.positions;
+      for (const uint32_t s : SpreadVertices(named.soup, 3)) {
+        const std::vector<double> field = SolveOn(*mesh, {{VertexPoint{s}}});
+        ASSERT_EQ(field.size(), p.size());
+        for (uint32_t v = 0; v < field.size(); ++v) {
+          const double plane = std::hypot(p[v][0] - p[s][0], p[v][1] - p[s][1]);
+          // Edges are longer than a half, so that slopes are below 4 heights.
+          EXPECT_GE(field[v], plane * (1 - 1e-13));
+          EXPECT_LE(field[v], plane * std::hypot(1, 4 * height) * (1 + 1e-13))
+              << named.name << ", seed " << seed << ", " << s << " to " << v;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(GentleSaddles, FilesOfOthers) {
+  const absl::StatusOr<TriangleSoup> row =
+      LoadTestMesh("flat_saddles/row900.off");
+  if (absl::IsNotFound(row.status())) GTEST_SKIP() << row.status();
+  ASSERT_TRUE(row.ok()) << row.status();
+  if (IsQuickEnough()) ExpectStraightRows({"row900.off", *row});
+
+  const absl::StatusOr<TriangleSoup> cluster =
+      LoadTestMesh("flat_saddles/cluster.off");
+  ASSERT_TRUE(cluster.ok()) << cluster.status();
+  const std::shared_ptr<const Mesh> mesh =
+      BuildOrFail({"cluster.off", *cluster});
+  ASSERT_NE(mesh, nullptr);
+  const BruteForce brute_force(*cluster);
+  for (const uint32_t s : {0, 1, 2}) {
+    ExpectField("cluster.off", *mesh, {{VertexPoint{s}}},
+                brute_force.Distances(s));
+  }
+}
+
+GEODESIC_TEST_EVERY_ALGORITHM(GentleSaddles);
+
+}  // namespace
+}  // namespace geodesic::test

@@ -1,0 +1,162 @@
+// How requests come in: who is refused before, how long it may take, what it
+// may hold.
+
+#include <gmock/gmock.h>
+#include <google/protobuf/descriptor.h>
+#include <grpcpp/client_context.h>
+#include <grpcpp/completion_queue.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "digest/sha256.h"
+#include "tests/engine/uploads.h"
+#include "tests/rpc/generic_call.h"
+#include "tests/rpc/rpc_fixture.h"
+#include "tests/support/temporary_folder.h"
+
+namespace geodesic::server {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr char kComputeField[] = "/geodesic.v1.FieldService/ComputeField";
+
+class IntakeTest : public test::RpcTest {
+ protected:
+  // How a call ends whose client sends headers and then nothing.
+  grpc::Status CallWithoutRequest(const std::string& method) {
+    grpc::ClientContext context;
+    grpc::CompletionQueue queue;
+    grpc::GenericStub stub(channel_);
+    const auto call = stub.PrepareCall(&context, method, &queue);
+    call->StartCall(nullptr);
+    void* tag = nullptr;
+    bool ok = false;
+    queue.Next(&tag, &ok);
+    grpc::Status status;
+    call->Finish(&status, nullptr);
+    queue.Next(&tag, &ok);
+    return status;
+  }
+
+  static v1::ComputeFieldRequest WithTargets(const std::string& digest,
+                                             int count) {
+    v1::ComputeFieldRequest request = FieldRequest(digest, 0);
+    for (int i = 0; i < count; ++i) request.add_targets()->set_vertex(i % 4);
+    return request;
+  }
+};
+
+TEST_F(IntakeTest, AMalformedRequestIsSaidToBeOne) {
+  Start();
+  const auto* pool = google::protobuf::DescriptorPool::generated_pool();
+  for (const char* name : {"Mesh", "Field", "Path", "Matrix", "Capabilities"}) {
+    const auto* service =
+        pool->FindServiceByName(std::string("geodesic.v1.") + name + "Service");
+    ASSERT_NE(service, nullptr) << name;
+    for (int i = 0; i < service->method_count(); ++i) {
+      const auto* method = service->method(i);
+      const auto answer = test::CallMethod(
+          channel_, "/" + service->full_name() + "/" + method->name(), "\xff");
+      ASSERT_TRUE(absl::IsInvalidArgument(answer.status()))
+          << method->full_name() << ": " << answer.status();
+      EXPECT_THAT(std::string(answer.status().message()),
+                  HasSubstr(method->input_type()->full_name()));
+    }
+  }
+}
+
+TEST_F(IntakeTest, AMessageThatDoesNotComeIsNotWaitedForForEver) {
+  ServerOptions options = SmallServer();
+  options.receive_patience = std::chrono::seconds(1);
+  Start(options);
+  for (const char* method :
+       {kComputeField, "/geodesic.v1.MeshService/CreateMesh",
+        "/geodesic.v1.MeshService/GetMesh"}) {
+    const grpc::Status status = CallWithoutRequest(method);
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED)
+        << method << ": " << status.error_message();
+    EXPECT_THAT(status.error_message(), HasSubstr("--receive-seconds"));
+  }
+}
+
+TEST_F(IntakeTest, WhoHasNoTokenIsRefusedBeforeTheRequestComes) {
+  const geodesic::test::TemporaryFolder folder;
+  ServerOptions options = SmallServer();
+  options.token_file = folder / "tokens.json";
+  std::ofstream(options.token_file)
+      << R"({"tokens": [{"name": "a", "scopes": ["read"], "sha256": ")"
+      << Sha256Hex("token") << R"("}]})";
+  Start(options);
+  EXPECT_EQ(CallWithoutRequest(kComputeField).error_code(),
+            grpc::StatusCode::UNAUTHENTICATED);
+}
+
+TEST_F(IntakeTest, ARequestThatCanNeverBeHeldIsRefusedForGood) {
+  ServerOptions options = SmallServer();
+  options.request_memory_bytes = 64 << 10;
+  Start(options);
+  const std::string digest = Upload(test::Tetrahedron());
+  grpc::ClientContext context;
+  const grpc::Status status =
+      ComputeField(WithTargets(digest, 1000), context).status;
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_THAT(status.error_message(), HasSubstr("--request-memory"));
+  EXPECT_FALSE(test::RetryInfo(status).has_value());
+  // A smaller one is not.
+  EXPECT_TRUE(ComputeField(digest, 0).status.ok());
+}
+
+TEST_F(IntakeTest, WhatRequestsHoldIsBounded) {
+  ServerOptions options = SmallServer();
+  options.request_memory_bytes = 4 << 20;
+  options.limits.max_targets = 10'000;
+  Start(options, /*held=*/true);
+  const std::string digest = Upload(test::Tetrahedron());
+  const v1::ComputeFieldRequest request = WithTargets(digest, 10'000);
+  struct Call {
+    grpc::ClientContext context;
+    std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>> reader;
+  };
+  std::vector<std::unique_ptr<Call>> held;
+  v1::ComputeFieldResponse message;
+  grpc::Status refusal;
+  // More than 40 bytes a target: they cannot be a hundred.
+  while (held.size() < 100 && refusal.ok()) {
+    auto call = std::make_unique<Call>();
+    call->reader = fields_->ComputeField(&call->context, request);
+    if (call->reader->Read(&message)) {
+      held.push_back(std::move(call));
+    } else {
+      refusal = call->reader->Finish();
+    }
+  }
+  EXPECT_GE(held.size(), 2);
+  EXPECT_EQ(refusal.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(test::Reason(refusal), "MEMORY_FULL");
+  EXPECT_THAT(refusal.error_message(), HasSubstr("--request-memory"));
+  EXPECT_TRUE(test::RetryInfo(refusal).has_value());
+
+  solver_.LetGo();
+  for (const auto& call : held) {
+    while (call->reader->Read(&message)) {
+    }
+    EXPECT_TRUE(call->reader->Finish().ok());
+  }
+  held.clear();
+  // A client hears the end of a call before the server has let go of it.
+  test::FieldReply reply;
+  do {
+    grpc::ClientContext context;
+    reply = ComputeField(request, context);
+  } while (test::Reason(reply.status) == "MEMORY_FULL");
+  EXPECT_TRUE(reply.status.ok()) << reply.status.error_message();
+}
+
+}  // namespace
+}  // namespace geodesic::server
