@@ -7,7 +7,7 @@
 
 namespace geodesic::server {
 
-// glibc by itself gives back what lies at the end of a heap. After a crowd of
+// glibc by itself gives back what lies at the end of a heap. After a exit of
 // readers, thousands of free messages lie between smaller things that stay, so
 // it would keep their gigabyte for good. Looks every five seconds, from a
 // thread of its own: a look takes less than a millisecond when there is little

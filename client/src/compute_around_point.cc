@@ -52,8 +52,8 @@ absl::StatusOr<LogMap> Client::ComputeLogMap(
   }
   *request.mutable_source() = ToProto(query.source);
   request.set_value_type(ToProto(query.value_type));
-  if (query.max_distance.has_value()) {
-    request.set_max_distance(*query.max_distance);
+  if (query.radius.has_value()) {
+    request.set_radius(*query.radius);
   }
 
   LogMap map;

@@ -25,8 +25,8 @@ absl::StatusOr<v1::ComputeFieldRequest> ToRequest(const FieldQuery& query) {
   request.set_algorithm(*algorithm);
   request.set_value_type(ToProto(query.value_type));
   AddAll(query.targets, request.mutable_targets());
-  if (query.max_distance.has_value()) {
-    request.set_max_distance(*query.max_distance);
+  if (query.radius.has_value()) {
+    request.set_radius(*query.radius);
   }
   if (query.stop_after_targets.has_value()) {
     request.set_stop_after_targets(*query.stop_after_targets);
@@ -97,7 +97,7 @@ absl::StatusOr<Field> Receive(v1::FieldService::Stub* stub,
     const absl::Status status =
         ReceiveStream(stub, *request, options, &assembler);
     if (status.ok()) return std::move(assembler).Finish();
-    begun |= assembler.accepted();
+    begun |= assembler.has_header();
     // What has been handed out cannot be taken back.
     if (!retry || !begun || on_settled != nullptr) return status;
     // As long as it gets on.

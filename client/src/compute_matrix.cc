@@ -47,8 +47,8 @@ absl::StatusOr<AnswerInfo> Client::ComputeMatrix(const MatrixQuery& query,
   AddAll(query.sources, request.mutable_sources());
   AddAll(query.targets, request.mutable_targets());
   request.set_value_type(ToProto(query.value_type));
-  if (query.max_distance.has_value()) {
-    request.set_max_distance(*query.max_distance);
+  if (query.radius.has_value()) {
+    request.set_radius(*query.radius);
   }
   request.set_layout(query.sparse ? v1::MATRIX_LAYOUT_SPARSE
                                   : v1::MATRIX_LAYOUT_DENSE);
@@ -95,8 +95,8 @@ absl::StatusOr<NearestAnswer> Client::FindNearest(
   AddAll(query.sources, request.mutable_sources());
   AddAll(query.targets, request.mutable_targets());
   request.set_count(query.count);
-  if (query.max_distance.has_value()) {
-    request.set_max_distance(*query.max_distance);
+  if (query.radius.has_value()) {
+    request.set_radius(*query.radius);
   }
 
   const uint64_t rows = query.sources.size();

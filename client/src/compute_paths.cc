@@ -28,8 +28,8 @@ absl::StatusOr<PathAnswer> Client::ComputePaths(
   }
   AddAll(query.sources, request.mutable_sources());
   AddAll(query.targets, request.mutable_targets());
-  if (query.max_distance.has_value()) {
-    request.set_max_distance(*query.max_distance);
+  if (query.radius.has_value()) {
+    request.set_radius(*query.radius);
   }
 
   PathAnswer answer;

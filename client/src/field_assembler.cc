@@ -51,7 +51,7 @@ FieldAssembler::Position FieldAssembler::Resume() {
     Restart();
     return {};
   }
-  accepted_ = false;
+  has_header_ = false;
   complete_ = false;
   field_.target_distances.clear();
   return {field_id_, received()};
@@ -61,7 +61,7 @@ void FieldAssembler::Restart() {
   field_ = Field();
   field_id_.clear();
   gradient_values_.clear();
-  accepted_ = false;
+  has_header_ = false;
   complete_ = false;
 }
 
@@ -97,19 +97,19 @@ absl::Status FieldAssembler::ConsumeSettled(const v1::SettledChunk& chunk) {
   return absl::OkStatus();
 }
 
-absl::Status FieldAssembler::Accept(const v1::FieldAccepted& accepted) {
-  if (accepted_) {
-    return absl::DataLossError("the server accepted one query twice");
+absl::Status FieldAssembler::TakeHeader(const v1::FieldHeader& header) {
+  if (has_header_) {
+    return absl::DataLossError("the server sent two headers for one query");
   }
   // When a field is read on, it must be the same.
-  if (!field_id_.empty() && accepted.vertex_count() != field_.vertex_count) {
+  if (!field_id_.empty() && header.vertex_count() != field_.vertex_count) {
     return absl::DataLossError("the server went on with another field");
   }
-  accepted_ = true;
-  field_.vertex_count = accepted.vertex_count();
-  field_.mesh_digest = accepted.mesh_digest();
-  field_.algorithm = AlgorithmName(accepted.algorithm());
-  field_.origin = FromProto(accepted.origin());
+  has_header_ = true;
+  field_.vertex_count = header.vertex_count();
+  field_.mesh_digest = header.mesh_digest();
+  field_.algorithm = AlgorithmName(header.algorithm());
+  field_.origin = FromProto(header.origin());
   if (expected_.on_settled == nullptr) {
     field_.distances.reserve(std::min(field_.vertex_count, kMostReserved));
   }
@@ -117,12 +117,12 @@ absl::Status FieldAssembler::Accept(const v1::FieldAccepted& accepted) {
 }
 
 absl::Status FieldAssembler::Consume(const ComputeFieldResponse& message) {
-  if (!accepted_ && !message.has_accepted()) {
+  if (!has_header_ && !message.has_header()) {
     return absl::DataLossError("the server began a field without accepting it");
   }
   switch (message.part_case()) {
-    case ComputeFieldResponse::kAccepted:
-      return Accept(message.accepted());
+    case ComputeFieldResponse::kHeader:
+      return TakeHeader(message.header());
     case ComputeFieldResponse::kProgress:
       if (progress_ != nullptr) {
         progress_(FromProto(message.progress(), field_.vertex_count));
@@ -150,13 +150,13 @@ absl::Status FieldAssembler::Consume(const ComputeFieldResponse& message) {
 
 absl::StatusOr<Field> FieldAssembler::Finish() && {
   const bool progressive = expected_.on_settled != nullptr;
-  if (!accepted_ || !complete_ ||
+  if (!has_header_ || !complete_ ||
       (!progressive && field_.distances.size() != field_.vertex_count)) {
     return absl::DataLossError(
         absl::StrCat("the server ended the stream after ",
                      progressive ? settled_count_ : field_.distances.size(),
                      " of ", field_.vertex_count, " distances",
-                     accepted_ && !complete_ ? " without its trailer" : ""));
+                     has_header_ && !complete_ ? " without its trailer" : ""));
   }
   const auto check = [this](std::string_view what, size_t count,
                             uint64_t expected) {

@@ -38,7 +38,7 @@ class FieldAssembler {
   absl::Status Consume(const v1::ComputeFieldResponse& message);
 
   // Whether the server has begun to answer.
-  bool accepted() const { return accepted_; }
+  bool has_header() const { return has_header_; }
   uint64_t received() const { return field_.distances.size(); }
 
   // After a stream has broken: the next one is to begin where this one ended,
@@ -59,7 +59,7 @@ class FieldAssembler {
   absl::Status ConsumeChunk(const v1::FieldChunk& chunk);
   absl::Status ConsumeTargets(const v1::TargetChunk& chunk);
   absl::Status ConsumeSettled(const v1::SettledChunk& chunk);
-  absl::Status Accept(const v1::FieldAccepted& accepted);
+  absl::Status TakeHeader(const v1::FieldHeader& header);
 
   FieldExpectation expected_;
   SolveProgressCallback progress_;
@@ -68,7 +68,7 @@ class FieldAssembler {
   std::vector<double> gradient_values_;
   uint64_t settled_count_ = 0;
   std::string field_id_;
-  bool accepted_ = false;
+  bool has_header_ = false;
   bool complete_ = false;
 };
 

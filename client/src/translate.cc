@@ -90,7 +90,7 @@ FieldOrigin FromProto(v1::FieldOrigin origin) {
     case v1::FIELD_ORIGIN_CACHED:
       return FieldOrigin::kCached;
     default:
-      return FieldOrigin::kSolved;
+      return FieldOrigin::kComputed;
   }
 }
 
@@ -237,8 +237,8 @@ std::vector<std::string> AlgorithmNames() {
 
 std::string_view FieldOriginName(FieldOrigin origin) {
   switch (origin) {
-    case FieldOrigin::kSolved:
-      return "solved";
+    case FieldOrigin::kComputed:
+      return "computed";
     case FieldOrigin::kJoined:
       return "joined";
     case FieldOrigin::kCached:

@@ -20,9 +20,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 ComputeFieldResponse Accepted(uint64_t vertex_count) {
   ComputeFieldResponse message;
-  message.mutable_accepted()->set_vertex_count(vertex_count);
-  message.mutable_accepted()->set_mesh_digest("abc");
-  message.mutable_accepted()->set_algorithm(v1::ALGORITHM_FWP_MMP);
+  message.mutable_header()->set_vertex_count(vertex_count);
+  message.mutable_header()->set_mesh_digest("abc");
+  message.mutable_header()->set_algorithm(v1::ALGORITHM_FWP_MMP);
   return message;
 }
 
@@ -91,7 +91,7 @@ TEST_F(FieldAssemblerTest, ReadsOnWhereAStreamBroke) {
   const FieldAssembler::Position position = assembler_.Resume();
   EXPECT_EQ(position.field_id, "the field");
   EXPECT_EQ(position.first_vertex, 3);
-  EXPECT_FALSE(assembler_.accepted());
+  EXPECT_FALSE(assembler_.has_header());
   ASSERT_TRUE(Consume(Accepted(4)).ok());
   ASSERT_TRUE(Consume(NamedChunk(3, {7})).ok());
   ASSERT_TRUE(Consume(Trailer()).ok());

@@ -200,7 +200,7 @@ TEST_F(DurableEngineTest, FieldsAreThereAfterARestart) {
   const std::string digest = Upload(geodesic::test::Icosphere(2))->mesh.digest;
   const auto before = Field({.mesh_digest = digest});
   ASSERT_TRUE(before.ok());
-  EXPECT_EQ(before->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(before->origin, FieldOrigin::kComputed);
   Restart();
   ASSERT_TRUE(Await(digest).ok());
   const auto after = Field({.mesh_digest = digest});
@@ -242,7 +242,7 @@ TEST_F(DurableEngineTest, OnlyAFieldThatReachesFarEnoughAnswers) {
   EXPECT_EQ(near->origin, FieldOrigin::kCached);
   const auto all = Field({.mesh_digest = digest});
   ASSERT_TRUE(all.ok());
-  EXPECT_EQ(all->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(all->origin, FieldOrigin::kComputed);
   // It takes the place of the one that ended early.
   Restart();
   ASSERT_TRUE(Await(digest).ok());
@@ -255,7 +255,7 @@ TEST_F(DurableEngineTest, FieldsOfAnotherVersionAreComputedAgain) {
   version_ = "2";
   Restart();
   ASSERT_TRUE(Await(digest).ok());
-  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kComputed);
 }
 
 TEST_F(DurableEngineTest, FieldsGoWithTheirMesh) {
@@ -266,7 +266,7 @@ TEST_F(DurableEngineTest, FieldsGoWithTheirMesh) {
   ASSERT_TRUE(Delete(digest).ok());
   EXPECT_TRUE(fs::is_empty(data_dir() + "/fields"));
   ASSERT_TRUE(Upload(soup).ok());
-  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kComputed);
 }
 
 // A mesh that is deleted while one of its fields is on its way.
@@ -302,7 +302,7 @@ class LateFieldTest : public DurableEngineTest {
     at_start_ = nullptr;
     Restart();
     ASSERT_TRUE(Upload(soup_).ok());
-    EXPECT_EQ(Field({.mesh_digest = digest_})->origin, FieldOrigin::kSolved);
+    EXPECT_EQ(Field({.mesh_digest = digest_})->origin, FieldOrigin::kComputed);
   }
 
   const TriangleSoup soup_ = Grid(5);
@@ -356,7 +356,7 @@ TEST_F(DurableEngineTest, ADamagedFieldIsComputedAgain) {
   ASSERT_TRUE(Await(digest).ok());
   const auto after = Field({.mesh_digest = digest});
   ASSERT_TRUE(after.ok()) << after.status();
-  EXPECT_EQ(after->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(after->origin, FieldOrigin::kComputed);
   EXPECT_EQ(after->field->distances, before->field->distances);
   EXPECT_THAT(warnings_, SizeIs(1));
 }

@@ -83,7 +83,7 @@ class FieldQueryTest : public test::EngineTest {
 TEST_F(FieldQueryTest, SolvesExactly) {
   const auto call = Ask(0, a_);
   ASSERT_TRUE(call.ok()) << call.status();
-  EXPECT_EQ(call->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(call->origin, FieldOrigin::kComputed);
   EXPECT_EQ(call->mesh->mesh->vertex_count(), 162);
   EXPECT_EQ(a_->calls, 0);
   executor_.RunAll();
@@ -115,9 +115,9 @@ TEST_F(FieldQueryTest, TheOrderOfSourcesDoesNotMatter) {
     executor_.RunAll();
     return call->origin;
   };
-  EXPECT_EQ(ask({At(1, 0.5), At(0)}), FieldOrigin::kSolved);
+  EXPECT_EQ(ask({At(1, 0.5), At(0)}), FieldOrigin::kComputed);
   EXPECT_EQ(ask({At(0), At(1, 0.5), At(1, 0.75)}), FieldOrigin::kCached);
-  EXPECT_EQ(ask({At(0), At(1, 0.25)}), FieldOrigin::kSolved);
+  EXPECT_EQ(ask({At(0), At(1, 0.25)}), FieldOrigin::kComputed);
 }
 
 TEST_F(FieldQueryTest, ConcurrentEqualQueriesAreSolvedOnce) {
@@ -138,7 +138,7 @@ TEST_F(FieldQueryTest, AlgorithmsAreDifferentQuestions) {
        {.sources = {{VertexPoint{0}, 0}}, .algorithm = Algorithm::kMmp}},
       b_);
   ASSERT_TRUE(other.ok());
-  EXPECT_EQ(other->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(other->origin, FieldOrigin::kComputed);
   EXPECT_EQ(other->query->algorithm, Algorithm::kMmp);
 }
 
@@ -189,7 +189,7 @@ TEST_F(FieldQueryTest, WhoComesAfterTheLastHasLeftGetsANewSolver) {
   });
   first = Ask(0, a_);
   executor_.RunAll();
-  EXPECT_EQ(second->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(second->origin, FieldOrigin::kComputed);
   EXPECT_EQ(solves_, 2);
   EXPECT_TRUE(b_->field->ok());
 }
@@ -351,7 +351,7 @@ TEST_F(TinyCacheTest, OldFieldsMakeWay) {
   }
   EXPECT_EQ(engine_.fields().fields().size(), 2);
   EXPECT_EQ(Ask(2, a_)->origin, FieldOrigin::kCached);
-  EXPECT_EQ(Ask(0, a_)->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(Ask(0, a_)->origin, FieldOrigin::kComputed);
 }
 
 // Slow readers hold fields; they must not add up beyond the budget.

@@ -75,7 +75,7 @@ class LimitedFieldTest : public test::EngineTest {
 
 TEST_F(LimitedFieldTest, EndsAtTheRadius) {
   const Reply reply = Ask(Request({.radius = 5}));
-  EXPECT_EQ(reply.call.origin, FieldOrigin::kSolved);
+  EXPECT_EQ(reply.call.origin, FieldOrigin::kComputed);
   EXPECT_EQ(reply.answer.field->settled_radius, 5);
   ExpectExactUpTo(*reply.answer.field, 5);
   EXPECT_EQ(reply.answer.field->distances.back(), kInfinity);
@@ -107,7 +107,7 @@ TEST_F(LimitedFieldTest, ALogMapEndsAtItsRadiusInAFieldThatReachesFurther) {
 TEST_F(LimitedFieldTest, AWiderOneTakesTheOthersPlace) {
   Ask(Request({.radius = 5}));
   const Reply all = Ask(Request());
-  EXPECT_EQ(all.answer.origin, FieldOrigin::kSolved);
+  EXPECT_EQ(all.answer.origin, FieldOrigin::kComputed);
   EXPECT_EQ(all.answer.field->settled_radius, kInfinity);
   ExpectExactUpTo(*all.answer.field, kInfinity);
   EXPECT_EQ(engine_.fields().fields().size(), 1);
@@ -122,7 +122,7 @@ TEST_F(LimitedFieldTest, EqualLimitsShareAFlightAndOthersDoNot) {
   const auto joined = engine_.ComputeField(Request({.radius = 5}), b);
   EXPECT_EQ(joined->origin, FieldOrigin::kJoined);
   const auto other = engine_.ComputeField(Request({.radius = 6}), c);
-  EXPECT_EQ(other->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(other->origin, FieldOrigin::kComputed);
   executor_.RunAll();
   EXPECT_EQ(**a->field, **b->field);
   EXPECT_EQ((**c->field)->settled_radius, 6);
@@ -144,7 +144,7 @@ TEST_F(LimitedFieldTest, StopsWhenTargetsAreThere) {
   ExpectExactUpTo(field, field.settled_radius);
   request.reach.targets = 3;
   const Reply more = Ask(request);
-  EXPECT_EQ(more.call.origin, FieldOrigin::kSolved);
+  EXPECT_EQ(more.call.origin, FieldOrigin::kComputed);
   EXPECT_NEAR(more.answer.field->target_distances[2],
               kSide * std::numbers::sqrt2, 1e-10);
 }
@@ -157,7 +157,7 @@ TEST_F(LimitedFieldTest, AWholeFieldAnswersForVertexTargets) {
   request.reach = {};
   EXPECT_EQ(Ask(request).call.origin, FieldOrigin::kCached);
   request.query.targets = {EdgePoint{0, 1, 0.5}};
-  EXPECT_EQ(Ask(request).call.origin, FieldOrigin::kSolved);
+  EXPECT_EQ(Ask(request).call.origin, FieldOrigin::kComputed);
 }
 
 TEST_F(LimitedFieldTest, PointsAndCurvesAreSources) {
@@ -231,8 +231,8 @@ TEST_F(LimitedFieldTest, WrongLimitsAreNamed) {
         engine_.ComputeField(request, std::make_shared<RecordingObserver>())
             .status());
   };
-  EXPECT_EQ(fault({.radius = -1}), "max_distance");
-  EXPECT_EQ(fault({.radius = std::nan("")}), "max_distance");
+  EXPECT_EQ(fault({.radius = -1}), "radius");
+  EXPECT_EQ(fault({.radius = std::nan("")}), "radius");
   EXPECT_EQ(fault({.targets = 0}), "stop_after_targets");
   EXPECT_EQ(fault({.targets = 2}), "stop_after_targets");
 }

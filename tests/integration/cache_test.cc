@@ -24,7 +24,7 @@ TEST_F(CacheTest, AnswersTheSecondTimeWithTheSameBytes) {
                                    "7", "-o", folder_ / "1.f64"});
   const json second = GeodesicJson({"field", folder_ / "grid.off", "--source",
                                     "7", "-o", folder_ / "2.f64"});
-  EXPECT_EQ(first["origin"], "solved");
+  EXPECT_EQ(first["origin"], "computed");
   EXPECT_EQ(second["origin"], "cached");
   EXPECT_EQ(second["statistics"], first["statistics"]);
   EXPECT_EQ(FileBytes(folder_ / "1.f64"), FileBytes(folder_ / "2.f64"));
@@ -41,7 +41,7 @@ TEST_F(CacheTest, OtherQuestionsAreSolved) {
            {"--source", "7", "--algorithm", "mmp"}}) {
     std::vector<std::string> words = {"field", grid};
     words.insert(words.end(), other.begin(), other.end());
-    EXPECT_EQ(GeodesicJson(words)["origin"], "solved") << other[1];
+    EXPECT_EQ(GeodesicJson(words)["origin"], "computed") << other[1];
   }
 }
 
@@ -56,7 +56,7 @@ TEST_F(CacheTest, DeletingTheMeshForgetsItsFields) {
   const std::string grid = folder_ / "grid.off";
   GeodesicJson({"field", grid, "-s", "7"});
   GeodesicJson({"delete", grid});
-  EXPECT_EQ(GeodesicJson({"field", grid, "-s", "7"})["origin"], "solved");
+  EXPECT_EQ(GeodesicJson({"field", grid, "-s", "7"})["origin"], "computed");
 }
 
 TEST_F(CacheTest, AlgorithmsAgree) {

@@ -57,7 +57,7 @@ TEST_F(FieldQuestionsTest, RadiusEndsTheField) {
   absl::StatusOr<Field> field =
       client_.ComputeField({.mesh_digest = digest_,
                             .sources = {{VertexPoint{0}}},
-                            .max_distance = kRadius});
+                            .radius = kRadius});
   ASSERT_TRUE(field.ok()) << field.status();
   EXPECT_GE(field->settled_radius, kRadius);
   for (uint64_t v = 0; v < vertex_count_; ++v) {

@@ -64,7 +64,7 @@ TEST_F(InterruptionTest, WhatHadSettledWasFinal) {
   absl::StatusOr<Field> whole =
       client_.ComputeField({.mesh_digest = digest_,
                             .sources = {{VertexPoint{0}}},
-                            .max_distance = radius});
+                            .radius = radius});
   ASSERT_TRUE(whole.ok()) << whole.status();
   for (const SettledVertex& vertex : settled) {
     EXPECT_NEAR(vertex.distance, whole->distances[vertex.vertex],

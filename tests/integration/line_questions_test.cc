@@ -64,7 +64,7 @@ TEST_F(LineQuestionsTest, PathsThatDoNotExistAreEmpty) {
                             .sources = {{VertexPoint{0}}},
                             .targets = {VertexPoint{vertex_count_ - 1},
                                         VertexPoint{0}, VertexPoint{1}},
-                            .max_distance = 0.5});
+                            .radius = 0.5});
   ASSERT_TRUE(answer.ok()) << answer.status();
   EXPECT_FALSE(answer->paths[0].source.has_value());
   EXPECT_EQ(answer->paths[0].distance, kInfinity);

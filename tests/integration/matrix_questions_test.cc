@@ -59,7 +59,7 @@ TEST_F(MatrixQuestionsTest, MatrixIsDistancesRowByRow) {
 TEST_F(MatrixQuestionsTest, SparseMatrixHoldsWhatIsNear) {
   constexpr double kRadius = 0.3;
   MatrixQuery query = {
-      .mesh_digest = digest_, .max_distance = kRadius, .sparse = true};
+      .mesh_digest = digest_, .radius = kRadius, .sparse = true};
   for (uint64_t v = 0; v < vertex_count_; ++v) {
     query.sources.push_back({VertexPoint{v}});
   }

@@ -61,10 +61,8 @@ TEST_F(PointQuestionsTest, LogMapOfThePlaneKeepsAllDistances) {
       EXPECT_NEAR(map->coordinates[v][1], dy * x[0] - dx * x[1], 1e-9);
     }
   }
-  absl::StatusOr<LogMap> near =
-      client_.ComputeLogMap({.mesh_digest = digest_,
-                             .source = VertexPoint{kMiddle},
-                             .max_distance = 0.2});
+  absl::StatusOr<LogMap> near = client_.ComputeLogMap(
+      {.mesh_digest = digest_, .source = VertexPoint{kMiddle}, .radius = 0.2});
   ASSERT_TRUE(near.ok()) << near.status();
   EXPECT_TRUE(std::isnan(near->coordinates[0][0]));
   EXPECT_FALSE(std::isnan(near->coordinates[kMiddle + 1][0]));

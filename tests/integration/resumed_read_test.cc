@@ -92,7 +92,7 @@ TEST_F(ResumedReadTest, AFieldThatWasDroppedMeanwhileIsAskedForAgain) {
   relay_.Release();
   const absl::StatusOr<Field> again = field.get();
   ExpectWhole(again);
-  EXPECT_EQ(again->origin, FieldOrigin::kSolved);
+  EXPECT_EQ(again->origin, FieldOrigin::kComputed);
 }
 
 TEST_F(ResumedReadTest, WithoutRetriesTheErrorIsReported) {

@@ -143,9 +143,9 @@ TEST_F(FieldQuestionsTest, TargetsComeInTheirOrder) {
   request.add_targets()->set_vertex(2);
   for (const bool cached : {false, true}) {
     const auto messages = Ask(request);
-    EXPECT_EQ(messages.front().accepted().target_count(), 3);
-    EXPECT_EQ(messages.front().accepted().origin(),
-              cached ? v1::FIELD_ORIGIN_CACHED : v1::FIELD_ORIGIN_SOLVED);
+    EXPECT_EQ(messages.front().header().target_count(), 3);
+    EXPECT_EQ(messages.front().header().origin(),
+              cached ? v1::FIELD_ORIGIN_CACHED : v1::FIELD_ORIGIN_COMPUTED);
     ASSERT_GE(messages.size(), 4);
     const v1::TargetChunk& targets = messages[messages.size() - 2].targets();
     EXPECT_EQ(targets.offset(), 0);
@@ -162,19 +162,18 @@ TEST_F(FieldQuestionsTest, ARadiusCutsWhatIsSent) {
   // The whole field first: the cut answer then comes from the cache.
   for (const bool cached : {false, true}) {
     if (cached) Ask(Request());
-    request.set_max_distance(cached ? 3.5 : 4);
+    request.set_radius(cached ? 3.5 : 4);
     grpc::ClientContext context;
     const FieldReply reply = ComputeField(request, context);
     for (size_t v = 0; v < soup_.positions.size(); ++v) {
       const double expected = Euclid(soup_.positions[0], soup_.positions[v]);
-      EXPECT_EQ(reply.distances[v] == kInfinity,
-                expected > request.max_distance());
+      EXPECT_EQ(reply.distances[v] == kInfinity, expected > request.radius());
     }
     EXPECT_EQ(reply.messages.back().trailer().settled_radius(),
-              request.max_distance());
+              request.radius());
   }
   // A radius beyond everything is no limit.
-  request.set_max_distance(1000);
+  request.set_radius(1000);
   grpc::ClientContext context;
   const FieldReply reply = ComputeField(request, context);
   EXPECT_EQ(reply.messages.back().trailer().settled_radius(), kInfinity);
@@ -185,7 +184,7 @@ TEST_F(FieldQuestionsTest, SinglePrecisionIsTheNearest) {
   const auto exact = Values<double>(Distances(Ask(request)));
   request.set_value_type(v1::VALUE_TYPE_FLOAT32);
   const auto messages = Ask(request);
-  EXPECT_EQ(messages[0].accepted().value_type(), v1::VALUE_TYPE_FLOAT32);
+  EXPECT_EQ(messages[0].header().value_type(), v1::VALUE_TYPE_FLOAT32);
   const auto single = Values<float>(Distances(messages));
   ASSERT_EQ(single.size(), exact.size());
   for (size_t v = 0; v < exact.size(); ++v) {
@@ -305,8 +304,8 @@ TEST_F(FieldQuestionsTest, WrongArgumentsAreNamed) {
   EXPECT_EQ(Fault(request), "stop_after_targets");
 
   request = Request();
-  request.set_max_distance(-1);
-  EXPECT_EQ(Fault(request), "max_distance");
+  request.set_radius(-1);
+  EXPECT_EQ(Fault(request), "radius");
   request = Request();
   request.set_value_type(static_cast<v1::ValueType>(9));
   EXPECT_EQ(Fault(request), "value_type");

@@ -101,10 +101,10 @@ TEST_F(FieldResumptionTest, TheRestIsBitByBitTheRest) {
 }
 
 TEST_F(FieldResumptionTest, WhatWasCutStaysCut) {
-  request_.set_max_distance(0.5);
+  request_.set_radius(0.5);
   // The cache has more than is asked for.
   v1::ComputeFieldRequest further = request_;
-  further.clear_max_distance();
+  further.clear_radius();
   ASSERT_TRUE(Read(further).status.ok());
   const Parts whole = Read(request_);
   ASSERT_TRUE(whole.status.ok());

@@ -49,18 +49,18 @@ TEST_F(FieldRpcTest, StreamsAFieldInOrder) {
   EXPECT_EQ(reply.distances, direct->distances);
 
   ASSERT_GE(reply.messages.size(), 4);
-  const v1::FieldAccepted& accepted = reply.messages.front().accepted();
-  EXPECT_EQ(accepted.mesh_digest(), digest);
-  EXPECT_EQ(accepted.vertex_count(), soup.positions.size());
-  EXPECT_EQ(accepted.algorithm(), v1::ALGORITHM_FWP_LIST);
-  EXPECT_EQ(accepted.origin(), v1::FIELD_ORIGIN_SOLVED);
-  int stage = 0;  // accepted, progress, chunk, trailer
+  const v1::FieldHeader& header = reply.messages.front().header();
+  EXPECT_EQ(header.mesh_digest(), digest);
+  EXPECT_EQ(header.vertex_count(), soup.positions.size());
+  EXPECT_EQ(header.algorithm(), v1::ALGORITHM_FWP_LIST);
+  EXPECT_EQ(header.origin(), v1::FIELD_ORIGIN_COMPUTED);
+  int stage = 0;  // header, progress, chunk, trailer
   for (const v1::ComputeFieldResponse& message : reply.messages) {
     EXPECT_GE(message.part_case(), stage);
     stage = message.part_case();
   }
   const v1::FieldTrailer& trailer = reply.messages.back().trailer();
-  EXPECT_EQ(trailer.origin(), v1::FIELD_ORIGIN_SOLVED);
+  EXPECT_EQ(trailer.origin(), v1::FIELD_ORIGIN_COMPUTED);
   EXPECT_EQ(trailer.relative_tolerance(), 1e-10);
   EXPECT_EQ(trailer.server_version(), ServerVersion());
   EXPECT_EQ(trailer.statistics().windows_created(),
@@ -75,12 +75,11 @@ TEST_F(FieldRpcTest, TheCacheAnswersTheSecondTime) {
   const FieldReply second = ComputeField(digest, 1);
   ASSERT_TRUE(second.status.ok());
   EXPECT_EQ(second.distances, first.distances);
-  EXPECT_EQ(second.messages.front().accepted().origin(),
-            v1::FIELD_ORIGIN_CACHED);
+  EXPECT_EQ(second.messages.front().header().origin(), v1::FIELD_ORIGIN_CACHED);
   EXPECT_EQ(second.messages.back().trailer().origin(), v1::FIELD_ORIGIN_CACHED);
   EXPECT_EQ(second.messages.back().trailer().statistics().windows_created(),
             first.messages.back().trailer().statistics().windows_created());
-  // accepted, one chunk, trailer: no progress.
+  // header, one chunk, trailer: no progress.
   EXPECT_EQ(second.messages.size(), 3);
   EXPECT_EQ(counters().solves_finished, 1);
 }
@@ -98,7 +97,7 @@ TEST_F(FieldRpcTest, EveryAlgorithmAnswers) {
     grpc::ClientContext context;
     const FieldReply reply = ComputeField(request, context);
     ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-    EXPECT_EQ(reply.messages.front().accepted().algorithm(), algorithm);
+    EXPECT_EQ(reply.messages.front().header().algorithm(), algorithm);
     ASSERT_EQ(reply.distances.size(), expected.size());
     for (size_t v = 0; v < expected.size(); ++v) {
       EXPECT_NEAR(reply.distances[v], expected[v], 1e-10);
@@ -167,7 +166,7 @@ TEST_F(FieldRpcTest, TooManySources) {
   EXPECT_FALSE(test::RetryInfo(reply.status).has_value());
 }
 
-// `accepted` comes before the solver is done, and progress while it runs.
+// `header` comes before the solver is done, and progress while it runs.
 TEST_F(FieldRpcTest, ProgressWhileItComputes) {
   Start(SmallServer(), /*held=*/true);
   const std::string digest = Upload(geodesic::test::Icosphere(2));
@@ -175,7 +174,7 @@ TEST_F(FieldRpcTest, ProgressWhileItComputes) {
   const auto reader = fields_->ComputeField(&context, FieldRequest(digest, 0));
   v1::ComputeFieldResponse message;
   ASSERT_TRUE(reader->Read(&message));
-  EXPECT_TRUE(message.has_accepted());
+  EXPECT_TRUE(message.has_header());
   for (int i = 0; i < 5; ++i) {
     ASSERT_TRUE(reader->Read(&message));
     ASSERT_TRUE(message.has_progress());
@@ -200,8 +199,8 @@ TEST_F(FieldRpcTest, EqualQueriesAreSolvedOnce) {
     readers.push_back(
         fields_->ComputeField(contexts.back().get(), FieldRequest(digest, 0)));
     ASSERT_TRUE(readers.back()->Read(&message));
-    EXPECT_EQ(message.accepted().origin(),
-              i == 0 ? v1::FIELD_ORIGIN_SOLVED : v1::FIELD_ORIGIN_JOINED);
+    EXPECT_EQ(message.header().origin(),
+              i == 0 ? v1::FIELD_ORIGIN_COMPUTED : v1::FIELD_ORIGIN_JOINED);
   }
   solver_.LetGo();
   for (const auto& reader : readers) {

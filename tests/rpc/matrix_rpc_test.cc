@@ -132,7 +132,7 @@ TEST_F(MatrixRpcTest, TargetsAreColumns) {
 TEST_F(MatrixRpcTest, SparseRowsHoldWhatIsWithinTheRadius) {
   v1::ComputeMatrixRequest request = Request();
   request.set_layout(v1::MATRIX_LAYOUT_SPARSE);
-  request.set_max_distance(2.5);
+  request.set_radius(2.5);
   const auto reply = Ask(request);
   ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
   EXPECT_EQ(reply.messages.front().header().layout(), v1::MATRIX_LAYOUT_SPARSE);
@@ -221,7 +221,7 @@ TEST_F(MatrixRpcTest, TheNearestAreFoundInOrder) {
     }
   }
   // Fewer, where the radius allows no more.
-  request.set_max_distance(1.5);
+  request.set_radius(1.5);
   const std::vector<Row> near = Rows(Ask(request).messages);
   ASSERT_EQ(near.size(), 4);
   EXPECT_EQ(near[0].columns, std::vector<uint32_t>{1});
@@ -238,9 +238,9 @@ TEST_F(MatrixRpcTest, WrongArgumentsAreNamed) {
   request.set_value_type(static_cast<v1::ValueType>(9));
   EXPECT_EQ(Fault(request), "value_type");
   request.clear_value_type();
-  request.set_max_distance(-2);
-  EXPECT_EQ(Fault(request), "max_distance");
-  request.clear_max_distance();
+  request.set_radius(-2);
+  EXPECT_EQ(Fault(request), "radius");
+  request.clear_radius();
   request.mutable_sources(1)->set_offset(-1);
   EXPECT_EQ(Fault(request), "sources[1].offset");
   request.mutable_sources(1)->clear_offset();

@@ -104,7 +104,7 @@ TEST_F(PathRpcTest, SourcesAreNumberedAsInTheRequest) {
 TEST_F(PathRpcTest, WhatIsNotReachedHasNoPath) {
   v1::ComputePathsRequest request = Request();
   request.add_targets()->set_vertex(Vertex(5, 0));
-  request.set_max_distance(4);
+  request.set_radius(4);
   // Once computed, once from a field that reaches further.
   for (int i = 0; i < 2; ++i) {
     const auto reply = Ask(request);
@@ -117,7 +117,7 @@ TEST_F(PathRpcTest, WhatIsNotReachedHasNoPath) {
       EXPECT_EQ(message.path().piece().point_count(), 0);
     }
     v1::ComputePathsRequest further = request;
-    further.clear_max_distance();
+    further.clear_radius();
     EXPECT_TRUE(Ask(further).status.ok());
   }
 }
@@ -153,9 +153,9 @@ TEST_F(PathRpcTest, WrongArgumentsAreNamed) {
   request.add_targets()->set_vertex(1000);
   EXPECT_EQ(Fault(request), "targets[0].vertex");
   request.mutable_targets(0)->set_vertex(1);
-  request.set_max_distance(std::nan(""));
-  EXPECT_EQ(Fault(request), "max_distance");
-  request.clear_max_distance();
+  request.set_radius(std::nan(""));
+  EXPECT_EQ(Fault(request), "radius");
+  request.clear_radius();
   ExpectUsualErrors(request);
   request.clear_sources();
   EXPECT_EQ(Fault(request), "sources");

@@ -43,7 +43,7 @@ TEST_F(QuantitiesTest, LabelsAndGradients) {
   request.add_quantities(v1::FIELD_QUANTITY_NEAREST_SOURCE);
   request.add_quantities(v1::FIELD_QUANTITY_GRADIENT);
   for (const double radius : {kInfinity, 5.1, 3.1}) {
-    if (!std::isinf(radius)) request.set_max_distance(radius);
+    if (!std::isinf(radius)) request.set_radius(radius);
     grpc::ClientContext context;
     const auto reply = ReadAll(*fields_->ComputeField(&context, request));
     ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
@@ -83,18 +83,17 @@ TEST_F(QuantitiesTest, LabelsAndGradients) {
   }
   // The traced field answers those who want distances alone.
   request.clear_quantities();
-  request.clear_max_distance();
+  request.clear_radius();
   grpc::ClientContext context;
   const auto reply = ReadAll(*fields_->ComputeField(&context, request));
-  EXPECT_EQ(reply.messages.front().accepted().origin(),
-            v1::FIELD_ORIGIN_CACHED);
+  EXPECT_EQ(reply.messages.front().header().origin(), v1::FIELD_ORIGIN_CACHED);
 }
 
 TEST_F(QuantitiesTest, ALogMapOfAPlaneIsThePlane) {
   v1::ComputeLogMapRequest request;
   request.set_mesh_digest(digest_);
   request.mutable_source()->set_vertex(Vertex(4, 5));
-  request.set_max_distance(4);
+  request.set_radius(4);
   const auto reply = Ask(request);
   ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
   ExpectHeader(reply.messages.front().header());
@@ -136,9 +135,9 @@ TEST_F(QuantitiesTest, ALogMapNamesWhatIsWrong) {
   for (const double weight : {0.5, -0.5, 1.0}) face.add_weights(weight);
   EXPECT_EQ(Fault(request), "source.face.weights[1]");
   request.mutable_source()->set_vertex(0);
-  request.set_max_distance(-1);
-  EXPECT_EQ(Fault(request), "max_distance");
-  request.clear_max_distance();
+  request.set_radius(-1);
+  EXPECT_EQ(Fault(request), "radius");
+  request.clear_radius();
   request.set_value_type(static_cast<v1::ValueType>(7));
   EXPECT_EQ(Fault(request), "value_type");
   request.clear_value_type();

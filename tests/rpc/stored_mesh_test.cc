@@ -78,7 +78,7 @@ TEST_F(StoredMeshTest, AQuestionWaitsForItsMesh) {
   EndBusy();
   v1::ComputeFieldResponse message;
   ASSERT_TRUE(reader->Read(&message));
-  EXPECT_EQ(message.accepted().mesh_digest(), second_);
+  EXPECT_EQ(message.header().mesh_digest(), second_);
   while (reader->Read(&message)) {
   }
   EXPECT_TRUE(reader->Finish().ok());

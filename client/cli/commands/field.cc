@@ -91,7 +91,7 @@ FieldQuery ToQuery(const FieldArguments& arguments, const Question& question) {
                       .sources = question.sources,
                       .algorithm = arguments.question.algorithm,
                       .targets = question.targets,
-                      .max_distance = arguments.radius,
+                      .radius = arguments.radius,
                       .nearest_sources = arguments.output.nearest_sources,
                       .gradients = arguments.output.gradients,
                       .value_type = ValueTypeOf(arguments.output.float32),

@@ -129,7 +129,7 @@ absl::Status Answer(const LogMapArguments& arguments, const Session& session,
        .source = arguments.source,
        .algorithm = arguments.question.algorithm,
        .value_type = ValueTypeOf(arguments.float32),
-       .max_distance = arguments.radius,
+       .radius = arguments.radius,
        .priority = arguments.question.priority},
       session.call, watch.OnSolve());
   if (!map.ok()) return map.status();

@@ -154,7 +154,7 @@ absl::Status Answer(const MatrixArguments& arguments, const Session& session,
        .targets = question.targets,
        .algorithm = arguments.question.algorithm,
        .value_type = ValueTypeOf(arguments.float32),
-       .max_distance = arguments.radius,
+       .radius = arguments.radius,
        .sparse = IsSparse(arguments),
        .priority = arguments.question.priority},
       destination.Receiver(&watch), session.call);

@@ -99,7 +99,7 @@ absl::Status Answer(const NearestArguments& arguments, const Session& session,
                                   .targets = question.targets,
                                   .count = arguments.count,
                                   .algorithm = arguments.question.algorithm,
-                                  .max_distance = arguments.radius,
+                                  .radius = arguments.radius,
                                   .priority = arguments.question.priority},
                                  session.call, watch.OnCount("sources"));
   if (!answer.ok()) return answer.status();

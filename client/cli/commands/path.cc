@@ -99,7 +99,7 @@ absl::Status Answer(const PathArguments& arguments, const Session& session,
                                    .sources = question.sources,
                                    .targets = question.targets,
                                    .algorithm = arguments.question.algorithm,
-                                   .max_distance = arguments.radius,
+                                   .radius = arguments.radius,
                                    .priority = arguments.question.priority},
                                   session.call, watch.OnSolve());
   if (!answer.ok()) return answer.status();

@@ -28,7 +28,7 @@ struct FieldQuery {
   // Points beside the vertices whose distances are wanted.
   std::vector<SurfacePoint> targets;
   // The search ends here; distances beyond are +infinity. DEFAULT: no limit.
-  std::optional<double> max_distance;
+  std::optional<double> radius;
   // The search ends once so many targets are final; distances that are not
   // final then are +infinity. DEFAULT: it does not end for that.
   std::optional<uint64_t> stop_after_targets;
@@ -41,12 +41,12 @@ struct FieldQuery {
 
 // Where a field came from.
 enum class FieldOrigin {
-  kSolved,  // Computed for this request.
-  kJoined,  // Another request had started the computation.
-  kCached,  // Taken from the server's cache.
+  kComputed,  // Computed for this request.
+  kJoined,    // Another request had started the computation.
+  kCached,    // Taken from the server's cache.
 };
 
-// "solved", "joined" or "cached".
+// "computed", "joined" or "cached".
 std::string_view FieldOriginName(FieldOrigin origin);
 
 // Figures of merit of the computation (of the first one, for a cached field).
@@ -83,7 +83,7 @@ struct Field {
   // Every distance up to here is present and exact; those beyond may be
   // +infinity instead.
   double settled_radius = std::numeric_limits<double>::infinity();
-  FieldOrigin origin = FieldOrigin::kSolved;
+  FieldOrigin origin = FieldOrigin::kComputed;
   FieldStatistics statistics;
   // Relative error every distance stays below.
   double relative_tolerance = 0;

@@ -22,7 +22,7 @@ struct LogMapQuery {
   std::string algorithm;
   ValueType value_type = ValueType::kFloat64;
   // The map ends here. DEFAULT: no limit.
-  std::optional<double> max_distance;
+  std::optional<double> radius;
   Priority priority = Priority::kInteractive;
 };
 

@@ -26,7 +26,7 @@ struct MatrixQuery {
   std::string algorithm;
   ValueType value_type = ValueType::kFloat64;
   // The searches end here. DEFAULT: no limit.
-  std::optional<double> max_distance;
+  std::optional<double> radius;
   // Whether to send only the finite values, with their columns.
   bool sparse = false;
   Priority priority = Priority::kInteractive;

@@ -25,7 +25,7 @@ struct NearestQuery {
   // As in FieldQuery.
   std::string algorithm;
   // Targets farther than this are not found. DEFAULT: no limit.
-  std::optional<double> max_distance;
+  std::optional<double> radius;
   Priority priority = Priority::kInteractive;
 };
 

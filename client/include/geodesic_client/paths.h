@@ -24,7 +24,7 @@ struct PathQuery {
   // As in FieldQuery.
   std::string algorithm;
   // Targets farther than this count as not reached. DEFAULT: no limit.
-  std::optional<double> max_distance;
+  std::optional<double> radius;
   Priority priority = Priority::kInteractive;
 };
 

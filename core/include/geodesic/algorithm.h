@@ -7,56 +7,64 @@
 #define GEODESIC_ALGORITHM_H_
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 #include "absl/status/statusor.h"
 
 namespace geodesic {
 
+// The one list of algorithms; the first is the default. Of each: its name here
+// and as command lines and messages spell it; its rule (solver/rules) and its
+// queue (solver/queues); the algorithm with the same queue whose windows are
+// trimmed against each other; a summary.
+#define GEODESIC_ALGORITHMS(X)                                                \
+  X(FwpList, "fwp-list", ListRule, FwpBuckets, FwpMmp,                        \
+    "Lists of windows, trimmed and propagated together, in FWP buckets")      \
+  X(FwpCh, "fwp-ch", IchRule, FwpBuckets, FwpMmp,                             \
+    "Chen-Han windows with the Xin-Wang filter in FWP buckets")               \
+  X(FwpMmp, "fwp-mmp", MmpRule, FwpBuckets, FwpMmp,                           \
+    "MMP windows, trimmed against each other, in FWP buckets")                \
+  X(Ich, "ich", IchRule, BinaryHeap, Mmp,                                     \
+    "Chen-Han windows with the Xin-Wang filter in a binary heap")             \
+  X(Mmp, "mmp", MmpRule, BinaryHeap, Mmp,                                     \
+    "MMP windows, trimmed against each other, in a binary heap")              \
+  X(LcCh, "lc-ch", IchRule, LabelCorrecting, LcMmp,                           \
+    "Chen-Han windows with the Xin-Wang filter in a label-correcting queue")  \
+  X(LcMmp, "lc-mmp", MmpRule, LabelCorrecting, LcMmp,                         \
+    "MMP windows, trimmed against each other, in a label-correcting queue")   \
+  X(Ch, "ch", ChRule, Fifo, Mmp,                                              \
+    "Chen-Han windows without a filter, first in first out: for comparison, " \
+    "the slowest by far")
+
 enum class Algorithm {
-  kFwpList,  // Lists of windows that cross a face together, FWP buckets.
-  kFwpCh,    // Chen-Han rule with the Xin-Wang filter, FWP buckets.
-  kFwpMmp,   // Mitchell-Mount-Papadimitriou rule, FWP buckets.
-  kIch,      // Chen-Han rule with the Xin-Wang filter, binary heap.
-  kMmp,      // Mitchell-Mount-Papadimitriou rule, binary heap.
-  kLcCh,     // Chen-Han rule with the Xin-Wang filter, label-correcting queue.
-  kLcMmp,    // Mitchell-Mount-Papadimitriou rule, label-correcting queue.
-  kCh,       // Chen-Han rule without the filter, first in first out.
+#define GEODESIC_ENUMERATOR(id, ...) k##id,
+  GEODESIC_ALGORITHMS(GEODESIC_ENUMERATOR)
+#undef GEODESIC_ENUMERATOR
 };
 
 struct AlgorithmInfo {
   Algorithm algorithm;
-  std::string_view name;  // as command lines and messages spell it
+  std::string_view name;
+  Algorithm with_trimming;
   std::string_view summary;
 };
 
-// The one list of algorithms; the first is the default.
-inline constexpr std::array<AlgorithmInfo, 8> kAlgorithms = {{
-    {Algorithm::kFwpList, "fwp-list",
-     "Lists of windows, trimmed and propagated together, in FWP buckets"},
-    {Algorithm::kFwpCh, "fwp-ch",
-     "Chen-Han windows with the Xin-Wang filter in FWP buckets"},
-    {Algorithm::kFwpMmp, "fwp-mmp",
-     "MMP windows, trimmed against each other, in FWP buckets"},
-    {Algorithm::kIch, "ich",
-     "Chen-Han windows with the Xin-Wang filter in a binary heap"},
-    {Algorithm::kMmp, "mmp",
-     "MMP windows, trimmed against each other, in a binary heap"},
-    {Algorithm::kLcCh, "lc-ch",
-     "Chen-Han windows with the Xin-Wang filter in a label-correcting queue"},
-    {Algorithm::kLcMmp, "lc-mmp",
-     "MMP windows, trimmed against each other, in a label-correcting queue"},
-    {Algorithm::kCh, "ch",
-     "Chen-Han windows without a filter, first in first out: for comparison, "
-     "the slowest by far"},
-}};
+inline constexpr auto kAlgorithms = std::to_array<AlgorithmInfo>({
+#define GEODESIC_INFO(id, name, rule, queue, with_trimming, summary) \
+  {Algorithm::k##id, name, Algorithm::k##with_trimming, summary},
+    GEODESIC_ALGORITHMS(GEODESIC_INFO)
+#undef GEODESIC_INFO
+});
 inline constexpr Algorithm kDefaultAlgorithm = kAlgorithms[0].algorithm;
 
-std::string_view AlgorithmName(Algorithm algorithm);
+constexpr std::string_view AlgorithmName(Algorithm algorithm) {
+  return kAlgorithms[static_cast<size_t>(algorithm)].name;
+}
 
-// The algorithm with the same queue that trims windows against each other: the
-// MMP rule in place of Chen and Han's.
-Algorithm WithTrimming(Algorithm algorithm);
+constexpr Algorithm WithTrimming(Algorithm algorithm) {
+  return kAlgorithms[static_cast<size_t>(algorithm)].with_trimming;
+}
 
 // Errors: INVALID_ARGUMENT naming `name` and the names that are known.
 absl::StatusOr<Algorithm> AlgorithmFromName(std::string_view name);

@@ -108,19 +108,20 @@ class Mesh {
   }
   // All half-edges at an irregular edge, h among them, in order of their
   // numbers; none at other edges.
-  std::span<const HalfEdge> CrowdOf(HalfEdge h) const {
-    return IsIrregularEdge(h) ? Crowd(Beyond(h)) : std::span<const HalfEdge>();
+  std::span<const HalfEdge> HalfEdgesAt(HalfEdge h) const {
+    return IsIrregularEdge(h) ? IrregularEdgeAt(Beyond(h))
+                              : std::span<const HalfEdge>();
   }
   // Whether the edge of h has three faces or more.
-  bool IsCrowdedEdge(HalfEdge h) const { return CrowdOf(h).size() > 2; }
+  bool IsNonManifoldEdge(HalfEdge h) const { return HalfEdgesAt(h).size() > 2; }
   // The lowest half-edge at the edge of h.
   HalfEdge FirstOfEdge(HalfEdge h) const {
-    return IsIrregularEdge(h) ? CrowdOf(h)[0] : std::min(h, Beyond(h));
+    return IsIrregularEdge(h) ? HalfEdgesAt(h)[0] : std::min(h, Beyond(h));
   }
-  bool HasIrregularEdges() const { return !crowds_.empty(); }
-  bool HasCrowdedEdges() const {
+  bool HasIrregularEdges() const { return !irregular_half_edges_.empty(); }
+  bool HasNonManifoldEdges() const {
     return HasIrregularEdges() &&
-           crowds_.size() > 2 * (crowds_begin_.size() - 1);
+           irregular_half_edges_.size() > 2 * (irregular_begin_.size() - 1);
   }
 
   // Calls visit(half_edge, is_mirrored) for the half-edge of every other face
@@ -131,7 +132,7 @@ class Mesh {
     if (Beyond(h) < kIrregularExit) {
       visit(Beyond(h), false);
     } else if (!IsBoundaryEdge(h)) {
-      for (HalfEdge other : Crowd(Beyond(h))) {
+      for (HalfEdge other : IrregularEdgeAt(Beyond(h))) {
         if (other != h) visit(other, From(other) == From(h));
       }
     }
@@ -186,10 +187,10 @@ class Mesh {
   explicit Mesh(TriangleSoup soup);
   Exit Beyond(HalfEdge h) const { return frames_[Next(h)].left_exit; }
   // The half-edges at an irregular edge, in order.
-  std::span<const HalfEdge> Crowd(Exit exit) const {
+  std::span<const HalfEdge> IrregularEdgeAt(Exit exit) const {
     const uint32_t i = exit - kIrregularExit;
-    return {crowds_.data() + crowds_begin_[i],
-            crowds_.data() + crowds_begin_[i + 1]};
+    return {irregular_half_edges_.data() + irregular_begin_[i],
+            irregular_half_edges_.data() + irregular_begin_[i + 1]};
   }
   void BuildFrames(std::span<const Exit> exits, ConeAngles& angles);
   void BuildOutgoing(const TriangleSoup& soup);
@@ -199,15 +200,15 @@ class Mesh {
                         const ConeAngles& angles);
 
   std::vector<Point> positions_;
-  std::vector<uint32_t> faces_;              // face in each slot
-  std::vector<uint32_t> slots_;              // slot of each face
-  std::vector<Triangle> triangles_;          // by slot
-  std::unique_ptr<HalfEdgeFrame[]> frames_;  // one per half-edge
-  std::vector<uint32_t> outgoing_begin_;     // V + 1
-  std::vector<HalfEdge> outgoing_;           // 3F
-  std::vector<uint8_t> kinds_;               // V, VertexKind bits
-  std::vector<uint32_t> crowds_begin_;       // irregular edges + 1, if any
-  std::vector<HalfEdge> crowds_;             // their half-edges
+  std::vector<uint32_t> faces_;                 // face in each slot
+  std::vector<uint32_t> slots_;                 // slot of each face
+  std::vector<Triangle> triangles_;             // by slot
+  std::unique_ptr<HalfEdgeFrame[]> frames_;     // one per half-edge
+  std::vector<uint32_t> outgoing_begin_;        // V + 1
+  std::vector<HalfEdge> outgoing_;              // 3F
+  std::vector<uint8_t> kinds_;                  // V, VertexKind bits
+  std::vector<uint32_t> irregular_begin_;       // irregular edges + 1, if any
+  std::vector<HalfEdge> irregular_half_edges_;  // their half-edges
   bool has_collapsed_faces_ = false;
   int scale_exponent_ = 0;
   double mean_edge_length_ = 0;

@@ -19,10 +19,11 @@ class EdgeMatcher {
 
   Connectivity Match() && {
     for (uint32_t v = 0; v < incidence_.vertex_count(); ++v) MatchAt(v);
-    std::ranges::sort(crowded_);
-    crowded_.erase(std::unique(crowded_.begin(), crowded_.end()),
-                   crowded_.end());
-    for (const uint32_t lower : crowded_) FindCrowds(lower);
+    std::ranges::sort(irregular_ends_);
+    irregular_ends_.erase(
+        std::unique(irregular_ends_.begin(), irregular_ends_.end()),
+        irregular_ends_.end());
+    for (const uint32_t lower : irregular_ends_) FindIrregularEdges(lower);
     return std::move(result_);
   }
 
@@ -54,7 +55,7 @@ class EdgeMatcher {
       const uint32_t from = incidence_.From(arriving);
       // Of two half-edges from one vertex to another neither is the exit of the
       // other way, and any edge of three faces has two.
-      if (arrivals_[from].at == v) crowded_.push_back(std::min(from, v));
+      if (arrivals_[from].at == v) irregular_ends_.push_back(std::min(from, v));
       arrivals_[from] = {v, arriving};
     }
     const std::span<const HalfEdge> outgoing = incidence_.Outgoing(v);
@@ -81,7 +82,7 @@ class EdgeMatcher {
   }
 
   // Files the irregular edges from `lower` to higher vertices.
-  void FindCrowds(uint32_t lower) {
+  void FindIrregularEdges(uint32_t lower) {
     std::vector<Side> sides;
     for (const HalfEdge h : incidence_.Outgoing(lower)) {
       for (const auto& [upper, side] :
@@ -96,7 +97,7 @@ class EdgeMatcher {
           rest, [&](const Side& side) { return side.upper != rest[0].upper; });
       const std::span<const Side> edge(rest.begin(), end);
       rest = {end, rest.end()};
-      if (!IsRegular(edge)) AddCrowd(edge);
+      if (!IsRegular(edge)) AddIrregularEdge(edge);
     }
   }
 
@@ -106,21 +107,21 @@ class EdgeMatcher {
                                     incidence_.From(edge[1].half_edge));
   }
 
-  void AddCrowd(std::span<const Side> edge) {
-    if (result_.crowds_begin.empty()) result_.crowds_begin.push_back(0);
-    const Exit crowd =
-        kIrregularExit + static_cast<Exit>(result_.crowds_begin.size() - 1);
+  void AddIrregularEdge(std::span<const Side> edge) {
+    if (result_.irregular_begin.empty()) result_.irregular_begin.push_back(0);
+    const Exit exit =
+        kIrregularExit + static_cast<Exit>(result_.irregular_begin.size() - 1);
     for (const Side& side : edge) {
-      result_.exits[side.half_edge] = crowd;
-      result_.crowds.push_back(side.half_edge);
+      result_.exits[side.half_edge] = exit;
+      result_.irregular_half_edges.push_back(side.half_edge);
     }
-    result_.crowds_begin.push_back(
-        static_cast<uint32_t>(result_.crowds.size()));
+    result_.irregular_begin.push_back(
+        static_cast<uint32_t>(result_.irregular_half_edges.size()));
   }
 
   const Incidence& incidence_;
-  std::vector<Arrival> arrivals_;  // by the vertex that they leave
-  std::vector<uint32_t> crowded_;  // lower ends of irregular edges
+  std::vector<Arrival> arrivals_;         // by the vertex that they leave
+  std::vector<uint32_t> irregular_ends_;  // lower ends of irregular edges
   Connectivity result_;
 };
 

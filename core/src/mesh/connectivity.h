@@ -31,8 +31,8 @@ struct Connectivity {
   // kIrregularExit + k.
   std::vector<Exit> exits;
   // The half-edges of irregular edge k, in order: [begin[k], begin[k + 1]).
-  std::vector<uint32_t> crowds_begin;  // empty if there are none
-  std::vector<HalfEdge> crowds;
+  std::vector<uint32_t> irregular_begin;  // empty if there are none
+  std::vector<HalfEdge> irregular_half_edges;
   // Of each vertex, whether the faces around it are one closed fan in which all
   // agree: the usual case.
   std::vector<uint8_t> is_closed_fan;

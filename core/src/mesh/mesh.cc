@@ -94,8 +94,8 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
   Connectivity connectivity = FindConnectivity(
       {mesh->triangles_, mesh->outgoing_begin_, mesh->outgoing_});
-  mesh->crowds_begin_ = std::move(connectivity.crowds_begin);
-  mesh->crowds_ = std::move(connectivity.crowds);
+  mesh->irregular_begin_ = std::move(connectivity.irregular_begin);
+  mesh->irregular_half_edges_ = std::move(connectivity.irregular_half_edges);
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
   ConeAngles angles(mesh->vertex_count());
   mesh->BuildFrames(connectivity.exits, angles);
@@ -128,8 +128,8 @@ uint64_t Mesh::resident_bytes() const {
          half_edge_count() * sizeof(HalfEdgeFrame) +
          outgoing_begin_.capacity() * sizeof(uint32_t) +
          outgoing_.capacity() * sizeof(HalfEdge) + kinds_.capacity() +
-         crowds_begin_.capacity() * sizeof(uint32_t) +
-         crowds_.capacity() * sizeof(HalfEdge);
+         irregular_begin_.capacity() * sizeof(uint32_t) +
+         irregular_half_edges_.capacity() * sizeof(HalfEdge);
 }
 
 Mesh::Mesh(TriangleSoup soup)
@@ -181,7 +181,7 @@ void Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles) {
       // cannot be foreseen.
       const bool is_first = exit < kIrregularExit || exit == kNoHalfEdge
                                 ? h < exit
-                                : Crowd(exit)[0] == h;
+                                : IrregularEdgeAt(exit)[0] == h;
       sum += is_first ? frames[i].length : 0;
       edges += is_first;
     }
@@ -248,7 +248,7 @@ bool Mesh::IsDisk(uint32_t v) const {
   }
   return wedges == outgoing.size() &&
          std::ranges::all_of(outgoing, [&](HalfEdge h) {
-           return !IsCrowdedEdge(h) && !IsCrowdedEdge(Prev(h));
+           return !IsNonManifoldEdge(h) && !IsNonManifoldEdge(Prev(h));
          });
 }
 

@@ -55,7 +55,7 @@ bool IsOrientable(const Mesh& mesh) {
       const uint32_t face = stack.back();
       stack.pop_back();
       for (HalfEdge h = 3 * face; h < 3 * face + 3; ++h) {
-        if (mesh.IsCrowdedEdge(h)) continue;
+        if (mesh.IsNonManifoldEdge(h)) continue;
         mesh.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
           const uint8_t side =
               is_mirrored ? kAsIs + kTurned - sides[face] : sides[face];
@@ -97,7 +97,7 @@ class Fans {
   void Join() {
     joined_.emplace(mesh_.half_edge_count());
     for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
-      if (mesh_.IsCrowdedEdge(h)) continue;
+      if (mesh_.IsNonManifoldEdge(h)) continue;
       mesh_.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
         joined_->Join(h, is_mirrored ? other : Next(other));
         joined_->Join(Next(h), is_mirrored ? Next(other) : other);
@@ -187,7 +187,8 @@ class Survey {
     if (mesh_.IsBoundaryEdge(h)) {
       boundary_.push_back(h);
     } else if (mesh_.IsIrregularEdge(h)) {
-      ++(mesh_.IsCrowdedEdge(h) ? non_manifold_edges_ : inconsistent_edges_);
+      ++(mesh_.IsNonManifoldEdge(h) ? non_manifold_edges_
+                                    : inconsistent_edges_);
     }
   }
 

@@ -4,7 +4,7 @@
 namespace geodesic {
 
 StartFunction CurveStart(Algorithm algorithm) {
-  return RuleTimesQueue<MixedOrigin>::Of(algorithm);
+  return StartFunctionOf<MixedOrigin>(algorithm);
 }
 
 }  // namespace geodesic

@@ -4,7 +4,7 @@
 namespace geodesic {
 
 StartFunction PointStart(Algorithm algorithm) {
-  return RuleTimesQueue<Origin>::Of(algorithm);
+  return StartFunctionOf<Origin>(algorithm);
 }
 
 }  // namespace geodesic

@@ -118,7 +118,7 @@ absl::Status Propagation<Rule, Queue, OriginType>::Advance(
   }
   const auto start = std::chrono::steady_clock::now();
   absl::Status status = Run(reach, checkpoint);
-  if constexpr (kTogether) rule_.Rest();
+  if constexpr (kTogether) rule_.ReleaseThreads();
   statistics_.solve_seconds +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
           .count();

@@ -18,44 +18,27 @@
 
 namespace geodesic {
 
+// Curves are asked of algorithms that trim only (ValidQuery sees to it).
 template <typename OriginType>
-class RuleTimesQueue {
- public:
-  static StartFunction Of(Algorithm algorithm) {
-    switch (algorithm) {
-      case Algorithm::kFwpCh:
-        return StartWith<IchRule, FwpBuckets>;
-      case Algorithm::kFwpList:
-        if constexpr (std::is_same_v<OriginType, Origin>) {
-          return StartWith<ListRule, FwpBuckets>;
-        }
-        return nullptr;
-      case Algorithm::kFwpMmp:
-        return StartWith<MmpRule, FwpBuckets>;
-      case Algorithm::kIch:
-        return StartWith<IchRule, BinaryHeap>;
-      case Algorithm::kMmp:
-        return StartWith<MmpRule, BinaryHeap>;
-      case Algorithm::kLcCh:
-        return StartWith<IchRule, LabelCorrecting>;
-      case Algorithm::kLcMmp:
-        return StartWith<MmpRule, LabelCorrecting>;
-      case Algorithm::kCh:
-        return StartWith<ChRule, Fifo>;
-    }
-    return nullptr;
+StartFunction StartFunctionOf(Algorithm algorithm) {
+  switch (algorithm) {
+#define GEODESIC_START(id, name, Rule, Queue, with_trimming, summary)         \
+  case Algorithm::k##id:                                                      \
+    if constexpr (std::is_same_v<OriginType, Origin> ||                       \
+                  Algorithm::k##id == Algorithm::k##with_trimming) {          \
+      return                                                                  \
+          [](const Mesh& mesh, const ValidQuery& query, const Tuning& tuning, \
+             WindowObserver* observer) -> std::unique_ptr<Computation> {      \
+            return std::make_unique<Propagation<Rule, Queue, OriginType>>(    \
+                mesh, query, tuning, observer);                               \
+          };                                                                  \
+    }                                                                         \
+    break;
+    GEODESIC_ALGORITHMS(GEODESIC_START)
+#undef GEODESIC_START
   }
-
- private:
-  template <template <typename> typename Rule, WindowQueue Queue>
-  static std::unique_ptr<Computation> StartWith(const Mesh& mesh,
-                                                const ValidQuery& query,
-                                                const Tuning& tuning,
-                                                WindowObserver* observer) {
-    return std::make_unique<Propagation<Rule, Queue, OriginType>>(
-        mesh, query, tuning, observer);
-  }
-};
+  return nullptr;
+}
 
 }  // namespace geodesic
 

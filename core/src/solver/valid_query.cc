@@ -107,7 +107,7 @@ Algorithm AlgorithmFor(const Query& query, Algorithm asked, const Mesh& mesh) {
   // (Computation::AddSource); without it nothing would.
   const bool may_split =
       all_vertices || (is_one_point && asked != Algorithm::kCh);
-  return may_split && !mesh.HasCrowdedEdges() && !mesh.HasCollapsedFaces()
+  return may_split && !mesh.HasNonManifoldEdges() && !mesh.HasCollapsedFaces()
              ? asked
              : WithTrimming(asked);
 }

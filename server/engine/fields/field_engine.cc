@@ -17,8 +17,7 @@ namespace geodesic::server {
 namespace {
 
 absl::Status CheckReach(const FieldReach& reach, size_t targets) {
-  if (absl::Status status = CheckRadius("max_distance", reach.radius);
-      !status.ok()) {
+  if (absl::Status status = CheckRadius("radius", reach.radius); !status.ok()) {
     return status;
   }
   if (reach.LimitsTargets() &&
@@ -88,7 +87,7 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
                  .reach = request.reach};
   // Distances at vertices are in the field itself, so the targets that the
   // solver need not know of are left out: more questions are the same then.
-  const FlightKey key{
+  const FieldJobKey key{
       .field = {.mesh_digest = mesh->digest,
                 .query = request.reach.LimitsTargets()
                              ? call.query
@@ -196,7 +195,7 @@ absl::Status FieldEngine::Provide(FieldJob& job) {
 
 absl::StatusOr<FieldAnswer> FieldEngine::Answer(FieldJob& job,
                                                 JobCheckpoint& checkpoint) {
-  const FlightKey& key = job.key;
+  const FieldJobKey& key = job.key;
   SettledLog* const settled = job.settled_log.get();
   if (settled != nullptr) {
     settled->Reserve(std::move(job.settled), job.mesh->mesh->vertex_count());
@@ -207,7 +206,7 @@ absl::StatusOr<FieldAnswer> FieldEngine::Answer(FieldJob& job,
   if (!found) {
     absl::StatusOr<FieldHandle> field = Solve(job, checkpoint);
     if (!field.ok()) return field.status();
-    answer.origin = FieldOrigin::kSolved;
+    answer.origin = FieldOrigin::kComputed;
     found = {key.field, *std::move(field)};
   }
   if (settled != nullptr) {
@@ -234,7 +233,7 @@ FieldHandle FieldEngine::Keep(const FieldKey& key, DistanceField field,
 
 std::optional<FieldCache::Found> FieldEngine::LoadStored(FieldJob& job) {
   if (files_ == nullptr) return {};
-  const FlightKey& key = job.key;
+  const FieldJobKey& key = job.key;
   const Mesh& mesh = *job.mesh->mesh;
   std::optional<FieldKey> stored = files_->Find(key.field, key.reach);
   if (!stored) return {};
@@ -257,7 +256,7 @@ std::optional<FieldCache::Found> FieldEngine::LoadStored(FieldJob& job) {
 absl::StatusOr<FieldHandle> FieldEngine::Solve(FieldJob& job,
                                                JobCheckpoint& job_checkpoint) {
   const MeshHandle& mesh = job.mesh;
-  const FlightKey& key = job.key;
+  const FieldJobKey& key = job.key;
   ++solves_started_;
   job_checkpoint.Hold(std::move(job.memory));
   std::optional<SettledCheckpoint> ordered;

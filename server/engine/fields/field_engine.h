@@ -50,11 +50,11 @@ class FieldObserver {
 };
 
 // Equal questions that are asked at the same time share one computation.
-using FieldJobs = SharedJobs<FlightKey, FieldAnswer, SettledLog>;
+using FieldJobs = SharedJobs<FieldJobKey, FieldAnswer, SettledLog>;
 
 // What a question was answered with at once.
 struct FieldCall {
-  FieldOrigin origin = FieldOrigin::kSolved;
+  FieldOrigin origin = FieldOrigin::kComputed;
   MeshHandle mesh;
   // Sorted; its targets are all that were asked for, in the same order.
   ValidQuery query;
@@ -127,7 +127,7 @@ class FieldEngine {
   // One job, and what it has before it runs: the field, or the memory for it.
   struct FieldJob {
     MeshHandle mesh;
-    FlightKey key;
+    FieldJobKey key;
     std::shared_ptr<SettledLog> settled_log;  // null: nobody asks for it
     uint64_t solver_bytes = 0;  // that the solver is planned to take
 

@@ -55,12 +55,12 @@ struct FieldReach {
 };
 
 // Questions that share one computation.
-struct FlightKey {
+struct FieldJobKey {
   FieldKey field;
   FieldReach reach;
   FieldExtras extras;
 
-  friend auto operator<=>(const FlightKey&, const FlightKey&) = default;
+  friend auto operator<=>(const FieldJobKey&, const FieldJobKey&) = default;
 };
 
 }  // namespace geodesic::server

@@ -28,7 +28,7 @@ struct FieldRequest {
 };
 
 enum class FieldOrigin {
-  kSolved,
+  kComputed,
   kJoined,  // another request had started the computation
   kCached,
 };
@@ -39,7 +39,7 @@ struct FieldAnswer {
   FieldHandle field;
   // Null unless a quantity was asked for.
   std::shared_ptr<const DerivedQuantities> derived;
-  FieldOrigin origin = FieldOrigin::kSolved;
+  FieldOrigin origin = FieldOrigin::kComputed;
 };
 
 }  // namespace geodesic::server

@@ -49,7 +49,7 @@ void KeepNearest(uint64_t count, MatrixRow& row) {
 
 absl::Status CheckMatrix(const MatrixRequest& request, const ValidQuery& query,
                          const Mesh& mesh, const Limits& limits) {
-  absl::Status status = CheckRadius("max_distance", request.radius);
+  absl::Status status = CheckRadius("radius", request.radius);
   if (!status.ok()) return status;
   const uint64_t rows = query->sources.size();
   const bool has_targets = !query->targets.empty();

@@ -28,7 +28,7 @@ void KnownFiles::Add(FileKey file, const std::string& digest) {
   }
 }
 
-void KnownFiles::Forget(const std::string& digest) {
+void KnownFiles::Remove(const std::string& digest) {
   std::lock_guard lock(mutex_);
   const auto it = files_of_digest_.find(digest);
   if (it == files_of_digest_.end()) return;

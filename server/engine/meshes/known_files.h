@@ -23,7 +23,7 @@ class KnownFiles {
   void Add(FileKey file, const std::string& digest);
 
   // Forgets the files of a mesh.
-  void Forget(const std::string& digest);
+  void Remove(const std::string& digest);
 
  private:
   mutable std::mutex mutex_;

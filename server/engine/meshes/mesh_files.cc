@@ -150,7 +150,7 @@ absl::StatusOr<std::unique_ptr<MeshFiles>> MeshFiles::Open(
                .is_named_by_content = true,
                .removed =
                    [files = files.get()](const std::string& digest) {
-                     files->files_.Forget(digest);
+                     files->files_.Remove(digest);
                      if (files->removed_) files->removed_(digest);
                    },
                .warn = std::move(warn)});
@@ -204,7 +204,7 @@ void MeshFiles::AddFile(FileKey file, const std::string& digest) {
   files_.Add(std::move(file), digest);
   // The mesh may have been dropped meanwhile, before there was a file to
   // forget.
-  if (!Contains(digest)) files_.Forget(digest);
+  if (!Contains(digest)) files_.Remove(digest);
 }
 
 absl::Status MeshFiles::Admit(uint64_t vertices, uint64_t faces) {
@@ -274,7 +274,7 @@ absl::StatusOr<TriangleSoup> MeshFiles::Load(const MeshDescription& mesh,
 absl::Status MeshFiles::Erase(const std::string& digest) {
   absl::Status status = blobs_->Erase(digest);
   if (absl::IsNotFound(status)) return NotResident(digest);
-  if (status.ok()) files_.Forget(digest);
+  if (status.ok()) files_.Remove(digest);
   return status;
 }
 

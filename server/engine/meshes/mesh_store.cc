@@ -14,7 +14,7 @@ uint64_t ChargeOf(const ResidentMesh& mesh) {
 
 MeshStore::MeshStore(uint64_t capacity)
     : meshes_("mesh store", capacity,
-              [this](const std::string& digest) { files_.Forget(digest); }) {}
+              [this](const std::string& digest) { files_.Remove(digest); }) {}
 
 MeshHandle MeshStore::Find(const std::string& digest) {
   return meshes_.Find(digest);
@@ -40,7 +40,7 @@ void MeshStore::AddFile(FileKey file, const std::string& digest) {
   files_.Add(std::move(file), digest);
   // The mesh may have been dropped meanwhile, before there was a file to
   // forget.
-  if (meshes_.Find(digest) == nullptr) files_.Forget(digest);
+  if (meshes_.Find(digest) == nullptr) files_.Remove(digest);
 }
 
 bool MeshStore::Erase(const std::string& digest) {

@@ -324,7 +324,7 @@ class AnswerStream
         return;
       }
       request_.reset();  // it is of no more use
-      Intake::ForgetRequest(memory_);
+      Intake::ReleaseRequest(memory_);
       begun_ = true;
       cancel = cancelled_;
       if (cancelled_) EndCancelled();

@@ -44,7 +44,7 @@ absl::StatusOr<ByteReservation> Intake::Decode(
   return memory;
 }
 
-void Intake::ForgetRequest(ByteReservation& reservation) {
+void Intake::ReleaseRequest(ByteReservation& reservation) {
   reservation.ShrinkTo(reservation.bytes() / kShareAfterwards);
 }
 

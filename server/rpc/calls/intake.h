@@ -43,7 +43,7 @@ class Intake {
 
   // Lets go of what was reserved for the request, which is gone, and keeps what
   // the question takes. Call once.
-  static void ForgetRequest(ByteReservation& reservation);
+  static void ReleaseRequest(ByteReservation& reservation);
 
   ReceiveSlots& slots() { return slots_; }
   std::chrono::milliseconds patience() const { return patience_; }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic/algorithm.h"
 #include "geodesic/field_path.h"
@@ -43,32 +45,20 @@ absl::StatusOr<FieldExtras> ExtrasFrom(const v1::ComputeFieldRequest& request) {
 
 }  // namespace
 
+// ALGORITHM_FWP_CH for "fwp-ch".
 v1::Algorithm ToProto(Algorithm algorithm) {
-  switch (algorithm) {
-    case Algorithm::kFwpCh:
-      return v1::ALGORITHM_FWP_CH;
-    case Algorithm::kFwpList:
-      return v1::ALGORITHM_FWP_LIST;
-    case Algorithm::kFwpMmp:
-      return v1::ALGORITHM_FWP_MMP;
-    case Algorithm::kIch:
-      return v1::ALGORITHM_ICH;
-    case Algorithm::kMmp:
-      return v1::ALGORITHM_MMP;
-    case Algorithm::kCh:
-      return v1::ALGORITHM_CH;
-    case Algorithm::kLcMmp:
-      return v1::ALGORITHM_LC_MMP;
-    case Algorithm::kLcCh:
-      return v1::ALGORITHM_LC_CH;
-  }
-  return v1::ALGORITHM_UNSPECIFIED;
+  std::string name = "ALGORITHM_" + std::string(AlgorithmName(algorithm));
+  absl::AsciiStrToUpper(&name);
+  std::ranges::replace(name, '-', '_');
+  v1::Algorithm result = v1::ALGORITHM_UNSPECIFIED;
+  v1::Algorithm_Parse(name, &result);
+  return result;
 }
 
 v1::FieldOrigin ToProto(FieldOrigin origin) {
   switch (origin) {
-    case FieldOrigin::kSolved:
-      return v1::FIELD_ORIGIN_SOLVED;
+    case FieldOrigin::kComputed:
+      return v1::FIELD_ORIGIN_COMPUTED;
     case FieldOrigin::kJoined:
       return v1::FIELD_ORIGIN_JOINED;
     case FieldOrigin::kCached:
@@ -157,7 +147,7 @@ absl::Status Translate(const v1::ComputeFieldRequest& request,
       TargetsFromProto(request.targets(), limits);
   if (!targets.ok()) return targets.status();
   result.query.targets = *std::move(targets);
-  if (request.has_max_distance()) result.reach.radius = request.max_distance();
+  if (request.has_radius()) result.reach.radius = request.radius();
   if (request.has_stop_after_targets()) {
     // The largest number would mean no limit to the engine.
     result.reach.targets = std::min(request.stop_after_targets(),

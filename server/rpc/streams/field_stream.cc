@@ -51,8 +51,8 @@ void FieldStream::OnField(const absl::StatusOr<FieldAnswer>& answer) {
 
 absl::StatusOr<NextMessage> FieldStream::Fill(
     v1::ComputeFieldResponse& message) {
-  if (!std::exchange(accepted_, true)) {
-    FillAccepted(*message.mutable_accepted());
+  if (!std::exchange(header_sent_, true)) {
+    FillHeader(*message.mutable_header());
     return NextMessage::kSend;
   }
   // What is final goes out even if the rest never comes.
@@ -147,13 +147,13 @@ bool FieldStream::FillTargets(v1::ComputeFieldResponse& message) {
   return true;
 }
 
-void FieldStream::FillAccepted(v1::FieldAccepted& accepted) const {
-  accepted.set_mesh_digest(call_->mesh->digest);
-  accepted.set_vertex_count(call_->mesh->mesh->vertex_count());
-  accepted.set_algorithm(ToProto(call_->query->algorithm));
-  accepted.set_origin(ToProto(call_->origin));
-  accepted.set_value_type(value_type_);
-  accepted.set_target_count(call_->query->targets.size());
+void FieldStream::FillHeader(v1::FieldHeader& header) const {
+  header.set_mesh_digest(call_->mesh->digest);
+  header.set_vertex_count(call_->mesh->mesh->vertex_count());
+  header.set_algorithm(ToProto(call_->query->algorithm));
+  header.set_origin(ToProto(call_->origin));
+  header.set_value_type(value_type_);
+  header.set_target_count(call_->query->targets.size());
 }
 
 void FieldStream::FillTrailer(v1::FieldTrailer& trailer) const {

@@ -1,4 +1,4 @@
-// One ComputeField call: accepted, progress, chunks, targets, trailer.
+// One ComputeField call: header, progress, chunks, targets, trailer.
 
 #ifndef GEODESIC_SERVER_RPC_STREAMS_FIELD_STREAM_H_
 #define GEODESIC_SERVER_RPC_STREAMS_FIELD_STREAM_H_
@@ -45,7 +45,7 @@ class FieldStream final
   bool FillChunk(v1::ComputeFieldResponse& message);
   bool FillTargets(v1::ComputeFieldResponse& message);
 
-  void FillAccepted(v1::FieldAccepted& accepted) const;
+  void FillHeader(v1::FieldHeader& header) const;
   void FillTrailer(v1::FieldTrailer& trailer) const;
 
   // Set by Ask, then constant:
@@ -56,7 +56,7 @@ class FieldStream final
   Sha256 question_;  // of what was asked, for the field's name
 
   // Guarded by the stream's lock:
-  bool accepted_ = false;
+  bool header_sent_ = false;
   std::optional<Progress> progress_;  // newer than what was sent
   std::optional<absl::StatusOr<FieldAnswer>> answer_;
   std::optional<FieldChunks> chunks_;  // of *answer_

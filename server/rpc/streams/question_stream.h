@@ -136,8 +136,8 @@ class FieldQuestionStream : public QuestionStream<Request, Response>,
     absl::Status status = this->BeginQuestion(question);
     if (status.ok()) status = Translate(question);
     if (!status.ok()) return status;
-    if (this->request().has_max_distance()) {
-      question.reach.radius = this->request().max_distance();
+    if (this->request().has_radius()) {
+      question.reach.radius = this->request().radius();
     }
     absl::StatusOr<FieldCall> call =
         this->engine().ComputeField(question, this->Shared(this));

@@ -69,7 +69,7 @@ class RowStream : public AnswerStream<Request, Response>, public RowObserver {
         TargetsFromProto(request.targets(), limits);
     if (!targets.ok()) return targets.status();
     question.query.targets = *std::move(targets);
-    if (request.has_max_distance()) question.radius = request.max_distance();
+    if (request.has_radius()) question.radius = request.radius();
     is_sparse_ = question.sparse || question.nearest.has_value();
     absl::StatusOr<MatrixCall> call =
         this->engine().ComputeMatrix(std::move(question), this->Shared(this));

@@ -24,23 +24,23 @@ struct Faces {
   uint32_t To(HalfEdge h) const { return From(Next(h)); }
 
   // All half-edges at the edge of h.
-  std::vector<HalfEdge> Crowd(HalfEdge h) const {
-    std::vector<HalfEdge> crowd;
+  std::vector<HalfEdge> HalfEdgesAt(HalfEdge h) const {
+    std::vector<HalfEdge> edge;
     for (HalfEdge other = 0; other < sides(); ++other) {
       if (std::minmax({From(other), To(other)}) ==
           std::minmax({From(h), To(h)})) {
-        crowd.push_back(other);
+        edge.push_back(other);
       }
     }
-    return crowd;
+    return edge;
   }
 
   // The half-edge that runs the other way, alone beside h; kNoHalfEdge if there
   // is no such one.
   HalfEdge Twin(HalfEdge h) const {
-    const std::vector<HalfEdge> crowd = Crowd(h);
-    const HalfEdge other = crowd.back() == h ? crowd.front() : crowd.back();
-    return crowd.size() == 2 && From(other) != From(h) ? other : kNoHalfEdge;
+    const std::vector<HalfEdge> edge = HalfEdgesAt(h);
+    const HalfEdge other = edge.back() == h ? edge.front() : edge.back();
+    return edge.size() == 2 && From(other) != From(h) ? other : kNoHalfEdge;
   }
 
   bool IsClosedFan(uint32_t v) const {
@@ -81,27 +81,29 @@ Faces RandomFaces(uint32_t vertices, uint32_t faces, test::Random& random) {
 
 TEST(ConnectivityTest, IsThatOfLookingAtAllPairs) {
   test::Random random(1);
-  uint32_t twins = 0, crowds = 0, closed_fans = 0;
+  uint32_t twins = 0, irregular_edges = 0, closed_fans = 0;
   for (int round = 0; round < 2000; ++round) {
-    // A few vertices: closed fans come by chance, and crowds all the time.
+    // A few vertices: closed fans come by chance, and irregular edges all the
+    // time.
     const Faces faces = RandomFaces(3 + round % 6, 1 + round % 17, random);
     const Connectivity found = FindConnectivity(
         {faces.triangles, faces.outgoing_begin, faces.outgoing});
     for (HalfEdge h = 0; h < faces.sides(); ++h) {
-      const std::vector<HalfEdge> crowd = faces.Crowd(h);
+      const std::vector<HalfEdge> edge = faces.HalfEdgesAt(h);
       const Exit exit = found.exits[h];
-      if (crowd.size() == 1 || faces.Twin(h) != kNoHalfEdge) {
+      if (edge.size() == 1 || faces.Twin(h) != kNoHalfEdge) {
         ASSERT_EQ(exit, faces.Twin(h)) << "round " << round << ", " << h;
         twins += exit != kNoHalfEdge;
         continue;
       }
       ASSERT_TRUE(exit >= kIrregularExit && exit != kNoHalfEdge)
           << "round " << round << ", " << h;
-      const uint32_t* const begin = &found.crowds_begin[exit - kIrregularExit];
-      ASSERT_EQ(std::vector(found.crowds.begin() + begin[0],
-                            found.crowds.begin() + begin[1]),
-                crowd);
-      ++crowds;
+      const uint32_t* const begin =
+          &found.irregular_begin[exit - kIrregularExit];
+      ASSERT_EQ(std::vector(found.irregular_half_edges.begin() + begin[0],
+                            found.irregular_half_edges.begin() + begin[1]),
+                edge);
+      ++irregular_edges;
     }
     for (uint32_t v = 0; v + 1 < faces.outgoing_begin.size(); ++v) {
       ASSERT_EQ(found.is_closed_fan[v], faces.IsClosedFan(v))
@@ -111,7 +113,7 @@ TEST(ConnectivityTest, IsThatOfLookingAtAllPairs) {
   }
   // Or it has shown nothing.
   EXPECT_GT(twins, 100);
-  EXPECT_GT(crowds, 100);
+  EXPECT_GT(irregular_edges, 100);
   EXPECT_GT(closed_fans, 100);
 }
 

@@ -214,7 +214,7 @@ TEST(MeshTest, ThreeFacesMayMeetInAnEdge) {
     EXPECT_EQ(mesh->Twin(h), kNoHalfEdge);
     EXPECT_FALSE(mesh->IsBoundaryEdge(h));
     EXPECT_TRUE(mesh->IsIrregularEdge(h));
-    EXPECT_TRUE(mesh->IsCrowdedEdge(h));
+    EXPECT_TRUE(mesh->IsNonManifoldEdge(h));
     EXPECT_EQ(mesh->FirstOfEdge(h), std::min({a, b, c}));
   }
   EXPECT_THAT(BeyondOf(*mesh, a),
@@ -235,7 +235,7 @@ TEST(MeshTest, FacesMayDisagreeInOrientation) {
   const auto mesh = *Mesh::Build(soup);
   const HalfEdge a = mesh->FirstSide(0) + 2, b = mesh->FirstSide(1);
   EXPECT_TRUE(mesh->IsIrregularEdge(a));
-  EXPECT_FALSE(mesh->IsCrowdedEdge(a));
+  EXPECT_FALSE(mesh->IsNonManifoldEdge(a));
   EXPECT_THAT(BeyondOf(*mesh, a), ElementsAre(Pair(b, true)));
   EXPECT_THAT(BeyondOf(*mesh, b), ElementsAre(Pair(a, true)));
   for (uint32_t v = 0; v < 4; ++v) {

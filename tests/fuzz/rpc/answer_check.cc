@@ -51,7 +51,7 @@ void AnswerCheck::Take(const Message& message) {
   const auto* part = message.GetReflection()->GetOneofFieldDescriptor(
       message, type->FindOneofByName("part"));
   Require(part != nullptr);
-  const bool is_header = part->name() == "header" || part->name() == "accepted";
+  const bool is_header = part->name() == "header" || part->name() == "header";
   Require(is_header == !has_begun_ && !has_trailer_);
   has_begun_ = true;
   has_trailer_ = part->name() == "trailer";
@@ -70,7 +70,7 @@ void AnswerCheck::End(const grpc::Status& status, bool was_cancelled) const {
 }
 
 void AnswerCheck::CheckField(const v1::ComputeFieldResponse& message) {
-  if (message.has_accepted()) value_type_ = message.accepted().value_type();
+  if (message.has_header()) value_type_ = message.header().value_type();
   if (value_type_ != v1::VALUE_TYPE_FLOAT64) return;
   CheckDistances(message.chunk().distances());
   CheckDistances(message.targets().distances());

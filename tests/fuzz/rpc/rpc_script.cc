@@ -42,14 +42,14 @@ constexpr Seed kSeeds[] = {
         targets { vertex: 3 } targets { face { face: 2 weights: 0.5
           weights: 0.25 weights: 0.25 } } stop_after_targets: 1)"},
     {RpcMethod::kComputeField,
-     R"(mesh_digest: "C" max_distance: 1.5 progressive: true
+     R"(mesh_digest: "C" radius: 1.5 progressive: true
         sources { face { face: 1 weights: 0.2 weights: 0.3 weights: 0.5 } })"},
     {RpcMethod::kComputeField,
      R"(mesh_digest: "D" quantities: FIELD_QUANTITY_NEAREST_SOURCE
         quantities: FIELD_QUANTITY_GRADIENT
         sources { curve { points { vertex: 0 } points { vertex: 1 } } })"},
     {RpcMethod::kComputeLogMap,
-     R"(mesh_digest: "C" source { vertex: 5 } max_distance: 2)"},
+     R"(mesh_digest: "C" source { vertex: 5 } radius: 2)"},
     {RpcMethod::kSampleFarthestPoints,
      R"(mesh_digest: "B" sources { vertex: 1 } count: 3)"},
     {RpcMethod::kComputePaths,
@@ -59,7 +59,7 @@ constexpr Seed kSeeds[] = {
      R"(mesh_digest: "C" sources { vertex: 2 } levels: 0.5 levels: 1)"},
     {RpcMethod::kComputeMatrix,
      R"(mesh_digest: "B" sources { vertex: 0 } sources { vertex: 1 }
-        targets { vertex: 2 } layout: MATRIX_LAYOUT_SPARSE max_distance: 1)"},
+        targets { vertex: 2 } layout: MATRIX_LAYOUT_SPARSE radius: 1)"},
     {RpcMethod::kFindNearest,
      R"(mesh_digest: "C" sources { vertex: 0 } targets { vertex: 1 }
         targets { vertex: 4 } count: 1)"},

@@ -21,8 +21,8 @@ class FieldTest(ClientTest):
             expected = min(offset + math.dist(position, positions[vertex])
                            for vertex, offset in sources)
             self.assertAlmostEqual(value, expected, delta=1e-10)
-        self.assertEqual(others[0].WhichOneof("part"), "accepted")
-        self.assertEqual(others[0].accepted.vertex_count, len(positions))
+        self.assertEqual(others[0].WhichOneof("part"), "header")
+        self.assertEqual(others[0].header.vertex_count, len(positions))
         self.assertEqual(others[-1].WhichOneof("part"), "trailer")
         self.assertGreater(others[-1].trailer.statistics.windows_created, 0)
         self.assertGreater(others[-1].trailer.relative_tolerance, 0)
@@ -76,7 +76,7 @@ class FieldTest(ClientTest):
         trailer = None
         for response in self.fields.ComputeField(
                 self.field_pb.ComputeFieldRequest(
-                    mesh_digest=digest, sources=[source], max_distance=0.5,
+                    mesh_digest=digest, sources=[source], radius=0.5,
                     progressive=True), timeout=60):
             if response.HasField("settled"):
                 settled += zip(numbers32(response.settled.vertices),
@@ -131,12 +131,12 @@ class FieldTest(ClientTest):
     def test_a_limited_field_goes_on(self):
         digest, positions, _ = self.grid()
         request = self.field_pb.ComputeFieldRequest(
-            mesh_digest=digest, max_distance=0.3,
+            mesh_digest=digest, radius=0.3,
             sources=[self.surface_pb.Source(vertex=5, offset=0.001)])
         origins = []
         for limit in (0.3, None):
             if limit is None:
-                request.ClearField("max_distance")
+                request.ClearField("radius")
             values = []
             for response in self.fields.ComputeField(request, timeout=60):
                 values += doubles(response.chunk.distances)
@@ -148,7 +148,7 @@ class FieldTest(ClientTest):
                     self.assertAlmostEqual(value, expected, delta=1e-10)
                 else:
                     self.assertEqual(value, math.inf)
-        self.assertEqual(origins[1], self.field_pb.FIELD_ORIGIN_SOLVED)
+        self.assertEqual(origins[1], self.field_pb.FIELD_ORIGIN_COMPUTED)
 
     def test_what_had_settled_before_a_cancel_is_final(self):
         side = 150
@@ -255,7 +255,7 @@ class FieldTest(ClientTest):
         place = self.where(source, positions, faces)
         parts = self.answer(self.fields.ComputeLogMap(
             self.field_pb.ComputeLogMapRequest(
-                mesh_digest=digest, source=source, max_distance=0.5),
+                mesh_digest=digest, source=source, radius=0.5),
             timeout=60))
         uv = [d for chunk in parts["chunk"]
               for d in doubles(chunk.coordinates)]

@@ -21,7 +21,7 @@ class MatrixTest(ClientTest):
             for value, position in zip(dense[row], positions):
                 self.assertAlmostEqual(
                     value, math.dist(position, positions[vertex]), delta=1e-10)
-        request.max_distance = 0.25
+        request.radius = 0.25
         request.layout = self.matrix_pb.MATRIX_LAYOUT_SPARSE
         sparse = {}
         for chunk in self.answer(
@@ -82,7 +82,7 @@ class MatrixTest(ClientTest):
         ends = [self.where(t, positions, faces) for t in targets]
         parts = self.answer(self.matrices.FindNearest(
             self.matrix_pb.FindNearestRequest(
-                mesh_digest=digest, count=3, targets=targets, max_distance=0.9,
+                mesh_digest=digest, count=3, targets=targets, radius=0.9,
                 sources=[self.surface_pb.Source(vertex=v)
                          for v in (0, alone)]), timeout=60))
         found = {chunk.row: dict(zip(numbers32(chunk.targets),

@@ -110,7 +110,7 @@ class PathTest(ClientTest):
         digest = self.upload(positions + [(2.0, 2.0, 0.0)], faces).mesh.digest
         near, far, other = self.ask(
             digest, [self.surface_pb.Source(vertex=0)],
-            self.vertices(3, alone - 1, alone), max_distance=0.5)
+            self.vertices(3, alone - 1, alone), radius=0.5)
         self.assertAlmostEqual(near.length, 0.3, delta=1e-10)
         for path in (far, other):
             self.assertEqual(path.distance, INFINITY)

@@ -33,9 +33,9 @@ void Envelope::Trim(double length, bool may_split, WindowColumns& windows) {
   may_split_ = may_split;
   FindMeetings(windows);
   const size_t done = CutAtMeetings(windows);
-  if (done == meetings_.size) return;
-  next_meeting_ = done;
-  TrimFrom(meetings_.pair[done] + 1, windows);
+  if (done == crossovers_.size) return;
+  next_crossover_ = done;
+  TrimFrom(crossovers_.pair[done] + 1, windows);
 }
 
 void Envelope::FindMeetings(WindowColumns& windows) {
@@ -46,61 +46,61 @@ void Envelope::FindMeetings(WindowColumns& windows) {
     overlaps_.resize(2 * room);
   }
   OverlapsOfNeighbours(length_, windows, begins_.data(), overlaps_.data());
-  meetings_.Reserve(pairs);
+  crossovers_.Reserve(pairs);
   size_t count = 0;
   for (size_t i = 0; i < pairs; ++i) {
-    meetings_.pair[count] = static_cast<uint32_t>(i);
+    crossovers_.pair[count] = static_cast<uint32_t>(i);
     count += !(overlaps_[i] <= 0);
   }
-  meetings_.size = count;
+  crossovers_.size = count;
   std::copy_n(begins_.data(), windows.size, windows.begin);
   if (count == 0) return;
   for (size_t k = 0; k < count; ++k) {
-    const size_t i = meetings_.pair[k];
-    meetings_.end[k] = windows.end[i];
-    meetings_.end_distance[k] = windows.end_distance[i];
-    meetings_.x[k] = windows.x[i];
-    meetings_.depth[k] = windows.depth[i];
-    meetings_.sigma[k] = windows.sigma[i];
-    meetings_.next_begin[k] = windows.begin[i + 1];
-    meetings_.next_end[k] = windows.end[i + 1];
-    meetings_.next_begin_distance[k] = windows.begin_distance[i + 1];
-    meetings_.next_x[k] = windows.x[i + 1];
-    meetings_.next_depth[k] = windows.depth[i + 1];
-    meetings_.next_sigma[k] = windows.sigma[i + 1];
+    const size_t i = crossovers_.pair[k];
+    crossovers_.end[k] = windows.end[i];
+    crossovers_.end_distance[k] = windows.end_distance[i];
+    crossovers_.x[k] = windows.x[i];
+    crossovers_.depth[k] = windows.depth[i];
+    crossovers_.sigma[k] = windows.sigma[i];
+    crossovers_.next_begin[k] = windows.begin[i + 1];
+    crossovers_.next_end[k] = windows.end[i + 1];
+    crossovers_.next_begin_distance[k] = windows.begin_distance[i + 1];
+    crossovers_.next_x[k] = windows.x[i + 1];
+    crossovers_.next_depth[k] = windows.depth[i + 1];
+    crossovers_.next_sigma[k] = windows.sigma[i + 1];
   }
-  Meet(meetings_);
+  FindCrossovers(crossovers_);
 }
 
 size_t Envelope::CutAtMeetings(WindowColumns& windows) const {
   // Two windows that may change over twice do so once where each is nearer on
   // its own side, as here.
   const double least = kLeastWidth * length_;
-  for (size_t k = 0; k < meetings_.size; ++k) {
-    const size_t i = meetings_.pair[k];
-    const double at = meetings_.at[k];
+  for (size_t k = 0; k < crossovers_.size; ++k) {
+    const size_t i = crossovers_.pair[k];
+    const double at = crossovers_.at[k];
     // Also if there is no such place.
     if (!(at - windows.begin[i] > least && windows.end[i + 1] - at > least &&
           overlaps_[i] > 0)) {
       return k;
     }
     windows.end[i] = at;
-    windows.end_distance[i] = meetings_.distance[k];
+    windows.end_distance[i] = crossovers_.distance[k];
     windows.begin[i + 1] = at;
-    windows.begin_distance[i + 1] = meetings_.next_distance[k];
+    windows.begin_distance[i + 1] = crossovers_.next_distance[k];
   }
-  return meetings_.size;
+  return crossovers_.size;
 }
 
-size_t Envelope::MeetingOf(size_t pair) {
-  while (next_meeting_ < meetings_.size &&
-         meetings_.pair[next_meeting_] < pair) {
-    ++next_meeting_;
+size_t Envelope::CrossoverOf(size_t pair) {
+  while (next_crossover_ < crossovers_.size &&
+         crossovers_.pair[next_crossover_] < pair) {
+    ++next_crossover_;
   }
-  const bool is_known = next_meeting_ < meetings_.size &&
-                        meetings_.pair[next_meeting_] == pair &&
-                        !std::isnan(meetings_.at[next_meeting_]);
-  return is_known ? next_meeting_ : kNone;
+  const bool is_known = next_crossover_ < crossovers_.size &&
+                        crossovers_.pair[next_crossover_] == pair &&
+                        !std::isnan(crossovers_.at[next_crossover_]);
+  return is_known ? next_crossover_ : kNone;
 }
 
 void Envelope::TrimFrom(size_t i, WindowColumns& windows) {
@@ -112,7 +112,7 @@ void Envelope::TrimFrom(size_t i, WindowColumns& windows) {
     if (kept > 0 && windows.end[kept - 1] > windows.begin[i]) {
       // Those that follow may have been shifted.
       const size_t pair = i - 1 - (windows.size - size);
-      if (!TrimNeighbours(i, is_neighbour ? MeetingOf(pair) : kNone, kept,
+      if (!TrimNeighbours(i, is_neighbour ? CrossoverOf(pair) : kNone, kept,
                           windows)) {
         i = TrimSeveral(i, kept, windows);
         is_neighbour = false;
@@ -144,11 +144,11 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
     return true;
   }
   if (meeting != kNone) {
-    const double met = meetings_.at[meeting];
+    const double met = crossovers_.at[meeting];
     windows.begin[i] = met;
-    windows.begin_distance[i] = meetings_.next_distance[meeting];
+    windows.begin_distance[i] = crossovers_.next_distance[meeting];
     windows.end[top] = met;
-    windows.end_distance[top] = meetings_.distance[meeting];
+    windows.end_distance[top] = crossovers_.distance[meeting];
     if (IsLost({windows.begin[top], met}, windows.OriginAt(top), length_))
       --kept;
     return true;

@@ -74,9 +74,10 @@ class Front {
   }
   // Whether two windows may change over more than once on an edge: only beside
   // a pseudo-source that can be passed by, or where rays that coincide have
-  // come by different faces of a crowded edge.
+  // come by different faces of a edge of three faces or more.
   bool MayChangeOverTwice() const {
-    return (has_free_anchor_ && anchor_count() > 1) || mesh_.HasCrowdedEdges();
+    return (has_free_anchor_ && anchor_count() > 1) ||
+           mesh_.HasNonManifoldEdges();
   }
   uint64_t reached() const { return reached_; }
   uint64_t bytes() const {

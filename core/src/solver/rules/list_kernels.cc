@@ -244,7 +244,7 @@ void OverlapsOfNeighbours(double length, const WindowColumns& windows,
   }
 }
 
-void Meetings::Reserve(size_t count) {
+void Crossovers::Reserve(size_t count) {
   const size_t room = Padded(count);
   if (at.size() >= room) return;
   pair.resize(2 * room);
@@ -256,22 +256,23 @@ void Meetings::Reserve(size_t count) {
 }
 
 GEODESIC_FOR_EVERY_WIDTH
-void Meet(Meetings& meetings) {
-  const double* const lows = meetings.next_begin.data();
-  const double* const highs = meetings.end.data();
-  const double* const next_ends = meetings.next_end.data();
-  const double* const xs = meetings.x.data();
-  const double* const depths = meetings.depth.data();
-  const double* const sigmas = meetings.sigma.data();
-  const double* const next_xs = meetings.next_x.data();
-  const double* const next_depths = meetings.next_depth.data();
-  const double* const next_sigmas = meetings.next_sigma.data();
-  const double* const next_begin_distance = meetings.next_begin_distance.data();
-  const double* const end_distance = meetings.end_distance.data();
-  double* const meeting = meetings.at.data();
-  double* const distance = meetings.distance.data();
-  double* const next_distance = meetings.next_distance.data();
-  const size_t n = Padded(meetings.size);
+void FindCrossovers(Crossovers& crossovers) {
+  const double* const lows = crossovers.next_begin.data();
+  const double* const highs = crossovers.end.data();
+  const double* const next_ends = crossovers.next_end.data();
+  const double* const xs = crossovers.x.data();
+  const double* const depths = crossovers.depth.data();
+  const double* const sigmas = crossovers.sigma.data();
+  const double* const next_xs = crossovers.next_x.data();
+  const double* const next_depths = crossovers.next_depth.data();
+  const double* const next_sigmas = crossovers.next_sigma.data();
+  const double* const next_begin_distance =
+      crossovers.next_begin_distance.data();
+  const double* const end_distance = crossovers.end_distance.data();
+  double* const meeting = crossovers.at.data();
+  double* const distance = crossovers.distance.data();
+  double* const next_distance = crossovers.next_distance.data();
+  const size_t n = Padded(crossovers.size);
   GEODESIC_INDEPENDENT
   for (size_t i = 0; i < n; ++i) {
     const double x0 = xs[i], y0 = depths[i], sigma0 = sigmas[i];

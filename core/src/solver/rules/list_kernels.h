@@ -54,7 +54,7 @@ void OverlapsOfNeighbours(double length, const WindowColumns& windows,
 // Pairs of neighbours in a list that overlap, and where they change over, if
 // the next one ends last and each is nearer on its own side: the case of
 // WonByNewer that wavefronts meeting in a face make. Columns of `size` pairs.
-struct Meetings {
+struct Crossovers {
   size_t size = 0;
   std::vector<uint32_t> pair;  // windows i and i + 1
   // Of the first window, and of the next.
@@ -68,7 +68,7 @@ struct Meetings {
   // Makes room for `count` pairs.
   void Reserve(size_t count);
 };
-void Meet(Meetings& meetings);
+void FindCrossovers(Crossovers& crossovers);
 
 }  // namespace geodesic
 

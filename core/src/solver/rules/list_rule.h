@@ -69,7 +69,7 @@ class ListRule {
   void Restart() {}
 
   // Keeps no threads until the next round.
-  void Rest() { team_.reset(); }
+  void ReleaseThreads() { team_.reset(); }
 
   // A round: propagates all that waits at some half-edges across their faces
   // and expands vertices (numbers with kVertexEvent). Returns how many windows
@@ -159,7 +159,7 @@ void ListRule<Front>::Open(HalfEdge half_edge, uint32_t pseudo_source,
   Worker& worker = workers_[0];
   worker.Open(half_edge, pseudo_source, origin, interval);
   for (const auto& list : worker.handed_on()) Enqueue(list, 0);
-  worker.Forget();
+  worker.Clear();
 }
 
 template <typename Front>
@@ -169,7 +169,7 @@ uint64_t ListRule<Front>::Propagate(std::span<const uint32_t> ids) {
   const uint64_t propagated = FindRuns();
   for (const Run& run : runs_) Relax(run);
   for (const Run& run : runs_) Enqueue(run);
-  for (Worker& worker : workers_) worker.Forget();
+  for (Worker& worker : workers_) worker.Clear();
   return propagated;
 }
 

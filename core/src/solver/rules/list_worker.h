@@ -79,11 +79,11 @@ class alignas(kCacheLine) ListWorker {
   Outcome Cross(HalfEdge h, const WaitingLists& lists);
   Outcome Expand(uint32_t vertex);
 
-  // What came of all that was done since the last Forget.
+  // What came of all that was done since the last Clear.
   std::span<const Relaxation> relaxations() const { return relaxations_; }
   std::span<const HandedOn> handed_on() const { return handed_on_; }
   std::span<const Observed> observed() const { return observed_; }
-  void Forget() {
+  void Clear() {
     relaxations_.clear();
     handed_on_.clear();
     observed_.clear();
