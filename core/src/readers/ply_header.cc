@@ -1,72 +1,112 @@
 #include "readers/ply_header.h"
 
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/strings/str_cat.h"
+#include "readers/byte_order.h"
 #include "readers/messages.h"
 
 namespace geodesic {
 namespace {
 
+template <typename Result, typename Stored, std::endian kOrder>
+Result LoadAs(const char* address) {
+  return static_cast<Result>(Load<Stored, kOrder>(address));
+}
+
+template <typename Stored>
+constexpr PlyType TypeOf(std::string_view name, std::string_view sized_name) {
+  constexpr auto kLittle = std::endian::little, kBig = std::endian::big;
+  return {
+      name,
+      sized_name,
+      sizeof(Stored),
+      std::is_integral_v<Stored>,
+      {LoadAs<double, Stored, kLittle>, LoadAs<double, Stored, kBig>},
+      {LoadAs<int64_t, Stored, kLittle>, LoadAs<int64_t, Stored, kBig>},
+  };
+}
+
+constexpr std::array<PlyType, 8> kTypes = {
+    TypeOf<int8_t>("char", "int8"),    TypeOf<uint8_t>("uchar", "uint8"),
+    TypeOf<int16_t>("short", "int16"), TypeOf<uint16_t>("ushort", "uint16"),
+    TypeOf<int32_t>("int", "int32"),   TypeOf<uint32_t>("uint", "uint32"),
+    TypeOf<float>("float", "float32"), TypeOf<double>("double", "float64"),
+};
+
+// Null for an unknown name.
+const PlyType* TypeNamed(std::string_view name) {
+  for (const PlyType& type : kTypes) {
+    if (name == type.name || name == type.sized_name) return &type;
+  }
+  return nullptr;
+}
+
+// Its methods return whether to go on; error_ says why not.
 class HeaderReader {
  public:
   explicit HeaderReader(LineScanner& scanner) : scanner_(scanner) {}
 
   absl::StatusOr<PlyHeader> Read() {
-    if (!scanner_.Next() || Trimmed(scanner_.line()) != "ply") {
-      return AtLine(1, "the file does not begin with 'ply'");
+    if (!ReadLines() || !AssignRoles()) return std::move(error_);
+    return std::move(header_);
+  }
+
+ private:
+  template <typename... Parts>
+  bool RefuseAt(uint64_t line, const Parts&... parts) {
+    error_ = AtLine(line, parts...);
+    return false;
+  }
+  template <typename... Parts>
+  bool Refuse(const Parts&... parts) {
+    return RefuseAt(scanner_.line_number(), parts...);
+  }
+
+  bool ReadLines() {
+    std::string_view rest;
+    if (scanner_.Next()) rest = scanner_.line();
+    if (TakeToken(rest) != "ply") {
+      return RefuseAt(1, "the file does not begin with 'ply'");
     }
     const LineEnd line_end = scanner_.line_end();
-    bool ended = false;
-    while (!ended) {
-      if (!scanner_.Next()) {
-        return AtLine(scanner_.line_number(),
-                      "the file ends before end_header");
-      }
-      std::string_view rest = scanner_.line();
-      const std::string_view keyword = TakeToken(rest);
-      ended = keyword == "end_header";
-      if (absl::Status status = ReadLine(keyword, rest); !status.ok()) {
-        return status;
-      }
+    std::string_view keyword;
+    while (keyword != "end_header") {
+      if (!scanner_.Next()) return Refuse("the file ends before end_header");
+      rest = scanner_.line();
+      keyword = TakeToken(rest);
+      if (!ReadLine(keyword, rest)) return false;
     }
     // After CR alone, a line feed is the first byte of a binary body.
     const bool cr_only = line_end == LineEnd::kCr;
     const bool took_line_feed = scanner_.line_end() == LineEnd::kCrLf;
     header_.body_offset = scanner_.offset() - (cr_only && took_line_feed);
-    if (!has_format_) {
-      return AtLine(scanner_.line_number(), "the header names no format");
-    }
-    if (absl::Status status = AssignRoles(); !status.ok()) return status;
-    return std::move(header_);
+    return has_format_ || Refuse("the header names no format");
   }
 
- private:
-  static std::string_view Trimmed(std::string_view line) {
-    return TakeToken(line);
-  }
-
-  absl::Status ReadLine(std::string_view keyword, std::string_view rest) {
+  bool ReadLine(std::string_view keyword, std::string_view rest) {
     if (keyword == "format") return ReadFormat(rest);
     if (keyword == "element") return ReadElement(rest);
     if (keyword == "property") return ReadProperty(rest);
     if (keyword.empty() || keyword == "comment" || keyword == "obj_info" ||
         keyword == "end_header") {
-      return absl::OkStatus();
+      return true;
     }
     // Blender 2.4 forgot the word comment: "Created by Blender3D 247 - ...".
-    if (keyword == "Created") return absl::OkStatus();
-    return AtLine(scanner_.line_number(), "'", Printable(keyword),
-                  "' is not a word of a PLY header");
+    if (keyword == "Created") return true;
+    return Refuse("'", Printable(keyword), "' is not a word of a PLY header");
   }
 
-  absl::Status ReadFormat(std::string_view rest) {
+  bool ReadFormat(std::string_view rest) {
     const std::string_view name = TakeToken(rest);
     if (name == "ascii") {
       header_.encoding = PlyEncoding::kAscii;
@@ -75,92 +115,76 @@ class HeaderReader {
     } else if (name == "binary_big_endian") {
       header_.encoding = PlyEncoding::kBinaryBigEndian;
     } else {
-      return AtLine(scanner_.line_number(), "unknown format '", Printable(name),
-                    "'");
+      return Refuse("unknown format '", Printable(name), "'");
     }
-    if (has_format_) {
-      return AtLine(scanner_.line_number(), "a second format");
-    }
-    has_format_ = true;
-    return absl::OkStatus();
+    return !std::exchange(has_format_, true) || Refuse("a second format");
   }
 
-  absl::Status ReadElement(std::string_view rest) {
+  bool ReadElement(std::string_view rest) {
     PlyElement element;
     element.name = TakeToken(rest);
     element.line = scanner_.line_number();
     const std::string_view count_token = TakeToken(rest);
     const std::optional<int64_t> count = ParseInteger(count_token);
     if (!count.has_value() || *count < 0) {
-      return AtLine(element.line, "'", Printable(count_token),
+      return Refuse("'", Printable(count_token),
                     "' is not a count of elements");
     }
     element.count = *count;
     header_.elements.push_back(std::move(element));
-    return absl::OkStatus();
+    return true;
   }
 
-  absl::Status ReadProperty(std::string_view rest) {
+  bool ReadProperty(std::string_view rest) {
     if (header_.elements.empty()) {
-      return AtLine(scanner_.line_number(), "a property before any element");
+      return Refuse("a property before any element");
     }
     PlyProperty property;
     std::string_view type_name = TakeToken(rest);
     if (type_name == "list") {
       const std::string_view count_name = TakeToken(rest);
-      property.count_type = PlyScalarFromName(count_name);
-      if (!property.count_type.has_value() ||
-          !IsInteger(*property.count_type)) {
-        return AtLine(scanner_.line_number(), "'", Printable(count_name),
+      property.count_type = TypeNamed(count_name);
+      if (property.count_type == nullptr || !property.count_type->is_integer) {
+        return Refuse("'", Printable(count_name),
                       "' is not a type that can count a list");
       }
       type_name = TakeToken(rest);
     }
-    const std::optional<PlyScalar> type = PlyScalarFromName(type_name);
-    if (!type.has_value()) {
-      return AtLine(scanner_.line_number(), "unknown type '",
-                    Printable(type_name), "'");
+    property.type = TypeNamed(type_name);
+    if (property.type == nullptr) {
+      return Refuse("unknown type '", Printable(type_name), "'");
     }
-    property.type = *type;
     property.name = TakeToken(rest);
-    if (property.name.empty()) {
-      return AtLine(scanner_.line_number(), "a property without a name");
-    }
+    if (property.name.empty()) return Refuse("a property without a name");
     header_.elements.back().properties.push_back(property);
-    return absl::OkStatus();
+    return true;
   }
 
-  absl::Status AssignRoles() {
+  bool AssignRoles() {
     bool has_vertices = false;
     bool has_faces = false;
     for (PlyElement& element : header_.elements) {
-      absl::Status status = absl::OkStatus();
       if (element.name == "vertex") {
         if (std::exchange(has_vertices, true)) {
-          return AtLine(element.line, "a second element vertex");
+          return RefuseAt(element.line, "a second element vertex");
         }
         header_.vertices = element.count;
-        status = AssignVertexRoles(element);
+        if (!AssignVertexRoles(element)) return false;
       } else if (element.name == "face") {
         if (std::exchange(has_faces, true)) {
-          return AtLine(element.line, "a second element face");
+          return RefuseAt(element.line, "a second element face");
         }
-        status = AssignFaceRoles(element);
+        if (!AssignFaceRoles(element)) return false;
       } else if (element.name == "tristrips" && element.count > 0) {
-        status = AtLine(element.line,
+        return RefuseAt(element.line,
                         "triangle strips are not supported: save the mesh "
                         "with an element face");
       }
-      if (!status.ok()) return status;
     }
-    if (!has_vertices) {
-      return AtLine(scanner_.line_number(),
-                    "the header declares no element vertex");
-    }
-    return absl::OkStatus();
+    return has_vertices || Refuse("the header declares no element vertex");
   }
 
-  static absl::Status AssignVertexRoles(PlyElement& element) {
+  bool AssignVertexRoles(PlyElement& element) {
     element.kind = PlyElementKind::kVertex;
     for (const auto& [name, role] : {std::pair{"x", PlyRole::kX},
                                      {"y", PlyRole::kY},
@@ -168,21 +192,21 @@ class HeaderReader {
       PlyProperty* found = nullptr;
       for (PlyProperty& property : element.properties) {
         if (property.name != name) continue;
-        if (found != nullptr || property.count_type.has_value()) {
-          return AtLine(element.line, "vertex property ", name,
-                        " is not one single number");
+        if (found != nullptr || property.count_type != nullptr) {
+          return RefuseAt(element.line, "vertex property ", name,
+                          " is not one single number");
         }
         found = &property;
       }
       if (found == nullptr) {
-        return AtLine(element.line, "element vertex has no property ", name);
+        return RefuseAt(element.line, "element vertex has no property ", name);
       }
       found->role = role;
     }
-    return absl::OkStatus();
+    return true;
   }
 
-  static absl::Status AssignFaceRoles(PlyElement& element) {
+  bool AssignFaceRoles(PlyElement& element) {
     element.kind = PlyElementKind::kFace;
     PlyProperty* found = nullptr;
     for (PlyProperty& property : element.properties) {
@@ -190,26 +214,25 @@ class HeaderReader {
           property.name != "vertex_index") {
         continue;
       }
-      if (found != nullptr || !property.count_type.has_value() ||
-          !IsInteger(property.type)) {
-        return AtLine(element.line, "face property ", Printable(property.name),
-                      " is not one list of whole numbers");
+      if (found != nullptr || property.count_type == nullptr ||
+          !property.type->is_integer) {
+        return RefuseAt(element.line, "face property ",
+                        Printable(property.name),
+                        " is not one list of whole numbers");
       }
       found = &property;
     }
-    if (found != nullptr) {
-      found->role = PlyRole::kCorners;
-    } else if (element.count > 0) {
-      return AtLine(element.line,
+    if (found != nullptr) found->role = PlyRole::kCorners;
+    return found != nullptr || element.count == 0 ||
+           RefuseAt(element.line,
                     "element face has no list vertex_indices or "
                     "vertex_index");
-    }
-    return absl::OkStatus();
   }
 
   LineScanner& scanner_;
   PlyHeader header_;
   bool has_format_ = false;
+  absl::Status error_;
 };
 
 }  // namespace

@@ -3,28 +3,38 @@
 #ifndef GEODESIC_READERS_PLY_HEADER_H_
 #define GEODESIC_READERS_PLY_HEADER_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "readers/ply_scalar.h"
 #include "readers/text_scanner.h"
 
 namespace geodesic {
 
 enum class PlyEncoding { kAscii, kBinaryLittleEndian, kBinaryBigEndian };
 
+// A scalar type and how binary files store it.
+struct PlyType {
+  std::string_view name, sized_name;  // "uchar" and "uint8"
+  size_t bytes;
+  bool is_integer;
+  // They read a value at any address, of little and of big endian. As a double
+  // it is exact; only integers are read as integers.
+  std::array<double (*)(const char*), 2> load_double;
+  std::array<int64_t (*)(const char*), 2> load_integer;
+};
+
 // What a property is to a triangle mesh.
-enum class PlyRole { kIgnored, kX, kY, kZ, kCorners };
+enum class PlyRole { kX, kY, kZ, kCorners, kIgnored };
 
 struct PlyProperty {
   std::string_view name;
-  PlyScalar type = PlyScalar::kInt8;    // of a list: of its items
-  std::optional<PlyScalar> count_type;  // lists only; an integer type
+  const PlyType* type = nullptr;        // of a list: of its items
+  const PlyType* count_type = nullptr;  // lists only; an integer type
   PlyRole role = PlyRole::kIgnored;     // kCorners: a list of an integer type
 };
 

@@ -1,34 +1,163 @@
 #include "geodesic/read_mesh.h"
 
+#include <array>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "readers/content_sniffer.h"
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_cat.h"
+#include "readers/messages.h"
 #include "readers/readers.h"
+#include "readers/text_scanner.h"
 
 namespace geodesic {
+namespace {
+
+struct Format {
+  MeshFormat format;
+  std::string_view name;
+  absl::StatusOr<TriangleSoup> (*read)(std::string_view bytes,
+                                       const ReadLimits& limits);
+};
+
+constexpr std::array<Format, 4> kFormats = {{
+    {MeshFormat::kObj, "obj", ReadObj},
+    {MeshFormat::kPly, "ply", ReadPly},
+    {MeshFormat::kOff, "off", ReadOff},
+    {MeshFormat::kStl, "stl", ReadStl},
+}};
+
+const Format* Find(MeshFormat format) {
+  for (const Format& known : kFormats) {
+    if (known.format == format) return &known;
+  }
+  return nullptr;
+}
+
+struct Signature {
+  std::string_view prefix;
+  absl::string_view name;
+  absl::string_view advice;
+};
+
+constexpr absl::string_view kDecompress = "decompress first";
+constexpr absl::string_view kUtf8 = "save it as UTF-8 first";
+constexpr absl::string_view kConvert = "convert it to PLY, OFF, OBJ or STL";
+constexpr absl::string_view kDownload =
+    "the download was perhaps an error page";
+
+constexpr std::array<Signature, 15> kSignatures = {{
+    {"\x1f\x8b", "gzip", kDecompress},
+    {"PK\x03\x04", "zip", kDecompress},
+    {"BZh", "bzip2", kDecompress},
+    {"\xfd\x37zXZ", "xz", kDecompress},
+    {"\x28\xb5\x2f\xfd", "zstd", kDecompress},
+    {"7z\xbc\xaf", "7-Zip", kDecompress},
+    {"\xfe\xff", "UTF-16 text", kUtf8},
+    {"\xff\xfe", "UTF-16 text", kUtf8},
+    {"glTF", "glTF", kConvert},
+    {"# vtk DataFile", "VTK", kConvert},
+    {"\x89PNG", "a PNG picture", "name a mesh file"},
+    {"<!DOCTYPE", "HTML", kDownload},
+    {"<html", "HTML", kDownload},
+    {"<?xml", "XML", kConvert},
+    {"version https://git-lfs", "a Git LFS pointer",
+     "fetch the file that it stands for"},
+}};
+
+// The mesh format that the first word of a text gives away.
+std::optional<MeshFormat> GuessFormat(std::string_view bytes) {
+  LineScanner scanner(bytes);
+  std::string_view word;
+  while (word.empty() || word.starts_with('#')) {
+    if (!scanner.NextNonBlank()) return std::nullopt;
+    std::string_view line = scanner.line();
+    word = TakeToken(line);
+  }
+  if (word == "ply" && scanner.line_number() == 1) return MeshFormat::kPly;
+  for (const std::string_view keyword :
+       {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"}) {
+    if (word == keyword) return MeshFormat::kOff;
+  }
+  for (const std::string_view keyword :
+       {"v", "vn", "vt", "mtllib", "usemtl", "o", "g"}) {
+    if (word == keyword) return MeshFormat::kObj;
+  }
+  if (word == "solid") return MeshFormat::kStl;
+  return std::nullopt;
+}
+
+std::string Upper(MeshFormat format) {
+  std::string name(MeshFormatName(format));
+  absl::AsciiStrToUpper(&name);
+  return name;
+}
+
+// OK unless the bytes are plainly something other than `format`.
+// Errors: INVALID_ARGUMENT that says what they look like and what to do.
+absl::Status CheckContent(std::string_view bytes, MeshFormat format) {
+  if (bytes.empty()) return absl::InvalidArgumentError("the file is empty");
+  for (const Signature& signature : kSignatures) {
+    if (bytes.starts_with(signature.prefix)) {
+      return absl::InvalidArgumentError(
+          absl::StrCat("the bytes look like ", signature.name, ", not ",
+                       Upper(format), ": ", signature.advice));
+    }
+  }
+  const std::optional<MeshFormat> guess = GuessFormat(bytes);
+  if (guess.has_value() && *guess != format) {
+    return absl::InvalidArgumentError(absl::StrCat(
+        "the bytes look like ", Upper(*guess), ", not ", Upper(format)));
+  }
+  // An OBJ reader skips what it does not know, so it would take any bytes.
+  if (format == MeshFormat::kObj &&
+      bytes.find('\0') != std::string_view::npos) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("byte ", bytes.find('\0'),
+                     " is zero: the bytes look like binary data, not OBJ"));
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+std::string_view MeshFormatName(MeshFormat format) {
+  const Format* const known = Find(format);
+  return known != nullptr ? known->name : "unknown";
+}
+
+absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path) {
+  const std::string_view file = path.substr(path.find_last_of('/') + 1);
+  const size_t dot = file.find_last_of('.');
+  if (dot != std::string_view::npos) {
+    std::string ending(file.substr(dot + 1));
+    absl::AsciiStrToLower(&ending);
+    for (const Format& known : kFormats) {
+      if (ending == known.name) return known.format;
+    }
+  }
+  return absl::InvalidArgumentError(
+      absl::StrCat("the ending of '", Printable(path, 200),
+                   "' names no mesh format: .obj, .ply, .off and .stl are "
+                   "known"));
+}
 
 absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes, MeshFormat format,
                                       const ReadLimits& limits) {
+  const Format* const known = Find(format);
+  if (known == nullptr) {
+    return absl::InvalidArgumentError("unknown mesh format");
+  }
   // The header of a binary STL may begin with any bytes.
-  if (format == MeshFormat::kStl && HasSizeOfBinaryStl(bytes)) {
-    return ReadStl(bytes, limits);
+  if (format != MeshFormat::kStl || !HasSizeOfBinaryStl(bytes)) {
+    if (absl::Status status = CheckContent(bytes, format); !status.ok()) {
+      return status;
+    }
   }
-  if (absl::Status status = CheckContent(bytes, format); !status.ok()) {
-    return status;
-  }
-  switch (format) {
-    case MeshFormat::kObj:
-      return ReadObj(bytes, limits);
-    case MeshFormat::kPly:
-      return ReadPly(bytes, limits);
-    case MeshFormat::kOff:
-      return ReadOff(bytes, limits);
-    case MeshFormat::kStl:
-      return ReadStl(bytes, limits);
-  }
-  return absl::InvalidArgumentError("unknown mesh format");
+  return known->read(bytes, limits);
 }
 
 }  // namespace geodesic

@@ -11,8 +11,6 @@
 
 namespace geodesic {
 
-// All messages count faces and vertices from 0 in the order of the file; only
-// an OBJ's own vertex references are quoted as written, counting from 1.
 absl::StatusOr<TriangleSoup> ReadObj(std::string_view bytes,
                                      const ReadLimits& limits);
 absl::StatusOr<TriangleSoup> ReadOff(std::string_view bytes,
@@ -21,8 +19,6 @@ absl::StatusOr<TriangleSoup> ReadPly(std::string_view bytes,
                                      const ReadLimits& limits);
 absl::StatusOr<TriangleSoup> ReadStl(std::string_view bytes,
                                      const ReadLimits& limits);
-absl::StatusOr<TriangleSoup> ReadAsciiStl(std::string_view bytes,
-                                          const ReadLimits& limits);
 
 // Whether the size is what the facet count at byte 80 asks for, give or take
 // some padding. Stronger evidence than a header that begins with "solid".

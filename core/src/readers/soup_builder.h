@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "absl/status/status.h"
+#include "absl/status/statusor.h"
 #include "geodesic/read_mesh.h"
 #include "geodesic/triangle_soup.h"
 
@@ -15,34 +16,34 @@ namespace geodesic {
 // Polygons arrive corner by corner, so that no polygon is ever held beside its
 // triangles, however many corners it claims.
 //
-// Errors of all calls: RESOURCE_EXHAUSTED naming the limit that is passed; what
-// the limits' checkpoint says.
+// Calls return whether to go on. After the first false the file is refused, and
+// Take says why.
 class SoupBuilder {
  public:
   explicit SoupBuilder(const ReadLimits& limits);
 
   // Makes room. REQUIRES: that many vertices or triangles fit the bytes that
   // are left to read; a header's word alone is not enough.
-  absl::Status ReserveVertices(uint64_t count);
-  absl::Status ReserveTriangles(uint64_t count);
+  bool ReserveVertices(uint64_t count);
+  bool ReserveTriangles(uint64_t count);
 
-  absl::Status AddVertex(const Point& point) {
-    if (soup_.positions.size() >= next_vertices_) {
-      if (absl::Status status = PauseAtVertex(); !status.ok()) return status;
+  bool AddVertex(const Point& point) {
+    if (soup_.positions.size() >= vertices_.next &&
+        !Pause(soup_.positions.size(), vertices_)) {
+      return false;
     }
     soup_.positions.push_back(point);
-    return absl::OkStatus();
+    return true;
   }
 
   // Starts a polygon; its corners follow. One with fewer than three corners
   // adds no triangle: that is for the caller to refuse.
   void BeginFace() { corners_ = 0; }
-  absl::Status AddCorner(uint32_t vertex) {
+  bool AddCorner(uint32_t vertex) {
     if (corners_ >= 2) {
-      if (soup_.triangles.size() >= next_triangles_) {
-        if (absl::Status status = PauseAtTriangle(); !status.ok()) {
-          return status;
-        }
+      if (soup_.triangles.size() >= triangles_.next &&
+          !Pause(soup_.triangles.size(), triangles_)) {
+        return false;
       }
       soup_.triangles.push_back({first_, previous_, vertex});
     } else if (corners_ == 0) {
@@ -50,26 +51,37 @@ class SoupBuilder {
     }
     previous_ = vertex;
     ++corners_;
-    return absl::OkStatus();
+    return true;
+  }
+
+  // Refuses the file. Always false.
+  bool Refuse(absl::Status error) {
+    error_ = std::move(error);
+    return false;
   }
 
   uint64_t vertices() const { return soup_.positions.size(); }
 
-  TriangleSoup Take() && { return std::move(soup_); }
+  // Errors: what Refuse was given; RESOURCE_EXHAUSTED naming the limit that was
+  // passed; what the limits' checkpoint said.
+  absl::StatusOr<TriangleSoup> Take() &&;
 
  private:
-  // Ask whether to go on.
-  absl::Status PauseAtVertex();
-  absl::Status PauseAtTriangle();
-  absl::Status TooManyVertices() const;
-  absl::Status TooManyTriangles() const;
+  struct Limit {
+    const char* things;
+    uint64_t most;
+    // How many there may be before the next pause; not above `most`.
+    uint64_t next = 0;
+  };
 
-  const uint64_t max_vertices_;
-  const uint64_t max_triangles_;
+  // Asks whether more than `count` may be added.
+  bool Pause(uint64_t count, Limit& limit);
+  bool RefuseMore(const Limit& limit);
+
+  Limit vertices_;
+  Limit triangles_;
   Checkpoint* const checkpoint_;
-  // How many there may be before the next pause; not above the limits.
-  uint64_t next_vertices_ = 0;
-  uint64_t next_triangles_ = 0;
+  absl::Status error_;
   TriangleSoup soup_;
   // Of the polygon at hand.
   uint64_t corners_ = 0;

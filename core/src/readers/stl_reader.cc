@@ -1,27 +1,121 @@
-// STL, binary; ASCII files are told apart here and read next door.
+// STL. ASCII: any number of solids, keywords in any case. Binary files are told
+// apart by their content.
 
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <utility>
 
-#include "absl/status/status.h"
+#include "absl/container/flat_hash_map.h"
 #include "absl/status/statusor.h"
 #include "absl/strings/match.h"
 #include "absl/strings/string_view.h"
-#include "geodesic/read_mesh.h"
 #include "readers/byte_order.h"
-#include "readers/messages.h"
 #include "readers/readers.h"
-#include "readers/soup_builder.h"
-#include "readers/text_scanner.h"
-#include "readers/vertex_welder.h"
+#include "readers/text_reader.h"
 
 namespace geodesic {
 namespace {
+
+// Gives indices to vertices that a file repeats instead of numbering.
+class VertexWelder {
+ public:
+  explicit VertexWelder(SoupBuilder& builder) : builder_(builder) {}
+
+  // Adds a corner to the face at hand: the vertex at `point`, made when no
+  // vertex has equal coordinates (-0 equals 0) yet. REQUIRES: finite.
+  bool AddCorner(const Point& point) {
+    const auto [entry, is_new] =
+        indices_.try_emplace(point, static_cast<uint32_t>(builder_.vertices()));
+    return (!is_new || builder_.AddVertex(point)) &&
+           builder_.AddCorner(entry->second);
+  }
+
+ private:
+  SoupBuilder& builder_;
+  // Its hash is seeded, so no file can be made to collide.
+  absl::flat_hash_map<Point, uint32_t> indices_;
+};
+
+bool Is(std::string_view token, absl::string_view keyword) {
+  return absl::EqualsIgnoreCase(absl::string_view(token.data(), token.size()),
+                                keyword);
+}
+
+class AsciiStlReader : TextReader {
+ public:
+  AsciiStlReader(std::string_view bytes, const ReadLimits& limits)
+      : TextReader(bytes, limits), welder_(builder_) {}
+
+  absl::StatusOr<TriangleSoup> Read() {
+    for (std::string_view token = Take(); !token.empty(); token = Take()) {
+      if (!Expect("solid", token) || !ReadSolid()) break;
+    }
+    return std::move(builder_).Take();
+  }
+
+ private:
+  // The next token, on whatever line; empty at the end of the file.
+  std::string_view Take() {
+    while (true) {
+      const std::string_view token = TakeToken(rest_);
+      if (!token.empty()) return token;
+      if (!NextLine()) return {};
+    }
+  }
+
+  bool Expect(absl::string_view keyword, std::string_view token) {
+    if (Is(token, keyword)) return true;
+    if (token.empty()) {
+      return Refuse("the file ends at face ", face_, ", where '", keyword,
+                    "' was expected");
+    }
+    return Refuse("face ", face_, ": '", keyword, "' was expected, not '",
+                  Printable(token), "'");
+  }
+
+  // The rest of a solid behind its first word.
+  bool ReadSolid() {
+    rest_ = {};  // a name, which may hold anything
+    std::string_view token = Take();
+    for (; Is(token, "facet"); token = Take(), ++face_) {
+      if (!ReadFacet()) return false;
+    }
+    rest_ = {};  // the name again
+    return Expect("endsolid", token);
+  }
+
+  // The rest of a facet behind its first word.
+  bool ReadFacet() {
+    std::string_view token = Take();
+    if (Is(token, "normal")) {
+      // Normals follow from the corners, so theirs go unread.
+      for (int axis = 0; axis < 3; ++axis) Take();
+      token = Take();
+    }
+    if (!Expect("outer", token) || !Expect("loop", Take())) return false;
+    builder_.BeginFace();
+    int64_t corners = 0;
+    for (token = Take(); Is(token, "vertex"); token = Take(), ++corners) {
+      Point point;
+      for (double& coordinate : point) {
+        if (!ReadCoordinate(Take(), coordinate, "face ", face_, ", corner ",
+                            corners)) {
+          return false;
+        }
+      }
+      if (!welder_.AddCorner(point)) return false;
+    }
+    if (!Expect("endloop", token)) return false;
+    if (corners < 3) return Refuse("face ", face_, TooFewCorners(corners));
+    return Expect("endfacet", Take());
+  }
+
+  VertexWelder welder_;
+  uint64_t face_ = 0;
+};
 
 constexpr size_t kCountOffset = 80;
 constexpr size_t kHeaderBytes = 84;
@@ -39,13 +133,11 @@ bool LooksLikeAscii(std::string_view bytes) {
   LineScanner scanner(bytes);
   if (!scanner.NextNonBlank()) return false;
   std::string_view line = scanner.line();
-  const std::string_view token = TakeToken(line);
-  return absl::EqualsIgnoreCase(absl::string_view(token.data(), token.size()),
-                                "solid");
+  return Is(TakeToken(line), "solid");
 }
 
-absl::Status ReadFacet(std::string_view bytes, uint64_t facet,
-                       SoupBuilder& builder, VertexWelder& welder) {
+bool ReadFacet(std::string_view bytes, uint64_t facet, SoupBuilder& builder,
+               VertexWelder& welder) {
   size_t offset = kHeaderBytes + facet * kFacetBytes + kNormalBytes;
   builder.BeginFace();
   for (int corner = 0; corner < 3; ++corner) {
@@ -53,16 +145,15 @@ absl::Status ReadFacet(std::string_view bytes, uint64_t facet,
     for (double& coordinate : point) {
       coordinate = Load<float, std::endian::little>(bytes.data() + offset);
       if (!std::isfinite(coordinate)) {
-        return AtByte(offset, "face ", facet, ", corner ", corner,
-                      ": a coordinate is not a finite number");
+        return builder.Refuse(AtByte(offset, "face ", facet, ", corner ",
+                                     corner,
+                                     ": a coordinate is not a finite number"));
       }
       offset += sizeof(float);
     }
-    if (absl::Status status = welder.AddCorner(point); !status.ok()) {
-      return status;
-    }
+    if (!welder.AddCorner(point)) return false;
   }
-  return absl::OkStatus();
+  return true;
 }
 
 absl::StatusOr<TriangleSoup> ReadBinaryStl(std::string_view bytes,
@@ -79,15 +170,10 @@ absl::StatusOr<TriangleSoup> ReadBinaryStl(std::string_view bytes,
                   " bytes, but the file has ", bytes.size());
   }
   SoupBuilder builder(limits);
-  if (absl::Status status = builder.ReserveTriangles(facets); !status.ok()) {
-    return status;
-  }
   VertexWelder welder(builder);
-  for (uint64_t facet = 0; facet < facets; ++facet) {
-    if (absl::Status status = ReadFacet(bytes, facet, builder, welder);
-        !status.ok()) {
-      return status;
-    }
+  bool goes_on = builder.ReserveTriangles(facets);
+  for (uint64_t facet = 0; facet < facets && goes_on; ++facet) {
+    goes_on = ReadFacet(bytes, facet, builder, welder);
   }
   return std::move(builder).Take();
 }
@@ -103,7 +189,7 @@ bool HasSizeOfBinaryStl(std::string_view bytes) {
 absl::StatusOr<TriangleSoup> ReadStl(std::string_view bytes,
                                      const ReadLimits& limits) {
   if (!HasSizeOfBinaryStl(bytes) && LooksLikeAscii(bytes)) {
-    return ReadAsciiStl(bytes, limits);
+    return AsciiStlReader(bytes, limits).Read();
   }
   return ReadBinaryStl(bytes, limits);
 }
