@@ -1,7 +1,7 @@
 // What a run has checked and found.
 
-#ifndef GEODESIC_BENCH_STRESS_REPORT_H_
-#define GEODESIC_BENCH_STRESS_REPORT_H_
+#ifndef GEODESIC_TESTS_STRESS_REPORT_H_
+#define GEODESIC_TESTS_STRESS_REPORT_H_
 
 #include <cstdint>
 #include <iomanip>
@@ -59,4 +59,4 @@ class Report {
 
 }  // namespace geodesic::stress
 
-#endif  // GEODESIC_BENCH_STRESS_REPORT_H_
+#endif  // GEODESIC_TESTS_STRESS_REPORT_H_

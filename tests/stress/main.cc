@@ -8,9 +8,9 @@
 #include <iostream>
 #include <limits>
 
-#include "bench/stress/laws.h"
-#include "bench/stress/report.h"
-#include "bench/stress/scene.h"
+#include "tests/stress/laws.h"
+#include "tests/stress/report.h"
+#include "tests/stress/scene.h"
 #include "tests/support/random.h"
 
 namespace geodesic::stress {

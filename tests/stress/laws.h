@@ -1,10 +1,10 @@
 // The laws: each draws its questions on a scene and checks the answers.
 
-#ifndef GEODESIC_BENCH_STRESS_LAWS_H_
-#define GEODESIC_BENCH_STRESS_LAWS_H_
+#ifndef GEODESIC_TESTS_STRESS_LAWS_H_
+#define GEODESIC_TESTS_STRESS_LAWS_H_
 
-#include "bench/stress/report.h"
-#include "bench/stress/scene.h"
+#include "tests/stress/report.h"
+#include "tests/stress/scene.h"
 #include "tests/support/random.h"
 
 namespace geodesic::stress {
@@ -33,4 +33,4 @@ void CheckQuestionLaws(const Scene& scene, test::Random& random,
 
 }  // namespace geodesic::stress
 
-#endif  // GEODESIC_BENCH_STRESS_LAWS_H_
+#endif  // GEODESIC_TESTS_STRESS_LAWS_H_

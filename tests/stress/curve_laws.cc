@@ -2,8 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include "bench/stress/answers.h"
-#include "bench/stress/laws.h"
+#include "tests/stress/answers.h"
+#include "tests/stress/laws.h"
 #include "tests/support/surface_points.h"
 #include "tests/support/vec.h"
 

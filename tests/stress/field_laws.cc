@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "bench/stress/answers.h"
-#include "bench/stress/laws.h"
+#include "tests/stress/answers.h"
+#include "tests/stress/laws.h"
 #include "geodesic/solve.h"
 #include "tests/support/edge_dijkstra.h"
 #include "tests/support/mesh_edits.h"

@@ -1,4 +1,4 @@
-#include "bench/stress/scene.h"
+#include "tests/stress/scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "bench/stress/answers.h"
-#include "bench/stress/laws.h"
+#include "tests/stress/answers.h"
+#include "tests/stress/laws.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/surface_points.h"
 

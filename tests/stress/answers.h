@@ -1,14 +1,14 @@
 // Solving, and comparing answers.
 
-#ifndef GEODESIC_BENCH_STRESS_ANSWERS_H_
-#define GEODESIC_BENCH_STRESS_ANSWERS_H_
+#ifndef GEODESIC_TESTS_STRESS_ANSWERS_H_
+#define GEODESIC_TESTS_STRESS_ANSWERS_H_
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "bench/stress/report.h"
-#include "bench/stress/scene.h"
+#include "tests/stress/report.h"
+#include "tests/stress/scene.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/query.h"
@@ -34,4 +34,4 @@ void CheckEqual(std::string_view law, const Query& query,
 
 }  // namespace geodesic::stress
 
-#endif  // GEODESIC_BENCH_STRESS_ANSWERS_H_
+#endif  // GEODESIC_TESTS_STRESS_ANSWERS_H_

@@ -1,7 +1,7 @@
 // A mesh drawn at random, with points to ask about.
 
-#ifndef GEODESIC_BENCH_STRESS_SCENE_H_
-#define GEODESIC_BENCH_STRESS_SCENE_H_
+#ifndef GEODESIC_TESTS_STRESS_SCENE_H_
+#define GEODESIC_TESTS_STRESS_SCENE_H_
 
 #include <cstdint>
 #include <memory>
@@ -58,4 +58,4 @@ std::string Name(const Query& query);
 
 }  // namespace geodesic::stress
 
-#endif  // GEODESIC_BENCH_STRESS_SCENE_H_
+#endif  // GEODESIC_TESTS_STRESS_SCENE_H_

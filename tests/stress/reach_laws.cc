@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "bench/stress/answers.h"
-#include "bench/stress/laws.h"
+#include "tests/stress/answers.h"
+#include "tests/stress/laws.h"
 #include "geodesic/computation.h"
 #include "geodesic/settled_vertices.h"
 #include "tests/support/queries.h"

@@ -1,4 +1,4 @@
-#include "bench/stress/answers.h"
+#include "tests/stress/answers.h"
 
 #include <cmath>
 #include <cstdint>

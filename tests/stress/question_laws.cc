@@ -2,8 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include "bench/stress/answers.h"
-#include "bench/stress/laws.h"
+#include "tests/stress/answers.h"
+#include "tests/stress/laws.h"
 #include "geodesic/field_quantities.h"
 #include "geodesic/isolines.h"
 #include "geodesic/log_map.h"
