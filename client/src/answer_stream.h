@@ -1,9 +1,10 @@
-// Reads a streamed answer as query.proto lays it down: a header, progress, the
-// answer's parts, a trailer.
+// Asks a question and reads its streamed answer, as query.proto lays them down:
+// the answer is a header, progress, parts and a trailer.
 
 #ifndef GEODESIC_CLIENT_ANSWER_STREAM_H_
 #define GEODESIC_CLIENT_ANSWER_STREAM_H_
 
+#include <memory>
 #include <utility>
 
 #include "absl/status/status.h"
@@ -13,10 +14,34 @@
 #include "geodesic/v1/matrix_service.pb.h"
 #include "geodesic/v1/query.pb.h"
 #include "geodesic_client/answer.h"
-#include "rpc_status.h"
 #include "translate.h"
 
 namespace geodesic::client {
+
+// A request with all of `query` that several questions have.
+// Errors: INVALID_ARGUMENT for an unknown algorithm.
+template <typename Request, typename Query>
+absl::StatusOr<Request> MakeRequest(const Query& query) {
+  absl::StatusOr<v1::Algorithm> algorithm = AlgorithmFromName(query.algorithm);
+  if (!algorithm.ok()) return algorithm.status();
+  Request request;
+  request.set_mesh_digest(query.mesh_digest);
+  request.set_algorithm(*algorithm);
+  request.set_priority(ToProto(query.priority));
+  if constexpr (requires { query.sources; }) {
+    AddAll(query.sources, request.mutable_sources());
+  }
+  if constexpr (requires { query.targets; }) {
+    AddAll(query.targets, request.mutable_targets());
+  }
+  if constexpr (requires { query.value_type; }) {
+    request.set_value_type(ToProto(query.value_type));
+  }
+  if constexpr (requires { query.radius; }) {
+    if (query.radius.has_value()) request.set_radius(*query.radius);
+  }
+  return request;
+}
 
 inline const v1::AnswerHeader& CommonHeader(const v1::AnswerHeader& header) {
   return header;
@@ -25,25 +50,16 @@ inline const v1::AnswerHeader& CommonHeader(const v1::MatrixHeader& header) {
   return header.answer();
 }
 
-// What becomes of the messages of an answer. `header`, `progress` and `part`
-// take what the response calls so; header and part return a status, and one
-// that is not OK ends the call. `part` also gets parts unknown here, which a
-// later server may add.
-template <typename Header, typename Progress, typename Part>
-struct AnswerHandlers {
-  Header header;
-  Progress progress;
-  Part part;
-};
-
-// Reads `reader` to its end. `count` is called then, for the number of items
-// that have come.
-// Errors: the server's; those of the handlers; DATA_LOSS if the stream breaks
-// the protocol or is not complete.
-template <typename Response, typename Reader, typename Handlers, typename Count>
-absl::StatusOr<AnswerInfo> ReadAnswer(Call* call, Reader reader,
-                                      const Handlers& handlers,
-                                      const Count& count) {
+// Reads `reader` to its end. `progress` takes the messages of that name with
+// what is known by then, `take` the header and all parts; it may end the call
+// by an error. Parts unknown here, which a later server may add, go to `take`
+// too. `count` is called at the end, for the number of items that have come.
+// Errors: the server's; those of `take`; DATA_LOSS if the stream breaks the
+// protocol or is not complete.
+template <typename Response, typename Progress, typename Take, typename Count>
+absl::StatusOr<AnswerInfo> ReadAnswer(
+    Call* call, std::unique_ptr<grpc::ClientReader<Response>> reader,
+    const Progress& progress, const Take& take, const Count& count) {
   AnswerInfo info;
   bool has_header = false;
   bool has_trailer = false;
@@ -60,28 +76,19 @@ absl::StatusOr<AnswerInfo> ReadAnswer(Call* call, Reader reader,
       info.algorithm = AlgorithmName(header.algorithm());
       info.relative_tolerance = header.relative_tolerance();
       info.server_version = header.server_version();
-      return handlers.header(response.header());
-    }
-    if (response.has_progress()) {
-      handlers.progress(response.progress(), info);
+    } else if (response.has_progress()) {
+      progress(response.progress(), info);
       return absl::OkStatus();
-    }
-    if (response.has_trailer()) {
+    } else if (response.has_trailer()) {
       has_trailer = true;
       info.compute_seconds = response.trailer().compute_seconds();
       info.windows_propagated = response.trailer().windows_propagated();
       item_count = response.trailer().item_count();
       return absl::OkStatus();
     }
-    return handlers.part(response);
+    return take(response);
   };
-
-  Response response;
-  absl::Status broken;
-  while (broken.ok() && reader->Read(&response)) broken = consume(response);
-  if (!broken.ok()) call->context()->TryCancel();
-  const absl::Status status = FromRpcStatus(reader->Finish());
-  if (!broken.ok()) return broken;
+  absl::Status status = ReadStream(call, std::move(reader), consume);
   if (!status.ok()) return status;
   if (!has_trailer) {
     return absl::DataLossError("the server's answer ended without its trailer");
@@ -93,27 +100,11 @@ absl::StatusOr<AnswerInfo> ReadAnswer(Call* call, Reader reader,
   return info;
 }
 
-// Handlers for the answers of one computation.
-template <typename Part>
-auto SolveHandlers(const SolveProgressCallback& callback, Part part) {
-  const auto header = [](const v1::AnswerHeader&) { return absl::OkStatus(); };
-  const auto progress = [&callback](const v1::SolveProgress& message,
-                                    const AnswerInfo& info) {
+// Takes the progress of one computation for a callback, which may be empty.
+inline auto ReportTo(const SolveProgressCallback& callback) {
+  return [&callback](const v1::SolveProgress& message, const AnswerInfo& info) {
     if (callback != nullptr) callback(FromProto(message, info.vertex_count));
   };
-  return AnswerHandlers<decltype(header), decltype(progress), Part>{
-      header, progress, std::move(part)};
-}
-
-// What a request of any answer says about its computation.
-template <typename Query, typename Request>
-absl::Status SetCommon(const Query& query, Request* request) {
-  absl::StatusOr<v1::Algorithm> algorithm = AlgorithmFromName(query.algorithm);
-  if (!algorithm.ok()) return algorithm.status();
-  request->set_mesh_digest(query.mesh_digest);
-  request->set_algorithm(*algorithm);
-  request->set_priority(ToProto(query.priority));
-  return absl::OkStatus();
 }
 
 }  // namespace geodesic::client

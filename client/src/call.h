@@ -4,12 +4,15 @@
 #define GEODESIC_CLIENT_CALL_H_
 
 #include <grpcpp/client_context.h>
+#include <grpcpp/support/sync_stream.h>
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <stop_token>
 
 #include "geodesic_client/client.h"
+#include "rpc_status.h"
 
 namespace geodesic::client {
 
@@ -40,6 +43,21 @@ class Call {
   grpc::ClientContext context_;
   std::stop_callback<Cancel> on_stop_;
 };
+
+// Gives `consume` each message of a stream until the stream ends or `consume`
+// returns an error, which ends the call.
+// Errors: that of `consume`, or the server's.
+template <typename Response, typename Consume>
+absl::Status ReadStream(Call* call,
+                        std::unique_ptr<grpc::ClientReader<Response>> reader,
+                        Consume consume) {
+  Response response;
+  absl::Status consumed;
+  while (consumed.ok() && reader->Read(&response)) consumed = consume(response);
+  if (!consumed.ok()) call->context()->TryCancel();
+  const absl::Status status = FromRpcStatus(reader->Finish());
+  return consumed.ok() ? status : consumed;
+}
 
 }  // namespace geodesic::client
 

@@ -3,28 +3,11 @@
 #include <utility>
 
 #include "call.h"
-#include "channel.h"
 #include "connection.h"
-#include "rpc_status.h"
+#include "mesh_assembler.h"
 #include "translate.h"
 
 namespace geodesic::client {
-namespace {
-
-// The largest page ListMeshes serves.
-constexpr int kPageSize = 1000;
-
-}  // namespace
-
-Client::Connection::Connection(const std::string& server,
-                               const ConnectionOptions& options)
-    : retry(options.retry),
-      channel(MakeChannel(server, options)),
-      meshes(v1::MeshService::NewStub(channel)),
-      capabilities(v1::CapabilitiesService::NewStub(channel)),
-      fields(v1::FieldService::NewStub(channel)),
-      paths(v1::PathService::NewStub(channel)),
-      matrices(v1::MatrixService::NewStub(channel)) {}
 
 Client::Client(const std::string& server, const ConnectionOptions& options)
     : connection_(std::make_unique<Connection>(server, options)) {}
@@ -47,7 +30,7 @@ absl::StatusOr<std::vector<MeshInfo>> Client::ListMeshes(
     const CallOptions& options) {
   std::vector<MeshInfo> meshes;
   v1::ListMeshesRequest request;
-  request.set_page_size(kPageSize);
+  request.set_page_size(1000);  // The largest there is.
   v1::ListMeshesResponse response;
   do {
     Call call(options);
@@ -64,6 +47,21 @@ absl::StatusOr<std::vector<MeshInfo>> Client::ListMeshes(
     request.set_page_token(response.next_page_token());
   } while (!request.page_token().empty());
   return meshes;
+}
+
+absl::StatusOr<MeshArrays> Client::ReadMesh(const std::string& digest,
+                                            const CallOptions& options) {
+  v1::ReadMeshRequest request;
+  request.set_digest(digest);
+  MeshAssembler assembler;
+  Call call(options);
+  absl::Status status =
+      ReadStream(&call, connection_->meshes->ReadMesh(call.context(), request),
+                 [&assembler](const v1::ReadMeshResponse& response) {
+                   return assembler.Consume(response);
+                 });
+  if (!status.ok()) return status;
+  return std::move(assembler).Finish();
 }
 
 absl::Status Client::DeleteMesh(const std::string& digest,

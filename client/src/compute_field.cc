@@ -5,37 +5,27 @@
 #include <string>
 #include <utility>
 
-#include "call.h"
+#include "answer_stream.h"
 #include "connection.h"
 #include "field_assembler.h"
 #include "geodesic_client/errors.h"
-#include "retry.h"
 #include "rpc_status.h"
-#include "translate.h"
 
 namespace geodesic::client {
 namespace {
 
-absl::StatusOr<v1::ComputeFieldRequest> ToRequest(const FieldQuery& query) {
-  v1::ComputeFieldRequest request;
-  request.set_mesh_digest(query.mesh_digest);
-  AddAll(query.sources, request.mutable_sources());
-  absl::StatusOr<v1::Algorithm> algorithm = AlgorithmFromName(query.algorithm);
-  if (!algorithm.ok()) return algorithm.status();
-  request.set_algorithm(*algorithm);
-  request.set_value_type(ToProto(query.value_type));
-  AddAll(query.targets, request.mutable_targets());
-  if (query.radius.has_value()) {
-    request.set_radius(*query.radius);
-  }
+absl::StatusOr<v1::ComputeFieldRequest> ToRequest(const FieldQuery& query,
+                                                  bool progressive) {
+  auto request = MakeRequest<v1::ComputeFieldRequest>(query);
+  if (!request.ok()) return request;
   if (query.stop_after_targets.has_value()) {
-    request.set_stop_after_targets(*query.stop_after_targets);
+    request->set_stop_after_targets(*query.stop_after_targets);
   }
   if (query.nearest_sources) {
-    request.add_quantities(v1::FIELD_QUANTITY_NEAREST_SOURCE);
+    request->add_quantities(v1::FIELD_QUANTITY_NEAREST_SOURCE);
   }
-  if (query.gradients) request.add_quantities(v1::FIELD_QUANTITY_GRADIENT);
-  request.set_priority(ToProto(query.priority));
+  if (query.gradients) request->add_quantities(v1::FIELD_QUANTITY_GRADIENT);
+  request->set_progressive(progressive);
   return request;
 }
 
@@ -45,15 +35,10 @@ absl::Status ReceiveStream(v1::FieldService::Stub* stub,
                            const CallOptions& options,
                            FieldAssembler* assembler) {
   Call call(options);
-  const auto reader = stub->ComputeField(call.context(), request);
-  v1::ComputeFieldResponse message;
-  absl::Status broken;
-  while (broken.ok() && reader->Read(&message)) {
-    broken = assembler->Consume(message);
-  }
-  if (!broken.ok()) call.context()->TryCancel();
-  const absl::Status status = FromRpcStatus(reader->Finish());
-  return broken.ok() ? status : broken;
+  return ReadStream(&call, stub->ComputeField(call.context(), request),
+                    [assembler](const v1::ComputeFieldResponse& message) {
+                      return assembler->Consume(message);
+                    });
 }
 
 // Whether and how to go on after a stream has failed; until it had begun, gRPC
@@ -82,15 +67,10 @@ absl::StatusOr<Field> Receive(v1::FieldService::Stub* stub,
                               const CallOptions& options,
                               const SolveProgressCallback& progress,
                               bool retry) {
-  absl::StatusOr<v1::ComputeFieldRequest> request = ToRequest(query);
+  absl::StatusOr<v1::ComputeFieldRequest> request =
+      ToRequest(query, on_settled != nullptr);
   if (!request.ok()) return request.status();
-  request->set_progressive(on_settled != nullptr);
-  FieldAssembler assembler({.value_type = query.value_type,
-                            .nearest_sources = query.nearest_sources,
-                            .gradients = query.gradients,
-                            .target_count = query.targets.size(),
-                            .on_settled = on_settled},
-                           progress);
+  FieldAssembler assembler(query, on_settled, progress);
   bool begun = false;
   uint64_t most = 0;  // that has been received
   for (int attempts = 1;; ++attempts) {

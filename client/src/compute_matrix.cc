@@ -1,6 +1,5 @@
 // Client::ComputeMatrix and FindNearest: rows off a server stream.
 
-#include <optional>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -11,20 +10,12 @@
 namespace geodesic::client {
 namespace {
 
-// Handlers of an answer by rows. `check_header` sees the header, `consume` each
-// chunk.
-template <typename Response, typename CheckHeader, typename Consume>
-auto RowHandlers(const NearestProgressCallback& callback, uint64_t rows,
-                 CheckHeader check_header, Consume consume) {
-  const auto progress = [&callback, rows](const v1::MatrixProgress& message,
-                                          const AnswerInfo&) {
-    if (callback != nullptr) callback(message.rows_finished(), rows);
-  };
-  const auto part = [consume](const Response& response) {
-    return response.has_chunk() ? consume(response.chunk()) : absl::OkStatus();
-  };
-  return AnswerHandlers<CheckHeader, decltype(progress), decltype(part)>{
-      check_header, progress, part};
+// Takes the progress of `rows` computations for a callback, which may be empty.
+auto ReportTo(const NearestProgressCallback& callback, uint64_t rows) {
+  return
+      [&callback, rows](const v1::MatrixProgress& message, const AnswerInfo&) {
+        if (callback != nullptr) callback(message.rows_finished(), rows);
+      };
 }
 
 absl::Status CheckRows(const v1::MatrixHeader& header, uint64_t rows) {
@@ -40,31 +31,25 @@ absl::Status CheckRows(const v1::MatrixHeader& header, uint64_t rows) {
 absl::StatusOr<AnswerInfo> Client::ComputeMatrix(const MatrixQuery& query,
                                                  const MatrixReceiver& receiver,
                                                  const CallOptions& options) {
-  v1::ComputeMatrixRequest request;
-  if (absl::Status status = SetCommon(query, &request); !status.ok()) {
-    return status;
-  }
-  AddAll(query.sources, request.mutable_sources());
-  AddAll(query.targets, request.mutable_targets());
-  request.set_value_type(ToProto(query.value_type));
-  if (query.radius.has_value()) {
-    request.set_radius(*query.radius);
-  }
-  request.set_layout(query.sparse ? v1::MATRIX_LAYOUT_SPARSE
-                                  : v1::MATRIX_LAYOUT_DENSE);
+  auto request = MakeRequest<v1::ComputeMatrixRequest>(query);
+  if (!request.ok()) return request.status();
+  request->set_layout(query.sparse ? v1::MATRIX_LAYOUT_SPARSE
+                                   : v1::MATRIX_LAYOUT_DENSE);
 
   const uint64_t rows = query.sources.size();
   uint64_t columns = 0;
-  const auto header = [&](const v1::MatrixHeader& message) {
-    absl::Status status = CheckRows(message, rows);
-    if (!status.ok()) return status;
-    columns = message.column_count();
-    return receiver.on_shape == nullptr ? absl::OkStatus()
-                                        : receiver.on_shape({rows, columns});
-  };
   RowAssembler assembler(query.value_type, query.sparse);
-  const auto consume = [&](const v1::MatrixChunk& chunk) {
-    absl::Status status =
+  const auto take = [&](const v1::ComputeMatrixResponse& response) {
+    absl::Status status;
+    if (response.has_header()) {
+      columns = response.header().column_count();
+      status = CheckRows(response.header(), rows);
+      if (!status.ok() || receiver.on_shape == nullptr) return status;
+      return receiver.on_shape({rows, columns});
+    }
+    if (!response.has_chunk()) return status;
+    const v1::MatrixChunk& chunk = response.chunk();
+    status =
         assembler.Consume({chunk.row(), chunk.value_count(), chunk.offset(),
                            chunk.columns(), chunk.values()},
                           columns);
@@ -73,10 +58,9 @@ absl::StatusOr<AnswerInfo> Client::ComputeMatrix(const MatrixQuery& query,
         {assembler.row(), assembler.numbers(), assembler.values()});
   };
   Call call(options);
-  absl::StatusOr<AnswerInfo> info = ReadAnswer<v1::ComputeMatrixResponse>(
-      &call, connection_->matrices->ComputeMatrix(call.context(), request),
-      RowHandlers<v1::ComputeMatrixResponse>(receiver.on_progress, rows, header,
-                                             consume),
+  absl::StatusOr<AnswerInfo> info = ReadAnswer(
+      &call, connection_->matrices->ComputeMatrix(call.context(), *request),
+      ReportTo(receiver.on_progress, rows), take,
       [&assembler] { return assembler.row_count(); });
   if (info.ok() && assembler.row_count() != rows) {
     return absl::DataLossError(absl::StrCat(
@@ -88,24 +72,17 @@ absl::StatusOr<AnswerInfo> Client::ComputeMatrix(const MatrixQuery& query,
 absl::StatusOr<NearestAnswer> Client::FindNearest(
     const NearestQuery& query, const CallOptions& options,
     const NearestProgressCallback& progress) {
-  v1::FindNearestRequest request;
-  if (absl::Status status = SetCommon(query, &request); !status.ok()) {
-    return status;
-  }
-  AddAll(query.sources, request.mutable_sources());
-  AddAll(query.targets, request.mutable_targets());
-  request.set_count(query.count);
-  if (query.radius.has_value()) {
-    request.set_radius(*query.radius);
-  }
+  auto request = MakeRequest<v1::FindNearestRequest>(query);
+  if (!request.ok()) return request.status();
+  request->set_count(query.count);
 
   const uint64_t rows = query.sources.size();
   NearestAnswer answer;
   RowAssembler assembler(ValueType::kFloat64, /*has_numbers=*/true);
-  const auto header = [rows](const v1::MatrixHeader& message) {
-    return CheckRows(message, rows);
-  };
-  const auto consume = [&](const v1::NearestChunk& chunk) {
+  const auto take = [&](const v1::FindNearestResponse& response) {
+    if (response.has_header()) return CheckRows(response.header(), rows);
+    if (!response.has_chunk()) return absl::OkStatus();
+    const v1::NearestChunk& chunk = response.chunk();
     absl::Status status =
         assembler.Consume({chunk.row(), chunk.value_count(), chunk.offset(),
                            chunk.targets(), chunk.distances()},
@@ -118,9 +95,9 @@ absl::StatusOr<NearestAnswer> Client::FindNearest(
     return status;
   };
   Call call(options);
-  absl::StatusOr<AnswerInfo> info = ReadAnswer<v1::FindNearestResponse>(
-      &call, connection_->matrices->FindNearest(call.context(), request),
-      RowHandlers<v1::FindNearestResponse>(progress, rows, header, consume),
+  absl::StatusOr<AnswerInfo> info = ReadAnswer(
+      &call, connection_->matrices->FindNearest(call.context(), *request),
+      ReportTo(progress, rows), take,
       [&answer] { return answer.found.size(); });
   if (!info.ok()) return info.status();
   if (answer.found.size() != rows) {

@@ -22,19 +22,12 @@ absl::Status OutOfOrder(std::string_view what, uint64_t number,
 absl::StatusOr<PathAnswer> Client::ComputePaths(
     const PathQuery& query, const CallOptions& options,
     const SolveProgressCallback& progress) {
-  v1::ComputePathsRequest request;
-  if (absl::Status status = SetCommon(query, &request); !status.ok()) {
-    return status;
-  }
-  AddAll(query.sources, request.mutable_sources());
-  AddAll(query.targets, request.mutable_targets());
-  if (query.radius.has_value()) {
-    request.set_radius(*query.radius);
-  }
+  const auto request = MakeRequest<v1::ComputePathsRequest>(query);
+  if (!request.ok()) return request.status();
 
   PathAnswer answer;
   PolylineAssembler assembler;
-  const auto part = [&](const v1::ComputePathsResponse& response) {
+  const auto take = [&](const v1::ComputePathsResponse& response) {
     if (!response.has_path()) return absl::OkStatus();
     const v1::GeodesicPath& message = response.path();
     if (assembler.complete()) {
@@ -50,9 +43,9 @@ absl::StatusOr<PathAnswer> Client::ComputePaths(
     return assembler.Consume(message.piece(), &answer.paths.back().line);
   };
   Call call(options);
-  absl::StatusOr<AnswerInfo> info = ReadAnswer<v1::ComputePathsResponse>(
-      &call, connection_->paths->ComputePaths(call.context(), request),
-      SolveHandlers(progress, part), [&answer] { return answer.paths.size(); });
+  absl::StatusOr<AnswerInfo> info = ReadAnswer(
+      &call, connection_->paths->ComputePaths(call.context(), *request),
+      ReportTo(progress), take, [&answer] { return answer.paths.size(); });
   if (!info.ok()) return info.status();
   if (!assembler.complete() || answer.paths.size() != query.targets.size()) {
     return absl::DataLossError(
@@ -66,16 +59,13 @@ absl::StatusOr<PathAnswer> Client::ComputePaths(
 absl::StatusOr<IsolineAnswer> Client::ComputeIsolines(
     const IsolineQuery& query, const CallOptions& options,
     const SolveProgressCallback& progress) {
-  v1::ComputeIsolinesRequest request;
-  if (absl::Status status = SetCommon(query, &request); !status.ok()) {
-    return status;
-  }
-  AddAll(query.sources, request.mutable_sources());
-  request.mutable_levels()->Add(query.levels.begin(), query.levels.end());
+  auto request = MakeRequest<v1::ComputeIsolinesRequest>(query);
+  if (!request.ok()) return request.status();
+  request->mutable_levels()->Add(query.levels.begin(), query.levels.end());
 
   IsolineAnswer answer;
   PolylineAssembler assembler;
-  const auto part = [&](const v1::ComputeIsolinesResponse& response) {
+  const auto take = [&](const v1::ComputeIsolinesResponse& response) {
     if (!response.has_isoline()) return absl::OkStatus();
     const v1::Isoline& message = response.isoline();
     if (assembler.complete()) {
@@ -89,10 +79,9 @@ absl::StatusOr<IsolineAnswer> Client::ComputeIsolines(
     return assembler.Consume(message.piece(), &answer.isolines.back().line);
   };
   Call call(options);
-  absl::StatusOr<AnswerInfo> info = ReadAnswer<v1::ComputeIsolinesResponse>(
-      &call, connection_->paths->ComputeIsolines(call.context(), request),
-      SolveHandlers(progress, part),
-      [&answer] { return answer.isolines.size(); });
+  absl::StatusOr<AnswerInfo> info = ReadAnswer(
+      &call, connection_->paths->ComputeIsolines(call.context(), *request),
+      ReportTo(progress), take, [&answer] { return answer.isolines.size(); });
   if (!info.ok()) return info.status();
   if (!assembler.complete()) {
     return absl::DataLossError("the server's answer ended within an isoline");

@@ -12,8 +12,6 @@ namespace {
 
 using v1::ComputeFieldResponse;
 
-constexpr size_t kDimensions = 3;
-
 // Room taken on the server's word alone, in values: address space that no
 // memory backs until values arrive. Larger fields grow as vectors do.
 constexpr uint64_t kMostReserved = uint64_t{1} << 24;
@@ -21,7 +19,7 @@ constexpr uint64_t kMostReserved = uint64_t{1} << 24;
 }  // namespace
 
 absl::Status FieldAssembler::ConsumeChunk(const v1::FieldChunk& chunk) {
-  if (complete_ || expected_.on_settled != nullptr) {
+  if (complete_ || on_settled_ != nullptr) {
     return absl::DataLossError(
         "the server sent distances outside the field's stream");
   }
@@ -31,14 +29,14 @@ absl::Status FieldAssembler::ConsumeChunk(const v1::FieldChunk& chunk) {
         " where those from vertex ", received(), " were due"));
   }
   if (!chunk.field_id().empty()) field_id_ = chunk.field_id();
-  const ValueType type = expected_.value_type;
+  const ValueType type = query_.value_type;
   if (!AppendValues(chunk.distances(), type, &field_.distances) ||
-      !AppendNumbers(chunk.nearest_sources(), &field_.nearest_sources) ||
-      !AppendValues(chunk.gradients(), type, &gradient_values_)) {
+      !AppendElements(chunk.nearest_sources(), &field_.nearest_sources) ||
+      !AppendValues(chunk.gradients(), type, &field_.gradients)) {
     return absl::DataLossError("the server sent a part of a number");
   }
   if (std::max({received(), field_.nearest_sources.size(),
-                gradient_values_.size() / kDimensions}) > field_.vertex_count) {
+                field_.gradients.size()}) > field_.vertex_count) {
     return absl::DataLossError(absl::StrCat("the server sent more than the ",
                                             field_.vertex_count,
                                             " distances it had announced"));
@@ -60,16 +58,15 @@ FieldAssembler::Position FieldAssembler::Resume() {
 void FieldAssembler::Restart() {
   field_ = Field();
   field_id_.clear();
-  gradient_values_.clear();
   has_header_ = false;
   complete_ = false;
 }
 
 absl::Status FieldAssembler::ConsumeTargets(const v1::TargetChunk& chunk) {
   if (chunk.offset() != field_.target_distances.size() ||
-      !AppendValues(chunk.distances(), expected_.value_type,
+      !AppendValues(chunk.distances(), query_.value_type,
                     &field_.target_distances) ||
-      field_.target_distances.size() > expected_.target_count) {
+      field_.target_distances.size() > query_.targets.size()) {
     return absl::DataLossError(
         "the server sent distances of other targets than were due");
   }
@@ -79,9 +76,9 @@ absl::Status FieldAssembler::ConsumeTargets(const v1::TargetChunk& chunk) {
 absl::Status FieldAssembler::ConsumeSettled(const v1::SettledChunk& chunk) {
   std::vector<uint32_t> vertices;
   std::vector<double> distances;
-  if (expected_.on_settled == nullptr || chunk.offset() != settled_count_ ||
-      !AppendNumbers(chunk.vertices(), &vertices) ||
-      !AppendValues(chunk.distances(), expected_.value_type, &distances) ||
+  if (on_settled_ == nullptr || chunk.offset() != settled_count_ ||
+      !AppendElements(chunk.vertices(), &vertices) ||
+      !AppendValues(chunk.distances(), query_.value_type, &distances) ||
       vertices.size() != distances.size() ||
       vertices.size() > field_.vertex_count - settled_count_) {
     return absl::DataLossError(
@@ -93,7 +90,7 @@ absl::Status FieldAssembler::ConsumeSettled(const v1::SettledChunk& chunk) {
     settled.push_back({vertices[i], distances[i]});
   }
   settled_count_ += settled.size();
-  expected_.on_settled(settled);
+  on_settled_(settled);
   return absl::OkStatus();
 }
 
@@ -110,7 +107,7 @@ absl::Status FieldAssembler::TakeHeader(const v1::FieldHeader& header) {
   field_.mesh_digest = header.mesh_digest();
   field_.algorithm = AlgorithmName(header.algorithm());
   field_.origin = FromProto(header.origin());
-  if (expected_.on_settled == nullptr) {
+  if (on_settled_ == nullptr) {
     field_.distances.reserve(std::min(field_.vertex_count, kMostReserved));
   }
   return absl::OkStatus();
@@ -149,7 +146,7 @@ absl::Status FieldAssembler::Consume(const ComputeFieldResponse& message) {
 }
 
 absl::StatusOr<Field> FieldAssembler::Finish() && {
-  const bool progressive = expected_.on_settled != nullptr;
+  const bool progressive = on_settled_ != nullptr;
   if (!has_header_ || !complete_ ||
       (!progressive && field_.distances.size() != field_.vertex_count)) {
     return absl::DataLossError(
@@ -167,18 +164,12 @@ absl::StatusOr<Field> FieldAssembler::Finish() && {
   };
   absl::Status status =
       check("target distances", field_.target_distances.size(),
-            expected_.target_count);
+            query_.targets.size());
   status.Update(check("nearest sources", field_.nearest_sources.size(),
-                      expected_.nearest_sources ? field_.vertex_count : 0));
-  status.Update(check("gradients", gradient_values_.size() / kDimensions,
-                      expected_.gradients ? field_.vertex_count : 0));
+                      query_.nearest_sources ? field_.vertex_count : 0));
+  status.Update(check("gradients", field_.gradients.size(),
+                      query_.gradients ? field_.vertex_count : 0));
   if (!status.ok()) return status;
-  field_.gradients.resize(gradient_values_.size() / kDimensions);
-  for (size_t v = 0; v < field_.gradients.size(); ++v) {
-    std::copy_n(
-        gradient_values_.begin() + static_cast<ptrdiff_t>(kDimensions * v),
-        kDimensions, field_.gradients[v].begin());
-  }
   return std::move(field_);
 }
 

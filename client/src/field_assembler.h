@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -15,22 +14,17 @@
 
 namespace geodesic::client {
 
-// Which messages the query calls for.
-struct FieldExpectation {
-  ValueType value_type = ValueType::kFloat64;
-  bool nearest_sources = false;
-  bool gradients = false;
-  uint64_t target_count = 0;
-  // Given for a progressive field: settled vertices instead of chunks.
-  SettledCallback on_settled;
-};
-
 // Not thread-safe.
 class FieldAssembler {
  public:
-  // `progress` may be empty.
-  FieldAssembler(FieldExpectation expected, SolveProgressCallback progress)
-      : expected_(std::move(expected)), progress_(std::move(progress)) {}
+  // For the answer to `query`, which outlives this. With `on_settled` the field
+  // is progressive: settled vertices come instead of chunks. Both callbacks may
+  // be empty.
+  FieldAssembler(const FieldQuery& query, SettledCallback on_settled,
+                 SolveProgressCallback progress)
+      : query_(query),
+        on_settled_(std::move(on_settled)),
+        progress_(std::move(progress)) {}
 
   // Takes the next message of the stream.
   // Errors: DATA_LOSS if it breaks the stream's protocol; memory never grows by
@@ -61,11 +55,10 @@ class FieldAssembler {
   absl::Status ConsumeSettled(const v1::SettledChunk& chunk);
   absl::Status TakeHeader(const v1::FieldHeader& header);
 
-  FieldExpectation expected_;
+  const FieldQuery& query_;
+  SettledCallback on_settled_;
   SolveProgressCallback progress_;
   Field field_;
-  // Three per vertex, until the field is handed out.
-  std::vector<double> gradient_values_;
   uint64_t settled_count_ = 0;
   std::string field_id_;
   bool has_header_ = false;

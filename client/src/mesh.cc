@@ -1,10 +1,11 @@
 #include "geodesic_client/mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <cctype>
 
 #include "absl/status/status.h"
+#include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "digest/sha256.h"
 
@@ -17,8 +18,9 @@ static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12);
 
 constexpr std::string_view kDigestPreamble = "geodesic.mesh.v1\n";
 
-constexpr std::array kFormats = {MeshFormat::kObj, MeshFormat::kPly,
-                                 MeshFormat::kOff, MeshFormat::kStl};
+// By number.
+constexpr std::array<std::string_view, 4> kFormatNames = {"obj", "ply", "off",
+                                                          "stl"};
 
 template <typename Items>
 std::string_view BytesOf(const Items& items) {
@@ -42,28 +44,17 @@ std::string MeshDigest(const MeshArrays& mesh) {
 bool IsMeshDigest(std::string_view text) { return IsSha256Hex(text); }
 
 std::string_view MeshFormatName(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::kObj:
-      return "obj";
-    case MeshFormat::kPly:
-      return "ply";
-    case MeshFormat::kOff:
-      return "off";
-    case MeshFormat::kStl:
-      return "stl";
-  }
-  return "unknown";
+  return kFormatNames.at(static_cast<size_t>(format));
 }
 
 absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path) {
   const size_t dot = path.find_last_of("./");
   if (dot != std::string_view::npos && path[dot] == '.') {
-    std::string ending(path.substr(dot + 1));
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
-      return static_cast<char>(std::tolower(c));
-    });
-    for (MeshFormat format : kFormats) {
-      if (ending == MeshFormatName(format)) return format;
+    const std::string ending =
+        absl::AsciiStrToLower(std::string(path.substr(dot + 1)));
+    const auto* name = std::ranges::find(kFormatNames, ending);
+    if (name != kFormatNames.end()) {
+      return static_cast<MeshFormat>(name - kFormatNames.begin());
     }
   }
   return absl::InvalidArgumentError(

@@ -1,12 +1,12 @@
 #include "mesh_assembler.h"
 
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "wire_values.h"
 
 namespace geodesic::client {
 namespace {
@@ -18,16 +18,11 @@ absl::Status Append(std::string_view what, const std::string& bytes,
                     uint64_t first, uint64_t count,
                     std::vector<Element>* elements) {
   const size_t had = elements->size();
-  const size_t added = bytes.size() / sizeof(Element);
-  if (bytes.size() % sizeof(Element) != 0 || first != had ||
-      added > count - had) {
+  if (first != had || bytes.size() / sizeof(Element) > count - had ||
+      !AppendElements(bytes, elements)) {
     return absl::DataLossError(absl::StrCat(
         "the server sent ", bytes.size(), " bytes of ", std::string(what),
         " from number ", first, " after ", had, " of ", count));
-  }
-  elements->resize(had + added);
-  if (added != 0) {
-    std::memcpy(elements->data() + had, bytes.data(), bytes.size());
   }
   return absl::OkStatus();
 }

@@ -1,11 +1,11 @@
 #include "polyline_assembler.h"
 
-#include <cstring>
 #include <string>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "translate.h"
+#include "wire_values.h"
 
 namespace geodesic::client {
 
@@ -13,12 +13,11 @@ absl::Status PolylineAssembler::Consume(const v1::PolylinePiece& piece,
                                         Polyline* line) {
   const auto count = static_cast<uint64_t>(piece.points_size());
   const uint64_t had = line->points.size();
-  const std::string& positions = piece.positions();
   if (complete()) due_ = piece.point_count();
   // Only a line without points has a piece without points.
   if (piece.first_point() != had || piece.point_count() != had + due_ ||
       count > due_ || (count == 0 && due_ != 0) ||
-      positions.size() != count * sizeof(Point)) {
+      piece.positions().size() != count * sizeof(Point)) {
     return absl::DataLossError(absl::StrCat(
         "the server sent ", count, " points from number ", piece.first_point(),
         " of a line of ", piece.point_count(), " after ", had, " of them"));
@@ -28,11 +27,7 @@ absl::Status PolylineAssembler::Consume(const v1::PolylinePiece& piece,
     if (!point.ok()) return point.status();
     line->points.push_back(*std::move(point));
   }
-  line->positions.resize(had + count);
-  if (count != 0) {
-    std::memcpy(line->positions.data() + had, positions.data(),
-                positions.size());
-  }
+  AppendElements(piece.positions(), &line->positions);
   due_ -= count;
   return absl::OkStatus();
 }

@@ -10,26 +10,22 @@ namespace geodesic::client {
 absl::Status RowAssembler::Consume(const RowPiece& piece,
                                    uint64_t column_count) {
   if (complete_) {
-    row_ = next_row_++;
     numbers_.clear();
     values_.clear();
   }
   const size_t had = values_.size();
-  const auto wrong = [&] {
-    return absl::DataLossError(
-        absl::StrCat("the server sent row ", piece.row, " from value ",
-                     piece.offset, " of ", piece.value_count, " where row ",
-                     row_, " from value ", had, " was due"));
-  };
   const bool count_fits = has_numbers_ ? piece.value_count <= column_count
                                        : piece.value_count == column_count;
-  if (piece.row != row_ || piece.offset != had || !count_fits ||
+  if (piece.row != row_count_ || piece.offset != had || !count_fits ||
       !AppendValues(piece.values, value_type_, &values_) ||
-      !AppendNumbers(piece.numbers, &numbers_) ||
+      !AppendElements(piece.numbers, &numbers_) ||
       numbers_.size() != (has_numbers_ ? values_.size() : 0) ||
       values_.size() > piece.value_count ||
       (values_.size() == had && piece.value_count != had)) {
-    return wrong();
+    return absl::DataLossError(
+        absl::StrCat("the server sent row ", piece.row, " from value ",
+                     piece.offset, " of ", piece.value_count, " where row ",
+                     row_count_, " from value ", had, " was due"));
   }
   if (std::any_of(numbers_.begin() + (has_numbers_ ? had : 0), numbers_.end(),
                   [&](uint32_t number) { return number >= column_count; })) {
@@ -38,6 +34,7 @@ absl::Status RowAssembler::Consume(const RowPiece& piece,
                                             column_count));
   }
   complete_ = values_.size() == piece.value_count;
+  if (complete_) ++row_count_;
   return absl::OkStatus();
 }
 

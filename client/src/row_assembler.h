@@ -30,9 +30,9 @@ class RowAssembler {
 
   // Whether the row that began last is whole; then the next one is due.
   bool complete() const { return complete_; }
-  uint64_t row() const { return row_; }
+  uint64_t row() const { return row_count_ - (complete_ ? 1 : 0); }
   // Rows that are whole.
-  uint64_t row_count() const { return complete_ ? next_row_ : next_row_ - 1; }
+  uint64_t row_count() const { return row_count_; }
 
   const std::vector<uint32_t>& numbers() const { return numbers_; }
   const std::vector<double>& values() const { return values_; }
@@ -46,8 +46,7 @@ class RowAssembler {
   ValueType value_type_;
   bool has_numbers_;
   bool complete_ = true;
-  uint64_t row_ = 0;
-  uint64_t next_row_ = 0;
+  uint64_t row_count_ = 0;
   std::vector<uint32_t> numbers_;
   std::vector<double> values_;
 };

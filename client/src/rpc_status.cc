@@ -1,8 +1,13 @@
 #include "rpc_status.h"
 
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <random>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "absl/strings/cord.h"
@@ -15,10 +20,11 @@
 namespace geodesic::client {
 namespace {
 
-std::chrono::duration<double> Seconds(
-    const google::protobuf::Duration& duration) {
-  return std::chrono::duration<double>(static_cast<double>(duration.seconds()) +
-                                       1e-9 * duration.nanos());
+using Seconds = std::chrono::duration<double>;
+
+Seconds ToSeconds(const google::protobuf::Duration& duration) {
+  return Seconds(static_cast<double>(duration.seconds()) +
+                 1e-9 * duration.nanos());
 }
 
 // The detail of this type, if there is one.
@@ -29,28 +35,23 @@ bool ReadDetail(const absl::Status& status, Detail* detail) {
   return payload.has_value() && detail->ParseFromString(std::string(*payload));
 }
 
-// What one detail adds to `status_message`, in words.
-std::vector<std::string> Describe(const google::protobuf::Any& detail,
-                                  std::string_view status_message,
-                                  bool name_fields) {
-  std::vector<std::string> notes;
+// Adds what one detail says beyond `message`, in words.
+void Describe(const google::protobuf::Any& detail, std::string_view message,
+              bool name_fields, std::vector<std::string>* notes) {
   google::rpc::BadRequest bad_request;
   google::rpc::RetryInfo retry;
   if (name_fields && detail.UnpackTo(&bad_request)) {
     for (const auto& violation : bad_request.field_violations()) {
-      std::string note = absl::StrCat("field ", violation.field());
+      notes->push_back(absl::StrCat("field ", violation.field()));
       // Servers tend to say the same twice.
-      if (status_message.find(violation.description()) ==
-          std::string_view::npos) {
-        absl::StrAppend(&note, ": ", violation.description());
+      if (message.find(violation.description()) == std::string_view::npos) {
+        absl::StrAppend(&notes->back(), ": ", violation.description());
       }
-      notes.push_back(std::move(note));
     }
   } else if (detail.UnpackTo(&retry)) {
-    notes.push_back(absl::StrCat("try again in ",
-                                 Seconds(retry.retry_delay()).count(), " s"));
+    notes->push_back(absl::StrCat(
+        "try again in ", ToSeconds(retry.retry_delay()).count(), " s"));
   }
-  return notes;
 }
 
 }  // namespace
@@ -62,10 +63,7 @@ absl::Status FromRpcStatus(const grpc::Status& status, std::string_view file) {
   // What cannot be read is nothing, not half of it.
   if (!rich.ParseFromString(status.error_details())) rich.Clear();
   for (const google::protobuf::Any& detail : rich.details()) {
-    for (std::string& note :
-         Describe(detail, status.error_message(), file.empty())) {
-      notes.push_back(std::move(note));
-    }
+    Describe(detail, status.error_message(), file.empty(), &notes);
   }
   std::string message = status.error_message();
   if (!notes.empty()) {
@@ -89,11 +87,29 @@ std::string ErrorReason(const absl::Status& status) {
   return ReadDetail(status, &info) ? info.reason() : "";
 }
 
-std::optional<std::chrono::duration<double>> RetryDelay(
-    const absl::Status& status) {
+std::optional<Seconds> RetryDelay(const absl::Status& status) {
   google::rpc::RetryInfo retry;
   if (!ReadDetail(status, &retry)) return std::nullopt;
-  return Seconds(retry.retry_delay());
+  return ToSeconds(retry.retry_delay());
+}
+
+bool WaitToRetry(const absl::Status& status, int attempts,
+                 std::stop_token stop) {
+  constexpr Seconds kFirstDelay(0.2);
+  constexpr Seconds kLongestDelay(10);
+  const std::optional<Seconds> suggested = RetryDelay(status);
+  if (attempts >= kMaxAttempts) return false;
+  if (!absl::IsUnavailable(status) && !suggested.has_value()) return false;
+  Seconds delay = suggested.value_or(kFirstDelay * (1 << (attempts - 1)));
+  // Clients that were refused together should not come back together.
+  thread_local std::minstd_rand random{std::random_device{}()};
+  delay *= std::uniform_real_distribution<>(1, 1.3)(random);
+  delay = std::min(delay, kLongestDelay);
+  std::mutex mutex;
+  std::condition_variable_any stopped;
+  std::unique_lock lock(mutex);
+  stopped.wait_for(lock, stop, delay, [] { return false; });
+  return !stop.stop_requested();
 }
 
 }  // namespace geodesic::client

@@ -1,6 +1,7 @@
 #include "translate.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <variant>
 
@@ -18,6 +19,16 @@ std::string NameWithoutPrefix(const std::string& name,
       name.starts_with(prefix) ? name.substr(prefix.size()) : name);
   std::ranges::replace(word, '_', '-');
   return word;
+}
+
+std::vector<v1::Algorithm> Algorithms() {
+  std::vector<v1::Algorithm> algorithms;
+  for (int value = v1::Algorithm_MIN; value <= v1::Algorithm_MAX; ++value) {
+    if (v1::Algorithm_IsValid(value) && value != v1::ALGORITHM_UNSPECIFIED) {
+      algorithms.push_back(static_cast<v1::Algorithm>(value));
+    }
+  }
+  return algorithms;
 }
 
 // Puts a place into a v1::SurfacePoint or a v1::Source, which name the fields
@@ -194,17 +205,9 @@ v1::ValueType ToProto(ValueType type) {
 }
 
 v1::MeshFormat ToProto(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::kObj:
-      return v1::MESH_FORMAT_OBJ;
-    case MeshFormat::kPly:
-      return v1::MESH_FORMAT_PLY;
-    case MeshFormat::kOff:
-      return v1::MESH_FORMAT_OFF;
-    case MeshFormat::kStl:
-      return v1::MESH_FORMAT_STL;
-  }
-  return v1::MESH_FORMAT_UNSPECIFIED;
+  constexpr std::array kFormats = {v1::MESH_FORMAT_OBJ, v1::MESH_FORMAT_PLY,
+                                   v1::MESH_FORMAT_OFF, v1::MESH_FORMAT_STL};
+  return kFormats.at(static_cast<size_t>(format));
 }
 
 std::string AlgorithmName(v1::Algorithm algorithm) {
@@ -213,11 +216,7 @@ std::string AlgorithmName(v1::Algorithm algorithm) {
 
 absl::StatusOr<v1::Algorithm> AlgorithmFromName(std::string_view name) {
   if (name.empty()) return v1::ALGORITHM_UNSPECIFIED;
-  for (int value = v1::Algorithm_MIN; value <= v1::Algorithm_MAX; ++value) {
-    if (!v1::Algorithm_IsValid(value) || value == v1::ALGORITHM_UNSPECIFIED) {
-      continue;
-    }
-    const auto algorithm = static_cast<v1::Algorithm>(value);
+  for (const v1::Algorithm algorithm : Algorithms()) {
     if (AlgorithmName(algorithm) == name) return algorithm;
   }
   return absl::InvalidArgumentError(
@@ -227,24 +226,15 @@ absl::StatusOr<v1::Algorithm> AlgorithmFromName(std::string_view name) {
 
 std::vector<std::string> AlgorithmNames() {
   std::vector<std::string> names;
-  for (int value = v1::Algorithm_MIN; value <= v1::Algorithm_MAX; ++value) {
-    if (v1::Algorithm_IsValid(value) && value != v1::ALGORITHM_UNSPECIFIED) {
-      names.push_back(AlgorithmName(static_cast<v1::Algorithm>(value)));
-    }
+  for (const v1::Algorithm algorithm : Algorithms()) {
+    names.push_back(AlgorithmName(algorithm));
   }
   return names;
 }
 
 std::string_view FieldOriginName(FieldOrigin origin) {
-  switch (origin) {
-    case FieldOrigin::kComputed:
-      return "computed";
-    case FieldOrigin::kJoined:
-      return "joined";
-    case FieldOrigin::kCached:
-      return "cached";
-  }
-  return "unknown";
+  constexpr std::array kNames = {"computed", "joined", "cached"};
+  return kNames.at(static_cast<size_t>(origin));
 }
 
 }  // namespace geodesic::client

@@ -1,7 +1,12 @@
 // Client::UploadFile, UploadArrays and FindFile: ask first, then send.
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,8 +15,6 @@
 #include "call.h"
 #include "connection.h"
 #include "digest/sha256.h"
-#include "file_reader.h"
-#include "retry.h"
 #include "rpc_status.h"
 #include "translate.h"
 
@@ -19,6 +22,52 @@ namespace geodesic::client {
 namespace {
 
 constexpr size_t kChunkBytes = size_t{1} << 20;
+
+// Reads a regular file from front to back in pieces.
+class FileReader {
+ public:
+  // Errors: NOT_FOUND, PERMISSION_DENIED or FAILED_PRECONDITION if it cannot be
+  // opened, INVALID_ARGUMENT if it is no regular file; all name the path.
+  static absl::StatusOr<FileReader> Open(const std::string& path) {
+    // A pipe would block the open, so its kind is looked at first.
+    struct stat info = {};
+    if (stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) {
+      return absl::InvalidArgumentError(
+          absl::StrCat(path, " is not a regular file"));
+    }
+    std::FILE* file = std::fopen(path.c_str(), "rb");
+    if (file == nullptr) {
+      return absl::ErrnoToStatus(errno, absl::StrCat("cannot open ", path));
+    }
+    return FileReader(path, file, static_cast<uint64_t>(info.st_size));
+  }
+
+  uint64_t size() const { return size_; }
+
+  // Fills `buffer` with the next bytes, up to its size; shrinks it at the end
+  // of the file, to nothing once that is reached.
+  // Errors: DATA_LOSS naming the path.
+  absl::Status Read(std::string* buffer) {
+    buffer->resize(std::fread(buffer->data(), 1, buffer->size(), file_.get()));
+    return std::ferror(file_.get()) == 0
+               ? absl::OkStatus()
+               : absl::DataLossError(absl::StrCat("cannot read ", path_));
+  }
+
+  void Rewind() { std::rewind(file_.get()); }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  FileReader(std::string path, std::FILE* file, uint64_t size)
+      : path_(std::move(path)), file_(file), size_(size) {}
+
+  std::string path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  uint64_t size_;
+};
 
 // Fills `chunk` with the next bytes of an upload, from its start or from where
 // the last one ended; an empty chunk ends it.
@@ -98,23 +147,6 @@ absl::StatusOr<std::string> HashFile(FileReader* file,
   return hash.FinishHex();
 }
 
-// The digest of the mesh that came from this file; nothing if unknown.
-absl::StatusOr<std::optional<std::string>> AskForFile(
-    v1::MeshService::Stub* stub, MeshFormat format, const std::string& sha256,
-    const CallOptions& options) {
-  v1::FindMissingMeshesRequest request;
-  v1::FileDigest* file = request.add_files();
-  file->set_format(ToProto(format));
-  file->set_sha256(sha256);
-  v1::FindMissingMeshesResponse response;
-  Call call(options);
-  absl::Status status = FromRpcStatus(
-      stub->FindMissingMeshes(call.context(), request, &response));
-  if (!status.ok()) return status;
-  if (response.known_files().empty()) return std::nullopt;
-  return response.known_files(0).mesh_digest();
-}
-
 }  // namespace
 
 absl::StatusOr<std::optional<std::string>> Client::FindFile(
@@ -123,7 +155,17 @@ absl::StatusOr<std::optional<std::string>> Client::FindFile(
   if (!file.ok()) return file.status();
   absl::StatusOr<std::string> sha256 = HashFile(&*file, options);
   if (!sha256.ok()) return sha256.status();
-  return AskForFile(connection_->meshes.get(), format, *sha256, options);
+  v1::FindMissingMeshesRequest request;
+  v1::FileDigest* asked = request.add_files();
+  asked->set_format(ToProto(format));
+  asked->set_sha256(*sha256);
+  v1::FindMissingMeshesResponse response;
+  Call call(options);
+  absl::Status status = FromRpcStatus(connection_->meshes->FindMissingMeshes(
+      call.context(), request, &response));
+  if (!status.ok()) return status;
+  if (response.known_files().empty()) return std::nullopt;
+  return response.known_files(0).mesh_digest();
 }
 
 absl::StatusOr<UploadOutcome> Client::UploadFile(
@@ -131,10 +173,8 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
     const UploadProgressCallback& progress) {
   absl::StatusOr<FileReader> file = FileReader::Open(path);
   if (!file.ok()) return file.status();
-  absl::StatusOr<std::string> sha256 = HashFile(&*file, options);
-  if (!sha256.ok()) return sha256.status();
   absl::StatusOr<std::optional<std::string>> known =
-      AskForFile(connection_->meshes.get(), format, *sha256, options);
+      FindFile(path, format, options);
   if (!known.ok()) return known.status();
   if (known->has_value()) {
     absl::StatusOr<MeshInfo> mesh = GetMesh(**known, options);

@@ -5,16 +5,12 @@
 
 #include <string>
 
+#include "tests/client/wire_bytes.h"
+
 namespace geodesic::client {
 namespace {
 
 using ::testing::ElementsAre;
-
-template <typename Number>
-std::string Bytes(const std::vector<Number>& numbers) {
-  return std::string(reinterpret_cast<const char*>(numbers.data()),
-                     numbers.size() * sizeof(Number));
-}
 
 class RowAssemblerTest : public ::testing::Test {
  protected:

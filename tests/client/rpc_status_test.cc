@@ -12,6 +12,15 @@
 namespace geodesic::client {
 namespace {
 
+// A status with one detail.
+template <typename Detail>
+grpc::Status Rich(grpc::StatusCode code, const std::string& message,
+                  const Detail& detail) {
+  google::rpc::Status rich;
+  rich.add_details()->PackFrom(detail);
+  return {code, message, rich.SerializeAsString()};
+}
+
 TEST(RpcStatusTest, KeepsCodeAndMessage) {
   EXPECT_TRUE(FromRpcStatus(grpc::Status::OK).ok());
   EXPECT_EQ(FromRpcStatus({grpc::StatusCode::NOT_FOUND, "no such mesh"}),
@@ -26,11 +35,9 @@ TEST(RpcStatusTest, NamesTheFieldsAtFault) {
   auto* other = bad_request.add_field_violations();
   other->set_field("mesh_digest");
   other->set_description("too short");
-  google::rpc::Status rich;
-  rich.add_details()->PackFrom(bad_request);
   const absl::Status status =
-      FromRpcStatus({grpc::StatusCode::INVALID_ARGUMENT,
-                     "source 9 is out of range", rich.SerializeAsString()});
+      FromRpcStatus(Rich(grpc::StatusCode::INVALID_ARGUMENT,
+                         "source 9 is out of range", bad_request));
   EXPECT_TRUE(absl::IsInvalidArgument(status));
   EXPECT_EQ(status.message(),
             "source 9 is out of range [field sources[0].vertex; field "
@@ -40,10 +47,8 @@ TEST(RpcStatusTest, NamesTheFieldsAtFault) {
 TEST(RpcStatusTest, NamesTheFileInsteadOfFields) {
   google::rpc::BadRequest bad_request;
   bad_request.add_field_violations()->set_field("chunk.data");
-  google::rpc::Status rich;
-  rich.add_details()->PackFrom(bad_request);
-  EXPECT_EQ(FromRpcStatus({grpc::StatusCode::INVALID_ARGUMENT, "line 3: oops",
-                           rich.SerializeAsString()},
+  EXPECT_EQ(FromRpcStatus(Rich(grpc::StatusCode::INVALID_ARGUMENT,
+                               "line 3: oops", bad_request),
                           "a.off")
                 .message(),
             "a.off: line 3: oops");
@@ -56,10 +61,8 @@ TEST(RpcStatusTest, SaysWhenToTryAgain) {
   google::rpc::RetryInfo retry;
   retry.mutable_retry_delay()->set_seconds(1);
   retry.mutable_retry_delay()->set_nanos(500'000'000);
-  google::rpc::Status rich;
-  rich.add_details()->PackFrom(retry);
-  const absl::Status status = FromRpcStatus(
-      {grpc::StatusCode::RESOURCE_EXHAUSTED, "busy", rich.SerializeAsString()});
+  const absl::Status status =
+      FromRpcStatus(Rich(grpc::StatusCode::RESOURCE_EXHAUSTED, "busy", retry));
   EXPECT_TRUE(absl::IsResourceExhausted(status));
   EXPECT_EQ(status.message(), "busy [try again in 1.5 s]");
   EXPECT_EQ(RetryDelay(status), std::chrono::duration<double>(1.5));
@@ -69,10 +72,8 @@ TEST(RpcStatusTest, SaysWhenToTryAgain) {
 TEST(RpcStatusTest, TheReasonCanBeRead) {
   google::rpc::ErrorInfo info;
   info.set_reason("MESH_NOT_RESIDENT");
-  google::rpc::Status rich;
-  rich.add_details()->PackFrom(info);
-  const absl::Status status = FromRpcStatus(
-      {grpc::StatusCode::NOT_FOUND, "gone", rich.SerializeAsString()});
+  const absl::Status status =
+      FromRpcStatus(Rich(grpc::StatusCode::NOT_FOUND, "gone", info));
   EXPECT_EQ(status.message(), "gone");
   EXPECT_EQ(ErrorReason(status), "MESH_NOT_RESIDENT");
   EXPECT_EQ(RetryDelay(status), std::nullopt);
@@ -82,6 +83,26 @@ TEST(RpcStatusTest, TheReasonCanBeRead) {
 TEST(RpcStatusTest, IgnoresDetailsItCannotRead) {
   EXPECT_EQ(FromRpcStatus({grpc::StatusCode::INTERNAL, "oops", "\xff\xff\xff"}),
             absl::InternalError("oops"));
+}
+
+TEST(RetryTest, OnlyWhatMayPassIsTriedAgain) {
+  const std::stop_token never;
+  EXPECT_FALSE(WaitToRetry(absl::InvalidArgumentError("no"), 1, never));
+  // A limit: no word of when to come again.
+  EXPECT_FALSE(WaitToRetry(absl::ResourceExhaustedError("no"), 1, never));
+  EXPECT_TRUE(WaitToRetry(absl::UnavailableError("later"), 1, never));
+}
+
+TEST(RetryTest, NotForEver) {
+  EXPECT_FALSE(
+      WaitToRetry(absl::UnavailableError("later"), 4, std::stop_token()));
+}
+
+TEST(RetryTest, ARequestToStopEndsTheWait) {
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_FALSE(
+      WaitToRetry(absl::UnavailableError("later"), 1, source.get_token()));
 }
 
 }  // namespace
