@@ -39,7 +39,7 @@ std::vector<double> AllDistances(const Mesh& mesh, const Query& query,
                Name(query));
   if (!field.ok()) return {};
   const std::optional<std::string> breach =
-      test::BreachOfEdgeLaw(mesh, field->distances);
+      test::BreachOfEdgeLaw(mesh, field->distances, kTolerance);
   report.Check(!breach.has_value(), "no vertex is farther than by an edge",
                breach.value_or(""), ", ", Name(query));
   return AllDistances(*field);

@@ -10,8 +10,8 @@
 namespace geodesic::test {
 
 std::optional<std::string> BreachOfEdgeLaw(const Mesh& mesh,
-                                           std::span<const double> distances) {
-  constexpr double kRoundings = 64 * std::numeric_limits<double>::epsilon();
+                                           std::span<const double> distances,
+                                           double tolerance) {
   double largest = 0;
   for (const Point& p : mesh.positions()) {
     for (const double c : p) largest = std::max(largest, std::abs(c));
@@ -27,7 +27,7 @@ std::optional<std::string> BreachOfEdgeLaw(const Mesh& mesh,
       const double along =
           distances[u] + static_cast<double>(Distance(mesh.positions()[u],
                                                       mesh.positions()[v]));
-      const double above = distances[v] - along * (1 + kRoundings) - slack;
+      const double above = distances[v] - along * (1 + tolerance) - slack;
       if (!(above > worst)) continue;
       worst = above;
       std::ostringstream text;

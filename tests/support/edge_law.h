@@ -14,11 +14,14 @@
 
 namespace geodesic::test {
 
-// In words, the worst breach of the law by more than a few roundings of the
-// distances and of the mesh's coordinates.
+inline constexpr double kFewRoundings = 0x1p-46;
+
+// In words, the worst breach of the law by more than this fraction of the
+// distances and a rounding of the mesh's coordinates.
 // REQUIRES: one distance per vertex; nothing was left out by a limit.
 std::optional<std::string> BreachOfEdgeLaw(const Mesh& mesh,
-                                           std::span<const double> distances);
+                                           std::span<const double> distances,
+                                           double tolerance = kFewRoundings);
 
 }  // namespace geodesic::test
 
