@@ -43,27 +43,16 @@ std::optional<Interval> NearerPart(const Way& way, double level) {
 std::optional<Way> GoOnTo(HalfEdge side, const Mesh& mesh, HalfEdge h,
                           const Way& way) {
   const auto& [interval, origin] = way;
-  const HalfEdgeFrame& frame = mesh.frame(h);
-  const double length = mesh.frame(side).length;
-  const double crossing = CrossingTo(origin, ApexOf(frame));
-  Way on;
-  if (side == Prev(h)) {
-    if (!(interval.begin < crossing)) return std::nullopt;
-    on = {{ProjectLeft(origin, interval.begin, frame, length),
-           crossing < interval.end
-               ? length
-               : ProjectLeft(origin, interval.end, frame, length)},
-          UnfoldLeft(origin, frame)};
-  } else {
-    if (!(interval.end > crossing)) return std::nullopt;
-    on = {{crossing > interval.begin
-               ? 0
-               : length - ProjectRight(origin, interval.begin, frame, length),
-           length - ProjectRight(origin, interval.end, frame, length)},
-          UnfoldRight(origin, frame, length)};
-  }
-  if (!(on.interval.width() > 0)) return std::nullopt;
-  return on;
+  const double crossing = CrossingTo(origin, ApexOf(mesh.frame(h)));
+  const auto go_on = [&](const auto& face_side) -> std::optional<Way> {
+    if (!face_side.IsReached(interval, crossing)) return std::nullopt;
+    const Interval part =
+        face_side.InExit(face_side.Hit(origin, interval, crossing));
+    if (!(part.width() > 0)) return std::nullopt;
+    return Way{part, Unfold(face_side, origin)};
+  };
+  return side == Prev(h) ? go_on(FaceSide<kLeft>(mesh, h))
+                         : go_on(FaceSide<kRight>(mesh, h));
 }
 
 std::optional<Way> GoFromSegment(HalfEdge h, const Mesh& mesh,

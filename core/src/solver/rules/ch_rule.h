@@ -45,12 +45,10 @@ namespace geodesic {
 // What ends windows, beside one angle, one split.
 enum class WindowFilter { kNone, kXinWang };
 
+// REQUIRES: the front's origins are points.
 template <typename Front, WindowFilter kFilter>
 class ChenHanRule {
  public:
-  using Origin = typename Front::Origin;
-  using Window = BasicWindow<Origin>;
-
   // How many windows ahead of their use the stages of Prefetch come.
   static constexpr std::array<uint32_t, 3> kPrefetchAhead = {12, 8, 4};
 
@@ -122,21 +120,13 @@ class ChenHanRule {
     uint32_t pseudo_source;
     [[no_unique_address]] Depth depth;
   };
-  static_assert(!kFilters || !std::is_same_v<Origin, geodesic::Origin> ||
-                sizeof(Entry) == 48);
+  static_assert(!kFilters || sizeof(Entry) == 48);
 
   // The best window so far to reach the apex across a half-edge, among those
   // whose ray no other window can go round.
   struct Best {
     double distance = std::numeric_limits<double>::infinity();
     double lean = 0;
-  };
-
-  // The face a window crosses.
-  struct Crossing {
-    const HalfEdgeFrame& frame;
-    uint32_t from, to, apex;
-    double left_length, right_length;
   };
 
   void Add(const Window& window, HalfEdge half_edge, uint32_t pseudo_source,
@@ -153,10 +143,10 @@ class ChenHanRule {
                    const Entry& parent);
   void AddChild(const Window& window, HalfEdge half_edge, const Entry& parent);
 
-  void PropagateLeft(const Entry& parent, const Crossing& face,
-                     bool ends_at_apex);
-  void PropagateRight(const Entry& parent, const Crossing& face,
-                      bool starts_at_apex);
+  // Makes the child across a side that the parent reaches. `crossing`: of the
+  // ray into the apex.
+  template <Side kSide>
+  void Leave(const FaceSide<kSide>& side, const Entry& parent, double crossing);
 
   Front& front_;
   const Mesh& mesh_;
@@ -185,16 +175,11 @@ bool ChenHanRule<Front, kFilter>::Propagate(uint32_t id) {
   if (Exceeds(origin.sigma, front_.PseudoSourceDistance(pseudo_source)))
     return false;
   const HalfEdgeFrame& frame = mesh_.frame(h);
-  const Crossing face{frame,
-                      mesh_.From(h),
-                      mesh_.To(h),
-                      mesh_.Apex(h),
-                      mesh_.frame(Prev(h)).length,
-                      mesh_.frame(Next(h)).length};
   const Window window = Window::Over(interval, origin);
   if constexpr (kFilters) {
     // Distances have improved since the window was made: test it again.
-    if (front_.EndsAreNearer(window, frame.length, face.from, face.to)) {
+    if (front_.EndsAreNearer(window, frame.length, mesh_.From(h),
+                             mesh_.To(h))) {
       return false;
     }
   }
@@ -204,30 +189,34 @@ bool ChenHanRule<Front, kFilter>::Propagate(uint32_t id) {
   const PlanePoint apex = ApexOf(frame);
   const double crossing = CrossingTo(origin, apex);
   const double near_miss = NearMiss(origin, frame, apex);
+  const FaceSide<kLeft> left(mesh_, h);
+  const FaceSide<kRight> right(mesh_, h);
   if (crossing <= interval.begin) {
     if (crossing > interval.begin - near_miss) {
-      front_.Relax(
-          face.apex, window.begin_distance + EdgePointTo(interval.begin, apex),
-          arrival, RayPast(mesh_, h, origin, interval.begin - crossing));
+      front_.Relax(mesh_.Apex(h),
+                   window.begin_distance + EdgePointTo(interval.begin, apex),
+                   arrival,
+                   RayPast(mesh_, h, origin, interval.begin - crossing));
     }
-    PropagateRight(entry, face, false);
+    Leave(right, entry, crossing);
     return true;
   }
   if (crossing >= interval.end) {
     if (crossing < interval.end + near_miss) {
-      front_.Relax(face.apex,
+      front_.Relax(mesh_.Apex(h),
                    window.end_distance + EdgePointTo(interval.end, apex),
                    arrival, RayPast(mesh_, h, origin, crossing - interval.end));
     }
-    PropagateLeft(entry, face, false);
+    Leave(left, entry, crossing);
     return true;
   }
 
   const double to_apex = DistanceToPlace(origin, apex);
   const double at_apex = origin.sigma + to_apex;
-  front_.Relax(face.apex, at_apex, arrival, RayThrough(h, origin, apex));
-  // Grows as the ray into the apex comes from further left.
-  const double lean = Lean(origin, apex, to_apex);
+  front_.Relax(mesh_.Apex(h), at_apex, arrival, RayThrough(h, origin, apex));
+  // The sine of the angle to AB's normal: grows as the ray into the apex comes
+  // from further left.
+  const double lean = (apex.x - origin.x) / to_apex;
   Best& best = best_[h];
   const bool is_worse = Exceeds(at_apex, best.distance);
   const bool goes_left = !is_worse || lean > best.lean - kSameRay;
@@ -236,68 +225,37 @@ bool ChenHanRule<Front, kFilter>::Propagate(uint32_t id) {
     best = {at_apex, lean};
     holds_anchors_ |= pseudo_source >= mesh_.vertex_count();
   }
-  if (goes_left) PropagateLeft(entry, face, true);
-  if (goes_right) PropagateRight(entry, face, true);
+  if (goes_left) Leave(left, entry, crossing);
+  if (goes_right) Leave(right, entry, crossing);
   return true;
 }
 
 template <typename Front, WindowFilter kFilter>
-void ChenHanRule<Front, kFilter>::PropagateLeft(const Entry& parent,
-                                                const Crossing& face,
-                                                bool ends_at_apex) {
-  const Exit exit = face.frame.left_exit;
-  if (exit == kNoHalfEdge) return;
-  const double length = face.left_length;
-  const Interval interval{
-      ProjectLeft(parent.origin, parent.interval.begin, face.frame, length),
-      ends_at_apex ? length
-                   : ProjectLeft(parent.origin, parent.interval.end, face.frame,
-                                 length)};
-  if (interval.width() <= kLeastWidth * length) return;
-  const Window child =
-      Window::Over(interval, UnfoldLeft(parent.origin, face.frame));
+template <Side kSide>
+void ChenHanRule<Front, kFilter>::Leave(const FaceSide<kSide>& side,
+                                        const Entry& parent, double crossing) {
+  if (side.exit == kNoHalfEdge) return;
+  const Interval hit = side.Hit(parent.origin, parent.interval, crossing);
+  const Interval interval = side.InExit(hit);
+  if (interval.width() <= kLeastWidth * side.length) return;
+  const Window child = Window::Over(interval, Unfold(side, parent.origin));
   if constexpr (kFilters) {
-    if (front_.EndsAreNearer(child, length, face.from, face.apex)) return;
-    // Third condition: through the far end B of the parent's edge.
-    const double dx = interval.begin * face.frame.left_x - face.frame.length;
-    const double dy = interval.begin * face.frame.left_y;
-    if (Exceeds(child.begin_distance,
-                front_.distance(face.to) + std::sqrt(dx * dx + dy * dy))) {
+    if (front_.EndsAreNearer(child, side.length, mesh_.To(side.half_edge),
+                             mesh_.From(side.half_edge))) {
+      return;
+    }
+    // Third condition: through the end of the parent's edge that is no end of
+    // the child's.
+    const HalfEdge h = parent.half_edge;
+    const double dx = hit.begin * side.cosine - side.edge;
+    const double dy = hit.begin * side.sine;
+    if (Exceeds(kSide == kLeft ? child.begin_distance : child.end_distance,
+                front_.distance(kSide == kLeft ? mesh_.To(h) : mesh_.From(h)) +
+                    std::sqrt(dx * dx + dy * dy))) {
       return;
     }
   }
-  AddChildren(child, Prev(parent.half_edge), exit, parent);
-}
-
-template <typename Front, WindowFilter kFilter>
-void ChenHanRule<Front, kFilter>::PropagateRight(const Entry& parent,
-                                                 const Crossing& face,
-                                                 bool starts_at_apex) {
-  const Exit exit = face.frame.right_exit;
-  if (exit == kNoHalfEdge) return;
-  const double length = face.right_length;
-  const double from_b =
-      ProjectRight(parent.origin, parent.interval.end, face.frame, length);
-  const Interval interval{
-      starts_at_apex
-          ? 0
-          : length - ProjectRight(parent.origin, parent.interval.begin,
-                                  face.frame, length),
-      length - from_b};
-  if (interval.width() <= kLeastWidth * length) return;
-  const Window child =
-      Window::Over(interval, UnfoldRight(parent.origin, face.frame, length));
-  if constexpr (kFilters) {
-    if (front_.EndsAreNearer(child, length, face.apex, face.to)) return;
-    // Third condition: through the far end A of the parent's edge.
-    const double dx = face.frame.length + from_b * face.frame.right_x;
-    const double dy = from_b * face.frame.right_y;
-    if (Exceeds(child.end_distance,
-                front_.distance(face.from) + std::sqrt(dx * dx + dy * dy))) {
-      return;
-    }
-  }
-  AddChildren(child, Next(parent.half_edge), exit, parent);
+  AddChildren(child, side.half_edge, side.exit, parent);
 }
 
 template <typename Front, WindowFilter kFilter>

@@ -50,10 +50,11 @@ class FaceCrossing {
   // Returns the distance of the apex that is known then.
   template <typename Relax>
   double ReachApex(HalfEdge h, const HalfEdgeFrame& frame, Relax relax);
-  void CrossLeft(const HalfEdgeFrame& frame, const ExitEdge& edge);
-  void CrossRight(const HalfEdgeFrame& frame, const ExitEdge& edge);
-  // Trims children_. Returns a lower bound on their labels.
-  double TrimChildren(const ExitEdge& edge);
+  template <Side kSide, typename HandOn>
+  void Leave(const FaceSide<kSide>& side, const ExitEdge& edge, HandOn hand_on);
+  // Trims children_, whose edge is this long. Returns a lower bound on their
+  // labels.
+  double TrimChildren(double length);
 
   const Front& front_;
   const Mesh& mesh_;
@@ -70,21 +71,12 @@ void FaceCrossing<Front>::Cross(HalfEdge h, Relax relax, HandOn hand_on) {
   Reserve(list_.size);
   CrossingsToApex(frame, list_, crossings_.data(), misses_.data());
   const double apex_distance = ReachApex(h, frame, relax);
-  if (frame.left_exit != kNoHalfEdge) {
-    const ExitEdge edge{mesh_.frame(Prev(h)).length,
-                        front_.distance(mesh_.From(h)), apex_distance};
-    CrossLeft(frame, edge);
-    const double label = TrimChildren(edge);
-    if (children_.size > 0) hand_on(Prev(h), frame.left_exit, children_, label);
-  }
-  if (frame.right_exit != kNoHalfEdge) {
-    const ExitEdge edge{mesh_.frame(Next(h)).length, apex_distance,
-                        front_.distance(mesh_.To(h))};
-    CrossRight(frame, edge);
-    const double label = TrimChildren(edge);
-    if (children_.size > 0)
-      hand_on(Next(h), frame.right_exit, children_, label);
-  }
+  const FaceSide<kLeft> left(mesh_, h);
+  Leave(left, {left.length, front_.distance(mesh_.From(h)), apex_distance},
+        hand_on);
+  const FaceSide<kRight> right(mesh_, h);
+  Leave(right, {right.length, apex_distance, front_.distance(mesh_.To(h))},
+        hand_on);
 }
 
 template <typename Front>
@@ -136,29 +128,28 @@ double FaceCrossing<Front>::ReachApex(HalfEdge h, const HalfEdgeFrame& frame,
 }
 
 template <typename Front>
-void FaceCrossing<Front>::CrossLeft(const HalfEdgeFrame& frame,
-                                    const ExitEdge& edge) {
-  size_t last = list_.size;
-  while (last > 0 && crossings_[last - 1] <= list_.begin[last - 1]) --last;
-  children_.size = 0;
-  if (last == 0) return;
-  ChildrenLeft(frame, edge, list_, crossings_.data(), 0, last, children_,
-               labels_.data());
+template <Side kSide, typename HandOn>
+void FaceCrossing<Front>::Leave(const FaceSide<kSide>& side,
+                                const ExitEdge& edge, HandOn hand_on) {
+  if (side.exit == kNoHalfEdge) return;
+  size_t first = 0, last = list_.size;
+  const auto reaches = [&](size_t i) {
+    return side.IsReached(list_.IntervalAt(i), crossings_[i]);
+  };
+  if constexpr (kSide == kLeft) {
+    while (last > 0 && !reaches(last - 1)) --last;
+  } else {
+    while (first < last && !reaches(first)) ++first;
+  }
+  if (first == last) return;
+  ChildrenAcross(side, edge, list_, crossings_.data(), first, last, children_,
+                 labels_.data());
+  const double label = TrimChildren(side.length);
+  if (children_.size > 0) hand_on(side.half_edge, side.exit, children_, label);
 }
 
 template <typename Front>
-void FaceCrossing<Front>::CrossRight(const HalfEdgeFrame& frame,
-                                     const ExitEdge& edge) {
-  size_t first = 0;
-  while (first < list_.size && crossings_[first] >= list_.end[first]) ++first;
-  children_.size = 0;
-  if (first == list_.size) return;
-  ChildrenRight(frame, edge, list_, crossings_.data(), first, list_.size,
-                children_, labels_.data());
-}
-
-template <typename Front>
-double FaceCrossing<Front>::TrimChildren(const ExitEdge& edge) {
+double FaceCrossing<Front>::TrimChildren(double length) {
   double least = kUseless, most = 0;
   for (size_t i = 0; i < children_.size; ++i) {
     least = std::min(least, labels_[i]);
@@ -173,7 +164,7 @@ double FaceCrossing<Front>::TrimChildren(const ExitEdge& edge) {
     }
     children_.size = kept;
   }
-  envelope_.Trim(edge.length, front_.MayChangeOverTwice(), children_);
+  envelope_.Trim(length, front_.MayChangeOverTwice(), children_);
   return least;
 }
 

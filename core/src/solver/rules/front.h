@@ -388,33 +388,25 @@ class Front {
                    ? origin.sigma + DistanceToPlace(origin, apex)
                    : window.DistanceTo(through) + EdgePointTo(through, apex),
                {pseudo_source, half_edge, origin.x, origin.depth});
-    const double left_length = mesh_.frame(Prev(half_edge)).length;
-    const double right_length = mesh_.frame(Next(half_edge)).length;
-    Interval left{0, left_length}, right{0, right_length};
-    // All of both is seen, unless an end of the edge is so near that it hides
-    // more than rounding: then it is a pseudo-source and opens what it hides.
-    if (std::min(origin.x, frame.length - origin.x) <=
-        kNearVertex * frame.length) {
-      left.begin = ProjectLeft(origin, 0, frame, left_length);
-      right.end = right_length -
-                  ProjectRight(origin, frame.length, frame, right_length);
-      if (crossing < 0) {
-        left.end = 0;
-        right.begin =
-            right_length - ProjectRight(origin, 0, frame, right_length);
-      } else if (crossing > frame.length) {
-        right.end = 0;
-        left.end = ProjectLeft(origin, frame.length, frame, left_length);
+    // All of both sides is seen, unless an end of the edge is so near that it
+    // hides more than rounding: then it is a pseudo-source and opens what it
+    // hides.
+    const bool hides = std::min(origin.x, frame.length - origin.x) <=
+                       kNearVertex * frame.length;
+    const Interval edge{0, frame.length};
+    const auto look_on = [&](const auto& side) {
+      Interval seen{0, side.length};
+      if (hides) {
+        if (!side.IsReached(edge, crossing)) return;
+        seen = side.InExit(side.Hit(origin, edge, crossing));
       }
-    }
-    if (left.begin < left.end) {
-      LookAcross(Prev(half_edge), UnfoldLeft(origin, frame), left,
-                 pseudo_source, folds_left, sink);
-    }
-    if (right.begin < right.end) {
-      LookAcross(Next(half_edge), UnfoldRight(origin, frame, right_length),
-                 right, pseudo_source, folds_left, sink);
-    }
+      if (seen.begin < seen.end) {
+        LookAcross(side.half_edge, Unfold(side, origin), seen, pseudo_source,
+                   folds_left, sink);
+      }
+    };
+    look_on(FaceSide<kLeft>(mesh_, half_edge));
+    look_on(FaceSide<kRight>(mesh_, half_edge));
   }
 
   // Starts from a segment, in each of the faces that hold it.

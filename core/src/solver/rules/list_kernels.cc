@@ -41,20 +41,40 @@ size_t Padded(size_t count) {
   return (count + kStep - 1) / kStep * kStep;
 }
 
-// What the children kernels make a window's label: the least distance, infinite
-// if it is useless. As Window::Label, IsLost and Front::EndsAreNearer.
-GEODESIC_INLINE double LabelOf(const Interval& part, const Origin& origin,
-                               double begin_distance, double end_distance,
-                               const ExitEdge& exit) {
-  double least =
-      part.end < origin.x ? end_distance : origin.sigma + origin.depth;
-  least = part.begin > origin.x ? begin_distance : least;
-  const double known_at_begin = exit.to_distance + (exit.length - part.begin);
-  const double known_at_end = exit.from_distance + part.end;
+// As Window::Label, but infinite if the window is useless: as IsLost and
+// Front::EndsAreNearer say.
+GEODESIC_INLINE double LabelOf(const Window& window, const ExitEdge& exit) {
+  const auto& [part, origin, begin_distance, end_distance] = window;
+  const double least =
+      LeastDistance(origin, part, begin_distance, end_distance);
   const double lost = WidthOfLost(begin_distance - origin.sigma, exit.length);
-  least = part.end - part.begin <= lost ? kInfinity : least;
-  least = end_distance > known_at_end * (1 + kDominance) ? kInfinity : least;
-  return begin_distance > known_at_begin * (1 + kDominance) ? kInfinity : least;
+  const bool is_useless =
+      (part.width() <= lost) |
+      Exceeds(end_distance, exit.from_distance + part.end) |
+      Exceeds(begin_distance, exit.to_distance + (exit.length - part.begin));
+  return is_useless ? kInfinity : least;
+}
+
+// By value what the loop reads: it would have to be read again after each
+// write.
+template <Side kSide>
+GEODESIC_INLINE void ChildrenOf(const FaceSide<kSide> side, const ExitEdge exit,
+                                const WindowColumns& windows,
+                                const double* const crossing, size_t first,
+                                size_t last, WindowColumns& children,
+                                double* const label) {
+  children.size = last - first;
+  const size_t n = Padded(children.size);
+  std::copy_n(windows.pseudo_source + first, n, children.pseudo_source);
+  GEODESIC_INDEPENDENT
+  for (size_t i = 0; i < n; ++i) {
+    const Origin origin = windows.OriginAt(first + i);
+    const Interval hit =
+        side.Hit(origin, windows.IntervalAt(first + i), crossing[first + i]);
+    const Window child = Window::Over(side.InExit(hit), Unfold(side, origin));
+    children.Set(i, child);
+    label[i] = LabelOf(child, exit);
+  }
 }
 
 }  // namespace
@@ -62,163 +82,33 @@ GEODESIC_INLINE double LabelOf(const Interval& part, const Origin& origin,
 GEODESIC_FOR_EVERY_WIDTH
 void CrossingsToApex(const HalfEdgeFrame& frame, const WindowColumns& windows,
                      double* const crossing, double* const miss) {
-  const double* const begin = windows.begin;
-  const double* const end = windows.end;
-  const double* const xs = windows.x;
-  const double* const depths = windows.depth;
-  const double apex_x = frame.apex_x, apex_y = frame.apex_y;
-  const double length = frame.length;
+  const HalfEdgeFrame face = frame;
   const size_t n = Padded(windows.size);
   GEODESIC_INDEPENDENT
   for (size_t i = 0; i < n; ++i) {
-    const double x = xs[i], depth = depths[i];
-    const double height = apex_y + depth;
-    const double at = (x * apex_y + apex_x * depth) / height;
-    const double slope = std::abs(apex_x - x) / height;
-    const double outside = std::max(begin[i] - at, at - end[i]);
+    const Origin origin = windows.OriginAt(i);
+    const auto [begin, end] = windows.IntervalAt(i);
+    const double at = CrossingTo(origin, ApexOf(face));
     crossing[i] = at;
     miss[i] =
-        outside - kNearMiss * (length + std::abs(x) + depth) * (1 + slope);
+        std::max(begin - at, at - end) - NearMiss(origin, face, ApexOf(face));
   }
 }
 
 GEODESIC_FOR_EVERY_WIDTH
-void DistancesAtEnds(WindowColumns& windows) {
-  const double* const begin = windows.begin;
-  const double* const end = windows.end;
-  const double* const xs = windows.x;
-  const double* const depths = windows.depth;
-  const double* const sigmas = windows.sigma;
-  double* const begin_distance = windows.begin_distance;
-  double* const end_distance = windows.end_distance;
-  const size_t n = Padded(windows.size);
-  GEODESIC_INDEPENDENT
-  for (size_t i = 0; i < n; ++i) {
-    const double from_begin = begin[i] - xs[i], from_end = end[i] - xs[i];
-    const double square = depths[i] * depths[i];
-    begin_distance[i] = sigmas[i] + std::sqrt(from_begin * from_begin + square);
-    end_distance[i] = sigmas[i] + std::sqrt(from_end * from_end + square);
-  }
+void ChildrenAcross(const FaceSide<kLeft>& side, const ExitEdge& exit,
+                    const WindowColumns& windows, const double* crossing,
+                    size_t first, size_t last, WindowColumns& children,
+                    double* label) {
+  ChildrenOf(side, exit, windows, crossing, first, last, children, label);
 }
 
 GEODESIC_FOR_EVERY_WIDTH
-void ChildrenLeft(const HalfEdgeFrame& frame, const ExitEdge& exit,
-                  const WindowColumns& windows, const double* crossing,
-                  size_t first, size_t last, WindowColumns& children,
-                  double* const label) {
-  const double* const begin = windows.begin + first;
-  const double* const end = windows.end + first;
-  const double* const xs = windows.x + first;
-  const double* const depths = windows.depth + first;
-  const double* const sigmas = windows.sigma + first;
-  const uint32_t* const sources = windows.pseudo_source + first;
-  const double* const crossings = crossing + first;
-  double* const child_begin = children.begin;
-  double* const child_end = children.end;
-  double* const child_x = children.x;
-  double* const child_depth = children.depth;
-  double* const child_sigma = children.sigma;
-  double* const begin_distance = children.begin_distance;
-  double* const end_distance = children.end_distance;
-  const double cosine = frame.left_x, sine = frame.left_y;
-  const double length = exit.length;
-  children.size = last - first;
-  const size_t n = Padded(children.size);
-  std::copy_n(sources, n, children.pseudo_source);
-  GEODESIC_INDEPENDENT
-  for (size_t i = 0; i < n; ++i) {
-    const double x = xs[i], depth = depths[i], sigma = sigmas[i];
-    const double beside = depth * cosine;
-    const double across_begin = beside + (x - begin[i]) * sine;
-    const double across_end = beside + (x - end[i]) * sine;
-    const double t_begin = depth * begin[i] / across_begin;
-    const double t_end = depth * end[i] / across_end;
-    double at_begin = t_begin > 0 ? t_begin : 0;
-    at_begin = t_begin < length ? at_begin : length;
-    at_begin = across_begin > 0 ? at_begin : length;
-    double at_end = t_end > 0 ? t_end : 0;
-    at_end = t_end < length ? at_end : length;
-    at_end = across_end > 0 ? at_end : length;
-    at_end = crossings[i] < end[i] ? length : at_end;
-    const double new_x = x * cosine - depth * sine;
-    const double turned = x * sine + depth * cosine;
-    const double new_depth = turned > kLeastHeight ? turned : kLeastHeight;
-    const double square = new_depth * new_depth;
-    const double to_begin = at_begin - new_x, to_end = at_end - new_x;
-    const double d_begin = sigma + std::sqrt(to_begin * to_begin + square);
-    const double d_end = sigma + std::sqrt(to_end * to_end + square);
-    child_begin[i] = at_begin;
-    child_end[i] = at_end;
-    child_x[i] = new_x;
-    child_depth[i] = new_depth;
-    child_sigma[i] = sigma;
-    begin_distance[i] = d_begin;
-    end_distance[i] = d_end;
-    label[i] = LabelOf({at_begin, at_end}, {new_x, new_depth, sigma}, d_begin,
-                       d_end, exit);
-  }
-}
-
-GEODESIC_FOR_EVERY_WIDTH
-void ChildrenRight(const HalfEdgeFrame& frame, const ExitEdge& exit,
-                   const WindowColumns& windows, const double* crossing,
-                   size_t first, size_t last, WindowColumns& children,
-                   double* const label) {
-  const double* const begin = windows.begin + first;
-  const double* const end = windows.end + first;
-  const double* const xs = windows.x + first;
-  const double* const depths = windows.depth + first;
-  const double* const sigmas = windows.sigma + first;
-  const uint32_t* const sources = windows.pseudo_source + first;
-  const double* const crossings = crossing + first;
-  double* const child_begin = children.begin;
-  double* const child_end = children.end;
-  double* const child_x = children.x;
-  double* const child_depth = children.depth;
-  double* const child_sigma = children.sigma;
-  double* const begin_distance = children.begin_distance;
-  double* const end_distance = children.end_distance;
-  const double cosine = frame.right_x, sine = frame.right_y;
-  const double edge = frame.length;
-  const double length = exit.length;
-  children.size = last - first;
-  const size_t n = Padded(children.size);
-  std::copy_n(sources, n, children.pseudo_source);
-  GEODESIC_INDEPENDENT
-  for (size_t i = 0; i < n; ++i) {
-    const double x = xs[i], depth = depths[i], sigma = sigmas[i];
-    const double beside = depth * cosine;
-    const double across_begin = (begin[i] - x) * sine - beside;
-    const double across_end = (end[i] - x) * sine - beside;
-    const double t_begin = depth * (edge - begin[i]) / across_begin;
-    const double t_end = depth * (edge - end[i]) / across_end;
-    double from_b = t_begin > 0 ? t_begin : 0;
-    from_b = t_begin < length ? from_b : length;
-    from_b = across_begin > 0 ? from_b : length;
-    double at_begin = length - from_b;
-    at_begin = crossings[i] > begin[i] ? 0 : at_begin;
-    double to_b = t_end > 0 ? t_end : 0;
-    to_b = t_end < length ? to_b : length;
-    to_b = across_end > 0 ? to_b : length;
-    const double at_end = length - to_b;
-    const double x_from_b = x - edge;
-    const double new_x = length - (x_from_b * cosine - depth * sine);
-    const double turned = -(x_from_b * sine + depth * cosine);
-    const double new_depth = turned > kLeastHeight ? turned : kLeastHeight;
-    const double square = new_depth * new_depth;
-    const double to_begin = at_begin - new_x, to_end = at_end - new_x;
-    const double d_begin = sigma + std::sqrt(to_begin * to_begin + square);
-    const double d_end = sigma + std::sqrt(to_end * to_end + square);
-    child_begin[i] = at_begin;
-    child_end[i] = at_end;
-    child_x[i] = new_x;
-    child_depth[i] = new_depth;
-    child_sigma[i] = sigma;
-    begin_distance[i] = d_begin;
-    end_distance[i] = d_end;
-    label[i] = LabelOf({at_begin, at_end}, {new_x, new_depth, sigma}, d_begin,
-                       d_end, exit);
-  }
+void ChildrenAcross(const FaceSide<kRight>& side, const ExitEdge& exit,
+                    const WindowColumns& windows, const double* crossing,
+                    size_t first, size_t last, WindowColumns& children,
+                    double* label) {
+  ChildrenOf(side, exit, windows, crossing, first, last, children, label);
 }
 
 GEODESIC_FOR_EVERY_WIDTH

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geodesic/mesh.h"
+#include "solver/windows/window.h"
 #include "solver/windows/window_columns.h"
 
 namespace geodesic {
@@ -21,28 +22,24 @@ namespace geodesic {
 void CrossingsToApex(const HalfEdgeFrame& frame, const WindowColumns& windows,
                      double* crossing, double* miss);
 
-// The distances at both ends of each window.
-void DistancesAtEnds(WindowColumns& windows);
-
 // An edge that windows are handed on to, and what its ends know.
 struct ExitEdge {
   double length;
   double from_distance, to_distance;
 };
 
-// The children of windows [first, last) across the left (right) side of the
-// face, in the frame of frame.left_exit (frame.right_exit), in the same order.
-// label: the least distance of each; infinite for one that is useless: too
-// narrow, or farther than paths through the ends of the edge (the first two
-// conditions of the Xin-Wang filter).
-void ChildrenLeft(const HalfEdgeFrame& frame, const ExitEdge& exit,
-                  const WindowColumns& windows, const double* crossing,
-                  size_t first, size_t last, WindowColumns& children,
-                  double* label);
-void ChildrenRight(const HalfEdgeFrame& frame, const ExitEdge& exit,
-                   const WindowColumns& windows, const double* crossing,
-                   size_t first, size_t last, WindowColumns& children,
-                   double* label);
+// The children of windows [first, last) across a side of the face, in the frame
+// of its exit, in the same order. label: the least distance of each; infinite
+// for one that is useless: too narrow, or farther than paths through the ends
+// of the edge (the first two conditions of the Xin-Wang filter).
+void ChildrenAcross(const FaceSide<kLeft>& side, const ExitEdge& exit,
+                    const WindowColumns& windows, const double* crossing,
+                    size_t first, size_t last, WindowColumns& children,
+                    double* label);
+void ChildrenAcross(const FaceSide<kRight>& side, const ExitEdge& exit,
+                    const WindowColumns& windows, const double* crossing,
+                    size_t first, size_t last, WindowColumns& children,
+                    double* label);
 
 // Of a list: where its windows begin, if they give up what they share with the
 // one before by rounding alone: that is no wider than a window may be lost with

@@ -23,11 +23,9 @@
 
 namespace geodesic {
 
-// Across which side of the neighbouring face windows come: those that come
-// across its left side arrive nearer to the half-edge's begin.
-enum Side { kLeft, kRight };
-
-// What waits at a half-edge: chains of lists, each list trimmed. By Side.
+// What waits at a half-edge: chains of lists, each list trimmed. By the side of
+// the neighbouring face that they come across: across its left one they arrive
+// nearer to the half-edge's begin.
 using WaitingLists = std::array<WindowBlock*, 2>;
 
 // On cache lines of its own, for its scratch is written all the time.

@@ -280,8 +280,6 @@ void MmpRule<Front>::Cross(HalfEdge h, const Window& window,
                            uint32_t pseudo_source) {
   const auto& [interval, origin, begin_distance, end_distance] = window;
   const HalfEdgeFrame& frame = mesh_.frame(h);
-  const double left_length = mesh_.frame(Prev(h)).length;
-  const double right_length = mesh_.frame(Next(h)).length;
   const PlanePoint apex = ApexOf(frame);
   const double crossing = CrossingTo(origin, apex);
   // The point of the interval nearest to the ray through the apex; paths
@@ -295,24 +293,13 @@ void MmpRule<Front>::Cross(HalfEdge h, const Window& window,
                  {pseudo_source, h, origin.x, origin.depth},
                  RayPast(mesh_, h, origin, std::abs(through - crossing)));
   }
-  if (crossing > interval.begin && frame.left_exit != kNoHalfEdge) {
-    InsertBeyond(Prev(h), frame.left_exit, pseudo_source,
-                 UnfoldLeft(origin, frame),
-                 {ProjectLeft(origin, interval.begin, frame, left_length),
-                  crossing < interval.end
-                      ? left_length
-                      : ProjectLeft(origin, interval.end, frame, left_length)});
-  }
-  if (crossing < interval.end && frame.right_exit != kNoHalfEdge) {
-    InsertBeyond(Next(h), frame.right_exit, pseudo_source,
-                 UnfoldRight(origin, frame, right_length),
-                 {crossing > interval.begin
-                      ? 0
-                      : right_length - ProjectRight(origin, interval.begin,
-                                                    frame, right_length),
-                  right_length -
-                      ProjectRight(origin, interval.end, frame, right_length)});
-  }
+  const auto leave = [&](const auto& side) {
+    if (side.exit == kNoHalfEdge || !side.IsReached(interval, crossing)) return;
+    InsertBeyond(side.half_edge, side.exit, pseudo_source, Unfold(side, origin),
+                 side.InExit(side.Hit(origin, interval, crossing)));
+  };
+  leave(FaceSide<kLeft>(mesh_, h));
+  leave(FaceSide<kRight>(mesh_, h));
 }
 
 template <typename Front>

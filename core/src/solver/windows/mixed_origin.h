@@ -39,6 +39,17 @@ struct MixedOrigin {
 
 using MixedWindow = BasicWindow<MixedOrigin>;
 
+inline MixedOrigin AsMixed(const Origin& origin) {
+  return {origin.x, origin.depth, origin.sigma};
+}
+
+// A window of either kind, as observers see it.
+inline MixedWindow AsMixed(const MixedWindow& window) { return window; }
+inline MixedWindow AsMixed(const Window& window) {
+  return {window.interval, AsMixed(window.origin), window.begin_distance,
+          window.end_distance};
+}
+
 inline double LeastDistance(const MixedOrigin& origin, const Interval& interval,
                             double begin_distance, double end_distance) {
   return origin.is_segment ? std::min(begin_distance, end_distance)
@@ -64,11 +75,6 @@ inline double DistanceToPlace(const MixedOrigin& origin,
                            : DistanceToPlace(origin.AsPoint(), place);
 }
 
-inline double Lean(const MixedOrigin& origin, const PlanePoint& place,
-                   double distance) {
-  return origin.is_segment ? origin.x : Lean(origin.AsPoint(), place, distance);
-}
-
 inline double NearMiss(const MixedOrigin& origin, const HalfEdgeFrame& frame,
                        const PlanePoint& place) {
   return origin.is_segment
@@ -81,75 +87,30 @@ inline bool LiesOnEdge(const MixedOrigin& origin, const HalfEdgeFrame& frame) {
   return !origin.is_segment && LiesOnEdge(origin.AsPoint(), frame);
 }
 
-inline MixedOrigin UnfoldLeft(const MixedOrigin& origin,
-                              const HalfEdgeFrame& frame) {
-  if (!origin.is_segment) {
-    const Origin point = UnfoldLeft(origin.AsPoint(), frame);
-    return {point.x, point.depth, point.sigma};
-  }
-  return {
-      .x = origin.x * frame.left_x + origin.depth * frame.left_y,
-      .depth = std::max(origin.depth * frame.left_x - origin.x * frame.left_y,
-                        kLeastHeight),
-      .sigma = origin.sigma,
-      .is_segment = true};
+inline double RunTo(const MixedOrigin& origin, double at) {
+  return origin.is_segment ? origin.x : RunTo(origin.AsPoint(), at);
 }
 
-inline MixedOrigin UnfoldRight(const MixedOrigin& origin,
-                               const HalfEdgeFrame& frame,
-                               double right_length) {
-  if (!origin.is_segment) {
-    const Origin point = UnfoldRight(origin.AsPoint(), frame, right_length);
-    return {point.x, point.depth, point.sigma};
-  }
-  // The exit runs from the apex.
-  return {
-      .x = -(origin.x * frame.right_x + origin.depth * frame.right_y),
-      .depth = std::max(origin.x * frame.right_y - origin.depth * frame.right_x,
-                        kLeastHeight),
-      .sigma =
-          origin.sigma + origin.x * frame.apex_x + origin.depth * frame.apex_y,
-      .is_segment = true};
-}
-
-inline double ProjectLeft(const MixedOrigin& origin, double at,
-                          const HalfEdgeFrame& frame, double left_length) {
-  if (!origin.is_segment) {
-    return ProjectLeft(origin.AsPoint(), at, frame, left_length);
-  }
-  const double across = origin.depth * frame.left_x - origin.x * frame.left_y;
-  const double t = origin.depth * at / across;
-  return across > 0 && t < left_length ? std::max(t, 0.0) : left_length;
-}
-
-inline double ProjectRight(const MixedOrigin& origin, double at,
-                           const HalfEdgeFrame& frame, double right_length) {
-  if (!origin.is_segment) {
-    return ProjectRight(origin.AsPoint(), at, frame, right_length);
-  }
-  const double across = origin.x * frame.right_y - origin.depth * frame.right_x;
-  const double t = origin.depth * (frame.length - at) / across;
-  return across > 0 && t < right_length ? std::max(t, 0.0) : right_length;
+template <Side kSide>
+MixedOrigin Unfold(const FaceSide<kSide>& side, const MixedOrigin& origin) {
+  if (!origin.is_segment) return AsMixed(Unfold(side, origin.AsPoint()));
+  const double x = side.Mirrored(origin.x);
+  // On the right the exit runs from the apex.
+  return {.x = side.Mirrored(x * side.cosine + origin.depth * side.sine),
+          .depth = std::max(origin.depth * side.cosine - x * side.sine,
+                            kLeastHeight),
+          .sigma = kSide == kLeft ? origin.sigma
+                                  : origin.sigma + origin.x * side.apex.x +
+                                        origin.depth * side.apex.y,
+          .is_segment = true};
 }
 
 inline MixedOrigin Mirror(const MixedOrigin& origin, double length) {
-  if (!origin.is_segment) {
-    const Origin point = Mirror(origin.AsPoint(), length);
-    return {point.x, point.depth, point.sigma};
-  }
+  if (!origin.is_segment) return AsMixed(Mirror(origin.AsPoint(), length));
   return {.x = -origin.x,
           .depth = origin.depth,
           .sigma = origin.sigma + origin.x * length,
           .is_segment = true};
-}
-
-// A window of either kind, as observers see it.
-inline MixedWindow AsMixed(const MixedWindow& window) { return window; }
-inline MixedWindow AsMixed(const Window& window) {
-  return {window.interval,
-          {window.origin.x, window.origin.depth, window.origin.sigma},
-          window.begin_distance,
-          window.end_distance};
 }
 
 }  // namespace geodesic

@@ -2,10 +2,21 @@
 // enter the face left of it through an interval of AB, straight from one
 // pseudo-source unfolded into the plane of that face.
 //
-// Frame (Mesh::frame): A = (0, 0), B = (length, 0), the face's apex C above;
-// the pseudo-source lies at (source_x, -source_depth), below AB.
+// This is all of the geometry of points; that of curves is in mixed_origin.h.
+// Functions select instead of branching, since loops over columns
+// (list_kernels.h) call them too.
 //
-// Xu et al. 2015, section 3.1: interval [near_, far_] here first_, end_.
+//   Xu et al. 2015, section 3.1   here
+//   v1, v2, v3                    A = (0, 0), B = (length, 0) and the apex C
+//                                 above, in the frame of the half-edge
+//                                 (Mesh::frame)
+//   [b0, b1]                      Interval, begin and end, from A
+//   d0, d1                        begin_distance, end_distance: there these are
+//                                 from the pseudo-source, here from the source
+//   I, the image of s             Origin, at (x, -depth) below AB
+//   sigma                         sigma, from the source to the pseudo-source
+//   label                         Label
+//   s                             pseudo_source, beside a window
 
 #ifndef GEODESIC_SOLVER_WINDOWS_WINDOW_H_
 #define GEODESIC_SOLVER_WINDOWS_WINDOW_H_
@@ -48,9 +59,9 @@ struct Interval {
 // to child (that of the whole edge would).
 inline double LeastDistance(const Origin& origin, const Interval& interval,
                             double begin_distance, double end_distance) {
-  if (origin.x < interval.begin) return begin_distance;
-  if (origin.x > interval.end) return end_distance;
-  return origin.sigma + origin.depth;
+  const double least =
+      interval.end < origin.x ? end_distance : origin.sigma + origin.depth;
+  return interval.begin > origin.x ? begin_distance : least;
 }
 
 // Paths from one pseudo-source through one interval, with the distances from
@@ -136,61 +147,11 @@ inline double EdgePointTo(double at, const PlanePoint& place) {
   return std::sqrt(dx * dx + place.y * place.y);
 }
 
-// How far the ray into a place, `distance` away, leans to the right of AB's
-// normal: the sine of the angle.
-inline double Lean(const Origin& origin, const PlanePoint& place,
-                   double distance) {
-  return (place.x - origin.x) / distance;
-}
-
 // Whether the pseudo-source lies inside AB, where a face without area has put
 // it.
 inline bool LiesOnEdge(const Origin& origin, const HalfEdgeFrame& frame) {
   return origin.depth <= kCollapsedFace * frame.length && origin.x > 0 &&
          origin.x < frame.length;
-}
-
-// The pseudo-source in the frame of frame.left_exit, which runs A -> C: a
-// rotation about A.
-inline Origin UnfoldLeft(const Origin& origin, const HalfEdgeFrame& frame) {
-  return {
-      .x = origin.x * frame.left_x - origin.depth * frame.left_y,
-      .depth = std::max(origin.x * frame.left_y + origin.depth * frame.left_x,
-                        kLeastHeight),
-      .sigma = origin.sigma};
-}
-
-// The pseudo-source in the frame of frame.right_exit, which runs C -> B and is
-// right_length long: a rotation about B.
-inline Origin UnfoldRight(const Origin& origin, const HalfEdgeFrame& frame,
-                          double right_length) {
-  const double x = origin.x - frame.length;  // from B
-  return {
-      .x = right_length - (x * frame.right_x - origin.depth * frame.right_y),
-      .depth = std::max(-(x * frame.right_y + origin.depth * frame.right_x),
-                        kLeastHeight),
-      .sigma = origin.sigma};
-}
-
-// Distance from A along A -> C, which is `left_length` long, where the ray
-// through (at, 0) meets it. REQUIRES: at is not right of the ray into the apex.
-inline double ProjectLeft(const Origin& origin, double at,
-                          const HalfEdgeFrame& frame, double left_length) {
-  const double across =
-      origin.depth * frame.left_x + (origin.x - at) * frame.left_y;
-  const double t = origin.depth * at / across;
-  // Rays along the edge (and rounding) may meet it nowhere or beyond C.
-  return across > 0 && t < left_length ? std::max(t, 0.0) : left_length;
-}
-
-// Distance from B along B -> C, which is `right_length` long, where the ray
-// through (at, 0) meets it. REQUIRES: at is not left of the ray into the apex.
-inline double ProjectRight(const Origin& origin, double at,
-                           const HalfEdgeFrame& frame, double right_length) {
-  const double across =
-      (at - origin.x) * frame.right_y - origin.depth * frame.right_x;
-  const double t = origin.depth * (frame.length - at) / across;
-  return across > 0 && t < right_length ? std::max(t, 0.0) : right_length;
 }
 
 // Into a frame that is turned over: A and B change places.
@@ -199,6 +160,92 @@ inline Origin Mirror(const Origin& origin, double length) {
 }
 inline Interval Mirror(const Interval& interval, double length) {
   return {length - interval.end, length - interval.begin};
+}
+
+// How far right the ray through (at, 0) runs while it rises by origin.depth.
+inline double RunTo(const Origin& origin, double at) { return at - origin.x; }
+
+// The left side AC or the right side CB of a face, which windows that came in
+// through AB leave it by.
+enum Side { kLeft, kRight };
+
+// That side, seen from O, where it meets AB. On the right all is mirrored, so
+// that either side is written once: O is B, and `cosine` and `edge` are as they
+// look from there.
+template <Side kSide>
+struct FaceSide {
+  HalfEdge half_edge;
+  Exit exit;
+  double edge;          // |AB|
+  double length;        // |OC|
+  double cosine, sine;  // of the angle at O
+  PlanePoint apex;      // C in the frame of AB
+
+  // Of the face left of h.
+  FaceSide(const Mesh& mesh, HalfEdge h)
+      : FaceSide(mesh, mesh.frame(h), kSide == kLeft ? Prev(h) : Next(h)) {}
+
+  // Whether windows reach it through this interval. `crossing`: CrossingTo the
+  // apex.
+  static bool IsReached(const Interval& interval, double crossing) {
+    return kSide == kLeft ? crossing > interval.begin : crossing < interval.end;
+  }
+
+  // The part of OC, from O, that an interval's rays hit. REQUIRES: IsReached.
+  template <typename OriginType>
+  Interval Hit(const OriginType& origin, const Interval& interval,
+               double crossing) const {
+    const double near = kSide == kLeft ? interval.begin : interval.end;
+    const double far = kSide == kLeft ? interval.end : interval.begin;
+    const double far_hit = HitOf(origin, far);
+    const bool sees_apex =
+        kSide == kLeft ? crossing < interval.end : crossing > interval.begin;
+    return {HitOf(origin, near), sees_apex ? length : far_hit};
+  }
+
+  // A part of OC, from O, as an interval of the exit, which on the right runs
+  // from C.
+  Interval InExit(const Interval& part) const {
+    return kSide == kLeft ? part : Mirror(part, length);
+  }
+
+  // Of a place on AB.
+  double FromO(double at) const { return kSide == kLeft ? at : edge - at; }
+  // Of a vector along AB.
+  static double Mirrored(double run) { return kSide == kLeft ? run : -run; }
+
+ private:
+  FaceSide(const Mesh& mesh, const HalfEdgeFrame& frame, HalfEdge side)
+      : half_edge(side),
+        exit(kSide == kLeft ? frame.left_exit : frame.right_exit),
+        edge(frame.length),
+        length(mesh.frame(side).length),
+        cosine(kSide == kLeft ? frame.left_x : -frame.right_x),
+        sine(kSide == kLeft ? frame.left_y : frame.right_y),
+        apex(ApexOf(frame)) {}
+
+  // Distance from O to where the ray through (at, 0) hits OC.
+  // Rays along the edge (and rounding) may hit it nowhere or beyond C.
+  template <typename OriginType>
+  double HitOf(const OriginType& origin, double at) const {
+    const double across =
+        origin.depth * cosine - Mirrored(RunTo(origin, at)) * sine;
+    double hit = origin.depth * FromO(at) / across;
+    hit = hit > 0 ? hit : 0;
+    hit = hit < length ? hit : length;
+    return across > 0 ? hit : length;
+  }
+};
+
+// The pseudo-source in the frame of the exit: a rotation about O.
+template <Side kSide>
+Origin Unfold(const FaceSide<kSide>& side, const Origin& origin) {
+  const double x = side.FromO(origin.x);
+  const double along = x * side.cosine - origin.depth * side.sine;
+  const double depth = x * side.sine + origin.depth * side.cosine;
+  return {.x = kSide == kLeft ? along : side.length - along,
+          .depth = std::max(depth, kLeastHeight),
+          .sigma = origin.sigma};
 }
 
 }  // namespace geodesic

@@ -40,12 +40,12 @@ class WindowColumns {
     if (count + kPadding > room_) Grow(count + kPadding);
   }
 
+  Interval IntervalAt(size_t i) const { return {begin[i], end[i]}; }
   Origin OriginAt(size_t i) const { return {x[i], depth[i], sigma[i]}; }
   Window At(size_t i) const {
-    return {
-        {begin[i], end[i]}, OriginAt(i), begin_distance[i], end_distance[i]};
+    return {IntervalAt(i), OriginAt(i), begin_distance[i], end_distance[i]};
   }
-  void Set(size_t i, const Window& window, uint32_t source) {
+  void Set(size_t i, const Window& window) {
     begin[i] = window.interval.begin;
     end[i] = window.interval.end;
     x[i] = window.origin.x;
@@ -53,6 +53,9 @@ class WindowColumns {
     sigma[i] = window.origin.sigma;
     begin_distance[i] = window.begin_distance;
     end_distance[i] = window.end_distance;
+  }
+  void Set(size_t i, const Window& window, uint32_t source) {
+    Set(i, window);
     pseudo_source[i] = source;
   }
   void Move(size_t from, size_t to) {
