@@ -66,16 +66,6 @@ class PathTracer {
   std::unique_ptr<const TracedField> field_;
 };
 
-// The same for a single path.
-absl::StatusOr<GeodesicPath> TracePathToVertex(const Mesh& mesh,
-                                               const ValidQuery& query,
-                                               const DistanceField& field,
-                                               uint32_t vertex);
-absl::StatusOr<GeodesicPath> TracePathToTarget(const Mesh& mesh,
-                                               const ValidQuery& query,
-                                               const DistanceField& field,
-                                               uint32_t target);
-
 }  // namespace geodesic
 
 #endif  // GEODESIC_PATH_H_

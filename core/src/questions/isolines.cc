@@ -72,18 +72,6 @@ absl::Status CheckLevels(const std::vector<double>& levels) {
   return absl::OkStatus();
 }
 
-Isoline AsIsoline(double level, LevelCurve curve, const Mesh& mesh) {
-  Isoline isoline{.level = level,
-                  .points = std::move(curve.points),
-                  .positions = {},
-                  .is_closed = curve.is_closed};
-  isoline.positions.reserve(isoline.points.size());
-  for (const SurfacePoint& point : isoline.points) {
-    isoline.positions.push_back(PositionOf(point, mesh));
-  }
-  return isoline;
-}
-
 }  // namespace
 
 absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
@@ -121,14 +109,7 @@ absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
       !status.ok()) {
     return status;
   }
-  std::vector<Isoline> isolines;
-  std::vector<std::vector<LevelCurve>> curves = crossings.Curves();
-  for (size_t level = 0; level < levels.size(); ++level) {
-    for (LevelCurve& curve : curves[level]) {
-      isolines.push_back(AsIsoline(levels[level], std::move(curve), mesh));
-    }
-  }
-  return isolines;
+  return crossings.Isolines(levels);
 }
 
 }  // namespace geodesic

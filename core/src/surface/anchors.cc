@@ -1,5 +1,9 @@
 #include "surface/anchors.h"
 
+#include <algorithm>
+
+#include "surface/surface_location.h"
+
 namespace geodesic {
 namespace {
 
@@ -29,6 +33,26 @@ std::vector<Anchor> AnchorsOf(const ValidQuery& query) {
     ++number;
   }
   return anchors;
+}
+
+std::optional<FacePoint> FootOf(const Mesh& mesh, const Anchor& anchor,
+                                HalfEdge h, const PlanePoint& place) {
+  const std::optional<FacePoint> begin =
+      WithinFace(mesh, anchor.begin, mesh.FaceOf(h));
+  if (!begin.has_value() || !anchor.is_segment) return begin;
+  const std::optional<FacePoint> end =
+      WithinFace(mesh, anchor.end, mesh.FaceOf(h));
+  if (!end.has_value()) return std::nullopt;
+  const PlanePoint a = InFrame(mesh, *begin, h);
+  const PlanePoint segment = InFrame(mesh, *end, h) - a;
+  const double square = Dot(segment, segment);
+  const double t =
+      square > 0 ? std::clamp(Dot(place - a, segment) / square, 0.0, 1.0) : 0;
+  FacePoint foot{.face = mesh.FaceOf(h)};
+  for (int i = 0; i < 3; ++i) {
+    foot.weights[i] = (1 - t) * begin->weights[i] + t * end->weights[i];
+  }
+  return foot;
 }
 
 }  // namespace geodesic

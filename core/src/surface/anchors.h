@@ -4,10 +4,13 @@
 #define GEODESIC_SURFACE_ANCHORS_H_
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
 #include "geodesic/valid_query.h"
+#include "surface/plane_point.h"
 
 namespace geodesic {
 
@@ -23,6 +26,13 @@ struct Anchor {
 // All anchors of a query, in the order in which Arrival counts them: source
 // after source, a point as one, a curve as its points and then its segments.
 std::vector<Anchor> AnchorsOf(const ValidQuery& query);
+
+// Where on an anchor the shortest path to a place in the face of h starts, as a
+// point of that face: the point itself, or the foot of the perpendicular on a
+// segment; nothing if the anchor does not lie in the face. `place` is in the
+// frame of h.
+std::optional<FacePoint> FootOf(const Mesh& mesh, const Anchor& anchor,
+                                HalfEdge h, const PlanePoint& place);
 
 }  // namespace geodesic
 

@@ -1,4 +1,5 @@
-// Straight lines through space: no path on the surface is shorter.
+// Straight lines and directions in space. No path on the surface is shorter
+// than the straight line.
 
 #ifndef GEODESIC_SURFACE_STRAIGHT_LINE_H_
 #define GEODESIC_SURFACE_STRAIGHT_LINE_H_
@@ -9,6 +10,7 @@
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
 #include "mesh/scaled_difference.h"
+#include "surface/plane_point.h"
 
 namespace geodesic {
 
@@ -31,6 +33,17 @@ inline double StraightDistance(const Mesh& mesh, const SpacePoint& a,
   for (int i = 0; i < 3; ++i) way[i] += b.beyond[i] - a.beyond[i];
   return Norm(way);
 }
+
+// A unit vector along `v`; the zero vector if `v` has no length.
+Point Normalized(const Point& v);
+
+// The unit vector from one vertex to another; the zero vector if they coincide.
+Point DirectionBetween(const Mesh& mesh, uint32_t from, uint32_t to);
+
+// The unit vector in space of a direction in the frame of h. In a face without
+// area only what lies along h is left of it.
+Point DirectionInSpace(const Mesh& mesh, HalfEdge h,
+                       const PlanePoint& direction);
 
 }  // namespace geodesic
 

@@ -41,19 +41,18 @@ class GradientsTest : public EveryAlgorithm {
   // direction, runs along the gradient.
   void ExpectAlongPaths(const NamedMesh& named, const Query& query) {
     Prepare(named, query);
+    const PathTracer tracer = TracerOf(*mesh_, query_, field_);
     int compared = 0;
     for (uint32_t v = 0; v < gradients_.size(); ++v) {
       const Vec3 gradient = ToVec3(gradients_[v]);
-      const absl::StatusOr<GeodesicPath> path =
-          TracePathToVertex(*mesh_, Valid(*mesh_, query_), field_, v);
-      ASSERT_TRUE(path.ok()) << path.status();
-      if (path->points.size() < 2) {
+      const GeodesicPath path = tracer.ToVertex(v).value();
+      if (path.points.size() < 2) {
         EXPECT_EQ(Norm(gradient), 0) << named.name << " " << v;
         continue;
       }
       EXPECT_NEAR(static_cast<double>(Norm(gradient)), 1, 1e-14);
-      const Vec3 last = ToVec3(path->positions.back()) -
-                        ToVec3(path->positions[path->positions.size() - 2]);
+      const Vec3 last = ToVec3(path.positions.back()) -
+                        ToVec3(path.positions[path.positions.size() - 2]);
       if (Norm(last) < 1e-4) continue;
       ++compared;
       const Real off = Norm((1 / Norm(last)) * last - gradient);

@@ -121,18 +121,29 @@ TEST_P(Isolines, OpenArcsEndAtTheBoundary) {
   const TriangleSoup soup = MakeGrid({.columns = 10, .rows = 6});
   const auto mesh = BuildOrFail({"grid", soup});
   ASSERT_NE(mesh, nullptr);
-  const Query query = From({{VertexPoint{0}}});
-  for (const auto& [level, arc] :
-       {std::pair(3.3, 3.3 * std::numbers::pi / 2),
-        std::pair(7.1, 7.1 * std::asin(6 / 7.1)),
-        std::pair(10.9, 10.9 * (std::asin(6 / 10.9) - std::acos(10 / 10.9)))}) {
-    const auto isolines = IsolinesOrFail(*mesh, query, {level});
-    ASSERT_EQ(isolines.size(), 1u) << level;
-    EXPECT_FALSE(isolines[0].is_closed);
-    EXPECT_NEAR(Length(isolines[0]), arc, arc * 0.01);
+  for (const uint32_t corner : {0, 10, 66, 76}) {
+    const Point& center = soup.positions[corner];
+    const Query query = From({{VertexPoint{corner}}});
+    for (const auto& [level, arc] :
+         {std::pair(3.3, 3.3 * std::numbers::pi / 2),
+          std::pair(7.1, 7.1 * std::asin(6 / 7.1)),
+          std::pair(10.9,
+                    10.9 * (std::asin(6 / 10.9) - std::acos(10 / 10.9)))}) {
+      SCOPED_TRACE(level);
+      const auto isolines = IsolinesOrFail(*mesh, query, {level});
+      ASSERT_EQ(isolines.size(), 1u);
+      EXPECT_FALSE(isolines[0].is_closed);
+      EXPECT_NEAR(Length(isolines[0]), arc, arc * 0.01);
+      // What is nearer lies on the left.
+      const std::vector<Point>& p = isolines[0].positions;
+      for (size_t i = 1; i < p.size(); ++i) {
+        const Vec3 from = ToVec3(p[i - 1]) - ToVec3(center);
+        EXPECT_GT(Cross(from, ToVec3(p[i]) - ToVec3(center)).z, 0);
+      }
+    }
+    EXPECT_TRUE(IsolinesOrFail(*mesh, query, {12.0}).empty());
+    ExpectIsolines({"grid", soup}, query, {0.2, 3.3, 7.1, 10.9, 11.6}, 300);
   }
-  EXPECT_TRUE(IsolinesOrFail(*mesh, query, {12.0}).empty());
-  ExpectIsolines({"grid", soup}, query, {0.2, 3.3, 7.1, 10.9, 11.6}, 300);
 }
 
 // Rows of vertices exactly at the level.

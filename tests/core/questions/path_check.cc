@@ -221,6 +221,11 @@ DistanceField SolveTraced(const Mesh& mesh, const Query& query) {
   return *std::move(field);
 }
 
+PathTracer TracerOf(const Mesh& mesh, const Query& query,
+                    const DistanceField& field) {
+  return PathTracer::Create(mesh, Valid(mesh, query), field).value();
+}
+
 testing::AssertionResult IsShortestPath(const Mesh& mesh,
                                         const GeodesicPath& path,
                                         const SurfacePoint& from,
@@ -254,9 +259,7 @@ void CheckAllPaths(const std::string& name, const Mesh& mesh, Query query,
                    const PathCheckOptions& options, uint32_t stride) {
   query.trace = true;
   const DistanceField field = SolveTraced(mesh, query);
-  const absl::StatusOr<PathTracer> tracer =
-      PathTracer::Create(mesh, Valid(mesh, query), field);
-  ASSERT_TRUE(tracer.ok()) << tracer.status();
+  const PathTracer tracer = TracerOf(mesh, query, field);
   int failures = 0;
   const auto check = [&](const absl::StatusOr<GeodesicPath>& path,
                          const SurfacePoint& target, double distance) {
@@ -292,10 +295,10 @@ void CheckAllPaths(const std::string& name, const Mesh& mesh, Query query,
     }
   };
   for (uint32_t v = 0; v < mesh.vertex_count(); v += stride) {
-    check(tracer->ToVertex(v), VertexPoint{v}, field.distances[v]);
+    check(tracer.ToVertex(v), VertexPoint{v}, field.distances[v]);
   }
   for (uint32_t t = 0; t < query.targets.size(); ++t) {
-    check(tracer->ToTarget(t), query.targets[t], field.target_distances[t]);
+    check(tracer.ToTarget(t), query.targets[t], field.target_distances[t]);
   }
   EXPECT_EQ(failures, 0) << name << ": paths that are wrong";
 }

@@ -17,6 +17,10 @@ namespace geodesic::test {
 
 // Fails the test, and returns an empty field, if the solver fails.
 DistanceField SolveTraced(const Mesh& mesh, const Query& query);
+// Throws, which fails the test, where the field does not answer the query with
+// a trace.
+PathTracer TracerOf(const Mesh& mesh, const Query& query,
+                    const DistanceField& field);
 
 struct PathCheckOptions {
   // Beside kRelativeTolerance, for meshes with distances near the rounding of

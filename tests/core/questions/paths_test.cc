@@ -247,13 +247,12 @@ TEST_P(Paths, FromCurves) {
     CheckAllPaths("curves in a grid", *mesh, query, {.slack = 1e-14});
     // Each starts on the curve that it names.
     const DistanceField field = SolveTraced(*mesh, query);
+    const PathTracer tracer = TracerOf(*mesh, query, field);
     for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
-      const absl::StatusOr<GeodesicPath> path =
-          TracePathToVertex(*mesh, Valid(*mesh, query), field, v);
-      ASSERT_TRUE(path.ok()) << path.status();
-      PlanarCurve curve = curves[path->source];
+      const GeodesicPath path = tracer.ToVertex(v).value();
+      PlanarCurve curve = curves[path.source];
       curve.offset = 0;
-      EXPECT_NEAR(DistanceTo(curve, path->positions[0]), 0, 1e-12) << v;
+      EXPECT_NEAR(DistanceTo(curve, path.positions[0]), 0, 1e-12) << v;
     }
   }
   // Over folds there is no closed form, but the length is the distance.
@@ -332,11 +331,9 @@ TEST(PathTracer, GivesOnePointWhereSourceAndTargetCoincide) {
     const Query query{
         .sources = {{point, 2}}, .targets = {point}, .trace = true};
     const DistanceField field = SolveTraced(*mesh, query);
-    const absl::StatusOr<GeodesicPath> path =
-        TracePathToTarget(*mesh, Valid(*mesh, query), field, 0);
-    ASSERT_TRUE(path.ok()) << path.status();
-    EXPECT_EQ(path->points.size(), 1);
-    EXPECT_EQ(path->length, 0);
+    const GeodesicPath path = TracerOf(*mesh, query, field).ToTarget(0).value();
+    EXPECT_EQ(path.points.size(), 1);
+    EXPECT_EQ(path.length, 0);
   }
 }
 
@@ -352,10 +349,8 @@ TEST(PathTracer, ReversesToAPathOfTheSameLength) {
                         .targets = {points[reversed ? i - 1 : i]},
                         .trace = true};
       const DistanceField field = SolveTraced(*mesh, query);
-      const absl::StatusOr<GeodesicPath> path =
-          TracePathToTarget(*mesh, Valid(*mesh, query), field, 0);
-      ASSERT_TRUE(path.ok()) << path.status();
-      lengths[reversed] = path->length;
+      lengths[reversed] =
+          TracerOf(*mesh, query, field).ToTarget(0).value().length;
     }
     EXPECT_NEAR(lengths[0], lengths[1], kRelativeTolerance * lengths[0]);
   }
@@ -373,13 +368,12 @@ TEST(PathTracer, FollowsTheStraightLineInAPlane) {
                     .trace = true};
   const DistanceField field = SolveTraced(*mesh, query);
   const Point from = PositionOf(PointOf(query.sources[0]), *mesh);
+  const PathTracer tracer = TracerOf(*mesh, query, field);
   for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
-    const absl::StatusOr<GeodesicPath> path =
-        TracePathToVertex(*mesh, Valid(*mesh, query), field, v);
-    ASSERT_TRUE(path.ok()) << path.status();
     const Point& to = soup.positions[v];
     double walked = 0;
-    for (const Point& p : path->positions) {
+    const GeodesicPath path = tracer.ToVertex(v).value();
+    for (const Point& p : path.positions) {
       const double dx = to[0] - from[0], dy = to[1] - from[1];
       const double off = (p[0] - from[0]) * dy - (p[1] - from[1]) * dx;
       EXPECT_NEAR(off, 0, 1e-12);
@@ -403,17 +397,16 @@ TEST(PathTracer, TakesWhatIsNotCertifiedForNotReached) {
   ASSERT_TRUE((*computation)->Advance({.radius = 5}, checkpoint).ok());
   const DistanceField field = (*computation)->Field();
   int reached = 0;
+  const PathTracer tracer = TracerOf(*mesh, query, field);
   for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
-    const absl::StatusOr<GeodesicPath> path =
-        TracePathToVertex(*mesh, Valid(*mesh, query), field, v);
-    ASSERT_TRUE(path.ok()) << path.status();
+    const GeodesicPath path = tracer.ToVertex(v).value();
     if (std::isfinite(field.distances[v])) {
       ++reached;
-      EXPECT_TRUE(IsShortestPath(*mesh, *path, VertexPoint{0}, VertexPoint{v},
+      EXPECT_TRUE(IsShortestPath(*mesh, path, VertexPoint{0}, VertexPoint{v},
                                  field.distances[v]));
     } else {
-      EXPECT_TRUE(path->points.empty()) << v;
-      EXPECT_EQ(path->length, std::numeric_limits<double>::infinity()) << v;
+      EXPECT_TRUE(path.points.empty()) << v;
+      EXPECT_EQ(path.length, std::numeric_limits<double>::infinity()) << v;
     }
   }
   EXPECT_GT(reached, 1);
@@ -428,12 +421,11 @@ TEST(PathTracer, RefusesWhatItWasNotAsked) {
                     .targets = {VertexPoint{3}},
                     .trace = true};
   const DistanceField field = SolveTraced(*mesh, query);
-  const auto vertex = TracePathToVertex(*mesh, Valid(*mesh, query), field, 42);
-  EXPECT_EQ(vertex.status(),
+  const PathTracer tracer = TracerOf(*mesh, query, field);
+  EXPECT_EQ(tracer.ToVertex(42).status(),
             absl::InvalidArgumentError("vertex 42 is out of range: the mesh "
                                        "has 42 vertices, numbered from 0"));
-  const auto target = TracePathToTarget(*mesh, Valid(*mesh, query), field, 1);
-  EXPECT_EQ(target.status(),
+  EXPECT_EQ(tracer.ToTarget(1).status(),
             absl::InvalidArgumentError("target 1 is out of range: the query "
                                        "has 1 targets, numbered from 0"));
   // Another query's field, another mesh's, and one without trace.
@@ -447,11 +439,9 @@ TEST(PathTracer, RefusesWhatItWasNotAsked) {
   NoCheckpoint checkpoint;
   Query untraced = query;
   untraced.trace = false;
-  const absl::StatusOr<DistanceField> plain =
-      Solve(*mesh, untraced, {}, checkpoint);
-  ASSERT_TRUE(plain.ok()) << plain.status();
+  const DistanceField plain = Solve(*mesh, untraced, {}, checkpoint).value();
   EXPECT_TRUE(absl::IsInvalidArgument(
-      PathTracer::Create(*mesh, Valid(*mesh, query), *plain).status()));
+      PathTracer::Create(*mesh, Valid(*mesh, query), plain).status()));
 }
 
 TEST(PathTracer, SaysSoWhenTheTraceIsBroken) {
@@ -462,12 +452,12 @@ TEST(PathTracer, SaysSoWhenTheTraceIsBroken) {
   DistanceField circular = SolveTraced(*mesh, query);
   circular.arrivals[1] = {.pseudo_source = 2};
   circular.arrivals[2] = {.pseudo_source = 1};
-  EXPECT_TRUE(absl::IsInternal(
-      TracePathToVertex(*mesh, Valid(*mesh, query), circular, 1).status()));
+  EXPECT_TRUE(
+      absl::IsInternal(TracerOf(*mesh, query, circular).ToVertex(1).status()));
   DistanceField foreign = SolveTraced(*mesh, query);
   foreign.arrivals[1] = {.pseudo_source = mesh->vertex_count() + 1};
   EXPECT_TRUE(absl::IsInvalidArgument(
-      TracePathToVertex(*mesh, Valid(*mesh, query), foreign, 1).status()));
+      PathTracer::Create(*mesh, Valid(*mesh, query), foreign).status()));
 }
 
 }  // namespace

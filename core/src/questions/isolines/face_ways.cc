@@ -31,10 +31,9 @@ FaceWays::FaceWays(const Mesh& mesh, uint32_t face)
 
 PlanePoint FaceWays::InFrameOfSide(uint32_t side,
                                    const PlanePoint& point) const {
-  const auto& [ux, uy] = directions_[side];
-  const double dx = point.x - corners_[side].x;
-  const double dy = point.y - corners_[side].y;
-  return {dx * ux + dy * uy, dy * ux - dx * uy};
+  const PlanePoint from_corner = point - corners_[side];
+  return {Dot(directions_[side], from_corner),
+          Cross(directions_[side], from_corner)};
 }
 
 PlanePoint FaceWays::FromFrameOfSide(uint32_t side,
@@ -56,8 +55,7 @@ void FaceWays::AddThrough(HalfEdge h, const Way& way) {
     const auto& [ux, uy] = directions_[entry];
     added.from = {origin.x * ux - origin.depth * uy,
                   origin.x * uy + origin.depth * ux};
-    added.sigma -=
-        added.from.x * corners_[entry].x + added.from.y * corners_[entry].y;
+    added.sigma -= Dot(added.from, corners_[entry]);
   } else {
     added.from = FromFrameOfSide(entry, {origin.x, -origin.depth});
   }
@@ -137,9 +135,9 @@ std::optional<PlanePoint> FaceWays::MeetingPoint(const FaceWay& a,
   if (b.is_segment) {
     if (b.entry == kWithin) return std::nullopt;
     towards_b = {-b.from.x, -b.from.y};
-    left = b.from.x * a.from.x + b.from.y * a.from.y;
+    left = Dot(b.from, a.from);
   } else {
-    towards_b = {b.from.x - a.from.x, b.from.y - a.from.y};
+    towards_b = b.from - a.from;
     left = std::hypot(towards_b.x, towards_b.y);
     if (!(left > 0)) return std::nullopt;
     towards_b = {towards_b.x / left, towards_b.y / left};
@@ -154,8 +152,8 @@ bool FaceWays::Meet(const FaceWay& a, const FaceWay& b, double level) const {
   const std::optional<PlanePoint> middle = MeetingPoint(a, b);
   if (!middle.has_value()) return false;
   const FaceWay& point = a.is_segment ? b : a;
-  const double distance = point.sigma + std::hypot(middle->x - point.from.x,
-                                                   middle->y - point.from.y);
+  const PlanePoint way = *middle - point.from;
+  const double distance = point.sigma + std::hypot(way.x, way.y);
   return IsNearer(distance, level) && Sees(a, *middle) && Sees(b, *middle);
 }
 

@@ -8,11 +8,94 @@
 #include <tuple>
 #include <utility>
 
-#include "questions/isolines/chains.h"
-#include "questions/isolines/edge_crossings.h"
 #include "surface/surface_location.h"
 
 namespace geodesic {
+namespace {
+
+struct Chain {
+  std::vector<uint32_t> crossings;
+  bool is_closed = false;  // its last crossing is followed by the first
+};
+
+// Puts all segments between the crossings 0 .. crossing_count - 1 together,
+// each in one chain: first the open chains, then the closed ones, each kind in
+// order of its first crossing. Chains end where other than two segments meet.
+// They run as their segments do, but where segments that run against each other
+// meet; closed ones begin at their least crossing.
+class Chaining {
+ public:
+  Chaining(uint32_t crossing_count, std::span<const Segment> segments)
+      : segments_(segments),
+        begin_(crossing_count + 1, 0),
+        incident_(2 * segments.size()),
+        is_used_(segments.size()) {
+    for (const Segment& s : segments) {
+      ++begin_[s.from + 1];
+      ++begin_[s.to + 1];
+    }
+    for (uint32_t c = 0; c < crossing_count; ++c) begin_[c + 1] += begin_[c];
+    std::vector<uint32_t> fill(begin_.begin(), begin_.end() - 1);
+    for (uint32_t s = 0; s < segments.size(); ++s) {
+      incident_[fill[segments[s].from]++] = s;
+      incident_[fill[segments[s].to]++] = s;
+    }
+  }
+
+  std::vector<Chain> Run() {
+    const auto count = static_cast<uint32_t>(begin_.size() - 1);
+    for (const bool outgoing_alone : {true, false}) {
+      for (uint32_t c = 0; c < count; ++c) {
+        if (Incident(c).size() != 2) WalkFrom(c, outgoing_alone);
+      }
+    }
+    for (const bool outgoing_alone : {true, false}) {
+      for (uint32_t c = 0; c < count; ++c) WalkFrom(c, outgoing_alone);
+    }
+    return std::move(chains_);
+  }
+
+ private:
+  std::span<const uint32_t> Incident(uint32_t crossing) const {
+    return std::span(incident_).subspan(
+        begin_[crossing], begin_[crossing + 1] - begin_[crossing]);
+  }
+
+  // Walks along each segment that is left here.
+  void WalkFrom(uint32_t start, bool outgoing_alone) {
+    for (const uint32_t first : Incident(start)) {
+      if (is_used_[first]) continue;
+      if (outgoing_alone && segments_[first].from != start) continue;
+      Walk(start, first);
+    }
+  }
+
+  void Walk(uint32_t start, uint32_t segment) {
+    Chain& chain = chains_.emplace_back();
+    chain.crossings = {start};
+    for (uint32_t at = start;;) {
+      is_used_[segment] = true;
+      const auto [from, to] = segments_[segment];
+      at = at == from ? to : from;
+      if (at == start) {
+        chain.is_closed = true;
+        return;
+      }
+      chain.crossings.push_back(at);
+      const std::span<const uint32_t> incident = Incident(at);
+      if (incident.size() != 2) return;
+      segment = incident[0] == segment ? incident[1] : incident[0];
+    }
+  }
+
+  std::span<const Segment> segments_;
+  std::vector<uint32_t> begin_;  // into incident_, of each crossing
+  std::vector<uint32_t> incident_;
+  std::vector<bool> is_used_;
+  std::vector<Chain> chains_;
+};
+
+}  // namespace
 
 LevelCrossings::LevelCrossings(const Mesh& mesh,
                                std::span<const Anchor> anchors,
@@ -75,7 +158,7 @@ double LevelCrossings::Farthest(HalfEdge h,
          2 * (1 + 4 * kAtLevel);
 }
 
-LevelCrossings::LevelRange LevelCrossings::LevelsOn(
+LevelCrossings::Range LevelCrossings::LevelsOn(
     HalfEdge h, std::span<const double> distances) const {
   // Unknown distances lie above the last level.
   const double from = std::min(distances[mesh_.From(h)], levels_.back());
@@ -126,23 +209,22 @@ std::vector<Way> LevelCrossings::WaysTo(
   return ways;
 }
 
-LevelCrossings::EdgeRange LevelCrossings::CrossingsOf(
+LevelCrossings::Range LevelCrossings::CrossingsOf(
     HalfEdge h, std::span<const double> distances) {
   const auto [low, high] = std::minmax({mesh_.From(h), mesh_.To(h)});
   const std::vector<HalfEdge> sides = SidesOf(mesh_, low, high);
   const HalfEdge edge = *std::ranges::min_element(sides);
   const auto [known, is_new] = edges_.try_emplace(edge);
   if (!is_new) return known->second;
-  EdgeRange& range = known->second;
+  Range& range = known->second;
   range.begin = range.end = crossings_.size();
   const auto [begin, end] = LevelsOn(h, distances);
   if (begin == end) return range;
   const std::vector<Way> ways = WaysTo(sides, low, distances);
   for (size_t level = begin; level < end; ++level) {
-    EdgeCrossings crossings(levels_[level], mesh_.frame(h).length,
-                            distances[low], distances[high]);
-    for (const Way& way : ways) crossings.Add(way);
-    for (const double x : crossings.Find()) {
+    for (const double x :
+         CrossingsOfEdge(levels_[level], mesh_.frame(h).length, distances[low],
+                         distances[high], ways)) {
       crossings_.push_back({static_cast<uint32_t>(level), edge, x});
     }
   }
@@ -153,7 +235,7 @@ LevelCrossings::EdgeRange LevelCrossings::CrossingsOf(
 absl::Status LevelCrossings::DealWith(uint32_t face,
                                       std::span<const double> distances,
                                       const Poll& poll) {
-  std::array<EdgeRange, 3> ranges;
+  std::array<Range, 3> ranges;
   uint32_t first = std::numeric_limits<uint32_t>::max(), last = 0;
   for (uint32_t side = 0; side < 3; ++side) {
     ranges[side] = CrossingsOf(mesh_.FirstSide(face) + side, distances);
@@ -171,7 +253,7 @@ absl::Status LevelCrossings::DealWith(uint32_t face,
 }
 
 void LevelCrossings::JoinCrossings(uint32_t face, uint32_t level,
-                                   const std::array<EdgeRange, 3>& ranges,
+                                   const std::array<Range, 3>& ranges,
                                    std::span<const double> distances) {
   std::vector<PerimeterCrossing> perimeter;
   for (uint32_t side = 0; side < 3; ++side) {
@@ -224,9 +306,10 @@ SurfacePoint LevelCrossings::PointAt(const Crossing& crossing) const {
       EdgePoint{low, high, std::min(x / mesh_.frame(edge).length, 1.0)}, mesh_);
 }
 
-std::vector<std::vector<LevelCurve>> LevelCrossings::Curves() const {
-  // The crossings of each level, in order of edges and along these, and the
-  // place of each in that order.
+std::vector<Isoline> LevelCrossings::Isolines(
+    std::span<const double> file_levels) const {
+  // The crossings in order of levels, of edges and along these; the place of
+  // each among those of its level.
   std::vector<uint32_t> in_order(crossings_.size());
   std::iota(in_order.begin(), in_order.end(), 0u);
   std::ranges::sort(in_order, {}, [&](uint32_t c) {
@@ -234,51 +317,55 @@ std::vector<std::vector<LevelCurve>> LevelCrossings::Curves() const {
     return std::tuple(level, edge, x);
   });
   std::vector<uint32_t> place(crossings_.size());
-  std::vector<std::vector<LevelCurve>> curves;
-  size_t end = 0;
+  std::vector<Isoline> isolines;
+  uint32_t begin = 0;
   for (uint32_t level = 0; level < levels_.size(); ++level) {
-    const size_t begin = end;
+    uint32_t end = begin;
     for (; end < in_order.size() && crossings_[in_order[end]].level == level;
          ++end) {
-      place[in_order[end]] = static_cast<uint32_t>(end - begin);
+      place[in_order[end]] = end - begin;
     }
     std::vector<Segment> segments = segments_[level];
     for (auto& [from, to] : segments) {
       from = place[from];
       to = place[to];
     }
-    curves.push_back(
-        CurvesOf(std::span(in_order).subspan(begin, end - begin), segments));
+    AddIsolines(file_levels[level],
+                std::span(in_order).subspan(begin, end - begin), segments,
+                isolines);
+    begin = end;
   }
-  return curves;
+  return isolines;
 }
 
-std::vector<LevelCurve> LevelCrossings::CurvesOf(
-    std::span<const uint32_t> level_crossings,
-    const std::vector<Segment>& segments) const {
-  std::vector<LevelCurve> curves;
-  for (const auto& [crossings, is_closed] :
-       ChainSegments(static_cast<uint32_t>(level_crossings.size()), segments)) {
-    LevelCurve curve{.points = {}, .is_closed = is_closed};
-    // A curve through a vertex crosses several edges there.
+void LevelCrossings::AddIsolines(double level,
+                                 std::span<const uint32_t> of_level,
+                                 std::span<const Segment> segments,
+                                 std::vector<Isoline>& isolines) const {
+  const auto count = static_cast<uint32_t>(of_level.size());
+  for (const auto& [crossings, is_closed] : Chaining(count, segments).Run()) {
+    std::vector<SurfacePoint> points;
+    // An isoline through a vertex crosses several edges there.
     for (const uint32_t c : crossings) {
-      const SurfacePoint point = PointAt(crossings_[level_crossings[c]]);
-      if (curve.points.empty() || curve.points.back() != point) {
-        curve.points.push_back(point);
-      }
+      const SurfacePoint point = PointAt(crossings_[of_level[c]]);
+      if (points.empty() || points.back() != point) points.push_back(point);
     }
-    while (is_closed && curve.points.size() > 1 &&
-           curve.points.back() == curve.points.front()) {
-      curve.points.pop_back();
+    while (is_closed && points.size() > 1 && points.back() == points.front()) {
+      points.pop_back();
     }
-    if (curve.points.size() > 1) curves.push_back(std::move(curve));
+    if (points.size() < 2) continue;
+    std::vector<Point> positions;
+    for (const SurfacePoint& point : points) {
+      positions.push_back(PositionOf(point, mesh_));
+    }
+    isolines.push_back(
+        {level, std::move(points), std::move(positions), is_closed});
   }
-  return curves;
 }
 
 uint64_t LevelCrossings::bytes() const {
   uint64_t bytes = crossings_.capacity() * sizeof(Crossing) +
-                   edges_.capacity() * sizeof(std::pair<HalfEdge, EdgeRange>);
+                   edges_.capacity() * sizeof(std::pair<HalfEdge, Range>);
   for (const auto& segments : segments_) {
     bytes += segments.capacity() * sizeof(Segment);
   }

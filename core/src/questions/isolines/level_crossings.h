@@ -9,10 +9,12 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "absl/container/flat_hash_map.h"
 #include "absl/status/status.h"
+#include "geodesic/isolines.h"
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
 #include "questions/isolines/face_regions.h"
@@ -23,12 +25,6 @@
 #include "surface/anchors.h"
 
 namespace geodesic {
-
-// A polyline through edge crossings, as surface points.
-struct LevelCurve {
-  std::vector<SurfacePoint> points;
-  bool is_closed = false;
-};
 
 // Gathers the crossings face by face, as soon as a face is settled. All lengths
 // are in the mesh's scaled unit.
@@ -53,8 +49,9 @@ class LevelCrossings {
   // Errors: as Settle.
   absl::Status Finish(std::span<const double> distances, const Poll& poll);
 
-  // The curves of each level, open ones first. REQUIRES: Finish is OK.
-  std::vector<std::vector<LevelCurve>> Curves() const;
+  // The isolines, level by level; of each the open ones first. `file_levels`
+  // are the levels in the unit of the file. REQUIRES: Finish is OK.
+  std::vector<Isoline> Isolines(std::span<const double> file_levels) const;
 
   uint64_t bytes() const;
 
@@ -64,34 +61,22 @@ class LevelCrossings {
     HalfEdge edge;  // the lowest half-edge of the edge
     double x;       // from the end with the lower number
   };
-  // A range of crossings_: those of an edge, by level, in order along it.
-  struct EdgeRange {
+  // Of crossings_: those of an edge, by level, in order along it. Or of
+  // levels_.
+  struct Range {
     size_t begin = 0;
     size_t end = 0;
   };
-  struct PlacedPoint {
-    FacePoint point;
-    double sigma;
-  };
-  struct PlacedSegment {
-    CurveSegment segment;
-    double sigma;
-  };
-  // What starts in one face.
+  // What starts in one face, and its distance there.
   struct Within {
-    std::vector<PlacedPoint> points;
-    std::vector<PlacedSegment> segments;
-  };
-
-  // Levels [begin, end) that may be found on an edge.
-  struct LevelRange {
-    size_t begin;
-    size_t end;
+    std::vector<std::pair<FacePoint, double>> points;
+    std::vector<std::pair<CurveSegment, double>> segments;
   };
 
   double Farthest(HalfEdge h, std::span<const double> distances) const;
-  LevelRange LevelsOn(HalfEdge h, std::span<const double> distances) const;
-  EdgeRange CrossingsOf(HalfEdge h, std::span<const double> distances);
+  // The levels that may be found on an edge.
+  Range LevelsOn(HalfEdge h, std::span<const double> distances) const;
+  Range CrossingsOf(HalfEdge h, std::span<const double> distances);
   // All ways to the points of an edge but those along it from its ends, as seen
   // from its end `from`.
   std::vector<Way> WaysTo(std::span<const HalfEdge> sides, uint32_t from,
@@ -99,11 +84,13 @@ class LevelCrossings {
   absl::Status DealWith(uint32_t face, std::span<const double> distances,
                         const Poll& poll);
   void JoinCrossings(uint32_t face, uint32_t level,
-                     const std::array<EdgeRange, 3>& ranges,
+                     const std::array<Range, 3>& ranges,
                      std::span<const double> distances);
   FaceWays WaysInto(uint32_t face, std::span<const double> distances) const;
-  std::vector<LevelCurve> CurvesOf(std::span<const uint32_t> crossings,
-                                   const std::vector<Segment>& segments) const;
+  // Adds the isolines that `segments` make between the crossings of one level.
+  void AddIsolines(double level, std::span<const uint32_t> of_level,
+                   std::span<const Segment> segments,
+                   std::vector<Isoline>& isolines) const;
   SurfacePoint PointAt(const Crossing& crossing) const;
 
   const Mesh& mesh_;
@@ -111,7 +98,7 @@ class LevelCrossings {
   IsolineBand& band_;
   // Sources that are no vertices, in the faces around them.
   absl::flat_hash_map<uint32_t, Within> within_;
-  absl::flat_hash_map<HalfEdge, EdgeRange> edges_;
+  absl::flat_hash_map<HalfEdge, Range> edges_;
   std::vector<Crossing> crossings_;
   uint64_t dealt_with_ = 0;                     // faces
   std::vector<std::vector<Segment>> segments_;  // of each level

@@ -9,10 +9,11 @@
 namespace geodesic {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 // The part of the edge's line that is nearer than `level` from this origin,
 // whether or not rays of the window go there.
 Interval NearerLine(const MixedOrigin& origin, double level) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double reach = level - origin.sigma;
   if (!origin.is_segment) {
     const double half = std::sqrt(
@@ -24,8 +25,9 @@ Interval NearerLine(const MixedOrigin& origin, double level) {
   return origin.x > 0 ? Interval{-kInfinity, end} : Interval{end, kInfinity};
 }
 
-}  // namespace
-
+// The part of the edge's line that is nearer than `level` by these ways, or by
+// them and then along the edge from an end of the interval. The latter closes
+// the gaps that rounding leaves between windows. Its ends are at the level.
 std::optional<Interval> NearerPart(const Way& way, double level) {
   const auto& [interval, origin] = way;
   const MixedWindow window = MixedWindow::Over(interval, origin);
@@ -38,6 +40,53 @@ std::optional<Interval> NearerPart(const Way& way, double level) {
     part.end = interval.end + std::max(level - window.end_distance, 0.0);
   }
   return part;
+}
+
+bool IsAt(double level, double distance) {
+  return std::abs(distance - level) <= level * kAtLevel;
+}
+
+}  // namespace
+
+std::vector<double> CrossingsOfEdge(double level, double length, double p,
+                                    double q, std::span<const Way> ways) {
+  // Within [0, length], but for the part of a nearer end, which begins or ends
+  // at infinity.
+  std::vector<Interval> parts;
+  if (IsNearer(p, level)) {
+    parts.push_back({-kInfinity, std::min(level - p, length)});
+  }
+  if (IsNearer(q, level)) {
+    parts.push_back({std::max(length - (level - q), 0.0), kInfinity});
+  }
+  for (const Way& way : ways) {
+    const std::optional<Interval> part = NearerPart(way, level);
+    if (!part.has_value() || part->end < 0 || part->begin > length) continue;
+    parts.push_back({std::max(part->begin, 0.0), std::min(part->end, length)});
+  }
+  std::ranges::sort(parts, {}, &Interval::begin);
+  std::vector<Interval> pieces;
+  for (const Interval& part : parts) {
+    if (!pieces.empty() &&
+        part.begin <= pieces.back().end + kLeastWidth * length) {
+      pieces.back().end = std::max(pieces.back().end, part.end);
+    } else {
+      pieces.push_back(part);
+    }
+  }
+  const double snap = kNearMiss * length;
+  std::vector<double> crossings;
+  for (Interval& piece : pieces) {
+    for (double* end : {&piece.begin, &piece.end}) {
+      if (!std::isfinite(*end)) continue;
+      if (*end <= snap && IsAt(level, p)) *end = 0;
+      if (*end >= length - snap && IsAt(level, q)) *end = length;
+    }
+    if (!(piece.width() > 0)) continue;
+    if (std::isfinite(piece.begin)) crossings.push_back(piece.begin);
+    if (std::isfinite(piece.end)) crossings.push_back(piece.end);
+  }
+  return crossings;
 }
 
 std::optional<Way> GoOnTo(HalfEdge side, const Mesh& mesh, HalfEdge h,

@@ -1,10 +1,12 @@
-// Straight ways to the points of an edge, and what lies on the near side of a
-// level by them.
+// Straight ways to the points of an edge, and where a level of the distance
+// crosses it by them.
 
 #ifndef GEODESIC_QUESTIONS_ISOLINES_WAY_H_
 #define GEODESIC_QUESTIONS_ISOLINES_WAY_H_
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "geodesic/mesh.h"
 #include "solver/curve_segment.h"
@@ -35,10 +37,16 @@ inline Way Mirror(const Way& way, double length) {
   return {Mirror(way.interval, length), Mirror(way.origin, length)};
 }
 
-// The part of the edge's line that is nearer than `level` by these ways, or by
-// them and then along the edge from an end of the interval. The latter closes
-// the gaps that rounding leaves between windows. Its ends are at the level.
-std::optional<Interval> NearerPart(const Way& way, double level);
+// Where a level crosses the edge from P to Q, by the ways to its points and
+// along it from its ends: the places at which the union of all parts that are
+// nearer begins and ends. Lengths are measured from P; p, q: the distances of
+// the two ends. In order from P to Q; two in a row differ; one next to an end
+// that is at the level is put there.
+//
+// P and Q are nearer or not by their own distances alone, so around any cycle
+// of edges as many crossings lead in as out, whatever rounding does.
+std::vector<double> CrossingsOfEdge(double level, double length, double p,
+                                    double q, std::span<const Way> ways);
 
 // What of a way into the face of h goes on to `side`, another half-edge of that
 // face, in the frame of `side` mirrored; none if it misses.

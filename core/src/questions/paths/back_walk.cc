@@ -7,25 +7,12 @@
 #include <vector>
 
 #include "mesh/scaled_difference.h"
-#include "questions/paths/anchor_foot.h"
 #include "solver/windows/window.h"
 #include "surface/surface_location.h"
 #include "tolerances.h"
 
 namespace geodesic {
 namespace {
-
-PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-double Dot(const PlanePoint& a, const PlanePoint& b) {
-  return a.x * b.x + a.y * b.y;
-}
-double Cross(const PlanePoint& a, const PlanePoint& b) {
-  return a.x * b.y - a.y * b.x;
-}
-double Norm(const PlanePoint& a) { return std::sqrt(Dot(a, a)); }
-using geodesic::Norm;
 
 // The line back from a piece's end, in the frame of some half-edge: where the
 // end lies, and the way from there to the pseudo-source (towards it, where that

@@ -13,9 +13,9 @@
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic/field_path.h"
-#include "questions/paths/face_plane.h"
 #include "questions/paths/straight_piece.h"
 #include "questions/paths/traced_field.h"
+#include "surface/straight_line.h"
 
 namespace geodesic {
 namespace {

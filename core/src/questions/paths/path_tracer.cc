@@ -86,22 +86,4 @@ absl::StatusOr<GeodesicPath> PathTracer::ToTarget(uint32_t target) const {
                    field_->field().target_distances[target]);
 }
 
-absl::StatusOr<GeodesicPath> TracePathToVertex(const Mesh& mesh,
-                                               const ValidQuery& query,
-                                               const DistanceField& field,
-                                               uint32_t vertex) {
-  absl::StatusOr<PathTracer> tracer = PathTracer::Create(mesh, query, field);
-  if (!tracer.ok()) return tracer.status();
-  return tracer->ToVertex(vertex);
-}
-
-absl::StatusOr<GeodesicPath> TracePathToTarget(const Mesh& mesh,
-                                               const ValidQuery& query,
-                                               const DistanceField& field,
-                                               uint32_t target) {
-  absl::StatusOr<PathTracer> tracer = PathTracer::Create(mesh, query, field);
-  if (!tracer.ok()) return tracer.status();
-  return tracer->ToTarget(target);
-}
-
 }  // namespace geodesic

@@ -1,0 +1,125 @@
+#include "geodesic/field_quantities.h"
+
+#include <cstdint>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "questions/paths/straight_piece.h"
+#include "questions/paths/traced_field.h"
+#include "surface/straight_line.h"
+#include "surface/surface_location.h"
+#include "tolerances.h"
+
+namespace geodesic {
+namespace {
+
+// The direction from an anchor to a vertex of a face around it.
+Point DirectionFromAnchor(const Mesh& mesh, const Anchor& anchor, uint32_t v) {
+  for (const FacePoint& from : FacesAround(mesh, anchor.begin)) {
+    const auto to = WithinFace(mesh, VertexPoint{v}, from.face);
+    if (!to.has_value()) continue;
+    const HalfEdge h = mesh.FirstSide(from.face);
+    const PlanePoint b = InFrame(mesh, *to, h);
+    const auto foot = FootOf(mesh, anchor, h, b);
+    if (!foot.has_value()) continue;
+    return DirectionInSpace(mesh, h, b - InFrame(mesh, *foot, h));
+  }
+  return {};
+}
+
+// The direction in which a straight piece arrives at its end, from its points.
+Point DirectionOfPoints(const Mesh& mesh, const StraightPiece& piece,
+                        uint32_t v) {
+  const ScaledDifference difference(mesh.scale_exponent());
+  Point to = mesh.positions()[v];
+  for (const SurfacePoint& point : piece.points) {
+    const Point from = PositionOf(point, mesh);
+    const Vector stretch = difference(from, to);
+    if (Norm(stretch) > kDirectionless * piece.length) {
+      return Normalized(stretch);
+    }
+    to = from;
+  }
+  return {};
+}
+
+// The direction in which a path arrives at v from where its trace says; the
+// zero vector if that is the same place.
+absl::StatusOr<Point> DirectionOf(const TracedField& field, uint32_t v) {
+  const Mesh& mesh = field.mesh();
+  const auto& [pseudo_source, entry, x, depth] = field.VertexArrival(v);
+  if (entry != kNoHalfEdge && mesh.IsCollapsed(entry)) {
+    const absl::StatusOr<StraightPiece> piece =
+        FollowBack(field, field.Vertex(v));
+    if (!piece.ok()) return piece.status();
+    return DirectionOfPoints(mesh, *piece, v);
+  }
+  if (entry != kNoHalfEdge) {
+    const auto place = WithinFace(mesh, VertexPoint{v}, mesh.FaceOf(entry));
+    if (!place.has_value()) return Point{};
+    if (!field.IsVertex(pseudo_source) &&
+        field.AnchorOf(pseudo_source).is_segment) {
+      return DirectionInSpace(mesh, entry, {x, depth});
+    }
+    const PlanePoint at = InFrame(mesh, *place, entry);
+    return DirectionInSpace(mesh, entry, {at.x - x, at.y + depth});
+  }
+  if (field.IsVertex(pseudo_source)) {
+    return DirectionBetween(mesh, pseudo_source, v);
+  }
+  return DirectionFromAnchor(mesh, field.AnchorOf(pseudo_source), v);
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<uint32_t>> NearestSources(
+    const Mesh& mesh, const ValidQuery& query, const DistanceField& field) {
+  absl::StatusOr<TracedField> traced = TracedField::Create(mesh, query, field);
+  if (!traced.ok()) return traced.status();
+  std::vector<uint32_t> labels(mesh.vertex_count(), kNoSource);
+  std::vector<uint32_t> chain;
+  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    // From pseudo-source to pseudo-source, up to a label or an anchor.
+    uint32_t at = v;
+    chain.clear();
+    while (traced->IsVertex(at) && labels[at] == kNoSource) {
+      if (chain.size() == mesh.vertex_count()) {
+        return absl::InternalError("the trace leads in circles");
+      }
+      chain.push_back(at);
+      at = traced->VertexArrival(at).pseudo_source;
+    }
+    if (at == kNoPseudoSource) continue;
+    const uint32_t label =
+        traced->IsVertex(at) ? labels[at] : traced->AnchorOf(at).source;
+    for (const uint32_t passed : chain) labels[passed] = label;
+  }
+  return labels;
+}
+
+absl::StatusOr<std::vector<Point>> Gradients(const Mesh& mesh,
+                                             const ValidQuery& query,
+                                             const DistanceField& field) {
+  absl::StatusOr<TracedField> traced = TracedField::Create(mesh, query, field);
+  if (!traced.ok()) return traced.status();
+  std::vector<Point> gradients(mesh.vertex_count());
+  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    // Where vertices coincide a path arrives at the first of them.
+    uint32_t at = v;
+    for (uint32_t passed = 0; traced->IsVertex(at); ++passed) {
+      if (passed == mesh.vertex_count()) {
+        return absl::InternalError("the trace leads in circles");
+      }
+      const uint32_t from = traced->VertexArrival(at).pseudo_source;
+      if (from == kNoPseudoSource) break;
+      const absl::StatusOr<Point> direction = DirectionOf(*traced, at);
+      if (!direction.ok()) return direction.status();
+      gradients[v] = *direction;
+      if (gradients[v] != Point{}) break;
+      at = from;
+    }
+  }
+  return gradients;
+}
+
+}  // namespace geodesic
