@@ -1,12 +1,10 @@
 // Tokens, scopes and quotas, asked for by every RPC before anything else.
 
 #include <gmock/gmock.h>
-#include <google/protobuf/descriptor.h>
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
-#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "digest/sha256.h"
@@ -20,22 +18,6 @@ namespace geodesic::server {
 namespace {
 
 using ::testing::HasSubstr;
-
-// All methods of the contract, "/geodesic.v1.Service/Method".
-std::vector<std::string> AllMethods() {
-  std::vector<std::string> methods;
-  for (const char* name : {"MeshService", "FieldService", "PathService",
-                           "MatrixService", "CapabilitiesService"}) {
-    const auto* service =
-        google::protobuf::DescriptorPool::generated_pool()->FindServiceByName(
-            absl::StrCat("geodesic.v1.", name));
-    for (int i = 0; service != nullptr && i < service->method_count(); ++i) {
-      methods.push_back(
-          absl::StrCat("/geodesic.v1.", name, "/", service->method(i)->name()));
-    }
-  }
-  return methods;
-}
 
 std::string ReasonOf(const absl::Status& status) {
   const auto payload = status.GetPayload(test::kDetails);
@@ -69,9 +51,9 @@ class AccessTest : public test::RpcTest {
 
 TEST_F(AccessTest, WithoutATokenNoMethodAnswers) {
   StartWith("sesame", R"(["admin"])");
-  const std::vector<std::string> methods = AllMethods();
-  ASSERT_EQ(methods.size(), 14);
-  for (const std::string& method : methods) {
+  ASSERT_EQ(test::AllMethods().size(), 14);
+  for (const auto* descriptor : test::AllMethods()) {
+    const std::string method = test::PathOf(*descriptor);
     const absl::Status none = Call(method, {});
     EXPECT_TRUE(absl::IsUnauthenticated(none)) << method << none;
     EXPECT_EQ(ReasonOf(none), "TOKEN_MISSING") << method;
@@ -89,7 +71,8 @@ TEST_F(AccessTest, ScopesSaySeparatelyWhoAsksUploadsAndDeletes) {
   StartWith("sesame", R"(["read"])");
   const std::set<std::string> refused = {"/geodesic.v1.MeshService/CreateMesh",
                                          "/geodesic.v1.MeshService/DeleteMesh"};
-  for (const std::string& method : AllMethods()) {
+  for (const auto* descriptor : test::AllMethods()) {
+    const std::string method = test::PathOf(*descriptor);
     const absl::Status status =
         Call(method, {{"authorization", "Bearer sesame"}});
     EXPECT_FALSE(absl::IsUnauthenticated(status)) << method << status;
@@ -111,37 +94,12 @@ TEST_F(AccessTest, HealthAndReflectionAreForEverybody) {
 TEST_F(AccessTest, AQuotaOfJobsCountsStreamsUnderWay) {
   StartWith("sesame", R"(["read", "upload"])", R"({"jobs": 1})",
             /*held=*/true);
-  const TriangleSoup soup = test::Tetrahedron();
-  v1::UploadHeader header;
-  header.set_format(v1::MESH_FORMAT_ARRAYS);
-  const std::string bytes = test::ArrayBytes(soup);
-  header.set_size_bytes(bytes.size());
-  header.set_vertex_count(soup.positions.size());
-  header.set_face_count(soup.triangles.size());
-  std::string digest;
-  {
-    grpc::ClientContext context;
-    context.AddMetadata("authorization", "Bearer sesame");
-    v1::CreateMeshResponse response;
-    const auto writer = meshes_->CreateMesh(&context, &response);
-    v1::CreateMeshRequest message;
-    *message.mutable_header() = header;
-    writer->Write(message);
-    message.mutable_chunk()->set_data(bytes);
-    writer->Write(message);
-    writer->WritesDone();
-    const grpc::Status status = writer->Finish();
-    ASSERT_TRUE(status.ok()) << status.error_message();
-    digest = response.mesh().digest();
-  }
-  grpc::ClientContext first_context;
-  first_context.AddMetadata("authorization", "Bearer sesame");
-  const auto first =
-      fields_->ComputeField(&first_context, FieldRequest(digest, 0));
+  const std::string digest = Upload(test::Tetrahedron(), "sesame");
+  const auto first = Open(FieldRequest(digest, 0), "sesame");
   solver_.WaitForStarts(1);
 
   grpc::ClientContext second_context;
-  second_context.AddMetadata("authorization", "Bearer sesame");
+  test::AddToken("sesame", second_context);
   const test::FieldReply second =
       ComputeField(FieldRequest(digest, 1), second_context);
   EXPECT_EQ(second.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
@@ -156,10 +114,7 @@ TEST_F(AccessTest, AQuotaOfJobsCountsStreamsUnderWay) {
   EXPECT_EQ(trailers.find("grpc-retry-pushback-ms")->second, "1000");
 
   solver_.LetGo();
-  v1::ComputeFieldResponse message;
-  while (first->Read(&message)) {
-  }
-  EXPECT_TRUE(first->Finish().ok());
+  EXPECT_TRUE(first->End().ok());
 }
 
 TEST_F(AccessTest, ARateIsHeldAndSaysWhenToComeAgain) {

@@ -8,16 +8,13 @@
 // Of what waits for memory, uploads are tried here; loads, solves, and uploads
 // that are being built in tests/engine.
 
-#include <grpcpp/create_channel.h>
-#include <grpcpp/security/credentials.h>
-#include <grpcpp/support/channel_arguments.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <iostream>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -77,96 +74,62 @@ std::vector<Row> Table() {
   return table;
 }
 
+constexpr uint32_t kNobody = 0xffffffff;
+
 // Solvers that solve the same again and again until they are stopped, at their
 // own polls.
-class EndlessSolvers {
- public:
-  StartFunction Start() {
-    return [this](const Mesh& mesh, const ValidQuery& query,
-                  const SolveOptions& options)
-               -> absl::StatusOr<std::unique_ptr<Computation>> {
-      return std::make_unique<Endless>(*this, mesh, query, options);
-    };
-  }
+struct EndlessSolvers {
+  StartFunction Start();
 
-  // From now on solvers end as others do.
-  void LetGo() {
-    std::lock_guard lock(mutex_);
-    endless_ = false;
+  std::atomic<bool> endless = true;         // false: they end as others do
+  std::atomic<uint32_t> failing = kNobody;  // who works on it fails
+  std::atomic<int> starts = 0;
+  // When the last one was stopped; the epoch: none was.
+  std::atomic<steady_clock::time_point> stopped = steady_clock::time_point();
+};
+
+class EndlessComputation final : public Computation {
+ public:
+  EndlessComputation(EndlessSolvers& all, const Mesh& mesh, ValidQuery query,
+                     const SolveOptions& options)
+      : all_(all), mesh_(mesh), query_(std::move(query)), options_(options) {}
+
+  absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) override {
+    ++all_.starts;
+    for (;;) {
+      auto started = StartComputation(mesh_, query_, options_);
+      if (!started.ok()) return started.status();
+      computation_ = *std::move(started);
+      absl::Status status = computation_->Advance(reach, checkpoint);
+      if (status.ok() &&
+          query_->sources == std::vector<Source>{{VertexPoint{all_.failing}}}) {
+        status = absl::InternalError("the solver failed");
+      }
+      if (!status.ok()) all_.stopped = steady_clock::now();
+      if (!status.ok() || !all_.endless) return status;
+    }
   }
-  // Makes those fail that work on this vertex.
-  void Fail(uint32_t vertex) {
-    std::lock_guard lock(mutex_);
-    failing_ = vertex;
+  DistanceField Field() const override { return computation_->Field(); }
+  absl::Status AddSource(const Source& source) override {
+    return computation_->AddSource(source);
   }
-  int starts() {
-    std::lock_guard lock(mutex_);
-    return starts_;
-  }
-  // When the last one was stopped.
-  std::optional<steady_clock::time_point> stopped() {
-    std::lock_guard lock(mutex_);
-    return stopped_;
-  }
+  uint64_t bytes() const override { return computation_->bytes(); }
 
  private:
-  class Endless final : public Computation {
-   public:
-    Endless(EndlessSolvers& all, const Mesh& mesh, ValidQuery query,
-            const SolveOptions& options)
-        : all_(all), mesh_(mesh), query_(std::move(query)), options_(options) {}
-
-    absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) override {
-      all_.Count();
-      for (;;) {
-        auto started = StartComputation(mesh_, query_, options_);
-        if (!started.ok()) return started.status();
-        computation_ = *std::move(started);
-        absl::Status status = computation_->Advance(reach, checkpoint);
-        if (status.ok()) status = all_.Verdict(query_);
-        if (!status.ok()) all_.Stopped();
-        if (!status.ok() || !all_.endless()) return status;
-      }
-    }
-    DistanceField Field() const override { return computation_->Field(); }
-    absl::Status AddSource(const Source& source) override {
-      return computation_->AddSource(source);
-    }
-    uint64_t bytes() const override { return computation_->bytes(); }
-
-   private:
-    EndlessSolvers& all_;
-    const Mesh& mesh_;
-    const ValidQuery query_;
-    const SolveOptions options_;
-    std::unique_ptr<Computation> computation_;
-  };
-
-  void Count() {
-    std::lock_guard lock(mutex_);
-    ++starts_;
-  }
-  void Stopped() {
-    std::lock_guard lock(mutex_);
-    stopped_ = steady_clock::now();
-  }
-  bool endless() {
-    std::lock_guard lock(mutex_);
-    return endless_;
-  }
-  absl::Status Verdict(const ValidQuery& query) {
-    std::lock_guard lock(mutex_);
-    return query->sources == std::vector<Source>{{VertexPoint{failing_}}}
-               ? absl::InternalError("the solver failed")
-               : absl::OkStatus();
-  }
-
-  std::mutex mutex_;
-  bool endless_ = true;
-  uint32_t failing_ = 0xffffffff;
-  int starts_ = 0;
-  std::optional<steady_clock::time_point> stopped_;
+  EndlessSolvers& all_;
+  const Mesh& mesh_;
+  const ValidQuery query_;
+  const SolveOptions options_;
+  std::unique_ptr<Computation> computation_;
 };
+
+StartFunction EndlessSolvers::Start() {
+  return [this](const Mesh& mesh, const ValidQuery& query,
+                const SolveOptions& options)
+             -> absl::StatusOr<std::unique_ptr<Computation>> {
+    return std::make_unique<EndlessComputation>(*this, mesh, query, options);
+  };
+}
 
 // Asks again until `holds()`; false if that takes two minutes.
 template <typename Condition>
@@ -182,11 +145,9 @@ bool Until(Condition holds) {
 class CancelMatrixTest : public test::RpcTest,
                          public ::testing::WithParamInterface<Row> {
  protected:
-  using FieldReader = grpc::ClientReader<v1::ComputeFieldResponse>;
-
   ~CancelMatrixTest() override {
-    solvers_.LetGo();
-    if (blocker_ != nullptr) blocker_context_.TryCancel();
+    solvers_.endless = false;
+    if (blocker_ != nullptr) blocker_->context.TryCancel();
     if (stopped_.valid()) stopped_.get();
     server_.reset();  // its jobs use the solvers
   }
@@ -213,15 +174,9 @@ class CancelMatrixTest : public test::RpcTest,
     StartWith(options, solvers_.Start());
     digest_ = Upload(soup_);
     relay_.emplace(server_->port());
-    // Whoever does not read takes little in advance.
-    grpc::ChannelArguments arguments;
-    arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 1 << 16);
-    arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
-    relayed_ = grpc::CreateCustomChannel(
-        absl::StrCat("127.0.0.1:", relay_->port()),
-        grpc::InsecureChannelCredentials(), arguments);
-    relayed_meshes_ = v1::MeshService::NewStub(relayed_);
-    relayed_fields_ = v1::FieldService::NewStub(relayed_);
+    const auto relayed = SlowChannel(relay_->port());
+    relayed_meshes_ = v1::MeshService::NewStub(relayed);
+    relayed_fields_ = v1::FieldService::NewStub(relayed);
     const auto mesh = server_->engine().GetMesh(digest_);
     ASSERT_TRUE(mesh.ok());
     mesh_ = *mesh;
@@ -231,17 +186,13 @@ class CancelMatrixTest : public test::RpcTest,
 
   // Occupies the thread.
   void Block() {
-    blocker_ =
-        fields_->ComputeField(&blocker_context_, FieldRequest(digest_, 0));
-    ASSERT_TRUE(Until([&] { return solvers_.starts() == 1; }));
+    blocker_ = Open(digest_, 0);
+    ASSERT_TRUE(Until([&] { return solvers_.starts == 1; }));
   }
   void Unblock() {
     if (blocker_ == nullptr) return;
-    blocker_context_.TryCancel();
-    v1::ComputeFieldResponse message;
-    while (blocker_->Read(&message)) {
-    }
-    blocker_->Finish();
+    blocker_->context.TryCancel();
+    blocker_->End();
     blocker_ = nullptr;
   }
 
@@ -256,7 +207,7 @@ class CancelMatrixTest : public test::RpcTest,
         begin_ = deadline_;
         break;
       case Cause::kError:
-        solvers_.Fail(1);
+        solvers_.failing = 1;
         break;
       case Cause::kShutdown:
         stopped_ = std::async(std::launch::async, [this] {
@@ -331,9 +282,12 @@ class CancelMatrixTest : public test::RpcTest,
   }
 
   void PrintFigure() {
-    const auto stopped = solvers_.stopped();
-    if (!stopped.has_value() || GetParam().cause == Cause::kError) return;
-    const std::chrono::duration<double, std::milli> took = *stopped - begin_;
+    const steady_clock::time_point stopped = solvers_.stopped;
+    if (stopped == steady_clock::time_point() ||
+        GetParam().cause == Cause::kError) {
+      return;
+    }
+    const std::chrono::duration<double, std::milli> took = stopped - begin_;
     std::cout << "[  FIGURE  ] the solver stopped after " << took.count()
               << " ms\n";
   }
@@ -348,12 +302,10 @@ class CancelMatrixTest : public test::RpcTest,
   std::string digest_;
   std::weak_ptr<const ResidentMesh> mesh_;
   std::optional<geodesic::test::TcpRelay> relay_;
-  std::shared_ptr<grpc::Channel> relayed_;
   std::unique_ptr<v1::MeshService::Stub> relayed_meshes_;
   std::unique_ptr<v1::FieldService::Stub> relayed_fields_;
 
-  grpc::ClientContext blocker_context_;
-  std::unique_ptr<FieldReader> blocker_;
+  std::unique_ptr<test::OpenField> blocker_;
 
   grpc::ClientContext context_;
   steady_clock::time_point deadline_;
@@ -394,14 +346,11 @@ void CancelMatrixTest::RunUpload() {
                             : is_file   ? test::OffFile(soup)
                                         : test::ArrayBytes(soup);
   v1::CreateMeshRequest message;
-  v1::UploadHeader& header = *message.mutable_header();
-  header.set_size_bytes(bytes.size());
   if (is_file) {
-    header.set_format(v1::MESH_FORMAT_OFF);
+    message.mutable_header()->set_format(v1::MESH_FORMAT_OFF);
+    message.mutable_header()->set_size_bytes(bytes.size());
   } else {
-    header.set_format(v1::MESH_FORMAT_ARRAYS);
-    header.set_vertex_count(soup.positions.size());
-    header.set_face_count(soup.triangles.size());
+    *message.mutable_header() = test::ArraysHeader(soup);
   }
   v1::CreateMeshResponse response;
   SetDeadline();
@@ -434,7 +383,7 @@ void CancelMatrixTest::RunUpload() {
 void CancelMatrixTest::RunStream() {
   const Phase phase = GetParam().phase;
   if (phase == Phase::kQueued) Block();
-  if (phase == Phase::kStreaming) solvers_.LetGo();
+  if (phase == Phase::kStreaming) solvers_.endless = false;
   SetDeadline();
   const auto reader =
       relayed_fields_->ComputeField(&context_, FieldRequest(digest_, 1));
@@ -443,7 +392,7 @@ void CancelMatrixTest::RunStream() {
       case Phase::kQueued:
         return engine().scheduler().queued() == 1;
       case Phase::kComputing:
-        return solvers_.starts() == 1;
+        return solvers_.starts == 1;
       case Phase::kMemory:
         break;
       case Phase::kStreaming:
@@ -497,17 +446,18 @@ class QuestionCancellationTest : public test::QuestionsTest {
  protected:
   void SetUp() override {}  // Each test starts a server as it needs it.
 
-  // `start` begins the call. Nothing of the answer can have come when it is
-  // cancelled, since the solver waits.
-  template <typename Response, typename StartCall>
-  void ExpectCancelled(StartCall start) {
+  // Nothing of the answer can have come when the call is cancelled, since the
+  // solver waits.
+  template <typename Request>
+  void ExpectCancelled(Request request) {
+    request.set_mesh_digest(digest_);
     grpc::ClientContext context;
-    const auto reader = start(&context);
+    const auto reader = Begin(context, request);
     solver_.WaitForStarts(1);
     context.TryCancel();
-    const test::StreamReply<Response> reply = ReadAll(*reader);
+    const auto reply = ReadAll(*reader);
     EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::CANCELLED);
-    for (const Response& message : reply.messages) {
+    for (const auto& message : reply.messages) {
       EXPECT_FALSE(message.has_trailer());
     }
     // The solver is still held: only what cancels it lets it end.
@@ -516,13 +466,13 @@ class QuestionCancellationTest : public test::QuestionsTest {
 
   // The same for work that no test can hold up, on a mesh so large that it
   // takes long: it is cancelled once it tells of its progress.
-  template <typename Response, typename StartCall>
-  void ExpectCancelledUnderWay(StartCall start) {
-    Start();
-    digest_ = Upload(geodesic::test::Icosphere(7));
-    paths_ = v1::PathService::NewStub(channel_);
+  template <typename Response, typename Request>
+  void ExpectCancelledUnderWay(Request request) {
+    StartWithGrid(/*held=*/false);
+    request.set_mesh_digest(Upload(geodesic::test::Icosphere(7)));
+    request.add_sources()->set_vertex(0);
     grpc::ClientContext context;
-    const auto reader = start(&context);
+    const auto reader = Begin(context, request);
     Response message;
     do {
       ASSERT_TRUE(reader->Read(&message));
@@ -537,58 +487,39 @@ class QuestionCancellationTest : public test::QuestionsTest {
 TEST_F(QuestionCancellationTest, StopsPaths) {
   StartWithGrid(/*held=*/true);
   v1::ComputePathsRequest request;
-  request.set_mesh_digest(digest_);
   request.add_sources()->set_vertex(0);
   request.add_targets()->set_vertex(Vertex(kSide, kSide));
-  ExpectCancelled<v1::ComputePathsResponse>([&](grpc::ClientContext* context) {
-    return paths_->ComputePaths(context, request);
-  });
+  ExpectCancelled(request);
 }
 
 TEST_F(QuestionCancellationTest, StopsALogMap) {
   StartWithGrid(/*held=*/true);
   v1::ComputeLogMapRequest request;
-  request.set_mesh_digest(digest_);
   request.mutable_source()->set_vertex(Vertex(kSide / 2, kSide / 2));
-  ExpectCancelled<v1::ComputeLogMapResponse>([&](grpc::ClientContext* context) {
-    return fields_->ComputeLogMap(context, request);
-  });
+  ExpectCancelled(request);
 }
 
 TEST_F(QuestionCancellationTest, StopsTheNearest) {
   StartWithGrid(/*held=*/true);
   v1::FindNearestRequest request;
-  request.set_mesh_digest(digest_);
   request.add_sources()->set_vertex(0);
   for (uint32_t i = 1; i <= kSide; ++i) {
     request.add_targets()->set_vertex(Vertex(i, i));
   }
   request.set_count(3);
-  ExpectCancelled<v1::FindNearestResponse>([&](grpc::ClientContext* context) {
-    return matrices_->FindNearest(context, request);
-  });
+  ExpectCancelled(request);
 }
 
 TEST_F(QuestionCancellationTest, StopsSamples) {
-  ExpectCancelledUnderWay<v1::SampleFarthestPointsResponse>(
-      [&](grpc::ClientContext* context) {
-        v1::SampleFarthestPointsRequest request;
-        request.set_mesh_digest(digest_);
-        request.add_sources()->set_vertex(0);
-        request.set_count(20);
-        return fields_->SampleFarthestPoints(context, request);
-      });
+  v1::SampleFarthestPointsRequest request;
+  request.set_count(20);
+  ExpectCancelledUnderWay<v1::SampleFarthestPointsResponse>(request);
 }
 
 TEST_F(QuestionCancellationTest, StopsIsolines) {
-  ExpectCancelledUnderWay<v1::ComputeIsolinesResponse>(
-      [&](grpc::ClientContext* context) {
-        v1::ComputeIsolinesRequest request;
-        request.set_mesh_digest(digest_);
-        request.add_sources()->set_vertex(0);
-        request.add_levels(100);
-        return paths_->ComputeIsolines(context, request);
-      });
+  v1::ComputeIsolinesRequest request;
+  request.add_levels(100);
+  ExpectCancelledUnderWay<v1::ComputeIsolinesResponse>(request);
 }
 
 }  // namespace

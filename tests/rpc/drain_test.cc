@@ -22,8 +22,8 @@ class DrainTest : public test::RpcTest {
   void SetUp() override {
     Start(SmallServer(), /*held=*/true);
     digest_ = Upload(test::Tetrahedron());
-    reader_ = fields_->ComputeField(&context_, FieldRequest(digest_, 0));
-    ASSERT_TRUE(reader_->Read(&message_));
+    call_ = Open(digest_, 0);
+    ASSERT_TRUE(call_->Read());
     solver_.WaitForStarts(1);
     stopped_ =
         std::async(std::launch::async, [this] { return server_->Wait(); });
@@ -34,16 +34,8 @@ class DrainTest : public test::RpcTest {
     if (stopped_.valid()) stopped_.get();
   }
 
-  grpc::Status ReadToTheEnd() {
-    while (reader_->Read(&message_)) {
-    }
-    return reader_->Finish();
-  }
-
   std::string digest_;
-  grpc::ClientContext context_;
-  std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>> reader_;
-  v1::ComputeFieldResponse message_;
+  std::unique_ptr<test::OpenField> call_;
   std::future<bool> stopped_;
 };
 
@@ -63,21 +55,21 @@ TEST_F(DrainTest, WhatRunsFinishesAndNothingNewBegins) {
             grpc::StatusCode::UNAVAILABLE);
 
   solver_.LetGo();
-  EXPECT_TRUE(ReadToTheEnd().ok());
-  EXPECT_TRUE(message_.has_trailer());
+  EXPECT_TRUE(call_->End().ok());
+  EXPECT_TRUE(call_->message.has_trailer());
   EXPECT_TRUE(stopped_.get());
 }
 
 TEST_F(DrainTest, GraceEnds) {
   server_->Shutdown(std::chrono::milliseconds(1));
-  EXPECT_EQ(ReadToTheEnd().error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_EQ(call_->End().error_code(), grpc::StatusCode::UNAVAILABLE);
   EXPECT_FALSE(stopped_.get());
 }
 
 TEST_F(DrainTest, ASecondCallCutsItShort) {
   server_->Shutdown(kPatience);
   server_->Shutdown(kPatience);
-  EXPECT_EQ(ReadToTheEnd().error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_EQ(call_->End().error_code(), grpc::StatusCode::UNAVAILABLE);
   EXPECT_FALSE(stopped_.get());
 }
 

@@ -1,8 +1,6 @@
 // FieldService.ComputeField.
 
 #include <gmock/gmock.h>
-#include <grpcpp/create_channel.h>
-#include <grpcpp/security/credentials.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -23,8 +21,8 @@
 namespace geodesic::server {
 namespace {
 
-using test::FieldAtFault;
 using test::FieldReply;
+using test::OpenField;
 using ::testing::HasSubstr;
 
 constexpr std::chrono::seconds kLong{120};
@@ -32,6 +30,17 @@ constexpr std::chrono::seconds kLong{120};
 class FieldRpcTest : public test::RpcTest {
  protected:
   EngineCounters counters() { return server_->engine().counters(); }
+
+  // Fields of the first vertices, each with its header.
+  std::vector<std::unique_ptr<OpenField>> OpenMany(const std::string& digest,
+                                                   uint64_t count) {
+    std::vector<std::unique_ptr<OpenField>> calls;
+    for (uint64_t vertex = 0; vertex < count; ++vertex) {
+      calls.push_back(Open(digest, vertex));
+      EXPECT_TRUE(calls.back()->Read());
+    }
+    return calls;
+  }
 };
 
 TEST_F(FieldRpcTest, StreamsAFieldInOrder) {
@@ -94,8 +103,7 @@ TEST_F(FieldRpcTest, EveryAlgorithmAnswers) {
         v1::ALGORITHM_LC_CH, v1::ALGORITHM_FWP_LIST}) {
     v1::ComputeFieldRequest request = FieldRequest(digest, 0);
     request.set_algorithm(algorithm);
-    grpc::ClientContext context;
-    const FieldReply reply = ComputeField(request, context);
+    const FieldReply reply = ComputeField(request);
     ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
     EXPECT_EQ(reply.messages.front().header().algorithm(), algorithm);
     ASSERT_EQ(reply.distances.size(), expected.size());
@@ -111,41 +119,12 @@ TEST_F(FieldRpcTest, SourcesHaveOffsets) {
       FieldRequest(Upload(test::Tetrahedron()), 0);
   request.mutable_sources(0)->set_offset(0.25);
   request.add_sources()->set_vertex(1);
-  grpc::ClientContext context;
-  const FieldReply reply = ComputeField(request, context);
+  const FieldReply reply = ComputeField(request);
   ASSERT_EQ(reply.distances.size(), 4);
   EXPECT_EQ(reply.distances[0], 0.25);
   EXPECT_EQ(reply.distances[1], 0);
   EXPECT_DOUBLE_EQ(reply.distances[2], 1.25);
   EXPECT_DOUBLE_EQ(reply.distances[3], 1.25);
-}
-
-TEST_F(FieldRpcTest, BadRequests) {
-  Start();
-  const std::string digest = Upload(test::Tetrahedron());
-  const auto fault = [&](const v1::ComputeFieldRequest& request) {
-    grpc::ClientContext context;
-    const FieldReply reply = ComputeField(request, context);
-    EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
-    EXPECT_TRUE(reply.messages.empty());
-    return FieldAtFault(reply.status);
-  };
-  EXPECT_EQ(fault(FieldRequest("horse", 0)), "mesh_digest");
-  EXPECT_EQ(fault(FieldRequest(digest, 4)), "sources[0].vertex");
-  EXPECT_EQ(fault(FieldRequest(digest, uint64_t{1} << 40)),
-            "sources[0].vertex");
-  v1::ComputeFieldRequest request = FieldRequest(digest, 0);
-  request.clear_sources();
-  EXPECT_EQ(fault(request), "sources");
-  for (const double offset : {-1.0, std::numeric_limits<double>::infinity(),
-                              std::numeric_limits<double>::quiet_NaN()}) {
-    request = FieldRequest(digest, 0);
-    request.mutable_sources(0)->set_offset(offset);
-    EXPECT_EQ(fault(request), "sources[0].offset");
-  }
-  request = FieldRequest(digest, 0);
-  request.set_algorithm(static_cast<v1::Algorithm>(9));
-  EXPECT_EQ(fault(request), "algorithm");
 }
 
 TEST_F(FieldRpcTest, UnknownMesh) {
@@ -155,75 +134,46 @@ TEST_F(FieldRpcTest, UnknownMesh) {
   EXPECT_THAT(reply.status.error_message(), HasSubstr("upload it again"));
 }
 
-TEST_F(FieldRpcTest, TooManySources) {
-  Start();
-  v1::ComputeFieldRequest request =
-      FieldRequest(Upload(test::Tetrahedron()), 0);
-  for (int i = 0; i < 10; ++i) request.add_sources()->set_vertex(0);
-  grpc::ClientContext context;
-  const FieldReply reply = ComputeField(request, context);
-  EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_FALSE(test::RetryInfo(reply.status).has_value());
-}
-
 // `header` comes before the solver is done, and progress while it runs.
 TEST_F(FieldRpcTest, ProgressWhileItComputes) {
   Start(SmallServer(), /*held=*/true);
   const std::string digest = Upload(geodesic::test::Icosphere(2));
-  grpc::ClientContext context;
-  const auto reader = fields_->ComputeField(&context, FieldRequest(digest, 0));
-  v1::ComputeFieldResponse message;
-  ASSERT_TRUE(reader->Read(&message));
-  EXPECT_TRUE(message.has_header());
+  const auto call = Open(digest, 0);
+  ASSERT_TRUE(call->Read());
+  EXPECT_TRUE(call->message.has_header());
   for (int i = 0; i < 5; ++i) {
-    ASSERT_TRUE(reader->Read(&message));
-    ASSERT_TRUE(message.has_progress());
-    EXPECT_EQ(message.progress().live_windows(), 1);
+    ASSERT_TRUE(call->Read());
+    ASSERT_TRUE(call->message.has_progress());
+    EXPECT_EQ(call->message.progress().live_windows(), 1);
   }
   solver_.LetGo();
-  while (reader->Read(&message)) {
-  }
-  EXPECT_TRUE(message.has_trailer());
-  EXPECT_TRUE(reader->Finish().ok());
+  EXPECT_TRUE(call->End().ok());
+  EXPECT_TRUE(call->message.has_trailer());
 }
 
 TEST_F(FieldRpcTest, EqualQueriesAreSolvedOnce) {
   Start(SmallServer(), /*held=*/true);
   const std::string digest = Upload(geodesic::test::Icosphere(2));
-  std::vector<std::unique_ptr<grpc::ClientContext>> contexts;
-  std::vector<std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>>>
-      readers;
-  v1::ComputeFieldResponse message;
+  std::vector<std::unique_ptr<OpenField>> calls;
   for (int i = 0; i < 5; ++i) {
-    contexts.push_back(std::make_unique<grpc::ClientContext>());
-    readers.push_back(
-        fields_->ComputeField(contexts.back().get(), FieldRequest(digest, 0)));
-    ASSERT_TRUE(readers.back()->Read(&message));
-    EXPECT_EQ(message.header().origin(),
+    calls.push_back(Open(digest, 0));
+    ASSERT_TRUE(calls.back()->Read());
+    EXPECT_EQ(calls.back()->message.header().origin(),
               i == 0 ? v1::FIELD_ORIGIN_COMPUTED : v1::FIELD_ORIGIN_JOINED);
   }
   solver_.LetGo();
-  for (const auto& reader : readers) {
-    while (reader->Read(&message)) {
-    }
-    EXPECT_TRUE(reader->Finish().ok());
-  }
+  for (const auto& call : calls) EXPECT_TRUE(call->End().ok());
   EXPECT_EQ(counters().solves_started, 1);
 }
 
 TEST_F(FieldRpcTest, CancellingStopsTheSolver) {
   Start();
-  const std::string digest = Upload(geodesic::test::Icosphere(7));
-  grpc::ClientContext context;
-  const auto reader = fields_->ComputeField(&context, FieldRequest(digest, 0));
-  v1::ComputeFieldResponse message;
+  const auto call = Open(Upload(geodesic::test::Icosphere(7)), 0);
   do {
-    ASSERT_TRUE(reader->Read(&message));
-  } while (!message.has_progress());
-  context.TryCancel();
-  while (reader->Read(&message)) {
-  }
-  EXPECT_EQ(reader->Finish().error_code(), grpc::StatusCode::CANCELLED);
+    ASSERT_TRUE(call->Read());
+  } while (!call->message.has_progress());
+  call->context.TryCancel();
+  EXPECT_EQ(call->End().error_code(), grpc::StatusCode::CANCELLED);
   EXPECT_TRUE(server_->engine().WaitIdle(kLong));
   EXPECT_EQ(counters().solves_stopped, 1);
   EXPECT_EQ(counters().solves_finished, 0);
@@ -231,28 +181,14 @@ TEST_F(FieldRpcTest, CancellingStopsTheSolver) {
 
 TEST_F(FieldRpcTest, CancellingInTheQueueTakesTheJobOut) {
   Start(SmallServer(), /*held=*/true);
-  const std::string digest = Upload(test::Tetrahedron());
-  v1::ComputeFieldResponse message;
-  std::vector<std::unique_ptr<grpc::ClientContext>> contexts;
-  std::vector<std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>>>
-      readers;
-  for (uint64_t vertex = 0; vertex < 3; ++vertex) {
-    contexts.push_back(std::make_unique<grpc::ClientContext>());
-    readers.push_back(fields_->ComputeField(contexts.back().get(),
-                                            FieldRequest(digest, vertex)));
-    ASSERT_TRUE(readers.back()->Read(&message));
-  }
+  const auto calls = OpenMany(Upload(test::Tetrahedron()), 3);
   solver_.WaitForStarts(2);
-  contexts[2]->TryCancel();
-  EXPECT_EQ(readers[2]->Finish().error_code(), grpc::StatusCode::CANCELLED);
+  calls[2]->context.TryCancel();
+  EXPECT_EQ(calls[2]->End().error_code(), grpc::StatusCode::CANCELLED);
   // The client knows at once, the server a little later.
   while (server_->engine().scheduler().queued() > 0) std::this_thread::yield();
   solver_.LetGo();
-  for (int i = 0; i < 2; ++i) {
-    while (readers[i]->Read(&message)) {
-    }
-    EXPECT_TRUE(readers[i]->Finish().ok());
-  }
+  for (int i = 0; i < 2; ++i) EXPECT_TRUE(calls[i]->End().ok());
   EXPECT_TRUE(server_->engine().WaitIdle(kLong));
   EXPECT_EQ(counters().solves_finished, 2);
 }
@@ -272,28 +208,15 @@ TEST_F(FieldRpcTest, ADeadlineStopsTheSolver) {
 TEST_F(FieldRpcTest, AFullQueueSaysWhenToComeBack) {
   Start(SmallServer(), /*held=*/true);
   const std::string digest = Upload(geodesic::test::Icosphere(2));
-  std::vector<std::unique_ptr<grpc::ClientContext>> contexts;
-  std::vector<std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>>>
-      readers;
-  v1::ComputeFieldResponse message;
   // Two run, two wait.
-  for (uint64_t vertex = 0; vertex < 4; ++vertex) {
-    contexts.push_back(std::make_unique<grpc::ClientContext>());
-    readers.push_back(fields_->ComputeField(contexts.back().get(),
-                                            FieldRequest(digest, vertex)));
-    ASSERT_TRUE(readers.back()->Read(&message));
-  }
+  const auto calls = OpenMany(digest, 4);
   const FieldReply refused = ComputeField(digest, 4);
   EXPECT_EQ(refused.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   const auto retry = test::RetryInfo(refused.status);
   ASSERT_TRUE(retry.has_value());
   EXPECT_GT(retry->retry_delay().seconds() + retry->retry_delay().nanos(), 0);
   solver_.LetGo();
-  for (const auto& reader : readers) {
-    while (reader->Read(&message)) {
-    }
-    EXPECT_TRUE(reader->Finish().ok());
-  }
+  for (const auto& call : calls) EXPECT_TRUE(call->End().ok());
 }
 
 TEST_F(FieldRpcTest, UnreachableVerticesAreInfinitelyFar) {
@@ -323,35 +246,25 @@ TEST_F(FieldRpcTest, SlowReadersTakeLittleMemory) {
   ASSERT_TRUE(ComputeField(digest, 0).status.ok());
 
   // The client lives in this process too: it must not read ahead.
-  grpc::ChannelArguments arguments;
-  arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
-  arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 65536);
-  const auto slow = v1::FieldService::NewStub(
-      grpc::CreateCustomChannel(absl::StrCat("127.0.0.1:", server_->port()),
-                                grpc::InsecureChannelCredentials(), arguments));
-
+  fields_ = v1::FieldService::NewStub(SlowChannel(server_->port()));
   const uint64_t before = ResidentBytes();
-  std::vector<std::unique_ptr<grpc::ClientContext>> contexts;
-  std::vector<std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>>>
-      stalled;
-  v1::ComputeFieldResponse message;
+  std::vector<std::unique_ptr<OpenField>> stalled;
   for (int i = 0; i < 64; ++i) {
-    contexts.push_back(std::make_unique<grpc::ClientContext>());
-    stalled.push_back(
-        slow->ComputeField(contexts.back().get(), FieldRequest(digest, 0)));
-    ASSERT_TRUE(stalled.back()->Read(&message));
-    ASSERT_TRUE(stalled.back()->Read(&message));
-    ASSERT_TRUE(message.has_chunk());
+    stalled.push_back(Open(digest, 0));
+    ASSERT_TRUE(stalled.back()->Read());
+    ASSERT_TRUE(stalled.back()->Read());
+    ASSERT_TRUE(stalled.back()->message.has_chunk());
   }
+  fields_ = v1::FieldService::NewStub(channel_);
   // Others are served meanwhile, and the server has had time to run ahead.
   for (int i = 0; i < 5; ++i) {
     EXPECT_EQ(ComputeField(digest, 0).distances.size(), 500'004);
   }
   const uint64_t after = ResidentBytes();
   EXPECT_LT(after > before ? after - before : 0, uint64_t{128} << 20);
-  for (const auto& context : contexts) context->TryCancel();
-  for (const auto& reader : stalled) {
-    EXPECT_EQ(reader->Finish().error_code(), grpc::StatusCode::CANCELLED);
+  for (const auto& call : stalled) call->context.TryCancel();
+  for (const auto& call : stalled) {
+    EXPECT_EQ(call->reader->Finish().error_code(), grpc::StatusCode::CANCELLED);
   }
 }
 

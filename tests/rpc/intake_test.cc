@@ -2,7 +2,6 @@
 // may hold.
 
 #include <gmock/gmock.h>
-#include <google/protobuf/descriptor.h>
 #include <grpcpp/client_context.h>
 #include <grpcpp/completion_queue.h>
 #include <grpcpp/generic/generic_stub.h>
@@ -11,6 +10,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "digest/sha256.h"
@@ -54,20 +54,13 @@ class IntakeTest : public test::RpcTest {
 
 TEST_F(IntakeTest, AMalformedRequestIsSaidToBeOne) {
   Start();
-  const auto* pool = google::protobuf::DescriptorPool::generated_pool();
-  for (const char* name : {"Mesh", "Field", "Path", "Matrix", "Capabilities"}) {
-    const auto* service =
-        pool->FindServiceByName(std::string("geodesic.v1.") + name + "Service");
-    ASSERT_NE(service, nullptr) << name;
-    for (int i = 0; i < service->method_count(); ++i) {
-      const auto* method = service->method(i);
-      const auto answer = test::CallMethod(
-          channel_, "/" + service->full_name() + "/" + method->name(), "\xff");
-      ASSERT_TRUE(absl::IsInvalidArgument(answer.status()))
-          << method->full_name() << ": " << answer.status();
-      EXPECT_THAT(std::string(answer.status().message()),
-                  HasSubstr(method->input_type()->full_name()));
-    }
+  for (const auto* method : test::AllMethods()) {
+    const auto answer =
+        test::CallMethod(channel_, test::PathOf(*method), "\xff");
+    ASSERT_TRUE(absl::IsInvalidArgument(answer.status()))
+        << method->full_name() << ": " << answer.status();
+    EXPECT_THAT(std::string(answer.status().message()),
+                HasSubstr(method->input_type()->full_name()));
   }
 }
 
@@ -102,9 +95,7 @@ TEST_F(IntakeTest, ARequestThatCanNeverBeHeldIsRefusedForGood) {
   options.request_memory_bytes = 64 << 10;
   Start(options);
   const std::string digest = Upload(test::Tetrahedron());
-  grpc::ClientContext context;
-  const grpc::Status status =
-      ComputeField(WithTargets(digest, 1000), context).status;
+  const grpc::Status status = ComputeField(WithTargets(digest, 1000)).status;
   EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(status.error_message(), HasSubstr("--request-memory"));
   EXPECT_FALSE(test::RetryInfo(status).has_value());
@@ -119,18 +110,12 @@ TEST_F(IntakeTest, WhatRequestsHoldIsBounded) {
   Start(options, /*held=*/true);
   const std::string digest = Upload(test::Tetrahedron());
   const v1::ComputeFieldRequest request = WithTargets(digest, 10'000);
-  struct Call {
-    grpc::ClientContext context;
-    std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>> reader;
-  };
-  std::vector<std::unique_ptr<Call>> held;
-  v1::ComputeFieldResponse message;
+  std::vector<std::unique_ptr<test::OpenField>> held;
   grpc::Status refusal;
   // More than 40 bytes a target: they cannot be a hundred.
   while (held.size() < 100 && refusal.ok()) {
-    auto call = std::make_unique<Call>();
-    call->reader = fields_->ComputeField(&call->context, request);
-    if (call->reader->Read(&message)) {
+    auto call = Open(request);
+    if (call->Read()) {
       held.push_back(std::move(call));
     } else {
       refusal = call->reader->Finish();
@@ -143,17 +128,12 @@ TEST_F(IntakeTest, WhatRequestsHoldIsBounded) {
   EXPECT_TRUE(test::RetryInfo(refusal).has_value());
 
   solver_.LetGo();
-  for (const auto& call : held) {
-    while (call->reader->Read(&message)) {
-    }
-    EXPECT_TRUE(call->reader->Finish().ok());
-  }
+  for (const auto& call : held) EXPECT_TRUE(call->End().ok());
   held.clear();
   // A client hears the end of a call before the server has let go of it.
   test::FieldReply reply;
   do {
-    grpc::ClientContext context;
-    reply = ComputeField(request, context);
+    reply = ComputeField(request);
   } while (test::Reason(reply.status) == "MEMORY_FULL");
   EXPECT_TRUE(reply.status.ok()) << reply.status.error_message();
 }

@@ -1,14 +1,11 @@
 // MatrixService: blocks of the distance matrix and nearest members.
 
-#include <grpcpp/create_channel.h>
-#include <grpcpp/security/credentials.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -21,9 +18,8 @@ namespace geodesic::server {
 namespace {
 
 using test::Euclid;
+using test::kInfinity;
 using test::Values;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class MatrixRpcTest : public test::QuestionsTest {
  protected:
@@ -86,15 +82,14 @@ class MatrixRpcTest : public test::QuestionsTest {
 };
 
 TEST_F(MatrixRpcTest, EveryVertexIsAColumn) {
-  const auto reply = Ask(Request());
-  ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-  const v1::MatrixHeader& header = reply.messages.front().header();
+  const auto messages = Messages(Request());
+  const v1::MatrixHeader& header = messages.front().header();
   ExpectHeader(header.answer());
   EXPECT_EQ(header.row_count(), 4);
   EXPECT_EQ(header.column_count(), soup_.positions.size());
   EXPECT_EQ(header.value_type(), v1::VALUE_TYPE_FLOAT64);
   EXPECT_EQ(header.layout(), v1::MATRIX_LAYOUT_DENSE);
-  const std::vector<Row> rows = Rows(reply.messages);
+  const std::vector<Row> rows = Rows(messages);
   ASSERT_EQ(rows.size(), 4);
   for (size_t r = 0; r < rows.size(); ++r) {
     ASSERT_EQ(rows[r].values.size(), soup_.positions.size());
@@ -104,7 +99,7 @@ TEST_F(MatrixRpcTest, EveryVertexIsAColumn) {
                   1e-10);
     }
   }
-  const v1::AnswerTrailer& trailer = reply.messages.back().trailer();
+  const v1::AnswerTrailer& trailer = messages.back().trailer();
   EXPECT_EQ(trailer.item_count(), 4);
   EXPECT_GT(trailer.windows_propagated(), 0);
 }
@@ -117,9 +112,8 @@ TEST_F(MatrixRpcTest, TargetsAreColumns) {
   edge.set_to(Vertex(2, 3));
   edge.set_t(0.75);
   const std::vector<Point> columns = {{8, 1, 0}, {2, 2.75, 0}};
-  const auto reply = Ask(request);
-  ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-  const std::vector<Row> rows = Rows(reply.messages);
+  const auto messages = Messages(request);
+  const std::vector<Row> rows = Rows(messages);
   ASSERT_EQ(rows.size(), 4);
   for (size_t r = 0; r < 4; ++r) {
     ASSERT_EQ(rows[r].values.size(), 2);
@@ -133,10 +127,9 @@ TEST_F(MatrixRpcTest, SparseRowsHoldWhatIsWithinTheRadius) {
   v1::ComputeMatrixRequest request = Request();
   request.set_layout(v1::MATRIX_LAYOUT_SPARSE);
   request.set_radius(2.5);
-  const auto reply = Ask(request);
-  ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-  EXPECT_EQ(reply.messages.front().header().layout(), v1::MATRIX_LAYOUT_SPARSE);
-  const std::vector<Row> rows = Rows(reply.messages);
+  const auto messages = Messages(request);
+  EXPECT_EQ(messages.front().header().layout(), v1::MATRIX_LAYOUT_SPARSE);
+  const std::vector<Row> rows = Rows(messages);
   ASSERT_EQ(rows.size(), 4);
   for (size_t r = 0; r < 4; ++r) {
     size_t at = 0;
@@ -159,9 +152,8 @@ TEST_F(MatrixRpcTest, TheWholeMatrixOfASurfaceIsSymmetric) {
   request.set_mesh_digest(digest_);
   const size_t n = soup_.positions.size();
   for (size_t v = 0; v < n; ++v) request.add_sources()->set_vertex(v);
-  const auto reply = Ask(request);
-  ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-  const std::vector<Row> rows = Rows(reply.messages);
+  const auto messages = Messages(request);
+  const std::vector<Row> rows = Rows(messages);
   ASSERT_EQ(rows.size(), n);
   for (size_t i = 0; i < n; ++i) {
     EXPECT_EQ(rows[i].values[i], 0);
@@ -176,9 +168,8 @@ TEST_F(MatrixRpcTest, TheWholeMatrixOfASurfaceIsSymmetric) {
 TEST_F(MatrixRpcTest, SinglePrecisionHalvesTheBytes) {
   v1::ComputeMatrixRequest request = Request();
   request.set_value_type(v1::VALUE_TYPE_FLOAT32);
-  const auto reply = Ask(request);
-  ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-  for (const auto& message : reply.messages) {
+  const auto messages = Messages(request);
+  for (const auto& message : messages) {
     if (!message.has_chunk()) continue;
     const auto values = Values<float>(message.chunk().values());
     ASSERT_EQ(values.size(), soup_.positions.size());
@@ -202,9 +193,8 @@ TEST_F(MatrixRpcTest, TheNearestAreFoundInOrder) {
     targets.push_back({double(x), double(y), 0});
   }
   request.set_count(3);
-  const auto reply = Ask(request);
-  ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-  const std::vector<Row> rows = Rows(reply.messages);
+  const auto messages = Messages(request);
+  const std::vector<Row> rows = Rows(messages);
   ASSERT_EQ(rows.size(), 4);
   for (size_t r = 0; r < 4; ++r) {
     std::vector<double> expected;
@@ -222,7 +212,7 @@ TEST_F(MatrixRpcTest, TheNearestAreFoundInOrder) {
   }
   // Fewer, where the radius allows no more.
   request.set_radius(1.5);
-  const std::vector<Row> near = Rows(Ask(request).messages);
+  const std::vector<Row> near = Rows(Messages(request));
   ASSERT_EQ(near.size(), 4);
   EXPECT_EQ(near[0].columns, std::vector<uint32_t>{1});
   EXPECT_EQ(near[1].columns, std::vector<uint32_t>{3});
@@ -232,21 +222,12 @@ TEST_F(MatrixRpcTest, TheNearestAreFoundInOrder) {
 
 TEST_F(MatrixRpcTest, WrongArgumentsAreNamed) {
   v1::ComputeMatrixRequest request = Request();
-  request.set_layout(static_cast<v1::MatrixLayout>(9));
-  EXPECT_EQ(Fault(request), "layout");
-  request.clear_layout();
-  request.set_value_type(static_cast<v1::ValueType>(9));
-  EXPECT_EQ(Fault(request), "value_type");
-  request.clear_value_type();
-  request.set_radius(-2);
-  EXPECT_EQ(Fault(request), "radius");
-  request.clear_radius();
-  request.mutable_sources(1)->set_offset(-1);
-  EXPECT_EQ(Fault(request), "sources[1].offset");
-  request.mutable_sources(1)->clear_offset();
-  request.mutable_sources(3)->set_vertex(1000);
-  EXPECT_EQ(Fault(request), "sources[3].vertex");
-  request.mutable_sources(3)->set_vertex(0);
+  ExpectFaults(request,
+               {{"layout: 9", "layout"},
+                {"value_type: 9", "value_type"},
+                {"radius: -2", "radius"},
+                {"sources { vertex: 0 offset: -1 }", "sources[4].offset"},
+                {"sources { vertex: 1000 }", "sources[4].vertex"}});
   ExpectUsualErrors(request);
   request.clear_sources();
   EXPECT_EQ(Fault(request), "sources");
@@ -254,12 +235,10 @@ TEST_F(MatrixRpcTest, WrongArgumentsAreNamed) {
   v1::FindNearestRequest nearest;
   nearest.set_mesh_digest(digest_);
   nearest.add_sources()->set_vertex(0);
+  ExpectFaults(nearest,
+               {{"count: 1", "targets"}, {"targets { vertex: 1 }", "count"}});
   nearest.set_count(1);
-  EXPECT_EQ(Fault(nearest), "targets");
   nearest.add_targets()->set_vertex(1);
-  nearest.clear_count();
-  EXPECT_EQ(Fault(nearest), "count");
-  nearest.set_count(1);
   ExpectUsualErrors(nearest);
 }
 
@@ -267,14 +246,12 @@ TEST_F(MatrixRpcTest, SizesHaveLimits) {
   v1::ComputeMatrixRequest request;
   request.set_mesh_digest(digest_);
   for (int i = 0; i < 201; ++i) request.add_sources()->set_vertex(0);
-  auto reply = Ask(request);
-  EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(CodeOf(request), grpc::StatusCode::RESOURCE_EXHAUSTED);
   // 200 rows of 10,201 values are more than the million.
   request.mutable_sources()->RemoveLast();
   soup_ = geodesic::test::MakeGrid({.columns = 100, .rows = 100});
   request.set_mesh_digest(Upload(soup_));
-  reply = Ask(request);
-  EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(CodeOf(request), grpc::StatusCode::RESOURCE_EXHAUSTED);
 }
 
 class HeldMatrixTest : public MatrixRpcTest {
@@ -313,12 +290,7 @@ TEST_F(HeldMatrixTest, AStalledReaderHoldsAFewRows) {
   request.set_mesh_digest(digest_);
   for (int i = 0; i < 40; ++i) request.add_sources()->set_vertex(i);
   // The client must not read ahead.
-  grpc::ChannelArguments arguments;
-  arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
-  arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 65536);
-  const auto slow = v1::MatrixService::NewStub(
-      grpc::CreateCustomChannel("127.0.0.1:" + std::to_string(server_->port()),
-                                grpc::InsecureChannelCredentials(), arguments));
+  const auto slow = v1::MatrixService::NewStub(SlowChannel(server_->port()));
   grpc::ClientContext context;
   const auto reader = slow->ComputeMatrix(&context, request);
   v1::ComputeMatrixResponse message;

@@ -117,19 +117,14 @@ TEST_F(CrowdTest, StreamsHaveALimit) {
   options.max_requests = 2;
   Start(options, /*held=*/true);
   const std::string digest = Upload(test::Tetrahedron());
-  std::vector<std::unique_ptr<grpc::ClientContext>> contexts;
-  std::vector<std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>>>
-      readers;
-  v1::ComputeFieldResponse message;
-  while (readers.size() < 2) {
-    contexts.push_back(std::make_unique<grpc::ClientContext>());
-    auto reader =
-        fields_->ComputeField(contexts.back().get(), FieldRequest(digest, 0));
-    if (reader->Read(&message)) {
-      readers.push_back(std::move(reader));
+  std::vector<std::unique_ptr<test::OpenField>> calls;
+  while (calls.size() < 2) {
+    auto call = Open(digest, 0);
+    if (call->Read()) {
+      calls.push_back(std::move(call));
     } else {
       // The server still counts the upload: its client hears the end first.
-      ASSERT_EQ(reader->Finish().error_code(),
+      ASSERT_EQ(call->reader->Finish().error_code(),
                 grpc::StatusCode::RESOURCE_EXHAUSTED);
     }
   }
@@ -144,11 +139,7 @@ TEST_F(CrowdTest, StreamsHaveALimit) {
   const auto health = test::CallMethod(channel_, kHealthCheck, "");
   EXPECT_TRUE(health.ok()) << health.status();
   solver_.LetGo();
-  for (const auto& reader : readers) {
-    while (reader->Read(&message)) {
-    }
-    EXPECT_TRUE(reader->Finish().ok());
-  }
+  for (const auto& call : calls) EXPECT_TRUE(call->End().ok());
 }
 
 TEST_F(OperationsTest, OnePortHasOneServer) {

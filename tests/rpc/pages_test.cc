@@ -32,8 +32,7 @@ TEST_F(PagesTest, ADrainingServerIsAliveAndNotReady) {
   const int port = server_->metrics_port();
   EXPECT_THAT(HttpGet(port, "/readyz"), StartsWith("HTTP/1.1 200 "));
   const std::string digest = Upload(test::Tetrahedron());
-  grpc::ClientContext context;
-  const auto stream = fields_->ComputeField(&context, FieldRequest(digest, 0));
+  const auto call = Open(digest, 0);
   solver_.WaitForStarts(1);
   EXPECT_THAT(HttpGet(port, "/metrics"),
               HasSubstr("geodesic_jobs{state=\"running\"} 1"));
@@ -43,10 +42,7 @@ TEST_F(PagesTest, ADrainingServerIsAliveAndNotReady) {
   EXPECT_THAT(HttpGet(port, "/livez"), StartsWith("HTTP/1.1 200 "));
 
   solver_.LetGo();
-  v1::ComputeFieldResponse message;
-  while (stream->Read(&message)) {
-  }
-  EXPECT_TRUE(stream->Finish().ok());
+  EXPECT_TRUE(call->End().ok());
   EXPECT_TRUE(server_->Wait());
   EXPECT_THAT(HttpGet(port, "/metrics"),
               HasSubstr("geodesic_jobs{state=\"running\"} 0"));
@@ -70,11 +66,10 @@ TEST_F(PagesTest, HalfRequestsHoldNobodyUp) {
 
 TEST_F(PagesTest, CancelledWorkIsCounted) {
   const std::string digest = Upload(test::Tetrahedron());
-  grpc::ClientContext context;
-  const auto stream = fields_->ComputeField(&context, FieldRequest(digest, 0));
+  const auto call = Open(digest, 0);
   solver_.WaitForStarts(1);
-  context.TryCancel();
-  EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
+  call->context.TryCancel();
+  EXPECT_EQ(call->End().error_code(), grpc::StatusCode::CANCELLED);
   ASSERT_TRUE(server_->engine().WaitIdle(std::chrono::minutes(1)));
   const std::string page = HttpGet(server_->metrics_port(), "/metrics");
   EXPECT_EQ(page.find("geodesic_cancelled_compute_seconds_total 0\n"),

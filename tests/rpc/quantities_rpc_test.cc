@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,9 +13,9 @@ namespace geodesic::server {
 namespace {
 
 using test::Euclid;
+using test::kInfinity;
 using test::Values;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr uint32_t kNobody = 0xffffffffu;
 
 using QuantitiesTest = test::QuestionsTest;
@@ -44,11 +43,8 @@ TEST_F(QuantitiesTest, LabelsAndGradients) {
   request.add_quantities(v1::FIELD_QUANTITY_GRADIENT);
   for (const double radius : {kInfinity, 5.1, 3.1}) {
     if (!std::isinf(radius)) request.set_radius(radius);
-    grpc::ClientContext context;
-    const auto reply = ReadAll(*fields_->ComputeField(&context, request));
-    ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
     Quantities all;
-    for (const auto& message : reply.messages) {
+    for (const auto& message : Messages(request)) {
       if (!message.has_chunk()) continue;
       EXPECT_EQ(message.chunk().offset(), all.distances.size());
       Append(message.chunk().distances(), all.distances);
@@ -84,9 +80,8 @@ TEST_F(QuantitiesTest, LabelsAndGradients) {
   // The traced field answers those who want distances alone.
   request.clear_quantities();
   request.clear_radius();
-  grpc::ClientContext context;
-  const auto reply = ReadAll(*fields_->ComputeField(&context, request));
-  EXPECT_EQ(reply.messages.front().header().origin(), v1::FIELD_ORIGIN_CACHED);
+  EXPECT_EQ(Messages(request).front().header().origin(),
+            v1::FIELD_ORIGIN_CACHED);
 }
 
 TEST_F(QuantitiesTest, ALogMapOfAPlaneIsThePlane) {
@@ -94,12 +89,11 @@ TEST_F(QuantitiesTest, ALogMapOfAPlaneIsThePlane) {
   request.set_mesh_digest(digest_);
   request.mutable_source()->set_vertex(Vertex(4, 5));
   request.set_radius(4);
-  const auto reply = Ask(request);
-  ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-  ExpectHeader(reply.messages.front().header());
+  const auto messages = Messages(request);
+  ExpectHeader(messages.front().header());
   Point zero{};
   std::vector<double> uv;
-  for (const auto& message : reply.messages) {
+  for (const auto& message : messages) {
     if (message.has_frame()) {
       const v1::Point& direction = message.frame().zero_direction();
       zero = {direction.x(), direction.y(), direction.z()};
@@ -129,18 +123,12 @@ TEST_F(QuantitiesTest, ALogMapNamesWhatIsWrong) {
   v1::ComputeLogMapRequest request;
   request.set_mesh_digest(digest_);
   EXPECT_EQ(Fault(request), "source");
-  request.mutable_source()->set_vertex(1000);
-  EXPECT_EQ(Fault(request), "source.vertex");
-  v1::FacePoint& face = *request.mutable_source()->mutable_face();
-  for (const double weight : {0.5, -0.5, 1.0}) face.add_weights(weight);
-  EXPECT_EQ(Fault(request), "source.face.weights[1]");
+  ExpectFaults(request, {{"source { vertex: 1000 }", "source.vertex"},
+                         {"source { face { weights: [0.5, -0.5, 1] } }",
+                          "source.face.weights[1]"},
+                         {"source { vertex: 0 } radius: -1", "radius"},
+                         {"source { vertex: 0 } value_type: 7", "value_type"}});
   request.mutable_source()->set_vertex(0);
-  request.set_radius(-1);
-  EXPECT_EQ(Fault(request), "radius");
-  request.clear_radius();
-  request.set_value_type(static_cast<v1::ValueType>(7));
-  EXPECT_EQ(Fault(request), "value_type");
-  request.clear_value_type();
   ExpectUsualErrors(request);
 }
 
@@ -149,11 +137,10 @@ TEST_F(QuantitiesTest, SamplesAreFarthest) {
   request.set_mesh_digest(digest_);
   request.add_sources()->set_vertex(0);
   request.set_count(12);
-  const auto reply = Ask(request);
-  ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-  ExpectHeader(reply.messages.front().header());
+  const auto messages = Messages(request);
+  ExpectHeader(messages.front().header());
   std::vector<Point> chosen = {soup_.positions[0]};
-  for (const auto& message : reply.messages) {
+  for (const auto& message : messages) {
     for (const v1::FarthestSample& sample : message.samples().samples()) {
       double farthest = 0;
       const auto distance = [&](const Point& p) {
@@ -173,7 +160,7 @@ TEST_F(QuantitiesTest, SamplesAreFarthest) {
     }
   }
   EXPECT_EQ(chosen.size(), 13);
-  EXPECT_EQ(reply.messages.back().trailer().item_count(), 12);
+  EXPECT_EQ(messages.back().trailer().item_count(), 12);
 }
 
 TEST_F(QuantitiesTest, SamplesHaveLimits) {
@@ -186,8 +173,7 @@ TEST_F(QuantitiesTest, SamplesHaveLimits) {
   request.clear_sources();
   EXPECT_EQ(Fault(request), "sources");
   request.set_count(21);
-  EXPECT_EQ(Ask(request).status.error_code(),
-            grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(CodeOf(request), grpc::StatusCode::RESOURCE_EXHAUSTED);
 }
 
 }  // namespace

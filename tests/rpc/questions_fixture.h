@@ -3,13 +3,18 @@
 #ifndef GEODESIC_TESTS_RPC_QUESTIONS_FIXTURE_H_
 #define GEODESIC_TESTS_RPC_QUESTIONS_FIXTURE_H_
 
+#include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
+#include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geodesic/v1/matrix_service.grpc.pb.h"
@@ -18,6 +23,8 @@
 #include "tests/support/planar_meshes.h"
 
 namespace geodesic::server::test {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 inline double Euclid(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -61,35 +68,55 @@ class QuestionsTest : public RpcTest {
     return reply;
   }
 
-  StreamReply<v1::ComputePathsResponse> Ask(
-      const v1::ComputePathsRequest& request) {
-    grpc::ClientContext context;
-    return ReadAll(*paths_->ComputePaths(&context, request));
+  // Begins a call.
+  auto Begin(grpc::ClientContext& context,
+             const v1::ComputeFieldRequest& request) {
+    return fields_->ComputeField(&context, request);
   }
-  StreamReply<v1::ComputeIsolinesResponse> Ask(
-      const v1::ComputeIsolinesRequest& request) {
-    grpc::ClientContext context;
-    return ReadAll(*paths_->ComputeIsolines(&context, request));
+  auto Begin(grpc::ClientContext& context,
+             const v1::ComputeLogMapRequest& request) {
+    return fields_->ComputeLogMap(&context, request);
   }
-  StreamReply<v1::ComputeLogMapResponse> Ask(
-      const v1::ComputeLogMapRequest& request) {
-    grpc::ClientContext context;
-    return ReadAll(*fields_->ComputeLogMap(&context, request));
+  auto Begin(grpc::ClientContext& context,
+             const v1::SampleFarthestPointsRequest& request) {
+    return fields_->SampleFarthestPoints(&context, request);
   }
-  StreamReply<v1::SampleFarthestPointsResponse> Ask(
-      const v1::SampleFarthestPointsRequest& request) {
-    grpc::ClientContext context;
-    return ReadAll(*fields_->SampleFarthestPoints(&context, request));
+  auto Begin(grpc::ClientContext& context,
+             const v1::ComputePathsRequest& request) {
+    return paths_->ComputePaths(&context, request);
   }
-  StreamReply<v1::ComputeMatrixResponse> Ask(
-      const v1::ComputeMatrixRequest& request) {
-    grpc::ClientContext context;
-    return ReadAll(*matrices_->ComputeMatrix(&context, request));
+  auto Begin(grpc::ClientContext& context,
+             const v1::ComputeIsolinesRequest& request) {
+    return paths_->ComputeIsolines(&context, request);
   }
-  StreamReply<v1::FindNearestResponse> Ask(
-      const v1::FindNearestRequest& request) {
+  auto Begin(grpc::ClientContext& context,
+             const v1::ComputeMatrixRequest& request) {
+    return matrices_->ComputeMatrix(&context, request);
+  }
+  auto Begin(grpc::ClientContext& context,
+             const v1::FindNearestRequest& request) {
+    return matrices_->FindNearest(&context, request);
+  }
+
+  template <typename Request>
+  auto Ask(const Request& request) {
     grpc::ClientContext context;
-    return ReadAll(*matrices_->FindNearest(&context, request));
+    return ReadAll(*Begin(context, request));
+  }
+
+  // The messages of an answer. Throws, which fails the test, if it is refused.
+  template <typename Request>
+  auto Messages(const Request& request) {
+    auto reply = Ask(request);
+    if (!reply.status.ok()) {
+      throw std::runtime_error(reply.status.error_message());
+    }
+    return std::move(reply.messages);
+  }
+
+  template <typename Request>
+  grpc::StatusCode CodeOf(const Request& request) {
+    return Ask(request).status.error_code();
   }
 
   // The field at fault of a request that is refused before anything is sent.
@@ -102,6 +129,24 @@ class QuestionsTest : public RpcTest {
     return FieldAtFault(reply.status);
   }
 
+  // Tries each of these changes to a request that is right.
+  struct Change {
+    const char*
+        text;  // what is added to the request, in protobuf's text format
+    const char* fault;  // the field at fault
+  };
+  template <typename Request>
+  void ExpectFaults(const Request& request,
+                    std::initializer_list<Change> changes) {
+    for (const Change& change : changes) {
+      SCOPED_TRACE(change.text);
+      Request changed = request;
+      google::protobuf::TextFormat::Parser parser;
+      ASSERT_TRUE(parser.MergeFromString(change.text, &changed));
+      EXPECT_EQ(Fault(changed), change.fault);
+    }
+  }
+
   // What every question refuses: a mesh that is not there, a digest that is
   // none, an algorithm that nobody knows.
   template <typename Request>
@@ -112,7 +157,7 @@ class QuestionsTest : public RpcTest {
     request.set_mesh_digest("horse");
     EXPECT_EQ(Fault(request), "mesh_digest");
     request.set_mesh_digest(std::string(64, 'a'));
-    EXPECT_EQ(Ask(request).status.error_code(), grpc::StatusCode::NOT_FOUND);
+    EXPECT_EQ(CodeOf(request), grpc::StatusCode::NOT_FOUND);
   }
 
   uint64_t Vertex(uint32_t x, uint32_t y) const { return y * (kSide + 1) + x; }

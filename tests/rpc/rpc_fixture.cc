@@ -76,7 +76,11 @@ void HeldSolver::WaitForStarts(int count) {
   changed_.wait(lock, [&] { return starts_ >= count; });
 }
 
-RpcTest::RpcTest() = default;
+grpc::Status OpenField::End() {
+  while (Read()) {
+  }
+  return reader->Finish();
+}
 
 RpcTest::~RpcTest() {
   solver_.LetGo();
@@ -138,8 +142,10 @@ void RpcTest::StartWith(const ServerOptions& options, StartFunction start) {
 
 grpc::Status RpcTest::Upload(const v1::UploadHeader& header,
                              const std::string& bytes,
-                             v1::CreateMeshResponse& response) {
+                             v1::CreateMeshResponse& response,
+                             const std::string& token) {
   grpc::ClientContext context;
+  AddToken(token, context);
   const auto writer = meshes_->CreateMesh(&context, &response);
   v1::CreateMeshRequest message;
   *message.mutable_header() = header;
@@ -153,15 +159,11 @@ grpc::Status RpcTest::Upload(const v1::UploadHeader& header,
   return writer->Finish();
 }
 
-std::string RpcTest::Upload(const TriangleSoup& soup) {
-  const std::string bytes = ArrayBytes(soup);
-  v1::UploadHeader header;
-  header.set_format(v1::MESH_FORMAT_ARRAYS);
-  header.set_size_bytes(bytes.size());
-  header.set_vertex_count(soup.positions.size());
-  header.set_face_count(soup.triangles.size());
+std::string RpcTest::Upload(const TriangleSoup& soup,
+                            const std::string& token) {
   v1::CreateMeshResponse response;
-  const grpc::Status status = Upload(header, bytes, response);
+  const grpc::Status status =
+      Upload(ArraysHeader(soup), ArrayBytes(soup), response, token);
   EXPECT_TRUE(status.ok()) << status.error_message();
   return response.mesh().digest();
 }
@@ -172,6 +174,14 @@ v1::ComputeFieldRequest RpcTest::FieldRequest(const std::string& digest,
   request.set_mesh_digest(digest);
   request.add_sources()->set_vertex(vertex);
   return request;
+}
+
+std::unique_ptr<OpenField> RpcTest::Open(const v1::ComputeFieldRequest& request,
+                                         const std::string& token) {
+  auto call = std::make_unique<OpenField>();
+  AddToken(token, call->context);
+  call->reader = fields_->ComputeField(&call->context, request);
+  return call;
 }
 
 FieldReply RpcTest::ComputeField(const v1::ComputeFieldRequest& request,
@@ -196,9 +206,35 @@ FieldReply RpcTest::ComputeField(const v1::ComputeFieldRequest& request,
   return reply;
 }
 
-FieldReply RpcTest::ComputeField(const std::string& digest, uint64_t vertex) {
+FieldReply RpcTest::ComputeField(const v1::ComputeFieldRequest& request) {
   grpc::ClientContext context;
-  return ComputeField(FieldRequest(digest, vertex), context);
+  return ComputeField(request, context);
+}
+
+FieldReply RpcTest::ComputeField(const std::string& digest, uint64_t vertex) {
+  return ComputeField(FieldRequest(digest, vertex));
+}
+
+std::shared_ptr<grpc::Channel> RpcTest::SlowChannel(int port) {
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
+  arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 65536);
+  return grpc::CreateCustomChannel(absl::StrCat("127.0.0.1:", port),
+                                   grpc::InsecureChannelCredentials(),
+                                   arguments);
+}
+
+void AddToken(const std::string& token, grpc::ClientContext& context) {
+  if (!token.empty()) context.AddMetadata("authorization", "Bearer " + token);
+}
+
+v1::UploadHeader ArraysHeader(const TriangleSoup& soup) {
+  v1::UploadHeader header;
+  header.set_format(v1::MESH_FORMAT_ARRAYS);
+  header.set_size_bytes(ArrayBytes(soup).size());
+  header.set_vertex_count(soup.positions.size());
+  header.set_face_count(soup.triangles.size());
+  return header;
 }
 
 google::rpc::Status Details(const grpc::Status& status) {

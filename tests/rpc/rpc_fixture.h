@@ -46,6 +46,18 @@ class HeldSolver {
   int starts_ = 0;
 };
 
+// A ComputeField call under way.
+struct OpenField {
+  grpc::ClientContext context;
+  std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>> reader;
+  v1::ComputeFieldResponse message;  // that was read last
+
+  // Whether there was one more message.
+  bool Read() { return reader->Read(&message); }
+  // Reads to the end.
+  grpc::Status End();
+};
+
 // Everything a ComputeField call brought.
 struct FieldReply {
   grpc::Status status;
@@ -55,7 +67,6 @@ struct FieldReply {
 
 class RpcTest : public ::testing::Test {
  protected:
-  RpcTest();
   ~RpcTest() override;
 
   static ServerOptions SmallServer();
@@ -67,15 +78,27 @@ class RpcTest : public ::testing::Test {
 
   // Streams `bytes` in chunks.
   grpc::Status Upload(const v1::UploadHeader& header, const std::string& bytes,
-                      v1::CreateMeshResponse& response);
+                      v1::CreateMeshResponse& response,
+                      const std::string& token = "");
   // Uploads as arrays; returns the digest.
-  std::string Upload(const TriangleSoup& soup);
+  std::string Upload(const TriangleSoup& soup, const std::string& token = "");
 
   static v1::ComputeFieldRequest FieldRequest(const std::string& digest,
                                               uint64_t vertex);
+  // Begins a call, and reads nothing.
+  std::unique_ptr<OpenField> Open(const v1::ComputeFieldRequest& request,
+                                  const std::string& token = "");
+  std::unique_ptr<OpenField> Open(const std::string& digest, uint64_t vertex) {
+    return Open(FieldRequest(digest, vertex));
+  }
   FieldReply ComputeField(const v1::ComputeFieldRequest& request,
                           grpc::ClientContext& context);
+  FieldReply ComputeField(const v1::ComputeFieldRequest& request);
   FieldReply ComputeField(const std::string& digest, uint64_t vertex);
+
+  // Another connection to this port of the machine, on which no more of an
+  // answer comes than is read.
+  static std::shared_ptr<grpc::Channel> SlowChannel(int port);
 
   HeldSolver solver_;
   std::unique_ptr<Server> server_;
@@ -83,6 +106,12 @@ class RpcTest : public ::testing::Test {
   std::unique_ptr<v1::MeshService::Stub> meshes_;
   std::unique_ptr<v1::FieldService::Stub> fields_;
 };
+
+// Adds the token, if there is one, to a call.
+void AddToken(const std::string& token, grpc::ClientContext& context);
+
+// The header of an upload of these arrays.
+v1::UploadHeader ArraysHeader(const TriangleSoup& soup);
 
 // The rich error in a status.
 google::rpc::Status Details(const grpc::Status& status);

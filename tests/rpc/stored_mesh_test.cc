@@ -6,7 +6,6 @@
 #include <memory>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/curved_meshes.h"
@@ -44,16 +43,13 @@ class StoredMeshTest : public test::RpcTest {
     second_ = Upload(geodesic::test::Icosphere(2));
     server_.reset();
     Start(OneThread(), /*held=*/true);
-    busy_ = fields_->ComputeField(&busy_context_, FieldRequest(first_, 0));
+    busy_ = Open(first_, 0);
     solver_.WaitForStarts(1);
   }
 
   void EndBusy() {
     solver_.LetGo();
-    v1::ComputeFieldResponse message;
-    while (busy_->Read(&message)) {
-    }
-    EXPECT_TRUE(busy_->Finish().ok());
+    EXPECT_TRUE(busy_->End().ok());
   }
 
   // The server knows of it a little later than the client.
@@ -66,32 +62,26 @@ class StoredMeshTest : public test::RpcTest {
   geodesic::test::TemporaryFolder temporary_;
   std::string first_;
   std::string second_;
-  grpc::ClientContext busy_context_;
-  std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>> busy_;
+  std::unique_ptr<test::OpenField> busy_;
 };
 
 TEST_F(StoredMeshTest, AQuestionWaitsForItsMesh) {
   StartBusy();
-  grpc::ClientContext context;
-  const auto reader = fields_->ComputeField(&context, FieldRequest(second_, 0));
+  const auto call = Open(second_, 0);
   WaitForLoads(1);
   EndBusy();
-  v1::ComputeFieldResponse message;
-  ASSERT_TRUE(reader->Read(&message));
-  EXPECT_EQ(message.header().mesh_digest(), second_);
-  while (reader->Read(&message)) {
-  }
-  EXPECT_TRUE(reader->Finish().ok());
+  ASSERT_TRUE(call->Read());
+  EXPECT_EQ(call->message.header().mesh_digest(), second_);
+  EXPECT_TRUE(call->End().ok());
   EXPECT_EQ(server_->engine().counters().meshes_loaded, 2);
 }
 
 TEST_F(StoredMeshTest, WhoCancelsWaitsNoLonger) {
   StartBusy();
-  grpc::ClientContext context;
-  const auto reader = fields_->ComputeField(&context, FieldRequest(second_, 0));
+  const auto call = Open(second_, 0);
   WaitForLoads(1);
-  context.TryCancel();
-  EXPECT_EQ(reader->Finish().error_code(), grpc::StatusCode::CANCELLED);
+  call->context.TryCancel();
+  EXPECT_EQ(call->End().error_code(), grpc::StatusCode::CANCELLED);
   WaitForLoads(0);
   EndBusy();
   EXPECT_TRUE(server_->engine().WaitIdle(kLong));
@@ -111,37 +101,24 @@ TEST_F(StoredMeshTest, ADeadlineEndsTheWait) {
 
 TEST_F(StoredMeshTest, OneOfManyLeaves) {
   StartBusy();
-  std::vector<std::unique_ptr<grpc::ClientContext>> contexts;
-  std::vector<std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>>>
-      readers;
-  for (uint64_t vertex = 0; vertex < 2; ++vertex) {
-    contexts.push_back(std::make_unique<grpc::ClientContext>());
-    readers.push_back(fields_->ComputeField(contexts.back().get(),
-                                            FieldRequest(second_, vertex)));
-  }
+  const auto first = Open(second_, 0);
+  const auto second = Open(second_, 1);
   WaitForLoads(1);
-  contexts[0]->TryCancel();
-  EXPECT_EQ(readers[0]->Finish().error_code(), grpc::StatusCode::CANCELLED);
+  first->context.TryCancel();
+  EXPECT_EQ(first->End().error_code(), grpc::StatusCode::CANCELLED);
   EndBusy();
-  v1::ComputeFieldResponse message;
-  while (readers[1]->Read(&message)) {
-  }
-  const grpc::Status status = readers[1]->Finish();
+  const grpc::Status status = second->End();
   EXPECT_TRUE(status.ok()) << status.error_message();
 }
 
 TEST_F(StoredMeshTest, AServerThatStopsSaysSo) {
   StartBusy();
-  grpc::ClientContext context;
-  const auto reader = fields_->ComputeField(&context, FieldRequest(second_, 0));
+  const auto call = Open(second_, 0);
   WaitForLoads(1);
   server_->Shutdown(std::chrono::milliseconds(0));
   server_->Wait();
-  EXPECT_EQ(reader->Finish().error_code(), grpc::StatusCode::UNAVAILABLE);
-  v1::ComputeFieldResponse message;
-  while (busy_->Read(&message)) {
-  }
-  EXPECT_FALSE(busy_->Finish().ok());
+  EXPECT_EQ(call->End().error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_FALSE(busy_->End().ok());
 }
 
 TEST_F(StoredMeshTest, ADeletionWaitsForItsTurnAndIsFinal) {

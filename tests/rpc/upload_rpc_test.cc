@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/ascii.h"
 #include "digest/sha256.h"
 #include "geodesic/read_mesh.h"
 #include "tests/engine/uploads.h"
@@ -158,18 +159,12 @@ TEST_F(UploadRpcTest, ManyChunks) {
   EXPECT_EQ(server_->engine().counters().meshes_built, 1);
 }
 
-v1::MeshFormat ToProto(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::kObj:
-      return v1::MESH_FORMAT_OBJ;
-    case MeshFormat::kPly:
-      return v1::MESH_FORMAT_PLY;
-    case MeshFormat::kOff:
-      return v1::MESH_FORMAT_OFF;
-    case MeshFormat::kStl:
-      return v1::MESH_FORMAT_STL;
-  }
-  return v1::MESH_FORMAT_UNSPECIFIED;
+// MESH_FORMAT_OBJ for ".obj".
+v1::MeshFormat FormatOf(const std::filesystem::path& extension) {
+  v1::MeshFormat format = v1::MESH_FORMAT_UNSPECIFIED;
+  const std::string name = extension.string().substr(1);
+  v1::MeshFormat_Parse("MESH_FORMAT_" + absl::AsciiStrToUpper(name), &format);
+  return format;
 }
 
 // Each file becomes a mesh that can be asked, or is refused with a reason; the
@@ -181,13 +176,12 @@ TEST_F(UploadRpcTest, HostileFiles) {
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     SCOPED_TRACE(entry.path());
-    const auto format = MeshFormatFromPath(entry.path().string());
-    if (!format.ok()) continue;
+    if (!MeshFormatFromPath(entry.path().string()).ok()) continue;
     std::ifstream file(entry.path(), std::ios::binary);
     const std::string bytes((std::istreambuf_iterator<char>(file)),
                             std::istreambuf_iterator<char>());
     v1::UploadHeader header;
-    header.set_format(ToProto(*format));
+    header.set_format(FormatOf(entry.path().extension()));
     header.set_size_bytes(bytes.size());
     v1::CreateMeshResponse response;
     const grpc::Status status = Upload(header, bytes, response);
