@@ -1,18 +1,24 @@
 // geodesicd: the geodesic query server.
 
+#include <malloc.h>
+#include <pthread.h>
+#include <signal.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <csignal>
+#include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
+#include <thread>
+#include <utility>
 
-#include "server/memory_trimmer.h"
 #include "server/options.h"
-#include "server/process_signals.h"
+#include "server/periodic.h"
 #include "server/server.h"
 
 namespace geodesic::server {
@@ -27,10 +33,48 @@ bool WritePort(const std::string& path, int port) {
   return file.good();
 }
 
+// The signals that are taken on a thread of their own.
+sigset_t WatchedSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGHUP);
+  return signals;
+}
+
+// While it lives, each of these signals calls `received`, from an ordinary
+// thread, where everything is allowed.
+// REQUIRES: they are blocked in every thread.
+class ProcessSignals {
+ public:
+  explicit ProcessSignals(std::function<void(int signal)> received)
+      : thread_([received = std::move(received)](const std::stop_token& stop) {
+          const sigset_t signals = WatchedSignals();
+          for (int signal = 0;;) {
+            if (sigwait(&signals, &signal) != 0) continue;
+            if (stop.stop_requested()) return;
+            received(signal);
+          }
+        }) {}
+
+  // A call that is going on ends first.
+  ~ProcessSignals() {
+    thread_.request_stop();
+    // Wakes sigwait, which then finds the request.
+    pthread_kill(thread_.native_handle(), SIGTERM);
+  }
+
+ private:
+  std::jthread thread_;
+};
+
 int Run(const ServerOptions& options) {
-  BlockProcessSignals();
+  // Before any thread is started, so that none takes them.
+  const sigset_t watched = WatchedSignals();
+  pthread_sigmask(SIG_BLOCK, &watched, nullptr);
   // A file that may not grow is an error of the write, not the server's end.
-  std::signal(SIGXFSZ, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
   const std::shared_ptr<spdlog::logger> logger =
       spdlog::stderr_color_mt("geodesicd");
   logger->set_level(spdlog::level::from_str(options.log_level));
@@ -49,7 +93,13 @@ int Run(const ServerOptions& options) {
   logger->info("geodesicd {} serves on {}:{} {}", ServerVersion(),
                options.listen.substr(0, colon), server.port(),
                options.tls.enabled() ? "over TLS" : "in clear");
-  const MemoryTrimmer trimmer;
+  // glibc by itself gives back what lies at the end of a heap. After an exit of
+  // readers, thousands of free messages lie between smaller things that stay,
+  // so it would keep their gigabyte for good. To look takes less than a
+  // millisecond when there is little to give back, and some ten for each
+  // hundred MiB.
+  const std::jthread trimmer =
+      Every(std::chrono::seconds(5), [] { malloc_trim(0); });
   const ProcessSignals signals([&](int signal) {
     if (signal == SIGHUP) {
       server.Reload();

@@ -217,15 +217,6 @@ void AddOperationOptions(CLI::App& app, ServerOptions& options) {
       ->type_name("LEVEL");
 }
 
-// Puts what `add` adds under a heading of the help.
-template <typename Add>
-void AddGroup(CLI::App& app, const std::string& heading, Add add) {
-  const size_t before = app.get_options().size();
-  add();
-  const std::vector<CLI::Option*> all = app.get_options();
-  for (size_t i = before; i < all.size(); ++i) all[i]->group(heading);
-}
-
 // max-faces is GEODESICD_MAX_FACES.
 std::string EnvironmentName(const std::string& flag) {
   return absl::StrCat("GEODESICD_", absl::AsciiStrToUpper(absl::StrReplaceAll(
@@ -316,14 +307,15 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
       ->type_name("FILE");
   app.config_formatter(std::make_shared<FileBelowEnvironment>());
   app.allow_config_extras(CLI::config_extras_mode::error);
-  AddGroup(app, "Network", [&] { AddNetworkOptions(app, options); });
-  AddGroup(app, "Security", [&] { AddSecurityOptions(app, options); });
-  AddGroup(app, "Work", [&] { AddWorkOptions(app, options); });
-  AddGroup(app, "Questions", [&] { AddQuestionOptions(app, options); });
-  AddGroup(app, "Memory", [&] { AddMemoryOptions(app, options); });
-  AddGroup(app, "Disk", [&] { AddDiskOptions(app, options); });
-  AddGroup(app, "Meshes", [&] { AddMeshOptions(app, options); });
-  AddGroup(app, "Operation", [&] { AddOperationOptions(app, options); });
+  const std::pair<const char*, void (*)(CLI::App&, ServerOptions&)> groups[] = {
+      {"Network", &AddNetworkOptions}, {"Security", &AddSecurityOptions},
+      {"Work", &AddWorkOptions},       {"Questions", &AddQuestionOptions},
+      {"Memory", &AddMemoryOptions},   {"Disk", &AddDiskOptions},
+      {"Meshes", &AddMeshOptions},     {"Operation", &AddOperationOptions}};
+  for (const auto& [heading, add] : groups) {
+    app.option_defaults()->group(heading);
+    add(app, options);
+  }
   NameEnvironmentVariables(app);
   app.footer(
       "BYTES take a unit: B, KiB, MiB, GiB, or KB, MB, GB. A setting comes\n"

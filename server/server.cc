@@ -5,6 +5,9 @@
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/resource_quota.h>
+#include <grpcpp/security/server_credentials.h>
+#include <grpcpp/security/tls_certificate_provider.h>
+#include <grpcpp/security/tls_credentials_options.h>
 #include <grpcpp/server.h>
 #include <grpcpp/server_builder.h>
 #include <spdlog/spdlog.h>
@@ -15,9 +18,8 @@
 #include "absl/strings/str_cat.h"
 #include "server/engine/base/status_details.h"
 #include "server/operations/engine_collector.h"
-#include "server/rpc/capabilities.h"
-#include "server/rpc/services.h"
-#include "server/tls_credentials.h"
+#include "server/periodic.h"
+#include "server/rpc/unary_calls.h"
 
 namespace geodesic::server {
 namespace {
@@ -33,6 +35,9 @@ constexpr std::chrono::seconds kCancelGrace{10};
 
 constexpr int kMostReflections = 32;
 
+// How soon a changed certificate is noticed. Looking costs three calls of stat.
+constexpr unsigned int kRefreshSeconds = 1;
+
 double EndOf(const TlsFiles& files) {
   const auto end = CertificateEnd(files);
   if (!end.ok()) return 0;
@@ -43,6 +48,26 @@ double UnixNow() {
   return std::chrono::duration<double>(
              std::chrono::system_clock::now().time_since_epoch())
       .count();
+}
+
+// TLS credentials that follow the files: connections made after a file has
+// changed get the new certificate, those that are open go on with the old one.
+// Without files: none, in clear. Errors: as CheckTlsFiles.
+absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> MakeServerCredentials(
+    const TlsFiles& files) {
+  if (!files.enabled()) return grpc::InsecureServerCredentials();
+  if (absl::Status status = CheckTlsFiles(files); !status.ok()) return status;
+  grpc::experimental::TlsServerCredentialsOptions options(
+      std::make_shared<grpc::experimental::FileWatcherCertificateProvider>(
+          files.key, files.certificate, files.client_authorities,
+          kRefreshSeconds));
+  options.watch_identity_key_cert_pairs();
+  if (!files.client_authorities.empty()) {
+    options.watch_root_certs();
+    options.set_cert_request_type(
+        GRPC_SSL_REQUEST_AND_REQUIRE_CLIENT_CERTIFICATE_AND_VERIFY);
+  }
+  return grpc::experimental::TlsServerCredentials(options);
 }
 
 // Bounds what connections can hold. Those who are slow to say who they are, or
@@ -88,13 +113,13 @@ Server::Server(const ServerOptions& options,
            .patience = options.receive_patience,
            .memory_bytes = options.request_memory_bytes}),
       service_context_{
-          engine_, log_, intake_, std::string(ServerVersion()),
+          engine_, log_, intake_,
           MakeCapabilities(options.limits, options.max_message_bytes,
                            std::string(ServerVersion()))},
       services_(MakeServices(service_context_)) {
   engine_.ObserveJobs(
       clock_, [this](const JobTimes& times) { metrics_.JobEnded(times); });
-  metrics_.Add(std::make_shared<EngineCollector>(engine_, intake_.memory()));
+  metrics_.Add([this] { return CollectEngine(engine_, intake_.memory()); });
   metrics_.AddGauge("geodesic_active_requests", "Requests that have not ended",
                     [this] { return static_cast<double>(log_.active()); });
   if (options_.tls.enabled()) {
@@ -183,7 +208,7 @@ absl::Status Server::StartOperations() {
           "tokens come in clear: without TLS whoever listens in on "
           "the way has them");
     }
-    token_watch_.emplace(options_.token_file, [this] { Reload(); });
+    token_watch_ = WatchFile(options_.token_file, [this] { Reload(); });
   }
   if (options_.metrics_listen.empty()) return absl::OkStatus();
   http_.emplace(HttpServer::Pages{.metrics = [this] { return metrics_.Text(); },

@@ -15,6 +15,7 @@
 #include <optional>
 #include <stop_token>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -24,12 +25,11 @@
 #include "server/operations/http_server.h"
 #include "server/operations/metrics.h"
 #include "server/options.h"
+#include "server/rpc/calls/call.h"
 #include "server/rpc/calls/intake.h"
 #include "server/rpc/calls/request_log.h"
 #include "server/rpc/calls/service.h"
-#include "server/rpc/calls/service_context.h"
 #include "server/security/access_control.h"
-#include "server/security/file_watch.h"
 #include "server/security/quotas.h"
 
 namespace grpc {
@@ -111,7 +111,7 @@ class Server {
 
   // Last, for their threads call the others.
   std::optional<HttpServer> http_;
-  std::optional<FileWatch> token_watch_;
+  std::jthread token_watch_;
 };
 
 }  // namespace geodesic::server

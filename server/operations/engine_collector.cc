@@ -62,9 +62,8 @@ void AppendDisk(const DurableStore& durable,
       {{"meshes", meshes.size()},
        {"fields", fields.size()},
        {"quarantine", aside.files}});
-  add(MetricType::Counter, "geodesic_disk_evictions_total",
-      "Files that went to make room",
-      {{"meshes", of_meshes.evictions}, {"fields", of_fields.evictions}});
+  add_counter("geodesic_disk_evictions_total", "Files that went to make room",
+              &BlobCounters::evictions);
   add_counter("geodesic_disk_writes_total", "Files to be written, failures too",
               &BlobCounters::writes);
   add_counter("geodesic_disk_write_failures_total",
@@ -84,19 +83,14 @@ void AppendDisk(const DurableStore& durable,
 
 }  // namespace
 
-std::vector<MetricFamily> EngineCollector::Collect() const {
-  std::vector<MetricFamily> families = CollectMemory();
-  if (engine_.durable() != nullptr) AppendDisk(*engine_.durable(), families);
-  return families;
-}
-
-std::vector<MetricFamily> EngineCollector::CollectMemory() const {
-  const EngineCounters counters = engine_.counters();
-  const Limits& limits = engine_.limits();
-  const MeshStore& meshes = engine_.meshes();
-  const FieldEngine& fields = engine_.fields();
-  const Scheduler& scheduler = engine_.scheduler();
-  return {
+std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
+                                        const ByteBudget& requests) {
+  const EngineCounters counters = engine.counters();
+  const Limits& limits = engine.limits();
+  const MeshStore& meshes = engine.meshes();
+  const FieldEngine& fields = engine.fields();
+  const Scheduler& scheduler = engine.scheduler();
+  std::vector<MetricFamily> families = {
       Make(MetricType::Counter, "geodesic_field_answers_total",
            "Questions about a field, by how it came about: computed, joined "
            "(coalesced with one under way), cached",
@@ -119,16 +113,16 @@ std::vector<MetricFamily> EngineCollector::CollectMemory() const {
            "Memory in use or reserved, by budget", "budget",
            {{"meshes", meshes.used_bytes()},
             {"fields", fields.fields().used_bytes()},
-            {"uploads", engine_.upload_memory().used()},
-            {"solvers", engine_.solver_memory().used()},
-            {"requests", requests_.used()}}),
+            {"uploads", engine.upload_memory().used()},
+            {"solvers", engine.solver_memory().used()},
+            {"requests", requests.used()}}),
       Make(MetricType::Gauge, "geodesic_capacity_bytes",
            "What each budget may hold", "budget",
            {{"meshes", limits.mesh_store_bytes},
             {"fields", limits.field_cache_bytes},
             {"uploads", limits.upload_memory_bytes},
             {"solvers", limits.solver_memory_bytes},
-            {"requests", requests_.capacity()}}),
+            {"requests", requests.capacity()}}),
       Make(MetricType::Gauge, "geodesic_jobs",
            "Jobs that run, and that wait for a thread", "state",
            {{"running", scheduler.running()}, {"queued", scheduler.queued()}}),
@@ -136,6 +130,8 @@ std::vector<MetricFamily> EngineCollector::CollectMemory() const {
            "Requests that wait for a field under way", "",
            {{"", fields.jobs().waiters()}}),
   };
+  if (engine.durable() != nullptr) AppendDisk(*engine.durable(), families);
+  return families;
 }
 
 }  // namespace geodesic::server

@@ -50,24 +50,6 @@ std::string JobKind(JobPriority priority) {
   return "other";
 }
 
-class Gauge final : public prometheus::Collectable {
- public:
-  Gauge(const std::string& name, const std::string& help,
-        std::function<double()> value)
-      : family_{name, help, prometheus::MetricType::Gauge, {}},
-        value_(std::move(value)) {}
-
-  std::vector<prometheus::MetricFamily> Collect() const override {
-    prometheus::MetricFamily family = family_;
-    family.metric.emplace_back().gauge.value = value_();
-    return {std::move(family)};
-  }
-
- private:
-  const prometheus::MetricFamily family_;
-  const std::function<double()> value_;
-};
-
 double Seconds(Duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
@@ -128,19 +110,24 @@ void Metrics::TokensReloaded(bool is_ok) {
   reloads_.Add({{"result", is_ok ? "ok" : "failed"}}).Increment();
 }
 
-void Metrics::Add(std::shared_ptr<prometheus::Collectable> collectable) {
-  others_.push_back(std::move(collectable));
+void Metrics::Add(Collector collector) {
+  collectors_.push_back(std::move(collector));
 }
 
 void Metrics::AddGauge(const std::string& name, const std::string& help,
                        std::function<double()> value) {
-  Add(std::make_shared<Gauge>(name, help, std::move(value)));
+  Add([name, help, value = std::move(value)] {
+    prometheus::MetricFamily family{
+        name, help, prometheus::MetricType::Gauge, {}};
+    family.metric.emplace_back().gauge.value = value();
+    return std::vector{std::move(family)};
+  });
 }
 
 std::string Metrics::Text() const {
   std::vector<prometheus::MetricFamily> families = registry_.Collect();
-  for (const auto& other : others_) {
-    std::vector<prometheus::MetricFamily> more = other->Collect();
+  for (const Collector& collector : collectors_) {
+    std::vector<prometheus::MetricFamily> more = collector();
     std::move(more.begin(), more.end(), std::back_inserter(families));
   }
   return prometheus::TextSerializer().Serialize(families);

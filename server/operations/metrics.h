@@ -8,11 +8,11 @@
 #include <prometheus/counter.h>
 #include <prometheus/family.h>
 #include <prometheus/histogram.h>
+#include <prometheus/metric_family.h>
 #include <prometheus/registry.h>
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,9 +42,10 @@ class Metrics {
   void JobEnded(const JobTimes& times);
   void TokensReloaded(bool is_ok);
 
-  // What collects other values, at each scrape. It lives as long as the
-  // metrics do. REQUIRES: nobody scrapes yet.
-  void Add(std::shared_ptr<prometheus::Collectable> collectable);
+  // Adds what is asked for other values at each scrape.
+  // REQUIRES: nobody scrapes yet.
+  using Collector = std::function<std::vector<prometheus::MetricFamily>()>;
+  void Add(Collector collector);
 
   // A value that is asked for at each scrape, likewise.
   void AddGauge(const std::string& name, const std::string& help,
@@ -55,7 +56,7 @@ class Metrics {
 
  private:
   prometheus::Registry registry_;
-  std::vector<std::shared_ptr<prometheus::Collectable>> others_;
+  std::vector<Collector> collectors_;
   prometheus::Family<prometheus::Counter>& requests_;
   prometheus::Family<prometheus::Counter>& errors_;
   prometheus::Family<prometheus::Histogram>& request_seconds_;

@@ -1,16 +1,9 @@
-#include "server/rpc/services.h"
-
-#include "server/rpc/capabilities.h"
-#include "server/rpc/mesh_calls.h"
+#include "server/rpc/calls/service.h"
 #include "server/rpc/streams/field_stream.h"
-#include "server/rpc/streams/isoline_stream.h"
-#include "server/rpc/streams/log_map_stream.h"
-#include "server/rpc/streams/matrix_stream.h"
-#include "server/rpc/streams/mesh_stream.h"
-#include "server/rpc/streams/nearest_stream.h"
-#include "server/rpc/streams/path_stream.h"
-#include "server/rpc/streams/sample_stream.h"
-#include "server/rpc/streams/upload_stream.h"
+#include "server/rpc/streams/mesh_streams.h"
+#include "server/rpc/streams/question_streams.h"
+#include "server/rpc/streams/row_stream.h"
+#include "server/rpc/unary_calls.h"
 
 namespace geodesic::server {
 namespace {

@@ -1,6 +1,8 @@
 #include "server/security/quotas.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -8,13 +10,42 @@
 #include "absl/strings/str_cat.h"
 #include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
-#include "server/security/token_bucket.h"
 
 namespace geodesic::server {
 namespace {
 
 // Jobs end, and meshes are evicted, within about a second.
 constexpr std::chrono::milliseconds kRetryDelay{1000};
+
+// A rate limit that lets bursts through: holds at most `burst` and refills at
+// `rate` a second. Not thread-safe.
+class TokenBucket {
+ public:
+  // Full. REQUIRES: rate > 0, burst >= 1.
+  TokenBucket(double rate, double burst, TimePoint now)
+      : rate_(rate), burst_(burst), level_(burst), time_(now) {}
+
+  // Takes one out; or how long until there will be one.
+  Duration Take(TimePoint now) {
+    // An unlimited rate over no time at all would be no number.
+    if (std::isinf(rate_)) return Duration::zero();
+    const std::chrono::duration<double> passed = now - time_;
+    level_ = std::min(burst_, level_ + rate_ * passed.count());
+    time_ = now;
+    if (level_ >= 1) {
+      level_ -= 1;
+      return Duration::zero();
+    }
+    return std::chrono::ceil<std::chrono::milliseconds>(
+        std::chrono::duration<double>((1 - level_) / rate_));
+  }
+
+ private:
+  const double rate_;
+  const double burst_;
+  double level_;
+  TimePoint time_;
+};
 
 }  // namespace
 
@@ -108,28 +139,8 @@ class Quotas::Account {
   std::vector<Held> held_;
 };
 
-Quotas::Job::Job(std::shared_ptr<Account> account)
-    : account_(std::move(account)) {}
-
-Quotas::Job::Job(Job&& other) noexcept
-    : account_(std::move(other.account_)),
-      bytes_(std::exchange(other.bytes_, 0)) {}
-
-Quotas::Job& Quotas::Job::operator=(Job&& other) noexcept {
-  if (this != &other) {
-    Return();
-    account_ = std::move(other.account_);
-    bytes_ = std::exchange(other.bytes_, 0);
-  }
-  return *this;
-}
-
-Quotas::Job::~Job() { Return(); }
-
-void Quotas::Job::Return() {
+Quotas::Job::~Job() {
   if (account_ != nullptr) account_->ReturnJob(bytes_);
-  account_ = nullptr;
-  bytes_ = 0;
 }
 
 absl::Status Quotas::Job::ReserveBytes(uint64_t bytes) {
@@ -139,8 +150,8 @@ absl::Status Quotas::Job::ReserveBytes(uint64_t bytes) {
   return status;
 }
 
-void Quotas::MemoryCharge::Add(const std::shared_ptr<const void>& memory,
-                               uint64_t bytes) const {
+void Quotas::Job::AddMemory(const std::shared_ptr<const void>& memory,
+                            uint64_t bytes) const {
   if (account_ != nullptr) account_->AddMemory(memory, bytes);
 }
 
@@ -150,11 +161,13 @@ absl::Status Quotas::TakeRequest(const Caller& caller) {
                             : account->TakeRequest(clock_.Now());
 }
 
-absl::StatusOr<Quotas::Job> Quotas::TakeJob(const Caller& caller) {
+absl::StatusOr<std::shared_ptr<Quotas::Job>> Quotas::TakeJob(
+    const Caller& caller) {
   std::shared_ptr<Account> account = AccountOf(caller);
-  if (account == nullptr) return Job();
-  if (absl::Status status = account->TakeJob(); !status.ok()) return status;
-  return Job(std::move(account));
+  absl::Status status =
+      account == nullptr ? absl::OkStatus() : account->TakeJob();
+  if (!status.ok()) return status;
+  return std::make_shared<Job>(std::move(account));
 }
 
 std::shared_ptr<Quotas::Account> Quotas::AccountOf(const Caller& caller) {

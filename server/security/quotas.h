@@ -23,46 +23,29 @@ namespace geodesic::server {
 class Quotas {
  public:
   class Account;
-  class Job;
-
-  // Who pays for what stays in memory.
-  class MemoryCharge {
-   public:
-    MemoryCharge() = default;
-
-    // The bytes count until nobody holds `memory` any more. Thread-safe.
-    void Add(const std::shared_ptr<const void>& memory, uint64_t bytes) const;
-
-   private:
-    friend class Job;
-    explicit MemoryCharge(std::shared_ptr<Account> account)
-        : account_(std::move(account)) {}
-
-    std::shared_ptr<Account> account_;  // null: nobody
-  };
 
   // A job under way and the bytes its upload will take. Gives them back at the
-  // end. Not thread-safe; outlives nothing it needs.
+  // end. Not thread-safe.
   class Job {
    public:
-    Job() = default;
-    Job(Job&& other) noexcept;
-    Job& operator=(Job&& other) noexcept;
+    // `account` pays; null: nobody.
+    explicit Job(std::shared_ptr<Account> account)
+        : account_(std::move(account)) {}
     ~Job();
+    Job(const Job&) = delete;
+    Job& operator=(const Job&) = delete;
 
     // Before an upload: that so many bytes more may become resident.
     // Errors: with no retry hint when they never could.
     absl::Status ReserveBytes(uint64_t bytes);
 
-    // For the mesh that the upload makes resident; may outlive the job.
-    MemoryCharge memory_charge() const { return MemoryCharge(account_); }
+    // Says what the upload made resident: the bytes count until nobody holds
+    // `memory` any more, though the job may end before. Thread-safe.
+    void AddMemory(const std::shared_ptr<const void>& memory,
+                   uint64_t bytes) const;
 
    private:
-    friend class Quotas;
-    explicit Job(std::shared_ptr<Account> account);
-    void Return();
-
-    std::shared_ptr<Account> account_;  // null: not counted
+    const std::shared_ptr<Account> account_;
     uint64_t bytes_ = 0;
   };
 
@@ -73,7 +56,7 @@ class Quotas {
   absl::Status TakeRequest(const Caller& caller);
 
   // Errors: with a retry hint.
-  absl::StatusOr<Job> TakeJob(const Caller& caller);
+  absl::StatusOr<std::shared_ptr<Job>> TakeJob(const Caller& caller);
 
  private:
   // Null for those who are not counted.

@@ -8,7 +8,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "digest/sha256.h"
-#include "server/rpc/calls/required_scope.h"
+#include "server/rpc/calls/request_log.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/generic_call.h"
 #include "tests/rpc/rpc_fixture.h"

@@ -9,7 +9,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "digest/sha256.h"
-#include "server/rpc/calls/call_metadata.h"
+#include "server/rpc/calls/request_log.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/questions_fixture.h"
 #include "tests/support/temporary_folder.h"

@@ -1,24 +1,16 @@
-// What every call shares that sends one request: it is let in, its request is
-// received and decoded, and the answer goes out one message at a time, the next
-// made when gRPC has taken that one.
+// What every call shares that sends one request: the request is received and
+// decoded, and the answer goes out one message at a time, the next made when
+// gRPC has taken that one.
 //
-// Who may not ask, or asks too much, is refused before anything of the request
-// is received. The request is gone once the engine has been asked. A slow
-// reader costs one message and what the answer pins, and what nobody took is
-// overwritten by newer. Reactions and the engine's calls come from different
-// threads, so everything happens under one lock. Two parties hold the object,
-// gRPC until OnDone and the engine as long as it may call; the last to let go
-// destroys it.
-//
-// When the mesh is on disk and not in memory, the stream waits for it and asks
-// again.
+// The request is gone once the engine has been asked. A slow reader costs one
+// message and what the answer pins, and what nobody took is overwritten by
+// newer. When the mesh is on disk and not in memory, the stream waits for it
+// and asks again.
 
 #ifndef GEODESIC_SERVER_RPC_CALLS_ANSWER_STREAM_H_
 #define GEODESIC_SERVER_RPC_CALLS_ANSWER_STREAM_H_
 
 #include <grpcpp/server_context.h>
-#include <grpcpp/support/byte_buffer.h>
-#include <grpcpp/support/server_callback.h>
 
 #include <chrono>
 #include <memory>
@@ -33,11 +25,7 @@
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/query_engine.h"
-#include "server/rpc/calls/call_deadline.h"
-#include "server/rpc/calls/intake.h"
-#include "server/rpc/calls/receive_slots.h"
-#include "server/rpc/calls/request_log.h"
-#include "server/rpc/calls/service_context.h"
+#include "server/rpc/calls/call.h"
 #include "server/rpc/messages/field_translation.h"
 
 namespace geodesic::server {
@@ -70,81 +58,27 @@ std::string MeshDigestOf(const Request& request) {
   }
 }
 
+// A call's deadline on the engine's clock; gRPC tells it in the system's time.
+inline TimePoint CallDeadline(const grpc::CallbackServerContext& context) {
+  const auto deadline = context.deadline();
+  const auto now = std::chrono::system_clock::now();
+  // Anything further away than this is as good as none.
+  if (deadline > now + std::chrono::hours(24 * 365)) return kNoDeadline;
+  return std::chrono::steady_clock::now() + (deadline - now);
+}
+
 // A derived class says what is asked of the engine and what the messages are;
 // Launch starts it (see service.h).
 template <typename RequestType, typename ResponseType>
-class AnswerStream
-    : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
-      public Receiver,
-      public std::enable_shared_from_this<
-          AnswerStream<RequestType, ResponseType>> {
+class AnswerStream : public Call<ResponseType> {
  public:
   using Request = RequestType;
   using Response = ResponseType;
 
-  // REQUIRES: `service` outlives the call; `context` lives until gRPC is done
-  // with it.
+  // REQUIRES: as Call.
   AnswerStream(const ServiceContext& service,
                grpc::CallbackServerContext& context)
-      : service_(service), context_(context) {
-    entry_.emplace(service.log, MethodOf<Request>(), context);
-  }
-
-  // Begins; `self` is this, kept alive until gRPC is done with it.
-  void Launch(std::shared_ptr<AnswerStream> self) {
-    {
-      std::lock_guard lock(mutex_);
-      self_ = self;
-      if (absl::Status status = Admit(*entry_); !status.ok()) {
-        End(std::move(status));
-        return;
-      }
-      arrival_.Start(service_.intake.patience(), [self] { self->OnLate(); });
-    }
-    service_.intake.slots().Enter(self, context_.peer());
-  }
-
-  void OnSlot() final {
-    {
-      std::lock_guard lock(mutex_);
-      if (!finished_) {
-        is_receiving_ = true;
-        this->StartRead(&bytes_);
-        return;
-      }
-    }
-    service_.intake.slots().Leave(*this);
-  }
-
-  void OnBrokenOff() final {
-    std::lock_guard lock(mutex_);
-    if (!is_receiving_) return;
-    if (!finished_) {
-      End(BrokenOffError());
-    } else {
-      // Its client does not even take the answer.
-      context_.TryCancel();
-    }
-  }
-
-  void OnReadDone(bool ok) final {
-    {
-      std::lock_guard lock(mutex_);
-      is_receiving_ = false;
-    }
-    service_.intake.slots().Leave(*this);
-    {
-      std::lock_guard lock(mutex_);
-      arrival_.Stop();
-      if (finished_) return;
-      if (absl::Status status = Receive(ok); !status.ok()) {
-        End(std::move(status));
-        return;
-      }
-      is_asking_ = true;
-    }
-    GoOn(Ask());
-  }
+      : Base(service, MethodOf<Request>(), context) {}
 
   void OnWriteDone(bool ok) final {
     std::lock_guard lock(mutex_);
@@ -152,7 +86,7 @@ class AnswerStream
     entry_->add_write_time(std::chrono::steady_clock::now() - write_begin_);
     if (!ok) {
       // The stream is broken; OnCancel tells the engine.
-      End(absl::CancelledError("the client is gone"));
+      this->End(absl::CancelledError("the client is gone"));
       return;
     }
     Advance();
@@ -164,7 +98,7 @@ class AnswerStream
     {
       std::lock_guard lock(mutex_);
       cancelled_ = true;
-      if (!is_asking_) EndCancelled();
+      if (!is_asking_) this->EndCancelled();
       ticket = std::exchange(ticket_, {});
       begun = begun_;
     }
@@ -174,22 +108,15 @@ class AnswerStream
   }
 
   void OnDone() final {
-    std::shared_ptr<AnswerStream> self;
-    std::lock_guard lock(mutex_);
-    entry_.reset();
-    request_.reset();
-    bytes_.Clear();
-    memory_ = {};
-    // The lock is released before `self`, which may be the last to hold it.
-    self = std::move(self_);
+    {
+      std::lock_guard lock(mutex_);
+      request_.reset();
+      memory_ = {};
+    }
+    Base::OnDone();
   }
 
  protected:
-  // Whether the caller may ask. Errors: as RequestLog::Entry.
-  virtual absl::Status Admit(RequestLog::Entry& entry) {
-    return entry.AdmitStream();
-  }
-
   // Asks the engine, which may call back at once; called without the lock, and
   // once more after it failed with NOT_FOUND and the mesh came from the disk.
   // The request is there while it is called and then no more; the context, too,
@@ -198,7 +125,7 @@ class AnswerStream
 
   // The caller waits no longer; called once at most, after Ask succeeded and
   // without the lock.
-  virtual void Cancel() = 0;
+  virtual void Cancel() {}
 
   // Makes the next message, under the lock. An error ends the stream.
   virtual absl::StatusOr<NextMessage> Fill(Response& message) = 0;
@@ -227,45 +154,46 @@ class AnswerStream
     return absl::OkStatus();
   }
 
-  // This stream as its own class, to be handed to the engine.
-  template <typename Stream>
-  std::shared_ptr<Stream> Shared(Stream*) {
-    return std::static_pointer_cast<Stream>(this->shared_from_this());
-  }
-
   RequestLog::Entry& entry() { return *entry_; }
-  // As Requester has it.
-  std::string client() const { return entry_->client(); }
-  QueryEngine& engine() { return service_.engine; }
   const v1::GetCapabilitiesResponse& capabilities() const {
     return service_.capabilities;
   }
-  const std::string& version() const { return service_.version; }
-  // For Ask.
-  const Request& request() const { return *request_; }
-  // For the end of an Ask that succeeds: what is no more needed may be changed.
+  const std::string& version() const { return capabilities().version(); }
+  // For Ask. At the end of one that succeeds, what is no more needed may be
+  // changed.
   Request& request() { return *request_; }
 
  private:
+  using Base = Call<ResponseType>;
+  using Base::context_;
+  using Base::entry_;
+  using Base::finished_;
+  using Base::mutex_;
+  using Base::service_;
+
+  void OnReceived(bool ok) final {
+    {
+      std::lock_guard lock(mutex_);
+      if (finished_) return;
+      if (absl::Status status = Receive(ok); !status.ok()) {
+        this->End(std::move(status));
+        return;
+      }
+      is_asking_ = true;
+    }
+    GoOn(Ask());
+  }
+
   // `ok`: of the read. Errors: as Intake::Decode. REQUIRES: mutex_ held.
   absl::Status Receive(bool ok) {
     if (!ok) return absl::InvalidArgumentError("the call has no request");
     request_.emplace();
-    absl::StatusOr<ByteReservation> memory =
-        service_.intake.Decode(bytes_, *request_);
-    bytes_.Clear();
+    absl::StatusOr<ByteReservation> memory = this->Decode(*request_);
     if (!memory.ok()) return memory.status();
     memory_ = *std::move(memory);
     mesh_digest_ = MeshDigestOf(*request_);
     if (!mesh_digest_.empty()) entry_->set_subject(DigestPrefix(mesh_digest_));
     return absl::OkStatus();
-  }
-
-  void OnLate() {
-    std::lock_guard lock(mutex_);
-    if (!request_.has_value() && !finished_) {
-      End(LateError(service_.intake.patience()));
-    }
   }
 
   void AwaitMesh() {
@@ -274,7 +202,7 @@ class AnswerStream
       std::lock_guard lock(mutex_);
       is_asking_ = false;
       if (cancelled_) {
-        EndCancelled();
+        this->EndCancelled();
         return;
       }
       client = entry_->client();
@@ -282,12 +210,12 @@ class AnswerStream
     absl::StatusOr<std::optional<MeshLoads::Ticket>> ticket =
         service_.engine.AwaitMesh(
             mesh_digest_,
-            [self = this->shared_from_this()](
+            [self = this->Shared(this)](
                 const absl::StatusOr<MeshHandle>& mesh) { self->OnMesh(mesh); },
             client);
     {
       std::lock_guard lock(mutex_);
-      if (!ticket.ok()) End(ticket.status());
+      if (!ticket.ok()) this->End(ticket.status());
       if (!ticket.ok() || !ticket->has_value()) return;
       if (!finished_) {
         ticket_ = **ticket;
@@ -320,58 +248,35 @@ class AnswerStream
       std::lock_guard lock(mutex_);
       is_asking_ = false;
       if (!status.ok()) {
-        End(std::move(status));
+        this->End(std::move(status));
         return;
       }
       request_.reset();  // it is of no more use
       Intake::ReleaseRequest(memory_);
       begun_ = true;
       cancel = cancelled_;
-      if (cancelled_) EndCancelled();
+      if (cancelled_) this->EndCancelled();
       Advance();
     }
     if (cancel) Cancel();
   }
 
-  // The rest REQUIRES: mutex_ held.
-
+  // REQUIRES: mutex_ held.
   void Advance() {
     if (!begun_ || writing_ || finished_) return;
     absl::StatusOr<NextMessage> next = Fill(message_);
     if (!next.ok()) {
-      End(next.status());
+      this->End(next.status());
     } else if (*next == NextMessage::kSend) {
       writing_ = true;
       write_begin_ = std::chrono::steady_clock::now();
       this->StartWrite(&message_);
     } else if (*next == NextMessage::kSendLast) {
-      finished_ = true;
-      this->StartWriteAndFinish(&message_, grpc::WriteOptions(),
-                                entry_->End(absl::OkStatus()));
+      this->End(absl::OkStatus(), &message_);
     }
   }
 
-  void EndCancelled() {
-    End(absl::CancelledError("the call was cancelled or its deadline came"));
-  }
-
-  void End(absl::Status status) {
-    if (finished_) return;
-    finished_ = true;
-    arrival_.Stop();
-    this->Finish(entry_->End(std::move(status)));
-  }
-
-  const ServiceContext& service_;
-  grpc::CallbackServerContext& context_;
-
-  std::mutex mutex_;
   // Guarded by mutex_:
-  std::shared_ptr<AnswerStream> self_;  // what gRPC holds
-  std::optional<RequestLog::Entry> entry_;
-  Arrival arrival_;            // of the request
-  bool is_receiving_ = false;  // a read is under way
-  grpc::ByteBuffer bytes_;
   std::string mesh_digest_;                  // set by Receive, then constant
   ByteReservation memory_;                   // of the request and the question
   bool is_asking_ = false;                   // Ask runs, or is about to
@@ -380,7 +285,6 @@ class AnswerStream
   bool cancelled_ = false;
   bool writing_ = false;   // a message is on its way
   TimePoint write_begin_;  // since when
-  bool finished_ = false;  // Finish was called
   Response message_;
 
   // Set by Receive; Ask's while it runs:

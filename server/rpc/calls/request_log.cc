@@ -2,15 +2,16 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <optional>
+#include <random>
 #include <utility>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
-#include "server/rpc/calls/call_metadata.h"
-#include "server/rpc/calls/required_scope.h"
 #include "server/rpc/calls/status_translation.h"
 
 namespace geodesic::server {
@@ -21,6 +22,79 @@ constexpr std::chrono::milliseconds kRetryDelay{1000};
 
 std::string Named(const char* name, const std::string& value) {
   return value.empty() ? "" : absl::StrCat(" ", name, "=", value);
+}
+
+constexpr std::pair<std::string_view, Scope> kRequired[] = {
+    {"FindMissingMeshes", Scope::kRead},
+    {"GetMesh", Scope::kRead},
+    {"ReadMesh", Scope::kRead},
+    {"ListMeshes", Scope::kRead},
+    {"CreateMesh", Scope::kUpload},
+    {"DeleteMesh", Scope::kDelete},
+    {"ComputeField", Scope::kRead},
+    {"ComputeLogMap", Scope::kRead},
+    {"SampleFarthestPoints", Scope::kRead},
+    {"ComputePaths", Scope::kRead},
+    {"ComputeIsolines", Scope::kRead},
+    {"ComputeMatrix", Scope::kRead},
+    {"FindNearest", Scope::kRead},
+    {"GetCapabilities", Scope::kRead},
+};
+
+constexpr size_t kMaxRequestIdBytes = 64;
+
+// The first value of the header; empty if there is none.
+std::string_view Header(const grpc::CallbackServerContext& context,
+                        const char* name) {
+  const auto& metadata = context.client_metadata();
+  const auto it = metadata.find(name);
+  if (it == metadata.end()) return {};
+  return {it->second.data(), it->second.size()};
+}
+
+bool IsLoggable(char c) {
+  return absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '-' ||
+         c == '_' || c == '.';
+}
+
+// The client's "x-request-id" if it can be logged: up to 64 letters, digits and
+// "-_."; else one of the server's.
+std::string RequestId(const grpc::CallbackServerContext& context) {
+  const std::string_view given = Header(context, "x-request-id");
+  if (!given.empty() && given.size() <= kMaxRequestIdBytes &&
+      std::ranges::all_of(given, IsLoggable)) {
+    return std::string(given);
+  }
+  // Unique enough to find a line in a log.
+  thread_local std::mt19937_64 random{std::random_device{}()};
+  const uint64_t number = random();
+  return absl::StrCat(absl::Hex(number, absl::kZeroPad16));
+}
+
+// The "traceparent" of W3C's Trace Context if it has that form, else nothing.
+std::string TraceParent(const grpc::CallbackServerContext& context) {
+  // version "-" trace id "-" parent id "-" flags
+  constexpr size_t kBytes = 2 + 1 + 32 + 1 + 16 + 1 + 2;
+  const std::string_view given = Header(context, "traceparent");
+  const auto is_dash = [](size_t i) { return i == 2 || i == 35 || i == 52; };
+  if (given.size() != kBytes) return "";
+  for (size_t i = 0; i < kBytes; ++i) {
+    const auto c = static_cast<unsigned char>(given[i]);
+    if (is_dash(i) ? c != '-' : !absl::ascii_isxdigit(c)) return "";
+  }
+  return std::string(given);
+}
+
+// Adds to the trailers the request id and, when the server is full, when gRPC's
+// own retries may come again, or that they may not.
+void AddTrailers(const std::string& request_id, const absl::Status& status,
+                 grpc::CallbackServerContext& context) {
+  context.AddTrailingMetadata("x-request-id", request_id);
+  if (!absl::IsResourceExhausted(status)) return;
+  const auto delay = RetryAfter(status);
+  context.AddTrailingMetadata(
+      "grpc-retry-pushback-ms",
+      delay ? absl::StrCat(delay->count()) : std::string("-1"));
 }
 
 }  // namespace
@@ -60,12 +134,15 @@ RequestLog::Entry::Entry(RequestLog& log, std::string_view method,
 }
 
 absl::Status RequestLog::Entry::Admit() {
-  const absl::StatusOr<std::string> authorization = Authorization(context_);
-  absl::StatusOr<Caller> caller =
-      authorization.ok() ? log_.access_.Identify(*authorization)
-                         : (absl::IsNotFound(authorization.status())
-                                ? log_.access_.Identify(std::nullopt)
-                                : authorization.status());
+  const size_t count = context_.client_metadata().count("authorization");
+  if (count > 1) {
+    return WithReason(
+        absl::UnauthenticatedError("there are several authorizations"),
+        reason::kTokenMissing);
+  }
+  std::optional<std::string_view> authorization;
+  if (count == 1) authorization = Header(context_, "authorization");
+  absl::StatusOr<Caller> caller = log_.access_.Identify(authorization);
   if (!caller.ok()) return caller.status();
   caller_ = *std::move(caller);
   absl::Status status = CheckScope(caller_, RequiredScope(method_));
@@ -84,10 +161,10 @@ absl::Status RequestLog::Entry::AdmitStream() {
                        kRetryDelay),
         reason::kTooManyRequests);
   }
-  absl::StatusOr<Quotas::Job> job = log_.quotas_.TakeJob(caller_);
-  if (!job.ok()) return job.status();
-  job_ = std::make_shared<Quotas::Job>(*std::move(job));
-  return absl::OkStatus();
+  absl::StatusOr<std::shared_ptr<Quotas::Job>> job =
+      log_.quotas_.TakeJob(caller_);
+  if (job.ok()) job_ = *std::move(job);
+  return job.status();
 }
 
 std::string RequestLog::Entry::client() const {
@@ -128,6 +205,19 @@ RequestLog::Entry::~Entry() {
   // in it.
   std::lock_guard lock(log_.mutex_);
   if (--log_.active_ == 0) log_.idle_.notify_all();
+}
+
+Scope RequiredScope(std::string_view method) {
+  for (const auto& [name, scope] : kRequired) {
+    if (name == method) return scope;
+  }
+  return Scope::kAdmin;
+}
+
+std::string PeerHost(std::string_view peer) {
+  // The colons of an IPv6 address are written otherwise or in brackets.
+  const bool has_port = peer.starts_with("ipv4:") || peer.starts_with("ipv6:");
+  return std::string(has_port ? peer.substr(0, peer.rfind(':')) : peer);
 }
 
 std::string DigestPrefix(std::string_view digest) {

@@ -21,6 +21,7 @@
 #include "server/engine/base/clock.h"
 #include "server/operations/metrics.h"
 #include "server/security/access_control.h"
+#include "server/security/caller.h"
 #include "server/security/quotas.h"
 
 namespace spdlog {
@@ -111,6 +112,14 @@ class RequestLog {
   std::condition_variable_any idle_;
   size_t active_ = 0;  // guarded by mutex_
 };
+
+// The scope that an RPC needs: `method` without its service, e.g.
+// "ComputeField". A method that was forgotten here needs the scope admin.
+Scope RequiredScope(std::string_view method);
+
+// A peer's address as gRPC tells it, without the port, which changes from one
+// connection to the next: "ipv4:10.1.2.3" of "ipv4:10.1.2.3:53412".
+std::string PeerHost(std::string_view peer);
 
 // Enough of a digest to tell meshes apart in a log. What is no digest is not
 // quoted: the log is for programs too.

@@ -24,16 +24,17 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "server/rpc/calls/service_context.h"
+#include "server/rpc/calls/call.h"
 
 namespace geodesic::server {
 
 // Starts one call, which keeps itself alive until gRPC is done with it.
-template <typename Call>
-Call* Launch(const ServiceContext& service,
+template <typename Type>
+Type* Launch(const ServiceContext& service,
              grpc::CallbackServerContext& context) {
-  const auto call = std::make_shared<Call>(service, context);
+  const auto call = std::make_shared<Type>(service, context);
   call->Launch(call);
   return call.get();
 }
@@ -47,20 +48,20 @@ class Service final : public grpc::Service {
 
   const std::string& name() const { return type_.full_name(); }
 
-  // Serves the method that takes Call's kind of request. REQUIRES: the service
+  // Serves the method that takes Type's kind of request. REQUIRES: the service
   // has one; `service` outlives it.
-  template <typename Call>
+  template <typename Type>
   void Add(const ServiceContext& service) {
-    using Response = typename Call::Response;
+    using Response = typename Type::Response;
     using Handler =
         grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, Response>;
     using Method = grpc::internal::RpcServiceMethod;
-    AddMethod(new Method(PathOf(*Call::Request::descriptor()),
+    AddMethod(new Method(PathOf(*Type::Request::descriptor()),
                          Method::BIDI_STREAMING, nullptr));
     MarkMethodRawCallback(
         static_cast<int>(paths_.size()) - 1,
         new Handler([&service](grpc::CallbackServerContext* context) {
-          return Launch<Call>(service, *context);
+          return Launch<Type>(service, *context);
         }));
   }
 
@@ -76,6 +77,10 @@ class Service final : public grpc::Service {
   const google::protobuf::ServiceDescriptor& type_;
   std::deque<std::string> paths_;
 };
+
+// All services of the protocol. REQUIRES: `context` outlives them.
+std::vector<std::unique_ptr<Service>> MakeServices(
+    const ServiceContext& context);
 
 }  // namespace geodesic::server
 

@@ -26,13 +26,9 @@ absl::StatusOr<FieldExtras> ExtrasFrom(const v1::ComputeFieldRequest& request) {
       case v1::FIELD_QUANTITY_GRADIENT:
         extras.gradients = true;
         break;
-      default: {
-        const std::string field = absl::StrCat("quantities[", i, "]");
-        return InvalidField(
-            field,
-            absl::StrCat(field, " is ", static_cast<int>(request.quantities(i)),
-                         ", which this server does not know"));
-      }
+      default:
+        return Unknown(absl::StrCat("quantities[", i, "]"),
+                       request.quantities(i));
     }
   }
   if (request.progressive() && request.quantities_size() > 0) {
@@ -44,6 +40,11 @@ absl::StatusOr<FieldExtras> ExtrasFrom(const v1::ComputeFieldRequest& request) {
 }
 
 }  // namespace
+
+absl::Status Unknown(const std::string& field, int number) {
+  return InvalidField(field, absl::StrCat(field, " is ", number,
+                                          ", which this server does not know"));
+}
 
 // ALGORITHM_FWP_CH for "fwp-ch".
 v1::Algorithm ToProto(Algorithm algorithm) {
@@ -119,9 +120,7 @@ absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type) {
     case v1::VALUE_TYPE_FLOAT32:
       return v1::VALUE_TYPE_FLOAT32;
     default:
-      return InvalidField("value_type",
-                          absl::StrCat("value_type is ", static_cast<int>(type),
-                                       ", which this server does not know"));
+      return Unknown("value_type", type);
   }
 }
 
@@ -133,9 +132,7 @@ absl::StatusOr<bool> IsBatch(v1::Priority priority) {
     case v1::PRIORITY_BATCH:
       return true;
     default:
-      return InvalidField(
-          "priority", absl::StrCat("priority is ", static_cast<int>(priority),
-                                   ", which this server does not know"));
+      return Unknown("priority", priority);
   }
 }
 
@@ -143,10 +140,8 @@ absl::Status Translate(const v1::ComputeFieldRequest& request,
                        const Limits& limits, FieldRequest& result) {
   absl::Status status = AddSources(request.sources(), limits, result.query);
   if (!status.ok()) return status;
-  absl::StatusOr<std::vector<SurfacePoint>> targets =
-      TargetsFromProto(request.targets(), limits);
-  if (!targets.ok()) return targets.status();
-  result.query.targets = *std::move(targets);
+  status = AddTargets(request.targets(), limits, result.query);
+  if (!status.ok()) return status;
   if (request.has_radius()) result.reach.radius = request.radius();
   if (request.has_stop_after_targets()) {
     // The largest number would mean no limit to the engine.

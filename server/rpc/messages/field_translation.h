@@ -3,6 +3,9 @@
 #ifndef GEODESIC_SERVER_RPC_MESSAGES_FIELD_TRANSLATION_H_
 #define GEODESIC_SERVER_RPC_MESSAGES_FIELD_TRANSLATION_H_
 
+#include <string>
+
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/distance_field.h"
@@ -23,6 +26,10 @@ v1::SolveProgress ToProto(const Progress& progress);
 v1::SolveStatistics ToProto(const SolveStatistics& statistics);
 v1::AnswerHeader MakeHeader(const ResidentMesh& mesh, Algorithm algorithm,
                             const std::string& version);
+
+// INVALID_ARGUMENT: this field of a request has a number that its enumeration
+// does not.
+absl::Status Unknown(const std::string& field, int number);
 
 // Errors of these: INVALID_ARGUMENT naming the part of the request at fault.
 absl::StatusOr<Algorithm> FromProto(v1::Algorithm algorithm);

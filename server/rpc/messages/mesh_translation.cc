@@ -4,34 +4,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/field_path.h"
+#include "server/rpc/messages/surface_translation.h"
 
 namespace geodesic::server {
-namespace {
-
-void SetPoint(const Point& from, v1::Point& to) {
-  to.set_x(from[0]);
-  to.set_y(from[1]);
-  to.set_z(from[2]);
-}
-
-v1::MeshFormat ToProto(UploadFormat format) {
-  switch (format) {
-    case UploadFormat::kArrays:
-      return v1::MESH_FORMAT_ARRAYS;
-    case UploadFormat::kObj:
-      return v1::MESH_FORMAT_OBJ;
-    case UploadFormat::kPly:
-      return v1::MESH_FORMAT_PLY;
-    case UploadFormat::kOff:
-      return v1::MESH_FORMAT_OFF;
-    case UploadFormat::kStl:
-      return v1::MESH_FORMAT_STL;
-  }
-  return v1::MESH_FORMAT_UNSPECIFIED;
-}
-
-}  // namespace
-
 v1::Mesh ToProto(const MeshDescription& mesh) {
   const MeshSummary& summary = mesh.summary;
   v1::Mesh proto;
@@ -61,31 +36,23 @@ v1::Mesh ToProto(const MeshDescription& mesh) {
 
 v1::FileDigest ToProto(const FileKey& file) {
   v1::FileDigest proto;
-  proto.set_format(ToProto(file.format));
+  for (const auto& [format, value] : kMeshFormats) {
+    if (format == file.format) proto.set_format(value);
+  }
   proto.set_sha256(file.sha256);
   return proto;
 }
 
 absl::StatusOr<UploadFormat> FromProto(v1::MeshFormat format,
                                        std::string_view field) {
-  switch (format) {
-    case v1::MESH_FORMAT_ARRAYS:
-      return UploadFormat::kArrays;
-    case v1::MESH_FORMAT_OBJ:
-      return UploadFormat::kObj;
-    case v1::MESH_FORMAT_PLY:
-      return UploadFormat::kPly;
-    case v1::MESH_FORMAT_OFF:
-      return UploadFormat::kOff;
-    case v1::MESH_FORMAT_STL:
-      return UploadFormat::kStl;
-    default:
-      return InvalidField(
-          field, absl::StrCat(absl::string_view(field.data(), field.size()),
-                              " is ", static_cast<int>(format),
-                              "; it must be one of the formats that "
-                              "GetCapabilities lists"));
+  for (const auto& [known, value] : kMeshFormats) {
+    if (value == format) return known;
   }
+  return InvalidField(
+      field, absl::StrCat(absl::string_view(field.data(), field.size()), " is ",
+                          static_cast<int>(format),
+                          "; it must be one of the formats that "
+                          "GetCapabilities lists"));
 }
 
 absl::StatusOr<UploadHeader> FromProto(const v1::UploadHeader& header) {

@@ -1,10 +1,12 @@
-// Points and sources of requests <-> core's.
+// Points, sources and polylines <-> core's.
 
 #ifndef GEODESIC_SERVER_RPC_MESSAGES_SURFACE_TRANSLATION_H_
 #define GEODESIC_SERVER_RPC_MESSAGES_SURFACE_TRANSLATION_H_
 
 #include <google/protobuf/repeated_ptr_field.h>
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,15 +24,12 @@ namespace geodesic::server {
 // three weights. Whether the place is on a mesh is for the engine to judge.
 absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point,
                                        const std::string& field);
-absl::StatusOr<std::vector<SurfacePoint>> FromProto(
-    const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& points,
-    const std::string& field);
 
-// The targets of a request.
+// Puts the targets of a request into a query.
 // Errors: also RESOURCE_EXHAUSTED when they are more than the limit.
-absl::StatusOr<std::vector<SurfacePoint>> TargetsFromProto(
+absl::Status AddTargets(
     const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& targets,
-    const Limits& limits);
+    const Limits& limits, Query& query);
 
 // Puts the sources of a request into a query.
 // Errors: also RESOURCE_EXHAUSTED when they are more than the limit, or their
@@ -44,7 +43,15 @@ absl::Status AddRows(
     const google::protobuf::RepeatedPtrField<v1::Source>& sources,
     const Limits& limits, Query& query);
 
+void SetPoint(const Point& from, v1::Point& to);
 void SetSurfacePoint(const SurfacePoint& from, v1::SurfacePoint& to);
+
+// Replaces `piece` by the points from `first` on, as many as a message takes;
+// returns where the next piece begins. A polyline without points has one empty
+// piece.
+uint64_t SetPiece(std::span<const SurfacePoint> points,
+                  std::span<const Point> positions, uint64_t first,
+                  v1::PolylinePiece& piece);
 
 }  // namespace geodesic::server
 

@@ -1,4 +1,4 @@
-// What the streams of rows share: header, progress, chunks in order of row,
+// ComputeMatrix and FindNearest: header, progress, chunks in order of row,
 // trailer.
 
 #ifndef GEODESIC_SERVER_RPC_STREAMS_ROW_STREAM_H_
@@ -10,7 +10,6 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -23,35 +22,41 @@
 
 namespace geodesic::server {
 
-// A derived class says what to ask and how a chunk looks.
-//
+// Adds to `question` what only this kind of request says.
+// Errors: INVALID_ARGUMENT.
+absl::Status AddRest(const v1::ComputeMatrixRequest& request,
+                     MatrixRequest& question);
+absl::Status AddRest(const v1::FindNearestRequest& request,
+                     MatrixRequest& question);
+
+// Where a chunk has its columns and values.
+struct ChunkBytes {
+  std::string& columns;
+  std::string& values;
+};
+inline ChunkBytes BytesOf(v1::MatrixChunk& chunk) {
+  return {*chunk.mutable_columns(), *chunk.mutable_values()};
+}
+inline ChunkBytes BytesOf(v1::NearestChunk& chunk) {
+  return {*chunk.mutable_targets(), *chunk.mutable_distances()};
+}
+
 // The pipeline computes the next row only when one is taken, so a slow reader
 // holds a few rows.
 template <typename Request, typename Response>
-class RowStream : public AnswerStream<Request, Response>, public RowObserver {
+class RowStream final : public AnswerStream<Request, Response>,
+                        public RowObserver {
  public:
   using AnswerStream<Request, Response>::AnswerStream;
 
-  void OnRow() final {
+  void OnRow() override {
     this->Update([this] { has_news_ = true; });
   }
-
- protected:
-  // Adds to `question` what only this stream knows.
-  virtual absl::Status Translate(MatrixRequest& question) const = 0;
-
-  // A chunk's parts, to be filled.
-  struct Chunk {
-    std::string* columns;
-    std::string* values;
-  };
-  virtual Chunk MakeChunk(Response& message, uint64_t row, uint64_t value_count,
-                          uint64_t offset) const = 0;
 
  private:
   static constexpr uint64_t kValuesPerChunk = 32768;
 
-  absl::Status Ask() final {
+  absl::Status Ask() override {
     const Request& request = this->request();
     const Limits& limits = this->engine().limits();
     const absl::StatusOr<v1::ValueType> value_type =
@@ -60,27 +65,25 @@ class RowStream : public AnswerStream<Request, Response>, public RowObserver {
     value_type_ = *value_type;
     MatrixRequest question;
     absl::Status status = this->BeginQuestion(question);
-    if (status.ok()) status = Translate(question);
+    if (status.ok()) status = AddRest(request, question);
     if (status.ok()) {
       status = AddRows(request.sources(), limits, question.query);
     }
+    if (status.ok()) {
+      status = AddTargets(request.targets(), limits, question.query);
+    }
     if (!status.ok()) return status;
-    absl::StatusOr<std::vector<SurfacePoint>> targets =
-        TargetsFromProto(request.targets(), limits);
-    if (!targets.ok()) return targets.status();
-    question.query.targets = *std::move(targets);
     if (request.has_radius()) question.radius = request.radius();
     is_sparse_ = question.sparse || question.nearest.has_value();
     absl::StatusOr<MatrixCall> call =
         this->engine().ComputeMatrix(std::move(question), this->Shared(this));
-    if (!call.ok()) return call.status();
-    call_ = *std::move(call);
-    return absl::OkStatus();
+    if (call.ok()) call_ = *std::move(call);
+    return call.status();
   }
 
-  void Cancel() final { call_.rows->Cancel(); }
+  void Cancel() override { call_.rows->Cancel(); }
 
-  absl::StatusOr<NextMessage> Fill(Response& message) final {
+  absl::StatusOr<NextMessage> Fill(Response& message) override {
     if (!std::exchange(has_header_, true)) {
       v1::MatrixHeader& header = *message.mutable_header();
       *header.mutable_answer() =
@@ -111,25 +114,26 @@ class RowStream : public AnswerStream<Request, Response>, public RowObserver {
       row_ = **std::move(row);
       next_value_ = 0;
     }
-    FillChunk(message);
+    FillChunk(*message.mutable_chunk());
     return NextMessage::kSend;
   }
 
-  void FillChunk(Response& message) {
-    const uint64_t size = row_->values.size();
-    const uint64_t count = std::min(kValuesPerChunk, size - next_value_);
-    const Chunk chunk = MakeChunk(message, next_row_, size, next_value_);
-    if (chunk.columns != nullptr) {
-      SetBytes(
-          std::span<const uint32_t>(row_->columns)
-              .subspan(is_sparse_ ? next_value_ : 0, is_sparse_ ? count : 0),
-          *chunk.columns);
-    }
-    SetValues(std::span<const double>(row_->values).subspan(next_value_, count),
-              value_type_, *chunk.values);
-    this->entry().add_bytes(chunk.values->size());
+  template <typename Chunk>
+  void FillChunk(Chunk& chunk) {
+    const std::span<const double> values = row_->values;
+    const std::span<const uint32_t> columns = row_->columns;  // dense: none
+    const uint64_t count =
+        std::min(kValuesPerChunk, values.size() - next_value_);
+    chunk.set_row(next_row_);
+    chunk.set_value_count(values.size());
+    chunk.set_offset(next_value_);
+    const ChunkBytes bytes = BytesOf(chunk);
+    SetBytes(columns.empty() ? columns : columns.subspan(next_value_, count),
+             bytes.columns);
+    SetValues(values.subspan(next_value_, count), value_type_, bytes.values);
+    this->entry().add_bytes(bytes.values.size());
     next_value_ += count;
-    if (next_value_ == size) {
+    if (next_value_ == values.size()) {
       row_.reset();
       ++next_row_;
     }
@@ -147,6 +151,11 @@ class RowStream : public AnswerStream<Request, Response>, public RowObserver {
   std::optional<MatrixRow> row_;  // on its way
   uint64_t next_value_ = 0;       // of *row_
 };
+
+using MatrixStream =
+    RowStream<v1::ComputeMatrixRequest, v1::ComputeMatrixResponse>;
+using NearestStream =
+    RowStream<v1::FindNearestRequest, v1::FindNearestResponse>;
 
 }  // namespace geodesic::server
 

@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/fuzz/rpc/require.h"
-
 namespace geodesic::server::test {
 namespace {
 
@@ -51,7 +49,7 @@ void AnswerCheck::Take(const Message& message) {
   const auto* part = message.GetReflection()->GetOneofFieldDescriptor(
       message, type->FindOneofByName("part"));
   Require(part != nullptr);
-  const bool is_header = part->name() == "header" || part->name() == "header";
+  const bool is_header = part->name() == "header";
   Require(is_header == !has_begun_ && !has_trailer_);
   has_begun_ = true;
   has_trailer_ = part->name() == "trailer";

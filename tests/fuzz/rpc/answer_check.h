@@ -6,10 +6,17 @@
 #include <google/protobuf/message.h>
 #include <grpcpp/support/status.h>
 
+#include <cstdlib>
+
 #include "geodesic/v1/field_service.pb.h"
 #include "geodesic/v1/query.pb.h"
 
 namespace geodesic::server::test {
+
+// Aborts the program unless it holds: a fuzzer takes that for a crash.
+inline void Require(bool holds) {
+  if (!holds) std::abort();
+}
 
 // Aborts the program unless the status has a code that says nothing of faults
 // of the server, a message, and a google.rpc.ErrorInfo.

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "server/rpc/calls/service.h"
-#include "tests/fuzz/rpc/require.h"
+#include "tests/fuzz/rpc/answer_check.h"
 
 namespace geodesic::server::test {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
 
 #include "geodesic/v1/capabilities_service.pb.h"
 #include "geodesic/v1/field_service.pb.h"
@@ -126,37 +127,24 @@ std::string SerializeScript(const RpcScript& script) {
 }
 
 std::unique_ptr<google::protobuf::Message> NewRequest(RpcMethod method) {
-  switch (method) {
-    case RpcMethod::kGetCapabilities:
-      return std::make_unique<v1::GetCapabilitiesRequest>();
-    case RpcMethod::kFindMissingMeshes:
-      return std::make_unique<v1::FindMissingMeshesRequest>();
-    case RpcMethod::kCreateMesh:
-      return std::make_unique<v1::CreateMeshRequest>();
-    case RpcMethod::kGetMesh:
-      return std::make_unique<v1::GetMeshRequest>();
-    case RpcMethod::kReadMesh:
-      return std::make_unique<v1::ReadMeshRequest>();
-    case RpcMethod::kListMeshes:
-      return std::make_unique<v1::ListMeshesRequest>();
-    case RpcMethod::kDeleteMesh:
-      return std::make_unique<v1::DeleteMeshRequest>();
-    case RpcMethod::kComputeField:
-      return std::make_unique<v1::ComputeFieldRequest>();
-    case RpcMethod::kComputeLogMap:
-      return std::make_unique<v1::ComputeLogMapRequest>();
-    case RpcMethod::kSampleFarthestPoints:
-      return std::make_unique<v1::SampleFarthestPointsRequest>();
-    case RpcMethod::kComputePaths:
-      return std::make_unique<v1::ComputePathsRequest>();
-    case RpcMethod::kComputeIsolines:
-      return std::make_unique<v1::ComputeIsolinesRequest>();
-    case RpcMethod::kComputeMatrix:
-      return std::make_unique<v1::ComputeMatrixRequest>();
-    case RpcMethod::kFindNearest:
-      return std::make_unique<v1::FindNearestRequest>();
-  }
-  std::abort();
+  // In the order of RpcMethod.
+  static const google::protobuf::Message* const kRequests[kRpcMethods] = {
+      &v1::GetCapabilitiesRequest::default_instance(),
+      &v1::FindMissingMeshesRequest::default_instance(),
+      &v1::CreateMeshRequest::default_instance(),
+      &v1::GetMeshRequest::default_instance(),
+      &v1::ReadMeshRequest::default_instance(),
+      &v1::ListMeshesRequest::default_instance(),
+      &v1::DeleteMeshRequest::default_instance(),
+      &v1::ComputeFieldRequest::default_instance(),
+      &v1::ComputeLogMapRequest::default_instance(),
+      &v1::SampleFarthestPointsRequest::default_instance(),
+      &v1::ComputePathsRequest::default_instance(),
+      &v1::ComputeIsolinesRequest::default_instance(),
+      &v1::ComputeMatrixRequest::default_instance(),
+      &v1::FindNearestRequest::default_instance()};
+  return std::unique_ptr<google::protobuf::Message>(
+      kRequests[static_cast<size_t>(method)]->New());
 }
 
 const std::vector<RpcScript>& SeedScripts() {

@@ -13,20 +13,14 @@
 
 #include "server/engine/query_engine.h"
 #include "server/operations/metrics.h"
+#include "server/rpc/calls/call.h"
 #include "server/rpc/calls/intake.h"
 #include "server/rpc/calls/request_log.h"
-#include "server/rpc/calls/service_context.h"
-#include "server/rpc/capabilities.h"
-#include "server/rpc/mesh_calls.h"
 #include "server/rpc/streams/field_stream.h"
-#include "server/rpc/streams/isoline_stream.h"
-#include "server/rpc/streams/log_map_stream.h"
-#include "server/rpc/streams/matrix_stream.h"
-#include "server/rpc/streams/mesh_stream.h"
-#include "server/rpc/streams/nearest_stream.h"
-#include "server/rpc/streams/path_stream.h"
-#include "server/rpc/streams/sample_stream.h"
-#include "server/rpc/streams/upload_stream.h"
+#include "server/rpc/streams/mesh_streams.h"
+#include "server/rpc/streams/question_streams.h"
+#include "server/rpc/streams/row_stream.h"
+#include "server/rpc/unary_calls.h"
 #include "server/security/access_control.h"
 #include "server/security/quotas.h"
 #include "tests/engine/fakes.h"
@@ -41,7 +35,6 @@ namespace {
 using geodesic::test::Terrain;
 using geodesic::test::Torus;
 using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
 using google::protobuf::Reflection;
 
 // More events than any script of the size that is parsed can need.
@@ -76,7 +69,8 @@ TriangleSoup Book() {
 }
 
 // Letters that stand for digests are replaced.
-void SetDigests(Message& message, const std::vector<std::string>& digests) {
+void SetDigests(google::protobuf::Message& message,
+                const std::vector<std::string>& digests) {
   const Reflection& reflection = *message.GetReflection();
   const auto* type = message.GetDescriptor();
   const auto replace = [&](std::string& text) {
@@ -150,24 +144,22 @@ class Subject {
 
   // The frame's message with digests in place of letters; as it is if it is
   // malformed.
-  template <typename Request>
   std::string Message(const RpcFrame& frame) const {
-    Request request;
-    if (!request.ParseFromString(frame.message)) return frame.message;
-    SetDigests(request, digests_);
-    return request.SerializeAsString();
+    const auto request = NewRequest(frame.method);
+    if (!request->ParseFromString(frame.message)) return frame.message;
+    SetDigests(*request, digests_);
+    return request->SerializeAsString();
   }
 
   template <typename Type>
   void BeginUnary(const RpcFrame& frame) {
-    BeginCall<Type>({Message<typename Type::Request>(frame)},
-                    frame.cancel_after, nullptr);
+    BeginCall<Type>({Message(frame)}, frame.cancel_after, nullptr);
   }
 
   template <typename Type>
   void BeginStream(const RpcFrame& frame) {
-    BeginCall<Type>({Message<typename Type::Request>(frame)},
-                    frame.cancel_after, std::make_shared<AnswerCheck>());
+    BeginCall<Type>({Message(frame)}, frame.cancel_after,
+                    std::make_shared<AnswerCheck>());
   }
 
   template <typename Type>
@@ -183,7 +175,6 @@ class Subject {
   }
 
   void Begin(const RpcScript& script, size_t begin, size_t end);
-  void BeginUpload(const RpcScript& script, size_t begin, size_t end);
 
   // Until nothing happens any more.
   void Pump() {
@@ -241,20 +232,10 @@ class Subject {
   // Nothing is late here.
   Intake intake_{{.patience = std::chrono::hours(24), .memory_bytes = 1 << 22}};
   const ServiceContext service_{
-      engine_, log_, intake_, "1",
-      MakeCapabilities(engine_.limits(), 1 << 22, "1")};
+      engine_, log_, intake_, MakeCapabilities(engine_.limits(), 1 << 22, "1")};
   std::vector<std::string> digests_;
   std::vector<Call> calls_;
 };
-
-void Subject::BeginUpload(const RpcScript& script, size_t begin, size_t end) {
-  std::vector<std::string> messages;
-  for (size_t i = begin; i < end; ++i) {
-    messages.push_back(Message<v1::CreateMeshRequest>(script[i]));
-  }
-  BeginCall<UploadStream>(std::move(messages), script[begin].cancel_after,
-                          nullptr);
-}
 
 void Subject::Begin(const RpcScript& script, size_t begin, size_t end) {
   const RpcFrame& frame = script[begin];
@@ -263,8 +244,14 @@ void Subject::Begin(const RpcScript& script, size_t begin, size_t end) {
       return BeginUnary<CapabilitiesCall>(frame);
     case RpcMethod::kFindMissingMeshes:
       return BeginUnary<FindMissingCall>(frame);
-    case RpcMethod::kCreateMesh:
-      return BeginUpload(script, begin, end);
+    case RpcMethod::kCreateMesh: {
+      std::vector<std::string> messages;
+      for (size_t i = begin; i < end; ++i) {
+        messages.push_back(Message(script[i]));
+      }
+      return BeginCall<UploadStream>(std::move(messages), frame.cancel_after,
+                                     nullptr);
+    }
     case RpcMethod::kGetMesh:
       return BeginUnary<GetMeshCall>(frame);
     case RpcMethod::kReadMesh:

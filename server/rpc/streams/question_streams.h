@@ -1,18 +1,24 @@
-// What the streams of one question share: header, progress, parts, trailer.
+// Streams of one question: header, progress, parts, trailer.
 
-#ifndef GEODESIC_SERVER_RPC_STREAMS_QUESTION_STREAM_H_
-#define GEODESIC_SERVER_RPC_STREAMS_QUESTION_STREAM_H_
+#ifndef GEODESIC_SERVER_RPC_STREAMS_QUESTION_STREAMS_H_
+#define GEODESIC_SERVER_RPC_STREAMS_QUESTION_STREAMS_H_
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "absl/functional/any_invocable.h"
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/algorithm.h"
 #include "geodesic/checkpoint.h"
+#include "geodesic/isolines.h"
+#include "geodesic/path.h"
+#include "geodesic/sampling.h"
+#include "geodesic/v1/field_service.pb.h"
+#include "geodesic/v1/path_service.pb.h"
 #include "server/engine/meshes/mesh_store.h"
 #include "server/rpc/calls/answer_stream.h"
 #include "server/rpc/messages/field_translation.h"
@@ -38,9 +44,6 @@ class QuestionStream : public AnswerStream<Request, Response> {
   // stream's lock, after SetFinished.
   virtual absl::StatusOr<bool> FillPart(Response& message) = 0;
 
-  // Items that were sent, for the trailer.
-  virtual uint64_t item_count() const = 0;
-
   // For Ask:
   void SetSubject(MeshHandle mesh, Algorithm algorithm) {
     mesh_ = std::move(mesh);
@@ -64,6 +67,9 @@ class QuestionStream : public AnswerStream<Request, Response> {
     });
   }
 
+  // Guarded by the stream's lock: items that were sent, for the trailer.
+  uint64_t next_item_ = 0;
+
  private:
   absl::StatusOr<NextMessage> Fill(Response& message) final {
     if (!std::exchange(has_header_, true)) {
@@ -83,7 +89,7 @@ class QuestionStream : public AnswerStream<Request, Response> {
     v1::AnswerTrailer& trailer = *message.mutable_trailer();
     trailer.set_compute_seconds(cost_.seconds);
     trailer.set_windows_propagated(cost_.windows_propagated);
-    trailer.set_item_count(item_count());
+    trailer.set_item_count(next_item_);
     return NextMessage::kSendLast;
   }
 
@@ -213,6 +219,74 @@ class JobQuestionStream : public QuestionStream<Request, Response>,
   const std::shared_ptr<Result> result_ = std::make_shared<Result>();
 };
 
+// The parts are paths, in order of target.
+class PathStream final : public FieldQuestionStream<v1::ComputePathsRequest,
+                                                    v1::ComputePathsResponse> {
+ public:
+  using FieldQuestionStream::FieldQuestionStream;
+
+ private:
+  absl::Status Translate(FieldRequest& question) override;
+  absl::StatusOr<bool> FillPart(v1::ComputePathsResponse& message) override;
+  // Traces the path to the next target. O(edges crossed).
+  absl::StatusOr<GeodesicPath> TraceNext();
+
+  // Guarded by the stream's lock:
+  // Of the field's own targets, which are those that are no vertices or all.
+  uint32_t next_own_target_ = 0;
+  // The path on its way, and how much of it was sent.
+  GeodesicPath path_;
+  uint64_t next_point_ = 0;
+};
+
+// The parts are isolines.
+class IsolineStream final
+    : public JobQuestionStream<v1::ComputeIsolinesRequest,
+                               v1::ComputeIsolinesResponse,
+                               std::vector<Isoline>> {
+ public:
+  using JobQuestionStream::JobQuestionStream;
+
+ private:
+  absl::StatusOr<Work> MakeWork() override;
+  absl::StatusOr<bool> FillPart(v1::ComputeIsolinesResponse& message) override;
+
+  uint64_t next_point_ = 0;  // of the isoline; guarded by the stream's lock
+};
+
+// The parts are the frame and chunks of coordinates; the items are vertices.
+class LogMapStream final
+    : public FieldQuestionStream<v1::ComputeLogMapRequest,
+                                 v1::ComputeLogMapResponse> {
+ public:
+  using FieldQuestionStream::FieldQuestionStream;
+
+ private:
+  absl::Status Translate(FieldRequest& question) override;
+  absl::StatusOr<bool> FillPart(v1::ComputeLogMapResponse& message) override;
+
+  // Set by Translate, then constant:
+  v1::ValueType value_type_ = v1::VALUE_TYPE_FLOAT64;
+
+  // Guarded by the stream's lock:
+  bool has_frame_ = false;
+  std::vector<double> values_;
+};
+
+// The parts are chunks of samples.
+class SampleStream final
+    : public JobQuestionStream<v1::SampleFarthestPointsRequest,
+                               v1::SampleFarthestPointsResponse,
+                               std::vector<FarthestSample>> {
+ public:
+  using JobQuestionStream::JobQuestionStream;
+
+ private:
+  absl::StatusOr<Work> MakeWork() override;
+  absl::StatusOr<bool> FillPart(
+      v1::SampleFarthestPointsResponse& message) override;
+};
+
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_RPC_STREAMS_QUESTION_STREAM_H_
+#endif  // GEODESIC_SERVER_RPC_STREAMS_QUESTION_STREAMS_H_

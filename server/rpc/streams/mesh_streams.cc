@@ -1,5 +1,10 @@
-#include "server/rpc/streams/upload_stream.h"
+#include "server/rpc/streams/mesh_streams.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <mutex>
+#include <string>
 #include <utility>
 
 #include "geodesic/field_path.h"
@@ -7,6 +12,27 @@
 
 namespace geodesic::server {
 namespace {
+
+// Arrays are sent as they lie in memory.
+static_assert(std::endian::native == std::endian::little);
+static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12);
+
+constexpr uint64_t kChunkBytes = uint64_t{512} << 10;
+
+// Copies one chunk of the `count` items that `item` gives from `begin` on;
+// returns where the next begins.
+template <typename Item>
+uint64_t FillChunk(uint64_t count, uint64_t begin, Item item,
+                   std::string& bytes) {
+  constexpr size_t kItemBytes = sizeof(item(0));
+  const uint64_t end = std::min(begin + kChunkBytes / kItemBytes, count);
+  bytes.resize((end - begin) * kItemBytes);
+  char* to = bytes.data();
+  for (uint64_t i = begin; i < end; ++i, to += kItemBytes) {
+    std::memcpy(to, &item(i), kItemBytes);
+  }
+  return end;
+}
 
 // What the mesh will take in memory, as far as its header tells: a file does
 // not say before it is read, so its own size stands for it.
@@ -19,94 +45,62 @@ uint64_t LeastBytes(const UploadHeader& header) {
 
 }  // namespace
 
-UploadStream::UploadStream(const ServiceContext& service,
-                           grpc::CallbackServerContext& context)
-    : service_(service),
-      engine_(service.engine),
-      context_(context),
-      peer_(context.peer()) {
-  entry_.emplace(service.log, "CreateMesh", context);
+absl::Status MeshStream::Ask() {
+  absl::StatusOr<MeshHandle> mesh = engine().GetMesh(request().digest());
+  if (mesh.ok()) mesh_ = *std::move(mesh);
+  return mesh.status();
 }
 
-void UploadStream::Launch(std::shared_ptr<UploadStream> self) {
-  {
-    std::lock_guard lock(mutex_);
-    self_ = std::move(self);
-    if (absl::Status status = entry_->AdmitStream(); !status.ok()) {
-      End(std::move(status));
-      return;
-    }
+absl::StatusOr<NextMessage> MeshStream::Fill(v1::ReadMeshResponse& message) {
+  const Mesh& mesh = *mesh_->mesh;
+  if (!std::exchange(has_header_, true)) {
+    v1::ReadMeshHeader& header = *message.mutable_header();
+    header.set_digest(mesh_->digest);
+    header.set_vertex_count(mesh.vertex_count());
+    header.set_face_count(mesh.face_count());
+    return NextMessage::kSend;
   }
-  ReadNext();
-}
-
-void UploadStream::ReadNext() {
-  {
-    std::lock_guard lock(mutex_);
-    if (finished_) return;
-    arrival_.Start(
-        service_.intake.patience(),
-        [stream = self_, message = ++messages_] { stream->OnLate(message); });
+  if (next_vertex_ < mesh.vertex_count()) {
+    v1::VertexChunk& chunk = *message.mutable_vertices();
+    chunk.set_first_vertex(next_vertex_);
+    next_vertex_ = FillChunk(
+        mesh.vertex_count(), next_vertex_,
+        [&](uint64_t v) -> const Point& { return mesh.positions()[v]; },
+        *chunk.mutable_positions());
+    entry().add_bytes(chunk.positions().size());
+    return NextMessage::kSend;
   }
-  service_.intake.slots().Enter(shared_from_this(), peer_);
+  v1::FaceChunk& chunk = *message.mutable_faces();
+  chunk.set_first_face(next_face_);
+  next_face_ = FillChunk(
+      mesh.face_count(), next_face_,
+      [&](uint64_t face) -> const Triangle& { return mesh.triangle(face); },
+      *chunk.mutable_indices());
+  entry().add_bytes(chunk.indices().size());
+  // A mesh has at least one face.
+  return next_face_ < mesh.face_count() ? NextMessage::kSend
+                                        : NextMessage::kSendLast;
 }
 
-void UploadStream::OnLate(uint64_t message) {
-  std::lock_guard lock(mutex_);
-  // It may have come in the meantime.
-  if (messages_ == message) End(LateError(service_.intake.patience()));
-}
-
-void UploadStream::OnSlot() {
-  {
-    std::lock_guard lock(mutex_);
-    if (!finished_) {
-      is_receiving_ = true;
-      StartRead(&bytes_);
-      return;
-    }
-  }
-  service_.intake.slots().Leave(*this);
-}
-
-void UploadStream::OnBrokenOff() {
-  std::lock_guard lock(mutex_);
-  if (!is_receiving_) return;
-  if (!finished_) {
-    End(BrokenOffError());
-  } else {
-    // Its client does not even take the answer.
-    context_.TryCancel();
-  }
-}
-
-void UploadStream::OnReadDone(bool ok) {
-  {
-    std::lock_guard lock(mutex_);
-    is_receiving_ = false;
-  }
-  service_.intake.slots().Leave(*this);
+void UploadStream::OnReceived(bool ok) {
   if (!ok) {
     Complete();
     return;
   }
   {
     std::lock_guard lock(mutex_);
-    arrival_.Stop();
     if (finished_) return;
     if (absl::Status status = TakeMessage(); !status.ok()) {
       End(std::move(status));
       return;
     }
   }
-  ReadNext();
+  ReceiveNext();
 }
 
 absl::Status UploadStream::TakeMessage() {
   v1::CreateMeshRequest message;
-  const absl::StatusOr<ByteReservation> memory =
-      service_.intake.Decode(bytes_, message);
-  bytes_.Clear();
+  const absl::StatusOr<ByteReservation> memory = Decode(message);
   if (!memory.ok()) return memory.status();
   switch (message.part_case()) {
     case v1::CreateMeshRequest::kHeader: {
@@ -116,7 +110,7 @@ absl::Status UploadStream::TakeMessage() {
       absl::StatusOr<UploadHeader> header = FromProto(message.header());
       if (!header.ok()) return header.status();
       absl::StatusOr<std::unique_ptr<MeshUpload>> upload =
-          engine_.StartUpload(*std::move(header));
+          engine().StartUpload(*std::move(header));
       if (!upload.ok()) return upload.status();
       upload_ = *std::move(upload);
       return entry_->job()->ReserveBytes(LeastBytes(upload_->header()));
@@ -141,8 +135,6 @@ void UploadStream::Complete() {
   std::string client;
   {
     std::lock_guard lock(mutex_);
-    arrival_.Stop();
-    ++messages_;  // there is none
     if (finished_) return;
     if (context_.IsCancelled()) {
       End(absl::CancelledError("the client is gone"));
@@ -157,25 +149,25 @@ void UploadStream::Complete() {
     client = entry_->client();
   }
   // Without the lock: the engine may call back at once.
-  absl::StatusOr<std::optional<UploadJobs::Ticket>> job = engine_.FinishUpload(
+  absl::StatusOr<std::optional<UploadJobs::Ticket>> job = engine().FinishUpload(
       std::move(upload),
-      [self = shared_from_this()](const absl::StatusOr<UploadResult>& result) {
+      [self = Shared(this)](const absl::StatusOr<UploadResult>& result) {
         self->OnBuilt(result);
       },
       client,
       // Held by the job, which counts against the quota to its end.
-      [&engine = engine_,
+      [&engine = engine(),
        quota = std::move(quota)](const UploadResult& result) {
         if (result.already_resident) return;
         const auto mesh = engine.GetMesh(result.mesh.digest);
         if (!mesh.ok()) return;
-        quota->memory_charge().Add(*mesh, (*mesh)->mesh->resident_bytes());
+        quota->AddMemory(*mesh, (*mesh)->mesh->resident_bytes());
       });
   std::lock_guard lock(mutex_);
   if (!job.ok()) {
     End(job.status());
   } else if (*job && finished_) {
-    engine_.CancelUpload(**job);
+    engine().CancelUpload(**job);
   } else {
     job_ = *job;
   }
@@ -185,12 +177,14 @@ void UploadStream::OnBuilt(const absl::StatusOr<UploadResult>& result) {
   std::lock_guard lock(mutex_);
   // After Finish neither the response nor the log entry is ours.
   if (finished_) return;
-  if (result.ok()) {
-    entry_->set_subject(DigestPrefix(result->mesh.digest));
-    *response_.mutable_mesh() = ToProto(result->mesh);
-    response_.set_already_resident(result->already_resident);
+  if (!result.ok()) {
+    End(result.status());
+    return;
   }
-  End(result.status());
+  entry_->set_subject(DigestPrefix(result->mesh.digest));
+  *response_.mutable_mesh() = ToProto(result->mesh);
+  response_.set_already_resident(result->already_resident);
+  End(absl::OkStatus(), &response_);
 }
 
 void UploadStream::OnCancel() {
@@ -199,29 +193,9 @@ void UploadStream::OnCancel() {
     std::lock_guard lock(mutex_);
     job = job_;
     upload_.reset();
-    End(absl::CancelledError("the call was cancelled or its deadline came"));
+    EndCancelled();
   }
-  if (job) engine_.CancelUpload(*job);
-}
-
-void UploadStream::OnDone() {
-  std::shared_ptr<UploadStream> self;
-  std::lock_guard lock(mutex_);
-  entry_.reset();
-  // The lock is released before `self`, which may be the last to hold it.
-  self = std::move(self_);
-}
-
-void UploadStream::End(absl::Status status) {
-  if (finished_) return;
-  finished_ = true;
-  arrival_.Stop();
-  if (status.ok()) {
-    StartWriteAndFinish(&response_, grpc::WriteOptions(),
-                        entry_->End(std::move(status)));
-  } else {
-    Finish(entry_->End(std::move(status)));
-  }
+  if (job) engine().CancelUpload(*job);
 }
 
 }  // namespace geodesic::server

@@ -1,4 +1,4 @@
-#include "server/security/file_watch.h"
+#include "server/periodic.h"
 
 #include <sys/stat.h>
 
@@ -11,8 +11,6 @@
 namespace geodesic::server {
 namespace {
 
-constexpr std::chrono::seconds kInterval{1};
-
 // What changes when the file does. All zero for none.
 auto Stamp(const std::string& path) {
   struct stat file = {};
@@ -23,18 +21,27 @@ auto Stamp(const std::string& path) {
 
 }  // namespace
 
-FileWatch::FileWatch(std::string path, std::function<void()> changed)
-    : thread_([path = std::move(path), changed = std::move(changed),
-               last = Stamp(path)](const std::stop_token& stop) mutable {
+std::jthread Every(std::chrono::seconds interval,
+                   std::function<void()> action) {
+  return std::jthread(
+      [interval, action = std::move(action)](const std::stop_token& stop) {
         std::mutex mutex;
         std::condition_variable_any stopped;
         std::unique_lock lock(mutex);
         for (;;) {
-          stopped.wait_for(lock, stop, kInterval, [] { return false; });
+          stopped.wait_for(lock, stop, interval, [] { return false; });
           if (stop.stop_requested()) return;
-          const auto now = Stamp(path);
-          if (std::exchange(last, now) != now) changed();
+          action();
         }
-      }) {}
+      });
+}
+
+std::jthread WatchFile(const std::string& path, std::function<void()> changed) {
+  return Every(std::chrono::seconds(1), [path, changed = std::move(changed),
+                                         last = Stamp(path)]() mutable {
+    const auto now = Stamp(path);
+    if (std::exchange(last, now) != now) changed();
+  });
+}
 
 }  // namespace geodesic::server

@@ -1,6 +1,10 @@
-#include "tests/fuzz/check_reader.h"
+// libFuzzer target of a mesh reader, that of the format FUZZED_FORMAT: reads
+// the bytes and aborts if the reader breaks a promise of read_mesh.h. What was
+// read is then built into a Mesh, which must not crash either.
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string_view>
@@ -9,8 +13,9 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/mesh.h"
+#include "geodesic/read_mesh.h"
 
-namespace geodesic::test {
+namespace geodesic {
 namespace {
 
 // Memory may grow with the bytes read: 24 bytes for a vertex of three bytes,
@@ -35,8 +40,6 @@ void RequireSound(const TriangleSoup& soup, size_t size) {
           kMostBytesPerByte * size);
 }
 
-}  // namespace
-
 void CheckReader(const uint8_t* data, size_t size, MeshFormat format) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   absl::StatusOr<TriangleSoup> soup = ReadMesh(bytes, format);
@@ -51,4 +54,10 @@ void CheckReader(const uint8_t* data, size_t size, MeshFormat format) {
   Require(mesh.ok() || absl::IsInvalidArgument(mesh.status()));
 }
 
-}  // namespace geodesic::test
+}  // namespace
+}  // namespace geodesic
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  geodesic::CheckReader(data, size, geodesic::MeshFormat::FUZZED_FORMAT);
+  return 0;
+}

@@ -1,0 +1,199 @@
+// What every call shares: it is let in, its messages are received one after the
+// other, it ends once, and it is logged.
+//
+// Who may not ask, or asks too much, is refused before anything of the request
+// is received. Reactions and the engine's calls come from different threads, so
+// everything happens under one lock. Two parties hold the object, gRPC until
+// OnDone and the engine as long as it may call; the last to let go destroys it.
+
+#ifndef GEODESIC_SERVER_RPC_CALLS_CALL_H_
+#define GEODESIC_SERVER_RPC_CALLS_CALL_H_
+
+#include <google/protobuf/message.h>
+#include <grpcpp/server_context.h>
+#include <grpcpp/support/byte_buffer.h>
+#include <grpcpp/support/server_callback.h>
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/v1/capabilities_service.pb.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/query_engine.h"
+#include "server/rpc/calls/intake.h"
+#include "server/rpc/calls/request_log.h"
+
+namespace geodesic::server {
+
+// What the calls of a server work with. Outlives all calls.
+struct ServiceContext {
+  QueryEngine& engine;
+  RequestLog& log;
+  Intake& intake;
+  v1::GetCapabilitiesResponse capabilities;
+};
+
+template <typename ResponseType>
+class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
+             public Receiver,
+             public std::enable_shared_from_this<Call<ResponseType>> {
+ public:
+  using Response = ResponseType;
+
+  // `method` as the log names it. REQUIRES: `service` outlives the call;
+  // `context` lives until gRPC is done with it.
+  Call(const ServiceContext& service, std::string_view method,
+       grpc::CallbackServerContext& context)
+      : service_(service), context_(context), peer_(context.peer()) {
+    entry_.emplace(service.log, method, context);
+  }
+
+  // Begins; `self` is this, kept alive until gRPC is done with it.
+  void Launch(std::shared_ptr<Call> self) {
+    {
+      std::lock_guard lock(mutex_);
+      self_ = std::move(self);
+      if (absl::Status status = Admit(*entry_); !status.ok()) {
+        End(std::move(status));
+        return;
+      }
+    }
+    ReceiveNext();
+  }
+
+  void OnSlot() final {
+    {
+      std::lock_guard lock(mutex_);
+      if (!finished_) {
+        is_receiving_ = true;
+        this->StartRead(&bytes_);
+        return;
+      }
+    }
+    service_.intake.Leave(*this);
+  }
+
+  void OnBrokenOff() final {
+    std::lock_guard lock(mutex_);
+    if (!is_receiving_) return;
+    if (!finished_) {
+      End(BrokenOffError());
+    } else {
+      // Its client does not even take the answer.
+      context_.TryCancel();
+    }
+  }
+
+  void OnReadDone(bool ok) final {
+    {
+      std::lock_guard lock(mutex_);
+      is_receiving_ = false;
+      arrival_.Stop();
+      ++reads_;
+    }
+    service_.intake.Leave(*this);
+    OnReceived(ok);
+  }
+
+  void OnDone() override {
+    std::shared_ptr<Call> self;
+    std::lock_guard lock(mutex_);
+    entry_.reset();
+    bytes_.Clear();
+    // The lock is released before `self`, which may be the last to hold it.
+    self = std::move(self_);
+  }
+
+ protected:
+  // Whether the caller may ask. Errors: as RequestLog::Entry.
+  virtual absl::Status Admit(RequestLog::Entry& entry) {
+    return entry.AdmitStream();
+  }
+
+  // A message has come or, unless `ok`, will not come: the client has sent
+  // everything or is gone. Called without the lock.
+  virtual void OnReceived(bool ok) = 0;
+
+  // Waits for a message. REQUIRES: mutex_ is not held.
+  void ReceiveNext() {
+    std::shared_ptr<Call> self;
+    {
+      std::lock_guard lock(mutex_);
+      if (finished_) return;
+      self = self_;
+      arrival_.Start(service_.intake.patience(),
+                     [self, read = reads_] { self->OnLate(read); });
+    }
+    service_.intake.Enter(std::move(self), peer_);
+  }
+
+  // This call as its own class, to be handed to the engine.
+  template <typename Type>
+  std::shared_ptr<Type> Shared(Type*) {
+    return std::static_pointer_cast<Type>(this->shared_from_this());
+  }
+
+  QueryEngine& engine() { return service_.engine; }
+
+  // The rest REQUIRES: mutex_ held.
+
+  // Decodes the message that came, whose bytes go. Errors: as Intake::Decode.
+  absl::StatusOr<ByteReservation> Decode(google::protobuf::Message& message) {
+    absl::StatusOr<ByteReservation> memory =
+        service_.intake.Decode(bytes_, message);
+    bytes_.Clear();
+    return memory;
+  }
+
+  // Ends the call unless it has ended; OK: after this last message.
+  void End(absl::Status status, const Response* message = nullptr) {
+    if (finished_) return;
+    finished_ = true;
+    arrival_.Stop();
+    grpc::Status end = entry_->End(std::move(status));
+    if (message != nullptr) {
+      this->StartWriteAndFinish(message, grpc::WriteOptions(), std::move(end));
+    } else {
+      this->Finish(std::move(end));
+    }
+  }
+
+  void EndCancelled() {
+    End(absl::CancelledError("the call was cancelled or its deadline came"));
+  }
+
+  const ServiceContext& service_;
+  grpc::CallbackServerContext& context_;
+
+  std::mutex mutex_;
+  // Guarded by mutex_:
+  std::optional<RequestLog::Entry> entry_;  // until gRPC is done
+  bool finished_ = false;                   // Finish was called
+
+ private:
+  void OnLate(uint64_t read) {
+    std::lock_guard lock(mutex_);
+    // It may have come in the meantime.
+    if (reads_ == read) End(LateError(service_.intake.patience()));
+  }
+
+  const std::string peer_;
+
+  // Guarded by mutex_:
+  std::shared_ptr<Call> self_;  // what gRPC holds
+  Arrival arrival_;             // of the message that is waited for
+  uint64_t reads_ = 0;          // that are done
+  bool is_receiving_ = false;   // a read is under way
+  grpc::ByteBuffer bytes_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_RPC_CALLS_CALL_H_

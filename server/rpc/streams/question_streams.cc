@@ -1,0 +1,214 @@
+#include "server/rpc/streams/question_streams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/field_path.h"
+#include "server/engine/base/argument_checks.h"
+#include "server/rpc/messages/surface_translation.h"
+#include "server/rpc/messages/value_bytes.h"
+
+namespace geodesic::server {
+namespace {
+
+absl::Status CheckLevels(const google::protobuf::RepeatedField<double>& levels,
+                         const Limits& limits) {
+  if (levels.empty()) {
+    return InvalidField("levels", "levels is empty: name at least one");
+  }
+  for (int i = 0; i < levels.size(); ++i) {
+    if (std::isfinite(levels[i]) && levels[i] > 0) continue;
+    const std::string field = absl::StrCat("levels[", i, "]");
+    return InvalidField(field, absl::StrCat(field, " is ", levels[i],
+                                            "; it must be finite and > 0"));
+  }
+  return CheckCount("levels", levels.size(), "max_levels", limits.max_levels);
+}
+
+uint64_t BytesOf(const std::vector<Isoline>& isolines) {
+  uint64_t bytes = isolines.capacity() * sizeof(Isoline);
+  for (const Isoline& isoline : isolines) {
+    bytes += isoline.points.capacity() * sizeof(SurfacePoint) +
+             isoline.positions.capacity() * sizeof(Point);
+  }
+  return bytes;
+}
+
+constexpr uint64_t kVerticesPerChunk = 32768;
+
+constexpr uint64_t kSamplesPerChunk = 16384;
+
+}  // namespace
+
+absl::Status PathStream::Translate(FieldRequest& question) {
+  question.extras.paths = true;
+  absl::Status status =
+      AddSources(request().sources(), engine().limits(), question.query);
+  if (!status.ok()) return status;
+  status = AddTargets(request().targets(), engine().limits(), question.query);
+  if (!status.ok()) return status;
+  if (question.query.targets.empty()) {
+    return InvalidField("targets", "targets is empty: name at least one");
+  }
+  question.reach.targets = question.query.targets.size();
+  return absl::OkStatus();
+}
+
+absl::StatusOr<GeodesicPath> PathStream::TraceNext() {
+  const auto* vertex =
+      std::get_if<VertexPoint>(&call().query->targets[next_item_]);
+  const bool is_own =
+      vertex == nullptr ||
+      answer().field->target_distances.size() == call().query->targets.size();
+  const uint32_t own = is_own ? next_own_target_++ : 0;
+  ++next_item_;
+  const double distance = is_own ? answer().field->target_distances[own]
+                                 : answer().field->distances[vertex->vertex];
+  // The field may reach further than was asked.
+  if (distance > call().reach.radius) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return GeodesicPath{.distance = kInfinity, .length = kInfinity};
+  }
+  const PathTracer& paths = *answer().derived->paths;
+  return is_own ? paths.ToTarget(own) : paths.ToVertex(vertex->vertex);
+}
+
+absl::StatusOr<bool> PathStream::FillPart(v1::ComputePathsResponse& message) {
+  if (next_item_ > 0 && next_point_ < path_.points.size()) {
+    // More of the same path.
+    next_point_ = SetPiece(path_.points, path_.positions, next_point_,
+                           *message.mutable_path()->mutable_piece());
+    return true;
+  }
+  if (next_item_ == call().query->targets.size()) return false;
+  const uint64_t target = next_item_;
+  absl::StatusOr<GeodesicPath> path = TraceNext();
+  if (!path.ok()) return path.status();
+  path_ = *std::move(path);
+  v1::GeodesicPath& proto = *message.mutable_path();
+  proto.set_target(target);
+  proto.set_length(path_.length);
+  proto.set_distance(path_.distance);
+  proto.clear_source();
+  if (!path_.points.empty()) {
+    proto.set_source(call().source_numbers[path_.source]);
+  }
+  next_point_ =
+      SetPiece(path_.points, path_.positions, 0, *proto.mutable_piece());
+  entry().add_bytes(path_.points.size() * sizeof(Point));
+  return true;
+}
+
+absl::StatusOr<IsolineStream::Work> IsolineStream::MakeWork() {
+  absl::Status status = CheckLevels(request().levels(), engine().limits());
+  if (!status.ok()) return status;
+  return [levels = std::vector<double>(request().levels().begin(),
+                                       request().levels().end())](
+             const Mesh& mesh, const ValidQuery& query,
+             const SolveOptions& options, Checkpoint& checkpoint,
+             ByteReservation& memory) -> absl::StatusOr<std::vector<Isoline>> {
+    absl::StatusOr<std::vector<Isoline>> found =
+        geodesic::ComputeIsolines(mesh, query, levels, options, checkpoint);
+    if (!found.ok()) return found;
+    absl::Status room = memory.GrowTo(BytesOf(*found));
+    if (!room.ok()) return room;
+    return found;
+  };
+}
+
+absl::StatusOr<bool> IsolineStream::FillPart(
+    v1::ComputeIsolinesResponse& message) {
+  if (next_item_ == result().size()) return false;
+  const Isoline& isoline = result()[next_item_];
+  v1::Isoline& proto = *message.mutable_isoline();
+  proto.set_number(next_item_);
+  proto.set_level(isoline.level);
+  proto.set_is_closed(isoline.is_closed);
+  next_point_ = SetPiece(isoline.points, isoline.positions, next_point_,
+                         *proto.mutable_piece());
+  entry().add_bytes(proto.piece().positions().size());
+  if (next_point_ == isoline.points.size()) {
+    ++next_item_;
+    next_point_ = 0;
+  }
+  return true;
+}
+
+absl::Status LogMapStream::Translate(FieldRequest& question) {
+  const absl::StatusOr<v1::ValueType> value_type =
+      ResolveValueType(request().value_type());
+  if (!value_type.ok()) return value_type.status();
+  value_type_ = *value_type;
+  question.extras.log_map = true;
+  absl::StatusOr<SurfacePoint> source = FromProto(request().source(), "source");
+  if (!source.ok()) return source.status();
+  question.query.sources = {{*source}};
+  return absl::OkStatus();
+}
+
+absl::StatusOr<bool> LogMapStream::FillPart(
+    v1::ComputeLogMapResponse& message) {
+  const LogMap& map = answer().derived->log_map;
+  if (!std::exchange(has_frame_, true)) {
+    SetPoint(map.zero_direction,
+             *message.mutable_frame()->mutable_zero_direction());
+    return true;
+  }
+  const uint64_t end = std::min<uint64_t>(next_item_ + kVerticesPerChunk,
+                                          map.coordinates.size());
+  if (next_item_ == end) return false;
+  v1::LogMapChunk& chunk = *message.mutable_chunk();
+  chunk.set_offset(next_item_);
+  values_.clear();
+  for (; next_item_ < end; ++next_item_) {
+    const auto& uv = map.coordinates[next_item_];
+    values_.insert(values_.end(), uv.begin(), uv.end());
+  }
+  SetValues(values_, value_type_, *chunk.mutable_coordinates());
+  entry().add_bytes(chunk.coordinates().size());
+  return true;
+}
+
+absl::StatusOr<SampleStream::Work> SampleStream::MakeWork() {
+  const uint64_t count = request().count();
+  if (count == 0) {
+    return InvalidField("count", "count is 0; it must be at least 1");
+  }
+  absl::Status status = CheckCount("samples", count, "max_samples",
+                                   engine().limits().max_samples);
+  if (!status.ok()) return status;
+  return [count](const Mesh& mesh, const ValidQuery& query,
+                 const SolveOptions& options, Checkpoint& checkpoint,
+                 ByteReservation& memory)
+             -> absl::StatusOr<std::vector<FarthestSample>> {
+    absl::Status room =
+        memory.GrowTo(std::min<uint64_t>(count, mesh.vertex_count()) *
+                      sizeof(FarthestSample));
+    if (!room.ok()) return room;
+    return geodesic::SampleFarthestPoints(
+        mesh, query, static_cast<uint32_t>(count), options, checkpoint);
+  };
+}
+
+absl::StatusOr<bool> SampleStream::FillPart(
+    v1::SampleFarthestPointsResponse& message) {
+  const uint64_t end =
+      std::min<uint64_t>(next_item_ + kSamplesPerChunk, result().size());
+  if (next_item_ == end) return false;
+  v1::SampleChunk& chunk = *message.mutable_samples();
+  chunk.clear_samples();
+  for (; next_item_ < end; ++next_item_) {
+    const FarthestSample& sample = result()[next_item_];
+    v1::FarthestSample& proto = *chunk.add_samples();
+    proto.set_vertex(sample.vertex);
+    proto.set_distance(sample.distance);
+  }
+  return true;
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,104 @@
+// The unary RPCs.
+
+#ifndef GEODESIC_SERVER_RPC_UNARY_CALLS_H_
+#define GEODESIC_SERVER_RPC_UNARY_CALLS_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/v1/capabilities_service.pb.h"
+#include "geodesic/v1/mesh_service.pb.h"
+#include "server/engine/base/limits.h"
+#include "server/rpc/calls/answer_stream.h"
+#include "server/rpc/calls/request_log.h"
+
+namespace geodesic::server {
+
+// A derived class says what Ask does, which must be short, and that it is done
+// by Answer.
+template <typename Request, typename Response>
+class UnaryCall : public AnswerStream<Request, Response> {
+ public:
+  using AnswerStream<Request, Response>::AnswerStream;
+
+ protected:
+  // Call once at most: not when Ask fails.
+  void Answer(absl::StatusOr<Response> response) {
+    this->Update([&] { response_ = std::move(response); });
+  }
+
+ private:
+  // Not a stream, of which there may not be too many.
+  absl::Status Admit(RequestLog::Entry& entry) final { return entry.Admit(); }
+
+  absl::StatusOr<NextMessage> Fill(Response& message) final {
+    if (!response_.has_value()) return NextMessage::kWait;
+    if (!response_->ok()) return response_->status();
+    message = **std::move(response_);
+    return NextMessage::kSendLast;
+  }
+
+  std::optional<absl::StatusOr<Response>> response_;
+};
+
+class FindMissingCall final : public UnaryCall<v1::FindMissingMeshesRequest,
+                                               v1::FindMissingMeshesResponse> {
+ public:
+  using UnaryCall::UnaryCall;
+
+ private:
+  absl::Status Ask() override;
+};
+
+class GetMeshCall final
+    : public UnaryCall<v1::GetMeshRequest, v1::GetMeshResponse> {
+ public:
+  using UnaryCall::UnaryCall;
+
+ private:
+  absl::Status Ask() override;
+};
+
+class ListMeshesCall final
+    : public UnaryCall<v1::ListMeshesRequest, v1::ListMeshesResponse> {
+ public:
+  using UnaryCall::UnaryCall;
+
+ private:
+  absl::Status Ask() override;
+};
+
+// Answers when the mesh is gone from the disk, too.
+class DeleteMeshCall final
+    : public UnaryCall<v1::DeleteMeshRequest, v1::DeleteMeshResponse> {
+ public:
+  using UnaryCall::UnaryCall;
+
+ private:
+  absl::Status Ask() override;
+};
+
+// What a server says of itself.
+v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,
+                                             uint64_t max_message_bytes,
+                                             const std::string& version);
+
+class CapabilitiesCall final : public UnaryCall<v1::GetCapabilitiesRequest,
+                                                v1::GetCapabilitiesResponse> {
+ public:
+  using UnaryCall::UnaryCall;
+
+ private:
+  absl::Status Ask() override {
+    Answer(capabilities());
+    return absl::OkStatus();
+  }
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_RPC_UNARY_CALLS_H_
