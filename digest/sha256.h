@@ -20,9 +20,6 @@ namespace geodesic {
 class Sha256 {
  public:
   Sha256();
-  ~Sha256();
-  Sha256(Sha256&&) noexcept;
-  Sha256& operator=(Sha256&&) noexcept;
 
   void Update(std::string_view bytes);
 

@@ -75,14 +75,19 @@ void SortTies(std::vector<Place>& places,
 
 }  // namespace
 
-std::vector<uint32_t> FacesAlongCurve(const TriangleSoup& soup) {
-  Point low = soup.positions[0], high = low;
-  for (const Point& p : soup.positions) {
+Box BoxAround(std::span<const Point> points) {
+  Box box{points[0], points[0]};
+  for (const Point& p : points) {
     for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], p[axis]);
-      high[axis] = std::max(high[axis], p[axis]);
+      box.low[axis] = std::min(box.low[axis], p[axis]);
+      box.high[axis] = std::max(box.high[axis], p[axis]);
     }
   }
+  return box;
+}
+
+std::vector<uint32_t> FacesAlongCurve(const TriangleSoup& soup) {
+  const auto [low, high] = BoxAround(soup.positions);
   // In sixteenths: no difference and no sum of three of them overflows.
   double longest = 0;
   for (int axis = 0; axis < 3; ++axis) {

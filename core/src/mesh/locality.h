@@ -1,14 +1,22 @@
-// An order of a mesh's faces that keeps neighbours together in memory.
+// Where a mesh lies, and an order of its faces that keeps neighbours together
+// in memory.
 
 #ifndef GEODESIC_MESH_LOCALITY_H_
 #define GEODESIC_MESH_LOCALITY_H_
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geodesic/triangle_soup.h"
 
 namespace geodesic {
+
+struct Box {
+  Point low, high;
+};
+// The least one that holds all points. REQUIRES: there is a point.
+Box BoxAround(std::span<const Point> points);
 
 // The faces in the order in which a space-filling curve (Morton: A computer
 // oriented geodetic data base, 1966) passes their centroids; those in one cell

@@ -1,9 +1,17 @@
 #include "geodesic/mesh.h"
 
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -11,15 +19,59 @@
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/checkpoint.h"
-#include "mesh/cone_angles.h"
 #include "mesh/connectivity.h"
-#include "mesh/face_layout.h"
-#include "mesh/huge_pages.h"
 #include "mesh/locality.h"
 #include "mesh/scaled_difference.h"
 #include "tolerances.h"
 
 namespace geodesic {
+
+// The sum of the angles of the faces around each vertex. A direction is turned
+// by one face's angle after another: a rotation costs four products where the
+// angle itself would cost an arc tangent, and errs as little (about 2e-16 a
+// face).
+class ConeAngles {
+ public:
+  explicit ConeAngles(uint32_t vertices) : cones_(vertices) {}
+
+  void Prefetch(uint32_t v) const { __builtin_prefetch(&cones_[v]); }
+
+  // Adds the angle of the unit vector (x, y), y >= 0: from 0 to pi.
+  void Add(uint32_t v, double x, double y) {
+    Cone& cone = cones_[v];
+    const bool was_below = cone.IsBelow();
+    cone = {cone.x * x - cone.y * y, cone.x * y + cone.y * x, cone.turns};
+    // By pi at the most: out of the lower half only past 2 pi.
+    cone.turns += was_below & !cone.IsBelow();
+  }
+
+  // Whether the angle exceeds this one. Most need no arc tangent.
+  bool Exceeds(uint32_t v, double angle) const {
+    return kTurn * (cones_[v].turns + 1) > angle && Of(v) > angle;
+  }
+
+  // In radians.
+  double Of(uint32_t v) const {
+    const Cone& cone = cones_[v];
+    const double angle = std::atan2(std::abs(cone.y), cone.x);
+    return kTurn * cone.turns + (cone.IsBelow() ? kTurn - angle : angle);
+  }
+
+ private:
+  static constexpr double kTurn = 2 * std::numbers::pi;
+
+  struct Cone {
+    double x = 1, y = 0;
+    uint32_t turns = 0;
+
+    // Whether the direction is at pi or beyond. Without a branch, for it cannot
+    // be foreseen.
+    bool IsBelow() const { return (y < 0) | ((y == 0) & (x < 0)); }
+  };
+
+  std::vector<Cone> cones_;
+};
+
 namespace {
 
 absl::Status CheckSoup(const TriangleSoup& soup) {
@@ -65,18 +117,84 @@ absl::Status CheckSoup(const TriangleSoup& soup) {
 
 // The exponent e for which the mesh's longest extent lies in [2^(e-1), 2^e).
 int ScaleExponent(std::span<const Point> positions) {
+  const auto [low, high] = BoxAround(positions);
   double longest = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    double low = positions[0][axis], high = low;
-    for (const Point& p : positions) {
-      low = std::min(low, p[axis]);
-      high = std::max(high, p[axis]);
-    }
-    longest = std::max(longest, high / 4 - low / 4);
+    longest = std::max(longest, high[axis] / 4 - low[axis] / 4);
   }
   if (longest == 0) return 0;
   // 2^(2 - e) must stay a normal number.
   return std::clamp(std::ilogb(longest) + 3, -1000, 1027);
+}
+
+// Memory for `count` values that are still to be written. Asks the system for
+// large pages where it spans whole ones: fresh memory comes a page at a time,
+// which in small pages costs more than writing it. A wish: where it cannot be
+// granted, nothing changes.
+template <typename T>
+std::unique_ptr<T[]> MakeLargeArray(size_t count) {
+  auto array = std::make_unique_for_overwrite<T[]>(count);
+#ifdef __linux__
+  // Less than this is not worth the call.
+  constexpr size_t kHugePage = size_t{1} << 21;
+  const size_t bytes = count * sizeof(T);
+  if (bytes < 2 * kHugePage) return array;
+  // The system takes whole pages only.
+  const auto page = static_cast<uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto address = reinterpret_cast<uintptr_t>(array.get());
+  const uintptr_t first = (address + page - 1) / page * page;
+  madvise(reinterpret_cast<void*>(first), address + bytes - first,
+          MADV_HUGEPAGE);
+#endif
+  return array;
+}
+
+// A face laid into the plane, once from each of its sides: The frames of the
+// face's sides, the first of which runs from the first corner to the second,
+// but for where they lead.
+std::array<HalfEdgeFrame, 3> LayOutFace(
+    const std::array<const Point*, 3>& corners,
+    const ScaledDifference& difference) {
+  std::array<HalfEdgeFrame, 3> frames;
+  const std::array<Vector, 3> sides = {difference(*corners[0], *corners[1]),
+                                       difference(*corners[1], *corners[2]),
+                                       difference(*corners[2], *corners[0])};
+  const std::array<double, 3> lengths = {Norm(sides[0]), Norm(sides[1]),
+                                         Norm(sides[2])};
+  // From side i to the next.
+  const std::array<double, 3> dots = {Dot(sides[0], sides[1]),
+                                      Dot(sides[1], sides[2]),
+                                      Dot(sides[2], sides[0])};
+  // Coordinates rather than the three lengths: a cap's height is far below one
+  // rounding of its lengths. And from the two shorter sides: the product of
+  // long ones cancels in a needle. Compared without a branch, for which side is
+  // longest cannot be foreseen.
+  int longest = lengths[1] > lengths[0] ? 1 : 0;
+  longest = lengths[2] > lengths[longest] ? 2 : longest;
+  const double twice_area =
+      Norm(Cross(sides[(longest + 1) % 3], sides[(longest + 2) % 3]));
+  for (int i = 0; i < 3; ++i) {
+    const int next = (i + 1) % 3, previous = (i + 2) % 3;
+    const double length = lengths[i], left = lengths[previous],
+                 right = lengths[next];
+    HalfEdgeFrame& frame = frames[i];
+    frame.length = length;
+    if (length > 0) {
+      frame.apex_x = -dots[previous] / length;
+      frame.apex_y = std::max(twice_area / length, kLeastHeight);
+    } else {
+      frame.apex_x = 0;
+      frame.apex_y = std::max(left, kLeastHeight);
+    }
+    // Each direction from its own side's coordinates: apex_x - length cancels
+    // where the side is short. A side without length carries no window, and
+    // any unit vector will do.
+    frame.left_x = left > 0 ? frame.apex_x / left : 0;
+    frame.left_y = left > 0 ? frame.apex_y / left : 1;
+    frame.right_x = right > 0 && length > 0 ? dots[i] / length / right : -1;
+    frame.right_y = right > 0 && length > 0 ? frame.apex_y / right : 0;
+  }
+  return frames;
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "mesh/locality.h"
 #include "tolerances.h"
 
 namespace geodesic {
@@ -129,11 +129,18 @@ uint64_t CountBoundaryLoops(const Mesh& mesh,
 // What one walk over the faces and their sides tells.
 class Survey {
  public:
-  explicit Survey(const Mesh& mesh) : mesh_(mesh), pieces_(mesh.face_count()) {
+  Survey(const Mesh& mesh, MeshSummary& summary)
+      : mesh_(mesh), summary_(summary), pieces_(mesh.face_count()) {
+    double anisotropy_sum = 0;
     for (uint32_t f = 0; f < mesh.face_count(); ++f) {
-      MeasureFace(f);
+      anisotropy_sum += MeasureFace(f);
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) CountSide(h);
     }
+    const uint64_t with_area = mesh.face_count() - summary.degenerate_faces;
+    if (with_area > 0) {
+      summary.anisotropy = anisotropy_sum / static_cast<double>(with_area);
+    }
+    summary.boundary_edges = boundary_.size();
     pieces_through_edges_ = pieces_.count();
     // Faces around any other vertex hang together by their edges.
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -141,21 +148,7 @@ class Survey {
       const std::span<const HalfEdge> outgoing = mesh.Outgoing(v);
       for (HalfEdge h : outgoing) pieces_.Join(h / 3, outgoing[0] / 3);
     }
-  }
-
-  void AddTo(MeshSummary& summary) const {
-    summary.edges = edges_;
-    summary.boundary_edges = boundary_.size();
-    summary.non_manifold_edges = non_manifold_edges_;
-    summary.inconsistent_edges = inconsistent_edges_;
     summary.components = pieces_.count();
-    summary.degenerate_faces = degenerate_faces_;
-    const uint64_t with_area = mesh_.face_count() - degenerate_faces_;
-    if (with_area > 0) {
-      summary.anisotropy = anisotropy_sum_ / static_cast<double>(with_area);
-    }
-    summary.mean_edge_length =
-        std::ldexp(mesh_.mean_edge_length(), mesh_.scale_exponent());
   }
 
   std::span<const HalfEdge> boundary() const { return boundary_; }
@@ -163,18 +156,18 @@ class Survey {
   uint64_t pieces_through_edges() const { return pieces_through_edges_; }
 
  private:
-  void MeasureFace(uint32_t f) {
+  // Its anisotropy; 0, and counted, if it has no area.
+  double MeasureFace(uint32_t f) {
     const HalfEdgeFrame& frame = mesh_.frame(3 * f);
     const double a = frame.length, b = mesh_.frame(3 * f + 1).length,
                  c = mesh_.frame(3 * f + 2).length;
     const double area = frame.length * frame.apex_y / 2;
     const double longest = std::max({a, b, c});
     if (area <= kLeastHeight * longest) {
-      ++degenerate_faces_;
-    } else {
-      anisotropy_sum_ +=
-          (a + b + c) / 2 * longest / (2 * std::sqrt(3.0) * area);
+      ++summary_.degenerate_faces;
+      return 0;
     }
+    return (a + b + c) / 2 * longest / (2 * std::sqrt(3.0) * area);
   }
 
   void CountSide(HalfEdge h) {
@@ -183,22 +176,20 @@ class Survey {
       pieces_.Join(h / 3, first / 3);
       return;
     }
-    ++edges_;
+    ++summary_.edges;
     if (mesh_.IsBoundaryEdge(h)) {
       boundary_.push_back(h);
     } else if (mesh_.IsIrregularEdge(h)) {
-      ++(mesh_.IsNonManifoldEdge(h) ? non_manifold_edges_
-                                    : inconsistent_edges_);
+      ++(mesh_.IsNonManifoldEdge(h) ? summary_.non_manifold_edges
+                                    : summary_.inconsistent_edges);
     }
   }
 
   const Mesh& mesh_;
+  MeshSummary& summary_;
   DisjointSets pieces_;
   uint64_t pieces_through_edges_ = 0;
-  uint64_t edges_ = 0, non_manifold_edges_ = 0, inconsistent_edges_ = 0;
   std::vector<HalfEdge> boundary_;
-  uint64_t degenerate_faces_ = 0;
-  double anisotropy_sum_ = 0;
 };
 
 }  // namespace
@@ -208,8 +199,9 @@ MeshSummary Summarize(const Mesh& mesh) {
   summary.vertices = mesh.vertex_count();
   summary.faces = mesh.face_count();
 
-  const Survey survey(mesh);
-  survey.AddTo(summary);
+  summary.mean_edge_length =
+      std::ldexp(mesh.mean_edge_length(), mesh.scale_exponent());
+  const Survey survey(mesh, summary);
   summary.is_orientable = IsOrientable(mesh);
   Fans fans(mesh);
   summary.boundary_loops = CountBoundaryLoops(mesh, survey.boundary(), fans);
@@ -222,19 +214,13 @@ MeshSummary Summarize(const Mesh& mesh) {
                     2;
   }
 
-  summary.bounding_box_min.fill(std::numeric_limits<double>::infinity());
-  summary.bounding_box_max.fill(-std::numeric_limits<double>::infinity());
+  const auto [low, high] = BoxAround(mesh.positions());
+  summary.bounding_box_min = low;
+  summary.bounding_box_max = high;
   for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
     summary.isolated_vertices += mesh.Outgoing(v).empty();
     summary.saddle_vertices += mesh.IsSaddle(v);
     summary.non_manifold_vertices += mesh.IsNonManifold(v);
-    for (int axis = 0; axis < 3; ++axis) {
-      const double x = mesh.positions()[v][axis];
-      summary.bounding_box_min[axis] =
-          std::min(summary.bounding_box_min[axis], x);
-      summary.bounding_box_max[axis] =
-          std::max(summary.bounding_box_max[axis], x);
-    }
   }
   return summary;
 }

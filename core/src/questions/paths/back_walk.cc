@@ -1,4 +1,4 @@
-#include "questions/paths/back_walk.h"
+// One walk back, face after face.
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/scaled_difference.h"
+#include "questions/paths/straight_piece.h"
 #include "solver/windows/window.h"
 #include "surface/surface_location.h"
 #include "tolerances.h"

@@ -10,7 +10,6 @@
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
-#include "questions/paths/back_walk.h"
 #include "tolerances.h"
 
 namespace geodesic {

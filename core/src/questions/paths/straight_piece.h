@@ -11,6 +11,7 @@
 #define GEODESIC_QUESTIONS_PATHS_STRAIGHT_PIECE_H_
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -18,6 +19,7 @@
 #include "geodesic/surface_point.h"
 #include "questions/paths/traced_field.h"
 #include "surface/surface_location.h"
+#include "tolerances.h"
 
 namespace geodesic {
 
@@ -40,6 +42,27 @@ struct StraightPiece {
 // Errors: INTERNAL: the trace does not lead back.
 absl::StatusOr<StraightPiece> FollowBack(const TracedField& field,
                                          const PathEnd& end);
+
+// One walk back along the last straight piece of a path, in one of the ways
+// there are where rounding leaves several (back_walk.cc).
+struct BackWalk {
+  // If the walk arrives. It need not be as long as the distances of its ends
+  // say, if this is not the way that the path came.
+  std::optional<StraightPiece> piece;
+  // In how many ways together it might have gone.
+  double ways = 1;
+};
+
+// Walks from `end` towards its pseudo-source. Where the line runs into a vertex
+// that it may not pass through, and where an edge has several faces beyond,
+// `turns` says which way to take: 0 and up to `ways` name them all. It is led
+// through vertices that it passes no farther than `nearness`, a fraction of its
+// reach, if that makes it no longer. O(edges crossed).
+BackWalk WalkBack(const TracedField& field, const PathEnd& end, uint32_t turns,
+                  double nearness = kPassedVertex);
+
+// Whether a point is a vertex at the place of another.
+bool Coincide(const Mesh& mesh, const SurfacePoint& point, uint32_t vertex);
 
 }  // namespace geodesic
 
