@@ -2,20 +2,25 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <memory>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "absl/strings/str_join.h"
-#include "client/cli/arguments/help_formatter.h"
+#include "client/cli/arguments/help.h"
 #include "client/cli/arguments/options.h"
-#include "client/cli/arguments/suggestion.h"
 #include "client/cli/arguments/values.h"
 #include "client/cli/terminal/text.h"
 
 namespace geodesic::client {
 namespace {
+
+// As --help lists them.
+std::vector<Command> AllCommands() {
+  return {UploadCommand(),   MeshesCommand(), InfoCommand(),
+          DeleteCommand(),   FieldCommand(),  PathCommand(),
+          IsolinesCommand(), MatrixCommand(), NearestCommand(),
+          SampleCommand(),   LogMapCommand(), CapabilitiesCommand()};
+}
 
 void AddCommonOptions(CLI::App* app, CommandLine* line) {
   AddConnection(app, &line->connection);
@@ -27,45 +32,6 @@ void AddCommonOptions(CLI::App* app, CommandLine* line) {
       app,
       {"--timeout", "Give up a call to the server after this time", "SECONDS"},
       ParseTimeout, &line->timeout);
-}
-
-// The names of the options, or of the commands, that one may have meant.
-std::vector<std::string> Candidates(const CLI::App& app, const CLI::App* given,
-                                    const std::string& typed) {
-  std::vector<std::string> names;
-  if (!typed.starts_with('-')) {
-    for (const CLI::App* command : app.get_subcommands({})) {
-      names.push_back(command->get_name());
-    }
-    return names;
-  }
-  for (const CLI::App* place : {&app, given}) {
-    if (place == nullptr) continue;
-    for (const CLI::Option* option : place->get_options()) {
-      for (const std::string& name : option->get_lnames()) {
-        names.push_back("--" + name);
-      }
-    }
-  }
-  return names;
-}
-
-// `given` is the command, if there is one.
-std::string MessageOf(const CLI::App& app, const CLI::App* given,
-                      const CLI::Error& error) {
-  // CLI11 lists these from the last to the first.
-  const std::vector<std::string> rest = app.remaining(true);
-  const bool is_extra =
-      dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
-  if (rest.empty() || (given != nullptr && !is_extra)) return error.what();
-  const std::string typed = rest[0].substr(0, rest[0].find('='));
-  const std::string suggestion =
-      Suggestion(typed, Candidates(app, given, typed));
-  return absl::StrCat(given == nullptr && !typed.starts_with('-')
-                          ? "there is no command " + typed
-                          : "not expected here: " + absl::StrJoin(rest, " "),
-                      suggestion.empty() ? "" : "; did you mean ", suggestion,
-                      suggestion.empty() ? "" : "?");
 }
 
 // The words after the program's name, the last one first, as CLI11 takes them;
@@ -100,7 +66,7 @@ std::variant<CommandLine, ExitCode> ParseCommandLine(int argc,
   app.require_subcommand(1);
   app.fallthrough();
   app.set_version_flag("--version", "geodesic " GEODESIC_VERSION);
-  app.formatter(std::make_shared<HelpFormatter>());
+  app.formatter(MakeHelpFormatter());
   app.failure_message([&app](const CLI::App*, const CLI::Error& error) {
     const std::vector<CLI::App*> commands = app.get_subcommands();
     const CLI::App* given = commands.empty() ? nullptr : commands[0];

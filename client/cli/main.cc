@@ -10,10 +10,10 @@
 #include <variant>
 
 #include "client/cli/command_line.h"
-#include "client/cli/commands/json.h"
 #include "client/cli/terminal/interrupt_listener.h"
 #include "client/cli/terminal/standard_output.h"
 #include "client/cli/terminal/text.h"
+#include "geodesic_client/errors.h"
 
 namespace geodesic::client {
 namespace {
@@ -29,6 +29,15 @@ ProgressDisplay::Style ProgressStyle(bool quiet) {
   if (quiet) return ProgressDisplay::Style::kNone;
   return isatty(STDERR_FILENO) != 0 ? ProgressDisplay::Style::kBar
                                     : ProgressDisplay::Style::kLines;
+}
+
+// {"error": {"code": "NOT_FOUND", "message": ..., "exit_code": 5}}.
+Json ErrorToJson(const absl::Status& status, ExitCode exit_code) {
+  return {{"error",
+           {{"code", absl::StatusCodeToString(status.code())},
+            {"reason", ErrorReason(status)},
+            {"message", std::string(status.message())},
+            {"exit_code", static_cast<int>(exit_code)}}}};
 }
 
 absl::Status RunCommand(const CommandLine& line, std::ostream& out) {

@@ -1,17 +1,16 @@
-// The formats that hold the values only: .npy, .csv, .f64 and .f32.
-
 #include "client/output/field_writers.h"
 
+#include <array>
+#include <bit>
+#include <cstring>
+
 #include "absl/strings/str_cat.h"
-#include "client/output/csv.h"
-#include "client/output/npy.h"
+#include "client/output/number_text.h"
 
 namespace geodesic::client {
 
 void WriteNpy(const Column& column, AtomicFile* file) {
-  std::vector<uint64_t> shape = {column.count()};
-  if (column.components > 1) shape.push_back(column.components);
-  file->Append(NpyHeader(NumpyName(column.type), shape));
+  file->Append(NpyHeader(NumpyName(column.type), column.shape()));
   AppendNumbers(column.values, column.type, file);
 }
 
@@ -47,6 +46,89 @@ void WriteCsv(std::span<const Column> columns, AtomicFile* file) {
 
 void WriteRaw(const Column& column, NumberType type, AtomicFile* file) {
   AppendNumbers(column.values, type, file);
+}
+
+void WritePly(const MeshArrays& mesh, std::span<const Column> columns,
+              AtomicFile* file) {
+  std::string header = absl::StrCat(
+      "ply\nformat binary_little_endian 1.0\n"
+      "comment distances in the unit of the coordinates\n"
+      "element vertex ",
+      mesh.positions.size(),
+      "\nproperty double x\nproperty double y\nproperty double z\n");
+  for (const Column& column : columns) {
+    const std::string property = absl::StrCat(
+        "property ", column.is_integer() ? "int " : "double ", column.name);
+    if (column.components == 1) {
+      absl::StrAppend(&header, property, "\n");
+    } else {
+      for (const char* axis : {"_x\n", "_y\n", "_z\n"}) {
+        absl::StrAppend(&header, property, axis);
+      }
+    }
+  }
+  if (!mesh.triangles.empty()) {
+    absl::StrAppend(&header, "element face ", mesh.triangles.size(),
+                    "\nproperty list uchar int vertex_indices\n");
+  }
+  file->Append(header + "end_header\n");
+  std::string row;
+  for (size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
+    row.clear();
+    AppendNumbers(mesh.positions[vertex], NumberType::kFloat64, &row);
+    for (const Column& column : columns) {
+      for (size_t i = 0; i < column.components; ++i) {
+        AppendNumbers(
+            {&column.values[vertex * column.components + i], 1},
+            column.is_integer() ? NumberType::kInt32 : NumberType::kFloat64,
+            &row);
+      }
+    }
+    file->Append(row);
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    std::array<char, 1 + sizeof(Triangle)> face = {3};
+    std::memcpy(face.data() + 1, triangle.data(), sizeof(Triangle));
+    file->Append(face.data(), face.size());
+  }
+}
+
+void WriteVtk(const MeshArrays& mesh, std::span<const Column> columns,
+              AtomicFile* file) {
+  file->Append(
+      absl::StrCat("# vtk DataFile Version 3.0\ngeodesic distance field\n"
+                   "BINARY\nDATASET POLYDATA\nPOINTS ",
+                   mesh.positions.size(), " double\n"));
+  std::string row;
+  for (const Point& point : mesh.positions) {
+    row.clear();
+    AppendNumbers(point, NumberType::kFloat64, &row, std::endian::big);
+    file->Append(row);
+  }
+  file->Append(absl::StrCat("\nPOLYGONS ", mesh.triangles.size(), " ",
+                            4 * mesh.triangles.size(), "\n"));
+  for (const Triangle& triangle : mesh.triangles) {
+    const std::array<double, 4> polygon = {3, static_cast<double>(triangle[0]),
+                                           static_cast<double>(triangle[1]),
+                                           static_cast<double>(triangle[2])};
+    row.clear();
+    AppendNumbers(polygon, NumberType::kInt32, &row, std::endian::big);
+    file->Append(row);
+  }
+  file->Append(absl::StrCat("\nPOINT_DATA ", mesh.positions.size()));
+  for (const Column& column : columns) {
+    const char* type = column.is_integer() ? "int" : "double";
+    file->Append(
+        column.components == 1
+            ? absl::StrCat("\nSCALARS ", column.name, " ", type,
+                           " 1\nLOOKUP_TABLE default\n")
+            : absl::StrCat("\nVECTORS ", column.name, " ", type, "\n"));
+    AppendNumbers(
+        column.values,
+        column.is_integer() ? NumberType::kInt32 : NumberType::kFloat64, file,
+        std::endian::big);
+  }
+  file->Append("\n");
 }
 
 }  // namespace geodesic::client

@@ -6,13 +6,39 @@
 #ifndef GEODESIC_CLIENT_OUTPUT_FIELD_WRITERS_H_
 #define GEODESIC_CLIENT_OUTPUT_FIELD_WRITERS_H_
 
+#include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "client/output/atomic_file.h"
-#include "client/output/columns.h"
+#include "client/output/binary_numbers.h"
 #include "geodesic_client/mesh.h"
 
 namespace geodesic::client {
+
+// The names of columns, in every format that has names.
+inline constexpr char kDistanceColumn[] = "geodesic_distance";
+inline constexpr char kNearestSourceColumn[] = "nearest_source";
+inline constexpr char kGradientColumn[] = "gradient";
+
+struct Column {
+  std::string name;
+  // `components` for each vertex, one vertex after the other.
+  std::vector<double> values;
+  size_t components = 1;  // or 3, a vector
+  NumberType type = NumberType::kFloat64;
+
+  bool is_integer() const {
+    return type == NumberType::kInt64 || type == NumberType::kInt32;
+  }
+  size_t count() const { return values.size() / components; }
+  // As NumPy has it: (count), or (count, components).
+  std::vector<uint64_t> shape() const {
+    if (components == 1) return {count()};
+    return {count(), components};
+  }
+};
 
 // NumPy format 1.0: shape (V,), or (V, components).
 void WriteNpy(const Column& column, AtomicFile* file);

@@ -1,12 +1,12 @@
 #include "client/output/line_writers.h"
 
+#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "client/output/big_endian.h"
-#include "client/output/csv.h"
+#include "client/output/binary_numbers.h"
 #include "client/output/number_text.h"
 #include "client/output/place_text.h"
 
@@ -77,9 +77,7 @@ Json FeatureJson(const Lines& lines, const Line& line) {
           {"properties", std::move(properties)}};
 }
 
-}  // namespace
-
-void WriteLinesObj(const Lines& lines, AtomicFile* file) {
+void WriteObj(const Lines& lines, AtomicFile* file) {
   size_t first = 1;  // OBJ counts from 1
   for (size_t number = 0; number < lines.lines.size(); ++number) {
     const Line& line = lines.lines[number];
@@ -107,7 +105,7 @@ void WriteLinesObj(const Lines& lines, AtomicFile* file) {
   }
 }
 
-void WriteLinesPly(const Lines& lines, AtomicFile* file) {
+void WritePly(const Lines& lines, AtomicFile* file) {
   const Totals totals = TotalsOf(lines);
   std::string text = absl::StrCat(
       "ply\nformat binary_little_endian 1.0\nelement vertex ", totals.points,
@@ -150,7 +148,7 @@ void WriteLinesPly(const Lines& lines, AtomicFile* file) {
   }
 }
 
-void WriteLinesVtk(const Lines& lines, AtomicFile* file) {
+void WriteVtk(const Lines& lines, AtomicFile* file) {
   const Totals totals = TotalsOf(lines);
   file->Append(absl::StrCat(
       "# vtk DataFile Version 3.0\ngeodesic lines\nBINARY\nDATASET POLYDATA\n"
@@ -159,10 +157,7 @@ void WriteLinesVtk(const Lines& lines, AtomicFile* file) {
   size_t indices = 0;
   for (const Line& line : lines.lines) {
     for (const Point& point : line.polyline.positions) {
-      for (const double coordinate : point) {
-        const uint64_t swapped = BigEndian(coordinate);
-        file->Append(&swapped, sizeof(swapped));
-      }
+      AppendNumbers(point, NumberType::kFloat64, file, std::endian::big);
     }
     VisitIndices(line, 0, [&indices](size_t) { ++indices; });
   }
@@ -171,12 +166,11 @@ void WriteLinesVtk(const Lines& lines, AtomicFile* file) {
   size_t first = 0;
   for (const Line& line : lines.lines) {
     if (PointCount(line) == 0) continue;
-    std::vector<uint32_t> row = {0};
-    VisitIndices(line, first, [&row](size_t i) {
-      row.push_back(BigEndian(static_cast<uint32_t>(i)));
-    });
-    row[0] = BigEndian(static_cast<uint32_t>(row.size() - 1));
-    file->Append(row.data(), row.size() * sizeof(uint32_t));
+    std::vector<double> row = {0};
+    VisitIndices(line, first,
+                 [&row](size_t i) { row.push_back(static_cast<double>(i)); });
+    row[0] = static_cast<double>(row.size() - 1);
+    AppendNumbers(row, NumberType::kInt32, file, std::endian::big);
     first += PointCount(line);
   }
   file->Append(absl::StrCat("\nCELL_DATA ", totals.lines));
@@ -185,14 +179,14 @@ void WriteLinesVtk(const Lines& lines, AtomicFile* file) {
                               " double 1\nLOOKUP_TABLE default\n"));
     for (const Line& line : lines.lines) {
       if (PointCount(line) == 0) continue;
-      const uint64_t swapped = BigEndian(line.values[i]);
-      file->Append(&swapped, sizeof(swapped));
+      AppendNumbers({&line.values[i], 1}, NumberType::kFloat64, file,
+                    std::endian::big);
     }
   }
   file->Append("\n");
 }
 
-void WriteLinesCsv(const Lines& lines, AtomicFile* file) {
+void WriteCsv(const Lines& lines, AtomicFile* file) {
   CsvLine row;
   for (const char* name : {"line", "point", "x", "y", "z", "place"}) {
     row.Text(name);
@@ -220,7 +214,7 @@ void WriteLinesCsv(const Lines& lines, AtomicFile* file) {
   }
 }
 
-void WriteLinesJson(const Lines& lines, AtomicFile* file) {
+void WriteJson(const Lines& lines, AtomicFile* file) {
   file->Append("{\"type\":\"FeatureCollection\",\"features\":[");
   const char* separator = "\n";
   for (const Line& line : lines.lines) {
@@ -229,6 +223,23 @@ void WriteLinesJson(const Lines& lines, AtomicFile* file) {
     separator = ",\n";
   }
   file->Append("\n]}\n");
+}
+
+}  // namespace
+
+void WriteLines(const Lines& lines, OutputFormat format, AtomicFile* file) {
+  switch (format) {
+    case OutputFormat::kObj:
+      return WriteObj(lines, file);
+    case OutputFormat::kPly:
+      return WritePly(lines, file);
+    case OutputFormat::kVtk:
+      return WriteVtk(lines, file);
+    case OutputFormat::kCsv:
+      return WriteCsv(lines, file);
+    default:
+      return WriteJson(lines, file);
+  }
 }
 
 }  // namespace geodesic::client

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "client/output/atomic_file.h"
-#include "client/output/number_type.h"
+#include "client/output/output_format.h"
 #include "geodesic_client/polyline.h"
 
 namespace geodesic::client {
@@ -35,26 +35,19 @@ struct Lines {
   std::vector<Line> lines;
 };
 
-// Wavefront OBJ: a group, its points and an l statement for each line. Lines
-// without points are left out, here and in .ply and .vtk.
-void WriteLinesObj(const Lines& lines, AtomicFile* file);
-
-// Binary PLY: vertices x, y, z and edges vertex1, vertex2, line (the line's
-// number), and the attributes at each edge.
-void WriteLinesPly(const Lines& lines, AtomicFile* file);
-
-// Legacy VTK polydata, binary: LINES, with the attributes as cell scalars.
-void WriteLinesVtk(const Lines& lines, AtomicFile* file);
-
-// "line,point,x,y,z,place,...": a row for each point, the attributes in the
-// last columns. A closed line repeats its first point at its end.
-void WriteLinesCsv(const Lines& lines, AtomicFile* file);
-
-// A FeatureCollection as in GeoJSON, in the mesh's own coordinates: one
-// LineString for each line (a null geometry if it has fewer than two points),
-// whose properties are the attributes, null where infinite, `closed` and
-// `points`, the surface points.
-void WriteLinesJson(const Lines& lines, AtomicFile* file);
+// Writes lines in one of kLineFormats but .png. In all but .csv and .json,
+// lines without points are left out. .obj: Wavefront OBJ, with a group, its
+// points and an l statement a line. .ply: binary, with vertices x, y, z and
+// edges vertex1, vertex2, line (the
+//   line's number), and the attributes at each edge.
+// .vtk: legacy polydata, binary: LINES, with the attributes as cell scalars.
+// .csv: "line,point,x,y,z,place,...", a row for each point, the attributes in
+//   the last columns. A closed line repeats its first point at its end.
+// .json: a FeatureCollection as in GeoJSON, in the mesh's own coordinates: one
+//   LineString for each line (a null geometry if it has fewer than two points),
+//   whose properties are the attributes, null where infinite, `closed` and
+//   `points`, the surface points.
+void WriteLines(const Lines& lines, OutputFormat format, AtomicFile* file);
 
 }  // namespace geodesic::client
 

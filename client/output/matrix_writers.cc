@@ -7,14 +7,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "client/output/atomic_file.h"
-#include "client/output/csv.h"
-#include "client/output/npy.h"
 #include "client/output/number_text.h"
 #include "client/output/place_text.h"
 #include "client/output/zip_archive.h"
@@ -31,19 +30,24 @@ void VisitValues(const MatrixRow& row, bool finite_only, Visit visit) {
   }
 }
 
-class NpyMatrixWriter final : public MatrixWriter {
+// Writes a header and then rows, one after the other.
+class PlainMatrixWriter final : public MatrixWriter {
  public:
-  NpyMatrixWriter(AtomicFile file, NumberType type)
-      : file_(std::move(file)), type_(type) {}
+  using WriteHeader = std::function<void(const MatrixShape&, AtomicFile*)>;
+  using WriteRow = std::function<void(const MatrixRow&, AtomicFile*)>;
+
+  PlainMatrixWriter(AtomicFile file, WriteHeader header, WriteRow row)
+      : file_(std::move(file)),
+        write_header_(std::move(header)),
+        write_row_(std::move(row)) {}
 
   absl::Status Begin(const MatrixShape& shape) override {
-    const std::array<uint64_t, 2> sizes = {shape.rows, shape.columns};
-    file_.Append(NpyHeader(NumpyName(type_), sizes));
+    write_header_(shape, &file_);
     return file_.status();
   }
 
   absl::Status Append(const MatrixRow& row) override {
-    AppendNumbers(row.values, type_, &file_);
+    write_row_(row, &file_);
     return file_.status();
   }
 
@@ -54,35 +58,8 @@ class NpyMatrixWriter final : public MatrixWriter {
 
  private:
   AtomicFile file_;
-  NumberType type_;
-};
-
-class CsvMatrixWriter final : public MatrixWriter {
- public:
-  CsvMatrixWriter(AtomicFile file, const MatrixPlaces& places)
-      : file_(std::move(file)), places_(places) {}
-
-  absl::Status Begin(const MatrixShape&) override {
-    file_.Append(kMatrixCsvHeader);
-    return file_.status();
-  }
-
-  absl::Status Append(const MatrixRow& row) override {
-    text_.clear();
-    AppendCsvRow(places_, row, &text_);
-    file_.Append(text_);
-    return file_.status();
-  }
-
-  absl::StatusOr<uint64_t> Commit() override {
-    if (absl::Status status = file_.Commit(); !status.ok()) return status;
-    return file_.size();
-  }
-
- private:
-  AtomicFile file_;
-  const MatrixPlaces places_;
-  std::string text_;
+  const WriteHeader write_header_;
+  const WriteRow write_row_;
 };
 
 // An .npy file of one dimension that has no name and grows; its header, which
@@ -203,11 +180,12 @@ class NpzMatrixWriter final : public MatrixWriter {
     archive->Add(
         "indptr.npy",
         NpyArray(row_ends_, is_small ? NumberType::kInt32 : NumberType::kInt64,
-                 {row_ends_.size()}));
+                 std::array<uint64_t, 1>{row_ends_.size()}));
     archive->Add("format.npy", NpyHeader("|S3", {}) + "csr");
     const std::array<double, 2> sizes = {static_cast<double>(shape_.rows),
                                          static_cast<double>(shape_.columns)};
-    archive->Add("shape.npy", NpyArray(sizes, NumberType::kInt64, {2}));
+    archive->Add("shape.npy", NpyArray(sizes, NumberType::kInt64,
+                                       std::array<uint64_t, 1>{2}));
     archive->Add("data.npy", data_.Release());
     return archive->Commit();
   }
@@ -222,16 +200,17 @@ class NpzMatrixWriter final : public MatrixWriter {
 
 }  // namespace
 
-void AppendCsvRow(const MatrixPlaces& places, const MatrixRow& row,
-                  std::string* text) {
+std::string CsvRow(const MatrixPlaces& places, const MatrixRow& row) {
   const std::string source = SourceText(places.sources.at(row.row));
+  std::string text;
   CsvLine line;
   VisitValues(row, /*finite_only=*/false, [&](uint64_t column, double value) {
     const std::string target = column < places.targets.size()
                                    ? PointText(places.targets[column])
                                    : NumberText(column);
-    text->append(line.Text(source).Text(target).Number(value).End());
+    text.append(line.Text(source).Text(target).Number(value).End());
   });
+  return text;
 }
 
 absl::StatusOr<std::unique_ptr<MatrixWriter>> CreateMatrixWriter(
@@ -249,9 +228,24 @@ absl::StatusOr<std::unique_ptr<MatrixWriter>> CreateMatrixWriter(
   absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
   if (!file.ok()) return file.status();
   if (format == OutputFormat::kCsv) {
-    return std::make_unique<CsvMatrixWriter>(*std::move(file), places);
+    return std::make_unique<PlainMatrixWriter>(
+        *std::move(file),
+        [](const MatrixShape&, AtomicFile* to) {
+          to->Append(kMatrixCsvHeader);
+        },
+        [places](const MatrixRow& row, AtomicFile* to) {
+          to->Append(CsvRow(places, row));
+        });
   }
-  return std::make_unique<NpyMatrixWriter>(*std::move(file), type);
+  return std::make_unique<PlainMatrixWriter>(
+      *std::move(file),
+      [type](const MatrixShape& shape, AtomicFile* to) {
+        const std::array<uint64_t, 2> sizes = {shape.rows, shape.columns};
+        to->Append(NpyHeader(NumpyName(type), sizes));
+      },
+      [type](const MatrixRow& row, AtomicFile* to) {
+        AppendNumbers(row.values, type, to);
+      });
 }
 
 }  // namespace geodesic::client

@@ -10,7 +10,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "client/output/number_type.h"
+#include "client/output/binary_numbers.h"
 #include "client/output/output_format.h"
 #include "geodesic_client/matrix.h"
 #include "geodesic_client/surface_point.h"
@@ -25,10 +25,9 @@ struct MatrixPlaces {
 
 inline constexpr char kMatrixCsvHeader[] = "source,target,distance\n";
 
-// Adds a line for each value of the row, which names its source and target as
-// the command line does.
-void AppendCsvRow(const MatrixPlaces& places, const MatrixRow& row,
-                  std::string* text);
+// A line for each value of the row, which names its source and target as the
+// command line does.
+std::string CsvRow(const MatrixPlaces& places, const MatrixRow& row);
 
 // Nothing appears under the file's name before Commit. Not thread-safe.
 class MatrixWriter {
@@ -50,8 +49,8 @@ class MatrixWriter {
 // .npz: compressed sparse rows as scipy.sparse.load_npz reads them: data,
 //   indices, indptr, shape, format. Of dense rows the finite values are kept.
 //   While it grows, data and indices wait in files without a name beside it.
-// .csv: "source,target,distance", a line for each value, as AppendCsvRow has
-// it. `type` is that of the values in .npy and .npz, a float type. Errors:
+// .csv: "source,target,distance", a line for each value, as CsvRow has it.
+// `type` is that of the values in .npy and .npz, a float type. Errors:
 // those of opening files for writing, naming the path.
 absl::StatusOr<std::unique_ptr<MatrixWriter>> CreateMatrixWriter(
     const std::string& path, OutputFormat format, NumberType type,

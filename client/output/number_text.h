@@ -1,9 +1,10 @@
-// Numbers from and to text, without a locale.
+// Numbers from and to text, without a locale, and lines of them.
 
 #ifndef GEODESIC_CLIENT_OUTPUT_NUMBER_TEXT_H_
 #define GEODESIC_CLIENT_OUTPUT_NUMBER_TEXT_H_
 
 #include <charconv>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -25,6 +26,53 @@ std::string NumberText(Number number) {
   return std::string(text,
                      std::to_chars(text, text + sizeof(text), number).ptr);
 }
+
+// Lines of comma-separated values. Numbers have the fewest digits that give the
+// same number again; infinity is "inf". Texts go in as they are: none here
+// holds a comma, but for places in a face, which are quoted.
+class CsvLine {
+ public:
+  CsvLine& Number(double value) { return Put(value); }
+  CsvLine& Number(float value) { return Put(value); }
+  CsvLine& Integer(int64_t value) { return Put(value); }
+
+  CsvLine& Text(std::string_view text) {
+    Separate();
+    const bool quote = text.find(',') != std::string_view::npos;
+    if (quote) line_.push_back('"');
+    line_.append(text);
+    if (quote) line_.push_back('"');
+    return *this;
+  }
+
+  // The line with its newline; the next one begins.
+  const std::string& End() {
+    line_.push_back('\n');
+    ended_ = true;
+    return line_;
+  }
+
+ private:
+  void Separate() {
+    if (ended_) {
+      line_.clear();
+      ended_ = false;
+    } else {
+      line_.push_back(',');
+    }
+  }
+
+  template <typename Value>
+  CsvLine& Put(Value value) {
+    Separate();
+    char text[32];
+    line_.append(text, std::to_chars(text, text + sizeof(text), value).ptr);
+    return *this;
+  }
+
+  std::string line_;
+  bool ended_ = true;
+};
 
 }  // namespace geodesic::client
 

@@ -2,39 +2,19 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <filesystem>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 
 namespace geodesic::client {
 
 std::string_view OutputFormatName(OutputFormat format) {
-  switch (format) {
-    case OutputFormat::kNpy:
-      return "npy";
-    case OutputFormat::kNpz:
-      return "npz";
-    case OutputFormat::kCsv:
-      return "csv";
-    case OutputFormat::kF64:
-      return "f64";
-    case OutputFormat::kF32:
-      return "f32";
-    case OutputFormat::kPly:
-      return "ply";
-    case OutputFormat::kVtk:
-      return "vtk";
-    case OutputFormat::kObj:
-      return "obj";
-    case OutputFormat::kJson:
-      return "json";
-    case OutputFormat::kPng:
-      return "png";
-  }
-  return "unknown";
+  // By number.
+  constexpr std::array kNames = {"npy", "npz", "csv", "f64",  "f32",
+                                 "ply", "vtk", "obj", "json", "png"};
+  return kNames.at(static_cast<size_t>(format));
 }
 
 std::string OutputEndings(std::span<const OutputFormat> formats) {
@@ -52,10 +32,8 @@ std::string OutputEndings(std::span<const OutputFormat> formats) {
 
 absl::StatusOr<OutputFormat> OutputFormatFromPath(
     std::string_view path, std::span<const OutputFormat> formats) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
+  const std::string ending =
+      absl::AsciiStrToLower(std::filesystem::path(path).extension().string());
   for (const OutputFormat format : formats) {
     if (ending.size() > 1 && ending.substr(1) == OutputFormatName(format)) {
       return format;

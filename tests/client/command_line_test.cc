@@ -203,6 +203,12 @@ TEST_F(CommandLineTest, MissingPartsAreNamed) {
 TEST_F(CommandLineTest, TyposAreAnsweredByWhatWasMeant) {
   EXPECT_THAT(Refused({"fild", "m", "-s", "1"}),
               HasSubstr("there is no command fild; did you mean field?"));
+  for (const auto& [typed, meant] : {std::pair{"feild", "field"},
+                                     {"izolines", "isolines"},
+                                     {"pathh", "path"}}) {
+    EXPECT_THAT(Refused({typed}),
+                HasSubstr(std::string("did you mean ") + meant + "?"));
+  }
   EXPECT_THAT(Refused({"explode"}), HasSubstr("no command explode\n"));
   EXPECT_THAT(Refused({"field", "m", "--sorce", "3"}),
               HasSubstr("--sorce 3; did you mean --source?"));

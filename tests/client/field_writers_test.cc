@@ -3,27 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "tests/client/temporary_folder.h"
+#include "tests/client/written.h"
 
 namespace geodesic::client {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// What a writer puts into a file.
-std::string Written(const std::function<void(AtomicFile*)>& write) {
-  TemporaryFolder folder;
-  absl::StatusOr<AtomicFile> file = AtomicFile::Create(folder / "out");
-  EXPECT_TRUE(file.ok());
-  write(&*file);
-  EXPECT_TRUE(file->Commit().ok());
-  return FileBytes(folder / "out");
-}
 
 const std::vector<double>& Distances() {
   static const auto& distances =

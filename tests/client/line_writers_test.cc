@@ -3,27 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <functional>
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "tests/client/temporary_folder.h"
+#include "tests/client/written.h"
 
 namespace geodesic::client {
 namespace {
 
 using nlohmann::json;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-std::string Written(const std::function<void(AtomicFile*)>& write) {
-  TemporaryFolder folder;
-  absl::StatusOr<AtomicFile> file = AtomicFile::Create(folder / "out");
-  EXPECT_TRUE(file.ok());
-  write(&*file);
-  EXPECT_TRUE(file->Commit().ok());
-  return FileBytes(folder / "out");
-}
 
 // A path of three points, one that was not found, and a triangle that closes.
 Lines Sample() {
@@ -42,8 +29,13 @@ Lines Sample() {
   return lines;
 }
 
+std::string Written(OutputFormat format, const Lines& lines = Sample()) {
+  return client::Written(
+      [&](AtomicFile* file) { WriteLines(lines, format, file); });
+}
+
 TEST(LineWritersTest, Obj) {
-  EXPECT_EQ(Written([](AtomicFile* file) { WriteLinesObj(Sample(), file); }),
+  EXPECT_EQ(Written(OutputFormat::kObj),
             "# source 7 length 3\n"
             "g line_0\n"
             "v 0 0 0\nv 1 0 0\nv 1 2 0\n"
@@ -55,7 +47,7 @@ TEST(LineWritersTest, Obj) {
 }
 
 TEST(LineWritersTest, Csv) {
-  EXPECT_EQ(Written([](AtomicFile* file) { WriteLinesCsv(Sample(), file); }),
+  EXPECT_EQ(Written(OutputFormat::kCsv),
             "line,point,x,y,z,place,source,length\n"
             "0,0,0,0,0,4,7,3\n"
             "0,1,1,0,0,edge:1-2@0.5,7,3\n"
@@ -67,8 +59,7 @@ TEST(LineWritersTest, Csv) {
 }
 
 TEST(LineWritersTest, Json) {
-  const json collection = json::parse(
-      Written([](AtomicFile* file) { WriteLinesJson(Sample(), file); }));
+  const json collection = json::parse(Written(OutputFormat::kJson));
   EXPECT_EQ(collection["type"], "FeatureCollection");
   const json& features = collection["features"];
   ASSERT_EQ(features.size(), 3);
@@ -87,8 +78,7 @@ TEST(LineWritersTest, Json) {
 }
 
 TEST(LineWritersTest, PlyHasEdges) {
-  const std::string bytes =
-      Written([](AtomicFile* file) { WriteLinesPly(Sample(), file); });
+  const std::string bytes = Written(OutputFormat::kPly);
   const std::string header =
       "ply\nformat binary_little_endian 1.0\n"
       "element vertex 6\n"
@@ -113,8 +103,7 @@ TEST(LineWritersTest, PlyHasEdges) {
 }
 
 TEST(LineWritersTest, VtkHasLinesAndCellData) {
-  const std::string bytes =
-      Written([](AtomicFile* file) { WriteLinesVtk(Sample(), file); });
+  const std::string bytes = Written(OutputFormat::kVtk);
   const std::string lines = "\nLINES 2 9\n";
   const size_t at = bytes.find(lines);
   ASSERT_NE(at, std::string::npos);
@@ -130,10 +119,8 @@ TEST(LineWritersTest, VtkHasLinesAndCellData) {
 }
 
 TEST(LineWritersTest, NoLinesAreFine) {
-  EXPECT_EQ(Written([](AtomicFile* file) { WriteLinesObj({}, file); }), "");
-  EXPECT_EQ(json::parse(Written([](AtomicFile* file) {
-              WriteLinesJson({}, file);
-            }))["features"],
+  EXPECT_EQ(Written(OutputFormat::kObj, {}), "");
+  EXPECT_EQ(json::parse(Written(OutputFormat::kJson, {}))["features"],
             json::array());
 }
 

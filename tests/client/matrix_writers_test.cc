@@ -4,17 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <limits>
 #include <map>
 
-#include "tests/client/temporary_folder.h"
+#include "tests/client/written.h"
 
 namespace geodesic::client {
 namespace {
 
 using ::testing::ElementsAre;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 template <typename Number>
 std::vector<Number> Numbers(const std::string& bytes) {

@@ -1,8 +1,6 @@
 #include "client/cli/arguments/options.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -25,12 +23,19 @@ CLI::Option* AddChoice(CLI::App* app, const OptionText& text,
       ->group(text.group);
 }
 
-void AddList(CLI::App* app, const OptionText& text,
-             std::vector<std::string>* files) {
-  AddText(app, text, [files](const std::string& file) {
-    files->push_back(file);
-    return absl::OkStatus();
-  });
+absl::StatusOr<std::string> TakeWord(const std::string& word) { return word; }
+
+void RequirePlaces(const QuestionArguments& question) {
+  const SourceArguments& sources = question.sources;
+  if (sources.need == Need::kRequired && sources.points.empty() &&
+      sources.curves.empty() && sources.files.empty()) {
+    throw CLI::RequiredError("--source (or --curve, or --sources FILE)");
+  }
+  const TargetArguments& targets = question.targets;
+  if (targets.need == Need::kRequired && targets.points.empty() &&
+      targets.files.empty()) {
+    throw CLI::RequiredError("--target (or --targets FILE)");
+  }
 }
 
 }  // namespace
@@ -73,10 +78,6 @@ void AddFlagOrCount(CLI::App* app, const OptionText& text, int64_t all,
       ->group(text.group);
 }
 
-void AddCheck(CLI::App* app, std::function<void()> check) {
-  app->callback(std::move(check));
-}
-
 void Refuse(const std::string& option, const std::string& why) {
   throw CLI::ValidationError(option, why);
 }
@@ -91,14 +92,10 @@ void AddFiles(CLI::App* app, const std::string& help,
 }
 
 void AddFormat(CLI::App* app, std::optional<MeshFormat>* format) {
-  static constexpr std::array kFormats = {MeshFormat::kObj, MeshFormat::kPly,
-                                          MeshFormat::kOff, MeshFormat::kStl};
-  const std::vector<std::string> names = {"obj", "ply", "off", "stl"};
   AddChoice(app,
             {"--format", "How to read the file, if its ending does not tell"},
-            names, [format, names](const std::string& name) {
-              *format = kFormats.at(static_cast<size_t>(
-                  std::ranges::find(names, name) - names.begin()));
+            {"obj", "ply", "off", "stl"}, [format](const std::string& name) {
+              *format = *MeshFormatFromPath("." + name);
             });
 }
 
@@ -108,63 +105,52 @@ void AddMesh(CLI::App* app, const std::string& help, MeshArgument* mesh) {
 }
 
 void AddSources(CLI::App* app, Need need, SourceArguments* sources) {
-  AddValues(app,
-            {"-s,--source",
-             absl::StrCat("Measure from this POINT: VERTEX, edge:A-B@T or "
-                          "face:F@W0,W1,W2; it starts with OFFSET (default 0); "
-                          "may be repeated",
-                          need == Need::kRequired
-                              ? " (required, or --curve or --sources)"
-                              : "; default: vertex 0"),
-             "POINT[:OFFSET]", "Sources"},
-            ParseSource, &sources->points);
-  AddValues(app,
-            {"--curve",
-             "Measure from every point of this line, whose neighbouring points "
-             "share a face; quote it; may be repeated",
-             "'POINT;POINT;...[:OFFSET]'", "Sources"},
-            ParseCurve, &sources->curves);
-  AddList(app,
-          {"--sources",
-           "Read sources and curves from a file, one a line, or from standard "
-           "input (-); numbered after those of --source and --curve",
-           "FILE", "Sources"},
-          &sources->files);
+  sources->need = need;
+  AddValue(app,
+           {"-s,--source",
+            absl::StrCat("Measure from this POINT: VERTEX, edge:A-B@T or "
+                         "face:F@W0,W1,W2; it starts with OFFSET (default 0); "
+                         "may be repeated",
+                         need == Need::kRequired
+                             ? " (required, or --curve or --sources)"
+                             : "; default: vertex 0"),
+            "POINT[:OFFSET]", "Sources"},
+           ParseSource, &sources->points);
+  AddValue(app,
+           {"--curve",
+            "Measure from every point of this line, whose neighbouring points "
+            "share a face; quote it; may be repeated",
+            "'POINT;POINT;...[:OFFSET]'", "Sources"},
+           ParseCurve, &sources->curves);
+  AddValue(app,
+           {"--sources",
+            "Read sources and curves from a file, one a line, or from standard "
+            "input (-); numbered after those of --source and --curve",
+            "FILE", "Sources"},
+           TakeWord, &sources->files);
 }
 
 void AddTargets(CLI::App* app, Need need, const std::string& help,
                 TargetArguments* targets) {
-  AddValues(
+  targets->need = need;
+  AddValue(
       app,
       {"-t,--target",
        absl::StrCat(help, "; a POINT as in --source; may be repeated",
                     need == Need::kRequired ? " (required, or --targets)" : ""),
        "POINT", "Targets"},
       ParsePoint, &targets->points);
-  AddList(app,
-          {"--targets",
-           "Read targets from a file, one a line, or from standard input (-); "
-           "numbered after those of --target",
-           "FILE", "Targets"},
-          &targets->files);
-}
-
-void RequireSources(const SourceArguments& sources) {
-  if (sources.points.empty() && sources.curves.empty() &&
-      sources.files.empty()) {
-    throw CLI::RequiredError("--source (or --curve, or --sources FILE)");
-  }
-}
-
-void RequireTargets(const TargetArguments& targets) {
-  if (targets.points.empty() && targets.files.empty()) {
-    throw CLI::RequiredError("--target (or --targets FILE)");
-  }
+  AddValue(app,
+           {"--targets",
+            "Read targets from a file, one a line, or from standard input (-); "
+            "numbered after those of --target",
+            "FILE", "Targets"},
+           TakeWord, &targets->files);
 }
 
 void AddQuestion(CLI::App* app, const std::string& output_help,
                  std::span<const OutputFormat> formats,
-                 QuestionArguments* question) {
+                 QuestionArguments* question, std::function<void()> check) {
   AddChoice(app,
             {"-a,--algorithm",
              "How windows are propagated; all give the same distances. "
@@ -180,7 +166,7 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
               question->priority = priority == "batch" ? Priority::kBatch
                                                        : Priority::kInteractive;
             });
-  AddValues(
+  AddValue(
       app,
       {"-o,--output",
        absl::StrCat(output_help, "; may be repeated. The ending says what: ",
@@ -193,6 +179,10 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
         return OutputArgument{path, *format};
       },
       &question->outputs);
+  app->callback([question, check = std::move(check)] {
+    RequirePlaces(*question);
+    if (check != nullptr) check();
+  });
 }
 
 void AddRadius(CLI::App* app, const std::string& help,

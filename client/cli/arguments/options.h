@@ -34,17 +34,22 @@ struct MeshArgument {
   std::optional<MeshFormat> format;
 };
 
+// Whether a question must be given places.
+enum class Need { kRequired, kOptional };
+
 // Numbered in this order: points, curves, then those of files.
 struct SourceArguments {
   std::vector<Source> points;
   std::vector<Source> curves;
   std::vector<std::string> files;
+  Need need = Need::kOptional;
 };
 
 // Likewise.
 struct TargetArguments {
   std::vector<SurfacePoint> points;
   std::vector<std::string> files;
+  Need need = Need::kOptional;
 };
 
 struct OutputArgument {
@@ -52,14 +57,17 @@ struct OutputArgument {
   OutputFormat format = OutputFormat::kNpy;
 };
 
-// What every question is given.
+// What questions are given; each has options for some of it.
 struct QuestionArguments {
   MeshArgument mesh;
   SourceArguments sources;
   TargetArguments targets;
+  std::optional<double> radius;
+  bool float32 = false;
   std::string algorithm;
   Priority priority = Priority::kInteractive;
   std::vector<OutputArgument> outputs;
+  PictureOptions picture;
 };
 
 // How an option is written and shown.
@@ -77,25 +85,20 @@ struct OptionText {
 CLI::Option* AddText(CLI::App* app, const OptionText& text,
                      std::function<absl::Status(const std::string&)> take);
 
-// The same for a value that goes through `parse`; the last mention decides.
+// The same for a value that goes through `parse`: the last mention decides, or
+// all values are kept if `value` is a vector of them.
 template <typename Parse, typename Value>
 CLI::Option* AddValue(CLI::App* app, const OptionText& text, Parse parse,
                       Value* value) {
   return AddText(app, text, [=](const std::string& word) {
     auto parsed = parse(word);
-    if (parsed.ok()) *value = *std::move(parsed);
-    return parsed.status();
-  });
-}
-
-// The same for the values of all mentions.
-template <typename Parse, typename Value>
-CLI::Option* AddValues(CLI::App* app, const OptionText& text, Parse parse,
-                       std::vector<Value>* values) {
-  return AddText(app, text, [=](const std::string& word) {
-    auto parsed = parse(word);
-    if (parsed.ok()) values->push_back(*std::move(parsed));
-    return parsed.status();
+    if (!parsed.ok()) return parsed.status();
+    if constexpr (requires { value->push_back(*parsed); }) {
+      value->push_back(*std::move(parsed));
+    } else {
+      *value = *std::move(parsed);
+    }
+    return absl::OkStatus();
   });
 }
 
@@ -105,8 +108,6 @@ void AddFlag(CLI::App* app, const OptionText& text, bool* flag);
 void AddFlagOrCount(CLI::App* app, const OptionText& text, int64_t all,
                     std::optional<uint64_t>* count);
 
-// Calls `check` once all of the command line has been taken.
-void AddCheck(CLI::App* app, std::function<void()> check);
 // Refuses the command line, in a check.
 [[noreturn]] void Refuse(const std::string& option, const std::string& why);
 // Whether --json is given. For checks.
@@ -122,24 +123,19 @@ inline constexpr char kMeshHelp[] =
 void AddMesh(CLI::App* app, const std::string& help, MeshArgument* mesh);
 void AddFormat(CLI::App* app, std::optional<MeshFormat>* format);
 
-// Only what the help says; RequireSources and RequireTargets see to it.
-enum class Need { kRequired, kOptional };
-
 // --source, --curve, --sources.
 void AddSources(CLI::App* app, Need need, SourceArguments* sources);
 // --target, --targets; `help` says what targets are for.
 void AddTargets(CLI::App* app, Need need, const std::string& help,
                 TargetArguments* targets);
 
-// Refuse the command line if nothing was given. For checks.
-void RequireSources(const SourceArguments& sources);
-void RequireTargets(const TargetArguments& targets);
-
 // --algorithm, --priority and -o, whose `output_help` begins the sentence that
-// the endings end.
+// the endings end. When all of the command line has been taken, refuses a
+// question without the places it needs, then calls `check` if there is one.
 void AddQuestion(CLI::App* app, const std::string& output_help,
                  std::span<const OutputFormat> formats,
-                 QuestionArguments* question);
+                 QuestionArguments* question,
+                 std::function<void()> check = nullptr);
 
 void AddRadius(CLI::App* app, const std::string& help,
                std::optional<double>* radius);

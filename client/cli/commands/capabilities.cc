@@ -7,7 +7,6 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
 #include "client/cli/commands/command.h"
-#include "client/cli/commands/json.h"
 #include "client/cli/terminal/text.h"
 
 namespace geodesic::client {
@@ -68,7 +67,7 @@ Json ToJson(const Capabilities& capabilities) {
           {"limits", limits}};
 }
 
-absl::Status Run(const NoArguments&, const Session& session) {
+absl::Status ShowCapabilities(const NoArguments&, const Session& session) {
   absl::StatusOr<Capabilities> capabilities =
       session.client.GetCapabilities(session.call);
   if (!capabilities.ok()) return capabilities.status();
@@ -96,9 +95,9 @@ absl::Status Run(const NoArguments&, const Session& session) {
 }  // namespace
 
 Command CapabilitiesCommand() {
-  return MakeCommand("capabilities",
-                     "Show the server's version, algorithms and limits",
-                     "  geodesic capabilities --json", AddNoOptions, Run);
+  return MakeCommand<NoArguments>(
+      "capabilities", "Show the server's version, algorithms and limits",
+      "  geodesic capabilities --json", AddNoOptions, ShowCapabilities);
 }
 
 }  // namespace geodesic::client

@@ -48,11 +48,12 @@ struct Command {
   std::function<absl::Status(const Session&)> run;
 };
 
-// A command whose options write into an `Arguments`.
+// A command whose options write into an `Arguments`, which `run` is given.
 template <typename Arguments>
-Command MakeCommand(std::string name, std::string help, std::string examples,
-                    void (*add_options)(CLI::App*, Arguments*),
-                    absl::Status (*run)(const Arguments&, const Session&)) {
+Command MakeCommand(
+    std::string name, std::string help, std::string examples,
+    void (*add_options)(CLI::App*, Arguments*),
+    std::function<absl::Status(const Arguments&, const Session&)> run) {
   const auto arguments = std::make_shared<Arguments>();
   return {
       .name = std::move(name),
@@ -66,7 +67,7 @@ Command MakeCommand(std::string name, std::string help, std::string examples,
 struct NoArguments {};
 inline void AddNoOptions(CLI::App*, NoArguments*) {}
 
-// One each, in the file of its name.
+// All that there are.
 Command CapabilitiesCommand();
 Command DeleteCommand();
 Command FieldCommand();
@@ -79,9 +80,6 @@ Command NearestCommand();
 Command PathCommand();
 Command SampleCommand();
 Command UploadCommand();
-
-// All of them, as --help lists them.
-std::vector<Command> AllCommands();
 
 }  // namespace geodesic::client
 

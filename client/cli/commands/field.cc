@@ -8,8 +8,6 @@
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/field_outputs.h"
-#include "client/cli/commands/field_rows.h"
-#include "client/cli/commands/question.h"
 #include "client/output/number_text.h"
 #include "client/output/place_text.h"
 
@@ -19,42 +17,33 @@ namespace {
 // What --stop-at-targets means without a count.
 constexpr int64_t kAllTargets = 0x7fffffffffffffff;
 
-struct FieldArguments {
-  QuestionArguments question;
-  FieldOutputArguments output;
-  std::optional<double> radius;
-  std::optional<uint64_t> stop_at_targets;
-  bool progressive = false;
-};
-
 void Check(const CLI::App& app, const FieldArguments& arguments) {
-  RequireSources(arguments.question.sources);
-  const TargetArguments& targets = arguments.question.targets;
+  const TargetArguments& targets = arguments.targets;
   if (arguments.stop_at_targets.has_value() && targets.points.empty() &&
       targets.files.empty()) {
     Refuse("--stop-at-targets", "needs --target or --targets");
   }
   if (!arguments.progressive) return;
-  if (arguments.output.nearest_sources || arguments.output.gradients) {
+  if (arguments.nearest_sources || arguments.gradients) {
     Refuse("--progressive",
            "gives distances only: leave --nearest-sources "
            "and --gradients to a run without it");
   }
-  for (const OutputArgument& output : arguments.question.outputs) {
+  for (const OutputArgument& output : arguments.outputs) {
     if (output.format != OutputFormat::kCsv) {
       Refuse("--progressive", "writes .csv only, not " + output.path);
     }
   }
-  if (arguments.question.outputs.empty() && WantsJson(app)) {
+  if (arguments.outputs.empty() && WantsJson(app)) {
     Refuse("--progressive", "with --json needs -o FILE.csv for the distances");
   }
 }
 
 void AddOptions(CLI::App* app, FieldArguments* arguments) {
-  AddMesh(app, kMeshHelp, &arguments->question.mesh);
-  AddSources(app, Need::kRequired, &arguments->question.sources);
+  AddMesh(app, kMeshHelp, &arguments->mesh);
+  AddSources(app, Need::kRequired, &arguments->sources);
   AddTargets(app, Need::kOptional, "Print the distance to this point too",
-             &arguments->question.targets);
+             &arguments->targets);
   AddFlagOrCount(
       app,
       {.name = "--stop-at-targets",
@@ -67,12 +56,12 @@ void AddOptions(CLI::App* app, FieldArguments* arguments) {
           {"--nearest-sources",
            "Also which source is nearest to each vertex, by number from "
            "0; -1 where none is. A picture shows the cells"},
-          &arguments->output.nearest_sources);
+          &arguments->nearest_sources);
   AddFlag(app,
           {"--gradients",
            "Also the unit vector in which distance grows at each vertex"},
-          &arguments->output.gradients);
-  AddFloat32(app, &arguments->output.float32);
+          &arguments->gradients);
+  AddFloat32(app, &arguments->float32);
   AddFlag(app,
           {"--progressive",
            "Print vertices and their distances as they become final, in "
@@ -81,27 +70,32 @@ void AddOptions(CLI::App* app, FieldArguments* arguments) {
   AddQuestion(app,
               "Write the field here (nearest sources and gradients too in "
               ".npz, .csv, .ply and .vtk)",
-              kFieldFormats, &arguments->question);
-  AddPicture(app, &arguments->output.picture);
-  AddCheck(app, [app, arguments] { Check(*app, *arguments); });
+              kFieldFormats, arguments,
+              [app, arguments] { Check(*app, *arguments); });
+  AddPicture(app, &arguments->picture);
 }
 
 FieldQuery ToQuery(const FieldArguments& arguments, const Question& question) {
-  FieldQuery query = {.mesh_digest = question.mesh_digest,
-                      .sources = question.sources,
-                      .algorithm = arguments.question.algorithm,
-                      .targets = question.targets,
-                      .radius = arguments.radius,
-                      .nearest_sources = arguments.output.nearest_sources,
-                      .gradients = arguments.output.gradients,
-                      .value_type = ValueTypeOf(arguments.output.float32),
-                      .priority = arguments.question.priority};
+  auto query = MakeQuery<FieldQuery>(arguments, question);
+  query.nearest_sources = arguments.nearest_sources;
+  query.gradients = arguments.gradients;
   if (arguments.stop_at_targets.has_value()) {
     query.stop_after_targets = *arguments.stop_at_targets == kAllTargets
                                    ? question.targets.size()
                                    : *arguments.stop_at_targets;
   }
   return query;
+}
+
+Json ToJson(const FieldStatistics& statistics) {
+  return {{"iterations", statistics.iterations},
+          {"windows_created", statistics.windows_created},
+          {"windows_propagated", statistics.windows_propagated},
+          {"peak_wavefront", statistics.peak_wavefront},
+          {"mean_wavefront", statistics.mean_wavefront},
+          {"peak_windows", statistics.peak_windows},
+          {"peak_solver_bytes", statistics.peak_solver_bytes},
+          {"solve_seconds", statistics.solve_seconds}};
 }
 
 Report ReportOf(const FieldArguments& arguments, const Question& question,
@@ -150,13 +144,13 @@ Report ReportOf(const FieldArguments& arguments, const Question& question,
 absl::Status Answer(const FieldArguments& arguments, const Session& session,
                     const Question& question) {
   const FieldQuery query = ToQuery(arguments, question);
-  const std::vector<OutputArgument>& outputs = arguments.question.outputs;
+  const std::vector<OutputArgument>& outputs = arguments.outputs;
   Stopwatch watch(session);
   FieldExtremes extremes;
-  std::vector<WrittenFile> files;
+  absl::StatusOr<std::vector<WrittenFile>> files = std::vector<WrittenFile>();
   absl::StatusOr<Field> field =
       arguments.progressive
-          ? StreamRows(session, query, outputs, &watch, &extremes, &files)
+          ? StreamRows(session, query, outputs, &watch, &extremes, &*files)
           : session.client.ComputeField(query, session.call, watch.OnSolve());
   if (!field.ok()) return field.status();
   const double seconds = watch.seconds();
@@ -164,16 +158,13 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
     for (size_t v = 0; v < field->distances.size(); ++v) {
       extremes.Add(v, field->distances[v]);
     }
-    absl::StatusOr<std::vector<WrittenFile>> written =
-        WriteFieldOutputs(session, arguments.output, outputs, question, *field);
-    if (!written.ok()) return written.status();
-    files = *std::move(written);
+    files = WriteFieldOutputs(session, arguments, question, *field);
   }
   // Rows that went to the terminal are all that it gets.
   if (arguments.progressive && outputs.empty()) return absl::OkStatus();
   const bool is_cached = field->origin == FieldOrigin::kCached;
   const FieldStatistics& statistics = field->statistics;
-  PrintReport(
+  return PrintReport(
       session, question,
       {.mesh_digest = field->mesh_digest,
        .vertex_count = field->vertex_count,
@@ -183,7 +174,6 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
        .compute_seconds = is_cached ? 0 : statistics.solve_seconds,
        .windows_propagated = is_cached ? 0 : statistics.windows_propagated},
       seconds, files, ReportOf(arguments, question, *field, extremes));
-  return absl::OkStatus();
 }
 
 }  // namespace

@@ -1,11 +1,17 @@
 #include "client/cli/commands/field_outputs.h"
 
+#include <cerrno>
+#include <fstream>
+#include <list>
+#include <stop_token>
 #include <string>
 #include <utility>
 
-#include "client/output/columns.h"
+#include "absl/strings/str_cat.h"
+#include "client/cli/commands/drawings.h"
+#include "client/output/binary_numbers.h"
 #include "client/output/field_writers.h"
-#include "client/output/npy.h"
+#include "client/output/number_text.h"
 #include "client/output/place_text.h"
 #include "client/output/zip_archive.h"
 
@@ -13,7 +19,7 @@ namespace geodesic::client {
 namespace {
 
 // The field's columns: distances first, then what else was asked for.
-std::vector<Column> ColumnsOf(const FieldOutputArguments& arguments,
+std::vector<Column> ColumnsOf(const FieldArguments& arguments,
                               const Field& field) {
   const NumberType real = NumberTypeOf(arguments.float32);
   std::vector<Column> columns = {
@@ -48,14 +54,12 @@ absl::StatusOr<uint64_t> WriteNpz(const std::string& path,
                            ? "nearest_sources.npy"
                        : column.name == kGradientColumn ? "gradients.npy"
                                                         : "distances.npy";
-    std::vector<uint64_t> shape = {column.count()};
-    if (column.components > 1) shape.push_back(column.components);
-    archive->Add(name, NpyArray(column.values, column.type, shape));
+    archive->Add(name, NpyArray(column.values, column.type, column.shape()));
   }
   if (!target_distances.empty()) {
-    archive->Add(
-        "target_distances.npy",
-        NpyArray(target_distances, columns[0].type, {target_distances.size()}));
+    archive->Add("target_distances.npy",
+                 NpyArray(target_distances, columns[0].type,
+                          std::array<uint64_t, 1>{target_distances.size()}));
   }
   absl::StatusOr<uint64_t> size = archive->Commit();
   if (!size.ok()) return FileError(size.status());
@@ -76,97 +80,63 @@ PictureContent ContentOf(const Question& question, const Field& field,
     content.source_names.push_back(SourceText(source));
   }
   ShowSources(question.sources, mesh, &content);
-  for (const SurfacePoint& target : question.targets) {
-    content.targets.push_back(PositionOf(target, mesh));
-  }
+  ShowTargets(question.targets, mesh, &content);
   return content;
 }
 
-// Reads of a mesh's arrays with numbers that may be out of range.
-class Locator {
+// The files of the outputs, or the terminal.
+class Rows {
  public:
-  explicit Locator(const MeshArrays& mesh) : mesh_(mesh) {}
+  Rows(const Session& session, const std::vector<OutputArgument>& outputs)
+      : outputs_(outputs) {
+    for (const OutputArgument& output : outputs) {
+      places_.push_back(&files_.emplace_back(output.path));
+    }
+    if (outputs.empty()) places_.push_back(&session.out);
+  }
 
-  Point operator()(const VertexPoint& point) const {
-    return Vertex(point.vertex);
+  void Write(const std::string& text) {
+    for (std::ostream* place : places_) *place << text;
   }
-  Point operator()(const EdgePoint& point) const {
-    return Combine(
-        {{1 - point.t, Vertex(point.from)}, {point.t, Vertex(point.to)}});
+
+  // Whether all is written so far.
+  bool Flush() {
+    bool good = true;
+    for (std::ostream* place : places_) good &= !place->flush().fail();
+    if (!good && error_ == 0) error_ = errno;
+    return good;
   }
-  Point operator()(const FacePoint& point) const {
-    if (point.face >= mesh_.triangles.size()) return {};
-    const Triangle& corners = mesh_.triangles[point.face];
-    return Combine({{point.weights[0], Vertex(corners[0])},
-                    {point.weights[1], Vertex(corners[1])},
-                    {point.weights[2], Vertex(corners[2])}});
+
+  absl::Status Close(std::vector<WrittenFile>* written) {
+    if (!Flush()) {
+      return outputs_.empty() ? OutputFailed()
+                              : FileError(absl::ErrnoToStatus(
+                                    error_, absl::StrCat("cannot write ",
+                                                         outputs_[0].path)));
+    }
+    auto file = files_.begin();
+    for (const OutputArgument& output : outputs_) {
+      written->push_back({output, static_cast<uint64_t>((file++)->tellp())});
+    }
+    return absl::OkStatus();
   }
 
  private:
-  Point Vertex(uint64_t vertex) const {
-    return vertex < mesh_.positions.size() ? mesh_.positions[vertex] : Point{};
-  }
-
-  static Point Combine(const std::vector<std::pair<double, Point>>& weighted) {
-    Point sum = {};
-    for (const auto& [weight, point] : weighted) {
-      for (size_t axis = 0; axis < sum.size(); ++axis) {
-        sum[axis] += weight * point[axis];
-      }
-    }
-    return sum;
-  }
-
-  const MeshArrays& mesh_;
+  const std::vector<OutputArgument>& outputs_;
+  std::list<std::ofstream> files_;
+  std::vector<std::ostream*> places_;
+  int error_ = 0;
 };
 
 }  // namespace
 
-Point PositionOf(const SurfacePoint& point, const MeshArrays& mesh) {
-  return std::visit(Locator(mesh), point);
-}
-
-void ShowSources(const std::vector<Source>& sources, const MeshArrays& mesh,
-                 PictureContent* content) {
-  for (const Source& source : sources) {
-    if (const Curve* curve = std::get_if<Curve>(&source.place)) {
-      PictureLine line;
-      for (const SurfacePoint& point : curve->points) {
-        line.points.push_back(PositionOf(point, mesh));
-      }
-      content->bold_lines.push_back(std::move(line));
-      continue;
-    }
-    std::visit(
-        [&](const auto& place) {
-          if constexpr (!std::is_same_v<std::decay_t<decltype(place)>, Curve>) {
-            content->sources.push_back(PositionOf(place, mesh));
-          }
-        },
-        source.place);
-  }
-}
-
-absl::StatusOr<uint64_t> WritePicture(const std::string& path,
-                                      const MeshArrays& mesh,
-                                      const PictureContent& content,
-                                      const PictureOptions& options) {
-  absl::StatusOr<std::string> png = Render(mesh, content, options).EncodePng();
-  if (!png.ok()) return png.status();
-  return WriteFile(path, [&png](AtomicFile* file) {
-    file->Append(*png);
-    return absl::OkStatus();
-  });
-}
-
 absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
-    const Session& session, const FieldOutputArguments& arguments,
-    const std::vector<OutputArgument>& outputs, const Question& question,
-    const Field& field) {
+    const Session& session, const FieldArguments& arguments,
+    const Question& question, const Field& field) {
   const std::vector<Column> columns = ColumnsOf(arguments, field);
   MeshOnDemand mesh(session, field.mesh_digest);
   return WriteOutputs(
-      session, outputs,
+      session, arguments.outputs,
       [&](const OutputArgument& output) -> absl::StatusOr<uint64_t> {
         const MeshArrays* arrays = nullptr;
         if (NeedsMesh(output.format)) {
@@ -199,15 +169,41 @@ absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
             case OutputFormat::kPly:
               WritePly(*arrays, columns, file);
               break;
-            case OutputFormat::kVtk:
-              WriteVtk(*arrays, columns, file);
-              break;
             default:
-              return absl::InternalError("no field format");
+              WriteVtk(*arrays, columns, file);
           }
-          return absl::OkStatus();
         });
       });
+}
+
+absl::StatusOr<Field> StreamRows(const Session& session,
+                                 const FieldQuery& query,
+                                 const std::vector<OutputArgument>& outputs,
+                                 Stopwatch* watch, FieldExtremes* extremes,
+                                 std::vector<WrittenFile>* written) {
+  // A stop asked for by the user, or because nothing more can be written.
+  std::stop_source stop;
+  const std::stop_callback pass_on(session.call.stop,
+                                   [&stop] { stop.request_stop(); });
+  CallOptions call = session.call;
+  call.stop = stop.get_token();
+
+  Rows rows(session, outputs);
+  rows.Write(absl::StrCat("vertex,", kDistanceColumn, "\n"));
+  if (!rows.Flush()) stop.request_stop();
+  CsvLine line;
+  const auto on_settled = [&](std::span<const SettledVertex> settled) {
+    for (const SettledVertex& vertex : settled) {
+      extremes->Add(vertex.vertex, vertex.distance);
+      line.Integer(vertex.vertex).Number(vertex.distance);
+      rows.Write(line.End());
+    }
+    if (!rows.Flush()) stop.request_stop();
+  };
+  absl::StatusOr<Field> field =
+      session.client.StreamField(query, on_settled, call, watch->OnSolve());
+  if (absl::Status status = rows.Close(written); !status.ok()) return status;
+  return field;
 }
 
 }  // namespace geodesic::client

@@ -9,43 +9,41 @@
 #include "absl/strings/str_cat.h"
 #include "client/cli/arguments/values.h"
 #include "client/cli/commands/command.h"
-#include "client/cli/commands/field_outputs.h"
-#include "client/cli/commands/line_outputs.h"
+#include "client/cli/commands/drawings.h"
+#include "client/cli/commands/question.h"
+#include "client/output/line_writers.h"
 #include "client/output/number_text.h"
 
 namespace geodesic::client {
 namespace {
 
-struct IsolinesArguments {
-  QuestionArguments question;
+struct IsolinesArguments : QuestionArguments {
   std::vector<double> levels;
   // Instead of levels.
   std::optional<uint64_t> count;
-  PictureOptions picture;
 };
 
 void AddOptions(CLI::App* app, IsolinesArguments* arguments) {
-  AddMesh(app, kMeshHelp, &arguments->question.mesh);
-  AddSources(app, Need::kRequired, &arguments->question.sources);
-  AddValues(app,
-            {"-l,--level", "Draw the line at this distance; may be repeated",
-             "DISTANCE"},
-            ParseLevel, &arguments->levels);
+  AddMesh(app, kMeshHelp, &arguments->mesh);
+  AddSources(app, Need::kRequired, &arguments->sources);
+  AddValue(app,
+           {"-l,--level", "Draw the line at this distance; may be repeated",
+            "DISTANCE"},
+           ParseLevel, &arguments->levels);
   AddValue(app,
            {"-n,--count",
             "Draw lines at this many distances instead, evenly spread up to "
             "the largest",
             "N"},
            ParseCount, &arguments->count);
-  AddQuestion(app, "Write the lines here", kLineFormats, &arguments->question);
-  AddPicture(app, &arguments->picture);
-  AddCheck(app, [arguments] {
-    RequireSources(arguments->question.sources);
+  const auto check = [arguments] {
     if (arguments->levels.empty() != arguments->count.has_value()) {
       Refuse("--level",
              "give distances with --level, or their number with --count");
     }
-  });
+  };
+  AddQuestion(app, "Write the lines here", kLineFormats, arguments, check);
+  AddPicture(app, &arguments->picture);
 }
 
 double LengthOf(const Isoline& isoline) {
@@ -157,47 +155,44 @@ absl::Status Answer(const IsolinesArguments& arguments, const Session& session,
   const auto need_field = [&]() -> absl::Status {
     if (field.has_value()) return absl::OkStatus();
     absl::StatusOr<Field> computed =
-        session.client.ComputeField({.mesh_digest = question.mesh_digest,
-                                     .sources = question.sources,
-                                     .algorithm = arguments.question.algorithm,
-                                     .priority = arguments.question.priority},
+        session.client.ComputeField(MakeQuery<FieldQuery>(arguments, question),
                                     session.call, watch.OnSolve());
     if (computed.ok()) field = *std::move(computed);
     return computed.status();
   };
-  std::vector<double> levels = arguments.levels;
+  auto query = MakeQuery<IsolineQuery>(arguments, question);
+  query.levels = arguments.levels;
   if (arguments.count.has_value()) {
     if (absl::Status status = need_field(); !status.ok()) return status;
     absl::StatusOr<std::vector<double>> spread =
         SpreadLevels(*field, *arguments.count);
     if (!spread.ok()) return spread.status();
-    levels = *std::move(spread);
+    query.levels = *std::move(spread);
   }
   absl::StatusOr<IsolineAnswer> answer =
-      session.client.ComputeIsolines({.mesh_digest = question.mesh_digest,
-                                      .sources = question.sources,
-                                      .levels = levels,
-                                      .algorithm = arguments.question.algorithm,
-                                      .priority = arguments.question.priority},
-                                     session.call, watch.OnSolve());
+      session.client.ComputeIsolines(query, session.call, watch.OnSolve());
   if (!answer.ok()) return answer.status();
   const double seconds = watch.seconds();
   MeshOnDemand mesh(session, question.mesh_digest);
-  const auto write_picture =
-      [&](const std::string& path) -> absl::StatusOr<uint64_t> {
+  const Lines lines = LinesOf(*answer);
+  const auto write =
+      [&](const OutputArgument& output) -> absl::StatusOr<uint64_t> {
+    if (output.format != OutputFormat::kPng) {
+      return WriteFile(output.path, [&](AtomicFile* file) {
+        WriteLines(lines, output.format, file);
+      });
+    }
     if (absl::Status status = need_field(); !status.ok()) return status;
     absl::StatusOr<const MeshArrays*> arrays = mesh.Get(field->vertex_count);
     if (!arrays.ok()) return arrays.status();
-    return WritePicture(path, **arrays,
-                        ContentOf(question, *field, levels, *answer, **arrays),
-                        arguments.picture);
+    return WritePicture(
+        output.path, **arrays,
+        ContentOf(question, *field, query.levels, *answer, **arrays),
+        arguments.picture);
   };
-  absl::StatusOr<std::vector<WrittenFile>> files = WriteLineOutputs(
-      session, arguments.question.outputs, LinesOf(*answer), write_picture);
-  if (!files.ok()) return files.status();
-  PrintReport(session, question, answer->info, seconds, *files,
-              ReportOf(levels, *answer));
-  return absl::OkStatus();
+  return PrintReport(session, question, answer->info, seconds,
+                     WriteOutputs(session, arguments.outputs, write),
+                     ReportOf(query.levels, *answer));
 }
 
 }  // namespace

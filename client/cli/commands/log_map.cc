@@ -15,16 +15,13 @@
 namespace geodesic::client {
 namespace {
 
-struct LogMapArguments {
-  // The source is a point without an offset.
-  QuestionArguments question;
+// The source is a point without an offset.
+struct LogMapArguments : QuestionArguments {
   SurfacePoint source;
-  std::optional<double> radius;
-  bool float32 = false;
 };
 
 void AddOptions(CLI::App* app, LogMapArguments* arguments) {
-  AddMesh(app, kMeshHelp, &arguments->question.mesh);
+  AddMesh(app, kMeshHelp, &arguments->mesh);
   AddText(app,
           {.name = "-s,--source",
            .help = "The middle of the map, a POINT: VERTEX, edge:A-B@T or "
@@ -35,20 +32,20 @@ void AddOptions(CLI::App* app, LogMapArguments* arguments) {
             absl::StatusOr<SurfacePoint> point = ParsePoint(text);
             if (!point.ok()) return point.status();
             arguments->source = *point;
-            Source& source = arguments->question.sources.points.emplace_back();
+            Source& source = arguments->sources.points.emplace_back();
             std::visit([&source](const auto& at) { source.place = at; },
                        *point);
             return absl::OkStatus();
           });
   AddRadius(app, "End the map at this distance", &arguments->radius);
   AddFloat32(app, &arguments->float32);
-  AddQuestion(app, "Write u and v of every vertex here", kLogMapFormats,
-              &arguments->question);
-  AddCheck(app, [arguments] {
-    if (arguments->question.sources.points.size() != 1) {
+  const auto check = [arguments] {
+    if (arguments->sources.points.size() != 1) {
       Refuse("--source", "a log map has one source");
     }
-  });
+  };
+  AddQuestion(app, "Write u and v of every vertex here", kLogMapFormats,
+              arguments, check);
 }
 
 // u and v; in one column of pairs, or one each.
@@ -69,34 +66,6 @@ std::vector<Column> UAndV(const LogMap& map, NumberType type) {
   return columns;
 }
 
-absl::StatusOr<std::vector<WrittenFile>> Write(const Session& session,
-                                               const LogMapArguments& arguments,
-                                               const LogMap& map) {
-  const NumberType type = NumberTypeOf(arguments.float32);
-  MeshOnDemand mesh(session, map.info.mesh_digest);
-  return WriteOutputs(
-      session, arguments.question.outputs,
-      [&](const OutputArgument& output) -> absl::StatusOr<uint64_t> {
-        const MeshArrays* arrays = nullptr;
-        if (output.format == OutputFormat::kPly) {
-          absl::StatusOr<const MeshArrays*> got =
-              mesh.Get(map.coordinates.size());
-          if (!got.ok()) return got.status();
-          arrays = *got;
-        }
-        return WriteFile(output.path, [&](AtomicFile* file) {
-          if (output.format == OutputFormat::kNpy) {
-            WriteNpy(Pairs(map, type), file);
-          } else if (output.format == OutputFormat::kCsv) {
-            WriteCsv(UAndV(map, type), file);
-          } else {
-            WritePly(*arrays, UAndV(map, type), file);
-          }
-          return absl::OkStatus();
-        });
-      });
-}
-
 Report ReportOf(const SurfacePoint& source, const LogMap& map) {
   uint64_t mapped = 0;
   double largest = 0;
@@ -105,12 +74,9 @@ Report ReportOf(const SurfacePoint& source, const LogMap& map) {
     ++mapped;
     largest = std::max(largest, std::hypot(u, v));
   }
-  const Point& zero = map.zero_direction;
   return {
       .facts = {{"source", PointText(source)},
-                {"angle 0",
-                 absl::StrCat(ShortNumber(zero[0]), " ", ShortNumber(zero[1]),
-                              " ", ShortNumber(zero[2]))},
+                {"angle 0", ShortNumbers(map.zero_direction)},
                 {"mapped", absl::StrCat(GroupedNumber(mapped), " of ",
                                         GroupedNumber(map.coordinates.size()),
                                         " vertices")},
@@ -118,28 +84,41 @@ Report ReportOf(const SurfacePoint& source, const LogMap& map) {
       .json = {{"vertices", map.coordinates.size()},
                {"mapped_vertices", mapped},
                {"largest_distance", largest},
-               {"zero_direction", zero}}};
+               {"zero_direction", map.zero_direction}}};
 }
 
 absl::Status Answer(const LogMapArguments& arguments, const Session& session,
                     const Question& question) {
+  auto query = MakeQuery<LogMapQuery>(arguments, question);
+  query.source = arguments.source;
   Stopwatch watch(session);
-  absl::StatusOr<LogMap> map = session.client.ComputeLogMap(
-      {.mesh_digest = question.mesh_digest,
-       .source = arguments.source,
-       .algorithm = arguments.question.algorithm,
-       .value_type = ValueTypeOf(arguments.float32),
-       .radius = arguments.radius,
-       .priority = arguments.question.priority},
-      session.call, watch.OnSolve());
+  absl::StatusOr<LogMap> map =
+      session.client.ComputeLogMap(query, session.call, watch.OnSolve());
   if (!map.ok()) return map.status();
   const double seconds = watch.seconds();
-  absl::StatusOr<std::vector<WrittenFile>> files =
-      Write(session, arguments, *map);
-  if (!files.ok()) return files.status();
-  PrintReport(session, question, map->info, seconds, *files,
-              ReportOf(arguments.source, *map));
-  return absl::OkStatus();
+  const NumberType type = NumberTypeOf(arguments.float32);
+  MeshOnDemand mesh(session, map->info.mesh_digest);
+  const auto write =
+      [&](const OutputArgument& output) -> absl::StatusOr<uint64_t> {
+    const MeshArrays* arrays = nullptr;
+    if (output.format == OutputFormat::kPly) {
+      absl::StatusOr<const MeshArrays*> got = mesh.Get(map->coordinates.size());
+      if (!got.ok()) return got.status();
+      arrays = *got;
+    }
+    return WriteFile(output.path, [&](AtomicFile* file) {
+      if (output.format == OutputFormat::kNpy) {
+        WriteNpy(Pairs(*map, type), file);
+      } else if (output.format == OutputFormat::kCsv) {
+        WriteCsv(UAndV(*map, type), file);
+      } else {
+        WritePly(*arrays, UAndV(*map, type), file);
+      }
+    });
+  };
+  return PrintReport(session, question, map->info, seconds,
+                     WriteOutputs(session, arguments.outputs, write),
+                     ReportOf(arguments.source, *map));
 }
 
 }  // namespace

@@ -15,26 +15,19 @@
 namespace geodesic::client {
 namespace {
 
-struct MatrixArguments {
-  QuestionArguments question;
-  std::optional<double> radius;
-  bool float32 = false;
-};
-
-void AddOptions(CLI::App* app, MatrixArguments* arguments) {
-  AddMesh(app, kMeshHelp, &arguments->question.mesh);
-  AddSources(app, Need::kRequired, &arguments->question.sources);
+void AddOptions(CLI::App* app, QuestionArguments* arguments) {
+  AddMesh(app, kMeshHelp, &arguments->mesh);
+  AddSources(app, Need::kRequired, &arguments->sources);
   AddTargets(app, Need::kOptional,
              "Make this point a column (default: every vertex)",
-             &arguments->question.targets);
+             &arguments->targets);
   AddRadius(app, "Leave out distances beyond this one", &arguments->radius);
   AddFloat32(app, &arguments->float32);
   AddQuestion(app,
               "Write the matrix here, row by row: dense to .npy, as sparse "
               "rows to .npz (scipy.sparse.load_npz reads it), as "
               "source,target,distance to .csv",
-              kMatrixFormats, &arguments->question);
-  AddCheck(app, [arguments] { RequireSources(arguments->question.sources); });
+              kMatrixFormats, arguments);
 }
 
 // The largest finite distance and how many finite ones there are.
@@ -104,11 +97,7 @@ class Destination {
       ++summary_.finite;
       summary_.largest = std::max(summary_.largest, value);
     }
-    if (is_text()) {
-      std::string text;
-      AppendCsvRow(places_, row, &text);
-      session_.out << text;
-    }
+    if (is_text()) session_.out << CsvRow(places_, row);
     if (!session_.out) return OutputFailed();
     if (writers_.empty() && session_.json) {
       rows_.push_back({{"columns", std::vector<uint32_t>(row.columns.begin(),
@@ -132,9 +121,9 @@ class Destination {
 };
 
 // Rows travel dense if a file needs them so; .npz never does.
-bool IsSparse(const MatrixArguments& arguments) {
+bool IsSparse(const QuestionArguments& arguments) {
   const bool is_limited = arguments.radius.has_value();
-  const std::vector<OutputArgument>& outputs = arguments.question.outputs;
+  const std::vector<OutputArgument>& outputs = arguments.outputs;
   if (outputs.empty()) return is_limited;
   return std::ranges::all_of(outputs, [is_limited](const auto& output) {
     return output.format == OutputFormat::kNpz ||
@@ -142,22 +131,16 @@ bool IsSparse(const MatrixArguments& arguments) {
   });
 }
 
-absl::Status Answer(const MatrixArguments& arguments, const Session& session,
+absl::Status Answer(const QuestionArguments& arguments, const Session& session,
                     const Question& question) {
-  Destination destination(session, question, arguments.question.outputs);
+  Destination destination(session, question, arguments.outputs);
   absl::Status opened = destination.Open(NumberTypeOf(arguments.float32));
   if (!opened.ok()) return opened;
   Stopwatch watch(session);
+  auto query = MakeQuery<MatrixQuery>(arguments, question);
+  query.sparse = IsSparse(arguments);
   absl::StatusOr<AnswerInfo> info = session.client.ComputeMatrix(
-      {.mesh_digest = question.mesh_digest,
-       .sources = question.sources,
-       .targets = question.targets,
-       .algorithm = arguments.question.algorithm,
-       .value_type = ValueTypeOf(arguments.float32),
-       .radius = arguments.radius,
-       .sparse = IsSparse(arguments),
-       .priority = arguments.question.priority},
-      destination.Receiver(&watch), session.call);
+      query, destination.Receiver(&watch), session.call);
   if (!info.ok()) return info.status();
   const double seconds = watch.seconds();
   absl::StatusOr<std::vector<WrittenFile>> files = destination.Commit();
@@ -178,8 +161,7 @@ absl::Status Answer(const MatrixArguments& arguments, const Session& session,
                {"finite_values", summary.finite},
                {"largest_distance", summary.largest}}};
   if (files->empty()) report.json["matrix"] = destination.rows();
-  PrintReport(session, question, *info, seconds, *files, report);
-  return absl::OkStatus();
+  return PrintReport(session, question, *info, seconds, files, report);
 }
 
 }  // namespace

@@ -1,48 +1,220 @@
-// meshes: lists what is resident.
+// upload, meshes, info, delete: which meshes are resident, and what they are
+// like.
 
 #include <string>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
-#include "client/cli/commands/json.h"
-#include "client/cli/commands/mesh_facts.h"
+#include "client/cli/commands/mesh_argument.h"
+#include "client/cli/terminal/text.h"
 
 namespace geodesic::client {
 namespace {
 
-absl::Status Run(const NoArguments&, const Session& session) {
+// "3", or "none".
+std::string Genus(const MeshInfo& mesh) {
+  return mesh.genus.has_value() ? absl::StrCat(*mesh.genus) : "none";
+}
+
+// Whether the faces are turned alike, or could be.
+std::string Orientation(const MeshInfo& mesh) {
+  if (!mesh.orientable) return "not orientable";
+  if (mesh.inconsistent_edge_count == 0) return "consistent";
+  return absl::StrCat("orientable, but the faces at ",
+                      GroupedNumber(mesh.inconsistent_edge_count),
+                      " edges are turned against each other");
+}
+
+// All that is known of a mesh, a line each.
+std::vector<Fact> FactsOf(const MeshInfo& mesh) {
+  return {{"digest", mesh.digest},
+          {"vertices", GroupedNumber(mesh.vertex_count)},
+          {"faces", GroupedNumber(mesh.face_count)},
+          {"edges", GroupedNumber(mesh.edge_count)},
+          {"boundary",
+           absl::StrCat(GroupedNumber(mesh.boundary_edge_count), " edges in ",
+                        GroupedNumber(mesh.boundary_loop_count), " loops")},
+          {"components", GroupedNumber(mesh.component_count)},
+          {"isolated vertices", GroupedNumber(mesh.isolated_vertex_count)},
+          {"non-manifold",
+           absl::StrCat(GroupedNumber(mesh.non_manifold_edge_count), " edges, ",
+                        GroupedNumber(mesh.non_manifold_vertex_count),
+                        " vertices")},
+          {"orientation", Orientation(mesh)},
+          {"genus", Genus(mesh)},
+          {"saddle vertices", GroupedNumber(mesh.saddle_vertex_count)},
+          {"degenerate faces", GroupedNumber(mesh.degenerate_face_count)},
+          {"bounding box",
+           absl::StrCat(ShortNumbers(mesh.bounding_box_min), "  to  ",
+                        ShortNumbers(mesh.bounding_box_max))},
+          {"mean edge length", ShortNumber(mesh.mean_edge_length)},
+          {"anisotropy", ShortNumber(mesh.anisotropy)},
+          {"resident", ByteCount(mesh.resident_bytes)},
+          {"on disk", ByteCount(mesh.stored_bytes)}};
+}
+
+Json ToJson(const MeshInfo& mesh) {
+  return {{"digest", mesh.digest},
+          {"vertices", mesh.vertex_count},
+          {"faces", mesh.face_count},
+          {"edges", mesh.edge_count},
+          {"boundary_edges", mesh.boundary_edge_count},
+          {"boundary_loops", mesh.boundary_loop_count},
+          {"components", mesh.component_count},
+          {"isolated_vertices", mesh.isolated_vertex_count},
+          {"non_manifold_edges", mesh.non_manifold_edge_count},
+          {"non_manifold_vertices", mesh.non_manifold_vertex_count},
+          {"inconsistent_edges", mesh.inconsistent_edge_count},
+          {"orientable", mesh.orientable},
+          {"genus", mesh.genus.has_value() ? Json(*mesh.genus) : Json()},
+          {"saddle_vertices", mesh.saddle_vertex_count},
+          {"degenerate_faces", mesh.degenerate_face_count},
+          {"bounding_box_min", mesh.bounding_box_min},
+          {"bounding_box_max", mesh.bounding_box_max},
+          {"mean_edge_length", mesh.mean_edge_length},
+          {"anisotropy", mesh.anisotropy},
+          {"resident_bytes", mesh.resident_bytes},
+          {"stored_bytes", mesh.stored_bytes}};
+}
+
+struct UploadArguments {
+  std::vector<std::string> files;
+  std::optional<MeshFormat> format;
+};
+
+void AddUploadOptions(CLI::App* app, UploadArguments* arguments) {
+  AddFiles(app,
+           "Meshes in OBJ, PLY, OFF or STL; sent only if the server does not "
+           "know them",
+           &arguments->files);
+  AddFormat(app, &arguments->format);
+}
+
+void AddInfoOptions(CLI::App* app, MeshArgument* mesh) {
+  AddMesh(app, kMeshHelp, mesh);
+}
+
+void AddDeleteOptions(CLI::App* app, MeshArgument* mesh) {
+  AddMesh(app,
+          "The digest of a resident mesh, of which the first 8 digits do if "
+          "they are unique; or the file it came from",
+          mesh);
+}
+
+void PrintUpload(const Session& session, const UploadOutcome& outcome) {
+  if (session.quiet) {
+    session.out << outcome.mesh.digest << '\n';
+    return;
+  }
+  std::vector<Fact> facts = FactsOf(outcome.mesh);
+  facts.push_back({"upload", outcome.bytes_sent == 0
+                                 ? "nothing sent: already resident"
+                                 : absl::StrCat(ByteCount(outcome.bytes_sent),
+                                                outcome.already_resident
+                                                    ? ", already resident"
+                                                    : "")});
+  PrintFacts(facts, &session.out);
+}
+
+absl::Status Upload(const UploadArguments& arguments, const Session& session) {
+  Json uploads = Json::array();
+  for (const std::string& file : arguments.files) {
+    absl::StatusOr<UploadOutcome> outcome =
+        UploadMesh(session, {file, arguments.format});
+    if (!outcome.ok()) return outcome.status();
+    uploads.push_back({{"mesh", ToJson(outcome->mesh)},
+                       {"already_resident", outcome->already_resident},
+                       {"bytes_sent", outcome->bytes_sent}});
+    if (session.json) continue;
+    if (uploads.size() > 1 && !session.quiet) session.out << '\n';
+    PrintUpload(session, *outcome);
+  }
+  if (session.json) {
+    PrintJson(uploads.size() == 1 ? uploads[0] : Json{{"uploads", uploads}},
+              &session.out);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status List(const NoArguments&, const Session& session) {
   absl::StatusOr<std::vector<MeshInfo>> meshes =
       session.client.ListMeshes(session.call);
   if (!meshes.ok()) return meshes.status();
-  if (session.json) {
-    Json list = Json::array();
-    for (const MeshInfo& mesh : *meshes) list.push_back(ToJson(mesh));
-    PrintJson({{"meshes", list}}, &session.out);
-    return absl::OkStatus();
-  }
-  if (meshes->empty()) {
-    session.out << "no resident meshes: add one with geodesic upload FILE\n";
-    return absl::OkStatus();
-  }
+  Json list = Json::array();
   std::vector<std::vector<std::string>> rows;
   for (const MeshInfo& mesh : *meshes) {
+    list.push_back(ToJson(mesh));
     rows.push_back({mesh.digest.substr(0, 16), GroupedNumber(mesh.vertex_count),
                     GroupedNumber(mesh.face_count),
                     GroupedNumber(mesh.component_count),
                     GroupedNumber(mesh.boundary_loop_count), Genus(mesh),
                     ByteCount(mesh.resident_bytes)});
   }
-  PrintTable({"digest", "vertices", "faces", "components", "boundaries",
-              "genus", "resident"},
-             rows, &session.out);
+  if (session.json) {
+    PrintJson({{"meshes", list}}, &session.out);
+  } else if (meshes->empty()) {
+    session.out << "no resident meshes: add one with geodesic upload FILE\n";
+  } else {
+    PrintTable({"digest", "vertices", "faces", "components", "boundaries",
+                "genus", "resident"},
+               rows, &session.out);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status Describe(const MeshArgument& argument, const Session& session) {
+  return AskAboutMesh(session, argument, [&](const std::string& digest) {
+    absl::StatusOr<MeshInfo> mesh =
+        session.client.GetMesh(digest, session.call);
+    if (!mesh.ok()) return mesh.status();
+    if (session.json) {
+      PrintJson(ToJson(*mesh), &session.out);
+    } else {
+      PrintFacts(FactsOf(*mesh), &session.out);
+    }
+    return absl::OkStatus();
+  });
+}
+
+absl::Status Delete(const MeshArgument& mesh, const Session& session) {
+  absl::StatusOr<std::string> digest = FindMesh(session, mesh);
+  if (!digest.ok()) return digest.status();
+  absl::Status status = session.client.DeleteMesh(*digest, session.call);
+  if (!status.ok()) return status;
+  if (session.json) {
+    PrintJson({{"deleted", *digest}}, &session.out);
+  } else if (!session.quiet) {
+    session.out << "deleted " << *digest << '\n';
+  }
   return absl::OkStatus();
 }
 
 }  // namespace
 
+Command UploadCommand() {
+  return MakeCommand<UploadArguments>(
+      "upload", "Make mesh files resident on the server",
+      "  geodesic upload horse.ply\n"
+      "  geodesic upload --quiet left.ply right.ply",
+      AddUploadOptions, Upload);
+}
+
 Command MeshesCommand() {
-  return MakeCommand("meshes", "List the resident meshes", "  geodesic meshes",
-                     AddNoOptions, Run);
+  return MakeCommand<NoArguments>("meshes", "List the resident meshes",
+                                  "  geodesic meshes", AddNoOptions, List);
+}
+
+Command InfoCommand() {
+  return MakeCommand<MeshArgument>(
+      "info", "Describe a mesh: counts, topology, size",
+      "  geodesic info horse.ply", AddInfoOptions, Describe);
+}
+
+Command DeleteCommand() {
+  return MakeCommand<MeshArgument>("delete", "Drop a mesh from the server",
+                                   "  geodesic delete horse.ply",
+                                   AddDeleteOptions, Delete);
 }
 
 }  // namespace geodesic::client

@@ -7,35 +7,27 @@
 #include "client/cli/arguments/values.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/question.h"
-#include "client/output/csv.h"
 #include "client/output/number_text.h"
 #include "client/output/place_text.h"
 
 namespace geodesic::client {
 namespace {
 
-struct NearestArguments {
-  QuestionArguments question;
+struct NearestArguments : QuestionArguments {
   uint64_t count = 1;
-  std::optional<double> radius;
 };
 
 void AddOptions(CLI::App* app, NearestArguments* arguments) {
-  AddMesh(app, kMeshHelp, &arguments->question.mesh);
-  AddSources(app, Need::kRequired, &arguments->question.sources);
+  AddMesh(app, kMeshHelp, &arguments->mesh);
+  AddSources(app, Need::kRequired, &arguments->sources);
   AddTargets(app, Need::kRequired, "A member of the set to search",
-             &arguments->question.targets);
+             &arguments->targets);
   AddValue(app,
            {"-k,--count",
             "How many members to find for each source; default: 1", "K"},
            ParseCount, &arguments->count);
   AddRadius(app, "Find no members farther than this", &arguments->radius);
-  AddQuestion(app, "Write what was found here", kTableFormats,
-              &arguments->question);
-  AddCheck(app, [arguments] {
-    RequireSources(arguments->question.sources);
-    RequireTargets(arguments->question.targets);
-  });
+  AddQuestion(app, "Write what was found here", kTableFormats, arguments);
 }
 
 Json FoundJson(const Question& question, const NearestAnswer& answer) {
@@ -92,33 +84,25 @@ Report ReportOf(const Question& question, const NearestAnswer& answer) {
 
 absl::Status Answer(const NearestArguments& arguments, const Session& session,
                     const Question& question) {
+  auto query = MakeQuery<NearestQuery>(arguments, question);
+  query.count = arguments.count;
   Stopwatch watch(session);
   absl::StatusOr<NearestAnswer> answer =
-      session.client.FindNearest({.mesh_digest = question.mesh_digest,
-                                  .sources = question.sources,
-                                  .targets = question.targets,
-                                  .count = arguments.count,
-                                  .algorithm = arguments.question.algorithm,
-                                  .radius = arguments.radius,
-                                  .priority = arguments.question.priority},
-                                 session.call, watch.OnCount("sources"));
+      session.client.FindNearest(query, session.call, watch.OnCount("sources"));
   if (!answer.ok()) return answer.status();
   const double seconds = watch.seconds();
-  absl::StatusOr<std::vector<WrittenFile>> files = WriteOutputs(
-      session, arguments.question.outputs, [&](const OutputArgument& output) {
-        return WriteFile(output.path, [&](AtomicFile* file) {
-          if (output.format == OutputFormat::kCsv) {
-            WriteCsv(question, *answer, file);
-          } else {
-            file->Append(FoundJson(question, *answer).dump(2) + "\n");
-          }
-          return absl::OkStatus();
-        });
-      });
-  if (!files.ok()) return files.status();
-  PrintReport(session, question, answer->info, seconds, *files,
-              ReportOf(question, *answer));
-  return absl::OkStatus();
+  const auto write = [&](const OutputArgument& output) {
+    return WriteFile(output.path, [&](AtomicFile* file) {
+      if (output.format == OutputFormat::kCsv) {
+        WriteCsv(question, *answer, file);
+      } else {
+        file->Append(FoundJson(question, *answer).dump(2) + "\n");
+      }
+    });
+  };
+  return PrintReport(session, question, answer->info, seconds,
+                     WriteOutputs(session, arguments.outputs, write),
+                     ReportOf(question, *answer));
 }
 
 }  // namespace

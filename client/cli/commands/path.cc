@@ -6,32 +6,23 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
-#include "client/cli/commands/field_outputs.h"
-#include "client/cli/commands/line_outputs.h"
+#include "client/cli/commands/drawings.h"
+#include "client/cli/commands/question.h"
+#include "client/output/line_writers.h"
 #include "client/output/number_text.h"
 #include "client/output/place_text.h"
 
 namespace geodesic::client {
 namespace {
 
-struct PathArguments {
-  QuestionArguments question;
-  std::optional<double> radius;
-  PictureOptions picture;
-};
-
-void AddOptions(CLI::App* app, PathArguments* arguments) {
-  AddMesh(app, kMeshHelp, &arguments->question.mesh);
-  AddSources(app, Need::kRequired, &arguments->question.sources);
+void AddOptions(CLI::App* app, QuestionArguments* arguments) {
+  AddMesh(app, kMeshHelp, &arguments->mesh);
+  AddSources(app, Need::kRequired, &arguments->sources);
   AddTargets(app, Need::kRequired, "Find the path here from the nearest source",
-             &arguments->question.targets);
+             &arguments->targets);
   AddRadius(app, "Give up targets that are farther", &arguments->radius);
-  AddQuestion(app, "Write the paths here", kLineFormats, &arguments->question);
+  AddQuestion(app, "Write the paths here", kLineFormats, arguments);
   AddPicture(app, &arguments->picture);
-  AddCheck(app, [arguments] {
-    RequireSources(arguments->question.sources);
-    RequireTargets(arguments->question.targets);
-  });
 }
 
 Lines LinesOf(const PathAnswer& answer) {
@@ -57,9 +48,7 @@ PictureContent ContentOf(const Question& question, const PathAnswer& answer,
     content.bold_lines.push_back({.points = path.line.positions});
   }
   ShowSources(question.sources, mesh, &content);
-  for (const SurfacePoint& target : question.targets) {
-    content.targets.push_back(PositionOf(target, mesh));
-  }
+  ShowTargets(question.targets, mesh, &content);
   return content;
 }
 
@@ -91,17 +80,11 @@ Report ReportOf(const Question& question, const PathAnswer& answer) {
   return report;
 }
 
-absl::Status Answer(const PathArguments& arguments, const Session& session,
+absl::Status Answer(const QuestionArguments& arguments, const Session& session,
                     const Question& question) {
   Stopwatch watch(session);
-  absl::StatusOr<PathAnswer> answer =
-      session.client.ComputePaths({.mesh_digest = question.mesh_digest,
-                                   .sources = question.sources,
-                                   .targets = question.targets,
-                                   .algorithm = arguments.question.algorithm,
-                                   .radius = arguments.radius,
-                                   .priority = arguments.question.priority},
-                                  session.call, watch.OnSolve());
+  absl::StatusOr<PathAnswer> answer = session.client.ComputePaths(
+      MakeQuery<PathQuery>(arguments, question), session.call, watch.OnSolve());
   if (!answer.ok()) return answer.status();
   for (const GeodesicPath& path : answer->paths) {
     if (path.source.value_or(0) >= question.sources.size()) {
@@ -111,20 +94,24 @@ absl::Status Answer(const PathArguments& arguments, const Session& session,
   }
   const double seconds = watch.seconds();
   MeshOnDemand mesh(session, question.mesh_digest);
-  const auto write_picture =
-      [&](const std::string& path) -> absl::StatusOr<uint64_t> {
+  const Lines lines = LinesOf(*answer);
+  const auto write =
+      [&](const OutputArgument& output) -> absl::StatusOr<uint64_t> {
+    if (output.format != OutputFormat::kPng) {
+      return WriteFile(output.path, [&](AtomicFile* file) {
+        WriteLines(lines, output.format, file);
+      });
+    }
     absl::StatusOr<const MeshArrays*> arrays =
         mesh.Get(answer->info.vertex_count);
     if (!arrays.ok()) return arrays.status();
-    return WritePicture(path, **arrays, ContentOf(question, *answer, **arrays),
+    return WritePicture(output.path, **arrays,
+                        ContentOf(question, *answer, **arrays),
                         arguments.picture);
   };
-  absl::StatusOr<std::vector<WrittenFile>> files = WriteLineOutputs(
-      session, arguments.question.outputs, LinesOf(*answer), write_picture);
-  if (!files.ok()) return files.status();
-  PrintReport(session, question, answer->info, seconds, *files,
-              ReportOf(question, *answer));
-  return absl::OkStatus();
+  return PrintReport(session, question, answer->info, seconds,
+                     WriteOutputs(session, arguments.outputs, write),
+                     ReportOf(question, *answer));
 }
 
 }  // namespace

@@ -127,11 +127,10 @@ absl::StatusOr<const MeshArrays*> MeshOnDemand::Get(uint64_t vertex_count) {
 }
 
 absl::StatusOr<uint64_t> WriteFile(
-    const std::string& path,
-    const std::function<absl::Status(AtomicFile*)>& write) {
+    const std::string& path, const std::function<void(AtomicFile*)>& write) {
   absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
   if (!file.ok()) return FileError(file.status());
-  if (absl::Status status = write(&*file); !status.ok()) return status;
+  write(&*file);
   if (absl::Status status = file->Commit(); !status.ok()) {
     return FileError(status);
   }
@@ -154,9 +153,11 @@ absl::StatusOr<std::vector<WrittenFile>> WriteOutputs(
   return written;
 }
 
-void PrintReport(const Session& session, const Question& question,
-                 const AnswerInfo& info, double call_seconds,
-                 const std::vector<WrittenFile>& files, const Report& report) {
+absl::Status PrintReport(const Session& session, const Question& question,
+                         const AnswerInfo& info, double call_seconds,
+                         const absl::StatusOr<std::vector<WrittenFile>>& files,
+                         const Report& report) {
+  if (!files.ok()) return files.status();
   if (session.json) {
     Json json = {{"mesh", info.mesh_digest},
                  {"algorithm", info.algorithm},
@@ -167,16 +168,19 @@ void PrintReport(const Session& session, const Question& question,
                  {"call_seconds", call_seconds},
                  {"server_version", info.server_version}};
     json.update(report.json);
-    json["outputs"] = FilesJson(files);
+    json["outputs"] = FilesJson(*files);
     PrintJson(json, &session.out);
-    return;
+    return absl::OkStatus();
   }
-  if (session.quiet && !files.empty()) return;
+  if (session.quiet && !files->empty()) return absl::OkStatus();
   if (!report.header.empty()) {
     PrintTable(report.header, report.rows, &session.out);
     if (!session.quiet) session.out << '\n';
   }
-  if (session.quiet) return PrintFacts(report.facts, &session.out);
+  if (session.quiet) {
+    PrintFacts(report.facts, &session.out);
+    return absl::OkStatus();
+  }
   std::vector<Fact> facts = {{"mesh", info.mesh_digest},
                              {"algorithm", info.algorithm}};
   facts.insert(facts.end(), report.facts.begin(), report.facts.end());
@@ -186,11 +190,12 @@ void PrintReport(const Session& session, const Question& question,
                                               ? " over all threads"
                                               : "")});
   facts.push_back({"this call", Seconds(call_seconds)});
-  for (const WrittenFile& file : files) {
+  for (const WrittenFile& file : *files) {
     facts.push_back({"wrote", absl::StrCat(file.output.path, " (",
                                            ByteCount(file.bytes), ")")});
   }
   PrintFacts(facts, &session.out);
+  return absl::OkStatus();
 }
 
 absl::Status OutputFailed() {

@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,12 +14,11 @@
 #include "absl/status/statusor.h"
 #include "client/cli/arguments/options.h"
 #include "client/cli/commands/command.h"
-#include "client/cli/commands/json.h"
 #include "client/cli/terminal/exit_code.h"
 #include "client/cli/terminal/progress_display.h"
 #include "client/cli/terminal/text.h"
 #include "client/output/atomic_file.h"
-#include "client/output/number_type.h"
+#include "client/output/binary_numbers.h"
 #include "geodesic_client/answer.h"
 
 namespace geodesic::client {
@@ -40,26 +38,43 @@ absl::Status AskQuestion(
     const Session& session, const QuestionArguments& arguments,
     const std::function<absl::Status(const Question&)>& answer);
 
-// A command that answers a question; its `Arguments` have QuestionArguments
-// called `question`.
+// A command that answers a question; its `Arguments` are QuestionArguments.
 template <typename Arguments>
 Command MakeQuestion(std::string name, std::string help, std::string examples,
                      void (*add_options)(CLI::App*, Arguments*),
                      absl::Status (*answer)(const Arguments&, const Session&,
                                             const Question&)) {
-  const auto arguments = std::make_shared<Arguments>();
-  return {
-      .name = std::move(name),
-      .help = std::move(help),
-      .examples = std::move(examples),
-      .add_options = [=](CLI::App* app) { add_options(app, arguments.get()); },
-      .run =
-          [=](const Session& session) {
-            return AskQuestion(session, arguments->question,
-                               [&](const Question& question) {
-                                 return answer(*arguments, session, question);
-                               });
-          }};
+  return MakeCommand<Arguments>(
+      std::move(name), std::move(help), std::move(examples), add_options,
+      [answer](const Arguments& arguments, const Session& session) {
+        return AskQuestion(session, arguments, [&](const Question& question) {
+          return answer(arguments, session, question);
+        });
+      });
+}
+
+// How numbers travel, and stand in binary files.
+inline ValueType ValueTypeOf(bool float32) {
+  return float32 ? ValueType::kFloat32 : ValueType::kFloat64;
+}
+inline NumberType NumberTypeOf(bool float32) {
+  return float32 ? NumberType::kFloat32 : NumberType::kFloat64;
+}
+
+// A query with all that several kinds of query have.
+template <typename Query>
+Query MakeQuery(const QuestionArguments& arguments, const Question& question) {
+  Query query;
+  query.mesh_digest = question.mesh_digest;
+  query.algorithm = arguments.algorithm;
+  query.priority = arguments.priority;
+  if constexpr (requires { query.sources; }) query.sources = question.sources;
+  if constexpr (requires { query.targets; }) query.targets = question.targets;
+  if constexpr (requires { query.radius; }) query.radius = arguments.radius;
+  if constexpr (requires { query.value_type; }) {
+    query.value_type = ValueTypeOf(arguments.float32);
+  }
+  return query;
 }
 
 // Shows how far a computation has come, and measures how long it takes.
@@ -102,14 +117,6 @@ class MeshOnDemand {
   std::optional<MeshArrays> mesh_;
 };
 
-// How numbers travel, and stand in binary files.
-inline ValueType ValueTypeOf(bool float32) {
-  return float32 ? ValueType::kFloat32 : ValueType::kFloat64;
-}
-inline NumberType NumberTypeOf(bool float32) {
-  return float32 ? NumberType::kFloat32 : NumberType::kFloat64;
-}
-
 struct WrittenFile {
   OutputArgument output;
   uint64_t bytes = 0;
@@ -117,8 +124,7 @@ struct WrittenFile {
 
 // Writes the whole file or nothing; its size.
 absl::StatusOr<uint64_t> WriteFile(
-    const std::string& path,
-    const std::function<absl::Status(AtomicFile*)>& write);
+    const std::string& path, const std::function<void(AtomicFile*)>& write);
 
 // Calls `write` for every output.
 absl::StatusOr<std::vector<WrittenFile>> WriteOutputs(
@@ -138,10 +144,13 @@ struct Report {
 
 // Prints the table and the facts, with what all answers have in common, or one
 // JSON object. With --quiet only the table and the report's own facts, and
-// nothing if the answer went to files.
-void PrintReport(const Session& session, const Question& question,
-                 const AnswerInfo& info, double call_seconds,
-                 const std::vector<WrittenFile>& files, const Report& report);
+// nothing if the answer went to files. Prints nothing if those could not be
+// written.
+// Errors: that of `files`.
+absl::Status PrintReport(const Session& session, const Question& question,
+                         const AnswerInfo& info, double call_seconds,
+                         const absl::StatusOr<std::vector<WrittenFile>>& files,
+                         const Report& report);
 
 // Ends a command whose output cannot be written.
 absl::Status OutputFailed();

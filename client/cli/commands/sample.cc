@@ -8,25 +8,22 @@
 #include "client/cli/arguments/values.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/question.h"
-#include "client/output/csv.h"
 #include "client/output/field_writers.h"
 #include "client/output/number_text.h"
 
 namespace geodesic::client {
 namespace {
 
-struct SampleArguments {
-  QuestionArguments question;
+struct SampleArguments : QuestionArguments {
   uint64_t count = 10;
 };
 
 void AddOptions(CLI::App* app, SampleArguments* arguments) {
-  AddMesh(app, kMeshHelp, &arguments->question.mesh);
+  AddMesh(app, kMeshHelp, &arguments->mesh);
   AddValue(app, {"-n,--count", "How many samples to take; default: 10", "N"},
            ParseCount, &arguments->count);
-  AddSources(app, Need::kOptional, &arguments->question.sources);
-  AddQuestion(app, "Write the samples here", kSampleFormats,
-              &arguments->question);
+  AddSources(app, Need::kOptional, &arguments->sources);
+  AddQuestion(app, "Write the samples here", kSampleFormats, arguments);
 }
 
 // A sample with its place in space.
@@ -101,41 +98,34 @@ absl::Status Answer(const SampleArguments& arguments, const Session& session,
   if (question.sources.empty()) {
     question.sources.push_back({.place = VertexPoint{0}});
   }
+  auto query = MakeQuery<SampleQuery>(arguments, question);
+  query.count = arguments.count;
   Stopwatch watch(session);
-  absl::StatusOr<SampleAnswer> answer = session.client.SampleFarthestPoints(
-      {.mesh_digest = question.mesh_digest,
-       .sources = question.sources,
-       .count = arguments.count,
-       .algorithm = arguments.question.algorithm,
-       .priority = arguments.question.priority},
-      session.call, watch.OnSolve());
+  absl::StatusOr<SampleAnswer> answer =
+      session.client.SampleFarthestPoints(query, session.call, watch.OnSolve());
   if (!answer.ok()) return answer.status();
   const double seconds = watch.seconds();
-  const std::vector<OutputArgument>& outputs = arguments.question.outputs;
   std::vector<PlacedSample> samples;
-  if (session.json || !outputs.empty()) {
+  if (session.json || !arguments.outputs.empty()) {
     MeshOnDemand mesh(session, question.mesh_digest);
     absl::StatusOr<std::vector<PlacedSample>> placed = Place(*answer, &mesh);
     if (!placed.ok()) return placed.status();
     samples = *std::move(placed);
   }
-  absl::StatusOr<std::vector<WrittenFile>> files =
-      WriteOutputs(session, outputs, [&](const OutputArgument& output) {
-        return WriteFile(output.path, [&](AtomicFile* file) {
-          if (output.format == OutputFormat::kCsv) {
-            WriteCsv(samples, file);
-          } else if (output.format == OutputFormat::kPly) {
-            WritePly(samples, file);
-          } else {
-            file->Append(SamplesJson(samples).dump(2) + "\n");
-          }
-          return absl::OkStatus();
-        });
-      });
-  if (!files.ok()) return files.status();
-  PrintReport(session, question, answer->info, seconds, *files,
-              ReportOf(session, *answer, samples));
-  return absl::OkStatus();
+  const auto write = [&](const OutputArgument& output) {
+    return WriteFile(output.path, [&](AtomicFile* file) {
+      if (output.format == OutputFormat::kCsv) {
+        WriteCsv(samples, file);
+      } else if (output.format == OutputFormat::kPly) {
+        WritePly(samples, file);
+      } else {
+        file->Append(SamplesJson(samples).dump(2) + "\n");
+      }
+    });
+  };
+  return PrintReport(session, question, answer->info, seconds,
+                     WriteOutputs(session, arguments.outputs, write),
+                     ReportOf(session, *answer, samples));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "client/cli/terminal/text.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 #include "absl/strings/str_cat.h"
@@ -42,6 +41,11 @@ std::string ShortNumber(double number) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.6g", number);
   return text;
+}
+
+std::string ShortNumbers(const std::array<double, 3>& numbers) {
+  return absl::StrCat(ShortNumber(numbers[0]), " ", ShortNumber(numbers[1]),
+                      " ", ShortNumber(numbers[2]));
 }
 
 std::string Seconds(double seconds) {
@@ -95,6 +99,10 @@ void PrintTable(const std::vector<std::string>& header,
   };
   print(header);
   for (const auto& row : rows) print(row);
+}
+
+void PrintJson(const Json& json, std::ostream* out) {
+  *out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
 }  // namespace geodesic::client

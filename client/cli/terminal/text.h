@@ -1,9 +1,11 @@
-// Numbers and tables as people read them.
+// Numbers, tables and JSON as people read them.
 
 #ifndef GEODESIC_CLIENT_CLI_TERMINAL_TEXT_H_
 #define GEODESIC_CLIENT_CLI_TERMINAL_TEXT_H_
 
+#include <array>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -21,6 +23,9 @@ std::string ByteCount(uint64_t bytes);
 // "0.1234", six significant digits.
 std::string ShortNumber(double number);
 
+// Three of them, with spaces between.
+std::string ShortNumbers(const std::array<double, 3>& numbers);
+
 // "12.3 ms", "4.56 s".
 std::string Seconds(double seconds);
 
@@ -37,6 +42,10 @@ void PrintFacts(const std::vector<Fact>& facts, std::ostream* out);
 // right. REQUIRES: rows as long as the header.
 void PrintTable(const std::vector<std::string>& header,
                 std::vector<std::vector<std::string>> rows, std::ostream* out);
+
+// What --json prints. Keys keep their order, so that people can read it too.
+using Json = nlohmann::ordered_json;
+void PrintJson(const Json& json, std::ostream* out);
 
 }  // namespace geodesic::client
 

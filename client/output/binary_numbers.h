@@ -1,0 +1,40 @@
+// Numbers in binary files, and NumPy's files of them (format 1.0).
+
+#ifndef GEODESIC_CLIENT_OUTPUT_BINARY_NUMBERS_H_
+#define GEODESIC_CLIENT_OUTPUT_BINARY_NUMBERS_H_
+
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "client/output/atomic_file.h"
+
+namespace geodesic::client {
+
+enum class NumberType { kFloat64, kFloat32, kInt64, kInt32 };
+
+// Appends the values in this type. REQUIRES: integers are in range.
+void AppendNumbers(std::span<const double> values, NumberType type,
+                   std::string* bytes, std::endian order = std::endian::little);
+
+// The same, a block at a time.
+void AppendNumbers(std::span<const double> values, NumberType type,
+                   AtomicFile* file, std::endian order = std::endian::little);
+
+// As NumPy writes it: "<f8", "<f4", "<i8" or "<i4".
+std::string_view NumpyName(NumberType type);
+
+// All that comes before the values; `type` as NumPy names it. Whole blocks of
+// 64 bytes, and at least `least_size`.
+std::string NpyHeader(std::string_view type, std::span<const uint64_t> shape,
+                      size_t least_size = 0);
+
+// A whole file in memory. REQUIRES: as many values as the shape has.
+std::string NpyArray(std::span<const double> values, NumberType type,
+                     std::span<const uint64_t> shape);
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_OUTPUT_BINARY_NUMBERS_H_
