@@ -9,10 +9,12 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "absl/strings/str_replace.h"
 #include "tests/core/readers/byte_writer.h"
 #include "tests/core/readers/soup_checks.h"
 
@@ -24,6 +26,7 @@ using test::ExpectRead;
 using test::ExpectSound;
 using test::IsInvalid;
 using test::IsInvalidWith;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 struct Sample {
@@ -32,7 +35,7 @@ struct Sample {
   std::string bytes;
   // How many of the last bytes may be cut off without an error: line ends,
   // digits of the last number, names.
-  size_t spare;
+  size_t spare = 0;
 };
 
 std::string PlyHeader(std::string_view format) {
@@ -192,6 +195,91 @@ TEST_P(EveryFormatTest, AMeshOfAnotherFormatIsCalledByItsName) {
   }
 }
 
+TEST_P(EveryFormatTest, TakesEveryLineEnd) {
+  const Sample& sample = GetParam();
+  if (sample.spare == 0) return;  // binary
+  const TriangleSoup soup = ExpectRead(ReadMesh(sample.bytes, sample.format));
+  for (const char* end : {"\r\n", "\r"}) {
+    const std::string bytes = absl::StrReplaceAll(sample.bytes, {{"\n", end}});
+    for (const size_t cut : {size_t{0}, std::string_view(end).size()}) {
+      const TriangleSoup same = ExpectRead(
+          ReadMesh(bytes.substr(0, bytes.size() - cut), sample.format));
+      EXPECT_EQ(same.positions, soup.positions);
+      EXPECT_EQ(same.triangles, soup.triangles);
+    }
+  }
+}
+
+// The same mesh in the formats that keep doubles and number their vertices.
+std::vector<Sample> SameMesh() {
+  const std::string vertices = "0.1 1e-300 -1e300\n9 9 9\n.5 5. +1\n1 2 3\n";
+  const std::string header =
+      " 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+      "property double z\nelement face 2\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  std::vector<Sample> samples = {
+      {"Obj", MeshFormat::kObj,
+       "v " +
+           absl::StrReplaceAll(
+               vertices,
+               {{"\n9", "\nv 9"}, {"\n.", "\nv ."}, {"\n1", "\nv 1"}}) +
+           "f 2 1 3 4\nf 1 3 4\n"},
+      {"Off", MeshFormat::kOff,
+       "OFF\n4 2 0\n" + vertices + "4 1 0 2 3 1 0 0\n3 0 2 3\n"},
+      {"PlyAscii", MeshFormat::kPly,
+       "ply\nformat ascii" + header + vertices + "\n 4 1 0 2 3  \n3 0 2 3\n\n"},
+  };
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    const bool little = order == std::endian::little;
+    ByteWriter file(order);
+    file.Text(little ? "ply\nformat binary_little_endian"
+                     : "ply\nformat binary_big_endian")
+        .Text(header)
+        .Put<double>(0.1, 1e-300, -1e300, 9, 9, 9, 0.5, 5, 1, 1, 2, 3)
+        .Put<uint8_t>(4)
+        .Put<int32_t>(1, 0, 2, 3)
+        .Put<uint8_t>(3)
+        .Put<int32_t>(0, 2, 3);
+    samples.push_back(
+        {little ? "PlyLittle" : "PlyBig", MeshFormat::kPly, file.bytes()});
+  }
+  return samples;
+}
+
+// Vertices that no face uses among them; polygons are fanned from their first
+// corner.
+TEST(ReadMeshTest, KeepsDoublesAndTheOrderOfTheFile) {
+  for (const Sample& sample : SameMesh()) {
+    SCOPED_TRACE(sample.name);
+    const TriangleSoup soup = ExpectRead(ReadMesh(sample.bytes, sample.format));
+    EXPECT_THAT(soup.positions,
+                ElementsAre(Point{0.1, 1e-300, -1e300}, Point{9, 9, 9},
+                            Point{0.5, 5, 1}, Point{1, 2, 3}));
+    EXPECT_THAT(
+        soup.triangles,
+        ElementsAre(Triangle{1, 0, 2}, Triangle{1, 2, 3}, Triangle{0, 2, 3}));
+  }
+}
+
+TEST(ReadMeshTest, AFileWithoutFacesIsNoError) {
+  const std::string vertices =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\n"
+      "property double y\nproperty double z\n";
+  for (const auto& [format, bytes, count] :
+       {std::tuple{MeshFormat::kObj, std::string("v 0 0 0\n"), 1u},
+        {MeshFormat::kObj, "# nothing\n", 0u},
+        {MeshFormat::kOff, "OFF\n1 0 0\n0 0 0\n", 1u},
+        {MeshFormat::kOff, "OFF\n0 0 0\n", 0u},
+        {MeshFormat::kPly, vertices + "end_header\n0 0 0\n", 1u},
+        {MeshFormat::kPly, vertices + "element face 0\nend_header\n0 0 0\n",
+         1u},
+        {MeshFormat::kStl, "solid\nendsolid\n", 0u}}) {
+    const TriangleSoup soup = ExpectRead(ReadMesh(bytes, format));
+    EXPECT_EQ(soup.positions.size(), count) << bytes;
+    EXPECT_TRUE(soup.triangles.empty()) << bytes;
+  }
+}
+
 TEST(ReadMeshTest, BinaryBytesAreNoObj) {
   EXPECT_THAT(ReadMesh(std::string("v 0 0 0\n\0\1\2", 11), MeshFormat::kObj),
               IsInvalid("byte 8 is zero: the bytes look like binary data, not "
@@ -205,6 +293,31 @@ TEST(ReadMeshTest, MemoryStaysWithinASmallFactorOfTheInput) {
                   soup.triangles.capacity() * sizeof(Triangle),
               8 * sample.bytes.size())
         << sample.name;
+  }
+}
+
+TEST(MeshFormatTest, TheEndingOfAPathNamesTheFormat) {
+  EXPECT_EQ(MeshFormatFromPath("horse.ply").value(), MeshFormat::kPly);
+  EXPECT_EQ(MeshFormatFromPath("a/b.PLY").value(), MeshFormat::kPly);
+  EXPECT_EQ(MeshFormatFromPath("a.b/c.d.obj").value(), MeshFormat::kObj);
+  EXPECT_EQ(MeshFormatFromPath("x.Off").value(), MeshFormat::kOff);
+  EXPECT_EQ(MeshFormatFromPath("x.STL").value(), MeshFormat::kStl);
+}
+
+TEST(MeshFormatTest, OtherPathsAreRefusedByName) {
+  EXPECT_THAT(MeshFormatFromPath("mesh.gltf"), IsInvalidWith("mesh.gltf"));
+  EXPECT_THAT(MeshFormatFromPath("mesh.gltf"), IsInvalidWith(".obj, .ply"));
+  for (const char* path : {"", "ply", "a.ply/mesh", "mesh.", "mesh.ply.gz"}) {
+    EXPECT_THAT(MeshFormatFromPath(path), IsInvalidWith("names no mesh format"))
+        << path;
+  }
+}
+
+TEST(MeshFormatTest, NamesLeadBackToTheFormat) {
+  for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly,
+                                  MeshFormat::kOff, MeshFormat::kStl}) {
+    const std::string path = "x." + std::string(MeshFormatName(format));
+    EXPECT_EQ(MeshFormatFromPath(path).value(), format);
   }
 }
 

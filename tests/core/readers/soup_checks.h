@@ -10,9 +10,11 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "geodesic/read_mesh.h"
 #include "geodesic/triangle_soup.h"
 
 namespace geodesic::test {
@@ -51,6 +53,18 @@ inline TriangleSoup ExpectRead(absl::StatusOr<TriangleSoup> soup) {
   if (!soup.ok()) return {};
   ExpectSound(*soup);
   return *std::move(soup);
+}
+
+// Files that are refused as INVALID_ARGUMENT, with exactly these messages.
+struct Refusal {
+  std::string bytes;
+  std::string message;
+};
+inline void ExpectRefused(MeshFormat format,
+                          const std::vector<Refusal>& refusals) {
+  for (const auto& [bytes, message] : refusals) {
+    EXPECT_THAT(ReadMesh(bytes, format), IsInvalid(message));
+  }
 }
 
 }  // namespace geodesic::test
