@@ -45,9 +45,8 @@ void RecordWorstError(std::string_view algorithm, double error) {
 
 std::shared_ptr<const Mesh> BuildOrFail(const NamedMesh& mesh) {
   absl::StatusOr<std::shared_ptr<const Mesh>> built = Mesh::Build(mesh.soup);
-  if (built.ok()) return *std::move(built);
-  ADD_FAILURE() << mesh.name << ": " << built.status().ToString();
-  return nullptr;
+  EXPECT_TRUE(built.ok()) << mesh.name << ": " << built.status();
+  return std::move(built).value();
 }
 
 std::vector<double> SolveOrFail(const Mesh& mesh, Algorithm algorithm,

@@ -30,10 +30,10 @@ struct NamedMesh {
   TriangleSoup soup;
 };
 
-// Fails the test, and returns an empty result, if the mesh is refused or the
-// solver fails.
+// Fails the test and throws if the mesh is refused.
 std::shared_ptr<const Mesh> BuildOrFail(const NamedMesh& mesh);
-// Also fails the test if the field breaks the law of edges (edge_law.h).
+// Fails the test, and returns an empty result, if the solver fails; also fails
+// it if the field breaks the law of edges (edge_law.h).
 std::vector<double> SolveOrFail(const Mesh& mesh, Algorithm algorithm,
                                 const std::vector<Source>& sources);
 

@@ -265,6 +265,24 @@ TriangleSoup Join(TriangleSoup a, const TriangleSoup& b) {
   return a;
 }
 
+TriangleSoup Book(const TriangleSoup& page, uint32_t pages) {
+  TriangleSoup book = page;
+  for (uint32_t i = 1; i < pages; ++i) {
+    const double angle = 2 * std::numbers::pi * i / pages;
+    std::vector<uint32_t> number;
+    for (uint32_t v = 0; v < page.positions.size(); ++v) {
+      const Point& p = page.positions[v];
+      const Point turned = {p[0] * std::cos(angle), p[1],
+                            p[0] * std::sin(angle)};
+      number.push_back(p[0] == 0 ? v : AddPoint(book, turned));
+    }
+    for (const auto& [a, b, c] : page.triangles) {
+      book.triangles.push_back({number[a], number[b], number[c]});
+    }
+  }
+  return book;
+}
+
 TriangleSoup AddIsolatedVertices(TriangleSoup soup, uint32_t count) {
   for (uint32_t i = 0; i < count; ++i) {
     AddPoint(soup, {0.1 * i, 0.2, 0.3});

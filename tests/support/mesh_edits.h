@@ -54,6 +54,10 @@ TriangleSoup Scale(TriangleSoup soup, double factor);
 
 // Both, not connected; the vertices of `b` come last.
 TriangleSoup Join(TriangleSoup a, const TriangleSoup& b);
+// `pages` copies, turned about the y axis in equal steps. They share their
+// vertices at x = 0: a spine where all of them meet. The first page's vertices
+// keep their numbers. REQUIRES: the page lies in the plane z = 0.
+TriangleSoup Book(const TriangleSoup& page, uint32_t pages);
 // With `count` more vertices that no face uses.
 TriangleSoup AddIsolatedVertices(TriangleSoup soup, uint32_t count);
 

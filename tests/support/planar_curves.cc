@@ -20,7 +20,8 @@ Place At(const TriangleSoup& soup, uint32_t v) {
   return {soup.positions[v][0], soup.positions[v][1]};
 }
 
-// On a vertex or an edge if it is there to a rounding, else in a face.
+}  // namespace
+
 SurfacePoint Locate(const TriangleSoup& soup, const Place& p) {
   constexpr double kOn = 1e-13;
   for (uint32_t f = 0; f < soup.triangles.size(); ++f) {
@@ -39,8 +40,6 @@ SurfacePoint Locate(const TriangleSoup& soup, const Place& p) {
   }
   std::abort();  // the curve leaves the mesh
 }
-
-}  // namespace
 
 double DistanceTo(const PlanarCurve& curve, const Point& p) {
   double least = std::numeric_limits<double>::infinity();

@@ -16,6 +16,10 @@ struct PlanarCurve {
   double offset = 0;
 };
 
+// The place in the plane as a point of the mesh: on a vertex or an edge if it
+// is there to a rounding, else in a face. REQUIRES: as OnMesh.
+SurfacePoint Locate(const TriangleSoup& soup, const std::array<double, 2>& p);
+
 // Euclid's distance from p, plus the offset.
 double DistanceTo(const PlanarCurve& curve, const Point& p);
 

@@ -76,8 +76,7 @@ void CheckDraw(uint64_t seed) {
   constexpr size_t kMostFaces = 120;
   if (bad.empty() || soup.triangles.size() > kMostFaces) return;
   const NamedMesh named{absl::StrCat("bad faces ", seed), soup};
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail(named);
   const double slack = 4 * CoordinateRounding(soup);
   std::vector<SurfacePoint> places;
   for (int i = 0; i < 4; ++i) places.push_back(DrawPlace(bad, random));

@@ -186,11 +186,8 @@ class IsolineCheck {
 std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
                                     const std::vector<double>& levels) {
   NoCheckpoint checkpoint;
-  auto isolines =
-      ComputeIsolines(mesh, Valid(mesh, query), levels, {}, checkpoint);
-  if (isolines.ok()) return *std::move(isolines);
-  ADD_FAILURE() << isolines.status().ToString();
-  return {};
+  return ComputeIsolines(mesh, Valid(mesh, query), levels, {}, checkpoint)
+      .value();
 }
 
 std::vector<double> DistancesOrFail(const Mesh& mesh, const Query& query,
@@ -198,17 +195,13 @@ std::vector<double> DistancesOrFail(const Mesh& mesh, const Query& query,
   NoCheckpoint checkpoint;
   Query with_targets = query;
   with_targets.targets = points;
-  auto field = Solve(mesh, with_targets, {}, checkpoint);
-  if (field.ok()) return std::move(field->target_distances);
-  ADD_FAILURE() << field.status().ToString();
-  return {};
+  return Solve(mesh, with_targets, {}, checkpoint).value().target_distances;
 }
 
 void ExpectIsolines(const NamedMesh& named, const Query& query,
                     const std::vector<double>& levels, uint32_t samples,
                     double slack) {
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail(named);
   const IsolineCheck check(named, *mesh, query, levels, slack);
   check.ExpectPointsAtLevel();
   check.ExpectCurves();

@@ -11,6 +11,7 @@
 
 namespace geodesic::test {
 
+// These throw, which fails the test, where there is no answer.
 std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
                                     const std::vector<double>& levels);
 

@@ -27,15 +27,11 @@ class LogMapTest : public EveryAlgorithm {
  protected:
   void Prepare(const NamedMesh& named, const Source& source) {
     mesh_ = BuildOrFail(named);
-    ASSERT_NE(mesh_, nullptr);
     const Query query{
         .sources = {source}, .algorithm = GetParam().algorithm, .trace = true};
     field_ = SolveTraced(*mesh_, query);
-    absl::StatusOr<LogMap> map =
-        ComputeLogMap(*mesh_, Valid(*mesh_, query), field_);
-    ASSERT_TRUE(map.ok()) << map.status();
-    ASSERT_EQ(map->coordinates.size(), mesh_->vertex_count());
-    map_ = *std::move(map);
+    map_ = ComputeLogMap(*mesh_, Valid(*mesh_, query), field_).value();
+    ASSERT_EQ(map_.coordinates.size(), mesh_->vertex_count());
     for (uint32_t v = 0; v < mesh_->vertex_count(); ++v) {
       const auto& [x, y] = map_.coordinates[v];
       if (std::isinf(field_.distances[v])) {
@@ -44,6 +40,20 @@ class LogMapTest : public EveryAlgorithm {
         const double distance = field_.distances[v] - source.offset;
         EXPECT_NEAR(std::hypot(x, y), distance, 1e-13 * distance) << v;
       }
+    }
+  }
+  // Coordinates are those of the plane itself, turned so that zero_direction is
+  // the x axis.
+  void ExpectPlane(const std::vector<Point>& positions, const Vec3& from) {
+    const Vec3 zero = ToVec3(map_.zero_direction);
+    for (uint32_t v = 0; v < mesh_->vertex_count(); ++v) {
+      const Vec3 away = ToVec3(positions[v]) - from;
+      EXPECT_NEAR(map_.coordinates[v][0], static_cast<double>(Dot(zero, away)),
+                  1e-12)
+          << v;
+      EXPECT_NEAR(map_.coordinates[v][1],
+                  static_cast<double>(Cross(zero, away).z), 1e-12)
+          << v;
     }
   }
   double Angle(uint32_t v) const {
@@ -55,7 +65,6 @@ class LogMapTest : public EveryAlgorithm {
   LogMap map_;
 };
 
-// Coordinates in the plane itself, turned so that zero_direction is the x axis.
 TEST_P(LogMapTest, IsThePlaneInAPlane) {
   for (const double jitter : {0.0, 0.2}) {
     const TriangleSoup grid =
@@ -68,18 +77,9 @@ TEST_P(LogMapTest, IsThePlaneInAPlane) {
              EdgePoint{4, 3, 0.5}, EdgePoint{118, 117, 0.25},
              FacePoint{90, {0.2, 0.3, 0.5}}}) {
       Prepare({"grid", grid}, {point, 2});
-      const Vec3 from = ToVec3(PositionOf(point, *mesh_));
-      const Vec3 zero = ToVec3(map_.zero_direction);
-      EXPECT_NEAR(static_cast<double>(Norm(zero)), 1, 1e-15);
-      for (uint32_t v = 0; v < mesh_->vertex_count(); ++v) {
-        const Vec3 away = ToVec3(grid.positions[v]) - from;
-        EXPECT_NEAR(map_.coordinates[v][0],
-                    static_cast<double>(Dot(zero, away)), 1e-12)
-            << v;
-        EXPECT_NEAR(map_.coordinates[v][1],
-                    static_cast<double>(Cross(zero, away).z), 1e-12)
-            << v;
-      }
+      EXPECT_NEAR(static_cast<double>(Norm(ToVec3(map_.zero_direction))), 1,
+                  1e-15);
+      ExpectPlane(grid.positions, ToVec3(PositionOf(point, *mesh_)));
     }
   }
 }
@@ -146,18 +146,9 @@ TEST_P(LogMapTest, SeesPastEdgesWithoutLength) {
     const TriangleSoup soup = DoubleVertices(grid, 3, seed, &doubled);
     for (const uint32_t source : {6u, 7u, 12u}) {
       if (std::ranges::find(doubled, source) != doubled.end()) continue;
+      SCOPED_TRACE(testing::Message() << seed << ": from " << source);
       Prepare({"grid with double vertices", soup}, {VertexPoint{source}});
-      const Vec3 zero = ToVec3(map_.zero_direction);
-      for (uint32_t v = 0; v < mesh_->vertex_count(); ++v) {
-        const Vec3 away =
-            ToVec3(soup.positions[v]) - ToVec3(soup.positions[source]);
-        EXPECT_NEAR(map_.coordinates[v][0],
-                    static_cast<double>(Dot(zero, away)), 1e-12)
-            << seed << ": " << source << " to " << v;
-        EXPECT_NEAR(map_.coordinates[v][1],
-                    static_cast<double>(Cross(zero, away).z), 1e-12)
-            << seed << ": " << source << " to " << v;
-      }
+      ExpectPlane(soup.positions, ToVec3(soup.positions[source]));
     }
   }
 }
@@ -178,7 +169,7 @@ TEST(LogMap, RefusesWhatHasNoDirections) {
       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {5, 5, 5}},
       {{0, 1, 2}, {0, 3, 4}}};
   const auto status = [](const TriangleSoup& soup, Query query) {
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail({"mesh", soup});
+    const auto mesh = BuildOrFail({"mesh", soup});
     query.trace = true;
     return ComputeLogMap(*mesh, Valid(*mesh, query), SolveTraced(*mesh, query))
         .status();

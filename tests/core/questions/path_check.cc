@@ -213,12 +213,7 @@ DistanceField SolveTraced(const Mesh& mesh, const Query& query) {
   Query traced = query;
   traced.trace = true;
   NoCheckpoint checkpoint;
-  absl::StatusOr<DistanceField> field = Solve(mesh, traced, {}, checkpoint);
-  if (!field.ok()) {
-    ADD_FAILURE() << field.status();
-    return {};
-  }
-  return *std::move(field);
+  return Solve(mesh, traced, {}, checkpoint).value();
 }
 
 PathTracer TracerOf(const Mesh& mesh, const Query& query,

@@ -15,10 +15,9 @@
 
 namespace geodesic::test {
 
-// Fails the test, and returns an empty field, if the solver fails.
+// These throw, which fails the test, where the solver fails or the field does
+// not answer the query with a trace.
 DistanceField SolveTraced(const Mesh& mesh, const Query& query);
-// Throws, which fails the test, where the field does not answer the query with
-// a trace.
 PathTracer TracerOf(const Mesh& mesh, const Query& query,
                     const DistanceField& field);
 

@@ -56,8 +56,7 @@ class Paths : public EveryAlgorithm {
   // once with offsets; to vertices and points.
   void CheckPaths(const NamedMesh& named, PathCheckOptions options = {},
                   uint32_t vertex_sources = 4) const {
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-    ASSERT_NE(mesh, nullptr);
+    const auto mesh = BuildOrFail(named);
     const std::vector<SurfacePoint> targets = RandomPoints(named.soup, 40, 1);
     const Algorithm algorithm = GetParam().algorithm;
     Query all{.targets = targets, .algorithm = algorithm};
@@ -165,9 +164,7 @@ TEST_P(Paths, FromPointsBesideDoubledVertices) {
     std::vector<uint32_t> doubled;
     const TriangleSoup soup = DoubleVertices(
         DoubleVertices(terrain, 4, seed, &doubled), 8, seed, &doubled);
-    const std::shared_ptr<const Mesh> mesh =
-        BuildOrFail({"doubled vertices", soup});
-    ASSERT_NE(mesh, nullptr);
+    const auto mesh = BuildOrFail({"doubled vertices", soup});
     for (uint32_t f = 0; f < soup.triangles.size(); ++f) {
       for (int corner = 0; corner < 3; ++corner) {
         if (std::ranges::find(doubled, soup.triangles[f][corner]) ==
@@ -209,23 +206,7 @@ TEST_P(Paths, AcrossEdgesOfManyFaces) {
   const TriangleSoup grid =
       MakeGrid({.columns = 6, .rows = 6, .jitter = 0.2, .seed = 3});
   for (const bool turned : {false, true}) {
-    TriangleSoup book = grid;
-    for (const double angle : {2.0, 4.0}) {
-      std::vector<uint32_t> number;
-      for (uint32_t v = 0; v < grid.positions.size(); ++v) {
-        const Point& p = grid.positions[v];
-        if (p[0] == 0) {
-          number.push_back(v);
-          continue;
-        }
-        number.push_back(static_cast<uint32_t>(book.positions.size()));
-        book.positions.push_back(
-            {p[0] * std::cos(angle), p[1], p[0] * std::sin(angle)});
-      }
-      for (const Triangle& t : grid.triangles) {
-        book.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
-      }
-    }
+    const TriangleSoup book = Book(grid, 3);
     CheckPaths({"book", turned ? TurnFaces(book, 5) : book});
   }
 }
@@ -234,8 +215,7 @@ TEST_P(Paths, FromCurves) {
   for (const double jitter : {0.0, 0.24}) {
     const TriangleSoup soup =
         MakeGrid({.columns = 12, .rows = 10, .jitter = jitter, .seed = 5});
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
-    ASSERT_NE(mesh, nullptr);
+    const auto mesh = BuildOrFail({"grid", soup});
     const std::vector<PlanarCurve> curves = {
         {{{2.2, 1.1}, {6.1, 7.3}, {10.3, 3.9}}, 0.5}, {{{1, 8}, {3, 9}}, 0}};
     Query query{.targets = RandomPoints(soup, 40, 3),
@@ -257,8 +237,7 @@ TEST_P(Paths, FromCurves) {
   }
   // Over folds there is no closed form, but the length is the distance.
   const TriangleSoup soup = Terrain(12, 10, 1.5, 4);
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"terrain", soup});
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail({"terrain", soup});
   const TriangleSoup flat = [&] {
     TriangleSoup copy = soup;
     for (Point& p : copy.positions) p[2] = 0;
@@ -279,8 +258,7 @@ TEST_P(Paths, CrossEdgesRightBehindAVertexThatTheyPass) {
       .positions =
           {{-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {-3e-9, 0, 0}, {1, 6e-9, 0}},
       .triangles = {{0, 2, 3}, {0, 3, 1}, {2, 1, 3}, {2, 4, 1}}};
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"kite", soup});
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail({"kite", soup});
   for (const uint32_t source : {0, 4}) {
     CheckAllPaths(
         "kite", *mesh,
@@ -306,9 +284,8 @@ TEST_P(Paths, CrossASideAtTheSourceOnIt) {
        {3, -0.3, 0}},
       {{0, 3, 2}, {2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {3, 5, 2}, {5, 6, 2}}};
   for (uint64_t seed = 1; seed <= 10; ++seed) {
-    const std::shared_ptr<const Mesh> mesh =
+    const auto mesh =
         BuildOrFail({"zero-area face", RotateAndShift(soup, seed)});
-    ASSERT_NE(mesh, nullptr);
     Query query{.sources = {{VertexPoint{1}}},
                 .algorithm = GetParam().algorithm};
     for (const uint32_t face : {0u, 4u, 5u}) {
@@ -325,8 +302,7 @@ TEST_P(Paths, CrossASideAtTheSourceOnIt) {
 
 TEST(PathTracer, GivesOnePointWhereSourceAndTargetCoincide) {
   const TriangleSoup soup = Icosphere(1);
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"icosphere", soup});
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail({"icosphere", soup});
   for (const SurfacePoint& point : RandomPoints(soup, 6, 7)) {
     const Query query{
         .sources = {{point, 2}}, .targets = {point}, .trace = true};
@@ -339,8 +315,7 @@ TEST(PathTracer, GivesOnePointWhereSourceAndTargetCoincide) {
 
 TEST(PathTracer, ReversesToAPathOfTheSameLength) {
   const TriangleSoup soup = Torus({.noise = 0.2});
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"torus", soup});
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail({"torus", soup});
   const std::vector<SurfacePoint> points = RandomPoints(soup, 20, 11);
   for (size_t i = 1; i < points.size(); ++i) {
     double lengths[2];
@@ -362,8 +337,7 @@ TEST(PathTracer, FollowsTheStraightLineInAPlane) {
                                       .rows = 10,
                                       .diagonals = Diagonals::kRandom,
                                       .jitter = 0.2});
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail({"grid", soup});
   const Query query{.sources = {{FacePoint{57, {0.5, 0.3, 0.2}}}},
                     .trace = true};
   const DistanceField field = SolveTraced(*mesh, query);
@@ -387,15 +361,13 @@ TEST(PathTracer, FollowsTheStraightLineInAPlane) {
 
 TEST(PathTracer, TakesWhatIsNotCertifiedForNotReached) {
   const TriangleSoup soup = MakeGrid({.columns = 12, .rows = 12});
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail({"grid", soup});
   const Query query{.sources = {{VertexPoint{0}}}, .trace = true};
-  absl::StatusOr<std::unique_ptr<Computation>> computation =
-      StartComputation(*mesh, Valid(*mesh, query), {});
-  ASSERT_TRUE(computation.ok()) << computation.status();
+  const std::unique_ptr<Computation> computation =
+      StartComputation(*mesh, Valid(*mesh, query), {}).value();
   NoCheckpoint checkpoint;
-  ASSERT_TRUE((*computation)->Advance({.radius = 5}, checkpoint).ok());
-  const DistanceField field = (*computation)->Field();
+  ASSERT_TRUE(computation->Advance({.radius = 5}, checkpoint).ok());
+  const DistanceField field = computation->Field();
   int reached = 0;
   const PathTracer tracer = TracerOf(*mesh, query, field);
   for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
@@ -414,9 +386,7 @@ TEST(PathTracer, TakesWhatIsNotCertifiedForNotReached) {
 }
 
 TEST(PathTracer, RefusesWhatItWasNotAsked) {
-  const std::shared_ptr<const Mesh> mesh =
-      BuildOrFail({"icosphere", Icosphere(1)});
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail({"icosphere", Icosphere(1)});
   const Query query{.sources = {{VertexPoint{0}}},
                     .targets = {VertexPoint{3}},
                     .trace = true};
@@ -432,8 +402,7 @@ TEST(PathTracer, RefusesWhatItWasNotAsked) {
   const Query other{.sources = {{VertexPoint{0}}}, .trace = true};
   EXPECT_TRUE(absl::IsInvalidArgument(
       PathTracer::Create(*mesh, Valid(*mesh, other), field).status()));
-  const std::shared_ptr<const Mesh> finer =
-      BuildOrFail({"finer icosphere", Icosphere(2)});
+  const auto finer = BuildOrFail({"finer icosphere", Icosphere(2)});
   EXPECT_TRUE(absl::IsInvalidArgument(
       PathTracer::Create(*finer, Valid(*finer, query), field).status()));
   NoCheckpoint checkpoint;
@@ -445,9 +414,7 @@ TEST(PathTracer, RefusesWhatItWasNotAsked) {
 }
 
 TEST(PathTracer, SaysSoWhenTheTraceIsBroken) {
-  const std::shared_ptr<const Mesh> mesh =
-      BuildOrFail({"icosphere", Icosphere(1)});
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail({"icosphere", Icosphere(1)});
   const Query query{.sources = {{VertexPoint{0}}}, .trace = true};
   DistanceField circular = SolveTraced(*mesh, query);
   circular.arrivals[1] = {.pseudo_source = 2};

@@ -21,8 +21,7 @@ TEST_P(RealPaths, AreAsLongAsDistances) {
   if (absl::IsNotFound(soup.status())) GTEST_SKIP() << soup.status();
   ASSERT_TRUE(soup.ok()) << soup.status();
   const NamedMesh named{name, *std::move(soup)};
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail(named);
   const double slack = 64 * CoordinateRounding(named.soup);
   const uint32_t vertex = named.soup.triangles[0][0];
   const uint32_t face = mesh->face_count() / 2;

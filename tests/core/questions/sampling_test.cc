@@ -25,20 +25,15 @@ class Sampling : public EveryAlgorithm {
                                      const std::vector<Source>& sources,
                                      uint32_t count) const {
     NoCheckpoint checkpoint;
-    auto samples = SampleFarthestPoints(
-        mesh,
-        Valid(mesh, {.sources = sources, .algorithm = GetParam().algorithm}),
-        count, {}, checkpoint);
-    if (samples.ok()) return *std::move(samples);
-    ADD_FAILURE() << samples.status().ToString();
-    return {};
+    const Query query{.sources = sources, .algorithm = GetParam().algorithm};
+    return SampleFarthestPoints(mesh, Valid(mesh, query), count, {}, checkpoint)
+        .value();
   }
 
   // Every sample is the farthest vertex of the field of all sources before it.
   void ExpectFarthest(const NamedMesh& named, std::vector<Source> sources,
                       uint32_t count) const {
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-    ASSERT_NE(mesh, nullptr);
+    const auto mesh = BuildOrFail(named);
     const auto samples = Sample(*mesh, sources, count);
     ASSERT_EQ(samples.size(), count) << named.name;
     for (size_t i = 0; i < samples.size(); ++i) {
@@ -91,8 +86,7 @@ TEST_P(Sampling, ComponentsWithoutASourceComeFirst) {
   soup = AddIsolatedVertices(std::move(soup), 3);
   const NamedMesh named{"three components", soup};
   ExpectFarthest(named, {{VertexPoint{3}}}, 7);
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail(named);
   const auto samples = Sample(*mesh, {{VertexPoint{3}}}, 3);
   ASSERT_EQ(samples.size(), 3u);
   EXPECT_TRUE(std::isinf(samples[0].distance));
@@ -103,8 +97,7 @@ TEST_P(Sampling, ComponentsWithoutASourceComeFirst) {
 TEST_P(Sampling, EndsWhenEveryVertexIsASample) {
   const TriangleSoup soup =
       AddIsolatedVertices(MakeGrid({.columns = 2, .rows = 2}), 2);
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
-  ASSERT_NE(mesh, nullptr);
+  const auto mesh = BuildOrFail({"grid", soup});
   EXPECT_EQ(Sample(*mesh, {{VertexPoint{4}}}, 100).size(), 8u);
   // One on an isolated vertex reaches nothing.
   EXPECT_EQ(Sample(*mesh, {{VertexPoint{9}}}, 100).size(), 9u);
@@ -115,7 +108,6 @@ GEODESIC_TEST_EVERY_ALGORITHM(Sampling);
 
 TEST(SamplingErrors, AreThoseOfTheCheckpoint) {
   const auto mesh = BuildOrFail({"grid", MakeGrid({.columns = 2, .rows = 2})});
-  ASSERT_NE(mesh, nullptr);
   class Cancel final : public Checkpoint {
     absl::Status Poll(const Progress&) override {
       return absl::CancelledError("enough");
