@@ -14,10 +14,16 @@ namespace geodesic {
 inline constexpr double kFlatAngle = 1e-13;
 
 // A face whose height over its longest edge is below this fraction of that edge
-// lets no ray of any width through along itself. Its corners become
+// lets no ray of any width through along itself: one rounding of its middle
+// corner's place turns such a ray by more than kFanMargin. Its corners become
 // pseudo-sources, so that paths pass through them and along its edges; one that
 // is no higher over the opposite edge than this lies on it.
-inline constexpr double kCollapsedFace = 1e-12;
+inline constexpr double kCollapsedFace = 1e-10;
+
+// What lies on an edge so sees all that lies beyond, but for a wedge of this
+// angle behind an end of the edge. A line through the wedge is shorter than the
+// way round the end by half the square of it.
+inline constexpr double kHiddenWedge = 1e-7;
 
 // Least distance of an apex or a pseudo-source from an edge's line. It keeps
 // quotients defined on faces without area. Its square vanishes, so it adds
