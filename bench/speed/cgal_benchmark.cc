@@ -6,7 +6,7 @@
 #include "absl/strings/str_cat.h"
 #include "bench/speed/benchmarks.h"
 #include "geodesic/solve.h"
-#include "tests/support/cgal_oracle.h"
+#include "tests/support/oracles/cgal_oracle.h"
 
 namespace geodesic::speed {
 namespace {

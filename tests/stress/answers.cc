@@ -6,7 +6,7 @@
 #include <string>
 
 #include "geodesic/solve.h"
-#include "tests/support/edge_law.h"
+#include "tests/support/oracles/edge_paths.h"
 
 namespace geodesic::stress {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "tests/stress/answers.h"
 #include "tests/stress/laws.h"
-#include "tests/support/brute_force.h"
+#include "tests/support/oracles/brute_force.h"
 #include "tests/support/surface_points.h"
 
 namespace geodesic::stress {

@@ -3,11 +3,11 @@
 #include <utility>
 #include <vector>
 
+#include "geodesic/solve.h"
 #include "tests/stress/answers.h"
 #include "tests/stress/laws.h"
-#include "geodesic/solve.h"
-#include "tests/support/edge_dijkstra.h"
 #include "tests/support/mesh_edits.h"
+#include "tests/support/oracles/edge_paths.h"
 #include "tests/support/queries.h"
 #include "tests/support/surface_points.h"
 #include "tests/support/vec.h"

@@ -13,7 +13,6 @@
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/queries.h"
-#include "tests/support/random_meshes.h"
 #include "tests/support/surface_points.h"
 
 namespace geodesic::stress {

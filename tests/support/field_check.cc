@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "geodesic/solve.h"
-#include "tests/support/edge_law.h"
+#include "tests/support/oracles/edge_paths.h"
 
 namespace geodesic::test {
 namespace {

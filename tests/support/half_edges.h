@@ -5,7 +5,11 @@
 #ifndef GEODESIC_TESTS_SUPPORT_HALF_EDGES_H_
 #define GEODESIC_TESTS_SUPPORT_HALF_EDGES_H_
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "geodesic/triangle_soup.h"
@@ -21,7 +25,19 @@ class HalfEdges {
  public:
   // Any number of faces may share an edge, in either orientation. `soup` must
   // outlive this object.
-  explicit HalfEdges(const TriangleSoup& soup);
+  explicit HalfEdges(const TriangleSoup& soup)
+      : soup_(soup), others_(3 * soup.triangles.size()) {
+    std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> by_ends;
+    for (uint32_t h = 0; h < size(); ++h) {
+      by_ends[std::minmax(From(h), To(h))].push_back(h);
+    }
+    for (const auto& [ends, sides] : by_ends) {
+      for (const uint32_t h : sides) {
+        std::ranges::copy_if(sides, std::back_inserter(others_[h]),
+                             [h](uint32_t other) { return other != h; });
+      }
+    }
+  }
 
   uint32_t size() const { return static_cast<uint32_t>(others_.size()); }
   uint32_t From(uint32_t h) const { return soup_.triangles[h / 3][h % 3]; }

@@ -61,6 +61,11 @@ TriangleSoup Book(const TriangleSoup& page, uint32_t pages);
 // With `count` more vertices that no face uses.
 TriangleSoup AddIsolatedVertices(TriangleSoup soup, uint32_t count);
 
+// Solids and sheets of every kind, edited at random; up to some hundred faces.
+// Turned edges of flat parts give faces folded over. `degenerate` ones have
+// faces without area and coincident vertices too.
+TriangleSoup EditedMesh(uint64_t seed, bool degenerate);
+
 }  // namespace geodesic::test
 
 #endif  // GEODESIC_TESTS_SUPPORT_MESH_EDITS_H_

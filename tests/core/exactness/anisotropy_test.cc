@@ -10,10 +10,10 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/mesh_summary.h"
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/brute_force.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
 #include "tests/support/mesh_edits.h"
+#include "tests/support/oracles/brute_force.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 

@@ -1,7 +1,7 @@
 // Every algorithm against brute force on small meshes of every kind. A case
 // computes its reference once, so the algorithms are a loop inside the test.
 
-#include "tests/support/brute_force.h"
+#include "tests/support/oracles/brute_force.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,6 @@
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/random.h"
-#include "tests/support/random_meshes.h"
 #include "tests/support/test_meshes.h"
 
 namespace geodesic::test {

@@ -7,10 +7,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/cgal_oracle.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
-#include "tests/support/gentle_saddles.h"
+#include "tests/support/oracles/cgal_oracle.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/test_meshes.h"
 

@@ -13,7 +13,7 @@
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
-#include "tests/support/planar_curves.h"
+#include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
 
 namespace geodesic::test {

@@ -1,8 +1,6 @@
 // Vertices that exceed a full turn by next to nothing, alone and in rows: each
 // hides a wedge too thin to see, and all of them together hide whole edges.
 
-#include "tests/support/gentle_saddles.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,9 +10,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/brute_force.h"
 #include "tests/support/curved_meshes.h"
-#include "tests/support/edge_dijkstra.h"
+#include "tests/support/oracles/brute_force.h"
+#include "tests/support/oracles/edge_paths.h"
 #include "tests/support/test_meshes.h"
 #include "tests/support/vec.h"
 

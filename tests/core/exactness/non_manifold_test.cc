@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/brute_force.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
+#include "tests/support/oracles/brute_force.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 

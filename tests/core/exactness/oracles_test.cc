@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/brute_force.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
 #include "tests/support/field_check.h"
 #include "tests/support/mesh_edits.h"
-#include "tests/support/planar_domain.h"
+#include "tests/support/oracles/brute_force.h"
+#include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/surface_points.h"

@@ -10,7 +10,7 @@
 
 #include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/planar_domain.h"
+#include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/random.h"
 #include "tests/support/vec.h"

@@ -10,7 +10,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/edge_dijkstra.h"
+#include "tests/support/oracles/edge_paths.h"
 #include "tests/support/test_meshes.h"
 
 namespace geodesic::test {

@@ -14,13 +14,12 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/brute_force.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
-#include "tests/support/planar_domain.h"
+#include "tests/support/oracles/brute_force.h"
+#include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
-#include "tests/support/random_meshes.h"
 
 namespace geodesic::test {
 namespace {

@@ -17,7 +17,7 @@
 #include "tests/core/questions/path_check.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
-#include "tests/support/planar_curves.h"
+#include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/vec.h"
 

@@ -16,10 +16,10 @@
 #include "absl/status/status.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/core/questions/isoline_checks.h"
-#include "tests/support/brute_force.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
-#include "tests/support/planar_curves.h"
+#include "tests/support/oracles/brute_force.h"
+#include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/test_meshes.h"
 

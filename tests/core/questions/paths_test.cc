@@ -21,7 +21,7 @@
 #include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
 #include "tests/support/mesh_edits.h"
-#include "tests/support/planar_curves.h"
+#include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/random.h"

@@ -1,4 +1,4 @@
-#include "tests/support/cgal_oracle.h"
+#include "tests/support/oracles/cgal_oracle.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -14,8 +14,8 @@
 //
 // In long double throughout: relative errors are near 1e-17 on ordinary faces.
 
-#ifndef GEODESIC_TESTS_SUPPORT_BRUTE_FORCE_H_
-#define GEODESIC_TESTS_SUPPORT_BRUTE_FORCE_H_
+#ifndef GEODESIC_TESTS_SUPPORT_ORACLES_BRUTE_FORCE_H_
+#define GEODESIC_TESTS_SUPPORT_ORACLES_BRUTE_FORCE_H_
 
 #include <cstdint>
 #include <limits>
@@ -67,4 +67,4 @@ class BruteForce {
 
 }  // namespace geodesic::test
 
-#endif  // GEODESIC_TESTS_SUPPORT_BRUTE_FORCE_H_
+#endif  // GEODESIC_TESTS_SUPPORT_ORACLES_BRUTE_FORCE_H_

@@ -1,12 +1,12 @@
-#include "tests/support/brute_force.h"
+#include "tests/support/oracles/brute_force.h"
 
 #include <algorithm>
 #include <cassert>
 #include <limits>
 #include <utility>
 
-#include "tests/support/edge_dijkstra.h"
 #include "tests/support/half_edges.h"
+#include "tests/support/oracles/edge_paths.h"
 #include "tests/support/surface_points.h"
 
 namespace geodesic::test {

@@ -2,8 +2,8 @@
 // Loriot, de Verdiere), a program of others, in its recommended kernel of
 // exact predicates and inexact constructions.
 
-#ifndef GEODESIC_TESTS_SUPPORT_CGAL_ORACLE_H_
-#define GEODESIC_TESTS_SUPPORT_CGAL_ORACLE_H_
+#ifndef GEODESIC_TESTS_SUPPORT_ORACLES_CGAL_ORACLE_H_
+#define GEODESIC_TESTS_SUPPORT_ORACLES_CGAL_ORACLE_H_
 
 #include <cstdint>
 #include <memory>
@@ -29,4 +29,4 @@ class CgalOracle {
 
 }  // namespace geodesic::test
 
-#endif  // GEODESIC_TESTS_SUPPORT_CGAL_ORACLE_H_
+#endif  // GEODESIC_TESTS_SUPPORT_ORACLES_CGAL_ORACLE_H_
