@@ -11,10 +11,10 @@
 #include "server/rpc/messages/mesh_translation.h"
 
 namespace geodesic::server {
-namespace {
 
-absl::StatusOr<v1::FindMissingMeshesResponse> FindMissing(
-    QueryEngine& engine, const v1::FindMissingMeshesRequest& request) {
+absl::StatusOr<v1::FindMissingMeshesResponse> AnswerOf(
+    const ServiceContext& service,
+    const v1::FindMissingMeshesRequest& request) {
   std::vector<FileKey> files;
   for (int i = 0; i < request.files_size(); ++i) {
     const v1::FileDigest& file = request.files(i);
@@ -23,7 +23,7 @@ absl::StatusOr<v1::FindMissingMeshesResponse> FindMissing(
     if (!format.ok()) return format.status();
     files.push_back({*format, file.sha256()});
   }
-  absl::StatusOr<MissingMeshes> missing = engine.FindMissing(
+  absl::StatusOr<MissingMeshes> missing = service.engine.FindMissing(
       {request.mesh_digests().begin(), request.mesh_digests().end()}, files);
   if (!missing.ok()) return missing.status();
   v1::FindMissingMeshesResponse response;
@@ -41,34 +41,27 @@ absl::StatusOr<v1::FindMissingMeshesResponse> FindMissing(
   return response;
 }
 
-}  // namespace
-
-absl::Status FindMissingCall::Ask() {
-  Answer(FindMissing(engine(), request()));
-  return absl::OkStatus();
-}
-
-absl::Status GetMeshCall::Ask() {
+absl::StatusOr<v1::GetMeshResponse> AnswerOf(
+    const ServiceContext& service, const v1::GetMeshRequest& request) {
   absl::StatusOr<MeshDescription> mesh =
-      engine().DescribeMesh(request().digest());
+      service.engine.DescribeMesh(request.digest());
   if (!mesh.ok()) return mesh.status();
   v1::GetMeshResponse response;
   *response.mutable_mesh() = ToProto(*mesh);
-  Answer(std::move(response));
-  return absl::OkStatus();
+  return response;
 }
 
-absl::Status ListMeshesCall::Ask() {
+absl::StatusOr<v1::ListMeshesResponse> AnswerOf(
+    const ServiceContext& service, const v1::ListMeshesRequest& request) {
   absl::StatusOr<MeshPage> page =
-      engine().ListMeshes(request().page_size(), request().page_token());
+      service.engine.ListMeshes(request.page_size(), request.page_token());
   if (!page.ok()) return page.status();
   v1::ListMeshesResponse response;
   for (const MeshDescription& mesh : page->meshes) {
     *response.add_meshes() = ToProto(mesh);
   }
   response.set_next_page_token(std::move(page->next_token));
-  Answer(std::move(response));
-  return absl::OkStatus();
+  return response;
 }
 
 absl::Status DeleteMeshCall::Ask() {

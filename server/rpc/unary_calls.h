@@ -45,32 +45,39 @@ class UnaryCall : public AnswerStream<Request, Response> {
   std::optional<absl::StatusOr<Response>> response_;
 };
 
-class FindMissingCall final : public UnaryCall<v1::FindMissingMeshesRequest,
-                                               v1::FindMissingMeshesResponse> {
+// What can be said at once. Errors: as QueryEngine.
+absl::StatusOr<v1::FindMissingMeshesResponse> AnswerOf(
+    const ServiceContext& service, const v1::FindMissingMeshesRequest& request);
+absl::StatusOr<v1::GetMeshResponse> AnswerOf(const ServiceContext& service,
+                                             const v1::GetMeshRequest& request);
+absl::StatusOr<v1::ListMeshesResponse> AnswerOf(
+    const ServiceContext& service, const v1::ListMeshesRequest& request);
+inline absl::StatusOr<v1::GetCapabilitiesResponse> AnswerOf(
+    const ServiceContext& service, const v1::GetCapabilitiesRequest&) {
+  return service.capabilities;
+}
+
+template <typename Request, typename Response>
+class ShortCall final : public UnaryCall<Request, Response> {
  public:
-  using UnaryCall::UnaryCall;
+  using UnaryCall<Request, Response>::UnaryCall;
 
  private:
-  absl::Status Ask() override;
+  absl::Status Ask() override {
+    absl::StatusOr<Response> response =
+        AnswerOf(this->service_, this->request());
+    if (!response.ok()) return response.status();
+    this->Answer(std::move(response));
+    return absl::OkStatus();
+  }
 };
 
-class GetMeshCall final
-    : public UnaryCall<v1::GetMeshRequest, v1::GetMeshResponse> {
- public:
-  using UnaryCall::UnaryCall;
-
- private:
-  absl::Status Ask() override;
-};
-
-class ListMeshesCall final
-    : public UnaryCall<v1::ListMeshesRequest, v1::ListMeshesResponse> {
- public:
-  using UnaryCall::UnaryCall;
-
- private:
-  absl::Status Ask() override;
-};
+using FindMissingCall =
+    ShortCall<v1::FindMissingMeshesRequest, v1::FindMissingMeshesResponse>;
+using GetMeshCall = ShortCall<v1::GetMeshRequest, v1::GetMeshResponse>;
+using ListMeshesCall = ShortCall<v1::ListMeshesRequest, v1::ListMeshesResponse>;
+using CapabilitiesCall =
+    ShortCall<v1::GetCapabilitiesRequest, v1::GetCapabilitiesResponse>;
 
 // Answers when the mesh is gone from the disk, too.
 class DeleteMeshCall final
@@ -86,18 +93,6 @@ class DeleteMeshCall final
 v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,
                                              uint64_t max_message_bytes,
                                              const std::string& version);
-
-class CapabilitiesCall final : public UnaryCall<v1::GetCapabilitiesRequest,
-                                                v1::GetCapabilitiesResponse> {
- public:
-  using UnaryCall::UnaryCall;
-
- private:
-  absl::Status Ask() override {
-    Answer(capabilities());
-    return absl::OkStatus();
-  }
-};
 
 }  // namespace geodesic::server
 

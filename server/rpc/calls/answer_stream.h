@@ -117,6 +117,8 @@ class AnswerStream : public Call<ResponseType> {
   }
 
  protected:
+  using Call<ResponseType>::service_;
+
   // Asks the engine, which may call back at once; called without the lock, and
   // once more after it failed with NOT_FOUND and the mesh came from the disk.
   // The request is there while it is called and then no more; the context, too,
@@ -155,10 +157,7 @@ class AnswerStream : public Call<ResponseType> {
   }
 
   RequestLog::Entry& entry() { return *entry_; }
-  const v1::GetCapabilitiesResponse& capabilities() const {
-    return service_.capabilities;
-  }
-  const std::string& version() const { return capabilities().version(); }
+  const std::string& version() const { return service_.capabilities.version(); }
   // For Ask. At the end of one that succeeds, what is no more needed may be
   // changed.
   Request& request() { return *request_; }
@@ -169,7 +168,6 @@ class AnswerStream : public Call<ResponseType> {
   using Base::entry_;
   using Base::finished_;
   using Base::mutex_;
-  using Base::service_;
 
   void OnReceived(bool ok) final {
     {
