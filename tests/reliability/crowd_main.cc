@@ -28,10 +28,9 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic_client/client.h"
 #include "tests/reliability/open_loop.h"
-#include "tests/reliability/paced_call.h"
 #include "tests/reliability/program.h"
+#include "tests/reliability/raw_call.h"
 #include "tests/reliability/watched_server.h"
 #include "tests/reliability/workload.h"
 
@@ -113,15 +112,9 @@ class Crowd {
         large_(options.vertices, options.seed),
         small_(4096, options.seed + 1),
         server_(ServerOptions(options)) {
-    Client client(server_.address());
-    for (const Workload* workload : {&large_, &small_}) {
-      const absl::Status status = workload->Prepare(client);
-      if (!status.ok()) throw std::runtime_error(status.ToString());
-    }
-    for (int i = 0; i < 4; ++i) {
-      connections_.push_back(
-          std::make_unique<RawConnection>(server_.address()));
-    }
+    large_.Prepare(server_.address());
+    small_.Prepare(server_.address());
+    connections_ = Connect(server_.address(), 4);
   }
 
   nlohmann::ordered_json Run() {
@@ -155,12 +148,11 @@ class Crowd {
   }
 
   std::vector<std::string> Faults() const {
-    std::vector<std::string> faults = faults_;
-    const std::vector<std::string> of_server =
+    std::vector<std::string> faults =
         server_.Faults(kReaderMib * static_cast<double>(options_.readers) +
                        kUploadMib * static_cast<double>(options_.uploads) +
                        kIdleMib * static_cast<double>(options_.idle));
-    faults.insert(faults.end(), of_server.begin(), of_server.end());
+    faults.insert(faults.begin(), faults_.begin(), faults_.end());
     return faults;
   }
 
@@ -263,24 +255,18 @@ int main(int argc, char** argv) {
   geodesic::client::Options options;
   CLI::App app("Takes up a server's room and looks what others feel of it.",
                "crowd");
-  app.add_option("--readers", options.readers, "That stall")
-      ->capture_default_str();
-  app.add_option("--uploads", options.uploads, "A byte a second each")
-      ->capture_default_str();
-  app.add_option("--idle", options.idle, "Connections without a question")
-      ->capture_default_str();
+  app.option_defaults()->always_capture_default();
+  app.add_option("--readers", options.readers, "That stall");
+  app.add_option("--uploads", options.uploads, "A byte a second each");
+  app.add_option("--idle", options.idle, "Connections without a question");
   app.add_option("--vertices", options.vertices, "Of the readers' fields")
-      ->check(CLI::Range(10'000, 1'000'000))
-      ->capture_default_str();
+      ->check(CLI::Range(10'000, 1'000'000));
   app.add_option("--seconds", options.seconds,
                  "That others ask before, during, and after")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber);
   app.add_option("--rate", options.rate, "Questions of others a second")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--seed", options.seed, "Of moments and questions")
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", options.seed, "Of moments and questions");
   geodesic::client::AddServerOptions(app, options.server);
   return geodesic::client::RunMain(
       app, argc, argv, [&] { return geodesic::client::Run(options); });

@@ -19,7 +19,6 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic_client/client.h"
 #include "tests/integration/running_server.h"
-#include "tests/reliability/mesh_ledger.h"
 #include "tests/reliability/mixed_load.h"
 #include "tests/reliability/program.h"
 
@@ -56,11 +55,12 @@ class Kill9 {
   bool Round() {
     RunningServer server = Start();
     std::vector<std::string> wrong = Check(server);
-    MixedLoad load(server.address(), ledger_, options_.clients, random_());
+    MixedLoad load(server.address(), ledger_, counts_, options_.clients,
+                   random_());
     load.AwaitAnswers(random_() % options_.most_answers);
     load.ExpectDeath();
     server.Kill();
-    counts_ += load.Join();
+    load.Join();
     wrong.insert(wrong.end(), load.wrong().begin(), load.wrong().end());
     return Report(wrong);
   }
@@ -127,15 +127,16 @@ std::vector<std::string> Run(const Options& options) {
   const LoadCounts& counts = kill9.counts();
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
-  std::cout << nlohmann::json({{"rounds", options.rounds},
-                               {"bad_rounds", bad_rounds},
-                               {"seed", options.seed},
-                               {"seconds", seconds.count()},
-                               {"uploads_acknowledged", counts.uploads},
-                               {"deletions_acknowledged", counts.deletions},
-                               {"changes_unanswered", counts.unanswered},
-                               {"fields_checked", counts.fields},
-                               {"meshes_read", counts.reads}})
+  std::cout << nlohmann::json(
+                   {{"rounds", options.rounds},
+                    {"bad_rounds", bad_rounds},
+                    {"seed", options.seed},
+                    {"seconds", seconds.count()},
+                    {"uploads_acknowledged", counts.uploads.load()},
+                    {"deletions_acknowledged", counts.deletions.load()},
+                    {"changes_unanswered", counts.unanswered.load()},
+                    {"fields_checked", counts.fields.load()},
+                    {"meshes_read", counts.reads.load()}})
             << '\n';
   if (bad_rounds == 0) return {};
   return {absl::StrCat("wrong after ", bad_rounds, " lives of the server")};
@@ -147,23 +148,18 @@ std::vector<std::string> Run(const Options& options) {
 int main(int argc, char** argv) {
   geodesic::client::Options options;
   CLI::App app("Kills a server under load and checks what it kept.", "kill9");
-  app.add_option("--rounds", options.rounds, "Lives of the server")
-      ->capture_default_str();
+  app.option_defaults()->always_capture_default();
+  app.add_option("--rounds", options.rounds, "Lives of the server");
   app.add_option("--clients", options.clients, "Clients at once")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber);
   app.add_option("--meshes", options.meshes, "Meshes, a share for each client")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--seed", options.seed, "Of the load and the moments")
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", options.seed, "Of the load and the moments");
   app.add_option("--most-answers", options.most_answers,
                  "Answers from the server before it is killed, at most")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber);
   app.add_option("--server", options.server, "The geodesicd to kill")
-      ->check(CLI::ExistingFile)
-      ->capture_default_str();
+      ->check(CLI::ExistingFile);
   return geodesic::client::RunMain(
       app, argc, argv, [&] { return geodesic::client::Run(options); });
 }

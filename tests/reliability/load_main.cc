@@ -21,13 +21,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "geodesic_client/client.h"
 #include "tests/reliability/open_loop.h"
 #include "tests/reliability/program.h"
 #include "tests/reliability/watched_server.h"
@@ -62,13 +59,8 @@ class Load {
         random_(options.seed),
         workload_(options.vertices, options.seed),
         server_(options.server) {
-    Client client(server_.address());
-    const absl::Status status = workload_.Prepare(client);
-    if (!status.ok()) throw std::runtime_error(status.ToString());
-    for (size_t i = 0; i < options.connections; ++i) {
-      connections_.push_back(
-          std::make_unique<RawConnection>(server_.address()));
-    }
+    workload_.Prepare(server_.address());
+    connections_ = Connect(server_.address(), options.connections);
   }
 
   nlohmann::ordered_json Run() {
@@ -89,9 +81,8 @@ class Load {
 
   // What was not as it must be.
   std::vector<std::string> Faults() const {
-    std::vector<std::string> faults = faults_;
-    const std::vector<std::string> of_server = server_.Faults();
-    faults.insert(faults.end(), of_server.begin(), of_server.end());
+    std::vector<std::string> faults = server_.Faults();
+    faults.insert(faults.begin(), faults_.begin(), faults_.end());
     return faults;
   }
 
@@ -141,32 +132,26 @@ std::vector<std::string> Run(const Options& options) {
 int main(int argc, char** argv) {
   geodesic::client::Options options;
   CLI::App app("Asks a server by schedule and checks its answers.", "load");
+  app.option_defaults()->always_capture_default();
   app.add_option("--seconds", options.seconds, "Length of the load")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber);
   app.add_option("--rate", options.rate, "Questions a second")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber);
   app.add_option("--overload", options.overload,
                  "Instead: so many times what the server can do")
       ->check(CLI::PositiveNumber);
   app.add_option("--vertices", options.vertices, "Of the mesh asked about")
-      ->check(CLI::Range(16, 1'000'000))
-      ->capture_default_str();
+      ->check(CLI::Range(16, 1'000'000));
   app.add_option("--mix", options.mix,
-                 "Parts of upload, cold, cached, path, matrix")
-      ->capture_default_str();
+                 "Parts of upload, cold, cached, path, matrix");
   app.add_option("--connections", options.connections, "To the server")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--seed", options.seed, "Of moments and questions")
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", options.seed, "Of moments and questions");
   app.add_flag("--durable", options.server.is_durable,
                "Give the server a data folder");
   app.add_option("--disk-mib", options.server.disk_mib,
                  "Room in it for meshes, and as much for fields")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber);
   geodesic::client::AddServerOptions(app, options.server);
   app.add_option("FLAG", options.server.flags,
                  "For the server, after \"--\": beside those of its budgets");

@@ -102,6 +102,15 @@ nlohmann::ordered_json LoadFigures::Summary() const {
           {"refused", refused.Summary()}};
 }
 
+std::vector<std::unique_ptr<RawConnection>> Connect(const std::string& address,
+                                                    size_t count) {
+  std::vector<std::unique_ptr<RawConnection>> connections;
+  for (size_t i = 0; i < count; ++i) {
+    connections.push_back(std::make_unique<RawConnection>(address));
+  }
+  return connections;
+}
+
 LoadFigures RunOpenLoop(
     const std::vector<std::unique_ptr<RawConnection>>& connections,
     Workload& workload, const Mix& mix, double rate, double seconds,

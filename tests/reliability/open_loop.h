@@ -40,6 +40,10 @@ struct LoadFigures {
   nlohmann::ordered_json Summary() const;
 };
 
+// So many connections to the server.
+std::vector<std::unique_ptr<RawConnection>> Connect(const std::string& address,
+                                                    size_t count);
+
 // Sends questions of `mix` for `seconds`, `rate` a second on average, at random
 // moments (a Poisson process), over the connections in turn; then waits for the
 // last answer. REQUIRES: rate > 0.

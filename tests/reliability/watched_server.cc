@@ -1,9 +1,13 @@
 #include "tests/reliability/watched_server.h"
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <regex>
 #include <stdexcept>
-#include <thread>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "tests/support/http_get.h"
@@ -31,6 +35,9 @@ constexpr std::array kBackToZero = {
     R"(geodesic_used_bytes{budget="solvers"})",
 };
 
+// Between samples.
+constexpr std::chrono::milliseconds kInterval{500};
+
 // All budgets together.
 double BudgetMib() {
   double sum = 0;
@@ -38,7 +45,104 @@ double BudgetMib() {
   return sum;
 }
 
+// Of the straight line that fits best, in the least squares.
+double Slope(const std::vector<std::pair<double, double>>& points) {
+  double n = 0;
+  double sum_x = 0;
+  double sum_y = 0;
+  for (const auto& [x, y] : points) {
+    n += 1;
+    sum_x += x;
+    sum_y += y;
+  }
+  double covariance = 0;
+  double variance = 0;
+  for (const auto& [x, y] : points) {
+    covariance += (x - sum_x / n) * (y - sum_y / n);
+    variance += (x - sum_x / n) * (x - sum_x / n);
+  }
+  return variance > 0 ? covariance / variance : 0;
+}
+
 }  // namespace
+
+ProcessFigures ReadFigures(pid_t process) {
+  const std::string folder = "/proc/" + std::to_string(process);
+  std::ifstream status(folder + "/status");
+  if (!status) throw std::runtime_error("the server is gone");
+  ProcessFigures figures;
+  std::string name;
+  while (status >> name) {
+    if (name == "VmRSS:") {
+      double kib = 0;
+      status >> kib;
+      figures.resident_mib = kib / 1024;
+    } else if (name == "Threads:") {
+      status >> figures.threads;
+    }
+  }
+  const std::filesystem::directory_iterator descriptors(folder + "/fd");
+  figures.descriptors =
+      static_cast<double>(std::distance(begin(descriptors), end(descriptors)));
+  return figures;
+}
+
+FigureSeries::FigureSeries(pid_t process)
+    : thread_([this, process](const std::stop_token& stop) {
+        Run(process, stop);
+      }) {}
+
+void FigureSeries::Run(pid_t process, const std::stop_token& stop) {
+  const auto start = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  for (int i = 1; !stop.stop_requested(); ++i) {
+    const std::chrono::duration<double> since =
+        std::chrono::steady_clock::now() - start;
+    try {
+      samples_.push_back({since.count(), ReadFigures(process)});
+    } catch (const std::runtime_error&) {
+      return;  // it has ended
+    }
+    stopped_.wait_until(lock, stop, start + i * kInterval,
+                        [] { return false; });
+  }
+}
+
+std::vector<FigureSeries::Sample> FigureSeries::samples() const {
+  std::lock_guard lock(mutex_);
+  return samples_;
+}
+
+double FigureSeries::PeakResidentMib() const {
+  double peak = 0;
+  for (const Sample& sample : samples()) {
+    peak = std::max(peak, sample.figures.resident_mib);
+  }
+  return peak;
+}
+
+nlohmann::ordered_json FigureSeries::Summary() const {
+  const std::vector<Sample> all = samples();
+  nlohmann::ordered_json summary = {{"samples", all.size()}};
+  if (all.empty()) return summary;
+  const auto add = [&](const char* name, double ProcessFigures::*figure) {
+    double most = 0;
+    std::vector<std::pair<double, double>> later;
+    for (size_t i = 0; i < all.size(); ++i) {
+      const double value = all[i].figures.*figure;
+      most = std::max(most, value);
+      if (i >= all.size() / 2) later.emplace_back(all[i].seconds, value);
+    }
+    summary[name] = {{"first", all.front().figures.*figure},
+                     {"last", all.back().figures.*figure},
+                     {"most", most},
+                     {"growth_per_hour", 3600 * Slope(later)}};
+  };
+  add("resident_mib", &ProcessFigures::resident_mib);
+  add("descriptors", &ProcessFigures::descriptors);
+  add("threads", &ProcessFigures::threads);
+  return summary;
+}
 
 WatchedServer::WatchedServer(const Options& options)
     : ignores_memory_(options.ignores_memory) {
@@ -60,7 +164,7 @@ WatchedServer::WatchedServer(const Options& options)
     throw std::runtime_error("the log does not name the port of the metrics");
   }
   metrics_port_ = std::stoi(match[1]);
-  series_ = std::make_unique<FigureSeries>(server_->id(), options.interval);
+  series_ = std::make_unique<FigureSeries>(server_->id());
 }
 
 double WatchedServer::Metric(const std::string& name) const {
@@ -107,8 +211,7 @@ nlohmann::ordered_json WatchedServer::Summary() const {
 
 void AddServerOptions(CLI::App& app, WatchedServer::Options& options) {
   app.add_option("--server", options.program, "The geodesicd to ask")
-      ->check(CLI::ExistingFile)
-      ->capture_default_str();
+      ->check(CLI::ExistingFile);
   app.add_flag("--ignore-memory", options.ignores_memory,
                "Its memory says nothing: a sanitizer's is beside any budget");
 }

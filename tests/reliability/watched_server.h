@@ -3,18 +3,60 @@
 #ifndef GEODESIC_TESTS_RELIABILITY_WATCHED_SERVER_H_
 #define GEODESIC_TESTS_RELIABILITY_WATCHED_SERVER_H_
 
+#include <sys/types.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <map>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/integration/running_server.h"
-#include "tests/reliability/process_figures.h"
 
 namespace geodesic::client {
+
+// What a process takes, as /proc says.
+struct ProcessFigures {
+  double resident_mib = 0;
+  double descriptors = 0;
+  double threads = 0;
+};
+
+// Errors: throws std::runtime_error if there is no such process.
+ProcessFigures ReadFigures(pid_t process);
+
+// Takes samples, two a second, on a thread of its own until it ends.
+class FigureSeries {
+ public:
+  explicit FigureSeries(pid_t process);
+
+  // So far. Thread-safe.
+  double PeakResidentMib() const;
+
+  // Of each figure the first, the last, the most, and the growth an hour that
+  // fits the later half best: caches fill in the earlier.
+  nlohmann::ordered_json Summary() const;
+
+ private:
+  struct Sample {
+    double seconds;
+    ProcessFigures figures;
+  };
+
+  void Run(pid_t process, const std::stop_token& stop);
+  std::vector<Sample> samples() const;
+
+  mutable std::mutex mutex_;
+  std::condition_variable_any stopped_;
+  std::vector<Sample> samples_;  // guarded by mutex_
+
+  std::jthread thread_;
+};
 
 class WatchedServer {
  public:
@@ -27,8 +69,6 @@ class WatchedServer {
     int disk_mib = 256;
     // Whether its memory says nothing: a sanitizer's is beside any budget.
     bool ignores_memory = false;
-    // Of samples.
-    std::chrono::milliseconds interval{500};
   };
 
   explicit WatchedServer(const Options& options);

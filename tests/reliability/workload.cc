@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 #include <utility>
 
 #include "absl/strings/numbers.h"
@@ -12,6 +13,7 @@
 #include "geodesic/v1/matrix_service.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
 #include "geodesic/v1/path_service.pb.h"
+#include "geodesic_client/client.h"
 #include "tests/integration/meshes.h"
 
 namespace geodesic::client {
@@ -64,37 +66,38 @@ bool ForEach(const std::vector<std::string>& messages, const Take& take) {
 
 constexpr char kUnreadable[] = "a message that cannot be parsed";
 
-std::string CheckField(const std::vector<std::string>& messages,
-                       const std::vector<double>& expected) {
+// `offset` is of a chunk's first value in `expected`, `bytes` are its values.
+template <typename Response, typename Offset, typename Bytes>
+std::string CheckChunks(const std::vector<std::string>& messages,
+                        const std::vector<double>& expected,
+                        const Offset& offset, const Bytes& bytes) {
   std::vector<double> values;
   bool in_order = true;
   bool has_trailer = false;
-  const auto take = [&](const v1::ComputeFieldResponse& response) {
+  const auto take = [&](const Response& response) {
     has_trailer = response.has_trailer();
     if (!response.has_chunk()) return;
-    in_order &= response.chunk().offset() == values.size();
-    AppendDoubles(response.chunk().distances(), values);
+    in_order &= offset(response.chunk()) == values.size();
+    AppendDoubles(bytes(response.chunk()), values);
   };
-  if (!ForEach<v1::ComputeFieldResponse>(messages, take)) return kUnreadable;
+  if (!ForEach<Response>(messages, take)) return kUnreadable;
   if (!in_order || !has_trailer) return "messages out of order";
   return Compare(values, expected);
 }
 
+std::string CheckField(const std::vector<std::string>& messages,
+                       const std::vector<double>& expected) {
+  return CheckChunks<v1::ComputeFieldResponse>(
+      messages, expected, [](const auto& chunk) { return chunk.offset(); },
+      [](const auto& chunk) { return chunk.distances(); });
+}
+
 std::string CheckMatrix(const std::vector<std::string>& messages,
                         const std::vector<double>& expected) {
-  std::vector<double> values;
-  bool in_order = true;
-  bool has_trailer = false;
-  const auto take = [&](const v1::ComputeMatrixResponse& response) {
-    has_trailer = response.has_trailer();
-    if (!response.has_chunk()) return;
-    const v1::MatrixChunk& chunk = response.chunk();
-    in_order &= chunk.row() * kColumns + chunk.offset() == values.size();
-    AppendDoubles(chunk.values(), values);
-  };
-  if (!ForEach<v1::ComputeMatrixResponse>(messages, take)) return kUnreadable;
-  if (!in_order || !has_trailer) return "messages out of order";
-  return Compare(values, expected);
+  return CheckChunks<v1::ComputeMatrixResponse>(
+      messages, expected,
+      [](const auto& chunk) { return chunk.row() * kColumns + chunk.offset(); },
+      [](const auto& chunk) { return chunk.values(); });
 }
 
 // Two lengths, and the first and the last point of the line.
@@ -171,7 +174,8 @@ Workload::Workload(uint32_t vertices, uint64_t seed)
   }
 }
 
-absl::Status Workload::Prepare(Client& client) const {
+void Workload::Prepare(const std::string& address) const {
+  Client client(address);
   absl::Status status = client.UploadArrays(grid_).status();
   for (uint64_t vertex = 0; status.ok() && vertex < kCachedFields; ++vertex) {
     status = client
@@ -179,7 +183,7 @@ absl::Status Workload::Prepare(Client& client) const {
                                 .sources = {{VertexPoint{vertex}}}})
                  .status();
   }
-  return status;
+  if (!status.ok()) throw std::runtime_error(status.ToString());
 }
 
 Question Workload::Next(QuestionKind kind) {

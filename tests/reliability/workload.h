@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "geodesic_client/client.h"
 #include "geodesic_client/mesh.h"
 #include "tests/reliability/raw_call.h"
 
@@ -53,7 +51,8 @@ class Workload {
   Workload(uint32_t vertices, uint64_t seed);
 
   // Uploads the grid and has the fields computed that are to be cached.
-  absl::Status Prepare(Client& client) const;
+  // Errors: throws std::runtime_error.
+  void Prepare(const std::string& address) const;
 
   Question Next(QuestionKind kind);
 
