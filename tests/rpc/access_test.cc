@@ -3,14 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "digest/sha256.h"
 #include "server/rpc/calls/request_log.h"
 #include "tests/engine/uploads.h"
-#include "tests/rpc/generic_call.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/temporary_folder.h"
 
@@ -29,16 +30,18 @@ std::string ReasonOf(const absl::Status& status) {
 
 class AccessTest : public test::RpcTest {
  protected:
-  // Starts a server that knows `token` of the client "ci" with these scopes.
-  void StartWith(const std::string& token, const std::string& scopes,
-                 const std::string& quota = "{}", bool held = false) {
-    geodesic::test::WriteFile(
-        folder_ / "tokens.json",
-        absl::StrCat(R"({"tokens": [{"name": "ci", "sha256": ")",
-                     Sha256Hex(token), R"(", "scopes": )", scopes,
-                     R"(}], "quotas": {"ci": )", quota, "}}"));
-    ServerOptions options = SmallServer();
+  // Starts a server that knows the token "sesame" of the client "ci" with these
+  // scopes, and the token "root" of an administrator.
+  void StartWith(const std::string& scopes, const std::string& quota = "{}",
+                 bool held = false, ServerOptions options = SmallServer()) {
     options.token_file = folder_ / "tokens.json";
+    geodesic::test::WriteFile(
+        options.token_file,
+        absl::StrCat(R"({"tokens": [{"name": "ci", "sha256": ")",
+                     Sha256Hex("sesame"), R"(", "scopes": )", scopes,
+                     R"(}, {"name": "root", "sha256": ")", Sha256Hex("root"),
+                     R"(", "scopes": ["admin"]}], "quotas": {"ci": )", quota,
+                     "}}"));
     Start(options, held);
   }
 
@@ -46,11 +49,20 @@ class AccessTest : public test::RpcTest {
     return test::CallMethod(channel_, method, "", metadata).status();
   }
 
+  static void ExpectQuotaExceeded(const grpc::Status& status) {
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+    EXPECT_EQ(test::Reason(status), "QUOTA_EXCEEDED");
+    EXPECT_TRUE(test::RetryInfo(status).has_value());
+    const auto quota = test::Detail<google::rpc::QuotaFailure>(status);
+    ASSERT_TRUE(quota.has_value());
+    EXPECT_EQ(quota->violations(0).subject(), "client:ci");
+  }
+
   const geodesic::test::TemporaryFolder folder_;
 };
 
 TEST_F(AccessTest, WithoutATokenNoMethodAnswers) {
-  StartWith("sesame", R"(["admin"])");
+  StartWith(R"(["admin"])");
   ASSERT_EQ(test::AllMethods().size(), 14);
   for (const auto* descriptor : test::AllMethods()) {
     const std::string method = test::PathOf(*descriptor);
@@ -68,7 +80,7 @@ TEST_F(AccessTest, WithoutATokenNoMethodAnswers) {
 }
 
 TEST_F(AccessTest, ScopesSaySeparatelyWhoAsksUploadsAndDeletes) {
-  StartWith("sesame", R"(["read"])");
+  StartWith(R"(["read"])");
   const std::set<std::string> refused = {"/geodesic.v1.MeshService/CreateMesh",
                                          "/geodesic.v1.MeshService/DeleteMesh"};
   for (const auto* descriptor : test::AllMethods()) {
@@ -87,12 +99,12 @@ TEST(RequiredScope, WhatIsNotListedNeedsAdmin) {
 }
 
 TEST_F(AccessTest, HealthAndReflectionAreForEverybody) {
-  StartWith("sesame", R"(["read"])");
+  StartWith(R"(["read"])");
   EXPECT_TRUE(Call("/grpc.health.v1.Health/Check", {}).ok());
 }
 
 TEST_F(AccessTest, AQuotaOfJobsCountsStreamsUnderWay) {
-  StartWith("sesame", R"(["read", "upload"])", R"({"jobs": 1})",
+  StartWith(R"(["read", "upload"])", R"({"jobs": 1})",
             /*held=*/true);
   const std::string digest = Upload(test::Tetrahedron(), "sesame");
   const auto first = Open(FieldRequest(digest, 0), "sesame");
@@ -102,12 +114,7 @@ TEST_F(AccessTest, AQuotaOfJobsCountsStreamsUnderWay) {
   test::AddToken("sesame", second_context);
   const test::FieldReply second =
       ComputeField(FieldRequest(digest, 1), second_context);
-  EXPECT_EQ(second.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_EQ(test::Reason(second.status), "QUOTA_EXCEEDED");
-  EXPECT_TRUE(test::RetryInfo(second.status).has_value());
-  const auto quota = test::Detail<google::rpc::QuotaFailure>(second.status);
-  ASSERT_TRUE(quota.has_value());
-  EXPECT_EQ(quota->violations(0).subject(), "client:ci");
+  ExpectQuotaExceeded(second.status);
   // gRPC's own retries wait as long.
   const auto& trailers = second_context.GetServerTrailingMetadata();
   ASSERT_EQ(trailers.count("grpc-retry-pushback-ms"), 1);
@@ -117,9 +124,45 @@ TEST_F(AccessTest, AQuotaOfJobsCountsStreamsUnderWay) {
   EXPECT_TRUE(first->End().ok());
 }
 
+using FairnessTest = AccessTest;
+
+TEST_F(FairnessTest, OneClientCannotFillTheQueue) {
+  ServerOptions options = SmallServer();
+  options.limits.max_concurrent_jobs = 1;
+  options.limits.max_queued_jobs = 10;
+  options.limits.max_queued_jobs_per_client = 2;
+  StartWith(R"(["read", "upload"])", "{}", /*held=*/true, options);
+  v1::ComputeFieldRequest request =
+      FieldRequest(Upload(test::Tetrahedron(), "sesame"), 0);
+  std::vector<std::unique_ptr<test::OpenField>> admitted;
+  // One that runs, two that wait.
+  for (int i = 0; i < 3; ++i) {
+    request.mutable_sources(0)->set_offset(i);
+    admitted.push_back(Open(request, "sesame"));
+    ASSERT_TRUE(admitted.back()->Read());
+    solver_.WaitForStarts(1);
+  }
+  request.mutable_sources(0)->set_offset(3);
+  const auto refused = Open(request, "sesame");
+  ExpectQuotaExceeded(refused->End());
+  const auto& trailers = refused->context.GetServerTrailingMetadata();
+  EXPECT_EQ(trailers.count("grpc-retry-pushback-ms"), 1);
+
+  admitted.push_back(Open(request, "root"));
+  EXPECT_TRUE(admitted.back()->Read());
+  solver_.LetGo();
+  for (const auto& call : admitted) EXPECT_TRUE(call->End().ok());
+}
+
+TEST(PeerHost, IsTheAddressWithoutThePort) {
+  EXPECT_EQ(PeerHost("ipv4:10.1.2.3:53412"), "ipv4:10.1.2.3");
+  EXPECT_EQ(PeerHost("ipv6:%5B2001:db8::1%5D:53412"), "ipv6:%5B2001:db8::1%5D");
+  EXPECT_EQ(PeerHost("unix:/run/geodesicd"), "unix:/run/geodesicd");
+}
+
 TEST_F(AccessTest, ARateIsHeldAndSaysWhenToComeAgain) {
   // A second request would have to wait for a quarter of an hour.
-  StartWith("sesame", R"(["read"])", R"({"requests_per_second": 0.001})");
+  StartWith(R"(["read"])", R"({"requests_per_second": 0.001})");
   const std::string method = "/geodesic.v1.MeshService/ListMeshes";
   EXPECT_TRUE(Call(method, {{"authorization", "Bearer sesame"}}).ok());
   const absl::Status status =
@@ -130,7 +173,7 @@ TEST_F(AccessTest, ARateIsHeldAndSaysWhenToComeAgain) {
 }
 
 TEST_F(AccessTest, AReloadTakesATokenAwayFromLiveConnections) {
-  StartWith("sesame", R"(["read"])");
+  StartWith(R"(["read"])");
   const std::string method = "/geodesic.v1.MeshService/ListMeshes";
   const test::Metadata token = {{"authorization", "Bearer sesame"}};
   ASSERT_TRUE(Call(method, token).ok());

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "tests/engine/uploads.h"
-#include "tests/rpc/generic_call.h"
 #include "tests/rpc/rpc_fixture.h"
 
 namespace geodesic::server {

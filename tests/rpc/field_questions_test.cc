@@ -36,10 +36,7 @@ class FieldQuestionsTest : public test::QuestionsTest {
 TEST_F(FieldQuestionsTest, SourcesLieAnywhere) {
   v1::ComputeFieldRequest request;
   request.set_mesh_digest(digest_);
-  v1::EdgePoint& edge = *request.add_sources()->mutable_edge();
-  edge.set_from(3);
-  edge.set_to(4);
-  edge.set_t(0.25);
+  SetEdge(3, 4, 0.25, *request.add_sources());
   const Point at_edge = {3.25, 0, 0};
   v1::FacePoint& face = *request.add_sources()->mutable_face();
   face.set_face(77);
@@ -79,10 +76,7 @@ TEST_F(FieldQuestionsTest, ACurveIsASource) {
 TEST_F(FieldQuestionsTest, TargetsComeInTheirOrder) {
   v1::ComputeFieldRequest request = Request();
   request.add_targets()->set_vertex(5);
-  v1::EdgePoint& edge = *request.add_targets()->mutable_edge();
-  edge.set_from(8);
-  edge.set_to(7);
-  edge.set_t(0.5);
+  SetEdge(8, 7, 0.5, *request.add_targets());
   request.add_targets()->set_vertex(2);
   for (const bool cached : {false, true}) {
     const auto messages = Messages(request);
@@ -221,12 +215,11 @@ TEST_F(FieldQuestionsTest, WrongArgumentsAreNamed) {
        {"targets { vertex: 1 } stop_after_targets: 18446744073709551615",
         "stop_after_targets"},
        {"radius: -1", "radius"},
-       {"priority: 99", "priority"},
        {"value_type: 9", "value_type"},
        {"quantities: 9", "quantities[0]"},
        {"quantities: FIELD_QUANTITY_GRADIENT progressive: true",
         "quantities"}});
-  ExpectUsualErrors(Request());
+  ExpectUsual(Request());
   v1::ComputeFieldRequest request = Request();
   request.clear_sources();
   EXPECT_EQ(Fault(request), "sources");

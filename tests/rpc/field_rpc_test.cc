@@ -4,13 +4,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <chrono>
-#include <cmath>
 #include <fstream>
-#include <limits>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "geodesic/solve.h"
@@ -25,22 +21,9 @@ using test::FieldReply;
 using test::OpenField;
 using ::testing::HasSubstr;
 
-constexpr std::chrono::seconds kLong{120};
-
 class FieldRpcTest : public test::RpcTest {
  protected:
   EngineCounters counters() { return server_->engine().counters(); }
-
-  // Fields of the first vertices, each with its header.
-  std::vector<std::unique_ptr<OpenField>> OpenMany(const std::string& digest,
-                                                   uint64_t count) {
-    std::vector<std::unique_ptr<OpenField>> calls;
-    for (uint64_t vertex = 0; vertex < count; ++vertex) {
-      calls.push_back(Open(digest, vertex));
-      EXPECT_TRUE(calls.back()->Read());
-    }
-    return calls;
-  }
 };
 
 TEST_F(FieldRpcTest, StreamsAFieldInOrder) {
@@ -113,20 +96,6 @@ TEST_F(FieldRpcTest, EveryAlgorithmAnswers) {
   }
 }
 
-TEST_F(FieldRpcTest, SourcesHaveOffsets) {
-  Start();
-  v1::ComputeFieldRequest request =
-      FieldRequest(Upload(test::Tetrahedron()), 0);
-  request.mutable_sources(0)->set_offset(0.25);
-  request.add_sources()->set_vertex(1);
-  const FieldReply reply = ComputeField(request);
-  ASSERT_EQ(reply.distances.size(), 4);
-  EXPECT_EQ(reply.distances[0], 0.25);
-  EXPECT_EQ(reply.distances[1], 0);
-  EXPECT_DOUBLE_EQ(reply.distances[2], 1.25);
-  EXPECT_DOUBLE_EQ(reply.distances[3], 1.25);
-}
-
 TEST_F(FieldRpcTest, UnknownMesh) {
   Start();
   const FieldReply reply = ComputeField(std::string(64, 'a'), 0);
@@ -166,50 +135,15 @@ TEST_F(FieldRpcTest, EqualQueriesAreSolvedOnce) {
   EXPECT_EQ(counters().solves_started, 1);
 }
 
-TEST_F(FieldRpcTest, CancellingStopsTheSolver) {
-  Start();
-  const auto call = Open(Upload(geodesic::test::Icosphere(7)), 0);
-  do {
-    ASSERT_TRUE(call->Read());
-  } while (!call->message.has_progress());
-  call->context.TryCancel();
-  EXPECT_EQ(call->End().error_code(), grpc::StatusCode::CANCELLED);
-  EXPECT_TRUE(server_->engine().WaitIdle(kLong));
-  EXPECT_EQ(counters().solves_stopped, 1);
-  EXPECT_EQ(counters().solves_finished, 0);
-}
-
-TEST_F(FieldRpcTest, CancellingInTheQueueTakesTheJobOut) {
-  Start(SmallServer(), /*held=*/true);
-  const auto calls = OpenMany(Upload(test::Tetrahedron()), 3);
-  solver_.WaitForStarts(2);
-  calls[2]->context.TryCancel();
-  EXPECT_EQ(calls[2]->End().error_code(), grpc::StatusCode::CANCELLED);
-  // The client knows at once, the server a little later.
-  while (server_->engine().scheduler().queued() > 0) std::this_thread::yield();
-  solver_.LetGo();
-  for (int i = 0; i < 2; ++i) EXPECT_TRUE(calls[i]->End().ok());
-  EXPECT_TRUE(server_->engine().WaitIdle(kLong));
-  EXPECT_EQ(counters().solves_finished, 2);
-}
-
-TEST_F(FieldRpcTest, ADeadlineStopsTheSolver) {
-  Start(SmallServer(), /*held=*/true);
-  const std::string digest = Upload(test::Tetrahedron());
-  grpc::ClientContext context;
-  context.set_deadline(std::chrono::system_clock::now() +
-                       std::chrono::milliseconds(300));
-  const FieldReply reply = ComputeField(FieldRequest(digest, 0), context);
-  EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
-  EXPECT_TRUE(server_->engine().WaitIdle(kLong));
-  EXPECT_EQ(counters().solves_finished, 0);
-}
-
 TEST_F(FieldRpcTest, AFullQueueSaysWhenToComeBack) {
   Start(SmallServer(), /*held=*/true);
   const std::string digest = Upload(geodesic::test::Icosphere(2));
   // Two run, two wait.
-  const auto calls = OpenMany(digest, 4);
+  std::vector<std::unique_ptr<OpenField>> calls;
+  for (uint64_t vertex = 0; vertex < 4; ++vertex) {
+    calls.push_back(Open(digest, vertex));
+    ASSERT_TRUE(calls.back()->Read());
+  }
   const FieldReply refused = ComputeField(digest, 4);
   EXPECT_EQ(refused.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   const auto retry = test::RetryInfo(refused.status);
@@ -217,15 +151,6 @@ TEST_F(FieldRpcTest, AFullQueueSaysWhenToComeBack) {
   EXPECT_GT(retry->retry_delay().seconds() + retry->retry_delay().nanos(), 0);
   solver_.LetGo();
   for (const auto& call : calls) EXPECT_TRUE(call->End().ok());
-}
-
-TEST_F(FieldRpcTest, UnreachableVerticesAreInfinitelyFar) {
-  Start();
-  TriangleSoup soup = test::Tetrahedron();
-  soup.positions.push_back({5, 5, 5});
-  const FieldReply reply = ComputeField(Upload(soup), 0);
-  ASSERT_EQ(reply.distances.size(), 5);
-  EXPECT_EQ(reply.distances[4], std::numeric_limits<double>::infinity());
 }
 
 uint64_t ResidentBytes() {

@@ -15,7 +15,6 @@
 
 #include "digest/sha256.h"
 #include "tests/engine/uploads.h"
-#include "tests/rpc/generic_call.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/temporary_folder.h"
 

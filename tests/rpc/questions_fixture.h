@@ -147,17 +147,28 @@ class QuestionsTest : public RpcTest {
     }
   }
 
-  // What every question refuses: a mesh that is not there, a digest that is
-  // none, an algorithm that nobody knows.
+  // What every question has: priorities, and as errors an algorithm that nobody
+  // knows, a digest that is none, and a mesh that is not there.
+  // REQUIRES: the request is answered.
   template <typename Request>
-  void ExpectUsualErrors(Request request) {
-    request.set_algorithm(static_cast<v1::Algorithm>(99));
-    EXPECT_EQ(Fault(request), "algorithm");
-    request.clear_algorithm();
+  void ExpectUsual(Request request) {
+    ExpectFaults(request, {{"priority: 99", "priority"},
+                           {"algorithm: 99", "algorithm"}});
+    request.set_priority(v1::PRIORITY_BATCH);
+    EXPECT_FALSE(Messages(request).empty());
     request.set_mesh_digest("horse");
     EXPECT_EQ(Fault(request), "mesh_digest");
     request.set_mesh_digest(std::string(64, 'a'));
     EXPECT_EQ(CodeOf(request), grpc::StatusCode::NOT_FOUND);
+  }
+
+  // Puts the place on the edge between two vertices.
+  template <typename Place>
+  static void SetEdge(uint64_t from, uint64_t to, double t, Place& place) {
+    v1::EdgePoint& edge = *place.mutable_edge();
+    edge.set_from(from);
+    edge.set_to(to);
+    edge.set_t(t);
   }
 
   uint64_t Vertex(uint32_t x, uint32_t y) const { return y * (kSide + 1) + x; }

@@ -1,7 +1,10 @@
 #include "tests/rpc/rpc_fixture.h"
 
+#include <grpcpp/completion_queue.h>
 #include <grpcpp/create_channel.h>
+#include <grpcpp/generic/generic_stub.h>
 #include <grpcpp/security/credentials.h>
+#include <grpcpp/support/byte_buffer.h>
 #include <spdlog/sinks/null_sink.h>
 #include <spdlog/spdlog.h>
 
@@ -10,6 +13,7 @@
 #include <cstring>
 #include <utility>
 
+#include "absl/strings/cord.h"
 #include "absl/strings/str_cat.h"
 #include "tests/engine/uploads.h"
 
@@ -19,27 +23,23 @@ namespace {
 constexpr size_t kChunkBytes = 256 << 10;
 
 // A computation that is held up before it advances.
-class HeldComputation final : public Computation {
+class HeldComputation final : public WrappedComputation {
  public:
   HeldComputation(HeldSolver& solver, const Mesh& mesh,
                   std::unique_ptr<Computation> computation)
-      : solver_(solver), mesh_(mesh), computation_(std::move(computation)) {}
+      : solver_(solver), mesh_(mesh) {
+    computation_ = std::move(computation);
+  }
 
   absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) override {
     absl::Status status = solver_.Hold(mesh_, checkpoint);
     if (!status.ok()) return status;
     return computation_->Advance(reach, checkpoint);
   }
-  DistanceField Field() const override { return computation_->Field(); }
-  absl::Status AddSource(const Source& source) override {
-    return computation_->AddSource(source);
-  }
-  uint64_t bytes() const override { return computation_->bytes(); }
 
  private:
   HeldSolver& solver_;
   const Mesh& mesh_;
-  const std::unique_ptr<Computation> computation_;
 };
 
 }  // namespace
@@ -235,6 +235,68 @@ v1::UploadHeader ArraysHeader(const TriangleSoup& soup) {
   header.set_vertex_count(soup.positions.size());
   header.set_face_count(soup.triangles.size());
   return header;
+}
+
+std::vector<const google::protobuf::MethodDescriptor*> AllMethods() {
+  std::vector<const google::protobuf::MethodDescriptor*> methods;
+  for (const char* name : {"Mesh", "Field", "Path", "Matrix", "Capabilities"}) {
+    const auto* service =
+        google::protobuf::DescriptorPool::generated_pool()->FindServiceByName(
+            absl::StrCat("geodesic.v1.", name, "Service"));
+    for (int i = 0; service != nullptr && i < service->method_count(); ++i) {
+      methods.push_back(service->method(i));
+    }
+  }
+  return methods;
+}
+
+std::string PathOf(const google::protobuf::MethodDescriptor& method) {
+  return absl::StrCat("/", method.service()->full_name(), "/", method.name());
+}
+
+absl::StatusOr<std::string> CallMethod(
+    const std::shared_ptr<grpc::Channel>& channel, const std::string& method,
+    const std::string& request, const Metadata& metadata) {
+  grpc::ClientContext context;
+  for (const auto& [name, value] : metadata) context.AddMetadata(name, value);
+  grpc::CompletionQueue queue;
+  grpc::GenericStub stub(channel);
+  const auto next = [&] {
+    void* tag = nullptr;
+    bool ok = false;
+    return queue.Next(&tag, &ok) && ok;
+  };
+
+  const auto call = stub.PrepareCall(&context, method, &queue);
+  call->StartCall(nullptr);
+  if (!next()) return absl::UnavailableError("the call did not start");
+  const grpc::Slice slice(request);
+  call->Write(grpc::ByteBuffer(&slice, 1), nullptr);
+  next();
+  call->WritesDone(nullptr);
+  next();
+  grpc::ByteBuffer response;
+  call->Read(&response, nullptr);
+  const bool answered = next();
+  grpc::Status status;
+  call->Finish(&status, nullptr);
+  next();
+  queue.Shutdown();
+  while (next()) {
+  }
+  if (!answered) {
+    absl::Status error(static_cast<absl::StatusCode>(status.error_code()),
+                       status.error_message());
+    error.SetPayload(kDetails, absl::Cord(status.error_details()));
+    return error;
+  }
+  std::vector<grpc::Slice> slices;
+  response.Dump(&slices);
+  std::string bytes;
+  for (const grpc::Slice& part : slices) {
+    bytes.append(reinterpret_cast<const char*>(part.begin()), part.size());
+  }
+  return bytes;
 }
 
 google::rpc::Status Details(const grpc::Status& status) {

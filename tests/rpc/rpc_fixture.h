@@ -3,6 +3,7 @@
 #ifndef GEODESIC_TESTS_RPC_RPC_FIXTURE_H_
 #define GEODESIC_TESTS_RPC_RPC_FIXTURE_H_
 
+#include <google/protobuf/descriptor.h>
 #include <google/rpc/error_details.pb.h>
 #include <google/rpc/status.pb.h>
 #include <grpcpp/channel.h>
@@ -11,18 +12,35 @@
 #include <gtest/gtest.h>
 
 #include <condition_variable>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "absl/status/statusor.h"
+#include "geodesic/computation.h"
 #include "geodesic/triangle_soup.h"
 #include "geodesic/v1/field_service.grpc.pb.h"
 #include "geodesic/v1/mesh_service.grpc.pb.h"
 #include "server/server.h"
 
 namespace geodesic::server::test {
+
+// A computation that does what another does, which is made by the time that it
+// is asked.
+class WrappedComputation : public Computation {
+ public:
+  DistanceField Field() const override { return computation_->Field(); }
+  absl::Status AddSource(const Source& source) override {
+    return computation_->AddSource(source);
+  }
+  uint64_t bytes() const override { return computation_->bytes(); }
+
+ protected:
+  std::unique_ptr<Computation> computation_;
+};
 
 // Holds computations up until it lets go; until then they poll, as a solver in
 // a long computation would.
@@ -112,6 +130,24 @@ void AddToken(const std::string& token, grpc::ClientContext& context);
 
 // The header of an upload of these arrays.
 v1::UploadHeader ArraysHeader(const TriangleSoup& soup);
+
+// The payload under which errors carry their serialized google.rpc.Status.
+inline constexpr char kDetails[] = "test/grpc-status-details-bin";
+
+// What goes beside the messages of a call, by name.
+using Metadata = std::multimap<std::string, std::string>;
+
+// All methods of the contract.
+std::vector<const google::protobuf::MethodDescriptor*> AllMethods();
+
+// "/geodesic.v1.Service/Method".
+std::string PathOf(const google::protobuf::MethodDescriptor& method);
+
+// Sends one serialized message to `method` ("/package.Service/Method"), for
+// which there need be no stub, and returns the first one that comes back.
+absl::StatusOr<std::string> CallMethod(
+    const std::shared_ptr<grpc::Channel>& channel, const std::string& method,
+    const std::string& request, const Metadata& metadata = {});
 
 // The rich error in a status.
 google::rpc::Status Details(const grpc::Status& status);

@@ -136,20 +136,6 @@ TEST_F(UploadRpcTest, TooLarge) {
   EXPECT_FALSE(test::RetryInfo(status).has_value());
 }
 
-TEST_F(UploadRpcTest, ACancelledUploadLeavesNothing) {
-  {
-    grpc::ClientContext context;
-    v1::CreateMeshResponse response;
-    const auto writer = meshes_->CreateMesh(&context, &response);
-    writer->Write(Header(v1::MESH_FORMAT_OBJ, 1000));
-    writer->Write(Chunk(0, "v 0 0 0\n"));
-    context.TryCancel();
-    EXPECT_EQ(writer->Finish().error_code(), grpc::StatusCode::CANCELLED);
-  }
-  EXPECT_FALSE(Upload(test::Tetrahedron()).empty());
-  EXPECT_EQ(server_->engine().counters().meshes_built, 1);
-}
-
 TEST_F(UploadRpcTest, ManyChunks) {
   const TriangleSoup soup = geodesic::test::Icosphere(6);
   const std::string digest = Upload(soup);
