@@ -6,13 +6,11 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "digest/sha256.h"
-#include "geodesic_client/client.h"
 #include "tests/integration/meshes.h"
-#include "tests/integration/running_server.h"
-#include "tests/security/certificates.h"
-#include "tests/security/until.h"
+#include "tests/security/secure_fixture.h"
 #include "tests/support/http_get.h"
 
 namespace geodesic::client {
@@ -40,16 +38,17 @@ std::set<std::string> NamedIn(const std::string& file) {
 }
 
 // A server with everything that has metrics, after something of each kind.
-class DeployedMetricsTest : public ::testing::Test {
+class DeployedMetricsTest : public SecureTest {
  protected:
   DeployedMetricsTest() {
     WriteFile(tokens_, R"({"tokens": [{"name": "tester", "scopes": ["admin"],
                            "sha256": ")" +
                            Sha256Hex("good-token") + R"("}]})");
-    const RunningServer server(
-        folder_, {"--tls-cert", identity_.certificate, "--tls-key",
-                  identity_.key, "--token-file", tokens_, "--data-dir",
-                  folder_ / "data", "--metrics-listen", "127.0.0.1:0"});
+    std::vector<std::string> flags = TlsFlags(identity_);
+    flags.insert(flags.end(),
+                 {"--token-file", tokens_, "--data-dir", folder_ / "data",
+                  "--metrics-listen", "127.0.0.1:0"});
+    const RunningServer server(folder_, flags);
     std::smatch port;
     const std::string log = FileBytes(folder_ / "server.log");
     EXPECT_TRUE(
@@ -74,15 +73,6 @@ class DeployedMetricsTest : public ::testing::Test {
     }));
   }
 
-  Client Connect(const RunningServer& server, const std::string& token) const {
-    return Client(server.address(),
-                  {.tls = *ReadTlsFiles({.authorities = authority_.path()}),
-                   .token = token});
-  }
-
-  TemporaryFolder folder_;
-  const Authority authority_{folder_, "ca"};
-  const Identity identity_ = authority_.Issue("server");
   const std::string tokens_ = folder_ / "tokens.json";
   std::set<std::string> shown_;  // families of the page
 };

@@ -5,11 +5,8 @@
 
 #include <filesystem>
 
-#include "geodesic_client/client.h"
 #include "tests/integration/process.h"
-#include "tests/integration/running_server.h"
-#include "tests/security/certificates.h"
-#include "tests/security/until.h"
+#include "tests/security/secure_fixture.h"
 
 namespace geodesic::client {
 namespace {
@@ -22,12 +19,8 @@ ConnectionOptions Trusting(const TlsPaths& paths) {
   return {.tls = *tls};
 }
 
-class TlsTest : public ::testing::Test {
+class TlsTest : public SecureTest {
  protected:
-  std::vector<std::string> Flags(const Identity& identity) const {
-    return {"--tls-cert", identity.certificate, "--tls-key", identity.key};
-  }
-
   absl::Status Ask(const RunningServer& server,
                    const ConnectionOptions& options) const {
     return Client(server.address(), options).ListMeshes().status();
@@ -40,14 +33,10 @@ class TlsTest : public ::testing::Test {
     EXPECT_NE(result.exit_code, 0);
     return result.err;
   }
-
-  TemporaryFolder folder_;
-  const Authority authority_{folder_, "ca"};
-  const Identity server_identity_ = authority_.Issue("server");
 };
 
 TEST_F(TlsTest, ClientsThatTrustTheAuthorityAreServed) {
-  const RunningServer server(folder_, Flags(server_identity_));
+  const RunningServer server(folder_, TlsFlags(identity_));
   EXPECT_TRUE(Ask(server, Trusting({.authorities = authority_.path()})).ok());
   // By the other name in the certificate.
   ConnectionOptions options = Trusting({.authorities = authority_.path()});
@@ -56,7 +45,7 @@ TEST_F(TlsTest, ClientsThatTrustTheAuthorityAreServed) {
 }
 
 TEST_F(TlsTest, OthersAreNot) {
-  const RunningServer server(folder_, Flags(server_identity_));
+  const RunningServer server(folder_, TlsFlags(identity_));
   const Authority stranger(folder_, "stranger");
   EXPECT_TRUE(absl::IsUnavailable(
       Ask(server, Trusting({.authorities = stranger.path()}))));
@@ -72,7 +61,7 @@ TEST_F(TlsTest, WithClientAuthoritiesACertificateIsNeeded) {
   const Authority clients(folder_, "clients");
   const Identity friendly = clients.Issue("friend");
   const Identity foreign = authority_.Issue("foreign");
-  std::vector<std::string> flags = Flags(server_identity_);
+  std::vector<std::string> flags = TlsFlags(identity_);
   flags.insert(flags.end(), {"--tls-client-ca", clients.path()});
   const RunningServer server(folder_, flags);
   const auto with = [&](const Identity& identity) {
@@ -87,15 +76,15 @@ TEST_F(TlsTest, WithClientAuthoritiesACertificateIsNeeded) {
 }
 
 TEST_F(TlsTest, AChangedCertificateIsTakenUpWhileConnectionsLive) {
-  const RunningServer server(folder_, Flags(server_identity_));
+  const RunningServer server(folder_, TlsFlags(identity_));
   Client old_client(server.address(),
                     Trusting({.authorities = authority_.path()}));
   ASSERT_TRUE(old_client.ListMeshes().ok());
 
   const Authority next(folder_, "next");
   const Identity renewed = next.Issue("server");
-  std::filesystem::rename(renewed.key, server_identity_.key);
-  std::filesystem::rename(renewed.certificate, server_identity_.certificate);
+  std::filesystem::rename(renewed.key, identity_.key);
+  std::filesystem::rename(renewed.certificate, identity_.certificate);
   EXPECT_TRUE(Until([&] {
     return Ask(server, Trusting({.authorities = next.path()})).ok();
   }));
@@ -106,7 +95,7 @@ TEST_F(TlsTest, AChangedCertificateIsTakenUpWhileConnectionsLive) {
 }
 
 TEST_F(TlsTest, TheCommandSpeaksTls) {
-  const RunningServer server(folder_, Flags(server_identity_));
+  const RunningServer server(folder_, TlsFlags(identity_));
   const ProcessResult good =
       RunProgram({GEODESIC_BINARY, "--server", server.address(), "--tls-ca",
                   authority_.path(), "meshes"});
@@ -121,7 +110,7 @@ TEST_F(TlsTest, TheCommandSpeaksTls) {
 
 TEST_F(TlsTest, WrongFilesAreNamedAtTheStart) {
   const Identity other = authority_.Issue("other");
-  const std::string& certificate = server_identity_.certificate;
+  const std::string& certificate = identity_.certificate;
   EXPECT_THAT(Refusal({"--tls-cert", certificate, "--tls-key", other.key}),
               HasSubstr("is not the key"));
   EXPECT_THAT(Refusal({"--tls-cert", certificate, "--tls-key", certificate}),
@@ -135,7 +124,7 @@ TEST_F(TlsTest, WrongFilesAreNamedAtTheStart) {
 
 TEST_F(TlsTest, AnExpiredCertificateIsToldAtTheStart) {
   const Identity expired = MakeExpired(folder_);
-  const RunningServer server(folder_, Flags(expired));
+  const RunningServer server(folder_, TlsFlags(expired));
   EXPECT_THAT(FileBytes(folder_ / "server.log"),
               HasSubstr(expired.certificate + " has expired"));
 }

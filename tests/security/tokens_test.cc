@@ -8,13 +8,10 @@
 #include <vector>
 
 #include "digest/sha256.h"
-#include "geodesic_client/client.h"
 #include "geodesic_client/errors.h"
 #include "tests/integration/meshes.h"
 #include "tests/integration/process.h"
-#include "tests/integration/running_server.h"
-#include "tests/security/certificates.h"
-#include "tests/security/until.h"
+#include "tests/security/secure_fixture.h"
 
 namespace geodesic::client {
 namespace {
@@ -28,7 +25,7 @@ struct Token {
   std::string more = "";
 };
 
-class TokensTest : public ::testing::Test {
+class TokensTest : public SecureTest {
  protected:
   // Replaced as a whole, as one should.
   void WriteTokens(const std::vector<Token>& tokens) const {
@@ -44,14 +41,9 @@ class TokensTest : public ::testing::Test {
   }
 
   std::vector<std::string> Flags() const {
-    return {"--tls-cert",  identity_.certificate, "--tls-key",
-            identity_.key, "--token-file",        folder_ / "tokens.json"};
-  }
-
-  Client Connect(const RunningServer& server, const std::string& token) const {
-    return Client(server.address(),
-                  {.tls = *ReadTlsFiles({.authorities = authority_.path()}),
-                   .token = token});
+    std::vector<std::string> flags = TlsFlags(identity_);
+    flags.insert(flags.end(), {"--token-file", folder_ / "tokens.json"});
+    return flags;
   }
 
   absl::Status Ask(const RunningServer& server,
@@ -66,10 +58,6 @@ class TokensTest : public ::testing::Test {
                                  "--tls-ca", authority_.path()});
     return RunProgram(words);
   }
-
-  TemporaryFolder folder_;
-  const Authority authority_{folder_, "ca"};
-  const Identity identity_ = authority_.Issue("server");
 };
 
 TEST_F(TokensTest, EveryRefusalHasItsReason) {

@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 
-#include "tests/fuzz/rpc/rpc_mutator.h"
 #include "tests/fuzz/rpc/rpc_script.h"
 #include "tests/fuzz/rpc/rpc_subject.h"
 

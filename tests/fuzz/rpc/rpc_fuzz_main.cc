@@ -17,7 +17,6 @@
 #include <optional>
 #include <random>
 
-#include "tests/fuzz/rpc/rpc_mutator.h"
 #include "tests/fuzz/rpc/rpc_script.h"
 #include "tests/fuzz/rpc/rpc_subject.h"
 

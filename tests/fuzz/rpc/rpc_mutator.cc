@@ -1,5 +1,3 @@
-#include "tests/fuzz/rpc/rpc_mutator.h"
-
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 
@@ -10,6 +8,8 @@
 #include <memory>
 #include <string>
 #include <utility>
+
+#include "tests/fuzz/rpc/rpc_script.h"
 
 namespace geodesic::server::test {
 namespace {

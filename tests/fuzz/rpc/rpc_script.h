@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,6 +60,11 @@ std::unique_ptr<google::protobuf::Message> NewRequest(RpcMethod method);
 // A well-formed call of each method: where mutations begin. A digest of one
 // letter stands for one of the meshes that are there: see rpc_subject.h.
 const std::vector<RpcScript>& SeedScripts();
+
+// Changes a script in one place or a few as a client could: fields of messages
+// by what their types allow, and bytes without regard to that. An empty script
+// becomes a seed.
+void Mutate(RpcScript& script, std::mt19937_64& random);
 
 }  // namespace geodesic::server::test
 

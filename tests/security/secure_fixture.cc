@@ -1,9 +1,10 @@
-#include "tests/security/certificates.h"
+#include "tests/security/secure_fixture.h"
 
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "absl/strings/str_split.h"
 #include "tests/integration/process.h"
 
 namespace geodesic::client {
@@ -22,23 +23,11 @@ Identity Make(const TemporaryFolder& folder, const std::string& name,
   const std::string config = folder / "openssl.cnf";
   WriteFile(config, "[req]\ndistinguished_name=name\n[name]\n");
   Identity identity{folder / (name + ".pem"), folder / (name + ".key")};
-  std::vector<std::string> words = {"req",
-                                    "-x509",
-                                    "-config",
-                                    config,
-                                    "-newkey",
-                                    "ec",
-                                    "-pkeyopt",
-                                    "ec_paramgen_curve:P-256",
-                                    "-nodes",
-                                    "-days",
-                                    "2",
-                                    "-subj",
-                                    "/CN=" + name,
-                                    "-out",
-                                    identity.certificate,
-                                    "-keyout",
-                                    identity.key};
+  std::vector<std::string> words = absl::StrSplit(
+      "req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 2",
+      ' ');
+  words.insert(words.end(), {"-config", config, "-subj", "/CN=" + name, "-out",
+                             identity.certificate, "-keyout", identity.key});
   words.insert(words.end(), more.begin(), more.end());
   RunOpenssl(std::move(words));
   return identity;
