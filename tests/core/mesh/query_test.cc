@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geodesic/field_path.h"
+#include "geodesic/solve.h"
 #include "geodesic/valid_query.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
@@ -188,6 +189,55 @@ TEST(QueryTest, PartsOfAQuestion) {
   EXPECT_EQ(second->targets, (*query)->targets);
   // What was asked for, which several sources do not allow.
   EXPECT_EQ(second->algorithm, Algorithm::kFwpList);
+}
+
+// Where Chen and Han's rule does not hold, the MMP rule takes its place.
+TEST(QueryTest, TheAlgorithmGivesWayWhereItDoesNotHold) {
+  using enum Algorithm;
+  const auto grid = *Mesh::Build(test::MakeGrid({.columns = 4, .rows = 4}));
+  const Source in_face{FacePoint{3, {0.2, 0.3, 0.5}}}, at_vertex = At(1);
+  // A corner of a face is a vertex, however it is named.
+  const Source at_corner{FacePoint{2, {0, 1, 0}}};
+  const Source curve{Curve{{VertexPoint{0}, VertexPoint{1}}}};
+  struct Case {
+    std::vector<Source> sources;
+    Algorithm asked, runs;
+  };
+  for (const auto& [sources, asked, runs] :
+       {Case{{in_face}, kFwpList, kFwpList},
+        {{at_vertex, in_face}, kFwpList, kFwpMmp},
+        {{at_vertex}, kFwpCh, kFwpCh},
+        {{at_vertex, At(7)}, kFwpCh, kFwpCh},
+        {{in_face}, kFwpCh, kFwpCh},
+        {{at_vertex, at_corner}, kCh, kCh},
+        // Rays may pass a source.
+        {{in_face, at_vertex}, kDefaultAlgorithm, kFwpMmp},
+        {{curve}, kIch, kMmp},
+        {{in_face}, kCh, kMmp}}) {
+    const Query query{.sources = sources, .algorithm = asked};
+    EXPECT_EQ((*ValidQuery::Make(query, *grid))->algorithm, runs)
+        << AlgorithmName(asked) << " of " << sources.size();
+    NoCheckpoint checkpoint;
+    EXPECT_EQ(Solve(*grid, query, {}, checkpoint)->algorithm, runs);
+  }
+}
+
+TEST(QueryTest, TheAlgorithmGivesWayOnMeshesWhereItDoesNotHold) {
+  const auto book = *Mesh::Build(
+      {.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}},
+       .triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}});
+  const auto without_area =
+      *Mesh::Build({.positions = {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}},
+                    .triangles = {{0, 2, 1}, {0, 1, 3}}});
+  EXPECT_TRUE(without_area->HasCollapsedFaces());
+  EXPECT_FALSE(Strip()->HasCollapsedFaces());
+  for (const auto& mesh : {book, without_area}) {
+    for (const AlgorithmInfo& info : kAlgorithms) {
+      const auto query = ValidQuery::Make(
+          {.sources = {At(1)}, .algorithm = info.algorithm}, *mesh);
+      EXPECT_EQ((*query)->algorithm, WithTrimming(info.algorithm));
+    }
+  }
 }
 
 TEST(QueryTest, CanonicalPointsLieOnTheLowestElement) {
