@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -53,6 +55,41 @@ class RestartTest : public ::testing::Test {
   std::optional<RunningServer> server_;
   std::optional<Client> client_;
 };
+
+// Eight clients ask for twelve meshes where four have room: whoever finds no
+// memory waits for the questions that run, and nobody is refused.
+TEST_F(RestartTest, MeshesTakeTurnsInMemory) {
+  constexpr uint32_t kMeshes = 12, kClients = 8, kQuestions = 15;
+  std::vector<std::string> digests;
+  uint64_t largest = 0;
+  for (uint32_t i = 0; i < kMeshes; ++i) {
+    const MeshArrays mesh = PlanarGrid(60 + i);
+    ASSERT_TRUE(client_->UploadArrays(mesh).ok());
+    digests.push_back(MeshDigest(mesh));
+    const auto info = client_->GetMesh(digests.back());
+    ASSERT_TRUE(info.ok()) << info.status();
+    largest = std::max(largest, info->resident_bytes);
+  }
+  EXPECT_EQ(Stop(), 0);
+  Start({"--mesh-store", std::to_string(4 * largest) + "B"});
+  std::vector<std::thread> threads;
+  std::atomic<uint32_t> refused = 0;
+  for (uint32_t c = 0; c < kClients; ++c) {
+    threads.emplace_back([&, c] {
+      Client client(server_->address(), {.retry = false});
+      for (uint32_t i = 0; i < kQuestions; ++i) {
+        const auto field = client.ComputeField(
+            {.mesh_digest = digests[(5 * c + 7 * i) % kMeshes],
+             .sources = {{VertexPoint{i * kClients + c}}}});
+        if (field.ok()) continue;
+        ++refused;
+        ADD_FAILURE() << field.status();
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(refused, 0);
+}
 
 TEST_F(RestartTest, MeshesAndFieldsAreThere) {
   const MeshArrays mesh = PlanarGrid(20);
