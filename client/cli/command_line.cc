@@ -8,7 +8,6 @@
 #include "absl/strings/str_cat.h"
 #include "client/cli/arguments/help.h"
 #include "client/cli/arguments/options.h"
-#include "client/cli/arguments/values.h"
 #include "client/cli/terminal/text.h"
 
 namespace geodesic::client {

@@ -1,22 +1,65 @@
 // The command `geodesic`.
 
+#include <pthread.h>
+#include <signal.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
+#include <stop_token>
+#include <thread>
 #include <utility>
 #include <variant>
 
 #include "client/cli/command_line.h"
-#include "client/cli/terminal/interrupt_listener.h"
 #include "client/cli/terminal/standard_output.h"
 #include "client/cli/terminal/text.h"
 #include "geodesic_client/errors.h"
 
 namespace geodesic::client {
 namespace {
+
+// While it lives SIGINT and SIGTERM request a stop instead of ending the
+// process; the second of them ends it at once with exit code 130. To be made
+// before any other thread, which would otherwise take the signals.
+class InterruptListener {
+ public:
+  InterruptListener() {
+    // A blocked signal waits until sigwait takes it, in this thread and in
+    // those made from it.
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int signal : {SIGINT, SIGTERM, kWake}) {
+      sigaddset(&signals, signal);
+    }
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    thread_ = std::thread([this, signals] {
+      int signal = 0;
+      while (sigwait(&signals, &signal) == 0 && signal != kWake) {
+        if (!source_.request_stop()) {
+          _exit(static_cast<int>(ExitCode::kInterrupted));
+        }
+      }
+    });
+  }
+  ~InterruptListener() {
+    pthread_kill(thread_.native_handle(), kWake);
+    thread_.join();
+  }
+  InterruptListener(const InterruptListener&) = delete;
+  InterruptListener& operator=(const InterruptListener&) = delete;
+
+  std::stop_token stop() const { return source_.get_token(); }
+
+ private:
+  // Ends the thread; of no other use here.
+  static constexpr int kWake = SIGUSR1;
+
+  std::stop_source source_;
+  std::thread thread_;
+};
 
 int TerminalWidth() {
   winsize size = {};

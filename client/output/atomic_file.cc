@@ -18,28 +18,15 @@ absl::StatusOr<AtomicFile> AtomicFile::Create(const std::string& path) {
   return AtomicFile(path, std::move(partial_path), file);
 }
 
-AtomicFile::AtomicFile(std::string path, std::string partial_path,
-                       std::FILE* file)
-    : path_(std::move(path)),
-      partial_path_(std::move(partial_path)),
-      file_(file) {}
-
-AtomicFile::AtomicFile(AtomicFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      partial_path_(std::move(other.partial_path_)),
-      file_(std::exchange(other.file_, nullptr)),
-      size_(other.size_),
-      error_(other.error_) {}
-
 AtomicFile::~AtomicFile() {
   if (file_ == nullptr) return;
-  std::fclose(file_);
+  file_.reset();
   std::remove(partial_path_.c_str());
 }
 
 void AtomicFile::Append(std::string_view bytes) {
   if (error_ != 0 || bytes.empty()) return;
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) {
     error_ = errno;
     return;
   }
@@ -53,7 +40,7 @@ absl::Status AtomicFile::status() const {
 }
 
 absl::Status AtomicFile::Commit() {
-  if (std::fclose(std::exchange(file_, nullptr)) != 0 && error_ == 0) {
+  if (std::fclose(file_.release()) != 0 && error_ == 0) {
     error_ = errno;
   }
   if (error_ == 0 && std::rename(partial_path_.c_str(), path_.c_str()) != 0) {

@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -20,7 +22,7 @@ class AtomicFile {
   // Errors: those of opening a file for writing, naming the path.
   static absl::StatusOr<AtomicFile> Create(const std::string& path);
 
-  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile(AtomicFile&&) = default;
   AtomicFile& operator=(AtomicFile&&) = delete;
   // Removes what has been written unless Commit succeeded.
   ~AtomicFile();
@@ -42,11 +44,18 @@ class AtomicFile {
   absl::Status Commit();
 
  private:
-  AtomicFile(std::string path, std::string partial_path, std::FILE* file);
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  AtomicFile(std::string path, std::string partial_path, std::FILE* file)
+      : path_(std::move(path)),
+        partial_path_(std::move(partial_path)),
+        file_(file) {}
 
   std::string path_;
   std::string partial_path_;
-  std::FILE* file_;
+  std::unique_ptr<std::FILE, Close> file_;
   uint64_t size_ = 0;
   // errno of the first write that failed.
   int error_ = 0;

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace geodesic::client {
 
@@ -37,41 +38,31 @@ class CsvLine {
   CsvLine& Integer(int64_t value) { return Put(value); }
 
   CsvLine& Text(std::string_view text) {
-    Separate();
     const bool quote = text.find(',') != std::string_view::npos;
     if (quote) line_.push_back('"');
     line_.append(text);
     if (quote) line_.push_back('"');
+    line_.push_back(',');
     return *this;
   }
 
   // The line with its newline; the next one begins.
-  const std::string& End() {
-    line_.push_back('\n');
-    ended_ = true;
-    return line_;
+  // REQUIRES: something is in it.
+  std::string End() {
+    line_.back() = '\n';
+    return std::exchange(line_, {});
   }
 
  private:
-  void Separate() {
-    if (ended_) {
-      line_.clear();
-      ended_ = false;
-    } else {
-      line_.push_back(',');
-    }
-  }
-
   template <typename Value>
   CsvLine& Put(Value value) {
-    Separate();
     char text[32];
     line_.append(text, std::to_chars(text, text + sizeof(text), value).ptr);
+    line_.push_back(',');
     return *this;
   }
 
   std::string line_;
-  bool ended_ = true;
 };
 
 }  // namespace geodesic::client

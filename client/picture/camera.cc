@@ -1,9 +1,12 @@
 #include "client/picture/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "client/picture/rasterizer.h"
 
 namespace geodesic::client {
 namespace {
@@ -22,6 +25,72 @@ struct Extent {
   double middle() const { return low / 2 + high / 2; }
   double half() const { return high / 2 - low / 2; }
 };
+
+std::array<Extent, 3> BoxOf(const std::vector<Point>& points) {
+  std::array<Extent, 3> box;
+  for (const Point& point : points) {
+    for (size_t axis = 0; axis < box.size(); ++axis) box[axis].Add(point[axis]);
+  }
+  return box;
+}
+
+// The screen on which views are tried.
+constexpr int kTrialSize = 192;
+
+// What a view shows.
+struct Trial {
+  View view;
+  // How much of the mesh's outline fills, in units of the mesh: not of the
+  // screen, where a long mesh seen from its end looks large.
+  double area = 0;
+  // The fraction of the marks that is seen.
+  double marks_seen = 0;
+};
+
+Trial Try(const MeshArrays& mesh, const std::vector<Point>& shown,
+          const std::vector<Point>& marks, const View& view) {
+  const Camera camera(shown, view, {0, 0, kTrialSize, kTrialSize});
+  std::vector<Vector3> screen;
+  screen.reserve(mesh.positions.size());
+  for (const Point& point : mesh.positions) {
+    screen.push_back(camera.Project(point));
+  }
+  const VisibilityBuffer buffer =
+      Rasterize(screen, mesh.triangles, kTrialSize, kTrialSize);
+  const auto covered =
+      std::ranges::count_if(buffer.samples, [](const VisibleSample& sample) {
+        return sample.triangle != kNoTriangle;
+      });
+  Trial trial = {
+      .view = view,
+      .area = static_cast<double>(covered) / (camera.scale() * camera.scale())};
+  // A mark within two samples of the surface, which may slope, is seen.
+  const auto seen = std::ranges::count_if(marks, [&](const Point& mark) {
+    return IsVisible(camera.Project(mark), 2, buffer);
+  });
+  if (!marks.empty()) {
+    trial.marks_seen =
+        static_cast<double>(seen) / static_cast<double>(marks.size());
+  }
+  return trial;
+}
+
+// Whether the mesh would stand upright on the plane below it: its middle is
+// above the box around the points that touch the plane.
+bool StandsOn(int up, const std::vector<Point>& positions) {
+  const std::array<Extent, 3> box = BoxOf(positions);
+  const double ground = box[up].low + 0.03 * (box[up].high - box[up].low);
+  for (const int axis : {(up + 1) % 3, (up + 2) % 3}) {
+    double middle = 0;
+    Extent base;
+    for (const Point& point : positions) {
+      middle += point[axis] / static_cast<double>(positions.size());
+      if (point[up] <= ground) base.Add(point[axis]);
+    }
+    if (!(middle >= base.low && middle <= base.high)) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -43,10 +112,7 @@ Camera::Camera(const std::vector<Point>& points, const View& view,
     toward_viewer_ = {sin_a * cos_e, -cos_a * cos_e, sin_e};
   }
 
-  Extent box[3];
-  for (const Point& point : points) {
-    for (int axis = 0; axis < 3; ++axis) box[axis].Add(point[axis]);
-  }
+  const std::array<Extent, 3> box = BoxOf(points);
   if (!box[0].empty()) {
     middle_ = {box[0].middle(), box[1].middle(), box[2].middle()};
     const double half = std::max({box[0].half(), box[1].half(), box[2].half()});
@@ -77,6 +143,36 @@ Vector3 Camera::Project(const Point& point) const {
   return {center_x_ + scale_ * Dot(scaled, right_),
           center_y_ - scale_ * Dot(scaled, up_),
           scale_ * Dot(scaled, toward_viewer_)};
+}
+
+UpAxis GuessUpAxis(const std::vector<Point>& positions) {
+  const std::array<Extent, 3> box = BoxOf(positions);
+  const bool is_flat =
+      box[2].half() < 0.4 * std::min(box[0].half(), box[1].half());
+  return is_flat || (StandsOn(2, positions) && !StandsOn(1, positions))
+             ? UpAxis::kZ
+             : UpAxis::kY;
+}
+
+View ChooseView(const MeshArrays& mesh, const std::vector<Point>& shown,
+                const std::vector<Point>& marks, UpAxis up) {
+  // Flat meshes are looked at from above.
+  const double elevation = up == UpAxis::kZ ? 45 : 18;
+  std::vector<Trial> trials;
+  double largest_area = 0;
+  // In order of preference where views are equally good: the front first.
+  for (const double azimuth :
+       {30.0, -30.0, 60.0, -60.0, 150.0, -150.0, 120.0, -120.0}) {
+    trials.push_back(Try(mesh, shown, marks, {up, azimuth, elevation}));
+    largest_area = std::max(largest_area, trials.back().area);
+  }
+  const auto score = [largest_area](const Trial& trial) {
+    // Steps of a hundredth, so that noise does not overrule the order.
+    const double area =
+        largest_area > 0 ? std::round(100 * trial.area / largest_area) : 0;
+    return area + 35 * trial.marks_seen;
+  };
+  return std::ranges::max_element(trials, {}, score)->view;
 }
 
 }  // namespace geodesic::client

@@ -1,4 +1,4 @@
-// An orthographic view of a mesh.
+// An orthographic view of a mesh, and one that shows much of it.
 
 #ifndef GEODESIC_CLIENT_PICTURE_CAMERA_H_
 #define GEODESIC_CLIENT_PICTURE_CAMERA_H_
@@ -61,6 +61,16 @@ class Camera {
   double center_x_ = 0;
   double center_y_ = 0;
 };
+
+// z for a mesh that is flat along z, as terrains are, or that would stand on a
+// floor along z but fall over along y; y otherwise, as in most models.
+UpAxis GuessUpAxis(const std::vector<Point>& positions);
+
+// Tries oblique views of `shown`, the points that are to fit, from all around
+// and takes the one in which the mesh has the largest outline, preferring those
+// that see more of the marks, which lie on the surface.
+View ChooseView(const MeshArrays& mesh, const std::vector<Point>& shown,
+                const std::vector<Point>& marks, UpAxis up);
 
 }  // namespace geodesic::client
 

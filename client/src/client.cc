@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "assemblers.h"
 #include "call.h"
 #include "connection.h"
-#include "mesh_assembler.h"
 #include "translate.h"
 
 namespace geodesic::client {

@@ -4,8 +4,8 @@
 
 #include "absl/strings/str_cat.h"
 #include "answer_stream.h"
+#include "assemblers.h"
 #include "connection.h"
-#include "polyline_assembler.h"
 
 namespace geodesic::client {
 namespace {

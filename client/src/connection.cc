@@ -95,6 +95,12 @@ std::shared_ptr<grpc::Channel> MakeChannel(const std::string& server,
   // Clients of one process that name the same server do not share a
   // connection, so that closing one means closing it.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  // Questions and look-ups change nothing, so gRPC asks them again while
+  // nothing of an answer has come: when the server is not there, or, at the
+  // time it names itself, when it is full. A mesh that was deleted by a call
+  // whose answer was lost would then be reported missing, so DeleteMesh is not
+  // among them; and what CreateMesh sends is too much to be kept for a
+  // repetition by gRPC, so upload.cc sees to that.
   if (options.retry) {
     arguments.SetServiceConfigJSON(kServiceConfig);
   } else {

@@ -74,47 +74,9 @@ class FileReader {
 using ChunkSource =
     std::function<absl::Status(bool restart, std::string* chunk)>;
 
-absl::StatusOr<UploadOutcome> SendOnce(v1::MeshService::Stub* stub,
-                                       const std::string& path,
-                                       const v1::UploadHeader& header,
-                                       const ChunkSource& next_chunk,
-                                       const CallOptions& options,
-                                       const UploadProgressCallback& progress) {
-  v1::CreateMeshResponse response;
-  Call call(options);
-  auto writer = stub->CreateMesh(call.context(), &response);
-  v1::CreateMeshRequest request;
-  *request.mutable_header() = header;
-  bool open = writer->Write(request);
-  uint64_t sent = 0;
-  absl::Status local;
-  for (bool restart = true; open; restart = false) {
-    v1::UploadChunk* chunk = request.mutable_chunk();
-    chunk->mutable_data()->resize(kChunkBytes);
-    local = next_chunk(restart, chunk->mutable_data());
-    if (!local.ok()) {
-      call.context()->TryCancel();
-      break;
-    }
-    if (chunk->data().empty()) break;
-    chunk->set_offset(sent);
-    open = writer->Write(request);
-    sent += chunk->data().size();
-    if (progress != nullptr) progress(sent, header.size_bytes());
-  }
-  writer->WritesDone();
-  // A write that failed has its reason here.
-  const absl::Status status = FromRpcStatus(writer->Finish(), path);
-  if (!local.ok()) return local;
-  if (!status.ok()) return status;
-  return UploadOutcome{.mesh = FromProto(response.mesh()),
-                       .already_resident = response.already_resident(),
-                       .bytes_sent = sent};
-}
-
-// Again if the connection broke or the server is full: it keeps nothing of an
-// upload that did not end, and one that did is merely found resident. `path` is
-// the file's, or empty.
+// Sends an upload; again if the connection broke or the server is full: it
+// keeps nothing of an upload that did not end, and one that did is merely found
+// resident. `path` is the file's, or empty.
 absl::StatusOr<UploadOutcome> Send(v1::MeshService::Stub* stub,
                                    const std::string& path,
                                    const v1::UploadHeader& header,
@@ -122,9 +84,37 @@ absl::StatusOr<UploadOutcome> Send(v1::MeshService::Stub* stub,
                                    const CallOptions& options,
                                    const UploadProgressCallback& progress,
                                    bool retry) {
+  const auto send_once = [&]() -> absl::StatusOr<UploadOutcome> {
+    v1::CreateMeshResponse response;
+    Call call(options);
+    auto writer = stub->CreateMesh(call.context(), &response);
+    v1::CreateMeshRequest request;
+    *request.mutable_header() = header;
+    bool open = writer->Write(request);
+    uint64_t sent = 0;
+    absl::Status local;
+    for (bool restart = true; open; restart = false) {
+      v1::UploadChunk* chunk = request.mutable_chunk();
+      chunk->mutable_data()->resize(kChunkBytes);
+      local = next_chunk(restart, chunk->mutable_data());
+      if (!local.ok()) call.context()->TryCancel();
+      if (!local.ok() || chunk->data().empty()) break;
+      chunk->set_offset(sent);
+      open = writer->Write(request);
+      sent += chunk->data().size();
+      if (progress != nullptr) progress(sent, header.size_bytes());
+    }
+    writer->WritesDone();
+    // A write that failed has its reason here.
+    const absl::Status status = FromRpcStatus(writer->Finish(), path);
+    if (!local.ok()) return local;
+    if (!status.ok()) return status;
+    return UploadOutcome{.mesh = FromProto(response.mesh()),
+                         .already_resident = response.already_resident(),
+                         .bytes_sent = sent};
+  };
   for (int attempts = 1;; ++attempts) {
-    absl::StatusOr<UploadOutcome> outcome =
-        SendOnce(stub, path, header, next_chunk, options, progress);
+    absl::StatusOr<UploadOutcome> outcome = send_once();
     if (outcome.ok() || !retry ||
         !WaitToRetry(outcome.status(), attempts, options.stop)) {
       return outcome;

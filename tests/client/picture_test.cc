@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "client/picture/colormap.h"
-#include "client/picture/key.h"
+#include "client/picture/overlay.h"
 
 namespace geodesic::client {
 namespace {

@@ -196,12 +196,5 @@ TEST_F(CommandTest, GrpcKeepsItsWordsToItself) {
   EXPECT_EQ(RunProgram(words).err, "");
 }
 
-TEST_F(CommandTest, ServerMayBeNamedByTheEnvironment) {
-  const ProcessResult result =
-      RunProgram({"/usr/bin/env", "GEODESIC_SERVER=" + server_.address(),
-                  GEODESIC_BINARY, "meshes"});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-}
-
 }  // namespace
 }  // namespace geodesic::client

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -52,66 +51,6 @@ TEST_F(FieldQuestionsTest, CurvesAreMeasuredFromEveryPoint) {
   }
 }
 
-TEST_F(FieldQuestionsTest, RadiusEndsTheField) {
-  constexpr double kRadius = 0.4;
-  absl::StatusOr<Field> field =
-      client_.ComputeField({.mesh_digest = digest_,
-                            .sources = {{VertexPoint{0}}},
-                            .radius = kRadius});
-  ASSERT_TRUE(field.ok()) << field.status();
-  EXPECT_GE(field->settled_radius, kRadius);
-  for (uint64_t v = 0; v < vertex_count_; ++v) {
-    const double expected = Euclid(At(0), At(v));
-    if (expected <= kRadius) {
-      ASSERT_NEAR(field->distances[v], expected, kTolerance);
-    } else {
-      ASSERT_EQ(field->distances[v], kInfinity);
-    }
-  }
-}
-
-TEST_F(FieldQuestionsTest, SearchEndsAtTheTargets) {
-  const std::vector<SurfacePoint> targets = {VertexPoint{vertex_count_ - 1},
-                                             EdgePoint{0, 1, 0.5}};
-  for (const uint64_t count : {1, 2}) {
-    absl::StatusOr<Field> field =
-        client_.ComputeField({.mesh_digest = digest_,
-                              .sources = {{VertexPoint{0}}},
-                              .targets = targets,
-                              .stop_after_targets = count});
-    ASSERT_TRUE(field.ok()) << field.status();
-    EXPECT_NEAR(field->target_distances[1], 0.5 / kGrid, kTolerance);
-    if (count == 2) {
-      EXPECT_NEAR(field->target_distances[0], std::sqrt(2), kTolerance);
-    }
-  }
-}
-
-TEST_F(FieldQuestionsTest, NearestSourcesAndGradients) {
-  const std::vector<Source> sources = {{VertexPoint{0}},
-                                       {VertexPoint{vertex_count_ - 1}, 0.1},
-                                       {EdgePoint{5, 6, 0.5}}};
-  absl::StatusOr<Field> field = client_.ComputeField({.mesh_digest = digest_,
-                                                      .sources = sources,
-                                                      .nearest_sources = true,
-                                                      .gradients = true});
-  ASSERT_TRUE(field.ok()) << field.status();
-  const std::vector<Point> from = {At(0), At(vertex_count_ - 1),
-                                   Where(EdgePoint{5, 6, 0.5})};
-  for (uint64_t v = 0; v < vertex_count_; ++v) {
-    const uint32_t nearest = field->nearest_sources[v];
-    ASSERT_LT(nearest, sources.size());
-    const double length = Euclid(from[nearest], At(v));
-    ASSERT_NEAR(sources[nearest].offset + length, field->distances[v],
-                kTolerance);
-    for (int axis = 0; axis < 3; ++axis) {
-      const double expected =
-          length == 0 ? 0 : (At(v)[axis] - from[nearest][axis]) / length;
-      ASSERT_NEAR(field->gradients[v][axis], expected, 1e-9) << v;
-    }
-  }
-}
-
 TEST_F(FieldQuestionsTest, FloatsAreTheNearestOnes) {
   const FieldQuery doubles = {.mesh_digest = digest_,
                               .sources = {{VertexPoint{7}}}};
@@ -123,45 +62,6 @@ TEST_F(FieldQuestionsTest, FloatsAreTheNearestOnes) {
   for (uint64_t v = 0; v < vertex_count_; ++v) {
     ASSERT_EQ(narrow->distances[v], static_cast<float>(wide->distances[v]));
   }
-}
-
-TEST_F(FieldQuestionsTest, SettledVerticesComeInOrder) {
-  std::vector<SettledVertex> settled;
-  absl::StatusOr<Field> field = client_.StreamField(
-      {.mesh_digest = digest_, .sources = {{VertexPoint{17}}}},
-      [&](std::span<const SettledVertex> vertices) {
-        settled.insert(settled.end(), vertices.begin(), vertices.end());
-      });
-  ASSERT_TRUE(field.ok()) << field.status();
-  ASSERT_EQ(settled.size(), vertex_count_);
-  std::set<uint32_t> seen;
-  double before = 0;
-  for (const SettledVertex& vertex : settled) {
-    EXPECT_NEAR(vertex.distance, Euclid(At(17), At(vertex.vertex)), kTolerance);
-    EXPECT_GE(vertex.distance, before);
-    before = vertex.distance;
-    seen.insert(vertex.vertex);
-  }
-  EXPECT_EQ(seen.size(), vertex_count_);
-}
-
-TEST_F(FieldQuestionsTest, WrongPlacesAreNamed) {
-  const auto message = [&](const Source& source) {
-    const absl::Status status =
-        client_.ComputeField({.mesh_digest = digest_, .sources = {source}})
-            .status();
-    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
-    return std::string(status.message());
-  };
-  EXPECT_THAT(message({VertexPoint{99999}}), HasSubstr("99999"));
-  EXPECT_THAT(message({EdgePoint{0, vertex_count_ - 1, 0.5}}),
-              HasSubstr("edge"));
-  EXPECT_THAT(message({FacePoint{99999, {1, 0, 0}}}), HasSubstr("99999"));
-  EXPECT_THAT(message({FacePoint{0, {0.5, 0.2, 0.2}}}), HasSubstr("weights"));
-  EXPECT_THAT(message({VertexPoint{0}, std::nan("")}), HasSubstr("offset"));
-  EXPECT_THAT(
-      message({Curve{{VertexPoint{0}, VertexPoint{vertex_count_ - 1}}}}),
-      HasSubstr("curve"));
 }
 
 TEST_F(FieldQuestionsTest, FieldPrintsTargets) {
@@ -196,27 +96,35 @@ TEST_F(FieldQuestionsTest, FieldStopsAtARadius) {
 }
 
 TEST_F(FieldQuestionsTest, FieldStopsAtTargets) {
-  const json field = GeodesicJson({"field", grid_, "-s", "0", "-t", "1", "-t",
-                                   "80", "--stop-at-targets=1"});
-  EXPECT_NEAR(field["targets"][0]["distance"], 1.0 / kGrid, kTolerance);
+  for (const int count : {1, 2}) {
+    const json targets = GeodesicJson(
+        {"field", grid_, "-s", "0", "-t", "edge:0-1@0.5", "-t", "80",
+         "--stop-at-targets=" + std::to_string(count)})["targets"];
+    EXPECT_NEAR(targets[0]["distance"], 0.5 / kGrid, kTolerance);
+    if (count == 2) {
+      EXPECT_NEAR(targets[1]["distance"], std::sqrt(2), kTolerance);
+    }
+  }
   EXPECT_THAT(
       Refusal({"field", grid_, "-s", "0", "-t", "1", "--stop-at-targets=2"}, 5),
       HasSubstr("target"));
 }
 
 TEST_F(FieldQuestionsTest, FieldHasNearestSourcesAndGradients) {
-  GeodesicJson({"field", grid_, "-s", "0", "-s", "80", "--nearest-sources",
-                "--gradients", "-o", folder_ / "d.csv", "-o", folder_ / "d.npz",
-                "-o", folder_ / "d.png", "--size", "320x240"});
+  GeodesicJson({"field", grid_, "-s", "0", "-s", "80:0.1", "-s", "edge:5-6@0.5",
+                "--nearest-sources", "--gradients", "-o", folder_ / "d.csv",
+                "-o", folder_ / "d.npz", "-o", folder_ / "d.png", "--size",
+                "320x240"});
+  const std::vector<Point> from = {At(0), At(80), Where(EdgePoint{5, 6, 0.5})};
   for (const std::vector<double>& row : Rows(FileBytes(folder_ / "d.csv"))) {
     ASSERT_EQ(row.size(), 6);
-    const auto vertex = static_cast<size_t>(row[0]);
-    const Point& from = row[2] == 0 ? At(0) : At(80);
-    const double length = Euclid(from, At(vertex));
-    EXPECT_NEAR(row[1], length, kTolerance);
-    for (int axis = 0; axis < 3 && length > 0; ++axis) {
-      EXPECT_NEAR(row[3 + axis], (At(vertex)[axis] - from[axis]) / length,
-                  1e-9);
+    const Point& at = At(static_cast<size_t>(row[0]));
+    const Point& source = from.at(static_cast<size_t>(row[2]));
+    const double length = Euclid(source, at);
+    EXPECT_NEAR(row[1], length + (row[2] == 1 ? 0.1 : 0), kTolerance);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(row[3 + axis],
+                  length == 0 ? 0 : (at[axis] - source[axis]) / length, 1e-9);
     }
   }
   const std::string npz = FileBytes(folder_ / "d.npz");
@@ -252,22 +160,18 @@ TEST_F(FieldQuestionsTest, FieldStreamsWhatIsSettled) {
   EXPECT_THAT(result.out, StartsWith("vertex,geodesic_distance\n"));
   const std::vector<std::vector<double>> rows = Rows(result.out);
   ASSERT_EQ(rows.size(), vertex_count_);
+  std::set<double> seen;
   for (size_t i = 0; i < rows.size(); ++i) {
     EXPECT_NEAR(rows[i][1], Euclid(At(0), At(static_cast<size_t>(rows[i][0]))),
                 kTolerance);
     EXPECT_GE(rows[i][1], rows[i == 0 ? 0 : i - 1][1]);
+    seen.insert(rows[i][0]);
   }
+  EXPECT_EQ(seen.size(), vertex_count_);
   const json stream = GeodesicJson(
       {"field", grid_, "-s", "0", "--progressive", "-o", folder_ / "d.csv"});
   EXPECT_EQ(Rows(FileBytes(folder_ / "d.csv")), rows);
   EXPECT_EQ(stream["outputs"][0]["bytes"], FileBytes(folder_ / "d.csv").size());
-}
-
-TEST_F(FieldQuestionsTest, InfoSaysWhatTheMeshIsLike) {
-  const json info = GeodesicJson({"info", grid_});
-  EXPECT_EQ(info["non_manifold_edges"], 0);
-  EXPECT_EQ(info["inconsistent_edges"], 0);
-  EXPECT_THAT(Geodesic({"info", grid_}).out, HasSubstr("non-manifold"));
 }
 
 }  // namespace

@@ -153,17 +153,5 @@ TEST_F(LineQuestionsTest, IsolinesLieAtTheirLevels) {
   EXPECT_NEAR(spread["levels"][1]["level"], std::sqrt(0.5) / 2, kTolerance);
 }
 
-TEST_F(LineQuestionsTest, CommandNamesWrongPlaces) {
-  EXPECT_THAT(Refusal({"field", grid_, "-s", "81"}, 5), HasSubstr("81"));
-  EXPECT_THAT(Refusal({"path", grid_, "-s", "0", "-t", "edge:0-80@0.5"}, 5),
-              HasSubstr("edge"));
-  EXPECT_THAT(Refusal({"field", grid_, "-s", "face:9@0.5,0.5,0.5"}, 5),
-              HasSubstr("weights"));
-  EXPECT_THAT(Refusal({"field", grid_, "--curve", "0;80"}, 5),
-              HasSubstr("curve"));
-  EXPECT_THAT(Refusal({"path", grid_, "-s", "0", "-t", "1", "-o", "p.npy"}, 2),
-              HasSubstr(".obj, .ply, .vtk, .csv, .json and .png"));
-}
-
 }  // namespace
 }  // namespace geodesic::client

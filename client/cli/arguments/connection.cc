@@ -7,7 +7,6 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/arguments/options.h"
-#include "client/cli/arguments/values.h"
 #include "client/cli/terminal/exit_code.h"
 
 namespace geodesic::client {

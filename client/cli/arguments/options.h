@@ -9,10 +9,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
+#include "absl/status/statusor.h"
 #include "client/output/output_format.h"
 #include "client/picture/picture.h"
 #include "geodesic_client/answer.h"
@@ -101,6 +103,18 @@ CLI::Option* AddValue(CLI::App* app, const OptionText& text, Parse parse,
     return absl::OkStatus();
   });
 }
+
+// What single options may say, for AddValue.
+// Errors: INVALID_ARGUMENT naming the text.
+//
+// A distance: finite, above 0.
+absl::StatusOr<double> ParseLevel(std::string_view text);
+// Seconds above 0; "inf" is fine.
+absl::StatusOr<double> ParseTimeout(std::string_view text);
+// "HOST:PORT", or "[IPV6]:PORT".
+absl::StatusOr<std::string> ParseServer(std::string_view text);
+// At least 1.
+absl::StatusOr<uint64_t> ParseCount(std::string_view text);
 
 // An option that is there or not.
 void AddFlag(CLI::App* app, const OptionText& text, bool* flag);

@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "client/cli/arguments/values.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/question.h"
 #include "client/output/number_text.h"

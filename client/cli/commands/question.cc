@@ -10,7 +10,7 @@
 namespace geodesic::client {
 namespace {
 
-// Appends what the files list.
+// Appends what the files list to `items`, which then must hold something.
 template <typename Item, typename Read>
 absl::Status AppendLists(const std::vector<std::string>& files, Read read,
                          std::vector<Item>* items) {
@@ -19,10 +19,7 @@ absl::Status AppendLists(const std::vector<std::string>& files, Read read,
     if (!list.ok()) return FileError(list.status());
     items->insert(items->end(), list->begin(), list->end());
   }
-  return absl::OkStatus();
-}
-
-absl::Status Empty(const std::vector<std::string>& files) {
+  if (!items->empty() || files.empty()) return absl::OkStatus();
   return FileError(absl::InvalidArgumentError(
       absl::StrCat(files[0], " lists nothing: write one place a line")));
 }
@@ -42,12 +39,6 @@ absl::StatusOr<Question> Prepare(const QuestionArguments& arguments) {
       AppendLists(sources.files, ReadSources, &question.sources);
   status.Update(AppendLists(targets.files, ReadPoints, &question.targets));
   if (!status.ok()) return status;
-  if (question.sources.empty() && !sources.files.empty()) {
-    return Empty(sources.files);
-  }
-  if (question.targets.empty() && !targets.files.empty()) {
-    return Empty(targets.files);
-  }
   return question;
 }
 

@@ -80,9 +80,8 @@ void ProgressDisplay::Update(TimePoint now, std::string_view what,
   *out_ << std::endl;
 }
 
-void ProgressDisplay::Finish() {
+ProgressDisplay::~ProgressDisplay() {
   if (on_screen_) *out_ << kWipe << std::flush;
-  on_screen_ = false;
 }
 
 }  // namespace geodesic::client

@@ -26,16 +26,14 @@ class ProgressDisplay {
 
   // `start` is when the work begins; `width` the columns a line may take.
   ProgressDisplay(Style style, int width, TimePoint start, std::ostream* out);
-  ~ProgressDisplay() { Finish(); }
+  // Wipes the bar.
+  ~ProgressDisplay();
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
   // `fraction` from 0 to 1 of `what` is done; `detail` says more.
   void Update(TimePoint now, std::string_view what, double fraction,
               std::string_view detail);
-
-  // Wipes the bar. Updates that follow begin a new one.
-  void Finish();
 
  private:
   Style style_;

@@ -1,11 +1,11 @@
-#include "mesh_assembler.h"
+#include "assemblers.h"
 
+#include <algorithm>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "translate.h"
 #include "wire_values.h"
 
 namespace geodesic::client {
@@ -28,6 +28,60 @@ absl::Status Append(std::string_view what, const std::string& bytes,
 }
 
 }  // namespace
+
+absl::Status PolylineAssembler::Consume(const v1::PolylinePiece& piece,
+                                        Polyline* line) {
+  const auto count = static_cast<uint64_t>(piece.points_size());
+  const uint64_t had = line->points.size();
+  if (complete()) due_ = piece.point_count();
+  // Only a line without points has a piece without points.
+  if (piece.first_point() != had || piece.point_count() != had + due_ ||
+      count > due_ || (count == 0 && due_ != 0) ||
+      piece.positions().size() != count * sizeof(Point)) {
+    return absl::DataLossError(absl::StrCat(
+        "the server sent ", count, " points from number ", piece.first_point(),
+        " of a line of ", piece.point_count(), " after ", had, " of them"));
+  }
+  for (const v1::SurfacePoint& message : piece.points()) {
+    absl::StatusOr<SurfacePoint> point = FromProto(message);
+    if (!point.ok()) return point.status();
+    line->points.push_back(*std::move(point));
+  }
+  AppendElements(piece.positions(), &line->positions);
+  due_ -= count;
+  return absl::OkStatus();
+}
+
+absl::Status RowAssembler::Consume(const RowPiece& piece,
+                                   uint64_t column_count) {
+  if (complete_) {
+    numbers_.clear();
+    values_.clear();
+  }
+  const size_t had = values_.size();
+  const bool count_fits = has_numbers_ ? piece.value_count <= column_count
+                                       : piece.value_count == column_count;
+  if (piece.row != row_count_ || piece.offset != had || !count_fits ||
+      !AppendValues(piece.values, value_type_, &values_) ||
+      !AppendElements(piece.numbers, &numbers_) ||
+      numbers_.size() != (has_numbers_ ? values_.size() : 0) ||
+      values_.size() > piece.value_count ||
+      (values_.size() == had && piece.value_count != had)) {
+    return absl::DataLossError(
+        absl::StrCat("the server sent row ", piece.row, " from value ",
+                     piece.offset, " of ", piece.value_count, " where row ",
+                     row_count_, " from value ", had, " was due"));
+  }
+  if (std::any_of(numbers_.begin() + (has_numbers_ ? had : 0), numbers_.end(),
+                  [&](uint32_t number) { return number >= column_count; })) {
+    return absl::DataLossError(absl::StrCat("the server sent row ", piece.row,
+                                            " with a column beyond its ",
+                                            column_count));
+  }
+  complete_ = values_.size() == piece.value_count;
+  if (complete_) ++row_count_;
+  return absl::OkStatus();
+}
 
 absl::Status MeshAssembler::Consume(const v1::ReadMeshResponse& message) {
   if (message.has_header()) {
