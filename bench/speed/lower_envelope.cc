@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "solver/queues/fwp_buckets.h"
-#include "solver/rules/direct_sink.h"
 #include "solver/rules/front.h"
 #include "solver/rules/mmp_rule.h"
 #include "surface/anchors.h"

@@ -22,7 +22,6 @@
 #include "geodesic/field_path.h"
 #include "geodesic/mesh.h"
 #include "geodesic/valid_query.h"
-#include "solver/rules/direct_sink.h"
 #include "solver/rules/front.h"
 #include "solver/windows/window_observer.h"
 #include "surface/anchors.h"

@@ -1,9 +1,21 @@
 #include "solver/start_computation.h"
 
 #include <cmath>
+#include <memory>
+#include <type_traits>
 
 #include "absl/strings/str_cat.h"
-#include "solver/algorithm_table.h"
+#include "geodesic/algorithm.h"
+#include "geodesic/solve.h"
+#include "solver/propagation.h"
+#include "solver/queues/binary_heap.h"
+#include "solver/queues/fifo.h"
+#include "solver/queues/fwp_buckets.h"
+#include "solver/queues/label_correcting.h"
+#include "solver/rules/ch_rule.h"
+#include "solver/rules/list_rule.h"
+#include "solver/rules/mmp_rule.h"
+#include "solver/windows/mixed_origin.h"
 
 namespace geodesic {
 namespace {
@@ -33,6 +45,28 @@ absl::StatusOr<Tuning> TuningFor(const Mesh& mesh,
       .threads = options.threads};
 }
 
+// Which rule and which queue an algorithm is. Type erasure happens here, once
+// per query. Curves are asked of algorithms that trim only (ValidQuery sees to
+// it).
+template <typename OriginType>
+std::unique_ptr<Computation> Start(const Mesh& mesh, const ValidQuery& query,
+                                   const Tuning& tuning,
+                                   WindowObserver* observer) {
+  switch (query->algorithm) {
+#define GEODESIC_START(id, name, Rule, Queue, with_trimming, summary) \
+  case Algorithm::k##id:                                              \
+    if constexpr (std::is_same_v<OriginType, Origin> ||               \
+                  Algorithm::k##id == Algorithm::k##with_trimming) {  \
+      return std::make_unique<Propagation<Rule, Queue, OriginType>>(  \
+          mesh, query, tuning, observer);                             \
+    }                                                                 \
+    break;
+    GEODESIC_ALGORITHMS(GEODESIC_START)
+#undef GEODESIC_START
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 uint64_t PlannedSolverBytes(const Mesh& mesh, const ValidQuery& query) {
@@ -47,14 +81,34 @@ absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
     WindowObserver* observer) {
   absl::StatusOr<Tuning> tuning = TuningFor(mesh, options);
   if (!tuning.ok()) return tuning.status();
-  const StartFunction start = HasCurves(*query) ? CurveStart(query->algorithm)
-                                                : PointStart(query->algorithm);
-  return start(mesh, query, *tuning, observer);
+  return HasCurves(*query) ? Start<MixedOrigin>(mesh, query, *tuning, observer)
+                           : Start<Origin>(mesh, query, *tuning, observer);
 }
 
 absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
     const Mesh& mesh, const ValidQuery& query, const SolveOptions& options) {
   return StartComputation(mesh, query, options, nullptr);
+}
+
+absl::StatusOr<DistanceField> Solve(const Mesh& mesh, const ValidQuery& query,
+                                    const SolveOptions& options,
+                                    Checkpoint& checkpoint) {
+  absl::StatusOr<std::unique_ptr<Computation>> computation =
+      StartComputation(mesh, query, options);
+  if (!computation.ok()) return computation.status();
+  if (absl::Status status = (*computation)->Advance({}, checkpoint);
+      !status.ok()) {
+    return status;
+  }
+  return (*computation)->Field();
+}
+
+absl::StatusOr<DistanceField> Solve(const Mesh& mesh, const Query& query,
+                                    const SolveOptions& options,
+                                    Checkpoint& checkpoint) {
+  const absl::StatusOr<ValidQuery> valid = ValidQuery::Make(query, mesh);
+  if (!valid.ok()) return valid.status();
+  return Solve(mesh, *valid, options, checkpoint);
 }
 
 }  // namespace geodesic

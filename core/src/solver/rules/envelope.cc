@@ -33,74 +33,66 @@ void Envelope::Trim(double length, bool may_split, WindowColumns& windows) {
   may_split_ = may_split;
   FindMeetings(windows);
   const size_t done = CutAtMeetings(windows);
-  if (done == crossovers_.size) return;
-  next_crossover_ = done;
-  TrimFrom(crossovers_.pair[done] + 1, windows);
+  if (done == older_.size) return;
+  next_pair_ = done;
+  TrimFrom(pairs_[done] + 1, windows);
 }
 
 void Envelope::FindMeetings(WindowColumns& windows) {
-  const size_t pairs = windows.size - 1;
   const size_t room = windows.size + WindowColumns::kPadding;
   if (begins_.size() < room) {
     begins_.resize(2 * room);
     overlaps_.resize(2 * room);
+    pairs_.resize(2 * room);
+    meetings_.resize(2 * room);
   }
   OverlapsOfNeighbours(length_, windows, begins_.data(), overlaps_.data());
-  crossovers_.Reserve(pairs);
+  // Gathered without a branch.
   size_t count = 0;
-  for (size_t i = 0; i < pairs; ++i) {
-    crossovers_.pair[count] = static_cast<uint32_t>(i);
+  for (size_t i = 0; i < windows.size - 1; ++i) {
+    pairs_[count] = i;
     count += !(overlaps_[i] <= 0);
   }
-  crossovers_.size = count;
   std::copy_n(begins_.data(), windows.size, windows.begin);
-  if (count == 0) return;
+  older_.size = newer_.size = 0;
+  older_.Reserve(count);
+  newer_.Reserve(count);
   for (size_t k = 0; k < count; ++k) {
-    const size_t i = crossovers_.pair[k];
-    crossovers_.end[k] = windows.end[i];
-    crossovers_.end_distance[k] = windows.end_distance[i];
-    crossovers_.x[k] = windows.x[i];
-    crossovers_.depth[k] = windows.depth[i];
-    crossovers_.sigma[k] = windows.sigma[i];
-    crossovers_.next_begin[k] = windows.begin[i + 1];
-    crossovers_.next_end[k] = windows.end[i + 1];
-    crossovers_.next_begin_distance[k] = windows.begin_distance[i + 1];
-    crossovers_.next_x[k] = windows.x[i + 1];
-    crossovers_.next_depth[k] = windows.depth[i + 1];
-    crossovers_.next_sigma[k] = windows.sigma[i + 1];
+    older_.Set(k, windows.At(pairs_[k]));
+    newer_.Set(k, windows.At(pairs_[k] + 1));
   }
-  FindCrossovers(crossovers_);
+  older_.size = newer_.size = count;
+  if (count > 0) FindCrossovers(older_, newer_, meetings_.data());
 }
 
 size_t Envelope::CutAtMeetings(WindowColumns& windows) const {
   // Two windows that may change over twice do so once where each is nearer on
   // its own side, as here.
   const double least = kLeastWidth * length_;
-  for (size_t k = 0; k < crossovers_.size; ++k) {
-    const size_t i = crossovers_.pair[k];
-    const double at = crossovers_.at[k];
+  for (size_t k = 0; k < older_.size; ++k) {
+    const size_t i = pairs_[k];
+    const double at = meetings_[k];
     // Also if there is no such place.
     if (!(at - windows.begin[i] > least && windows.end[i + 1] - at > least &&
           overlaps_[i] > 0)) {
       return k;
     }
     windows.end[i] = at;
-    windows.end_distance[i] = crossovers_.distance[k];
+    windows.end_distance[i] = older_.end_distance[k];
     windows.begin[i + 1] = at;
-    windows.begin_distance[i + 1] = crossovers_.next_distance[k];
+    windows.begin_distance[i + 1] = newer_.begin_distance[k];
   }
-  return crossovers_.size;
+  return older_.size;
 }
 
-size_t Envelope::CrossoverOf(size_t pair) {
-  while (next_crossover_ < crossovers_.size &&
-         crossovers_.pair[next_crossover_] < pair) {
-    ++next_crossover_;
+size_t Envelope::MeetingOf(size_t pair) {
+  while (next_pair_ < older_.size && pairs_[next_pair_] < pair) {
+    ++next_pair_;
   }
-  const bool is_known = next_crossover_ < crossovers_.size &&
-                        crossovers_.pair[next_crossover_] == pair &&
-                        !std::isnan(crossovers_.at[next_crossover_]);
-  return is_known ? next_crossover_ : kNone;
+  const bool is_known = next_pair_ < older_.size &&
+                        pairs_[next_pair_] == pair &&
+                        !std::isnan(meetings_[next_pair_]);
+  return is_known ? next_pair_ : kNone;
 }
 
 void Envelope::TrimFrom(size_t i, WindowColumns& windows) {
@@ -112,7 +104,7 @@ void Envelope::TrimFrom(size_t i, WindowColumns& windows) {
     if (kept > 0 && windows.end[kept - 1] > windows.begin[i]) {
       // Those that follow may have been shifted.
       const size_t pair = i - 1 - (windows.size - size);
-      if (!TrimNeighbours(i, is_neighbour ? CrossoverOf(pair) : kNone, kept,
+      if (!TrimNeighbours(i, is_neighbour ? MeetingOf(pair) : kNone, kept,
                           windows)) {
         i = TrimSeveral(i, kept, windows);
         is_neighbour = false;
@@ -144,11 +136,11 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
     return true;
   }
   if (meeting != kNone) {
-    const double met = crossovers_.at[meeting];
+    const double met = meetings_[meeting];
     windows.begin[i] = met;
-    windows.begin_distance[i] = crossovers_.next_distance[meeting];
+    windows.begin_distance[i] = newer_.begin_distance[meeting];
     windows.end[top] = met;
-    windows.end_distance[top] = crossovers_.distance[meeting];
+    windows.end_distance[top] = older_.end_distance[meeting];
     if (IsLost({windows.begin[top], met}, windows.OriginAt(top), length_))
       --kept;
     return true;

@@ -46,7 +46,7 @@ class Envelope {
   void TrimFrom(size_t i, WindowColumns& windows);
   // The number of the meeting of window `pair` and the next one, kNone if they
   // do not meet. REQUIRES: pairs are asked for in order.
-  size_t CrossoverOf(size_t pair);
+  size_t MeetingOf(size_t pair);
   // Trims window i, which begins before the last of the `kept` ends, against
   // that if one of the two gives way on their common side. Otherwise changes
   // nothing and returns false. `meeting`: where the two meet, or kNone if that
@@ -68,8 +68,12 @@ class Envelope {
   double length_ = 0;
   bool may_split_ = false;
   std::vector<double> begins_, overlaps_;
-  Crossovers crossovers_;
-  size_t next_crossover_ = 0;  // for CrossoverOf
+  // Of the windows that overlap the next one: their numbers, the pairs that
+  // they make (so many as older_ holds), where those meet (FindCrossovers).
+  std::vector<size_t> pairs_;
+  WindowColumns older_, newer_;
+  std::vector<double> meetings_;
+  size_t next_pair_ = 0;  // for MeetingOf
   std::vector<ListedWindow> sorted_;
   std::vector<ListedWindow> aside_;  // a stack
 };

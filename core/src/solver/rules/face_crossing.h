@@ -156,13 +156,7 @@ double FaceCrossing<Front>::TrimChildren(double length) {
     most = std::max(most, labels_[i]);
   }
   if (most == kUseless) {
-    size_t kept = 0;
-    for (size_t i = 0; i < children_.size; ++i) {
-      if (labels_[i] == kUseless) continue;
-      if (kept != i) children_.Move(i, kept);
-      ++kept;
-    }
-    children_.size = kept;
+    children_.KeepIf(0, [this](size_t i) { return labels_[i] != kUseless; });
   }
   envelope_.Trim(length, front_.MayChangeOverTwice(), children_);
   return least;

@@ -115,6 +115,18 @@ class Front {
            Exceeds(window.begin_distance, distances_[to] + (length - begin));
   }
 
+  // A window on h, unless it is too narrow or useless as above.
+  std::optional<Window> UsefulWindow(HalfEdge h, const Origin& origin,
+                                     const Interval& interval) const {
+    const double length = mesh_.frame(h).length;
+    if (IsLost(interval, origin, length)) return std::nullopt;
+    const Window window = Window::Over(interval, origin);
+    if (EndsAreNearer(window, length, mesh_.From(h), mesh_.To(h))) {
+      return std::nullopt;
+    }
+    return window;
+  }
+
   // No point of the edge is farther than this: one of its ends and the edge
   // itself lead there.
   double Farthest(HalfEdge h) const {
@@ -453,6 +465,32 @@ class Front {
   std::vector<IncomingRay> incoming_;
   bool has_free_anchor_ = false;  // one that is not a vertex
   uint64_t reached_ = 0;
+};
+
+// A sink for Front::AddAnchor and Front::Expand: what they find is applied at
+// once.
+template <typename Front, typename Rule>
+class DirectSink {
+ public:
+  // Both outlive the sink.
+  DirectSink(Front& front, Rule& rule) : front_(front), rule_(rule) {}
+
+  void Relax(uint32_t vertex, double distance, const Arrival& arrival,
+             const IncomingRay& ray = {}) {
+    front_.Relax(vertex, distance, arrival, ray);
+  }
+  void Observe(HalfEdge h, const typename Front::Window& window,
+               uint32_t pseudo_source) {
+    front_.Observe(h, window, pseudo_source);
+  }
+  void Open(HalfEdge half_edge, uint32_t pseudo_source,
+            const typename Front::Origin& origin, const Interval& interval) {
+    rule_.Open(half_edge, pseudo_source, origin, interval);
+  }
+
+ private:
+  Front& front_;
+  Rule& rule_;
 };
 
 }  // namespace geodesic

@@ -134,45 +134,22 @@ void OverlapsOfNeighbours(double length, const WindowColumns& windows,
   }
 }
 
-void Crossovers::Reserve(size_t count) {
-  const size_t room = Padded(count);
-  if (at.size() >= room) return;
-  pair.resize(2 * room);
-  for (auto* column : {&end, &end_distance, &x, &depth, &sigma, &next_begin,
-                       &next_end, &next_begin_distance, &next_x, &next_depth,
-                       &next_sigma, &at, &distance, &next_distance}) {
-    column->resize(2 * room);
-  }
-}
-
 GEODESIC_FOR_EVERY_WIDTH
-void FindCrossovers(Crossovers& crossovers) {
-  const double* const lows = crossovers.next_begin.data();
-  const double* const highs = crossovers.end.data();
-  const double* const next_ends = crossovers.next_end.data();
-  const double* const xs = crossovers.x.data();
-  const double* const depths = crossovers.depth.data();
-  const double* const sigmas = crossovers.sigma.data();
-  const double* const next_xs = crossovers.next_x.data();
-  const double* const next_depths = crossovers.next_depth.data();
-  const double* const next_sigmas = crossovers.next_sigma.data();
-  const double* const next_begin_distance =
-      crossovers.next_begin_distance.data();
-  const double* const end_distance = crossovers.end_distance.data();
-  double* const meeting = crossovers.at.data();
-  double* const distance = crossovers.distance.data();
-  double* const next_distance = crossovers.next_distance.data();
-  const size_t n = Padded(crossovers.size);
+void FindCrossovers(WindowColumns& older, WindowColumns& newer,
+                    double* const meeting) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const size_t n = Padded(older.size);
   GEODESIC_INDEPENDENT
   for (size_t i = 0; i < n; ++i) {
-    const double x0 = xs[i], y0 = depths[i], sigma0 = sigmas[i];
-    const double x1 = next_xs[i], y1 = next_depths[i], sigma1 = next_sigmas[i];
-    const double low = lows[i], high = highs[i];
-    const double square0 = y0 * y0, square1 = y1 * y1;
-    const double low0 = low - x0, high1 = high - x1;
-    const double at_low = sigma0 + std::sqrt(low0 * low0 + square0);
-    const double at_high = sigma1 + std::sqrt(high1 * high1 + square1);
+    const auto [x0, y0, sigma0] = older.OriginAt(i);
+    const auto [x1, y1, sigma1] = newer.OriginAt(i);
+    const double low = newer.begin[i], high = older.end[i];
+    const double newer_at_low = newer.begin_distance[i];
+    const double older_at_high = older.end_distance[i];
+    const double at_low = older.OriginAt(i).PathTo(low);
+    const double at_high = newer.OriginAt(i).PathTo(high);
     // As SolveCrossing, in trimming.cc.
+    const double square0 = y0 * y0, square1 = y1 * y1;
     const double gap = x0 - x1, d = sigma0 - sigma1;
     const double q = (gap * gap + (y1 - y0) * (y1 + y0) - d * d) / 2;
     const double a = (gap - d) * (gap + d);
@@ -190,20 +167,18 @@ void FindCrossovers(Crossovers& crossovers) {
     const double to1 = std::sqrt(from1 * from1 + square1);
     const double slope = (from1 * to0 - from0 * to1) / (to0 * to1);
     x -= ((sigma1 - sigma0) + (to1 - to0)) / slope;
-    const double end0 = x - x0, end1 = x - x1;
-    const double older = sigma0 + std::sqrt(end0 * end0 + square0);
-    const double newer = sigma1 + std::sqrt(end1 * end1 + square1);
-    const double off = std::abs(newer - older);
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    double at = off <= kCrossingRoundings * kTie * older ? x : kNone;
+    const double older_at = older.OriginAt(i).PathTo(x);
+    const double newer_at = newer.OriginAt(i).PathTo(x);
+    const double off = std::abs(newer_at - older_at);
+    double at = off <= kCrossingRoundings * kTie * older_at ? x : kNone;
     at = x > low ? at : kNone;
     at = x < high ? at : kNone;
-    at = high <= next_ends[i] ? at : kNone;
-    at = next_begin_distance[i] - at_low > kTie * at_low ? at : kNone;
-    at = at_high - end_distance[i] < -kTie * end_distance[i] ? at : kNone;
+    at = high <= newer.end[i] ? at : kNone;
+    at = newer_at_low - at_low > kTie * at_low ? at : kNone;
+    at = at_high - older_at_high < -kTie * older_at_high ? at : kNone;
     meeting[i] = at;
-    distance[i] = older;
-    next_distance[i] = newer;
+    older.end_distance[i] = older_at;
+    newer.begin_distance[i] = newer_at;
   }
 }
 

@@ -7,8 +7,6 @@
 #define GEODESIC_SOLVER_RULES_LIST_KERNELS_H_
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include "geodesic/mesh.h"
 #include "solver/windows/window.h"
@@ -48,24 +46,11 @@ void ChildrenAcross(const FaceSide<kRight>& side, const ExitEdge& exit,
 void OverlapsOfNeighbours(double length, const WindowColumns& windows,
                           double* begin, double* overlap);
 
-// Pairs of neighbours in a list that overlap, and where they change over, if
-// the next one ends last and each is nearer on its own side: the case of
-// WonByNewer that wavefronts meeting in a face make. Columns of `size` pairs.
-struct Crossovers {
-  size_t size = 0;
-  std::vector<uint32_t> pair;  // windows i and i + 1
-  // Of the first window, and of the next.
-  std::vector<double> end, end_distance, x, depth, sigma;
-  std::vector<double> next_begin, next_end, next_begin_distance, next_x,
-      next_depth, next_sigma;
-  // Results.
-  std::vector<double> at;  // NaN: another case
-  std::vector<double> distance, next_distance;
-
-  // Makes room for `count` pairs.
-  void Reserve(size_t count);
-};
-void FindCrossovers(Crossovers& crossovers);
+// Where pairs of overlapping neighbours change over, if the newer one ends last
+// and each is nearer on its own side: the case of WonByNewer that wavefronts
+// meeting in a face make. at: NaN in any other case. The distances there become
+// those at the older one's end and the newer one's begin.
+void FindCrossovers(WindowColumns& older, WindowColumns& newer, double* at);
 
 }  // namespace geodesic
 

@@ -150,18 +150,13 @@ typename ListWorker<Front>::Outcome ListWorker<Front>::Expand(uint32_t vertex) {
 template <typename Front>
 void ListWorker<Front>::Open(HalfEdge half_edge, uint32_t pseudo_source,
                              const Origin& origin, const Interval& interval) {
-  const double length = mesh_.frame(half_edge).length;
-  if (IsLost(interval, origin, length)) return;
-  const Window window = Window::Over(interval, origin);
-  if (front_.EndsAreNearer(window, length, mesh_.From(half_edge),
-                           mesh_.To(half_edge))) {
-    return;
-  }
+  const auto window = front_.UsefulWindow(half_edge, origin, interval);
+  if (!window.has_value()) return;
   opened_.Reserve(1);
-  opened_.Set(0, window, pseudo_source);
+  opened_.Set(0, *window, pseudo_source);
   opened_.size = 1;
   handed_on_.push_back(
-      {half_edge, kLeft, blocks_.Store(opened_), 1, window.Label()});
+      {half_edge, kLeft, blocks_.Store(opened_), 1, window->Label()});
 }
 
 template <typename Front>
@@ -182,19 +177,14 @@ uint32_t ListWorker<Front>::Take(const WaitingLists& lists, double length) {
 
 template <typename Front>
 void ListWorker<Front>::DropStale(size_t first) {
-  size_t kept = first;
-  for (size_t i = first; i < list_.size; ++i) {
-    // The pseudo-source has improved since: a newer window is on its way, or
+  list_.KeepIf(first, [this](size_t i) {
+    // If the pseudo-source has improved since, a newer window is on its way, or
     // those of a straight path to it. By however little: unlike MMP's
     // (MmpRule::IsStale), a newer window never meets the older one, which is
     // dropped first, and so cannot have given way to it.
-    if (list_.sigma[i] > front_.PseudoSourceDistance(list_.pseudo_source[i])) {
-      continue;
-    }
-    if (kept != i) list_.Move(i, kept);
-    ++kept;
-  }
-  list_.size = kept;
+    return list_.sigma[i] <=
+           front_.PseudoSourceDistance(list_.pseudo_source[i]);
+  });
 }
 
 template <typename Front>

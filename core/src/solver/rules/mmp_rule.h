@@ -320,15 +320,9 @@ void MmpRule<Front>::InsertBeyond(HalfEdge side, Exit exit,
 template <typename Front>
 void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
                             const Origin& origin, const Interval& interval) {
-  const double length = mesh_.frame(half_edge).length;
-  if (IsLost(interval, origin, length)) return;
-  const Window newer = Window::Over(interval, origin);
   // Cheaper than the contests it saves: a third of them, on real meshes.
-  if (front_.EndsAreNearer(newer, length, mesh_.From(half_edge),
-                           mesh_.To(half_edge))) {
-    return;
-  }
-  Contest(half_edge, pseudo_source, newer);
+  const auto newer = front_.UsefulWindow(half_edge, origin, interval);
+  if (newer.has_value()) Contest(half_edge, pseudo_source, *newer);
 }
 
 template <typename Front>

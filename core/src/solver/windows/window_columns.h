@@ -69,6 +69,18 @@ class WindowColumns {
     pseudo_source[to] = pseudo_source[from];
   }
 
+  // Drops those from `first` on for which not keeps(i).
+  template <typename Keeps>
+  void KeepIf(size_t first, Keeps keeps) {
+    size_t kept = first;
+    for (size_t i = first; i < size; ++i) {
+      if (!keeps(i)) continue;
+      if (kept != i) Move(i, kept);
+      ++kept;
+    }
+    size = kept;
+  }
+
   // Into a frame that is turned over, on an edge of this length.
   void Mirror(double length) {
     for (size_t i = 0, j = size; i < j--; ++i) {
