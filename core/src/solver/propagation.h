@@ -44,9 +44,91 @@ class Propagation final : public Computation {
         front_(mesh, *query, queue_, observer),
         rule_(MakeRule(front_, tuning)) {}
 
-  absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) override;
-  DistanceField Field() const override;
-  absl::Status AddSource(const Source& source) override;
+  absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) override {
+    if (!(reach.radius >= 0)) {
+      return absl::InvalidArgumentError(
+          absl::StrCat("reach.radius ", reach.radius, " is not a number >= 0"));
+    }
+    const auto start = std::chrono::steady_clock::now();
+    absl::Status status = Run(reach, checkpoint);
+    if constexpr (kTogether) rule_.ReleaseThreads();
+    statistics_.solve_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+            .count();
+    return status;
+  }
+
+  DistanceField Field() const override {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    DistanceField field{.settled_radius = std::max(certified_radius_, 0.0),
+                        .algorithm = algorithm_,
+                        .statistics = statistics_};
+    const auto certified = [&](double length) {
+      const double distance = ToFileUnit(length);
+      return distance <= certified_radius_ ? distance : kInfinity;
+    };
+    const std::span<const double> distances = front_.distances();
+    field.distances.resize(distances.size());
+    if (const double unit = ToFileUnit(1); std::isnormal(unit)) {
+      // The same as certified, which the compiler cannot do two at a time.
+      for (size_t v = 0; v < distances.size(); ++v) {
+        const double distance = distances[v] * unit;
+        field.distances[v] =
+            distance <= certified_radius_ ? distance : kInfinity;
+      }
+    } else {
+      std::ranges::transform(distances, field.distances.begin(), certified);
+    }
+    const Targets& targets = front_.targets();
+    for (size_t t = 0; t < targets.size(); ++t) {
+      field.target_distances.push_back(
+          certified(targets.Distance(t, distances)));
+    }
+    if (traces_) {
+      field.arrivals.assign(front_.arrivals().begin(), front_.arrivals().end());
+      for (size_t v = 0; v < field.arrivals.size(); ++v) {
+        if (std::isinf(field.distances[v])) field.arrivals[v] = {};
+      }
+      for (size_t t = 0; t < targets.size(); ++t) {
+        field.target_arrivals.push_back(
+            std::isinf(field.target_distances[t])
+                ? Arrival{}
+                : targets.ArrivalAt(t, distances, field.arrivals));
+      }
+    }
+    field.statistics.iterations = queue_.iterations();
+    field.statistics.windows_created = rule_.created();
+    field.statistics.peak_windows = rule_.peak_windows();
+    field.statistics.mean_wavefront =
+        wavefront_samples_ == 0
+            ? 0
+            : wavefront_sum_ / static_cast<double>(wavefront_samples_);
+    return field;
+  }
+
+  absl::Status AddSource(const Source& source) override {
+    if (!std::isinf(certified_radius_) || traces_) {
+      return absl::FailedPreconditionError(
+          "sources can be added to a computation that is complete and keeps no "
+          "trace");
+    }
+    if (IsCurve(source)) {
+      return InvalidField("sources[0].curve",
+                          "sources[0].curve cannot be added: name a point");
+    }
+    const absl::StatusOr<ValidQuery> added = ValidQuery::Make(
+        {.sources = {source}, .algorithm = algorithm_}, mesh());
+    if (!added.ok()) return added.status();
+    for (Anchor& anchor : AnchorsOf(*added)) {
+      anchor.source = next_source_++;
+      pending_anchors_.push_back(anchor);
+    }
+    queue_.Restart();
+    rule_.Restart();
+    certified_radius_ = -1;
+    return absl::OkStatus();
+  }
+
   uint64_t bytes() const override {
     return front_.bytes() + rule_.bytes() + queue_.bytes();
   }
@@ -74,19 +156,136 @@ class Propagation final : public Computation {
     }
   }
 
-  absl::Status Run(const Reach& reach, Checkpoint& checkpoint);
-  void Seed();
+  absl::Status Run(const Reach& reach, Checkpoint& checkpoint) {
+    if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+    Seed();
+    const double radius = std::ldexp(reach.radius, -mesh().scale_exponent());
+    uint64_t steps = 0;
+    while (queue_.SettledRadius() <= radius) {
+      uint64_t taken = 0;
+      if constexpr (kTogether) {
+        taken = StepTogether();
+      } else {
+        taken = Step();
+      }
+      if (taken == 0) {
+        if (absl::Status status = CheckComplete(); !status.ok()) return status;
+        certified_radius_ = std::numeric_limits<double>::infinity();
+        return Poll(checkpoint);
+      }
+      statistics_.peak_wavefront =
+          std::max(statistics_.peak_wavefront, rule_.pending());
+      steps += taken;
+      if (steps >= kPollPeriod) {
+        steps = 0;
+        if (absl::Status status = Poll(checkpoint); !status.ok()) {
+          CertifyUpTo(reach.radius);
+          return status;
+        }
+        if (HasTargets(reach.targets)) break;
+      }
+    }
+    CertifyUpTo(reach.radius);
+    return Poll(checkpoint);
+  }
+
+  void Seed() {
+    DirectSink sink(front_, rule_);
+    for (const Anchor& anchor : std::exchange(pending_anchors_, {})) {
+      front_.AddAnchor(anchor, sink);
+    }
+  }
+
   // Everything that is settled, but nothing beyond `radius`.
-  void CertifyUpTo(double radius);
+  void CertifyUpTo(double radius) {
+    certified_radius_ =
+        std::max(certified_radius_,
+                 std::min(radius, ToFileUnit(queue_.SettledRadius())));
+  }
+
   // Propagates what the queue gives next. Returns how many steps that were: 0
   // if nothing is left.
-  uint64_t Step();
-  uint64_t StepTogether();
-  absl::Status Poll(Checkpoint& checkpoint);
+  uint64_t Step() {
+    const uint32_t id = queue_.Pop();
+    if (id == kNothing) return 0;
+    PrefetchUpcoming();
+    if (id & kVertexEvent) {
+      ++statistics_.pseudo_source_events;
+      const uint32_t v = id & ~kVertexEvent;
+      DirectSink sink(front_, rule_);
+      if (front_.TakeEvent(v)) front_.Expand(v, sink);
+    } else {
+      statistics_.windows_propagated += rule_.Propagate(id);
+    }
+    return 1;
+  }
+
+  // The same for all that the queue knows already, together.
+  uint64_t StepTogether() {
+    together_.clear();
+    do {
+      const uint32_t id = queue_.Pop();
+      if (id == kNothing) break;
+      if (id & kVertexEvent) ++statistics_.pseudo_source_events;
+      together_.push_back(id);
+    } while (together_.size() < RuleType::kMostTogether &&
+             queue_.Upcoming(1) != kNothing);
+    statistics_.windows_propagated += rule_.Propagate(together_);
+    return together_.size();
+  }
+
+  absl::Status Poll(Checkpoint& checkpoint) {
+    statistics_.peak_solver_bytes =
+        std::max(statistics_.peak_solver_bytes, bytes());
+    wavefront_sum_ += static_cast<double>(rule_.pending());
+    ++wavefront_samples_;
+    // Before the sources are seeded an empty queue settles nothing.
+    const double settled =
+        pending_anchors_.empty() ? ToFileUnit(queue_.SettledRadius()) : 0;
+    return checkpoint.Poll({
+        .settled_radius =
+            std::isinf(certified_radius_) ? certified_radius_ : settled,
+        .vertices_reached = front_.reached(),
+        .vertices = mesh().vertex_count(),
+        .live_windows = rule_.pending(),
+        .windows_propagated = statistics_.windows_propagated,
+        .solver_bytes = bytes(),
+        .distances = front_.distances(),
+        .unit = ToFileUnit(1),
+    });
+  }
+
   // Whether all that hangs together with a source was reached.
-  absl::Status CheckComplete() const;
-  bool HasTargets(uint64_t wanted);
-  void PrefetchUpcoming() const;
+  absl::Status CheckComplete() const {
+    const std::optional<uint32_t> missing = front_.FindGap();
+    if (!missing.has_value()) return absl::OkStatus();
+    return absl::InternalError(absl::StrCat(
+        "vertex ", *missing, " was not reached by ",
+        std::string(AlgorithmName(algorithm_)),
+        ", though a neighbour was: a defect of the solver. Another algorithm "
+        "may give the answer; please report the mesh and the query"));
+  }
+
+  bool HasTargets(uint64_t wanted) {
+    const size_t count = front_.targets().size();
+    if (wanted > count || next_target_count_-- > 0) return false;
+    // So rarely that counting costs little beside the windows in between.
+    next_target_count_ = count / kPollPeriod;
+    const double settled = queue_.SettledRadius();
+    uint64_t certified = 0;
+    for (size_t t = 0; t < count; ++t) {
+      certified += front_.targets().Distance(t, front_.distances()) <= settled;
+    }
+    return certified >= wanted;
+  }
+
+  void PrefetchUpcoming() const {
+    for (size_t stage = 0; stage < rule_.kPrefetchAhead.size(); ++stage) {
+      const uint32_t id = queue_.Upcoming(rule_.kPrefetchAhead[stage]);
+      if (!(id & kVertexEvent)) rule_.Prefetch(id, stage);
+    }
+  }
+
   const Mesh& mesh() const { return front_.mesh(); }
   double ToFileUnit(double length) const {
     return std::ldexp(length, mesh().scale_exponent());
@@ -106,244 +305,6 @@ class Propagation final : public Computation {
   uint64_t next_target_count_ = 0;  // polls until targets are counted again
   double certified_radius_ = -1;    // in the unit of the file
 };
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-absl::Status Propagation<Rule, Queue, OriginType>::Advance(
-    const Reach& reach, Checkpoint& checkpoint) {
-  if (!(reach.radius >= 0)) {
-    return absl::InvalidArgumentError(
-        absl::StrCat("reach.radius ", reach.radius, " is not a number >= 0"));
-  }
-  const auto start = std::chrono::steady_clock::now();
-  absl::Status status = Run(reach, checkpoint);
-  if constexpr (kTogether) rule_.ReleaseThreads();
-  statistics_.solve_seconds +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-          .count();
-  return status;
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-absl::Status Propagation<Rule, Queue, OriginType>::Run(const Reach& reach,
-                                                       Checkpoint& checkpoint) {
-  if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
-  Seed();
-  const double radius = std::ldexp(reach.radius, -mesh().scale_exponent());
-  uint64_t steps = 0;
-  while (queue_.SettledRadius() <= radius) {
-    uint64_t taken = 0;
-    if constexpr (kTogether) {
-      taken = StepTogether();
-    } else {
-      taken = Step();
-    }
-    if (taken == 0) {
-      if (absl::Status status = CheckComplete(); !status.ok()) return status;
-      certified_radius_ = std::numeric_limits<double>::infinity();
-      return Poll(checkpoint);
-    }
-    steps += taken;
-    if (steps >= kPollPeriod) {
-      steps = 0;
-      if (absl::Status status = Poll(checkpoint); !status.ok()) {
-        CertifyUpTo(reach.radius);
-        return status;
-      }
-      if (HasTargets(reach.targets)) break;
-    }
-  }
-  CertifyUpTo(reach.radius);
-  return Poll(checkpoint);
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-absl::Status Propagation<Rule, Queue, OriginType>::CheckComplete() const {
-  const std::optional<uint32_t> missing = front_.FindGap();
-  if (!missing.has_value()) return absl::OkStatus();
-  return absl::InternalError(absl::StrCat(
-      "vertex ", *missing, " was not reached by ",
-      std::string(AlgorithmName(algorithm_)),
-      ", though a neighbour was: a defect of the solver. Another algorithm may "
-      "give the answer; please report the mesh and the query"));
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-void Propagation<Rule, Queue, OriginType>::CertifyUpTo(double radius) {
-  certified_radius_ = std::max(
-      certified_radius_, std::min(radius, ToFileUnit(queue_.SettledRadius())));
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-void Propagation<Rule, Queue, OriginType>::Seed() {
-  DirectSink sink(front_, rule_);
-  for (const Anchor& anchor : std::exchange(pending_anchors_, {})) {
-    front_.AddAnchor(anchor, sink);
-  }
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-absl::Status Propagation<Rule, Queue, OriginType>::AddSource(
-    const Source& source) {
-  if (!std::isinf(certified_radius_) || traces_) {
-    return absl::FailedPreconditionError(
-        "sources can be added to a computation that is complete and keeps no "
-        "trace");
-  }
-  if (IsCurve(source)) {
-    return InvalidField("sources[0].curve",
-                        "sources[0].curve cannot be added: name a point");
-  }
-  const absl::StatusOr<ValidQuery> added =
-      ValidQuery::Make({.sources = {source}, .algorithm = algorithm_}, mesh());
-  if (!added.ok()) return added.status();
-  for (Anchor& anchor : AnchorsOf(*added)) {
-    anchor.source = next_source_++;
-    pending_anchors_.push_back(anchor);
-  }
-  queue_.Restart();
-  rule_.Restart();
-  certified_radius_ = -1;
-  return absl::OkStatus();
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-uint64_t Propagation<Rule, Queue, OriginType>::Step() {
-  const uint32_t id = queue_.Pop();
-  if (id == kNothing) return 0;
-  PrefetchUpcoming();
-  if (id & kVertexEvent) {
-    ++statistics_.pseudo_source_events;
-    const uint32_t v = id & ~kVertexEvent;
-    DirectSink sink(front_, rule_);
-    if (front_.TakeEvent(v)) front_.Expand(v, sink);
-  } else {
-    statistics_.windows_propagated += rule_.Propagate(id);
-  }
-  statistics_.peak_wavefront =
-      std::max(statistics_.peak_wavefront, rule_.pending());
-  return 1;
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-uint64_t Propagation<Rule, Queue, OriginType>::StepTogether() {
-  together_.clear();
-  // Those that the queue knows already go together.
-  do {
-    const uint32_t id = queue_.Pop();
-    if (id == kNothing) break;
-    if (id & kVertexEvent) ++statistics_.pseudo_source_events;
-    together_.push_back(id);
-  } while (together_.size() < RuleType::kMostTogether &&
-           queue_.Upcoming(1) != kNothing);
-  statistics_.windows_propagated += rule_.Propagate(together_);
-  statistics_.peak_wavefront =
-      std::max(statistics_.peak_wavefront, rule_.pending());
-  return together_.size();
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-absl::Status Propagation<Rule, Queue, OriginType>::Poll(
-    Checkpoint& checkpoint) {
-  statistics_.peak_solver_bytes =
-      std::max(statistics_.peak_solver_bytes, bytes());
-  wavefront_sum_ += static_cast<double>(rule_.pending());
-  ++wavefront_samples_;
-  // Before the sources are seeded an empty queue settles nothing.
-  const double settled =
-      pending_anchors_.empty() ? ToFileUnit(queue_.SettledRadius()) : 0;
-  return checkpoint.Poll({
-      .settled_radius =
-          std::isinf(certified_radius_) ? certified_radius_ : settled,
-      .vertices_reached = front_.reached(),
-      .vertices = mesh().vertex_count(),
-      .live_windows = rule_.pending(),
-      .windows_propagated = statistics_.windows_propagated,
-      .solver_bytes = bytes(),
-      .distances = front_.distances(),
-      .unit = ToFileUnit(1),
-  });
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-bool Propagation<Rule, Queue, OriginType>::HasTargets(uint64_t wanted) {
-  const size_t count = front_.targets().size();
-  if (wanted > count || next_target_count_-- > 0) return false;
-  // So rarely that counting costs little beside the windows in between.
-  next_target_count_ = count / kPollPeriod;
-  const double settled = queue_.SettledRadius();
-  uint64_t certified = 0;
-  for (size_t t = 0; t < count; ++t) {
-    certified += front_.targets().Distance(t, front_.distances()) <= settled;
-  }
-  return certified >= wanted;
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-void Propagation<Rule, Queue, OriginType>::PrefetchUpcoming() const {
-  for (size_t stage = 0; stage < rule_.kPrefetchAhead.size(); ++stage) {
-    const uint32_t id = queue_.Upcoming(rule_.kPrefetchAhead[stage]);
-    if (!(id & kVertexEvent)) rule_.Prefetch(id, stage);
-  }
-}
-
-template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType>
-DistanceField Propagation<Rule, Queue, OriginType>::Field() const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  DistanceField field{.settled_radius = std::max(certified_radius_, 0.0),
-                      .algorithm = algorithm_,
-                      .statistics = statistics_};
-  const auto certified = [&](double length) {
-    const double distance = ToFileUnit(length);
-    return distance <= certified_radius_ ? distance : kInfinity;
-  };
-  const std::span<const double> distances = front_.distances();
-  field.distances.resize(distances.size());
-  if (const double unit = ToFileUnit(1); std::isnormal(unit)) {
-    // The same as certified, which the compiler cannot do two at a time.
-    for (size_t v = 0; v < distances.size(); ++v) {
-      const double distance = distances[v] * unit;
-      field.distances[v] = distance <= certified_radius_ ? distance : kInfinity;
-    }
-  } else {
-    std::ranges::transform(distances, field.distances.begin(), certified);
-  }
-  const Targets& targets = front_.targets();
-  for (size_t t = 0; t < targets.size(); ++t) {
-    field.target_distances.push_back(certified(targets.Distance(t, distances)));
-  }
-  if (traces_) {
-    field.arrivals.assign(front_.arrivals().begin(), front_.arrivals().end());
-    for (size_t v = 0; v < field.arrivals.size(); ++v) {
-      if (std::isinf(field.distances[v])) field.arrivals[v] = {};
-    }
-    for (size_t t = 0; t < targets.size(); ++t) {
-      field.target_arrivals.push_back(
-          std::isinf(field.target_distances[t])
-              ? Arrival{}
-              : targets.ArrivalAt(t, distances, field.arrivals));
-    }
-  }
-  field.statistics.iterations = queue_.iterations();
-  field.statistics.windows_created = rule_.created();
-  field.statistics.peak_windows = rule_.peak_windows();
-  field.statistics.mean_wavefront =
-      wavefront_samples_ == 0
-          ? 0
-          : wavefront_sum_ / static_cast<double>(wavefront_samples_);
-  return field;
-}
 
 }  // namespace geodesic
 

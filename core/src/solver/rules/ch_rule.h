@@ -111,7 +111,66 @@ class ChenHanRule {
 
   // Propagates window `id` across its face and frees it. False if the window
   // turned out to be useless: it does not count as propagated.
-  bool Propagate(uint32_t id);
+  bool Propagate(uint32_t id) {
+    const Entry entry = pool_[id];
+    pool_.Free(id);
+    const auto& [interval, origin, h, pseudo_source, depth] = entry;
+    // The pseudo-source has improved since: its newer windows replace this one.
+    if (Exceeds(origin.sigma, front_.PseudoSourceDistance(pseudo_source)))
+      return false;
+    const HalfEdgeFrame& frame = mesh_.frame(h);
+    const Corners corners{mesh_.From(h), mesh_.To(h), mesh_.Apex(h)};
+    const Window window = Window::Over(interval, origin);
+    if constexpr (kFilters) {
+      // Distances have improved since the window was made: test it again.
+      if (front_.EndsAreNearer(window, frame.length, corners.a, corners.b)) {
+        return false;
+      }
+    }
+    if (!kFilters && !reach_.has_value()) reach_ = EdgeReach(front_);
+
+    const Arrival arrival{pseudo_source, h, origin.x, origin.depth};
+    const PlanePoint apex = ApexOf(frame);
+    const double crossing = CrossingTo(origin, apex);
+    const double near_miss = NearMiss(origin, frame, apex);
+    if (crossing <= interval.begin) {
+      if (crossing > interval.begin - near_miss) {
+        front_.Relax(corners.c,
+                     window.begin_distance + EdgePointTo(interval.begin, apex),
+                     arrival,
+                     RayPast(mesh_, h, origin, interval.begin - crossing));
+      }
+      Leave<kRight>(entry, corners, crossing);
+      return true;
+    }
+    if (crossing >= interval.end) {
+      if (crossing < interval.end + near_miss) {
+        front_.Relax(
+            corners.c, window.end_distance + EdgePointTo(interval.end, apex),
+            arrival, RayPast(mesh_, h, origin, crossing - interval.end));
+      }
+      Leave<kLeft>(entry, corners, crossing);
+      return true;
+    }
+
+    const double to_apex = DistanceToPlace(origin, apex);
+    const double at_apex = origin.sigma + to_apex;
+    front_.Relax(corners.c, at_apex, arrival, RayThrough(h, origin, apex));
+    // The sine of the angle to AB's normal: grows as the ray into the apex
+    // comes from further left.
+    const double lean = (apex.x - origin.x) / to_apex;
+    Best& best = best_[h];
+    const bool is_worse = Exceeds(at_apex, best.distance);
+    const bool goes_left = !is_worse || lean > best.lean - kSameRay;
+    const bool goes_right = !is_worse || lean < best.lean + kSameRay;
+    if (at_apex < best.distance && !front_.MayBePassedBy(pseudo_source)) {
+      best = {at_apex, lean};
+      holds_anchors_ |= pseudo_source >= mesh_.vertex_count();
+    }
+    if (goes_left) Leave<kLeft>(entry, corners, crossing);
+    if (goes_right) Leave<kRight>(entry, corners, crossing);
+    return true;
+  }
 
   // Fetches into cache what propagating window `id` will need. Each stage
   // needs what the one before has fetched.
@@ -158,6 +217,11 @@ class ChenHanRule {
   };
   static_assert(!kFilters || sizeof(Entry) == 48);
 
+  // Of the face that a window crosses, as in its frame.
+  struct Corners {
+    uint32_t a, b, c;
+  };
+
   // The best window so far to reach the apex across a half-edge, among those
   // whose ray no other window can go round.
   struct Best {
@@ -176,13 +240,57 @@ class ChenHanRule {
   // Adds a child of `parent`, which leaves the face across `side`, in every
   // face beyond it.
   void AddChildren(const Window& window, HalfEdge side, Exit exit,
-                   const Entry& parent);
-  void AddChild(const Window& window, HalfEdge half_edge, const Entry& parent);
+                   const Entry& parent) {
+    if (exit < kIrregularExit) {
+      AddChild(window, exit, parent);
+      return;
+    }
+    front_.Cross(side, window.origin, window.interval,
+                 [&](HalfEdge half_edge, const Origin& origin,
+                     const Interval& interval) {
+                   AddChild(Window::Over(interval, origin), half_edge, parent);
+                 });
+  }
+
+  void AddChild(const Window& window, HalfEdge half_edge, const Entry& parent) {
+    if constexpr (kFilters) {
+      Add(window, half_edge, parent.pseudo_source, {});
+    } else {
+      const Crossed depth{parent.depth.faces + 1};
+      if (depth.faces >= mesh_.face_count()) return;
+      if (Exceeds(window.Label(), *reach_)) return;
+      Add(window, half_edge, parent.pseudo_source, depth);
+    }
+  }
 
   // Makes the child across a side that the parent reaches. `crossing`: of the
   // ray into the apex.
   template <Side kSide>
-  void Leave(const FaceSide<kSide>& side, const Entry& parent, double crossing);
+  void Leave(const Entry& parent, const Corners& corners, double crossing) {
+    const FaceSide<kSide> side(mesh_, parent.half_edge);
+    if (side.exit == kNoHalfEdge) return;
+    const Interval hit = side.Hit(parent.origin, parent.interval, crossing);
+    const Interval interval = side.InExit(hit);
+    if (interval.width() <= kLeastWidth * side.length) return;
+    const Window child = Window::Over(interval, Unfold(side, parent.origin));
+    if constexpr (kFilters) {
+      const auto [a, b, c] = corners;
+      if (front_.EndsAreNearer(child, side.length, kSide == kLeft ? a : c,
+                               kSide == kLeft ? c : b)) {
+        return;
+      }
+      // Third condition: through the end of the parent's edge that is no end of
+      // the child's.
+      const double dx = hit.begin * side.cosine - side.edge;
+      const double dy = hit.begin * side.sine;
+      if (Exceeds(kSide == kLeft ? child.begin_distance : child.end_distance,
+                  front_.distance(kSide == kLeft ? b : a) +
+                      std::sqrt(dx * dx + dy * dy))) {
+        return;
+      }
+    }
+    AddChildren(child, side.half_edge, side.exit, parent);
+  }
 
   Front& front_;
   const Mesh& mesh_;
@@ -201,127 +309,6 @@ template <typename Front>
 using ChRule = ChenHanRule<Front, WindowFilter::kNone>;
 template <typename Front>
 using IchRule = ChenHanRule<Front, WindowFilter::kXinWang>;
-
-template <typename Front, WindowFilter kFilter>
-bool ChenHanRule<Front, kFilter>::Propagate(uint32_t id) {
-  const Entry entry = pool_[id];
-  pool_.Free(id);
-  const auto& [interval, origin, h, pseudo_source, depth] = entry;
-  // The pseudo-source has improved since: its newer windows replace this one.
-  if (Exceeds(origin.sigma, front_.PseudoSourceDistance(pseudo_source)))
-    return false;
-  const HalfEdgeFrame& frame = mesh_.frame(h);
-  const Window window = Window::Over(interval, origin);
-  if constexpr (kFilters) {
-    // Distances have improved since the window was made: test it again.
-    if (front_.EndsAreNearer(window, frame.length, mesh_.From(h),
-                             mesh_.To(h))) {
-      return false;
-    }
-  }
-  if (!kFilters && !reach_.has_value()) reach_ = EdgeReach(front_);
-
-  const Arrival arrival{pseudo_source, h, origin.x, origin.depth};
-  const PlanePoint apex = ApexOf(frame);
-  const double crossing = CrossingTo(origin, apex);
-  const double near_miss = NearMiss(origin, frame, apex);
-  const FaceSide<kLeft> left(mesh_, h);
-  const FaceSide<kRight> right(mesh_, h);
-  if (crossing <= interval.begin) {
-    if (crossing > interval.begin - near_miss) {
-      front_.Relax(mesh_.Apex(h),
-                   window.begin_distance + EdgePointTo(interval.begin, apex),
-                   arrival,
-                   RayPast(mesh_, h, origin, interval.begin - crossing));
-    }
-    Leave(right, entry, crossing);
-    return true;
-  }
-  if (crossing >= interval.end) {
-    if (crossing < interval.end + near_miss) {
-      front_.Relax(mesh_.Apex(h),
-                   window.end_distance + EdgePointTo(interval.end, apex),
-                   arrival, RayPast(mesh_, h, origin, crossing - interval.end));
-    }
-    Leave(left, entry, crossing);
-    return true;
-  }
-
-  const double to_apex = DistanceToPlace(origin, apex);
-  const double at_apex = origin.sigma + to_apex;
-  front_.Relax(mesh_.Apex(h), at_apex, arrival, RayThrough(h, origin, apex));
-  // The sine of the angle to AB's normal: grows as the ray into the apex comes
-  // from further left.
-  const double lean = (apex.x - origin.x) / to_apex;
-  Best& best = best_[h];
-  const bool is_worse = Exceeds(at_apex, best.distance);
-  const bool goes_left = !is_worse || lean > best.lean - kSameRay;
-  const bool goes_right = !is_worse || lean < best.lean + kSameRay;
-  if (at_apex < best.distance && !front_.MayBePassedBy(pseudo_source)) {
-    best = {at_apex, lean};
-    holds_anchors_ |= pseudo_source >= mesh_.vertex_count();
-  }
-  if (goes_left) Leave(left, entry, crossing);
-  if (goes_right) Leave(right, entry, crossing);
-  return true;
-}
-
-template <typename Front, WindowFilter kFilter>
-template <Side kSide>
-void ChenHanRule<Front, kFilter>::Leave(const FaceSide<kSide>& side,
-                                        const Entry& parent, double crossing) {
-  if (side.exit == kNoHalfEdge) return;
-  const Interval hit = side.Hit(parent.origin, parent.interval, crossing);
-  const Interval interval = side.InExit(hit);
-  if (interval.width() <= kLeastWidth * side.length) return;
-  const Window child = Window::Over(interval, Unfold(side, parent.origin));
-  if constexpr (kFilters) {
-    if (front_.EndsAreNearer(child, side.length, mesh_.To(side.half_edge),
-                             mesh_.From(side.half_edge))) {
-      return;
-    }
-    // Third condition: through the end of the parent's edge that is no end of
-    // the child's.
-    const HalfEdge h = parent.half_edge;
-    const double dx = hit.begin * side.cosine - side.edge;
-    const double dy = hit.begin * side.sine;
-    if (Exceeds(kSide == kLeft ? child.begin_distance : child.end_distance,
-                front_.distance(kSide == kLeft ? mesh_.To(h) : mesh_.From(h)) +
-                    std::sqrt(dx * dx + dy * dy))) {
-      return;
-    }
-  }
-  AddChildren(child, side.half_edge, side.exit, parent);
-}
-
-template <typename Front, WindowFilter kFilter>
-void ChenHanRule<Front, kFilter>::AddChildren(const Window& window,
-                                              HalfEdge side, Exit exit,
-                                              const Entry& parent) {
-  if (exit < kIrregularExit) {
-    AddChild(window, exit, parent);
-    return;
-  }
-  front_.Cross(
-      side, window.origin, window.interval,
-      [&](HalfEdge half_edge, const Origin& origin, const Interval& interval) {
-        AddChild(Window::Over(interval, origin), half_edge, parent);
-      });
-}
-
-template <typename Front, WindowFilter kFilter>
-void ChenHanRule<Front, kFilter>::AddChild(const Window& window,
-                                           HalfEdge half_edge,
-                                           const Entry& parent) {
-  if constexpr (kFilters) {
-    Add(window, half_edge, parent.pseudo_source, {});
-  } else {
-    const Crossed depth{parent.depth.faces + 1};
-    if (depth.faces >= mesh_.face_count()) return;
-    if (Exceeds(window.Label(), *reach_)) return;
-    Add(window, half_edge, parent.pseudo_source, depth);
-  }
-}
 
 }  // namespace geodesic
 

@@ -41,20 +41,103 @@ class FaceCrossing {
   // (list_kernels.h), trimmed against each other. No child's label is below
   // `label`.
   template <typename Relax, typename HandOn>
-  void Cross(HalfEdge h, Relax relax, HandOn hand_on);
+  void Cross(HalfEdge h, Relax relax, HandOn hand_on) {
+    const HalfEdgeFrame& frame = mesh_.frame(h);
+    Reserve(list_.size);
+    CrossingsToApex(frame, list_, crossings_.data(), misses_.data());
+    const double apex_distance = ReachApex(h, frame, relax);
+    const FaceSide<kLeft> left(mesh_, h);
+    Leave(left, {left.length, front_.distance(mesh_.From(h)), apex_distance},
+          hand_on);
+    const FaceSide<kRight> right(mesh_, h);
+    Leave(right, {right.length, apex_distance, front_.distance(mesh_.To(h))},
+          hand_on);
+  }
 
  private:
   static constexpr double kUseless = std::numeric_limits<double>::infinity();
 
-  void Reserve(size_t count);
+  void Reserve(size_t count) {
+    children_.Reserve(count);
+    const size_t room = count + WindowColumns::kPadding;
+    if (crossings_.size() >= room) return;
+    for (auto* column : {&crossings_, &misses_, &labels_}) {
+      column->resize(2 * room);
+    }
+    hits_.resize(2 * room);
+  }
+
   // Returns the distance of the apex that is known then.
   template <typename Relax>
-  double ReachApex(HalfEdge h, const HalfEdgeFrame& frame, Relax relax);
+  double ReachApex(HalfEdge h, const HalfEdgeFrame& frame, Relax relax) {
+    const PlanePoint apex = ApexOf(frame);
+    const uint32_t vertex = mesh_.Apex(h);
+    double best = front_.distance(vertex);
+    Arrival arrival;
+    IncomingRay ray;
+    bool improves = false;
+    // Gathered without a branch: which windows see the apex cannot be foreseen.
+    size_t hits = 0;
+    for (size_t i = 0; i < list_.size; ++i) {
+      hits_[hits] = static_cast<uint32_t>(i);
+      hits += misses_[i] <= 0;
+    }
+    for (const uint32_t i : std::span(hits_).first(hits)) {
+      const Origin origin = list_.OriginAt(i);
+      // The point of the interval nearest to the ray through the apex; paths
+      // through it to the apex are real, and straight if the ray is in there.
+      const double through =
+          std::clamp(crossings_[i], list_.begin[i], list_.end[i]);
+      const bool is_straight = through == crossings_[i];
+      const double distance =
+          origin.sigma + (is_straight ? DistanceToPlace(origin, apex)
+                                      : origin.DistanceTo(through) +
+                                            EdgePointTo(through, apex));
+      if (!Front::Improves(distance, best)) continue;
+      improves = true;
+      best = distance;
+      arrival = {list_.pseudo_source[i], h, origin.x, origin.depth};
+      ray = RayPast(mesh_, h, origin, std::abs(through - crossings_[i]));
+    }
+    if (improves) relax(vertex, best, arrival, ray);
+    return best;
+  }
+
   template <Side kSide, typename HandOn>
-  void Leave(const FaceSide<kSide>& side, const ExitEdge& edge, HandOn hand_on);
+  void Leave(const FaceSide<kSide>& side, const ExitEdge& edge,
+             HandOn hand_on) {
+    if (side.exit == kNoHalfEdge) return;
+    size_t first = 0, last = list_.size;
+    const auto reaches = [&](size_t i) {
+      return side.IsReached(list_.IntervalAt(i), crossings_[i]);
+    };
+    if constexpr (kSide == kLeft) {
+      while (last > 0 && !reaches(last - 1)) --last;
+    } else {
+      while (first < last && !reaches(first)) ++first;
+    }
+    if (first == last) return;
+    ChildrenAcross(side, edge, list_, crossings_.data(), first, last, children_,
+                   labels_.data());
+    const double label = TrimChildren(side.length);
+    if (children_.size > 0)
+      hand_on(side.half_edge, side.exit, children_, label);
+  }
+
   // Trims children_, whose edge is this long. Returns a lower bound on their
   // labels.
-  double TrimChildren(double length);
+  double TrimChildren(double length) {
+    double least = kUseless, most = 0;
+    for (size_t i = 0; i < children_.size; ++i) {
+      least = std::min(least, labels_[i]);
+      most = std::max(most, labels_[i]);
+    }
+    if (most == kUseless) {
+      children_.KeepIf(0, [this](size_t i) { return labels_[i] != kUseless; });
+    }
+    envelope_.Trim(length, front_.MayChangeOverTwice(), children_);
+    return least;
+  }
 
   const Front& front_;
   const Mesh& mesh_;
@@ -63,104 +146,6 @@ class FaceCrossing {
   std::vector<uint32_t> hits_;
   Envelope envelope_;
 };
-
-template <typename Front>
-template <typename Relax, typename HandOn>
-void FaceCrossing<Front>::Cross(HalfEdge h, Relax relax, HandOn hand_on) {
-  const HalfEdgeFrame& frame = mesh_.frame(h);
-  Reserve(list_.size);
-  CrossingsToApex(frame, list_, crossings_.data(), misses_.data());
-  const double apex_distance = ReachApex(h, frame, relax);
-  const FaceSide<kLeft> left(mesh_, h);
-  Leave(left, {left.length, front_.distance(mesh_.From(h)), apex_distance},
-        hand_on);
-  const FaceSide<kRight> right(mesh_, h);
-  Leave(right, {right.length, apex_distance, front_.distance(mesh_.To(h))},
-        hand_on);
-}
-
-template <typename Front>
-void FaceCrossing<Front>::Reserve(size_t count) {
-  children_.Reserve(count);
-  const size_t room = count + WindowColumns::kPadding;
-  if (crossings_.size() >= room) return;
-  for (auto* column : {&crossings_, &misses_, &labels_}) {
-    column->resize(2 * room);
-  }
-  hits_.resize(2 * room);
-}
-
-template <typename Front>
-template <typename Relax>
-double FaceCrossing<Front>::ReachApex(HalfEdge h, const HalfEdgeFrame& frame,
-                                      Relax relax) {
-  const PlanePoint apex = ApexOf(frame);
-  const uint32_t vertex = mesh_.Apex(h);
-  double best = front_.distance(vertex);
-  Arrival arrival;
-  IncomingRay ray;
-  bool improves = false;
-  // Gathered without a branch: which windows see the apex cannot be foreseen.
-  size_t hits = 0;
-  for (size_t i = 0; i < list_.size; ++i) {
-    hits_[hits] = static_cast<uint32_t>(i);
-    hits += misses_[i] <= 0;
-  }
-  for (const uint32_t i : std::span(hits_).first(hits)) {
-    const Origin origin = list_.OriginAt(i);
-    // The point of the interval nearest to the ray through the apex; paths
-    // through it to the apex are real, and straight if the ray is in there.
-    const double through =
-        std::clamp(crossings_[i], list_.begin[i], list_.end[i]);
-    const bool is_straight = through == crossings_[i];
-    const double distance =
-        origin.sigma +
-        (is_straight ? DistanceToPlace(origin, apex)
-                     : origin.DistanceTo(through) + EdgePointTo(through, apex));
-    if (!Front::Improves(distance, best)) continue;
-    improves = true;
-    best = distance;
-    arrival = {list_.pseudo_source[i], h, origin.x, origin.depth};
-    ray = RayPast(mesh_, h, origin, std::abs(through - crossings_[i]));
-  }
-  if (improves) relax(vertex, best, arrival, ray);
-  return best;
-}
-
-template <typename Front>
-template <Side kSide, typename HandOn>
-void FaceCrossing<Front>::Leave(const FaceSide<kSide>& side,
-                                const ExitEdge& edge, HandOn hand_on) {
-  if (side.exit == kNoHalfEdge) return;
-  size_t first = 0, last = list_.size;
-  const auto reaches = [&](size_t i) {
-    return side.IsReached(list_.IntervalAt(i), crossings_[i]);
-  };
-  if constexpr (kSide == kLeft) {
-    while (last > 0 && !reaches(last - 1)) --last;
-  } else {
-    while (first < last && !reaches(first)) ++first;
-  }
-  if (first == last) return;
-  ChildrenAcross(side, edge, list_, crossings_.data(), first, last, children_,
-                 labels_.data());
-  const double label = TrimChildren(side.length);
-  if (children_.size > 0) hand_on(side.half_edge, side.exit, children_, label);
-}
-
-template <typename Front>
-double FaceCrossing<Front>::TrimChildren(double length) {
-  double least = kUseless, most = 0;
-  for (size_t i = 0; i < children_.size; ++i) {
-    least = std::min(least, labels_[i]);
-    most = std::max(most, labels_[i]);
-  }
-  if (most == kUseless) {
-    children_.KeepIf(0, [this](size_t i) { return labels_[i] != kUseless; });
-  }
-  envelope_.Trim(length, front_.MayChangeOverTwice(), children_);
-  return least;
-}
 
 }  // namespace geodesic
 

@@ -63,7 +63,12 @@ class ListRule {
 
   // Adds a pseudo-source's window over what it sees of a half-edge.
   void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
-            const Interval& interval);
+            const Interval& interval) {
+    Worker& worker = workers_[0];
+    worker.Open(half_edge, pseudo_source, origin, interval);
+    for (const auto& list : worker.handed_on()) Enqueue(list, 0);
+    worker.Clear();
+  }
 
   // Sources were added: nothing here depends on them.
   void Restart() {}
@@ -74,7 +79,15 @@ class ListRule {
   // A round: propagates all that waits at some half-edges across their faces
   // and expands vertices (numbers with kVertexEvent). Returns how many windows
   // were propagated; whatever is named twice counts once.
-  uint64_t Propagate(std::span<const uint32_t> events);
+  uint64_t Propagate(std::span<const uint32_t> ids) {
+    Take(ids);
+    DoAll();
+    const uint64_t propagated = FindRuns();
+    for (const Run& run : runs_) Relax(run);
+    for (const Run& run : runs_) Enqueue(run);
+    for (Worker& worker : workers_) worker.Clear();
+    return propagated;
+  }
 
   uint64_t created() const { return created_; }
   uint64_t pending() const { return pending_; }
@@ -121,18 +134,168 @@ class ListRule {
   };
 
   // Shares out those that have something to do, vertices first.
-  void Take(std::span<const uint32_t> ids);
-  void DoAll();
+  void Take(std::span<const uint32_t> ids) {
+    order_.clear();
+    for (Share& share : shares_) {
+      share.events.clear();
+      share.next.store(0, std::memory_order_relaxed);
+    }
+    const auto give = [this](uint32_t member, const Event& event) {
+      shares_[member].events.push_back(event);
+      order_.push_back(member);
+    };
+    for (const uint32_t id : ids) {
+      if (!(id & kVertexEvent)) __builtin_prefetch(&waiting_[id]);
+    }
+    // A vertex goes with the half-edge before it.
+    uint32_t member = 0;
+    for (const uint32_t id : ids) {
+      if (id & kVertexEvent) {
+        if (front_.TakeEvent(id & ~kVertexEvent)) give(member, {.id = id});
+      } else if (workers_.size() > 1 && waiting_[id] != kNone) {
+        member = queues_[waiting_[id]].member;
+      }
+    }
+    for (const uint32_t id : ids) {
+      if ((id & kVertexEvent) || waiting_[id] == kNone) continue;
+      const Queued& queued = queues_[waiting_[id]];
+      give(queued.member, {.id = id, .lists = queued.lists});
+      free_.push_back(waiting_[id]);
+      waiting_[id] = kNone;
+    }
+  }
+
+  void DoAll() {
+    if (workers_.size() == 1 || order_.size() < kLeastShared) {
+      for (Share& share : shares_) {
+        Do(share.events, 0, share.events.size(), 0);
+      }
+      return;
+    }
+    if (!team_.has_value()) {
+      team_.emplace(static_cast<uint32_t>(workers_.size()));
+    }
+    team_->Run([this](uint32_t member) {
+      for (size_t k = 0; k < shares_.size(); ++k) {
+        Share& share = shares_[(member + k) % shares_.size()];
+        for (;;) {
+          const size_t first =
+              share.next.fetch_add(kShare, std::memory_order_relaxed);
+          if (first >= share.events.size()) break;
+          Do(share.events, first, std::min(first + kShare, share.events.size()),
+             member);
+        }
+      }
+    });
+  }
+
   // Does events [first, last).
-  void Do(std::span<Event> events, size_t first, size_t last, uint32_t member);
-  void Prefetch(std::span<const Event> events, size_t i) const;
+  void Do(std::span<Event> events, size_t first, size_t last, uint32_t member) {
+    for (size_t i = first; i < last; ++i) {
+      Prefetch(events, i);
+      Event& event = events[i];
+      event.member = member;
+      Worker& worker = workers_[member];
+      event.outcome = event.id & kVertexEvent
+                          ? worker.Expand(event.id & ~kVertexEvent)
+                          : worker.Cross(event.id, event.lists);
+    }
+  }
+
+  void Prefetch(std::span<const Event> events, size_t i) const {
+    if (i + 3 < events.size()) {
+      const Event& event = events[i + 3];
+      if (event.id & kVertexEvent) {
+        front_.PrefetchFan(event.id & ~kVertexEvent);
+      } else {
+        front_.PrefetchFace(event.id);
+        // Without a branch: whether there are both cannot be foreseen.
+        const WindowBlock* const any =
+            event.lists[0] != nullptr ? event.lists[0] : event.lists[1];
+        for (const WindowBlock* list : event.lists) {
+          WindowBlocks::Prefetch(list != nullptr ? list : any);
+        }
+      }
+    }
+    if (i + 1 < events.size()) {
+      const Event& event = events[i + 1];
+      if (event.id & kVertexEvent) return;
+      front_.PrefetchCorners(event.id);
+      for (const WindowBlock* list : event.lists) {
+        if (list != nullptr) WindowBlocks::PrefetchRest(list);
+      }
+    }
+  }
+
   // Of all that was done, in order. Returns how many windows were propagated.
-  uint64_t FindRuns();
+  uint64_t FindRuns() {
+    uint64_t propagated = 0;
+    runs_.clear();
+    for (Share& share : shares_) share.applied = 0;
+    for (const uint32_t member : order_) {
+      Share& share = shares_[member];
+      const Event& event = share.events[share.applied++];
+      pending_ -= event.outcome.waited;
+      propagated += event.outcome.propagated;
+      if (!runs_.empty() && runs_.back().member == event.member &&
+          runs_.back().end == event.outcome.begin) {
+        runs_.back().end = event.outcome.end;
+      } else {
+        runs_.push_back({event.member, event.outcome.begin, event.outcome.end});
+      }
+    }
+    return propagated;
+  }
+
   // Tells the front.
-  void Relax(const Run& run);
-  void Enqueue(const Run& run);
+  void Relax(const Run& run) {
+    const Worker& worker = workers_[run.member];
+    for (uint32_t i = run.begin.observed; i < run.end.observed; ++i) {
+      const auto& [h, window, pseudo_source] = worker.observed()[i];
+      front_.Observe(h, window, pseudo_source);
+    }
+    for (uint32_t i = run.begin.relaxation; i < run.end.relaxation; ++i) {
+      const auto& [vertex, distance, arrival, ray] = worker.relaxations()[i];
+      front_.Relax(vertex, distance, arrival, ray);
+    }
+  }
+
+  void Enqueue(const Run& run) {
+    constexpr uint32_t kAhead = 16;
+    const auto lists = workers_[run.member].handed_on();
+    for (uint32_t i = run.begin.handed_on; i < run.end.handed_on; ++i) {
+      if (i + kAhead < lists.size()) {
+        __builtin_prefetch(&waiting_[lists[i + kAhead].to]);
+      }
+      Enqueue(lists[i], run.member);
+    }
+  }
+
   // Adds a list, which this member has handed on, to what waits at a half-edge.
-  void Enqueue(const typename Worker::HandedOn& list, uint32_t member);
+  void Enqueue(const typename Worker::HandedOn& handed_on, uint32_t member) {
+    const auto& [h, from, list, count, label] = handed_on;
+    if (waiting_[h] == kNone) {
+      if (free_.empty()) {
+        waiting_[h] = static_cast<uint32_t>(queues_.size());
+        queues_.emplace_back();
+      } else {
+        waiting_[h] = free_.back();
+        free_.pop_back();
+      }
+      queues_[waiting_[h]] = {.label = std::numeric_limits<double>::infinity()};
+    }
+    Queued& queued = queues_[waiting_[h]];
+    queued.member = member;
+    WindowBlock** place = &queued.lists[from];
+    while (*place != nullptr) place = &(*place)->next;
+    *place = list;
+    created_ += count;
+    pending_ += count;
+    peak_ = std::max(peak_, pending_);
+    if (label >= queued.label) return;
+    queued.label = label;
+    front_.queue().Push(h, label);
+  }
 
   Front& front_;
   const Mesh& mesh_;
@@ -153,197 +316,8 @@ class ListRule {
   uint64_t created_ = 0;
 };
 
-template <typename Front>
-void ListRule<Front>::Open(HalfEdge half_edge, uint32_t pseudo_source,
-                           const Origin& origin, const Interval& interval) {
-  Worker& worker = workers_[0];
-  worker.Open(half_edge, pseudo_source, origin, interval);
-  for (const auto& list : worker.handed_on()) Enqueue(list, 0);
-  worker.Clear();
-}
-
-template <typename Front>
-uint64_t ListRule<Front>::Propagate(std::span<const uint32_t> ids) {
-  Take(ids);
-  DoAll();
-  const uint64_t propagated = FindRuns();
-  for (const Run& run : runs_) Relax(run);
-  for (const Run& run : runs_) Enqueue(run);
-  for (Worker& worker : workers_) worker.Clear();
-  return propagated;
-}
-
-template <typename Front>
-void ListRule<Front>::Take(std::span<const uint32_t> ids) {
-  order_.clear();
-  for (Share& share : shares_) {
-    share.events.clear();
-    share.next.store(0, std::memory_order_relaxed);
-  }
-  const auto give = [this](uint32_t member, const Event& event) {
-    shares_[member].events.push_back(event);
-    order_.push_back(member);
-  };
-  for (const uint32_t id : ids) {
-    if (!(id & kVertexEvent)) __builtin_prefetch(&waiting_[id]);
-  }
-  // A vertex goes with the half-edge before it.
-  uint32_t member = 0;
-  for (const uint32_t id : ids) {
-    if (id & kVertexEvent) {
-      if (front_.TakeEvent(id & ~kVertexEvent)) give(member, {.id = id});
-    } else if (workers_.size() > 1 && waiting_[id] != kNone) {
-      member = queues_[waiting_[id]].member;
-    }
-  }
-  for (const uint32_t id : ids) {
-    if ((id & kVertexEvent) || waiting_[id] == kNone) continue;
-    const Queued& queued = queues_[waiting_[id]];
-    give(queued.member, {.id = id, .lists = queued.lists});
-    free_.push_back(waiting_[id]);
-    waiting_[id] = kNone;
-  }
-}
-
-template <typename Front>
-void ListRule<Front>::DoAll() {
-  if (workers_.size() == 1 || order_.size() < kLeastShared) {
-    for (Share& share : shares_) {
-      Do(share.events, 0, share.events.size(), 0);
-    }
-    return;
-  }
-  if (!team_.has_value()) {
-    team_.emplace(static_cast<uint32_t>(workers_.size()));
-  }
-  team_->Run([this](uint32_t member) {
-    for (size_t k = 0; k < shares_.size(); ++k) {
-      Share& share = shares_[(member + k) % shares_.size()];
-      for (;;) {
-        const size_t first =
-            share.next.fetch_add(kShare, std::memory_order_relaxed);
-        if (first >= share.events.size()) break;
-        Do(share.events, first, std::min(first + kShare, share.events.size()),
-           member);
-      }
-    }
-  });
-}
-
-template <typename Front>
-void ListRule<Front>::Do(std::span<Event> events, size_t first, size_t last,
-                         uint32_t member) {
-  for (size_t i = first; i < last; ++i) {
-    Prefetch(events, i);
-    Event& event = events[i];
-    event.member = member;
-    Worker& worker = workers_[member];
-    event.outcome = event.id & kVertexEvent
-                        ? worker.Expand(event.id & ~kVertexEvent)
-                        : worker.Cross(event.id, event.lists);
-  }
-}
-
 // What the events after that one will need. Each stage needs what the one
 // before has fetched.
-template <typename Front>
-void ListRule<Front>::Prefetch(std::span<const Event> events, size_t i) const {
-  if (i + 3 < events.size()) {
-    const Event& event = events[i + 3];
-    if (event.id & kVertexEvent) {
-      front_.PrefetchFan(event.id & ~kVertexEvent);
-    } else {
-      front_.PrefetchFace(event.id);
-      // Without a branch: whether there are both cannot be foreseen.
-      const WindowBlock* const any =
-          event.lists[0] != nullptr ? event.lists[0] : event.lists[1];
-      for (const WindowBlock* list : event.lists) {
-        WindowBlocks::Prefetch(list != nullptr ? list : any);
-      }
-    }
-  }
-  if (i + 1 < events.size()) {
-    const Event& event = events[i + 1];
-    if (event.id & kVertexEvent) return;
-    front_.PrefetchCorners(event.id);
-    for (const WindowBlock* list : event.lists) {
-      if (list != nullptr) WindowBlocks::PrefetchRest(list);
-    }
-  }
-}
-
-template <typename Front>
-uint64_t ListRule<Front>::FindRuns() {
-  uint64_t propagated = 0;
-  runs_.clear();
-  for (Share& share : shares_) share.applied = 0;
-  for (const uint32_t member : order_) {
-    Share& share = shares_[member];
-    const Event& event = share.events[share.applied++];
-    pending_ -= event.outcome.waited;
-    propagated += event.outcome.propagated;
-    if (!runs_.empty() && runs_.back().member == event.member &&
-        runs_.back().end == event.outcome.begin) {
-      runs_.back().end = event.outcome.end;
-    } else {
-      runs_.push_back({event.member, event.outcome.begin, event.outcome.end});
-    }
-  }
-  return propagated;
-}
-
-template <typename Front>
-void ListRule<Front>::Relax(const Run& run) {
-  const Worker& worker = workers_[run.member];
-  for (uint32_t i = run.begin.observed; i < run.end.observed; ++i) {
-    const auto& [h, window, pseudo_source] = worker.observed()[i];
-    front_.Observe(h, window, pseudo_source);
-  }
-  for (uint32_t i = run.begin.relaxation; i < run.end.relaxation; ++i) {
-    const auto& [vertex, distance, arrival, ray] = worker.relaxations()[i];
-    front_.Relax(vertex, distance, arrival, ray);
-  }
-}
-
-template <typename Front>
-void ListRule<Front>::Enqueue(const Run& run) {
-  constexpr uint32_t kAhead = 16;
-  const auto lists = workers_[run.member].handed_on();
-  for (uint32_t i = run.begin.handed_on; i < run.end.handed_on; ++i) {
-    if (i + kAhead < lists.size()) {
-      __builtin_prefetch(&waiting_[lists[i + kAhead].to]);
-    }
-    Enqueue(lists[i], run.member);
-  }
-}
-
-template <typename Front>
-void ListRule<Front>::Enqueue(const typename Worker::HandedOn& handed_on,
-                              uint32_t member) {
-  const auto& [h, from, list, count, label] = handed_on;
-  if (waiting_[h] == kNone) {
-    if (free_.empty()) {
-      waiting_[h] = static_cast<uint32_t>(queues_.size());
-      queues_.emplace_back();
-    } else {
-      waiting_[h] = free_.back();
-      free_.pop_back();
-    }
-    queues_[waiting_[h]] = {.label = std::numeric_limits<double>::infinity()};
-  }
-  Queued& queued = queues_[waiting_[h]];
-  queued.member = member;
-  WindowBlock** place = &queued.lists[from];
-  while (*place != nullptr) place = &(*place)->next;
-  *place = list;
-  created_ += count;
-  pending_ += count;
-  peak_ = std::max(peak_, pending_);
-  if (label >= queued.label) return;
-  queued.label = label;
-  front_.queue().Push(h, label);
-}
-
 }  // namespace geodesic
 
 #endif  // GEODESIC_SOLVER_RULES_LIST_RULE_H_

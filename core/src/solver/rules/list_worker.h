@@ -74,8 +74,21 @@ class alignas(kCacheLine) ListWorker {
         list_(crossing_.list()) {}
 
   // Takes and frees the lists that wait at h.
-  Outcome Cross(HalfEdge h, const WaitingLists& lists);
-  Outcome Expand(uint32_t vertex);
+  Outcome Cross(HalfEdge h, const WaitingLists& lists) {
+    Outcome outcome{.begin = Here()};
+    outcome.waited = Take(lists, mesh_.frame(h).length);
+    outcome.propagated = static_cast<uint32_t>(list_.size);
+    if (list_.size > 0) CrossFace(h);
+    outcome.end = Here();
+    return outcome;
+  }
+
+  Outcome Expand(uint32_t vertex) {
+    Outcome outcome{.begin = Here()};
+    front_.Expand(vertex, *this);
+    outcome.end = Here();
+    return outcome;
+  }
 
   // What came of all that was done since the last Clear.
   std::span<const Relaxation> relaxations() const { return relaxations_; }
@@ -94,7 +107,16 @@ class alignas(kCacheLine) ListWorker {
     relaxations_.push_back({vertex, distance, arrival, ray});
   }
   void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
-            const Interval& interval);
+            const Interval& interval) {
+    const auto window = front_.UsefulWindow(half_edge, origin, interval);
+    if (!window.has_value()) return;
+    opened_.Reserve(1);
+    opened_.Set(0, *window, pseudo_source);
+    opened_.size = 1;
+    handed_on_.push_back(
+        {half_edge, kLeft, blocks_.Store(opened_), 1, window->Label()});
+  }
+
   void Observe(HalfEdge h, const Window& window, uint32_t pseudo_source) {
     if (front_.Watches(h)) observed_.push_back({h, window, pseudo_source});
   }
@@ -105,14 +127,70 @@ class alignas(kCacheLine) ListWorker {
             static_cast<uint32_t>(handed_on_.size()),
             static_cast<uint32_t>(observed_.size())};
   }
-  void CrossFace(HalfEdge h);
+  void CrossFace(HalfEdge h) {
+    if (front_.Watches(h)) {
+      for (size_t i = 0; i < list_.size; ++i) {
+        Observe(h,
+                Window::Over({list_.begin[i], list_.end[i]}, list_.OriginAt(i)),
+                list_.pseudo_source[i]);
+      }
+    }
+    crossing_.Cross(
+        h,
+        [this](uint32_t apex, double distance, const Arrival& arrival,
+               const IncomingRay& ray) {
+          relaxations_.push_back({apex, distance, arrival, ray});
+        },
+        [this, h](HalfEdge side, Exit exit, WindowColumns& children,
+                  double label) {
+          HandOn(side, exit, side == Prev(h) ? kLeft : kRight, label, children);
+        });
+  }
+
   // Moves what waits to list_. Returns how many windows that were.
-  uint32_t Take(const WaitingLists& lists, double length);
+  uint32_t Take(const WaitingLists& lists, double length) {
+    uint32_t waited = 0;
+    list_.size = 0;
+    for (WindowBlock* list : lists) {
+      while (list != nullptr) {
+        waited += list->count;
+        const size_t middle = list_.size;
+        list = blocks_.Take(list, list_);
+        DropStale(middle);
+        envelope_.Merge(length, front_.MayChangeOverTwice(), middle, list_);
+      }
+    }
+    return waited;
+  }
+
   // Drops useless windows of list_ from `first` on.
-  void DropStale(size_t first);
+  void DropStale(size_t first) {
+    list_.KeepIf(first, [this](size_t i) {
+      // If the pseudo-source has improved since, a newer window is on its way,
+      // or those of a straight path to it. By however little: unlike MMP's
+      // (MmpRule::IsStale), a newer window never meets the older one, which is
+      // dropped first, and so cannot have given way to it.
+      return list_.sigma[i] <=
+             front_.PseudoSourceDistance(list_.pseudo_source[i]);
+    });
+  }
+
   // Hands on what leaves a face across `side`.
   void HandOn(HalfEdge side, Exit exit, Side from, double label,
-              WindowColumns& children);
+              WindowColumns& children) {
+    const auto count = static_cast<uint32_t>(children.size);
+    if (exit < kIrregularExit) {
+      handed_on_.push_back({exit, from, blocks_.Store(children), count, label});
+      return;
+    }
+    const double length = mesh_.frame(side).length;
+    mesh_.ForEachBeyond(side, [&](HalfEdge to, bool is_mirrored) {
+      if (is_mirrored) children.Mirror(length);
+      handed_on_.push_back({to, is_mirrored ? kRight : from,
+                            blocks_.Store(children), count, label});
+      if (is_mirrored) children.Mirror(length);
+    });
+  }
 
   const Front& front_;
   const Mesh& mesh_;
@@ -127,103 +205,6 @@ class alignas(kCacheLine) ListWorker {
   WindowColumns opened_;
   Envelope envelope_;
 };
-
-template <typename Front>
-typename ListWorker<Front>::Outcome ListWorker<Front>::Cross(
-    HalfEdge h, const WaitingLists& lists) {
-  Outcome outcome{.begin = Here()};
-  outcome.waited = Take(lists, mesh_.frame(h).length);
-  outcome.propagated = static_cast<uint32_t>(list_.size);
-  if (list_.size > 0) CrossFace(h);
-  outcome.end = Here();
-  return outcome;
-}
-
-template <typename Front>
-typename ListWorker<Front>::Outcome ListWorker<Front>::Expand(uint32_t vertex) {
-  Outcome outcome{.begin = Here()};
-  front_.Expand(vertex, *this);
-  outcome.end = Here();
-  return outcome;
-}
-
-template <typename Front>
-void ListWorker<Front>::Open(HalfEdge half_edge, uint32_t pseudo_source,
-                             const Origin& origin, const Interval& interval) {
-  const auto window = front_.UsefulWindow(half_edge, origin, interval);
-  if (!window.has_value()) return;
-  opened_.Reserve(1);
-  opened_.Set(0, *window, pseudo_source);
-  opened_.size = 1;
-  handed_on_.push_back(
-      {half_edge, kLeft, blocks_.Store(opened_), 1, window->Label()});
-}
-
-template <typename Front>
-uint32_t ListWorker<Front>::Take(const WaitingLists& lists, double length) {
-  uint32_t waited = 0;
-  list_.size = 0;
-  for (WindowBlock* list : lists) {
-    while (list != nullptr) {
-      waited += list->count;
-      const size_t middle = list_.size;
-      list = blocks_.Take(list, list_);
-      DropStale(middle);
-      envelope_.Merge(length, front_.MayChangeOverTwice(), middle, list_);
-    }
-  }
-  return waited;
-}
-
-template <typename Front>
-void ListWorker<Front>::DropStale(size_t first) {
-  list_.KeepIf(first, [this](size_t i) {
-    // If the pseudo-source has improved since, a newer window is on its way, or
-    // those of a straight path to it. By however little: unlike MMP's
-    // (MmpRule::IsStale), a newer window never meets the older one, which is
-    // dropped first, and so cannot have given way to it.
-    return list_.sigma[i] <=
-           front_.PseudoSourceDistance(list_.pseudo_source[i]);
-  });
-}
-
-template <typename Front>
-void ListWorker<Front>::CrossFace(HalfEdge h) {
-  if (front_.Watches(h)) {
-    for (size_t i = 0; i < list_.size; ++i) {
-      Observe(h,
-              Window::Over({list_.begin[i], list_.end[i]}, list_.OriginAt(i)),
-              list_.pseudo_source[i]);
-    }
-  }
-  crossing_.Cross(
-      h,
-      [this](uint32_t apex, double distance, const Arrival& arrival,
-             const IncomingRay& ray) {
-        relaxations_.push_back({apex, distance, arrival, ray});
-      },
-      [this, h](HalfEdge side, Exit exit, WindowColumns& children,
-                double label) {
-        HandOn(side, exit, side == Prev(h) ? kLeft : kRight, label, children);
-      });
-}
-
-template <typename Front>
-void ListWorker<Front>::HandOn(HalfEdge side, Exit exit, Side from,
-                               double label, WindowColumns& children) {
-  const auto count = static_cast<uint32_t>(children.size);
-  if (exit < kIrregularExit) {
-    handed_on_.push_back({exit, from, blocks_.Store(children), count, label});
-    return;
-  }
-  const double length = mesh_.frame(side).length;
-  mesh_.ForEachBeyond(side, [&](HalfEdge to, bool is_mirrored) {
-    if (is_mirrored) children.Mirror(length);
-    handed_on_.push_back({to, is_mirrored ? kRight : from,
-                          blocks_.Store(children), count, label});
-    if (is_mirrored) children.Mirror(length);
-  });
-}
 
 }  // namespace geodesic
 

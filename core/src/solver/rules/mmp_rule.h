@@ -68,7 +68,18 @@ class MmpRule {
   // Propagates the windows of half-edge `h` that are due across its face.
   // Returns how many: none if they have been trimmed to nothing, propagated by
   // another entry of `h`, or if their pseudo-source has improved since.
-  uint32_t Propagate(HalfEdge h);
+  uint32_t Propagate(HalfEdge h) {
+    if constexpr (Queue::kStrict) {
+      return PropagateOneByOne(h, front_.queue().popped_label(), 1);
+    } else {
+      if (lists_.queued(h) == kPropagated) return 0;
+      lists_.set_queued(h, kPropagated);
+      if constexpr (kTogether) {
+        if (!mesh_.HasCollapsedFaces()) return PropagateTogether(h);
+      }
+      return PropagateOneByOne(h, kAnyLabel, kAll);
+    }
+  }
 
   // Fetches into cache what propagating `h` will need. Each stage needs what
   // the one before has fetched.
@@ -117,25 +128,241 @@ class MmpRule {
 
   // As Propagate: the first windows with labels up to `due`, `most` at the
   // most.
-  uint32_t PropagateOneByOne(HalfEdge h, double due, size_t most);
+  uint32_t PropagateOneByOne(HalfEdge h, double due, size_t most) {
+    due_.clear();  // copies: lists will move
+    lists_.TakeDue(h, due, most, [this](const ListedWindow& listed) {
+      due_.push_back(listed);
+    });
+    pending_ -= due_.size();
+    uint32_t propagated = 0;
+    for (const ListedWindow& listed : due_) {
+      if (IsStale(h, listed)) continue;
+      Cross(h, listed.window, listed.pseudo_source);
+      ++propagated;
+    }
+    return propagated;
+  }
+
   // All of them.
-  uint32_t PropagateTogether(HalfEdge h);
+  uint32_t PropagateTogether(HalfEdge h) {
+    WindowColumns& list = crossing_.list();
+    list.size = 0;
+    list.Reserve(lists_.size(h));
+    lists_.TakeDue(h, kAnyLabel, kAll, [&](const ListedWindow& listed) {
+      --pending_;
+      if (IsStale(h, listed)) return;
+      list.Set(list.size++, listed.window, listed.pseudo_source);
+    });
+    if (list.size == 0) return 0;
+    crossing_.Cross(
+        h,
+        [this](uint32_t apex, double distance, const Arrival& arrival,
+               const IncomingRay& ray) {
+          front_.Relax(apex, distance, arrival, ray);
+        },
+        [this](HalfEdge side, Exit exit, const WindowColumns& children,
+               double label) {
+          if (exit < kIrregularExit) {
+            InsertAll(exit, children, label);
+            return;
+          }
+          for (size_t i = 0; i < children.size; ++i) {
+            InsertBeyond(side, exit, children.pseudo_source[i],
+                         children.OriginAt(i),
+                         {children.begin[i], children.end[i]});
+          }
+        });
+    return static_cast<uint32_t>(list.size);
+  }
+
   // Adds windows that have trimmed each other; no label among them is below.
   void InsertAll(HalfEdge half_edge, const WindowColumns& windows,
-                 double label);
+                 double label) {
+    for (size_t i = 0; i < windows.size;) {
+      lists_.Seek(half_edge, windows.begin[i]);
+      // Those that end before the next window there meet nobody.
+      size_t last = windows.size;
+      if (const ListedWindow* next = lists_.Next(half_edge)) {
+        const double held_from = next->window.interval.begin;
+        last = i;
+        while (last < windows.size && windows.end[last] <= held_from) ++last;
+      }
+      if (last == i) {
+        Contest(half_edge, windows.pseudo_source[i], windows.At(i));
+        ++i;
+        continue;
+      }
+      if (!lists_.has_room(half_edge)) listed_.push_back(half_edge);
+      created_ += last - i;
+      pending_ += last - i;
+      lists_.MakeRoom(half_edge, static_cast<uint32_t>(last - i));
+      for (; i < last; ++i) {
+        lists_.Add(half_edge, {windows.At(i), windows.pseudo_source[i]}, label);
+        front_.Observe(half_edge, windows.At(i), windows.pseudo_source[i]);
+      }
+      Enqueue(half_edge, label);
+    }
+    if (lists_.size() >= next_sweep_) Sweep();
+  }
+
   // Inserts a window that leaves its face across `side` in every face beyond.
   void InsertBeyond(HalfEdge side, Exit exit, uint32_t pseudo_source,
-                    const Origin& origin, const Interval& interval);
+                    const Origin& origin, const Interval& interval) {
+    if (exit < kIrregularExit) {
+      Insert(exit, pseudo_source, origin, interval);
+      return;
+    }
+    front_.Cross(
+        side, origin, interval,
+        [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
+          Insert(half_edge, pseudo_source, seen, through);
+        });
+  }
+
   // Adds a window, as far as it beats those on the half-edge already.
   void Insert(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
-              const Interval& interval);
+              const Interval& interval) {
+    // Cheaper than the contests it saves: a third of them, on real meshes.
+    const auto newer = front_.UsefulWindow(half_edge, origin, interval);
+    if (newer.has_value()) Contest(half_edge, pseudo_source, *newer);
+  }
+
   // The same for one that paths through the edge's ends leave a chance.
-  void Contest(HalfEdge half_edge, uint32_t pseudo_source, const Window& newer);
+  void Contest(HalfEdge half_edge, uint32_t pseudo_source,
+               const Window& newer) {
+    const Interval& interval = newer.interval;
+    const Origin& origin = newer.origin;
+    const double length = mesh_.frame(half_edge).length;
+    if (!lists_.has_room(half_edge)) listed_.push_back(half_edge);
+    lists_.Seek(half_edge, interval.begin);
+    const double slack =
+        mesh_.HasCollapsedFaces()
+            ? kLoopTie * (length + newer.begin_distance + newer.end_distance)
+            : 0;
+
+    // The new window holds [held_from, ...) until an older one keeps a part.
+    double held_from = interval.begin;
+    const auto put_down = [&](double held_until) {
+      const Interval held{held_from, held_until};
+      if (IsLost(held, origin, length)) return;
+      ListedWindow part{newer, pseudo_source};
+      part.window.CutTo(held);
+      const double label = part.window.Label();
+      lists_.Add(half_edge, part, label);
+      ++created_;
+      ++pending_;
+      front_.Observe(half_edge, part.window, pseudo_source);
+      Enqueue(half_edge, label);
+    };
+    while (const ListedWindow* next = lists_.Next(half_edge)) {
+      const Interval held = next->window.interval;
+      if (held.begin >= interval.end) break;
+      const Interval overlap{std::max(held.begin, interval.begin),
+                             std::min(held.end, interval.end)};
+      if (front_.MayChangeOverTwice()) {
+        if (const auto at = SplitBeforeContest(next->window, newer, slack)) {
+          put_down(overlap.begin);
+          Insert(half_edge, pseudo_source, origin, {overlap.begin, *at});
+          Insert(half_edge, pseudo_source, origin, {*at, interval.end});
+          return;
+        }
+      }
+      const Interval won = WonByNewer(next->window, newer, slack);
+      if (won.width() <= 0) {
+        put_down(overlap.begin);
+        held_from = overlap.end;
+        lists_.Pass(half_edge);
+        continue;
+      }
+      const Origin older = next->window.origin;  // `next` may move from here on
+      if (won.begin > overlap.begin) {
+        put_down(overlap.begin);
+        held_from = won.begin;
+      }
+      const Interval before{held.begin, won.begin};
+      const Interval after{won.end, held.end};
+      const bool keeps_before = !IsLost(before, older, length);
+      const bool keeps_after = !IsLost(after, older, length);
+      // Trimming only raises labels: the one a window is queued with stays a
+      // lower bound.
+      const double label = lists_.NextLabel(half_edge);
+      if (label != kPropagated) pending_ += keeps_before + keeps_after - 1;
+      if (keeps_before) {
+        ListedWindow part = *lists_.Next(half_edge);
+        part.window.CutTo(before);
+        lists_.Add(half_edge, part, label);
+        // Both ends of a window in the queue are left: it counts twice now.
+        if (keeps_after && label != kPropagated) {
+          ++created_;
+          Enqueue(half_edge, label);
+        }
+      }
+      if (!keeps_after) {
+        lists_.RemoveNext(half_edge);
+        continue;
+      }
+      put_down(won.end);
+      held_from = overlap.end;
+      lists_.Next(half_edge)->window.CutTo(after);
+      if (overlap.end == interval.end) break;
+      lists_.Pass(half_edge);
+    }
+    put_down(interval.end);
+    if (lists_.size() >= next_sweep_) Sweep();
+  }
+
   // Sees to it that a window of `half_edge` with this label will be due.
-  void Enqueue(HalfEdge half_edge, double label);
-  void Cross(HalfEdge h, const Window& window, uint32_t pseudo_source);
+  void Enqueue(HalfEdge half_edge, double label) {
+    if constexpr (!Queue::kStrict) {
+      if (label >= lists_.queued(half_edge)) return;
+      lists_.set_queued(half_edge, label);
+    }
+    front_.queue().Push(half_edge, label);
+  }
+
+  void Cross(HalfEdge h, const Window& window, uint32_t pseudo_source) {
+    const auto& [interval, origin, begin_distance, end_distance] = window;
+    const HalfEdgeFrame& frame = mesh_.frame(h);
+    const PlanePoint apex = ApexOf(frame);
+    const double crossing = CrossingTo(origin, apex);
+    // The point of the interval nearest to the ray through the apex; paths
+    // through it to the apex are real, and straight if the ray is in there.
+    const double through = std::clamp(crossing, interval.begin, interval.end);
+    if (std::abs(through - crossing) <= NearMiss(origin, frame, apex)) {
+      front_.Relax(
+          mesh_.Apex(h),
+          through == crossing
+              ? origin.sigma + DistanceToPlace(origin, apex)
+              : window.DistanceTo(through) + EdgePointTo(through, apex),
+          {pseudo_source, h, origin.x, origin.depth},
+          RayPast(mesh_, h, origin, std::abs(through - crossing)));
+    }
+    const auto leave = [&](const auto& side) {
+      if (side.exit == kNoHalfEdge || !side.IsReached(interval, crossing))
+        return;
+      InsertBeyond(side.half_edge, side.exit, pseudo_source,
+                   Unfold(side, origin),
+                   side.InExit(side.Hit(origin, interval, crossing)));
+    };
+    leave(FaceSide<kLeft>(mesh_, h));
+    leave(FaceSide<kRight>(mesh_, h));
+  }
+
   // Drops the lists of all edges that the wavefront has passed.
-  void Sweep();
+  void Sweep() {
+    const double settled = front_.queue().SettledRadius();
+    std::erase_if(listed_, [&](HalfEdge h) {
+      if (front_.Farthest(h) > settled) return false;
+      // What is pending is queued: with a strict queue one by one.
+      if (Queue::kStrict || lists_.queued(h) != kPropagated) {
+        pending_ -= lists_.Pending(h);
+      }
+      lists_.Drop(h);
+      return true;
+    });
+    next_sweep_ = std::max(lists_.size() / 4 * 5, kLeastSweep);
+  }
+
   // Whether the pseudo-source has improved since, by so much that its newer
   // window has won whatever this one held. By less, the newer one has tied and
   // given way: measured by the distances at the edge, not by sigma, which may
@@ -166,257 +393,6 @@ class MmpRule {
   uint64_t pending_ = 0;
   uint64_t created_ = 0;
 };
-
-template <typename Front>
-uint32_t MmpRule<Front>::Propagate(HalfEdge h) {
-  if constexpr (Queue::kStrict) {
-    return PropagateOneByOne(h, front_.queue().popped_label(), 1);
-  } else {
-    if (lists_.queued(h) == kPropagated) return 0;
-    lists_.set_queued(h, kPropagated);
-    if constexpr (kTogether) {
-      if (!mesh_.HasCollapsedFaces()) return PropagateTogether(h);
-    }
-    return PropagateOneByOne(h, kAnyLabel, kAll);
-  }
-}
-
-template <typename Front>
-uint32_t MmpRule<Front>::PropagateOneByOne(HalfEdge h, double due,
-                                           size_t most) {
-  due_.clear();  // copies: lists will move
-  lists_.TakeDue(h, due, most, [this](const ListedWindow& listed) {
-    due_.push_back(listed);
-  });
-  pending_ -= due_.size();
-  uint32_t propagated = 0;
-  for (const ListedWindow& listed : due_) {
-    if (IsStale(h, listed)) continue;
-    Cross(h, listed.window, listed.pseudo_source);
-    ++propagated;
-  }
-  return propagated;
-}
-
-template <typename Front>
-uint32_t MmpRule<Front>::PropagateTogether(HalfEdge h) {
-  WindowColumns& list = crossing_.list();
-  list.size = 0;
-  lists_.TakeDue(h, kAnyLabel, kAll, [&](const ListedWindow& listed) {
-    --pending_;
-    if (IsStale(h, listed)) return;
-    list.Reserve(list.size + 1);
-    list.Set(list.size++, listed.window, listed.pseudo_source);
-  });
-  if (list.size == 0) return 0;
-  crossing_.Cross(
-      h,
-      [this](uint32_t apex, double distance, const Arrival& arrival,
-             const IncomingRay& ray) {
-        front_.Relax(apex, distance, arrival, ray);
-      },
-      [this](HalfEdge side, Exit exit, const WindowColumns& children,
-             double label) {
-        if (exit < kIrregularExit) {
-          InsertAll(exit, children, label);
-          return;
-        }
-        for (size_t i = 0; i < children.size; ++i) {
-          InsertBeyond(side, exit, children.pseudo_source[i],
-                       children.OriginAt(i),
-                       {children.begin[i], children.end[i]});
-        }
-      });
-  return static_cast<uint32_t>(list.size);
-}
-
-template <typename Front>
-void MmpRule<Front>::InsertAll(HalfEdge half_edge, const WindowColumns& windows,
-                               double label) {
-  for (size_t i = 0; i < windows.size;) {
-    lists_.Seek(half_edge, windows.begin[i]);
-    // Those that end before the next window there meet nobody.
-    size_t last = windows.size;
-    if (const ListedWindow* next = lists_.Next(half_edge)) {
-      const double held_from = next->window.interval.begin;
-      last = i;
-      while (last < windows.size && windows.end[last] <= held_from) ++last;
-    }
-    if (last == i) {
-      Contest(half_edge, windows.pseudo_source[i], windows.At(i));
-      ++i;
-      continue;
-    }
-    if (!lists_.has_room(half_edge)) listed_.push_back(half_edge);
-    created_ += last - i;
-    pending_ += last - i;
-    lists_.MakeRoom(half_edge, static_cast<uint32_t>(last - i));
-    for (; i < last; ++i) {
-      lists_.Add(half_edge, {windows.At(i), windows.pseudo_source[i]}, label);
-      front_.Observe(half_edge, windows.At(i), windows.pseudo_source[i]);
-    }
-    Enqueue(half_edge, label);
-  }
-  if (lists_.size() >= next_sweep_) Sweep();
-}
-
-template <typename Front>
-void MmpRule<Front>::Sweep() {
-  const double settled = front_.queue().SettledRadius();
-  std::erase_if(listed_, [&](HalfEdge h) {
-    if (front_.Farthest(h) > settled) return false;
-    // What is pending is queued: with a strict queue one by one.
-    if (Queue::kStrict || lists_.queued(h) != kPropagated) {
-      pending_ -= lists_.Pending(h);
-    }
-    lists_.Drop(h);
-    return true;
-  });
-  next_sweep_ = std::max(lists_.size() / 4 * 5, kLeastSweep);
-}
-
-template <typename Front>
-void MmpRule<Front>::Cross(HalfEdge h, const Window& window,
-                           uint32_t pseudo_source) {
-  const auto& [interval, origin, begin_distance, end_distance] = window;
-  const HalfEdgeFrame& frame = mesh_.frame(h);
-  const PlanePoint apex = ApexOf(frame);
-  const double crossing = CrossingTo(origin, apex);
-  // The point of the interval nearest to the ray through the apex; paths
-  // through it to the apex are real, and straight if the ray is in there.
-  const double through = std::clamp(crossing, interval.begin, interval.end);
-  if (std::abs(through - crossing) <= NearMiss(origin, frame, apex)) {
-    front_.Relax(mesh_.Apex(h),
-                 through == crossing
-                     ? origin.sigma + DistanceToPlace(origin, apex)
-                     : window.DistanceTo(through) + EdgePointTo(through, apex),
-                 {pseudo_source, h, origin.x, origin.depth},
-                 RayPast(mesh_, h, origin, std::abs(through - crossing)));
-  }
-  const auto leave = [&](const auto& side) {
-    if (side.exit == kNoHalfEdge || !side.IsReached(interval, crossing)) return;
-    InsertBeyond(side.half_edge, side.exit, pseudo_source, Unfold(side, origin),
-                 side.InExit(side.Hit(origin, interval, crossing)));
-  };
-  leave(FaceSide<kLeft>(mesh_, h));
-  leave(FaceSide<kRight>(mesh_, h));
-}
-
-template <typename Front>
-void MmpRule<Front>::InsertBeyond(HalfEdge side, Exit exit,
-                                  uint32_t pseudo_source, const Origin& origin,
-                                  const Interval& interval) {
-  if (exit < kIrregularExit) {
-    Insert(exit, pseudo_source, origin, interval);
-    return;
-  }
-  front_.Cross(
-      side, origin, interval,
-      [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
-        Insert(half_edge, pseudo_source, seen, through);
-      });
-}
-
-template <typename Front>
-void MmpRule<Front>::Insert(HalfEdge half_edge, uint32_t pseudo_source,
-                            const Origin& origin, const Interval& interval) {
-  // Cheaper than the contests it saves: a third of them, on real meshes.
-  const auto newer = front_.UsefulWindow(half_edge, origin, interval);
-  if (newer.has_value()) Contest(half_edge, pseudo_source, *newer);
-}
-
-template <typename Front>
-void MmpRule<Front>::Contest(HalfEdge half_edge, uint32_t pseudo_source,
-                             const Window& newer) {
-  const Interval& interval = newer.interval;
-  const Origin& origin = newer.origin;
-  const double length = mesh_.frame(half_edge).length;
-  if (!lists_.has_room(half_edge)) listed_.push_back(half_edge);
-  lists_.Seek(half_edge, interval.begin);
-  const double slack =
-      mesh_.HasCollapsedFaces()
-          ? kLoopTie * (length + newer.begin_distance + newer.end_distance)
-          : 0;
-
-  // The new window holds [held_from, ...) until an older one keeps a part.
-  double held_from = interval.begin;
-  const auto put_down = [&](double held_until) {
-    const Interval held{held_from, held_until};
-    if (IsLost(held, origin, length)) return;
-    ListedWindow part{newer, pseudo_source};
-    part.window.CutTo(held);
-    const double label = part.window.Label();
-    lists_.Add(half_edge, part, label);
-    ++created_;
-    ++pending_;
-    front_.Observe(half_edge, part.window, pseudo_source);
-    Enqueue(half_edge, label);
-  };
-  while (const ListedWindow* next = lists_.Next(half_edge)) {
-    const Interval held = next->window.interval;
-    if (held.begin >= interval.end) break;
-    const Interval overlap{std::max(held.begin, interval.begin),
-                           std::min(held.end, interval.end)};
-    if (front_.MayChangeOverTwice()) {
-      if (const auto at = SplitBeforeContest(next->window, newer, slack)) {
-        put_down(overlap.begin);
-        Insert(half_edge, pseudo_source, origin, {overlap.begin, *at});
-        Insert(half_edge, pseudo_source, origin, {*at, interval.end});
-        return;
-      }
-    }
-    const Interval won = WonByNewer(next->window, newer, slack);
-    if (won.width() <= 0) {
-      put_down(overlap.begin);
-      held_from = overlap.end;
-      lists_.Pass(half_edge);
-      continue;
-    }
-    const Origin older = next->window.origin;  // `next` may move from here on
-    if (won.begin > overlap.begin) {
-      put_down(overlap.begin);
-      held_from = won.begin;
-    }
-    const Interval before{held.begin, won.begin};
-    const Interval after{won.end, held.end};
-    const bool keeps_before = !IsLost(before, older, length);
-    const bool keeps_after = !IsLost(after, older, length);
-    // Trimming only raises labels: the one a window is queued with stays a
-    // lower bound.
-    const double label = lists_.NextLabel(half_edge);
-    if (label != kPropagated) pending_ += keeps_before + keeps_after - 1;
-    if (keeps_before) {
-      ListedWindow part = *lists_.Next(half_edge);
-      part.window.CutTo(before);
-      lists_.Add(half_edge, part, label);
-      // Both ends of a window in the queue are left: it counts twice now.
-      if (keeps_after && label != kPropagated) {
-        ++created_;
-        Enqueue(half_edge, label);
-      }
-    }
-    if (!keeps_after) {
-      lists_.RemoveNext(half_edge);
-      continue;
-    }
-    put_down(won.end);
-    held_from = overlap.end;
-    lists_.Next(half_edge)->window.CutTo(after);
-    if (overlap.end == interval.end) break;
-    lists_.Pass(half_edge);
-  }
-  put_down(interval.end);
-  if (lists_.size() >= next_sweep_) Sweep();
-}
-
-template <typename Front>
-void MmpRule<Front>::Enqueue(HalfEdge half_edge, double label) {
-  if constexpr (!Queue::kStrict) {
-    if (label >= lists_.queued(half_edge)) return;
-    lists_.set_queued(half_edge, label);
-  }
-  front_.queue().Push(half_edge, label);
-}
 
 }  // namespace geodesic
 

@@ -197,10 +197,9 @@ struct FaceSide {
                double crossing) const {
     const double near = kSide == kLeft ? interval.begin : interval.end;
     const double far = kSide == kLeft ? interval.end : interval.begin;
-    const double far_hit = HitOf(origin, far);
     const bool sees_apex =
         kSide == kLeft ? crossing < interval.end : crossing > interval.begin;
-    return {HitOf(origin, near), sees_apex ? length : far_hit};
+    return {HitOf(origin, near), sees_apex ? length : HitOf(origin, far)};
   }
 
   // A part of OC, from O, as an interval of the exit, which on the right runs

@@ -65,6 +65,9 @@ class WindowLists {
     while (list.after > 0 && Next(list)->window.interval.end <= at) Pass(h);
   }
 
+  // Windows of h, propagated or not.
+  size_t size(HalfEdge h) const { return HeadOf(h).before + HeadOf(h).after; }
+
   // The window after the cursor; nullptr at the end of the list.
   ListedWindow* Next(HalfEdge h) {
     return HeadOf(h).after == 0 ? nullptr : Next(HeadOf(h));
@@ -85,7 +88,7 @@ class WindowLists {
   }
   // Makes room for `count` windows more.
   void MakeRoom(HalfEdge h, uint32_t count) {
-    const uint32_t needed = HeadOf(h).before + HeadOf(h).after + count;
+    const auto needed = static_cast<uint32_t>(size(h) + count);
     if (needed > HeadOf(h).room) Grow(h, needed);
   }
   // Adds a window before the cursor.
