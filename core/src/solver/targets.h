@@ -106,10 +106,7 @@ void Targets::Offer(HalfEdge h, const BasicWindow<OriginType>& window,
     const double through = std::clamp(crossing, interval.begin, interval.end);
     if (!(std::abs(through - crossing) <= NearMiss(origin, frame, at)))
       continue;
-    const double length =
-        through == crossing
-            ? origin.sigma + DistanceToPlace(origin, at)
-            : window.DistanceTo(through) + EdgePointTo(through, at);
+    const double length = PathToPlace(origin, through, crossing, at);
     Take(targets_[t], mend(length, targets_[t].point),
          {pseudo_source, h, origin.x, origin.depth});
   }

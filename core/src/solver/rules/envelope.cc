@@ -135,36 +135,13 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
     windows.begin[i] = top_end;
     return true;
   }
-  if (meeting != kNone) {
-    const double met = meetings_[meeting];
-    windows.begin[i] = met;
-    windows.begin_distance[i] = newer_.begin_distance[meeting];
-    windows.end[top] = met;
-    windows.end_distance[top] = older_.end_distance[meeting];
-    if (IsLost({windows.begin[top], met}, windows.OriginAt(top), length_))
-      --kept;
-    return true;
-  }
-  if (may_split_) return false;
-  const Window older = windows.At(top);
-  Window newer = windows.At(i);
-  const Interval won = WonByNewer(older, newer);
-  if (won.width() <= 0) {
-    newer.CutTo({top_end, newer.interval.end});
-  } else if (won.end < top_end) {
-    return false;
-  } else {
-    newer.CutTo({won.begin, newer.interval.end});
-    const Interval held{older.interval.begin, won.begin};
-    if (IsLost(held, older.origin, length_)) {
-      --kept;
-    } else {
-      windows.end[top] = won.begin;
-      windows.end_distance[top] = older.DistanceTo(won.begin);
-    }
-  }
-  windows.begin[i] = newer.interval.begin;
-  windows.begin_distance[i] = newer.begin_distance;
+  if (meeting == kNone) return false;
+  const double met = meetings_[meeting];
+  windows.begin[i] = met;
+  windows.begin_distance[i] = newer_.begin_distance[meeting];
+  windows.end[top] = met;
+  windows.end_distance[top] = older_.end_distance[meeting];
+  if (IsLost({windows.begin[top], met}, windows.OriginAt(top), length_)) --kept;
   return true;
 }
 

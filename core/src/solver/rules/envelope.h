@@ -48,9 +48,8 @@ class Envelope {
   // do not meet. REQUIRES: pairs are asked for in order.
   size_t MeetingOf(size_t pair);
   // Trims window i, which begins before the last of the `kept` ends, against
-  // that if one of the two gives way on their common side. Otherwise changes
-  // nothing and returns false. `meeting`: where the two meet, or kNone if that
-  // is not known.
+  // that if they share a rounding alone or `meeting` says where they meet;
+  // kNone if that is not known. Otherwise changes nothing and returns false.
   bool TrimNeighbours(size_t i, size_t meeting, size_t& kept,
                       WindowColumns& windows);
   // Trims windows from `i` on against those of the `kept` that they meet, until

@@ -390,15 +390,12 @@ class Front {
       return;
     }
     --folds_left;
-    const Window window = Window::Over(part, origin);
-    sink.Observe(half_edge, window, pseudo_source);
+    sink.Observe(half_edge, Window::Over(part, origin), pseudo_source);
     const PlanePoint apex = ApexOf(frame);
     const double crossing = CrossingTo(origin, apex);
     const double through = std::clamp(crossing, part.begin, part.end);
     sink.Relax(mesh_.Apex(half_edge),
-               through == crossing
-                   ? origin.sigma + DistanceToPlace(origin, apex)
-                   : window.DistanceTo(through) + EdgePointTo(through, apex),
+               PathToPlace(origin, through, crossing, apex),
                {pseudo_source, half_edge, origin.x, origin.depth});
     // All of both sides is seen, unless an end of the edge is so near that it
     // hides more than rounding: then it is a pseudo-source and opens what it

@@ -91,7 +91,6 @@ class ListRule {
 
   uint64_t created() const { return created_; }
   uint64_t pending() const { return pending_; }
-  uint64_t windows() const { return pending_; }
   uint64_t peak_windows() const { return peak_; }
   uint64_t bytes() const {
     return waiting_.capacity() * sizeof(uint32_t) +

@@ -329,13 +329,9 @@ class MmpRule {
     // through it to the apex are real, and straight if the ray is in there.
     const double through = std::clamp(crossing, interval.begin, interval.end);
     if (std::abs(through - crossing) <= NearMiss(origin, frame, apex)) {
-      front_.Relax(
-          mesh_.Apex(h),
-          through == crossing
-              ? origin.sigma + DistanceToPlace(origin, apex)
-              : window.DistanceTo(through) + EdgePointTo(through, apex),
-          {pseudo_source, h, origin.x, origin.depth},
-          RayPast(mesh_, h, origin, std::abs(through - crossing)));
+      front_.Relax(mesh_.Apex(h), PathToPlace(origin, through, crossing, apex),
+                   {pseudo_source, h, origin.x, origin.depth},
+                   RayPast(mesh_, h, origin, std::abs(through - crossing)));
     }
     const auto leave = [&](const auto& side) {
       if (side.exit == kNoHalfEdge || !side.IsReached(interval, crossing))

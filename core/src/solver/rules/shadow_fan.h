@@ -96,8 +96,8 @@ class ShadowFan {
   // that lies in there.
   template <typename Visit>
   void ForEachFace(Visit visit) const {
-    const std::optional<Limit> left = LeftLimit();
-    const std::optional<Limit> right = RightLimit();
+    const std::optional<Limit> left = FindLimit<kLeft>(left_);
+    const std::optional<Limit> right = FindLimit<kRight>(right_);
     // Where the faces around v close, a side that is nowhere pi away from the
     // ray takes less than pi in all: a spike has no shadow.
     if (left.has_value() != right.has_value() && !mesh_.IsBoundary(v_)) return;
@@ -181,26 +181,10 @@ class ShadowFan {
     right_.angle = Turn(right_.angle, margin);
   }
 
-  std::optional<Limit> LeftLimit() const {
-    return Walk(
-        left_, [this](HalfEdge h) { return LeftOf(h); },
-        [](const Direction& angle, const Direction&) {
-          return Direction{-angle.x, angle.y};
-        });
-  }
-  std::optional<Limit> RightLimit() const {
-    return Walk(
-        right_, [this](HalfEdge h) { return RightOf(h); },
-        [](const Direction& angle, const Direction& corner) {
-          return Turn(corner, {-angle.x, -angle.y});
-        });
-  }
-  // From face to face until the angle to the ray is pi. No limit if a boundary
-  // comes first, or the way round v is shorter. ray(angle, corner): the
-  // direction at pi, from the half-edge, where the face's corner starts at
-  // `angle` from the ray.
-  template <typename Step, typename Ray>
-  std::optional<Limit> Walk(const Start& start, Step step, Ray ray) const {
+  // Walks from face to face until the angle to the ray is pi. No limit if a
+  // boundary comes first, or the way round v is shorter.
+  template <Side kSide>
+  std::optional<Limit> FindLimit(const Start& start) const {
     Direction angle = start.angle;
     HalfEdge h = start.half_edge;
     for (size_t i = 0; h != kNoHalfEdge && i < Degree(); ++i) {
@@ -208,10 +192,14 @@ class ShadowFan {
       const Direction corner{frame.left_x, frame.left_y};
       const Direction turned = Turn(angle, corner);
       if (turned.y <= 0) {
-        return Limit{h, HitOnOpposite(frame, ray(angle, corner), h)};
+        // The direction at pi, from h.
+        const Direction limit = kSide == kLeft
+                                    ? Direction{-angle.x, angle.y}
+                                    : Turn(corner, {-angle.x, -angle.y});
+        return Limit{h, HitOnOpposite(frame, limit, h)};
       }
       angle = turned;
-      h = step(h);
+      h = kSide == kLeft ? LeftOf(h) : RightOf(h);
     }
     return std::nullopt;
   }

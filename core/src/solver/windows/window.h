@@ -147,6 +147,16 @@ inline double EdgePointTo(double at, const PlanePoint& place) {
   return std::sqrt(dx * dx + place.y * place.y);
 }
 
+// Length of the path from the source to a place of the face by way of
+// (through, 0), straight if that is where the ray crosses.
+template <typename OriginType>
+double PathToPlace(const OriginType& origin, double through, double crossing,
+                   const PlanePoint& place) {
+  return through == crossing
+             ? origin.sigma + DistanceToPlace(origin, place)
+             : origin.PathTo(through) + EdgePointTo(through, place);
+}
+
 // Whether the pseudo-source lies inside AB, where a face without area has put
 // it.
 inline bool LiesOnEdge(const Origin& origin, const HalfEdgeFrame& frame) {
