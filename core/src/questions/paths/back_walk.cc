@@ -89,17 +89,14 @@ class Walker {
         relative_nearness_(nearness),
         last_(end.point) {}
 
-  // In how many ways together the walk might have gone.
-  double ways() const { return ways_; }
-
-  // The piece, if the walk arrives.
-  std::optional<StraightPiece> Walk() {
+  BackWalk Walk() {
     const uint32_t pseudo_source = end_.arrival.pseudo_source;
     const bool arrives = end_.arrival.entry == kNoHalfEdge
                              ? GoWithinFace(pseudo_source)
                              : GoThroughFaces(pseudo_source);
-    if (!arrives) return std::nullopt;
-    return std::move(piece_);
+    BackWalk walk{.ways = ways_};
+    if (arrives) walk.piece = std::move(piece_);
+    return walk;
   }
 
  private:
@@ -149,7 +146,21 @@ class Walker {
 
   // Adds the way over the edges crossed so far, as a line crosses them whose
   // way is `turn` times theirs, as complex numbers in the present frame.
-  void GoOverEdges(const PlanePoint& turn);
+  void GoOverEdges(const PlanePoint& turn) {
+    for (const auto& [h, line, is_mirrored] : crossed_) {
+      const PlanePoint here =
+          is_mirrored == is_mirrored_ ? turn : PlanePoint{turn.x, -turn.y};
+      const double crossing = CrossingOf(line.end, Product(line.way, here));
+      const double length = mesh_.frame(h).length;
+      GoTo(Canonicalize(
+               EdgePoint{
+                   mesh_.From(h), mesh_.To(h),
+                   length > 0 ? std::clamp(crossing / length, 0.0, 1.0) : 0},
+               mesh_),
+           mesh_.FaceOf(h));
+    }
+  }
+
   // Adds the way within `face` from the last point to the next.
   void GoTo(const SurfacePoint& next, uint32_t face) {
     if (next == last_) return;
@@ -169,9 +180,99 @@ class Walker {
   }
 
   // The piece from a pseudo-source in a face around the end.
-  bool GoWithinFace(uint32_t pseudo_source);
+  bool GoWithinFace(uint32_t pseudo_source) {
+    piece_.start = pseudo_source;
+    const auto* to = std::get_if<VertexPoint>(&last_);
+    const bool from_vertex = field_.IsVertex(pseudo_source);
+    if (from_vertex && to != nullptr) {
+      // Along an edge; its face would take a search around a vertex.
+      const ScaledDifference difference(mesh_.scale_exponent());
+      piece_.length = Norm(difference(mesh_.positions()[pseudo_source],
+                                      mesh_.positions()[to->vertex]));
+      piece_.points.push_back(VertexPoint{pseudo_source});
+      return true;
+    }
+    const SurfacePoint anchored =
+        from_vertex ? last_ : field_.AnchorOf(pseudo_source).begin;
+    if (anchored == last_ && !from_vertex &&
+        !field_.AnchorOf(pseudo_source).is_segment) {
+      return true;
+    }
+    for (const FacePoint& around : FacesAround(mesh_, anchored)) {
+      const HalfEdge h = mesh_.FirstSide(around.face);
+      const std::optional<FacePoint> end =
+          WithinFace(mesh_, last_, around.face);
+      if (!end.has_value()) continue;
+      const PlanePoint place = InFrame(mesh_, *end, h);
+      const std::optional<SurfacePoint> start =
+          StartWithin(pseudo_source, h, place);
+      if (!start.has_value()) continue;
+      if (*start == last_) return true;
+      StartAt(
+          pseudo_source, h,
+          InFrame(mesh_, *WithinFace(mesh_, *start, around.face), h) - place);
+      GoTo(*start, around.face);
+      return true;
+    }
+    return false;
+  }
+
   // The piece that enters its last face through an edge.
-  bool GoThroughFaces(uint32_t pseudo_source);
+  bool GoThroughFaces(uint32_t pseudo_source) {
+    const auto& [entry_source, entry, x, depth] = end_.arrival;
+    const std::optional<FacePoint> end =
+        WithinFace(mesh_, end_.point, mesh_.FaceOf(entry));
+    if (!end.has_value()) return false;
+    BackLine line{.end = InFrame(mesh_, *end, entry)};
+    const bool is_segment = !field_.IsVertex(pseudo_source) &&
+                            field_.AnchorOf(pseudo_source).is_segment;
+    line.way =
+        is_segment ? PlanePoint{-x, -depth} : PlanePoint{x, -depth} - line.end;
+    nearness_ = relative_nearness_ *
+                (mesh_.frame(entry).length +
+                 (is_segment ? end_.distance : std::abs(x) + depth));
+    if (PassesThrough(mesh_.From(entry), {0, 0}, line, entry) ||
+        PassesThrough(mesh_.To(entry), {mesh_.frame(entry).length, 0}, line,
+                      entry)) {
+      return true;
+    }
+    HalfEdge h = entry;
+    // A shortest path enters a face once at most.
+    for (uint32_t faces = 0; faces < mesh_.face_count(); ++faces) {
+      crossed_.push_back({h, line, is_mirrored_});
+      const std::optional<FaceBeyond> face = Beyond(h);
+      if (!face.has_value()) return false;
+      const HalfEdge beyond = face->half_edge;
+      const HalfEdgeFrame& frame = mesh_.frame(beyond);
+      line = Enter(*face, line, mesh_.frame(h).length);
+      is_mirrored_ ^= face->is_mirrored;
+      if (const std::optional<SurfacePoint> start =
+              StartWithin(pseudo_source, beyond, line.end)) {
+        const uint32_t face_there = mesh_.FaceOf(beyond);
+        const PlanePoint way =
+            InFrame(mesh_, *WithinFace(mesh_, *start, face_there), beyond) -
+            line.end;
+        StartAt(pseudo_source, beyond, line.way);
+        GoOverEdges(Quotient(way, line.way));
+        GoTo(*start, face_there);
+        return true;
+      }
+      const PlanePoint apex{frame.apex_x, frame.apex_y};
+      if (PassesThrough(mesh_.Apex(beyond), apex, line, beyond)) return true;
+      // No window has crossed a side without length.
+      const double left_length = mesh_.frame(Prev(beyond)).length;
+      bool goes_right = mesh_.frame(Next(beyond)).length > 0;
+      if (goes_right && left_length > 0) {
+        goes_right = Cross(line.way, apex - line.end) > 0;
+        if (RunsInto(apex, line) && Choose(2) == 1) goes_right = !goes_right;
+      }
+      line = goes_right ? IntoRight(line, frame)
+                        : IntoLeft(line, frame, left_length);
+      h = goes_right ? Next(beyond) : Prev(beyond);
+    }
+    return false;
+  }
+
   // Whether the line passes a place as near as rounding.
   bool RunsInto(const PlanePoint& at, const BackLine& line) const {
     return std::abs(Cross(line.way, at - line.end)) <=
@@ -179,7 +280,22 @@ class Walker {
   }
   // Ends the piece at `vertex`, which lies at `at`, if the path passes there.
   bool PassesThrough(uint32_t vertex, const PlanePoint& at,
-                     const BackLine& line, HalfEdge h);
+                     const BackLine& line, HalfEdge h) {
+    const double distance = field_.VertexDistance(vertex);
+    // Nearer than the end, or the way back would lead in circles.
+    if (!(distance < end_.distance) || Coincide(mesh_, end_.point, vertex)) {
+      return false;
+    }
+    const PlanePoint way = at - line.end;
+    if (Dot(way, line.way) <= 0 || !RunsInto(at, line) ||
+        Exceeds(distance + Norm(way), end_.distance + field_.rounding())) {
+      return false;
+    }
+    StartAt(vertex, h, way);
+    GoOverEdges(Quotient(way, line.way));
+    GoTo(VertexPoint{vertex}, mesh_.FaceOf(h));
+    return true;
+  }
 
   const TracedField& field_;
   const Mesh& mesh_;
@@ -194,139 +310,13 @@ class Walker {
   StraightPiece piece_;
 };
 
-bool Walker::GoWithinFace(uint32_t pseudo_source) {
-  piece_.start = pseudo_source;
-  const auto* to = std::get_if<VertexPoint>(&last_);
-  const bool from_vertex = field_.IsVertex(pseudo_source);
-  if (from_vertex && to != nullptr) {
-    // Along an edge; its face would take a search around a vertex.
-    const ScaledDifference difference(mesh_.scale_exponent());
-    piece_.length = Norm(difference(mesh_.positions()[pseudo_source],
-                                    mesh_.positions()[to->vertex]));
-    piece_.points.push_back(VertexPoint{pseudo_source});
-    return true;
-  }
-  const SurfacePoint anchored =
-      from_vertex ? last_ : field_.AnchorOf(pseudo_source).begin;
-  if (anchored == last_ && !from_vertex &&
-      !field_.AnchorOf(pseudo_source).is_segment) {
-    return true;
-  }
-  for (const FacePoint& around : FacesAround(mesh_, anchored)) {
-    const HalfEdge h = mesh_.FirstSide(around.face);
-    const std::optional<FacePoint> end = WithinFace(mesh_, last_, around.face);
-    if (!end.has_value()) continue;
-    const PlanePoint place = InFrame(mesh_, *end, h);
-    const std::optional<SurfacePoint> start =
-        StartWithin(pseudo_source, h, place);
-    if (!start.has_value()) continue;
-    if (*start == last_) return true;
-    StartAt(pseudo_source, h,
-            InFrame(mesh_, *WithinFace(mesh_, *start, around.face), h) - place);
-    GoTo(*start, around.face);
-    return true;
-  }
-  return false;
-}
-
-bool Walker::GoThroughFaces(uint32_t pseudo_source) {
-  const auto& [entry_source, entry, x, depth] = end_.arrival;
-  const std::optional<FacePoint> end =
-      WithinFace(mesh_, end_.point, mesh_.FaceOf(entry));
-  if (!end.has_value()) return false;
-  BackLine line{.end = InFrame(mesh_, *end, entry)};
-  const bool is_segment = !field_.IsVertex(pseudo_source) &&
-                          field_.AnchorOf(pseudo_source).is_segment;
-  line.way =
-      is_segment ? PlanePoint{-x, -depth} : PlanePoint{x, -depth} - line.end;
-  nearness_ =
-      relative_nearness_ * (mesh_.frame(entry).length +
-                            (is_segment ? end_.distance : std::abs(x) + depth));
-  if (PassesThrough(mesh_.From(entry), {0, 0}, line, entry) ||
-      PassesThrough(mesh_.To(entry), {mesh_.frame(entry).length, 0}, line,
-                    entry)) {
-    return true;
-  }
-  HalfEdge h = entry;
-  // A shortest path enters a face once at most.
-  for (uint32_t faces = 0; faces < mesh_.face_count(); ++faces) {
-    crossed_.push_back({h, line, is_mirrored_});
-    const std::optional<FaceBeyond> face = Beyond(h);
-    if (!face.has_value()) return false;
-    const HalfEdge beyond = face->half_edge;
-    const HalfEdgeFrame& frame = mesh_.frame(beyond);
-    line = Enter(*face, line, mesh_.frame(h).length);
-    is_mirrored_ ^= face->is_mirrored;
-    if (const std::optional<SurfacePoint> start =
-            StartWithin(pseudo_source, beyond, line.end)) {
-      const uint32_t face_there = mesh_.FaceOf(beyond);
-      const PlanePoint way =
-          InFrame(mesh_, *WithinFace(mesh_, *start, face_there), beyond) -
-          line.end;
-      StartAt(pseudo_source, beyond, line.way);
-      GoOverEdges(Quotient(way, line.way));
-      GoTo(*start, face_there);
-      return true;
-    }
-    const PlanePoint apex{frame.apex_x, frame.apex_y};
-    if (PassesThrough(mesh_.Apex(beyond), apex, line, beyond)) return true;
-    // No window has crossed a side without length.
-    const double left_length = mesh_.frame(Prev(beyond)).length;
-    bool goes_right = mesh_.frame(Next(beyond)).length > 0;
-    if (goes_right && left_length > 0) {
-      goes_right = Cross(line.way, apex - line.end) > 0;
-      if (RunsInto(apex, line) && Choose(2) == 1) goes_right = !goes_right;
-    }
-    line = goes_right ? IntoRight(line, frame)
-                      : IntoLeft(line, frame, left_length);
-    h = goes_right ? Next(beyond) : Prev(beyond);
-  }
-  return false;
-}
-
-bool Walker::PassesThrough(uint32_t vertex, const PlanePoint& at,
-                           const BackLine& line, HalfEdge h) {
-  const double distance = field_.VertexDistance(vertex);
-  // Nearer than the end, or the way back would lead in circles.
-  if (!(distance < end_.distance) || Coincide(mesh_, end_.point, vertex)) {
-    return false;
-  }
-  const PlanePoint way = at - line.end;
-  if (Dot(way, line.way) <= 0 || !RunsInto(at, line) ||
-      Exceeds(distance + Norm(way), end_.distance + field_.rounding())) {
-    return false;
-  }
-  StartAt(vertex, h, way);
-  GoOverEdges(Quotient(way, line.way));
-  GoTo(VertexPoint{vertex}, mesh_.FaceOf(h));
-  return true;
-}
-
-void Walker::GoOverEdges(const PlanePoint& turn) {
-  for (const auto& [h, line, is_mirrored] : crossed_) {
-    const PlanePoint here =
-        is_mirrored == is_mirrored_ ? turn : PlanePoint{turn.x, -turn.y};
-    const double crossing = CrossingOf(line.end, Product(line.way, here));
-    const double length = mesh_.frame(h).length;
-    GoTo(
-        Canonicalize(
-            EdgePoint{mesh_.From(h), mesh_.To(h),
-                      length > 0 ? std::clamp(crossing / length, 0.0, 1.0) : 0},
-            mesh_),
-        mesh_.FaceOf(h));
-  }
-}
-
 }  // namespace
 
 BackWalk WalkBack(const TracedField& field, const PathEnd& end, uint32_t turns,
                   double nearness) {
-  Walker walker(field, end, turns, nearness);
-  std::optional<StraightPiece> piece = walker.Walk();
-  return {std::move(piece), walker.ways()};
+  return Walker(field, end, turns, nearness).Walk();
 }
 
-// Whether a point is a vertex at the place of another.
 bool Coincide(const Mesh& mesh, const SurfacePoint& point, uint32_t vertex) {
   const auto* at = std::get_if<VertexPoint>(&point);
   return at != nullptr &&

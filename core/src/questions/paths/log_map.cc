@@ -42,7 +42,31 @@ double AngleInFace(const Mesh& mesh, HalfEdge h) {
 class Compass {
  public:
   static absl::StatusOr<Compass> At(const Mesh& mesh,
-                                    const SurfacePoint& point);
+                                    const SurfacePoint& point) {
+    Compass compass(mesh);
+    if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+      if (absl::Status status = compass.GoAround(vertex->vertex);
+          !status.ok()) {
+        return status;
+      }
+    } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
+      // Both faces lie left of their half-edges; those are opposite.
+      for (const HalfEdge h : SidesOf(mesh, edge->from, edge->to)) {
+        if (mesh.IsIrregularEdge(h)) {
+          return absl::InvalidArgumentError(absl::StrCat(
+              "source edge (", edge->from, ", ", edge->to,
+              "): the surface around it is not one oriented disk"));
+        }
+        compass.sectors_.push_back({h, mesh.From(h) == edge->from ? 0 : kPi});
+      }
+      compass.zero_direction_ = DirectionBetween(mesh, edge->from, edge->to);
+    } else {
+      const HalfEdge first = mesh.FirstSide(std::get<FacePoint>(point).face);
+      compass.sectors_.push_back({first, 0});
+      compass.zero_direction_ = DirectionInSpace(mesh, first, {1, 0});
+    }
+    return compass;
+  }
 
   // Unit vector in space of angle 0.
   const Point& zero_direction() const { return zero_direction_; }
@@ -79,71 +103,44 @@ class Compass {
   };
 
   explicit Compass(const Mesh& mesh) : mesh_(mesh) {}
-  absl::Status GoAround(uint32_t vertex);
+
+  absl::Status GoAround(uint32_t vertex) {
+    const std::span<const HalfEdge> outgoing = mesh_.Outgoing(vertex);
+    if (outgoing.empty()) {
+      return absl::InvalidArgumentError(
+          absl::StrCat("source vertex ", vertex,
+                       " belongs to no face, so that no path leaves it; name a "
+                       "point of a face"));
+    }
+    zero_direction_ = DirectionInSpace(mesh_, outgoing[0], {1, 0});
+    HalfEdge first = outgoing[0];
+    for (const HalfEdge h : outgoing) {
+      if (mesh_.Twin(h) == kNoHalfEdge) first = h;
+    }
+    double angle = 0, zero_angle = 0;
+    HalfEdge h = first;
+    do {
+      if (h == outgoing[0]) zero_angle = angle;
+      sectors_.push_back({h, angle});
+      angle += std::atan2(mesh_.frame(h).left_y, mesh_.frame(h).left_x);
+      h = mesh_.Twin(Prev(h));
+    } while (h != kNoHalfEdge && h != first);
+    if (sectors_.size() < outgoing.size()) {
+      return absl::InvalidArgumentError(
+          absl::StrCat("source vertex ", vertex,
+                       ": the surface around it is not one oriented disk or "
+                       "half-disk"));
+    }
+    for (Sector& sector : sectors_) sector.begin -= zero_angle;
+    if (h == first) scale_ = 2 * kPi / angle;
+    return absl::OkStatus();
+  }
 
   const Mesh& mesh_;
   std::vector<Sector> sectors_;
   Point zero_direction_{};
   double scale_ = 1;
 };
-
-absl::StatusOr<Compass> Compass::At(const Mesh& mesh,
-                                    const SurfacePoint& point) {
-  Compass compass(mesh);
-  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
-    if (absl::Status status = compass.GoAround(vertex->vertex); !status.ok()) {
-      return status;
-    }
-  } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
-    // Both faces lie left of their half-edges; those are opposite.
-    for (const HalfEdge h : SidesOf(mesh, edge->from, edge->to)) {
-      if (mesh.IsIrregularEdge(h)) {
-        return absl::InvalidArgumentError(
-            absl::StrCat("source edge (", edge->from, ", ", edge->to,
-                         "): the surface around it is not one oriented disk"));
-      }
-      compass.sectors_.push_back({h, mesh.From(h) == edge->from ? 0 : kPi});
-    }
-    compass.zero_direction_ = DirectionBetween(mesh, edge->from, edge->to);
-  } else {
-    const HalfEdge first = mesh.FirstSide(std::get<FacePoint>(point).face);
-    compass.sectors_.push_back({first, 0});
-    compass.zero_direction_ = DirectionInSpace(mesh, first, {1, 0});
-  }
-  return compass;
-}
-
-absl::Status Compass::GoAround(uint32_t vertex) {
-  const std::span<const HalfEdge> outgoing = mesh_.Outgoing(vertex);
-  if (outgoing.empty()) {
-    return absl::InvalidArgumentError(
-        absl::StrCat("source vertex ", vertex,
-                     " belongs to no face, so that no path leaves it; name a "
-                     "point of a face"));
-  }
-  zero_direction_ = DirectionInSpace(mesh_, outgoing[0], {1, 0});
-  HalfEdge first = outgoing[0];
-  for (const HalfEdge h : outgoing) {
-    if (mesh_.Twin(h) == kNoHalfEdge) first = h;
-  }
-  double angle = 0, zero_angle = 0;
-  HalfEdge h = first;
-  do {
-    if (h == outgoing[0]) zero_angle = angle;
-    sectors_.push_back({h, angle});
-    angle += std::atan2(mesh_.frame(h).left_y, mesh_.frame(h).left_x);
-    h = mesh_.Twin(Prev(h));
-  } while (h != kNoHalfEdge && h != first);
-  if (sectors_.size() < outgoing.size()) {
-    return absl::InvalidArgumentError(
-        absl::StrCat("source vertex ", vertex,
-                     ": the surface around it is not one oriented disk or "
-                     "half-disk"));
-  }
-  for (Sector& sector : sectors_) sector.begin -= zero_angle;
-  if (h == first) scale_ = 2 * kPi / angle;
-  return absl::OkStatus();
-}
 
 // The angles at which the shortest paths leave the source.
 class Departures {
@@ -157,27 +154,23 @@ class Departures {
   // REQUIRES: a path arrives at v.
   absl::StatusOr<double> AngleOf(uint32_t v) {
     // From vertex to vertex, up to one that is known or to the source.
-    passed_.clear();
+    std::vector<uint32_t> passed;
     std::optional<double> angle;
-    for (uint32_t at = v; !angle.has_value();) {
-      if (passed_.size() > field_.mesh().vertex_count()) {
+    for (uint32_t at = v; !(angle = angles_[at]).has_value();) {
+      if (passed.size() > field_.mesh().vertex_count()) {
         return absl::InternalError("the trace leads in circles");
       }
-      passed_.push_back(at);
-      if (angles_[at].has_value()) {
-        angle = angles_[at];
-        break;
-      }
-      absl::StatusOr<StraightPiece> piece =
+      passed.push_back(at);
+      const absl::StatusOr<StraightPiece> piece =
           FollowBack(field_, field_.Vertex(at));
       if (!piece.ok()) return piece.status();
       if (IsSource(piece->start)) {
         angle = AngleAt(*piece, at);
-      } else {
-        at = piece->start;
+        break;
       }
+      at = piece->start;
     }
-    for (const uint32_t at : passed_) angles_[at] = angle;
+    for (const uint32_t at : passed) angles_[at] = angle;
     return *angle;
   }
 
@@ -205,7 +198,6 @@ class Departures {
   const Compass& compass_;
   const SurfacePoint source_;
   std::vector<std::optional<double>> angles_;
-  std::vector<uint32_t> passed_;
 };
 
 }  // namespace

@@ -37,18 +37,14 @@ std::vector<Joined> JoinedTo(const Mesh& mesh, uint32_t vertex) {
   return joined;
 }
 
-// How long the path is whose last piece this is.
-double DistanceBy(const TracedField& field, const StraightPiece& piece) {
-  return piece.length + (field.IsVertex(piece.start)
-                             ? field.VertexDistance(piece.start)
-                             : std::ldexp(field.AnchorOf(piece.start).offset,
-                                          -field.mesh().scale_exponent()));
-}
-
 // By how much the path whose last piece this is misses the distance of `end`.
 double Misses(const TracedField& field, const PathEnd& end,
               const StraightPiece& piece) {
-  return std::abs(DistanceBy(field, piece) - end.distance);
+  const double before = field.IsVertex(piece.start)
+                            ? field.VertexDistance(piece.start)
+                            : std::ldexp(field.AnchorOf(piece.start).offset,
+                                         -field.mesh().scale_exponent());
+  return std::abs(piece.length + before - end.distance);
 }
 
 // Whether a piece leads away from its end: of vertices joined without length
