@@ -400,8 +400,9 @@ class Front {
     // All of both sides is seen, unless an end of the edge is so near that it
     // hides more than rounding: then it is a pseudo-source and opens what it
     // hides.
-    const bool hides = std::min(origin.x, frame.length - origin.x) <=
-                       kNearVertex * frame.length;
+    const double to_end = std::min(origin.x, frame.length - origin.x);
+    const bool hides = to_end <= kNearVertex * frame.length ||
+                       origin.depth > kHiddenWedge * to_end;
     const Interval edge{0, frame.length};
     const auto look_on = [&](const auto& side) {
       Interval seen{0, side.length};
