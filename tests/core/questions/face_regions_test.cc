@@ -5,20 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace geodesic {
-
-inline bool operator==(const Segment& a, const Segment& b) {
-  return a.from == b.from && a.to == b.to;
-}
-inline void PrintTo(const Segment& segment, std::ostream* out) {
-  *out << segment.from << " -> " << segment.to;
-}
-
 namespace {
 
-using testing::ElementsAre;
 using testing::Eq;
 using testing::Optional;
 
@@ -29,14 +21,6 @@ std::vector<PerimeterCrossing> Crossings(uint32_t count) {
     crossings.push_back({0.25 * (i + 1), 10 + i});
   }
   return crossings;
-}
-
-TEST(FaceRegions, TwoCrossingsAreJoinedWithTheNearSideOnTheLeft) {
-  // 10 enters what is nearer and 11 leaves it.
-  EXPECT_THAT(FaceRegions(Crossings(2), false).Segments(),
-              ElementsAre(Segment{11, 10}));
-  EXPECT_THAT(FaceRegions(Crossings(2), true).Segments(),
-              ElementsAre(Segment{10, 11}));
 }
 
 TEST(FaceRegions, FindsTheArcOfAPlace) {
@@ -54,27 +38,50 @@ TEST(FaceRegions, FindsTheArcOfAPlace) {
   EXPECT_THAT(nearer.ArcAt(2.5), Optional(Eq(0u)));
 }
 
-TEST(FaceRegions, ArcsApartAreCutOffOneByOne) {
-  EXPECT_THAT(FaceRegions(Crossings(4), false).Segments(),
-              ElementsAre(Segment{11, 10}, Segment{13, 12}));
-  EXPECT_THAT(FaceRegions(Crossings(4), true).Segments(),
-              ElementsAre(Segment{10, 13}, Segment{12, 11}));
-}
-
-TEST(FaceRegions, ArcsThatHangTogetherCutOffWhatIsBetween) {
-  FaceRegions beyond(Crossings(4), false);
-  beyond.Join(1, 0);
-  EXPECT_THAT(beyond.Segments(), ElementsAre(Segment{11, 12}, Segment{13, 10}));
-  FaceRegions nearer(Crossings(4), true);
-  nearer.Join(0, 1);
-  EXPECT_THAT(nearer.Segments(), ElementsAre(Segment{10, 11}, Segment{12, 13}));
-}
-
-TEST(FaceRegions, OneArcMayStayApartFromTwo) {
-  FaceRegions regions(Crossings(6), false);
-  regions.Join(0, 2);
-  EXPECT_THAT(regions.Segments(),
-              ElementsAre(Segment{11, 14}, Segment{13, 12}, Segment{15, 10}));
+TEST(FaceRegions, IsolinesLeadAroundRegions) {
+  struct Case {
+    const char* what;
+    uint32_t crossings;
+    bool starts_nearer;
+    std::vector<std::pair<size_t, size_t>> joined_arcs;
+    std::vector<std::pair<uint32_t, uint32_t>> segments;
+  };
+  for (const Case& c : std::vector<Case>{
+           // 10 enters what is nearer and 11 leaves it.
+           {"near side on the left", 2, false, {}, {{11, 10}}},
+           {"near side on the left", 2, true, {}, {{10, 11}}},
+           {"cut off one by one", 4, false, {}, {{11, 10}, {13, 12}}},
+           {"cut off one by one", 4, true, {}, {{10, 13}, {12, 11}}},
+           {"cut off what is between",
+            4,
+            false,
+            {{1, 0}},
+            {{11, 12}, {13, 10}}},
+           {"cut off what is between", 4, true, {{0, 1}}, {{10, 11}, {12, 13}}},
+           {"one apart from two",
+            6,
+            false,
+            {{0, 2}},
+            {{11, 14}, {13, 12}, {15, 10}}},
+           // Two regions that hang together across each other are one.
+           {"interleaved",
+            8,
+            false,
+            {{0, 2}, {1, 3}},
+            {{11, 12}, {13, 14}, {15, 16}, {17, 10}}},
+           {"nested",
+            8,
+            false,
+            {{0, 3}, {1, 2}},
+            {{11, 16}, {13, 14}, {15, 12}, {17, 10}}}}) {
+    FaceRegions regions(Crossings(c.crossings), c.starts_nearer);
+    for (const auto& [arc, other] : c.joined_arcs) regions.Join(arc, other);
+    std::vector<std::pair<uint32_t, uint32_t>> segments;
+    for (const auto& [from, to] : regions.Segments()) {
+      segments.emplace_back(from, to);
+    }
+    EXPECT_EQ(segments, c.segments) << c.what;
+  }
 }
 
 TEST(FaceRegions, JoiningJoinsWholeRegions) {
@@ -83,25 +90,6 @@ TEST(FaceRegions, JoiningJoinsWholeRegions) {
   regions.Join(2, 3);
   regions.Join(2, 0);
   for (size_t arc = 1; arc < 4; ++arc) EXPECT_TRUE(regions.AreJoined(0, arc));
-}
-
-// Two regions that hang together across each other are one.
-TEST(FaceRegions, InterleavedRegionsAreJoined) {
-  FaceRegions regions(Crossings(8), false);
-  regions.Join(0, 2);
-  regions.Join(1, 3);
-  EXPECT_THAT(regions.Segments(),
-              ElementsAre(Segment{11, 12}, Segment{13, 14}, Segment{15, 16},
-                          Segment{17, 10}));
-}
-
-TEST(FaceRegions, NestedRegionsStayApart) {
-  FaceRegions regions(Crossings(8), false);
-  regions.Join(0, 3);
-  regions.Join(1, 2);
-  EXPECT_THAT(regions.Segments(),
-              ElementsAre(Segment{11, 16}, Segment{13, 14}, Segment{15, 12},
-                          Segment{17, 10}));
 }
 
 }  // namespace

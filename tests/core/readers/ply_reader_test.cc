@@ -176,10 +176,10 @@ TEST_P(PlyBinaryTest, CountsThatCannotBeThereAreRefusedAtOnce) {
                  .bytes()),
         IsInvalidWith(count + " rows of element x"));
   }
-  ExpectRefused(MeshFormat::kPly,
-                {{Begin("element vertex 18446744073709551616\n").bytes(),
-                  "line 3: '18446744073709551616' is not a count of "
-                  "elements"}});
+  ExpectRefused(
+      MeshFormat::kPly,
+      {{Begin("element vertex 18446744073709551616\n").bytes(),
+        "line 3: '18446744073709551616' is not a count of elements"}});
   // Lists whose bytes would overflow, or that run backwards.
   ByteWriter file =
       Begin("element x 1\nproperty list uint double a\n" + FourAndOne());
@@ -238,28 +238,26 @@ TEST(PlyAsciiTest, MessagesNameLineAndElement) {
                  {header + "0 0 0\n1 0\n0 1 0\n0 0 1\n3 0 1 2\n",
                   "line 11: vertex 1 ends within or before property z"},
                  {header + "0 0 0\n1 0 0 5\n0 1 0\n0 0 1\n3 0 1 2\n",
-                  "line 11: vertex 1: '5' is more than the header "
-                  "declares"},
+                  "line 11: vertex 1: '5' is more than the header declares"},
                  {header + vertices + "3 0 1 4\n",
-                  "line 14: face 0 names vertex 4, but there are 4 "
-                  "vertices, counted from 0"}});
+                  "line 14: face 0 names vertex 4, but there are 4 vertices, "
+                  "counted from 0"}});
   EXPECT_THAT(Read(header + vertices + "3 0 1 -1\n"),
               IsInvalidWith("line 14: face 0 names vertex -1"));
-  ExpectRefused(MeshFormat::kPly,
-                {{header + vertices + "3 0 1    \n",
-                  "line 14: face 0 ends within or before property "
-                  "vertex_indices"},
-                 {header + vertices + "2 0 1    \n",
-                  "line 14: face 0 has 2 corners; at least 3 are "
-                  "needed"},
-                 {header + vertices + "3 0 1 1.5\n",
-                  "line 14: face 0: '1.5' is not a vertex number"},
-                 {header + vertices + "-3 0 1 1\n",
-                  "line 14: face 0: '-3' is not the length of a list"},
-                 {header + vertices + "          \n",
-                  "line 14: the file ends before face 0 of 1"},
-                 {header + vertices + "3 0 1 2\n3 1 2 3\n",
-                  "line 15: more rows than the header declares"}});
+  ExpectRefused(
+      MeshFormat::kPly,
+      {{header + vertices + "3 0 1    \n",
+        "line 14: face 0 ends within or before property vertex_indices"},
+       {header + vertices + "2 0 1    \n",
+        "line 14: face 0 has 2 corners; at least 3 are needed"},
+       {header + vertices + "3 0 1 1.5\n",
+        "line 14: face 0: '1.5' is not a vertex number"},
+       {header + vertices + "-3 0 1 1\n",
+        "line 14: face 0: '-3' is not the length of a list"},
+       {header + vertices + "          \n",
+        "line 14: the file ends before face 0 of 1"},
+       {header + vertices + "3 0 1 2\n3 1 2 3\n",
+        "line 15: more rows than the header declares"}});
 }
 
 TEST(PlyAsciiTest, CountsThatCannotBeThereAreRefusedAtOnce) {
@@ -272,8 +270,8 @@ TEST(PlyAsciiTest, CountsThatCannotBeThereAreRefusedAtOnce) {
                                          "property float z\n") +
                      "0 0 0\n"),
                 IsInvalid("line 3: " + count +
-                          " rows of element vertex cannot fit the 6 bytes "
-                          "that are left for them"));
+                          " rows of element vertex cannot fit the 6 bytes that "
+                          "are left for them"));
   }
   EXPECT_THAT(Read(Header("ascii", FourAndOne()) +
                    "0 0 0\n1 0 0\n0 1 0\n0 0 1\n9223372036854775807 0 1 2\n"),
@@ -308,30 +306,30 @@ TEST(PlyHeaderTest, MessagesNameTheLine) {
 }
 
 TEST(PlyHeaderTest, VerticesAndFacesMustBeWhatTheyClaim) {
-  ExpectRefused(MeshFormat::kPly,
-                {{Header("ascii",
-                         "element vertex 1\nproperty float x\n"
-                         "property float y\n"),
-                  "line 3: element vertex has no property z"},
-                 {Header("ascii",
-                         "element vertex 1\nproperty float x\n"
-                         "property float y\nproperty float x\n"),
-                  "line 3: vertex property x is not one single number"},
-                 {Header("ascii",
-                         "element vertex 1\n"
-                         "property list uchar float x\n"),
-                  "line 3: vertex property x is not one single number"},
-                 {Header("ascii", "element face 0\n"),
-                  "line 4: the header declares no element vertex"},
-                 {Header("ascii", std::string(kFourVertices) +
-                                      std::string(kFourVertices)),
-                  "line 7: a second element vertex"},
-                 {Header("ascii", FourAndOne() + std::string(kOneFace)),
-                  "line 9: a second element face"},
-                 {Header("ascii", std::string(kFourVertices) +
-                                      "element face 1\nproperty int a\n"),
-                  "line 7: element face has no list vertex_indices or "
-                  "vertex_index"}});
+  ExpectRefused(
+      MeshFormat::kPly,
+      {{Header("ascii",
+               "element vertex 1\nproperty float x\n"
+               "property float y\n"),
+        "line 3: element vertex has no property z"},
+       {Header("ascii",
+               "element vertex 1\nproperty float x\n"
+               "property float y\nproperty float x\n"),
+        "line 3: vertex property x is not one single number"},
+       {Header("ascii",
+               "element vertex 1\n"
+               "property list uchar float x\n"),
+        "line 3: vertex property x is not one single number"},
+       {Header("ascii", "element face 0\n"),
+        "line 4: the header declares no element vertex"},
+       {Header("ascii",
+               std::string(kFourVertices) + std::string(kFourVertices)),
+        "line 7: a second element vertex"},
+       {Header("ascii", FourAndOne() + std::string(kOneFace)),
+        "line 9: a second element face"},
+       {Header("ascii",
+               std::string(kFourVertices) + "element face 1\nproperty int a\n"),
+        "line 7: element face has no list vertex_indices or vertex_index"}});
   for (const char* property : {"property int vertex_indices\n",
                                "property list uchar float vertex_index\n",
                                "property list uchar int vertex_index\n"
@@ -342,9 +340,9 @@ TEST(PlyHeaderTest, VerticesAndFacesMustBeWhatTheyClaim) {
         << property;
   }
   EXPECT_THAT(
-      Read(Header("ascii", std::string(kFourVertices) + "element tristrips 1\n"
-                                                        "property list int int "
-                                                        "vertex_indices\n")),
+      Read(Header("ascii", std::string(kFourVertices) +
+                               "element tristrips 1\n"
+                               "property list int int vertex_indices\n")),
       IsInvalidWith("line 7: triangle strips are not supported"));
 }
 

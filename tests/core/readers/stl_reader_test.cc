@@ -86,24 +86,22 @@ TEST(StlReaderTest, ABinaryFileMayEndInPadding) {
 TEST(StlReaderTest, ABinaryFileMustHoldWhatItPromises) {
   ExpectRefused(MeshFormat::kStl,
                 {{Binary("x", 3, kTwo),
-                  "byte 80: 3 faces take 234 bytes, but the file has "
-                  "184"},
+                  "byte 80: 3 faces take 234 bytes, but the file has 184"},
                  {Binary("x", 1, kTwo),
-                  "byte 80: 1 faces take 134 bytes, but the file has "
-                  "184"},
+                  "byte 80: 1 faces take 134 bytes, but the file has 184"},
                  {Binary("x", 4294967295, kTwo),
-                  "byte 80: 4294967295 faces take 214748364834 bytes, "
-                  "but the file has 184"}});
+                  "byte 80: 4294967295 faces take 214748364834 bytes, but the "
+                  "file has 184"}});
   EXPECT_THAT(Read("neither"), IsInvalidWith("byte 7: "));
 }
 
 TEST(StlReaderTest, BinaryMessagesNameByteAndFace) {
   std::vector<Facet> facets = kTwo;
   facets[1][2][1] = std::numeric_limits<float>::infinity();
-  ExpectRefused(MeshFormat::kStl,
-                {{Binary("x", 2, facets),
-                  "byte 174: face 1, corner 2: a coordinate is not a "
-                  "finite number"}});
+  ExpectRefused(
+      MeshFormat::kStl,
+      {{Binary("x", 2, facets),
+        "byte 174: face 1, corner 2: a coordinate is not a finite number"}});
 }
 
 TEST(StlReaderTest, ReadsAsciiSolidsInAnyCase) {
@@ -131,16 +129,12 @@ TEST(StlReaderTest, AsciiMessagesNameLineAndFace) {
   ExpectRefused(
       MeshFormat::kStl,
       {{one + AsciiFacet("vertex 0 0 0\nvertex 1 0 0\n") + "endsolid\n",
-        "line 13: face 1 has 2 corners; at least 3 are "
-        "needed"},
+        "line 13: face 1 has 2 corners; at least 3 are needed"},
        {one + AsciiFacet("vertex 0 0 nan\n"),
-        "line 11: face 1, corner 0: 'nan' is not a finite "
-        "number"},
+        "line 11: face 1, corner 0: 'nan' is not a finite number"},
        {one + "facet normal 0 0 1\nvertex 0 0 0\n",
         "line 10: face 1: 'outer' was expected, not 'vertex'"},
-       {one,
-        "line 8: the file ends at face 1, where "
-        "'endsolid' was expected"},
+       {one, "line 8: the file ends at face 1, where 'endsolid' was expected"},
        {one + "endsolid\njunk\n",
         "line 10: face 1: 'solid' was expected, not 'junk'"}});
 }
