@@ -19,18 +19,12 @@
 #include "absl/status/statusor.h"
 #include "geodesic/read_mesh.h"
 #include "tests/core/readers/soup_checks.h"
+#include "tests/support/temporary_folder.h"
 
 namespace geodesic {
 namespace {
 
 using test::ExpectSound;
-
-std::string ReadFile(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return std::move(bytes).str();
-}
 
 struct Row {
   std::string file;
@@ -106,7 +100,7 @@ void CheckRow(Row row) {
   const absl::StatusOr<MeshFormat> format = MeshFormatFromPath(name.string());
   ASSERT_TRUE(format.ok()) << format.status();
   const absl::StatusOr<TriangleSoup> soup =
-      ReadMesh(ReadFile(test::TestMeshFolder() / row.file), *format);
+      ReadMesh(test::FileBytes(test::TestMeshFolder() / row.file), *format);
   if (soup.ok()) {
     ExpectSound(*soup);
   } else {
@@ -138,7 +132,8 @@ TEST_F(TestMeshesTest, EveryFileIsReadOrRefusedAsItShould) {
 TEST_F(TestMeshesTest, NoHostileFileReadsPastItsTruncatedEnd) {
   for (const Row& row : ReadIndex()) {
     if (!row.file.starts_with("hostile/")) continue;
-    const std::string bytes = ReadFile(test::TestMeshFolder() / row.file);
+    const std::string bytes =
+        test::FileBytes(test::TestMeshFolder() / row.file);
     if (bytes.size() > 20000) continue;
     for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kPly,
                                     MeshFormat::kOff, MeshFormat::kStl}) {

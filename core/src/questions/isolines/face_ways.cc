@@ -46,8 +46,7 @@ PlanePoint FaceWays::FromFrameOfSide(uint32_t side,
 void FaceWays::AddThrough(HalfEdge h, const Way& way) {
   const uint32_t entry = h % 3;
   const MixedOrigin& origin = way.origin;
-  FaceWay added{.from = {},
-                .is_segment = origin.is_segment,
+  FaceWay added{.is_segment = origin.is_segment,
                 .sigma = origin.sigma,
                 .entry = entry,
                 .on_side = {kNowhere, kNowhere, kNowhere}};
@@ -69,11 +68,7 @@ void FaceWays::AddThrough(HalfEdge h, const Way& way) {
 }
 
 void FaceWays::AddWithin(const PlanePoint& from, double sigma) {
-  FaceWay added{.from = from,
-                .is_segment = false,
-                .sigma = sigma,
-                .entry = kWithin,
-                .on_side = {}};
+  FaceWay added{.from = from, .sigma = sigma};
   for (uint32_t side = 0; side < 3; ++side) {
     const PlanePoint at = InFrameOfSide(side, from);
     added.on_side[side] = {{0, mesh_.frame(first_ + side).length},
@@ -83,11 +78,7 @@ void FaceWays::AddWithin(const PlanePoint& from, double sigma) {
 }
 
 void FaceWays::AddWithin(const CurveSegment& segment, double sigma) {
-  FaceWay added{.from = {},
-                .is_segment = true,
-                .sigma = sigma,
-                .entry = kWithin,
-                .on_side = {}};
+  FaceWay added{.is_segment = true, .sigma = sigma};
   for (uint32_t side = 0; side < 3; ++side) {
     added.on_side[side] =
         GoFromSegment(first_ + side, mesh_, segment, sigma).value_or(kNowhere);

@@ -42,11 +42,11 @@ class FaceWays {
     // In the plane of the face: the unfolded pseudo-source; or of a segment
     // whose rays enter the face, the unit vector in which they run.
     PlanePoint from;
-    bool is_segment;
-    double sigma;    // of a segment: the distance that its rays give (0, 0)
-    uint32_t entry;  // side through which it enters, or kWithin
+    bool is_segment = false;
+    double sigma = 0;  // of a segment: the distance that its rays give (0, 0)
+    uint32_t entry = kWithin;  // side through which it enters, or kWithin
     // On each side, along it; an empty interval where the way does not lead.
-    std::array<Way, 3> on_side;
+    std::array<Way, 3> on_side = {};
   };
 
   bool Sees(const FaceWay& way, const PlanePoint& point) const;

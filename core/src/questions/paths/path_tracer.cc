@@ -11,9 +11,8 @@
 namespace geodesic {
 namespace {
 
-absl::Status CheckNumber(uint32_t number, size_t count, const char* name,
-                         const char* owner, const char* what) {
-  if (number < count) return absl::OkStatus();
+absl::Status OutOfRange(const char* name, uint32_t number, const char* owner,
+                        size_t count, const char* what) {
   return absl::InvalidArgumentError(
       absl::StrCat(name, " ", number, " is out of range: the ", owner, " has ",
                    count, " ", what, ", numbered from 0"));
@@ -67,20 +66,18 @@ absl::StatusOr<PathTracer> PathTracer::Create(const Mesh& mesh,
 }
 
 absl::StatusOr<GeodesicPath> PathTracer::ToVertex(uint32_t vertex) const {
-  if (absl::Status status = CheckNumber(vertex, field_->mesh().vertex_count(),
-                                        "vertex", "mesh", "vertices");
-      !status.ok()) {
-    return status;
+  const uint32_t count = field_->mesh().vertex_count();
+  if (vertex >= count) {
+    return OutOfRange("vertex", vertex, "mesh", count, "vertices");
   }
   return TracePath(*field_, field_->Vertex(vertex),
                    field_->field().distances[vertex]);
 }
 
 absl::StatusOr<GeodesicPath> PathTracer::ToTarget(uint32_t target) const {
-  if (absl::Status status = CheckNumber(target, field_->targets().size(),
-                                        "target", "query", "targets");
-      !status.ok()) {
-    return status;
+  const size_t count = field_->targets().size();
+  if (target >= count) {
+    return OutOfRange("target", target, "query", count, "targets");
   }
   return TracePath(*field_, field_->Target(target),
                    field_->field().target_distances[target]);
