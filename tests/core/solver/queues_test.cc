@@ -29,12 +29,6 @@ class QueueTest : public ::testing::Test {};
 using Queues = ::testing::Types<BinaryHeap, Fifo, FwpBuckets, LabelCorrecting>;
 TYPED_TEST_SUITE(QueueTest, Queues);
 
-TYPED_TEST(QueueTest, EmptyGivesNothing) {
-  TypeParam queue({.bucket_width = 0.1});
-  EXPECT_EQ(queue.Pop(), kNothing);
-  EXPECT_EQ(queue.size(), 0u);
-}
-
 // A wavefront in small: children with labels above their parents'.
 TYPED_TEST(QueueTest, LosesNothingAndBoundsWhatIsPending) {
   TypeParam queue({.bucket_width = 0.01, .max_batch = 50});

@@ -2,8 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <random>
-#include <utility>
 #include <vector>
 
 #include "gtest/gtest.h"
@@ -15,57 +13,6 @@ namespace {
 ListedWindow Unit(uint32_t at, uint32_t number) {
   return {Window::Over({static_cast<double>(at), at + 1.0}, {.depth = 1}),
           number};
-}
-
-std::vector<uint32_t> NumbersOf(WindowLists<Origin>& lists, HalfEdge h) {
-  std::vector<uint32_t> numbers;
-  lists.Seek(h, -1);
-  while (const ListedWindow* window = lists.Next(h)) {
-    numbers.push_back(window->pseudo_source);
-    lists.Pass(h);
-  }
-  return numbers;
-}
-
-// Against plain arrays of 100 places, through many random changes.
-TEST(WindowListsTest, BehavesLikeSortedArrays) {
-  constexpr uint32_t kHalfEdges = 7;
-  constexpr uint32_t kPlaces = 100;
-  WindowLists<Origin> lists(kHalfEdges);
-  std::vector<std::vector<uint32_t>> expected(
-      kHalfEdges, std::vector<uint32_t>(kPlaces, 0));
-  std::mt19937 random(3);
-  uint64_t size = 0;
-  for (uint32_t number = 1; number < 20000; ++number) {
-    const HalfEdge h = random() % kHalfEdges;
-    if (random() % 500 == 0) {
-      lists.Drop(h);
-      for (uint32_t& place : expected[h]) size -= std::exchange(place, 0) != 0;
-      EXPECT_FALSE(lists.has_room(h));
-    }
-    const uint32_t at = random() % kPlaces;
-    lists.Seek(h, at);
-    if (expected[h][at] != 0) {
-      ASSERT_EQ(lists.Next(h)->pseudo_source, expected[h][at]);
-      ASSERT_EQ(lists.NextLabel(h), expected[h][at]);
-      lists.RemoveNext(h);
-      expected[h][at] = 0;
-      --size;
-    } else {
-      lists.Add(h, Unit(at, number), number);
-      expected[h][at] = number;
-      ++size;
-      EXPECT_TRUE(lists.has_room(h));
-    }
-    ASSERT_EQ(lists.size(), size);
-    if (number % 100 == 0) {
-      std::vector<uint32_t> numbers = expected[h];
-      std::erase(numbers, 0u);
-      ASSERT_EQ(NumbersOf(lists, h), numbers);
-    }
-  }
-  EXPECT_GE(lists.peak_size(), size);
-  EXPECT_GT(lists.bytes(), size * sizeof(ListedWindow));
 }
 
 TEST(WindowListsTest, TakesWhatIsDueOnceAndInOrder) {
