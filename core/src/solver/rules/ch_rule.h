@@ -4,6 +4,13 @@
 // Xin, Wang: Improving Chen and Han's algorithm on the discrete geodesic
 // problem. ACM TOG 28(4), 2009: the window filter.
 //
+//   Xin, Wang     here
+//   I, sigma      Entry::origin      the unfolded pseudo-source, its distance
+//   A, B          Entry::interval    begin and end of the window
+//   v1, v2        corners a, b       ends of the window's edge
+//   v3            corner c, apex     the face's third corner
+//   d(v)          front_.distance    what is known of a vertex
+//
 // A window is propagated once and then freed. It has two children only if its
 // distance at the apex is the best yet across its half-edge; a worse one keeps
 // the child on its own side of the best one's ray, because its rays to the

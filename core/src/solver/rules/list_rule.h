@@ -15,6 +15,11 @@
 // and exact discrete geodesic computation based on triangle-oriented wavefront
 // propagation. ACM TOG 35(4), 2016; ordered by vertices there, and linked.
 //
+//   Qin et al.      here
+//   window list     WindowBlock at rest, WindowColumns at work
+//   of an edge      WaitingLists: two chains, by the side they come across
+//   in the queue    Queued: a half-edge, with the least label it waits with
+//
 // Work is done by rounds: of each half-edge, what waits there when the round
 // begins crosses its face, and each vertex that has improved by then becomes a
 // pseudo-source (list_worker.h). None of them sees what comes of the others,

@@ -6,6 +6,14 @@
 // Comput. 16(4), 1987. Windows as in Surazhsky et al.: Fast exact and
 // approximate geodesics on meshes. ACM TOG 24(3), 2005.
 //
+//   paper                  here
+//   interval of            ListedWindow   in lists_, along its half-edge; the
+//   optimality                            symbols of a window are in window.h
+//   candidate interval     newer          arrives, and meets
+//                          older, next    those that are there
+//                          won            where the newer is nearer
+//                          held_from      where what it holds so far begins
+//
 // The queue orders half-edges. One that is strict about labels takes windows
 // one by one, as MMP does, and has an entry for each. Any other takes all
 // pending windows of a half-edge together, which any order permits (Xu et al.

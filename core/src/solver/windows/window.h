@@ -6,17 +6,19 @@
 // Functions select instead of branching, since loops over columns
 // (list_kernels.h) call them too.
 //
-//   Xu et al. 2015, section 3.1   here
-//   v1, v2, v3                    A = (0, 0), B = (length, 0) and the apex C
-//                                 above, in the frame of the half-edge
-//                                 (Mesh::frame)
-//   [b0, b1]                      Interval, begin and end, from A
-//   d0, d1                        begin_distance, end_distance: there these are
-//                                 from the pseudo-source, here from the source
-//   I, the image of s             Origin, at (x, -depth) below AB
-//   sigma                         sigma, from the source to the pseudo-source
-//   label                         Label
-//   s                             pseudo_source, beside a window
+// Surazhsky et al.: Fast exact and approximate geodesics on meshes. ACM TOG
+// 24(3), 2005, section 3:
+//
+//   paper     here
+//   b0, b1    Interval             begin and end of a window, from A
+//   s         Origin               the unfolded pseudo-source, at (x, -depth)
+//   sigma     Origin::sigma        distance from the source to s
+//   d0, d1    begin_distance,      at b0 and b1; in the paper from s, here from
+//             end_distance         the source
+//   p0, p1    A = (0, 0),          ends of the half-edge, in its frame
+//             B = (length, 0)      (Mesh::frame)
+//             C, the apex          the face's third corner, above AB
+//             Label                the least distance over the interval
 
 #ifndef GEODESIC_SOLVER_WINDOWS_WINDOW_H_
 #define GEODESIC_SOLVER_WINDOWS_WINDOW_H_
