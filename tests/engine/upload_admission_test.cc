@@ -160,7 +160,8 @@ class CancelledUploadTest : public test::EngineTest,
                             public ::testing::WithParamInterface<UploadFormat> {
  protected:
   // Uploads a mesh, and cancels that when its job looks at the clock for this
-  // time. Whether it did.
+  // time. Whether it did. The job counts against the client's quota
+  // until it has ended.
   bool CancelAtLook(int number) {
     const TriangleSoup soup = Grid(12);
     const bool is_file = GetParam() == UploadFormat::kOff;
@@ -170,16 +171,21 @@ class CancelledUploadTest : public test::EngineTest,
                                                : test::ArrayHeader(soup));
     EXPECT_TRUE(upload->Append(0, bytes).ok());
     bool is_cancelled = false;
+    auto quota = std::make_shared<int>();
+    const std::weak_ptr<int> counted = quota;
     const auto job = engine_.FinishUpload(
         std::move(upload),
-        [&](const auto& result) { EXPECT_NE(result.ok(), is_cancelled); });
+        [&](const auto& result) { EXPECT_NE(result.ok(), is_cancelled); },
+        "client", [quota = std::move(quota)](const auto& /*result*/) {});
     EXPECT_TRUE(job.ok() && job->has_value()) << job.status();
     clock_.at_look = [&] {
       if (number-- != 0) return;
       is_cancelled = true;
       engine_.CancelUpload(**job);
+      EXPECT_FALSE(counted.expired());
     };
     executor_.RunAll();
+    EXPECT_TRUE(counted.expired());
     clock_.at_look = nullptr;
     return is_cancelled;
   }
