@@ -9,11 +9,23 @@
 #include <string>
 #include <variant>
 
-#include "client/cli/arguments/connection.h"
+#include "absl/status/statusor.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/terminal/exit_code.h"
+#include "geodesic_client/connection_options.h"
 
 namespace geodesic::client {
+
+// How the command reaches its server: address, TLS, token.
+struct ConnectionArguments {
+  std::string server = "127.0.0.1:50051";
+  bool tls = false;
+  TlsPaths paths;
+  std::string server_name;
+  std::string token;
+  std::string token_file;
+  bool no_retry = false;
+};
 
 struct CommandLine {
   ConnectionArguments connection;
@@ -31,6 +43,12 @@ std::variant<CommandLine, ExitCode> ParseCommandLine(int argc,
                                                      const char* const* argv,
                                                      std::ostream& out,
                                                      std::ostream& err);
+
+// Reads the files that the arguments name.
+// Errors, all FileErrors: those of ReadTlsFiles and ReadTokenFile;
+// FAILED_PRECONDITION if a token would go to another machine in clear.
+absl::StatusOr<ConnectionOptions> ReadConnection(
+    const ConnectionArguments& connection);
 
 }  // namespace geodesic::client
 

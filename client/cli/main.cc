@@ -1,25 +1,85 @@
 // The command `geodesic`.
 
+#include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
+#include <ostream>
 #include <stop_token>
+#include <streambuf>
 #include <thread>
 #include <utility>
 #include <variant>
 
 #include "client/cli/command_line.h"
-#include "client/cli/terminal/standard_output.h"
 #include "client/cli/terminal/text.h"
 #include "geodesic_client/errors.h"
 
 namespace geodesic::client {
 namespace {
+
+// Buffers what is written to standard output. The stream is bad once a write
+// has failed, and Finish says why. A reader that closes its end of a pipe ends
+// the process by SIGPIPE, as it does with most tools. Not thread-safe.
+class StandardOutput : private std::streambuf {
+ public:
+  // If standard input, output or error is closed, it is replaced by one that
+  // cannot be written to, so that no file or connection takes its number.
+  StandardOutput() {
+    int descriptor = 0;
+    while ((descriptor = open("/dev/null", O_RDONLY | O_CLOEXEC)) >= 0 &&
+           descriptor <= STDERR_FILENO) {
+    }
+    close(descriptor);
+    setp(buffer_.data(), buffer_.data() + buffer_.size());
+  }
+
+  std::ostream& stream() { return stream_; }
+
+  // Writes what waits and closes standard output.
+  // Errors: those of the first write that failed.
+  absl::Status Finish() {
+    sync();
+    if (close(STDOUT_FILENO) != 0 && error_ == 0) error_ = errno;
+    return error_ == 0
+               ? absl::OkStatus()
+               : absl::ErrnoToStatus(error_, "cannot write standard output");
+  }
+
+ private:
+  int_type overflow(int_type c) override {
+    if (sync() != 0) return traits_type::eof();
+    return traits_type::eq_int_type(c, traits_type::eof())
+               ? traits_type::not_eof(c)
+               : sputc(traits_type::to_char_type(c));
+  }
+
+  int sync() override {
+    for (const char* next = pbase(); error_ == 0 && next != pptr();) {
+      const ssize_t count =
+          write(STDOUT_FILENO, next, static_cast<size_t>(pptr() - next));
+      if (count >= 0) {
+        next += count;
+      } else if (errno != EINTR) {
+        error_ = errno;
+      }
+    }
+    setp(buffer_.data(), buffer_.data() + buffer_.size());
+    return error_ == 0 ? 0 : -1;
+  }
+
+  std::array<char, 1 << 16> buffer_;
+  // errno of the first write that failed.
+  int error_ = 0;
+  std::ostream stream_{this};
+};
 
 // While it lives SIGINT and SIGTERM request a stop instead of ending the
 // process; the second of them ends it at once with exit code 130. To be made

@@ -88,7 +88,7 @@ std::string NpyHeader(std::string_view type, std::span<const uint64_t> shape,
 }
 
 std::string NpyArray(std::span<const double> values, NumberType type,
-                     std::span<const uint64_t> shape) {
+                     const std::vector<uint64_t>& shape) {
   std::string bytes = NpyHeader(NumpyName(type), shape);
   AppendNumbers(values, type, &bytes);
   return bytes;

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "client/output/atomic_file.h"
 
@@ -33,7 +34,7 @@ std::string NpyHeader(std::string_view type, std::span<const uint64_t> shape,
 
 // A whole file in memory. REQUIRES: as many values as the shape has.
 std::string NpyArray(std::span<const double> values, NumberType type,
-                     std::span<const uint64_t> shape);
+                     const std::vector<uint64_t>& shape);
 
 }  // namespace geodesic::client
 

@@ -180,12 +180,11 @@ class NpzMatrixWriter final : public MatrixWriter {
     archive->Add(
         "indptr.npy",
         NpyArray(row_ends_, is_small ? NumberType::kInt32 : NumberType::kInt64,
-                 std::array<uint64_t, 1>{row_ends_.size()}));
+                 {row_ends_.size()}));
     archive->Add("format.npy", NpyHeader("|S3", {}) + "csr");
     const std::array<double, 2> sizes = {static_cast<double>(shape_.rows),
                                          static_cast<double>(shape_.columns)};
-    archive->Add("shape.npy", NpyArray(sizes, NumberType::kInt64,
-                                       std::array<uint64_t, 1>{2}));
+    archive->Add("shape.npy", NpyArray(sizes, NumberType::kInt64, {2}));
     archive->Add("data.npy", data_.Release());
     return archive->Commit();
   }

@@ -61,13 +61,11 @@ void ZipArchive::AddSource(const std::string& name, zip_source_t* source) {
       zip_file_set_mtime(archive_.get(), member, kFirstDay, 0) != 0;
 }
 
-absl::Status ZipArchive::Failure() const {
-  return absl::UnknownError(
-      absl::StrCat("cannot write ", path_, ": ", zip_strerror(archive_.get())));
-}
-
 absl::StatusOr<uint64_t> ZipArchive::Commit() {
-  if (failed_ || zip_close(archive_.get()) != 0) return Failure();
+  if (failed_ || zip_close(archive_.get()) != 0) {
+    return absl::UnknownError(absl::StrCat("cannot write ", path_, ": ",
+                                           zip_strerror(archive_.get())));
+  }
   // zip_close has freed it.
   static_cast<void>(archive_.release());
   std::error_code error;

@@ -44,7 +44,6 @@ class ZipArchive {
 
   // Takes over `source`.
   void AddSource(const std::string& name, zip_source* source);
-  absl::Status Failure() const;
 
   std::string path_;
   // Members point into these until Commit.

@@ -36,20 +36,15 @@ LinearColor ColorOfSource(uint32_t source) {
 // What colour a mesh has at each sample of the screen.
 class Surface {
  public:
-  // What is told by colour; as PictureContent has it.
-  struct Values {
-    std::span<const double> distances;
-    std::span<const uint32_t> nearest_sources;
-    double largest = 0;
-  };
-
-  // `screen` are the mesh's vertices in samples; `line_width`, of isolines, is
-  // in pixels. What is referred to must outlive the object.
-  Surface(const MeshArrays& mesh, const Values& values,
+  // `largest` is the largest finite distance, `screen` are the mesh's vertices
+  // in samples; `line_width`, of isolines, is in pixels. What is referred to
+  // must outlive the object.
+  Surface(const MeshArrays& mesh, const PictureContent& content, double largest,
           const std::vector<Vector3>& screen, const Camera& camera,
           const IsolineScale& isolines, double line_width)
       : mesh_(mesh),
-        values_(values),
+        content_(content),
+        largest_(largest),
         screen_(screen),
         camera_(camera),
         toward_lamp_(Normalized(-0.50 * camera.right() + 0.60 * camera.up() +
@@ -57,8 +52,8 @@ class Surface {
         normals_(CornerNormals(mesh)),
         isolines_(isolines),
         line_width_(line_width) {
-    if (!values.nearest_sources.empty()) {
-      cells_.emplace(mesh, values.distances, values.nearest_sources);
+    if (!content.nearest_sources.empty()) {
+      cells_.emplace(mesh, content.distances, content.nearest_sources);
     }
   }
 
@@ -90,7 +85,7 @@ class Surface {
     const Barycentric weights =
         BarycentricAt(screen_[v[0]], screen_[v[1]], screen_[v[2]], x, y);
     const Vector3 normal = NormalAt(triangle, weights);
-    const std::span<const double> distances = values_.distances;
+    const std::span<const double> distances = content_.distances;
     if (distances.empty()) return Shade(kPlain, normal);
     std::array<double, 3> d = {distances[v[0]], distances[v[1]],
                                distances[v[2]]};
@@ -106,8 +101,7 @@ class Surface {
     const double distance =
         weights.a * d[0] + weights.b * d[1] + weights.c * d[2];
     if (!cells_.has_value()) {
-      albedo =
-          colormap_.At(values_.largest > 0 ? distance / values_.largest : 0);
+      albedo = colormap_.At(largest_ > 0 ? distance / largest_ : 0);
     }
     const LinearColor color = Shade(albedo, normal);
     if (isolines_.step == 0) return color;
@@ -151,7 +145,8 @@ class Surface {
   }
 
   const MeshArrays& mesh_;
-  Values values_;
+  const PictureContent& content_;
+  const double largest_;
   const std::vector<Vector3>& screen_;
   const Camera& camera_;
   Vector3 toward_lamp_;
@@ -243,9 +238,7 @@ Image Render(const MeshArrays& mesh, const PictureContent& content,
   const double pen = std::max(0.8, options.height / 1100.0);
   const IsolineScale isolines =
       content.isolines ? ChooseIsolines(largest) : IsolineScale{};
-  const Surface surface(mesh,
-                        {content.distances, content.nearest_sources, largest},
-                        screen, camera, isolines, pen);
+  const Surface surface(mesh, content, largest, screen, camera, isolines, pen);
 
   const VisibilityBuffer samples =
       Rasterize(screen, mesh.triangles, kSamples * options.width,

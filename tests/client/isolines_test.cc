@@ -52,15 +52,9 @@ TEST(IsolineCoverageTest, WidthIsInPixelsWhateverTheSlope) {
   }
 }
 
-TEST(IsolineCoverageTest, NoLineAtTheSource) {
+TEST(IsolineCoverageTest, SourcesCrowdedLinesAndFlatFieldsHaveNone) {
   EXPECT_EQ(IsolineCoverage({0.1, 5}, 0, 0.01, 2), 0);
-}
-
-TEST(IsolineCoverageTest, CrowdedLinesFade) {
   EXPECT_EQ(IsolineCoverage({0.1, 5}, 0.5, 1, 2), 0);
-}
-
-TEST(IsolineCoverageTest, FlatFieldsHaveNone) {
   EXPECT_EQ(IsolineCoverage({0.1, 5}, 0.5, 0, 2), 0);
   EXPECT_EQ(IsolineCoverage({0, 1}, 0.5, 1, 2), 0);
 }

@@ -8,8 +8,8 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
-#include "client/cli/arguments/surface_text.h"
 #include "client/output/number_text.h"
+#include "client/output/place_text.h"
 #include "geodesic_client/answer.h"
 
 namespace geodesic::client {

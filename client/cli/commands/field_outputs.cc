@@ -57,9 +57,9 @@ absl::StatusOr<uint64_t> WriteNpz(const std::string& path,
     archive->Add(name, NpyArray(column.values, column.type, column.shape()));
   }
   if (!target_distances.empty()) {
-    archive->Add("target_distances.npy",
-                 NpyArray(target_distances, columns[0].type,
-                          std::array<uint64_t, 1>{target_distances.size()}));
+    archive->Add(
+        "target_distances.npy",
+        NpyArray(target_distances, columns[0].type, {target_distances.size()}));
   }
   absl::StatusOr<uint64_t> size = archive->Commit();
   if (!size.ok()) return FileError(size.status());

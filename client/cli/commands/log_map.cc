@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "client/cli/arguments/surface_text.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/question.h"
 #include "client/output/field_writers.h"

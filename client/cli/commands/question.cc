@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "client/cli/arguments/surface_text.h"
 #include "client/cli/commands/mesh_argument.h"
 #include "client/output/place_text.h"
 

@@ -1,9 +1,8 @@
-#include "client/cli/arguments/surface_text.h"
+#include "client/output/place_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "client/output/place_text.h"
 #include "tests/client/temporary_folder.h"
 
 namespace geodesic::client {
