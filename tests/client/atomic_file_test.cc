@@ -32,12 +32,6 @@ TEST(AtomicFileTest, LeavesTheOldFileAloneUnlessCommitted) {
   }
   EXPECT_EQ(FileBytes(path), "old");
   EXPECT_EQ(folder.count(), 1);
-}
-
-TEST(AtomicFileTest, ReplacesTheOldFile) {
-  TemporaryFolder folder;
-  const std::string path = folder / "out.bin";
-  WriteFile(path, "old and longer");
   absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
   ASSERT_TRUE(file.ok());
   file->Append("new");

@@ -81,13 +81,5 @@ TEST(IsVisibleTest, ComparesDepthOnTheScreenOnly) {
   }
 }
 
-TEST(BarycentricTest, AddsUpAndInterpolates) {
-  const Vector3 a = {0, 0, 0}, b = {4, 0, 0}, c = {0, 4, 0};
-  const Barycentric weights = BarycentricAt(a, b, c, 1, 2);
-  EXPECT_DOUBLE_EQ(weights.a, 0.25);
-  EXPECT_DOUBLE_EQ(weights.b, 0.25);
-  EXPECT_DOUBLE_EQ(weights.c, 0.5);
-}
-
 }  // namespace
 }  // namespace geodesic::client
