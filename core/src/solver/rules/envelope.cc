@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
 
 #include "solver/rules/trimming.h"
 
@@ -13,16 +13,20 @@ ListedWindow Listed(const WindowColumns& windows, size_t i) {
   return {windows.At(i), windows.pseudo_source[i]};
 }
 
-// Moves windows [from, size) to `to`.
-void Shift(size_t from, size_t to, WindowColumns& windows) {
-  const size_t size = windows.size;
-  windows.Reserve(size - from + to);
-  if (to < from) {
-    for (size_t i = from; i < size; ++i) windows.Move(i, i - from + to);
-  } else if (to > from) {
-    for (size_t i = size; i-- > from;) windows.Move(i, i - from + to);
+// Puts `listed` into the place of windows [first, last).
+void Replace(size_t first, size_t last, std::span<const ListedWindow> listed,
+             WindowColumns& windows) {
+  const size_t size = windows.size, to = first + listed.size();
+  windows.Reserve(size - last + to);
+  if (to < last) {
+    for (size_t i = last; i < size; ++i) windows.Move(i, i - last + to);
+  } else if (to > last) {
+    for (size_t i = size; i-- > last;) windows.Move(i, i - last + to);
   }
-  windows.size = size - from + to;
+  windows.size = size - last + to;
+  for (size_t k = 0; k < listed.size(); ++k) {
+    windows.Set(first + k, listed[k].window, listed[k].pseudo_source);
+  }
 }
 
 }  // namespace
@@ -159,14 +163,9 @@ size_t Envelope::TrimSeveral(size_t i, size_t& kept, WindowColumns& windows) {
     Add(Listed(windows, i++));
   } while (i < windows.size && meets(i));
   kept = first + sorted_.size();
-  if (kept > i) {
-    Shift(i, kept, windows);
-    i = kept;
-  }
-  for (size_t k = 0; k < sorted_.size(); ++k) {
-    windows.Set(first + k, sorted_[k].window, sorted_[k].pseudo_source);
-  }
-  return i;
+  // What lies between the kept ones and the next is not looked at again.
+  Replace(first, std::min(i, kept), sorted_, windows);
+  return std::max(i, kept);
 }
 
 void Envelope::Merge(double length, bool may_split, size_t middle,
@@ -193,10 +192,7 @@ void Envelope::Merge(double length, bool may_split, size_t middle,
   }
   while (i < middle) add(i++);
   while (j < last) add(j++);
-  Shift(last, first + sorted_.size(), windows);
-  for (size_t k = 0; k < sorted_.size(); ++k) {
-    windows.Set(first + k, sorted_[k].window, sorted_[k].pseudo_source);
-  }
+  Replace(first, last, sorted_, windows);
 }
 
 void Envelope::Add(const ListedWindow& window) {

@@ -114,23 +114,20 @@ void ChildrenAcross(const FaceSide<kRight>& side, const ExitEdge& exit,
 GEODESIC_FOR_EVERY_WIDTH
 void OverlapsOfNeighbours(double length, const WindowColumns& windows,
                           double* const new_begin, double* const overlap) {
-  const double* const begin = windows.begin;
-  const double* const end = windows.end;
-  const double* const sigmas = windows.sigma;
-  const double* const begin_distance = windows.begin_distance;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const size_t n = Padded(windows.size - 1);
-  new_begin[0] = begin[0];
+  new_begin[0] = windows.begin[0];
   GEODESIC_INDEPENDENT
   for (size_t i = 0; i < n; ++i) {
-    const double low = begin[i + 1], high = end[i];
+    const double low = windows.begin[i + 1], high = windows.end[i];
     const double width = high - low;
+    const double distance =
+        windows.begin_distance[i + 1] - windows.sigma[i + 1];
     const bool is_rounding =
-        width > 0 &&
-        width <= WidthOfLost(begin_distance[i + 1] - sigmas[i + 1], length);
+        width > 0 && width <= WidthOfLost(distance, length);
     new_begin[i + 1] = is_rounding ? high : low;
     const double left = is_rounding ? 0 : width;
-    overlap[i] = low < begin[i] ? kNone : left;
+    overlap[i] = low < windows.begin[i] ? kNone : left;
   }
 }
 

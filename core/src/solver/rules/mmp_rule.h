@@ -129,10 +129,6 @@ class MmpRule {
   // Whether windows may cross faces together.
   static constexpr bool kTogether =
       !Queue::kStrict && std::is_same_v<Origin, geodesic::Origin>;
-  struct Nothing {
-    explicit Nothing(const Front&) {}
-  };
-  using Crossing = std::conditional_t<kTogether, FaceCrossing<Front>, Nothing>;
 
   // As Propagate: the first windows with labels up to `due`, `most` at the
   // most.
@@ -393,7 +389,7 @@ class MmpRule {
   std::vector<HalfEdge> listed_;       // with a list, since the last sweep
   uint64_t next_sweep_ = kLeastSweep;  // when so many windows are in lists
   std::vector<ListedWindow> due_;      // of Propagate, kept for its memory
-  [[no_unique_address]] Crossing crossing_;
+  FaceCrossing<Front> crossing_;       // if kTogether
   uint64_t pending_ = 0;
   uint64_t created_ = 0;
 };
