@@ -29,7 +29,6 @@
 
 #include "absl/strings/str_cat.h"
 #include "tests/reliability/open_loop.h"
-#include "tests/reliability/program.h"
 #include "tests/reliability/raw_call.h"
 #include "tests/reliability/watched_server.h"
 #include "tests/reliability/workload.h"

@@ -20,7 +20,7 @@
 #include "geodesic_client/client.h"
 #include "tests/integration/running_server.h"
 #include "tests/reliability/mixed_load.h"
-#include "tests/reliability/program.h"
+#include "tests/reliability/watched_server.h"
 
 namespace geodesic::client {
 namespace {

@@ -26,7 +26,6 @@
 
 #include "absl/status/statusor.h"
 #include "tests/reliability/open_loop.h"
-#include "tests/reliability/program.h"
 #include "tests/reliability/watched_server.h"
 #include "tests/reliability/workload.h"
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <regex>
 #include <stdexcept>
@@ -214,6 +216,23 @@ void AddServerOptions(CLI::App& app, WatchedServer::Options& options) {
       ->check(CLI::ExistingFile);
   app.add_flag("--ignore-memory", options.ignores_memory,
                "Its memory says nothing: a sanitizer's is beside any budget");
+}
+
+int RunMain(CLI::App& app, int argc, char** argv,
+            const std::function<std::vector<std::string>()>& run) {
+  std::vector<std::string> faults;
+  try {
+    app.parse(argc, argv);
+    faults = run();
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    faults = {error.what()};
+  }
+  for (const std::string& fault : faults) {
+    std::cerr << app.get_name() << ": " << fault << '\n';
+  }
+  return faults.empty() ? 0 : 1;
 }
 
 }  // namespace geodesic::client

@@ -1,4 +1,5 @@
-// A server with known budgets, watched from outside.
+// What the programs of this folder share: a server with known budgets, watched
+// from outside, and the way from a command line to an exit code.
 
 #ifndef GEODESIC_TESTS_RELIABILITY_WATCHED_SERVER_H_
 #define GEODESIC_TESTS_RELIABILITY_WATCHED_SERVER_H_
@@ -8,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -101,6 +103,13 @@ class WatchedServer {
 
 // The options that every program with such a server has.
 void AddServerOptions(CLI::App& app, WatchedServer::Options& options);
+
+// Parses the command line, then calls `run`, which returns what was not as it
+// must be: a line each on standard error. Returns the exit code: 0 nothing, 1
+// something, or `run` threw; 2 wrong usage, which `run` may find too and throw
+// as a CLI::ParseError.
+int RunMain(CLI::App& app, int argc, char** argv,
+            const std::function<std::vector<std::string>()>& run);
 
 }  // namespace geodesic::client
 

@@ -13,7 +13,6 @@
 #include <atomic>
 #include <chrono>
 #include <future>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -84,8 +83,6 @@ struct EndlessSolvers {
   std::atomic<bool> endless = true;         // false: they end as others do
   std::atomic<uint32_t> failing = kNobody;  // who works on it fails
   std::atomic<int> starts = 0;
-  // When the last one was stopped; the epoch: none was.
-  std::atomic<steady_clock::time_point> stopped = steady_clock::time_point();
 };
 
 class EndlessComputation final : public test::WrappedComputation {
@@ -105,7 +102,6 @@ class EndlessComputation final : public test::WrappedComputation {
           query_->sources == std::vector<Source>{{VertexPoint{all_.failing}}}) {
         status = absl::InternalError("the solver failed");
       }
-      if (!status.ok()) all_.stopped = steady_clock::now();
       if (!status.ok() || !all_.endless) return status;
     }
   }
@@ -192,14 +188,12 @@ class CancelMatrixTest : public test::RpcTest,
 
   // The end comes.
   void Trigger() {
-    begin_ = steady_clock::now();
     switch (GetParam().cause) {
       case Cause::kCancel:
         context_.TryCancel();
         break;
       case Cause::kDeadline:
-        begin_ = deadline_;
-        break;
+        break;  // it comes by itself
       case Cause::kError:
         solvers_.failing = 1;
         break;
@@ -275,17 +269,6 @@ class CancelMatrixTest : public test::RpcTest,
     if (stopped_.valid()) stopped_.get();
   }
 
-  void PrintFigure() {
-    const steady_clock::time_point stopped = solvers_.stopped;
-    if (stopped == steady_clock::time_point() ||
-        GetParam().cause == Cause::kError) {
-      return;
-    }
-    const std::chrono::duration<double, std::milli> took = stopped - begin_;
-    std::cout << "[  FIGURE  ] the solver stopped after " << took.count()
-              << " ms\n";
-  }
-
   void RunUnary();
   void RunUpload();
   void RunStream();
@@ -303,7 +286,6 @@ class CancelMatrixTest : public test::RpcTest,
 
   grpc::ClientContext context_;
   steady_clock::time_point deadline_;
-  steady_clock::time_point begin_;
   std::future<bool> stopped_;
 };
 
@@ -403,7 +385,6 @@ void CancelMatrixTest::RunStream() {
       return engine().scheduler().running() == 0 &&
              engine().fields().jobs().size() == 0;
     }));
-    if (phase == Phase::kComputing) PrintFigure();
   } else {
     EXPECT_TRUE(Until([&] { return engine().scheduler().queued() == 0; }));
   }

@@ -28,10 +28,17 @@ class MatrixRpcTest : public test::QuestionsTest {
     std::vector<double> values;
   };
 
+  static Row ValuesOf(const v1::MatrixChunk& chunk) {
+    return {Values<uint32_t>(chunk.columns()), Values<double>(chunk.values())};
+  }
+  static Row ValuesOf(const v1::NearestChunk& chunk) {
+    return {Values<uint32_t>(chunk.targets()),
+            Values<double>(chunk.distances())};
+  }
+
   // The rows of a reply, checked for their order.
-  template <typename Response, typename Columns, typename Numbers>
-  static std::vector<Row> Rows(const std::vector<Response>& messages,
-                               Columns columns, Numbers values) {
+  template <typename Response>
+  static std::vector<Row> Rows(const std::vector<Response>& messages) {
     std::vector<Row> rows;
     bool open = false;  // the last row is not complete
     for (const Response& message : messages) {
@@ -41,26 +48,13 @@ class MatrixRpcTest : public test::QuestionsTest {
       EXPECT_EQ(chunk.row(), rows.size() - 1);
       Row& row = rows.back();
       EXPECT_EQ(chunk.offset(), row.values.size());
-      const auto c = Values<uint32_t>(columns(chunk));
-      const auto v = Values<double>(values(chunk));
+      const auto [c, v] = ValuesOf(chunk);
       row.columns.insert(row.columns.end(), c.begin(), c.end());
       row.values.insert(row.values.end(), v.begin(), v.end());
       open = row.values.size() < chunk.value_count();
     }
     EXPECT_FALSE(open);
     return rows;
-  }
-  static std::vector<Row> Rows(
-      const std::vector<v1::ComputeMatrixResponse>& messages) {
-    return Rows(
-        messages, [](const auto& chunk) { return chunk.columns(); },
-        [](const auto& chunk) { return chunk.values(); });
-  }
-  static std::vector<Row> Rows(
-      const std::vector<v1::FindNearestResponse>& messages) {
-    return Rows(
-        messages, [](const auto& chunk) { return chunk.targets(); },
-        [](const auto& chunk) { return chunk.distances(); });
   }
 
   // Rows in no order, a point in a face and a curve among them.

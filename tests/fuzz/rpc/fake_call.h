@@ -20,9 +20,13 @@
 #include <vector>
 
 #include "server/rpc/calls/service.h"
-#include "tests/fuzz/rpc/answer_check.h"
 
 namespace geodesic::server::test {
+
+// Aborts the program unless it holds: a fuzzer takes that for a crash.
+inline void Require(bool holds) {
+  if (!holds) std::abort();
+}
 
 // What happens next, in order.
 using Events = std::deque<std::function<void()>>;

@@ -1,16 +1,24 @@
 #include "tests/fuzz/rpc/rpc_subject.h"
 
 #include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+#include <google/rpc/error_details.pb.h>
+#include <google/rpc/status.pb.h>
+#include <grpcpp/support/status.h>
 #include <spdlog/sinks/null_sink.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "geodesic/v1/field_service.pb.h"
+#include "geodesic/v1/query.pb.h"
 #include "server/engine/query_engine.h"
 #include "server/operations/metrics.h"
 #include "server/rpc/calls/call.h"
@@ -25,7 +33,6 @@
 #include "server/security/quotas.h"
 #include "tests/engine/fakes.h"
 #include "tests/engine/uploads.h"
-#include "tests/fuzz/rpc/answer_check.h"
 #include "tests/fuzz/rpc/fake_call.h"
 #include "tests/support/curved_meshes.h"
 
@@ -91,6 +98,87 @@ void SetDigests(google::protobuf::Message& message,
     replace(text);
     reflection.SetRepeatedString(&message, list, i, text);
   }
+}
+
+// Aborts the program unless the status has a code that says nothing of faults
+// of the server, a message, and a google.rpc.ErrorInfo.
+// REQUIRES: it is not OK.
+void CheckRefusal(const grpc::Status& status, bool was_cancelled) {
+  switch (status.error_code()) {
+    case grpc::StatusCode::INVALID_ARGUMENT:
+    case grpc::StatusCode::NOT_FOUND:
+    case grpc::StatusCode::RESOURCE_EXHAUSTED:
+      break;
+    case grpc::StatusCode::CANCELLED:
+      Require(was_cancelled);
+      break;
+    default:
+      std::abort();
+  }
+  Require(!status.error_message().empty());
+  google::rpc::Status details;
+  Require(details.ParseFromString(status.error_details()));
+  Require(std::any_of(details.details().begin(), details.details().end(),
+                      [](const auto& any) {
+                        return any.template Is<google::rpc::ErrorInfo>();
+                      }));
+}
+
+void CheckDistances(const std::string& bytes) {
+  std::vector<double> values(bytes.size() / sizeof(double));
+  bytes.copy(reinterpret_cast<char*>(values.data()),
+             values.size() * sizeof(double));
+  for (const double value : values) Require(value >= 0);
+}
+
+// The messages of one streamed answer, in order. Aborts the program unless they
+// begin with a header and, if the method has one, end with a trailer, and no
+// distance is negative or not a number.
+class AnswerCheck {
+ public:
+  void Take(const google::protobuf::Message& message);
+
+  // After the last message.
+  void End(const grpc::Status& status, bool was_cancelled) const;
+
+ private:
+  void CheckField(const v1::ComputeFieldResponse& message);
+
+  bool has_begun_ = false;
+  bool has_trailer_ = false;
+  bool promises_trailer_ = true;
+  v1::ValueType value_type_ = v1::VALUE_TYPE_UNSPECIFIED;
+};
+
+void AnswerCheck::Take(const google::protobuf::Message& message) {
+  const auto* type = message.GetDescriptor();
+  const auto* part = message.GetReflection()->GetOneofFieldDescriptor(
+      message, type->FindOneofByName("part"));
+  Require(part != nullptr);
+  const bool is_header = part->name() == "header";
+  Require(is_header == !has_begun_ && !has_trailer_);
+  has_begun_ = true;
+  has_trailer_ = part->name() == "trailer";
+  promises_trailer_ = type->name() != "ReadMeshResponse";
+  if (type->name() == "ComputeFieldResponse") {
+    CheckField(static_cast<const v1::ComputeFieldResponse&>(message));
+  }
+}
+
+void AnswerCheck::End(const grpc::Status& status, bool was_cancelled) const {
+  if (status.ok()) {
+    Require(has_begun_ && has_trailer_ == promises_trailer_);
+  } else {
+    CheckRefusal(status, was_cancelled);
+  }
+}
+
+void AnswerCheck::CheckField(const v1::ComputeFieldResponse& message) {
+  if (message.has_header()) value_type_ = message.header().value_type();
+  if (value_type_ != v1::VALUE_TYPE_FLOAT64) return;
+  CheckDistances(message.chunk().distances());
+  CheckDistances(message.targets().distances());
+  CheckDistances(message.settled().distances());
 }
 
 class Subject {
