@@ -91,7 +91,8 @@ std::vector<double> CrossingsOfEdge(double level, double length, double p,
 
 std::optional<Way> GoOnTo(HalfEdge side, const Mesh& mesh, HalfEdge h,
                           const Way& way) {
-  const auto& [interval, origin] = way;
+  const Interval& interval = way.interval;
+  const MixedOrigin& origin = way.origin;
   const double crossing = CrossingTo(origin, ApexOf(mesh.frame(h)));
   const auto go_on = [&](const auto& face_side) -> std::optional<Way> {
     if (!face_side.IsReached(interval, crossing)) return std::nullopt;
