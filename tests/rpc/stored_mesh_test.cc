@@ -76,6 +76,18 @@ TEST_F(StoredMeshTest, AQuestionWaitsForItsMesh) {
   EXPECT_EQ(server_->engine().counters().meshes_loaded, 2);
 }
 
+// Its mesh is in memory, so that loading it would not help.
+TEST_F(StoredMeshTest, AFieldThatIsNotKeptIsNotFound) {
+  Start(OneThread());
+  v1::ComputeFieldRequest request =
+      FieldRequest(Upload(geodesic::test::Icosphere(1)), 0);
+  request.mutable_resumption()->set_field_id(std::string(64, 'a'));
+  grpc::ClientContext context;
+  const grpc::Status status = ComputeField(request, context).status;
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::NOT_FOUND);
+  EXPECT_EQ(test::Reason(status), "FIELD_NOT_KEPT");
+}
+
 TEST_F(StoredMeshTest, WhoCancelsWaitsNoLonger) {
   StartBusy();
   const auto call = Open(second_, 0);

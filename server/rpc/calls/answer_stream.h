@@ -24,6 +24,7 @@
 #include "absl/status/statusor.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
+#include "server/engine/base/status_details.h"
 #include "server/engine/query_engine.h"
 #include "server/rpc/calls/call.h"
 #include "server/rpc/messages/field_translation.h"
@@ -120,7 +121,7 @@ class AnswerStream : public Call<ResponseType> {
   using Call<ResponseType>::service_;
 
   // Asks the engine, which may call back at once; called without the lock, and
-  // once more after it failed with NOT_FOUND and the mesh came from the disk.
+  // once more after it found no mesh and that came from the disk.
   // The request is there while it is called and then no more; the context, too,
   // though the client be gone.
   virtual absl::Status Ask() = 0;
@@ -236,7 +237,8 @@ class AnswerStream : public Call<ResponseType> {
 
   // `status`: of Ask.
   void GoOn(absl::Status status) {
-    if (absl::IsNotFound(status) && !mesh_digest_.empty() &&
+    // Nothing else that is not found would come with the mesh.
+    if (MeshAtFault(status).has_value() &&
         service_.engine.CanLoadMesh(mesh_digest_)) {
       AwaitMesh();
       return;
