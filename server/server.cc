@@ -117,7 +117,7 @@ Server::Server(const ServerOptions& options,
           MakeCapabilities(options.limits, options.max_message_bytes,
                            std::string(ServerVersion()))},
       services_(MakeServices(service_context_)) {
-  engine_.ObserveJobs(
+  engine_.scheduler().ObserveJobs(
       clock_, [this](const JobTimes& times) { metrics_.JobEnded(times); });
   metrics_.Add([this] { return CollectEngine(engine_, intake_.memory()); });
   metrics_.AddGauge("geodesic_active_requests", "Requests that have not ended",
@@ -244,7 +244,7 @@ void Server::Shutdown(std::chrono::milliseconds grace) {
   draining_ = true;
   drain_until_ = clock_.Now() + grace;
   SetServing(false);
-  engine_.BeginDrain();
+  engine_.scheduler().BeginDrain();
   logger_->info("draining: {} requests go on for at most {:.0f} s",
                 log_.active(), std::chrono::duration<double>(grace).count());
   shutdown_.notify_all();
@@ -260,9 +260,9 @@ bool Server::Wait() {
   const bool in_order = log_.WaitIdle(until, hurry_.get_token());
   if (!in_order) logger_->warn("{} requests are cancelled", log_.active());
   // What is left is fields on their way to the disk.
-  if (in_order) engine_.WaitIdle(kStoreGrace);
+  if (in_order) engine_.scheduler().WaitIdle(kStoreGrace);
   // Ends the requests that wait for a job; those that stream are cut off.
-  engine_.StopAll();
+  engine_.scheduler().StopAll();
   grpc_server_->Shutdown(std::chrono::system_clock::now() + kFlushGrace);
   log_.WaitIdle(clock_.Now() + kCancelGrace, std::stop_token());
   grpc_server_.reset();

@@ -48,14 +48,14 @@ server::UploadFormat UploadFormatOf(MeshFormat format) {
 // From the first byte received to the mesh that queries find.
 bool Upload(server::QueryEngine& engine, std::string_view bytes,
             MeshFormat format) {
-  auto upload = engine.StartUpload(
+  auto upload = engine.meshes().StartUpload(
       {.format = UploadFormatOf(format), .size_bytes = bytes.size()});
   if (!upload.ok()) return false;
   for (size_t at = 0; at < bytes.size(); at += kChunk) {
     if (!(*upload)->Append(at, bytes.substr(at, kChunk)).ok()) return false;
   }
   std::promise<bool> resident;
-  const auto job = engine.FinishUpload(
+  const auto job = engine.meshes().FinishUpload(
       *std::move(upload),
       [&resident](const absl::StatusOr<server::UploadResult>& result) {
         resident.set_value(result.ok());

@@ -87,7 +87,7 @@ std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
                                         const ByteBudget& requests) {
   const EngineCounters counters = engine.counters();
   const Limits& limits = engine.limits();
-  const MeshStore& meshes = engine.meshes();
+  const MeshStore& meshes = engine.meshes().store();
   const FieldEngine& fields = engine.fields();
   const Scheduler& scheduler = engine.scheduler();
   std::vector<MetricFamily> families = {
@@ -108,11 +108,11 @@ std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
       Make(MetricType::Counter, "geodesic_evictions_total",
            "Entries that went to make room", "store",
            {{"meshes", meshes.evictions()},
-            {"fields", fields.fields().evictions()}}),
+            {"fields", fields.cache().evictions()}}),
       Make(MetricType::Gauge, "geodesic_used_bytes",
            "Memory in use or reserved, by budget", "budget",
            {{"meshes", meshes.used_bytes()},
-            {"fields", fields.fields().used_bytes()},
+            {"fields", fields.cache().used_bytes()},
             {"uploads", engine.upload_memory().used()},
             {"solvers", engine.solver_memory().used()},
             {"requests", requests.used()}}),

@@ -23,7 +23,7 @@ absl::StatusOr<v1::FindMissingMeshesResponse> AnswerOf(
     if (!format.ok()) return format.status();
     files.push_back({*format, file.sha256()});
   }
-  absl::StatusOr<MissingMeshes> missing = service.engine.FindMissing(
+  absl::StatusOr<MissingMeshes> missing = service.engine.meshes().FindMissing(
       {request.mesh_digests().begin(), request.mesh_digests().end()}, files);
   if (!missing.ok()) return missing.status();
   v1::FindMissingMeshesResponse response;
@@ -44,7 +44,7 @@ absl::StatusOr<v1::FindMissingMeshesResponse> AnswerOf(
 absl::StatusOr<v1::GetMeshResponse> AnswerOf(
     const ServiceContext& service, const v1::GetMeshRequest& request) {
   absl::StatusOr<MeshDescription> mesh =
-      service.engine.DescribeMesh(request.digest());
+      service.engine.meshes().Describe(request.digest());
   if (!mesh.ok()) return mesh.status();
   v1::GetMeshResponse response;
   *response.mutable_mesh() = ToProto(*mesh);
@@ -54,7 +54,7 @@ absl::StatusOr<v1::GetMeshResponse> AnswerOf(
 absl::StatusOr<v1::ListMeshesResponse> AnswerOf(
     const ServiceContext& service, const v1::ListMeshesRequest& request) {
   absl::StatusOr<MeshPage> page =
-      service.engine.ListMeshes(request.page_size(), request.page_token());
+      service.engine.meshes().List(request.page_size(), request.page_token());
   if (!page.ok()) return page.status();
   v1::ListMeshesResponse response;
   for (const MeshDescription& mesh : page->meshes) {
@@ -70,7 +70,7 @@ absl::Status DeleteMeshCall::Ask() {
                                    v1::DeleteMeshResponse())
                              : status);
   };
-  return engine().DeleteMesh(request().digest(), answer, entry().client());
+  return engine().meshes().Delete(request().digest(), answer, entry().client());
 }
 
 v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,

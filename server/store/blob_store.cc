@@ -207,15 +207,10 @@ std::vector<BlobInfo> BlobStore::List(const std::string& after,
   return page;
 }
 
-std::vector<std::string> BlobStore::Select(
-    absl::FunctionRef<bool(const std::string&, std::string_view)> predicate)
-    const {
+void BlobStore::ForEach(
+    absl::FunctionRef<void(const std::string&, std::string_view)> visit) const {
   std::lock_guard lock(mutex_);
-  std::vector<std::string> names;
-  for (const auto& [name, entry] : entries_) {
-    if (predicate(name, entry.metadata)) names.push_back(name);
-  }
-  return names;
+  for (const auto& [name, entry] : entries_) visit(name, entry.metadata);
 }
 
 absl::Status BlobStore::Admit(uint64_t body_bytes, uint64_t metadata_bytes) {

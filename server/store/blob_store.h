@@ -142,11 +142,10 @@ class BlobStore {
   // nothing as used.
   std::vector<BlobInfo> List(const std::string& after, size_t count) const;
 
-  // The names of the blobs that satisfy `predicate`, called under a lock. O(n).
-  std::vector<std::string> Select(
-      absl::FunctionRef<bool(const std::string& name,
-                             std::string_view metadata)>
-          predicate) const;
+  // Calls `visit` for each blob, under a lock. O(n).
+  void ForEach(absl::FunctionRef<void(const std::string& name,
+                                      std::string_view metadata)>
+                   visit) const;
 
   // Whether a blob of so many bytes can ever be kept; one that cannot is
   // counted as refused. Errors: RESOURCE_EXHAUSTED with the figures and the

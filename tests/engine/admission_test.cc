@@ -71,7 +71,7 @@ class AdmissionTest : public test::EngineTest {
             .requester = {.client = "a", .is_batch = is_batch}};
   }
   absl::StatusOr<FieldCall> Ask(const FieldRequest& request) {
-    return engine_.ComputeField(request, observer_);
+    return engine_.fields().Compute(request, observer_);
   }
   absl::StatusOr<MatrixCall> AskForMatrix(uint32_t first, uint32_t rows) {
     MatrixRequest request{.mesh_digest = digest_,
@@ -125,16 +125,16 @@ class OutcomeTest : public AdmissionTest {
 TEST_F(OutcomeTest, AnAnswerLeavesTheFieldAlone) {
   Run(Field(0), false, [](const FieldCall&) {});
   EXPECT_TRUE(observer_->field->ok());
-  EXPECT_EQ(engine_.fields().fields().size(), 1);
+  EXPECT_EQ(engine_.fields().cache().size(), 1);
 }
 
 TEST_F(OutcomeTest, CancellingLeavesNothing) {
   for (const bool in_queue : {true, false}) {
     Run(Field(0), in_queue,
-        [&](const FieldCall& call) { engine_.Cancel(call); });
+        [&](const FieldCall& call) { engine_.fields().Cancel(call); });
     EXPECT_EQ(observer_->calls, 0);
   }
-  EXPECT_EQ(engine_.fields().fields().used_bytes(), 0);
+  EXPECT_EQ(engine_.fields().cache().used_bytes(), 0);
 }
 
 TEST_F(OutcomeTest, ADeadlineLeavesNothing) {
@@ -145,7 +145,7 @@ TEST_F(OutcomeTest, ADeadlineLeavesNothing) {
         [&](const FieldCall&) { clock_.Advance(std::chrono::seconds(2)); });
     EXPECT_TRUE(absl::IsDeadlineExceeded(observer_->field->status()));
   }
-  EXPECT_EQ(engine_.fields().fields().used_bytes(), 0);
+  EXPECT_EQ(engine_.fields().cache().used_bytes(), 0);
 }
 
 TEST_F(OutcomeTest, AnErrorLeavesNothing) {
@@ -159,18 +159,19 @@ TEST_F(OutcomeTest, AnErrorLeavesNothing) {
   };
   Run(Field(0), false, [](const FieldCall&) {});
   EXPECT_TRUE(absl::IsResourceExhausted(observer_->field->status()));
-  EXPECT_EQ(engine_.fields().fields().used_bytes(), 0);
+  EXPECT_EQ(engine_.fields().cache().used_bytes(), 0);
 }
 
 TEST_F(OutcomeTest, StoppingInTheQueueLeavesNothing) {
-  Run(Field(0), true, [&](const FieldCall&) { engine_.StopAll(); });
+  Run(Field(0), true, [&](const FieldCall&) { engine_.scheduler().StopAll(); });
   EXPECT_TRUE(absl::IsUnavailable(observer_->field->status()));
 }
 
 TEST_F(OutcomeTest, StoppingTheSolverLeavesNothing) {
-  Run(Field(0), false, [&](const FieldCall&) { engine_.StopAll(); });
+  Run(Field(0), false,
+      [&](const FieldCall&) { engine_.scheduler().StopAll(); });
   EXPECT_TRUE(absl::IsUnavailable(observer_->field->status()));
-  EXPECT_EQ(engine_.fields().fields().used_bytes(), 0);
+  EXPECT_EQ(engine_.fields().cache().used_bytes(), 0);
 }
 
 TEST_F(OutcomeTest, ASettledOrderAndQuantitiesAreSetAsideToo) {

@@ -93,13 +93,13 @@ class WaitingObserver final : public FieldObserver {
 class EngineConcurrencyTest : public ::testing::Test {
  protected:
   std::string Upload(const TriangleSoup& soup) {
-    auto upload = engine_.StartUpload(test::ArrayHeader(soup));
+    auto upload = engine_.meshes().StartUpload(test::ArrayHeader(soup));
     EXPECT_TRUE(upload.ok()) << upload.status();
     EXPECT_TRUE((*upload)->Append(0, test::ArrayBytes(soup)).ok());
     std::mutex mutex;
     std::condition_variable changed;
     std::string digest;
-    const auto job = engine_.FinishUpload(
+    const auto job = engine_.meshes().FinishUpload(
         *std::move(upload), [&](const absl::StatusOr<UploadResult>& result) {
           std::lock_guard lock(mutex);
           EXPECT_TRUE(result.ok()) << result.status();
@@ -125,7 +125,7 @@ TEST_F(EngineConcurrencyTest, EveryoneGetsTheSameField) {
     for (int i = 0; i < 20; ++i) {
       const uint32_t vertex = (thread + i) % 4;
       const auto observer = std::make_shared<WaitingObserver>();
-      const auto call = engine_.ComputeField(
+      const auto call = engine_.fields().Compute(
           {digest, {.sources = {{VertexPoint{vertex}, 0}}}}, observer);
       ASSERT_TRUE(call.ok()) << call.status();
       const auto answer = call->answer.has_value()
@@ -150,7 +150,7 @@ TEST_F(EngineConcurrencyTest, CancelsAndDeletesLeaveNothingBehind) {
     for (int i = 0; i < 30; ++i) {
       const uint32_t vertex = (thread * 7 + i) % 16;
       const auto observer = std::make_shared<WaitingObserver>();
-      const auto call = engine_.ComputeField(
+      const auto call = engine_.fields().Compute(
           {digest, {.sources = {{VertexPoint{vertex}, 0}}}}, observer);
       if (!call.ok()) {
         EXPECT_TRUE(absl::IsNotFound(call.status())) << call.status();
@@ -158,15 +158,15 @@ TEST_F(EngineConcurrencyTest, CancelsAndDeletesLeaveNothingBehind) {
         continue;
       }
       if (i % 2 == 0) {
-        engine_.Cancel(*call);
+        engine_.fields().Cancel(*call);
       } else if (!call->answer.has_value()) {
         EXPECT_TRUE(observer->Wait().ok());
       }
       if (thread == 0 && i % 10 == 9)
-        (void)engine_.DeleteMesh(digest, [](const absl::Status&) {});
+        (void)engine_.meshes().Delete(digest, [](const absl::Status&) {});
     }
   });
-  EXPECT_TRUE(engine_.WaitIdle(std::chrono::seconds(60)));
+  EXPECT_TRUE(engine_.scheduler().WaitIdle(std::chrono::seconds(60)));
   EXPECT_EQ(engine_.fields().jobs().size(), 0);
   const EngineCounters counters = engine_.counters();
   EXPECT_EQ(counters.solves_started,
@@ -188,10 +188,10 @@ TEST_F(EngineConcurrencyTest, LimitedFieldsAreRight) {
       request.extras.settled_order = i % 3 == 1;
       request.extras.nearest_sources = i % 3 == 2;
       const auto observer = std::make_shared<WaitingObserver>();
-      const auto call = engine_.ComputeField(request, observer);
+      const auto call = engine_.fields().Compute(request, observer);
       ASSERT_TRUE(call.ok()) << call.status();
       if (i % 7 == 6) {
-        engine_.Cancel(*call);
+        engine_.fields().Cancel(*call);
         continue;
       }
       const auto answer = call->answer.has_value()
@@ -213,7 +213,7 @@ TEST_F(EngineConcurrencyTest, LimitedFieldsAreRight) {
       }
     }
   });
-  EXPECT_TRUE(engine_.WaitIdle(std::chrono::seconds(60)));
+  EXPECT_TRUE(engine_.scheduler().WaitIdle(std::chrono::seconds(60)));
   EXPECT_EQ(engine_.fields().jobs().size(), 0);
 }
 
@@ -284,7 +284,7 @@ TEST_F(EngineConcurrencyTest, MatricesShareTheThreads) {
       }
     }
   });
-  EXPECT_TRUE(engine_.WaitIdle(std::chrono::seconds(60)));
+  EXPECT_TRUE(engine_.scheduler().WaitIdle(std::chrono::seconds(60)));
 }
 
 TEST_F(EngineConcurrencyTest, TheSameMeshFromEveryoneIsKeptOnce) {
@@ -292,10 +292,10 @@ TEST_F(EngineConcurrencyTest, TheSameMeshFromEveryoneIsKeptOnce) {
   OnThreads([&](int) {
     for (int i = 0; i < 5; ++i) Upload(soup);
   });
-  const auto page = engine_.ListMeshes(0, "");
+  const auto page = engine_.meshes().List(0, "");
   ASSERT_TRUE(page.ok());
   ASSERT_EQ(page->meshes.size(), 1);
-  EXPECT_LT(engine_.meshes().used_bytes(),
+  EXPECT_LT(engine_.meshes().store().used_bytes(),
             page->meshes[0].resident_bytes + 1024);
 }
 

@@ -53,7 +53,7 @@ TEST_F(DurableEngineTest, EverythingIsThereAfterARestart) {
   EXPECT_THAT(listed, SizeIs(2));
   EXPECT_EQ(Listed(), listed);
   const std::string digest = before->mesh.digest;
-  const auto described = engine_->DescribeMesh(digest);
+  const auto described = engine_->meshes().Describe(digest);
   ASSERT_TRUE(described.ok());
   EXPECT_EQ(described->resident_bytes, 0);
   EXPECT_EQ(described->stored_bytes, before->mesh.stored_bytes);
@@ -77,7 +77,7 @@ TEST_F(DurableEngineTest, EverythingIsThereAfterARestart) {
   for (uint32_t face = 0; face < soup.triangles.size(); ++face) {
     ASSERT_EQ((*mesh)->mesh->triangle(face), soup.triangles[face]);
   }
-  EXPECT_GT(engine_->DescribeMesh(digest)->resident_bytes, 0);
+  EXPECT_GT(engine_->meshes().Describe(digest)->resident_bytes, 0);
   EXPECT_EQ(engine_->counters().meshes_loaded, 1);
   EXPECT_THAT(warnings_, IsEmpty());
 }
@@ -88,7 +88,7 @@ TEST_F(DurableEngineTest, NothingKnownIsAskedForAgain) {
   ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
   Restart();
   const FileKey file = {UploadFormat::kOff, Sha256Hex(test::kTetrahedronOff)};
-  const auto missing = engine_->FindMissing({DigestOf(soup)}, {file});
+  const auto missing = engine_->meshes().FindMissing({DigestOf(soup)}, {file});
   ASSERT_TRUE(missing.ok());
   EXPECT_THAT(missing->mesh_digests, IsEmpty());
   ASSERT_THAT(missing->known_files, SizeIs(1));
@@ -101,19 +101,19 @@ TEST_F(DurableEngineTest, NothingKnownIsAskedForAgain) {
     EXPECT_TRUE(again->already_resident);
   }
   EXPECT_EQ(engine_->counters().meshes_built, 0);
-  EXPECT_EQ(engine_->meshes().used_bytes(), 0);
+  EXPECT_EQ(engine_->meshes().store().used_bytes(), 0);
 }
 
 TEST_F(DurableEngineTest, WhatIsDeletedStaysAway) {
   const std::string digest = Upload(Grid(5))->mesh.digest;
   EXPECT_TRUE(Delete(digest).ok());
   EXPECT_TRUE(absl::IsNotFound(Delete(digest)));
-  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(digest).status()));
+  EXPECT_TRUE(absl::IsNotFound(engine_->meshes().Get(digest).status()));
   EXPECT_TRUE(absl::IsNotFound(Await(digest).status()));
   EXPECT_FALSE(fs::exists(FileOf(digest)));
   Restart();
   EXPECT_THAT(Listed(), IsEmpty());
-  EXPECT_TRUE(absl::IsNotFound(engine_->DescribeMesh(digest).status()));
+  EXPECT_TRUE(absl::IsNotFound(engine_->meshes().Describe(digest).status()));
 }
 
 TEST_F(DurableEngineTest, ADeletionDuringALoadWins) {
@@ -121,12 +121,13 @@ TEST_F(DurableEngineTest, ADeletionDuringALoadWins) {
   Restart();
   const auto loaded = AskFor(digest);
   absl::Status deleted = absl::UnknownError("not told");
-  ASSERT_TRUE(
-      engine_->DeleteMesh(digest, [&](const auto& s) { deleted = s; }).ok());
+  ASSERT_TRUE(engine_->meshes()
+                  .Delete(digest, [&](const auto& s) { deleted = s; })
+                  .ok());
   executor_.RunAll();
   EXPECT_TRUE(loaded->ok()) << loaded->status();
   EXPECT_TRUE(deleted.ok()) << deleted;
-  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(digest).status()));
+  EXPECT_TRUE(absl::IsNotFound(engine_->meshes().Get(digest).status()));
   EXPECT_THAT(Listed(), IsEmpty());
 }
 
@@ -141,15 +142,15 @@ TEST_F(DiskBudgetTest, WhatTheDiskForgetsIsGone) {
   const std::string b = Upload(Grid(3, 1))->mesh.digest;
   ASSERT_TRUE(Field({.mesh_digest = b}).ok());
   // A question keeps a mesh young.
-  ASSERT_TRUE(engine_->GetMesh(a).ok());
+  ASSERT_TRUE(engine_->meshes().Get(a).ok());
   const std::string c = Upload(Grid(4, 1))->mesh.digest;
   std::vector<std::string> expected = {a, c};
   std::ranges::sort(expected);
   EXPECT_EQ(Listed(), expected);
-  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(b).status()));
-  EXPECT_THAT(engine_->FindMissing({a, b, c}, {})->mesh_digests,
+  EXPECT_TRUE(absl::IsNotFound(engine_->meshes().Get(b).status()));
+  EXPECT_THAT(engine_->meshes().FindMissing({a, b, c}, {})->mesh_digests,
               ElementsAre(b));
-  EXPECT_EQ(engine_->fields().fields().size(), 0);
+  EXPECT_EQ(engine_->fields().cache().size(), 0);
   Restart();
   EXPECT_EQ(Listed(), expected);
 }
@@ -158,7 +159,7 @@ TEST_F(DiskBudgetTest, AMeshBeyondTheBudgetIsRefused) {
   const std::string small = Upload(Grid(2, 1))->mesh.digest;
   // Before a byte is sent, since its header says how large it is.
   const absl::Status status =
-      engine_->StartUpload(test::ArrayHeader(Grid(20, 20))).status();
+      engine_->meshes().StartUpload(test::ArrayHeader(Grid(20, 20))).status();
   EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
   EXPECT_FALSE(RetryAfter(status).has_value()) << "waiting would not help";
   EXPECT_EQ(ReasonOf(status), reason::kLimitExceeded);
@@ -171,7 +172,7 @@ TEST_F(DiskBudgetTest, AMeshBeyondTheBudgetIsRefused) {
   EXPECT_EQ(counters.write_failures, 0);
   EXPECT_THAT(Listed(), ElementsAre(small));
   EXPECT_TRUE(
-      absl::IsNotFound(engine_->GetMesh(DigestOf(Grid(20, 20))).status()));
+      absl::IsNotFound(engine_->meshes().Get(DigestOf(Grid(20, 20))).status()));
 }
 
 TEST_F(DurableEngineTest, DamageIsSetAsideAndHealedByAnUpload) {
@@ -187,7 +188,7 @@ TEST_F(DurableEngineTest, DamageIsSetAsideAndHealedByAnUpload) {
   EXPECT_THAT(std::string(status.message()), HasSubstr("upload it again"));
   ASSERT_THAT(warnings_, SizeIs(1));
   EXPECT_THAT(warnings_[0], HasSubstr(digest));
-  EXPECT_THAT(engine_->FindMissing({digest}, {})->mesh_digests,
+  EXPECT_THAT(engine_->meshes().FindMissing({digest}, {})->mesh_digests,
               ElementsAre(digest));
   EXPECT_TRUE(fs::exists(data_dir() + "/quarantine/" + digest + ".mesh"));
 
@@ -280,16 +281,16 @@ class LateFieldTest : public DurableEngineTest {
   }
 
   void StartDelete() {
-    ASSERT_TRUE(
-        engine_->DeleteMesh(digest_, [&](const auto& s) { deleted_ = s; })
-            .ok());
+    ASSERT_TRUE(engine_->meshes()
+                    .Delete(digest_, [&](const auto& s) { deleted_ = s; })
+                    .ok());
   }
 
   // The client keeps what it was given.
   void Ask() {
     FieldRequest request{.mesh_digest = digest_};
     request.query.sources = {{VertexPoint{0}}};
-    call_ = engine_->ComputeField(request, observer_);
+    call_ = engine_->fields().Compute(request, observer_);
     ASSERT_TRUE(call_.ok()) << call_.status();
   }
 
@@ -297,7 +298,7 @@ class LateFieldTest : public DurableEngineTest {
     executor_.RunAll();
     EXPECT_TRUE(deleted_.ok()) << deleted_;
     EXPECT_TRUE(observer_->answer->ok()) << observer_->answer->status();
-    EXPECT_EQ(engine_->fields().fields().size(), 0);
+    EXPECT_EQ(engine_->fields().cache().size(), 0);
     EXPECT_TRUE(fs::is_empty(data_dir() + "/fields"));
     at_start_ = nullptr;
     Restart();
@@ -388,7 +389,8 @@ TEST_F(FailingDiskTest, AFullDiskRefusesUploadsAndServesTheRest) {
   EXPECT_THAT(std::string(status.message()), HasSubstr("delete meshes"));
   EXPECT_TRUE(RetryAfter(status).has_value());
   // What was refused is nowhere.
-  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(DigestOf(large)).status()));
+  EXPECT_TRUE(
+      absl::IsNotFound(engine_->meshes().Get(DigestOf(large)).status()));
   EXPECT_THAT(Listed(), ElementsAre(resident_));
   // The rest goes on, and small ones are taken.
   EXPECT_TRUE(Field({.mesh_digest = resident_}).ok());
@@ -415,7 +417,7 @@ TEST_F(FailingDiskTest, AReadOnlyDiskRefusesChangesAndServesTheRest) {
   EXPECT_THAT(std::string(upload.message()), HasSubstr("Read-only"));
   const absl::Status deletion = Delete(resident_);
   EXPECT_TRUE(absl::IsUnavailable(deletion)) << deletion;
-  EXPECT_TRUE(engine_->GetMesh(resident_).ok());
+  EXPECT_TRUE(engine_->meshes().Get(resident_).ok());
   EXPECT_TRUE(Field({.mesh_digest = resident_}).ok());
   // A restart changes nothing of that.
   Restart();

@@ -37,7 +37,7 @@ class DurableEngineTest : public ::testing::Test {
 
   void Stop() {
     if (engine_ == nullptr) return;
-    engine_->StopAll();
+    engine_->scheduler().StopAll();
     executor_.RunAll();
     engine_.reset();
   }
@@ -65,12 +65,12 @@ class DurableEngineTest : public ::testing::Test {
 
   absl::StatusOr<UploadResult> Upload(const UploadHeader& header,
                                       std::string_view bytes) {
-    auto upload = engine_->StartUpload(header);
+    auto upload = engine_->meshes().StartUpload(header);
     if (!upload.ok()) return upload.status();
     if (absl::Status s = (*upload)->Append(0, bytes); !s.ok()) return s;
     absl::StatusOr<UploadResult> result = absl::UnknownError("not told");
-    auto job = engine_->FinishUpload(*std::move(upload),
-                                     [&](const auto& r) { result = r; });
+    auto job = engine_->meshes().FinishUpload(
+        *std::move(upload), [&](const auto& r) { result = r; });
     if (!job.ok()) return job.status();
     executor_.RunAll();
     return result;
@@ -81,7 +81,7 @@ class DurableEngineTest : public ::testing::Test {
 
   absl::Status Delete(const std::string& digest) {
     absl::Status result = absl::UnknownError("not told");
-    absl::Status status = engine_->DeleteMesh(
+    absl::Status status = engine_->meshes().Delete(
         digest, [&](const absl::Status& told) { result = told; });
     if (!status.ok()) return status;
     executor_.RunAll();
@@ -93,8 +93,8 @@ class DurableEngineTest : public ::testing::Test {
       const std::string& digest) {
     const auto told = std::make_shared<absl::StatusOr<MeshHandle>>(
         absl::UnknownError("not told"));
-    auto ticket =
-        engine_->AwaitMesh(digest, [told](const auto& mesh) { *told = mesh; });
+    auto ticket = engine_->meshes().Await(
+        digest, [told](const auto& mesh) { *told = mesh; });
     if (!ticket.ok()) *told = ticket.status();
     return told;
   }
@@ -110,7 +110,7 @@ class DurableEngineTest : public ::testing::Test {
   absl::StatusOr<FieldAnswer> Field(FieldRequest request) {
     request.query.sources = {{VertexPoint{0}}};
     auto observer = std::make_shared<RecordingObserver>();
-    auto call = engine_->ComputeField(request, observer);
+    auto call = engine_->fields().Compute(request, observer);
     if (!call.ok()) return call.status();
     executor_.RunAll();
     if (call->answer) return *call->answer;
@@ -119,7 +119,7 @@ class DurableEngineTest : public ::testing::Test {
 
   std::vector<std::string> Listed() {
     std::vector<std::string> digests;
-    const absl::StatusOr<MeshPage> page = engine_->ListMeshes(0, "");
+    const absl::StatusOr<MeshPage> page = engine_->meshes().List(0, "");
     EXPECT_TRUE(page.ok()) << page.status();
     for (const MeshDescription& mesh : page->meshes) {
       digests.push_back(mesh.digest);

@@ -28,7 +28,7 @@ class EngineTest : public ::testing::Test {
 
   // The engine's end waits for its tasks.
   ~EngineTest() override {
-    engine_.StopAll();
+    engine_.scheduler().StopAll();
     executor_.RunAll();
   }
 
@@ -54,12 +54,12 @@ class EngineTest : public ::testing::Test {
 
   absl::StatusOr<UploadResult> Upload(const UploadHeader& header,
                                       std::string_view bytes) {
-    auto upload = engine_.StartUpload(header);
+    auto upload = engine_.meshes().StartUpload(header);
     if (!upload.ok()) return upload.status();
     absl::Status status = (*upload)->Append(0, bytes);
     if (!status.ok()) return status;
     std::optional<absl::StatusOr<UploadResult>> result;
-    auto job = engine_.FinishUpload(
+    auto job = engine_.meshes().FinishUpload(
         *std::move(upload),
         [&](const absl::StatusOr<UploadResult>& r) { result = r; });
     if (!job.ok()) return job.status();
@@ -74,7 +74,7 @@ class EngineTest : public ::testing::Test {
 
   absl::Status Delete(const std::string& digest) {
     absl::Status result = absl::UnknownError("not told");
-    absl::Status status = engine_.DeleteMesh(
+    absl::Status status = engine_.meshes().Delete(
         digest, [&](const absl::Status& told) { result = told; });
     if (!status.ok()) return status;
     executor_.RunAll();

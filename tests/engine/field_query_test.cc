@@ -46,7 +46,7 @@ class FieldQueryTest : public test::EngineTest {
   absl::StatusOr<FieldCall> Ask(
       uint32_t vertex, const std::shared_ptr<RecordingObserver>& observer,
       TimePoint deadline = kNoDeadline) {
-    return engine_.ComputeField(
+    return engine_.fields().Compute(
         {.mesh_digest = digest_,
          .query = {.sources = {{VertexPoint{vertex}, 0}}},
          .deadline = deadline},
@@ -90,7 +90,7 @@ TEST_F(FieldQueryTest, SolvesExactly) {
   ASSERT_TRUE(a_->field.has_value());
   ASSERT_TRUE(a_->field->ok()) << a_->field->status();
   NoCheckpoint checkpoint;
-  const auto direct = Solve(*(*engine_.GetMesh(digest_))->mesh,
+  const auto direct = Solve(*(*engine_.meshes().Get(digest_))->mesh,
                             {.sources = {{VertexPoint{0}, 0}}}, {}, checkpoint);
   EXPECT_EQ((**a_->field)->distances, direct->distances);
   EXPECT_EQ(engine_.counters().solves_finished, 1);
@@ -110,8 +110,8 @@ TEST_F(FieldQueryTest, TheCacheAnswersTheSecondTime) {
 
 TEST_F(FieldQueryTest, TheOrderOfSourcesDoesNotMatter) {
   const auto ask = [&](std::vector<Source> sources) {
-    const auto call =
-        engine_.ComputeField({digest_, {.sources = std::move(sources)}}, a_);
+    const auto call = engine_.fields().Compute(
+        {digest_, {.sources = std::move(sources)}}, a_);
     executor_.RunAll();
     return call->origin;
   };
@@ -133,7 +133,7 @@ TEST_F(FieldQueryTest, ConcurrentEqualQueriesAreSolvedOnce) {
 
 TEST_F(FieldQueryTest, AlgorithmsAreDifferentQuestions) {
   ASSERT_TRUE(Ask(0, a_).ok());
-  const auto other = engine_.ComputeField(
+  const auto other = engine_.fields().Compute(
       {digest_,
        {.sources = {{VertexPoint{0}, 0}}, .algorithm = Algorithm::kMmp}},
       b_);
@@ -144,7 +144,7 @@ TEST_F(FieldQueryTest, AlgorithmsAreDifferentQuestions) {
 
 TEST_F(FieldQueryTest, CancelWhileQueuedNeverSolves) {
   const auto call = Ask(0, a_);
-  engine_.Cancel(*call);
+  engine_.fields().Cancel(*call);
   EXPECT_EQ(engine_.scheduler().queued(), 0);
   executor_.RunAll();
   EXPECT_EQ(solves_, 0);
@@ -155,7 +155,7 @@ TEST_F(FieldQueryTest, CancelWhileQueuedNeverSolves) {
 TEST_F(FieldQueryTest, CancelWhileRunningStopsAtTheNextPoll) {
   absl::StatusOr<FieldCall> call;
   solve_ = PollingSolver(100, [&](int poll) {
-    if (poll == 7) engine_.Cancel(*call);
+    if (poll == 7) engine_.fields().Cancel(*call);
   });
   call = Ask(0, a_);
   executor_.RunAll();
@@ -163,13 +163,13 @@ TEST_F(FieldQueryTest, CancelWhileRunningStopsAtTheNextPoll) {
   EXPECT_EQ(a_->calls, 0);
   EXPECT_EQ(engine_.counters().solves_stopped, 1);
   EXPECT_EQ(engine_.counters().solves_finished, 0);
-  EXPECT_EQ(engine_.fields().fields().used_bytes(), 0);
+  EXPECT_EQ(engine_.fields().cache().used_bytes(), 0);
 }
 
 TEST_F(FieldQueryTest, TheSolverRunsWhileAnyoneWaits) {
   absl::StatusOr<FieldCall> first;
   solve_ = PollingSolver(10, [&](int poll) {
-    if (poll == 3) engine_.Cancel(*first);
+    if (poll == 3) engine_.fields().Cancel(*first);
   });
   first = Ask(0, a_);
   ASSERT_TRUE(Ask(0, b_).ok());
@@ -184,7 +184,7 @@ TEST_F(FieldQueryTest, WhoComesAfterTheLastHasLeftGetsANewSolver) {
   absl::StatusOr<FieldCall> second;
   solve_ = PollingSolver(10, [&](int poll) {
     if (poll != 3 || solves_ != 1) return;
-    engine_.Cancel(*first);
+    engine_.fields().Cancel(*first);
     second = Ask(0, b_);
   });
   first = Ask(0, a_);
@@ -237,7 +237,8 @@ TEST_F(FieldQueryTest, AFullQueueRefuses) {
 
 TEST_F(FieldQueryTest, ArgumentsAreChecked) {
   const auto ask = [&](std::vector<Source> sources) {
-    return engine_.ComputeField({digest_, {.sources = std::move(sources)}}, a_)
+    return engine_.fields()
+        .Compute({digest_, {.sources = std::move(sources)}}, a_)
         .status();
   };
   EXPECT_EQ(FieldPathOf(ask({})), "sources");
@@ -249,14 +250,14 @@ TEST_F(FieldQueryTest, ArgumentsAreChecked) {
   EXPECT_TRUE(absl::IsInvalidArgument(
       ask({At(0, std::numeric_limits<double>::quiet_NaN())})));
   EXPECT_TRUE(absl::IsNotFound(
-      engine_
-          .ComputeField(
-              {std::string(64, '0'), {.sources = {{VertexPoint{0}, 0}}}}, a_)
+      engine_.fields()
+          .Compute({std::string(64, '0'), {.sources = {{VertexPoint{0}, 0}}}},
+                   a_)
           .status()));
   EXPECT_EQ(
-      FieldPathOf(
-          engine_.ComputeField({"x", {.sources = {{VertexPoint{0}, 0}}}}, a_)
-              .status()),
+      FieldPathOf(engine_.fields()
+                      .Compute({"x", {.sources = {{VertexPoint{0}, 0}}}}, a_)
+                      .status()),
       "mesh_digest");
   EXPECT_EQ(a_->calls, 0);
 }
@@ -291,13 +292,13 @@ TEST_F(FieldQueryTest, ExceptionsBecomeStatuses) {
 TEST_F(FieldQueryTest, DeletingAMeshDropsItsFieldsOnly) {
   const std::string other = Upload(test::Tetrahedron())->mesh.digest;
   ASSERT_TRUE(Ask(0, a_).ok());
-  ASSERT_TRUE(
-      engine_.ComputeField({other, {.sources = {{VertexPoint{0}, 0}}}}, b_)
-          .ok());
+  ASSERT_TRUE(engine_.fields()
+                  .Compute({other, {.sources = {{VertexPoint{0}, 0}}}}, b_)
+                  .ok());
   executor_.RunAll();
-  EXPECT_EQ(engine_.fields().fields().size(), 2);
+  EXPECT_EQ(engine_.fields().cache().size(), 2);
   EXPECT_TRUE(Delete(digest_).ok());
-  EXPECT_EQ(engine_.fields().fields().size(), 1);
+  EXPECT_EQ(engine_.fields().cache().size(), 1);
 }
 
 TEST_F(FieldQueryTest, ADeletedMeshServesThoseWhoUseIt) {
@@ -305,23 +306,23 @@ TEST_F(FieldQueryTest, ADeletedMeshServesThoseWhoUseIt) {
   EXPECT_TRUE(Delete(digest_).ok());
   executor_.RunAll();
   EXPECT_TRUE(a_->field->ok());
-  EXPECT_EQ(engine_.fields().fields().size(), 0);
+  EXPECT_EQ(engine_.fields().cache().size(), 0);
   EXPECT_TRUE(absl::IsNotFound(Ask(0, b_).status()));
 }
 
 TEST_F(FieldQueryTest, DrainingFinishesWhatIsThereAndTakesNothingNew) {
   ASSERT_TRUE(Ask(0, a_).ok());
-  engine_.BeginDrain();
+  engine_.scheduler().BeginDrain();
   EXPECT_TRUE(absl::IsUnavailable(Ask(1, b_).status()));
   executor_.RunAll();
   EXPECT_TRUE(a_->field->ok());
-  EXPECT_TRUE(engine_.WaitIdle(std::chrono::milliseconds(0)));
+  EXPECT_TRUE(engine_.scheduler().WaitIdle(std::chrono::milliseconds(0)));
   EXPECT_EQ(Ask(0, b_)->origin, FieldOrigin::kCached);
 }
 
 TEST_F(FieldQueryTest, StoppingTellsThoseWhoWait) {
   solve_ = PollingSolver(100, [&](int poll) {
-    if (poll == 2) engine_.StopAll();
+    if (poll == 2) engine_.scheduler().StopAll();
   });
   ASSERT_TRUE(Ask(0, a_).ok());
   ASSERT_TRUE(Ask(1, b_).ok());
@@ -349,7 +350,7 @@ TEST_F(TinyCacheTest, OldFieldsMakeWay) {
     executor_.RunAll();
     ASSERT_TRUE(observer->field->ok()) << observer->field->status();
   }
-  EXPECT_EQ(engine_.fields().fields().size(), 2);
+  EXPECT_EQ(engine_.fields().cache().size(), 2);
   EXPECT_EQ(Ask(2, a_)->origin, FieldOrigin::kCached);
   EXPECT_EQ(Ask(0, a_)->origin, FieldOrigin::kComputed);
 }

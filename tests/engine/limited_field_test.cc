@@ -50,7 +50,7 @@ class LimitedFieldTest : public test::EngineTest {
   };
   Reply Ask(const FieldRequest& request) {
     const auto observer = std::make_shared<RecordingObserver>();
-    const auto call = engine_.ComputeField(request, observer);
+    const auto call = engine_.fields().Compute(request, observer);
     EXPECT_TRUE(call.ok()) << call.status();
     if (call->answer.has_value()) return {*call, *call->answer};
     executor_.RunAll();
@@ -110,7 +110,7 @@ TEST_F(LimitedFieldTest, AWiderOneTakesTheOthersPlace) {
   EXPECT_EQ(all.answer.origin, FieldOrigin::kComputed);
   EXPECT_EQ(all.answer.field->settled_radius, kInfinity);
   ExpectExactUpTo(*all.answer.field, kInfinity);
-  EXPECT_EQ(engine_.fields().fields().size(), 1);
+  EXPECT_EQ(engine_.fields().cache().size(), 1);
   EXPECT_EQ(Ask(Request({.radius = 5})).call.origin, FieldOrigin::kCached);
 }
 
@@ -118,10 +118,10 @@ TEST_F(LimitedFieldTest, EqualLimitsShareAFlightAndOthersDoNot) {
   const auto a = std::make_shared<RecordingObserver>();
   const auto b = std::make_shared<RecordingObserver>();
   const auto c = std::make_shared<RecordingObserver>();
-  ASSERT_TRUE(engine_.ComputeField(Request({.radius = 5}), a).ok());
-  const auto joined = engine_.ComputeField(Request({.radius = 5}), b);
+  ASSERT_TRUE(engine_.fields().Compute(Request({.radius = 5}), a).ok());
+  const auto joined = engine_.fields().Compute(Request({.radius = 5}), b);
   EXPECT_EQ(joined->origin, FieldOrigin::kJoined);
-  const auto other = engine_.ComputeField(Request({.radius = 6}), c);
+  const auto other = engine_.fields().Compute(Request({.radius = 6}), c);
   EXPECT_EQ(other->origin, FieldOrigin::kComputed);
   executor_.RunAll();
   EXPECT_EQ(**a->field, **b->field);
@@ -183,7 +183,7 @@ TEST_F(LimitedFieldTest, SourcesKeepTheClientsNumbers) {
                                {VertexPoint{9}, 0}},
                    .trace = true};
   const auto call =
-      engine_.ComputeField(request, std::make_shared<RecordingObserver>());
+      engine_.fields().Compute(request, std::make_shared<RecordingObserver>());
   ASSERT_TRUE(call.ok()) << call.status();
   // Sorted: vertex 4, vertex 9 without offset, the curve.
   EXPECT_EQ(call->source_numbers, (std::vector<uint32_t>{2, 3, 1}));
@@ -193,7 +193,7 @@ TEST_F(LimitedFieldTest, VerticesComeInOrderWhileItSolves) {
   FieldRequest request = Request({.radius = 12});
   request.extras.settled_order = true;
   const auto observer = std::make_shared<RecordingObserver>();
-  const auto call = engine_.ComputeField(request, observer);
+  const auto call = engine_.fields().Compute(request, observer);
   ASSERT_TRUE(call.ok()) << call.status();
   ASSERT_NE(call->settled, nullptr);
   executor_.RunAll();
@@ -212,7 +212,7 @@ TEST_F(LimitedFieldTest, VerticesComeInOrderWhileItSolves) {
   }
   // The cache gives the same order.
   const auto again =
-      engine_.ComputeField(request, std::make_shared<RecordingObserver>());
+      engine_.fields().Compute(request, std::make_shared<RecordingObserver>());
   EXPECT_EQ(again->origin, FieldOrigin::kCached);
   executor_.RunAll();
   const auto cached = again->settled->Read(0, 10'000);
@@ -228,7 +228,8 @@ TEST_F(LimitedFieldTest, WrongLimitsAreNamed) {
     FieldRequest request = Request(reach);
     request.query.targets = {VertexPoint{1}};
     return FieldPathOf(
-        engine_.ComputeField(request, std::make_shared<RecordingObserver>())
+        engine_.fields()
+            .Compute(request, std::make_shared<RecordingObserver>())
             .status());
   };
   EXPECT_EQ(fault({.radius = -1}), "radius");

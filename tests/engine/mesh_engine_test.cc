@@ -36,7 +36,7 @@ TEST_F(MeshEngineTest, AnUploadBecomesResident) {
   EXPECT_FALSE(uploaded->already_resident);
   EXPECT_EQ(uploaded->mesh.digest, MeshDigest(soup.positions, soup.triangles));
   EXPECT_EQ(uploaded->mesh.summary.faces, 80);
-  EXPECT_EQ((*engine_.GetMesh(uploaded->mesh.digest))->digest,
+  EXPECT_EQ((*engine_.meshes().Get(uploaded->mesh.digest))->digest,
             uploaded->mesh.digest);
   EXPECT_GT(uploaded->mesh.resident_bytes, 0);
   EXPECT_EQ(uploaded->mesh.stored_bytes, 0);
@@ -44,11 +44,12 @@ TEST_F(MeshEngineTest, AnUploadBecomesResident) {
 
 TEST_F(MeshEngineTest, BuildingHappensInAJob) {
   const TriangleSoup soup = test::Tetrahedron();
-  auto upload = *engine_.StartUpload(test::ArrayHeader(soup));
+  auto upload = *engine_.meshes().StartUpload(test::ArrayHeader(soup));
   ASSERT_TRUE(upload->Append(0, test::ArrayBytes(soup)).ok());
   bool done = false;
   ASSERT_TRUE(
-      engine_.FinishUpload(std::move(upload), [&](const auto&) { done = true; })
+      engine_.meshes()
+          .FinishUpload(std::move(upload), [&](const auto&) { done = true; })
           .ok());
   EXPECT_FALSE(done);
   EXPECT_EQ(executor_.size(), 1);
@@ -68,13 +69,13 @@ TEST_F(MeshEngineTest, TheSameMeshInAnotherFormatIsTheSameMesh) {
 
 TEST_F(MeshEngineTest, AKnownFileIsNotParsedAgain) {
   ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
-  auto upload = *engine_.StartUpload(test::TetrahedronOffHeader());
+  auto upload = *engine_.meshes().StartUpload(test::TetrahedronOffHeader());
   ASSERT_TRUE(upload->Append(0, test::kTetrahedronOff).ok());
   absl::StatusOr<UploadResult> result = absl::UnknownError("not called");
-  const auto job = engine_.FinishUpload(std::move(upload),
-                                        [&](const auto& r) { result = r; });
+  const auto job = engine_.meshes().FinishUpload(
+      std::move(upload), [&](const auto& r) { result = r; });
   ASSERT_TRUE(job.ok());
-  EXPECT_EQ(*job, std::nullopt);
+  EXPECT_EQ(job->entry, nullptr);
   ASSERT_TRUE(result.ok());
   EXPECT_TRUE(result->already_resident);
 }
@@ -90,7 +91,8 @@ TEST_F(MeshEngineTest, EqualBytesOfArraysMayBeOtherMeshes) {
 
   // Nor are they a file that could be asked for.
   const FileKey file = {UploadFormat::kArrays, Sha256Of(bytes)};
-  EXPECT_THAT(engine_.FindMissing({}, {file})->files, ElementsAre(file));
+  EXPECT_THAT(engine_.meshes().FindMissing({}, {file})->files,
+              ElementsAre(file));
 }
 
 TEST_F(MeshEngineTest, ExpectedDigestsAreChecked) {
@@ -100,7 +102,7 @@ TEST_F(MeshEngineTest, ExpectedDigestsAreChecked) {
   const absl::Status status = Upload(header, test::ArrayBytes(soup)).status();
   EXPECT_TRUE(absl::IsInvalidArgument(status));
   EXPECT_EQ(FieldPathOf(status), "header.expected_digest");
-  EXPECT_EQ(engine_.meshes().used_bytes(), 0);
+  EXPECT_EQ(engine_.meshes().store().used_bytes(), 0);
 
   header.expected_digest = MeshDigest(soup.positions, soup.triangles);
   ASSERT_TRUE(Upload(header, test::ArrayBytes(soup)).ok());
@@ -120,18 +122,18 @@ TEST_F(MeshEngineTest, ARefusedMeshLeavesNothingBehind) {
   EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
   EXPECT_THAT(std::string(status.message()), HasSubstr("77"));
   EXPECT_EQ(FieldPathOf(status), "chunk.data");
-  EXPECT_EQ(engine_.meshes().used_bytes(), 0);
+  EXPECT_EQ(engine_.meshes().store().used_bytes(), 0);
 }
 
 TEST_F(MeshEngineTest, ACancelledUploadIsNotBuilt) {
   const TriangleSoup soup = test::Tetrahedron();
-  auto upload = *engine_.StartUpload(test::ArrayHeader(soup));
+  auto upload = *engine_.meshes().StartUpload(test::ArrayHeader(soup));
   ASSERT_TRUE(upload->Append(0, test::ArrayBytes(soup)).ok());
   bool called = false;
-  const auto job = engine_.FinishUpload(std::move(upload),
-                                        [&](const auto&) { called = true; });
+  const auto job = engine_.meshes().FinishUpload(
+      std::move(upload), [&](const auto&) { called = true; });
   ASSERT_TRUE(job.ok());
-  engine_.CancelUpload(**job);
+  engine_.meshes().CancelUpload(*job);
   executor_.RunAll();
   EXPECT_FALSE(called);
   EXPECT_EQ(engine_.counters().meshes_built, 0);
@@ -144,7 +146,8 @@ TEST_F(MeshEngineTest, FindMissingTellsWhatToUpload) {
   const FileKey unknown = {UploadFormat::kOff, Sha256Of("something else")};
   const std::string other(64, '0');
 
-  const auto missing = engine_.FindMissing({other, digest}, {unknown, known});
+  const auto missing =
+      engine_.meshes().FindMissing({other, digest}, {unknown, known});
   ASSERT_TRUE(missing.ok());
   EXPECT_THAT(missing->mesh_digests, ElementsAre(other));
   EXPECT_THAT(missing->files, ElementsAre(unknown));
@@ -155,22 +158,27 @@ TEST_F(MeshEngineTest, FindMissingTellsWhatToUpload) {
 
 TEST_F(MeshEngineTest, FindMissingChecksItsArguments) {
   const std::string good(64, '0');
-  const absl::Status digest = engine_.FindMissing({good, "x"}, {}).status();
+  const absl::Status digest =
+      engine_.meshes().FindMissing({good, "x"}, {}).status();
   EXPECT_EQ(FieldPathOf(digest), "mesh_digests[1]");
   const absl::Status file =
-      engine_.FindMissing({}, {{UploadFormat::kObj, "X"}}).status();
+      engine_.meshes().FindMissing({}, {{UploadFormat::kObj, "X"}}).status();
   EXPECT_EQ(FieldPathOf(file), "files[0].sha256");
-  EXPECT_TRUE(
-      engine_.FindMissing(std::vector<std::string>(1000, good), {}).ok());
+  EXPECT_TRUE(engine_.meshes()
+                  .FindMissing(std::vector<std::string>(1000, good), {})
+                  .ok());
   EXPECT_TRUE(absl::IsInvalidArgument(
-      engine_.FindMissing(std::vector<std::string>(1001, good), {}).status()));
+      engine_.meshes()
+          .FindMissing(std::vector<std::string>(1001, good), {})
+          .status()));
 }
 
 TEST_F(MeshEngineTest, AMissingMeshIsToBeUploadedAgain) {
-  const absl::Status status = engine_.GetMesh(std::string(64, '0')).status();
+  const absl::Status status =
+      engine_.meshes().Get(std::string(64, '0')).status();
   EXPECT_TRUE(absl::IsNotFound(status));
   EXPECT_THAT(std::string(status.message()), HasSubstr("upload it again"));
-  EXPECT_TRUE(absl::IsInvalidArgument(engine_.GetMesh("no\n").status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(engine_.meshes().Get("no\n").status()));
 }
 
 TEST_F(MeshEngineTest, ListsInPages) {
@@ -186,7 +194,7 @@ TEST_F(MeshEngineTest, ListsInPages) {
   std::string token;
   int pages = 0;
   do {
-    const auto page = engine_.ListMeshes(2, token);
+    const auto page = engine_.meshes().List(2, token);
     ASSERT_TRUE(page.ok());
     for (const MeshDescription& mesh : page->meshes) {
       listed.push_back(mesh.digest);
@@ -196,27 +204,27 @@ TEST_F(MeshEngineTest, ListsInPages) {
   } while (!token.empty());
   EXPECT_EQ(listed, digests);
   EXPECT_EQ(pages, 3);
-  EXPECT_EQ(engine_.ListMeshes(0, "")->meshes.size(), 5);
-  EXPECT_EQ(engine_.ListMeshes(5, "")->next_token, "");
+  EXPECT_EQ(engine_.meshes().List(0, "")->meshes.size(), 5);
+  EXPECT_EQ(engine_.meshes().List(5, "")->next_token, "");
 }
 
 TEST_F(MeshEngineTest, ListChecksItsArguments) {
-  EXPECT_EQ(FieldPathOf(engine_.ListMeshes(-1, "").status()), "page_size");
-  EXPECT_EQ(FieldPathOf(engine_.ListMeshes(1, "x").status()), "page_token");
+  EXPECT_EQ(FieldPathOf(engine_.meshes().List(-1, "").status()), "page_size");
+  EXPECT_EQ(FieldPathOf(engine_.meshes().List(1, "x").status()), "page_token");
 }
 
 TEST_F(MeshEngineTest, DeleteForgetsTheMesh) {
   const std::string digest = Upload(test::Tetrahedron())->mesh.digest;
   EXPECT_TRUE(Delete(digest).ok());
   EXPECT_TRUE(absl::IsNotFound(Delete(digest)));
-  EXPECT_TRUE(absl::IsNotFound(engine_.GetMesh(digest).status()));
-  EXPECT_EQ(engine_.meshes().used_bytes(), 0);
+  EXPECT_TRUE(absl::IsNotFound(engine_.meshes().Get(digest).status()));
+  EXPECT_EQ(engine_.meshes().store().used_bytes(), 0);
 }
 
 TEST_F(MeshEngineTest, NoUploadsWhileDraining) {
-  engine_.BeginDrain();
+  engine_.scheduler().BeginDrain();
   EXPECT_TRUE(absl::IsUnavailable(
-      engine_.StartUpload(test::TetrahedronOffHeader()).status()));
+      engine_.meshes().StartUpload(test::TetrahedronOffHeader()).status()));
 }
 
 // Room for one grid of 13 x 12 cells.
@@ -237,14 +245,14 @@ TEST_F(TinyStoreTest, OldMeshesMakeWay) {
   const auto second =
       Upload(geodesic::test::MakeGrid({.columns = 13, .rows = 12}));
   ASSERT_TRUE(second.ok()) << second.status();
-  EXPECT_TRUE(absl::IsNotFound(engine_.GetMesh(first).status()));
+  EXPECT_TRUE(absl::IsNotFound(engine_.meshes().Get(first).status()));
 }
 
 TEST_F(TinyStoreTest, MeshesInUseDoNot) {
   const auto first =
       Upload(geodesic::test::MakeGrid({.columns = 12, .rows = 12}));
   ASSERT_TRUE(first.ok());
-  const auto pinned = engine_.GetMesh(first->mesh.digest);
+  const auto pinned = engine_.meshes().Get(first->mesh.digest);
   ASSERT_TRUE(pinned.ok());
   const absl::Status status =
       Upload(geodesic::test::MakeGrid({.columns = 13, .rows = 12})).status();

@@ -27,20 +27,19 @@ TEST_F(DurableEngineTest, OneLoadForAllWhoAsk) {
   std::vector<MeshHandle> meshes;
   std::vector<MeshLoads::Ticket> tickets;
   for (int i = 0; i < 5; ++i) {
-    auto ticket = engine_->AwaitMesh(digest, [&](const auto& mesh) {
+    auto ticket = engine_->meshes().Await(digest, [&](const auto& mesh) {
       ASSERT_TRUE(mesh.ok());
       meshes.push_back(*mesh);
     });
     ASSERT_TRUE(ticket.ok());
-    ASSERT_TRUE(ticket->has_value());
-    tickets.push_back(**ticket);
+    tickets.push_back(*ticket);
   }
-  EXPECT_EQ(engine_->loads().size(), 1);
-  engine_->LeaveMesh(tickets[0]);
+  EXPECT_EQ(engine_->meshes().loads().size(), 1);
+  engine_->meshes().Leave(tickets[0]);
   executor_.RunAll();
   EXPECT_THAT(meshes, SizeIs(4));
   EXPECT_EQ(engine_->counters().meshes_loaded, 1);
-  EXPECT_EQ(engine_->loads().size(), 0);
+  EXPECT_EQ(engine_->meshes().loads().size(), 0);
 }
 
 TEST_F(DurableEngineTest, ALoadNobodyWaitsForIsCalledOff) {
@@ -48,10 +47,10 @@ TEST_F(DurableEngineTest, ALoadNobodyWaitsForIsCalledOff) {
   Restart();
   bool called = false;
   const auto ticket =
-      engine_->AwaitMesh(digest, [&](const auto&) { called = true; });
+      engine_->meshes().Await(digest, [&](const auto&) { called = true; });
   ASSERT_TRUE(ticket.ok());
-  engine_->LeaveMesh(**ticket);
-  EXPECT_EQ(engine_->loads().size(), 0);
+  engine_->meshes().Leave(*ticket);
+  EXPECT_EQ(engine_->meshes().loads().size(), 0);
   executor_.RunAll();
   EXPECT_FALSE(called);
   EXPECT_EQ(engine_->counters().meshes_loaded, 0);
@@ -61,7 +60,7 @@ TEST_F(DurableEngineTest, LoadsEndWithTheServer) {
   const std::string digest = Upload(Grid(5))->mesh.digest;
   Restart();
   const auto loaded = AskFor(digest);
-  engine_->StopAll();
+  engine_->scheduler().StopAll();
   EXPECT_TRUE(absl::IsUnavailable(loaded->status())) << loaded->status();
 }
 
@@ -76,8 +75,8 @@ class EvictionTest : public DurableEngineTest {
 TEST_F(EvictionTest, WhatMemoryForgotComesBackByItself) {
   const std::string first = Upload(Grid(12))->mesh.digest;
   const std::string second = Upload(Grid(13))->mesh.digest;
-  EXPECT_TRUE(absl::IsNotFound(engine_->GetMesh(first).status()));
-  EXPECT_TRUE(engine_->CanLoadMesh(first));
+  EXPECT_TRUE(absl::IsNotFound(engine_->meshes().Get(first).status()));
+  EXPECT_TRUE(engine_->meshes().Contains(first));
   for (int round = 0; round < 3; ++round) {
     for (const std::string& digest : {first, second}) {
       const auto mesh = Await(digest);
@@ -92,13 +91,13 @@ TEST_F(EvictionTest, WhatMemoryForgotComesBackByItself) {
 TEST_F(EvictionTest, RoomIsTakenBeforeALoad) {
   const std::string first = Upload(Grid(12))->mesh.digest;
   ASSERT_TRUE(Upload(Grid(13)).ok());
-  const auto pinned = engine_->GetMesh(DigestOf(Grid(13)));
+  const auto pinned = engine_->meshes().Get(DigestOf(Grid(13)));
   ASSERT_TRUE(pinned.ok());
   const absl::Status status = Await(first).status();
   EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
   EXPECT_TRUE(RetryAfter(status).has_value());
   // The mesh is not held against its file.
-  EXPECT_TRUE(engine_->CanLoadMesh(first));
+  EXPECT_TRUE(engine_->meshes().Contains(first));
 }
 
 // The same with two threads, one of which computes a field on the second mesh
@@ -117,23 +116,22 @@ class LoadAdmissionTest : public EvictionTest {
   // thread; then calls `act`.
   void LoadBeside(const std::function<void(const MeshLoads::Ticket&)>& act) {
     at_start_ = [&] {
-      const auto ticket =
-          engine_->AwaitMesh(first_, [&](const auto& mesh) { loaded_ = mesh; });
+      const auto ticket = engine_->meshes().Await(
+          first_, [&](const auto& mesh) { loaded_ = mesh; });
       ASSERT_TRUE(ticket.ok());
-      ASSERT_TRUE(ticket->has_value());
       executor_.RunOne();
       EXPECT_FALSE(loaded_.has_value()) << loaded_->status();
       EXPECT_EQ(engine_->scheduler().queued(), 1);
       EXPECT_EQ(engine_->upload_memory().used(), 0) << "it only waits";
-      act(**ticket);
+      act(*ticket);
     };
     const auto observer = std::make_shared<test::RecordingObserver>();
     FieldRequest request{.mesh_digest = second_};
     request.query.sources = {{VertexPoint{0}}};
     // The job alone pins the mesh.
-    ASSERT_TRUE(engine_->ComputeField(request, observer).ok());
+    ASSERT_TRUE(engine_->fields().Compute(request, observer).ok());
     executor_.RunAll();
-    EXPECT_EQ(engine_->loads().size(), 0);
+    EXPECT_EQ(engine_->meshes().loads().size(), 0);
     EXPECT_EQ(engine_->upload_memory().used(), 0);
     EXPECT_EQ(engine_->scheduler().queued(), 0);
   }
@@ -151,14 +149,15 @@ TEST_F(LoadAdmissionTest, ALoadWaitsForTheMemoryThatAJobHolds) {
 }
 
 TEST_F(LoadAdmissionTest, WhoeverLeavesMeanwhileLeavesNothing) {
-  LoadBeside(
-      [&](const MeshLoads::Ticket& ticket) { engine_->LeaveMesh(ticket); });
+  LoadBeside([&](const MeshLoads::Ticket& ticket) {
+    engine_->meshes().Leave(ticket);
+  });
   EXPECT_FALSE(loaded_.has_value());
   EXPECT_EQ(engine_->counters().meshes_loaded, 0);
 }
 
 TEST_F(LoadAdmissionTest, TheServersEndIsTold) {
-  LoadBeside([&](const auto&) { engine_->StopAll(); });
+  LoadBeside([&](const auto&) { engine_->scheduler().StopAll(); });
   ASSERT_TRUE(loaded_.has_value());
   EXPECT_TRUE(absl::IsUnavailable(loaded_->status())) << loaded_->status();
 }
@@ -167,7 +166,9 @@ TEST_F(EvictionTest, WhatCanNeverBeLoadedIsRefusedAtOnceWithTheFigures) {
   const std::string digest = Upload(Grid(12))->mesh.digest;
   const auto refusal = [&] {
     Restart();
-    return engine_->AwaitMesh(digest, [](const auto&) { FAIL(); }).status();
+    return engine_->meshes()
+        .Await(digest, [](const auto&) { FAIL(); })
+        .status();
   };
   for (const auto& [budget, flag] :
        {std::pair(&limits_.upload_memory_bytes, "--upload-memory"),

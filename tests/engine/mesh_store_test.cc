@@ -11,7 +11,10 @@
 namespace geodesic::server {
 namespace {
 
-constexpr uint64_t kMiB = uint64_t{1} << 20;
+// Room for one mesh of so many, and not for a tetrahedron beside it.
+constexpr uint64_t kVertices = 1000;
+constexpr uint64_t kFaces = 2000;
+const uint64_t kRoom = Mesh::EstimateResidentBytes(kVertices, kFaces) + 512;
 
 ResidentMesh Resident(TriangleSoup soup) {
   std::string digest = MeshDigest(soup.positions, soup.triangles);
@@ -20,13 +23,13 @@ ResidentMesh Resident(TriangleSoup soup) {
 }
 
 MeshHandle Put(MeshStore& store, const ResidentMesh& mesh) {
-  return store.Insert(mesh, *store.Reserve(kMiB)).mesh;
+  return store.Insert(mesh, *store.Reserve(4, 4)).mesh;
 }
 
 FileKey File(char name) { return {UploadFormat::kObj, std::string(64, name)}; }
 
 TEST(MeshStore, ChargesWhatTheMeshTakes) {
-  MeshStore store(4 * kMiB);
+  MeshStore store(kRoom);
   const ResidentMesh mesh = Resident(test::Tetrahedron());
   Put(store, mesh);
   EXPECT_GE(store.used_bytes(), mesh.mesh->resident_bytes());
@@ -34,16 +37,16 @@ TEST(MeshStore, ChargesWhatTheMeshTakes) {
 }
 
 TEST(MeshStore, TheSameMeshIsKeptOnce) {
-  MeshStore store(4 * kMiB);
+  MeshStore store(kRoom);
   const ResidentMesh mesh = Resident(test::Tetrahedron());
-  EXPECT_TRUE(store.Insert(mesh, *store.Reserve(kMiB)).is_new);
+  EXPECT_TRUE(store.Insert(mesh, *store.Reserve(4, 4)).is_new);
   const uint64_t used = store.used_bytes();
-  EXPECT_FALSE(store.Insert(mesh, *store.Reserve(kMiB)).is_new);
+  EXPECT_FALSE(store.Insert(mesh, *store.Reserve(4, 4)).is_new);
   EXPECT_EQ(store.used_bytes(), used);
 }
 
 TEST(MeshStore, FilesGoWithTheirMesh) {
-  MeshStore store(4 * kMiB);
+  MeshStore store(kRoom);
   const MeshHandle mesh = Put(store, Resident(test::Tetrahedron()));
   store.AddFile(File('a'), mesh->digest);
   store.AddFile(File('b'), mesh->digest);
@@ -53,22 +56,22 @@ TEST(MeshStore, FilesGoWithTheirMesh) {
   // The same bytes in another format are another file.
   EXPECT_EQ(store.FindFile({UploadFormat::kStl, File('a').sha256}),
             std::nullopt);
-  EXPECT_TRUE(store.Erase(mesh->digest));
+  EXPECT_TRUE(store.Erase(mesh->digest).ok());
   EXPECT_EQ(store.FindFile(File('a')), std::nullopt);
   EXPECT_EQ(store.FindFile(File('b')), std::nullopt);
 }
 
 TEST(MeshStore, FilesGoWhenTheirMeshIsEvicted) {
-  MeshStore store(4 * kMiB);
+  MeshStore store(kRoom);
   const std::string digest = Put(store, Resident(test::Tetrahedron()))->digest;
   store.AddFile(File('a'), digest);
-  ASSERT_TRUE(store.Reserve(4 * kMiB).ok());
+  ASSERT_TRUE(store.Reserve(kVertices, kFaces).ok());
   EXPECT_EQ(store.Find(digest), nullptr);
   EXPECT_EQ(store.FindFile(File('a')), std::nullopt);
 }
 
 TEST(MeshStore, AMeshRemembersItsLatestFiles) {
-  MeshStore store(4 * kMiB);
+  MeshStore store(kRoom);
   const std::string digest = Put(store, Resident(test::Tetrahedron()))->digest;
   for (char name = 'a'; name <= 'z'; ++name) store.AddFile(File(name), digest);
   EXPECT_EQ(store.FindFile(File('a')), std::nullopt);
@@ -76,17 +79,17 @@ TEST(MeshStore, AMeshRemembersItsLatestFiles) {
 }
 
 TEST(MeshStore, AFileOfAMeshThatIsGoneIsForgotten) {
-  MeshStore store(4 * kMiB);
+  MeshStore store(kRoom);
   const std::string digest = Put(store, Resident(test::Tetrahedron()))->digest;
-  store.Erase(digest);
+  ASSERT_TRUE(store.Erase(digest).ok());
   store.AddFile(File('a'), digest);
   EXPECT_EQ(store.FindFile(File('a')), std::nullopt);
 }
 
 TEST(MeshStore, PinnedMeshesStay) {
-  MeshStore store(4 * kMiB);
+  MeshStore store(kRoom);
   const MeshHandle pinned = Put(store, Resident(test::Tetrahedron()));
-  EXPECT_FALSE(store.Reserve(4 * kMiB).ok());
+  EXPECT_FALSE(store.Reserve(kVertices, kFaces).ok());
   EXPECT_EQ(store.Find(pinned->digest), pinned);
 }
 

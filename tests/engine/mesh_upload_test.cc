@@ -42,7 +42,7 @@ class MeshUploadTest : public ::testing::Test {
       taken = memory_->used();
       auto parsed = upload.Parse(checkpoint_);
       if (!parsed.ok()) return parsed.status();
-      if (parsed->has_value()) return **std::move(parsed);
+      if (*parsed) return std::move(upload.soup());
     }
   }
   absl::StatusOr<TriangleSoup> TryToParse(MeshUpload& upload) {
@@ -75,19 +75,16 @@ TEST_F(MeshUploadTest, ArraysArriveUnchanged) {
     ASSERT_TRUE(upload->Append(at, bytes.substr(at, 777)).ok());
   }
   ASSERT_TRUE(upload->Finish().ok());
-  Sha256 hash;
-  hash.Update(bytes);
-  EXPECT_EQ(upload->file().sha256, hash.FinishHex());
-  ASSERT_TRUE(upload->ReserveForParse().ok());
-  const auto parsed = upload->Parse(checkpoint_);
+  EXPECT_EQ(upload->file(), std::nullopt);
+  const auto parsed = TryToParse(*upload);
   ASSERT_TRUE(parsed.ok()) << parsed.status();
-  ASSERT_TRUE(parsed->has_value());
-  EXPECT_EQ((*parsed)->positions, soup.positions);
-  EXPECT_EQ((*parsed)->triangles, soup.triangles);
+  EXPECT_EQ(parsed->positions, soup.positions);
+  EXPECT_EQ(parsed->triangles, soup.triangles);
 }
 
 TEST_F(MeshUploadTest, FilesAreRead) {
   auto upload = Received(test::kTetrahedronOff);
+  EXPECT_EQ(upload->file()->sha256, Sha256Hex(test::kTetrahedronOff));
   const auto parsed = TryToParse(*upload);
   ASSERT_TRUE(parsed.ok()) << parsed.status();
   EXPECT_EQ(parsed->positions, test::Tetrahedron().positions);
@@ -215,7 +212,7 @@ TEST_F(MeshUploadTest, NoFileTakesMoreThanWasSetAside) {
   EXPECT_EQ(memory_->used(), MeshUpload::BytesToParse(upload->header()));
   const auto cut_off = upload->Parse(checkpoint_);
   ASSERT_TRUE(cut_off.ok()) << cut_off.status();
-  EXPECT_FALSE(cut_off->has_value());
+  EXPECT_FALSE(*cut_off);
 
   uint64_t taken = 0;
   const auto parsed = TryToParse(*upload, taken);

@@ -53,7 +53,7 @@ class UploadAdmissionTest : public test::EngineTest {
 
   std::unique_ptr<MeshUpload> Received(const UploadHeader& header,
                                        std::string_view bytes) {
-    auto upload = engine_.StartUpload(header);
+    auto upload = engine_.meshes().StartUpload(header);
     EXPECT_TRUE(upload.ok()) << upload.status();
     const absl::Status status = (*upload)->Append(0, bytes);
     EXPECT_TRUE(status.ok()) << status;
@@ -63,11 +63,11 @@ class UploadAdmissionTest : public test::EngineTest {
   // Sends in an upload; what came of it is in `result` once it is known.
   UploadJobs::Ticket Finish(std::unique_ptr<MeshUpload> upload,
                             Result& result) {
-    const auto job = engine_.FinishUpload(std::move(upload),
-                                          [&](const auto& r) { result = r; });
+    const auto job = engine_.meshes().FinishUpload(
+        std::move(upload), [&](const auto& r) { result = r; });
     EXPECT_TRUE(job.ok()) << job.status();
-    EXPECT_TRUE(job->has_value());
-    return **job;
+    EXPECT_NE(job->entry, nullptr);
+    return *job;
   }
 
   // Calls `act` while a field is computed, whose job pins the resident mesh.
@@ -80,8 +80,8 @@ class UploadAdmissionTest : public test::EngineTest {
     FieldRequest request{.mesh_digest = resident_};
     request.query.sources = {{VertexPoint{0}}};
     ASSERT_TRUE(
-        engine_
-            .ComputeField(request, std::make_shared<test::RecordingObserver>())
+        engine_.fields()
+            .Compute(request, std::make_shared<test::RecordingObserver>())
             .ok());
     executor_.RunAll();
     EXPECT_EQ(engine_.upload_memory().used(), 0);
@@ -134,12 +134,12 @@ TEST_P(WaitingUploadTest, AnUploadWaitsForTheMemoryThatAJobHolds) {
   FinishBeside([](auto) {});
   ASSERT_TRUE(result_.has_value());
   ASSERT_TRUE(result_->ok()) << result_->status();
-  EXPECT_TRUE(engine_.GetMesh((*result_)->mesh.digest).ok());
+  EXPECT_TRUE(engine_.meshes().Get((*result_)->mesh.digest).ok());
 }
 
 TEST_P(WaitingUploadTest, WhoeverLeavesMeanwhileLeavesNothing) {
   FinishBeside([&](UploadJobs::Ticket job) {
-    engine_.CancelUpload(job);
+    engine_.meshes().CancelUpload(job);
     EXPECT_EQ(engine_.upload_memory().used(), 0);
   });
   EXPECT_FALSE(result_.has_value());
@@ -147,7 +147,7 @@ TEST_P(WaitingUploadTest, WhoeverLeavesMeanwhileLeavesNothing) {
 }
 
 TEST_P(WaitingUploadTest, TheServersEndIsTold) {
-  FinishBeside([&](auto) { engine_.StopAll(); });
+  FinishBeside([&](auto) { engine_.scheduler().StopAll(); });
   ASSERT_TRUE(result_.has_value());
   EXPECT_TRUE(absl::IsUnavailable(result_->status())) << result_->status();
 }
@@ -167,21 +167,21 @@ class CancelledUploadTest : public test::EngineTest,
     const bool is_file = GetParam() == UploadFormat::kOff;
     const std::string bytes =
         is_file ? test::OffFile(soup) : test::ArrayBytes(soup);
-    auto upload = *engine_.StartUpload(is_file ? OffHeader(bytes)
-                                               : test::ArrayHeader(soup));
+    auto upload = *engine_.meshes().StartUpload(
+        is_file ? OffHeader(bytes) : test::ArrayHeader(soup));
     EXPECT_TRUE(upload->Append(0, bytes).ok());
     bool is_cancelled = false;
     auto quota = std::make_shared<int>();
     const std::weak_ptr<int> counted = quota;
-    const auto job = engine_.FinishUpload(
+    const auto job = engine_.meshes().FinishUpload(
         std::move(upload),
         [&](const auto& result) { EXPECT_NE(result.ok(), is_cancelled); },
         "client", [quota = std::move(quota)](const auto& /*result*/) {});
-    EXPECT_TRUE(job.ok() && job->has_value()) << job.status();
+    EXPECT_TRUE(job.ok()) << job.status();
     clock_.at_look = [&] {
       if (number-- != 0) return;
       is_cancelled = true;
-      engine_.CancelUpload(**job);
+      engine_.meshes().CancelUpload(*job);
       EXPECT_FALSE(counted.expired());
     };
     executor_.RunAll();
@@ -195,7 +195,7 @@ TEST_P(CancelledUploadTest, IsNotBuilt) {
   int looks = 0;
   for (; CancelAtLook(looks); ++looks) {
     EXPECT_EQ(engine_.counters().meshes_built, 0) << looks;
-    EXPECT_EQ(engine_.meshes().used_bytes(), 0) << looks;
+    EXPECT_EQ(engine_.meshes().store().used_bytes(), 0) << looks;
     EXPECT_EQ(engine_.upload_memory().used(), 0) << looks;
   }
   EXPECT_GE(looks, 8);
@@ -210,14 +210,14 @@ TEST_F(UploadAdmissionTest, AnUploadWaitsForTheMemoryThatAWaitingJobHolds) {
   FieldRequest request{.mesh_digest = resident_};
   request.query.sources = {{VertexPoint{0}}};
   const auto observer = std::make_shared<test::RecordingObserver>();
-  ASSERT_TRUE(engine_.ComputeField(request, observer).ok());
+  ASSERT_TRUE(engine_.fields().Compute(request, observer).ok());
   const auto uploaded = Upload(Grid(12));
   ASSERT_TRUE(uploaded.ok()) << uploaded.status();
   EXPECT_TRUE(observer->answer->ok());
 }
 
 TEST_F(UploadAdmissionTest, WhenNobodyGivesMemoryBackTheRefusalComesAtOnce) {
-  const auto pinned = engine_.GetMesh(resident_);
+  const auto pinned = engine_.meshes().Get(resident_);
   const absl::Status status = Upload(Grid(12)).status();
   EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
   EXPECT_TRUE(RetryAfter(status).has_value());
@@ -228,7 +228,7 @@ TEST_F(UploadAdmissionTest, WhatCanNeverFitIsRefusedWithTheFigures) {
   const TriangleSoup large = Grid(20);
   // Arrays by their header, before a byte is sent.
   const absl::Status arrays =
-      engine_.StartUpload(test::ArrayHeader(large)).status();
+      engine_.meshes().StartUpload(test::ArrayHeader(large)).status();
   // A file when it is known what it holds.
   const std::string file = test::OffFile(large);
   const absl::Status parsed = Upload(OffHeader(file), file).status();
@@ -260,7 +260,8 @@ TEST_F(UploadMemoryTest, WhatItsFileCanNeverBeParsedInIsRefusedAtItsHeader) {
   for (const auto& [size, fits] :
        {std::pair(capacity / 4, true), std::pair(capacity / 4 + 1, false)}) {
     const absl::Status status =
-        engine_.StartUpload({.format = UploadFormat::kObj, .size_bytes = size})
+        engine_.meshes()
+            .StartUpload({.format = UploadFormat::kObj, .size_bytes = size})
             .status();
     EXPECT_EQ(status.ok(), fits) << status;
     if (fits) continue;

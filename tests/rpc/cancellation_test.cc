@@ -167,7 +167,7 @@ class CancelMatrixTest : public test::RpcTest,
     const auto relayed = SlowChannel(relay_->port());
     relayed_meshes_ = v1::MeshService::NewStub(relayed);
     relayed_fields_ = v1::FieldService::NewStub(relayed);
-    const auto mesh = server_->engine().GetMesh(digest_);
+    const auto mesh = server_->engine().meshes().Get(digest_);
     ASSERT_TRUE(mesh.ok());
     mesh_ = *mesh;
   }
@@ -256,13 +256,14 @@ class CancelMatrixTest : public test::RpcTest,
              engine().scheduler().queued() == 0 &&
              engine().fields().jobs().size() == 0 &&
              engine().fields().jobs().waiters() == 0 &&
-             engine().loads().size() == 0 &&
+             engine().meshes().loads().size() == 0 &&
              engine().solver_memory().used() == 0 &&
              engine().upload_memory().used() == 0;
     })) << engine().solver_memory().used()
         << ' ' << engine().upload_memory().used();
     // Nobody has the mesh any more but its store.
-    (void)server_->engine().DeleteMesh(digest_, [](const absl::Status&) {});
+    (void)server_->engine().meshes().Delete(digest_,
+                                            [](const absl::Status&) {});
     if (GetParam().kind != Kind::kUnary) {
       EXPECT_TRUE(Until([&] { return mesh_.expired(); }));
     }
@@ -373,7 +374,7 @@ void CancelMatrixTest::RunStream() {
         break;
       case Phase::kStreaming:
         // A field of 320 KiB is more than its reader takes unread.
-        return engine().fields().fields().size() == 1 &&
+        return engine().fields().cache().size() == 1 &&
                engine().scheduler().running() == 0;
     }
     return false;
@@ -389,7 +390,8 @@ void CancelMatrixTest::RunStream() {
     EXPECT_TRUE(Until([&] { return engine().scheduler().queued() == 0; }));
   }
   if (phase == Phase::kStreaming) {
-    (void)server_->engine().DeleteMesh(digest_, [](const absl::Status&) {});
+    (void)server_->engine().meshes().Delete(digest_,
+                                            [](const absl::Status&) {});
     EXPECT_TRUE(Until([&] { return mesh_.expired(); }));
   }
   v1::ComputeFieldResponse message;
@@ -435,7 +437,8 @@ class QuestionCancellationTest : public test::QuestionsTest {
       EXPECT_FALSE(message.has_trailer());
     }
     // The solver is still held: only what cancels it lets it end.
-    EXPECT_TRUE(server_->engine().WaitIdle(std::chrono::seconds(120)));
+    EXPECT_TRUE(
+        server_->engine().scheduler().WaitIdle(std::chrono::seconds(120)));
   }
 
   // The same for work that no test can hold up, on a mesh so large that it
@@ -454,7 +457,8 @@ class QuestionCancellationTest : public test::QuestionsTest {
     context.TryCancel();
     EXPECT_EQ(ReadAll(*reader).status.error_code(),
               grpc::StatusCode::CANCELLED);
-    EXPECT_TRUE(server_->engine().WaitIdle(std::chrono::seconds(120)));
+    EXPECT_TRUE(
+        server_->engine().scheduler().WaitIdle(std::chrono::seconds(120)));
   }
 };
 

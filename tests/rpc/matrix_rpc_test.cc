@@ -262,7 +262,8 @@ TEST_F(HeldMatrixTest, AStalledReaderHoldsAFewRows) {
   v1::ComputeMatrixResponse message;
   ASSERT_TRUE(reader->Read(&message));
   // The jobs end by themselves: no more are submitted.
-  EXPECT_TRUE(server_->engine().WaitIdle(std::chrono::seconds(120)));
+  EXPECT_TRUE(
+      server_->engine().scheduler().WaitIdle(std::chrono::seconds(120)));
   // Questions of others are answered.
   EXPECT_TRUE(ComputeField(digest_, 0).status.ok());
   EXPECT_LT(solver_.starts(), 40);

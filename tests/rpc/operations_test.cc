@@ -211,7 +211,7 @@ TEST_F(PagesTest, CancelledWorkIsCounted) {
   solver_.WaitForStarts(1);
   call->context.TryCancel();
   EXPECT_EQ(call->End().error_code(), grpc::StatusCode::CANCELLED);
-  ASSERT_TRUE(server_->engine().WaitIdle(std::chrono::minutes(1)));
+  ASSERT_TRUE(server_->engine().scheduler().WaitIdle(std::chrono::minutes(1)));
   const std::string page = HttpGet(server_->metrics_port(), "/metrics");
   EXPECT_EQ(page.find("geodesic_cancelled_compute_seconds_total 0\n"),
             std::string::npos);

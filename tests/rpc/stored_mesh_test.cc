@@ -54,7 +54,7 @@ class StoredMeshTest : public test::RpcTest {
 
   // The server knows of it a little later than the client.
   void WaitForLoads(size_t count) {
-    while (server_->engine().loads().size() != count) {
+    while (server_->engine().meshes().loads().size() != count) {
       std::this_thread::yield();
     }
   }
@@ -96,7 +96,7 @@ TEST_F(StoredMeshTest, WhoCancelsWaitsNoLonger) {
   EXPECT_EQ(call->End().error_code(), grpc::StatusCode::CANCELLED);
   WaitForLoads(0);
   EndBusy();
-  EXPECT_TRUE(server_->engine().WaitIdle(kLong));
+  EXPECT_TRUE(server_->engine().scheduler().WaitIdle(kLong));
   EXPECT_EQ(server_->engine().counters().meshes_loaded, 1);
 }
 

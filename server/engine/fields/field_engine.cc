@@ -62,19 +62,22 @@ void FinishOrder(const DistanceField& field, double radius, SettledLog& log) {
 FieldEngine::FieldEngine(const Limits& limits, const SolveOptions& options,
                          const Clock& clock, Scheduler& scheduler,
                          std::shared_ptr<ByteBudget> solver_memory,
-                         StartFunction start, HasMeshFunction has_mesh)
+                         StartFunction start, MeshLibrary& meshes)
     : limits_(limits),
       options_(options),
       start_(std::move(start)),
-      has_mesh_(std::move(has_mesh)),
       solver_memory_(std::move(solver_memory)),
       scheduler_(scheduler),
+      meshes_(meshes),
       fields_(limits.field_cache_bytes),
       jobs_(scheduler, clock, limits.progress_interval) {}
 
 absl::StatusOr<FieldCall> FieldEngine::Compute(
-    const FieldRequest& request, const MeshHandle& mesh,
-    std::shared_ptr<FieldObserver> observer) {
+    const FieldRequest& request, std::shared_ptr<FieldObserver> observer) {
+  const absl::StatusOr<MeshHandle> resident =
+      meshes_.Get(request.mesh_digest, "mesh_digest");
+  if (!resident.ok()) return resident.status();
+  const MeshHandle& mesh = *resident;
   const absl::StatusOr<ValidQuery> query = MakeValid(request, *mesh->mesh);
   if (!query.ok()) return query.status();
   absl::Status status = CheckReach(request.reach, request.query.targets.size());
@@ -227,7 +230,7 @@ FieldHandle FieldEngine::Keep(const FieldKey& key, DistanceField field,
   FieldHandle kept = fields_.Insert(key, std::move(field), std::move(room));
   // Whoever deleted the mesh before this moment found no field to erase;
   // whoever does so later will.
-  if (!has_mesh_(key.mesh_digest)) fields_.EraseMesh(key.mesh_digest);
+  if (!meshes_.Contains(key.mesh_digest)) fields_.EraseMesh(key.mesh_digest);
   return kept;
 }
 
@@ -289,8 +292,6 @@ absl::StatusOr<FieldHandle> FieldEngine::Solve(FieldJob& job,
   if (writer_) writer_->Enqueue(key.field, mesh, handle);
   return handle;
 }
-
-void FieldEngine::Cancel(const FieldCall& call) { jobs_.Leave(call.ticket); }
 
 void FieldEngine::EraseMesh(const std::string& digest) {
   fields_.EraseMesh(digest);

@@ -28,7 +28,7 @@
 #include "server/engine/fields/settled_log.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/shared_jobs.h"
-#include "server/engine/meshes/mesh_store.h"
+#include "server/engine/meshes/mesh_library.h"
 
 namespace geodesic::server {
 
@@ -81,46 +81,41 @@ struct FieldCounters {
   uint64_t fields_loaded = 0;  // from disk
 };
 
-// Whether a mesh is in memory or on disk.
-using HasMeshFunction = std::function<bool(const std::string& digest)>;
-
 // Thread-safe. No call waits for a job.
 class FieldEngine {
  public:
-  // No field stays whose mesh is gone according to `has_mesh`, which is called
-  // from any thread and must be short.
+  // No field stays whose mesh is gone from `meshes`.
   // What is referred to outlives the engine, and `scheduler` has no job left
   // when it goes.
   FieldEngine(const Limits& limits, const SolveOptions& options,
               const Clock& clock, Scheduler& scheduler,
               std::shared_ptr<ByteBudget> solver_memory, StartFunction start,
-              HasMeshFunction has_mesh);
+              MeshLibrary& meshes);
 
   // From now on keeps fields in `files`, too, which outlives the object. Call
   // before all else.
   void Attach(FieldFiles& files) {
     files_ = &files;
-    writer_.emplace(files, scheduler_, has_mesh_);
+    writer_.emplace(files, scheduler_, meshes_);
   }
 
-  // Starts, joins or finds the computation of a field on `mesh`.
-  // Errors: INVALID_ARGUMENT; NOT_FOUND: the field must be kept already and is
-  // not; RESOURCE_EXHAUSTED: the queue is full, or the memory can never be had;
-  // UNAVAILABLE. `observer` is then not called. It may already be called before
-  // this returns.
+  // Starts, joins or finds the computation of a field.
+  // Errors: INVALID_ARGUMENT; NOT_FOUND: the mesh is not resident, or the field
+  // must be kept already and is not; RESOURCE_EXHAUSTED: more than a limit, the
+  // queue is full, or the memory can never be had; UNAVAILABLE. `observer` is
+  // then not called. It may already be called before this returns.
   absl::StatusOr<FieldCall> Compute(const FieldRequest& request,
-                                    const MeshHandle& mesh,
                                     std::shared_ptr<FieldObserver> observer);
 
   // The caller of `call` waits no longer. When it was the last, the solver
   // stops at its next poll.
-  void Cancel(const FieldCall& call);
+  void Cancel(const FieldCall& call) { jobs_.Leave(call.ticket); }
 
   // Drops the fields of a mesh. Waits for the disk, if fields are kept there.
   void EraseMesh(const std::string& digest);
 
   FieldCounters counters() const;
-  const FieldCache& fields() const { return fields_; }
+  const FieldCache& cache() const { return fields_; }
   const FieldJobs& jobs() const { return jobs_; }
 
  private:
@@ -153,9 +148,9 @@ class FieldEngine {
   const Limits& limits_;
   const SolveOptions options_;
   const StartFunction start_;
-  const HasMeshFunction has_mesh_;
   const std::shared_ptr<ByteBudget> solver_memory_;
   Scheduler& scheduler_;
+  MeshLibrary& meshes_;
   FieldCache fields_;
   FieldJobs jobs_;
   FieldFiles* files_ = nullptr;        // null: fields are kept in memory alone

@@ -228,11 +228,11 @@ absl::StatusOr<DistanceField> FieldFiles::Load(const FieldKey& key,
 }
 
 void FieldFiles::EraseMesh(const std::string& digest) {
-  const std::vector<std::string> names =
-      blobs_->Select([&](const std::string&, std::string_view metadata) {
-        const std::optional<Metadata> decoded = Decode(metadata);
-        return decoded && decoded->mesh_digest == digest;
-      });
+  std::vector<std::string> names;
+  blobs_->ForEach([&](const std::string& name, std::string_view metadata) {
+    const std::optional<Metadata> decoded = Decode(metadata);
+    if (decoded && decoded->mesh_digest == digest) names.push_back(name);
+  });
   for (const std::string& name : names) (void)blobs_->Erase(name);
 }
 

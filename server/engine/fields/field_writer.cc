@@ -47,7 +47,7 @@ void FieldWriter::WriteOne() {
     (void)Guarded("kept a field",
                   [&] { return files_.Put(item.key, *mesh->mesh, *field); });
     // As FieldEngine::Keep.
-    if (!has_mesh_(mesh->digest)) files_.EraseMesh(mesh->digest);
+    if (!meshes_.Contains(mesh->digest)) files_.EraseMesh(mesh->digest);
   }
   std::lock_guard lock(mutex_);
   has_job_ = false;

@@ -5,18 +5,15 @@
 
 #include <cstddef>
 #include <deque>
-#include <functional>
 #include <memory>
 #include <mutex>
-#include <string>
-#include <utility>
 
 #include "geodesic/distance_field.h"
 #include "server/engine/fields/field_cache.h"
 #include "server/engine/fields/field_files.h"
 #include "server/engine/fields/field_key.h"
 #include "server/engine/jobs/scheduler.h"
-#include "server/engine/meshes/mesh_store.h"
+#include "server/engine/meshes/mesh_library.h"
 
 namespace geodesic::server {
 
@@ -24,12 +21,11 @@ namespace geodesic::server {
 // At most one job of the scheduler's is this object's. Thread-safe.
 class FieldWriter {
  public:
-  // No field stays on disk whose mesh is gone according to `has_mesh`.
-  // REQUIRES: both outlive the object, and `scheduler` has no job left when it
+  // No field stays on disk whose mesh is gone from `meshes`.
+  // REQUIRES: all outlive the object, and `scheduler` has no job left when it
   // goes.
-  FieldWriter(FieldFiles& files, Scheduler& scheduler,
-              std::function<bool(const std::string& digest)> has_mesh)
-      : files_(files), scheduler_(scheduler), has_mesh_(std::move(has_mesh)) {}
+  FieldWriter(FieldFiles& files, Scheduler& scheduler, MeshLibrary& meshes)
+      : files_(files), scheduler_(scheduler), meshes_(meshes) {}
 
   // Does nothing when too many wait already: a field can be computed again.
   void Enqueue(const FieldKey& key, const MeshHandle& mesh,
@@ -48,7 +44,7 @@ class FieldWriter {
 
   FieldFiles& files_;
   Scheduler& scheduler_;
-  const std::function<bool(const std::string& digest)> has_mesh_;
+  MeshLibrary& meshes_;
 
   std::mutex mutex_;
   // Guarded by mutex_:

@@ -120,6 +120,11 @@ void Scheduler::BeginDrain() {
   draining_ = true;
 }
 
+bool Scheduler::is_draining() const {
+  std::lock_guard lock(mutex_);
+  return draining_;
+}
+
 void Scheduler::StopAll() {
   std::vector<WaitingJob> abandoned;
   std::map<JobId, std::stop_source> stopped;

@@ -80,6 +80,7 @@ class Scheduler {
 
   // From now on Submit fails; what was admitted goes on.
   void BeginDrain();
+  bool is_draining() const;
 
   // BeginDrain; then waiting jobs are abandoned with UNAVAILABLE and running
   // ones asked to stop.

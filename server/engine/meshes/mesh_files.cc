@@ -150,7 +150,7 @@ absl::StatusOr<std::unique_ptr<MeshFiles>> MeshFiles::Open(
                .is_named_by_content = true,
                .removed =
                    [files = files.get()](const std::string& digest) {
-                     files->files_.Remove(digest);
+                     files->ForgetFiles(digest);
                      if (files->removed_) files->removed_(digest);
                    },
                .warn = std::move(warn)});
@@ -161,23 +161,10 @@ absl::StatusOr<std::unique_ptr<MeshFiles>> MeshFiles::Open(
 }
 
 void MeshFiles::ReadFileKeys() {
-  constexpr size_t kPage = 1000;
-  std::string after;
-  for (;;) {
-    const std::vector<BlobInfo> page = blobs_->List(after, kPage);
-    if (page.empty()) return;
-    for (const BlobInfo& info : page) {
-      std::optional<Metadata> metadata = Decode(info.metadata);
-      if (metadata && metadata->file) {
-        files_.Add(*std::move(metadata->file), info.name);
-      }
-    }
-    after = page.back().name;
-  }
-}
-
-bool MeshFiles::Contains(const std::string& digest) {
-  return Describe(digest).has_value();
+  blobs_->ForEach([this](const std::string& name, std::string_view metadata) {
+    const std::optional<Metadata> decoded = Decode(metadata);
+    if (decoded && decoded->file) RememberFile(*decoded->file, name);
+  });
 }
 
 std::optional<MeshDescription> MeshFiles::Describe(const std::string& digest) {
@@ -194,17 +181,6 @@ std::vector<MeshDescription> MeshFiles::List(const std::string& after,
     }
   }
   return page;
-}
-
-std::optional<std::string> MeshFiles::FindFile(const FileKey& file) const {
-  return files_.Find(file);
-}
-
-void MeshFiles::AddFile(FileKey file, const std::string& digest) {
-  files_.Add(std::move(file), digest);
-  // The mesh may have been dropped meanwhile, before there was a file to
-  // forget.
-  if (!Contains(digest)) files_.Remove(digest);
 }
 
 absl::Status MeshFiles::Admit(uint64_t vertices, uint64_t faces) {
@@ -274,7 +250,7 @@ absl::StatusOr<TriangleSoup> MeshFiles::Load(const MeshDescription& mesh,
 absl::Status MeshFiles::Erase(const std::string& digest) {
   absl::Status status = blobs_->Erase(digest);
   if (absl::IsNotFound(status)) return NotResident(digest);
-  if (status.ok()) files_.Remove(digest);
+  if (status.ok()) ForgetFiles(digest);
   return status;
 }
 

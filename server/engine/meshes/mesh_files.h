@@ -15,17 +15,14 @@
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/triangle_soup.h"
-#include "server/engine/meshes/known_files.h"
-#include "server/engine/meshes/mesh_description.h"
-#include "server/engine/meshes/mesh_store.h"
-#include "server/engine/meshes/upload_header.h"
+#include "server/engine/meshes/mesh_catalogue.h"
 #include "server/store/blob_store.h"
 
 namespace geodesic::server {
 
-// Thread-safe. Put, Load and Erase wait for the disk; the others do not. See
-// BlobStore for what outlives what.
-class MeshFiles {
+// Thread-safe. See BlobStore for what outlives what. After a restart only the
+// first file that a mesh was uploaded as is known.
+class MeshFiles final : public MeshCatalogue {
  public:
   // `warn` hears of damaged files. REQUIRES: `folder` outlives the object.
   // Errors: as BlobStore::Open.
@@ -39,36 +36,16 @@ class MeshFiles {
     removed_ = std::move(removed);
   }
 
-  // Whether it is there; marks it as used. Describe does, too.
-  bool Contains(const std::string& digest);
-  std::optional<MeshDescription> Describe(const std::string& digest);
-
-  // Up to `count` meshes in order of digest, from the first above `after`.
+  std::optional<MeshDescription> Describe(const std::string& digest) override;
   std::vector<MeshDescription> List(const std::string& after,
-                                    size_t count) const;
-
-  // The digest of the mesh that was uploaded as this file. After a restart
-  // only the first such file is known of each mesh.
-  std::optional<std::string> FindFile(const FileKey& file) const;
-  void AddFile(FileKey file, const std::string& digest);
-
-  // Whether a mesh of this size can ever be kept; see BlobStore::Admit.
-  absl::Status Admit(uint64_t vertices, uint64_t faces);
-
-  // Returns when the mesh is on the disk for good.
-  // Errors: as Admit; RESOURCE_EXHAUSTED (disk or budget full), UNAVAILABLE,
-  // both with a retry hint.
+                                    size_t count) const override;
+  absl::Status Erase(const std::string& digest) override;
+  bool is_durable() const override { return true; }
+  absl::Status Admit(uint64_t vertices, uint64_t faces) override;
   absl::Status Put(const ResidentMesh& mesh,
-                   const std::optional<FileKey>& file);
-
-  // Takes memory for the arrays of the `mesh` described.
-  // Errors: NOT_FOUND (not there, or damaged and set aside), what `checkpoint`
-  // says, RESOURCE_EXHAUSTED, UNAVAILABLE (it cannot be read now).
+                   const std::optional<FileKey>& file) override;
   absl::StatusOr<TriangleSoup> Load(const MeshDescription& mesh,
-                                    Checkpoint& checkpoint);
-
-  // Errors: NOT_FOUND; UNAVAILABLE.
-  absl::Status Erase(const std::string& digest);
+                                    Checkpoint& checkpoint) override;
 
   const BlobStore& blobs() const { return *blobs_; }
 
@@ -76,7 +53,6 @@ class MeshFiles {
   MeshFiles() = default;
   void ReadFileKeys();
 
-  KnownFiles files_;
   std::function<void(const std::string&)> removed_;
   std::unique_ptr<BlobStore> blobs_;
 };

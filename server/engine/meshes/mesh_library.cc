@@ -1,192 +1,187 @@
 #include "server/engine/meshes/mesh_library.h"
 
-#include <map>
+#include <algorithm>
+#include <stop_token>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "digest/sha256.h"
 #include "geodesic/field_path.h"
 #include "server/engine/base/argument_checks.h"
+#include "server/engine/base/guarded.h"
+#include "server/engine/base/status_details.h"
 
 namespace geodesic::server {
 namespace {
 
-// Of the mesh store.
-uint64_t BytesToKeep(const std::string& digest, uint64_t vertices,
-                     uint64_t faces) {
-  return Mesh::EstimateResidentBytes(vertices, faces) + sizeof(ResidentMesh) +
-         digest.capacity();
+constexpr size_t kMaxDigestsPerRequest = 1000;
+constexpr int kDefaultPageSize = 100;
+constexpr int kMaxPageSize = 1000;
+
+// What a build takes of the upload memory, beside its arrays: what stays is the
+// mesh store's.
+uint64_t BytesToBuild(uint64_t vertices, uint64_t faces) {
+  return Mesh::EstimateBuildBytes(vertices, faces) -
+         Mesh::EstimateResidentBytes(vertices, faces);
 }
 
 // Of the upload memory, for a mesh whose arrays are all it comes from.
 uint64_t BytesFromArrays(uint64_t vertices, uint64_t faces) {
   return vertices * sizeof(Point) + faces * sizeof(Triangle) +
-         MeshLibrary::BytesToBuild(vertices, faces);
+         BytesToBuild(vertices, faces);
 }
 
 }  // namespace
 
 MeshLibrary::MeshLibrary(const Limits& limits, const Clock& clock,
                          Scheduler& scheduler,
-                         std::shared_ptr<ByteBudget> upload_memory)
-    : upload_memory_(std::move(upload_memory)),
+                         std::shared_ptr<ByteBudget> upload_memory,
+                         std::function<void(const std::string&)> removed)
+    : limits_(limits),
+      scheduler_(scheduler),
+      upload_memory_(std::move(upload_memory)),
+      removed_(std::move(removed)),
       store_(limits.mesh_store_bytes),
+      uploads_(scheduler, clock, limits.progress_interval),
       loads_(scheduler, clock, limits.progress_interval) {}
 
-void MeshLibrary::Attach(
-    MeshFiles& files, std::function<void(const std::string& digest)> removed) {
-  files_ = &files;
-  files.SetRemoved(
-      [this, removed = std::move(removed)](const std::string& digest) {
-        store_.Erase(digest);
-        removed(digest);
-      });
+void MeshLibrary::Attach(MeshFiles& files) {
+  catalogue_ = &files;
+  files.SetRemoved([this](const std::string& digest) {
+    (void)store_.Erase(digest);
+    removed_(digest);
+  });
 }
 
 MeshHandle MeshLibrary::FindResident(const std::string& digest) {
   MeshHandle mesh = store_.Find(digest);
-  if (mesh != nullptr && files_ != nullptr) files_->Contains(digest);
+  // A question keeps it from being dropped from the disk, too.
+  if (mesh != nullptr) catalogue_->Contains(digest);
   return mesh;
 }
 
-std::optional<MeshDescription> MeshLibrary::Describe(
-    const std::string& digest) {
+std::optional<MeshDescription> MeshLibrary::Find(const std::string& digest) {
   const MeshHandle resident = store_.Find(digest);
-  if (files_ == nullptr) {
-    return resident == nullptr ? std::nullopt
-                               : std::optional(resident->Describe());
-  }
-  std::optional<MeshDescription> mesh = files_->Describe(digest);
+  std::optional<MeshDescription> mesh = catalogue_->Describe(digest);
   if (mesh && resident != nullptr) {
     mesh->resident_bytes = resident->mesh->resident_bytes();
   }
   return mesh;
 }
 
-bool MeshLibrary::Contains(const std::string& digest) {
-  return files_ == nullptr ? store_.Find(digest) != nullptr
-                           : files_->Contains(digest);
-}
-
 std::optional<std::string> MeshLibrary::FindFile(const FileKey& file) {
-  std::optional<std::string> digest =
-      files_ == nullptr ? store_.FindFile(file) : files_->FindFile(file);
+  std::optional<std::string> digest = catalogue_->FindFile(file);
   return digest && Contains(*digest) ? digest : std::nullopt;
 }
 
-std::vector<MeshDescription> MeshLibrary::List(const std::string& after,
-                                               size_t count) const {
-  std::map<std::string, MeshDescription> page;
-  if (files_ != nullptr) {
-    for (MeshDescription& mesh : files_->List(after, count)) {
-      page.emplace(mesh.digest, std::move(mesh));
+absl::StatusOr<MissingMeshes> MeshLibrary::FindMissing(
+    const std::vector<std::string>& mesh_digests,
+    const std::vector<FileKey>& files) {
+  if (mesh_digests.size() + files.size() > kMaxDigestsPerRequest) {
+    return InvalidField(
+        "mesh_digests",
+        absl::StrCat("mesh_digests and files have ",
+                     mesh_digests.size() + files.size(),
+                     " items together; at most ", kMaxDigestsPerRequest,
+                     " are answered at once"));
+  }
+  MissingMeshes missing;
+  for (size_t i = 0; i < mesh_digests.size(); ++i) {
+    absl::Status status =
+        CheckDigest(absl::StrCat("mesh_digests[", i, "]"), mesh_digests[i]);
+    if (!status.ok()) return status;
+    // Marks the mesh as used, so that it outlives the client's next step.
+    if (!Contains(mesh_digests[i])) {
+      missing.mesh_digests.push_back(mesh_digests[i]);
     }
   }
-  for (const MeshHandle& resident : store_.List(after, count)) {
-    const auto stored = page.find(resident->digest);
-    if (stored != page.end()) {
-      stored->second.resident_bytes = resident->mesh->resident_bytes();
-    } else if (files_ == nullptr) {
-      page.emplace(resident->digest, resident->Describe());
+  for (size_t i = 0; i < files.size(); ++i) {
+    absl::Status status =
+        CheckDigest(absl::StrCat("files[", i, "].sha256"), files[i].sha256);
+    if (!status.ok()) return status;
+    if (const auto digest = FindFile(files[i])) {
+      missing.known_files.push_back({files[i], *digest});
+    } else {
+      missing.files.push_back(files[i]);
     }
   }
-  std::vector<MeshDescription> meshes;
-  meshes.reserve(page.size());
-  for (auto& [digest, mesh] : page) meshes.push_back(std::move(mesh));
-  return meshes;
+  return missing;
 }
 
-absl::StatusOr<std::optional<MeshLoads::Ticket>> MeshLibrary::Await(
-    const std::string& digest, MeshCallback done, const std::string& client) {
-  if (MeshHandle mesh = FindResident(digest)) {
-    done(std::move(mesh));
-    return std::nullopt;
+absl::StatusOr<MeshHandle> MeshLibrary::Get(const std::string& digest,
+                                            std::string_view field) {
+  if (absl::Status status = CheckDigest(field, digest); !status.ok()) {
+    return status;
   }
-  const std::optional<MeshDescription> mesh = Describe(digest);
+  MeshHandle mesh = FindResident(digest);
+  if (mesh == nullptr) return NotResident(digest);
+  return mesh;
+}
+
+absl::StatusOr<MeshDescription> MeshLibrary::Describe(
+    const std::string& digest) {
+  if (absl::Status status = CheckDigest("digest", digest); !status.ok()) {
+    return status;
+  }
+  std::optional<MeshDescription> mesh = Find(digest);
   if (!mesh) return NotResident(digest);
-  absl::Status status =
-      CheckMemory(digest, mesh->summary.vertices, mesh->summary.faces);
-  if (!status.ok()) return status;
-  auto memory = std::make_shared<LoadMemory>();
-  absl::StatusOr<MeshLoads::Ticket> ticket =
-      loads_.Join(digest, {.done = std::move(done)}, JobPriority::kBuild, [&] {
-        return SharedWork<MeshHandle>{
-            .priority = JobPriority::kBuild,
-            .client = client,
-            .reserve = [this, digest,
-                        memory] { return Reserve(digest, *memory); },
-            .run = [this, digest, memory](JobCheckpoint& checkpoint)
-                -> absl::StatusOr<std::optional<MeshHandle>> {
-              return Load(digest, *memory, checkpoint);
-            }};
-      });
-  if (!ticket.ok()) return ticket.status();
-  return *std::move(ticket);
+  return *std::move(mesh);
 }
 
-absl::Status MeshLibrary::CheckCapacity(const UploadHeader& header) const {
-  absl::Status status =
-      upload_memory_->CheckCapacity(MeshUpload::BytesToParse(header));
-  if (!status.ok() || header.format != UploadFormat::kArrays) return status;
-  return CheckCapacity(/*digest=*/{}, header.vertex_count, header.face_count);
+absl::StatusOr<MeshPage> MeshLibrary::List(int page_size,
+                                           const std::string& token) {
+  if (page_size < 0) {
+    return InvalidField("page_size", absl::StrCat("page_size is ", page_size,
+                                                  "; it must not be negative"));
+  }
+  // A token is the last digest of the page before.
+  if (!token.empty() && !IsSha256Hex(token)) {
+    return InvalidField("page_token",
+                        "page_token is none that this server gave out");
+  }
+  const size_t count =
+      page_size == 0 ? kDefaultPageSize : std::min(page_size, kMaxPageSize);
+  MeshPage page{.meshes = catalogue_->List(token, count + 1)};
+  std::vector<MeshDescription>& meshes = page.meshes;
+  for (const MeshDescription& resident : store_.List(token, count + 1)) {
+    const auto mesh = std::ranges::lower_bound(meshes, resident.digest, {},
+                                               &MeshDescription::digest);
+    if (mesh != meshes.end() && mesh->digest == resident.digest) {
+      mesh->resident_bytes = resident.resident_bytes;
+    }
+  }
+  if (meshes.size() > count) {
+    meshes.pop_back();
+    page.next_token = meshes.back().digest;
+  }
+  return page;
 }
 
-absl::Status MeshLibrary::CheckCapacity(const std::string& digest,
-                                        uint64_t vertices,
-                                        uint64_t faces) const {
-  absl::Status status = CheckMemory(digest, vertices, faces);
-  if (!status.ok() || files_ == nullptr) return status;
-  return files_->Admit(vertices, faces);
-}
-
-absl::Status MeshLibrary::CheckMemory(const std::string& digest,
-                                      uint64_t vertices, uint64_t faces) const {
-  absl::Status status =
-      upload_memory_->CheckCapacity(BytesFromArrays(vertices, faces));
-  if (!status.ok()) return status;
-  return store_.CheckCapacity(BytesToKeep(digest, vertices, faces));
-}
-
-absl::Status MeshLibrary::Reserve(const std::string& digest,
-                                  LoadMemory& memory) {
-  if (MeshHandle mesh = FindResident(digest)) {
-    memory.mesh = std::move(mesh);
+absl::Status MeshLibrary::Delete(const std::string& digest,
+                                 std::function<void(const absl::Status&)> done,
+                                 const std::string& client) {
+  if (absl::Status status = CheckDigest("digest", digest); !status.ok()) {
+    return status;
+  }
+  if (!catalogue_->is_durable()) {
+    done(Erase(digest));
     return absl::OkStatus();
   }
-  const std::optional<MeshDescription> mesh = files_->Describe(digest);
-  if (!mesh) return NotResident(digest);
-  absl::StatusOr<ByteReservation> arrays = ByteReservation::Make(
-      upload_memory_,
-      BytesFromArrays(mesh->summary.vertices, mesh->summary.faces));
-  if (!arrays.ok()) return arrays.status();
-  absl::StatusOr<ByteReservation> room =
-      ReserveResident(digest, mesh->summary.vertices, mesh->summary.faces);
-  if (!room.ok()) return room.status();
-  memory = {.arrays = *std::move(arrays), .room = *std::move(room)};
-  return absl::OkStatus();
+  Job job{.priority = JobPriority::kBuild, .client = client, .abandon = done};
+  job.run = [this, digest, done = std::move(done)](const std::stop_token&) {
+    done(Guarded("deleted a mesh", [&] { return Erase(digest); }));
+  };
+  return scheduler_.Submit(std::move(job)).status();
 }
 
-absl::StatusOr<MeshHandle> MeshLibrary::Load(const std::string& digest,
-                                             LoadMemory& memory,
-                                             Checkpoint& checkpoint) {
-  if (memory.mesh != nullptr) return std::move(memory.mesh);
-  const std::optional<MeshDescription> mesh = files_->Describe(digest);
-  if (!mesh) return NotResident(digest);
-  absl::StatusOr<TriangleSoup> soup = files_->Load(*mesh, checkpoint);
-  if (!soup.ok()) return soup.status();
-  absl::StatusOr<std::shared_ptr<const Mesh>> built =
-      Mesh::Build(*std::move(soup), checkpoint);
-  if (absl::IsInvalidArgument(built.status())) {
-    // It was built once, from the same bytes.
-    return absl::InternalError(absl::StrCat(
-        "mesh ", digest, " cannot be built: ", built.status().message()));
+absl::Status MeshLibrary::Erase(const std::string& digest) {
+  // The disk first: nobody brings the mesh back from there afterwards.
+  absl::Status status = catalogue_->Erase(digest);
+  if (status.ok() || absl::IsNotFound(status)) {
+    (void)store_.Erase(digest);
+    removed_(digest);
   }
-  if (!built.ok()) return built.status();
-  MeshHandle kept =
-      Keep({digest, *std::move(built), mesh->summary}, std::move(memory.room))
-          .mesh;
-  if (kept == nullptr) return NotResident(digest);
-  ++meshes_loaded_;
-  return kept;
+  return status;
 }
 
 MeshStore::Inserted MeshLibrary::Keep(ResidentMesh mesh, ByteReservation room) {
@@ -194,95 +189,215 @@ MeshStore::Inserted MeshLibrary::Keep(ResidentMesh mesh, ByteReservation room) {
   MeshStore::Inserted kept = store_.Insert(std::move(mesh), std::move(room));
   // Whoever erased it from the disk before this moment found nothing in memory
   // to erase; whoever does so later will.
-  if (files_ != nullptr && !files_->Contains(digest)) {
-    store_.Erase(digest);
+  if (!Contains(digest)) {
+    (void)store_.Erase(digest);
     kept.mesh = nullptr;
   }
   return kept;
 }
 
+absl::Status MeshLibrary::CheckMemory(uint64_t vertices, uint64_t faces) const {
+  absl::Status status =
+      upload_memory_->CheckCapacity(BytesFromArrays(vertices, faces));
+  return status.ok() ? store_.CheckCapacity(vertices, faces) : status;
+}
+
+absl::Status MeshLibrary::CheckCapacity(uint64_t vertices,
+                                        uint64_t faces) const {
+  absl::Status status = CheckMemory(vertices, faces);
+  return status.ok() ? catalogue_->Admit(vertices, faces) : status;
+}
+
+absl::StatusOr<std::unique_ptr<MeshUpload>> MeshLibrary::StartUpload(
+    UploadHeader header) {
+  if (scheduler_.is_draining()) return ShuttingDown();
+  absl::StatusOr<std::unique_ptr<MeshUpload>> upload =
+      MeshUpload::Start(std::move(header), limits_, upload_memory_);
+  if (!upload.ok()) return upload;
+  const UploadHeader& started = (*upload)->header();
+  absl::Status fits =
+      upload_memory_->CheckCapacity(MeshUpload::BytesToParse(started));
+  if (fits.ok() && started.format == UploadFormat::kArrays) {
+    fits = CheckCapacity(started.vertex_count, started.face_count);
+  }
+  if (!fits.ok()) return fits;
+  return upload;
+}
+
+absl::StatusOr<UploadJobs::Ticket> MeshLibrary::FinishUpload(
+    std::unique_ptr<MeshUpload> upload, UploadCallback done,
+    const std::string& client, std::function<void(const UploadResult&)> built) {
+  if (absl::Status status = upload->Finish(); !status.ok()) return status;
+  if (std::optional<UploadResult> known = FindUploaded(*upload)) {
+    upload.reset();
+    built = nullptr;  // the client's next request may come before the return
+    done(*std::move(known));
+    return UploadJobs::Ticket();
+  }
+  auto build = std::make_shared<MeshBuild>();
+  build->upload = std::move(upload);
+  return uploads_.Join(
+      next_upload_++, {.done = std::move(done)}, JobPriority::kBuild, [&] {
+        return SharedWork<UploadResult>{
+            .priority = JobPriority::kBuild,
+            .client = client,
+            .reserve = [this, build] { return Reserve(*build); },
+            .run =
+                [this, build,
+                 built = std::move(built)](JobCheckpoint& checkpoint) {
+                  auto result = Run(*build, checkpoint);
+                  if (built && result.ok() && result->has_value())
+                    built(**result);
+                  return result;
+                }};
+      });
+}
+
 std::optional<UploadResult> MeshLibrary::FindUploaded(
     const MeshUpload& upload) {
-  const std::optional<std::string> digest = FindFile(upload.file());
+  const std::optional<std::string> digest =
+      upload.file() ? FindFile(*upload.file()) : std::nullopt;
   const std::string& expected = upload.header().expected_digest;
   if (!digest || (!expected.empty() && expected != *digest)) {
     return std::nullopt;
   }
-  std::optional<MeshDescription> mesh = Describe(*digest);
+  std::optional<MeshDescription> mesh = Find(*digest);
   if (!mesh) return std::nullopt;
   return UploadResult{*std::move(mesh), true};
 }
 
-void MeshLibrary::RememberFile(const MeshUpload& upload,
-                               const std::string& digest) {
-  // The bytes of arrays do not say how many of them are vertices, so they do
-  // not name a mesh.
-  if (upload.header().format == UploadFormat::kArrays) return;
-  if (files_ != nullptr) {
-    files_->AddFile(upload.file(), digest);
-  } else {
-    store_.AddFile(upload.file(), digest);
+absl::Status MeshLibrary::Reserve(MeshBuild& build) {
+  return build.upload->is_parsed() ? ReserveForMesh(build)
+                                   : build.upload->ReserveForParse();
+}
+
+absl::Status MeshLibrary::ReserveForMesh(MeshBuild& build) {
+  const uint64_t vertices = build.upload->soup().positions.size();
+  const uint64_t faces = build.upload->soup().triangles.size();
+  ByteReservation& memory = build.upload->memory();
+  const uint64_t held = memory.bytes();
+  absl::Status status = memory.GrowTo(held + BytesToBuild(vertices, faces));
+  if (!status.ok()) return status;
+  absl::StatusOr<ByteReservation> room = store_.Reserve(vertices, faces);
+  if (!room.ok()) {
+    // Who waits holds no more than it has.
+    memory.ShrinkTo(held);
+    return room.status();
   }
+  build.room = *std::move(room);
+  return absl::OkStatus();
 }
 
-absl::StatusOr<ByteReservation> MeshLibrary::ReserveResident(
-    const std::string& digest, uint64_t vertices, uint64_t faces) {
-  return store_.Reserve(BytesToKeep(digest, vertices, faces));
+absl::StatusOr<std::optional<UploadResult>> MeshLibrary::Run(
+    MeshBuild& build, Checkpoint& checkpoint) {
+  MeshUpload& upload = *build.upload;
+  if (upload.is_parsed()) return Build(build, checkpoint);
+  const absl::StatusOr<bool> is_parsed = upload.Parse(checkpoint);
+  if (!is_parsed.ok()) return is_parsed.status();
+  if (!*is_parsed) return std::nullopt;
+  if (std::optional<MeshDescription> present = Find(upload.digest())) {
+    AddFile(upload);
+    return UploadResult{*std::move(present), true};
+  }
+  absl::Status fits = CheckCapacity(upload.soup().positions.size(),
+                                    upload.soup().triangles.size());
+  if (!fits.ok()) return fits;
+  // Usually the memory is there, and the job need not wait again.
+  if (!ReserveForMesh(build).ok()) return std::nullopt;
+  return Build(build, checkpoint);
 }
 
-uint64_t MeshLibrary::BytesToBuild(uint64_t vertices, uint64_t faces) {
-  // What stays is the mesh store's.
-  return Mesh::EstimateBuildBytes(vertices, faces) -
-         Mesh::EstimateResidentBytes(vertices, faces);
-}
-
-std::optional<UploadResult> MeshLibrary::FindBuilt(const std::string& digest,
-                                                   const MeshUpload& upload) {
-  std::optional<MeshDescription> present = Describe(digest);
-  if (!present) return std::nullopt;
-  RememberFile(upload, digest);
-  return UploadResult{*std::move(present), true};
-}
-
-absl::StatusOr<UploadResult> MeshLibrary::Build(TriangleSoup soup,
-                                                const std::string& digest,
-                                                const MeshUpload& upload,
-                                                ByteReservation room,
+absl::StatusOr<UploadResult> MeshLibrary::Build(MeshBuild& build,
                                                 Checkpoint& checkpoint) {
+  MeshUpload& upload = *build.upload;
   absl::StatusOr<std::shared_ptr<const Mesh>> built =
-      Mesh::Build(std::move(soup), checkpoint);
+      Mesh::Build(std::move(upload.soup()), checkpoint);
   if (absl::Status s = checkpoint.Poll({}); !s.ok()) return s;
   if (!built.ok()) {
     return absl::IsInvalidArgument(built.status())
                ? WithFieldPath(built.status(), "chunk.data")
                : built.status();
   }
-  ResidentMesh mesh{digest, *built, Summarize(**built)};
+  ResidentMesh mesh{upload.digest(), *built, Summarize(**built)};
   if (absl::Status s = checkpoint.Poll({}); !s.ok()) return s;
+  if (absl::Status s = catalogue_->Put(mesh, upload.file()); !s.ok()) return s;
   MeshDescription description = mesh.Describe();
-  if (files_ != nullptr) {
-    const bool is_file = upload.header().format != UploadFormat::kArrays;
-    absl::Status status = files_->Put(
-        mesh, is_file ? std::optional(upload.file()) : std::nullopt);
-    if (!status.ok()) return status;
-    if (const auto stored = files_->Describe(digest)) {
-      description.stored_bytes = stored->stored_bytes;
-    }
+  if (const auto stored = catalogue_->Describe(mesh.digest)) {
+    description.stored_bytes = stored->stored_bytes;
   }
-  const bool is_new = Keep(std::move(mesh), std::move(room)).is_new;
-  RememberFile(upload, digest);
+  const bool is_new = Keep(std::move(mesh), std::move(build.room)).is_new;
+  AddFile(upload);
   ++meshes_built_;
   return UploadResult{std::move(description), !is_new};
 }
 
-absl::Status MeshLibrary::Erase(const std::string& digest) {
-  if (files_ == nullptr) {
-    return store_.Erase(digest) ? absl::OkStatus() : NotResident(digest);
+void MeshLibrary::AddFile(const MeshUpload& upload) {
+  if (upload.file()) catalogue_->AddFile(*upload.file(), upload.digest());
+}
+
+absl::StatusOr<MeshLoads::Ticket> MeshLibrary::Await(
+    const std::string& digest, MeshCallback done, const std::string& client) {
+  if (MeshHandle mesh = FindResident(digest)) {
+    done(std::move(mesh));
+    return MeshLoads::Ticket();
   }
-  // The disk first: nobody brings the mesh back from there afterwards.
-  absl::Status status = files_->Erase(digest);
-  if (status.ok() || absl::IsNotFound(status)) store_.Erase(digest);
-  return status;
+  const std::optional<MeshDescription> mesh = Find(digest);
+  if (!mesh) return NotResident(digest);
+  absl::Status status =
+      CheckMemory(mesh->summary.vertices, mesh->summary.faces);
+  if (!status.ok()) return status;
+  auto load = std::make_shared<MeshLoad>(MeshLoad{.digest = digest});
+  return loads_.Join(digest, {.done = std::move(done)}, JobPriority::kBuild,
+                     [&] {
+                       return SharedWork<MeshHandle>{
+                           .priority = JobPriority::kBuild,
+                           .client = client,
+                           .reserve = [this, load] { return Reserve(*load); },
+                           .run = [this, load](JobCheckpoint& checkpoint)
+                               -> absl::StatusOr<std::optional<MeshHandle>> {
+                             return Run(*load, checkpoint);
+                           }};
+                     });
+}
+
+absl::Status MeshLibrary::Reserve(MeshLoad& load) {
+  load.mesh = FindResident(load.digest);
+  if (load.mesh != nullptr) return absl::OkStatus();
+  const std::optional<MeshDescription> mesh = catalogue_->Describe(load.digest);
+  if (!mesh) return NotResident(load.digest);
+  const uint64_t vertices = mesh->summary.vertices;
+  const uint64_t faces = mesh->summary.faces;
+  absl::StatusOr<ByteReservation> arrays =
+      ByteReservation::Make(upload_memory_, BytesFromArrays(vertices, faces));
+  if (!arrays.ok()) return arrays.status();
+  absl::StatusOr<ByteReservation> room = store_.Reserve(vertices, faces);
+  if (!room.ok()) return room.status();
+  load.arrays = *std::move(arrays);
+  load.room = *std::move(room);
+  return absl::OkStatus();
+}
+
+absl::StatusOr<MeshHandle> MeshLibrary::Run(MeshLoad& load,
+                                            Checkpoint& checkpoint) {
+  if (load.mesh != nullptr) return std::move(load.mesh);
+  const std::optional<MeshDescription> mesh = catalogue_->Describe(load.digest);
+  if (!mesh) return NotResident(load.digest);
+  absl::StatusOr<TriangleSoup> soup = catalogue_->Load(*mesh, checkpoint);
+  if (!soup.ok()) return soup.status();
+  absl::StatusOr<std::shared_ptr<const Mesh>> built =
+      Mesh::Build(*std::move(soup), checkpoint);
+  if (absl::IsInvalidArgument(built.status())) {
+    // It was built once, from the same bytes.
+    return absl::InternalError(absl::StrCat(
+        "mesh ", load.digest, " cannot be built: ", built.status().message()));
+  }
+  if (!built.ok()) return built.status();
+  MeshHandle kept = Keep({load.digest, *std::move(built), mesh->summary},
+                         std::move(load.room))
+                        .mesh;
+  if (kept == nullptr) return NotResident(load.digest);
+  ++meshes_loaded_;
+  return kept;
 }
 
 }  // namespace geodesic::server

@@ -1,5 +1,4 @@
-// The meshes a server has: those in memory and, if it has a data folder, those
-// on disk.
+// The meshes a server has, and the ways in which they come and go.
 //
 // With a data folder, memory is a cache of the disk:
 //   1. an upload is answered when its mesh is on disk;
@@ -15,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -24,130 +24,184 @@
 #include "server/engine/base/limits.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/shared_jobs.h"
-#include "server/engine/meshes/mesh_description.h"
+#include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_store.h"
 #include "server/engine/meshes/mesh_upload.h"
 
 namespace geodesic::server {
 
-// Meshes on their way from disk to memory: one load for all who ask.
-using MeshLoads = SharedJobs<std::string, MeshHandle>;
-using MeshCallback = std::function<void(const absl::StatusOr<MeshHandle>&)>;
-
 struct UploadResult {
   MeshDescription mesh;
   // The server had it before.
   bool already_resident = false;
 };
+using UploadCallback = std::function<void(const absl::StatusOr<UploadResult>&)>;
+using UploadJobs = SharedJobs<uint64_t, UploadResult>;  // each of its own key
 
-// Thread-safe.
+// Meshes on their way from disk to memory: one load for all who ask.
+using MeshLoads = SharedJobs<std::string, MeshHandle>;
+using MeshCallback = std::function<void(const absl::StatusOr<MeshHandle>&)>;
+
+struct MissingMeshes {
+  std::vector<std::string> mesh_digests;
+  std::vector<FileKey> files;
+  struct KnownFile {
+    FileKey file;
+    std::string mesh_digest;
+  };
+  std::vector<KnownFile> known_files;
+};
+
+struct MeshPage {
+  std::vector<MeshDescription> meshes;
+  // Empty on the last page.
+  std::string next_token;
+};
+
+// Thread-safe. No call waits for a job or the disk. A job is that of the
+// `client` that a call names (see Requester).
 class MeshLibrary {
  public:
-  // REQUIRES: `scheduler` and `clock` outlive the object, and `scheduler` has
-  // no job left when it goes.
+  // `removed` hears of each mesh that is gone for good: deleted, or lost by the
+  // disk. It may wait for the disk.
+  // REQUIRES: `limits`, `scheduler` and `clock` outlive the object, and
+  // `scheduler` has no job left when it goes.
   MeshLibrary(const Limits& limits, const Clock& clock, Scheduler& scheduler,
-              std::shared_ptr<ByteBudget> upload_memory);
-
-  // From now on keeps meshes in `files`, which outlives the object. Call
-  // before all else. `removed` hears of each mesh that the disk no longer has
-  // though nobody deleted it.
-  void Attach(MeshFiles& files,
+              std::shared_ptr<ByteBudget> upload_memory,
               std::function<void(const std::string& digest)> removed);
 
-  // The mesh in memory, or null; marks it as used.
-  MeshHandle FindResident(const std::string& digest);
+  // From now on keeps meshes in `files`, which outlives the object. Call
+  // before all else.
+  void Attach(MeshFiles& files);
 
-  // What is known of a mesh wherever it is; marks it as used.
-  std::optional<MeshDescription> Describe(const std::string& digest);
-  bool Contains(const std::string& digest);
-  // The digest of a mesh that is there and was uploaded as this file.
-  std::optional<std::string> FindFile(const FileKey& file);
+  // Errors: INVALID_ARGUMENT naming a malformed digest, or the number of items
+  // when there are more than 1000.
+  absl::StatusOr<MissingMeshes> FindMissing(
+      const std::vector<std::string>& mesh_digests,
+      const std::vector<FileKey>& files);
 
-  // Up to `count` meshes in order of digest, from the first above `after`.
-  std::vector<MeshDescription> List(const std::string& after,
-                                    size_t count) const;
+  // Errors: as MeshUpload::Start; RESOURCE_EXHAUSTED when the memory or disk
+  // for such an upload can never be had; UNAVAILABLE while shutting down.
+  absl::StatusOr<std::unique_ptr<MeshUpload>> StartUpload(UploadHeader header);
 
-  // Calls `done` with the mesh in memory: at once if it is there, otherwise
-  // from the job that loads it, which waits for its memory as Job::reserve
-  // says. Returns the ticket of who has to wait.
+  // Parses, builds and keeps the mesh in a job, which waits for its memory as
+  // Job::reserve says, and calls `done` from there, once, unless the job is
+  // cancelled while it waits. Calls it at once, from here, when the file is
+  // known; nobody waits then.
+  // Errors, here or in `done`: INVALID_ARGUMENT (bytes missing; a malformed
+  // file; a refused mesh; another digest than expected); RESOURCE_EXHAUSTED;
+  // UNAVAILABLE.
+  // `built` is called from the job before, with the mesh, whether or not
+  // somebody still waits; what it captured goes when the job has ended.
+  absl::StatusOr<UploadJobs::Ticket> FinishUpload(
+      std::unique_ptr<MeshUpload> upload, UploadCallback done,
+      const std::string& client = {},
+      std::function<void(const UploadResult&)> built = nullptr);
+
+  // Nobody waits for the upload's mesh any longer: its job is dropped, or stops
+  // soon and keeps nothing. Its callback is not called.
+  void CancelUpload(const UploadJobs::Ticket& upload) {
+    uploads_.Leave(upload);
+  }
+
+  // A mesh in memory, which is marked as used.
+  // Errors: INVALID_ARGUMENT: malformed digest, naming `field`; NOT_FOUND: not
+  // resident.
+  absl::StatusOr<MeshHandle> Get(const std::string& digest,
+                                 std::string_view field = "digest");
+
+  // A mesh in memory or on disk, which is marked as used.
+  // Errors: INVALID_ARGUMENT: malformed digest; NOT_FOUND: in neither.
+  absl::StatusOr<MeshDescription> Describe(const std::string& digest);
+  bool Contains(const std::string& digest) {
+    return catalogue_->Contains(digest);
+  }
+
+  // Calls `done` with the mesh in memory: at once if it is there, and nobody
+  // waits then; otherwise from the job that loads it, which waits for its
+  // memory as Job::reserve says.
   // Errors, here or in `done`: NOT_FOUND; RESOURCE_EXHAUSTED (no memory, at
   // once if it can never be had; the queue is full); UNAVAILABLE (shutting
   // down; the disk cannot be read).
-  absl::StatusOr<std::optional<MeshLoads::Ticket>> Await(
-      const std::string& digest, MeshCallback done, const std::string& client);
+  absl::StatusOr<MeshLoads::Ticket> Await(const std::string& digest,
+                                          MeshCallback done,
+                                          const std::string& client = {});
   void Leave(const MeshLoads::Ticket& ticket) { loads_.Leave(ticket); }
 
-  // If the upload's file is known and is the expected one, what came of it.
-  std::optional<UploadResult> FindUploaded(const MeshUpload& upload);
+  // `page_size` 0 means 100, above 1000 is taken as 1000.
+  // Errors: INVALID_ARGUMENT: negative size or malformed token.
+  absl::StatusOr<MeshPage> List(int page_size, const std::string& token);
 
-  // The rest of what an upload needs on its way (MeshBuild).
+  // Drops the mesh; running jobs are left alone. With a data folder, in a job,
+  // and `done` hears when the mesh is gone from the disk; otherwise at once.
+  // Errors, here or in `done`: as Describe; RESOURCE_EXHAUSTED (the queue is
+  // full); UNAVAILABLE (shutting down; the disk cannot be written).
+  absl::Status Delete(const std::string& digest,
+                      std::function<void(const absl::Status&)> done,
+                      const std::string& client = {});
 
-  // Whether it can ever become a mesh that is kept, as far as its header tells.
-  // Errors: RESOURCE_EXHAUSTED with the figures.
-  absl::Status CheckCapacity(const UploadHeader& header) const;
-  // The same of a mesh.
-  absl::Status CheckCapacity(const std::string& digest, uint64_t vertices,
-                             uint64_t faces) const;
-
-  // The mesh of this digest that is there, known as the upload's file from now
-  // on.
-  std::optional<UploadResult> FindBuilt(const std::string& digest,
-                                        const MeshUpload& upload);
-
-  // What a build takes of the upload memory, beside its arrays.
-  static uint64_t BytesToBuild(uint64_t vertices, uint64_t faces);
-
-  // Makes room in memory for a mesh.
-  // Errors: RESOURCE_EXHAUSTED, without a retry hint if there never will be
-  // any.
-  absl::StatusOr<ByteReservation> ReserveResident(const std::string& digest,
-                                                  uint64_t vertices,
-                                                  uint64_t faces);
-
-  // Checks and keeps the mesh of an upload. Not for a thread that must not
-  // wait. Errors: INVALID_ARGUMENT, RESOURCE_EXHAUSTED, UNAVAILABLE; what
-  // `checkpoint` says, and then the mesh is not kept.
-  absl::StatusOr<UploadResult> Build(TriangleSoup soup,
-                                     const std::string& digest,
-                                     const MeshUpload& upload,
-                                     ByteReservation room,
-                                     Checkpoint& checkpoint);
-
-  // Waits for the disk, if there is one.
-  // Errors: NOT_FOUND; UNAVAILABLE (it cannot be removed from the disk).
-  absl::Status Erase(const std::string& digest);
-
-  bool is_durable() const { return files_ != nullptr; }
   uint64_t meshes_built() const { return meshes_built_; }
-  uint64_t meshes_loaded() const { return meshes_loaded_; }
+  uint64_t meshes_loaded() const { return meshes_loaded_; }  // from disk
   const MeshStore& store() const { return store_; }
   const MeshLoads& loads() const { return loads_; }
 
  private:
-  // Whether the memory to build a mesh can ever be had.
-  absl::Status CheckMemory(const std::string& digest, uint64_t vertices,
-                           uint64_t faces) const;
-  void RememberFile(const MeshUpload& upload, const std::string& digest);
+  // An upload whose bytes have come. Its job parses them, then builds the mesh,
+  // and each begins when its memory is there: how much a build needs is known
+  // once the file is parsed.
+  struct MeshBuild {
+    std::unique_ptr<MeshUpload> upload;
+    ByteReservation room;  // of the mesh store, once it is parsed
+  };
   // What a load has before it runs: the mesh, if it has come meanwhile, or the
   // memory for it.
-  struct LoadMemory {
+  struct MeshLoad {
+    std::string digest;
     MeshHandle mesh;
     ByteReservation arrays;  // and what else is gone when the mesh is there
     ByteReservation room;    // of the mesh store
   };
-  absl::Status Reserve(const std::string& digest, LoadMemory& memory);
-  absl::StatusOr<MeshHandle> Load(const std::string& digest, LoadMemory& memory,
-                                  Checkpoint& checkpoint);
+
+  MeshHandle FindResident(const std::string& digest);
+  std::optional<MeshDescription> Find(const std::string& digest);
+  std::optional<std::string> FindFile(const FileKey& file);
+
+  // Whether the memory to build a mesh can ever be had.
+  absl::Status CheckMemory(uint64_t vertices, uint64_t faces) const;
+  // And, beside it, the disk to keep it.
+  absl::Status CheckCapacity(uint64_t vertices, uint64_t faces) const;
+
+  // If the upload's file is known and is the expected one, what came of it.
+  std::optional<UploadResult> FindUploaded(const MeshUpload& upload);
+  // Takes the memory for what comes next. See Job::reserve.
+  absl::Status Reserve(MeshBuild& build);
+  absl::Status ReserveForMesh(MeshBuild& build);
+  // Goes on as far as memory is there. Nothing: Reserve, and run it again.
+  // No mesh is kept once `checkpoint` has failed.
+  absl::StatusOr<std::optional<UploadResult>> Run(MeshBuild& build,
+                                                  Checkpoint& checkpoint);
+  absl::StatusOr<UploadResult> Build(MeshBuild& build, Checkpoint& checkpoint);
+  void AddFile(const MeshUpload& upload);
+
+  absl::Status Reserve(MeshLoad& load);
+  absl::StatusOr<MeshHandle> Run(MeshLoad& load, Checkpoint& checkpoint);
+
   // Keeps the mesh in memory, unless the disk has lost it meanwhile: then
   // `mesh` of the result is null.
   MeshStore::Inserted Keep(ResidentMesh mesh, ByteReservation room);
+  absl::Status Erase(const std::string& digest);
 
+  const Limits& limits_;
+  Scheduler& scheduler_;
   const std::shared_ptr<ByteBudget> upload_memory_;
-  MeshFiles* files_ = nullptr;
+  const std::function<void(const std::string&)> removed_;
   MeshStore store_;
+  MeshCatalogue* catalogue_ = &store_;
+  UploadJobs uploads_;
   MeshLoads loads_;
 
+  std::atomic<uint64_t> next_upload_ = 0;
   std::atomic<uint64_t> meshes_built_ = 0;
   std::atomic<uint64_t> meshes_loaded_ = 0;
 };

@@ -2,54 +2,59 @@
 
 #include <utility>
 
+#include "server/engine/base/argument_checks.h"
+
 namespace geodesic::server {
 namespace {
 
-uint64_t ChargeOf(const ResidentMesh& mesh) {
-  return mesh.mesh->resident_bytes() + sizeof(ResidentMesh) +
-         mesh.digest.capacity();
+constexpr uint64_t kDigestBytes = 64;
+
+// What a mesh takes that itself takes so many bytes.
+uint64_t ChargeOf(uint64_t mesh_bytes) {
+  return mesh_bytes + sizeof(ResidentMesh) + kDigestBytes;
 }
 
 }  // namespace
 
 MeshStore::MeshStore(uint64_t capacity)
     : meshes_("mesh store", capacity,
-              [this](const std::string& digest) { files_.Remove(digest); }) {}
+              [this](const std::string& digest) { ForgetFiles(digest); }) {}
 
-MeshHandle MeshStore::Find(const std::string& digest) {
-  return meshes_.Find(digest);
+std::optional<MeshDescription> MeshStore::Describe(const std::string& digest) {
+  const MeshHandle mesh = Find(digest);
+  return mesh == nullptr ? std::nullopt : std::optional(mesh->Describe());
 }
 
-std::optional<std::string> MeshStore::FindFile(const FileKey& file) const {
-  return files_.Find(file);
+std::vector<MeshDescription> MeshStore::List(const std::string& after,
+                                             size_t count) const {
+  std::vector<MeshDescription> page;
+  for (const MeshHandle& mesh : meshes_.List(after, count)) {
+    page.push_back(mesh->Describe());
+  }
+  return page;
 }
 
-absl::StatusOr<ByteReservation> MeshStore::Reserve(uint64_t bytes) {
-  return meshes_.Reserve(bytes);
+absl::Status MeshStore::Erase(const std::string& digest) {
+  return meshes_.Erase(digest) ? absl::OkStatus() : NotResident(digest);
+}
+
+absl::Status MeshStore::CheckCapacity(uint64_t vertices, uint64_t faces) const {
+  return meshes_.CheckCapacity(
+      ChargeOf(Mesh::EstimateResidentBytes(vertices, faces)));
+}
+
+absl::StatusOr<ByteReservation> MeshStore::Reserve(uint64_t vertices,
+                                                   uint64_t faces) {
+  return meshes_.Reserve(
+      ChargeOf(Mesh::EstimateResidentBytes(vertices, faces)));
 }
 
 MeshStore::Inserted MeshStore::Insert(ResidentMesh mesh, ByteReservation room) {
-  room.ShrinkTo(ChargeOf(mesh));
+  room.ShrinkTo(ChargeOf(mesh.mesh->resident_bytes()));
   std::string digest = mesh.digest;
   auto inserted =
       meshes_.Insert(std::move(digest), std::move(mesh), std::move(room));
   return {std::move(inserted.value), inserted.is_new};
-}
-
-void MeshStore::AddFile(FileKey file, const std::string& digest) {
-  files_.Add(std::move(file), digest);
-  // The mesh may have been dropped meanwhile, before there was a file to
-  // forget.
-  if (meshes_.Find(digest) == nullptr) files_.Remove(digest);
-}
-
-bool MeshStore::Erase(const std::string& digest) {
-  return meshes_.Erase(digest);
-}
-
-std::vector<MeshHandle> MeshStore::List(const std::string& after,
-                                        size_t count) const {
-  return meshes_.List(after, count);
 }
 
 }  // namespace geodesic::server

@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/field_path.h"
 #include "geodesic/read_mesh.h"
+#include "server/engine/meshes/mesh_digest.h"
 
 namespace geodesic::server {
 namespace {
@@ -166,7 +167,7 @@ absl::Status MeshUpload::Append(uint64_t offset, std::string_view data) {
     reservation_.ShrinkTo(capacity);
   }
   bytes_.insert(bytes_.end(), data.begin(), data.end());
-  hash_.Update(data);
+  if (header_.format != UploadFormat::kArrays) hash_.Update(data);
   return absl::OkStatus();
 }
 
@@ -178,7 +179,9 @@ absl::Status MeshUpload::Finish() {
                      header_.size_bytes,
                      " bytes that header.size_bytes announced"));
   }
-  file_ = {header_.format, hash_.FinishHex()};
+  if (header_.format != UploadFormat::kArrays) {
+    file_ = {header_.format, hash_.FinishHex()};
+  }
   return absl::OkStatus();
 }
 
@@ -190,8 +193,7 @@ absl::Status MeshUpload::ReserveForParse() {
   return reservation_.GrowTo(bytes_.capacity() + SoupBound());
 }
 
-absl::StatusOr<std::optional<TriangleSoup>> MeshUpload::Parse(
-    Checkpoint& checkpoint) {
+absl::StatusOr<bool> MeshUpload::Parse(Checkpoint& checkpoint) {
   const ReadLimits core_limits;
   const ReadLimits own = {
       .max_vertices = std::min(limits_.max_vertices, core_limits.max_vertices),
@@ -207,7 +209,7 @@ absl::StatusOr<std::optional<TriangleSoup>> MeshUpload::Parse(
       (within.max_vertices < own.max_vertices ||
        within.max_triangles < own.max_triangles)) {
     soup_factor_ *= kNextFactor;
-    return std::nullopt;
+    return false;
   }
   std::vector<char>().swap(bytes_);
   if (!soup.ok()) {
@@ -217,7 +219,16 @@ absl::StatusOr<std::optional<TriangleSoup>> MeshUpload::Parse(
                : soup.status();
   }
   reservation_.ShrinkTo(SoupBytes(*soup));
-  return std::optional(*std::move(soup));
+  if (absl::Status s = checkpoint.Poll({}); !s.ok()) return s;
+  digest_ = MeshDigest(soup->positions, soup->triangles);
+  const std::string& expected = header_.expected_digest;
+  if (!expected.empty() && expected != digest_) {
+    return InvalidField("header.expected_digest",
+                        absl::StrCat("the mesh has digest ", digest_,
+                                     ", not the expected ", expected));
+  }
+  soup_ = *std::move(soup);
+  return true;
 }
 
 absl::StatusOr<TriangleSoup> MeshUpload::ParseArrays() const {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,8 +22,8 @@
 
 namespace geodesic::server {
 
-// Not thread-safe. Call Append for each chunk, then Finish, ReserveForParse and
-// Parse.
+// Not thread-safe. Call Append for each chunk, then Finish, and ReserveForParse
+// and Parse until it is parsed.
 class MeshUpload {
  public:
   // Nothing is allocated on the word of the header.
@@ -42,8 +43,9 @@ class MeshUpload {
   // Errors: INVALID_ARGUMENT when bytes are missing.
   absl::Status Finish();
 
-  // The name of the bytes. REQUIRES: Finish succeeded.
-  const FileKey& file() const { return file_; }
+  // The name of the bytes; nothing for arrays, whose bytes do not say how many
+  // of them are vertices. REQUIRES: Finish succeeded.
+  const std::optional<FileKey>& file() const { return file_; }
 
   // What the bytes of such an upload and, as a rule, the triangles made of them
   // take.
@@ -54,12 +56,18 @@ class MeshUpload {
   absl::Status ReserveForParse();
 
   // Makes triangles of the bytes, which are gone afterwards. Linear in their
-  // number: not for a thread that must not wait. Nothing, and the bytes stay,
+  // number: not for a thread that must not wait. False, and the bytes stay,
   // when the file holds more than the memory taken for it: ReserveForParse then
   // takes more. REQUIRES: ReserveForParse succeeded.
-  // Errors: INVALID_ARGUMENT naming line, byte or element; RESOURCE_EXHAUSTED
-  // when a limit is passed; what `checkpoint` says.
-  absl::StatusOr<std::optional<TriangleSoup>> Parse(Checkpoint& checkpoint);
+  // Errors: INVALID_ARGUMENT naming line, byte or element, or when the header
+  // expects another mesh; RESOURCE_EXHAUSTED when a limit is passed; what
+  // `checkpoint` says.
+  absl::StatusOr<bool> Parse(Checkpoint& checkpoint);
+  bool is_parsed() const { return soup_.has_value(); }
+
+  // REQUIRES: is_parsed().
+  TriangleSoup& soup() { return *soup_; }
+  const std::string& digest() const { return digest_; }
 
   // Covers the bytes, and the triangles once there are any.
   ByteReservation& memory() { return reservation_; }
@@ -81,7 +89,9 @@ class MeshUpload {
   std::vector<char> bytes_;
   uint64_t soup_factor_;  // the triangles' bytes by those of the upload
   Sha256 hash_;
-  FileKey file_;
+  std::optional<FileKey> file_;
+  std::optional<TriangleSoup> soup_;
+  std::string digest_;  // of soup_
 };
 
 }  // namespace geodesic::server

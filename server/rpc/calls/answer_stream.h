@@ -94,7 +94,7 @@ class AnswerStream : public Call<ResponseType> {
   }
 
   void OnCancel() final {
-    std::optional<MeshLoads::Ticket> ticket;
+    MeshLoads::Ticket ticket;
     bool begun = false;
     {
       std::lock_guard lock(mutex_);
@@ -104,7 +104,7 @@ class AnswerStream : public Call<ResponseType> {
       begun = begun_;
     }
     // Without the lock, for the engine has its own.
-    if (ticket) service_.engine.LeaveMesh(*ticket);
+    service_.engine.meshes().Leave(ticket);
     if (begun) Cancel();
   }
 
@@ -206,22 +206,22 @@ class AnswerStream : public Call<ResponseType> {
       }
       client = entry_->client();
     }
-    absl::StatusOr<std::optional<MeshLoads::Ticket>> ticket =
-        service_.engine.AwaitMesh(
-            mesh_digest_,
-            [self = this->Shared(this)](
-                const absl::StatusOr<MeshHandle>& mesh) { self->OnMesh(mesh); },
-            client);
+    absl::StatusOr<MeshLoads::Ticket> ticket = service_.engine.meshes().Await(
+        mesh_digest_,
+        [self = this->Shared(this)](const absl::StatusOr<MeshHandle>& mesh) {
+          self->OnMesh(mesh);
+        },
+        client);
     {
       std::lock_guard lock(mutex_);
       if (!ticket.ok()) this->End(ticket.status());
-      if (!ticket.ok() || !ticket->has_value()) return;
+      if (!ticket.ok() || ticket->entry == nullptr) return;
       if (!finished_) {
-        ticket_ = **ticket;
+        ticket_ = *ticket;
         return;
       }
     }
-    service_.engine.LeaveMesh(**ticket);
+    service_.engine.meshes().Leave(*ticket);
   }
 
   // `mesh` keeps it in memory until the engine has been asked.
@@ -239,7 +239,7 @@ class AnswerStream : public Call<ResponseType> {
   void GoOn(absl::Status status) {
     // Nothing else that is not found would come with the mesh.
     if (MeshAtFault(status).has_value() &&
-        service_.engine.CanLoadMesh(mesh_digest_)) {
+        service_.engine.meshes().Contains(mesh_digest_)) {
       AwaitMesh();
       return;
     }
@@ -277,11 +277,11 @@ class AnswerStream : public Call<ResponseType> {
   }
 
   // Guarded by mutex_:
-  std::string mesh_digest_;                  // set by Receive, then constant
-  ByteReservation memory_;                   // of the request and the question
-  bool is_asking_ = false;                   // Ask runs, or is about to
-  bool begun_ = false;                       // it succeeded
-  std::optional<MeshLoads::Ticket> ticket_;  // while the mesh is being loaded
+  std::string mesh_digest_;   // set by Receive, then constant
+  ByteReservation memory_;    // of the request and the question
+  bool is_asking_ = false;    // Ask runs, or is about to
+  bool begun_ = false;        // it succeeded
+  MeshLoads::Ticket ticket_;  // while the mesh is being loaded
   bool cancelled_ = false;
   bool writing_ = false;   // a message is on its way
   TimePoint write_begin_;  // since when

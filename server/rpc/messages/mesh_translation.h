@@ -9,7 +9,7 @@
 #include "absl/status/statusor.h"
 #include "geodesic/v1/mesh.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
-#include "server/engine/meshes/mesh_description.h"
+#include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/upload_header.h"
 
 namespace geodesic::server {

@@ -127,7 +127,7 @@ absl::Status FieldStream::Ask() {
   if (!status.ok()) return status;
   extras_ = question.extras;
   absl::StatusOr<FieldCall> call =
-      engine().ComputeField(question, Shared(this));
+      engine().fields().Compute(question, Shared(this));
   if (!call.ok()) return call.status();
   call_ = *std::move(call);
   KeepQuestion();
@@ -135,7 +135,7 @@ absl::Status FieldStream::Ask() {
   return absl::OkStatus();
 }
 
-void FieldStream::Cancel() { engine().Cancel(*call_); }
+void FieldStream::Cancel() { engine().fields().Cancel(*call_); }
 
 void FieldStream::OnProgress(const Progress& progress) {
   Update([&] {

@@ -46,7 +46,7 @@ uint64_t LeastBytes(const UploadHeader& header) {
 }  // namespace
 
 absl::Status MeshStream::Ask() {
-  absl::StatusOr<MeshHandle> mesh = engine().GetMesh(request().digest());
+  absl::StatusOr<MeshHandle> mesh = engine().meshes().Get(request().digest());
   if (mesh.ok()) mesh_ = *std::move(mesh);
   return mesh.status();
 }
@@ -110,7 +110,7 @@ absl::Status UploadStream::TakeMessage() {
       absl::StatusOr<UploadHeader> header = FromProto(message.header());
       if (!header.ok()) return header.status();
       absl::StatusOr<std::unique_ptr<MeshUpload>> upload =
-          engine().StartUpload(*std::move(header));
+          engine().meshes().StartUpload(*std::move(header));
       if (!upload.ok()) return upload.status();
       upload_ = *std::move(upload);
       return entry_->job()->ReserveBytes(LeastBytes(upload_->header()));
@@ -149,7 +149,7 @@ void UploadStream::Complete() {
     client = entry_->client();
   }
   // Without the lock: the engine may call back at once.
-  absl::StatusOr<std::optional<UploadJobs::Ticket>> job = engine().FinishUpload(
+  absl::StatusOr<UploadJobs::Ticket> job = engine().meshes().FinishUpload(
       std::move(upload),
       [self = Shared(this)](const absl::StatusOr<UploadResult>& result) {
         self->OnBuilt(result);
@@ -159,15 +159,15 @@ void UploadStream::Complete() {
       [&engine = engine(),
        quota = std::move(quota)](const UploadResult& result) {
         if (result.already_resident) return;
-        const auto mesh = engine.GetMesh(result.mesh.digest);
+        const auto mesh = engine.meshes().Get(result.mesh.digest);
         if (!mesh.ok()) return;
         quota->AddMemory(*mesh, (*mesh)->mesh->resident_bytes());
       });
   std::lock_guard lock(mutex_);
   if (!job.ok()) {
     End(job.status());
-  } else if (*job && finished_) {
-    engine().CancelUpload(**job);
+  } else if (finished_) {
+    engine().meshes().CancelUpload(*job);
   } else {
     job_ = *job;
   }
@@ -188,14 +188,14 @@ void UploadStream::OnBuilt(const absl::StatusOr<UploadResult>& result) {
 }
 
 void UploadStream::OnCancel() {
-  std::optional<UploadJobs::Ticket> job;
+  UploadJobs::Ticket job;
   {
     std::lock_guard lock(mutex_);
     job = job_;
     upload_.reset();
     EndCancelled();
   }
-  if (job) engine().CancelUpload(*job);
+  engine().meshes().CancelUpload(job);
 }
 
 }  // namespace geodesic::server

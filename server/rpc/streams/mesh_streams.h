@@ -61,8 +61,8 @@ class UploadStream final : public Call<v1::CreateMeshResponse> {
   absl::Status TakeMessage();
 
   // Guarded by mutex_:
-  std::unique_ptr<MeshUpload> upload_;     // from the header to the end
-  std::optional<UploadJobs::Ticket> job_;  // from then on
+  std::unique_ptr<MeshUpload> upload_;  // from the header to the end
+  UploadJobs::Ticket job_;              // from then on
   v1::CreateMeshResponse response_;
 };
 

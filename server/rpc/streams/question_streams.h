@@ -146,14 +146,14 @@ class FieldQuestionStream : public QuestionStream<Request, Response>,
       question.reach.radius = this->request().radius();
     }
     absl::StatusOr<FieldCall> call =
-        this->engine().ComputeField(question, this->Shared(this));
+        this->engine().fields().Compute(question, this->Shared(this));
     if (!call.ok()) return call.status();
     call_ = *std::move(call);
     this->SetSubject(call_->mesh, call_->query->algorithm);
     return absl::OkStatus();
   }
 
-  void Cancel() final { this->engine().Cancel(*call_); }
+  void Cancel() final { this->engine().fields().Cancel(*call_); }
 
   std::optional<FieldCall> call_;
   FieldAnswer answer_;  // guarded by the stream's lock

@@ -217,10 +217,10 @@ class Subject {
 
   std::string Upload(const TriangleSoup& soup) {
     const std::string bytes = ArrayBytes(soup);
-    auto upload = engine_.StartUpload(ArrayHeader(soup));
+    auto upload = engine_.meshes().StartUpload(ArrayHeader(soup));
     Require(upload.ok() && (*upload)->Append(0, bytes).ok());
     std::string digest;
-    const auto job = engine_.FinishUpload(
+    const auto job = engine_.meshes().FinishUpload(
         *std::move(upload), [&](const absl::StatusOr<UploadResult>& result) {
           Require(result.ok());
           digest = result->mesh.digest;

@@ -1,0 +1,110 @@
+// What a server knows of its meshes, wherever it keeps them.
+
+#ifndef GEODESIC_SERVER_ENGINE_MESHES_MESH_CATALOGUE_H_
+#define GEODESIC_SERVER_ENGINE_MESHES_MESH_CATALOGUE_H_
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/mesh.h"
+#include "geodesic/mesh_summary.h"
+#include "geodesic/triangle_soup.h"
+#include "server/engine/meshes/upload_header.h"
+
+namespace geodesic::server {
+
+struct MeshDescription {
+  std::string digest;
+  MeshSummary summary;
+  uint64_t resident_bytes = 0;  // 0: not in memory
+  uint64_t stored_bytes = 0;    // 0: not on disk
+};
+
+struct ResidentMesh {
+  std::string digest;
+  std::shared_ptr<const Mesh> mesh;
+  MeshSummary summary;
+
+  MeshDescription Describe() const {
+    return {.digest = digest,
+            .summary = summary,
+            .resident_bytes = mesh->resident_bytes()};
+  }
+};
+
+// Of a server without a data folder the catalogue is its MeshStore, otherwise
+// its MeshFiles. Thread-safe.
+class MeshCatalogue {
+ public:
+  virtual ~MeshCatalogue() = default;
+
+  // What is known of the mesh, which is marked as used, or nothing.
+  virtual std::optional<MeshDescription> Describe(
+      const std::string& digest) = 0;
+  bool Contains(const std::string& digest) {
+    return Describe(digest).has_value();
+  }
+
+  // Up to `count` meshes in order of digest, from the first above `after`.
+  // Marks nothing as used.
+  virtual std::vector<MeshDescription> List(const std::string& after,
+                                            size_t count) const = 0;
+
+  // The digest of the mesh that was uploaded as this file.
+  std::optional<std::string> FindFile(const FileKey& file) const;
+
+  // Remembers that `file` holds the mesh, for as long as the mesh is there. A
+  // mesh remembers its latest few files.
+  void AddFile(const FileKey& file, const std::string& digest);
+
+  // Those who hold the mesh keep it.
+  // Errors: NOT_FOUND; UNAVAILABLE (it cannot be removed from the disk).
+  virtual absl::Status Erase(const std::string& digest) = 0;
+
+  // Whether the meshes outlive the process. Then the rest waits for the disk,
+  // as Erase does; otherwise it does nothing.
+  virtual bool is_durable() const { return false; }
+
+  // Whether a mesh of this size can ever be kept; see BlobStore::Admit.
+  virtual absl::Status Admit(uint64_t /*vertices*/, uint64_t /*faces*/) {
+    return absl::OkStatus();
+  }
+
+  // Returns when the mesh is on the disk for good.
+  // Errors: as Admit; RESOURCE_EXHAUSTED (disk or budget full), UNAVAILABLE,
+  // both with a retry hint.
+  virtual absl::Status Put(const ResidentMesh& /*mesh*/,
+                           const std::optional<FileKey>& /*file*/) {
+    return absl::OkStatus();
+  }
+
+  // Takes memory for the arrays of the `mesh` described.
+  // Errors: NOT_FOUND (not there, or damaged and set aside), what `checkpoint`
+  // says, RESOURCE_EXHAUSTED, UNAVAILABLE (it cannot be read now).
+  virtual absl::StatusOr<TriangleSoup> Load(const MeshDescription& mesh,
+                                            Checkpoint& checkpoint);
+
+ protected:
+  // Calls nobody under its lock.
+  void RememberFile(const FileKey& file, const std::string& digest);
+  void ForgetFiles(const std::string& digest);
+
+ private:
+  mutable std::mutex files_mutex_;
+  // Guarded by files_mutex_; each is the other's inverse:
+  std::map<FileKey, std::string> digest_of_file_;
+  std::map<std::string, std::deque<FileKey>> files_of_digest_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_MESHES_MESH_CATALOGUE_H_
