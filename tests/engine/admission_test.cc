@@ -8,7 +8,9 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -148,20 +150,6 @@ TEST_F(OutcomeTest, ADeadlineLeavesNothing) {
   EXPECT_EQ(engine_.fields().cache().used_bytes(), 0);
 }
 
-TEST_F(OutcomeTest, AnErrorLeavesNothing) {
-  solve_ = [](const auto&...) -> absl::StatusOr<DistanceField> {
-    return absl::InternalError("a bug");
-  };
-  Run(Field(0), false, [](const FieldCall&) {});
-  EXPECT_TRUE(absl::IsInternal(observer_->field->status()));
-  solve_ = [](const auto&...) -> absl::StatusOr<DistanceField> {
-    throw std::bad_alloc();
-  };
-  Run(Field(0), false, [](const FieldCall&) {});
-  EXPECT_TRUE(absl::IsResourceExhausted(observer_->field->status()));
-  EXPECT_EQ(engine_.fields().cache().used_bytes(), 0);
-}
-
 TEST_F(OutcomeTest, StoppingInTheQueueLeavesNothing) {
   Run(Field(0), true, [&](const FieldCall&) { engine_.scheduler().StopAll(); });
   EXPECT_TRUE(absl::IsUnavailable(observer_->field->status()));
@@ -171,6 +159,29 @@ TEST_F(OutcomeTest, StoppingTheSolverLeavesNothing) {
   Run(Field(0), false,
       [&](const FieldCall&) { engine_.scheduler().StopAll(); });
   EXPECT_TRUE(absl::IsUnavailable(observer_->field->status()));
+  EXPECT_EQ(engine_.counters().solves_stopped, 1);
+}
+
+TEST_F(OutcomeTest, AnErrorLeavesNothing) {
+  const std::pair<test::SolveFunction, absl::Status> cases[] = {
+      {[](const auto&...) { return absl::InternalError("a bug"); },
+       absl::InternalError("a bug")},
+      {[](const auto&...) -> absl::StatusOr<DistanceField> {
+         throw std::bad_alloc();
+       },
+       absl::ResourceExhaustedError(
+           "the server ran out of memory while it computed a field")},
+      {[](const auto&...) -> absl::StatusOr<DistanceField> {
+         throw std::logic_error("a bug");
+       },
+       absl::InternalError(
+           "exception while the server computed a field: a bug")}};
+  for (const auto& [solve, error] : cases) {
+    solve_ = solve;
+    Run(Field(0), false, [](const FieldCall&) {});
+    EXPECT_EQ(observer_->field->status(), error);
+  }
+  EXPECT_EQ(engine_.counters().solves_stopped, 3);
   EXPECT_EQ(engine_.fields().cache().used_bytes(), 0);
 }
 
@@ -315,17 +326,6 @@ TEST_F(AdmissionTest, ABatchThatSomebodyWaitsForIsNoBatch) {
   EXPECT_EQ(joined->origin, FieldOrigin::kJoined);
   executor_.RunAll();
   EXPECT_THAT(order_, ElementsAre(2, 100, 1));
-}
-
-TEST_F(AdmissionTest, ClientsTakeTurns) {
-  for (uint32_t vertex = 0; vertex < 3; ++vertex) {
-    ASSERT_TRUE(Ask(Field(vertex)).ok());
-  }
-  FieldRequest other = Field(50);
-  other.requester.client = "b";
-  ASSERT_TRUE(Ask(other).ok());
-  executor_.RunAll();
-  EXPECT_THAT(order_, ElementsAre(0, 50, 1, 2));
 }
 
 TEST_F(AdmissionTest, WhatMustBeKeptIsNotComputed) {

@@ -250,15 +250,6 @@ TEST_F(DurableEngineTest, OnlyAFieldThatReachesFarEnoughAnswers) {
   EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kCached);
 }
 
-TEST_F(DurableEngineTest, FieldsOfAnotherVersionAreComputedAgain) {
-  const std::string digest = Upload(Grid(5))->mesh.digest;
-  ASSERT_TRUE(Field({.mesh_digest = digest}).ok());
-  version_ = "2";
-  Restart();
-  ASSERT_TRUE(Await(digest).ok());
-  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kComputed);
-}
-
 TEST_F(DurableEngineTest, FieldsGoWithTheirMesh) {
   const TriangleSoup soup = Grid(5);
   const std::string digest = Upload(soup)->mesh.digest;

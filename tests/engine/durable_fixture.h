@@ -17,8 +17,7 @@
 #include "server/engine/durable_store.h"
 #include "server/engine/meshes/mesh_digest.h"
 #include "server/engine/query_engine.h"
-#include "tests/engine/fakes.h"
-#include "tests/engine/uploads.h"
+#include "tests/engine/engine_fixture.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -30,8 +29,9 @@ inline TriangleSoup Grid(uint32_t columns, uint32_t rows = 12) {
   return geodesic::test::MakeGrid({.columns = columns, .rows = rows});
 }
 
-class DurableEngineTest : public ::testing::Test {
+class DurableEngineTest : public EngineActions {
  protected:
+  QueryEngine& engine() override { return *engine_; }
   void SetUp() override { Restart(); }
   void TearDown() override { Stop(); }
 
@@ -55,37 +55,12 @@ class DurableEngineTest : public ::testing::Test {
     auto store = DurableStore::Open({.path = data_dir(),
                                      .mesh_bytes = limits_.mesh_disk_bytes,
                                      .field_bytes = limits_.field_disk_bytes,
-                                     .version = version_,
+                                     .version = "1",
                                      .warn = [this](const std::string& line) {
                                        warnings_.push_back(line);
                                      }});
     ASSERT_TRUE(store.ok()) << store.status();
     engine_->Attach(*std::move(store));
-  }
-
-  absl::StatusOr<UploadResult> Upload(const UploadHeader& header,
-                                      std::string_view bytes) {
-    auto upload = engine_->meshes().StartUpload(header);
-    if (!upload.ok()) return upload.status();
-    if (absl::Status s = (*upload)->Append(0, bytes); !s.ok()) return s;
-    absl::StatusOr<UploadResult> result = absl::UnknownError("not told");
-    auto job = engine_->meshes().FinishUpload(
-        *std::move(upload), [&](const auto& r) { result = r; });
-    if (!job.ok()) return job.status();
-    executor_.RunAll();
-    return result;
-  }
-  absl::StatusOr<UploadResult> Upload(const TriangleSoup& soup) {
-    return Upload(ArrayHeader(soup), ArrayBytes(soup));
-  }
-
-  absl::Status Delete(const std::string& digest) {
-    absl::Status result = absl::UnknownError("not told");
-    absl::Status status = engine_->meshes().Delete(
-        digest, [&](const absl::Status& told) { result = told; });
-    if (!status.ok()) return status;
-    executor_.RunAll();
-    return result;
   }
 
   // What a request for the mesh is told, when it is.
@@ -143,11 +118,8 @@ class DurableEngineTest : public ::testing::Test {
                     .solver_memory_bytes = 256 * kMiB,
                     .mesh_disk_bytes = 64 * kMiB,
                     .field_disk_bytes = 16 * kMiB};
-  std::string version_ = "1";
   geodesic::test::TemporaryFolder temporary_;
   std::vector<std::string> warnings_;
-  FakeClock clock_;
-  ManualExecutor executor_;
   std::function<void()> at_start_;  // of a computation
   std::unique_ptr<QueryEngine> engine_;
 };

@@ -1,14 +1,13 @@
-// An engine on one thread with time standing still.
+// Engines on one thread with time standing still.
 
 #ifndef GEODESIC_TESTS_ENGINE_ENGINE_FIXTURE_H_
 #define GEODESIC_TESTS_ENGINE_ENGINE_FIXTURE_H_
 
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <memory>
-#include <optional>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "server/engine/query_engine.h"
@@ -17,7 +16,41 @@
 
 namespace geodesic::server::test {
 
-class EngineTest : public ::testing::Test {
+// What tests do with an engine, whoever owns it.
+class EngineActions : public ::testing::Test {
+ protected:
+  virtual QueryEngine& engine() = 0;
+
+  absl::StatusOr<UploadResult> Upload(const UploadHeader& header,
+                                      std::string_view bytes) {
+    auto upload = engine().meshes().StartUpload(header);
+    if (!upload.ok()) return upload.status();
+    if (absl::Status s = (*upload)->Append(0, bytes); !s.ok()) return s;
+    absl::StatusOr<UploadResult> result = absl::UnknownError("not told");
+    auto job = engine().meshes().FinishUpload(
+        *std::move(upload), [&](const auto& r) { result = r; });
+    if (!job.ok()) return job.status();
+    executor_.RunAll();
+    return result;
+  }
+  absl::StatusOr<UploadResult> Upload(const TriangleSoup& soup) {
+    return Upload(ArrayHeader(soup), ArrayBytes(soup));
+  }
+
+  absl::Status Delete(const std::string& digest) {
+    absl::Status result = absl::UnknownError("not told");
+    absl::Status status = engine().meshes().Delete(
+        digest, [&](const absl::Status& told) { result = told; });
+    if (!status.ok()) return status;
+    executor_.RunAll();
+    return result;
+  }
+
+  FakeClock clock_;
+  ManualExecutor executor_;
+};
+
+class EngineTest : public EngineActions {
  protected:
   explicit EngineTest(Limits limits = SmallLimits())
       : engine_(limits, clock_, executor_,
@@ -31,6 +64,8 @@ class EngineTest : public ::testing::Test {
     engine_.scheduler().StopAll();
     executor_.RunAll();
   }
+
+  QueryEngine& engine() override { return engine_; }
 
   static Limits SmallLimits() {
     constexpr uint64_t kMiB = uint64_t{1} << 20;
@@ -52,37 +87,6 @@ class EngineTest : public ::testing::Test {
             .solver_memory_bytes = 256 * kMiB};
   }
 
-  absl::StatusOr<UploadResult> Upload(const UploadHeader& header,
-                                      std::string_view bytes) {
-    auto upload = engine_.meshes().StartUpload(header);
-    if (!upload.ok()) return upload.status();
-    absl::Status status = (*upload)->Append(0, bytes);
-    if (!status.ok()) return status;
-    std::optional<absl::StatusOr<UploadResult>> result;
-    auto job = engine_.meshes().FinishUpload(
-        *std::move(upload),
-        [&](const absl::StatusOr<UploadResult>& r) { result = r; });
-    if (!job.ok()) return job.status();
-    executor_.RunAll();
-    EXPECT_TRUE(result.has_value());
-    return *std::move(result);
-  }
-
-  absl::StatusOr<UploadResult> Upload(const TriangleSoup& soup) {
-    return Upload(ArrayHeader(soup), ArrayBytes(soup));
-  }
-
-  absl::Status Delete(const std::string& digest) {
-    absl::Status result = absl::UnknownError("not told");
-    absl::Status status = engine_.meshes().Delete(
-        digest, [&](const absl::Status& told) { result = told; });
-    if (!status.ok()) return status;
-    executor_.RunAll();
-    return result;
-  }
-
-  FakeClock clock_;
-  ManualExecutor executor_;
   StartFunction start_ = &StartComputation;
   QueryEngine engine_;
 };

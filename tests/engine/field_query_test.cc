@@ -6,8 +6,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <new>
-#include <stdexcept>
 #include <string>
 
 #include "geodesic/field_path.h"
@@ -53,29 +51,9 @@ class FieldQueryTest : public test::EngineTest {
         observer);
   }
 
-  // A solver that polls `polls` times and does `at_poll` before each.
-  test::SolveFunction PollingSolver(int polls,
-                                    std::function<void(int)> at_poll) {
-    return [this, polls, at_poll](
-               const Mesh& mesh, const ValidQuery&, const SolveOptions&,
-               Checkpoint& checkpoint) -> absl::StatusOr<DistanceField> {
-      ++solves_;
-      for (int poll = 0; poll < polls; ++poll) {
-        at_poll(poll);
-        polls_ = poll + 1;
-        absl::Status status =
-            checkpoint.Poll({.vertices_reached = static_cast<uint64_t>(poll)});
-        if (!status.ok()) return status;
-      }
-      return DistanceField{.distances =
-                               std::vector<double>(mesh.vertex_count())};
-    };
-  }
-
   test::SolveFunction solve_;
   std::string digest_;
   int solves_ = 0;
-  int polls_ = 0;
   std::shared_ptr<RecordingObserver> a_ = std::make_shared<RecordingObserver>();
   std::shared_ptr<RecordingObserver> b_ = std::make_shared<RecordingObserver>();
 };
@@ -142,97 +120,19 @@ TEST_F(FieldQueryTest, AlgorithmsAreDifferentQuestions) {
   EXPECT_EQ(other->query->algorithm, Algorithm::kMmp);
 }
 
-TEST_F(FieldQueryTest, CancelWhileQueuedNeverSolves) {
-  const auto call = Ask(0, a_);
-  engine_.fields().Cancel(*call);
-  EXPECT_EQ(engine_.scheduler().queued(), 0);
-  executor_.RunAll();
-  EXPECT_EQ(solves_, 0);
-  EXPECT_EQ(a_->calls, 0);
-  EXPECT_EQ(engine_.fields().jobs().size(), 0);
-}
-
-TEST_F(FieldQueryTest, CancelWhileRunningStopsAtTheNextPoll) {
-  absl::StatusOr<FieldCall> call;
-  solve_ = PollingSolver(100, [&](int poll) {
-    if (poll == 7) engine_.fields().Cancel(*call);
-  });
-  call = Ask(0, a_);
-  executor_.RunAll();
-  EXPECT_EQ(polls_, 8);
-  EXPECT_EQ(a_->calls, 0);
-  EXPECT_EQ(engine_.counters().solves_stopped, 1);
-  EXPECT_EQ(engine_.counters().solves_finished, 0);
-  EXPECT_EQ(engine_.fields().cache().used_bytes(), 0);
-}
-
-TEST_F(FieldQueryTest, TheSolverRunsWhileAnyoneWaits) {
-  absl::StatusOr<FieldCall> first;
-  solve_ = PollingSolver(10, [&](int poll) {
-    if (poll == 3) engine_.fields().Cancel(*first);
-  });
-  first = Ask(0, a_);
-  ASSERT_TRUE(Ask(0, b_).ok());
-  executor_.RunAll();
-  EXPECT_EQ(polls_, 10);
-  EXPECT_EQ(a_->calls, 0);
-  EXPECT_TRUE(b_->field->ok());
-}
-
-TEST_F(FieldQueryTest, WhoComesAfterTheLastHasLeftGetsANewSolver) {
-  absl::StatusOr<FieldCall> first;
-  absl::StatusOr<FieldCall> second;
-  solve_ = PollingSolver(10, [&](int poll) {
-    if (poll != 3 || solves_ != 1) return;
-    engine_.fields().Cancel(*first);
-    second = Ask(0, b_);
-  });
-  first = Ask(0, a_);
-  executor_.RunAll();
-  EXPECT_EQ(second->origin, FieldOrigin::kComputed);
-  EXPECT_EQ(solves_, 2);
-  EXPECT_TRUE(b_->field->ok());
-}
-
-TEST_F(FieldQueryTest, DeadlinesStopTheSolver) {
-  solve_ = PollingSolver(100, [&](int poll) {
-    if (poll == 5) clock_.Advance(std::chrono::seconds(2));
-  });
-  ASSERT_TRUE(Ask(0, a_, clock_.Now() + std::chrono::seconds(1)).ok());
-  executor_.RunAll();
-  EXPECT_EQ(polls_, 6);
-  EXPECT_TRUE(absl::IsDeadlineExceeded(a_->field->status()));
-  EXPECT_EQ(engine_.counters().solves_stopped, 1);
-}
-
-TEST_F(FieldQueryTest, ADeadlineMayPassInTheQueue) {
-  ASSERT_TRUE(Ask(0, a_, clock_.Now() + std::chrono::seconds(1)).ok());
-  clock_.Advance(std::chrono::seconds(1));
-  executor_.RunAll();
-  EXPECT_TRUE(absl::IsDeadlineExceeded(a_->field->status()));
-  EXPECT_EQ(engine_.counters().solves_finished, 0);
-}
-
 TEST_F(FieldQueryTest, ProgressReachesTheObserver) {
-  solve_ = PollingSolver(
-      11, [&](int) { clock_.Advance(std::chrono::milliseconds(25)); });
+  solve_ = [this](const Mesh& mesh, const ValidQuery&, const SolveOptions&,
+                  Checkpoint& checkpoint) {
+    for (int poll = 0; poll < 11; ++poll) {
+      clock_.Advance(std::chrono::milliseconds(25));
+      EXPECT_TRUE(checkpoint.Poll({}).ok());
+    }
+    return DistanceField{.distances = std::vector<double>(mesh.vertex_count())};
+  };
   ASSERT_TRUE(Ask(0, a_).ok());
   executor_.RunAll();
   // Every 50 ms of 275, the first at once.
   EXPECT_EQ(a_->seen.size(), 6);
-}
-
-TEST_F(FieldQueryTest, AFullQueueRefuses) {
-  for (uint32_t vertex = 0; vertex < 3; ++vertex) {
-    ASSERT_TRUE(Ask(vertex, a_).ok());
-  }
-  const absl::Status status = Ask(3, b_).status();
-  EXPECT_TRUE(absl::IsResourceExhausted(status));
-  EXPECT_TRUE(RetryAfter(status).has_value());
-  // Joining takes no place in the queue.
-  EXPECT_TRUE(Ask(0, b_).ok());
-  executor_.RunAll();
-  EXPECT_TRUE(Ask(3, b_).ok());
 }
 
 TEST_F(FieldQueryTest, ArgumentsAreChecked) {
@@ -260,33 +160,6 @@ TEST_F(FieldQueryTest, ArgumentsAreChecked) {
                       .status()),
       "mesh_digest");
   EXPECT_EQ(a_->calls, 0);
-}
-
-TEST_F(FieldQueryTest, ExceptionsBecomeStatuses) {
-  solve_ = [](const auto&...) -> absl::StatusOr<DistanceField> {
-    throw std::bad_alloc();
-  };
-  ASSERT_TRUE(Ask(0, a_).ok());
-  executor_.RunAll();
-  EXPECT_TRUE(absl::IsResourceExhausted(a_->field->status()));
-
-  solve_ = [](const auto&...) -> absl::StatusOr<DistanceField> {
-    throw std::logic_error("a bug");
-  };
-  ASSERT_TRUE(Ask(0, b_).ok());
-  executor_.RunAll();
-  EXPECT_TRUE(absl::IsInternal(b_->field->status()));
-  EXPECT_THAT(std::string(b_->field->status().message()), HasSubstr("a bug"));
-
-  EXPECT_EQ(engine_.counters().solves_stopped, 2);
-
-  solve_ = [](const Mesh& mesh, const ValidQuery& query,
-              const SolveOptions& options, Checkpoint& checkpoint) {
-    return Solve(mesh, query, options, checkpoint);
-  };
-  ASSERT_TRUE(Ask(0, a_).ok());
-  executor_.RunAll();
-  EXPECT_TRUE(a_->field->ok());
 }
 
 TEST_F(FieldQueryTest, DeletingAMeshDropsItsFieldsOnly) {
@@ -318,18 +191,6 @@ TEST_F(FieldQueryTest, DrainingFinishesWhatIsThereAndTakesNothingNew) {
   EXPECT_TRUE(a_->field->ok());
   EXPECT_TRUE(engine_.scheduler().WaitIdle(std::chrono::milliseconds(0)));
   EXPECT_EQ(Ask(0, b_)->origin, FieldOrigin::kCached);
-}
-
-TEST_F(FieldQueryTest, StoppingTellsThoseWhoWait) {
-  solve_ = PollingSolver(100, [&](int poll) {
-    if (poll == 2) engine_.scheduler().StopAll();
-  });
-  ASSERT_TRUE(Ask(0, a_).ok());
-  ASSERT_TRUE(Ask(1, b_).ok());
-  executor_.RunAll();
-  EXPECT_EQ(polls_, 3);
-  EXPECT_TRUE(absl::IsUnavailable(a_->field->status()));
-  EXPECT_TRUE(absl::IsUnavailable(b_->field->status()));
 }
 
 class TinyCacheTest : public FieldQueryTest {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <stop_token>
 #include <vector>
 
 #include "tests/engine/fakes.h"
@@ -18,33 +17,25 @@ constexpr uint64_t kMiB = uint64_t{1} << 20;
 
 class RecordingWaiters final : public JobWaiters {
  public:
-  absl::Status Expire(TimePoint) override { return verdict; }
+  absl::Status Expire(TimePoint) override { return absl::OkStatus(); }
   void Publish(const Progress& progress) override { seen.push_back(progress); }
 
-  absl::Status verdict;
   std::vector<Progress> seen;
 };
 
 class JobCheckpointTest : public ::testing::Test {
  protected:
   JobCheckpoint MakeCheckpoint() {
-    JobCheckpoint checkpoint(waiters_, clock_, stop_.get_token(),
-                             milliseconds(50));
+    JobCheckpoint checkpoint(waiters_, clock_, {}, milliseconds(50));
     checkpoint.Hold(*ByteReservation::Make(memory_, 0));
     return checkpoint;
   }
 
   test::FakeClock clock_;
-  std::stop_source stop_;
   std::shared_ptr<ByteBudget> memory_ =
       std::make_shared<ByteBudget>("solver memory", 100 * kMiB);
   RecordingWaiters waiters_;
 };
-
-TEST_F(JobCheckpointTest, LetsTheSolverGoOn) {
-  JobCheckpoint checkpoint = MakeCheckpoint();
-  for (int i = 0; i < 10; ++i) EXPECT_TRUE(checkpoint.Poll({}).ok());
-}
 
 TEST_F(JobCheckpointTest, PublishesAtABoundedRate) {
   JobCheckpoint checkpoint = MakeCheckpoint();
@@ -56,19 +47,6 @@ TEST_F(JobCheckpointTest, PublishesAtABoundedRate) {
   ASSERT_EQ(waiters_.seen.size(), 2);
   EXPECT_EQ(waiters_.seen[0].windows_propagated, 0);
   EXPECT_EQ(waiters_.seen[1].windows_propagated, 50);
-}
-
-TEST_F(JobCheckpointTest, StopsWhenNobodyWaits) {
-  JobCheckpoint checkpoint = MakeCheckpoint();
-  EXPECT_TRUE(checkpoint.Poll({}).ok());
-  waiters_.verdict = absl::CancelledError("nobody");
-  EXPECT_TRUE(absl::IsCancelled(checkpoint.Poll({})));
-}
-
-TEST_F(JobCheckpointTest, StopsWhenAsked) {
-  JobCheckpoint checkpoint = MakeCheckpoint();
-  stop_.request_stop();
-  EXPECT_TRUE(absl::IsUnavailable(checkpoint.Poll({})));
 }
 
 TEST_F(JobCheckpointTest, StopsASolverThatOutgrowsTheBudget) {

@@ -8,7 +8,6 @@
 
 #include "digest/sha256.h"
 #include "geodesic/field_path.h"
-#include "server/engine/base/status_details.h"
 #include "server/engine/meshes/mesh_digest.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/curved_meshes.h"
@@ -22,12 +21,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 using MeshEngineTest = test::EngineTest;
-
-std::string Sha256Of(std::string_view bytes) {
-  Sha256 hash;
-  hash.Update(bytes);
-  return hash.FinishHex();
-}
 
 TEST_F(MeshEngineTest, AnUploadBecomesResident) {
   const TriangleSoup soup = geodesic::test::Icosphere(1);
@@ -90,7 +83,7 @@ TEST_F(MeshEngineTest, EqualBytesOfArraysMayBeOtherMeshes) {
   EXPECT_TRUE(absl::IsInvalidArgument(Upload(header, bytes).status()));
 
   // Nor are they a file that could be asked for.
-  const FileKey file = {UploadFormat::kArrays, Sha256Of(bytes)};
+  const FileKey file = {UploadFormat::kArrays, Sha256Hex(bytes)};
   EXPECT_THAT(engine_.meshes().FindMissing({}, {file})->files,
               ElementsAre(file));
 }
@@ -125,25 +118,11 @@ TEST_F(MeshEngineTest, ARefusedMeshLeavesNothingBehind) {
   EXPECT_EQ(engine_.meshes().store().used_bytes(), 0);
 }
 
-TEST_F(MeshEngineTest, ACancelledUploadIsNotBuilt) {
-  const TriangleSoup soup = test::Tetrahedron();
-  auto upload = *engine_.meshes().StartUpload(test::ArrayHeader(soup));
-  ASSERT_TRUE(upload->Append(0, test::ArrayBytes(soup)).ok());
-  bool called = false;
-  const auto job = engine_.meshes().FinishUpload(
-      std::move(upload), [&](const auto&) { called = true; });
-  ASSERT_TRUE(job.ok());
-  engine_.meshes().CancelUpload(*job);
-  executor_.RunAll();
-  EXPECT_FALSE(called);
-  EXPECT_EQ(engine_.counters().meshes_built, 0);
-}
-
 TEST_F(MeshEngineTest, FindMissingTellsWhatToUpload) {
   const std::string digest = Upload(test::Tetrahedron())->mesh.digest;
   ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
-  const FileKey known = {UploadFormat::kOff, Sha256Of(test::kTetrahedronOff)};
-  const FileKey unknown = {UploadFormat::kOff, Sha256Of("something else")};
+  const FileKey known = {UploadFormat::kOff, Sha256Hex(test::kTetrahedronOff)};
+  const FileKey unknown = {UploadFormat::kOff, Sha256Hex("something else")};
   const std::string other(64, '0');
 
   const auto missing =
@@ -225,46 +204,6 @@ TEST_F(MeshEngineTest, NoUploadsWhileDraining) {
   engine_.scheduler().BeginDrain();
   EXPECT_TRUE(absl::IsUnavailable(
       engine_.meshes().StartUpload(test::TetrahedronOffHeader()).status()));
-}
-
-// Room for one grid of 13 x 12 cells.
-class TinyStoreTest : public test::EngineTest {
- protected:
-  static Limits TinyStore() {
-    Limits limits = SmallLimits();
-    limits.mesh_store_bytes = Mesh::EstimateResidentBytes(182, 312) + 4096;
-    return limits;
-  }
-  TinyStoreTest() : EngineTest(TinyStore()) {}
-};
-
-TEST_F(TinyStoreTest, OldMeshesMakeWay) {
-  const std::string first =
-      Upload(geodesic::test::MakeGrid({.columns = 12, .rows = 12}))
-          ->mesh.digest;
-  const auto second =
-      Upload(geodesic::test::MakeGrid({.columns = 13, .rows = 12}));
-  ASSERT_TRUE(second.ok()) << second.status();
-  EXPECT_TRUE(absl::IsNotFound(engine_.meshes().Get(first).status()));
-}
-
-TEST_F(TinyStoreTest, MeshesInUseDoNot) {
-  const auto first =
-      Upload(geodesic::test::MakeGrid({.columns = 12, .rows = 12}));
-  ASSERT_TRUE(first.ok());
-  const auto pinned = engine_.meshes().Get(first->mesh.digest);
-  ASSERT_TRUE(pinned.ok());
-  const absl::Status status =
-      Upload(geodesic::test::MakeGrid({.columns = 13, .rows = 12})).status();
-  EXPECT_TRUE(absl::IsResourceExhausted(status));
-  EXPECT_THAT(std::string(status.message()), HasSubstr("mesh store"));
-  EXPECT_TRUE(RetryAfter(status).has_value());
-}
-
-TEST_F(TinyStoreTest, AMeshThatNeverFitsIsRefusedForGood) {
-  const absl::Status status = Upload(geodesic::test::Icosphere(4)).status();
-  EXPECT_TRUE(absl::IsResourceExhausted(status));
-  EXPECT_EQ(RetryAfter(status), std::nullopt);
 }
 
 }  // namespace

@@ -36,15 +36,6 @@ TEST(MeshStore, ChargesWhatTheMeshTakes) {
   EXPECT_LT(store.used_bytes(), mesh.mesh->resident_bytes() + 1024);
 }
 
-TEST(MeshStore, TheSameMeshIsKeptOnce) {
-  MeshStore store(kRoom);
-  const ResidentMesh mesh = Resident(test::Tetrahedron());
-  EXPECT_TRUE(store.Insert(mesh, *store.Reserve(4, 4)).is_new);
-  const uint64_t used = store.used_bytes();
-  EXPECT_FALSE(store.Insert(mesh, *store.Reserve(4, 4)).is_new);
-  EXPECT_EQ(store.used_bytes(), used);
-}
-
 TEST(MeshStore, FilesGoWithTheirMesh) {
   MeshStore store(kRoom);
   const MeshHandle mesh = Put(store, Resident(test::Tetrahedron()));
@@ -84,13 +75,6 @@ TEST(MeshStore, AFileOfAMeshThatIsGoneIsForgotten) {
   ASSERT_TRUE(store.Erase(digest).ok());
   store.AddFile(File('a'), digest);
   EXPECT_EQ(store.FindFile(File('a')), std::nullopt);
-}
-
-TEST(MeshStore, PinnedMeshesStay) {
-  MeshStore store(kRoom);
-  const MeshHandle pinned = Put(store, Resident(test::Tetrahedron()));
-  EXPECT_FALSE(store.Reserve(kVertices, kFaces).ok());
-  EXPECT_EQ(store.Find(pinned->digest), pinned);
 }
 
 }  // namespace

@@ -92,22 +92,6 @@ TEST(SchedulerIdleTest, ThreadsThatNoJobHasOrWaitsForAreIdle) {
   EXPECT_THAT(threads, ElementsAre(1, 1, 1, 2, 2));
 }
 
-TEST_F(SchedulerTest, RunsJobsInOrder) {
-  ASSERT_TRUE(scheduler_.Submit(NamedJob("a")).ok());
-  ASSERT_TRUE(scheduler_.Submit(NamedJob("b")).ok());
-  EXPECT_THAT(ran_, IsEmpty());
-  executor_.RunAll();
-  EXPECT_THAT(ran_, ElementsAre("a", "b"));
-  EXPECT_THAT(abandoned_, IsEmpty());
-}
-
-TEST_F(SchedulerTest, BuildsGoBeforeSolves) {
-  ASSERT_TRUE(scheduler_.Submit(NamedJob("solve")).ok());
-  ASSERT_TRUE(scheduler_.Submit(NamedJob("build", JobPriority::kBuild)).ok());
-  executor_.RunAll();
-  EXPECT_THAT(ran_, ElementsAre("build", "solve"));
-}
-
 TEST_F(SchedulerTest, UsesNoMoreTasksThanJobsMayRun) {
   Scheduler wide(executor_, 2, 10);
   for (int i = 0; i < 5; ++i) ASSERT_TRUE(wide.Submit(NamedJob("x")).ok());
@@ -157,27 +141,6 @@ TEST_F(SchedulerTest, OneClientCannotFillTheQueue) {
   executor_.RunAll();
   EXPECT_TRUE(submit("client:many").ok());
   executor_.RunAll();
-}
-
-TEST_F(SchedulerTest, ClientsTakeTurns) {
-  Scheduler wide(executor_, /*max_running=*/1, /*max_queued=*/10);
-  for (const char* client : {"a", "a", "a", "b", "c"}) {
-    Job job = NamedJob(client);
-    job.client = client;
-    ASSERT_TRUE(wide.Submit(std::move(job)).ok());
-  }
-  executor_.RunAll();
-  EXPECT_THAT(ran_, ElementsAre("a", "b", "c", "a", "a"));
-}
-
-TEST_F(SchedulerTest, AJobOfManyCanBeExpedited) {
-  const auto batch = scheduler_.Submit(NamedJob("batch", JobPriority::kBatch));
-  ASSERT_TRUE(batch.ok());
-  ASSERT_TRUE(scheduler_.Submit(NamedJob("row", JobPriority::kRow)).ok());
-  scheduler_.Expedite(*batch, JobPriority::kSolve);
-  executor_.RunAll();
-  EXPECT_THAT(ran_, ElementsAre("batch", "row"));
-  scheduler_.Expedite(*batch, JobPriority::kBuild);  // gone: nothing happens
 }
 
 // Jobs that need more than is there until others end.

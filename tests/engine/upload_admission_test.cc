@@ -214,6 +214,7 @@ TEST_F(UploadAdmissionTest, AnUploadWaitsForTheMemoryThatAWaitingJobHolds) {
   const auto uploaded = Upload(Grid(12));
   ASSERT_TRUE(uploaded.ok()) << uploaded.status();
   EXPECT_TRUE(observer->answer->ok());
+  EXPECT_TRUE(absl::IsNotFound(engine_.meshes().Get(resident_).status()));
 }
 
 TEST_F(UploadAdmissionTest, WhenNobodyGivesMemoryBackTheRefusalComesAtOnce) {
