@@ -146,8 +146,8 @@ absl::Status Server::OpenDataFolder() {
                             logger->error("data folder: {}", line);
                           }});
   if (!store.ok()) return store.status();
-  const BlobStore& meshes = (*store)->meshes().blobs();
-  const BlobStore& fields = (*store)->fields().blobs();
+  const BlobStore& meshes = (*store)->meshes->blobs();
+  const BlobStore& fields = (*store)->fields->blobs();
   logger_->info("data folder {}: {} meshes ({} bytes), {} fields ({} bytes)",
                 options_.data_dir, meshes.size(), meshes.used_bytes(),
                 fields.size(), fields.used_bytes());

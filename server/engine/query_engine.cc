@@ -2,9 +2,24 @@
 
 #include <utility>
 
-#include "server/engine/jobs/idle_threads.h"
-
 namespace geodesic::server {
+
+absl::StatusOr<std::unique_ptr<DurableStore>> DurableStore::Open(
+    const Options& options) {
+  absl::StatusOr<DataFolder> folder = DataFolder::Open(options.path);
+  if (!folder.ok()) return folder.status();
+  std::unique_ptr<DurableStore> store(
+      new DurableStore{.folder = *std::move(folder)});
+  auto meshes =
+      MeshFiles::Open(store->folder, options.mesh_bytes, options.warn);
+  if (!meshes.ok()) return meshes.status();
+  store->meshes = *std::move(meshes);
+  auto fields = FieldFiles::Open(store->folder, options.field_bytes,
+                                 options.version, options.warn);
+  if (!fields.ok()) return fields.status();
+  store->fields = *std::move(fields);
+  return store;
+}
 
 QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
                          Executor& executor, StartFunction start)
@@ -26,8 +41,8 @@ QueryEngine::~QueryEngine() { scheduler_.StopAll(); }
 
 void QueryEngine::Attach(std::unique_ptr<DurableStore> durable) {
   durable_ = std::move(durable);
-  meshes_.Attach(durable_->meshes());
-  fields_.Attach(durable_->fields());
+  meshes_.Attach(*durable_->meshes);
+  fields_.Attach(*durable_->fields);
 }
 
 absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
@@ -48,7 +63,13 @@ absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
   SoloJob solo{.priority = SolvePriority(request.requester.is_batch),
                .client = request.requester.client,
                .deadline = request.deadline,
-               .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, *query)};
+               .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, *query),
+               .done = [observer](const JobReport& report) {
+                 observer->OnDone(report);
+               }};
+  solo.progress = [observer = std::move(observer)](const Progress& progress) {
+    observer->OnProgress(progress);
+  };
   // How large the answer will be is not known before it is there.
   solo.work = [this, mesh = call.mesh, memory = call.answer_memory,
                query = *std::move(query), work = std::move(request.work)](
@@ -58,8 +79,7 @@ absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
                                 limits_.max_threads_per_solve),
                 checkpoint, *memory);
   };
-  absl::StatusOr<SoloJobs::Call> job =
-      solo_jobs_.Start(std::move(solo), std::move(observer));
+  absl::StatusOr<SoloJobs::Call> job = solo_jobs_.Start(std::move(solo));
   if (!job.ok()) return job.status();
   call.job = *std::move(job);
   return call;

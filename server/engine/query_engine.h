@@ -12,6 +12,7 @@
 #define GEODESIC_SERVER_ENGINE_QUERY_ENGINE_H_
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -23,17 +24,42 @@
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"
-#include "server/engine/base/requester.h"
-#include "server/engine/durable_store.h"
 #include "server/engine/fields/field_engine.h"
+#include "server/engine/fields/field_files.h"
 #include "server/engine/fields/matrix.h"
 #include "server/engine/jobs/executor.h"
 #include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/solo_job.h"
+#include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_library.h"
+#include "server/store/data_folder.h"
 
 namespace geodesic::server {
+
+// What a server keeps in its data folder: meshes for good, fields within a
+// budget.
+struct DurableStore {
+  struct Options {
+    std::string path;
+    // Bytes of disk.
+    uint64_t mesh_bytes = 0;
+    uint64_t field_bytes = 0;
+    // Of the program; see FieldFiles.
+    std::string version;
+    // Hears, in a line for people, of damaged files.
+    std::function<void(const std::string& line)> warn;
+  };
+
+  // Takes possession of the folder and reads what is in it.
+  // Errors: as DataFolder::Open and BlobStore::Open.
+  static absl::StatusOr<std::unique_ptr<DurableStore>> Open(
+      const Options& options);
+
+  DataFolder folder;
+  std::unique_ptr<MeshFiles> meshes;
+  std::unique_ptr<FieldFiles> fields;
+};
 
 // A question that is answered for one client alone.
 struct QuestionRequest {
@@ -46,6 +72,19 @@ struct QuestionRequest {
                                   const SolveOptions&, Checkpoint&,
                                   ByteReservation& answer)>
       work;
+};
+
+// Who waits for a question. Calls come from the job's thread and must be short;
+// they may still arrive while and just after the job is cancelled.
+class JobObserver {
+ public:
+  virtual ~JobObserver() = default;
+
+  // A later call replaces what an earlier one said.
+  virtual void OnProgress(const Progress& progress) = 0;
+
+  // The last call, at most once.
+  virtual void OnDone(const JobReport& report) = 0;
 };
 
 struct QuestionCall {

@@ -36,11 +36,11 @@ MetricFamily Make(MetricType type, const std::string& family,
 // What the data folder takes and does.
 void AppendDisk(const DurableStore& durable,
                 std::vector<MetricFamily>& families) {
-  const BlobStore& meshes = durable.meshes().blobs();
-  const BlobStore& fields = durable.fields().blobs();
+  const BlobStore& meshes = durable.meshes->blobs();
+  const BlobStore& fields = durable.fields->blobs();
   const BlobCounters of_meshes = meshes.counters();
   const BlobCounters of_fields = fields.counters();
-  const Quarantine::Contents aside = durable.quarantine().Count();
+  const Quarantine::Contents aside = durable.folder.quarantine().Count();
   const auto add = [&](MetricType type, const std::string& name,
                        const std::string& help,
                        const std::vector<Sample>& samples) {

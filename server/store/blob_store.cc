@@ -48,6 +48,7 @@ absl::Status BlobSink::Append(std::string_view bytes) {
   return status;
 }
 
+// A file as the scan finds it, and when it was used.
 struct BlobStore::Found {
   BlobInfo info;
   timespec used;
@@ -137,7 +138,8 @@ absl::StatusOr<BlobStore::Found> BlobStore::Inspect(const std::string& name) {
     return DiskError(errno, "examine", PathOf(name));
   }
   BlobHeader header;
-  absl::StatusOr<BlobInfo> info = ReadInfo(file->get(), name, header);
+  absl::StatusOr<BlobInfo> info =
+      ReadInfo(file->get(), facts.st_size, name, header);
   if (absl::IsDataLoss(info.status())) {
     SetAside(name, facts.st_ino, info.status());
   }
@@ -145,12 +147,9 @@ absl::StatusOr<BlobStore::Found> BlobStore::Inspect(const std::string& name) {
   return Found{*std::move(info), facts.st_mtim};
 }
 
-absl::StatusOr<BlobInfo> BlobStore::ReadInfo(int file, const std::string& name,
+absl::StatusOr<BlobInfo> BlobStore::ReadInfo(int file, uint64_t size,
+                                             const std::string& name,
                                              BlobHeader& header) const {
-  struct stat facts {};
-  if (fstat(file, &facts) != 0) {
-    return DiskError(errno, "examine", PathOf(name));
-  }
   std::string bytes(kBlobHeaderBytes, '\0');
   absl::Status status = ReadAt(file, 0, bytes, PathOf(name));
   if (!status.ok()) return status;
@@ -165,7 +164,6 @@ absl::StatusOr<BlobInfo> BlobStore::ReadInfo(int file, const std::string& name,
     return absl::DataLossError(
         absl::StrCat("the file has a body of digest ", header.body_sha256));
   }
-  const auto size = static_cast<uint64_t>(facts.st_size);
   if (header.metadata_bytes > kMaxMetadataBytes || header.body_bytes > size ||
       kBlobHeaderBytes + header.body_bytes + header.metadata_bytes != size) {
     return absl::DataLossError(absl::StrCat(
@@ -418,7 +416,8 @@ absl::Status BlobStore::Take(
   futimens(file->get(), now);
 
   BlobHeader header;
-  absl::StatusOr<BlobInfo> info = ReadInfo(file->get(), name, header);
+  absl::StatusOr<BlobInfo> info =
+      ReadInfo(file->get(), facts.st_size, name, header);
   absl::Status status = info.status();
   if (status.ok()) {
     BlobBody body(file->get(), header.body_bytes);

@@ -188,7 +188,6 @@ class BlobStore {
     std::list<const std::string*>::iterator position;
   };
   using Entries = std::map<std::string, Entry>;
-  // A file as the scan finds it.
   struct Found;
 
   BlobStore(Options options, FileDescriptor folder, Quarantine& quarantine);
@@ -199,8 +198,9 @@ class BlobStore {
 
   absl::Status Scan();
   absl::StatusOr<Found> Inspect(const std::string& name);
-  // The header and the metadata of an open file, and that they fit it.
-  absl::StatusOr<BlobInfo> ReadInfo(int file, const std::string& name,
+  // The header and the metadata of an open file, and that they fit its size.
+  absl::StatusOr<BlobInfo> ReadInfo(int file, uint64_t size,
+                                    const std::string& name,
                                     BlobHeader& header) const;
   absl::Status MakeRoom(uint64_t bytes);
   // Put and Read, uncounted.

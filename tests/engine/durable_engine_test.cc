@@ -167,7 +167,7 @@ TEST_F(DiskBudgetTest, AMeshBeyondTheBudgetIsRefused) {
               HasSubstr(absl::StrCat(limits_.mesh_disk_bytes)));
   EXPECT_THAT(std::string(status.message()), HasSubstr("--mesh-disk"));
   // That is no fault of the disk.
-  const BlobCounters counters = engine_->durable()->meshes().blobs().counters();
+  const BlobCounters counters = engine_->durable()->meshes->blobs().counters();
   EXPECT_EQ(counters.too_large, 1);
   EXPECT_EQ(counters.write_failures, 0);
   EXPECT_THAT(Listed(), ElementsAre(small));

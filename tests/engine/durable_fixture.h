@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "server/engine/durable_store.h"
 #include "server/engine/meshes/mesh_digest.h"
 #include "server/engine/query_engine.h"
 #include "tests/engine/engine_fixture.h"

@@ -16,7 +16,6 @@
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
-#include "server/engine/jobs/idle_threads.h"
 #include "tests/engine/fakes.h"
 
 namespace geodesic::server {
@@ -306,7 +305,7 @@ TEST_F(SchedulerTest, ADroppedJobReleasesWhatItHolds) {
 }
 
 TEST_F(SchedulerTest, ARunningJobIsAskedToStop) {
-  Scheduler::JobId id;
+  Scheduler::JobId id = 0;
   bool before = true;
   bool after = false;
   const auto job = scheduler_.Submit({.run =

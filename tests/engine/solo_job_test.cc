@@ -17,19 +17,11 @@ namespace {
 
 using std::chrono::milliseconds;
 
-class RecordingJobObserver final : public JobObserver {
- public:
-  void OnProgress(const Progress& progress) override {
-    seen.push_back(progress);
-  }
-  void OnDone(const JobReport& r) override {
-    ++calls;
-    report = r;
-  }
-
+// What was heard of a job.
+struct Told {
   std::vector<Progress> seen;
   int calls = 0;
-  std::optional<JobReport> report;
+  JobReport report;
 };
 
 class SoloJobTest : public ::testing::Test {
@@ -41,19 +33,30 @@ class SoloJobTest : public ::testing::Test {
 
   absl::StatusOr<SoloJobs::Call> Start(
       absl::AnyInvocable<absl::Status(Checkpoint&)> work) {
-    return jobs_.Start(
-        {.work = [work = std::move(work)](
-                     Checkpoint& checkpoint,
-                     ByteReservation) mutable { return work(checkpoint); }},
-        observer_);
+    return Start({.work = [work = std::move(work)](Checkpoint& checkpoint,
+                                                   ByteReservation) mutable {
+      return work(checkpoint);
+    }});
+  }
+  absl::StatusOr<SoloJobs::Call> Start(SoloJob job) {
+    return Start(jobs_, std::move(job));
+  }
+  absl::StatusOr<SoloJobs::Call> Start(SoloJobs& jobs, SoloJob job) {
+    job.done = [told = told_](const JobReport& report) {
+      ++told->calls;
+      told->report = report;
+    };
+    job.progress = [told = told_](const Progress& progress) {
+      told->seen.push_back(progress);
+    };
+    return jobs.Start(std::move(job));
   }
 
   test::FakeClock clock_;
   test::ManualExecutor executor_;
   std::shared_ptr<ByteBudget> memory_ =
       std::make_shared<ByteBudget>("solver memory", 1 << 20);
-  std::shared_ptr<RecordingJobObserver> observer_ =
-      std::make_shared<RecordingJobObserver>();
+  std::shared_ptr<Told> told_ = std::make_shared<Told>();
   Scheduler scheduler_{executor_, /*max_running=*/1, /*max_queued=*/1};
   SoloJobs jobs_{clock_, scheduler_, memory_, milliseconds(50)};
 };
@@ -62,16 +65,14 @@ TEST_F(SoloJobTest, PlannedMemoryIsTakenBeforeTheWork) {
   uint64_t used = 0;
   uint64_t for_answer = 0;
   const auto start = [&](uint64_t planned_bytes, uint64_t answer_bytes) {
-    return jobs_
-        .Start({.planned_bytes = planned_bytes,
-                .answer_bytes = answer_bytes,
-                .work =
-                    [&](Checkpoint&, ByteReservation answer) {
-                      used = memory_->used();
-                      for_answer = answer.bytes();
-                      return absl::OkStatus();
-                    }},
-               observer_)
+    return Start(SoloJob{.planned_bytes = planned_bytes,
+                         .answer_bytes = answer_bytes,
+                         .work =
+                             [&](Checkpoint&, ByteReservation answer) {
+                               used = memory_->used();
+                               for_answer = answer.bytes();
+                               return absl::OkStatus();
+                             }})
         .status();
   };
   ASSERT_TRUE(start(1000, 200).ok());
@@ -84,7 +85,7 @@ TEST_F(SoloJobTest, PlannedMemoryIsTakenBeforeTheWork) {
   EXPECT_TRUE(absl::IsResourceExhausted(status));
   EXPECT_FALSE(RetryAfter(status).has_value());
   EXPECT_EQ(scheduler_.queued(), 0);
-  EXPECT_EQ(observer_->calls, 1);
+  EXPECT_EQ(told_->calls, 1);
 }
 
 TEST_F(SoloJobTest, WaitsForMemoryThatOthersHold) {
@@ -93,15 +94,13 @@ TEST_F(SoloJobTest, WaitsForMemoryThatOthersHold) {
   const uint64_t most = memory_->capacity() / 2 + 1;
   std::vector<int> ran;
   const auto start = [&](int number, std::function<void()> work) {
-    const auto call =
-        jobs.Start({.planned_bytes = most,
-                    .work =
-                        [&ran, number, work](Checkpoint&, ByteReservation) {
-                          ran.push_back(number);
-                          work();
-                          return absl::OkStatus();
-                        }},
-                   observer_);
+    const auto call = Start(
+        jobs, {.planned_bytes = most,
+               .work = [&ran, number, work](Checkpoint&, ByteReservation) {
+                 ran.push_back(number);
+                 work();
+                 return absl::OkStatus();
+               }});
     EXPECT_TRUE(call.ok());
   };
   // While the first runs, the second thread finds no memory for the second.
@@ -114,7 +113,7 @@ TEST_F(SoloJobTest, WaitsForMemoryThatOthersHold) {
   });
   executor_.RunAll();
   EXPECT_EQ(ran, (std::vector<int>{1, 2}));
-  EXPECT_TRUE(observer_->report->status.ok());
+  EXPECT_TRUE(told_->report.status.ok());
   EXPECT_EQ(memory_->used(), 0);
 }
 
@@ -123,17 +122,15 @@ TEST_F(SoloJobTest, HearsOfMemoryThatNoJobWillGiveBack) {
   auto held = ByteReservation::Make(memory_, 1000);
   ASSERT_TRUE(held.ok());
   ASSERT_TRUE(
-      jobs_
-          .Start({.planned_bytes = memory_->capacity(),
-                  .work = [](Checkpoint&, ByteReservation) -> absl::Status {
-                    ADD_FAILURE() << "there was no memory";
-                    return absl::OkStatus();
-                  }},
-                 observer_)
+      Start(SoloJob{.planned_bytes = memory_->capacity(),
+                    .work = [](Checkpoint&, ByteReservation) -> absl::Status {
+                      ADD_FAILURE() << "there was no memory";
+                      return absl::OkStatus();
+                    }})
           .ok());
   executor_.RunAll();
-  ASSERT_EQ(observer_->calls, 1);
-  const absl::Status& status = observer_->report->status;
+  ASSERT_EQ(told_->calls, 1);
+  const absl::Status& status = told_->report.status;
   EXPECT_TRUE(absl::IsResourceExhausted(status));
   EXPECT_TRUE(RetryAfter(status).has_value());
   EXPECT_EQ(ReasonOf(status), reason::kMemoryFull);
@@ -145,15 +142,15 @@ TEST_F(SoloJobTest, ReportsHowItWent) {
                 clock_.Advance(milliseconds(1500));
                 return checkpoint.Poll({.windows_propagated = 42});
               }).ok());
-  EXPECT_EQ(observer_->calls, 0);
+  EXPECT_EQ(told_->calls, 0);
   executor_.RunAll();
-  EXPECT_EQ(observer_->calls, 1);
-  EXPECT_TRUE(observer_->report->status.ok());
-  EXPECT_EQ(observer_->report->seconds, 1.5);
-  EXPECT_EQ(observer_->report->windows_propagated, 42);
-  EXPECT_EQ(observer_->seen.size(), 1);
-  // Nothing holds the observer any more.
-  EXPECT_EQ(observer_.use_count(), 1);
+  EXPECT_EQ(told_->calls, 1);
+  EXPECT_TRUE(told_->report.status.ok());
+  EXPECT_EQ(told_->report.seconds, 1.5);
+  EXPECT_EQ(told_->report.windows_propagated, 42);
+  EXPECT_EQ(told_->seen.size(), 1);
+  // Nothing holds the callbacks any more.
+  EXPECT_EQ(told_.use_count(), 1);
 }
 
 TEST_F(SoloJobTest, SharesTheSolversMemory) {
@@ -161,7 +158,7 @@ TEST_F(SoloJobTest, SharesTheSolversMemory) {
                 return checkpoint.Poll({.solver_bytes = 2 << 20});
               }).ok());
   executor_.RunAll();
-  EXPECT_TRUE(absl::IsResourceExhausted(observer_->report->status));
+  EXPECT_TRUE(absl::IsResourceExhausted(told_->report.status));
   EXPECT_EQ(memory_->used(), 0);
 }
 
@@ -169,7 +166,7 @@ TEST_F(SoloJobTest, ExceptionsBecomeStatuses) {
   ASSERT_TRUE(
       Start([](Checkpoint&) -> absl::Status { throw std::bad_alloc(); }).ok());
   executor_.RunAll();
-  EXPECT_TRUE(absl::IsResourceExhausted(observer_->report->status));
+  EXPECT_TRUE(absl::IsResourceExhausted(told_->report.status));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/triangle_soup.h"
-#include "server/engine/meshes/upload_header.h"
+#include "server/engine/meshes/mesh_catalogue.h"
 
 namespace geodesic::server::test {
 

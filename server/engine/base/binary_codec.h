@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,13 @@
 namespace geodesic::server {
 
 static_assert(std::endian::native == std::endian::little);
+
+// The values of an array as they lie in memory.
+template <typename Array>
+std::string_view AsBytes(const Array& values) {
+  return {reinterpret_cast<const char*>(std::data(values)),
+          std::size(values) * sizeof(*std::data(values))};
+}
 
 class BinaryWriter {
  public:

@@ -37,13 +37,13 @@ class ByteBudget {
   // REQUIRES: taken before.
   void Return(uint64_t bytes);
 
-  // The error of Take.
-  absl::Status Exhausted(uint64_t bytes) const;
-
   uint64_t used() const;
   uint64_t capacity() const { return capacity_; }
 
  private:
+  // The error of Take.
+  absl::Status Exhausted(uint64_t bytes) const;
+
   const std::string name_;
   const uint64_t capacity_;
 

@@ -9,9 +9,6 @@
 #include "geodesic/field_path.h"
 #include "server/engine/base/argument_checks.h"
 #include "server/engine/base/guarded.h"
-#include "server/engine/fields/settled_checkpoint.h"
-#include "server/engine/jobs/idle_threads.h"
-#include "server/engine/jobs/job_checkpoint.h"
 
 namespace geodesic::server {
 namespace {
@@ -109,7 +106,7 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
     return found.has_value();
   }();
   if (call.answer.has_value()) {
-    ++queries_cached_;
+    Count(&FieldCounters::queries_cached);
     call.origin = FieldOrigin::kCached;
     return call;
   }
@@ -152,10 +149,10 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
   call.settled = call.ticket.shared;
   // What is in the cache takes a job only for its extras.
   if (is_cached || (is_kept && call.ticket.is_first)) {
-    ++queries_cached_;
+    Count(&FieldCounters::queries_cached);
     call.origin = FieldOrigin::kCached;
   } else if (!call.ticket.is_first) {
-    ++queries_joined_;
+    Count(&FieldCounters::queries_joined);
     call.origin = FieldOrigin::kJoined;
   }
   return call;
@@ -250,7 +247,7 @@ std::optional<FieldCache::Found> FieldEngine::LoadStored(FieldJob& job) {
   absl::StatusOr<DistanceField> field = files_->Load(*stored, mesh);
   // What cannot be read is computed.
   if (!field.ok() || !Covers(*field, key.reach)) return {};
-  ++fields_loaded_;
+  Count(&FieldCounters::fields_loaded);
   FieldHandle handle = Keep(*stored, *std::move(field),
                             std::move(is_other ? other_room : job.room));
   return FieldCache::Found{*std::move(stored), std::move(handle)};
@@ -260,7 +257,7 @@ absl::StatusOr<FieldHandle> FieldEngine::Solve(FieldJob& job,
                                                JobCheckpoint& job_checkpoint) {
   const MeshHandle& mesh = job.mesh;
   const FieldJobKey& key = job.key;
-  ++solves_started_;
+  Count(&FieldCounters::solves_started);
   job_checkpoint.Hold(std::move(job.memory));
   std::optional<SettledCheckpoint> ordered;
   if (job.settled_log != nullptr) {
@@ -284,10 +281,10 @@ absl::StatusOr<FieldHandle> FieldEngine::Solve(FieldJob& job,
         return (*computation)->Field();
       });
   if (!field.ok()) {
-    ++solves_stopped_;
+    Count(&FieldCounters::solves_stopped);
     return field.status();
   }
-  ++solves_finished_;
+  Count(&FieldCounters::solves_finished);
   FieldHandle handle = Keep(key.field, *std::move(field), std::move(job.room));
   if (writer_) writer_->Enqueue(key.field, mesh, handle);
   return handle;
@@ -298,13 +295,14 @@ void FieldEngine::EraseMesh(const std::string& digest) {
   if (files_ != nullptr) files_->EraseMesh(digest);
 }
 
+void FieldEngine::Count(uint64_t FieldCounters::*event) {
+  std::lock_guard lock(counters_mutex_);
+  ++(counters_.*event);
+}
+
 FieldCounters FieldEngine::counters() const {
-  return {.solves_started = solves_started_,
-          .solves_finished = solves_finished_,
-          .solves_stopped = solves_stopped_,
-          .queries_joined = queries_joined_,
-          .queries_cached = queries_cached_,
-          .fields_loaded = fields_loaded_};
+  std::lock_guard lock(counters_mutex_);
+  return counters_;
 }
 
 }  // namespace geodesic::server

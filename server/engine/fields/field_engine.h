@@ -3,10 +3,10 @@
 #ifndef GEODESIC_SERVER_ENGINE_FIELDS_FIELD_ENGINE_H_
 #define GEODESIC_SERVER_ENGINE_FIELDS_FIELD_ENGINE_H_
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -15,16 +15,16 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/computation.h"
+#include "geodesic/query.h"
 #include "geodesic/solve_options.h"
 #include "geodesic/valid_query.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"
+#include "server/engine/fields/derived_quantities.h"
 #include "server/engine/fields/field_cache.h"
 #include "server/engine/fields/field_files.h"
 #include "server/engine/fields/field_key.h"
-#include "server/engine/fields/field_request.h"
-#include "server/engine/fields/field_writer.h"
 #include "server/engine/fields/settled_log.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/shared_jobs.h"
@@ -35,6 +35,32 @@ namespace geodesic::server {
 using StartFunction =
     std::function<absl::StatusOr<std::unique_ptr<Computation>>(
         const Mesh&, const ValidQuery&, const SolveOptions&)>;
+
+struct FieldRequest {
+  std::string mesh_digest;
+  Query query;
+  FieldReach reach;
+  FieldExtras extras;
+  TimePoint deadline = kNoDeadline;
+  Requester requester;
+  // Only a field that is there already will do.
+  bool must_be_kept = false;
+};
+
+enum class FieldOrigin {
+  kComputed,
+  kJoined,  // another request had started the computation
+  kCached,
+};
+
+// Handles pin what they point to. The field was solved for what was asked, or
+// more.
+struct FieldAnswer {
+  FieldHandle field;
+  // Null unless a quantity was asked for.
+  std::shared_ptr<const DerivedQuantities> derived;
+  FieldOrigin origin = FieldOrigin::kComputed;
+};
 
 // Who waits for a field. Calls come from a solver's thread, one at a time, and
 // must be short; they may still arrive while and just after the waiter leaves.
@@ -133,6 +159,7 @@ class FieldEngine {
     ByteReservation derived;  // likewise, for other quantities
   };
 
+  void Count(uint64_t FieldCounters::*event);
   // Whether the memory for it can ever be had. Errors: RESOURCE_EXHAUSTED.
   absl::Status CheckCapacity(const FieldJob& job) const;
   // All or nothing. Errors: as ByteBudget::Take.
@@ -156,12 +183,8 @@ class FieldEngine {
   FieldFiles* files_ = nullptr;        // null: fields are kept in memory alone
   std::optional<FieldWriter> writer_;  // of files_
 
-  std::atomic<uint64_t> solves_started_ = 0;
-  std::atomic<uint64_t> solves_finished_ = 0;
-  std::atomic<uint64_t> solves_stopped_ = 0;
-  std::atomic<uint64_t> queries_joined_ = 0;
-  std::atomic<uint64_t> queries_cached_ = 0;
-  std::atomic<uint64_t> fields_loaded_ = 0;
+  mutable std::mutex counters_mutex_;
+  FieldCounters counters_;  // guarded by counters_mutex_
 };
 
 }  // namespace geodesic::server

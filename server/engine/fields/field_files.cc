@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <stop_token>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -9,7 +10,7 @@
 
 #include "geodesic/algorithm.h"
 #include "server/engine/base/binary_codec.h"
-#include "server/engine/fields/field_cache.h"
+#include "server/engine/base/guarded.h"
 
 namespace geodesic::server {
 namespace {
@@ -18,6 +19,10 @@ constexpr uint32_t kMetadataVersion = 1;
 
 // Each takes some memory for as long as it lies on the disk.
 constexpr size_t kMaxFields = 100'000;
+
+// That wait to be written: a disk that is slower than the solvers is not to
+// hold up anything.
+constexpr size_t kMaxWaiting = 64;
 
 static_assert(sizeof(Arrival) == 24, "arrivals are kept as they lie in memory");
 
@@ -111,12 +116,6 @@ std::optional<Metadata> Decode(std::string_view bytes) {
         VisitNumbers(metadata.statistics,
                      [&](auto& number) { reader.Get(number); });
       });
-}
-
-template <typename T>
-std::string_view AsBytes(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()),
-          values.size() * sizeof(T)};
 }
 
 template <typename T>
@@ -234,6 +233,47 @@ void FieldFiles::EraseMesh(const std::string& digest) {
     if (decoded && decoded->mesh_digest == digest) names.push_back(name);
   });
   for (const std::string& name : names) (void)blobs_->Erase(name);
+}
+
+void FieldWriter::Enqueue(const FieldKey& key, const MeshHandle& mesh,
+                          const FieldHandle& field) {
+  std::lock_guard lock(mutex_);
+  if (waiting_.size() >= kMaxWaiting) return;
+  waiting_.push_back({key, mesh, field});
+  if (!has_job_) SubmitJob();
+}
+
+void FieldWriter::SubmitJob() {
+  has_job_ = scheduler_
+                 .Submit({.priority = JobPriority::kStore,
+                          .is_continuation = true,
+                          .run = [this](const std::stop_token&) { WriteOne(); },
+                          .abandon = [](const absl::Status&) {}})
+                 .ok();
+  // The server stops: nobody will ask.
+  if (!has_job_) waiting_.clear();
+}
+
+void FieldWriter::WriteOne() {
+  const Item item = [this] {
+    std::lock_guard lock(mutex_);
+    Item first = std::move(waiting_.front());
+    waiting_.pop_front();
+    return first;
+  }();
+  const MeshHandle mesh = item.mesh.lock();
+  const FieldHandle field = item.field.lock();
+  if (mesh != nullptr && field != nullptr) {
+    // A disk that takes no more is no harm to those who ask; who upload hear
+    // of it.
+    (void)Guarded("kept a field",
+                  [&] { return files_.Put(item.key, *mesh->mesh, *field); });
+    // As FieldEngine::Keep.
+    if (!meshes_.Contains(mesh->digest)) files_.EraseMesh(mesh->digest);
+  }
+  std::lock_guard lock(mutex_);
+  has_job_ = false;
+  if (!waiting_.empty()) SubmitJob();
 }
 
 }  // namespace geodesic::server

@@ -16,7 +16,6 @@
 #include "geodesic/valid_query.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"
-#include "server/engine/base/requester.h"
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/meshes/mesh_store.h"

@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace geodesic::server {
+namespace {
+
+// A look at every vertex is paid for by a few windows a vertex.
+constexpr uint64_t kWindowsPerVertex = 4;
+
+}  // namespace
 
 void SettledLog::Reserve(ByteReservation memory, size_t vertices) {
   std::lock_guard lock(mutex_);
@@ -25,6 +31,24 @@ std::vector<SettledVertex> SettledLog::Read(size_t begin, size_t count) const {
   std::lock_guard lock(mutex_);
   const size_t end = std::min(entries_.size(), begin + count);
   return {entries_.begin() + begin, entries_.begin() + end};
+}
+
+absl::Status SettledCheckpoint::Poll(const Progress& progress) {
+  absl::Status status = next_.Poll(progress);
+  // Before the first window not even the sources have their distances.
+  if (progress.windows_propagated < next_scan_ ||
+      progress.settled_radius <= 0) {
+    return status;
+  }
+  next_scan_ = progress.windows_propagated +
+               kWindowsPerVertex * progress.distances.size();
+  // What is final goes out even if the solver has to stop now.
+  Progress within = progress;
+  within.settled_radius = std::min(progress.settled_radius, radius_);
+  const size_t before = log_.size();
+  log_.Append(within);
+  if (log_.size() > before) next_.Publish(within);
+  return status;
 }
 
 }  // namespace geodesic::server

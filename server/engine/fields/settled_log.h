@@ -10,9 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/settled_vertices.h"
 #include "server/engine/base/byte_budget.h"
+#include "server/engine/jobs/job_checkpoint.h"
 
 namespace geodesic::server {
 
@@ -42,6 +44,22 @@ class SettledLog {
   // Guarded by mutex_:
   std::vector<SettledVertex> entries_;
   ByteReservation memory_;
+};
+
+// Keeps the log up to date while a solver runs.
+class SettledCheckpoint final : public Checkpoint {
+ public:
+  // Vertices beyond `radius` are left out. The references outlive it.
+  SettledCheckpoint(JobCheckpoint& next, SettledLog& log, double radius)
+      : next_(next), log_(log), radius_(radius) {}
+
+  absl::Status Poll(const Progress& progress) override;
+
+ private:
+  JobCheckpoint& next_;
+  SettledLog& log_;
+  const double radius_;
+  uint64_t next_scan_ = 0;
 };
 
 }  // namespace geodesic::server

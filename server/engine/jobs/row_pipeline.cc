@@ -4,31 +4,6 @@
 
 namespace geodesic::server {
 
-// One row on its way.
-class RowPipeline::RowJob final : public JobObserver {
- public:
-  RowJob(std::shared_ptr<RowPipeline> pipeline, uint64_t row)
-      : pipeline_(std::move(pipeline)), row_(row) {}
-
-  absl::Status Run(Checkpoint& checkpoint, ByteReservation memory) {
-    absl::StatusOr<MatrixRow> result =
-        pipeline_->function_(row_, checkpoint, std::move(memory));
-    if (!result.ok()) return result.status();
-    result_ = *std::move(result);
-    return absl::OkStatus();
-  }
-
-  void OnProgress(const Progress&) override {}
-  void OnDone(const JobReport& report) override {
-    pipeline_->Finish(row_, report, std::move(result_));
-  }
-
- private:
-  const std::shared_ptr<RowPipeline> pipeline_;
-  const uint64_t row_;
-  MatrixRow result_;
-};
-
 RowPipeline::RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows,
                          size_t window, RowFunction function,
                          std::shared_ptr<RowObserver> observer)
@@ -47,19 +22,27 @@ absl::Status RowPipeline::Start() {
 }
 
 absl::Status RowPipeline::SubmitNext(bool is_continuation) {
-  auto job = std::make_shared<RowJob>(shared_from_this(), next_row_);
-  absl::StatusOr<SoloJobs::Call> call =
-      jobs_.Start({.priority = RowPriority(plan_.requester.is_batch),
-                   .client = plan_.requester.client,
-                   .is_continuation = is_continuation,
-                   .deadline = plan_.deadline,
-                   .planned_bytes = plan_.planned_bytes,
-                   .answer_bytes = plan_.row_bytes,
-                   .work =
-                       [job](Checkpoint& checkpoint, ByteReservation memory) {
-                         return job->Run(checkpoint, std::move(memory));
-                       }},
-                  job);
+  const uint64_t row = next_row_;
+  auto result = std::make_shared<MatrixRow>();
+  absl::StatusOr<SoloJobs::Call> call = jobs_.Start(
+      {.priority = RowPriority(plan_.requester.is_batch),
+       .client = plan_.requester.client,
+       .is_continuation = is_continuation,
+       .deadline = plan_.deadline,
+       .planned_bytes = plan_.planned_bytes,
+       .answer_bytes = plan_.row_bytes,
+       .work =
+           [self = shared_from_this(), row, result](Checkpoint& checkpoint,
+                                                    ByteReservation memory) {
+             absl::StatusOr<MatrixRow> computed =
+                 self->function_(row, checkpoint, std::move(memory));
+             if (computed.ok()) *result = *std::move(computed);
+             return computed.status();
+           },
+       .done =
+           [self = shared_from_this(), row, result](const JobReport& report) {
+             self->Finish(row, report, std::move(*result));
+           }});
   if (!call.ok()) return call.status();
   running_.emplace(next_row_++, *std::move(call));
   return absl::OkStatus();

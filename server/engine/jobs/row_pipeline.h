@@ -18,7 +18,6 @@
 #include "geodesic/checkpoint.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
-#include "server/engine/base/requester.h"
 #include "server/engine/jobs/solo_job.h"
 
 namespace geodesic::server {
@@ -78,8 +77,6 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   uint64_t windows_propagated() const;
 
  private:
-  class RowJob;
-
   void Finish(uint64_t row, const JobReport& report, MatrixRow result);
 
   // These REQUIRE mutex_ held:

@@ -49,8 +49,8 @@ absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
     absl::Status status = CheckRoom(job.client);
     if (!status.ok()) return status;
   }
-  const JobId id{next_number_++};
-  queue_.Push(id.number, {std::move(job), Now()});
+  const JobId id = next_number_++;
+  queue_.Push(id, {std::move(job), Now()});
   AskForThreads();
   return id;
 }
@@ -98,7 +98,7 @@ void Scheduler::Cancel(JobId id) {
   std::stop_source source(std::nostopstate);
   {
     std::lock_guard lock(mutex_);
-    dropped = queue_.Remove(id.number);
+    dropped = queue_.Remove(id);
     if (dropped.has_value()) {
       // It may have been the one that the others waited behind.
       AskForThreads();
@@ -111,7 +111,7 @@ void Scheduler::Cancel(JobId id) {
 
 void Scheduler::Expedite(JobId id, JobPriority priority) {
   std::lock_guard lock(mutex_);
-  queue_.Expedite(id.number, priority);
+  queue_.Expedite(id, priority);
   AskForThreads();
 }
 
@@ -163,7 +163,7 @@ size_t Scheduler::queued() const {
 
 void Scheduler::RunOne() {
   std::unique_lock lock(mutex_);
-  JobId id;
+  JobId id = 0;
   bool progressed = false;
   if (std::optional<WaitingJob> started = StartNext(lock, id, progressed)) {
     progressed = true;
@@ -173,7 +173,7 @@ void Scheduler::RunOne() {
     bool goes_on = Run(*started, source);
     lock.lock();
     if (goes_on && !stopped_ && !source.stop_requested()) {
-      queue_.Push(id.number, {std::move(started->job), Now()});
+      queue_.Push(id, {std::move(started->job), Now()});
     } else if (goes_on) {
       // What it captured goes without the lock, before it counts as done.
       const bool is_end = stopped_;
@@ -215,8 +215,8 @@ absl::Status Scheduler::Reserve(Job& job) {
 std::optional<WaitingJob> Scheduler::StartNext(
     std::unique_lock<std::mutex>& lock, JobId& id, bool& progressed) {
   while (!queue_.empty()) {
-    id = {queue_.Next()};
-    WaitingJob& next = queue_.waiting(id.number);
+    id = queue_.Next();
+    WaitingJob& next = queue_.waiting(id);
     const absl::Status room = Reserve(next.job);
     if (room.ok()) return queue_.Start();
     if (RetryAfter(room).has_value()) {
@@ -227,7 +227,7 @@ std::optional<WaitingJob> Scheduler::StartNext(
                                                 : std::nullopt;
       if (other.has_value()) {
         ++next.overtaken;
-        id = {*other};
+        id = *other;
         return queue_.Remove(*other);
       }
     }

@@ -3,8 +3,8 @@
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_SCHEDULER_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_SCHEDULER_H_
 
+#include <algorithm>
 #include <chrono>
-#include <compare>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -18,9 +18,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "geodesic/solve_options.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/jobs/executor.h"
-#include "server/engine/jobs/job.h"
 #include "server/engine/jobs/job_queue.h"
 
 namespace geodesic::server {
@@ -44,10 +44,7 @@ struct JobTimes {
 // back, and the job is abandoned.
 class Scheduler {
  public:
-  struct JobId {
-    uint64_t number = 0;
-    friend auto operator<=>(const JobId&, const JobId&) = default;
-  };
+  using JobId = uint64_t;
 
   // Besides max_running jobs that run, max_queued may wait, of one client
   // max_queued_per_client.
@@ -130,6 +127,17 @@ class Scheduler {
   bool draining_ = false;
   bool stopped_ = false;
 };
+
+// For a solve that starts now, in a job of the scheduler: it shares its work
+// with as many threads as are idle, `most` in all. They are threads of its own:
+// if other jobs come meanwhile, it takes a little of their processors until it
+// ends, and waits for none of its threads that gets no turn.
+inline SolveOptions WithIdleThreads(SolveOptions options,
+                                    const Scheduler& scheduler, uint64_t most) {
+  options.threads =
+      static_cast<uint32_t>(std::min<uint64_t>(scheduler.idle() + 1, most));
+  return options;
+}
 
 }  // namespace geodesic::server
 

@@ -157,7 +157,7 @@ class SharedJobs {
     SharedJobs& jobs;
     const Key key;
     // Guarded by jobs.mutex_:
-    Scheduler::JobId job;
+    Scheduler::JobId job = 0;
     std::shared_ptr<Shared> shared;
     Waiters waiters;
   };

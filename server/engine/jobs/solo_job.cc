@@ -13,21 +13,17 @@ SoloJobs::SoloJobs(const Clock& clock, Scheduler& scheduler,
       solver_memory_(std::move(solver_memory)),
       jobs_(scheduler, clock, progress_interval) {}
 
-absl::StatusOr<SoloJobs::Call> SoloJobs::Start(
-    SoloJob job, std::shared_ptr<JobObserver> observer) {
+absl::StatusOr<SoloJobs::Call> SoloJobs::Start(SoloJob job) {
   absl::Status fits =
       solver_memory_->CheckCapacity(job.planned_bytes + job.answer_bytes);
   if (!fits.ok()) return fits;
   Waiter<JobReport> waiter{
       .done =
-          [observer](const absl::StatusOr<JobReport>& report) {
-            observer->OnDone(
-                report.ok() ? *report : JobReport{.status = report.status()});
+          [done =
+               std::move(job.done)](const absl::StatusOr<JobReport>& report) {
+            done(report.ok() ? *report : JobReport{.status = report.status()});
           },
-      .progress =
-          [observer = std::move(observer)](const Progress& progress) {
-            observer->OnProgress(progress);
-          },
+      .progress = std::move(job.progress),
       .deadline = job.deadline};
   auto memory = std::make_shared<Memory>();
   return jobs_.Join(next_key_++, std::move(waiter), job.priority, [&] {

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -28,19 +29,6 @@ struct JobReport {
   uint64_t windows_propagated = 0;
 };
 
-// Who waits for a job. Calls come from the job's thread and must be short; they
-// may still arrive while and just after the job is cancelled.
-class JobObserver {
- public:
-  virtual ~JobObserver() = default;
-
-  // A later call replaces what an earlier one said.
-  virtual void OnProgress(const Progress& progress) = 0;
-
-  // The last call, at most once.
-  virtual void OnDone(const JobReport& report) = 0;
-};
-
 struct SoloJob {
   JobPriority priority = JobPriority::kSolve;
   std::string client;            // see Requester
@@ -51,6 +39,9 @@ struct SoloJob {
   uint64_t planned_bytes = 0;
   uint64_t answer_bytes = 0;
   absl::AnyInvocable<absl::Status(Checkpoint&, ByteReservation answer)> work;
+  // As Waiter has them.
+  std::function<void(const JobReport&)> done;
+  std::function<void(const Progress&)> progress;
 };
 
 // Thread-safe.
@@ -66,10 +57,9 @@ class SoloJobs {
            Duration progress_interval);
 
   // Errors: as Scheduler::Submit; RESOURCE_EXHAUSTED when the memory can never
-  // be had. `observer` is then not called. It may already be called before this
+  // be had. `done` is then not called. It may already be called before this
   // returns.
-  absl::StatusOr<Call> Start(SoloJob job,
-                             std::shared_ptr<JobObserver> observer);
+  absl::StatusOr<Call> Start(SoloJob job);
 
   // Nobody waits any longer: the work is dropped, or stops at its next poll.
   void Cancel(const Call& call) { jobs_.Leave(call); }

@@ -1,8 +1,10 @@
-// What a server knows of its meshes, wherever it keeps them.
+// What a server knows of its meshes, wherever it keeps them, and how they are
+// named.
 
 #ifndef GEODESIC_SERVER_ENGINE_MESHES_MESH_CATALOGUE_H_
 #define GEODESIC_SERVER_ENGINE_MESHES_MESH_CATALOGUE_H_
 
+#include <compare>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -18,9 +20,30 @@
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
 #include "geodesic/triangle_soup.h"
-#include "server/engine/meshes/upload_header.h"
 
 namespace geodesic::server {
+
+// How the bytes of an upload are to be read: the canonical arrays themselves,
+// or a file that geodesic::ReadMesh reads.
+enum class UploadFormat { kArrays, kObj, kPly, kOff, kStl };
+
+struct UploadHeader {
+  UploadFormat format = UploadFormat::kArrays;
+  uint64_t size_bytes = 0;
+  // kArrays only.
+  uint64_t vertex_count = 0;
+  uint64_t face_count = 0;
+  // When not empty, a mesh with another digest is refused.
+  std::string expected_digest;
+};
+
+// Names a file as the client holds it.
+struct FileKey {
+  UploadFormat format = UploadFormat::kArrays;
+  std::string sha256;
+
+  friend auto operator<=>(const FileKey&, const FileKey&) = default;
+};
 
 struct MeshDescription {
   std::string digest;

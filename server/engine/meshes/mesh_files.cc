@@ -100,12 +100,6 @@ std::optional<MeshDescription> ToDescription(BlobInfo info) {
                          .stored_bytes = info.file_bytes};
 }
 
-absl::Status AppendPositions(const Mesh& mesh, BlobSink& sink) {
-  const std::span<const Point> positions = mesh.positions();
-  return sink.Append({reinterpret_cast<const char*>(positions.data()),
-                      positions.size_bytes()});
-}
-
 // A mesh has its faces in an order of its own.
 absl::Status AppendTriangles(const Mesh& mesh, BlobSink& sink) {
   constexpr uint32_t kPiece = 64 << 10;
@@ -115,9 +109,7 @@ absl::Status AppendTriangles(const Mesh& mesh, BlobSink& sink) {
     for (; face < mesh.face_count() && piece.size() < kPiece; ++face) {
       piece.push_back(mesh.triangle(face));
     }
-    absl::Status status =
-        sink.Append({reinterpret_cast<const char*>(piece.data()),
-                     piece.size() * sizeof(Triangle)});
+    absl::Status status = sink.Append(AsBytes(piece));
     if (!status.ok()) return status;
   }
   return absl::OkStatus();
@@ -198,7 +190,7 @@ absl::Status MeshFiles::Put(const ResidentMesh& mesh,
   const auto write = [&](BlobSink& sink) {
     absl::Status written =
         sink.Append(MeshDigestHead(arrays.vertex_count(), arrays.face_count()));
-    if (written.ok()) written = AppendPositions(arrays, sink);
+    if (written.ok()) written = sink.Append(AsBytes(arrays.positions()));
     if (written.ok()) written = AppendTriangles(arrays, sink);
     return written;
   };

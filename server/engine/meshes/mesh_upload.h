@@ -18,7 +18,7 @@
 #include "geodesic/triangle_soup.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/limits.h"
-#include "server/engine/meshes/upload_header.h"
+#include "server/engine/meshes/mesh_catalogue.h"
 
 namespace geodesic::server {
 

@@ -12,7 +12,7 @@
 #include "geodesic/v1/field_service.pb.h"
 #include "geodesic/v1/query.pb.h"
 #include "server/engine/base/limits.h"
-#include "server/engine/fields/field_request.h"
+#include "server/engine/fields/field_engine.h"
 #include "server/engine/meshes/mesh_store.h"
 
 namespace geodesic::server {

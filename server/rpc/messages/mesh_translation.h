@@ -10,7 +10,6 @@
 #include "geodesic/v1/mesh.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
 #include "server/engine/meshes/mesh_catalogue.h"
-#include "server/engine/meshes/upload_header.h"
 
 namespace geodesic::server {
 
