@@ -45,14 +45,13 @@ size_t Padded(size_t count) {
 // Front::EndsAreNearer say.
 GEODESIC_INLINE double LabelOf(const Window& window, const ExitEdge& exit) {
   const auto& [part, origin, begin_distance, end_distance] = window;
-  const double least =
-      LeastDistance(origin, part, begin_distance, end_distance);
   const double lost = WidthOfLost(begin_distance - origin.sigma, exit.length);
-  const bool is_useless =
-      (part.width() <= lost) |
-      Exceeds(end_distance, exit.from_distance + part.end) |
-      Exceeds(begin_distance, exit.to_distance + (exit.length - part.begin));
-  return is_useless ? kInfinity : least;
+  const double from_begin = exit.from_distance + part.end;
+  const double from_end = exit.to_distance + (exit.length - part.begin);
+  double least = LeastDistance(origin, part, begin_distance, end_distance);
+  least = part.width() <= lost ? kInfinity : least;
+  least = Exceeds(end_distance, from_begin) ? kInfinity : least;
+  return Exceeds(begin_distance, from_end) ? kInfinity : least;
 }
 
 // By value what the loop reads: it would have to be read again after each

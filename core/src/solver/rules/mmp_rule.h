@@ -325,7 +325,8 @@ class MmpRule {
   }
 
   void Cross(HalfEdge h, const Window& window, uint32_t pseudo_source) {
-    const auto& [interval, origin, begin_distance, end_distance] = window;
+    const Interval& interval = window.interval;
+    const Origin& origin = window.origin;
     const HalfEdgeFrame& frame = mesh_.frame(h);
     const PlanePoint apex = ApexOf(frame);
     const double crossing = CrossingTo(origin, apex);
