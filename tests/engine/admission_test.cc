@@ -24,6 +24,7 @@ namespace geodesic::server {
 namespace {
 
 using test::RecordingObserver;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -250,46 +251,44 @@ TEST_F(OutcomeTest, AQuestionGivesItsMemoryBack) {
   }
 }
 
-class TinySolverTest : public AdmissionTest {
- protected:
-  static Limits TinySolver() {
-    Limits limits = RoomyQueue();
-    limits.solver_memory_bytes = 1000;
-    return limits;
-  }
-  TinySolverTest() : AdmissionTest(TinySolver()) {}
+// A thousand bytes of a budget that every field needs.
+struct TinyBudget {
+  uint64_t Limits::*bytes;
+  const char* flag;
 };
 
-TEST_F(TinySolverTest, WhatCanNeverFitIsRefusedAtOnceWithTheFigures) {
+class TinyBudgetTest : public AdmissionTest,
+                       public ::testing::WithParamInterface<TinyBudget> {
+ protected:
+  TinyBudgetTest() : AdmissionTest(Tiny()) {}
+
+  static Limits Tiny() {
+    Limits limits = RoomyQueue();
+    limits.*GetParam().bytes = 1000;
+    return limits;
+  }
+};
+
+TEST_P(TinyBudgetTest, WhatCanNeverFitIsRefusedAtOnceWithTheFigures) {
   const absl::Status status = Ask(Field(0)).status();
   EXPECT_TRUE(absl::IsResourceExhausted(status));
   EXPECT_EQ(ReasonOf(status), reason::kLimitExceeded);
   EXPECT_FALSE(RetryAfter(status).has_value());
-  const std::string message(status.message());
-  EXPECT_THAT(message, HasSubstr("bytes are needed"));
-  EXPECT_THAT(message, HasSubstr("1000 bytes"));
-  EXPECT_THAT(message, HasSubstr("--solver-memory"));
-  EXPECT_TRUE(absl::IsResourceExhausted(AskForMatrix(0, 2).status()));
+  EXPECT_THAT(std::string(status.message()),
+              AllOf(HasSubstr("bytes are needed"), HasSubstr("1000 bytes"),
+                    HasSubstr(GetParam().flag)));
   EXPECT_EQ(observer_->calls, 0);
   ExpectNothingHeld();
+  // A row takes a solver, but is not kept.
+  const bool is_solver = GetParam().bytes == &Limits::solver_memory_bytes;
+  EXPECT_EQ(absl::IsResourceExhausted(AskForMatrix(0, 2).status()), is_solver);
 }
 
-class NoRoomForFieldsTest : public AdmissionTest {
- protected:
-  static Limits NoRoomForFields() {
-    Limits limits = RoomyQueue();
-    limits.field_cache_bytes = 1000;
-    return limits;
-  }
-  NoRoomForFieldsTest() : AdmissionTest(NoRoomForFields()) {}
-};
-
-TEST_F(NoRoomForFieldsTest, AFieldThatTheCacheCannotHoldIsRefusedAtOnce) {
-  const absl::Status status = Ask(Field(0)).status();
-  EXPECT_TRUE(absl::IsResourceExhausted(status));
-  EXPECT_THAT(std::string(status.message()), HasSubstr("--field-cache"));
-  ExpectNothingHeld();
-}
+INSTANTIATE_TEST_SUITE_P(
+    Budgets, TinyBudgetTest,
+    ::testing::Values(TinyBudget{&Limits::solver_memory_bytes,
+                                 "--solver-memory"},
+                      TinyBudget{&Limits::field_cache_bytes, "--field-cache"}));
 
 TEST_F(AdmissionTest, AQuestionWaitsForOneRowAtMost) {
   auto matrix = AskForMatrix(100, 5);

@@ -233,23 +233,6 @@ TEST_F(DurableEngineTest, TracedFieldsToo) {
   EXPECT_EQ(after->derived->gradients, before->derived->gradients);
 }
 
-TEST_F(DurableEngineTest, OnlyAFieldThatReachesFarEnoughAnswers) {
-  const std::string digest = Upload(Grid(30, 30))->mesh.digest;
-  ASSERT_TRUE(Field({.mesh_digest = digest, .reach = {.radius = 0.5}}).ok());
-  Restart();
-  ASSERT_TRUE(Await(digest).ok());
-  const auto near = Field({.mesh_digest = digest, .reach = {.radius = 0.25}});
-  ASSERT_TRUE(near.ok());
-  EXPECT_EQ(near->origin, FieldOrigin::kCached);
-  const auto all = Field({.mesh_digest = digest});
-  ASSERT_TRUE(all.ok());
-  EXPECT_EQ(all->origin, FieldOrigin::kComputed);
-  // It takes the place of the one that ended early.
-  Restart();
-  ASSERT_TRUE(Await(digest).ok());
-  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kCached);
-}
-
 TEST_F(DurableEngineTest, FieldsGoWithTheirMesh) {
   const TriangleSoup soup = Grid(5);
   const std::string digest = Upload(soup)->mesh.digest;

@@ -204,18 +204,6 @@ class TinyCacheTest : public FieldQueryTest {
   TinyCacheTest() : FieldQueryTest(TinyCache()) {}
 };
 
-TEST_F(TinyCacheTest, OldFieldsMakeWay) {
-  for (uint32_t vertex = 0; vertex < 3; ++vertex) {
-    const auto observer = std::make_shared<RecordingObserver>();
-    ASSERT_TRUE(Ask(vertex, observer).ok());
-    executor_.RunAll();
-    ASSERT_TRUE(observer->field->ok()) << observer->field->status();
-  }
-  EXPECT_EQ(engine_.fields().cache().size(), 2);
-  EXPECT_EQ(Ask(2, a_)->origin, FieldOrigin::kCached);
-  EXPECT_EQ(Ask(0, a_)->origin, FieldOrigin::kComputed);
-}
-
 // Slow readers hold fields; they must not add up beyond the budget.
 TEST_F(TinyCacheTest, FieldsInUseBoundWhatIsSolved) {
   ASSERT_TRUE(Ask(0, a_).ok());

@@ -63,13 +63,5 @@ TEST_F(JobCheckpointTest, StopsASolverThatOutgrowsTheBudget) {
   EXPECT_EQ(memory_->used(), 0);
 }
 
-TEST_F(JobCheckpointTest, SolversShareTheBudget) {
-  JobCheckpoint first = MakeCheckpoint();
-  JobCheckpoint second = MakeCheckpoint();
-  EXPECT_TRUE(first.Poll({.solver_bytes = 50 * kMiB}).ok());
-  EXPECT_TRUE(
-      absl::IsResourceExhausted(second.Poll({.solver_bytes = 50 * kMiB})));
-}
-
 }  // namespace
 }  // namespace geodesic::server

@@ -35,21 +35,6 @@ TEST_F(MeshEngineTest, AnUploadBecomesResident) {
   EXPECT_EQ(uploaded->mesh.stored_bytes, 0);
 }
 
-TEST_F(MeshEngineTest, BuildingHappensInAJob) {
-  const TriangleSoup soup = test::Tetrahedron();
-  auto upload = *engine_.meshes().StartUpload(test::ArrayHeader(soup));
-  ASSERT_TRUE(upload->Append(0, test::ArrayBytes(soup)).ok());
-  bool done = false;
-  ASSERT_TRUE(
-      engine_.meshes()
-          .FinishUpload(std::move(upload), [&](const auto&) { done = true; })
-          .ok());
-  EXPECT_FALSE(done);
-  EXPECT_EQ(executor_.size(), 1);
-  executor_.RunAll();
-  EXPECT_TRUE(done);
-}
-
 TEST_F(MeshEngineTest, TheSameMeshInAnotherFormatIsTheSameMesh) {
   const auto arrays = Upload(test::Tetrahedron());
   ASSERT_TRUE(arrays.ok());

@@ -42,28 +42,6 @@ TEST_F(DurableEngineTest, OneLoadForAllWhoAsk) {
   EXPECT_EQ(engine_->meshes().loads().size(), 0);
 }
 
-TEST_F(DurableEngineTest, ALoadNobodyWaitsForIsCalledOff) {
-  const std::string digest = Upload(Grid(5))->mesh.digest;
-  Restart();
-  bool called = false;
-  const auto ticket =
-      engine_->meshes().Await(digest, [&](const auto&) { called = true; });
-  ASSERT_TRUE(ticket.ok());
-  engine_->meshes().Leave(*ticket);
-  EXPECT_EQ(engine_->meshes().loads().size(), 0);
-  executor_.RunAll();
-  EXPECT_FALSE(called);
-  EXPECT_EQ(engine_->counters().meshes_loaded, 0);
-}
-
-TEST_F(DurableEngineTest, LoadsEndWithTheServer) {
-  const std::string digest = Upload(Grid(5))->mesh.digest;
-  Restart();
-  const auto loaded = AskFor(digest);
-  engine_->scheduler().StopAll();
-  EXPECT_TRUE(absl::IsUnavailable(loaded->status())) << loaded->status();
-}
-
 // Room in memory for one mesh.
 class EvictionTest : public DurableEngineTest {
  protected:

@@ -294,16 +294,6 @@ TEST_F(SchedulerTest, AWaitingJobIsDroppedOnCancel) {
   EXPECT_THAT(abandoned_, IsEmpty());
 }
 
-TEST_F(SchedulerTest, ADroppedJobReleasesWhatItHolds) {
-  auto resource = std::make_shared<int>(1);
-  const auto job = scheduler_.Submit(
-      {.run = [resource](std::stop_token) {}, .abandon = [](const auto&) {}});
-  ASSERT_TRUE(job.ok());
-  EXPECT_EQ(resource.use_count(), 2);
-  scheduler_.Cancel(*job);
-  EXPECT_EQ(resource.use_count(), 1);
-}
-
 TEST_F(SchedulerTest, ARunningJobIsAskedToStop) {
   Scheduler::JobId id = 0;
   bool before = true;

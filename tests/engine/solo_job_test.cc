@@ -153,15 +153,6 @@ TEST_F(SoloJobTest, ReportsHowItWent) {
   EXPECT_EQ(told_.use_count(), 1);
 }
 
-TEST_F(SoloJobTest, SharesTheSolversMemory) {
-  ASSERT_TRUE(Start([&](Checkpoint& checkpoint) {
-                return checkpoint.Poll({.solver_bytes = 2 << 20});
-              }).ok());
-  executor_.RunAll();
-  EXPECT_TRUE(absl::IsResourceExhausted(told_->report.status));
-  EXPECT_EQ(memory_->used(), 0);
-}
-
 TEST_F(SoloJobTest, ExceptionsBecomeStatuses) {
   ASSERT_TRUE(
       Start([](Checkpoint&) -> absl::Status { throw std::bad_alloc(); }).ok());

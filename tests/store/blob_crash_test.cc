@@ -18,7 +18,6 @@
 namespace geodesic::server {
 namespace {
 
-using test::kNeverKilled;
 using test::Name;
 using test::Put;
 using test::Read;

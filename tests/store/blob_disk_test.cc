@@ -55,38 +55,12 @@ TEST_F(BlobDiskTest, AFullDiskIsSaidAndLeft) {
   EXPECT_EQ(store_->counters().write_failures, 1);
 }
 
-TEST_F(BlobDiskTest, ItGoesOnWhenThereIsSpaceAgain) {
-  const std::string filler = data_dir() + "/filler";
-  geodesic::test::WriteFile(filler, std::string(kMiB * 7 / 8, 'x'));
-  const std::string body(kMiB / 4, 'y');
-  EXPECT_TRUE(absl::IsResourceExhausted(Put(*store_, Name('b'), body)));
-  std::filesystem::remove(filler);
-  EXPECT_TRUE(Put(*store_, Name('b'), body).ok());
-  ASSERT_TRUE(Open(16 * kMiB).ok());
-  EXPECT_EQ(*Read(*store_, Name('b')), body);
-}
-
 TEST_F(BlobDiskTest, AServerStartsOnAFullDisk) {
   geodesic::test::WriteFile(data_dir() + "/filler", std::string(2 * kMiB, 'x'));
   ASSERT_TRUE(Open(16 * kMiB).ok());
   EXPECT_EQ(*Read(*store_, Name('a')), "there before");
   // Which makes the space that was missing.
   EXPECT_TRUE(store_->Erase(Name('a')).ok());
-}
-
-TEST_F(BlobDiskTest, AReadOnlyDiskServesWhatItHas) {
-  ASSERT_TRUE(disk_->SetReadOnly(true).ok());
-  const absl::Status put = Put(*store_, Name('b'), "new");
-  EXPECT_TRUE(absl::IsUnavailable(put)) << put;
-  EXPECT_THAT(std::string(put.message()), HasSubstr("Read-only"));
-  const absl::Status erase = store_->Erase(Name('a'));
-  EXPECT_TRUE(absl::IsUnavailable(erase)) << erase;
-  EXPECT_EQ(*Read(*store_, Name('a')), "there before");
-
-  ASSERT_TRUE(disk_->SetReadOnly(false).ok());
-  EXPECT_TRUE(Put(*store_, Name('b'), "new").ok());
-  EXPECT_TRUE(store_->Erase(Name('a')).ok());
-  EXPECT_EQ(files(), 1);
 }
 
 TEST_F(BlobDiskTest, DamageOnAReadOnlyDiskIsNotServed) {
