@@ -411,6 +411,7 @@ class LevelCrossings {
       }
       if (points.size() < 2) continue;
       std::vector<Point> positions;
+      positions.reserve(points.size());
       for (const SurfacePoint& point : points) {
         positions.push_back(PositionOf(point, mesh_));
       }

@@ -36,8 +36,9 @@ absl::Status RowPipeline::SubmitNext(bool is_continuation) {
                                                     ByteReservation memory) {
              absl::StatusOr<MatrixRow> computed =
                  self->function_(row, checkpoint, std::move(memory));
-             if (computed.ok()) *result = *std::move(computed);
-             return computed.status();
+             if (!computed.ok()) return computed.status();
+             *result = *std::move(computed);
+             return absl::OkStatus();
            },
        .done =
            [self = shared_from_this(), row, result](const JobReport& report) {
