@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/stress/report.h"
-#include "tests/stress/scene.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/query.h"
+#include "tests/stress/report.h"
+#include "tests/stress/scene.h"
 
 namespace geodesic::stress {
 

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/stress/answers.h"
-#include "tests/stress/laws.h"
 #include "geodesic/field_quantities.h"
 #include "geodesic/isolines.h"
 #include "geodesic/log_map.h"
 #include "geodesic/path.h"
 #include "geodesic/solve.h"
+#include "tests/stress/answers.h"
+#include "tests/stress/laws.h"
 #include "tests/support/queries.h"
 #include "tests/support/surface_points.h"
 #include "tests/support/vec.h"

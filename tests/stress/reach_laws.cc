@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "tests/stress/answers.h"
-#include "tests/stress/laws.h"
 #include "geodesic/computation.h"
 #include "geodesic/settled_vertices.h"
+#include "tests/stress/answers.h"
+#include "tests/stress/laws.h"
 #include "tests/support/queries.h"
 
 namespace geodesic::stress {
