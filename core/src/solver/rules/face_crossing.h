@@ -73,9 +73,8 @@ class FaceCrossing {
     const PlanePoint apex = ApexOf(frame);
     const uint32_t vertex = mesh_.Apex(h);
     double best = front_.distance(vertex);
-    Arrival arrival;
-    IncomingRay ray;
-    bool improves = false;
+    size_t nearest = list_.size;  // none
+    double missed_by = 0;
     // Gathered without a branch: which windows see the apex cannot be foreseen.
     size_t hits = 0;
     for (size_t i = 0; i < list_.size; ++i) {
@@ -94,12 +93,16 @@ class FaceCrossing {
                                       : origin.DistanceTo(through) +
                                             EdgePointTo(through, apex));
       if (!Front::Improves(distance, best)) continue;
-      improves = true;
       best = distance;
-      arrival = {list_.pseudo_source[i], h, origin.x, origin.depth};
-      ray = RayPast(mesh_, h, origin, std::abs(through - crossings_[i]));
+      nearest = i;
+      missed_by = std::abs(through - crossings_[i]);
     }
-    if (improves) relax(vertex, best, arrival, ray);
+    if (nearest < list_.size) {
+      const Origin origin = list_.OriginAt(nearest);
+      relax(vertex, best,
+            Arrival{list_.pseudo_source[nearest], h, origin.x, origin.depth},
+            RayPast(mesh_, h, origin, missed_by));
+    }
     return best;
   }
 
