@@ -115,6 +115,18 @@ TEST_F(CommandLineTest, ProgressiveFieldsAreDistancesInCsv) {
   }
 }
 
+TEST_F(CommandLineTest, StandardInputIsReadOnce) {
+  for (const char* question : {"field", "path", "matrix", "nearest"}) {
+    for (const char* other : {"--targets", "--sources"}) {
+      EXPECT_THAT(
+          Refused({question, "m", "-t", "1", "--sources", "-", other, "-"}),
+          HasSubstr("--sources, --targets: standard input (-) can be read by "
+                    "one of them only"));
+    }
+    Accepted({question, "m", "-t", "1", "--sources", "-", "--targets", "f"});
+  }
+}
+
 TEST_F(CommandLineTest, CommonOptionsMayComeBeforeOrAfterTheCommand) {
   EXPECT_EQ(Accepted({"--server", "a:1", "meshes"}).connection.server, "a:1");
   EXPECT_EQ(Accepted({"meshes", "--server", "a:1"}).connection.server, "a:1");

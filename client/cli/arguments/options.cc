@@ -75,7 +75,7 @@ CLI::Option* AddChoice(CLI::App* app, const OptionText& text,
 
 absl::StatusOr<std::string> TakeWord(const std::string& word) { return word; }
 
-void RequirePlaces(const QuestionArguments& question) {
+void CheckPlaces(const QuestionArguments& question) {
   const SourceArguments& sources = question.sources;
   if (sources.need == Need::kRequired && sources.points.empty() &&
       sources.curves.empty() && sources.files.empty()) {
@@ -85,6 +85,12 @@ void RequirePlaces(const QuestionArguments& question) {
   if (targets.need == Need::kRequired && targets.points.empty() &&
       targets.files.empty()) {
     throw CLI::RequiredError("--target (or --targets FILE)");
+  }
+  if (std::ranges::count(sources.files, kStandardInput) +
+          std::ranges::count(targets.files, kStandardInput) >
+      1) {
+    Refuse("--sources, --targets",
+           "standard input (-) can be read by one of them only, and once");
   }
 }
 
@@ -230,7 +236,7 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
       },
       &question->outputs);
   app->callback([question, check = std::move(check)] {
-    RequirePlaces(*question);
+    CheckPlaces(*question);
     if (check != nullptr) check();
   });
 }

@@ -145,7 +145,8 @@ void AddTargets(CLI::App* app, Need need, const std::string& help,
 
 // --algorithm, --priority and -o, whose `output_help` begins the sentence that
 // the endings end. When all of the command line has been taken, refuses a
-// question without the places it needs, then calls `check` if there is one.
+// question without the places it needs or that reads standard input twice, then
+// calls `check` if there is one.
 void AddQuestion(CLI::App* app, const std::string& output_help,
                  std::span<const OutputFormat> formats,
                  QuestionArguments* question,
