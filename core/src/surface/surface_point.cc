@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/field_path.h"
@@ -69,8 +70,11 @@ absl::Status CheckPoint(const FacePoint& point, const Mesh& mesh,
     sum += point.weights[i];
   }
   if (!(std::abs(sum - 1) <= kWeightSumTolerance)) {
+    // Digits that tell it from 1.
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.9g", sum);
     return InvalidField(weights,
-                        absl::StrCat(weights, " sum to ", sum,
+                        absl::StrCat(weights, " sum to ", text,
                                      ", not to 1; divide each by their sum"));
   }
   return absl::OkStatus();

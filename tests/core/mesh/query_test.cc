@@ -91,7 +91,9 @@ TEST(QueryTest, RefusalsNamePointsOffTheSurface) {
   EXPECT_THAT(RefusalOf(FacePoint{2, {0, kNan, 0.5}}),
               Refuses("sources[1].face.weights[1]", "outside face 2"));
   EXPECT_THAT(RefusalOf(FacePoint{2, {0.5, 0.5, 0.5}}),
-              Refuses("sources[1].face.weights", "sum to 1.5"));
+              Refuses("sources[1].face.weights", "sum to 1.5, not to 1"));
+  EXPECT_THAT(RefusalOf(FacePoint{2, {0.3, 0.3, 0.400002}}),
+              Refuses("sources[1].face.weights", "sum to 1.000002, not to 1"));
 }
 
 TEST(QueryTest, RefusalsNameCurvesAndTargets) {
