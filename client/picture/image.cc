@@ -78,6 +78,24 @@ void Image::SetInk(const LinearColor& color) {
                        SrgbFromLinear(color.green), SrgbFromLinear(color.blue));
 }
 
+std::string Image::Shortened(const std::string& text, double width,
+                             double size) {
+  cairo_set_font_size(cairo(), size);
+  const auto fits = [this, width](const std::string& shown) {
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo(), shown.c_str(), &extents);
+    return extents.x_advance <= width;
+  };
+  // From the front, since the names of curves may have any length.
+  size_t whole = 0;
+  size_t cut = 0;
+  while (whole < text.size() && fits(text.substr(0, whole + 1))) {
+    ++whole;
+    if (fits(text.substr(0, whole) + "…")) cut = whole;
+  }
+  return whole == text.size() ? text : text.substr(0, cut) + "…";
+}
+
 double Image::DrawText(const std::string& text, double left, double baseline,
                        double size) {
   cairo_set_font_size(cairo(), size);

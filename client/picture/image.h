@@ -50,6 +50,9 @@ class Image {
   cairo_t* cairo() { return cairo_.get(); }
   // What cairo() draws with from now on.
   void SetInk(const LinearColor& color);
+  // As much of `text`, which is ASCII, as fits into `width` pixels in letters
+  // of `size` pixels; an ellipsis takes the place of what does not.
+  std::string Shortened(const std::string& text, double width, double size);
   // Writes a line of UTF-8 that stands on `baseline`, in letters of `size`
   // pixels. Returns where it ends.
   double DrawText(const std::string& text, double left, double baseline,

@@ -246,8 +246,10 @@ void DrawSourceColors(
     cairo_rectangle(image->cairo(), at.left, y, 1.1 * at.text, 1.1 * at.text);
     cairo_fill(image->cairo());
     image->SetInk(kTextInk);
-    image->DrawText(names[source], at.left + 1.7 * at.text, y + 0.9 * at.text,
-                    at.text);
+    const double left = at.left + 1.7 * at.text;
+    const double width = image->width() - left - 0.5 * at.text;
+    image->DrawText(image->Shortened(names[source], width, at.text), left,
+                    y + 0.9 * at.text, at.text);
   }
   if (shown < names.size()) {
     image->DrawText(absl::StrCat("and ", names.size() - shown, " more"),

@@ -61,9 +61,8 @@ void DrawColorBar(const Colormap& colormap, const IsolineScale& isolines,
                   const std::vector<double>& levels, double largest,
                   Image* image);
 
-// The colours of nearest sources, by the sources' names; as many as there is
-// room for.
-// REQUIRES: KeyWidth is not 0.
+// The colours of nearest sources, by the sources' names; as many, and as much
+// of each, as there is room for. REQUIRES: KeyWidth is not 0.
 void DrawSourceColors(
     const std::vector<std::string>& names,
     const std::function<LinearColor(uint32_t source)>& color_of, Image* image);

@@ -1,5 +1,6 @@
 #include "client/picture/picture.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,10 @@
 
 namespace geodesic::client {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::StartsWith;
 
 constexpr int kWidth = 480;
 constexpr int kHeight = 360;
@@ -399,6 +404,27 @@ TEST(PictureTest, CellsHaveStraightBordersAndALegend) {
   };
   EXPECT_GT(like(first), 40);
   EXPECT_GT(like(second), 40);
+}
+
+TEST(PictureTest, LongNamesOfSourcesEndInAnEllipsis) {
+  Image image(kWidth, kHeight);
+  const std::string name = "face:12345@0.25,0.5,0.25:0.125";
+  EXPECT_EQ(image.Shortened(name, 1000, 20), name);
+  const std::string shortened = image.Shortened(name, 100, 20);
+  EXPECT_THAT(shortened, AllOf(StartsWith("face:1"), EndsWith("…")));
+  EXPECT_LE(image.DrawText(shortened, 0, 20, 20), 100);
+  EXPECT_GT(image.DrawText(shortened, 0, 20, 20), 70);
+
+  // Nothing of the legend reaches the picture's right edge.
+  const TwoCells two(3);
+  const Pixels cells = Draw(two.mesh,
+                            {.distances = two.distances,
+                             .nearest_sources = two.nearest,
+                             .source_names = {name, "0;" + name + ";" + name}},
+                            FromTheFront());
+  EXPECT_EQ(cells.Count(kWidth - 3, 0, kWidth, kHeight,
+                        [](const Rgb8& pixel) { return pixel != kWhite; }),
+            0);
 }
 
 TEST(PictureTest, PicturesTooNarrowForAKeyHaveNone) {
