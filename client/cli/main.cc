@@ -134,16 +134,16 @@ ProgressDisplay::Style ProgressStyle(bool quiet) {
                                     : ProgressDisplay::Style::kLines;
 }
 
-// {"error": {"code": "NOT_FOUND", "message": ..., "exit_code": 5}}.
+// {"code": "NOT_FOUND", "reason": ..., "message": ..., "exit_code": 5}.
 Json ErrorToJson(const absl::Status& status, ExitCode exit_code) {
-  return {{"error",
-           {{"code", absl::StatusCodeToString(status.code())},
-            {"reason", ErrorReason(status)},
-            {"message", std::string(status.message())},
-            {"exit_code", static_cast<int>(exit_code)}}}};
+  return {{"code", absl::StatusCodeToString(status.code())},
+          {"reason", ErrorReason(status)},
+          {"message", std::string(status.message())},
+          {"exit_code", static_cast<int>(exit_code)}};
 }
 
-absl::Status RunCommand(const CommandLine& line, std::ostream& out) {
+absl::Status RunCommand(const CommandLine& line, Json* json,
+                        std::ostream& out) {
   InterruptListener interrupt;
   absl::StatusOr<ConnectionOptions> connection =
       ReadConnection(line.connection);
@@ -157,7 +157,7 @@ absl::Status RunCommand(const CommandLine& line, std::ostream& out) {
       line.command.run({.client = client,
                         .server = line.connection.server,
                         .call = call,
-                        .json = line.json,
+                        .json = line.json ? json : nullptr,
                         .quiet = line.quiet,
                         .out = out,
                         .err = std::cerr,
@@ -175,13 +175,19 @@ ExitCode ParseAndRun(int argc, const char* const* argv, std::ostream& out) {
       ParseCommandLine(argc, argv, out, std::cerr);
   if (const auto* ended = std::get_if<ExitCode>(&parsed)) return *ended;
   const auto& line = std::get<CommandLine>(parsed);
-  const absl::Status status = RunCommand(line, out);
+  Json json = Json::object();
+  const absl::Status status = RunCommand(line, &json, out);
   // Finish says what is wrong with the output.
-  if (status.ok() || !out) return ExitCode::kOk;
-  const ExitCode exit_code = ExitCodeOf(status);
-  if (line.json) PrintJson(ErrorToJson(status, exit_code), &out);
-  std::cerr << "geodesic: "
-            << Printable(Explain(status, line.connection.server)) << std::endl;
+  if (!out) return ExitCode::kOk;
+  const ExitCode exit_code = status.ok() ? ExitCode::kOk : ExitCodeOf(status);
+  // Beside what was done before.
+  if (!status.ok()) json["error"].update(ErrorToJson(status, exit_code));
+  if (line.json) PrintJson(json, &out);
+  if (!status.ok()) {
+    std::cerr << "geodesic: "
+              << Printable(Explain(status, line.connection.server))
+              << std::endl;
+  }
   return exit_code;
 }
 

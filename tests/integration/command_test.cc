@@ -143,6 +143,29 @@ TEST_F(CommandTest, SeveralFilesAreUploadedAtOnce) {
       MeshDigest(PlanarGrid(2)) + "\n" + MeshDigest(PlanarGrid(3)) + "\n");
 }
 
+TEST_F(CommandTest, UploadsBeforeOneThatFailsAreKept) {
+  const std::string good = folder_ / "good.off";
+  const std::string bad = folder_ / "bad.off";
+  const std::string missing = folder_ / "missing.off";
+  WriteFile(good, OffText(PlanarGrid(2)));
+  WriteFile(bad, "OFF\n1 1 0\n");
+  const json absent = GeodesicJson({"upload", good, missing, bad}, 3);
+  ASSERT_EQ(absent["uploads"].size(), 1);
+  EXPECT_EQ(absent["uploads"][0]["file"], good);
+  EXPECT_EQ(absent["uploads"][0]["mesh"]["digest"], MeshDigest(PlanarGrid(2)));
+  EXPECT_EQ(absent["error"]["file"], missing);
+  EXPECT_EQ(absent["error"]["code"], "INVALID_ARGUMENT");
+  EXPECT_EQ(absent["error"]["exit_code"], 3);
+  EXPECT_EQ(absent["error"]["message"],
+            "cannot read " + missing + ": No such file or directory");
+  const json malformed = GeodesicJson({"upload", good, bad}, 5);
+  EXPECT_EQ(malformed["uploads"].size(), 1);
+  EXPECT_EQ(malformed["error"]["file"], bad);
+  const ProcessResult text = Geodesic({"upload", "-q", good, missing});
+  EXPECT_EQ(text.out, MeshDigest(PlanarGrid(2)) + "\n");
+  EXPECT_THAT(text.err, HasSubstr("cannot read " + missing));
+}
+
 TEST_F(CommandTest, DigestsMayBeInUpperCase) {
   const std::string path = folder_ / "grid.off";
   WriteFile(path, OffText(PlanarGrid(2)));

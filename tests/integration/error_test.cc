@@ -48,9 +48,9 @@ TEST_F(ErrorTest, WordsAndJsonTellTheSame) {
     ExpectFailure({"info", unknown}, 5, "NOT_FOUND", unknown);
     ExpectFailure({"delete", unknown}, 5, "NOT_FOUND", unknown);
   }
-  ExpectFailure({"info", "aaaaaaa"}, 3, "NOT_FOUND",
+  ExpectFailure({"info", "aaaaaaa"}, 3, "INVALID_ARGUMENT",
                 "neither a file nor a digest");
-  ExpectFailure({"upload", missing}, 3, "NOT_FOUND", "missing.off");
+  ExpectFailure({"upload", missing}, 3, "INVALID_ARGUMENT", "missing.off");
   ExpectFailure({"upload", folder_.path().string()}, 3, "INVALID_ARGUMENT",
                 "not a regular file");
   ExpectFailure({"upload", bad}, 5, "INVALID_ARGUMENT", "4");  // the line
@@ -90,7 +90,7 @@ TEST_F(ErrorTest, OutputsThatCannotBeWrittenFailBeforeAnythingIsSent) {
   EXPECT_THAT(result.err,
               HasSubstr(".npy, .npz, .csv, .f64, .f32, .ply, .vtk and .png"));
   ExpectFailure({"field", grid, "-s", "0", "-o", folder_ / "missing/d.npy"}, 3,
-                "NOT_FOUND", "missing/d.npy");
+                "INVALID_ARGUMENT", "missing/d.npy");
   EXPECT_EQ(GeodesicJson({"meshes"})["meshes"], json::array());
 }
 

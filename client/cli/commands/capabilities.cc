@@ -72,7 +72,7 @@ absl::Status ShowCapabilities(const NoArguments&, const Session& session) {
       session.client.GetCapabilities(session.call);
   if (!capabilities.ok()) return capabilities.status();
   if (session.json) {
-    PrintJson(ToJson(*capabilities), &session.out);
+    *session.json = ToJson(*capabilities);
     return absl::OkStatus();
   }
   std::vector<Fact> facts = {

@@ -12,6 +12,7 @@
 
 #include "absl/status/status.h"
 #include "client/cli/terminal/progress_display.h"
+#include "client/cli/terminal/text.h"
 #include "geodesic_client/client.h"
 
 namespace CLI {
@@ -26,10 +27,11 @@ struct Session {
   const std::string& server;
   // Timeout and Ctrl-C, for every call.
   CallOptions call;
-  // Whether to print one JSON object, or nothing but what was asked for.
-  bool json = false;
+  // The object to print at the end instead of text; null without --json.
+  Json* json = nullptr;
+  // Whether to print nothing but what was asked for.
   bool quiet = false;
-  // Results, and everything else.
+  // Results as text, and everything else.
   std::ostream& out;
   std::ostream& err;
   ProgressDisplay::Style progress_style = ProgressDisplay::Style::kNone;
@@ -43,8 +45,8 @@ struct Command {
   std::string examples;
   // Adds the options, and checks of what they say together.
   std::function<void(CLI::App* app)> add_options;
-  // Does the work and prints the result. Nothing has been printed to `out` if
-  // it fails, but for what is printed as it comes.
+  // Does the work and prints the result, or fills the object of --json. If it
+  // fails, there is only what was printed or put in as it came.
   std::function<absl::Status(const Session&)> run;
 };
 

@@ -26,7 +26,9 @@ void AddOptions(CLI::App* app, IsolinesArguments* arguments) {
   AddMesh(app, kMeshHelp, &arguments->mesh);
   AddSources(app, Need::kRequired, &arguments->sources);
   AddValue(app,
-           {"-l,--level", "Draw the line at this distance; may be repeated",
+           {"-l,--level",
+            "Draw the line at this distance; may be repeated. Lines come in "
+            "order of distance, equal distances once",
             "DISTANCE"},
            ParseLevel, &arguments->levels);
   AddValue(app,

@@ -2,6 +2,7 @@
 // like.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -104,7 +105,7 @@ void AddDeleteOptions(CLI::App* app, MeshArgument* mesh) {
 
 void PrintUpload(const Session& session, const UploadOutcome& outcome) {
   if (session.quiet) {
-    session.out << outcome.mesh.digest << '\n';
+    session.out << outcome.mesh.digest << std::endl;
     return;
   }
   std::vector<Fact> facts = FactsOf(outcome.mesh);
@@ -115,24 +116,34 @@ void PrintUpload(const Session& session, const UploadOutcome& outcome) {
                                                     ? ", already resident"
                                                     : "")});
   PrintFacts(facts, &session.out);
+  session.out.flush();
 }
 
 absl::Status Upload(const UploadArguments& arguments, const Session& session) {
-  Json uploads = Json::array();
+  const bool is_one = arguments.files.size() == 1;
+  if (session.json && !is_one) (*session.json)["uploads"] = Json::array();
   for (const std::string& file : arguments.files) {
     absl::StatusOr<UploadOutcome> outcome =
         UploadMesh(session, {file, arguments.format});
-    if (!outcome.ok()) return outcome.status();
-    uploads.push_back({{"mesh", ToJson(outcome->mesh)},
-                       {"already_resident", outcome->already_resident},
-                       {"bytes_sent", outcome->bytes_sent}});
-    if (session.json) continue;
-    if (uploads.size() > 1 && !session.quiet) session.out << '\n';
-    PrintUpload(session, *outcome);
-  }
-  if (session.json) {
-    PrintJson(uploads.size() == 1 ? uploads[0] : Json{{"uploads", uploads}},
-              &session.out);
+    if (!outcome.ok()) {
+      if (session.json) (*session.json)["error"]["file"] = file;
+      return outcome.status();
+    }
+    if (!session.json) {
+      const bool is_first = &file == &arguments.files.front();
+      if (!is_first && !session.quiet) session.out << '\n';
+      PrintUpload(session, *outcome);
+      continue;
+    }
+    Json upload = {{"file", file},
+                   {"mesh", ToJson(outcome->mesh)},
+                   {"already_resident", outcome->already_resident},
+                   {"bytes_sent", outcome->bytes_sent}};
+    if (is_one) {
+      *session.json = std::move(upload);
+    } else {
+      (*session.json)["uploads"].push_back(std::move(upload));
+    }
   }
   return absl::OkStatus();
 }
@@ -152,7 +163,7 @@ absl::Status List(const NoArguments&, const Session& session) {
                     ByteCount(mesh.resident_bytes)});
   }
   if (session.json) {
-    PrintJson({{"meshes", list}}, &session.out);
+    (*session.json)["meshes"] = std::move(list);
   } else if (meshes->empty()) {
     session.out << "no resident meshes: add one with geodesic upload FILE\n";
   } else {
@@ -169,7 +180,7 @@ absl::Status Describe(const MeshArgument& argument, const Session& session) {
         session.client.GetMesh(digest, session.call);
     if (!mesh.ok()) return mesh.status();
     if (session.json) {
-      PrintJson(ToJson(*mesh), &session.out);
+      *session.json = ToJson(*mesh);
     } else {
       PrintFacts(FactsOf(*mesh), &session.out);
     }
@@ -183,7 +194,7 @@ absl::Status Delete(const MeshArgument& mesh, const Session& session) {
   absl::Status status = session.client.DeleteMesh(*digest, session.call);
   if (!status.ok()) return status;
   if (session.json) {
-    PrintJson({{"deleted", *digest}}, &session.out);
+    (*session.json)["deleted"] = *digest;
   } else if (!session.quiet) {
     session.out << "deleted " << *digest << '\n';
   }

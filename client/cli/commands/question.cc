@@ -149,17 +149,16 @@ absl::Status PrintReport(const Session& session, const Question& question,
                          const Report& report) {
   if (!files.ok()) return files.status();
   if (session.json) {
-    Json json = {{"mesh", info.mesh_digest},
-                 {"algorithm", info.algorithm},
-                 {"sources", SourcesJson(question.sources)},
-                 {"relative_tolerance", info.relative_tolerance},
-                 {"windows_propagated", info.windows_propagated},
-                 {"compute_seconds", info.compute_seconds},
-                 {"call_seconds", call_seconds},
-                 {"server_version", info.server_version}};
-    json.update(report.json);
-    json["outputs"] = FilesJson(*files);
-    PrintJson(json, &session.out);
+    *session.json = {{"mesh", info.mesh_digest},
+                     {"algorithm", info.algorithm},
+                     {"sources", SourcesJson(question.sources)},
+                     {"relative_tolerance", info.relative_tolerance},
+                     {"windows_propagated", info.windows_propagated},
+                     {"compute_seconds", info.compute_seconds},
+                     {"call_seconds", call_seconds},
+                     {"server_version", info.server_version}};
+    session.json->update(report.json);
+    (*session.json)["outputs"] = FilesJson(*files);
     return absl::OkStatus();
   }
   if (session.quiet && !files->empty()) return absl::OkStatus();

@@ -38,6 +38,10 @@ std::string_view ExitCodeHelp() {
 }
 
 absl::Status FileError(absl::Status status) {
+  // A server's NOT_FOUND is another matter.
+  if (absl::IsNotFound(status)) {
+    status = absl::InvalidArgumentError(status.message());
+  }
   if (!status.ok()) status.SetPayload(kFilePayload, absl::Cord());
   return status;
 }

@@ -23,7 +23,8 @@ enum class ExitCode {
 // The codes and their meaning, as --help prints them.
 std::string_view ExitCodeHelp();
 
-// Marks an error as one of this machine's files: the server never saw it.
+// Marks an error as one of this machine's files: the server never saw it. A
+// file that is not there is a wrong argument: INVALID_ARGUMENT.
 absl::Status FileError(absl::Status status);
 
 // What a command ends with because it was asked to stop. A server that cancels
