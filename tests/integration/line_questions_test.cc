@@ -75,13 +75,15 @@ TEST_F(LineQuestionsTest, PathsThatDoNotExistAreEmpty) {
 }
 
 TEST_F(LineQuestionsTest, IsolinesAreCircles) {
-  // Around the middle: closed below 0.5, cut by the sides above.
-  const std::vector<double> levels = {0.2, 0.45, 0.6};
+  // Around the middle: closed below 0.5, cut by the sides above. The answer is
+  // in order of level, each once.
+  const std::vector<double> levels = {0.6, 0.2, 0.45, 0.2};
   absl::StatusOr<IsolineAnswer> answer =
       client_.ComputeIsolines({.mesh_digest = digest_,
                                .sources = {{VertexPoint{kMiddle}}},
                                .levels = levels});
   ASSERT_TRUE(answer.ok()) << answer.status();
+  EXPECT_TRUE(std::ranges::is_sorted(answer->isolines, {}, &Isoline::level));
   std::map<double, int> closed;
   std::map<double, int> open;
   for (const Isoline& isoline : answer->isolines) {

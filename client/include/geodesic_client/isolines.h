@@ -16,7 +16,8 @@ struct IsolineQuery {
   std::string mesh_digest;
   // At least one.
   std::vector<Source> sources;
-  // Distances; at least one, each finite and above 0.
+  // Distances; at least one, each finite and above 0. In any order; equal ones
+  // count once.
   std::vector<double> levels;
   // As in FieldQuery.
   std::string algorithm;
@@ -35,7 +36,8 @@ struct Isoline {
 
 struct IsolineAnswer {
   AnswerInfo info;
-  std::vector<Isoline> isolines;  // level by level
+  // In order of level.
+  std::vector<Isoline> isolines;
 };
 
 }  // namespace geodesic::client

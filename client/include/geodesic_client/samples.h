@@ -32,7 +32,8 @@ struct FarthestSample {
 
 struct SampleAnswer {
   AnswerInfo info;
-  // Fewer than asked for when every vertex is at distance 0 already.
+  // Vertices of faces. Fewer than asked for when every such vertex is at
+  // distance 0 already.
   std::vector<FarthestSample> samples;
 };
 

@@ -94,7 +94,7 @@ TEST_P(Sampling, ComponentsWithoutASourceComeFirst) {
   EXPECT_TRUE(std::isfinite(samples[2].distance));
 }
 
-TEST_P(Sampling, EndsWhenEveryVertexIsASample) {
+TEST_P(Sampling, EndsWhenEveryVertexOfAFaceIsASample) {
   const TriangleSoup soup =
       AddIsolatedVertices(MakeGrid({.columns = 2, .rows = 2}), 2);
   const auto mesh = BuildOrFail({"grid", soup});
