@@ -110,7 +110,10 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
       solo_jobs_, std::move(plan), rows, limits_.max_concurrent_jobs + 1,
       MakeRowFunction(call.mesh, query, request, solve_options_, start_),
       std::move(observer));
-  if (status = call.rows->Start(); !status.ok()) return status;
+  absl::StatusOr<Scheduler::Place> place =
+      scheduler_.HoldPlace(request.requester.client);
+  if (!place.ok()) return place.status();
+  if (status = call.rows->Start(*std::move(place)); !status.ok()) return status;
   return call;
 }
 

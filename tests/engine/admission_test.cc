@@ -306,6 +306,56 @@ TEST_F(AdmissionTest, AQuestionWaitsForOneRowAtMost) {
   while (matrix->rows->Take()) executor_.RunAll();
 }
 
+class SharedQueueTest : public AdmissionTest {
+ protected:
+  SharedQueueTest() : AdmissionTest(Shares()) {}
+
+  static Limits Shares() {
+    Limits limits = RoomyQueue();
+    limits.max_concurrent_jobs = 2;
+    limits.max_queued_jobs = 6;
+    limits.max_queued_jobs_per_client = 3;
+    return limits;
+  }
+};
+
+// Opened one after the other and not read, they hold no job; read at once, each
+// has one that waits.
+TEST_F(SharedQueueTest, AMatrixWhoseReaderPausesCountsForItsClient) {
+  std::vector<MatrixCall> open;
+  absl::StatusOr<MatrixCall> next = AskForMatrix(0, 10);
+  for (; next.ok() && open.size() < 20; next = AskForMatrix(0, 10)) {
+    open.push_back(*next);
+    executor_.RunAll();
+  }
+  EXPECT_EQ(open.size(), 2 + 3);
+  EXPECT_EQ(ReasonOf(next.status()), reason::kQuotaExceeded);
+  EXPECT_EQ(engine_.scheduler().queued(), 0);
+  // A question for which there is a thread takes no place.
+  FieldRequest question = Field(0);
+  question.requester.client = "matrix";
+  EXPECT_TRUE(Ask(question).ok());
+  executor_.RunAll();
+
+  for (const MatrixCall& call : open) {
+    while (call.rows->Take()) {
+    }
+  }
+  EXPECT_EQ(engine_.scheduler().queued(), 2 + 3);
+  EXPECT_TRUE(Ask(Field(1)).ok());  // others have room
+
+  // A place goes with the matrix, or when its last row begins.
+  EXPECT_FALSE(AskForMatrix(0, 10).ok());
+  open[0].rows->Cancel();
+  EXPECT_TRUE(AskForMatrix(0, 10).ok());
+  for (int row = 0; row < 10; ++row) {
+    executor_.RunAll();
+    open[1].rows->Take();
+  }
+  EXPECT_TRUE(AskForMatrix(0, 10).ok());
+  executor_.RunAll();
+}
+
 TEST_F(AdmissionTest, BatchesGoAfterRowsAndQuestions) {
   ASSERT_TRUE(Ask(Field(1, /*is_batch=*/true)).ok());
   const auto matrix = AskForMatrix(100, 2);

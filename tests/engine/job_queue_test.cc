@@ -75,13 +75,13 @@ TEST_F(JobQueueTest, WhatIsTakenOutIsGone) {
   Push(JobPriority::kSolve, "a");
   const uint64_t middle = Push(JobPriority::kSolve, "a");
   Push(JobPriority::kSolve, "b");
-  EXPECT_EQ(queue_.size_of("a"), 2);
+  EXPECT_EQ(queue_.places_of("a"), 2);
   EXPECT_TRUE(queue_.Remove(middle).has_value());
   EXPECT_FALSE(queue_.Remove(middle).has_value());
-  EXPECT_EQ(queue_.size_of("a"), 1);
+  EXPECT_EQ(queue_.places_of("a"), 1);
   EXPECT_EQ(queue_.size(), 2);
   EXPECT_EQ(StartAll(), (Numbers{0, 2}));
-  EXPECT_EQ(queue_.size_of("a"), 0);
+  EXPECT_EQ(queue_.places_of("a"), 0);
 }
 
 TEST_F(JobQueueTest, AJobCanBecomeMoreUrgentButNotLess) {

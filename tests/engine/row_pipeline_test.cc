@@ -49,6 +49,11 @@ class RowPipelineTest : public ::testing::Test {
         observer_);
   }
 
+  absl::Status Start(const std::shared_ptr<RowPipeline>& rows) {
+    absl::StatusOr<Scheduler::Place> place = scheduler_.HoldPlace("");
+    return place.ok() ? rows->Start(*std::move(place)) : place.status();
+  }
+
   static constexpr uint64_t kPlannedBytes = 1000;
   static constexpr uint64_t kRowBytes = 100;
 
@@ -66,7 +71,7 @@ class RowPipelineTest : public ::testing::Test {
 
 TEST_F(RowPipelineTest, RunsNoFurtherAheadThanItsWindow) {
   const auto rows = Make(10);
-  ASSERT_TRUE(rows->Start().ok());
+  ASSERT_TRUE(Start(rows).ok());
   executor_.RunAll();
   EXPECT_EQ(started_, (std::vector<uint64_t>{0, 1, 2}));
   EXPECT_EQ(rows->rows_finished(), 3);
@@ -80,7 +85,7 @@ TEST_F(RowPipelineTest, RunsNoFurtherAheadThanItsWindow) {
 
 TEST_F(RowPipelineTest, HandsRowsOutInOrderToTheLast) {
   const auto rows = Make(7);
-  ASSERT_TRUE(rows->Start().ok());
+  ASSERT_TRUE(Start(rows).ok());
   EXPECT_FALSE(rows->Take().has_value());
   for (int row = 0; row < 7; ++row) {
     executor_.RunAll();
@@ -97,9 +102,8 @@ TEST_F(RowPipelineTest, HandsRowsOutInOrderToTheLast) {
 
 TEST_F(RowPipelineTest, OthersComeFirst) {
   const auto rows = Make(10);
-  ASSERT_TRUE(rows->Start().ok());
-  // Three rows are in: two could run, one waits. A question goes before all
-  // that have not begun.
+  ASSERT_TRUE(Start(rows).ok());
+  // A question goes before every row that has not begun.
   bool asked = false;
   ASSERT_TRUE(scheduler_
                   .Submit({.run =
@@ -114,14 +118,14 @@ TEST_F(RowPipelineTest, OthersComeFirst) {
 }
 
 TEST_F(RowPipelineTest, AFullQueueRefusesTheFirstRowAndNoOther) {
-  const auto rows = Make(10);
-  ASSERT_TRUE(rows->Start().ok());
-  const auto more = Make(10);
-  ASSERT_TRUE(more->Start().ok());  // its first takes the last place
-  EXPECT_TRUE(absl::IsResourceExhausted(Make(10)->Start()));
+  std::vector<std::shared_ptr<RowPipeline>> open;  // two run, two wait
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_TRUE(Start(open.emplace_back(Make(10))).ok());
+  }
+  EXPECT_TRUE(absl::IsResourceExhausted(Start(Make(10))));
   for (int row = 0; row < 10; ++row) {
     executor_.RunAll();
-    for (const auto& pipeline : {rows, more}) {
+    for (const auto& pipeline : open) {
       const auto next = pipeline->Take();
       EXPECT_TRUE(next.has_value() && next->ok());
     }
@@ -130,9 +134,9 @@ TEST_F(RowPipelineTest, AFullQueueRefusesTheFirstRowAndNoOther) {
 
 TEST_F(RowPipelineTest, DrainingLetsAMatrixFinish) {
   const auto rows = Make(6);
-  ASSERT_TRUE(rows->Start().ok());
+  ASSERT_TRUE(Start(rows).ok());
   scheduler_.BeginDrain();
-  EXPECT_TRUE(absl::IsUnavailable(Make(1)->Start()));
+  EXPECT_TRUE(absl::IsUnavailable(Start(Make(1))));
   for (int row = 0; row < 6; ++row) {
     executor_.RunAll();
     const auto next = rows->Take();
@@ -142,7 +146,7 @@ TEST_F(RowPipelineTest, DrainingLetsAMatrixFinish) {
 
 TEST_F(RowPipelineTest, StoppingFailsIt) {
   const auto rows = Make(6);
-  ASSERT_TRUE(rows->Start().ok());
+  ASSERT_TRUE(Start(rows).ok());
   scheduler_.StopAll();
   executor_.RunAll();
   const auto next = rows->Take();
@@ -153,7 +157,7 @@ TEST_F(RowPipelineTest, StoppingFailsIt) {
 TEST_F(RowPipelineTest, AFailureEndsIt) {
   bad_row_ = 1;
   const auto rows = Make(10);
-  ASSERT_TRUE(rows->Start().ok());
+  ASSERT_TRUE(Start(rows).ok());
   executor_.RunAll();
   auto next = rows->Take();
   ASSERT_TRUE(next.has_value() && next->ok());
@@ -166,7 +170,7 @@ TEST_F(RowPipelineTest, AFailureEndsIt) {
 
 TEST_F(RowPipelineTest, CancellingDropsWhatWaits) {
   const auto rows = Make(10);
-  ASSERT_TRUE(rows->Start().ok());
+  ASSERT_TRUE(Start(rows).ok());
   rows->Cancel();
   EXPECT_EQ(scheduler_.queued(), 0);
   executor_.RunAll();
@@ -177,7 +181,7 @@ TEST_F(RowPipelineTest, CancellingDropsWhatWaits) {
 
 TEST_F(RowPipelineTest, DeadlinesHoldForEveryRow) {
   const auto rows = Make(10, clock_.Now() + std::chrono::seconds(1));
-  ASSERT_TRUE(rows->Start().ok());
+  ASSERT_TRUE(Start(rows).ok());
   executor_.RunAll();
   ASSERT_TRUE(rows->Take()->ok());
   clock_.Advance(std::chrono::seconds(1));

@@ -13,9 +13,9 @@ constexpr auto kStoreLane = static_cast<size_t>(JobPriority::kStore);
 }  // namespace
 
 void JobQueue::Push(uint64_t number, WaitingJob waiting) {
-  const auto it = jobs_.emplace(number, std::move(waiting)).first;
-  ++clients_[it->second.job.client];
-  Enter(number, it->second.job);
+  const Job& job = jobs_.emplace(number, std::move(waiting)).first->second.job;
+  if (!job.is_continuation) Hold(job.client);
+  Enter(number, job);
 }
 
 size_t JobQueue::MostUrgent() const {
@@ -77,8 +77,7 @@ std::optional<WaitingJob> JobQueue::Remove(uint64_t number) {
   WaitingJob waiting = std::move(it->second);
   jobs_.erase(it);
   Leave(number, waiting.job);
-  const auto client = clients_.find(waiting.job.client);
-  if (--client->second == 0) clients_.erase(client);
+  if (!waiting.job.is_continuation) Release(waiting.job.client);
   return waiting;
 }
 
@@ -93,14 +92,22 @@ void JobQueue::Expedite(uint64_t number, JobPriority priority) {
 std::vector<WaitingJob> JobQueue::Clear() {
   std::vector<WaitingJob> all;
   all.reserve(jobs_.size());
-  for (auto& [number, waiting] : jobs_) all.push_back(std::move(waiting));
-  jobs_.clear();
-  clients_.clear();
-  for (Lane& lane : lanes_) lane = Lane();
+  while (!jobs_.empty()) all.push_back(*Remove(jobs_.begin()->first));
   return all;
 }
 
-size_t JobQueue::size_of(const std::string& client) const {
+void JobQueue::Hold(const std::string& client) {
+  ++places_;
+  ++clients_[client];
+}
+
+void JobQueue::Release(const std::string& client) {
+  --places_;
+  const auto it = clients_.find(client);
+  if (--it->second == 0) clients_.erase(it);
+}
+
+size_t JobQueue::places_of(const std::string& client) const {
   const auto it = clients_.find(client);
   return it == clients_.end() ? 0 : it->second;
 }

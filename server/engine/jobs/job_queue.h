@@ -63,8 +63,8 @@ struct Job {
   JobPriority priority = JobPriority::kSolve;
   // See Requester.
   std::string client;
-  // Whether a job that was admitted goes on in this one: it is then admitted
-  // too, though the queue be full or draining.
+  // Whether it goes on with what was admitted before: it is then admitted too,
+  // though the queue be full or draining, and takes no place in it.
   bool is_continuation = false;
   // Takes the memory that the job needs, just before it runs; may be empty.
   // Must be short. While it fails with a retry hint and other jobs may give
@@ -117,8 +117,15 @@ class JobQueue {
 
   bool empty() const { return jobs_.empty(); }
   size_t size() const { return jobs_.size(); }
-  // Of one client.
-  size_t size_of(const std::string& client) const;
+
+  // Takes a place for continuations that are yet to come, and gives it back.
+  void Hold(const std::string& client);
+  void Release(const std::string& client);
+
+  // Those of jobs but continuations, and those that are held; of all, and of
+  // one client.
+  size_t places() const { return places_; }
+  size_t places_of(const std::string& client) const;
 
  private:
   // A client's jobs of one kind.
@@ -144,7 +151,8 @@ class JobQueue {
   void Leave(uint64_t number, const Job& job);
 
   std::map<uint64_t, WaitingJob> jobs_;
-  std::map<std::string, size_t> clients_;  // jobs of each that has any
+  size_t places_ = 0;
+  std::map<std::string, size_t> clients_;  // places of each that has any
   std::array<Lane, kJobPriorities> lanes_;
   // Starts in a row that left somebody less urgent behind.
   uint64_t passes_ = 0;

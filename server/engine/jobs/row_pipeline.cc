@@ -14,26 +14,26 @@ RowPipeline::RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows,
       function_(std::move(function)),
       observer_(std::move(observer)) {}
 
-absl::Status RowPipeline::Start() {
+absl::Status RowPipeline::Start(Scheduler::Place place) {
   std::lock_guard lock(mutex_);
-  absl::Status status = SubmitNext(/*is_continuation=*/false);
-  if (status.ok()) FillWindow();
-  return status;
+  place_ = std::move(place);
+  return SubmitNext();
 }
 
-absl::Status RowPipeline::SubmitNext(bool is_continuation) {
+absl::Status RowPipeline::SubmitNext() {
   const uint64_t row = next_row_;
   auto result = std::make_shared<MatrixRow>();
   absl::StatusOr<SoloJobs::Call> call = jobs_.Start(
       {.priority = RowPriority(plan_.requester.is_batch),
        .client = plan_.requester.client,
-       .is_continuation = is_continuation,
+       .is_continuation = true,
        .deadline = plan_.deadline,
        .planned_bytes = plan_.planned_bytes,
        .answer_bytes = plan_.row_bytes,
        .work =
            [self = shared_from_this(), row, result](Checkpoint& checkpoint,
                                                     ByteReservation memory) {
+             self->Begin();
              absl::StatusOr<MatrixRow> computed =
                  self->function_(row, checkpoint, std::move(memory));
              if (!computed.ok()) return computed.status();
@@ -46,14 +46,22 @@ absl::Status RowPipeline::SubmitNext(bool is_continuation) {
            }});
   if (!call.ok()) return call.status();
   running_.emplace(next_row_++, *std::move(call));
+  is_waiting_ = true;
   return absl::OkStatus();
 }
 
-void RowPipeline::FillWindow() {
-  while (failure_.ok() && next_row_ < rows_ &&
-         next_row_ < next_take_ + window_) {
-    failure_ = SubmitNext(/*is_continuation=*/true);
+void RowPipeline::GoOn() {
+  if (!failure_.ok() || is_waiting_) return;
+  if (next_row_ < rows_ && next_row_ < next_take_ + window_) {
+    failure_ = SubmitNext();
   }
+  if (!failure_.ok() || (next_row_ == rows_ && !is_waiting_)) place_.reset();
+}
+
+void RowPipeline::Begin() {
+  std::lock_guard lock(mutex_);
+  is_waiting_ = false;
+  GoOn();
 }
 
 void RowPipeline::Finish(uint64_t row, const JobReport& report,
@@ -69,6 +77,7 @@ void RowPipeline::Finish(uint64_t row, const JobReport& report,
       finished_.emplace(row, std::move(result));
     } else if (failure_.ok()) {
       failure_ = report.status;
+      place_.reset();
     }
     observer = observer_;
     // Whoever takes the rows holds the pipeline: no circle is left behind.
@@ -88,7 +97,7 @@ std::optional<absl::StatusOr<MatrixRow>> RowPipeline::Take() {
   MatrixRow row = std::move(it->second);
   finished_.erase(it);
   ++next_take_;
-  FillWindow();
+  GoOn();
   return row;
 }
 
@@ -100,6 +109,7 @@ void RowPipeline::Cancel() {
   {
     std::lock_guard lock(mutex_);
     if (failure_.ok()) failure_ = absl::CancelledError("nobody waits");
+    place_.reset();
     running.swap(running_);
     finished.swap(finished_);
     observer.swap(observer_);

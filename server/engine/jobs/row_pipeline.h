@@ -55,15 +55,16 @@ class RowObserver {
 // Thread-safe. Held by whoever takes the rows and by the running jobs.
 class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
  public:
-  // At most `window` rows are computed but not taken, or being computed.
+  // At most `window` rows are computed but not taken, or being computed. One at
+  // a time waits for a thread.
   // REQUIRES: `jobs` outlives the pipeline's jobs; window > 0.
   RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows, size_t window,
               RowFunction function, std::shared_ptr<RowObserver> observer);
 
-  // Call once.
-  // Errors: as SoloJobs::Start, when there is no room for the first row. The
-  // others then count as its continuation.
-  absl::Status Start();
+  // Call once. `place` is held until the last row begins: the reader may pause,
+  // and then take many rows at once.
+  // Errors: as SoloJobs::Start.
+  absl::Status Start(Scheduler::Place place);
 
   // The next row if it is finished, or why there will be none.
   std::optional<absl::StatusOr<MatrixRow>> Take();
@@ -77,11 +78,14 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   uint64_t windows_propagated() const;
 
  private:
+  // The row that waited has a thread: now the next may wait.
+  void Begin();
   void Finish(uint64_t row, const JobReport& report, MatrixRow result);
 
   // These REQUIRE mutex_ held:
-  absl::Status SubmitNext(bool is_continuation);
-  void FillWindow();
+  absl::Status SubmitNext();
+  // Submits the next row when it is due.
+  void GoOn();
 
   SoloJobs& jobs_;
   const RowJobs plan_;
@@ -92,8 +96,10 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   mutable std::mutex mutex_;
   // Guarded by mutex_:
   std::shared_ptr<RowObserver> observer_;
-  uint64_t next_row_ = 0;   // to be submitted
-  uint64_t next_take_ = 0;  // to be taken
+  Scheduler::Place place_;
+  bool is_waiting_ = false;  // the row before next_row_, for a thread
+  uint64_t next_row_ = 0;    // to be submitted
+  uint64_t next_take_ = 0;   // to be taken
   std::map<uint64_t, SoloJobs::Call> running_;
   std::map<uint64_t, MatrixRow> finished_;
   absl::Status failure_;

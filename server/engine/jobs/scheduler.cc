@@ -44,9 +44,9 @@ TimePoint Scheduler::Now() const {
 
 absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
   std::lock_guard lock(mutex_);
-  if (stopped_ || (draining_ && !job.is_continuation)) return ShuttingDown();
+  if (stopped_) return ShuttingDown();
   if (!job.is_continuation) {
-    absl::Status status = CheckRoom(job.client);
+    absl::Status status = CheckRoom(job.client, /*runs_at_once=*/true);
     if (!status.ok()) return status;
   }
   const JobId id = next_number_++;
@@ -55,29 +55,44 @@ absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
   return id;
 }
 
-absl::Status Scheduler::CheckRoom(const std::string& client) const {
+absl::StatusOr<Scheduler::Place> Scheduler::HoldPlace(
+    const std::string& client) {
+  std::lock_guard lock(mutex_);
+  absl::Status status = CheckRoom(client, /*runs_at_once=*/false);
+  if (!status.ok()) return status;
+  queue_.Hold(client);
+  return Place(this, [client](Scheduler* scheduler) {
+    std::lock_guard lock(scheduler->mutex_);
+    scheduler->queue_.Release(client);
+  });
+}
+
+absl::Status Scheduler::CheckRoom(const std::string& client,
+                                  bool runs_at_once) const {
+  if (draining_) return ShuttingDown();
   // Those for whom there is a thread do not wait.
   const size_t free_threads = max_running_ - running_.size();
-  if (queue_.size() >= max_queued_ + free_threads) {
+  if (runs_at_once && queue_.size() < free_threads) return absl::OkStatus();
+  if (queue_.places() >= max_queued_ + free_threads) {
     return WithReason(
         WithRetryAfter(
             absl::ResourceExhaustedError(absl::StrCat(
                 "the job queue is full: ", running_.size(), " jobs run and ",
-                queue_.size(), " wait; try again later")),
+                queue_.places(),
+                " wait, or are matrices that go on; try again later")),
             kRetryDelay),
         reason::kQueueFull);
   }
-  const size_t waiting = client.empty() ? 0 : queue_.size_of(client);
+  const size_t places = client.empty() ? 0 : queue_.places_of(client);
   // Compared so that no limit at all does not overflow.
-  if (waiting < free_threads ||
-      waiting - free_threads < max_queued_per_client_) {
+  if (places < free_threads || places - free_threads < max_queued_per_client_) {
     return absl::OkStatus();
   }
   return WithQuotaFailure(
       WithRetryAfter(absl::ResourceExhaustedError(absl::StrCat(
-                         waiting, " jobs of ", client,
-                         " wait, its share of the queue "
-                         "(max_queued_jobs_per_client is ",
+                         places, " jobs of ", client,
+                         " wait, or are matrices that go on: its share of the "
+                         "queue (max_queued_jobs_per_client is ",
                          max_queued_per_client_, "); try again later")),
                      kRetryDelay),
       client);

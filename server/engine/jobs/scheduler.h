@@ -11,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -45,9 +46,11 @@ struct JobTimes {
 class Scheduler {
  public:
   using JobId = uint64_t;
+  // Goes with its last copy.
+  using Place = std::shared_ptr<void>;
 
   // Besides max_running jobs that run, max_queued may wait, of one client
-  // max_queued_per_client.
+  // max_queued_per_client. A place that is held counts like a job that waits.
   // REQUIRES: max_running > 0; `executor` outlives the scheduler.
   Scheduler(Executor& executor, size_t max_running, size_t max_queued,
             size_t max_queued_per_client = std::numeric_limits<size_t>::max());
@@ -66,6 +69,11 @@ class Scheduler {
   // BeginDrain. Continuations are spared all of these, but not UNAVAILABLE
   // after StopAll. The job's callbacks are then not called.
   absl::StatusOr<JobId> Submit(Job job);
+
+  // A place in the queue for a question of many jobs, whose reader decides when
+  // the next is due: while it is held, continuations may come, one that waits
+  // at a time. Errors: as Submit. REQUIRES: it goes before the scheduler.
+  absl::StatusOr<Place> HoldPlace(const std::string& client);
 
   // A waiting job is dropped, a running one asked to stop; neither callback is
   // called from here. Does nothing for a job that is gone.
@@ -99,7 +107,8 @@ class Scheduler {
 
   // The rest REQUIRES: mutex_ held.
 
-  absl::Status CheckRoom(const std::string& client) const;
+  // `runs_at_once`: if there is a thread for it.
+  absl::Status CheckRoom(const std::string& client, bool runs_at_once) const;
   // Takes the memory of a job. Errors: as Job::reserve.
   static absl::Status Reserve(Job& job);
   // Asks the executor for as many threads as jobs may use.
