@@ -16,6 +16,8 @@
 namespace geodesic::stress {
 namespace {
 
+using stress::Name;
+using test::Name;
 using test::Random;
 using test::Real;
 

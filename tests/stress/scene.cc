@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -12,7 +10,6 @@
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
-#include "tests/support/queries.h"
 #include "tests/support/surface_points.h"
 
 namespace geodesic::stress {
@@ -150,9 +147,7 @@ double Edit(TriangleSoup& soup, uint32_t size, Random& random,
                                        DrawSeed(random));
     });
     apply(8, "doubled vertices", [&] {
-      std::vector<uint32_t> doubled;
-      soup = test::DoubleVertices(soup, 1 + random.Below(2), DrawSeed(random),
-                                  &doubled);
+      soup = test::DoubleVertices(soup, 1 + random.Below(2), DrawSeed(random));
     });
   }
   apply(4, "cut faces", [&] {
@@ -212,11 +207,7 @@ Scene DrawScene(Random& random) {
   absl::StatusOr<std::shared_ptr<const Mesh>> mesh = Mesh::Build(scene.soup);
   if (!mesh.ok()) return scene;
   scene.mesh = *std::move(mesh);
-  double largest = 0;
-  for (const Point& p : scene.soup.positions) {
-    for (const double c : p) largest = std::max(largest, std::abs(c));
-  }
-  scene.rounding = largest * std::numeric_limits<double>::epsilon();
+  scene.rounding = test::CoordinateRounding(scene.soup.positions);
   for (int i = 0; i < 8; ++i) {
     scene.points.push_back(test::RandomSurfacePoint(scene.soup, random));
   }
@@ -260,34 +251,11 @@ Source DrawCurve(const Scene& scene, Random& random) {
       .offset = OneIn(2, random) ? 0 : scene.size() * random.Uniform(0, 0.3)};
 }
 
-std::string Name(const SurfacePoint& point) {
-  std::ostringstream text;
-  text << std::setprecision(17);
-  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
-    text << "vertex " << vertex->vertex;
-  } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
-    text << "edge " << edge->from << "-" << edge->to << " t " << edge->t;
-  } else {
-    const auto& [face, weights] = std::get<FacePoint>(point);
-    text << "face " << face << " (" << weights[0] << ", " << weights[1] << ", "
-         << weights[2] << ")";
-  }
-  return text.str();
-}
-
 std::string Name(const Query& query) {
   std::ostringstream text;
-  text << std::setprecision(17) << AlgorithmName(query.algorithm);
+  text << AlgorithmName(query.algorithm);
   for (const Source& source : query.sources) {
-    text << "; source";
-    if (const auto* curve = std::get_if<Curve>(&source.place)) {
-      for (const SurfacePoint& point : curve->points) {
-        text << " " << Name(point);
-      }
-    } else {
-      text << " " << Name(test::PointOf(source));
-    }
-    if (source.offset != 0) text << " + " << source.offset;
+    text << "; source " << test::Name(source);
   }
   return text.str();
 }

@@ -52,8 +52,7 @@ SurfacePoint DrawPoint(const Scene& scene, test::Random& random);
 // A polyline, with an offset within the size of the scene or none.
 Source DrawCurve(const Scene& scene, test::Random& random);
 
-// A point, in words.
-std::string Name(const SurfacePoint& point);
+// In words.
 std::string Name(const Query& query);
 
 }  // namespace geodesic::stress

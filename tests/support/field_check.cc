@@ -10,6 +10,7 @@
 
 #include "geodesic/solve.h"
 #include "tests/support/oracles/edge_paths.h"
+#include "tests/support/surface_points.h"
 
 namespace geodesic::test {
 namespace {
@@ -49,48 +50,26 @@ std::shared_ptr<const Mesh> BuildOrFail(const NamedMesh& mesh) {
   return std::move(built).value();
 }
 
+DistanceField SolveOrFail(const Mesh& mesh, const Query& query) {
+  NoCheckpoint checkpoint;
+  DistanceField field = Solve(mesh, query, {}, checkpoint).value();
+  if (const auto breach = BreachOfEdgeLaw(mesh, field.distances)) {
+    ADD_FAILURE() << AlgorithmName(query.algorithm) << ": " << *breach;
+  }
+  return field;
+}
+
 std::vector<double> SolveOrFail(const Mesh& mesh, Algorithm algorithm,
                                 const std::vector<Source>& sources) {
-  NoCheckpoint checkpoint;
-  absl::StatusOr<DistanceField> field =
-      Solve(mesh, {.sources = sources, .algorithm = algorithm}, {}, checkpoint);
-  if (!field.ok()) {
-    ADD_FAILURE() << AlgorithmName(algorithm) << ": "
-                  << field.status().ToString();
-    return {};
-  }
-  if (const auto breach = BreachOfEdgeLaw(mesh, field->distances)) {
-    ADD_FAILURE() << AlgorithmName(algorithm) << ": " << *breach;
-  }
-  return std::move(field->distances);
+  return SolveOrFail(mesh, {.sources = sources, .algorithm = algorithm})
+      .distances;
 }
 
-std::string Name(const SurfacePoint& point) {
-  std::ostringstream text;
-  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
-    text << vertex->vertex;
-  } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
-    text << edge->from << "-" << edge->to << "@" << edge->t;
-  } else {
-    const auto& [face, weights] = std::get<FacePoint>(point);
-    text << "face " << face << "(" << weights[0] << "," << weights[1] << ","
-         << weights[2] << ")";
-  }
-  return text.str();
-}
-
-std::string Name(const Source& source) {
-  std::ostringstream text;
-  if (const auto* curve = std::get_if<Curve>(&source.place)) {
-    text << "curve";
-    for (const SurfacePoint& point : curve->points) text << " " << Name(point);
-  } else {
-    text << Name(std::get<SurfacePoint>(source.place));
-  }
-  if (source.offset != 0) {
-    text << " + " << std::setprecision(17) << source.offset;
-  }
-  return text.str();
+std::vector<double> AllDistances(const DistanceField& field) {
+  std::vector<double> all = field.distances;
+  all.insert(all.end(), field.target_distances.begin(),
+             field.target_distances.end());
+  return all;
 }
 
 testing::AssertionResult FieldsAgree(const FieldContext& context,
@@ -127,12 +106,14 @@ testing::AssertionResult FieldsAgree(const FieldContext& context,
   return testing::AssertionFailure() << text.str();
 }
 
-double CoordinateRounding(const TriangleSoup& soup) {
-  double largest = 0;
-  for (const Point& p : soup.positions) {
-    for (const double c : p) largest = std::max(largest, std::abs(c));
+void ExpectFromAll(std::span<const AlgorithmInfo> algorithms,
+                   const std::string& name, const Mesh& mesh, Query query,
+                   const std::vector<double>& expected, double slack) {
+  for (const AlgorithmInfo& info : algorithms) {
+    query.algorithm = info.algorithm;
+    EXPECT_TRUE(FieldsAgree({name, query.sources, info.name}, expected,
+                            AllDistances(SolveOrFail(mesh, query)), slack));
   }
-  return largest * std::numeric_limits<double>::epsilon();
 }
 
 }  // namespace geodesic::test

@@ -7,11 +7,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "geodesic/algorithm.h"
+#include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/query.h"
 #include "geodesic/triangle_soup.h"
@@ -30,12 +32,15 @@ struct NamedMesh {
   TriangleSoup soup;
 };
 
-// Fails the test and throws if the mesh is refused.
+// These throw, which fails the test, where the mesh is refused or the solver
+// fails. A field that breaks the law of edges (edge_paths.h) fails it too.
 std::shared_ptr<const Mesh> BuildOrFail(const NamedMesh& mesh);
-// Fails the test, and returns an empty result, if the solver fails; also fails
-// it if the field breaks the law of edges (edge_law.h).
+DistanceField SolveOrFail(const Mesh& mesh, const Query& query);
 std::vector<double> SolveOrFail(const Mesh& mesh, Algorithm algorithm,
                                 const std::vector<Source>& sources);
+
+// Distances of the vertices, then of the targets.
+std::vector<double> AllDistances(const DistanceField& field);
 
 // Where a field came from, for messages.
 struct FieldContext {
@@ -43,10 +48,6 @@ struct FieldContext {
   std::vector<Source> sources;
   std::string_view algorithm;
 };
-
-// In words, for messages.
-std::string Name(const SurfacePoint& point);
-std::string Name(const Source& source);
 
 // Success if at every vertex the two differ by at most kRelativeTolerance times
 // what is expected, plus `slack`, or are infinite both. Otherwise names the
@@ -57,10 +58,11 @@ testing::AssertionResult FieldsAgree(const FieldContext& context,
                                      const std::vector<double>& got,
                                      double slack = 0);
 
-// The rounding of the mesh's largest coordinate: distances between vertices
-// that lie so close together are known no better. Slack for meshes that have
-// such vertices.
-double CoordinateRounding(const TriangleSoup& soup);
+// Expects that the answers of all these algorithms to the query agree with
+// `expected`: distances of the vertices, then of the targets.
+void ExpectFromAll(std::span<const AlgorithmInfo> algorithms,
+                   const std::string& name, const Mesh& mesh, Query query,
+                   const std::vector<double>& expected, double slack = 0);
 
 }  // namespace geodesic::test
 

@@ -137,8 +137,8 @@ TriangleSoup InsertZeroAreaFaces(TriangleSoup soup, uint32_t count,
 TriangleSoup DoubleVertices(TriangleSoup soup, uint32_t count, uint64_t seed,
                             std::vector<uint32_t>* doubled) {
   Random random(seed);
-  doubled->clear();
-  for (int attempt = 0; attempt < 1000 && doubled->size() < count; ++attempt) {
+  std::vector<uint32_t> originals;
+  for (int attempt = 0; attempt < 1000 && originals.size() < count; ++attempt) {
     const HalfEdges edges(soup);
     // The faces around v from one edge to another get the double.
     const uint32_t first = random.Below(edges.size());
@@ -161,29 +161,9 @@ TriangleSoup DoubleVertices(TriangleSoup soup, uint32_t count, uint64_t seed,
     // area reach from there back to v.
     soup.triangles.push_back({a, twin, v});
     soup.triangles.push_back({v, twin, b});
-    doubled->push_back(v);
+    originals.push_back(v);
   }
-  return soup;
-}
-
-TriangleSoup SplitEdge(TriangleSoup soup, const EdgePoint& point) {
-  const auto& [from, to, t] = point;
-  Point p;
-  for (int c = 0; c < 3; ++c) {
-    p[c] = (1 - t) * soup.positions[from][c] + t * soup.positions[to][c];
-  }
-  const uint32_t added = AddPoint(soup, p);
-  const size_t count = soup.triangles.size();
-  for (size_t f = 0; f < count; ++f) {
-    Triangle& face = soup.triangles[f];
-    if (std::ranges::count(face, from) + std::ranges::count(face, to) != 2) {
-      continue;
-    }
-    Triangle other_half = face;
-    ReplaceCorner(face, to, added);
-    ReplaceCorner(other_half, from, added);
-    soup.triangles.push_back(other_half);
-  }
+  if (doubled != nullptr) *doubled = std::move(originals);
   return soup;
 }
 
@@ -327,9 +307,8 @@ TriangleSoup EditedMesh(uint64_t seed, bool degenerate) {
   }
   soup = FlipEdges(soup, random.Below(20), seed);
   if (degenerate) {
-    std::vector<uint32_t> doubled;
     soup = InsertZeroAreaFaces(soup, 1 + random.Below(4), seed);
-    soup = DoubleVertices(soup, random.Below(3), seed, &doubled);
+    soup = DoubleVertices(soup, random.Below(3), seed);
   }
   return RotateAndShift(SplitFaces(soup, random.Below(8), seed), seed);
 }

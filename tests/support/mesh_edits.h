@@ -25,13 +25,9 @@ TriangleSoup InsertZeroAreaFaces(TriangleSoup soup, uint32_t count,
                                  uint64_t seed);
 // `count` times a vertex inside the surface, drawn at random, gets a double at
 // the same place (numbered last), an edge without length to it and two faces
-// without area beside that edge.
+// without area beside that edge. `doubled` is told which.
 TriangleSoup DoubleVertices(TriangleSoup soup, uint32_t count, uint64_t seed,
-                            std::vector<uint32_t>* doubled);
-
-// A point of an edge becomes a vertex, numbered last: the faces around it
-// become two each.
-TriangleSoup SplitEdge(TriangleSoup soup, const EdgePoint& point);
+                            std::vector<uint32_t>* doubled = nullptr);
 
 // Another surface on the same vertices: `count` times an edge between two
 // faces, drawn at random, is turned to the other diagonal, where that is not

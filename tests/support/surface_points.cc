@@ -1,6 +1,8 @@
 #include "tests/support/surface_points.h"
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 #include <utility>
 
 namespace geodesic::test {
@@ -79,6 +81,36 @@ bool HaveCommonFace(const TriangleSoup& soup, const SurfacePoint& a,
     return std::ranges::find(around_b, place.face, &Place::face) !=
            around_b.end();
   });
+}
+
+std::string Name(const SurfacePoint& point) {
+  std::ostringstream text;
+  text << std::setprecision(17);
+  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+    text << "vertex " << vertex->vertex;
+  } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
+    text << "edge " << edge->from << "-" << edge->to << "@" << edge->t;
+  } else {
+    const auto& [face, weights] = std::get<FacePoint>(point);
+    text << "face " << face << "(" << weights[0] << "," << weights[1] << ","
+         << weights[2] << ")";
+  }
+  return text.str();
+}
+
+std::string Name(const Source& source) {
+  std::ostringstream text;
+  text << std::setprecision(17);
+  if (const auto* curve = std::get_if<Curve>(&source.place)) {
+    text << "curve";
+    for (const SurfacePoint& point : curve->points) text << " " << Name(point);
+  } else {
+    text << Name(std::get<SurfacePoint>(source.place));
+  }
+  if (source.offset != 0) {
+    text << " + " << source.offset;
+  }
+  return text.str();
 }
 
 Vec3 PositionIn(const TriangleSoup& soup, const SurfacePoint& point) {

@@ -5,8 +5,10 @@
 #define GEODESIC_TESTS_SUPPORT_SURFACE_POINTS_H_
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "geodesic/query.h"
 #include "geodesic/surface_point.h"
 #include "geodesic/triangle_soup.h"
 #include "tests/support/random.h"
@@ -24,6 +26,10 @@ std::vector<Place> PlacesOf(const TriangleSoup& soup,
 
 bool HaveCommonFace(const TriangleSoup& soup, const SurfacePoint& a,
                     const SurfacePoint& b);
+
+// In words, for messages.
+std::string Name(const SurfacePoint& point);
+std::string Name(const Source& source);
 
 Vec3 PositionIn(const TriangleSoup& soup, const SurfacePoint& point);
 

@@ -4,7 +4,10 @@
 #ifndef GEODESIC_TESTS_SUPPORT_VEC_H_
 #define GEODESIC_TESTS_SUPPORT_VEC_H_
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "geodesic/triangle_soup.h"
 
@@ -45,6 +48,16 @@ inline Real Norm(Vec3 a) { return std::hypot(a.x, a.y, a.z); }
 
 inline Real Distance(const Point& a, const Point& b) {
   return Norm(ToVec3(a) - ToVec3(b));
+}
+
+// The rounding of the largest coordinate: distances between points that lie so
+// close together are known no better.
+inline double CoordinateRounding(std::span<const Point> points) {
+  double largest = 0;
+  for (const Point& p : points) {
+    for (const double c : p) largest = std::max(largest, std::abs(c));
+  }
+  return largest * std::numeric_limits<double>::epsilon();
 }
 
 }  // namespace geodesic::test

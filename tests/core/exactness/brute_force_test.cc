@@ -15,12 +15,10 @@
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
-#include "tests/support/field_check.h"
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/random.h"
-#include "tests/support/test_meshes.h"
 
 namespace geodesic::test {
 namespace {
@@ -30,7 +28,6 @@ namespace {
 void ExpectBruteForce(const NamedMesh& named, uint32_t fields, uint64_t seed,
                       double slack = 0) {
   const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-  ASSERT_NE(mesh, nullptr);
   const BruteForce brute_force(named.soup);
   Random random(seed);
   const auto any_vertex = [&] { return random.Below(mesh->vertex_count()); };
@@ -40,12 +37,8 @@ void ExpectBruteForce(const NamedMesh& named, uint32_t fields, uint64_t seed,
       sources.push_back({VertexPoint{any_vertex()}, random.Uniform(0, 0.5)});
       sources.push_back({VertexPoint{any_vertex()}, random.Uniform(0, 0.5)});
     }
-    const std::vector<double> expected = brute_force.Distances(sources);
-    for (const AlgorithmInfo& info : kAlgorithms) {
-      EXPECT_TRUE(FieldsAgree({named.name, sources, info.name}, expected,
-                              SolveOrFail(*mesh, info.algorithm, sources),
-                              slack));
-    }
+    ExpectFromAll(kAlgorithms, named.name, *mesh, {.sources = sources},
+                  brute_force.Distances(sources), slack);
   }
 }
 
@@ -125,99 +118,75 @@ TEST(BruteForceComparison, DiscsBackToBack) {
   ExpectBruteForce({"discs back to back", soup}, 10, 1);
 }
 
-// Random small meshes. Each case is one number: it fixes the mesh and the
-// sources.
-class RandomMeshes : public testing::TestWithParam<uint64_t> {
- protected:
-  static constexpr uint64_t kCasesPerShard = 50;
-
-  // `make(seed)` makes a mesh.
-  template <typename MakeMesh>
-  void ExpectBruteForceOnMany(const std::string& name, MakeMesh make) const {
-    for (uint64_t i = 0; i < kCasesPerShard; ++i) {
-      const uint64_t seed = GetParam() * kCasesPerShard + i;
-      ExpectBruteForce({absl::StrCat(name, " ", seed), make(seed)}, 3, seed);
-    }
-  }
-
-  // The same for meshes with vertices so close together that the rounding of
-  // their coordinates shows.
-  template <typename MakeMesh>
-  void ExpectBruteForceUpToRounding(const std::string& name,
-                                    MakeMesh make) const {
-    for (uint64_t i = 0; i < kCasesPerShard; ++i) {
-      const uint64_t seed = GetParam() * kCasesPerShard + i;
-      const TriangleSoup soup = make(seed);
-      ExpectBruteForce({absl::StrCat(name, " ", seed), soup}, 3, seed,
-                       CoordinateRounding(soup));
-    }
-  }
+// Random small meshes: `make(seed)` makes one, and the seed draws the sources.
+struct MeshMaker {
+  const char* name;
+  TriangleSoup (*make)(uint64_t seed);
+  // Whether vertices lie so close together that the rounding of their
+  // coordinates shows.
+  bool up_to_rounding = false;
 };
 
-TEST_P(RandomMeshes, Terrains) {
-  ExpectBruteForceOnMany("terrain", [](uint64_t seed) {
-    Random random(seed);
-    return Terrain(3 + random.Below(4), 3 + random.Below(4),
-                   random.Below(2) ? 0.3 : 2.0, seed);
-  });
+class RandomMeshes : public testing::TestWithParam<MeshMaker> {};
+
+TEST_P(RandomMeshes, AgreeWithBruteForce) {
+  const auto& [name, make, up_to_rounding] = GetParam();
+  for (uint64_t seed = 0; seed < 100; ++seed) {
+    const TriangleSoup soup = make(seed);
+    ExpectBruteForce({absl::StrCat(name, " ", seed), soup}, 3, seed,
+                     up_to_rounding ? CoordinateRounding(soup.positions) : 0);
+  }
 }
 
-TEST_P(RandomMeshes, FlippedEdges) {
-  ExpectBruteForceOnMany("terrain with flipped edges", [](uint64_t seed) {
-    return FlipEdges(Terrain(4, 5, 1, seed), 40, seed);
-  });
+TriangleSoup AnyTerrain(uint64_t seed) {
+  Random random(seed);
+  return Terrain(3 + random.Below(4), 3 + random.Below(4),
+                 random.Below(2) ? 0.3 : 2.0, seed);
 }
-
-// A needle in a needle has sides of 1e-12.
-TEST_P(RandomMeshes, Needles) {
-  ExpectBruteForceUpToRounding("terrain with needles", [](uint64_t seed) {
-    return InsertNeedles(Terrain(3, 4, 0.5, seed), 8, seed);
-  });
-}
-
-TEST_P(RandomMeshes, ClosedAndFlipped) {
-  ExpectBruteForceOnMany("noisy torus with flipped edges", [](uint64_t seed) {
-    return FlipEdges(
-        Torus({.around = 6, .across = 5, .noise = 0.4, .seed = seed}), 15,
-        seed);
-  });
-}
-
-TEST_P(RandomMeshes, ZeroAreaFaces) {
-  ExpectBruteForceUpToRounding(
-      "terrain with zero-area faces", [](uint64_t seed) {
-        std::vector<uint32_t> doubled;
-        const TriangleSoup soup =
-            DoubleVertices(Terrain(4, 4, 0.5, seed), 2, seed, &doubled);
-        return InsertZeroAreaFaces(soup, 5, seed);
-      });
-}
-
 // Heights of a few steps on a regular grid: coplanar faces and ties next to
 // folds.
-TEST_P(RandomMeshes, SteppedTerrains) {
-  ExpectBruteForceOnMany("stepped terrain", [](uint64_t seed) {
-    Random random(seed);
-    TriangleSoup soup = MakeGrid(
-        {.columns = 5, .rows = 5, .diagonals = Diagonals::kAlternating});
-    for (Point& p : soup.positions) p[2] = random.Below(3) == 0 ? 1 : 0;
-    return soup;
-  });
+TriangleSoup SteppedTerrain(uint64_t seed) {
+  Random random(seed);
+  TriangleSoup soup =
+      MakeGrid({.columns = 5, .rows = 5, .diagonals = Diagonals::kAlternating});
+  for (Point& p : soup.positions) p[2] = random.Below(3) == 0 ? 1 : 0;
+  return soup;
 }
 
-TEST_P(RandomMeshes, Edited) {
-  ExpectBruteForceOnMany("edited mesh", [](uint64_t seed) {
-    return EditedMesh(seed, /*degenerate=*/false);
-  });
-}
-
-TEST_P(RandomMeshes, EditedWithDegenerateFaces) {
-  ExpectBruteForceUpToRounding("degenerate edited mesh", [](uint64_t seed) {
-    return EditedMesh(seed, /*degenerate=*/true);
-  });
-}
-
-INSTANTIATE_TEST_SUITE_P(Shards, RandomMeshes, testing::Range<uint64_t>(0, 2));
+INSTANTIATE_TEST_SUITE_P(
+    Makers, RandomMeshes,
+    testing::Values(
+        MeshMaker{"Terrain", AnyTerrain},
+        MeshMaker{"FlippedTerrain",
+                  [](uint64_t seed) {
+                    return FlipEdges(Terrain(4, 5, 1, seed), 40, seed);
+                  }},
+        // A needle in a needle has sides of 1e-12.
+        MeshMaker{"Needles",
+                  [](uint64_t seed) {
+                    return InsertNeedles(Terrain(3, 4, 0.5, seed), 8, seed);
+                  },
+                  true},
+        MeshMaker{
+            "FlippedTorus",
+            [](uint64_t seed) {
+              return FlipEdges(
+                  Torus({.around = 6, .across = 5, .noise = 0.4, .seed = seed}),
+                  15, seed);
+            }},
+        MeshMaker{"ZeroAreaFaces",
+                  [](uint64_t seed) {
+                    return InsertZeroAreaFaces(
+                        DoubleVertices(Terrain(4, 4, 0.5, seed), 2, seed), 5,
+                        seed);
+                  },
+                  true},
+        MeshMaker{"SteppedTerrain", SteppedTerrain},
+        MeshMaker{"Edited",
+                  [](uint64_t seed) { return EditedMesh(seed, false); }},
+        MeshMaker{"DegenerateEdited",
+                  [](uint64_t seed) { return EditedMesh(seed, true); }, true}),
+    [](const auto& tested) { return tested.param.name; });
 
 // From there paths to the vertices at that place improve by roundings, which
 // are a large part of them and nothing beside the way to any other.
@@ -228,7 +197,6 @@ TEST(BruteForceComparison, PointsRightBesideDoubledVertices) {
         RotateAndShift(BoxGrid(1, 2, 1.5, 2, 2, 2), seed), 3, seed, &doubled);
     const std::shared_ptr<const Mesh> mesh =
         BuildOrFail({"doubled vertices", soup});
-    ASSERT_NE(mesh, nullptr);
     std::vector<SurfacePoint> points;
     for (uint32_t f = 0; f < soup.triangles.size(); ++f) {
       for (int corner = 0; corner < 3; ++corner) {
@@ -246,12 +214,9 @@ TEST(BruteForceComparison, PointsRightBesideDoubledVertices) {
       const std::vector<Source> sources = {{point}};
       std::vector<double> expected = brute_force.Distances(sources);
       expected.resize(mesh->vertex_count());
-      for (const AlgorithmInfo& info : kAlgorithms) {
-        EXPECT_TRUE(FieldsAgree({"doubled vertices", sources, info.name},
-                                expected,
-                                SolveOrFail(*mesh, info.algorithm, sources),
-                                4 * CoordinateRounding(soup)));
-      }
+      ExpectFromAll(kAlgorithms, "doubled vertices", *mesh,
+                    {.sources = sources}, expected,
+                    4 * CoordinateRounding(soup.positions));
     }
   }
 }
@@ -267,28 +232,17 @@ TEST(BruteForceComparison, VerticesRightBesideEdges) {
       for (double& c : p) c += random.Uniform(-2e-12, 2e-12);
     }
     const std::shared_ptr<const Mesh> mesh = BuildOrFail({"fan", soup});
-    ASSERT_NE(mesh, nullptr);
     const BruteForce brute_force(soup);
     for (uint32_t s = 0; s < mesh->vertex_count(); ++s) {
-      const std::vector<double> expected = brute_force.Distances(s);
-      for (const AlgorithmInfo& info : kAlgorithms) {
-        EXPECT_TRUE(FieldsAgree(
-            {"fan", {{VertexPoint{s}}}, info.name}, expected,
-            SolveOrFail(*mesh, info.algorithm, {{VertexPoint{s}}})));
-      }
+      ExpectFromAll(kAlgorithms, "fan", *mesh, {.sources = {{VertexPoint{s}}}},
+                    brute_force.Distances(s));
     }
   }
 }
 
-class BruteForceOnRealMesh : public testing::TestWithParam<const char*> {};
+class BruteForceOnRealMesh : public RealMesh {};
 
-TEST_P(BruteForceOnRealMesh, Agrees) {
-  const std::string name = absl::StrCat("real/", GetParam());
-  const absl::StatusOr<TriangleSoup> soup = LoadTestMesh(name);
-  if (absl::IsNotFound(soup.status())) GTEST_SKIP() << soup.status();
-  ASSERT_TRUE(soup.ok()) << soup.status();
-  ExpectBruteForce({name, *soup}, 12, 1);
-}
+TEST_P(BruteForceOnRealMesh, Agrees) { ExpectBruteForce(named_, 12, 1); }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, BruteForceOnRealMesh,
                          testing::Values("cgal_double-torus-example.off",

@@ -5,13 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "absl/strings/str_cat.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
 #include "tests/support/oracles/cgal_oracle.h"
 #include "tests/support/planar_meshes.h"
-#include "tests/support/test_meshes.h"
 
 namespace geodesic::test {
 namespace {
@@ -19,16 +17,10 @@ namespace {
 // CGAL computes once for all algorithms, which takes longer than they do.
 void ExpectCgal(const NamedMesh& named, const std::vector<uint32_t>& sources) {
   const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-  ASSERT_NE(mesh, nullptr);
   const CgalOracle cgal(named.soup);
   for (const uint32_t s : sources) {
-    const std::vector<double> expected = cgal.Distances(s);
-    for (const AlgorithmInfo& info : kAlgorithms) {
-      if (!IsTestedOn(info.algorithm, mesh->face_count())) continue;
-      EXPECT_TRUE(
-          FieldsAgree({named.name, {{VertexPoint{s}}}, info.name}, expected,
-                      SolveOrFail(*mesh, info.algorithm, {{VertexPoint{s}}})));
-    }
+    ExpectFromAll(AlgorithmsTestedOn(mesh->face_count()), named.name, *mesh,
+                  {.sources = {{VertexPoint{s}}}}, cgal.Distances(s));
   }
 }
 
@@ -52,14 +44,10 @@ TEST(CgalComparison, GeneratedMeshes) {
   }
 }
 
-class CgalOnRealMesh : public testing::TestWithParam<const char*> {};
+class CgalOnRealMesh : public RealMesh {};
 
 TEST_P(CgalOnRealMesh, Agrees) {
-  const std::string name = absl::StrCat("real/", GetParam());
-  const absl::StatusOr<TriangleSoup> soup = LoadTestMesh(name);
-  if (absl::IsNotFound(soup.status())) GTEST_SKIP() << soup.status();
-  ASSERT_TRUE(soup.ok()) << soup.status();
-  ExpectCgal({name, *soup}, {soup->triangles[0][0]});
+  ExpectCgal(named_, {named_.soup.triangles[0][0]});
 }
 
 // Scans, smooth shapes and machine parts; meshes with boundaries, handles and

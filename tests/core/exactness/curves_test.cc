@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
@@ -26,8 +25,7 @@ class Curves : public EveryAlgorithm {
                     const std::vector<PlanarCurve>& curves,
                     const std::vector<Source>& points = {}) const {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail({name, soup});
-    ASSERT_NE(mesh, nullptr);
-    Query query{.sources = points, .algorithm = GetParam().algorithm};
+    Query query{.sources = points};
     for (const PlanarCurve& curve : curves) {
       query.sources.push_back(OnMesh(soup, curve));
     }
@@ -37,10 +35,8 @@ class Curves : public EveryAlgorithm {
       query.targets.push_back(
           EdgePoint{soup.triangles[f][0], soup.triangles[f][1], 0.25});
     }
-    NoCheckpoint checkpoint;
-    const auto field = Solve(*mesh, query, {}, checkpoint);
-    ASSERT_TRUE(field.ok()) << field.status();
-    const auto expected = [&](const Point& p) {
+    std::vector<double> expected;
+    const auto expect = [&](const Point& p) {
       double least = std::numeric_limits<double>::infinity();
       for (const PlanarCurve& curve : curves) {
         least = std::min(least, DistanceTo(curve, p));
@@ -50,17 +46,13 @@ class Curves : public EveryAlgorithm {
         least = std::min(least,
                          source.offset + std::hypot(p[0] - q[0], p[1] - q[1]));
       }
-      return least;
+      expected.push_back(least);
     };
-    std::vector<double> at_vertices, at_targets;
-    for (const Point& p : soup.positions) at_vertices.push_back(expected(p));
+    for (const Point& p : soup.positions) expect(p);
     for (const SurfacePoint& target : query.targets) {
-      at_targets.push_back(expected(PositionOf(target, *mesh)));
+      expect(PositionOf(target, *mesh));
     }
-    const FieldContext context{name, points, GetParam().name};
-    EXPECT_TRUE(FieldsAgree(context, at_vertices, field->distances, 1e-14));
-    EXPECT_TRUE(
-        FieldsAgree(context, at_targets, field->target_distances, 1e-14));
+    ExpectAnswer(name, *mesh, query, expected, 1e-14);
   }
 };
 
@@ -113,23 +105,18 @@ TEST_P(Curves, EndNearVertices) {
   const TriangleSoup soup =
       InsertZeroAreaFaces(MakeGrid({.columns = 8, .rows = 8}), 60, 2);
   const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
-  ASSERT_NE(mesh, nullptr);
   constexpr uint32_t kGridVertices = 81;
   for (const double t : {1e-6, 1e-8, 1e-10}) {
     for (uint32_t f = 0; f < mesh->face_count(); f += 5) {
       const uint32_t a = soup.triangles[f][0], b = soup.triangles[f][1];
       if (std::max(a, b) >= kGridVertices) continue;
-      Query query{.sources = {{Curve{{EdgePoint{a, b, t}, VertexPoint{b}}}}},
-                  .algorithm = GetParam().algorithm};
-      NoCheckpoint checkpoint;
-      const auto field = Solve(*mesh, query, {}, checkpoint);
-      ASSERT_TRUE(field.ok()) << field.status();
+      const std::vector<double> field =
+          SolveOn(*mesh, {{Curve{{EdgePoint{a, b, t}, VertexPoint{b}}}}});
       const Point start = PositionOf(EdgePoint{a, b, t}, *mesh);
       const Point& end = soup.positions[b];
       const PlanarCurve curve{{{start[0], start[1]}, {end[0], end[1]}}};
-      for (uint32_t v = 0; v < field->distances.size(); ++v) {
-        EXPECT_NEAR(field->distances[v], DistanceTo(curve, soup.positions[v]),
-                    1e-9)
+      for (uint32_t v = 0; v < field.size(); ++v) {
+        EXPECT_NEAR(field[v], DistanceTo(curve, soup.positions[v]), 1e-9)
             << "from " << t << " of " << a << "-" << b << " to " << v;
       }
     }
@@ -144,20 +131,16 @@ TEST_P(Curves, RunInEveryFaceThatHoldsThem) {
     soup.triangles.push_back(soup.triangles[f]);
   const auto& [a, b, c] = soup.triangles[9];
   const std::shared_ptr<const Mesh> mesh = BuildOrFail({"two sheets", soup});
-  ASSERT_NE(mesh, nullptr);
   const EdgePoint start{a, b, 0.4};
-  Query query{.sources = {{Curve{{start, VertexPoint{c}}}}},
-              .algorithm = GetParam().algorithm};
+  Query query = Ask({.sources = {{Curve{{start, VertexPoint{c}}}}}});
   for (uint32_t f = 0; f < mesh->face_count(); ++f) {
     query.targets.push_back(FacePoint{f, {0.5, 0.3, 0.2}});
   }
-  NoCheckpoint checkpoint;
-  const auto field = Solve(*mesh, query, {}, checkpoint);
-  ASSERT_TRUE(field.ok()) << field.status();
+  const DistanceField field = SolveOrFail(*mesh, query);
   const Point from = PositionOf(start, *mesh), to = soup.positions[c];
   const PlanarCurve curve{{{from[0], from[1]}, {to[0], to[1]}}};
   for (uint32_t f = 0; f < mesh->face_count(); ++f) {
-    EXPECT_NEAR(field->target_distances[f],
+    EXPECT_NEAR(field.target_distances[f],
                 DistanceTo(curve, PositionOf(query.targets[f], *mesh)), 1e-14)
         << "face " << f;
   }
@@ -173,7 +156,6 @@ TEST_P(Curves, AreNowhereNearerThanTheirOffset) {
         DoubleVertices(Terrain(5, 5, 1.5, seed), 6, seed, &doubled);
     const std::shared_ptr<const Mesh> mesh =
         BuildOrFail({"doubled vertices", soup});
-    ASSERT_NE(mesh, nullptr);
     for (uint32_t f = 0; f < mesh->face_count(); ++f) {
       const auto& [a, b, c] = soup.triangles[f];
       if (std::ranges::find_first_of(soup.triangles[f], doubled) ==
@@ -183,16 +165,12 @@ TEST_P(Curves, AreNowhereNearerThanTheirOffset) {
       const Curve curve{{VertexPoint{c}, FacePoint{f, {0.38, 0.3, 0.32}},
                          EdgePoint{a, b, 0.58}, EdgePoint{b, c, 0.49},
                          EdgePoint{c, a, 0.95}}};
-      const Query query{.sources = {{curve}},
-                        .targets = curve.points,
-                        .algorithm = GetParam().algorithm};
-      NoCheckpoint checkpoint;
-      const auto field = Solve(*mesh, query, {}, checkpoint);
-      ASSERT_TRUE(field.ok()) << field.status();
-      for (const double d : field->distances) EXPECT_GE(d, 0) << seed;
-      for (const double d : field->target_distances) {
+      const DistanceField field = SolveOrFail(
+          *mesh, Ask({.sources = {{curve}}, .targets = curve.points}));
+      for (const double d : field.distances) EXPECT_GE(d, 0) << seed;
+      for (const double d : field.target_distances) {
         EXPECT_GE(d, 0) << seed;
-        EXPECT_LE(d, 4 * CoordinateRounding(soup)) << seed;
+        EXPECT_LE(d, 4 * CoordinateRounding(soup.positions)) << seed;
       }
     }
   }

@@ -6,15 +6,22 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "absl/strings/ascii.h"
+#include "absl/strings/str_cat.h"
 #include "geodesic/algorithm.h"
 #include "tests/support/field_check.h"
+#include "tests/support/oracles/brute_force.h"
+#include "tests/support/test_meshes.h"
 #include "tests/support/vec.h"
 
 namespace geodesic {
@@ -33,8 +40,23 @@ inline bool IsTestedOn(Algorithm algorithm, uint64_t faces) {
   return algorithm != Algorithm::kCh || faces <= kMostFacesForCh;
 }
 
+inline std::vector<AlgorithmInfo> AlgorithmsTestedOn(uint64_t faces) {
+  std::vector<AlgorithmInfo> tested;
+  std::ranges::copy_if(kAlgorithms, std::back_inserter(tested),
+                       [&](const AlgorithmInfo& info) {
+                         return IsTestedOn(info.algorithm, faces);
+                       });
+  return tested;
+}
+
 class EveryAlgorithm : public testing::TestWithParam<AlgorithmInfo> {
  protected:
+  // The query, asked of the algorithm under test.
+  Query Ask(Query query) const {
+    query.algorithm = GetParam().algorithm;
+    return query;
+  }
+
   std::vector<double> SolveOn(const Mesh& mesh,
                               const std::vector<Source>& sources) const {
     return SolveOrFail(mesh, GetParam().algorithm, sources);
@@ -47,7 +69,6 @@ class EveryAlgorithm : public testing::TestWithParam<AlgorithmInfo> {
                        const std::vector<uint32_t>& sources,
                        DistanceFunction distance) const {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-    ASSERT_NE(mesh, nullptr);
     for (const uint32_t s : sources) {
       std::vector<double> expected;
       for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
@@ -66,12 +87,46 @@ class EveryAlgorithm : public testing::TestWithParam<AlgorithmInfo> {
     });
   }
 
+  // The same with brute force, from these vertices.
+  void ExpectBruteForce(const NamedMesh& named,
+                        const std::vector<uint32_t>& sources) const {
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    const BruteForce brute_force(named.soup);
+    for (const uint32_t s : sources) {
+      ExpectField(named.name, *mesh, {{VertexPoint{s}}},
+                  brute_force.Distances(s));
+    }
+  }
+
   void ExpectField(const std::string& name, const Mesh& mesh,
                    const std::vector<Source>& sources,
                    const std::vector<double>& expected) const {
-    EXPECT_TRUE(FieldsAgree({name, sources, GetParam().name}, expected,
-                            SolveOn(mesh, sources)));
+    ExpectAnswer(name, mesh, {.sources = sources}, expected);
   }
+
+  // `expected`: distances of the vertices, then of the targets.
+  void ExpectAnswer(const std::string& name, const Mesh& mesh,
+                    const Query& query, const std::vector<double>& expected,
+                    double slack = 0) const {
+    const AlgorithmInfo asked[] = {GetParam()};
+    ExpectFromAll(asked, name, mesh, query, expected, slack);
+  }
+};
+
+// A mesh of others, the file that the parameter names. Skips itself where it is
+// not there.
+class RealMesh : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    const std::string name = absl::StrCat("real/", GetParam());
+    absl::StatusOr<TriangleSoup> soup = LoadTestMesh(name);
+    if (absl::IsNotFound(soup.status())) GTEST_SKIP() << soup.status();
+    named_ = {name, std::move(soup).value()};
+    mesh_ = BuildOrFail(named_);
+  }
+
+  NamedMesh named_;
+  std::shared_ptr<const Mesh> mesh_;
 };
 
 // `count` vertices spread over the numbers of a mesh, the first and the last

@@ -12,7 +12,6 @@
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
-#include "tests/support/oracles/edge_paths.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/vec.h"
@@ -37,77 +36,33 @@ class Laws : public EveryAlgorithm {
   // The field of one source on a mesh made of `soup`.
   std::vector<double> Field(const NamedMesh& named, uint32_t source) const {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-    if (mesh == nullptr) return {};
     return SolveOn(*mesh, {{VertexPoint{source}}});
   }
 };
 
-TEST_P(Laws, SourceIsAtZeroAndDistanceIsSymmetric) {
+// And distances along edges are no less, which SolveOrFail sees to.
+TEST_P(Laws, DistancesAreAMetricAboveEuclids) {
   for (const NamedMesh& named : Surfaces()) {
+    SCOPED_TRACE(named.name);
+    const std::vector<Point>& positions = named.soup.positions;
     const std::vector<uint32_t> vertices = SpreadVertices(named.soup, 6);
     std::vector<std::vector<double>> from;
     for (const uint32_t s : vertices) from.push_back(Field(named, s));
     for (size_t i = 0; i < vertices.size(); ++i) {
-      ASSERT_EQ(from[i].size(), named.soup.positions.size());
-      EXPECT_EQ(from[i][vertices[i]], 0) << named.name;
-      for (size_t j = 0; j < i; ++j) {
-        const double there = from[i][vertices[j]];
-        EXPECT_NEAR(from[j][vertices[i]], there, kRelativeTolerance * there)
-            << named.name << ", vertices " << vertices[i] << " and "
-            << vertices[j];
+      const uint32_t s = vertices[i];
+      EXPECT_EQ(from[i][s], 0) << s;
+      for (size_t v = 0; v < from[i].size(); ++v) {
+        ASSERT_GE(from[i][v], Distance(positions[s], positions[v]) *
+                                  (1 - kRelativeTolerance))
+            << "from " << s << " to " << v;
       }
-    }
-  }
-}
-
-TEST_P(Laws, TriangleInequality) {
-  for (const NamedMesh& named : Surfaces()) {
-    const std::vector<uint32_t> vertices = SpreadVertices(named.soup, 4);
-    std::vector<std::vector<double>> from;
-    for (const uint32_t s : vertices) from.push_back(Field(named, s));
-    for (size_t i = 0; i < vertices.size(); ++i) {
       for (size_t j = 0; j < vertices.size(); ++j) {
+        const double there = from[i][vertices[j]];
+        EXPECT_NEAR(from[j][s], there, kRelativeTolerance * there)
+            << "vertices " << s << " and " << vertices[j];
         for (size_t v = 0; v < from[i].size(); ++v) {
-          const double through = from[i][vertices[j]] + from[j][v];
-          ASSERT_LE(from[i][v], through * (1 + kRelativeTolerance))
-              << named.name << ": from " << vertices[i] << " to " << v
-              << " by way of " << vertices[j];
-        }
-      }
-    }
-  }
-}
-
-TEST_P(Laws, BetweenEuclidAndEdgePaths) {
-  for (const NamedMesh& named : Surfaces()) {
-    for (const uint32_t s : SpreadVertices(named.soup, 3)) {
-      const std::vector<double> field = Field(named, s);
-      const std::vector<Real> edges = EdgeDistances(named.soup, s);
-      for (size_t v = 0; v < field.size(); ++v) {
-        const double straight = static_cast<double>(
-            Distance(named.soup.positions[s], named.soup.positions[v]));
-        ASSERT_GE(field[v], straight * (1 - kRelativeTolerance))
-            << named.name << ", from " << s << " to " << v;
-        ASSERT_LE(field[v], edges[v] * (1 + kRelativeTolerance))
-            << named.name << ", from " << s << " to " << v;
-      }
-    }
-  }
-}
-
-TEST_P(Laws, ChangesByNoMoreThanTheEdgeAlongAnEdge) {
-  for (const NamedMesh& named : Surfaces()) {
-    for (const uint32_t s : SpreadVertices(named.soup, 3)) {
-      const std::vector<double> field = Field(named, s);
-      ASSERT_EQ(field.size(), named.soup.positions.size());
-      for (const Triangle& t : named.soup.triangles) {
-        for (int i = 0; i < 3; ++i) {
-          const uint32_t u = t[i], v = t[(i + 1) % 3];
-          const double length = static_cast<double>(
-              Distance(named.soup.positions[u], named.soup.positions[v]));
-          ASSERT_LE(std::abs(field[u] - field[v]),
-                    length + kRelativeTolerance * std::max(field[u], field[v]))
-              << named.name << ", source " << s << ", edge " << u << " " << v;
+          ASSERT_LE(from[i][v], (there + from[j][v]) * (1 + kRelativeTolerance))
+              << "from " << s << " to " << v << " by way of " << vertices[j];
         }
       }
     }
@@ -149,7 +104,6 @@ TEST_P(Laws, RelabellingRelabelsDistances) {
     const NamedMesh shuffled{named.name + ", relabelled", relabelled.soup};
     for (const uint32_t s : SpreadVertices(named.soup, 3)) {
       const std::vector<double> field = Field(named, s);
-      ASSERT_EQ(field.size(), relabelled.new_number.size());
       std::vector<double> expected(field.size());
       for (size_t v = 0; v < field.size(); ++v) {
         expected[relabelled.new_number[v]] = field[v];
@@ -187,7 +141,6 @@ TEST_P(Laws, SubdivisionInPlaneKeepsDistances) {
 TEST_P(Laws, ManySourcesGiveTheLeastOfTheSingleFields) {
   for (const NamedMesh& named : Surfaces()) {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-    ASSERT_NE(mesh, nullptr);
     std::vector<Source> sources;
     std::vector<double> expected(mesh->vertex_count(),
                                  std::numeric_limits<double>::infinity());
@@ -195,7 +148,6 @@ TEST_P(Laws, ManySourcesGiveTheLeastOfTheSingleFields) {
       const Source source{VertexPoint{v}, 0.1 * sources.size()};
       sources.push_back(source);
       const std::vector<double> single = SolveOn(*mesh, {{VertexPoint{v}}});
-      ASSERT_EQ(single.size(), expected.size());
       for (size_t i = 0; i < single.size(); ++i) {
         expected[i] = std::min(expected[i], single[i] + source.offset);
       }
@@ -216,10 +168,8 @@ TEST_P(Laws, ManySourcesGiveTheLeastOfTheSingleFields) {
 TEST_P(Laws, DominatedSourcesAddNothing) {
   for (const NamedMesh& named : Surfaces()) {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-    ASSERT_NE(mesh, nullptr);
     const std::vector<uint32_t> v = SpreadVertices(named.soup, 4);
     const std::vector<double> expected = SolveOn(*mesh, {{VertexPoint{v[1]}}});
-    ASSERT_EQ(expected.size(), mesh->vertex_count());
     ExpectField(named.name, *mesh,
                 {{VertexPoint{v[0]}, expected[v[0]] * (1 + 1e-6)},
                  {VertexPoint{v[1]}, 0},

@@ -5,15 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
-#include "tests/support/oracles/brute_force.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 
@@ -32,8 +29,6 @@ TEST_P(NonManifold, OrientationDoesNotMatter) {
     NamedMesh turned{named.name + " with faces turned",
                      TurnFaces(named.soup, 7)};
     const auto mesh = BuildOrFail(named), other = BuildOrFail(turned);
-    ASSERT_NE(mesh, nullptr);
-    ASSERT_NE(other, nullptr);
     for (const uint32_t s : SpreadVertices(named.soup, 4)) {
       ExpectField(turned.name, *other, {{VertexPoint{s}}},
                   SolveOn(*mesh, {{VertexPoint{s}}}));
@@ -41,62 +36,24 @@ TEST_P(NonManifold, OrientationDoesNotMatter) {
   }
 }
 
-// Square pages on one spine.
-struct Book {
-  static constexpr uint32_t kCells = 6;
-
-  explicit Book(uint32_t pages) {
-    for (uint32_t page = 0; page < pages; ++page) {
-      const TriangleSoup grid = MakeGrid({.columns = kCells,
-                                          .rows = kCells,
-                                          .diagonals = Diagonals::kRandom,
-                                          .seed = page + 1});
-      const double angle = 2 * std::acos(-1.0) * page / pages;
-      std::vector<uint32_t> number;
-      for (const Point& p : grid.positions) {
-        // The vertices of the spine, x = 0, are those of the first page.
-        if (page > 0 && p[0] == 0) {
-          for (uint32_t v = 0; v < flat.size(); ++v) {
-            if (flat[v].x == 0 && flat[v].y == p[1]) number.push_back(v);
-          }
-          continue;
-        }
-        number.push_back(static_cast<uint32_t>(soup.positions.size()));
-        soup.positions.push_back(
-            {p[0] * std::cos(angle), p[1], p[0] * std::sin(angle)});
-        flat.push_back({page, p[0], p[1]});
-      }
-      for (const Triangle& t : grid.triangles) {
-        soup.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
-      }
-    }
-  }
-
-  double Distance(uint32_t a, uint32_t b) const {
-    const Place &p = flat[a], &q = flat[b];
-    // Two pages unfold into one plane.
-    const double dx = p.page == q.page ? p.x - q.x : p.x + q.x;
-    return std::hypot(dx, p.y - q.y);
-  }
-
-  struct Place {
-    uint32_t page;
-    double x, y;
-  };
-  TriangleSoup soup;
-  std::vector<Place> flat;
-};
-
+// Two pages unfold into one plane.
 TEST_P(NonManifold, PagesOfABookUnfoldIntoThePlane) {
+  const TriangleSoup page =
+      MakeGrid({.columns = 6, .rows = 6, .diagonals = Diagonals::kRandom});
+  constexpr uint32_t kOfFirstPage = 7 * 7, kOfOtherPages = 6 * 7;
   for (const uint32_t pages : {3u, 5u}) {
-    const Book book(pages);
-    ExpectDistances(
-        {"book", book.soup}, SpreadVertices(book.soup, 6),
-        [&](uint32_t s, uint32_t v) { return book.Distance(s, v); });
-    ExpectDistances({"book with faces turned", TurnFaces(book.soup, 3)},
-                    SpreadVertices(book.soup, 3), [&](uint32_t s, uint32_t v) {
-                      return book.Distance(s, v);
-                    });
+    const TriangleSoup book = Book(page, pages);
+    const auto page_of = [](uint32_t v) {
+      return v < kOfFirstPage ? 0 : 1 + (v - kOfFirstPage) / kOfOtherPages;
+    };
+    const auto distance = [&](uint32_t s, uint32_t v) {
+      const Point &p = book.positions[s], &q = book.positions[v];
+      const double x = std::hypot(p[0], p[2]), y = std::hypot(q[0], q[2]);
+      return std::hypot(page_of(s) == page_of(v) ? x - y : x + y, p[1] - q[1]);
+    };
+    ExpectDistances({"book", book}, SpreadVertices(book, 6), distance);
+    ExpectDistances({"book with faces turned", TurnFaces(book, 3)},
+                    SpreadVertices(book, 3), distance);
   }
 }
 
@@ -150,14 +107,8 @@ TEST_P(NonManifold, CubesThatShareAVertex) {
 TEST_P(NonManifold, CubesThatShareAnEdge) {
   std::vector<uint32_t> second;
   const TriangleSoup soup = TwoCubes({1, 1, 0}, &second);
-  const std::shared_ptr<const Mesh> mesh =
-      BuildOrFail({"cubes that share an edge", soup});
-  ASSERT_NE(mesh, nullptr);
-  const BruteForce brute_force(soup);
-  for (const uint32_t s : SpreadVertices(soup, 6)) {
-    ExpectField("cubes that share an edge", *mesh, {{VertexPoint{s}}},
-                brute_force.Distances(s));
-  }
+  const NamedMesh named{"cubes that share an edge", soup};
+  ExpectBruteForce(named, SpreadVertices(soup, 6));
   // From the middle of one face beside the edge to that of one of the other.
   const auto number = [&](const Point& p) {
     return static_cast<uint32_t>(std::ranges::find(soup.positions, p) -
@@ -166,7 +117,8 @@ TEST_P(NonManifold, CubesThatShareAnEdge) {
   const uint32_t from = number({1, 0.5, 0.5}), to = number({1.5, 1, 1});
   ASSERT_LT(from, soup.positions.size());
   ASSERT_LT(to, soup.positions.size());
-  const std::vector<double> field = SolveOn(*mesh, {{VertexPoint{from}}});
+  const std::vector<double> field =
+      SolveOn(*BuildOrFail(named), {{VertexPoint{from}}});
   EXPECT_NEAR(field[to], std::hypot(1, 0.5), 1e-12);
 }
 

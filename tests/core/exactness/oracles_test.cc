@@ -62,10 +62,9 @@ TEST(Oracles, BruteForceFindsShortestPathsInPlanarDomains) {
 
 TEST(Oracles, BruteForceSeesThroughFacesWithoutArea) {
   const TriangleSoup grid = MakeGrid({.columns = 4, .rows = 4, .jitter = 0.1});
-  std::vector<uint32_t> doubled;
   const std::vector<NamedMesh> meshes = {
       {"grid with faces without area", InsertZeroAreaFaces(grid, 8, 3)},
-      {"grid with doubled vertices", DoubleVertices(grid, 4, 4, &doubled)},
+      {"grid with doubled vertices", DoubleVertices(grid, 4, 4)},
       {"grid with needles", InsertNeedles(grid, 8, 5)}};
   for (const NamedMesh& mesh : meshes) {
     for (const TriangleSoup& soup : {mesh.soup, RotateAndShift(mesh.soup, 8)}) {

@@ -12,32 +12,15 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
-#include "tests/support/oracles/brute_force.h"
 #include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 
 namespace geodesic::test {
 namespace {
-
-// Distances of all vertices, then of all targets.
-std::vector<double> SolveAll(const Mesh& mesh, const Query& query) {
-  NoCheckpoint checkpoint;
-  const absl::StatusOr<DistanceField> field =
-      Solve(mesh, query, {}, checkpoint);
-  if (!field.ok()) {
-    ADD_FAILURE() << field.status();
-    return {};
-  }
-  std::vector<double> all = field->distances;
-  all.insert(all.end(), field->target_distances.begin(),
-             field->target_distances.end());
-  return all;
-}
 
 // Points of every kind, some of them very near vertices and edges.
 std::vector<SurfacePoint> ManyPoints(const TriangleSoup& soup, uint32_t count,
@@ -65,7 +48,6 @@ TEST_P(SurfacePoints, EuclidInThePlane) {
                                               .diagonals = diagonals,
                                               .jitter = jitter})};
       const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-      ASSERT_NE(mesh, nullptr);
       const std::vector<SurfacePoint> targets =
           ManyPoints(named.soup, 40, random);
       for (int i = 0; i < 8; ++i) {
@@ -79,12 +61,9 @@ TEST_P(SurfacePoints, EuclidInThePlane) {
           expected.push_back(
               static_cast<double>(Norm(PositionIn(named.soup, target) - from)));
         }
-        EXPECT_TRUE(
-            FieldsAgree({named.name, {{source}}, GetParam().name}, expected,
-                        SolveAll(*mesh, {.sources = {{source}},
-                                         .targets = targets,
-                                         .algorithm = GetParam().algorithm}),
-                        CoordinateRounding(named.soup)));
+        ExpectAnswer(named.name, *mesh,
+                     {.sources = {{source}}, .targets = targets}, expected,
+                     CoordinateRounding(named.soup.positions));
       }
     }
   }
@@ -99,7 +78,6 @@ TEST_P(SurfacePoints, OffsetsInThePlane) {
                                           .diagonals = Diagonals::kRandom,
                                           .jitter = 0.1})};
   const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-  ASSERT_NE(mesh, nullptr);
   for (int i = 0; i < 100; ++i) {
     std::vector<Source> sources;
     for (int j = 0; j < 4; ++j) {
@@ -127,12 +105,8 @@ TEST_P(SurfacePoints, OffsetsInThePlane) {
     };
     for (const Point& p : named.soup.positions) expect(ToVec3(p));
     for (const SurfacePoint& t : targets) expect(PositionIn(named.soup, t));
-    EXPECT_TRUE(
-        FieldsAgree({named.name, sources, GetParam().name}, expected,
-                    SolveAll(*mesh, {.sources = sources,
-                                     .targets = targets,
-                                     .algorithm = GetParam().algorithm}),
-                    CoordinateRounding(named.soup)));
+    ExpectAnswer(named.name, *mesh, {.sources = sources, .targets = targets},
+                 expected, CoordinateRounding(named.soup.positions));
   }
 }
 
@@ -146,7 +120,6 @@ TEST_P(SurfacePoints, VisibilityAroundObstacles) {
       const PlanarDomain domain(options);
       const NamedMesh named{"domain", MakeGrid(options)};
       const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-      ASSERT_NE(mesh, nullptr);
       std::vector<SurfacePoint> targets;
       std::vector<Point> places = named.soup.positions;
       const auto position = [&](const SurfacePoint& point) {
@@ -161,13 +134,10 @@ TEST_P(SurfacePoints, VisibilityAroundObstacles) {
       for (int i = 0; i < 6; ++i) {
         const SurfacePoint source = i % 2 ? RandomFacePoint(named.soup, random)
                                           : RandomEdgePoint(named.soup, random);
-        EXPECT_TRUE(
-            FieldsAgree({named.name, {{source}}, GetParam().name},
-                        domain.Distances(position(source), places),
-                        SolveAll(*mesh, {.sources = {{source}},
-                                         .targets = targets,
-                                         .algorithm = GetParam().algorithm}),
-                        CoordinateRounding(named.soup)));
+        ExpectAnswer(named.name, *mesh,
+                     {.sources = {{source}}, .targets = targets},
+                     domain.Distances(position(source), places),
+                     CoordinateRounding(named.soup.positions));
       }
     }
   }
@@ -183,27 +153,20 @@ TEST_P(SurfacePoints, AreAsGoodAsVertices) {
            {"box", BoxGrid(1, 2, 3, 3, 4, 5)},
            {"U plate", MakePlate(UShape({.columns = 7, .rows = 6}), 0.3)}}) {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-    ASSERT_NE(mesh, nullptr);
     for (int i = 0; i < 4; ++i) {
       const SurfacePoint point = i % 2 ? RandomFacePoint(named.soup, random)
                                        : RandomEdgePoint(named.soup, random);
       const Inserted inserted = InsertPoint(named.soup, point);
       const std::shared_ptr<const Mesh> finer =
           BuildOrFail({named.name, inserted.soup});
-      ASSERT_NE(finer, nullptr);
       std::vector<double> expected =
           SolveOn(*finer, {{VertexPoint{inserted.vertex}}});
-      ASSERT_FALSE(expected.empty());
       expected.pop_back();  // of the point itself
-      EXPECT_TRUE(FieldsAgree({named.name, {{point}}, GetParam().name},
-                              expected, SolveOn(*mesh, {{point}})));
+      ExpectField(named.name, *mesh, {{point}}, expected);
       // And as a target.
       const Source vertex{RandomVertexPoint(named.soup, random)};
-      EXPECT_TRUE(FieldsAgree(
-          {named.name, {vertex}, GetParam().name}, SolveOn(*finer, {vertex}),
-          SolveAll(*mesh, {.sources = {vertex},
-                           .targets = {point},
-                           .algorithm = GetParam().algorithm})));
+      ExpectAnswer(named.name, *mesh, {.sources = {vertex}, .targets = {point}},
+                   SolveOn(*finer, {vertex}));
     }
   }
 }
@@ -218,7 +181,6 @@ TEST_P(AnyPointsOnRandomMeshes, AgreeWithBruteForce) {
     const NamedMesh named{absl::StrCat("edited mesh ", seed),
                           EditedMesh(seed, degenerate)};
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-    ASSERT_NE(mesh, nullptr);
     Random random(seed);
     const std::vector<SurfacePoint> points = ManyPoints(named.soup, 8, random);
     const BruteForce brute_force(named.soup, points);
@@ -229,13 +191,9 @@ TEST_P(AnyPointsOnRandomMeshes, AgreeWithBruteForce) {
             {points[random.Below(static_cast<uint32_t>(points.size()))],
              i == 2 ? random.Uniform(0, 0.3) : 0});
       }
-      const std::vector<double> expected = brute_force.Distances(query.sources);
-      for (const AlgorithmInfo& info : kAlgorithms) {
-        query.algorithm = info.algorithm;
-        EXPECT_TRUE(FieldsAgree({named.name, query.sources, info.name},
-                                expected, SolveAll(*mesh, query),
-                                CoordinateRounding(named.soup)));
-      }
+      ExpectFromAll(kAlgorithms, named.name, *mesh, query,
+                    brute_force.Distances(query.sources),
+                    CoordinateRounding(named.soup.positions));
     }
   }
 }
@@ -262,7 +220,6 @@ TEST(CurvesOnRandomMeshes, AgreeWithBruteForce) {
     const NamedMesh named{absl::StrCat("surface with a fin ", seed),
                           TurnFaces(soup, seed)};
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-    ASSERT_NE(mesh, nullptr);
     const std::vector<Source> point = {{RandomSurfacePoint(soup, random), 0.3}};
     Query query{.sources = point, .targets = ManyPoints(named.soup, 8, random)};
     std::vector<Source> curves;
@@ -276,12 +233,8 @@ TEST(CurvesOnRandomMeshes, AgreeWithBruteForce) {
     std::vector<double> expected =
         BruteForce(named.soup, points, curves).DistancesFromAll(point);
     expected.pop_back();
-    for (const AlgorithmInfo& info : kAlgorithms) {
-      query.algorithm = info.algorithm;
-      EXPECT_TRUE(FieldsAgree({named.name, query.sources, info.name}, expected,
-                              SolveAll(*mesh, query),
-                              CoordinateRounding(named.soup)));
-    }
+    ExpectFromAll(kAlgorithms, named.name, *mesh, query, expected,
+                  CoordinateRounding(named.soup.positions));
   }
 }
 
@@ -300,20 +253,15 @@ TEST(StretchedMeshes, AgreeWithBruteForce) {
     const NamedMesh named{absl::StrCat("stretched mesh ", seed),
                           RotateAndShift(soup, seed)};
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-    ASSERT_NE(mesh, nullptr);
     constexpr uint64_t kMostWindows = 2'000'000;
     const BruteForce brute_force(named.soup, {}, {}, kMostWindows);
     if (!brute_force.is_complete()) continue;
     ++compared;
     for (int i = 0; i < 6; ++i) {
       const uint32_t s = random.Below(mesh->vertex_count());
-      for (const AlgorithmInfo& info : kAlgorithms) {
-        EXPECT_TRUE(
-            FieldsAgree({named.name, {{VertexPoint{s}}}, info.name},
-                        brute_force.Distances(s),
-                        SolveOrFail(*mesh, info.algorithm, {{VertexPoint{s}}}),
-                        4 * CoordinateRounding(named.soup)));
-      }
+      ExpectFromAll(kAlgorithms, named.name, *mesh,
+                    {.sources = {{VertexPoint{s}}}}, brute_force.Distances(s),
+                    4 * CoordinateRounding(named.soup.positions));
     }
   }
   EXPECT_GE(compared, 5);

@@ -30,8 +30,7 @@ class GradientsTest : public EveryAlgorithm {
   void Prepare(const NamedMesh& named, Query query) {
     mesh_ = BuildOrFail(named);
     query.trace = true;
-    query.algorithm = GetParam().algorithm;
-    query_ = query;
+    query_ = Ask(query);
     field_ = SolveTraced(*mesh_, query_);
     gradients_ = Gradients(*mesh_, Valid(*mesh_, query_), field_).value();
     ASSERT_EQ(gradients_.size(), mesh_->vertex_count());
@@ -157,9 +156,8 @@ TEST_P(GradientsTest, AreZeroWhereNoPathArrives) {
 
 // A double gets the direction of its original.
 TEST_P(GradientsTest, PassThroughCoincidentVertices) {
-  std::vector<uint32_t> doubled;
   const TriangleSoup soup =
-      DoubleVertices(MakeGrid({.columns = 9, .rows = 8}), 15, 3, &doubled);
+      DoubleVertices(MakeGrid({.columns = 9, .rows = 8}), 15, 3);
   Prepare({"doubled vertices", soup}, {.sources = {{VertexPoint{0}}}});
   for (uint32_t v = 1; v < gradients_.size(); ++v) {
     const Vec3 away = ToVec3(soup.positions[v]) - ToVec3(soup.positions[0]);
@@ -178,8 +176,7 @@ class NearestSourcesTest : public EveryAlgorithm {
  protected:
   std::vector<uint32_t> Labels(const Mesh& mesh,
                                const std::vector<Source>& sources) const {
-    const Query query{
-        .sources = sources, .algorithm = GetParam().algorithm, .trace = true};
+    const Query query = Ask({.sources = sources, .trace = true});
     return NearestSources(mesh, Valid(mesh, query), SolveTraced(mesh, query))
         .value();
   }

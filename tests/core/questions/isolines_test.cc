@@ -8,28 +8,205 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numbers>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/core/questions/isoline_checks.h"
+#include "tests/core/questions/path_check.h"
+#include "tests/support/checkpoints.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
-#include "tests/support/oracles/brute_force.h"
 #include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
-#include "tests/support/test_meshes.h"
+#include "tests/support/random.h"
+#include "tests/support/surface_points.h"
 
 namespace geodesic::test {
 namespace {
 
+using Edge = std::pair<uint32_t, uint32_t>;  // the lower vertex first
+
+std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
+                                    const std::vector<double>& levels) {
+  NoCheckpoint checkpoint;
+  return ComputeIsolines(mesh, Valid(mesh, query), levels, {}, checkpoint)
+      .value();
+}
+
+// Distances of points anywhere, by solving with them as targets.
+std::vector<double> DistancesOrFail(const Mesh& mesh, Query query,
+                                    const std::vector<SurfacePoint>& points) {
+  query.targets = points;
+  return SolveOrFail(mesh, query).target_distances;
+}
+
+class IsolineCheck {
+ public:
+  IsolineCheck(const NamedMesh& named, const Mesh& mesh, const Query& query,
+               const std::vector<double>& levels, double slack)
+      : name_(named.name),
+        mesh_(mesh),
+        query_(query),
+        slack_(slack),
+        isolines_(IsolinesOrFail(mesh, query, levels)) {}
+
+  void ExpectPointsAtLevel() const {
+    std::vector<SurfacePoint> points;
+    for (const Isoline& isoline : isolines_) {
+      points.insert(points.end(), isoline.points.begin(), isoline.points.end());
+    }
+    const std::vector<double> distances =
+        DistancesOrFail(mesh_, query_, points);
+    ASSERT_EQ(distances.size(), points.size());
+    size_t i = 0;
+    for (const Isoline& isoline : isolines_) {
+      ASSERT_EQ(isoline.positions.size(), isoline.points.size());
+      for (size_t p = 0; p < isoline.points.size(); ++p, ++i) {
+        ASSERT_NEAR(distances[i], isoline.level,
+                    kRelativeTolerance * isoline.level + slack_)
+            << name_ << " at " << Name(points[i]);
+        ASSERT_EQ(isoline.positions[p], PositionOf(points[i], mesh_));
+      }
+    }
+  }
+
+  void ExpectCurves() const {
+    std::set<std::pair<double, SurfacePoint>> seen;
+    for (const Isoline& isoline : isolines_) {
+      const std::vector<SurfacePoint>& points = isoline.points;
+      ASSERT_GE(points.size(), 2u) << name_;
+      for (size_t p = 0; p < points.size(); ++p) {
+        // Only vertices may be passed more than once, and ends only where
+        // three faces meet.
+        if (std::holds_alternative<EdgePoint>(points[p]) &&
+            FacesAt(mesh_, points[p]).size() <= 2) {
+          EXPECT_TRUE(seen.emplace(isoline.level, points[p]).second)
+              << name_ << ", level " << isoline.level << ": " << Name(points[p])
+              << " comes twice";
+        }
+        if (p + 1 == points.size() && !isoline.is_closed) break;
+        const SurfacePoint& next = points[(p + 1) % points.size()];
+        EXPECT_NE(points[p], next) << name_;
+        EXPECT_TRUE(ShareAFace(mesh_, points[p], next))
+            << name_ << ": " << Name(points[p]) << " and " << Name(next);
+      }
+      if (isoline.is_closed) continue;
+      for (const SurfacePoint& end : {points.front(), points.back()}) {
+        EXPECT_TRUE(MayEndAt(end)) << name_ << ", level " << isoline.level
+                                   << ": an end at " << Name(end);
+      }
+    }
+  }
+
+  // The side of points on edges, by their distances and by the crossings
+  // between them and the edge's ends.
+  void ExpectSeparation(const std::vector<double>& levels,
+                        uint32_t samples) const {
+    std::map<std::pair<double, Edge>, std::vector<double>> crossings;
+    for (const Isoline& isoline : isolines_) {
+      for (const SurfacePoint& point : isoline.points) {
+        if (const auto* at = std::get_if<EdgePoint>(&point)) {
+          crossings[{isoline.level, {at->from, at->to}}].push_back(at->t);
+        }
+      }
+    }
+    std::vector<SurfacePoint> points;
+    for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      points.push_back(VertexPoint{v});
+    }
+    std::set<Edge> distinct;
+    for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
+      distinct.insert(std::minmax({mesh_.From(h), mesh_.To(h)}));
+    }
+    const std::vector<Edge> edges(distinct.begin(), distinct.end());
+    Random random(7);
+    std::vector<EdgePoint> sampled;
+    for (uint32_t i = 0; i < samples; ++i) {
+      const auto& [from, to] =
+          edges[random.Below(static_cast<uint32_t>(edges.size()))];
+      sampled.push_back({from, to, random.Uniform(0.001, 0.999)});
+    }
+    points.insert(points.end(), sampled.begin(), sampled.end());
+    const std::vector<double> distances =
+        DistancesOrFail(mesh_, query_, points);
+    ASSERT_EQ(distances.size(), points.size());
+
+    for (const double level : levels) {
+      const auto is_clear = [&](double distance) {
+        return std::abs(distance - level) > 1e-9 * level + slack_;
+      };
+      const auto crossings_before = [&](const Edge& edge, double t) {
+        const auto found = crossings.find({level, edge});
+        if (found == crossings.end()) return std::ptrdiff_t{0};
+        return std::ranges::count_if(found->second,
+                                     [&](double c) { return c < t; });
+      };
+      for (const Edge& edge : edges) {
+        const double from = distances[edge.first], to = distances[edge.second];
+        if (!is_clear(from) || !is_clear(to)) continue;
+        EXPECT_EQ((from < level) != (to < level),
+                  crossings_before(edge, 2) % 2 == 1)
+            << name_ << ", level " << level << ": edge " << edge.first << " - "
+            << edge.second << ", distances " << from << " and " << to;
+      }
+      for (size_t i = 0; i < sampled.size(); ++i) {
+        const auto& [from, to, t] = sampled[i];
+        const double at = distances[mesh_.vertex_count() + i];
+        if (!is_clear(at) || !is_clear(distances[from])) continue;
+        EXPECT_EQ((distances[from] < level) != (at < level),
+                  crossings_before({from, to}, t) % 2 == 1)
+            << name_ << ", level " << level << ": " << Name(sampled[i])
+            << ", distance " << at << ", from " << distances[from];
+      }
+    }
+  }
+
+ private:
+  // At the boundary or where more than two faces meet.
+  bool MayEndAt(const SurfacePoint& point) const {
+    if (std::holds_alternative<EdgePoint>(point)) {
+      return FacesAt(mesh_, point).size() != 2;
+    }
+    const uint32_t vertex = std::get<VertexPoint>(point).vertex;
+    return mesh_.IsBoundary(vertex) || mesh_.IsNonManifold(vertex);
+  }
+
+  const std::string name_;
+  const Mesh& mesh_;
+  const Query& query_;
+  const double slack_;
+  const std::vector<Isoline> isolines_;
+};
+
+// Computes the isolines of all levels and expects that
+//   - every point lies on an edge or at a vertex, at its level, where positions
+//     say;
+//   - points that follow each other differ, share a face and come once a level;
+//   - open isolines end at the boundary or where more than two faces meet;
+//   - along every edge, the points that are nearer than the level are told from
+//     the others by the crossings in between: at both ends, and at `samples`
+//     points of edges drawn at random.
+// `slack` is added to the tolerance of distances.
+void ExpectIsolines(const NamedMesh& named, const Query& query,
+                    const std::vector<double>& levels, uint32_t samples,
+                    double slack = 0) {
+  const auto mesh = BuildOrFail(named);
+  const IsolineCheck check(named, *mesh, query, levels, slack);
+  check.ExpectPointsAtLevel();
+  check.ExpectCurves();
+  check.ExpectSeparation(levels, samples);
+}
+
 class Isolines : public EveryAlgorithm {
  protected:
   Query From(const std::vector<Source>& sources) const {
-    return {.sources = sources, .algorithm = GetParam().algorithm};
+    return Ask({.sources = sources});
   }
 };
 
@@ -340,27 +517,6 @@ TEST_P(Isolines, AreTheSameOnFinerFaces) {
   }
 }
 
-// Points of isolines made vertices, on meshes small enough for brute force.
-TEST_P(Isolines, AgreeWithBruteForce) {
-  for (const uint64_t seed : {1, 2, 3, 4}) {
-    const TriangleSoup soup = Terrain(3, 3, 1.5, seed);
-    const auto mesh = BuildOrFail({"terrain", soup});
-    const std::vector<Source> sources = {{VertexPoint{4}},
-                                         {VertexPoint{11}, 0.2}};
-    for (const Isoline& isoline :
-         IsolinesOrFail(*mesh, From(sources), {0.45, 1.6})) {
-      for (size_t i = 0; i < isoline.points.size(); i += 3) {
-        const auto* at = std::get_if<EdgePoint>(&isoline.points[i]);
-        if (at == nullptr) continue;
-        const TriangleSoup split = SplitEdge(soup, *at);
-        EXPECT_NEAR(BruteForce(split).Distances(sources).back(), isoline.level,
-                    kRelativeTolerance * isoline.level)
-            << "seed " << seed << " at " << Name(*at);
-      }
-    }
-  }
-}
-
 TEST_P(Isolines, ComeInOrderOfLevelEachOnce) {
   const auto mesh = BuildOrFail({"terrain", Terrain(8, 8, 0.8, 2)});
   const Query query = From({{VertexPoint{40}}});
@@ -425,29 +581,21 @@ TEST(IsolinesErrors, SayWhatIsWrong) {
 // with while the wavefront moves: to the same end, and in memory that goes with
 // the wavefront.
 TEST(IsolinesOfManyLevels, AreThoseOfEachLevel) {
-  class Peak final : public Checkpoint {
-   public:
-    uint64_t bytes() const { return bytes_; }
-    uint64_t windows() const { return windows_; }
-
-   private:
-    absl::Status Poll(const Progress& progress) override {
-      bytes_ = std::max(bytes_, progress.solver_bytes);
-      windows_ = std::max(windows_, progress.windows_propagated);
-      return absl::OkStatus();
-    }
-    uint64_t bytes_ = 0, windows_ = 0;
-  };
   const NamedMesh named{"icosphere", Icosphere(5)};
   const auto mesh = BuildOrFail(named);
   const Query query{.sources = {{EdgePoint{0, mesh->triangle(0)[1], 0.3}}}};
   std::vector<double> levels;
   for (int i = 1; i < 150; ++i) levels.push_back(0.0207 * i);
-  Peak peak;
+  RecordingCheckpoint checkpoint;
   const auto isolines =
-      ComputeIsolines(*mesh, Valid(*mesh, query), levels, {}, peak);
+      ComputeIsolines(*mesh, Valid(*mesh, query), levels, {}, checkpoint);
   ASSERT_TRUE(isolines.ok()) << isolines.status();
-  EXPECT_LT(peak.bytes(), peak.windows() * sizeof(double) * 3);
+  uint64_t bytes = 0, windows = 0;
+  for (const Progress& progress : checkpoint.polls()) {
+    bytes = std::max(bytes, progress.solver_bytes);
+    windows = std::max(windows, progress.windows_propagated);
+  }
+  EXPECT_LT(bytes, windows * sizeof(double) * 3);
   for (size_t i = 0; i < levels.size(); i += 37) {
     std::vector<std::vector<SurfacePoint>> of_level, alone;
     for (const Isoline& isoline : *isolines) {
@@ -462,56 +610,38 @@ TEST(IsolinesOfManyLevels, AreThoseOfEachLevel) {
 
 // Whoever cancels is heard at every poll, those between faces among them.
 TEST(IsolinesErrors, CancelAtAnyPoll) {
-  class CancelAt final : public Checkpoint {
-   public:
-    explicit CancelAt(uint64_t poll) : left_(poll) {}
-    uint64_t polls() const { return polls_; }
-
-   private:
-    absl::Status Poll(const Progress&) override {
-      ++polls_;
-      return left_-- == 0 ? absl::CancelledError("enough") : absl::OkStatus();
-    }
-    uint64_t left_;
-    uint64_t polls_ = 0;
-  };
   const auto mesh = BuildOrFail({"icosphere", Icosphere(3)});
   const Query query{.sources = {{VertexPoint{0}}}};
   const std::vector<double> levels = SpreadLevels(*mesh, query, 30);
-  CancelAt never(UINT64_MAX);
+  RecordingCheckpoint never;
   ASSERT_TRUE(
       ComputeIsolines(*mesh, Valid(*mesh, query), levels, {}, never).ok());
-  EXPECT_GT(never.polls(), 20u);
-  for (uint64_t poll = 0; poll < never.polls(); ++poll) {
-    CancelAt checkpoint(poll);
+  EXPECT_GT(never.polls().size(), 20u);
+  for (uint64_t poll = 0; poll < never.polls().size(); ++poll) {
+    RecordingCheckpoint checkpoint(poll);
     EXPECT_EQ(
         ComputeIsolines(*mesh, Valid(*mesh, query), levels, {}, checkpoint)
             .status(),
-        absl::CancelledError("enough"));
-    EXPECT_EQ(checkpoint.polls(), poll + 1);
+        RecordingCheckpoint::Stopped());
+    EXPECT_EQ(checkpoint.polls().size(), poll + 1);
   }
 }
 
-class RealMeshIsolines : public testing::TestWithParam<const char*> {};
+class RealMeshIsolines : public RealMesh {};
 
 TEST_P(RealMeshIsolines, SeparateNearFromFar) {
-  const absl::StatusOr<TriangleSoup> soup = LoadTestMesh(GetParam());
-  if (absl::IsNotFound(soup.status())) GTEST_SKIP() << soup.status();
-  ASSERT_TRUE(soup.ok()) << soup.status();
-  const NamedMesh named{GetParam(), *soup};
-  const auto mesh = BuildOrFail(named);
-  const Query query{.sources = {{VertexPoint{soup->triangles[0][0]}}}};
-  ExpectIsolines(named, query, SpreadLevels(*mesh, query, 6), 2000,
-                 CoordinateRounding(*soup));
+  const Query query{.sources = {{VertexPoint{named_.soup.triangles[0][0]}}}};
+  ExpectIsolines(named_, query, SpreadLevels(*mesh_, query, 6), 2000,
+                 CoordinateRounding(named_.soup.positions));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Meshes, RealMeshIsolines,
-    testing::Values("real/fandisk.obj", "real/cgal_elephant.off",
-                    "real/cgal_blobby_3cc.off", "real/of_flange_6k.ply",
-                    "real/cgal_pinion_small.off", "real/gears_19k.ply",
-                    "real/spot_23k.obj"),
-    MeshTestName);
+INSTANTIATE_TEST_SUITE_P(Meshes, RealMeshIsolines,
+                         testing::Values("fandisk.obj", "cgal_elephant.off",
+                                         "cgal_blobby_3cc.off",
+                                         "of_flange_6k.ply",
+                                         "cgal_pinion_small.off",
+                                         "gears_19k.ply", "spot_23k.obj"),
+                         MeshTestName);
 
 }  // namespace
 }  // namespace geodesic::test

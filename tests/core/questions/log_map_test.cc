@@ -27,8 +27,7 @@ class LogMapTest : public EveryAlgorithm {
  protected:
   void Prepare(const NamedMesh& named, const Source& source) {
     mesh_ = BuildOrFail(named);
-    const Query query{
-        .sources = {source}, .algorithm = GetParam().algorithm, .trace = true};
+    const Query query = Ask({.sources = {source}, .trace = true});
     field_ = SolveTraced(*mesh_, query);
     map_ = ComputeLogMap(*mesh_, Valid(*mesh_, query), field_).value();
     ASSERT_EQ(map_.coordinates.size(), mesh_->vertex_count());

@@ -13,9 +13,8 @@
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/algorithm.h"
-#include "geodesic/checkpoint.h"
-#include "geodesic/solve.h"
 #include "tests/support/field_check.h"
+#include "tests/support/surface_points.h"
 #include "tests/support/vec.h"
 
 namespace geodesic::test {
@@ -23,32 +22,6 @@ namespace {
 
 // A bend below this is none, where rounding lets it be seen.
 constexpr Real kStraight = 1e-6;
-
-std::set<uint32_t> FacesAt(const Mesh& mesh, const SurfacePoint& point) {
-  const auto around = [&](uint32_t v) {
-    std::set<uint32_t> faces;
-    for (const HalfEdge h : mesh.Outgoing(v)) faces.insert(mesh.FaceOf(h));
-    return faces;
-  };
-  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
-    return around(vertex->vertex);
-  }
-  if (const auto* edge = std::get_if<EdgePoint>(&point)) {
-    std::set<uint32_t> both;
-    std::ranges::set_intersection(around(edge->from), around(edge->to),
-                                  std::inserter(both, both.end()));
-    return both;
-  }
-  return {std::get<FacePoint>(point).face};
-}
-
-bool ShareAFace(const Mesh& mesh, const SurfacePoint& a,
-                const SurfacePoint& b) {
-  std::vector<uint32_t> both;
-  std::ranges::set_intersection(FacesAt(mesh, a), FacesAt(mesh, b),
-                                std::back_inserter(both));
-  return !both.empty();
-}
 
 Vec3 PositionAt(const Mesh& mesh, const SurfacePoint& point) {
   const auto at = [&](uint32_t v) { return ToVec3(mesh.positions()[v]); };
@@ -144,20 +117,11 @@ Real BendAtVertex(const Mesh& mesh, uint32_t v, const SurfacePoint& before,
                   std::numbers::pi_v<Real>);
 }
 
-// Of the coordinates around a path.
-double Rounding(const GeodesicPath& path) {
-  double largest = 0;
-  for (const Point& p : path.positions) {
-    for (const double x : p) largest = std::max(largest, std::abs(x));
-  }
-  return 2 * largest * 0x1p-52;
-}
-
 testing::AssertionResult NoBends(const Mesh& mesh, const GeodesicPath& path) {
   // How far from its place a point of the path may be. It lies by so much over
   // the length of its shorter piece in another direction.
-  const Real misplaced =
-      64 * Rounding(path) + 1e-13L * static_cast<Real>(path.length);
+  const Real misplaced = 128 * CoordinateRounding(path.positions) +
+                         1e-13L * static_cast<Real>(path.length);
   for (size_t i = 1; i + 1 < path.points.size(); ++i) {
     const Vec3 before = PositionAt(mesh, path.points[i - 1]),
                at = PositionAt(mesh, path.points[i]),
@@ -196,11 +160,10 @@ testing::AssertionResult EndsAre(const Mesh& mesh, const GeodesicPath& path,
            << path.positions.size() << " positions for " << path.points.size()
            << " points";
   }
-  const double rounding = Rounding(path);
   for (size_t i = 0; i < path.points.size(); ++i) {
     const Real apart =
         Norm(PositionAt(mesh, path.points[i]) - ToVec3(path.positions[i]));
-    if (apart <= 8 * rounding) continue;
+    if (apart <= 16 * CoordinateRounding(path.positions)) continue;
     return testing::AssertionFailure()
            << "position " << i << " is not that of " << Name(path.points[i]);
   }
@@ -209,11 +172,36 @@ testing::AssertionResult EndsAre(const Mesh& mesh, const GeodesicPath& path,
 
 }  // namespace
 
+std::set<uint32_t> FacesAt(const Mesh& mesh, const SurfacePoint& point) {
+  const auto around = [&](uint32_t v) {
+    std::set<uint32_t> faces;
+    for (const HalfEdge h : mesh.Outgoing(v)) faces.insert(mesh.FaceOf(h));
+    return faces;
+  };
+  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+    return around(vertex->vertex);
+  }
+  if (const auto* edge = std::get_if<EdgePoint>(&point)) {
+    std::set<uint32_t> both;
+    std::ranges::set_intersection(around(edge->from), around(edge->to),
+                                  std::inserter(both, both.end()));
+    return both;
+  }
+  return {std::get<FacePoint>(point).face};
+}
+
+bool ShareAFace(const Mesh& mesh, const SurfacePoint& a,
+                const SurfacePoint& b) {
+  std::vector<uint32_t> both;
+  std::ranges::set_intersection(FacesAt(mesh, a), FacesAt(mesh, b),
+                                std::back_inserter(both));
+  return !both.empty();
+}
+
 DistanceField SolveTraced(const Mesh& mesh, const Query& query) {
   Query traced = query;
   traced.trace = true;
-  NoCheckpoint checkpoint;
-  return Solve(mesh, traced, {}, checkpoint).value();
+  return SolveOrFail(mesh, traced);
 }
 
 PathTracer TracerOf(const Mesh& mesh, const Query& query,

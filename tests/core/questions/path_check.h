@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <set>
 #include <string>
 
 #include "geodesic/distance_field.h"
@@ -14,6 +15,10 @@
 #include "geodesic/query.h"
 
 namespace geodesic::test {
+
+// The faces around a point, and whether two points have one in common.
+std::set<uint32_t> FacesAt(const Mesh& mesh, const SurfacePoint& point);
+bool ShareAFace(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
 // These throw, which fails the test, where the solver fails or the field does
 // not answer the query with a trace.

@@ -15,7 +15,6 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/computation.h"
 #include "geodesic/path.h"
-#include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/core/questions/path_check.h"
 #include "tests/support/curved_meshes.h"
@@ -24,28 +23,19 @@
 #include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
-#include "tests/support/random.h"
+#include "tests/support/surface_points.h"
 
 namespace geodesic::test {
 namespace {
 
-// Points in faces and on edges, spread at random.
+// Points in faces and on edges, in turn.
 std::vector<SurfacePoint> RandomPoints(const TriangleSoup& soup, uint32_t count,
                                        uint64_t seed) {
   Random random(seed);
   std::vector<SurfacePoint> points;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t face =
-        random.Below(static_cast<uint32_t>(soup.triangles.size()));
-    if (i % 2 == 0) {
-      const double a = random.Uniform(0, 1), b = random.Uniform(0, 1 - a);
-      points.push_back(FacePoint{face, {a, b, 1 - (a + b)}});
-    } else {
-      const uint32_t side = random.Below(3);
-      points.push_back(EdgePoint{soup.triangles[face][side],
-                                 soup.triangles[face][(side + 1) % 3],
-                                 random.Uniform(0, 1)});
-    }
+    points.push_back(i % 2 == 0 ? RandomFacePoint(soup, random)
+                                : RandomEdgePoint(soup, random));
   }
   return points;
 }
@@ -140,17 +130,15 @@ TEST_P(Paths, ThroughDegenerateFaces) {
     for (const uint64_t seed : {1, 2}) {
       const TriangleSoup grid =
           MakeGrid({.columns = 9, .rows = 8, .jitter = jitter, .seed = seed});
-      std::vector<uint32_t> doubled;
+      const PathCheckOptions options{
+          .slack = CoordinateRounding(grid.positions), .check_bends = false};
       CheckPaths({"zero-area faces", InsertZeroAreaFaces(grid, 30, seed)},
-                 {.slack = CoordinateRounding(grid), .check_bends = false});
-      CheckPaths({"doubled vertices", DoubleVertices(grid, 15, seed, &doubled)},
-                 {.slack = CoordinateRounding(grid), .check_bends = false});
+                 options);
+      CheckPaths({"doubled vertices", DoubleVertices(grid, 15, seed)}, options);
       CheckPaths({"tripled vertices",
-                  DoubleVertices(DoubleVertices(grid, 30, seed, &doubled), 60,
-                                 seed, &doubled)},
-                 {.slack = CoordinateRounding(grid), .check_bends = false});
-      CheckPaths({"needles", InsertNeedles(grid, 50, seed)},
-                 {.slack = CoordinateRounding(grid), .check_bends = false});
+                  DoubleVertices(DoubleVertices(grid, 30, seed), 60, seed)},
+                 options);
+      CheckPaths({"needles", InsertNeedles(grid, 50, seed)}, options);
     }
   }
   CheckPaths({"needles on a torus", InsertNeedles(Torus({}), 80, 3)},
@@ -162,8 +150,8 @@ TEST_P(Paths, FromPointsBesideDoubledVertices) {
   for (const uint64_t seed : {1, 2, 3}) {
     const TriangleSoup terrain = Terrain(6, 6, 1.5, seed);
     std::vector<uint32_t> doubled;
-    const TriangleSoup soup = DoubleVertices(
-        DoubleVertices(terrain, 4, seed, &doubled), 8, seed, &doubled);
+    const TriangleSoup soup =
+        DoubleVertices(DoubleVertices(terrain, 4, seed), 8, seed, &doubled);
     const auto mesh = BuildOrFail({"doubled vertices", soup});
     for (uint32_t f = 0; f < soup.triangles.size(); ++f) {
       for (int corner = 0; corner < 3; ++corner) {
@@ -173,10 +161,11 @@ TEST_P(Paths, FromPointsBesideDoubledVertices) {
         }
         FacePoint near{.face = f, .weights = {9e-16, 9e-16, 9e-16}};
         near.weights[corner] = 1 - 1.8e-15;
-        CheckAllPaths(
-            "beside doubled vertices", *mesh,
-            {.sources = {{near}}, .algorithm = GetParam().algorithm},
-            {.slack = 8 * CoordinateRounding(soup), .check_bends = false}, 7);
+        CheckAllPaths("beside doubled vertices", *mesh,
+                      {.sources = {{near}}, .algorithm = GetParam().algorithm},
+                      {.slack = 8 * CoordinateRounding(soup.positions),
+                       .check_bends = false},
+                      7);
       }
     }
   }
@@ -218,9 +207,7 @@ TEST_P(Paths, FromCurves) {
     const auto mesh = BuildOrFail({"grid", soup});
     const std::vector<PlanarCurve> curves = {
         {{{2.2, 1.1}, {6.1, 7.3}, {10.3, 3.9}}, 0.5}, {{{1, 8}, {3, 9}}, 0}};
-    Query query{.targets = RandomPoints(soup, 40, 3),
-                .algorithm = GetParam().algorithm,
-                .trace = true};
+    Query query = Ask({.targets = RandomPoints(soup, 40, 3), .trace = true});
     for (const PlanarCurve& curve : curves) {
       query.sources.push_back(OnMesh(soup, curve));
     }
@@ -238,11 +225,8 @@ TEST_P(Paths, FromCurves) {
   // Over folds there is no closed form, but the length is the distance.
   const TriangleSoup soup = Terrain(12, 10, 1.5, 4);
   const auto mesh = BuildOrFail({"terrain", soup});
-  const TriangleSoup flat = [&] {
-    TriangleSoup copy = soup;
-    for (Point& p : copy.positions) p[2] = 0;
-    return copy;
-  }();
+  TriangleSoup flat = soup;
+  for (Point& p : flat.positions) p[2] = 0;
   CheckAllPaths("curve on terrain", *mesh,
                 {.sources = {OnMesh(flat, {{{2.2, 1.1}, {9.1, 7.3}}, 0})},
                  .targets = RandomPoints(soup, 40, 3),
@@ -405,10 +389,9 @@ TEST(PathTracer, RefusesWhatItWasNotAsked) {
   const auto finer = BuildOrFail({"finer icosphere", Icosphere(2)});
   EXPECT_TRUE(absl::IsInvalidArgument(
       PathTracer::Create(*finer, Valid(*finer, query), field).status()));
-  NoCheckpoint checkpoint;
   Query untraced = query;
   untraced.trace = false;
-  const DistanceField plain = Solve(*mesh, untraced, {}, checkpoint).value();
+  const DistanceField plain = SolveOrFail(*mesh, untraced);
   EXPECT_TRUE(absl::IsInvalidArgument(
       PathTracer::Create(*mesh, Valid(*mesh, query), plain).status()));
 }

@@ -2,34 +2,23 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
-#include <string>
-
-#include "absl/strings/str_cat.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/core/questions/path_check.h"
-#include "tests/support/test_meshes.h"
 
 namespace geodesic::test {
 namespace {
 
-class RealPaths : public testing::TestWithParam<const char*> {};
+class RealPaths : public RealMesh {};
 
 TEST_P(RealPaths, AreAsLongAsDistances) {
-  const std::string name = absl::StrCat("real/", GetParam());
-  absl::StatusOr<TriangleSoup> soup = LoadTestMesh(name);
-  if (absl::IsNotFound(soup.status())) GTEST_SKIP() << soup.status();
-  ASSERT_TRUE(soup.ok()) << soup.status();
-  const NamedMesh named{name, *std::move(soup)};
-  const auto mesh = BuildOrFail(named);
-  const double slack = 64 * CoordinateRounding(named.soup);
-  const uint32_t vertex = named.soup.triangles[0][0];
-  const uint32_t face = mesh->face_count() / 2;
+  const double slack = 64 * CoordinateRounding(named_.soup.positions);
+  const uint32_t vertex = named_.soup.triangles[0][0];
+  const uint32_t face = mesh_->face_count() / 2;
   constexpr uint32_t kMostPaths = 1000;
-  const uint32_t stride = 1 + mesh->vertex_count() / kMostPaths;
+  const uint32_t stride = 1 + mesh_->vertex_count() / kMostPaths;
   for (const Algorithm algorithm :
        {Algorithm::kFwpList, Algorithm::kFwpCh, Algorithm::kFwpMmp}) {
-    CheckAllPaths(name, *mesh,
+    CheckAllPaths(named_.name, *mesh_,
                   {.sources = {{VertexPoint{vertex}},
                                {FacePoint{face, {0.5, 0.25, 0.25}}}},
                    .targets = {FacePoint{face / 2, {0.1, 0.8, 0.1}}},

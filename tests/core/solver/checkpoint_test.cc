@@ -1,52 +1,39 @@
-// Cancellation, progress and limits: everything that comes through Checkpoint.
+// Cancellation, progress and limits: everything that comes through Checkpoint,
+// the settled vertices among it.
 
 #include "geodesic/checkpoint.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include "absl/status/status.h"
+#include "geodesic/settled_vertices.h"
 #include "geodesic/solve.h"
-#include "gtest/gtest.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/checkpoints.h"
 #include "tests/support/curved_meshes.h"
+#include "tests/support/mesh_edits.h"
 
-namespace geodesic {
+namespace geodesic::test {
 namespace {
 
-class RecordingCheckpoint final : public Checkpoint {
- public:
-  explicit RecordingCheckpoint(size_t stop_at = SIZE_MAX) : stop_at_(stop_at) {}
-
-  absl::Status Poll(const Progress& progress) override {
-    polls_.push_back(progress);
-    if (polls_.size() > stop_at_) return absl::CancelledError("stopped here");
-    return absl::OkStatus();
-  }
-
-  const std::vector<Progress>& polls() const { return polls_; }
-
- private:
-  const size_t stop_at_;
-  std::vector<Progress> polls_;
-};
-
-class CheckpointTest : public ::testing::TestWithParam<AlgorithmInfo> {
+class CheckpointTest : public EveryAlgorithm {
  protected:
-  CheckpointTest() : mesh_(*Mesh::Build(test::Terrain(60, 60, 1.0, 7))) {}
+  Query query() const { return Ask({.sources = {{VertexPoint{5}}}}); }
 
-  Query query() const {
-    return {.sources = {{VertexPoint{5}}}, .algorithm = GetParam().algorithm};
-  }
-
-  std::shared_ptr<const Mesh> mesh_;
+  const std::shared_ptr<const Mesh> mesh_ =
+      *Mesh::Build(Terrain(60, 60, 1.0, 7));
 };
 
 TEST_P(CheckpointTest, StopsAtWhicheverPollSaysSo) {
   for (size_t poll : {0, 1, 2, 5}) {
     RecordingCheckpoint checkpoint(poll);
     const auto field = Solve(*mesh_, query(), {}, checkpoint);
-    EXPECT_EQ(field.status(), absl::CancelledError("stopped here"));
+    EXPECT_EQ(field.status(), RecordingCheckpoint::Stopped());
     EXPECT_EQ(checkpoint.polls().size(), poll + 1);
   }
 }
@@ -109,16 +96,53 @@ TEST_P(CheckpointTest, StatisticsAddUp) {
   EXPECT_GT(statistics.solve_seconds, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Algorithms, CheckpointTest, ::testing::ValuesIn(kAlgorithms),
-    [](const ::testing::TestParamInfo<AlgorithmInfo>& tested) {
-      std::string name(tested.param.name);
-      std::erase(name, '-');
-      return name;
-    });
+class CollectingCheckpoint final : public Checkpoint {
+ public:
+  absl::Status Poll(const Progress& progress) override {
+    const size_t before = settled.size();
+    for (const SettledVertex& vertex : vertices_.Collect(progress)) {
+      settled.push_back(vertex);
+    }
+    early += progress.settled_radius < std::numeric_limits<double>::infinity()
+                 ? settled.size() - before
+                 : 0;
+    return absl::OkStatus();
+  }
+
+  std::vector<SettledVertex> settled;
+  size_t early = 0;  // given out while the wavefront still moved
+
+ private:
+  SettledVertices vertices_;
+};
+
+// The certified frontier: every vertex once, in order, final when given out.
+TEST_P(CheckpointTest, SettledVerticesComeOnceInOrder) {
+  const auto mesh =
+      *Mesh::Build(AddIsolatedVertices(Terrain(30, 30, 1.0, 5), 2));
+  CollectingCheckpoint checkpoint;
+  const DistanceField field =
+      Solve(*mesh, Ask({.sources = {{VertexPoint{17}}}}), {}, checkpoint)
+          .value();
+  ASSERT_EQ(checkpoint.settled.size(), mesh->vertex_count() - 2);
+  EXPECT_GT(checkpoint.early, 0u);
+  EXPECT_EQ(checkpoint.settled[0].vertex, 17u);
+  std::vector<bool> seen(mesh->vertex_count());
+  for (size_t i = 0; i < checkpoint.settled.size(); ++i) {
+    const auto& [vertex, distance] = checkpoint.settled[i];
+    EXPECT_FALSE(seen[vertex]) << vertex;
+    seen[vertex] = true;
+    EXPECT_EQ(distance, field.distances[vertex]);
+    if (i > 0) {
+      EXPECT_GE(distance, checkpoint.settled[i - 1].distance);
+    }
+  }
+}
+
+GEODESIC_TEST_EVERY_ALGORITHM(CheckpointTest);
 
 TEST(SolveOptionsTest, RefusesWhatMakesNoSense) {
-  const auto mesh = *Mesh::Build(test::Terrain(3, 3, 1.0, 1));
+  const auto mesh = *Mesh::Build(Terrain(3, 3, 1.0, 1));
   NoCheckpoint checkpoint;
   for (double width : {0.0, -1.0, std::nan("")}) {
     EXPECT_EQ(Solve(*mesh, {.sources = {{VertexPoint{0}}}},
@@ -135,4 +159,4 @@ TEST(SolveOptionsTest, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace geodesic
+}  // namespace geodesic::test

@@ -1,21 +1,26 @@
-// Computations that go on: after a limit, after a cancellation, with more
-// sources. What they say in the end is what one computation says at once.
+// Computations that stop at a radius or at targets and go on: after a limit,
+// after a cancellation, with more sources. What they say in the end is what one
+// computation says at once.
 
 #include "geodesic/computation.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
-#include "tests/core/solver/computation_fixture.h"
-#include "tests/core/solver/computation_scenes.h"
+#include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/checkpoints.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
 #include "tests/support/surface_points.h"
 
 namespace geodesic::test {
@@ -23,35 +28,213 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Says stop at one poll.
-class StoppingCheckpoint final : public Checkpoint {
- public:
-  explicit StoppingCheckpoint(uint64_t stop_at) : stop_at_(stop_at) {}
+// A certified distance may improve by roundings, no more.
+constexpr double kRoundings = 1e-12;
 
-  absl::Status Poll(const Progress& progress) override {
-    told_ = progress.settled_radius;
-    return polls_++ == stop_at_ ? absl::CancelledError("stopped here")
-                                : absl::OkStatus();
-  }
-
-  // What the last poll was told.
-  double settled_radius() const { return told_; }
-
- private:
-  const uint64_t stop_at_;
-  uint64_t polls_ = 0;
-  double told_ = 0;
+// Questions on meshes with ties, curvature, needles and boundaries, from
+// sources of every kind.
+struct ComputationScene {
+  std::string name;
+  std::shared_ptr<const Mesh> mesh;
+  Query query;  // with targets; the algorithm is to be set
 };
 
-class ComputationTest : public ComputationFixture {};
+ComputationScene MakeScene(std::string name, const TriangleSoup& soup,
+                           Query query) {
+  Random random(7);
+  query.targets.push_back(RandomVertexPoint(soup, random));
+  for (int i = 0; i < 4; ++i) {
+    query.targets.push_back(RandomEdgePoint(soup, random));
+    query.targets.push_back(RandomFacePoint(soup, random));
+  }
+  std::shared_ptr<const Mesh> mesh = BuildOrFail({name, soup});
+  return {std::move(name), std::move(mesh), std::move(query)};
+}
+
+// Some hundred faces each.
+std::vector<ComputationScene> ComputationScenes() {
+  const TriangleSoup grid = MakeGrid({.columns = 14, .rows = 12});
+  const TriangleSoup sphere = Icosphere(2);
+  const TriangleSoup needles =
+      InsertNeedles(Torus({.around = 16, .across = 10, .noise = 0.1}), 30, 5);
+  const TriangleSoup bay = MakeGrid(UShape({.columns = 12, .rows = 12}));
+  const TriangleSoup pieces =
+      AddIsolatedVertices(Join(Terrain(10, 10, 1.5, 3), Icosphere(1)), 2);
+  Random random(11);
+  std::vector<ComputationScene> scenes;
+  // Every distance from a corner occurs twice or more.
+  scenes.push_back(MakeScene("grid", grid, {.sources = {{VertexPoint{0}}}}));
+  scenes.push_back(
+      MakeScene("icosphere", sphere,
+                {.sources = {{FacePoint{3, {0.25, 0.25, 0.5}}, 0.125}}}));
+  scenes.push_back(
+      MakeScene("torus with needles", needles,
+                {.sources = {{VertexPoint{9}, 0.25},
+                             {RandomEdgePoint(needles, random)},
+                             {Curve{RandomCurve(needles, 4, random)}}}}));
+  scenes.push_back(
+      MakeScene("U", bay,
+                {.sources = {{Curve{RandomCurve(bay, 5, random)}, 0.5},
+                             {Curve{RandomCurve(bay, 3, random)}}}}));
+  scenes.push_back(MakeScene("pieces", pieces,
+                             {.sources = {{VertexPoint{17}},
+                                          {RandomFacePoint(pieces, random)},
+                                          {VertexPoint{60}, 1}}}));
+  return scenes;
+}
+
+// The largest finite distance.
+double Farthest(const DistanceField& field) {
+  double farthest = 0;
+  for (const double d : AllDistances(field)) {
+    if (std::isfinite(d)) farthest = std::max(farthest, d);
+  }
+  return farthest;
+}
+
+// Fails the test unless `field` has the distances of `whole` up to its settled
+// radius, +infinity beyond it and nothing else.
+void ExpectCertified(const std::string& context, const DistanceField& field,
+                     const DistanceField& whole) {
+  const std::vector<double> got = AllDistances(field);
+  const std::vector<double> expected = AllDistances(whole);
+  ASSERT_EQ(got.size(), expected.size()) << context;
+  const double radius = field.settled_radius;
+  for (size_t i = 0; i < got.size(); ++i) {
+    if (expected[i] > radius * (1 + kRoundings) || std::isinf(expected[i])) {
+      EXPECT_EQ(got[i], kInfinity) << context << ": " << i << " is at "
+                                   << expected[i] << ", beyond " << radius;
+    } else if (expected[i] < radius * (1 - kRoundings) ||
+               std::isfinite(got[i])) {
+      EXPECT_NEAR(got[i], expected[i], kRoundings * expected[i])
+          << context << ": " << i << ", settled radius " << radius;
+    }
+  }
+}
+
+class ComputationTest : public EveryAlgorithm {
+ protected:
+  static std::unique_ptr<Computation> Start(const Mesh& mesh,
+                                            const Query& query) {
+    return StartComputation(mesh, Valid(mesh, query), {}).value();
+  }
+
+  NoCheckpoint checkpoint_;
+};
+
+// On a plane, where the answer is Euclid's.
+TEST_P(ComputationTest, IsExactUpToTheRadiusAndAbsentBeyond) {
+  const TriangleSoup grid = MakeGrid({.columns = 14, .rows = 12});
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", grid});
+  // At 5 lie the vertices (5, 0), (4, 3), (3, 4) and (0, 5).
+  const Query query = Ask(
+      {.sources = {{VertexPoint{0}}},
+       .targets = {VertexPoint{5}, VertexPoint{4 * 15 + 3}, VertexPoint{6}}});
+  for (const double radius : {0.0, 0.5, 1.0, 5.0, 7.3, 100.0}) {
+    const auto computation = Start(*mesh, query);
+    ASSERT_TRUE(computation->Advance({.radius = radius}, checkpoint_).ok());
+    const DistanceField field = computation->Field();
+    EXPECT_GE(field.settled_radius, radius);
+    if (radius < 7) {
+      EXPECT_EQ(field.settled_radius, radius);
+    }
+    const auto expect = [&](double got, double distance) {
+      if (std::abs(distance - radius) < 1e-12) return;  // a tie
+      if (distance > radius) {
+        EXPECT_EQ(got, kInfinity) << distance << " within " << radius;
+      } else {
+        EXPECT_NEAR(got, distance, 1e-12) << "within " << radius;
+      }
+    };
+    for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+      expect(field.distances[v], static_cast<double>(Distance(
+                                     grid.positions[0], grid.positions[v])));
+    }
+    expect(field.target_distances[0], 5);
+    expect(field.target_distances[1], 5);
+    expect(field.target_distances[2], 6);
+  }
+}
+
+TEST_P(ComputationTest, IsExactUpToAnyRadiusOnAnySurface) {
+  for (const ComputationScene& scene : ComputationScenes()) {
+    const Query query = Ask(scene.query);
+    const DistanceField whole = SolveOrFail(*scene.mesh, query);
+    const double far = Farthest(whole);
+    // The last is a distance that occurs: a tie with the radius.
+    for (const double radius : {0.1 * far, 0.55 * far, whole.distances[40]}) {
+      const auto computation = Start(*scene.mesh, query);
+      ASSERT_TRUE(computation->Advance({.radius = radius}, checkpoint_).ok());
+      const DistanceField field = computation->Field();
+      EXPECT_GE(field.settled_radius, radius) << scene.name;
+      ExpectCertified(scene.name, field, whole);
+    }
+  }
+}
+
+TEST_P(ComputationTest, StopsWhenSoManyTargetsAreCertified) {
+  for (const ComputationScene& scene : ComputationScenes()) {
+    const Query query = Ask(scene.query);
+    const DistanceField whole = SolveOrFail(*scene.mesh, query);
+    for (const uint64_t wanted : {0, 1, 4, 9}) {
+      const auto computation = Start(*scene.mesh, query);
+      ASSERT_TRUE(computation->Advance({.targets = wanted}, checkpoint_).ok());
+      const DistanceField field = computation->Field();
+      uint64_t certified = 0;
+      for (const double d : field.target_distances) {
+        certified += std::isfinite(d) ? 1 : 0;
+      }
+      // All that can be reached may be fewer.
+      EXPECT_TRUE(certified >= wanted || field.settled_radius == kInfinity)
+          << scene.name << ": " << certified << " of " << wanted;
+      ExpectCertified(scene.name, field, whole);
+    }
+  }
+}
+
+// Windows propagated stand for time: they are counted, not measured.
+TEST_P(ComputationTest, CostsWhatItCovers) {
+  const TriangleSoup terrain = Terrain(36, 36, 1, 7);
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"terrain", terrain});
+  // In the middle; so is the target.
+  const Query query = Ask({.sources = {{VertexPoint{18 * 37 + 18}}},
+                           .targets = {VertexPoint{18 * 37 + 20}}});
+  const uint64_t whole =
+      SolveOrFail(*mesh, query).statistics.windows_propagated;
+  // An eighth of the area; a queue that knows no order may do more, but not
+  // everything.
+  for (const Reach reach : {Reach{.radius = 7}, Reach{.targets = 1}}) {
+    const auto computation = Start(*mesh, query);
+    ASSERT_TRUE(computation->Advance(reach, checkpoint_).ok());
+    EXPECT_LT(computation->Field().statistics.windows_propagated, whole * 4 / 5)
+        << "of " << whole;
+  }
+}
+
+TEST_P(ComputationTest, NegativeAndUndefinedRadiiAreRefused) {
+  const std::shared_ptr<const Mesh> mesh =
+      BuildOrFail({"icosphere", Icosphere(1)});
+  const Query query = Ask({.sources = {{VertexPoint{3}}}});
+  const auto computation = Start(*mesh, query);
+  for (const double radius : {-1.0, -kInfinity, std::nan("")}) {
+    const absl::Status status =
+        computation->Advance({.radius = radius}, checkpoint_);
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+    EXPECT_THAT(std::string(status.message()),
+                testing::HasSubstr("reach.radius"));
+  }
+  // No harm done.
+  ASSERT_TRUE(computation->Advance({}, checkpoint_).ok());
+  EXPECT_EQ(computation->Field().distances,
+            SolveOrFail(*mesh, query).distances);
+}
 
 TEST_P(ComputationTest, InStepsIsBitForBitWhatItIsAtOnce) {
   for (const ComputationScene& scene : ComputationScenes()) {
-    const Query query = WithAlgorithm(scene.query);
-    const DistanceField whole = WholeField(*scene.mesh, query);
+    const Query query = Ask(scene.query);
+    const DistanceField whole = SolveOrFail(*scene.mesh, query);
     const double far = Farthest(whole);
-    const auto computation = StartOrFail(*scene.mesh, query);
-    ASSERT_NE(computation, nullptr);
+    const auto computation = Start(*scene.mesh, query);
     double settled = 0;
     for (const Reach& reach :
          {Reach{.radius = 0}, Reach{.radius = 0.2 * far}, Reach{.targets = 3},
@@ -74,11 +257,10 @@ TEST_P(ComputationTest, InStepsIsBitForBitWhatItIsAtOnce) {
 
 TEST_P(ComputationTest, TracedOneInStepsHasTheSameTrace) {
   for (const ComputationScene& scene : ComputationScenes()) {
-    Query query = WithAlgorithm(scene.query);
+    Query query = Ask(scene.query);
     query.trace = true;
-    const DistanceField whole = WholeField(*scene.mesh, query);
-    const auto computation = StartOrFail(*scene.mesh, query);
-    ASSERT_NE(computation, nullptr);
+    const DistanceField whole = SolveOrFail(*scene.mesh, query);
+    const auto computation = Start(*scene.mesh, query);
     ASSERT_TRUE(
         computation->Advance({.radius = Farthest(whole) / 2}, checkpoint_)
             .ok());
@@ -102,19 +284,16 @@ TEST_P(ComputationTest, TracedOneInStepsHasTheSameTrace) {
 TEST_P(ComputationTest, CancelledKeepsWhatIsCertifiedAndGoesOn) {
   const std::shared_ptr<const Mesh> mesh =
       BuildOrFail({"terrain", Terrain(40, 40, 1, 5)});
-  ASSERT_NE(mesh, nullptr);
-  const Query query =
-      WithAlgorithm({.sources = {{VertexPoint{5}}},
-                     .targets = {FacePoint{900, {0.25, 0.25, 0.5}}}});
-  const DistanceField whole = WholeField(*mesh, query);
+  const Query query = Ask({.sources = {{VertexPoint{5}}},
+                           .targets = {FacePoint{900, {0.25, 0.25, 0.5}}}});
+  const DistanceField whole = SolveOrFail(*mesh, query);
   for (const uint64_t poll : {0, 1, 2, 3}) {
-    const auto computation = StartOrFail(*mesh, query);
-    ASSERT_NE(computation, nullptr);
-    StoppingCheckpoint stopping(poll);
+    const auto computation = Start(*mesh, query);
+    RecordingCheckpoint stopping(poll);
     EXPECT_EQ(computation->Advance({}, stopping),
-              absl::CancelledError("stopped here"));
+              RecordingCheckpoint::Stopped());
     const DistanceField field = computation->Field();
-    EXPECT_GE(field.settled_radius, stopping.settled_radius());
+    EXPECT_GE(field.settled_radius, stopping.polls().back().settled_radius);
     EXPECT_LT(field.settled_radius, Farthest(whole));
     ExpectCertified("cancelled", field, whole);
     ASSERT_TRUE(computation->Advance({}, checkpoint_).ok());
@@ -126,16 +305,14 @@ TEST_P(ComputationTest, CancelledKeepsWhatIsCertifiedAndGoesOn) {
 TEST_P(ComputationTest, CancelledOverAndOverComesToTheEnd) {
   const std::shared_ptr<const Mesh> mesh =
       BuildOrFail({"terrain", Terrain(24, 24, 1, 5)});
-  ASSERT_NE(mesh, nullptr);
-  const Query query = WithAlgorithm({.sources = {{VertexPoint{5}}}});
-  const DistanceField whole = WholeField(*mesh, query);
-  const auto computation = StartOrFail(*mesh, query);
-  ASSERT_NE(computation, nullptr);
+  const Query query = Ask({.sources = {{VertexPoint{5}}}});
+  const DistanceField whole = SolveOrFail(*mesh, query);
+  const auto computation = Start(*mesh, query);
   int cancelled = 0;
   while (std::isfinite(computation->Field().settled_radius)) {
-    StoppingCheckpoint stopping(1);
+    RecordingCheckpoint stopping(1);
     EXPECT_EQ(computation->Advance({}, stopping),
-              absl::CancelledError("stopped here"));
+              RecordingCheckpoint::Stopped());
     ASSERT_LT(++cancelled, 1000);
     ExpectCertified("cancelled", computation->Field(), whole);
   }
@@ -145,9 +322,8 @@ TEST_P(ComputationTest, CancelledOverAndOverComesToTheEnd) {
 
 TEST_P(ComputationTest, AddedSourcesAreAsGoodAsThoseFromTheStart) {
   for (const ComputationScene& scene : ComputationScenes()) {
-    Query query = WithAlgorithm(scene.query);
-    const auto computation = StartOrFail(*scene.mesh, query);
-    ASSERT_NE(computation, nullptr);
+    Query query = Ask(scene.query);
+    const auto computation = Start(*scene.mesh, query);
     ASSERT_TRUE(computation->Advance({}, checkpoint_).ok());
     const uint32_t faces = scene.mesh->face_count();
     const Triangle& last = scene.mesh->triangle(faces - 1);
@@ -163,7 +339,7 @@ TEST_P(ComputationTest, AddedSourcesAreAsGoodAsThoseFromTheStart) {
       EXPECT_EQ(computation->Field().settled_radius, 0);
       ASSERT_TRUE(computation->Advance({}, checkpoint_).ok());
       EXPECT_TRUE(FieldsAgree({scene.name, query.sources, GetParam().name},
-                              AllDistances(WholeField(*scene.mesh, query)),
+                              AllDistances(SolveOrFail(*scene.mesh, query)),
                               AllDistances(computation->Field())));
     }
   }
@@ -172,13 +348,12 @@ TEST_P(ComputationTest, AddedSourcesAreAsGoodAsThoseFromTheStart) {
 // With a limit, and several at once.
 TEST_P(ComputationTest, GoesOnWithAddedSourcesInSteps) {
   for (const ComputationScene& scene : ComputationScenes()) {
-    Query query = WithAlgorithm(scene.query);
-    const auto computation = StartOrFail(*scene.mesh, query);
-    ASSERT_NE(computation, nullptr);
+    Query query = Ask(scene.query);
+    const auto computation = Start(*scene.mesh, query);
     ASSERT_TRUE(computation->Advance({}, checkpoint_).ok());
     query.sources.push_back({VertexPoint{2}});
     ASSERT_TRUE(computation->AddSource(query.sources.back()).ok());
-    const DistanceField whole = WholeField(*scene.mesh, query);
+    const DistanceField whole = SolveOrFail(*scene.mesh, query);
     for (const double part : {0.1, 0.4}) {
       ASSERT_TRUE(
           computation->Advance({.radius = part * Farthest(whole)}, checkpoint_)
@@ -195,10 +370,8 @@ TEST_P(ComputationTest, GoesOnWithAddedSourcesInSteps) {
 TEST_P(ComputationTest, RefusesSourcesThatItCannotTake) {
   const std::shared_ptr<const Mesh> mesh =
       BuildOrFail({"icosphere", Icosphere(1)});
-  ASSERT_NE(mesh, nullptr);
-  Query query = WithAlgorithm({.sources = {{VertexPoint{3}}}});
-  const auto computation = StartOrFail(*mesh, query);
-  ASSERT_NE(computation, nullptr);
+  Query query = Ask({.sources = {{VertexPoint{3}}}});
+  const auto computation = Start(*mesh, query);
   // It has not come to its end.
   EXPECT_TRUE(
       absl::IsFailedPrecondition(computation->AddSource({VertexPoint{4}})));
@@ -214,8 +387,7 @@ TEST_P(ComputationTest, RefusesSourcesThatItCannotTake) {
   }
   EXPECT_EQ(computation->Field().distances, before);
   query.trace = true;
-  const auto traced = StartOrFail(*mesh, query);
-  ASSERT_NE(traced, nullptr);
+  const auto traced = Start(*mesh, query);
   ASSERT_TRUE(traced->Advance({}, checkpoint_).ok());
   EXPECT_TRUE(absl::IsFailedPrecondition(traced->AddSource({VertexPoint{4}})));
 }

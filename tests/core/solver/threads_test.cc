@@ -9,7 +9,6 @@
 
 #include "geodesic/computation.h"
 #include "geodesic/solve.h"
-#include "tests/core/solver/computation_scenes.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/field_check.h"
 #include "tests/support/mesh_edits.h"

@@ -42,11 +42,7 @@ std::vector<Real> EdgeDistances(const TriangleSoup& soup, uint32_t source) {
 std::optional<std::string> BreachOfEdgeLaw(const Mesh& mesh,
                                            std::span<const double> distances,
                                            double tolerance) {
-  double largest = 0;
-  for (const Point& p : mesh.positions()) {
-    for (const double c : p) largest = std::max(largest, std::abs(c));
-  }
-  const double slack = 4 * largest * std::numeric_limits<double>::epsilon();
+  const double slack = 4 * CoordinateRounding(mesh.positions());
   double worst = 0;
   std::optional<std::string> breach;
   for (uint32_t face = 0; face < mesh.face_count(); ++face) {

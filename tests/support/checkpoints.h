@@ -1,0 +1,38 @@
+// Checkpoints that watch a computation and stop it.
+
+#ifndef GEODESIC_TESTS_SUPPORT_CHECKPOINTS_H_
+#define GEODESIC_TESTS_SUPPORT_CHECKPOINTS_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "geodesic/checkpoint.h"
+
+namespace geodesic::test {
+
+// Remembers what it was told; says stop at poll number `stop_at`, counted from
+// 0, and goes on after that.
+class RecordingCheckpoint final : public Checkpoint {
+ public:
+  explicit RecordingCheckpoint(uint64_t stop_at = UINT64_MAX)
+      : stop_at_(stop_at) {}
+
+  absl::Status Poll(const Progress& progress) override {
+    polls_.push_back(progress);
+    return polls_.size() == stop_at_ + 1 ? Stopped() : absl::OkStatus();
+  }
+
+  static absl::Status Stopped() { return absl::CancelledError("stopped here"); }
+
+  // Their distances are not to be read.
+  const std::vector<Progress>& polls() const { return polls_; }
+
+ private:
+  const uint64_t stop_at_;
+  std::vector<Progress> polls_;
+};
+
+}  // namespace geodesic::test
+
+#endif  // GEODESIC_TESTS_SUPPORT_CHECKPOINTS_H_
