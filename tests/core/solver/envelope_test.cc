@@ -113,29 +113,5 @@ TEST(EnvelopeTest, TrimsNeighboursInPlace) {
   }
 }
 
-TEST(EnvelopeTest, MergesTwoLists) {
-  Envelope envelope;
-  for (uint32_t seed = 1; seed <= 200; ++seed) {
-    Windows some(1000 + seed);
-    std::vector<Window> windows;
-    WindowColumns first, second;
-    for (uint32_t i = 0; i < 1 + seed % 7; ++i) {
-      windows.push_back(some.Next());
-      Append(windows.back(), first);
-    }
-    for (uint32_t i = 0; i < 1 + seed % 5; ++i) {
-      windows.push_back(some.Next());
-      Append(windows.back(), second);
-    }
-    envelope.Trim(kLength, true, first);
-    envelope.Trim(kLength, true, second);
-    const size_t middle = first.size;
-    for (size_t i = 0; i < second.size; ++i) Append(second.At(i), first);
-    envelope.Merge(kLength, true, middle, first);
-    SCOPED_TRACE(seed);
-    ExpectEnvelope(windows, first);
-  }
-}
-
 }  // namespace
 }  // namespace geodesic
