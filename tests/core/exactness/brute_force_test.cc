@@ -80,8 +80,9 @@ TEST(BruteForceComparison, Tori) {
   ExpectBruteForce({"noisy torus", Torus({.noise = 0.3})}, 8, 3);
 }
 
-// Right angles, ties and saddles, as machine parts have them.
-TEST(BruteForceComparison, Plates) {
+// Right angles, ties and saddles, as machine parts have them, and the reflex
+// corners of flat domains.
+TEST(BruteForceComparison, PlatesAndDomains) {
   for (const Diagonals diagonals :
        {Diagonals::kParallel, Diagonals::kAlternating, Diagonals::kRandom}) {
     for (const double jitter : {0.0, 0.2}) {
@@ -91,6 +92,10 @@ TEST(BruteForceComparison, Plates) {
         ExpectBruteForce(
             {"plate with a hole", MakePlate(WithHole(grid), thickness)}, 6, 1);
         ExpectBruteForce({"U plate", MakePlate(UShape(grid), thickness)}, 6, 2);
+      }
+      for (const GridOptions& domain :
+           {WithHole(grid), LShape(grid), UShape(grid)}) {
+        ExpectBruteForce({"domain", MakeGrid(domain)}, 6, 3);
       }
     }
   }

@@ -15,7 +15,6 @@
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
-#include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 
@@ -110,39 +109,6 @@ TEST_P(SurfacePoints, OffsetsInThePlane) {
   }
 }
 
-// Around obstacles: targets and sources hide behind reflex corners.
-TEST_P(SurfacePoints, VisibilityAroundObstacles) {
-  Random random(2);
-  for (const double jitter : {0.0, 0.2}) {
-    const GridOptions grid{.columns = 9, .rows = 9, .jitter = jitter};
-    for (const GridOptions& options :
-         {WithHole(grid), LShape(grid), UShape(grid)}) {
-      const PlanarDomain domain(options);
-      const NamedMesh named{"domain", MakeGrid(options)};
-      const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-      std::vector<SurfacePoint> targets;
-      std::vector<Point> places = named.soup.positions;
-      const auto position = [&](const SurfacePoint& point) {
-        const Vec3 p = PositionIn(named.soup, point);
-        return Point{static_cast<double>(p.x), static_cast<double>(p.y), 0};
-      };
-      for (int i = 0; i < 30; ++i) {
-        targets.push_back(i % 2 ? RandomFacePoint(named.soup, random)
-                                : RandomEdgePoint(named.soup, random));
-        places.push_back(position(targets.back()));
-      }
-      for (int i = 0; i < 6; ++i) {
-        const SurfacePoint source = i % 2 ? RandomFacePoint(named.soup, random)
-                                          : RandomEdgePoint(named.soup, random);
-        ExpectAnswer(named.name, *mesh,
-                     {.sources = {{source}}, .targets = targets},
-                     domain.Distances(position(source), places),
-                     CoordinateRounding(named.soup.positions));
-      }
-    }
-  }
-}
-
 // A point made a vertex changes nothing, as a source or as a target.
 TEST_P(SurfacePoints, AreAsGoodAsVertices) {
   Random random(3);
@@ -151,7 +117,11 @@ TEST_P(SurfacePoints, AreAsGoodAsVertices) {
            {"anisotropic torus", Torus({.around = 5, .across = 40})},
            {"icosphere", Icosphere(2)},
            {"box", BoxGrid(1, 2, 3, 3, 4, 5)},
-           {"U plate", MakePlate(UShape({.columns = 7, .rows = 6}), 0.3)}}) {
+           {"U plate", MakePlate(UShape({.columns = 7, .rows = 6}), 0.3)},
+           // Where sources and targets hide behind reflex corners.
+           {"hole", MakeGrid(WithHole({.columns = 9, .rows = 9}))},
+           {"jittered U",
+            MakeGrid(UShape({.columns = 9, .rows = 9, .jitter = 0.2}))}}) {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
     for (int i = 0; i < 4; ++i) {
       const SurfacePoint point = i % 2 ? RandomFacePoint(named.soup, random)
