@@ -11,7 +11,7 @@
 
 #include "client/output/atomic_file.h"
 #include "client/output/output_format.h"
-#include "geodesic_client/polyline.h"
+#include "geodesic_client/questions.h"
 
 namespace geodesic::client {
 

@@ -12,7 +12,7 @@
 #include "absl/status/statusor.h"
 #include "client/output/binary_numbers.h"
 #include "client/output/output_format.h"
-#include "geodesic_client/matrix.h"
+#include "geodesic_client/questions.h"
 #include "geodesic_client/surface_point.h"
 
 namespace geodesic::client {

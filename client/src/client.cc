@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "assemblers.h"
-#include "call.h"
 #include "connection.h"
 #include "translate.h"
 

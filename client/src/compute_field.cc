@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
-#include "answer_stream.h"
+#include "assemblers.h"
 #include "connection.h"
-#include "field_assembler.h"
 #include "geodesic_client/errors.h"
 #include "rpc_status.h"
+#include "translate.h"
 
 namespace geodesic::client {
 namespace {

@@ -1,11 +1,16 @@
-// The channel of a Client and the stubs on it.
+// The channel of a Client, the stubs on it, and one RPC under CallOptions.
 
 #ifndef GEODESIC_CLIENT_CONNECTION_H_
 #define GEODESIC_CLIENT_CONNECTION_H_
 
 #include <grpcpp/channel.h>
+#include <grpcpp/client_context.h>
+#include <grpcpp/support/sync_stream.h>
 
+#include <algorithm>
+#include <chrono>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "geodesic/v1/capabilities_service.grpc.pb.h"
@@ -14,6 +19,7 @@
 #include "geodesic/v1/mesh_service.grpc.pb.h"
 #include "geodesic/v1/path_service.grpc.pb.h"
 #include "geodesic_client/client.h"
+#include "rpc_status.h"
 
 namespace geodesic::client {
 
@@ -28,6 +34,49 @@ struct Client::Connection {
   std::unique_ptr<v1::PathService::Stub> paths;
   std::unique_ptr<v1::MatrixService::Stub> matrices;
 };
+
+// Holds the context of an RPC for as long as it runs.
+class Call {
+ public:
+  explicit Call(const CallOptions& options)
+      : on_stop_(options.stop, Cancel{&context_}) {
+    if (options.timeout.has_value()) {
+      // A timeout beyond a year is as good as none, and does not overflow.
+      constexpr std::chrono::duration<double> kYear(365.0 * 24 * 3600);
+      context_.set_deadline(
+          std::chrono::system_clock::now() +
+          std::chrono::duration_cast<std::chrono::system_clock::duration>(
+              std::min(*options.timeout, kYear)));
+    }
+  }
+
+  grpc::ClientContext* context() { return &context_; }
+
+ private:
+  struct Cancel {
+    grpc::ClientContext* context;
+    // Safe before, during and after the RPC.
+    void operator()() const { context->TryCancel(); }
+  };
+
+  grpc::ClientContext context_;
+  std::stop_callback<Cancel> on_stop_;
+};
+
+// Gives `consume` each message of a stream until the stream ends or `consume`
+// returns an error, which ends the call.
+// Errors: that of `consume`, or the server's.
+template <typename Response, typename Consume>
+absl::Status ReadStream(Call* call,
+                        std::unique_ptr<grpc::ClientReader<Response>> reader,
+                        Consume consume) {
+  Response response;
+  absl::Status consumed;
+  while (consumed.ok() && reader->Read(&response)) consumed = consume(response);
+  if (!consumed.ok()) call->context()->TryCancel();
+  const absl::Status status = FromRpcStatus(reader->Finish());
+  return consumed.ok() ? status : consumed;
+}
 
 }  // namespace geodesic::client
 

@@ -36,12 +36,6 @@ v1::Source ToProto(const Source& source);
 v1::ValueType ToProto(ValueType type);
 v1::Priority ToProto(Priority priority);
 
-// Appends sources or targets to a request.
-template <typename Items, typename Messages>
-void AddAll(const Items& items, Messages* messages) {
-  for (const auto& item : items) *messages->Add() = ToProto(item);
-}
-
 v1::MeshFormat ToProto(MeshFormat format);
 
 // "fwp-ch" for ALGORITHM_FWP_CH: the name follows from the protocol's.
@@ -50,6 +44,35 @@ std::string AlgorithmName(v1::Algorithm algorithm);
 // The inverse; ALGORITHM_UNSPECIFIED for an empty name.
 // Errors: INVALID_ARGUMENT naming the name and those that are known.
 absl::StatusOr<v1::Algorithm> AlgorithmFromName(std::string_view name);
+
+// A request with all of `query` that several questions have.
+// Errors: INVALID_ARGUMENT for an unknown algorithm.
+template <typename Request, typename Query>
+absl::StatusOr<Request> MakeRequest(const Query& query) {
+  absl::StatusOr<v1::Algorithm> algorithm = AlgorithmFromName(query.algorithm);
+  if (!algorithm.ok()) return algorithm.status();
+  Request request;
+  request.set_mesh_digest(query.mesh_digest);
+  request.set_algorithm(*algorithm);
+  request.set_priority(ToProto(query.priority));
+  if constexpr (requires { query.sources; }) {
+    for (const Source& source : query.sources) {
+      *request.add_sources() = ToProto(source);
+    }
+  }
+  if constexpr (requires { query.targets; }) {
+    for (const SurfacePoint& target : query.targets) {
+      *request.add_targets() = ToProto(target);
+    }
+  }
+  if constexpr (requires { query.value_type; }) {
+    request.set_value_type(ToProto(query.value_type));
+  }
+  if constexpr (requires { query.radius; }) {
+    if (query.radius.has_value()) request.set_radius(*query.radius);
+  }
+  return request;
+}
 
 }  // namespace geodesic::client
 

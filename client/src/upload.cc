@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "call.h"
 #include "connection.h"
 #include "digest/sha256.h"
 #include "rpc_status.h"
@@ -82,7 +81,7 @@ absl::StatusOr<UploadOutcome> Send(v1::MeshService::Stub* stub,
                                    const v1::UploadHeader& header,
                                    const ChunkSource& next_chunk,
                                    const CallOptions& options,
-                                   const UploadProgressCallback& progress,
+                                   const CountProgressCallback& progress,
                                    bool retry) {
   const auto send_once = [&]() -> absl::StatusOr<UploadOutcome> {
     v1::CreateMeshResponse response;
@@ -160,7 +159,7 @@ absl::StatusOr<std::optional<std::string>> Client::FindFile(
 
 absl::StatusOr<UploadOutcome> Client::UploadFile(
     const std::string& path, MeshFormat format, const CallOptions& options,
-    const UploadProgressCallback& progress) {
+    const CountProgressCallback& progress) {
   absl::StatusOr<FileReader> file = FileReader::Open(path);
   if (!file.ok()) return file.status();
   absl::StatusOr<std::optional<std::string>> known =
@@ -200,7 +199,7 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
 
 absl::StatusOr<UploadOutcome> Client::UploadFile(
     const std::string& path, const CallOptions& options,
-    const UploadProgressCallback& progress) {
+    const CountProgressCallback& progress) {
   absl::StatusOr<MeshFormat> format = MeshFormatFromPath(path);
   if (!format.ok()) return format.status();
   return UploadFile(path, *format, options, progress);
@@ -208,7 +207,7 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
 
 absl::StatusOr<UploadOutcome> Client::UploadArrays(
     const MeshArrays& mesh, const CallOptions& options,
-    const UploadProgressCallback& progress) {
+    const CountProgressCallback& progress) {
   const std::string digest = MeshDigest(mesh);
   absl::StatusOr<MeshInfo> resident = GetMesh(digest, options);
   if (resident.ok()) {

@@ -1,5 +1,3 @@
-#include "client/src/field_assembler.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "client/src/assemblers.h"
 #include "tests/client/wire_bytes.h"
 
 namespace geodesic::client {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <thread>
 
-#include "geodesic_client/ask_about_file.h"
 #include "geodesic_client/client.h"
 #include "tests/integration/meshes.h"
 #include "tests/integration/running_server.h"

@@ -39,6 +39,10 @@ struct SolveProgress {
 
 using SolveProgressCallback = std::function<void(const SolveProgress&)>;
 
+// Called with what is finished of `total` rows, sources, or bytes to send.
+using CountProgressCallback =
+    std::function<void(uint64_t finished, uint64_t total)>;
+
 // What every answer but a field's says about itself.
 struct AnswerInfo {
   std::string mesh_digest;

@@ -18,6 +18,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -25,14 +26,10 @@
 #include "geodesic_client/answer.h"
 #include "geodesic_client/capabilities.h"
 #include "geodesic_client/connection_options.h"
+#include "geodesic_client/errors.h"
 #include "geodesic_client/field.h"
-#include "geodesic_client/isolines.h"
-#include "geodesic_client/log_map.h"
-#include "geodesic_client/matrix.h"
 #include "geodesic_client/mesh.h"
-#include "geodesic_client/nearest.h"
-#include "geodesic_client/paths.h"
-#include "geodesic_client/samples.h"
+#include "geodesic_client/questions.h"
 
 namespace geodesic::client {
 
@@ -44,10 +41,6 @@ struct CallOptions {
   // CANCELLED. DEFAULT: a token that never stops anything.
   std::stop_token stop;
 };
-
-// Called with the bytes sent so far and the bytes there are to send.
-using UploadProgressCallback =
-    std::function<void(uint64_t sent, uint64_t total)>;
 
 // Calls block until the server has answered; callbacks run on the calling
 // thread. Thread-safe: calls of several threads share one connection.
@@ -83,18 +76,18 @@ class Client {
   absl::StatusOr<UploadOutcome> UploadFile(
       const std::string& path, MeshFormat format,
       const CallOptions& options = {},
-      const UploadProgressCallback& progress = nullptr);
+      const CountProgressCallback& progress = nullptr);
 
   // The same; the format is the one the path's ending names.
   // Errors: INVALID_ARGUMENT if it names none.
   absl::StatusOr<UploadOutcome> UploadFile(
       const std::string& path, const CallOptions& options = {},
-      const UploadProgressCallback& progress = nullptr);
+      const CountProgressCallback& progress = nullptr);
 
   // Makes a mesh in memory resident; sent only if the server lacks it.
   absl::StatusOr<UploadOutcome> UploadArrays(
       const MeshArrays& mesh, const CallOptions& options = {},
-      const UploadProgressCallback& progress = nullptr);
+      const CountProgressCallback& progress = nullptr);
 
   // The digest of the resident mesh that has come from this very file before;
   // nothing if the server does not know the file. Errors: as UploadFile.
@@ -157,7 +150,7 @@ class Client {
 
   absl::StatusOr<NearestAnswer> FindNearest(
       const NearestQuery& query, const CallOptions& options = {},
-      const NearestProgressCallback& progress = nullptr);
+      const CountProgressCallback& progress = nullptr);
 
   absl::StatusOr<SampleAnswer> SampleFarthestPoints(
       const SampleQuery& query, const CallOptions& options = {},
@@ -173,6 +166,32 @@ class Client {
   struct Connection;
   std::unique_ptr<Connection> connection_;
 };
+
+// Uploads the file unless the server has it, and calls `ask` with the mesh's
+// digest. A server short of memory may evict a mesh in between: it is then
+// uploaded again and asked about once more.
+//
+//   absl::StatusOr<Field> field =
+//       AskAboutFile(client, "horse.ply", [&](const std::string& digest) {
+//         return client.ComputeField({.mesh_digest = digest,
+//                                     .sources = {{VertexPoint{0}}}});
+//       });
+//
+// `ask` returns an absl::StatusOr; this returns the last one, or why the upload
+// failed. Errors: as Client::UploadFile and `ask`.
+template <typename Ask>
+std::invoke_result_t<Ask, const std::string&> AskAboutFile(
+    Client& client, const std::string& path, Ask ask,
+    const CallOptions& options = {}) {
+  for (bool is_again = false;; is_again = true) {
+    absl::StatusOr<UploadOutcome> upload = client.UploadFile(path, options);
+    if (!upload.ok()) return upload.status();
+    auto answer = ask(upload->mesh.digest);
+    if (is_again || ErrorReason(answer.status()) != "MESH_NOT_RESIDENT") {
+      return answer;
+    }
+  }
+}
 
 }  // namespace geodesic::client
 

@@ -1,0 +1,209 @@
+// The questions beside fields, as a client asks them and receives the answers.
+//
+// Members of queries mean what they do in FieldQuery (field.h), where nothing
+// else is said. docs/questions.md says what each question costs.
+
+#ifndef GEODESIC_CLIENT_QUESTIONS_H_
+#define GEODESIC_CLIENT_QUESTIONS_H_
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "geodesic_client/answer.h"
+#include "geodesic_client/mesh.h"
+#include "geodesic_client/surface_point.h"
+
+namespace geodesic::client {
+
+// A line on the surface: straight from each point to the next, through the
+// inside of one face or along one edge.
+struct Polyline {
+  std::vector<SurfacePoint> points;
+  // The same points in space, in the unit of the mesh's file.
+  std::vector<Point> positions;
+};
+
+// Shortest paths.
+struct PathQuery {
+  std::string mesh_digest;
+  // At least one of each; a path leads to each target from the source nearest
+  // to it.
+  std::vector<Source> sources;
+  std::vector<SurfacePoint> targets;
+  std::string algorithm;
+  // Targets farther than this count as not reached. DEFAULT: no limit.
+  std::optional<double> radius;
+  Priority priority = Priority::kInteractive;
+};
+
+struct GeodesicPath {
+  // Number of the source where the path starts; nothing if there is no path.
+  std::optional<uint64_t> source;
+  // The source's offset and `length` together.
+  double distance = std::numeric_limits<double>::infinity();
+  double length = std::numeric_limits<double>::infinity();
+  // From the source to the target: it crosses edges straight, and bends only at
+  // saddle and boundary vertices. One point if they coincide, none if there is
+  // no path.
+  Polyline line;
+};
+
+struct PathAnswer {
+  AnswerInfo info;
+  std::vector<GeodesicPath> paths;  // one per target
+};
+
+// Lines of equal distance.
+struct IsolineQuery {
+  std::string mesh_digest;
+  std::vector<Source> sources;
+  // Distances; at least one, each finite and above 0. In any order; equal ones
+  // count once.
+  std::vector<double> levels;
+  std::string algorithm;
+  Priority priority = Priority::kInteractive;
+};
+
+struct Isoline {
+  double level = 0;
+  // Whether the last point leads back to the first; open ones end at a
+  // boundary.
+  bool is_closed = false;
+  // Its points are exact crossings of edges. Between them the isoline is made
+  // of circular arcs, which the polyline cuts short.
+  Polyline line;
+};
+
+struct IsolineAnswer {
+  AnswerInfo info;
+  // In order of level.
+  std::vector<Isoline> isolines;
+};
+
+// A block of the matrix of all distances, received row by row.
+struct MatrixQuery {
+  std::string mesh_digest;
+  // A row each; at least one.
+  std::vector<Source> sources;
+  // A column each. DEFAULT: empty, every vertex is a column.
+  std::vector<SurfacePoint> targets;
+  std::string algorithm;
+  ValueType value_type = ValueType::kFloat64;
+  std::optional<double> radius;
+  // Whether to send only the finite values, with their columns.
+  bool sparse = false;
+  Priority priority = Priority::kInteractive;
+};
+
+struct MatrixShape {
+  uint64_t rows = 0;
+  uint64_t columns = 0;
+};
+
+struct MatrixRow {
+  uint64_t row = 0;
+  // The columns of `values`, ascending. Empty in a matrix that is not sparse,
+  // whose rows hold a value for every column; +infinity where no path leads or
+  // the search did not come.
+  std::span<const uint32_t> columns;
+  std::span<const double> values;
+};
+
+// Where a matrix goes. A status that is not OK ends the call with it. One row
+// is in memory at a time; a slow receiver slows the server down.
+struct MatrixReceiver {
+  // Called once, first. May be empty.
+  std::function<absl::Status(const MatrixShape&)> on_shape;
+  // Called for every row, in order; the spans are valid during the call.
+  std::function<absl::Status(const MatrixRow&)> on_row;
+  // May be empty.
+  CountProgressCallback on_progress;
+};
+
+// The nearest members of a set.
+struct NearestQuery {
+  std::string mesh_digest;
+  // At least one; each is asked on its own.
+  std::vector<Source> sources;
+  // The set; at least one.
+  std::vector<SurfacePoint> targets;
+  // How many to find for each source; at least 1.
+  uint64_t count = 1;
+  std::string algorithm;
+  // Targets farther than this are not found. DEFAULT: no limit.
+  std::optional<double> radius;
+  Priority priority = Priority::kInteractive;
+};
+
+struct NearestTarget {
+  // Its number in the query.
+  uint64_t target = 0;
+  double distance = 0;
+
+  friend bool operator==(const NearestTarget&, const NearestTarget&) = default;
+};
+
+struct NearestAnswer {
+  AnswerInfo info;
+  // For each source, in order of distance (of number at a tie); fewer than
+  // asked for where no more can be reached.
+  std::vector<std::vector<NearestTarget>> found;
+};
+
+// Vertices far from each other.
+struct SampleQuery {
+  std::string mesh_digest;
+  // At least one: from where the first sample is farthest.
+  std::vector<Source> sources;
+  // At least 1.
+  uint64_t count = 1;
+  std::string algorithm;
+  Priority priority = Priority::kInteractive;
+};
+
+struct FarthestSample {
+  uint64_t vertex = 0;
+  // From the sources and all earlier samples; +infinity for the first one on a
+  // component without any.
+  double distance = 0;
+};
+
+struct SampleAnswer {
+  AnswerInfo info;
+  // Vertices of faces. Fewer than asked for when every such vertex is at
+  // distance 0 already.
+  std::vector<FarthestSample> samples;
+};
+
+// The log map: the surface around a point laid into the plane by direction and
+// distance.
+struct LogMapQuery {
+  std::string mesh_digest;
+  SurfacePoint source;
+  std::string algorithm;
+  ValueType value_type = ValueType::kFloat64;
+  // The map ends here. DEFAULT: no limit.
+  std::optional<double> radius;
+  Priority priority = Priority::kInteractive;
+};
+
+struct LogMap {
+  AnswerInfo info;
+  // Per vertex: distance times (cos, sin) of the angle at which the shortest
+  // path leaves the source. NaN where no path leads or the map ended before.
+  std::vector<std::array<double, 2>> coordinates;
+  // Unit vector in space of angle 0. Angles grow counterclockwise seen from
+  // outside; at a vertex they are scaled so that a full turn measures 2 pi.
+  Point zero_direction{};
+};
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_QUESTIONS_H_
