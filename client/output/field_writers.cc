@@ -8,6 +8,16 @@
 #include "client/output/number_text.h"
 
 namespace geodesic::client {
+namespace {
+
+// "gradient_x", "gradient_y" and "gradient_z", or the name as it is.
+std::vector<std::string> NamesOf(const Column& column) {
+  const std::string& name = column.name;
+  if (column.components == 1) return {name};
+  return {name + "_x", name + "_y", name + "_z"};
+}
+
+}  // namespace
 
 void WriteNpy(const Column& column, AtomicFile* file) {
   file->Append(NpyHeader(NumpyName(column.type), column.shape()));
@@ -18,21 +28,17 @@ void WriteCsv(std::span<const Column> columns, AtomicFile* file) {
   CsvLine line;
   line.Text("vertex");
   for (const Column& column : columns) {
-    if (column.components == 1) {
-      line.Text(column.name);
-    } else {
-      for (const char* axis : {"_x", "_y", "_z"}) line.Text(column.name + axis);
-    }
+    for (const std::string& name : NamesOf(column)) line.Text(name);
   }
   file->Append(line.End());
   const size_t count = columns.empty() ? 0 : columns[0].count();
   for (size_t vertex = 0; vertex < count; ++vertex) {
-    line.Integer(static_cast<int64_t>(vertex));
+    line.Number(vertex);
     for (const Column& column : columns) {
       for (size_t i = 0; i < column.components; ++i) {
         const double value = column.values[vertex * column.components + i];
         if (column.is_integer()) {
-          line.Integer(static_cast<int64_t>(value));
+          line.Number(static_cast<int64_t>(value));
         } else if (column.type == NumberType::kFloat32) {
           line.Number(static_cast<float>(value));
         } else {
@@ -44,10 +50,6 @@ void WriteCsv(std::span<const Column> columns, AtomicFile* file) {
   }
 }
 
-void WriteRaw(const Column& column, NumberType type, AtomicFile* file) {
-  AppendNumbers(column.values, type, file);
-}
-
 void WritePly(const MeshArrays& mesh, std::span<const Column> columns,
               AtomicFile* file) {
   std::string header = absl::StrCat(
@@ -57,14 +59,9 @@ void WritePly(const MeshArrays& mesh, std::span<const Column> columns,
       mesh.positions.size(),
       "\nproperty double x\nproperty double y\nproperty double z\n");
   for (const Column& column : columns) {
-    const std::string property = absl::StrCat(
-        "property ", column.is_integer() ? "int " : "double ", column.name);
-    if (column.components == 1) {
-      absl::StrAppend(&header, property, "\n");
-    } else {
-      for (const char* axis : {"_x\n", "_y\n", "_z\n"}) {
-        absl::StrAppend(&header, property, axis);
-      }
+    for (const std::string& name : NamesOf(column)) {
+      absl::StrAppend(&header, "property ",
+                      column.is_integer() ? "int " : "double ", name, "\n");
     }
   }
   if (!mesh.triangles.empty()) {

@@ -47,9 +47,6 @@ void WriteNpy(const Column& column, AtomicFile* file);
 // vector is three columns: gradient_x, gradient_y, gradient_z.
 void WriteCsv(std::span<const Column> columns, AtomicFile* file);
 
-// The values and nothing else.
-void WriteRaw(const Column& column, NumberType type, AtomicFile* file);
-
 // Binary PLY: vertices x, y, z and the columns (vectors as in .csv; all double
 // or int) and faces.
 // REQUIRES: a value per vertex; fewer than 2^31 vertices, as in WriteVtk.

@@ -197,14 +197,14 @@ void WriteCsv(const Lines& lines, AtomicFile* file) {
     const Line& line = lines.lines[number];
     int64_t point = 0;
     VisitIndices(line, 0, [&](size_t i) {
-      row.Integer(static_cast<int64_t>(number)).Integer(point++);
+      row.Number(number).Number(point++);
       for (const double coordinate : line.polyline.positions[i]) {
         row.Number(coordinate);
       }
       row.Text(PointText(line.polyline.points[i]));
       for (size_t a = 0; a < lines.attributes.size(); ++a) {
         if (lines.attributes[a].is_integer) {
-          row.Integer(static_cast<int64_t>(line.values[a]));
+          row.Number(static_cast<int64_t>(line.values[a]));
         } else {
           row.Number(line.values[a]);
         }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -29,38 +28,6 @@ void VisitValues(const MatrixRow& row, bool finite_only, Visit visit) {
     visit(row.columns.empty() ? i : row.columns[i], row.values[i]);
   }
 }
-
-// Writes a header and then rows, one after the other.
-class PlainMatrixWriter final : public MatrixWriter {
- public:
-  using WriteHeader = std::function<void(const MatrixShape&, AtomicFile*)>;
-  using WriteRow = std::function<void(const MatrixRow&, AtomicFile*)>;
-
-  PlainMatrixWriter(AtomicFile file, WriteHeader header, WriteRow row)
-      : file_(std::move(file)),
-        write_header_(std::move(header)),
-        write_row_(std::move(row)) {}
-
-  absl::Status Begin(const MatrixShape& shape) override {
-    write_header_(shape, &file_);
-    return file_.status();
-  }
-
-  absl::Status Append(const MatrixRow& row) override {
-    write_row_(row, &file_);
-    return file_.status();
-  }
-
-  absl::StatusOr<uint64_t> Commit() override {
-    if (absl::Status status = file_.Commit(); !status.ok()) return status;
-    return file_.size();
-  }
-
- private:
-  AtomicFile file_;
-  const WriteHeader write_header_;
-  const WriteRow write_row_;
-};
 
 // An .npy file of one dimension that has no name and grows; its header, which
 // says how long it is, is written last.
@@ -139,6 +106,42 @@ class GrowingNpy {
   uint64_t count_ = 0;
   int error_ = 0;
   std::string bytes_;
+};
+
+// .npy or .csv: a header and then rows, one after the other.
+class PlainMatrixWriter final : public MatrixWriter {
+ public:
+  PlainMatrixWriter(AtomicFile file, OutputFormat format, NumberType type,
+                    const MatrixPlaces& places)
+      : file_(std::move(file)), format_(format), type_(type), places_(places) {}
+
+  absl::Status Begin(const MatrixShape& shape) override {
+    const std::array<uint64_t, 2> sizes = {shape.rows, shape.columns};
+    file_.Append(format_ == OutputFormat::kCsv
+                     ? kMatrixCsvHeader
+                     : NpyHeader(NumpyName(type_), sizes));
+    return file_.status();
+  }
+
+  absl::Status Append(const MatrixRow& row) override {
+    if (format_ == OutputFormat::kCsv) {
+      file_.Append(CsvRow(places_, row));
+    } else {
+      AppendNumbers(row.values, type_, &file_);
+    }
+    return file_.status();
+  }
+
+  absl::StatusOr<uint64_t> Commit() override {
+    if (absl::Status status = file_.Commit(); !status.ok()) return status;
+    return file_.size();
+  }
+
+ private:
+  AtomicFile file_;
+  const OutputFormat format_;
+  const NumberType type_;
+  const MatrixPlaces places_;
 };
 
 class NpzMatrixWriter final : public MatrixWriter {
@@ -226,25 +229,8 @@ absl::StatusOr<std::unique_ptr<MatrixWriter>> CreateMatrixWriter(
   }
   absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
   if (!file.ok()) return file.status();
-  if (format == OutputFormat::kCsv) {
-    return std::make_unique<PlainMatrixWriter>(
-        *std::move(file),
-        [](const MatrixShape&, AtomicFile* to) {
-          to->Append(kMatrixCsvHeader);
-        },
-        [places](const MatrixRow& row, AtomicFile* to) {
-          to->Append(CsvRow(places, row));
-        });
-  }
-  return std::make_unique<PlainMatrixWriter>(
-      *std::move(file),
-      [type](const MatrixShape& shape, AtomicFile* to) {
-        const std::array<uint64_t, 2> sizes = {shape.rows, shape.columns};
-        to->Append(NpyHeader(NumpyName(type), sizes));
-      },
-      [type](const MatrixRow& row, AtomicFile* to) {
-        AppendNumbers(row.values, type, to);
-      });
+  return std::make_unique<PlainMatrixWriter>(*std::move(file), format, type,
+                                             places);
 }
 
 }  // namespace geodesic::client

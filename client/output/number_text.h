@@ -4,7 +4,6 @@
 #define GEODESIC_CLIENT_OUTPUT_NUMBER_TEXT_H_
 
 #include <charconv>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -33,9 +32,11 @@ std::string NumberText(Number number) {
 // holds a comma, but for places in a face, which are quoted.
 class CsvLine {
  public:
-  CsvLine& Number(double value) { return Put(value); }
-  CsvLine& Number(float value) { return Put(value); }
-  CsvLine& Integer(int64_t value) { return Put(value); }
+  template <typename Value>
+  CsvLine& Number(Value value) {
+    line_.append(NumberText(value)).push_back(',');
+    return *this;
+  }
 
   CsvLine& Text(std::string_view text) {
     const bool quote = text.find(',') != std::string_view::npos;
@@ -54,14 +55,6 @@ class CsvLine {
   }
 
  private:
-  template <typename Value>
-  CsvLine& Put(Value value) {
-    char text[32];
-    line_.append(text, std::to_chars(text, text + sizeof(text), value).ptr);
-    line_.push_back(',');
-    return *this;
-  }
-
   std::string line_;
 };
 

@@ -94,7 +94,7 @@ NearestCells::Nearest NearestCells::At(const Triangle& triangle,
     const double a = d[0] / largest;
     const double b = d[1] / largest;
     const double c = d[2] / largest;
-    return weights.a * a * a + weights.b * b * b + weights.c * c * c;
+    return weights[0] * a * a + weights[1] * b * b + weights[2] * c * c;
   };
   return *std::ranges::min_element(candidates, {}, square);
 }

@@ -99,7 +99,7 @@ class Surface {
       d = nearest.corner_distances;
     }
     const double distance =
-        weights.a * d[0] + weights.b * d[1] + weights.c * d[2];
+        weights[0] * d[0] + weights[1] * d[1] + weights[2] * d[2];
     if (!cells_.has_value()) {
       albedo = colormap_.At(largest_ > 0 ? distance / largest_ : 0);
     }
@@ -123,10 +123,10 @@ class Surface {
 
   Vector3 NormalAt(uint32_t triangle, const Barycentric& weights) const {
     const std::array<Normal, 3>& corners = normals_[triangle];
-    const std::array<double, 3> w = {weights.a, weights.b, weights.c};
     Vector3 sum;
     for (int i = 0; i < 3; ++i) {
-      sum = sum + w[i] * Vector3{corners[i][0], corners[i][1], corners[i][2]};
+      sum = sum +
+            weights[i] * Vector3{corners[i][0], corners[i][1], corners[i][2]};
     }
     return Normalized(sum);
   }
@@ -180,14 +180,6 @@ std::vector<ScreenLine> OnScreen(const std::vector<PictureLine>& lines,
   return screen;
 }
 
-double LargestFinite(std::span<const double> distances) {
-  double largest = 0;
-  for (const double distance : distances) {
-    if (std::isfinite(distance)) largest = std::max(largest, distance);
-  }
-  return largest;
-}
-
 // What a view should show besides the mesh: dots, and points along lines.
 std::vector<Point> Marks(const PictureContent& content) {
   constexpr size_t kPerLine = 50;
@@ -217,6 +209,14 @@ std::vector<Point> Corners(const MeshArrays& mesh) {
 }
 
 }  // namespace
+
+double LargestFinite(std::span<const double> distances) {
+  double largest = 0;
+  for (const double distance : distances) {
+    if (std::isfinite(distance)) largest = std::max(largest, distance);
+  }
+  return largest;
+}
 
 Image Render(const MeshArrays& mesh, const PictureContent& content,
              const PictureOptions& options) {

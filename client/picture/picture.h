@@ -68,6 +68,9 @@ struct PictureContent {
   std::vector<Point> targets;
 };
 
+// The largest distance that is finite; 0 if there is none.
+double LargestFinite(std::span<const double> distances);
+
 // Draws the mesh on white, smoothly shaded, with what of the lines is seen.
 // Pictures too narrow for a colour bar or a legend of sources have none.
 // REQUIRES: one distance and nearest source per vertex, or none; indices in

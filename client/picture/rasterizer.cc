@@ -40,8 +40,8 @@ void DrawTriangle(const Vector3& a, const Vector3& b, const Vector3& c,
   for (int y = y_begin; y < y_end; ++y) {
     const Barycentric first = BarycentricAt(a, b, c, x_begin + 0.5, y + 0.5);
     for (int x = x_begin; x < x_end; ++x) {
-      const double weight_b = first.b + (x - x_begin) * step_b;
-      const double weight_c = first.c + (x - x_begin) * step_c;
+      const double weight_b = first[1] + (x - x_begin) * step_b;
+      const double weight_c = first[2] + (x - x_begin) * step_c;
       const double weight_a = 1 - weight_b - weight_c;
       if (weight_a < kSlack || weight_b < kSlack || weight_c < kSlack) continue;
       const auto depth =

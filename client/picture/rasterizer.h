@@ -3,6 +3,7 @@
 #ifndef GEODESIC_CLIENT_PICTURE_RASTERIZER_H_
 #define GEODESIC_CLIENT_PICTURE_RASTERIZER_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -51,11 +52,7 @@ bool IsVisible(const Vector3& point, double tolerance,
 
 // The weights of a triangle's corners at a point of the screen; they add up to
 // one, and all are >= 0 inside.
-struct Barycentric {
-  double a = 0;
-  double b = 0;
-  double c = 0;
-};
+using Barycentric = std::array<double, 3>;
 
 // REQUIRES: the triangle has area on the screen.
 Barycentric BarycentricAt(const Vector3& a, const Vector3& b, const Vector3& c,

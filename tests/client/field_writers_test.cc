@@ -92,7 +92,7 @@ TEST(FieldWritersTest, CsvGivesTheSameDoublesAgain) {
 
 TEST(FieldWritersTest, Raw) {
   const std::string bytes = Written([](AtomicFile* file) {
-    WriteRaw(DistanceColumn(), NumberType::kFloat64, file);
+    AppendNumbers(DistanceColumn().values, NumberType::kFloat64, file);
   });
   ASSERT_EQ(bytes.size(), 32);
   for (size_t i = 0; i < 4; ++i) {
@@ -166,7 +166,7 @@ TEST(FieldWritersTest, Vtk) {
 
 TEST(FieldWritersTest, FloatsAreHalfAsLong) {
   const std::string raw = Written([](AtomicFile* file) {
-    WriteRaw(DistanceColumn(), NumberType::kFloat32, file);
+    AppendNumbers(DistanceColumn().values, NumberType::kFloat32, file);
   });
   ASSERT_EQ(raw.size(), 16);
   EXPECT_EQ(At<float>(raw, 4), 0.1F);

@@ -1,18 +1,33 @@
-// field: computes a distance field and writes it to files.
+// field: computes a distance field and writes it to files, whole or row by row.
 
+#include <cerrno>
 #include <cmath>
+#include <fstream>
+#include <list>
+#include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
-#include "client/cli/commands/field_outputs.h"
+#include "client/cli/commands/question.h"
+#include "client/output/binary_numbers.h"
+#include "client/output/field_writers.h"
 #include "client/output/number_text.h"
 #include "client/output/place_text.h"
+#include "client/output/zip_archive.h"
 
 namespace geodesic::client {
 namespace {
+
+struct FieldArguments : QuestionArguments {
+  std::optional<uint64_t> stop_at_targets;
+  bool nearest_sources = false;
+  bool gradients = false;
+  bool progressive = false;
+};
 
 // What --stop-at-targets means without a count.
 constexpr int64_t kAllTargets = 0x7fffffffffffffff;
@@ -87,6 +102,195 @@ FieldQuery ToQuery(const FieldArguments& arguments, const Question& question) {
   return query;
 }
 
+// What distances have in common.
+struct FieldExtremes {
+  // 0 if no vertex is reached.
+  double largest = 0;
+  uint64_t farthest_vertex = 0;
+  uint64_t reached = 0;
+
+  void Add(uint64_t vertex, double distance) {
+    if (!std::isfinite(distance)) return;
+    if (reached++ == 0 || distance > largest) {
+      largest = distance;
+      farthest_vertex = vertex;
+    }
+  }
+};
+
+// The field's columns: distances first, then what else was asked for.
+std::vector<Column> ColumnsOf(const FieldArguments& arguments,
+                              const Field& field) {
+  const NumberType real = NumberTypeOf(arguments.float32);
+  std::vector<Column> columns = {
+      {.name = kDistanceColumn, .values = field.distances, .type = real}};
+  if (arguments.nearest_sources) {
+    Column nearest = {.name = kNearestSourceColumn, .type = NumberType::kInt32};
+    for (const uint32_t source : field.nearest_sources) {
+      nearest.values.push_back(source == kNoSource ? -1.0 : source);
+    }
+    columns.push_back(std::move(nearest));
+  }
+  if (arguments.gradients) {
+    Column gradients = {.name = kGradientColumn, .components = 3, .type = real};
+    for (const auto& gradient : field.gradients) {
+      gradients.values.insert(gradients.values.end(), gradient.begin(),
+                              gradient.end());
+    }
+    columns.push_back(std::move(gradients));
+  }
+  return columns;
+}
+
+// Members: distances, and nearest_sources, gradients and target_distances where
+// there are any.
+absl::StatusOr<uint64_t> WriteNpz(const std::string& path,
+                                  const std::vector<Column>& columns,
+                                  const std::vector<double>& target_distances) {
+  absl::StatusOr<ZipArchive> archive = ZipArchive::Create(path);
+  if (!archive.ok()) return FileError(archive.status());
+  for (const Column& column : columns) {
+    const char* name = column.name == kNearestSourceColumn
+                           ? "nearest_sources.npy"
+                       : column.name == kGradientColumn ? "gradients.npy"
+                                                        : "distances.npy";
+    archive->Add(name, NpyArray(column.values, column.type, column.shape()));
+  }
+  if (!target_distances.empty()) {
+    archive->Add(
+        "target_distances.npy",
+        NpyArray(target_distances, columns[0].type, {target_distances.size()}));
+  }
+  absl::StatusOr<uint64_t> size = archive->Commit();
+  if (!size.ok()) return FileError(size.status());
+  return size;
+}
+
+PictureContent ContentOf(const Question& question, const Field& field,
+                         const MeshArrays& mesh) {
+  PictureContent content = {.distances = field.distances,
+                            .nearest_sources = field.nearest_sources,
+                            .isolines = true};
+  for (const Source& source : question.sources) {
+    content.source_names.push_back(SourceText(source));
+  }
+  ShowSources(question.sources, mesh, &content);
+  ShowTargets(question.targets, mesh, &content);
+  return content;
+}
+
+// The files of the outputs, or the terminal.
+class Rows {
+ public:
+  Rows(const Session& session, const std::vector<OutputArgument>& outputs)
+      : outputs_(outputs) {
+    for (const OutputArgument& output : outputs) {
+      places_.push_back(&files_.emplace_back(output.path));
+    }
+    if (outputs.empty()) places_.push_back(&session.out);
+  }
+
+  void Write(const std::string& text) {
+    for (std::ostream* place : places_) *place << text;
+  }
+
+  // Whether all is written so far.
+  bool Flush() {
+    bool good = true;
+    for (std::ostream* place : places_) good &= !place->flush().fail();
+    if (!good && error_ == 0) error_ = errno;
+    return good;
+  }
+
+  absl::Status Close(std::vector<WrittenFile>* written) {
+    if (!Flush()) {
+      return outputs_.empty() ? OutputFailed()
+                              : FileError(absl::ErrnoToStatus(
+                                    error_, absl::StrCat("cannot write ",
+                                                         outputs_[0].path)));
+    }
+    auto file = files_.begin();
+    for (const OutputArgument& output : outputs_) {
+      written->push_back({output, static_cast<uint64_t>((file++)->tellp())});
+    }
+    return absl::OkStatus();
+  }
+
+ private:
+  const std::vector<OutputArgument>& outputs_;
+  std::list<std::ofstream> files_;
+  std::vector<std::ostream*> places_;
+  int error_ = 0;
+};
+
+absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
+    const Session& session, const FieldArguments& arguments,
+    const Question& question, const AnswerInfo& info, const Field& field) {
+  const std::vector<Column> columns = ColumnsOf(arguments, field);
+  const auto write = [&](const OutputArgument& output,
+                         const MeshArrays& mesh) -> absl::StatusOr<uint64_t> {
+    if (output.format == OutputFormat::kNpz) {
+      return WriteNpz(output.path, columns, field.target_distances);
+    }
+    if (output.format == OutputFormat::kPng) {
+      return WritePicture(output.path, mesh, ContentOf(question, field, mesh),
+                          arguments.picture);
+    }
+    return WriteFile(output.path, [&](AtomicFile* file) {
+      switch (output.format) {
+        case OutputFormat::kNpy:
+          return WriteNpy(columns[0], file);
+        case OutputFormat::kCsv:
+          return WriteCsv(columns, file);
+        case OutputFormat::kF64:
+          return AppendNumbers(columns[0].values, NumberType::kFloat64, file);
+        case OutputFormat::kF32:
+          return AppendNumbers(columns[0].values, NumberType::kFloat32, file);
+        case OutputFormat::kPly:
+          return WritePly(mesh, columns, file);
+        default:
+          return WriteVtk(mesh, columns, file);
+      }
+    });
+  };
+  return WriteOutputs(
+      session, arguments.outputs, info,
+      {OutputFormat::kPly, OutputFormat::kVtk, OutputFormat::kPng}, write);
+}
+
+// Writes lines "vertex,distance" to the outputs, or to the terminal if there
+// are none, as they come. What has come is there even if the command is
+// interrupted. Ends the call when nothing more can be written.
+absl::StatusOr<Field> StreamRows(const Session& session,
+                                 const FieldQuery& query,
+                                 const std::vector<OutputArgument>& outputs,
+                                 Stopwatch* watch, FieldExtremes* extremes,
+                                 std::vector<WrittenFile>* written) {
+  // A stop asked for by the user, or because nothing more can be written.
+  std::stop_source stop;
+  const std::stop_callback pass_on(session.call.stop,
+                                   [&stop] { stop.request_stop(); });
+  CallOptions call = session.call;
+  call.stop = stop.get_token();
+
+  Rows rows(session, outputs);
+  rows.Write(absl::StrCat("vertex,", kDistanceColumn, "\n"));
+  if (!rows.Flush()) stop.request_stop();
+  CsvLine line;
+  const auto on_settled = [&](std::span<const SettledVertex> settled) {
+    for (const SettledVertex& vertex : settled) {
+      extremes->Add(vertex.vertex, vertex.distance);
+      line.Number(vertex.vertex).Number(vertex.distance);
+      rows.Write(line.End());
+    }
+    if (!rows.Flush()) stop.request_stop();
+  };
+  absl::StatusOr<Field> field =
+      session.client.StreamField(query, on_settled, call, watch->OnSolve());
+  if (absl::Status status = rows.Close(written); !status.ok()) return status;
+  return field;
+}
+
 Json ToJson(const FieldStatistics& statistics) {
   return {{"iterations", statistics.iterations},
           {"windows_created", statistics.windows_created},
@@ -154,26 +358,27 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
           : session.client.ComputeField(query, session.call, watch.OnSolve());
   if (!field.ok()) return field.status();
   const double seconds = watch.seconds();
+  // Nothing was computed for a field from the cache.
+  const bool is_cached = field->origin == FieldOrigin::kCached;
+  const FieldStatistics& statistics = field->statistics;
+  const AnswerInfo info = {
+      .mesh_digest = field->mesh_digest,
+      .vertex_count = field->vertex_count,
+      .algorithm = field->algorithm,
+      .relative_tolerance = field->relative_tolerance,
+      .server_version = field->server_version,
+      .compute_seconds = is_cached ? 0 : statistics.solve_seconds,
+      .windows_propagated = is_cached ? 0 : statistics.windows_propagated};
   if (!arguments.progressive) {
     for (size_t v = 0; v < field->distances.size(); ++v) {
       extremes.Add(v, field->distances[v]);
     }
-    files = WriteFieldOutputs(session, arguments, question, *field);
+    files = WriteFieldOutputs(session, arguments, question, info, *field);
   }
   // Rows that went to the terminal are all that it gets.
   if (arguments.progressive && outputs.empty()) return absl::OkStatus();
-  const bool is_cached = field->origin == FieldOrigin::kCached;
-  const FieldStatistics& statistics = field->statistics;
-  return PrintReport(
-      session, question,
-      {.mesh_digest = field->mesh_digest,
-       .vertex_count = field->vertex_count,
-       .algorithm = field->algorithm,
-       .relative_tolerance = field->relative_tolerance,
-       .server_version = field->server_version,
-       .compute_seconds = is_cached ? 0 : statistics.solve_seconds,
-       .windows_propagated = is_cached ? 0 : statistics.windows_propagated},
-      seconds, files, ReportOf(arguments, question, *field, extremes));
+  return PrintReport(session, question, info, seconds, files,
+                     ReportOf(arguments, question, *field, extremes));
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
-#include "client/cli/commands/drawings.h"
 #include "client/cli/commands/question.h"
 #include "client/output/line_writers.h"
 #include "client/output/number_text.h"
@@ -74,10 +73,7 @@ Lines LinesOf(const IsolineAnswer& answer) {
 // `count` levels that cut the range of distances into equal parts.
 absl::StatusOr<std::vector<double>> SpreadLevels(const Field& field,
                                                  uint64_t count) {
-  double largest = 0;
-  for (const double distance : field.distances) {
-    if (std::isfinite(distance)) largest = std::max(largest, distance);
-  }
+  const double largest = LargestFinite(field.distances);
   if (!(largest > 0)) {
     return absl::InvalidArgumentError(
         "no vertex is farther than 0 from the sources: there are no isolines");
@@ -174,25 +170,26 @@ absl::Status Answer(const IsolinesArguments& arguments, const Session& session,
       session.client.ComputeIsolines(query, session.call, watch.OnSolve());
   if (!answer.ok()) return answer.status();
   const double seconds = watch.seconds();
-  MeshOnDemand mesh(session, question.mesh_digest);
   const Lines lines = LinesOf(*answer);
-  const auto write =
-      [&](const OutputArgument& output) -> absl::StatusOr<uint64_t> {
+  const auto write = [&](const OutputArgument& output,
+                         const MeshArrays& mesh) -> absl::StatusOr<uint64_t> {
     if (output.format != OutputFormat::kPng) {
       return WriteFile(output.path, [&](AtomicFile* file) {
         WriteLines(lines, output.format, file);
       });
     }
     if (absl::Status status = need_field(); !status.ok()) return status;
-    absl::StatusOr<const MeshArrays*> arrays = mesh.Get(field->vertex_count);
-    if (!arrays.ok()) return arrays.status();
+    if (field->vertex_count != mesh.positions.size()) {
+      return absl::DataLossError("the server sent answers for two meshes");
+    }
     return WritePicture(
-        output.path, **arrays,
-        ContentOf(question, *field, query.levels, *answer, **arrays),
+        output.path, mesh,
+        ContentOf(question, *field, query.levels, *answer, mesh),
         arguments.picture);
   };
   return PrintReport(session, question, answer->info, seconds,
-                     WriteOutputs(session, arguments.outputs, write),
+                     WriteOutputs(session, arguments.outputs, answer->info,
+                                  {OutputFormat::kPng}, write),
                      ReportOf(query.levels, *answer));
 }
 

@@ -96,27 +96,20 @@ absl::Status Answer(const LogMapArguments& arguments, const Session& session,
   if (!map.ok()) return map.status();
   const double seconds = watch.seconds();
   const NumberType type = NumberTypeOf(arguments.float32);
-  MeshOnDemand mesh(session, map->info.mesh_digest);
-  const auto write =
-      [&](const OutputArgument& output) -> absl::StatusOr<uint64_t> {
-    const MeshArrays* arrays = nullptr;
-    if (output.format == OutputFormat::kPly) {
-      absl::StatusOr<const MeshArrays*> got = mesh.Get(map->coordinates.size());
-      if (!got.ok()) return got.status();
-      arrays = *got;
-    }
+  const auto write = [&](const OutputArgument& output, const MeshArrays& mesh) {
     return WriteFile(output.path, [&](AtomicFile* file) {
       if (output.format == OutputFormat::kNpy) {
         WriteNpy(Pairs(*map, type), file);
       } else if (output.format == OutputFormat::kCsv) {
         WriteCsv(UAndV(*map, type), file);
       } else {
-        WritePly(*arrays, UAndV(*map, type), file);
+        WritePly(mesh, UAndV(*map, type), file);
       }
     });
   };
   return PrintReport(session, question, map->info, seconds,
-                     WriteOutputs(session, arguments.outputs, write),
+                     WriteOutputs(session, arguments.outputs, map->info,
+                                  {OutputFormat::kPly}, write),
                      ReportOf(arguments.source, *map));
 }
 

@@ -65,13 +65,14 @@ class Destination {
 
   absl::StatusOr<std::vector<WrittenFile>> Commit() {
     size_t next = 0;
-    return WriteOutputs(session_, outputs_,
-                        [&](const OutputArgument&) -> absl::StatusOr<uint64_t> {
-                          absl::StatusOr<uint64_t> size =
-                              writers_[next++]->Commit();
-                          if (!size.ok()) return FileError(size.status());
-                          return size;
-                        });
+    const auto write = [&](const OutputArgument&,
+                           const MeshArrays&) -> absl::StatusOr<uint64_t> {
+      absl::StatusOr<uint64_t> size = writers_[next++]->Commit();
+      if (!size.ok()) return FileError(size.status());
+      return size;
+    };
+    return WriteOutputs(session_, outputs_, /*info=*/{}, /*with_mesh=*/{},
+                        write);
   }
 
   const MatrixSummary& summary() const { return summary_; }

@@ -92,17 +92,6 @@ void AddUploadOptions(CLI::App* app, UploadArguments* arguments) {
   AddFormat(app, &arguments->format);
 }
 
-void AddInfoOptions(CLI::App* app, MeshArgument* mesh) {
-  AddMesh(app, kMeshHelp, mesh);
-}
-
-void AddDeleteOptions(CLI::App* app, MeshArgument* mesh) {
-  AddMesh(app,
-          "The digest of a resident mesh, of which the first 8 digits do if "
-          "they are unique; or the file it came from",
-          mesh);
-}
-
 void PrintUpload(const Session& session, const UploadOutcome& outcome) {
   if (session.quiet) {
     session.out << outcome.mesh.digest << std::endl;
@@ -219,13 +208,21 @@ Command MeshesCommand() {
 Command InfoCommand() {
   return MakeCommand<MeshArgument>(
       "info", "Describe a mesh: counts, topology, size",
-      "  geodesic info horse.ply", AddInfoOptions, Describe);
+      "  geodesic info horse.ply",
+      [](CLI::App* app, MeshArgument* mesh) { AddMesh(app, kMeshHelp, mesh); },
+      Describe);
 }
 
 Command DeleteCommand() {
-  return MakeCommand<MeshArgument>("delete", "Drop a mesh from the server",
-                                   "  geodesic delete horse.ply",
-                                   AddDeleteOptions, Delete);
+  return MakeCommand<MeshArgument>(
+      "delete", "Drop a mesh from the server", "  geodesic delete horse.ply",
+      [](CLI::App* app, MeshArgument* mesh) {
+        AddMesh(app,
+                "The digest of a resident mesh, of which the first 8 digits do "
+                "if they are unique; or the file it came from",
+                mesh);
+      },
+      Delete);
 }
 
 }  // namespace geodesic::client

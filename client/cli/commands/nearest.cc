@@ -61,9 +61,9 @@ void WriteCsv(const Question& question, const NearestAnswer& answer,
   file->Append("source,rank,target,point,distance\n");
   CsvLine line;
   VisitFound(answer, [&](size_t source, size_t rank, const NearestTarget& t) {
-    line.Integer(static_cast<int64_t>(source))
-        .Integer(static_cast<int64_t>(rank))
-        .Integer(static_cast<int64_t>(t.target))
+    line.Number(source)
+        .Number(rank)
+        .Number(t.target)
         .Text(PointText(question.targets[t.target]))
         .Number(t.distance);
     file->Append(line.End());
@@ -90,7 +90,7 @@ absl::Status Answer(const NearestArguments& arguments, const Session& session,
       session.client.FindNearest(query, session.call, watch.OnCount("sources"));
   if (!answer.ok()) return answer.status();
   const double seconds = watch.seconds();
-  const auto write = [&](const OutputArgument& output) {
+  const auto write = [&](const OutputArgument& output, const MeshArrays&) {
     return WriteFile(output.path, [&](AtomicFile* file) {
       if (output.format == OutputFormat::kCsv) {
         WriteCsv(question, *answer, file);
@@ -99,9 +99,10 @@ absl::Status Answer(const NearestArguments& arguments, const Session& session,
       }
     });
   };
-  return PrintReport(session, question, answer->info, seconds,
-                     WriteOutputs(session, arguments.outputs, write),
-                     ReportOf(question, *answer));
+  return PrintReport(
+      session, question, answer->info, seconds,
+      WriteOutputs(session, arguments.outputs, answer->info, {}, write),
+      ReportOf(question, *answer));
 }
 
 }  // namespace

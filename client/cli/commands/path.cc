@@ -6,7 +6,6 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
-#include "client/cli/commands/drawings.h"
 #include "client/cli/commands/question.h"
 #include "client/output/line_writers.h"
 #include "client/output/number_text.h"
@@ -93,24 +92,20 @@ absl::Status Answer(const QuestionArguments& arguments, const Session& session,
     }
   }
   const double seconds = watch.seconds();
-  MeshOnDemand mesh(session, question.mesh_digest);
   const Lines lines = LinesOf(*answer);
-  const auto write =
-      [&](const OutputArgument& output) -> absl::StatusOr<uint64_t> {
-    if (output.format != OutputFormat::kPng) {
-      return WriteFile(output.path, [&](AtomicFile* file) {
-        WriteLines(lines, output.format, file);
-      });
+  const auto write = [&](const OutputArgument& output,
+                         const MeshArrays& mesh) -> absl::StatusOr<uint64_t> {
+    if (output.format == OutputFormat::kPng) {
+      return WritePicture(output.path, mesh, ContentOf(question, *answer, mesh),
+                          arguments.picture);
     }
-    absl::StatusOr<const MeshArrays*> arrays =
-        mesh.Get(answer->info.vertex_count);
-    if (!arrays.ok()) return arrays.status();
-    return WritePicture(output.path, **arrays,
-                        ContentOf(question, *answer, **arrays),
-                        arguments.picture);
+    return WriteFile(output.path, [&](AtomicFile* file) {
+      WriteLines(lines, output.format, file);
+    });
   };
   return PrintReport(session, question, answer->info, seconds,
-                     WriteOutputs(session, arguments.outputs, write),
+                     WriteOutputs(session, arguments.outputs, answer->info,
+                                  {OutputFormat::kPng}, write),
                      ReportOf(question, *answer));
 }
 

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <utility>
@@ -101,21 +102,10 @@ class Stopwatch {
   ProgressDisplay display_;
 };
 
-// The mesh itself, for outputs that hold or show it; fetched at most once.
-class MeshOnDemand {
- public:
-  MeshOnDemand(const Session& session, const std::string& digest)
-      : session_(session), digest_(digest) {}
-
-  // Errors: those of the server; DATA_LOSS if it has not `vertex_count`
-  // vertices.
-  absl::StatusOr<const MeshArrays*> Get(uint64_t vertex_count);
-
- private:
-  const Session& session_;
-  const std::string digest_;
-  std::optional<MeshArrays> mesh_;
-};
+// The mesh that was asked about, for outputs that hold or show it.
+// Errors: those of the server; DATA_LOSS if it has not the answer's vertices.
+absl::StatusOr<MeshArrays> FetchMesh(const Session& session,
+                                     const AnswerInfo& info);
 
 struct WrittenFile {
   OutputArgument output;
@@ -126,11 +116,28 @@ struct WrittenFile {
 absl::StatusOr<uint64_t> WriteFile(
     const std::string& path, const std::function<void(AtomicFile*)>& write);
 
-// Calls `write` for every output.
+// Draws the picture and writes it; its size in bytes.
+absl::StatusOr<uint64_t> WritePicture(const std::string& path,
+                                      const MeshArrays& mesh,
+                                      const PictureContent& content,
+                                      const PictureOptions& options);
+
+// Shows the sources in a picture: points as dots, curves as bold lines. What
+// the mesh does not have is anywhere.
+void ShowSources(const std::vector<Source>& sources, const MeshArrays& mesh,
+                 PictureContent* content);
+
+// Likewise for targets, which are points.
+void ShowTargets(const std::vector<SurfacePoint>& targets,
+                 const MeshArrays& mesh, PictureContent* content);
+
+// Calls `write` for every output: with the mesh of the answer if the format is
+// among `with_mesh`, otherwise with an empty one.
 absl::StatusOr<std::vector<WrittenFile>> WriteOutputs(
     const Session& session, const std::vector<OutputArgument>& outputs,
-    const std::function<absl::StatusOr<uint64_t>(const OutputArgument&)>&
-        write);
+    const AnswerInfo& info, std::initializer_list<OutputFormat> with_mesh,
+    const std::function<absl::StatusOr<uint64_t>(
+        const OutputArgument&, const MeshArrays& mesh)>& write);
 
 // What an answer says besides its files.
 struct Report {

@@ -31,17 +31,16 @@ struct PlacedSample {
   Point position = {};
 };
 
-absl::StatusOr<std::vector<PlacedSample>> Place(const SampleAnswer& answer,
-                                                MeshOnDemand* mesh) {
-  absl::StatusOr<const MeshArrays*> arrays =
-      mesh->Get(answer.info.vertex_count);
-  if (!arrays.ok()) return arrays.status();
+absl::StatusOr<std::vector<PlacedSample>> Place(const Session& session,
+                                                const SampleAnswer& answer) {
+  absl::StatusOr<MeshArrays> mesh = FetchMesh(session, answer.info);
+  if (!mesh.ok()) return mesh.status();
   std::vector<PlacedSample> placed;
   for (const FarthestSample& sample : answer.samples) {
-    if (sample.vertex >= (*arrays)->positions.size()) {
+    if (sample.vertex >= mesh->positions.size()) {
       return absl::DataLossError("the server sent a vertex the mesh has not");
     }
-    placed.push_back({sample, (*arrays)->positions[sample.vertex]});
+    placed.push_back({sample, mesh->positions[sample.vertex]});
   }
   return placed;
 }
@@ -60,8 +59,7 @@ void WriteCsv(const std::vector<PlacedSample>& samples, AtomicFile* file) {
   file->Append("vertex,distance,x,y,z\n");
   CsvLine line;
   for (const PlacedSample& sample : samples) {
-    line.Integer(static_cast<int64_t>(sample.sample.vertex))
-        .Number(sample.sample.distance);
+    line.Number(sample.sample.vertex).Number(sample.sample.distance);
     for (const double coordinate : sample.position) line.Number(coordinate);
     file->Append(line.End());
   }
@@ -106,12 +104,11 @@ absl::Status Answer(const SampleArguments& arguments, const Session& session,
   const double seconds = watch.seconds();
   std::vector<PlacedSample> samples;
   if (session.json || !arguments.outputs.empty()) {
-    MeshOnDemand mesh(session, question.mesh_digest);
-    absl::StatusOr<std::vector<PlacedSample>> placed = Place(*answer, &mesh);
+    absl::StatusOr<std::vector<PlacedSample>> placed = Place(session, *answer);
     if (!placed.ok()) return placed.status();
     samples = *std::move(placed);
   }
-  const auto write = [&](const OutputArgument& output) {
+  const auto write = [&](const OutputArgument& output, const MeshArrays&) {
     return WriteFile(output.path, [&](AtomicFile* file) {
       if (output.format == OutputFormat::kCsv) {
         WriteCsv(samples, file);
@@ -122,9 +119,10 @@ absl::Status Answer(const SampleArguments& arguments, const Session& session,
       }
     });
   };
-  return PrintReport(session, question, answer->info, seconds,
-                     WriteOutputs(session, arguments.outputs, write),
-                     ReportOf(session, *answer, samples));
+  return PrintReport(
+      session, question, answer->info, seconds,
+      WriteOutputs(session, arguments.outputs, answer->info, {}, write),
+      ReportOf(session, *answer, samples));
 }
 
 }  // namespace
