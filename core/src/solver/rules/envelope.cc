@@ -224,11 +224,11 @@ void Envelope::AddInside(const ListedWindow& window) {
 
 // REQUIRES: the window begins within the last.
 void Envelope::Contest(const ListedWindow& window) {
-  const ListedWindow older = sorted_.back();
-  const Interval held = older.window.interval;
+  const Window& older = sorted_.back().window;
+  const Interval held = older.interval;
   const Interval interval = window.window.interval;
   if (may_split_) {
-    if (const auto at = SplitBeforeContest(older.window, window.window)) {
+    if (const auto at = SplitBeforeContest(older, window.window)) {
       ListedWindow before = window, after = window;
       before.window.CutTo({interval.begin, *at});
       after.window.CutTo({*at, interval.end});
@@ -237,20 +237,30 @@ void Envelope::Contest(const ListedWindow& window) {
       return;
     }
   }
-  const Interval won = WonByNewer(older.window, window.window);
+  const Interval won = WonByNewer(older, window.window);
   if (won.width() <= 0) {
     Push(window, {held.end, interval.end});
     return;
   }
-  sorted_.pop_back();
-  Push(older, {held.begin, won.begin});
-  if (won.end >= held.end) {
+  const bool goes_on = won.end < held.end;
+  const ListedWindow beyond = goes_on ? sorted_.back() : ListedWindow();
+  CutLast({held.begin, won.begin});
+  if (!goes_on) {
     Push(window, {won.begin, interval.end});
     return;
   }
   Push(window, won);
-  Push(older, {won.end, held.end});
+  Push(beyond, {won.end, held.end});
   Push(window, {held.end, interval.end});
+}
+
+void Envelope::CutLast(const Interval& part) {
+  Window& last = sorted_.back().window;
+  if (IsLost(part, last.origin, length_)) {
+    sorted_.pop_back();
+  } else {
+    last.CutTo(part);
+  }
 }
 
 void Envelope::Push(const ListedWindow& window, const Interval& part) {

@@ -60,6 +60,8 @@ class Envelope {
   void Add(const ListedWindow& window);
   void AddInside(const ListedWindow& window);
   void Contest(const ListedWindow& window);
+  // What is too narrow is dropped.
+  void CutLast(const Interval& part);
   void Push(const ListedWindow& window, const Interval& part);
 
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
