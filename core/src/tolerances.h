@@ -20,9 +20,10 @@ inline constexpr double kFlatAngle = 1e-13;
 // is no higher over the opposite edge than this lies on it.
 inline constexpr double kCollapsedFace = 1e-10;
 
-// What lies on an edge so sees all that lies beyond, but for a wedge of this
-// angle behind an end of the edge. A line through the wedge is shorter than the
-// way round the end by half the square of it.
+// A pseudo-source that lies on an edge in this sense is taken to see all that
+// lies beyond the edge, if an end of the edge hides a wedge of no more than
+// this angle. A line through the wedge is shorter than the way round the end by
+// half the square of the angle.
 inline constexpr double kHiddenWedge = 1e-7;
 
 // Least distance of an apex or a pseudo-source from an edge's line. It keeps
@@ -107,8 +108,8 @@ inline constexpr double kSameRay = 1e-9;
 inline constexpr double kTie = 1e-15;
 
 // They are tied too where they differ by no more than this fraction of the
-// point's distance from the edge's begin: its place is known no better. Beside
-// a source at a vertex a window that goes round the vertex, through faces of
+// point's distance from the edge's begin, which is how well its place is known.
+// Otherwise a window that goes round a source at a vertex, through faces of
 // hardly any angle there, would win by such roundings without end.
 inline constexpr double kRoundedPosition = 0x1p-52;
 

@@ -70,7 +70,7 @@ class Propagation final : public Computation {
     const std::span<const double> distances = front_.distances();
     field.distances.resize(distances.size());
     if (const double unit = ToFileUnit(1); std::isnormal(unit)) {
-      // The same as certified, which the compiler cannot do two at a time.
+      // As certified(), in a form that the compiler vectorizes.
       for (size_t v = 0; v < distances.size(); ++v) {
         const double distance = distances[v] * unit;
         field.distances[v] =
@@ -220,7 +220,7 @@ class Propagation final : public Computation {
     return 1;
   }
 
-  // The same for all that the queue knows already, together.
+  // The same for all whose order the queue knows already, as one step.
   uint64_t StepTogether() {
     together_.clear();
     do {
@@ -255,7 +255,7 @@ class Propagation final : public Computation {
     });
   }
 
-  // Whether all that hangs together with a source was reached.
+  // Whether every vertex of a component with a source was reached.
   absl::Status CheckComplete() const {
     const std::optional<uint32_t> missing = front_.FindGap();
     if (!missing.has_value()) return absl::OkStatus();
@@ -269,7 +269,7 @@ class Propagation final : public Computation {
   bool HasTargets(uint64_t wanted) {
     const size_t count = front_.targets().size();
     if (wanted > count || next_target_count_-- > 0) return false;
-    // So rarely that counting costs little beside the windows in between.
+    // Counting is rare enough to cost little beside the windows in between.
     next_target_count_ = count / kPollPeriod;
     const double settled = queue_.SettledRadius();
     uint64_t certified = 0;

@@ -14,8 +14,8 @@ namespace geodesic {
 // What one thread writes often is kept off the lines that others use.
 inline constexpr size_t kCacheLine = 64;
 
-// The thread that calls is a member too, and waits for nobody who has not
-// begun: on a busy machine a member that gets no processor costs nothing.
+// The thread that calls is a member too. It does not wait for members that have
+// not begun: on a busy machine a member that gets no processor costs nothing.
 // Between two calls the others spin for some microseconds, then sleep. For one
 // calling thread at a time.
 class ThreadTeam {
@@ -28,11 +28,11 @@ class ThreadTeam {
 
   uint32_t size() const { return static_cast<uint32_t>(threads_.size()) + 1; }
 
-  // Calls work(0) here, and meanwhile work(member), 0 < member < size(), in
-  // those of the others that come in time, each at most once. Returns when all
-  // that have begun have returned: work is to go on until nothing is left of
-  // it. What happened before the call happens before the work, and the work
-  // before the return.
+  // Calls work(0) here, and meanwhile work(member), 0 < member < size(), in the
+  // other threads that begin before work(0) returns, each at most once. Returns
+  // when all that have begun have returned; so each should go on until nothing
+  // is left to do. What happened before the call happens before the work, and
+  // the work before the return.
   template <typename Work>
   void Run(const Work& work) {
     Run(

@@ -15,8 +15,8 @@
 namespace geodesic {
 
 // First in, first out, in rounds: what is born in one round pops in the next.
-// Nothing is sorted, yet the least label of a round bounds all that come after,
-// because children have no smaller labels than their parents. O(1).
+// Nothing is sorted. The least label of a round is a bound for all that come
+// after, because no child has a smaller label than its parent. O(1).
 class Fifo {
  public:
   static constexpr bool kStrict = false;

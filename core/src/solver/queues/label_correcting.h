@@ -25,8 +25,8 @@ namespace geodesic {
 // mean is sent to the back before anything pops (LLL). Larger labels wait
 // outside, in no order, until the deque is empty; then the threshold rises.
 //
-// Nothing is kept sorted, so windows pop out of order and some are propagated
-// in vain: cheap operations against more of them.
+// Nothing is kept sorted. Operations are cheap, but windows pop out of order
+// and some are propagated in vain.
 class LabelCorrecting {
  public:
   static constexpr bool kStrict = false;

@@ -12,21 +12,20 @@
 //   d(v)          front_.distance    what is known of a vertex
 //
 // A window is propagated once and then freed. It has two children only if its
-// distance at the apex is the best yet across its half-edge; a worse one keeps
+// distance at the apex is the best yet across its half-edge. A worse one keeps
 // the child on its own side of the best one's ray, because its rays to the
-// other side cross that ray where the best one is nearer. Sides are told by the
-// lean of the rays at the apex, which differs even where the apex lies on the
-// edge. Where both rays lie on one line nothing crosses, and both children
-// stay: the worse window may come from behind the better one's pseudo-source,
-// past which its other rays go undisturbed. So they may where that is no vertex
-// but one of several sources (Front::MayBePassedBy): such a one prunes nothing.
-// Where more than that one comes in question the MMP rule is used instead
-// (AlgorithmFor).
+// other side cross that ray where the best one is nearer. The lean of the rays
+// at the apex tells the sides; it differs even where the apex lies on the edge.
+// If both rays lie on one line nothing crosses, and both children stay: the
+// worse window may come from behind the better one's pseudo-source and pass it.
+// A source that is no vertex may be passed on both sides where there are others
+// (Front::MayBePassedBy): its windows prune nothing. Where several sources are
+// like that, the MMP rule is used instead (AlgorithmFor).
 //
-// Without the filter, nothing else ends a window on a closed surface, so two
-// facts do, which any shortest path obeys: it enters a face once at most (the
-// bound of Chen and Han: no window has more ancestors than the mesh has faces),
-// and it is no longer than the way along edges to the farthest point.
+// Without the filter nothing else ends a window on a closed surface. Two facts
+// about shortest paths do: a path enters a face once at most, so no window has
+// more ancestors than the mesh has faces (Chen and Han), and it is no longer
+// than the way along edges to the farthest point.
 
 #ifndef GEODESIC_SOLVER_RULES_CH_RULE_H_
 #define GEODESIC_SOLVER_RULES_CH_RULE_H_

@@ -87,11 +87,7 @@ class FaceCrossing {
       // through it to the apex are real, and straight if the ray is in there.
       const double through =
           std::clamp(crossings_[i], list_.begin[i], list_.end[i]);
-      const bool is_straight = through == crossings_[i];
-      const double distance =
-          origin.sigma + (is_straight ? DistanceToPlace(origin, apex)
-                                      : origin.DistanceTo(through) +
-                                            EdgePointTo(through, apex));
+      const double distance = PathToPlace(origin, through, crossings_[i], apex);
       if (!Front::Improves(distance, best)) continue;
       best = distance;
       nearest = i;

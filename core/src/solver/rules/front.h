@@ -66,9 +66,9 @@ class Front {
   double PseudoSourceDistance(uint32_t pseudo_source) const {
     return distances_[pseudo_source];
   }
-  // Whether the rays of other windows may pass by this pseudo-source on both
-  // sides and be the shortest there. Not by a vertex, where windows end; nor by
-  // the only source, since whoever comes from behind it is farther everywhere.
+  // Whether windows of other pseudo-sources may hold points on both sides of
+  // this one. At a vertex they may not, since windows end there; nor at the
+  // only source, since a path from behind it is longer everywhere.
   bool MayBePassedBy(uint32_t pseudo_source) const {
     return pseudo_source >= mesh_.vertex_count() && anchor_count() > 1;
   }
@@ -135,11 +135,11 @@ class Front {
            2;
   }
 
-  // Whether somebody wants to know of windows that enter the face of h.
+  // Whether Observe(h) does anything.
   bool Watches(HalfEdge h) const {
     return observer_ != nullptr || targets_.Watches(h);
   }
-  // Tells whoever wants to know of a window that enters the face of h.
+  // Tells the targets and the observer of a window that enters the face of h.
   void Observe(HalfEdge h, const Window& window, uint32_t pseudo_source) {
     if (targets_.Watches(h)) {
       targets_.Offer(h, window, pseudo_source,
@@ -158,10 +158,9 @@ class Front {
     return distance < best * (1 - kImprovement);
   }
 
-  // Takes `distance` for v if it is better. A vertex that paths may bend at, or
-  // that is reached by one which bends already, is then queued with its
-  // distance as label (otherwise no bound on what is pending holds).
-  // `ray`: whence the path comes, if that is known.
+  // Takes `distance` for v if it is better. If paths may bend at v, or the path
+  // to v bends already, v is queued with its distance as label. `ray`: where
+  // the path comes from, if that is known.
   void Relax(uint32_t v, double distance, const Arrival& arrival,
              const IncomingRay& ray = {}) {
     if constexpr (std::is_same_v<Origin, MixedOrigin>) {
@@ -363,7 +362,7 @@ class Front {
   // behind the other.
   static constexpr int kMostFolds = 64;
 
-  // Opens what the pseudo-source sees across `side`; origin as for Cross.
+  // Opens what the pseudo-source sees across `side`. `origin` as for Cross.
   template <typename Sink>
   void LookAcross(HalfEdge side, const Origin& origin, const Interval& part,
                   uint32_t pseudo_source, Sink& sink) const {

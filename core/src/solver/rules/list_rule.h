@@ -3,13 +3,13 @@
 // then forgotten.
 //
 // As with the MMP rule, every point of a half-edge belongs to the one window
-// that reaches it soonest, but only among those that wait there together.
-// Whoever comes later is not compared with those that have gone: a half-edge is
-// due when the wavefront reaches it, most of its windows are there by then, and
-// those that are late meet the others' children at a farther edge, or paths
-// through vertices that are nearer (the filter of Xin and Wang: Improving Chen
-// and Han's algorithm on the discrete geodesic problem. ACM TOG 28(4), 2009).
-// On real meshes that leaves as many windows as MMP's rule does, to 1%.
+// that reaches it soonest, but only among those that wait there together. A
+// window that comes later is not compared with those that have gone. A
+// half-edge is due when the wavefront reaches it, and most of its windows are
+// there by then. Those that are late meet the others' children at a farther
+// edge, or the filter of Xin and Wang drops them (Improving Chen and Han's
+// algorithm on the discrete geodesic problem. ACM TOG 28(4), 2009). On real
+// meshes this makes 1% more windows than MMP's rule does.
 //
 // Per-half-edge lists that are handed on whole: Qin, Han, Yu, Yu, Zhang: Fast
 // and exact discrete geodesic computation based on triangle-oriented wavefront
@@ -20,14 +20,13 @@
 //   of an edge      WaitingLists: two chains, by the side they come across
 //   in the queue    Queued: a half-edge, with the least label it waits with
 //
-// Work is done by rounds: of each half-edge, what waits there when the round
-// begins crosses its face, and each vertex that has improved by then becomes a
-// pseudo-source (list_worker.h). None of them sees what comes of the others,
-// which is applied afterwards, in order. So the threads that share the work
-// change nothing, whatever their number. Who has handed on a list is the first
-// to be given it: it lies in that thread's cache, and so will its children. And
-// like is done after like, vertices before half-edges, for a branch that cannot
-// be foreseen costs as much as a window.
+// Work is done in rounds. What waits at a half-edge when a round begins crosses
+// its face, and each vertex that has improved by then becomes a pseudo-source
+// (list_worker.h). The results are applied after the round, in the order of the
+// queue, so they do not depend on the number of threads. A list is given to the
+// thread that made it, in whose cache it lies. All vertices of a round come
+// before all half-edges: where the two alternate the processor mispredicts the
+// branch between them, which takes as long as a window.
 
 #ifndef GEODESIC_SOLVER_RULES_LIST_RULE_H_
 #define GEODESIC_SOLVER_RULES_LIST_RULE_H_
@@ -78,7 +77,7 @@ class ListRule {
   // Sources were added: nothing here depends on them.
   void Restart() {}
 
-  // Keeps no threads until the next round.
+  // Ends the threads; the next round starts others.
   void ReleaseThreads() { team_.reset(); }
 
   // A round: propagates all that waits at some half-edges across their faces
@@ -206,6 +205,8 @@ class ListRule {
     }
   }
 
+  // Fetches into cache what the events after event i will need. Each stage
+  // needs what the one before has fetched.
   void Prefetch(std::span<const Event> events, size_t i) const {
     if (i + 3 < events.size()) {
       const Event& event = events[i + 3];
@@ -275,7 +276,7 @@ class ListRule {
     }
   }
 
-  // Adds a list, which this member has handed on, to what waits at a half-edge.
+  // Adds a list, which `member` has handed on, to what waits at a half-edge.
   void Enqueue(const typename Worker::HandedOn& handed_on, uint32_t member) {
     const auto& [h, from, list, count, label] = handed_on;
     if (waiting_[h] == kNone) {
@@ -320,8 +321,6 @@ class ListRule {
   uint64_t created_ = 0;
 };
 
-// What the events after that one will need. Each stage needs what the one
-// before has fetched.
 }  // namespace geodesic
 
 #endif  // GEODESIC_SOLVER_RULES_LIST_RULE_H_

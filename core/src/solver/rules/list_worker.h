@@ -28,7 +28,7 @@ namespace geodesic {
 // nearer to the half-edge's begin.
 using WaitingLists = std::array<WindowBlock*, 2>;
 
-// On cache lines of its own, for its scratch is written all the time.
+// On cache lines of its own, since a thread writes its scratch all the time.
 // REQUIRES: the front's origins are points.
 template <typename Front>
 class alignas(kCacheLine) ListWorker {
@@ -166,10 +166,10 @@ class alignas(kCacheLine) ListWorker {
   // Drops useless windows of list_ from `first` on.
   void DropStale(size_t first) {
     list_.KeepIf(first, [this](size_t i) {
-      // If the pseudo-source has improved since, a newer window is on its way,
-      // or those of a straight path to it. By however little: unlike MMP's
-      // (MmpRule::IsStale), a newer window never meets the older one, which is
-      // dropped first, and so cannot have given way to it.
+      // If the pseudo-source has improved, a newer window is on its way, or
+      // those of a straight path to it are. Any improvement will do: here the
+      // older window is dropped before the newer one meets it, so the newer one
+      // cannot have given way to it as in MmpRule::IsStale.
       return list_.sigma[i] <=
              front_.PseudoSourceDistance(list_.pseudo_source[i]);
     });

@@ -226,7 +226,7 @@ class MmpRule {
   // Adds a window, as far as it beats those on the half-edge already.
   void Insert(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
               const Interval& interval) {
-    // Cheaper than the contests it saves: a third of them, on real meshes.
+    // This saves a third of the contests on real meshes, and costs less.
     const auto newer = front_.UsefulWindow(half_edge, origin, interval);
     if (newer.has_value()) Contest(half_edge, pseudo_source, *newer);
   }
@@ -364,11 +364,11 @@ class MmpRule {
     next_sweep_ = std::max(lists_.size() / 4 * 5, kLeastSweep);
   }
 
-  // Whether the pseudo-source has improved since, by so much that its newer
-  // window has won whatever this one held. By less, the newer one has tied and
-  // given way: measured by the distances at the edge, not by sigma, which may
-  // be that of a vertex right beside a source, and by a bound of all of them,
-  // since windows tie by what they have at the ends of an overlap.
+  // Whether the pseudo-source has improved so much since that its newer window
+  // has won all that this one held. If it has improved by less, the newer one
+  // has tied and given way. The measure is a bound on the distances at the
+  // edge, since windows tie by those; sigma may be much smaller, right beside a
+  // source.
   bool IsStale(HalfEdge h, const ListedWindow& listed) const {
     const double improved = listed.window.origin.sigma -
                             front_.PseudoSourceDistance(listed.pseudo_source);

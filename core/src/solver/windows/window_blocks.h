@@ -19,7 +19,7 @@ namespace geodesic {
 struct WindowBlock {
   WindowBlock* next;
   uint32_t count;
-  // Never changes: PrefetchRest reads it when others may have the block.
+  // Const, since PrefetchRest may read it while another thread has the block.
   const uint32_t log_room;
 };
 
