@@ -139,13 +139,26 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
     windows.begin[i] = top_end;
     return true;
   }
-  if (meeting == kNone) return false;
-  const double met = meetings_[meeting];
-  windows.begin[i] = met;
-  windows.begin_distance[i] = newer_.begin_distance[meeting];
-  windows.end[top] = met;
-  windows.end_distance[top] = older_.end_distance[meeting];
-  if (IsLost({windows.begin[top], met}, windows.OriginAt(top), length_)) --kept;
+  if (meeting != kNone) {
+    windows.begin[i] = windows.end[top] = meetings_[meeting];
+    windows.begin_distance[i] = newer_.begin_distance[meeting];
+    windows.end_distance[top] = older_.end_distance[meeting];
+  } else {
+    if (may_split_) return false;
+    Window older = windows.At(top), newer = windows.At(i);
+    const Interval won = WonByNewer(older, newer);
+    if (won.width() <= 0) {
+      newer.CutTo({top_end, newer.interval.end});
+      windows.Set(i, newer);
+      return true;
+    }
+    if (won.end < top_end) return false;
+    newer.CutTo({won.begin, newer.interval.end});
+    windows.Set(i, newer);
+    older.CutTo({older.interval.begin, won.begin});
+    windows.Set(top, older);
+  }
+  if (IsLost(windows.IntervalAt(top), windows.OriginAt(top), length_)) --kept;
   return true;
 }
 

@@ -48,8 +48,9 @@ class Envelope {
   // do not meet. REQUIRES: pairs are asked for in order.
   size_t MeetingOf(size_t pair);
   // Trims window i, which begins before the last of the `kept` ends, against
-  // that if they share a rounding alone or `meeting` says where they meet;
-  // kNone if that is not known. Otherwise changes nothing and returns false.
+  // that, in place. Where they meet `meeting` says, unless it is kNone. Changes
+  // nothing and returns false if the two are not neighbours, or may change over
+  // more than once.
   bool TrimNeighbours(size_t i, size_t meeting, size_t& kept,
                       WindowColumns& windows);
   // Trims windows from `i` on against those of the `kept` that they meet, until
