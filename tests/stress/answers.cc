@@ -24,13 +24,6 @@ class Patience final : public Checkpoint {
 
 }  // namespace
 
-std::vector<double> AllDistances(const DistanceField& field) {
-  std::vector<double> all = field.distances;
-  all.insert(all.end(), field.target_distances.begin(),
-             field.target_distances.end());
-  return all;
-}
-
 std::vector<double> AllDistances(const Mesh& mesh, const Query& query,
                                  Report& report) {
   Patience patience;

@@ -12,6 +12,7 @@
 #include "geodesic/query.h"
 #include "tests/stress/report.h"
 #include "tests/stress/scene.h"
+#include "tests/support/queries.h"
 
 namespace geodesic::stress {
 
@@ -22,7 +23,7 @@ inline constexpr double kTolerance = 1e-10;
 // solver fails.
 std::vector<double> AllDistances(const Mesh& mesh, const Query& query,
                                  Report& report);
-std::vector<double> AllDistances(const DistanceField& field);
+using test::AllDistances;
 
 // Whether the two are equal up to kTolerance and `slack`, or both infinite.
 bool AreEqual(double expected, double got, double slack);

@@ -69,23 +69,18 @@ void CheckCurveLaws(const Scene& scene, test::Random& random, Report& report) {
   const std::vector<double> nearest = AllDistances(*scene.mesh, points, report);
   if (curve.size() != nearest.size()) return;
   const double slack = 16 * scene.rounding;
-  bool is_below = true, is_above = true;
-  size_t worst = 0;
-  for (size_t i = 0; i < curve.size(); ++i) {
-    if (curve[i] > nearest[i] * (1 + kTolerance) + slack) {
-      is_below = false;
-      worst = i;
-    }
-    if (curve[i] < (nearest[i] - apart / 2) * (1 - kTolerance) - slack) {
-      is_above = false;
-      worst = i;
-    }
-  }
-  report.Check(is_below, "a curve is as near as its points", "at ", worst, ": ",
-               curve[worst], " and ", nearest[worst], ", ", Name(query));
-  report.Check(is_above, "a curve is its points", "at ", worst, ": ",
-               curve[worst], " and ", nearest[worst], " less ", apart / 2, ", ",
-               Name(query));
+  report.CheckAll(
+      curve.size(),
+      [&](size_t i) {
+        return curve[i] <= nearest[i] * (1 + kTolerance) + slack;
+      },
+      "a curve is as near as its points", Name(query));
+  report.CheckAll(
+      curve.size(),
+      [&](size_t i) {
+        return curve[i] >= (nearest[i] - apart / 2) * (1 - kTolerance) - slack;
+      },
+      "a curve is its points", Name(query));
 }
 
 }  // namespace geodesic::stress

@@ -11,9 +11,8 @@ namespace geodesic::stress {
 
 // REQUIRES, of all: the scene has a mesh.
 
-// d(s) = 0, symmetry, triangle inequality, Euclid <= d
-// <= edge path, a point made a vertex, all algorithms agree, the same bits
-// again, rigid motion and relabelling.
+// d(s) = 0, symmetry, triangle inequality, Euclid <= d, a point made a vertex,
+// all algorithms agree, the same bits again, rigid motion and relabelling.
 void CheckFieldLaws(const Scene& scene, test::Random& random, Report& report);
 
 // Brute force, with several sources with offsets and curves. Small scenes only.

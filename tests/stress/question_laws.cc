@@ -104,21 +104,14 @@ void CheckLabels(const Scene& scene, const Query& query,
         *scene.mesh, {.sources = {source}, .algorithm = query.algorithm},
         report));
   }
-  bool holds = true;
-  size_t worst = 0;
-  for (size_t v = 0; v < nearest->size(); ++v) {
+  const auto holds = [&](size_t v) {
     const uint32_t label = (*nearest)[v];
-    const bool fits = std::isinf(field.distances[v])
-                          ? label == kNoSource
-                          : label < single.size() && !single[label].empty() &&
-                                AreEqual(field.distances[v], single[label][v],
-                                         4 * scene.rounding);
-    if (fits) continue;
-    holds = false;
-    worst = v;
-  }
-  report.Check(holds, "labels name a nearest source", "vertex ", worst,
-               " label ", (*nearest)[worst], ", ", Name(query));
+    if (std::isinf(field.distances[v])) return label == kNoSource;
+    return label < single.size() && !single[label].empty() &&
+           AreEqual(field.distances[v], single[label][v], 4 * scene.rounding);
+  };
+  report.CheckAll(nearest->size(), holds, "labels name a nearest source",
+                  Name(query));
 }
 
 void CheckGradients(const Scene& scene, const Query& query,
@@ -147,27 +140,20 @@ void CheckLogMap(const Scene& scene, const Query& query,
                  Name(query));
     return;
   }
-  bool holds = true;
-  for (size_t v = 0; v < field.distances.size(); ++v) {
+  const auto holds = [&](size_t v) {
     const auto [x, y] = map->coordinates[v];
-    if (std::isinf(field.distances[v])) {
-      holds = holds && std::isnan(x);
-    } else {
-      holds = holds && AreEqual(field.distances[v] - query.sources[0].offset,
-                                std::hypot(x, y), 16 * scene.rounding);
-    }
-  }
-  report.Check(holds, "the log map keeps distances from the source",
-               Name(query));
+    if (std::isinf(field.distances[v])) return std::isnan(x);
+    return AreEqual(field.distances[v] - query.sources[0].offset,
+                    std::hypot(x, y), 16 * scene.rounding);
+  };
+  report.CheckAll(field.distances.size(), holds,
+                  "the log map keeps distances from the source", Name(query));
 }
 
 void CheckIsolines(const Scene& scene, Query query, const DistanceField& field,
                    Random& random, Report& report) {
-  double farthest = 0;
-  for (const double d : field.distances) {
-    if (!std::isinf(d)) farthest = std::max(farthest, d);
-  }
-  const double level = farthest * random.Uniform(0.05, 0.95);
+  const double level =
+      test::FarthestOf(field.distances) * random.Uniform(0.05, 0.95);
   if (!(level > 0)) return;
   query.trace = false;
   query.targets.clear();
@@ -183,14 +169,12 @@ void CheckIsolines(const Scene& scene, Query query, const DistanceField& field,
                          line.points.end());
   }
   const std::vector<double> got = AllDistances(*scene.mesh, query, report);
-  bool holds = true;
-  double worst = level;
-  for (size_t i = field.distances.size(); i < got.size(); ++i) {
-    if (std::abs(got[i] - level) > std::abs(worst - level)) worst = got[i];
-    holds = holds && AreEqual(level, got[i], 8 * scene.rounding);
-  }
-  report.Check(holds, "isolines are at their level", level, " and ", worst,
-               ", ", Name(query));
+  const auto holds = [&](size_t i) {
+    return i < field.distances.size() ||
+           AreEqual(level, got[i], 8 * scene.rounding);
+  };
+  report.CheckAll(got.size(), holds, "isolines are at their level", level, ", ",
+                  Name(query));
 }
 
 }  // namespace
@@ -203,7 +187,7 @@ void CheckQuestionLaws(const Scene& scene, Random& random, Report& report) {
   for (uint32_t i = 0; i < count; ++i) {
     query.sources.push_back(
         {DrawPoint(scene, random),
-         i == 0 ? 0 : scene.rounding * 0x1p52 * random.Uniform(0, 0.1)});
+         i == 0 ? 0 : scene.size() * random.Uniform(0, 0.1)});
   }
   if (random.Below(3) == 0) query.sources.push_back(DrawCurve(scene, random));
   NoCheckpoint checkpoint;

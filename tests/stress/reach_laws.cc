@@ -52,12 +52,9 @@ class Watcher final : public Checkpoint {
   std::vector<SettledVertex> vertices_;
 };
 
-std::unique_ptr<Computation> Start(const Scene& scene, const Query& query,
-                                   Report& report) {
-  absl::StatusOr<std::unique_ptr<Computation>> started =
-      StartComputation(*scene.mesh, test::Valid(*scene.mesh, query), {});
-  report.Check(started.ok(), "a valid query is answered", started.status());
-  return started.ok() ? *std::move(started) : nullptr;
+std::unique_ptr<Computation> Start(const Scene& scene, const Query& query) {
+  return StartComputation(*scene.mesh, test::Valid(*scene.mesh, query), {})
+      .value();
 }
 
 // A limited field against the full one: present up to its radius and equal,
@@ -67,40 +64,26 @@ void CheckLimited(std::string_view law, const Query& query,
                   Report& report) {
   const std::vector<double> got = AllDistances(limited);
   const double radius = limited.settled_radius;
-  bool holds = got.size() == full.size();
-  size_t worst = 0;
-  for (size_t i = 0; holds && i < full.size(); ++i) {
-    const bool is_within = full[i] < radius * (1 - kRoundings);
-    const bool is_beyond = full[i] > radius * (1 + kRoundings);
-    if ((is_within && std::isinf(got[i]) && !std::isinf(full[i])) ||
-        (is_beyond && !std::isinf(got[i])) ||
-        (!std::isinf(got[i]) &&
-         !(std::abs(got[i] - full[i]) <= kRoundings * full[i]))) {
-      holds = false;
-      worst = i;
+  const auto holds = [&](size_t i) {
+    if (got.size() != full.size()) return false;
+    if (std::isinf(got[i])) {
+      return std::isinf(full[i]) || full[i] >= radius * (1 - kRoundings);
     }
-  }
-  report.Check(holds, law, "at ", worst, " expected ", full[worst], ", got ",
-               got[worst], ", settled radius ", radius, ", ", Name(query));
-}
-
-double FarthestOf(const std::vector<double>& distances) {
-  double farthest = 0;
-  for (const double d : distances) {
-    if (!std::isinf(d)) farthest = std::max(farthest, d);
-  }
-  return farthest;
+    return full[i] <= radius * (1 + kRoundings) &&
+           std::abs(got[i] - full[i]) <= kRoundings * full[i];
+  };
+  report.CheckAll(full.size(), holds, law, "settled radius ", radius, ", ",
+                  Name(query));
 }
 
 void CheckRadii(const Scene& scene, const Query& query,
                 const std::vector<double>& full, Random& random,
                 Report& report) {
-  const std::unique_ptr<Computation> computation = Start(scene, query, report);
-  if (computation == nullptr) return;
+  const std::unique_ptr<Computation> computation = Start(scene, query);
   std::vector<double> radii;
   radii.reserve(4);
   for (int i = 0; i < 3; ++i) {
-    radii.push_back(FarthestOf(full) * random.Uniform(0, 1));
+    radii.push_back(test::FarthestOf(full) * random.Uniform(0, 1));
   }
   // A distance that occurs, so that ties lie on the radius.
   const double one = full[random.Below(static_cast<uint32_t>(full.size()))];
@@ -127,8 +110,7 @@ void CheckRadii(const Scene& scene, const Query& query,
 void CheckTargets(const Scene& scene, const Query& query,
                   const std::vector<double>& full, Random& random,
                   Report& report) {
-  const std::unique_ptr<Computation> computation = Start(scene, query, report);
-  if (computation == nullptr) return;
+  const std::unique_ptr<Computation> computation = Start(scene, query);
   const uint64_t wanted =
       random.Below(static_cast<uint32_t>(query.targets.size() + 1));
   NoCheckpoint checkpoint;
@@ -147,8 +129,7 @@ void CheckTargets(const Scene& scene, const Query& query,
 void CheckCancelling(const Scene& scene, const Query& query,
                      const std::vector<double>& full, Random& random,
                      Report& report) {
-  const std::unique_ptr<Computation> computation = Start(scene, query, report);
-  if (computation == nullptr) return;
+  const std::unique_ptr<Computation> computation = Start(scene, query);
   Watcher watcher(random.Below(4));
   const absl::Status status = computation->Advance({}, watcher);
   report.Check(absl::IsCancelled(status) || status.ok(), "cancelling cancels",
@@ -167,38 +148,41 @@ void CheckCancelling(const Scene& scene, const Query& query,
 
 void CheckSettling(const Scene& scene, const Query& query,
                    const std::vector<double>& full, Report& report) {
-  const std::unique_ptr<Computation> computation = Start(scene, query, report);
-  if (computation == nullptr) return;
+  const std::unique_ptr<Computation> computation = Start(scene, query);
   Watcher watcher(std::numeric_limits<uint64_t>::max());
   const absl::Status status = computation->Advance({}, watcher);
   report.Check(status.ok(), "advancing succeeds", status);
   report.Check(watcher.is_monotone(), "the settled radius grows", Name(query));
+  const std::vector<SettledVertex>& settled = watcher.vertices();
   std::set<uint32_t> seen;
-  double last = 0;
-  bool is_ordered = true, is_final = true;
-  for (const auto& [vertex, distance] : watcher.vertices()) {
-    seen.insert(vertex);
-    is_ordered = is_ordered && distance >= last * (1 - kRoundings);
-    is_final = is_final &&
-               std::abs(distance - full[vertex]) <= kRoundings * full[vertex];
-    last = distance;
-  }
+  for (const SettledVertex& vertex : settled) seen.insert(vertex.vertex);
+  report.CheckAll(
+      settled.size(),
+      [&](size_t i) {
+        return i == 0 || settled[i].distance >=
+                             settled[i - 1].distance * (1 - kRoundings);
+      },
+      "vertices settle in order", Name(query));
+  report.CheckAll(
+      settled.size(),
+      [&](size_t i) {
+        const double final = full[settled[i].vertex];
+        return std::abs(settled[i].distance - final) <= kRoundings * final;
+      },
+      "settled distances are final", Name(query));
   uint64_t reachable = 0;
   for (uint32_t v = 0; v < scene.mesh->vertex_count(); ++v) {
     reachable += !std::isinf(full[v]);
   }
-  report.Check(is_ordered, "vertices settle in order", Name(query));
-  report.Check(is_final, "settled distances are final", Name(query));
-  report.Check(
-      seen.size() == watcher.vertices().size() && seen.size() == reachable,
-      "every vertex settles once", watcher.vertices().size(), " reports of ",
-      seen.size(), " vertices, ", reachable, " reachable, ", Name(query));
+  report.Check(seen.size() == settled.size() && seen.size() == reachable,
+               "every vertex settles once", settled.size(), " reports of ",
+               seen.size(), " vertices, ", reachable, " reachable, ",
+               Name(query));
 }
 
 void CheckAdding(const Scene& scene, const Query& query, Random& random,
                  Report& report) {
-  const std::unique_ptr<Computation> computation = Start(scene, query, report);
-  if (computation == nullptr) return;
+  const std::unique_ptr<Computation> computation = Start(scene, query);
   NoCheckpoint checkpoint;
   absl::Status status = computation->Advance({}, checkpoint);
   Query all = query;

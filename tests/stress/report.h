@@ -38,6 +38,16 @@ class Report {
     return false;
   }
 
+  // The same of all numbers below `count`; names the first for which `holds` is
+  // false.
+  template <typename Holds, typename... Details>
+  bool CheckAll(size_t count, Holds holds, std::string_view law,
+                const Details&... details) {
+    size_t i = 0;
+    while (i < count && holds(i)) ++i;
+    return Check(i == count, law, "at ", i, ": ", details...);
+  }
+
   uint64_t cases() const { return cases_; }
   uint64_t violations() const { return violations_; }
   uint64_t checks() const {

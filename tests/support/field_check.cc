@@ -65,13 +65,6 @@ std::vector<double> SolveOrFail(const Mesh& mesh, Algorithm algorithm,
       .distances;
 }
 
-std::vector<double> AllDistances(const DistanceField& field) {
-  std::vector<double> all = field.distances;
-  all.insert(all.end(), field.target_distances.begin(),
-             field.target_distances.end());
-  return all;
-}
-
 testing::AssertionResult FieldsAgree(const FieldContext& context,
                                      const std::vector<double>& expected,
                                      const std::vector<double>& got,

@@ -39,9 +39,6 @@ DistanceField SolveOrFail(const Mesh& mesh, const Query& query);
 std::vector<double> SolveOrFail(const Mesh& mesh, Algorithm algorithm,
                                 const std::vector<Source>& sources);
 
-// Distances of the vertices, then of the targets.
-std::vector<double> AllDistances(const DistanceField& field);
-
 // Where a field came from, for messages.
 struct FieldContext {
   std::string mesh;

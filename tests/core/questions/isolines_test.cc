@@ -220,10 +220,8 @@ double Length(const Isoline& isoline) {
 // Levels spread over the distances of a query, at no vertex.
 std::vector<double> SpreadLevels(const Mesh& mesh, const Query& query,
                                  uint32_t count) {
-  double farthest = 0;
-  for (double distance : SolveOrFail(mesh, query.algorithm, query.sources)) {
-    if (std::isfinite(distance)) farthest = std::max(farthest, distance);
-  }
+  const double farthest =
+      FarthestOf(SolveOrFail(mesh, query.algorithm, query.sources));
   std::vector<double> levels;
   for (uint32_t i = 0; i < count; ++i) {
     levels.push_back(farthest * (i + 0.31) / count);
@@ -334,44 +332,44 @@ TEST_P(Isolines, ThroughVertices) {
   ExpectIsolines(named, From(side), {1, 2, 3}, 300);
 }
 
-TEST_P(Isolines, TwoCirclesThatMeet) {
-  // They meet at (5.1, 3.2), inside of a face.
+// However close: the polylines part and join as the discs do, inside of a face.
+TEST_P(Isolines, OfTwoSourcesMeet) {
   const TriangleSoup soup = MakeGrid({.columns = 10, .rows = 6});
   const auto mesh = BuildOrFail({"grid", soup});
-  const Query query =
-      From({{Locate(soup, {3.3, 3.3})}, {Locate(soup, {6.9, 3.1})}});
-  const double meeting = std::hypot(3.6, 0.2) / 2;
-  // However close: the polylines part and join as the discs do.
-  for (const double part : {0.5, 0.99, 0.9999, 0.99999999}) {
-    const auto apart = IsolinesOrFail(*mesh, query, {meeting * part});
-    EXPECT_EQ(apart.size(), 2u) << part;
-    const auto joined = IsolinesOrFail(*mesh, query, {meeting / part});
-    if (part > 0.5) {
-      EXPECT_EQ(joined.size(), 1u) << part;
+  struct Meeting {
+    std::vector<Source> sources;
+    double level;
+    // Whether the first of the two, and the one they become, is closed.
+    bool is_closed;
+  };
+  // Two circles meet at (5.1, 3.2); a circle meets the parallel of a line,
+  // which runs from side to side, at (4.55, 3.3).
+  const Meeting circles{
+      {{Locate(soup, {3.3, 3.3})}, {Locate(soup, {6.9, 3.1})}},
+      std::hypot(3.6, 0.2) / 2,
+      true};
+  const Meeting parallel{
+      {{Locate(soup, {6.9, 3.3})}, OnMesh(soup, {{{2.2, 0.2}, {2.2, 5.8}}, 0})},
+      (6.9 - 2.2) / 2,
+      false};
+  const Query from_points = From(circles.sources);
+  EXPECT_EQ(IsolinesOrFail(*mesh, from_points, {circles.level / 2}).size(), 2u);
+  for (const Meeting& meeting : {circles, parallel}) {
+    const Query query = From(meeting.sources);
+    for (const double part : {0.99, 0.9999, 0.99999999}) {
+      const auto apart = IsolinesOrFail(*mesh, query, {meeting.level * part});
+      ASSERT_EQ(apart.size(), 2u) << part;
+      EXPECT_EQ(apart[0].is_closed, meeting.is_closed);
+      EXPECT_TRUE(apart[1].is_closed);
+      const auto joined = IsolinesOrFail(*mesh, query, {meeting.level / part});
+      ASSERT_EQ(joined.size(), 1u) << part;
+      EXPECT_EQ(joined[0].is_closed, meeting.is_closed);
     }
-    for (const Isoline& isoline : apart) EXPECT_TRUE(isoline.is_closed);
+    ExpectIsolines(
+        {"grid", soup}, query,
+        {0.1, 0.9, meeting.level * 0.999, meeting.level * 1.001, 2.5, 3.4}, 300,
+        1e-14);
   }
-  ExpectIsolines({"grid", soup}, query,
-                 {0.1, 0.9, meeting * 0.999, meeting * 1.001, 2.5, 3.4}, 300);
-}
-
-TEST_P(Isolines, Spheres) {
-  const TriangleSoup soup = Icosphere(3);
-  const auto mesh = BuildOrFail({"icosphere", soup});
-  const Query query = From({{VertexPoint{11}}});
-  const std::vector<double> levels = SpreadLevels(*mesh, query, 8);
-  const auto isolines = IsolinesOrFail(*mesh, query, levels);
-  for (const double level : levels) {
-    std::vector<const Isoline*> of_level;
-    for (const Isoline& isoline : isolines) {
-      if (isoline.level == level) of_level.push_back(&isoline);
-    }
-    ASSERT_EQ(of_level.size(), 1u) << level;
-    EXPECT_TRUE(of_level[0]->is_closed);
-    const double circle = 2 * std::numbers::pi * std::sin(level);
-    EXPECT_NEAR(Length(*of_level[0]), circle, 0.05 * circle);
-  }
-  ExpectIsolines({"icosphere", soup}, query, levels, 300);
 }
 
 // Questions of all kinds on meshes of all kinds.
@@ -386,6 +384,7 @@ TEST_P(Isolines, SeparateNearFromFar) {
                                    .cell_width = 0.3,
                                    .diagonals = Diagonals::kRandom}))},
       {"needles", InsertNeedles(Terrain(4, 4, 0.5, 3), 12, 5)},
+      {"icosphere", Icosphere(3)},
       {"two components", Join(Terrain(4, 4, 0.6, 1), Icosphere(1))}};
   for (const NamedMesh& named : meshes) {
     const auto mesh = BuildOrFail(named);
@@ -444,25 +443,6 @@ TEST_P(Isolines, AroundCurves) {
     const double ring = 2 * std::hypot(5.1, 1.7) + 2 * std::numbers::pi * 1.7;
     EXPECT_NEAR(Length(rings[0]), ring, 0.02 * ring);
     EXPECT_LE(Length(rings[0]), ring);
-  }
-}
-
-TEST_P(Isolines, ACircleThatMeetsAParallel) {
-  // The parallel of a line runs from side to side; it meets the circle at
-  // (4.55, 3.3), inside of a face.
-  const TriangleSoup soup = MakeGrid({.columns = 10, .rows = 6});
-  const auto mesh = BuildOrFail({"grid", soup});
-  Query query = From({{Locate(soup, {6.9, 3.3})}});
-  query.sources.push_back(OnMesh(soup, {{{2.2, 0.2}, {2.2, 5.8}}, 0}));
-  const double meeting = (6.9 - 2.2) / 2;
-  for (const double part : {0.99, 0.9999, 0.99999999}) {
-    const auto apart = IsolinesOrFail(*mesh, query, {meeting * part});
-    ASSERT_EQ(apart.size(), 2u) << part;
-    EXPECT_FALSE(apart[0].is_closed);
-    EXPECT_TRUE(apart[1].is_closed);
-    const auto joined = IsolinesOrFail(*mesh, query, {meeting / part});
-    ASSERT_EQ(joined.size(), 1u) << part;
-    EXPECT_FALSE(joined[0].is_closed);
   }
 }
 

@@ -83,15 +83,6 @@ std::vector<ComputationScene> ComputationScenes() {
   return scenes;
 }
 
-// The largest finite distance.
-double Farthest(const DistanceField& field) {
-  double farthest = 0;
-  for (const double d : AllDistances(field)) {
-    if (std::isfinite(d)) farthest = std::max(farthest, d);
-  }
-  return farthest;
-}
-
 // Fails the test unless `field` has the distances of `whole` up to its settled
 // radius, +infinity beyond it and nothing else.
 void ExpectCertified(const std::string& context, const DistanceField& field,
@@ -160,7 +151,7 @@ TEST_P(ComputationTest, IsExactUpToAnyRadiusOnAnySurface) {
   for (const ComputationScene& scene : ComputationScenes()) {
     const Query query = Ask(scene.query);
     const DistanceField whole = SolveOrFail(*scene.mesh, query);
-    const double far = Farthest(whole);
+    const double far = FarthestOf(AllDistances(whole));
     // The last is a distance that occurs: a tie with the radius.
     for (const double radius : {0.1 * far, 0.55 * far, whole.distances[40]}) {
       const auto computation = Start(*scene.mesh, query);
@@ -233,7 +224,7 @@ TEST_P(ComputationTest, InStepsIsBitForBitWhatItIsAtOnce) {
   for (const ComputationScene& scene : ComputationScenes()) {
     const Query query = Ask(scene.query);
     const DistanceField whole = SolveOrFail(*scene.mesh, query);
-    const double far = Farthest(whole);
+    const double far = FarthestOf(AllDistances(whole));
     const auto computation = Start(*scene.mesh, query);
     double settled = 0;
     for (const Reach& reach :
@@ -261,9 +252,10 @@ TEST_P(ComputationTest, TracedOneInStepsHasTheSameTrace) {
     query.trace = true;
     const DistanceField whole = SolveOrFail(*scene.mesh, query);
     const auto computation = Start(*scene.mesh, query);
-    ASSERT_TRUE(
-        computation->Advance({.radius = Farthest(whole) / 2}, checkpoint_)
-            .ok());
+    ASSERT_TRUE(computation
+                    ->Advance({.radius = FarthestOf(AllDistances(whole)) / 2},
+                              checkpoint_)
+                    .ok());
     const DistanceField half = computation->Field();
     for (uint32_t v = 0; v < scene.mesh->vertex_count(); ++v) {
       EXPECT_EQ(half.arrivals[v].pseudo_source == kNoPseudoSource,
@@ -294,7 +286,7 @@ TEST_P(ComputationTest, CancelledKeepsWhatIsCertifiedAndGoesOn) {
               RecordingCheckpoint::Stopped());
     const DistanceField field = computation->Field();
     EXPECT_GE(field.settled_radius, stopping.polls().back().settled_radius);
-    EXPECT_LT(field.settled_radius, Farthest(whole));
+    EXPECT_LT(field.settled_radius, FarthestOf(AllDistances(whole)));
     ExpectCertified("cancelled", field, whole);
     ASSERT_TRUE(computation->Advance({}, checkpoint_).ok());
     EXPECT_EQ(AllDistances(computation->Field()), AllDistances(whole));
@@ -356,7 +348,9 @@ TEST_P(ComputationTest, GoesOnWithAddedSourcesInSteps) {
     const DistanceField whole = SolveOrFail(*scene.mesh, query);
     for (const double part : {0.1, 0.4}) {
       ASSERT_TRUE(
-          computation->Advance({.radius = part * Farthest(whole)}, checkpoint_)
+          computation
+              ->Advance({.radius = part * FarthestOf(AllDistances(whole))},
+                        checkpoint_)
               .ok());
       ExpectCertified(scene.name, computation->Field(), whole);
     }
