@@ -73,11 +73,7 @@ TriangleSoup SubdivideAtMidpoints(const TriangleSoup& soup) {
   const auto midpoint = [&](uint32_t a, uint32_t b) {
     const auto [it, is_new] = midpoints.emplace(std::minmax(a, b), 0u);
     if (is_new) {
-      Point p;
-      for (int c = 0; c < 3; ++c) {
-        p[c] = (soup.positions[a][c] + soup.positions[b][c]) / 2;
-      }
-      it->second = AddPoint(fine, p);
+      it->second = AddPoint(fine, Blend(soup, {a, b, b}, {0.5, 0.5, 0}));
     }
     return it->second;
   };

@@ -1,12 +1,11 @@
 #include "tests/support/test_meshes.h"
 
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "absl/status/status.h"
 #include "geodesic/read_mesh.h"
+#include "tests/support/temporary_folder.h"
 
 namespace geodesic::test {
 
@@ -17,13 +16,12 @@ std::filesystem::path TestMeshFolder() {
 
 absl::StatusOr<TriangleSoup> LoadTestMesh(std::string_view name) {
   const std::filesystem::path path = TestMeshFolder() / name;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return absl::NotFoundError("no test mesh " + path.string());
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
+  if (!std::filesystem::exists(path)) {
+    return absl::NotFoundError("no test mesh " + path.string());
+  }
   const absl::StatusOr<MeshFormat> format = MeshFormatFromPath(name);
   if (!format.ok()) return format.status();
-  return ReadMesh(bytes.view(), *format);
+  return ReadMesh(FileBytes(path), *format);
 }
 
 }  // namespace geodesic::test

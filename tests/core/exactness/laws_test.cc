@@ -38,6 +38,16 @@ class Laws : public EveryAlgorithm {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
     return SolveOn(*mesh, {{VertexPoint{source}}});
   }
+
+  // Expects these distances of the first vertices of another mesh.
+  void ExpectSame(const NamedMesh& other, uint32_t source,
+                  const std::vector<double>& expected) const {
+    std::vector<double> field = Field(other, source);
+    field.resize(expected.size());
+    EXPECT_TRUE(
+        FieldsAgree({other.name, {{VertexPoint{source}}}, GetParam().name},
+                    expected, field));
+  }
 };
 
 // And distances along edges are no less, which SolveOrFail sees to.
@@ -74,8 +84,7 @@ TEST_P(Laws, RigidMotionChangesNothing) {
     const NamedMesh moved{named.name + ", moved",
                           RotateAndShift(named.soup, 11)};
     for (const uint32_t s : SpreadVertices(named.soup, 3)) {
-      EXPECT_TRUE(FieldsAgree({moved.name, {{VertexPoint{s}}}, GetParam().name},
-                              Field(named, s), Field(moved, s)));
+      ExpectSame(moved, s, Field(named, s));
     }
   }
 }
@@ -91,9 +100,7 @@ TEST_P(Laws, ScalingScalesDistances) {
       for (double& d : expected) d *= factor;
       const NamedMesh scaled{absl::StrCat(named.name, " times ", factor),
                              Scale(named.soup, factor)};
-      EXPECT_TRUE(
-          FieldsAgree({scaled.name, {{VertexPoint{s}}}, GetParam().name},
-                      expected, Field(scaled, s)));
+      ExpectSame(scaled, s, expected);
     }
   }
 }
@@ -108,10 +115,7 @@ TEST_P(Laws, RelabellingRelabelsDistances) {
       for (size_t v = 0; v < field.size(); ++v) {
         expected[relabelled.new_number[v]] = field[v];
       }
-      const uint32_t source = relabelled.new_number[s];
-      EXPECT_TRUE(
-          FieldsAgree({shuffled.name, {{VertexPoint{source}}}, GetParam().name},
-                      expected, Field(shuffled, source)));
+      ExpectSame(shuffled, relabelled.new_number[s], expected);
     }
   }
 }
@@ -128,12 +132,8 @@ TEST_P(Laws, SubdivisionInPlaneKeepsDistances) {
          InsertZeroAreaFaces(named.soup, 20, 3)}};
     for (const uint32_t s : SpreadVertices(named.soup, 3)) {
       const std::vector<double> expected = Field(named, s);
-      for (const NamedMesh& fine : finer) {
-        std::vector<double> field = Field(fine, s);
-        field.resize(expected.size());  // the old vertices come first
-        EXPECT_TRUE(FieldsAgree(
-            {fine.name, {{VertexPoint{s}}}, GetParam().name}, expected, field));
-      }
+      // The old vertices come first.
+      for (const NamedMesh& fine : finer) ExpectSame(fine, s, expected);
     }
   }
 }

@@ -158,23 +158,14 @@ TEST(MeshSummaryTest, OrientationDoesNotMatter) {
 }
 
 TEST(MeshSummaryTest, AMoebiusStripIsNotOrientable) {
-  // Six rungs around, the last joined to the first upside down.
+  // An odd number of triangles in a row, its ends joined.
   TriangleSoup soup;
-  constexpr uint32_t kRungs = 6;
-  for (uint32_t i = 0; i < kRungs; ++i) {
-    const double a = 2 * 3.14159265 * i / kRungs;
-    for (double side : {-0.3, 0.3}) {
-      const double r = 1 + side * std::cos(a / 2);
-      soup.positions.push_back(
-          {r * std::cos(a), r * std::sin(a), side * std::sin(a / 2)});
-    }
-  }
-  for (uint32_t i = 0; i < kRungs; ++i) {
-    const bool last = i + 1 == kRungs;
-    const uint32_t a = 2 * i, b = 2 * i + 1;
-    const uint32_t c = last ? 1 : 2 * i + 2, d = last ? 0 : 2 * i + 3;
-    soup.triangles.push_back({a, c, b});
-    soup.triangles.push_back({b, c, d});
+  constexpr uint32_t kCount = 9;
+  for (uint32_t i = 0; i < kCount; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kCount;
+    soup.positions.push_back({std::cos(angle), std::sin(angle), 0});
+    soup.triangles.push_back({i, (i + 1) % kCount, (i + 2) % kCount});
+    if (i % 2 == 1) std::swap(soup.triangles[i][0], soup.triangles[i][1]);
   }
   const MeshSummary summary = SummaryOf(soup);
   EXPECT_FALSE(summary.is_orientable);

@@ -297,52 +297,6 @@ TEST(PathTracer, GivesOnePointWhereSourceAndTargetCoincide) {
   }
 }
 
-TEST(PathTracer, ReversesToAPathOfTheSameLength) {
-  const TriangleSoup soup = Torus({.noise = 0.2});
-  const auto mesh = BuildOrFail({"torus", soup});
-  const std::vector<SurfacePoint> points = RandomPoints(soup, 20, 11);
-  for (size_t i = 1; i < points.size(); ++i) {
-    double lengths[2];
-    for (const bool reversed : {false, true}) {
-      const Query query{.sources = {{points[reversed ? i : i - 1]}},
-                        .targets = {points[reversed ? i - 1 : i]},
-                        .trace = true};
-      const DistanceField field = SolveTraced(*mesh, query);
-      lengths[reversed] =
-          TracerOf(*mesh, query, field).ToTarget(0).value().length;
-    }
-    EXPECT_NEAR(lengths[0], lengths[1], kRelativeTolerance * lengths[0]);
-  }
-}
-
-// The straight line of a plane is all there is to a path in it.
-TEST(PathTracer, FollowsTheStraightLineInAPlane) {
-  const TriangleSoup soup = MakeGrid({.columns = 10,
-                                      .rows = 10,
-                                      .diagonals = Diagonals::kRandom,
-                                      .jitter = 0.2});
-  const auto mesh = BuildOrFail({"grid", soup});
-  const Query query{.sources = {{FacePoint{57, {0.5, 0.3, 0.2}}}},
-                    .trace = true};
-  const DistanceField field = SolveTraced(*mesh, query);
-  const Point from = PositionOf(PointOf(query.sources[0]), *mesh);
-  const PathTracer tracer = TracerOf(*mesh, query, field);
-  for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
-    const Point& to = soup.positions[v];
-    double walked = 0;
-    const GeodesicPath path = tracer.ToVertex(v).value();
-    for (const Point& p : path.positions) {
-      const double dx = to[0] - from[0], dy = to[1] - from[1];
-      const double off = (p[0] - from[0]) * dy - (p[1] - from[1]) * dx;
-      EXPECT_NEAR(off, 0, 1e-12);
-      // And never turns back.
-      const double along = (p[0] - from[0]) * dx + (p[1] - from[1]) * dy;
-      EXPECT_GE(along, walked - 1e-12);
-      walked = along;
-    }
-  }
-}
-
 TEST(PathTracer, TakesWhatIsNotCertifiedForNotReached) {
   const TriangleSoup soup = MakeGrid({.columns = 12, .rows = 12});
   const auto mesh = BuildOrFail({"grid", soup});

@@ -66,34 +66,29 @@ Source OnMesh(const TriangleSoup& soup, const PlanarCurve& curve) {
   on_mesh.points.push_back(Locate(soup, curve.corners[0]));
   for (size_t i = 1; i < curve.corners.size(); ++i) {
     const Place &p = curve.corners[i - 1], &q = curve.corners[i];
+    const double dx = q[0] - p[0], dy = q[1] - p[1];
+    // Which part of the way from p to q.
+    const auto along = [&](const Place& at) {
+      return ((at[0] - p[0]) * dx + (at[1] - p[1]) * dy) / (dx * dx + dy * dy);
+    };
     std::set<std::pair<double, std::pair<uint32_t, uint32_t>>> crossings;
     for (const Triangle& t : soup.triangles) {
       for (int side = 0; side < 3; ++side) {
         const auto [from, to] = std::minmax(t[side], t[(side + 1) % 3]);
-        const double a = Cross(p, q, At(soup, from));
-        const double b = Cross(p, q, At(soup, to));
+        const Place u = At(soup, from), w = At(soup, to);
+        const double a = Cross(p, q, u), b = Cross(p, q, w);
         if ((a > kSame && b > kSame) || (a < -kSame && b < -kSame)) continue;
         if (std::abs(a) <= kSame && std::abs(b) <= kSame) {
           // Along the edge: its ends are corners of the way.
-          for (uint32_t end : {from, to}) {
-            const Place e = At(soup, end);
-            const double s =
-                ((e[0] - p[0]) * (q[0] - p[0]) +
-                 (e[1] - p[1]) * (q[1] - p[1])) /
-                ((q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]));
-            crossings.insert({s, {end, end}});
-          }
+          crossings.insert({along(u), {from, from}});
+          crossings.insert({along(w), {to, to}});
           continue;
         }
-        const Place u = At(soup, from), w = At(soup, to);
         const double t_edge = a / (a - b);
         const Place x = {u[0] + t_edge * (w[0] - u[0]),
                          u[1] + t_edge * (w[1] - u[1])};
-        const double s =
-            ((x[0] - p[0]) * (q[0] - p[0]) + (x[1] - p[1]) * (q[1] - p[1])) /
-            ((q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]));
-        const bool at_from = t_edge<kSame, at_to = t_edge> 1 - kSame;
-        crossings.insert({s, {at_to ? to : from, at_from ? from : to}});
+        const bool at_from = t_edge < kSame, at_to = 1 - t_edge < kSame;
+        crossings.insert({along(x), {at_to ? to : from, at_from ? from : to}});
       }
     }
     double last = 0;
