@@ -195,43 +195,28 @@ TEST_F(CommandLineTest, TyposAreAnsweredByWhatWasMeant) {
               HasSubstr("--sever=a:1; did you mean --server?"));
 }
 
-TEST_F(CommandLineTest, HelpIsACommandToo) {
+TEST_F(CommandLineTest, HelpFitsATerminalAndHasExamples) {
+  // What is printed by a command line that ends well at once.
   const auto text = [this](const std::vector<const char*>& words) {
     out_.str("");
     std::variant<CommandLine, ExitCode> parsed = Parse(words);
     EXPECT_EQ(std::get<ExitCode>(parsed), ExitCode::kOk);
     return out_.str();
   };
+  EXPECT_THAT(text({"--version"}), HasSubstr("geodesic 0."));
+  EXPECT_THAT(text({"--help"}), HasSubstr("Exit codes:"));
+  EXPECT_THAT(text({"field", "--help"}), HasSubstr("POINT[:OFFSET]"));
   EXPECT_EQ(text({"help"}), text({"--help"}));
   EXPECT_EQ(text({"help", "field"}), text({"field", "--help"}));
   EXPECT_THAT(Refused({"help", "fild"}),
               HasSubstr("no command fild; did you mean field?"));
-}
-
-TEST_F(CommandLineTest, HelpAndVersionEndWell) {
-  for (const std::vector<const char*>& words :
-       std::vector<std::vector<const char*>>{
-           {"--help"}, {"--version"}, {"field", "--help"}}) {
-    std::variant<CommandLine, ExitCode> parsed = Parse(words);
-    ASSERT_TRUE(std::holds_alternative<ExitCode>(parsed));
-    EXPECT_EQ(std::get<ExitCode>(parsed), ExitCode::kOk);
-  }
-  EXPECT_THAT(out_.str(), HasSubstr("Exit codes:"));
-  EXPECT_THAT(out_.str(), HasSubstr("geodesic 0."));
-  EXPECT_THAT(out_.str(), HasSubstr("POINT[:OFFSET]"));
-}
-
-TEST_F(CommandLineTest, HelpFitsATerminalAndHasExamples) {
-  std::string all_help;
-  Parse({"--help"});
-  all_help += out_.str();
+  std::string all_help = text({"--help"});
   for (const char* command :
        {"upload", "meshes", "info", "delete", "field", "path", "isolines",
         "matrix", "nearest", "sample", "logmap", "capabilities"}) {
-    out_.str("");
-    Parse({command, "--help"});
-    EXPECT_THAT(out_.str(), HasSubstr("Examples:\n  geodesic ")) << command;
-    all_help += out_.str();
+    const std::string help = text({command, "--help"});
+    EXPECT_THAT(help, HasSubstr("Examples:\n  geodesic ")) << command;
+    all_help += help;
   }
   std::istringstream lines(all_help);
   for (std::string line; std::getline(lines, line);) {

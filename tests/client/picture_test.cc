@@ -124,18 +124,24 @@ Pixels RenderField(const MeshArrays& mesh, const std::vector<double>& distances,
               options);
 }
 
-// Where the quad is: the square in the middle of what the colour bar leaves.
+// Where the quad is: the square in the middle of what the key leaves.
 struct Placement {
-  double left, right, top, bottom;
+  explicit Placement(double key = KeyWidth(kWidth, kHeight)) {
+    const double margin = 0.05 * kHeight;
+    const double width = kWidth - std::max(key, margin) - margin;
+    side = std::min(width, kHeight - 2 * margin);
+    left = margin + width / 2 - side / 2;
+    bottom = kHeight / 2.0 + side / 2;
+  }
+
+  // The pixel of a point of the quad, from 0 to 1.
+  Rgb8 Pixel(const Pixels& image, double x, double y) const {
+    return image.At(static_cast<int>(left + x * side),
+                    static_cast<int>(bottom - y * side));
+  }
+
+  double side, left, bottom;
 };
-Placement QuadPlacement() {
-  const double margin = 0.05 * kHeight;
-  const double width = kWidth - KeyWidth(kWidth, kHeight) - margin;
-  const double side = std::min(width, kHeight - 2 * margin);
-  const double x = margin + width / 2;
-  return {x - side / 2, x + side / 2, kHeight / 2 - side / 2,
-          kHeight / 2 + side / 2};
-}
 
 int Brightness(const Rgb8& pixel) {
   return pixel.red + pixel.green + pixel.blue;
@@ -143,9 +149,9 @@ int Brightness(const Rgb8& pixel) {
 
 TEST(PictureTest, TheMeshIsWhereItBelongsOnWhite) {
   const Pixels image = RenderField(Quad(), {0, 1, 0, 1});
-  const Placement at = QuadPlacement();
+  const Placement at;
   const auto left = static_cast<int>(at.left);
-  const auto top = static_cast<int>(at.top);
+  const auto top = static_cast<int>(at.bottom - at.side);
   EXPECT_EQ(image.At(left - 2, kHeight / 2), kWhite);
   EXPECT_NE(image.At(left + 2, kHeight / 2), kWhite);
   EXPECT_EQ(image.At(left + 20, top - 2), kWhite);
@@ -155,15 +161,14 @@ TEST(PictureTest, TheMeshIsWhereItBelongsOnWhite) {
 
 TEST(PictureTest, ColoursFollowTheDistanceInHue) {
   const Pixels image = RenderField(Quad(), {0, 1, 0, 1});
-  const Placement at = QuadPlacement();
+  const Placement at;
   const Colormap colormap;
   for (const double t : {0.07, 0.28, 0.53, 0.72, 0.97}) {
-    const auto x = static_cast<int>(at.left + t * (at.right - at.left));
+    const auto x = static_cast<int>(at.left + t * (at.side));
     const Rgb8 pixel = image.At(x, kHeight / 2);
     // Shading scales all channels alike; at the centre of a pixel the distance
     // is that of its position.
-    const LinearColor expected =
-        colormap.At((x + 0.5 - at.left) / (at.right - at.left));
+    const LinearColor expected = colormap.At((x + 0.5 - at.left) / (at.side));
     const double scale = LinearFromSrgb(pixel.green / 255.0) / expected.green;
     EXPECT_NEAR(LinearFromSrgb(pixel.red / 255.0), scale * expected.red, 0.02)
         << t;
@@ -177,15 +182,11 @@ TEST(PictureTest, ColoursFollowTheDistanceInHue) {
 TEST(PictureTest, IsolinesRunAtRoundDistances) {
   // Labelled lines at multiples of 0.2, others at multiples of 0.05.
   const Pixels image = RenderField(Quad(), {0, 1, 0, 1});
-  const Placement at = QuadPlacement();
-  const auto pixel_at = [&](double distance) {
-    const double x = at.left + distance * (at.right - at.left);
-    return image.At(static_cast<int>(std::floor(x)), kHeight / 2);
-  };
+  const Placement at;
   for (const double labelled : {0.2, 0.4, 0.6, 0.8}) {
-    const int line = Brightness(pixel_at(labelled));
-    const int minor = Brightness(pixel_at(labelled + 0.05));
-    const int between = Brightness(pixel_at(labelled + 0.025));
+    const int line = Brightness(at.Pixel(image, labelled, 0.5));
+    const int minor = Brightness(at.Pixel(image, labelled + 0.05, 0.5));
+    const int between = Brightness(at.Pixel(image, labelled + 0.025, 0.5));
     EXPECT_LT(line, 0.6 * between) << labelled;
     EXPECT_LT(minor, 0.9 * between) << labelled;
     EXPECT_LT(line, minor) << labelled;
@@ -196,7 +197,7 @@ TEST(PictureTest, UnreachablePartsAreGrey) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Pixels image =
       RenderField(Quad(), {kInfinity, kInfinity, 1, kInfinity});
-  const Placement at = QuadPlacement();
+  const Placement at;
   const Rgb8 pixel = image.At(static_cast<int>(at.left) + 20, kHeight / 2);
   EXPECT_EQ(pixel.red, pixel.green);
   EXPECT_EQ(pixel.green, pixel.blue);
@@ -216,8 +217,8 @@ TEST(PictureTest, HiddenSourcesAreRingsAndToldSo) {
   mesh.triangles.push_back({5, 5, 5});
   mesh.triangles.push_back({4, 4, 4});
   const std::vector<double> distances = {0.4, 1, 0.4, 1, 0, 0};
-  const Placement at = QuadPlacement();
-  const auto x = static_cast<int>((at.left + at.right) / 2);
+  const Placement at;
+  const auto x = static_cast<int>(at.left + at.side / 2);
   const int y = kHeight / 2;
   const auto red_around = [&](const Pixels& image) {
     return image.Count(x - 4, y - 4, x + 5, y + 5, IsRed);
@@ -246,7 +247,7 @@ TEST(PictureTest, TheColourBarGoesFromDarkToLight) {
   // A column of the bar: the first right of the mesh that is not white.
   const auto bottom = static_cast<int>(0.87 * kHeight);
   const auto top = static_cast<int>(0.17 * kHeight);
-  int x = static_cast<int>(QuadPlacement().right) + 3;
+  int x = static_cast<int>((Placement().left + Placement().side)) + 3;
   while (x < kWidth && image.At(x, bottom) == kWhite) ++x;
   ASSERT_LT(x, kWidth);
   x += 3;
@@ -263,7 +264,7 @@ TEST(PictureTest, AnyMagnitudeIsDrawn) {
       for (double& coordinate : point) coordinate *= scale;
     }
     const Pixels scaled = RenderField(mesh, {0, scale, 0, scale});
-    const auto x = static_cast<int>(QuadPlacement().left) + 25;
+    const auto x = static_cast<int>(Placement().left) + 25;
     EXPECT_NEAR(scaled.At(x, kHeight / 2).green, unit.At(x, kHeight / 2).green,
                 2);
   }
@@ -309,10 +310,8 @@ TEST(PictureTest, BoldLinesAreFaintWhereSomethingHidesThem) {
   mesh.triangles.push_back({6, 5, 7});
   const PictureLine line = {.points = {{0.1, 0.5, 0}, {0.9, 0.5, 0}}};
   const Pixels image = Draw(mesh, {.bold_lines = {line}}, FromTheFront());
-  const double side = 0.9 * kHeight;
   const auto pixel = [&](double x, double y) {
-    return image.At(static_cast<int>(kWidth / 2.0 + (x - 0.5) * side),
-                    static_cast<int>(kHeight / 2.0 - (y - 0.5) * side));
+    return Placement(/*key=*/0).Pixel(image, x, y);
   };
   EXPECT_GT(pixel(0.3, 0.5).red, pixel(0.3, 0.5).green + 100);
   EXPECT_LT(pixel(0.3, 0.6).red, pixel(0.3, 0.6).green + 40);
@@ -326,11 +325,10 @@ TEST(PictureTest, ClosedLinesComeBack) {
   const Pixels open = Draw(Quad(), {.thin_lines = {line}}, FromTheFront());
   line.is_closed = true;
   const Pixels closed = Draw(Quad(), {.thin_lines = {line}}, FromTheFront());
-  const double side = 0.9 * kHeight;
-  // The middle of the closing side.
-  const auto x = static_cast<int>(kWidth / 2.0 + (0.35 - 0.5) * side);
-  const auto y = static_cast<int>(kHeight / 2.0);
-  EXPECT_LT(Brightness(closed.At(x, y)), Brightness(open.At(x, y)) - 100);
+  // In the middle of the closing side.
+  const Placement at(/*key=*/0);
+  EXPECT_LT(Brightness(at.Pixel(closed, 0.35, 0.5)),
+            Brightness(at.Pixel(open, 0.35, 0.5)) - 100);
 }
 
 // A flat square of 2 * cells^2 triangles, and the distances and numbers of
@@ -375,18 +373,14 @@ TEST(PictureTest, CellsHaveStraightBordersAndALegend) {
                              .nearest_sources = two.nearest,
                              .source_names = {"first", "second"}},
                             FromTheFront());
-  const Placement at = QuadPlacement();
-  const double side = at.right - at.left;
-  const auto pixel = [&](double x, double y) {
-    return image.At(static_cast<int>(at.left + x * side),
-                    static_cast<int>(at.bottom - y * side));
-  };
+  const Placement at;
+  const auto pixel = [&](double x, double y) { return at.Pixel(image, x, y); };
   const Rgb8 first = pixel(0.2, 0.25);
   const Rgb8 second = pixel(0.75, 0.8);
   EXPECT_NE(first, second);
   // As far from both: x + y = 1.
   for (const double x : {0.05, 0.11, 0.23, 0.38, 0.5, 0.61, 0.77, 0.94}) {
-    const double off = 2.5 / side;  // pixels on either side
+    const double off = 2.5 / at.side;  // pixels on either side
     EXPECT_EQ(pixel(x - off, 1 - x), first) << x;
     EXPECT_EQ(pixel(x + off, 1 - x), second) << x;
   }
@@ -396,7 +390,8 @@ TEST(PictureTest, CellsHaveStraightBordersAndALegend) {
       return LinearFromSrgb(p / 255.0) / LinearFromSrgb(q / 255.0);
     };
     return image.Count(
-        static_cast<int>(at.right) + 5, 0, kWidth, kHeight, [&](const Rgb8& p) {
+        static_cast<int>(at.left + at.side) + 5, 0, kWidth, kHeight,
+        [&](const Rgb8& p) {
           const double red = ratio(p.red, color.red);
           return std::abs(ratio(p.green, color.green) / red - 1) < 0.03 &&
                  std::abs(ratio(p.blue, color.blue) / red - 1) < 0.03;

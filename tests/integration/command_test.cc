@@ -94,19 +94,6 @@ TEST_F(CommandTest, InfoSeesTurnedFaces) {
               HasSubstr("turned against each other"));
 }
 
-TEST_F(CommandTest, ListsMeshesInOrder) {
-  for (uint32_t n = 1; n <= 12; ++n) {
-    const std::string path = folder_ / ("grid" + std::to_string(n) + ".off");
-    WriteFile(path, OffText(PlanarGrid(n)));
-    ASSERT_EQ(Geodesic({"upload", path}).exit_code, 0);
-  }
-  const json meshes = GeodesicJson({"meshes"})["meshes"];
-  ASSERT_EQ(meshes.size(), 12);
-  for (size_t i = 1; i < meshes.size(); ++i) {
-    EXPECT_LT(meshes[i - 1]["digest"], meshes[i]["digest"]);
-  }
-}
-
 TEST_F(CommandTest, FormatsCanBeNamed) {
   WriteFile(folder_ / "grid.mesh", OffText(PlanarGrid(2)));
   const json refused =

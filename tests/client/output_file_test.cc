@@ -1,11 +1,45 @@
-#include "client/output/atomic_file.h"
+// Output files: what their endings ask for, and how they appear.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "client/output/atomic_file.h"
+#include "client/output/output_format.h"
 #include "tests/client/temporary_folder.h"
 
 namespace geodesic::client {
 namespace {
+
+using ::testing::HasSubstr;
+
+TEST(OutputFormatTest, FollowsFromTheEnding) {
+  EXPECT_EQ(*OutputFormatFromPath("a.npy", kFieldFormats), OutputFormat::kNpy);
+  EXPECT_EQ(*OutputFormatFromPath("a/b.c.CSV", kFieldFormats),
+            OutputFormat::kCsv);
+  EXPECT_EQ(*OutputFormatFromPath("a.f32", kFieldFormats), OutputFormat::kF32);
+  EXPECT_EQ(*OutputFormatFromPath("a.obj", kLineFormats), OutputFormat::kObj);
+  EXPECT_EQ(*OutputFormatFromPath("a.npz", kMatrixFormats), OutputFormat::kNpz);
+}
+
+TEST(OutputFormatTest, OtherEndingsAreRefused) {
+  for (const char* path : {"", "a", "npy", "a.npy/b", "a.txt", "a."}) {
+    absl::Status status = OutputFormatFromPath(path, kFieldFormats).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << path;
+    EXPECT_THAT(std::string(status.message()),
+                HasSubstr(OutputEndings(kFieldFormats)));
+  }
+  EXPECT_FALSE(OutputFormatFromPath("a.obj", kFieldFormats).ok());
+  EXPECT_FALSE(OutputFormatFromPath("a.npy", kLineFormats).ok());
+  EXPECT_EQ(OutputEndings(kMatrixFormats), ".npy, .npz and .csv");
+}
+
+TEST(CheckWritableTest, FindsOutEarly) {
+  TemporaryFolder folder;
+  EXPECT_TRUE(CheckWritable(folder / "new.npy").ok());
+  EXPECT_TRUE(CheckWritable("new.npy").ok());
+  EXPECT_FALSE(CheckWritable(folder / "missing/new.npy").ok());
+  EXPECT_FALSE(CheckWritable(folder.path().string()).ok());
+}
 
 TEST(AtomicFileTest, AppearsAtCommit) {
   TemporaryFolder folder;
@@ -37,14 +71,6 @@ TEST(AtomicFileTest, LeavesTheOldFileAloneUnlessCommitted) {
   file->Append("new");
   ASSERT_TRUE(file->Commit().ok());
   EXPECT_EQ(FileBytes(path), "new");
-}
-
-TEST(AtomicFileTest, MissingFolderIsNamed) {
-  TemporaryFolder folder;
-  const std::string path = folder / "missing/out.bin";
-  absl::Status status = AtomicFile::Create(path).status();
-  EXPECT_TRUE(absl::IsNotFound(status)) << status;
-  EXPECT_NE(status.message().find(path), absl::string_view::npos);
 }
 
 TEST(AtomicFileTest, FailureLeavesNothingBehind) {

@@ -1,16 +1,68 @@
-#include "client/src/rpc_status.h"
+// What the client shares with the protocol: digests, names, statuses.
 
+#include <google/protobuf/descriptor.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
+#include "client/src/rpc_status.h"
+#include "geodesic/v1/capabilities_service.pb.h"
+#include "geodesic/v1/field_service.pb.h"
+#include "geodesic/v1/matrix_service.pb.h"
+#include "geodesic/v1/mesh_service.pb.h"
+#include "geodesic/v1/path_service.pb.h"
 #include "geodesic_client/errors.h"
+#include "geodesic_client/field.h"
+#include "geodesic_client/mesh.h"
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 
 namespace geodesic::client {
 namespace {
+
+// Computed with Python's hashlib and struct from the definition in mesh.proto.
+TEST(MeshDigestTest, IsTheOneTheProtocolDefines) {
+  EXPECT_EQ(MeshDigest({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}),
+            "4538d0d0eb2a08471aab3a00e597e36252b1ea05f74234051eabd46ee6a8b4ba");
+  EXPECT_EQ(MeshDigest({}),
+            "6687583eb49f1b9c0b6274258375ab8a8e87365b820ab336b7fb2cf23264c2fc");
+}
+
+TEST(MeshDigestTest, HasTheFormOfADigest) {
+  EXPECT_TRUE(IsMeshDigest(MeshDigest({})));
+  EXPECT_FALSE(IsMeshDigest(""));
+  EXPECT_FALSE(IsMeshDigest(std::string(64, 'G')));
+  EXPECT_FALSE(IsMeshDigest(std::string(64, 'A')));
+  EXPECT_FALSE(IsMeshDigest(std::string(63, 'a')));
+  EXPECT_TRUE(IsMeshDigest(std::string(64, 'a')));
+}
+
+TEST(MeshFormatTest, FollowsFromTheEnding) {
+  EXPECT_EQ(*MeshFormatFromPath("a.obj"), MeshFormat::kObj);
+  EXPECT_EQ(*MeshFormatFromPath("/a.off/b.PLY"), MeshFormat::kPly);
+  EXPECT_EQ(*MeshFormatFromPath("./x.y.off"), MeshFormat::kOff);
+  EXPECT_EQ(*MeshFormatFromPath("A.Stl"), MeshFormat::kStl);
+}
+
+TEST(MeshFormatTest, OtherEndingsAreRefusedByName) {
+  for (const char* path : {"", "obj", "a.obj/b", "a.gltf", "a.obj.", "a.ob"}) {
+    absl::Status status = MeshFormatFromPath(path).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << path;
+    EXPECT_NE(status.message().find(path), absl::string_view::npos);
+    EXPECT_NE(status.message().find(".ply"), absl::string_view::npos);
+  }
+}
+
+TEST(AlgorithmNamesTest, AreThoseOfTheProtocol) {
+  EXPECT_EQ(AlgorithmNames(),
+            (std::vector<std::string>{"fwp-ch", "fwp-mmp", "ich", "mmp", "ch",
+                                      "lc-mmp", "lc-ch", "fwp-list"}));
+}
 
 // A status with one detail.
 template <typename Detail>
@@ -103,6 +155,35 @@ TEST(RetryTest, ARequestToStopEndsTheWait) {
   source.request_stop();
   EXPECT_FALSE(
       WaitToRetry(absl::UnavailableError("later"), 1, source.get_token()));
+}
+
+using Json = nlohmann::json;
+
+TEST(ServiceConfig, NamesServicesAndMethodsThatExist) {
+  std::ifstream file(GEODESIC_SERVICE_CONFIG);
+  ASSERT_TRUE(file) << GEODESIC_SERVICE_CONFIG;
+  const Json config = Json::parse(file);
+  std::map<std::string, const google::protobuf::ServiceDescriptor*> services;
+  for (const auto* message : {v1::GetCapabilitiesRequest::descriptor(),
+                              v1::ComputeFieldRequest::descriptor(),
+                              v1::ComputeMatrixRequest::descriptor(),
+                              v1::GetMeshRequest::descriptor(),
+                              v1::ComputePathsRequest::descriptor()}) {
+    const auto* service = message->file()->service(0);
+    services[service->full_name()] = service;
+  }
+  int checked = 0;
+  for (const Json& name : config["methodConfig"][0]["name"]) {
+    const auto* service = services[name["service"].get<std::string>()];
+    ASSERT_NE(service, nullptr) << name;
+    if (name.contains("method")) {
+      EXPECT_NE(service->FindMethodByName(name["method"].get<std::string>()),
+                nullptr)
+          << name;
+    }
+    ++checked;
+  }
+  EXPECT_EQ(checked, 8);
 }
 
 }  // namespace
