@@ -69,16 +69,7 @@ class Propagation final : public Computation {
     };
     const std::span<const double> distances = front_.distances();
     field.distances.resize(distances.size());
-    if (const double unit = ToFileUnit(1); std::isnormal(unit)) {
-      // As certified(), in a form that the compiler vectorizes.
-      for (size_t v = 0; v < distances.size(); ++v) {
-        const double distance = distances[v] * unit;
-        field.distances[v] =
-            distance <= certified_radius_ ? distance : kInfinity;
-      }
-    } else {
-      std::ranges::transform(distances, field.distances.begin(), certified);
-    }
+    std::ranges::transform(distances, field.distances.begin(), certified);
     const Targets& targets = front_.targets();
     for (size_t t = 0; t < targets.size(); ++t) {
       field.target_distances.push_back(
@@ -287,8 +278,11 @@ class Propagation final : public Computation {
   }
 
   const Mesh& mesh() const { return front_.mesh(); }
+  // In two steps, since 2 to that exponent may be no normal number.
   double ToFileUnit(double length) const {
-    return std::ldexp(length, mesh().scale_exponent());
+    const int half = mesh().scale_exponent() / 2;
+    return length * std::ldexp(1, half) *
+           std::ldexp(1, mesh().scale_exponent() - half);
   }
 
   const Algorithm algorithm_;
