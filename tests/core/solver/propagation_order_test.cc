@@ -1,9 +1,7 @@
 // Proposition 1 of Xu et al. 2015: the order in which windows are propagated
 // does not matter. A queue that pops at random must give the same field.
 
-#include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
@@ -16,8 +14,8 @@
 #include "solver/rules/list_rule.h"
 #include "solver/rules/mmp_rule.h"
 #include "tests/support/curved_meshes.h"
+#include "tests/support/field_check.h"
 #include "tests/support/planar_meshes.h"
-#include "tests/support/queries.h"
 
 namespace geodesic {
 namespace {
@@ -50,77 +48,51 @@ class RandomQueue {
   uint64_t iterations_ = 0;
 };
 
+// On curvature, ties, reflex corners, needles and a closed surface with
+// saddles.
 template <template <typename> typename Rule>
-void ExpectOrderDoesNotMatter(TriangleSoup soup) {
-  const auto mesh = *Mesh::Build(std::move(soup));
-  const ValidQuery query = test::Valid(
-      *mesh, {.sources = {{VertexPoint{3}}, {VertexPoint{40}, 0.5}}});
-  NoCheckpoint checkpoint;
-  const auto expected = Solve(*mesh, query, {}, checkpoint);
-  ASSERT_TRUE(expected.ok());
-  for (uint32_t seed : {1u, 2u, 3u}) {
-    const Tuning tuning{.bucket_width = 1, .max_batch = seed};
-    Propagation<Rule, RandomQueue> propagation(*mesh, query, tuning, nullptr);
-    ASSERT_TRUE(propagation.Advance({}, checkpoint).ok());
-    const DistanceField field = propagation.Field();
-    for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
-      ASSERT_NEAR(field.distances[v], expected->distances[v],
-                  1e-12 * expected->distances[v])
-          << "vertex " << v << ", seed " << seed;
+void ExpectOrderDoesNotMatter() {
+  for (const test::NamedMesh& named : std::vector<test::NamedMesh>{
+           {"terrain", test::Terrain(10, 10, 1.0, 3)},
+           {"grid", test::MakeGrid({.columns = 9, .rows = 9})},
+           {"hole", test::MakeGrid(test::WithHole({.columns = 9, .rows = 9}))},
+           {"needles", test::MakeGrid({.columns = 12,
+                       .rows = 4,
+                       .cell_width = 1e-6,
+                       .diagonals = test::Diagonals::kAlternating})},
+           {"torus", test::Torus({.around = 10, .across = 6, .noise = 0.2})}}) {
+    const auto mesh = test::BuildOrFail(named);
+    const ValidQuery query = test::Valid(
+        *mesh, {.sources = {{VertexPoint{3}}, {VertexPoint{40}, 0.5}}});
+    NoCheckpoint checkpoint;
+    const DistanceField expected = Solve(*mesh, query, {}, checkpoint).value();
+    for (const uint32_t seed : {1u, 2u, 3u}) {
+      const Tuning tuning{.bucket_width = 1, .max_batch = seed};
+      Propagation<Rule, RandomQueue> propagation(*mesh, query, tuning, nullptr);
+      ASSERT_TRUE(propagation.Advance({}, checkpoint).ok());
+      const DistanceField field = propagation.Field();
+      for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+        ASSERT_NEAR(field.distances[v], expected.distances[v],
+                    1e-12 * expected.distances[v])
+            << named.name << ", vertex " << v << ", seed " << seed;
+      }
+      EXPECT_LE(field.statistics.windows_propagated,
+                field.statistics.windows_created);
     }
-    EXPECT_LE(field.statistics.windows_propagated,
-              field.statistics.windows_created);
   }
 }
 
-template <typename T>
-class PropagationOrderTest : public ::testing::Test {};
-
-struct Ch {
-  template <typename Front>
-  using Rule = ChRule<Front>;
-};
-struct Ich {
-  template <typename Front>
-  using Rule = IchRule<Front>;
-};
-struct Mmp {
-  template <typename Front>
-  using Rule = MmpRule<Front>;
-};
-struct List {
-  template <typename Front>
-  using Rule = ListRule<Front>;
-};
-using Rules = ::testing::Types<Ch, Ich, Mmp, List>;
-TYPED_TEST_SUITE(PropagationOrderTest, Rules);
-
-TYPED_TEST(PropagationOrderTest, OnTerrain) {
-  ExpectOrderDoesNotMatter<TypeParam::template Rule>(
-      test::Terrain(10, 10, 1.0, 3));
+TEST(PropagationOrder, DoesNotMatterToCh) {
+  ExpectOrderDoesNotMatter<ChRule>();
 }
-
-TYPED_TEST(PropagationOrderTest, OnTiesOfAGrid) {
-  ExpectOrderDoesNotMatter<TypeParam::template Rule>(
-      test::MakeGrid({.columns = 9, .rows = 9}));
+TEST(PropagationOrder, DoesNotMatterToIch) {
+  ExpectOrderDoesNotMatter<IchRule>();
 }
-
-TYPED_TEST(PropagationOrderTest, AroundAHole) {
-  ExpectOrderDoesNotMatter<TypeParam::template Rule>(
-      test::MakeGrid(test::WithHole({.columns = 9, .rows = 9})));
+TEST(PropagationOrder, DoesNotMatterToMmp) {
+  ExpectOrderDoesNotMatter<MmpRule>();
 }
-
-TYPED_TEST(PropagationOrderTest, OnNeedles) {
-  ExpectOrderDoesNotMatter<TypeParam::template Rule>(
-      test::MakeGrid({.columns = 12,
-                      .rows = 4,
-                      .cell_width = 1e-6,
-                      .diagonals = test::Diagonals::kAlternating}));
-}
-
-TYPED_TEST(PropagationOrderTest, OnAClosedSurfaceWithSaddles) {
-  ExpectOrderDoesNotMatter<TypeParam::template Rule>(
-      test::Torus({.around = 10, .across = 6, .noise = 0.2}));
+TEST(PropagationOrder, DoesNotMatterToLists) {
+  ExpectOrderDoesNotMatter<ListRule>();
 }
 
 }  // namespace
