@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
 #include "tests/support/field_check.h"
 #include "tests/support/mesh_edits.h"
@@ -177,24 +176,6 @@ TEST(Oracles, BruteForceLeavesOtherPiecesOutOfReach) {
   const std::vector<double> distances = BruteForce(soup).Distances(1);
   for (uint32_t v = 0; v < 4; ++v) EXPECT_LT(distances[v], 3) << v;
   for (uint32_t v = 4; v < 9; ++v) EXPECT_EQ(distances[v], HUGE_VAL) << v;
-}
-
-// On a closed mesh without symmetry the direct distances are found from either
-// end by different windows.
-TEST(Oracles, BruteForceIsSymmetric) {
-  const TriangleSoup soup =
-      Torus({.around = 8, .across = 5, .noise = 0.2, .seed = 3});
-  const BruteForce brute_force(soup);
-  std::vector<std::vector<double>> from;
-  for (uint32_t s = 0; s < soup.positions.size(); ++s) {
-    from.push_back(brute_force.Distances(s));
-  }
-  for (uint32_t s = 0; s < soup.positions.size(); ++s) {
-    for (uint32_t v = 0; v < s; ++v) {
-      ASSERT_NEAR(from[s][v], from[v][s], 1e-15 * from[s][v] * 10)
-          << "vertices " << s << " and " << v;
-    }
-  }
 }
 
 }  // namespace

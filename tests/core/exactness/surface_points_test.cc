@@ -35,34 +35,40 @@ std::vector<SurfacePoint> ManyPoints(const TriangleSoup& soup, uint32_t count,
   return points;
 }
 
-class SurfacePoints : public EveryAlgorithm {};
+class SurfacePoints : public EveryAlgorithm {
+ protected:
+  // On a plane: the least of Euclid's distances from the sources.
+  void ExpectEuclidFrom(const TriangleSoup& soup, const Mesh& mesh,
+                        const std::vector<Source>& sources,
+                        const std::vector<SurfacePoint>& targets) const {
+    std::vector<double> expected;
+    const auto expect = [&](const Vec3& p) {
+      Real least = std::numeric_limits<Real>::infinity();
+      for (const Source& source : sources) {
+        least = std::min(
+            least, source.offset + Norm(p - PositionIn(soup, PointOf(source))));
+      }
+      expected.push_back(static_cast<double>(least));
+    };
+    for (const Point& p : soup.positions) expect(ToVec3(p));
+    for (const SurfacePoint& t : targets) expect(PositionIn(soup, t));
+    ExpectAnswer("grid", mesh, {.sources = sources, .targets = targets},
+                 expected, CoordinateRounding(soup.positions));
+  }
+};
 
 TEST_P(SurfacePoints, EuclidInThePlane) {
   Random random(1);
   for (const Diagonals diagonals :
        {Diagonals::kParallel, Diagonals::kAlternating, Diagonals::kRandom}) {
     for (const double jitter : {0.0, 0.2}) {
-      const NamedMesh named{"grid", MakeGrid({.columns = 9,
-                                              .rows = 7,
-                                              .diagonals = diagonals,
-                                              .jitter = jitter})};
-      const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
-      const std::vector<SurfacePoint> targets =
-          ManyPoints(named.soup, 40, random);
+      const TriangleSoup soup = MakeGrid(
+          {.columns = 9, .rows = 7, .diagonals = diagonals, .jitter = jitter});
+      const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
+      const std::vector<SurfacePoint> targets = ManyPoints(soup, 40, random);
       for (int i = 0; i < 8; ++i) {
-        const SurfacePoint source = RandomSurfacePoint(named.soup, random);
-        const Vec3 from = PositionIn(named.soup, source);
-        std::vector<double> expected;
-        for (const Point& p : named.soup.positions) {
-          expected.push_back(static_cast<double>(Norm(ToVec3(p) - from)));
-        }
-        for (const SurfacePoint& target : targets) {
-          expected.push_back(
-              static_cast<double>(Norm(PositionIn(named.soup, target) - from)));
-        }
-        ExpectAnswer(named.name, *mesh,
-                     {.sources = {{source}}, .targets = targets}, expected,
-                     CoordinateRounding(named.soup.positions));
+        ExpectEuclidFrom(soup, *mesh, {{RandomSurfacePoint(soup, random)}},
+                         targets);
       }
     }
   }
@@ -72,40 +78,24 @@ TEST_P(SurfacePoints, EuclidInThePlane) {
 // bounded by a branch of a hyperbola, with another source's on both its sides.
 TEST_P(SurfacePoints, OffsetsInThePlane) {
   Random random(4);
-  const NamedMesh named{"grid", MakeGrid({.columns = 9,
-                                          .rows = 7,
-                                          .diagonals = Diagonals::kRandom,
-                                          .jitter = 0.1})};
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  const TriangleSoup soup = MakeGrid({.columns = 9,
+                                      .rows = 7,
+                                      .diagonals = Diagonals::kRandom,
+                                      .jitter = 0.1});
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
   for (int i = 0; i < 100; ++i) {
-    std::vector<Source> sources;
-    for (int j = 0; j < 4; ++j) {
-      const SurfacePoint point = RandomSurfacePoint(named.soup, random);
-      double offset = j == 0 ? 0.5 : 1e9;
+    std::vector<Source> sources = {{RandomSurfacePoint(soup, random), 0.5}};
+    for (int j = 1; j < 4; ++j) {
+      const SurfacePoint point = RandomSurfacePoint(soup, random);
+      double offset = std::numeric_limits<double>::infinity();
       for (const Source& other : sources) {
-        const Real apart = Norm(PositionIn(named.soup, point) -
-                                PositionIn(named.soup, PointOf(other)));
+        const Real apart =
+            Norm(PositionIn(soup, point) - PositionIn(soup, PointOf(other)));
         offset = std::min(offset, static_cast<double>(other.offset + apart));
       }
-      sources.push_back(
-          {point, j == 0 ? 0.5 : offset * random.Uniform(0.7, 1)});
+      sources.push_back({point, offset * random.Uniform(0.7, 1)});
     }
-    const std::vector<SurfacePoint> targets =
-        ManyPoints(named.soup, 20, random);
-    std::vector<double> expected;
-    const auto expect = [&](const Vec3& p) {
-      Real least = std::numeric_limits<Real>::infinity();
-      for (const Source& source : sources) {
-        least = std::min(
-            least,
-            source.offset + Norm(p - PositionIn(named.soup, PointOf(source))));
-      }
-      expected.push_back(static_cast<double>(least));
-    };
-    for (const Point& p : named.soup.positions) expect(ToVec3(p));
-    for (const SurfacePoint& t : targets) expect(PositionIn(named.soup, t));
-    ExpectAnswer(named.name, *mesh, {.sources = sources, .targets = targets},
-                 expected, CoordinateRounding(named.soup.positions));
+    ExpectEuclidFrom(soup, *mesh, sources, ManyPoints(soup, 20, random));
   }
 }
 
