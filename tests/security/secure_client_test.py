@@ -223,6 +223,8 @@ class SecureClientTest(unittest.TestCase):
             self.compute(self.connect(), "0" * 5_000_000, 0)
         self.assertEqual(caught.exception.code(),
                          grpc.StatusCode.RESOURCE_EXHAUSTED)
+        # gRPC said so; the server knows only what it may have been.
+        self.assertTrue(self.logged("larger than --max-message-bytes"))
 
     def test_a_decompression_bomb_is_an_oversized_message(self):
         # 100 MB that travel as 100 kB.

@@ -185,7 +185,7 @@ class AnswerStream : public Call<ResponseType> {
 
   // `ok`: of the read. Errors: as Intake::Decode. REQUIRES: mutex_ held.
   absl::Status Receive(bool ok) {
-    if (!ok) return absl::InvalidArgumentError("the call has no request");
+    if (!ok) return absl::InvalidArgumentError(kNoMessage);
     request_.emplace();
     absl::StatusOr<ByteReservation> memory = this->Decode(*request_);
     if (!memory.ok()) return memory.status();

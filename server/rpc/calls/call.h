@@ -40,6 +40,12 @@ struct ServiceContext {
   v1::GetCapabilitiesResponse capabilities;
 };
 
+// Why a read may fail. A message that is too large gRPC refuses by itself, and
+// tells the client so; the server hears as much as when the client leaves.
+inline constexpr char kNoMessage[] =
+    "no message came: the client sent none, is gone, or sent one larger than "
+    "--max-message-bytes, which gRPC refused";
+
 template <typename ResponseType>
 class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
              public Receiver,
@@ -166,7 +172,9 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   }
 
   void EndCancelled() {
-    End(absl::CancelledError("the call was cancelled or its deadline came"));
+    End(absl::CancelledError(
+        is_receiving_ ? kNoMessage
+                      : "the call was cancelled or its deadline came"));
   }
 
   const ServiceContext& service_;

@@ -137,7 +137,7 @@ void UploadStream::Complete() {
     std::lock_guard lock(mutex_);
     if (finished_) return;
     if (context_.IsCancelled()) {
-      End(absl::CancelledError("the client is gone"));
+      End(absl::CancelledError(kNoMessage));
       return;
     }
     if (upload_ == nullptr) {
