@@ -20,7 +20,7 @@ import time
 
 BIN = pathlib.Path(__file__).resolve().parent.parent / "build/release/bin"
 HEADER_BYTES = 168  # server/store/blob_format.h
-FIRST_POSITION = 33  # after the counts (server/engine/meshes/mesh_digest.cc)
+FIRST_POSITION = 33  # after the counts (server/engine/meshes/mesh_digest.h)
 
 
 def start(folder):

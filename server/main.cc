@@ -27,12 +27,6 @@ namespace {
 constexpr int kCannotStart = 1;
 constexpr int kRequestsCancelled = 3;
 
-bool WritePort(const std::string& path, int port) {
-  std::ofstream file(path);
-  file << port << '\n' << std::flush;
-  return file.good();
-}
-
 // The signals that are taken on a thread of their own.
 sigset_t WatchedSignals() {
   sigset_t signals;
@@ -84,10 +78,12 @@ int Run(const ServerOptions& options) {
     logger->critical("{}", status.ToString());
     return kCannotStart;
   }
-  if (!options.port_file.empty() &&
-      !WritePort(options.port_file, server.port())) {
-    logger->critical("cannot write --port-file {}", options.port_file);
-    return kCannotStart;
+  if (!options.port_file.empty()) {
+    std::ofstream file(options.port_file);
+    if (!(file << server.port() << '\n' << std::flush)) {
+      logger->critical("cannot write --port-file {}", options.port_file);
+      return kCannotStart;
+    }
   }
   const size_t colon = options.listen.rfind(':');
   logger->info("geodesicd {} serves on {}:{} {}", ServerVersion(),

@@ -12,7 +12,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_replace.h"
 #include "geodesic/solve_options.h"
-#include "server/security/listen_address.h"
+#include "server/security/tls_files.h"
 
 namespace geodesic::server {
 namespace {
@@ -80,65 +80,69 @@ std::string CheckAddress(const std::string& address) {
              : absl::StrCat("\"", address, "\" is not HOST:PORT");
 }
 
-void AddNetworkOptions(CLI::App& app, ServerOptions& options) {
-  app.add_option("--listen", options.listen,
-                 "Address and port to serve on; port 0 takes a free port")
-      ->check(&CheckAddress)
-      ->capture_default_str()
-      ->type_name("HOST:PORT");
-  app.add_option("--port-file", options.port_file,
-                 "Write the port that is served on to this file, for scripts")
-      ->type_name("PATH");
-  AddCount(app, "--max-requests", options.max_requests, 1'000'000,
+CLI::Option& AddText(CLI::App& app, const std::string& flag, std::string& value,
+                     const std::string& type, const std::string& help) {
+  return *app.add_option(flag, value, help)->type_name(type);
+}
+
+// Every setting but --config, in the order of the help, with its bounds.
+// Defaults of the disk are for the sake of the help; without --data-dir they
+// are 0.
+void AddOptions(CLI::App& app, ServerOptions& options) {
+  Limits& limits = options.limits;
+  limits.max_concurrent_jobs =
+      std::max<uint64_t>(1, std::thread::hardware_concurrency());
+  limits.mesh_disk_bytes = uint64_t{64} << 30;
+  limits.field_disk_bytes = uint64_t{16} << 30;
+  constexpr uint64_t kMillion = 1'000'000;
+  constexpr uint64_t kMost = 100 * kMillion;
+
+  app.option_defaults()->group("Network");
+  AddText(app, "--listen", options.listen, "HOST:PORT",
+          "Address and port to serve on; port 0 takes a free port")
+      .check(&CheckAddress)
+      ->capture_default_str();
+  AddText(app, "--port-file", options.port_file, "PATH",
+          "Write the port that is served on to this file, for scripts");
+  AddCount(app, "--max-requests", options.max_requests, kMillion,
            "Requests at once; each may hold a few messages in memory");
   AddCount(app, "--max-connection-streams", options.max_connection_streams,
-           1'000'000, "Requests at once on one connection; more wait");
+           kMillion, "Requests at once on one connection; more wait");
   AddSeconds(app, "--receive-seconds", options.receive_patience, 1,
              "How long a message of a request may take to come in");
   AddBytes(app, "--max-message-bytes", options.max_message_bytes,
            "Largest gRPC message taken from a client", kMaxMessageBytes);
-}
 
-void AddSecurityOptions(CLI::App& app, ServerOptions& options) {
-  app.add_option("--tls-cert", options.tls.certificate,
-                 "Serve over TLS with this certificate and its chain, in PEM; "
-                 "a changed file is taken up while the server runs")
-      ->type_name("FILE");
-  app.add_option("--tls-key", options.tls.key, "The certificate's private key")
-      ->type_name("FILE");
-  app.add_option("--tls-client-ca", options.tls.client_authorities,
-                 "Let in only clients with a certificate of these authorities")
-      ->type_name("FILE");
-  app.add_option("--token-file", options.token_file,
-                 "Serve only callers whose token's sha-256 is in this JSON "
-                 "file; a changed file is taken up, also on SIGHUP")
-      ->type_name("FILE");
+  app.option_defaults()->group("Security");
+  AddText(app, "--tls-cert", options.tls.certificate, "FILE",
+          "Serve over TLS with this certificate and its chain, in PEM; "
+          "a changed file is taken up while the server runs");
+  AddText(app, "--tls-key", options.tls.key, "FILE",
+          "The certificate's private key");
+  AddText(app, "--tls-client-ca", options.tls.client_authorities, "FILE",
+          "Let in only clients with a certificate of these authorities");
+  AddText(app, "--token-file", options.token_file, "FILE",
+          "Serve only callers whose token's sha-256 is in this JSON "
+          "file; a changed file is taken up, also on SIGHUP");
   app.add_flag("--insecure-listen", options.insecure_listen,
                "Listen to other machines though there is no TLS: whoever "
                "reaches the port reads and forges everything");
-}
 
-void AddWorkOptions(CLI::App& app, ServerOptions& options) {
-  Limits& limits = options.limits;
-  limits.max_concurrent_jobs =
-      std::max<uint64_t>(1, std::thread::hardware_concurrency());
+  app.option_defaults()->group("Work");
   AddCount(app, "--threads", limits.max_concurrent_jobs, 4096,
            "Jobs (solves and mesh builds) that run at once, one thread each");
   AddCount(app, "--max-threads-per-solve", limits.max_threads_per_solve,
            kMostSolveThreads,
            "Threads that share one solve while they have no job of their own");
-  AddCount(app, "--max-queued-jobs", limits.max_queued_jobs, 1'000'000,
+  AddCount(app, "--max-queued-jobs", limits.max_queued_jobs, kMillion,
            "Jobs that may wait for a thread; more are refused, to be retried",
            /*least=*/0);
   AddCount(app, "--max-queued-jobs-per-client",
-           limits.max_queued_jobs_per_client, 1'000'000,
+           limits.max_queued_jobs_per_client, kMillion,
            "Jobs of one client (the name of its token, or its address) that "
            "may wait");
-}
 
-void AddQuestionOptions(CLI::App& app, ServerOptions& options) {
-  constexpr uint64_t kMost = 100'000'000;
-  Limits& limits = options.limits;
+  app.option_defaults()->group("Questions");
   AddCount(app, "--max-sources", limits.max_sources, kMost,
            "Sources of one query");
   AddCount(app, "--max-curve-points", limits.max_curve_points, kMost,
@@ -151,12 +155,10 @@ void AddQuestionOptions(CLI::App& app, ServerOptions& options) {
            "Farthest points sampled by one request");
   AddCount(app, "--max-matrix-rows", limits.max_matrix_rows, kMost,
            "Rows of one matrix; each is a search of its own");
-  AddCount(app, "--max-matrix-values", limits.max_matrix_values,
-           uint64_t{1} << 50, "Rows times columns of one matrix");
-}
+  AddCount(app, "--max-matrix-values", limits.max_matrix_values, kMaxBytes,
+           "Rows times columns of one matrix");
 
-void AddMemoryOptions(CLI::App& app, ServerOptions& options) {
-  Limits& limits = options.limits;
+  app.option_defaults()->group("Memory");
   AddBytes(app, "--receive-memory", options.receive_memory_bytes,
            "Memory for messages that are still coming in, all together");
   AddBytes(app, "--request-memory", options.request_memory_bytes,
@@ -169,67 +171,47 @@ void AddMemoryOptions(CLI::App& app, ServerOptions& options) {
            "Memory for uploads on their way to become meshes, all together");
   AddBytes(app, "--solver-memory", limits.solver_memory_bytes,
            "Memory for running solvers, all together");
-}
 
-// Their defaults are for the sake of the help; without --data-dir they are 0.
-void AddDiskOptions(CLI::App& app, ServerOptions& options) {
-  Limits& limits = options.limits;
-  limits.mesh_disk_bytes = uint64_t{64} << 30;
-  limits.field_disk_bytes = uint64_t{16} << 30;
-  app.add_option("--data-dir", options.data_dir,
-                 "Keep meshes and fields in this folder, across restarts and "
-                 "crashes; made if need be; one server a folder")
-      ->type_name("DIR");
+  app.option_defaults()->group("Disk");
+  AddText(app, "--data-dir", options.data_dir, "DIR",
+          "Keep meshes and fields in this folder, across restarts and "
+          "crashes; made if need be; one server a folder");
   AddBytes(app, "--mesh-disk", limits.mesh_disk_bytes,
            "Disk for meshes in --data-dir; the least recently used are "
            "evicted");
   AddBytes(app, "--field-disk", limits.field_disk_bytes,
            "Disk for fields in --data-dir; the least recently used are "
            "evicted");
-}
 
-void AddMeshOptions(CLI::App& app, ServerOptions& options) {
-  Limits& limits = options.limits;
+  app.option_defaults()->group("Meshes");
   AddBytes(app, "--max-upload-bytes", limits.max_upload_bytes,
            "Largest mesh file or pair of arrays a client may upload");
   AddCount(app, "--max-vertices", limits.max_vertices, kMaxVertices,
            "Vertices of one mesh");
   AddCount(app, "--max-faces", limits.max_faces, kMaxFaces,
            "Triangles of one mesh");
-}
 
-void AddOperationOptions(CLI::App& app, ServerOptions& options) {
+  app.option_defaults()->group("Operation");
   AddSeconds(app, "--drain-seconds", options.drain, 0,
              "After SIGTERM or SIGINT, how long requests may go on before they "
              "are cancelled; a second signal cancels them at once");
-  app.add_option("--metrics-listen", options.metrics_listen,
-                 "Serve /metrics for Prometheus, /livez and /readyz here, over "
-                 "HTTP in clear")
-      ->check(&CheckAddress)
-      ->type_name("HOST:PORT");
+  AddText(app, "--metrics-listen", options.metrics_listen, "HOST:PORT",
+          "Serve /metrics for Prometheus, /livez and /readyz here, over "
+          "HTTP in clear")
+      .check(&CheckAddress);
   app.add_flag("--channelz", options.channelz,
                "Show connections and calls to everybody, by gRPC's channelz");
-  app.add_option("--log-level", options.log_level,
-                 "Least level that is logged; requests are logged at info")
-      ->check(CLI::IsMember(
+  AddText(app, "--log-level", options.log_level, "LEVEL",
+          "Least level that is logged; requests are logged at info")
+      .check(CLI::IsMember(
           {"trace", "debug", "info", "warn", "error", "critical", "off"}))
-      ->capture_default_str()
-      ->type_name("LEVEL");
+      ->capture_default_str();
 }
 
 // max-faces is GEODESICD_MAX_FACES.
 std::string EnvironmentName(const std::string& flag) {
   return absl::StrCat("GEODESICD_", absl::AsciiStrToUpper(absl::StrReplaceAll(
                                         flag, {{"-", "_"}})));
-}
-
-void NameEnvironmentVariables(CLI::App& app) {
-  for (CLI::Option* option : app.get_options()) {
-    if (option->get_lnames().empty()) continue;
-    const std::string name = option->get_lnames().front();
-    if (name == "help" || name == "version") continue;
-    option->envname(EnvironmentName(name));
-  }
 }
 
 // CLI11 lets a file win over the environment. In a container the file is in
@@ -252,7 +234,7 @@ std::vector<std::string> ArgumentsInReverse(int argc, const char* const* argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const bool has_flag = std::any_of(
       arguments.begin(), arguments.end(),
-      [](const auto& argument) { return argument.rfind("--config", 0) == 0; });
+      [](const auto& argument) { return argument.starts_with("--config"); });
   const char* file = std::getenv("GEODESICD_CONFIG");
   if (file != nullptr && !has_flag) {
     arguments.insert(arguments.begin(), absl::StrCat("--config=", file));
@@ -275,20 +257,23 @@ std::string CheckTogether(const ServerOptions& options) {
                         " would serve other machines in clear: give --tls-cert "
                         "and --tls-key, or --insecure-listen if that is meant");
   }
-  for (const auto& [flag, bytes] :
-       {std::pair{"--receive-memory", options.receive_memory_bytes},
-        {"--request-memory", options.request_memory_bytes}}) {
-    if (options.max_message_bytes <= bytes) continue;
-    return absl::StrCat("--max-message-bytes (",
-                        InUnits(options.max_message_bytes),
-                        ") must not exceed ", flag, " (", InUnits(bytes), ")");
-  }
   const Limits& limits = options.limits;
-  if (limits.max_upload_bytes > limits.upload_memory_bytes) {
-    return absl::StrCat("--max-upload-bytes (",
-                        InUnits(limits.max_upload_bytes),
-                        ") must not exceed --upload-memory (",
-                        InUnits(limits.upload_memory_bytes), ")");
+  struct Pair {
+    const char* part;
+    uint64_t bytes;
+    const char* whole;
+    uint64_t room;
+  };
+  for (const auto& [part, bytes, whole, room] :
+       {Pair{"--max-message-bytes", options.max_message_bytes,
+             "--receive-memory", options.receive_memory_bytes},
+        Pair{"--max-message-bytes", options.max_message_bytes,
+             "--request-memory", options.request_memory_bytes},
+        Pair{"--max-upload-bytes", limits.max_upload_bytes, "--upload-memory",
+             limits.upload_memory_bytes}}) {
+    if (bytes <= room) continue;
+    return absl::StrCat(part, " (", InUnits(bytes), ") must not exceed ", whole,
+                        " (", InUnits(room), ")");
   }
   return "";
 }
@@ -307,16 +292,12 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
       ->type_name("FILE");
   app.config_formatter(std::make_shared<FileBelowEnvironment>());
   app.allow_config_extras(CLI::config_extras_mode::error);
-  const std::pair<const char*, void (*)(CLI::App&, ServerOptions&)> groups[] = {
-      {"Network", &AddNetworkOptions}, {"Security", &AddSecurityOptions},
-      {"Work", &AddWorkOptions},       {"Questions", &AddQuestionOptions},
-      {"Memory", &AddMemoryOptions},   {"Disk", &AddDiskOptions},
-      {"Meshes", &AddMeshOptions},     {"Operation", &AddOperationOptions}};
-  for (const auto& [heading, add] : groups) {
-    app.option_defaults()->group(heading);
-    add(app, options);
+  AddOptions(app, options);
+  for (CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_single_name();
+    if (name == "help" || name == "version") continue;
+    option->envname(EnvironmentName(name));
   }
-  NameEnvironmentVariables(app);
   app.footer(
       "BYTES take a unit: B, KiB, MiB, GiB, or KB, MB, GB. A setting comes\n"
       "from its flag, else from its environment variable, else from the file,\n"

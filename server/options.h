@@ -22,7 +22,7 @@ struct ServerOptions {
   // may others than this machine be listened to.
   TlsFiles tls;
   bool insecure_listen = false;
-  // As token_table.h has it; empty: everybody may do everything.
+  // As access_control.h has it; empty: everybody may do everything.
   std::string token_file;
   // HOST:PORT of /metrics, /livez and /readyz; empty: none.
   std::string metrics_listen;

@@ -17,7 +17,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "server/engine/base/status_details.h"
-#include "server/operations/engine_collector.h"
+#include "server/operations/metrics.h"
 #include "server/periodic.h"
 #include "server/rpc/unary_calls.h"
 
@@ -42,12 +42,6 @@ double EndOf(const TlsFiles& files) {
   const auto end = CertificateEnd(files);
   if (!end.ok()) return 0;
   return std::chrono::duration<double>(end->time_since_epoch()).count();
-}
-
-double UnixNow() {
-  return std::chrono::duration<double>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
 }
 
 // TLS credentials that follow the files: connections made after a file has
@@ -196,7 +190,9 @@ absl::Status Server::Start() {
 }
 
 absl::Status Server::StartOperations() {
-  if (options_.tls.enabled() && EndOf(options_.tls) <= UnixNow()) {
+  const std::chrono::duration<double> now =
+      std::chrono::system_clock::now().time_since_epoch();
+  if (options_.tls.enabled() && EndOf(options_.tls) <= now.count()) {
     logger_->warn(
         "the certificate in {} has expired: clients will refuse it; a new one "
         "that is written over it is taken up without a restart",

@@ -3,8 +3,7 @@
 //   SteadyClock clock;
 //   ThreadPool pool(limits.max_concurrent_jobs);
 //   QueryEngine engine(limits, clock, pool);
-//   absl::StatusOr<FieldCall> call = engine.fields().Compute(request,
-//   observer);
+//   auto call = engine.fields().Compute(request, observer);
 //   ...                             // observer->OnField brings the field
 //   engine.fields().Cancel(*call);  // or nobody needs it any more
 
@@ -13,24 +12,26 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "absl/functional/any_invocable.h"
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/computation.h"
+#include "geodesic/query.h"
 #include "geodesic/solve_options.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/fields/field_files.h"
-#include "server/engine/fields/matrix.h"
-#include "server/engine/jobs/executor.h"
 #include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/solo_job.h"
+#include "server/engine/jobs/thread_pool.h"
 #include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/store/data_folder.h"
@@ -72,19 +73,10 @@ struct QuestionRequest {
                                   const SolveOptions&, Checkpoint&,
                                   ByteReservation& answer)>
       work;
-};
-
-// Who waits for a question. Calls come from the job's thread and must be short;
-// they may still arrive while and just after the job is cancelled.
-class JobObserver {
- public:
-  virtual ~JobObserver() = default;
-
-  // A later call replaces what an earlier one said.
-  virtual void OnProgress(const Progress& progress) = 0;
-
-  // The last call, at most once.
-  virtual void OnDone(const JobReport& report) = 0;
+  // See SoloJob. They may still be called while and just after the job is
+  // cancelled.
+  std::function<void(const JobReport&)> done;
+  std::function<void(const Progress&)> progress;
 };
 
 struct QuestionCall {
@@ -94,6 +86,22 @@ struct QuestionCall {
   SoloJobs::Call job;
   // What the work was given to charge; held as long as the answer is.
   std::shared_ptr<ByteReservation> answer_memory;
+};
+
+// Distances from each of many sources to the same targets.
+struct MatrixRequest {
+  std::string mesh_digest;
+  // Every source is a row, in their order. Without targets every vertex
+  // is a column.
+  Query query;
+  double radius = std::numeric_limits<double>::infinity();
+  // Leave out what is infinite, and tell columns.
+  bool sparse = false;
+  // When set, each row has so many of its least values only, in their order,
+  // and tells columns.
+  std::optional<uint64_t> nearest;
+  TimePoint deadline = kNoDeadline;
+  Requester requester;
 };
 
 struct MatrixCall {
@@ -135,14 +143,13 @@ class QueryEngine {
 
   // Does `work` on the mesh in a job of its own. The query is checked first.
   // Errors: as FieldEngine::Compute.
-  absl::StatusOr<QuestionCall> StartQuestion(
-      QuestionRequest request, std::shared_ptr<JobObserver> observer);
+  absl::StatusOr<QuestionCall> StartQuestion(QuestionRequest request);
   void Cancel(const QuestionCall& call) { solo_jobs_.Cancel(call.job); }
 
-  // Starts to compute the rows of a matrix.
+  // Starts to compute the rows of a matrix; `on_row` as RowPipeline has it.
   // Errors: as FieldEngine::Compute.
-  absl::StatusOr<MatrixCall> ComputeMatrix(
-      MatrixRequest request, std::shared_ptr<RowObserver> observer);
+  absl::StatusOr<MatrixCall> ComputeMatrix(MatrixRequest request,
+                                           std::function<void()> on_row);
 
   const Limits& limits() const { return limits_; }
   EngineCounters counters() const;

@@ -18,7 +18,9 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "server/engine/base/byte_budget.h"
 #include "server/engine/jobs/scheduler.h"
+#include "server/engine/query_engine.h"
 
 namespace geodesic::server {
 
@@ -67,6 +69,11 @@ class Metrics {
   prometheus::Counter& cancelled_seconds_;
   prometheus::Family<prometheus::Counter>& reloads_;
 };
+
+// The engine's own figures, read at each scrape; `requests` is the memory of
+// requests. Thread-safe.
+std::vector<prometheus::MetricFamily> CollectEngine(const QueryEngine& engine,
+                                                    const ByteBudget& requests);
 
 }  // namespace geodesic::server
 

@@ -7,8 +7,7 @@
 #include "absl/status/statusor.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic/algorithm.h"
-#include "server/rpc/messages/field_translation.h"
-#include "server/rpc/messages/mesh_translation.h"
+#include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {
 

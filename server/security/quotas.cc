@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
 
 namespace geodesic::server {

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -36,6 +37,10 @@ absl::Status CheckTlsFiles(const TlsFiles& files);
 // Errors: as CheckTlsFiles.
 absl::StatusOr<std::chrono::system_clock::time_point> CertificateEnd(
     const TlsFiles& files);
+
+// Whether the host of "HOST:PORT" is this machine's alone: 127.0.0.0/8, [::1]
+// or localhost. False for what it does not know, such as other names.
+bool IsLoopback(std::string_view address);
 
 }  // namespace geodesic::server
 

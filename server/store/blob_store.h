@@ -1,9 +1,8 @@
 // Files named by digests, in one folder, bounded in bytes.
 //
-//   auto store = BlobStore::Open(folder, {.kind = "mesh", .capacity = 1 <<
-//   30}); absl::Status status = store->Put(name, metadata, {head, body});
-//   status = store->Read(name, [&](BlobBody& body) { return body.Read(into);
-//   });
+//   auto store = BlobStore::Open(folder, {.kind = "mesh", .capacity = bytes});
+//   absl::Status status = store->Put(name, metadata, {head, body});
+//   status = store->Read(name, [&](BlobBody& b) { return b.Read(into); });
 //
 // Guarantees, also when the process or the machine dies at any moment:
 //   1. what Put said OK to is there until it is erased, evicted or damaged;
@@ -49,7 +48,6 @@
 #include "server/store/blob_format.h"
 #include "server/store/data_folder.h"
 #include "server/store/posix_file.h"
-#include "server/store/quarantine.h"
 
 namespace geodesic::server {
 

@@ -2,18 +2,24 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <string_view>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 
 namespace geodesic::server {
 namespace {
+
+// Of the quarantine.
+constexpr size_t kMaxFiles = 100;
 
 // "by process 123", if the file says so.
 std::string Owner(int lock) {
@@ -24,22 +30,75 @@ std::string Owner(int lock) {
   return number.empty() ? "" : absl::StrCat(" by process ", number);
 }
 
+absl::Status Unusable(const absl::Status& why) {
+  return absl::UnavailableError(absl::StrCat("--data-dir: ", why.message()));
+}
+
 }  // namespace
+
+absl::StatusOr<std::unique_ptr<Quarantine>> Quarantine::Open(int parent) {
+  absl::StatusOr<FileDescriptor> folder = OpenFolder(parent, "quarantine");
+  if (!folder.ok()) return folder.status();
+  return std::unique_ptr<Quarantine>(new Quarantine(*std::move(folder)));
+}
+
+absl::StatusOr<std::string> Quarantine::Take(int folder,
+                                             const std::string& file) {
+  std::lock_guard lock(mutex_);
+  // Before the new one comes, which clocks may take for the oldest.
+  if (const Contents contents = Count(); contents.files >= kMaxFiles) {
+    unlinkat(folder_.get(), contents.oldest.c_str(), 0);
+  }
+  // A name can be damaged more than once.
+  std::string aside = file;
+  struct stat facts {};
+  for (int i = 1;
+       fstatat(folder_.get(), aside.c_str(), &facts, AT_SYMLINK_NOFOLLOW) == 0;
+       ++i) {
+    aside = absl::StrCat(file, ".", i);
+  }
+  if (renameat(folder, file.c_str(), folder_.get(), aside.c_str()) != 0) {
+    return DiskError(errno, "move", file);
+  }
+  fsync(folder_.get());
+  fsync(folder);
+  return aside;
+}
+
+Quarantine::Contents Quarantine::Count() const {
+  const absl::StatusOr<std::vector<std::string>> names = NamesIn(folder_.get());
+  if (!names.ok()) return {};
+  Contents contents;
+  timespec since{};  // of the oldest
+  for (const std::string& name : *names) {
+    struct stat facts {};
+    if (fstatat(folder_.get(), name.c_str(), &facts, AT_SYMLINK_NOFOLLOW) !=
+            0 ||
+        !S_ISREG(facts.st_mode)) {
+      continue;
+    }
+    // Being moved changes a file's status, not its content.
+    const timespec& moved = facts.st_ctim;
+    if (contents.files == 0 ||
+        std::tie(moved.tv_sec, moved.tv_nsec, name) <
+            std::tie(since.tv_sec, since.tv_nsec, contents.oldest)) {
+      contents.oldest = name;
+      since = moved;
+    }
+    ++contents.files;
+    contents.bytes += OnDisk(facts.st_size);
+  }
+  return contents;
+}
 
 absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path) {
   absl::StatusOr<FileDescriptor> folder = OpenFolder(AT_FDCWD, path);
-  if (!folder.ok()) {
-    return absl::UnavailableError(
-        absl::StrCat("--data-dir: ", folder.status().message()));
-  }
+  if (!folder.ok()) return Unusable(folder.status());
   // Open for reading only: a disk with a file open for writing could not be
   // made read-only.
   absl::StatusOr<FileDescriptor> lock =
       OpenToRead(folder->get(), "lock", path + "/lock", O_CREAT);
-  if (!lock.ok()) {
-    return absl::UnavailableError(
-        absl::StrCat("--data-dir: ", lock.status().message()));
-  }
+  if (!lock.ok()) return Unusable(lock.status());
   if (flock(lock->get(), LOCK_EX | LOCK_NB) != 0) {
     return absl::UnavailableError(
         absl::StrCat("--data-dir ", path, " is in use", Owner(lock->get()),
@@ -52,10 +111,7 @@ absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path) {
   (void)WriteAt(owner.get(), 0, absl::StrCat(getpid(), "\n"), "lock");
   absl::StatusOr<std::unique_ptr<Quarantine>> quarantine =
       Quarantine::Open(folder->get());
-  if (!quarantine.ok()) {
-    return absl::UnavailableError(
-        absl::StrCat("--data-dir: ", quarantine.status().message()));
-  }
+  if (!quarantine.ok()) return Unusable(quarantine.status());
   return DataFolder(*std::move(folder), *std::move(lock),
                     *std::move(quarantine));
 }

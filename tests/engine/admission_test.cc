@@ -14,7 +14,6 @@
 #include <variant>
 #include <vector>
 
-#include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/engine/solving_computation.h"
@@ -27,18 +26,6 @@ using test::RecordingObserver;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-class SilentRows final : public RowObserver {
- public:
-  void OnRow() override {}
-};
-
-class RecordingJobObserver final : public JobObserver {
- public:
-  void OnProgress(const Progress&) override {}
-  void OnDone(const JobReport& r) override { report = r; }
-  std::optional<JobReport> report;
-};
 
 class AdmissionTest : public test::EngineTest {
  protected:
@@ -82,8 +69,7 @@ class AdmissionTest : public test::EngineTest {
     for (uint32_t row = 0; row < rows; ++row) {
       request.query.sources.push_back({VertexPoint{first + row}, 0});
     }
-    return engine_.ComputeMatrix(std::move(request),
-                                 std::make_shared<SilentRows>());
+    return engine_.ComputeMatrix(std::move(request), [] {});
   }
 
   // What every outcome leaves behind.
@@ -228,7 +214,7 @@ TEST_F(OutcomeTest, AMatrixGivesEachRowBack) {
 }
 
 TEST_F(OutcomeTest, AQuestionGivesItsMemoryBack) {
-  const auto observer = std::make_shared<RecordingJobObserver>();
+  std::optional<JobReport> report;
   for (const bool fails : {false, true}) {
     auto call = engine_.StartQuestion(
         {.mesh_digest = digest_,
@@ -240,11 +226,11 @@ TEST_F(OutcomeTest, AQuestionGivesItsMemoryBack) {
                          PlannedSolverBytes(mesh, query));
                absl::Status status = answer.GrowTo(1000);
                return fails ? absl::InternalError("a bug") : status;
-             }},
-        observer);
+             },
+         .done = [&](const JobReport& r) { report = r; }});
     ASSERT_TRUE(call.ok());
     executor_.RunAll();
-    EXPECT_EQ(observer->report->status.ok(), !fails);
+    EXPECT_EQ(report->status.ok(), !fails);
     EXPECT_EQ(engine_.solver_memory().used(), 1000);
     call = absl::CancelledError();  // who streamed the answer is done
     ExpectNothingHeld();

@@ -13,7 +13,6 @@
 
 #include "absl/strings/str_cat.h"
 #include "digest/sha256.h"
-#include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
 #include "tests/engine/durable_fixture.h"
 #include "tests/support/curved_meshes.h"

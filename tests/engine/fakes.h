@@ -14,7 +14,7 @@
 #include "absl/status/statusor.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/fields/field_engine.h"
-#include "server/engine/jobs/executor.h"
+#include "server/engine/jobs/thread_pool.h"
 
 namespace geodesic::server::test {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "server/engine/fields/field_key.h"
+#include "server/engine/fields/field_cache.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/queries.h"
 

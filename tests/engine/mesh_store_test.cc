@@ -23,7 +23,7 @@ ResidentMesh Resident(TriangleSoup soup) {
 }
 
 MeshHandle Put(MeshStore& store, const ResidentMesh& mesh) {
-  return store.Insert(mesh, *store.Reserve(4, 4)).mesh;
+  return store.Insert(mesh, *store.Reserve(4, 4)).value;
 }
 
 FileKey File(char name) { return {UploadFormat::kObj, std::string(64, name)}; }

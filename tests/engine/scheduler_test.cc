@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "server/engine/base/byte_budget.h"
-#include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
 #include "tests/engine/fakes.h"
 

@@ -51,7 +51,6 @@ class SharedJobsTest : public ::testing::Test {
          .deadline = deadline},
         priority, [&, key] {
           return SharedWork<int, std::string>{
-              .priority = priority,
               .reserve = [this] { return reserve_(); },
               .run = [this, key](JobCheckpoint& checkpoint)
                   -> absl::StatusOr<std::optional<int>> {

@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
 #include "tests/engine/fakes.h"
 

@@ -9,7 +9,6 @@
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/field_path.h"
-#include "server/engine/base/error_reasons.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geodesic::server {

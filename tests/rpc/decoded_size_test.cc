@@ -1,5 +1,3 @@
-#include "server/rpc/calls/decoded_size.h"
-
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include "geodesic/v1/field_service.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
 #include "geodesic/v1/path_service.pb.h"
+#include "server/rpc/calls/intake.h"
 
 namespace geodesic::server {
 namespace {

@@ -1,5 +1,3 @@
-#include "server/rpc/calls/status_translation.h"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -7,8 +5,8 @@
 
 #include "geodesic/field_path.h"
 #include "server/engine/base/argument_checks.h"
-#include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
+#include "server/rpc/calls/request_log.h"
 #include "tests/rpc/rpc_fixture.h"
 
 namespace geodesic::server {

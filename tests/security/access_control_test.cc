@@ -5,7 +5,6 @@
 #include <string>
 
 #include "digest/sha256.h"
-#include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
 #include "tests/support/temporary_folder.h"
 

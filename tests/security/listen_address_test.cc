@@ -1,6 +1,6 @@
-#include "server/security/listen_address.h"
-
 #include <gtest/gtest.h>
+
+#include "server/security/tls_files.h"
 
 namespace geodesic::server {
 namespace {

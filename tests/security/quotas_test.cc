@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
 #include "tests/engine/fakes.h"
 

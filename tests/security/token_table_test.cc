@@ -1,10 +1,8 @@
-#include "server/security/token_table.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
+#include "server/security/access_control.h"
 
 namespace geodesic::server {
 namespace {

@@ -1,7 +1,5 @@
 // Where damaged files go, and how many may lie there.
 
-#include "server/store/quarantine.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "server/store/data_folder.h"
 #include "tests/store/blob_fixture.h"
 
 namespace geodesic::server {

@@ -4,7 +4,6 @@
 #include "absl/strings/string_view.h"
 #include "digest/sha256.h"
 #include "geodesic/field_path.h"
-#include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
 
 namespace geodesic::server {
@@ -25,10 +24,11 @@ absl::Status CheckDigest(std::string_view field, const std::string& digest) {
 }
 
 absl::Status CheckCount(std::string_view things, uint64_t count,
-                        std::string_view limit_name, uint64_t limit) {
+                        std::string_view limit_name, uint64_t limit,
+                        std::string_view who) {
   if (count <= limit) return absl::OkStatus();
   return absl::ResourceExhaustedError(
-      absl::StrCat("the request has ", count, " ", View(things), "; ",
+      absl::StrCat(View(who), " ", count, " ", View(things), "; ",
                    View(limit_name), " is ", limit));
 }
 

@@ -17,7 +17,8 @@ absl::Status CheckDigest(std::string_view field, const std::string& digest);
 // Errors: RESOURCE_EXHAUSTED naming the things and the limit, e.g.
 // ("targets", 12, "max_targets", 10).
 absl::Status CheckCount(std::string_view things, uint64_t count,
-                        std::string_view limit_name, uint64_t limit);
+                        std::string_view limit_name, uint64_t limit,
+                        std::string_view who = "the request has");
 
 // Errors: INVALID_ARGUMENT naming `field` when it is negative or NaN.
 absl::Status CheckRadius(std::string_view field, double radius);

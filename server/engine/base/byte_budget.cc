@@ -5,7 +5,6 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_replace.h"
-#include "server/engine/base/error_reasons.h"
 #include "server/engine/base/status_details.h"
 
 namespace geodesic::server {

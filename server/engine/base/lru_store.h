@@ -27,6 +27,7 @@
 #include <utility>
 #include <vector>
 
+#include "absl/functional/function_ref.h"
 #include "absl/status/statusor.h"
 #include "server/engine/base/byte_budget.h"
 
@@ -88,8 +89,11 @@ class LruStore {
   // Keeps `value` with `charge` until it is evicted or erased. When the key is
   // present already, the present entry wins and is marked as used, unless
   // `keep(present)` is false: then it is replaced.
-  template <typename Keep>
-  Inserted Insert(Key key, Value value, ByteReservation charge, Keep keep) {
+  Inserted Insert(
+      Key key, Value value, ByteReservation charge,
+      absl::FunctionRef<bool(const Value& present)> keep = [](const Value&) {
+        return true;
+      }) {
     auto charged =
         std::make_shared<const Charged>(std::move(charge), std::move(value));
     // Allocated first, so that no exception leaves half an entry.
@@ -107,11 +111,6 @@ class LruStore {
       if (!keep(it->second.charged->value)) it->second.charged.swap(charged);
     }
     return {ToHandle(it->second.charged), is_new};
-  }
-
-  Inserted Insert(Key key, Value value, ByteReservation charge) {
-    return Insert(std::move(key), std::move(value), std::move(charge),
-                  [](const Value&) { return true; });
   }
 
   // Forgets the entry; those who hold it keep it. Whether there was one.

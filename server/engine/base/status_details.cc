@@ -9,7 +9,6 @@
 #include "absl/strings/escaping.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
-#include "server/engine/base/error_reasons.h"
 
 namespace geodesic::server {
 namespace {
@@ -19,13 +18,10 @@ constexpr char kReasonUrl[] = "geodesic/reason";
 constexpr char kQuotaUrl[] = "geodesic/quota-subject";
 constexpr char kMeshUrl[] = "geodesic/mesh";
 
-absl::string_view ToAbsl(std::string_view text) {
-  return {text.data(), text.size()};
-}
-
 absl::Status WithText(absl::Status status, const char* url,
                       std::string_view text) {
-  status.SetPayload(url, absl::Cord(ToAbsl(text)));
+  status.SetPayload(url,
+                    absl::Cord(absl::string_view(text.data(), text.size())));
   return status;
 }
 
@@ -45,11 +41,9 @@ absl::Status WithRetryAfter(absl::Status status,
 
 std::optional<std::chrono::milliseconds> RetryAfter(
     const absl::Status& status) {
-  const auto payload = status.GetPayload(kRetryUrl);
+  const auto text = TextOf(status, kRetryUrl);
   int64_t count = 0;
-  if (!payload || !absl::SimpleAtoi(std::string(*payload), &count)) {
-    return std::nullopt;
-  }
+  if (!text || !absl::SimpleAtoi(*text, &count)) return std::nullopt;
   return std::chrono::milliseconds(count);
 }
 

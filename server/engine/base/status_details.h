@@ -6,13 +6,57 @@
 #define GEODESIC_SERVER_ENGINE_BASE_STATUS_DETAILS_H_
 
 #include <chrono>
+#include <exception>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "absl/status/status.h"
+#include "absl/strings/str_cat.h"
 
 namespace geodesic::server {
+
+// The reasons of errors, for programs. They never change their meaning; the
+// message beside them is for people. docs/protocol.md lists them.
+namespace reason {
+
+// INVALID_ARGUMENT
+inline constexpr std::string_view kInvalidRequest = "INVALID_REQUEST";
+// NOT_FOUND
+inline constexpr std::string_view kMeshNotResident = "MESH_NOT_RESIDENT";
+inline constexpr std::string_view kFieldNotKept = "FIELD_NOT_KEPT";
+// RESOURCE_EXHAUSTED: for good, or until others are done
+inline constexpr std::string_view kLimitExceeded = "LIMIT_EXCEEDED";
+inline constexpr std::string_view kQueueFull = "QUEUE_FULL";
+inline constexpr std::string_view kMemoryFull = "MEMORY_FULL";
+inline constexpr std::string_view kTooManyRequests = "TOO_MANY_REQUESTS";
+inline constexpr std::string_view kServerFull = "SERVER_FULL";
+inline constexpr std::string_view kQuotaExceeded = "QUOTA_EXCEEDED";
+// UNAUTHENTICATED
+inline constexpr std::string_view kTokenMissing = "TOKEN_MISSING";
+inline constexpr std::string_view kTokenUnknown = "TOKEN_UNKNOWN";
+inline constexpr std::string_view kTokenExpired = "TOKEN_EXPIRED";
+// PERMISSION_DENIED
+inline constexpr std::string_view kScopeMissing = "SCOPE_MISSING";
+// UNAVAILABLE
+inline constexpr std::string_view kShuttingDown = "SHUTTING_DOWN";
+inline constexpr std::string_view kUnavailable = "UNAVAILABLE";
+// Of the code's own name
+inline constexpr std::string_view kDeadlineExceeded = "DEADLINE_EXCEEDED";
+inline constexpr std::string_view kCancelled = "CANCELLED";
+inline constexpr std::string_view kInternal = "INTERNAL";
+
+}  // namespace reason
+
+inline constexpr std::string_view kErrorReasons[] = {
+    reason::kInvalidRequest,   reason::kMeshNotResident, reason::kFieldNotKept,
+    reason::kLimitExceeded,    reason::kQueueFull,       reason::kMemoryFull,
+    reason::kTooManyRequests,  reason::kServerFull,      reason::kQuotaExceeded,
+    reason::kTokenMissing,     reason::kTokenUnknown,    reason::kTokenExpired,
+    reason::kScopeMissing,     reason::kShuttingDown,    reason::kUnavailable,
+    reason::kDeadlineExceeded, reason::kCancelled,       reason::kInternal,
+};
 
 // Says that the same request may succeed after `delay`. OK stays OK.
 absl::Status WithRetryAfter(absl::Status status,
@@ -20,7 +64,7 @@ absl::Status WithRetryAfter(absl::Status status,
 
 std::optional<std::chrono::milliseconds> RetryAfter(const absl::Status& status);
 
-// A stable reason, one of error_reasons.h. OK stays OK.
+// A stable reason, one of those above. OK stays OK.
 absl::Status WithReason(absl::Status status, std::string_view reason);
 
 // The reason that was given, else the usual one of the status's code.
@@ -43,6 +87,24 @@ absl::Status ShuttingDown();
 // The message in printable ASCII: bytes of a file or request that it quotes
 // beyond that are escaped.
 std::string PrintableMessage(const absl::Status& status);
+
+// For jobs, which no exception may leave: the thread and the server live on.
+// What `work` returns, an absl::Status or StatusOr; RESOURCE_EXHAUSTED for
+// bad_alloc and INTERNAL for any other exception, saying that it came while the
+// server `what`, e.g. "built a mesh".
+template <typename Work>
+auto Guarded(std::string_view what, Work work) -> decltype(work()) {
+  const absl::string_view name(what.data(), what.size());
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return absl::ResourceExhaustedError(
+        absl::StrCat("the server ran out of memory while it ", name));
+  } catch (const std::exception& error) {
+    return absl::InternalError(
+        absl::StrCat("exception while the server ", name, ": ", error.what()));
+  }
+}
 
 }  // namespace geodesic::server
 

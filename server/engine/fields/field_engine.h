@@ -15,20 +15,21 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/computation.h"
+#include "geodesic/log_map.h"
+#include "geodesic/path.h"
 #include "geodesic/query.h"
 #include "geodesic/solve_options.h"
 #include "geodesic/valid_query.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"
-#include "server/engine/fields/derived_quantities.h"
 #include "server/engine/fields/field_cache.h"
 #include "server/engine/fields/field_files.h"
-#include "server/engine/fields/field_key.h"
 #include "server/engine/fields/settled_log.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/shared_jobs.h"
 #include "server/engine/meshes/mesh_library.h"
+#include "server/engine/meshes/mesh_store.h"
 
 namespace geodesic::server {
 
@@ -51,6 +52,22 @@ enum class FieldOrigin {
   kComputed,
   kJoined,  // another request had started the computation
   kCached,
+};
+
+// What is made from a traced field, once it is there.
+// As far as it was asked for. Sources are numbered as the field's query does.
+struct DerivedQuantities {
+  ByteReservation memory;
+  // Pinned for the tracer.
+  MeshHandle mesh;
+  FieldHandle field;
+
+  // Per vertex:
+  std::vector<uint32_t> nearest_sources;
+  std::vector<Point> gradients;
+  LogMap log_map;
+
+  std::optional<PathTracer> paths;
 };
 
 // Handles pin what they point to. The field was solved for what was asked, or

@@ -10,7 +10,7 @@
 
 #include "geodesic/algorithm.h"
 #include "server/engine/base/binary_codec.h"
-#include "server/engine/base/guarded.h"
+#include "server/engine/base/status_details.h"
 
 namespace geodesic::server {
 namespace {

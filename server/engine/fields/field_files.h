@@ -17,7 +17,6 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "server/engine/fields/field_cache.h"
-#include "server/engine/fields/field_key.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/store/blob_store.h"

@@ -6,13 +6,13 @@ namespace geodesic::server {
 
 RowPipeline::RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows,
                          size_t window, RowFunction function,
-                         std::shared_ptr<RowObserver> observer)
+                         std::function<void()> on_row)
     : jobs_(jobs),
       plan_(std::move(plan)),
       rows_(rows),
       window_(window),
       function_(std::move(function)),
-      observer_(std::move(observer)) {}
+      on_row_(std::move(on_row)) {}
 
 absl::Status RowPipeline::Start(Scheduler::Place place) {
   std::lock_guard lock(mutex_);
@@ -66,7 +66,7 @@ void RowPipeline::Begin() {
 
 void RowPipeline::Finish(uint64_t row, const JobReport& report,
                          MatrixRow result) {
-  std::shared_ptr<RowObserver> observer;
+  std::function<void()> on_row;
   {
     std::lock_guard lock(mutex_);
     running_.erase(row);
@@ -79,11 +79,11 @@ void RowPipeline::Finish(uint64_t row, const JobReport& report,
       failure_ = report.status;
       place_.reset();
     }
-    observer = observer_;
+    on_row = on_row_;
     // Whoever takes the rows holds the pipeline: no circle is left behind.
-    if (!failure_.ok() || rows_finished_ == rows_) observer_.reset();
+    if (!failure_.ok() || rows_finished_ == rows_) on_row_ = nullptr;
   }
-  if (observer != nullptr) observer->OnRow();
+  if (on_row) on_row();
 }
 
 std::optional<absl::StatusOr<MatrixRow>> RowPipeline::Take() {
@@ -105,14 +105,14 @@ void RowPipeline::Cancel() {
   // Destroyed after the lock is released.
   std::map<uint64_t, SoloJobs::Call> running;
   std::map<uint64_t, MatrixRow> finished;
-  std::shared_ptr<RowObserver> observer;
+  std::function<void()> on_row;
   {
     std::lock_guard lock(mutex_);
     if (failure_.ok()) failure_ = absl::CancelledError("nobody waits");
     place_.reset();
     running.swap(running_);
     finished.swap(finished_);
-    observer.swap(observer_);
+    on_row.swap(on_row_);
   }
   for (const auto& [row, call] : running) jobs_.Cancel(call);
 }

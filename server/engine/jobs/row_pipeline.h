@@ -43,23 +43,16 @@ struct RowJobs {
   uint64_t row_bytes = 0;
 };
 
-class RowObserver {
- public:
-  virtual ~RowObserver() = default;
-
-  // There may be a row to take. From a job's thread; must be short; may still
-  // arrive while and just after the pipeline is cancelled.
-  virtual void OnRow() = 0;
-};
-
 // Thread-safe. Held by whoever takes the rows and by the running jobs.
 class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
  public:
   // At most `window` rows are computed but not taken, or being computed. One at
-  // a time waits for a thread.
+  // a time waits for a thread. `on_row` hears that there may be a row to take:
+  // from a job's thread; it must be short; it may still be called while and
+  // just after the pipeline is cancelled.
   // REQUIRES: `jobs` outlives the pipeline's jobs; window > 0.
   RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows, size_t window,
-              RowFunction function, std::shared_ptr<RowObserver> observer);
+              RowFunction function, std::function<void()> on_row);
 
   // Call once. `place` is held until the last row begins: the reader may pause,
   // and then take many rows at once.
@@ -95,7 +88,7 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
 
   mutable std::mutex mutex_;
   // Guarded by mutex_:
-  std::shared_ptr<RowObserver> observer_;
+  std::function<void()> on_row_;
   Scheduler::Place place_;
   bool is_waiting_ = false;  // the row before next_row_, for a thread
   uint64_t next_row_ = 0;    // to be submitted

@@ -4,8 +4,6 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "server/engine/base/error_reasons.h"
-#include "server/engine/base/guarded.h"
 #include "server/engine/base/status_details.h"
 
 namespace geodesic::server {
@@ -62,7 +60,7 @@ absl::StatusOr<Scheduler::Place> Scheduler::HoldPlace(
   if (!status.ok()) return status;
   queue_.Hold(client);
   return Place(this, [client](Scheduler* scheduler) {
-    std::lock_guard lock(scheduler->mutex_);
+    std::lock_guard release_lock(scheduler->mutex_);
     scheduler->queue_.Release(client);
   });
 }

@@ -21,8 +21,8 @@
 #include "absl/status/statusor.h"
 #include "geodesic/solve_options.h"
 #include "server/engine/base/clock.h"
-#include "server/engine/jobs/executor.h"
 #include "server/engine/jobs/job_queue.h"
+#include "server/engine/jobs/thread_pool.h"
 
 namespace geodesic::server {
 

@@ -34,7 +34,7 @@
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
 #include "server/engine/base/clock.h"
-#include "server/engine/base/guarded.h"
+#include "server/engine/base/status_details.h"
 #include "server/engine/jobs/job_checkpoint.h"
 #include "server/engine/jobs/scheduler.h"
 
@@ -53,7 +53,6 @@ struct Waiter {
 
 template <typename Result, typename Shared = std::monostate>
 struct SharedWork {
-  JobPriority priority = JobPriority::kSolve;
   std::string client;            // see Requester
   bool is_continuation = false;  // see Job
   // See Job. Must not call the SharedJobs.
@@ -106,7 +105,7 @@ class SharedJobs {
       scheduler_.Expedite(entry->job, priority);
     } else {
       entry = std::make_shared<Entry>(*this, key);
-      absl::Status status = Submit(entry, make());
+      absl::Status status = Submit(entry, priority, make());
       if (!status.ok()) return status;
       open_.emplace(key, entry);
     }
@@ -163,7 +162,8 @@ class SharedJobs {
   };
 
   // REQUIRES: mutex_ held.
-  absl::Status Submit(const std::shared_ptr<Entry>& entry, Work work) {
+  absl::Status Submit(const std::shared_ptr<Entry>& entry, JobPriority priority,
+                      Work work) {
     entry->shared = std::move(work.shared);
     // The job's callbacks share the work, which goes before anyone hears of its
     // end.
@@ -172,7 +172,7 @@ class SharedJobs {
       bool goes_on = false;
     };
     auto held = std::make_shared<Held>(Held{std::move(work)});
-    Job job{.priority = held->work.priority,
+    Job job{.priority = priority,
             .client = held->work.client,
             .is_continuation = held->work.is_continuation};
     if (held->work.reserve) {

@@ -28,14 +28,17 @@ absl::StatusOr<SoloJobs::Call> SoloJobs::Start(SoloJob job) {
   auto memory = std::make_shared<Memory>();
   return jobs_.Join(next_key_++, std::move(waiter), job.priority, [&] {
     return SharedWork<JobReport>{
-        .priority = job.priority,
         .client = std::move(job.client),
         .is_continuation = job.is_continuation,
-        .reserve =
-            [this, memory, planned = job.planned_bytes,
-             answer = job.answer_bytes] {
-              return Reserve(planned, answer, *memory);
-            },
+        .reserve = [this, memory, planned = job.planned_bytes,
+                    answer = job.answer_bytes]() -> absl::Status {
+          auto solver = ByteReservation::Make(solver_memory_, planned);
+          if (!solver.ok()) return solver.status();
+          auto rest = ByteReservation::Make(solver_memory_, answer);
+          if (!rest.ok()) return rest.status();
+          *memory = {*std::move(solver), *std::move(rest)};
+          return absl::OkStatus();
+        },
         .run = [this, memory,
                 work = std::move(job.work)](JobCheckpoint& checkpoint) mutable
         -> absl::StatusOr<std::optional<JobReport>> {
@@ -49,16 +52,6 @@ absl::StatusOr<SoloJobs::Call> SoloJobs::Start(SoloJob job) {
               .windows_propagated = checkpoint.windows_propagated()};
         }};
   });
-}
-
-absl::Status SoloJobs::Reserve(uint64_t solver_bytes, uint64_t answer_bytes,
-                               Memory& memory) const {
-  auto solver = ByteReservation::Make(solver_memory_, solver_bytes);
-  if (!solver.ok()) return solver.status();
-  auto answer = ByteReservation::Make(solver_memory_, answer_bytes);
-  if (!answer.ok()) return answer.status();
-  memory = {*std::move(solver), *std::move(answer)};
-  return absl::OkStatus();
 }
 
 }  // namespace geodesic::server

@@ -70,10 +70,6 @@ class SoloJobs {
     ByteReservation answer;
   };
 
-  // Errors: as ByteBudget::Take.
-  absl::Status Reserve(uint64_t solver_bytes, uint64_t answer_bytes,
-                       Memory& memory) const;
-
   const Clock& clock_;
   const std::shared_ptr<ByteBudget> solver_memory_;
   SharedJobs<uint64_t, JobReport> jobs_;  // each of a key of its own

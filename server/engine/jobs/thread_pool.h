@@ -1,4 +1,4 @@
-// A fixed number of threads that take tasks in order.
+// The engine's only way to threads, and a fixed number of them.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_THREAD_POOL_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_THREAD_POOL_H_
@@ -10,12 +10,22 @@
 #include <thread>
 #include <vector>
 
-#include "server/engine/jobs/executor.h"
+#include "absl/functional/any_invocable.h"
 
 namespace geodesic::server {
 
-// The queue itself has no bound: whoever schedules (see scheduler.h) keeps
-// count. Thread-safe.
+using Task = absl::AnyInvocable<void()>;
+
+class Executor {
+ public:
+  virtual ~Executor() = default;
+
+  // Runs `task` once, later and not on the calling thread's stack. Thread-safe.
+  virtual void Schedule(Task task) = 0;
+};
+
+// Takes tasks in order. The queue itself has no bound: whoever schedules (see
+// scheduler.h) keeps count. Thread-safe.
 class ThreadPool final : public Executor {
  public:
   // REQUIRES: threads > 0.

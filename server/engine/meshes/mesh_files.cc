@@ -148,15 +148,12 @@ absl::StatusOr<std::unique_ptr<MeshFiles>> MeshFiles::Open(
                .warn = std::move(warn)});
   if (!blobs.ok()) return blobs.status();
   files->blobs_ = *std::move(blobs);
-  files->ReadFileKeys();
+  files->blobs_->ForEach(
+      [&](const std::string& name, std::string_view metadata) {
+        const std::optional<Metadata> decoded = Decode(metadata);
+        if (decoded && decoded->file) files->RememberFile(*decoded->file, name);
+      });
   return files;
-}
-
-void MeshFiles::ReadFileKeys() {
-  blobs_->ForEach([this](const std::string& name, std::string_view metadata) {
-    const std::optional<Metadata> decoded = Decode(metadata);
-    if (decoded && decoded->file) RememberFile(*decoded->file, name);
-  });
 }
 
 std::optional<MeshDescription> MeshFiles::Describe(const std::string& digest) {

@@ -51,7 +51,6 @@ class MeshFiles final : public MeshCatalogue {
 
  private:
   MeshFiles() = default;
-  void ReadFileKeys();
 
   std::function<void(const std::string&)> removed_;
   std::unique_ptr<BlobStore> blobs_;

@@ -8,7 +8,6 @@
 #include "digest/sha256.h"
 #include "geodesic/field_path.h"
 #include "server/engine/base/argument_checks.h"
-#include "server/engine/base/guarded.h"
 #include "server/engine/base/status_details.h"
 
 namespace geodesic::server {
@@ -191,7 +190,7 @@ MeshStore::Inserted MeshLibrary::Keep(ResidentMesh mesh, ByteReservation room) {
   // to erase; whoever does so later will.
   if (!Contains(digest)) {
     (void)store_.Erase(digest);
-    kept.mesh = nullptr;
+    kept.value = nullptr;
   }
   return kept;
 }
@@ -239,7 +238,6 @@ absl::StatusOr<UploadJobs::Ticket> MeshLibrary::FinishUpload(
   return uploads_.Join(
       next_upload_++, {.done = std::move(done)}, JobPriority::kBuild, [&] {
         return SharedWork<UploadResult>{
-            .priority = JobPriority::kBuild,
             .client = client,
             .reserve = [this, build] { return Reserve(*build); },
             .run =
@@ -350,7 +348,6 @@ absl::StatusOr<MeshLoads::Ticket> MeshLibrary::Await(
   return loads_.Join(digest, {.done = std::move(done)}, JobPriority::kBuild,
                      [&] {
                        return SharedWork<MeshHandle>{
-                           .priority = JobPriority::kBuild,
                            .client = client,
                            .reserve = [this, load] { return Reserve(*load); },
                            .run = [this, load](JobCheckpoint& checkpoint)
@@ -394,7 +391,7 @@ absl::StatusOr<MeshHandle> MeshLibrary::Run(MeshLoad& load,
   if (!built.ok()) return built.status();
   MeshHandle kept = Keep({load.digest, *std::move(built), mesh->summary},
                          std::move(load.room))
-                        .mesh;
+                        .value;
   if (kept == nullptr) return NotResident(load.digest);
   ++meshes_loaded_;
   return kept;

@@ -188,7 +188,7 @@ class MeshLibrary {
   absl::StatusOr<MeshHandle> Run(MeshLoad& load, Checkpoint& checkpoint);
 
   // Keeps the mesh in memory, unless the disk has lost it meanwhile: then
-  // `mesh` of the result is null.
+  // `value` of the result is null.
   MeshStore::Inserted Keep(ResidentMesh mesh, ByteReservation room);
   absl::Status Erase(const std::string& digest);
 

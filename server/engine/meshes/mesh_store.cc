@@ -52,9 +52,7 @@ absl::StatusOr<ByteReservation> MeshStore::Reserve(uint64_t vertices,
 MeshStore::Inserted MeshStore::Insert(ResidentMesh mesh, ByteReservation room) {
   room.ShrinkTo(ChargeOf(mesh.mesh->resident_bytes()));
   std::string digest = mesh.digest;
-  auto inserted =
-      meshes_.Insert(std::move(digest), std::move(mesh), std::move(room));
-  return {std::move(inserted.value), inserted.is_new};
+  return meshes_.Insert(std::move(digest), std::move(mesh), std::move(room));
 }
 
 }  // namespace geodesic::server

@@ -41,10 +41,7 @@ class MeshStore final : public MeshCatalogue {
   // hint if there never will be room.
   absl::StatusOr<ByteReservation> Reserve(uint64_t vertices, uint64_t faces);
 
-  struct Inserted {
-    MeshHandle mesh;
-    bool is_new = false;
-  };
+  using Inserted = LruStore<std::string, ResidentMesh>::Inserted;
 
   // Keeps `mesh`, charged with what of `room` it really takes.
   Inserted Insert(ResidentMesh mesh, ByteReservation room);

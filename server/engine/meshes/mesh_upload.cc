@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/field_path.h"
 #include "geodesic/read_mesh.h"
+#include "server/engine/base/argument_checks.h"
 #include "server/engine/meshes/mesh_digest.h"
 
 namespace geodesic::server {
@@ -29,6 +30,9 @@ constexpr uint64_t kUsualFactor = 3;
 constexpr uint64_t kNextFactor = 4;
 constexpr uint64_t kLastFactor = 48;
 
+// Who counts, for messages.
+constexpr char kUpload[] = "the upload announces";
+
 uint64_t FirstFactor(const UploadHeader& header) {
   return header.format == UploadFormat::kArrays ? 1 : kUsualFactor;
 }
@@ -40,23 +44,14 @@ ReadLimits LimitsWithin(uint64_t bytes) {
           .max_triangles = bytes / (4 * sizeof(Triangle))};
 }
 
-absl::Status CheckLimit(std::string_view what, uint64_t value,
-                        std::string_view limit_name, uint64_t limit) {
-  if (value <= limit) return absl::OkStatus();
-  return absl::ResourceExhaustedError(absl::StrCat(
-      "the upload announces ", value, " ",
-      absl::string_view(what.data(), what.size()), "; ",
-      absl::string_view(limit_name.data(), limit_name.size()), " is ", limit));
-}
-
 absl::Status CheckArraysHeader(const UploadHeader& header,
                                const Limits& limits) {
   // The counts are checked first, so that the sizes below cannot overflow.
   for (const absl::Status& status :
-       {CheckLimit("vertices", header.vertex_count, "max_vertices",
-                   limits.max_vertices),
-        CheckLimit("faces", header.face_count, "max_faces",
-                   limits.max_faces)}) {
+       {CheckCount("vertices", header.vertex_count, "max_vertices",
+                   limits.max_vertices, kUpload),
+        CheckCount("faces", header.face_count, "max_faces", limits.max_faces,
+                   kUpload)}) {
     if (!status.ok()) return status;
   }
   const uint64_t size = header.vertex_count * sizeof(Point) +
@@ -79,8 +74,9 @@ absl::Status CheckHeader(const UploadHeader& header, const Limits& limits) {
     return InvalidField("header.size_bytes",
                         "the file is empty: it holds no mesh");
   }
-  absl::Status status = CheckLimit("bytes", header.size_bytes,
-                                   "max_upload_bytes", limits.max_upload_bytes);
+  absl::Status status =
+      CheckCount("bytes", header.size_bytes, "max_upload_bytes",
+                 limits.max_upload_bytes, kUpload);
   if (!status.ok()) return status;
   if (header.format == UploadFormat::kArrays) {
     return CheckArraysHeader(header, limits);

@@ -27,7 +27,7 @@
 #include "server/engine/base/status_details.h"
 #include "server/engine/query_engine.h"
 #include "server/rpc/calls/call.h"
-#include "server/rpc/messages/field_translation.h"
+#include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {
 

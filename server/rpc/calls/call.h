@@ -10,10 +10,12 @@
 #define GEODESIC_SERVER_RPC_CALLS_CALL_H_
 
 #include <google/protobuf/message.h>
+#include <grpcpp/alarm.h>
 #include <grpcpp/server_context.h>
 #include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/server_callback.h>
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -101,7 +103,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
     {
       std::lock_guard lock(mutex_);
       is_receiving_ = false;
-      arrival_.Stop();
+      arrival_.reset();
       ++reads_;
     }
     service_.intake.Leave(*this);
@@ -134,8 +136,12 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
       std::lock_guard lock(mutex_);
       if (finished_) return;
       self = self_;
-      arrival_.Start(service_.intake.patience(),
-                     [self, read = reads_] { self->OnLate(read); });
+      arrival_.emplace();
+      arrival_->Set(
+          std::chrono::system_clock::now() + service_.intake.patience(),
+          [self, read = reads_](bool has_passed) {
+            if (has_passed) self->OnLate(read);
+          });
     }
     service_.intake.Enter(std::move(self), peer_);
   }
@@ -162,7 +168,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   void End(absl::Status status, const Response* message = nullptr) {
     if (finished_) return;
     finished_ = true;
-    arrival_.Stop();
+    arrival_.reset();
     grpc::Status end = entry_->End(std::move(status));
     if (message != nullptr) {
       this->StartWriteAndFinish(message, grpc::WriteOptions(), std::move(end));
@@ -195,10 +201,10 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   const std::string peer_;
 
   // Guarded by mutex_:
-  std::shared_ptr<Call> self_;  // what gRPC holds
-  Arrival arrival_;             // of the message that is waited for
-  uint64_t reads_ = 0;          // that are done
-  bool is_receiving_ = false;   // a read is under way
+  std::shared_ptr<Call> self_;          // what gRPC holds
+  std::optional<grpc::Alarm> arrival_;  // of the message that is waited for
+  uint64_t reads_ = 0;                  // that are done
+  bool is_receiving_ = false;           // a read is under way
   grpc::ByteBuffer bytes_;
 };
 

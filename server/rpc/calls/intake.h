@@ -11,6 +11,8 @@
 #ifndef GEODESIC_SERVER_RPC_CALLS_INTAKE_H_
 #define GEODESIC_SERVER_RPC_CALLS_INTAKE_H_
 
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/io/zero_copy_stream.h>
 #include <google/protobuf/message.h>
 #include <grpcpp/alarm.h>
 #include <grpcpp/support/byte_buffer.h>
@@ -18,7 +20,6 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -114,17 +115,13 @@ class Intake {
   bool is_watching_ = false;
 };
 
-// Watches one message come in. Not thread-safe.
-class Arrival {
- public:
-  // Calls `late`, from a thread of gRPC's, if Stop does not come in time. It
-  // may still be called while Stop is.
-  void Start(std::chrono::milliseconds patience, std::function<void()> late);
-  void Stop() { alarm_.reset(); }
-
- private:
-  std::optional<grpc::Alarm> alarm_;
-};
+// How much memory a message takes once it is decoded, told before it is:
+// an upper bound on what a message of this type takes when it is parsed from
+// these bytes: two bytes can become 70. Nothing is allocated for what the
+// bytes say. Of malformed bytes the part before the fault counts, which is what
+// a parser may have set aside. O(bytes).
+uint64_t DecodedSize(const google::protobuf::Descriptor& type,
+                     google::protobuf::io::ZeroCopyInputStream& bytes);
 
 // The error of a message that was late.
 absl::Status LateError(std::chrono::milliseconds patience);

@@ -30,6 +30,12 @@ class logger;
 
 namespace geodesic::server {
 
+// Code and message stay (see PrintableMessage). Details follow as google.rpc
+// messages: ErrorInfo with the reason always, BadRequest for a field at fault,
+// ResourceInfo for a mesh that is not there, QuotaFailure, and RetryInfo when
+// waiting helps.
+grpc::Status ToGrpcStatus(const absl::Status& status);
+
 // Thread-safe.
 class RequestLog {
  public:

@@ -12,8 +12,7 @@
 #include "geodesic/field_path.h"
 #include "geodesic/field_quantities.h"
 #include "server/engine/base/argument_checks.h"
-#include "server/rpc/messages/field_translation.h"
-#include "server/rpc/messages/value_bytes.h"
+#include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {
 namespace {

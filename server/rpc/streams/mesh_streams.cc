@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "geodesic/field_path.h"
-#include "server/rpc/messages/mesh_translation.h"
+#include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {
 namespace {

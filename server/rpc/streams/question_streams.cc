@@ -10,8 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/field_path.h"
 #include "server/engine/base/argument_checks.h"
-#include "server/rpc/messages/surface_translation.h"
-#include "server/rpc/messages/value_bytes.h"
+#include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {
 namespace {

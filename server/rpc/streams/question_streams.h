@@ -21,8 +21,7 @@
 #include "geodesic/v1/path_service.pb.h"
 #include "server/engine/meshes/mesh_store.h"
 #include "server/rpc/calls/answer_stream.h"
-#include "server/rpc/messages/field_translation.h"
-#include "server/rpc/messages/surface_translation.h"
+#include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {
 
@@ -161,19 +160,9 @@ class FieldQuestionStream : public QuestionStream<Request, Response>,
 
 // Questions that are answered by a job of their own, which leaves a Result.
 template <typename Request, typename Response, typename Result>
-class JobQuestionStream : public QuestionStream<Request, Response>,
-                          public JobObserver {
+class JobQuestionStream : public QuestionStream<Request, Response> {
  public:
   using QuestionStream<Request, Response>::QuestionStream;
-
-  void OnProgress(const Progress& progress) final {
-    this->SetProgress(progress);
-  }
-
-  void OnDone(const JobReport& report) final {
-    this->SetFinished(report.status,
-                      {report.seconds, report.windows_propagated}, [] {});
-  }
 
  protected:
   // What the job does. Charges `memory` with the result.
@@ -204,8 +193,15 @@ class JobQuestionStream : public QuestionStream<Request, Response>,
       if (found.ok()) *result = *std::move(found);
       return found.status();
     };
+    question.done = [self = this->Shared(this)](const JobReport& report) {
+      self->SetFinished(report.status,
+                        {report.seconds, report.windows_propagated}, [] {});
+    };
+    question.progress = [self = this->Shared(this)](const Progress& progress) {
+      self->SetProgress(progress);
+    };
     absl::StatusOr<QuestionCall> call =
-        this->engine().StartQuestion(std::move(question), this->Shared(this));
+        this->engine().StartQuestion(std::move(question));
     if (!call.ok()) return call.status();
     call_ = *std::move(call);
     this->SetSubject(call_.mesh, call_.algorithm);

@@ -16,18 +16,9 @@
 #include "geodesic/v1/matrix_service.pb.h"
 #include "server/engine/query_engine.h"
 #include "server/rpc/calls/answer_stream.h"
-#include "server/rpc/messages/field_translation.h"
-#include "server/rpc/messages/surface_translation.h"
-#include "server/rpc/messages/value_bytes.h"
+#include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {
-
-// Adds to `question` what only this kind of request says.
-// Errors: INVALID_ARGUMENT.
-absl::Status AddRest(const v1::ComputeMatrixRequest& request,
-                     MatrixRequest& question);
-absl::Status AddRest(const v1::FindNearestRequest& request,
-                     MatrixRequest& question);
 
 // Where a chunk has its columns and values.
 struct ChunkBytes {
@@ -44,14 +35,9 @@ inline ChunkBytes BytesOf(v1::NearestChunk& chunk) {
 // The pipeline computes the next row only when one is taken, so a slow reader
 // holds a few rows.
 template <typename Request, typename Response>
-class RowStream final : public AnswerStream<Request, Response>,
-                        public RowObserver {
+class RowStream final : public AnswerStream<Request, Response> {
  public:
   using AnswerStream<Request, Response>::AnswerStream;
-
-  void OnRow() override {
-    this->Update([this] { has_news_ = true; });
-  }
 
  private:
   static constexpr uint64_t kValuesPerChunk = 32768;
@@ -65,18 +51,27 @@ class RowStream final : public AnswerStream<Request, Response>,
     value_type_ = *value_type;
     MatrixRequest question;
     absl::Status status = this->BeginQuestion(question);
-    if (status.ok()) status = AddRest(request, question);
-    if (status.ok()) {
-      status = AddRows(request.sources(), limits, question.query);
+    if (!status.ok()) return status;
+    if constexpr (requires { request.layout(); }) {
+      question.sparse = request.layout() == v1::MATRIX_LAYOUT_SPARSE;
+      if (!question.sparse && request.layout() != v1::MATRIX_LAYOUT_DENSE &&
+          request.layout() != v1::MATRIX_LAYOUT_UNSPECIFIED) {
+        return Unknown("layout", request.layout());
+      }
+    } else {
+      question.nearest = request.count();
     }
+    status = AddRows(request.sources(), limits, question.query);
     if (status.ok()) {
       status = AddTargets(request.targets(), limits, question.query);
     }
     if (!status.ok()) return status;
     if (request.has_radius()) question.radius = request.radius();
     is_sparse_ = question.sparse || question.nearest.has_value();
-    absl::StatusOr<MatrixCall> call =
-        this->engine().ComputeMatrix(std::move(question), this->Shared(this));
+    absl::StatusOr<MatrixCall> call = this->engine().ComputeMatrix(
+        std::move(question), [self = this->Shared(this)] {
+          self->Update([&] { self->has_news_ = true; });
+        });
     if (call.ok()) call_ = *std::move(call);
     return call.status();
   }

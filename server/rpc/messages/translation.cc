@@ -1,0 +1,389 @@
+#include "server/rpc/messages/translation.h"
+
+#include <algorithm>
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_cat.h"
+#include "geodesic/algorithm.h"
+#include "geodesic/field_path.h"
+#include "server/engine/base/argument_checks.h"
+
+namespace geodesic::server {
+namespace {
+
+// A point takes about 50 bytes on the wire.
+constexpr uint64_t kPointsPerMessage = 8192;
+
+static_assert(sizeof(Point) == 3 * sizeof(double));
+
+// Sets `result`. Wider numbers are on no mesh; the rest is for the engine to
+// judge.
+absl::Status SetNumber(uint64_t number, const std::string& field,
+                       uint32_t& result) {
+  if (number > std::numeric_limits<uint32_t>::max()) {
+    return InvalidField(field, absl::StrCat(field, " ", number,
+                                            " is out of range: numbers of "
+                                            "vertices and faces have 32 bits"));
+  }
+  result = static_cast<uint32_t>(number);
+  return absl::OkStatus();
+}
+
+// The place of a v1::SurfacePoint, or of a v1::Source that is no curve.
+template <typename Message>
+absl::StatusOr<SurfacePoint> PointFrom(const Message& message,
+                                       const std::string& field) {
+  if (message.has_vertex()) {
+    VertexPoint point{};
+    absl::Status status = SetNumber(
+        message.vertex(), absl::StrCat(field, ".vertex"), point.vertex);
+    if (!status.ok()) return status;
+    return point;
+  }
+  if (message.has_edge()) {
+    const v1::EdgePoint& edge = message.edge();
+    EdgePoint point{.t = edge.t()};
+    absl::Status status =
+        SetNumber(edge.from(), absl::StrCat(field, ".edge.from"), point.from);
+    status.Update(
+        SetNumber(edge.to(), absl::StrCat(field, ".edge.to"), point.to));
+    if (!status.ok()) return status;
+    return point;
+  }
+  if (message.has_face()) {
+    const v1::FacePoint& face = message.face();
+    FacePoint point{};
+    absl::Status status =
+        SetNumber(face.face(), absl::StrCat(field, ".face.face"), point.face);
+    if (!status.ok()) return status;
+    if (face.weights_size() != 3) {
+      const std::string weights = absl::StrCat(field, ".face.weights");
+      return InvalidField(weights,
+                          absl::StrCat(weights, " has ", face.weights_size(),
+                                       " values; a face has three corners"));
+    }
+    std::copy(face.weights().begin(), face.weights().end(),
+              point.weights.begin());
+    return point;
+  }
+  return InvalidField(field, absl::StrCat(field, " has no place"));
+}
+
+absl::StatusOr<std::vector<SurfacePoint>> PointsFrom(
+    const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& points,
+    const std::string& field) {
+  std::vector<SurfacePoint> result;
+  result.reserve(points.size());
+  for (int i = 0; i < points.size(); ++i) {
+    absl::StatusOr<SurfacePoint> point =
+        PointFrom(points[i], absl::StrCat(field, "[", i, "]"));
+    if (!point.ok()) return point.status();
+    result.push_back(*point);
+  }
+  return result;
+}
+
+absl::StatusOr<std::variant<SurfacePoint, Curve>> PlaceFrom(
+    const v1::Source& source, const std::string& field) {
+  if (!source.has_curve()) return PointFrom(source, field);
+  absl::StatusOr<std::vector<SurfacePoint>> points =
+      PointsFrom(source.curve().points(), absl::StrCat(field, ".curve.points"));
+  if (!points.ok()) return points.status();
+  return Curve{*std::move(points)};
+}
+
+// `things` and `limit_name` are what the limit counts and is called.
+absl::Status AddAll(
+    const google::protobuf::RepeatedPtrField<v1::Source>& sources,
+    const char* things, const char* limit_name, uint64_t limit,
+    uint64_t max_curve_points, Query& query) {
+  absl::Status status = CheckCount(things, sources.size(), limit_name, limit);
+  uint64_t curve_points = 0;
+  for (const v1::Source& source : sources) {
+    curve_points += source.curve().points_size();
+  }
+  status.Update(CheckCount("curve points", curve_points, "max_curve_points",
+                           max_curve_points));
+  if (!status.ok()) return status;
+  query.sources.reserve(sources.size());
+  for (int i = 0; i < sources.size(); ++i) {
+    auto place = PlaceFrom(sources[i], absl::StrCat("sources[", i, "]"));
+    if (!place.ok()) return place.status();
+    query.sources.push_back({*std::move(place), sources[i].offset()});
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<FieldExtras> ExtrasFrom(const v1::ComputeFieldRequest& request) {
+  FieldExtras extras{.settled_order = request.progressive()};
+  for (int i = 0; i < request.quantities_size(); ++i) {
+    switch (request.quantities(i)) {
+      case v1::FIELD_QUANTITY_NEAREST_SOURCE:
+        extras.nearest_sources = true;
+        break;
+      case v1::FIELD_QUANTITY_GRADIENT:
+        extras.gradients = true;
+        break;
+      default:
+        return Unknown(absl::StrCat("quantities[", i, "]"),
+                       request.quantities(i));
+    }
+  }
+  if (request.progressive() && request.quantities_size() > 0) {
+    return InvalidField("quantities",
+                        "quantities of a progressive field are not sent: ask "
+                        "for them when it is finished");
+  }
+  return extras;
+}
+
+}  // namespace
+
+absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point,
+                                       const std::string& field) {
+  return PointFrom(point, field);
+}
+
+absl::Status AddTargets(
+    const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& targets,
+    const Limits& limits, Query& query) {
+  absl::Status status =
+      CheckCount("targets", targets.size(), "max_targets", limits.max_targets);
+  if (!status.ok()) return status;
+  absl::StatusOr<std::vector<SurfacePoint>> points =
+      PointsFrom(targets, "targets");
+  if (points.ok()) query.targets = *std::move(points);
+  return points.status();
+}
+
+absl::Status AddSources(
+    const google::protobuf::RepeatedPtrField<v1::Source>& sources,
+    const Limits& limits, Query& query) {
+  return AddAll(sources, "sources", "max_sources", limits.max_sources,
+                limits.max_curve_points, query);
+}
+
+absl::Status AddRows(
+    const google::protobuf::RepeatedPtrField<v1::Source>& sources,
+    const Limits& limits, Query& query) {
+  return AddAll(sources, "rows", "max_matrix_rows", limits.max_matrix_rows,
+                limits.max_curve_points, query);
+}
+
+void SetPoint(const Point& from, v1::Point& to) {
+  to.set_x(from[0]);
+  to.set_y(from[1]);
+  to.set_z(from[2]);
+}
+
+void SetSurfacePoint(const SurfacePoint& from, v1::SurfacePoint& to) {
+  if (const auto* vertex = std::get_if<VertexPoint>(&from)) {
+    to.set_vertex(vertex->vertex);
+  } else if (const auto* edge = std::get_if<EdgePoint>(&from)) {
+    to.mutable_edge()->set_from(edge->from);
+    to.mutable_edge()->set_to(edge->to);
+    to.mutable_edge()->set_t(edge->t);
+  } else if (const auto* face = std::get_if<FacePoint>(&from)) {
+    to.mutable_face()->set_face(face->face);
+    to.mutable_face()->mutable_weights()->Add(face->weights.begin(),
+                                              face->weights.end());
+  }
+}
+
+uint64_t SetPiece(std::span<const SurfacePoint> points,
+                  std::span<const Point> positions, uint64_t first,
+                  v1::PolylinePiece& piece) {
+  const uint64_t count =
+      std::min<uint64_t>(kPointsPerMessage, points.size() - first);
+  piece.set_point_count(points.size());
+  piece.set_first_point(first);
+  piece.clear_points();
+  for (const SurfacePoint& point : points.subspan(first, count)) {
+    SetSurfacePoint(point, *piece.add_points());
+  }
+  SetBytes(positions.subspan(first, count), *piece.mutable_positions());
+  return first + count;
+}
+
+absl::Status Unknown(const std::string& field, int number) {
+  return InvalidField(field, absl::StrCat(field, " is ", number,
+                                          ", which this server does not know"));
+}
+
+// ALGORITHM_FWP_CH for "fwp-ch".
+v1::Algorithm ToProto(Algorithm algorithm) {
+  std::string name = "ALGORITHM_" + std::string(AlgorithmName(algorithm));
+  absl::AsciiStrToUpper(&name);
+  std::ranges::replace(name, '-', '_');
+  v1::Algorithm result = v1::ALGORITHM_UNSPECIFIED;
+  v1::Algorithm_Parse(name, &result);
+  return result;
+}
+
+v1::FieldOrigin ToProto(FieldOrigin origin) {
+  switch (origin) {
+    case FieldOrigin::kComputed:
+      return v1::FIELD_ORIGIN_COMPUTED;
+    case FieldOrigin::kJoined:
+      return v1::FIELD_ORIGIN_JOINED;
+    case FieldOrigin::kCached:
+      return v1::FIELD_ORIGIN_CACHED;
+  }
+  return v1::FIELD_ORIGIN_UNSPECIFIED;
+}
+
+v1::SolveProgress ToProto(const Progress& progress) {
+  v1::SolveProgress proto;
+  proto.set_settled_radius(progress.settled_radius);
+  proto.set_vertices_reached(progress.vertices_reached);
+  proto.set_live_windows(progress.live_windows);
+  proto.set_windows_propagated(progress.windows_propagated);
+  return proto;
+}
+
+v1::SolveStatistics ToProto(const SolveStatistics& statistics) {
+  v1::SolveStatistics proto;
+  proto.set_iterations(statistics.iterations);
+  proto.set_windows_created(statistics.windows_created);
+  proto.set_windows_propagated(statistics.windows_propagated);
+  proto.set_peak_wavefront(statistics.peak_wavefront);
+  proto.set_mean_wavefront(statistics.mean_wavefront);
+  proto.set_peak_windows(statistics.peak_windows);
+  proto.set_peak_solver_bytes(statistics.peak_solver_bytes);
+  proto.set_solve_seconds(statistics.solve_seconds);
+  return proto;
+}
+
+v1::AnswerHeader MakeHeader(const ResidentMesh& mesh, Algorithm algorithm,
+                            const std::string& version) {
+  v1::AnswerHeader header;
+  header.set_mesh_digest(mesh.digest);
+  header.set_vertex_count(mesh.mesh->vertex_count());
+  header.set_algorithm(ToProto(algorithm));
+  header.set_relative_tolerance(kRelativeTolerance);
+  header.set_server_version(version);
+  return header;
+}
+
+absl::StatusOr<Algorithm> FromProto(v1::Algorithm algorithm) {
+  if (algorithm == v1::ALGORITHM_UNSPECIFIED) return kDefaultAlgorithm;
+  for (const AlgorithmInfo& info : kAlgorithms) {
+    if (ToProto(info.algorithm) == algorithm) return info.algorithm;
+  }
+  return InvalidField("algorithm",
+                      absl::StrCat("algorithm is ", static_cast<int>(algorithm),
+                                   ", which this server does not know; "
+                                   "GetCapabilities lists those it does"));
+}
+
+absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type) {
+  switch (type) {
+    case v1::VALUE_TYPE_UNSPECIFIED:
+    case v1::VALUE_TYPE_FLOAT64:
+      return v1::VALUE_TYPE_FLOAT64;
+    case v1::VALUE_TYPE_FLOAT32:
+      return v1::VALUE_TYPE_FLOAT32;
+    default:
+      return Unknown("value_type", type);
+  }
+}
+
+absl::StatusOr<bool> IsBatch(v1::Priority priority) {
+  switch (priority) {
+    case v1::PRIORITY_UNSPECIFIED:
+    case v1::PRIORITY_INTERACTIVE:
+      return false;
+    case v1::PRIORITY_BATCH:
+      return true;
+    default:
+      return Unknown("priority", priority);
+  }
+}
+
+absl::Status Translate(const v1::ComputeFieldRequest& request,
+                       const Limits& limits, FieldRequest& result) {
+  absl::Status status = AddSources(request.sources(), limits, result.query);
+  if (!status.ok()) return status;
+  status = AddTargets(request.targets(), limits, result.query);
+  if (!status.ok()) return status;
+  if (request.has_radius()) result.reach.radius = request.radius();
+  if (request.has_stop_after_targets()) {
+    // The largest number would mean no limit to the engine.
+    result.reach.targets = std::min(request.stop_after_targets(),
+                                    std::numeric_limits<uint64_t>::max() - 1);
+  }
+  absl::StatusOr<FieldExtras> extras = ExtrasFrom(request);
+  if (!extras.ok()) return extras.status();
+  result.extras = *extras;
+  if (request.has_resumption()) {
+    if (request.progressive()) {
+      return InvalidField("resumption", "a progressive field is not resumed");
+    }
+    result.must_be_kept = true;
+  }
+  return absl::OkStatus();
+}
+
+v1::Mesh ToProto(const MeshDescription& mesh) {
+  const MeshSummary& summary = mesh.summary;
+  v1::Mesh proto;
+  proto.set_digest(mesh.digest);
+  proto.set_vertex_count(summary.vertices);
+  proto.set_face_count(summary.faces);
+  proto.set_edge_count(summary.edges);
+  proto.set_boundary_edge_count(summary.boundary_edges);
+  proto.set_boundary_loop_count(summary.boundary_loops);
+  proto.set_component_count(summary.components);
+  proto.set_isolated_vertex_count(summary.isolated_vertices);
+  if (summary.genus.has_value()) proto.set_genus(*summary.genus);
+  proto.set_saddle_vertex_count(summary.saddle_vertices);
+  proto.set_degenerate_face_count(summary.degenerate_faces);
+  SetPoint(summary.bounding_box_min, *proto.mutable_bounding_box_min());
+  SetPoint(summary.bounding_box_max, *proto.mutable_bounding_box_max());
+  proto.set_mean_edge_length(summary.mean_edge_length);
+  proto.set_anisotropy(summary.anisotropy);
+  proto.set_resident_bytes(mesh.resident_bytes);
+  proto.set_stored_bytes(mesh.stored_bytes);
+  proto.set_non_manifold_edge_count(summary.non_manifold_edges);
+  proto.set_non_manifold_vertex_count(summary.non_manifold_vertices);
+  proto.set_inconsistent_edge_count(summary.inconsistent_edges);
+  proto.set_orientable(summary.is_orientable);
+  return proto;
+}
+
+v1::FileDigest ToProto(const FileKey& file) {
+  v1::FileDigest proto;
+  for (const auto& [format, value] : kMeshFormats) {
+    if (format == file.format) proto.set_format(value);
+  }
+  proto.set_sha256(file.sha256);
+  return proto;
+}
+
+absl::StatusOr<UploadFormat> FromProto(v1::MeshFormat format,
+                                       std::string_view field) {
+  for (const auto& [known, value] : kMeshFormats) {
+    if (value == format) return known;
+  }
+  return InvalidField(
+      field, absl::StrCat(absl::string_view(field.data(), field.size()), " is ",
+                          static_cast<int>(format),
+                          "; it must be one of the formats that "
+                          "GetCapabilities lists"));
+}
+
+absl::StatusOr<UploadHeader> FromProto(const v1::UploadHeader& header) {
+  absl::StatusOr<UploadFormat> format =
+      FromProto(header.format(), "header.format");
+  if (!format.ok()) return format.status();
+  return UploadHeader{.format = *format,
+                      .size_bytes = header.size_bytes(),
+                      .vertex_count = header.vertex_count(),
+                      .face_count = header.face_count(),
+                      .expected_digest = header.expected_digest()};
+}
+
+}  // namespace geodesic::server

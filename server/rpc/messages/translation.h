@@ -1,0 +1,151 @@
+// The protocol's messages <-> what the engine takes and gives.
+
+#ifndef GEODESIC_SERVER_RPC_MESSAGES_TRANSLATION_H_
+#define GEODESIC_SERVER_RPC_MESSAGES_TRANSLATION_H_
+
+#include <google/protobuf/repeated_ptr_field.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/distance_field.h"
+#include "geodesic/query.h"
+#include "geodesic/surface_point.h"
+#include "geodesic/v1/field_service.pb.h"
+#include "geodesic/v1/mesh.pb.h"
+#include "geodesic/v1/mesh_service.pb.h"
+#include "geodesic/v1/query.pb.h"
+#include "geodesic/v1/surface.pb.h"
+#include "server/engine/base/limits.h"
+#include "server/engine/fields/field_engine.h"
+#include "server/engine/meshes/mesh_catalogue.h"
+#include "server/engine/meshes/mesh_store.h"
+
+namespace geodesic::server {
+
+// Numbers as they travel in `bytes` fields, little endian.
+
+// Numbers are sent as they lie in memory.
+static_assert(std::endian::native == std::endian::little);
+
+// Replaces what `bytes` holds, whose room is used again.
+template <typename T>
+void SetBytes(std::span<const T> items, std::string& bytes) {
+  bytes.assign(reinterpret_cast<const char*>(items.data()),
+               items.size() * sizeof(T));
+}
+
+template <typename T>
+void AppendBytes(T item, std::string& bytes) {
+  bytes.append(reinterpret_cast<const char*>(&item), sizeof(T));
+}
+
+inline void SetValues(std::span<const double> values, v1::ValueType type,
+                      std::string& bytes) {
+  if (type != v1::VALUE_TYPE_FLOAT32) {
+    SetBytes(values, bytes);
+    return;
+  }
+  bytes.resize(values.size() * sizeof(float));
+  char* at = bytes.data();
+  for (const double value : values) {
+    const float rounded = static_cast<float>(value);
+    std::char_traits<char>::copy(at, reinterpret_cast<const char*>(&rounded),
+                                 sizeof(float));
+    at += sizeof(float);
+  }
+}
+
+// Points, sources and polylines.
+
+// Errors of these: INVALID_ARGUMENT naming `field`, the path of the value in
+// the request, or a part of it: no place; a number beyond 32 bits; other than
+// three weights. Whether the place is on a mesh is for the engine to judge.
+absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point,
+                                       const std::string& field);
+
+// Puts the targets of a request into a query.
+// Errors: also RESOURCE_EXHAUSTED when they are more than the limit.
+absl::Status AddTargets(
+    const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& targets,
+    const Limits& limits, Query& query);
+
+// Puts the sources of a request into a query.
+// Errors: also RESOURCE_EXHAUSTED when they are more than the limit, or their
+// curves have more points than the limit.
+absl::Status AddSources(
+    const google::protobuf::RepeatedPtrField<v1::Source>& sources,
+    const Limits& limits, Query& query);
+
+// The same for sources that are rows of a matrix.
+absl::Status AddRows(
+    const google::protobuf::RepeatedPtrField<v1::Source>& sources,
+    const Limits& limits, Query& query);
+
+void SetPoint(const Point& from, v1::Point& to);
+void SetSurfacePoint(const SurfacePoint& from, v1::SurfacePoint& to);
+
+// Replaces `piece` by the points from `first` on, as many as a message takes;
+// returns where the next piece begins. A polyline without points has one empty
+// piece.
+uint64_t SetPiece(std::span<const SurfacePoint> points,
+                  std::span<const Point> positions, uint64_t first,
+                  v1::PolylinePiece& piece);
+
+// Questions about fields, and their answers.
+
+// What geodesic::Solve guarantees (solve.h).
+inline constexpr double kRelativeTolerance = 1e-10;
+
+v1::Algorithm ToProto(Algorithm algorithm);
+v1::FieldOrigin ToProto(FieldOrigin origin);
+v1::SolveProgress ToProto(const Progress& progress);
+v1::SolveStatistics ToProto(const SolveStatistics& statistics);
+v1::AnswerHeader MakeHeader(const ResidentMesh& mesh, Algorithm algorithm,
+                            const std::string& version);
+
+// INVALID_ARGUMENT: this field of a request has a number that its enumeration
+// does not.
+absl::Status Unknown(const std::string& field, int number);
+
+// Errors of these: INVALID_ARGUMENT naming the part of the request at fault.
+absl::StatusOr<Algorithm> FromProto(v1::Algorithm algorithm);
+// Never unspecified.
+absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type);
+absl::StatusOr<bool> IsBatch(v1::Priority priority);
+// Adds to `question` what only a field's request says.
+// Errors: also RESOURCE_EXHAUSTED for counts beyond the limits.
+absl::Status Translate(const v1::ComputeFieldRequest& request,
+                       const Limits& limits, FieldRequest& question);
+
+// Meshes and uploads.
+
+// What clients may upload.
+inline constexpr std::pair<UploadFormat, v1::MeshFormat> kMeshFormats[] = {
+    {UploadFormat::kArrays, v1::MESH_FORMAT_ARRAYS},
+    {UploadFormat::kObj, v1::MESH_FORMAT_OBJ},
+    {UploadFormat::kPly, v1::MESH_FORMAT_PLY},
+    {UploadFormat::kOff, v1::MESH_FORMAT_OFF},
+    {UploadFormat::kStl, v1::MESH_FORMAT_STL},
+};
+
+v1::Mesh ToProto(const MeshDescription& mesh);
+v1::FileDigest ToProto(const FileKey& file);
+
+// Errors of these: INVALID_ARGUMENT naming `field`, the path of the value in
+// the request.
+absl::StatusOr<UploadFormat> FromProto(v1::MeshFormat format,
+                                       std::string_view field);
+absl::StatusOr<UploadHeader> FromProto(const v1::UploadHeader& header);
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_RPC_MESSAGES_TRANSLATION_H_
