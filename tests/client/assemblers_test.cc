@@ -48,6 +48,7 @@ v1::PolylinePiece Piece(uint64_t point_count, uint64_t first, uint64_t count) {
 TEST(PolylineAssemblerTest, PutsPiecesTogether) {
   PolylineAssembler assembler;
   Polyline line;
+  Polyline empty;
   ASSERT_TRUE(assembler.Consume(Piece(5, 0, 2), &line).ok());
   EXPECT_FALSE(assembler.complete());
   ASSERT_TRUE(assembler.Consume(Piece(5, 2, 3), &line).ok());
@@ -55,6 +56,9 @@ TEST(PolylineAssemblerTest, PutsPiecesTogether) {
   ASSERT_EQ(line.points.size(), 5);
   EXPECT_EQ(line.points[4], SurfacePoint(VertexPoint{4}));
   EXPECT_EQ(line.positions[4], (Point{4, 0, 0}));
+  // A line without points is one piece.
+  EXPECT_TRUE(assembler.Consume(Piece(0, 0, 0), &empty).ok());
+  EXPECT_TRUE(assembler.complete());
 }
 
 TEST(PolylineAssemblerTest, KnowsAllKindsOfPoints) {
@@ -70,13 +74,6 @@ TEST(PolylineAssemblerTest, KnowsAllKindsOfPoints) {
   ASSERT_TRUE(assembler.Consume(piece, &line).ok());
   EXPECT_EQ(line.points[1], SurfacePoint(EdgePoint{1, 2, 0.5}));
   EXPECT_EQ(line.points[2], SurfacePoint(FacePoint{9, {0.25, 0.25, 0.5}}));
-}
-
-TEST(PolylineAssemblerTest, EmptyLineIsOnePiece) {
-  PolylineAssembler assembler;
-  Polyline line;
-  EXPECT_TRUE(assembler.Consume(Piece(0, 0, 0), &line).ok());
-  EXPECT_TRUE(assembler.complete());
 }
 
 TEST(PolylineAssemblerTest, RefusesWhatIsNotDue) {

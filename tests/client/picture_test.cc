@@ -11,6 +11,7 @@
 
 #include "client/picture/colormap.h"
 #include "client/picture/overlay.h"
+#include "tests/integration/meshes.h"
 
 namespace geodesic::client {
 namespace {
@@ -331,33 +332,15 @@ TEST(PictureTest, ClosedLinesComeBack) {
             Brightness(at.Pixel(open, 0.35, 0.5)) - 100);
 }
 
-// A flat square of 2 * cells^2 triangles, and the distances and numbers of
-// those of two sources that are nearest.
+// A flat square, and the distances and numbers of those of two sources that are
+// nearest.
 struct TwoCells {
-  explicit TwoCells(int cells) {
-    const Point sources[] = {{0.1, 0.2, 0}, {0.8, 0.9, 0}};
-    for (int row = 0; row <= cells; ++row) {
-      for (int column = 0; column <= cells; ++column) {
-        const double x = double(column) / cells;
-        const double y = double(row) / cells;
-        mesh.positions.push_back({x, y, 0});
-        const double first = std::hypot(x - sources[0][0], y - sources[0][1]);
-        const double second = std::hypot(x - sources[1][0], y - sources[1][1]);
-        distances.push_back(std::min(first, second));
-        nearest.push_back(first <= second ? 0 : 1);
-      }
-    }
-    const auto vertex = [cells](int column, int row) {
-      return static_cast<uint32_t>(row * (cells + 1) + column);
-    };
-    for (int row = 0; row < cells; ++row) {
-      for (int column = 0; column < cells; ++column) {
-        mesh.triangles.push_back({vertex(column, row), vertex(column + 1, row),
-                                  vertex(column, row + 1)});
-        mesh.triangles.push_back({vertex(column, row + 1),
-                                  vertex(column + 1, row),
-                                  vertex(column + 1, row + 1)});
-      }
+  explicit TwoCells(uint32_t cells) : mesh(PlanarGrid(cells)) {
+    for (const Point& point : mesh.positions) {
+      const double first = std::hypot(point[0] - 0.1, point[1] - 0.2);
+      const double second = std::hypot(point[0] - 0.8, point[1] - 0.9);
+      distances.push_back(std::min(first, second));
+      nearest.push_back(first <= second ? 0 : 1);
     }
   }
 

@@ -148,9 +148,6 @@ TEST_F(FieldQuestionsTest, FieldSourcesComeFromFilesAndCurves) {
   EXPECT_EQ(sources[3]["offset"], 0.25);
   EXPECT_THAT(Refusal({"field", grid_, "--sources", folder_ / "no.txt"}, 3),
               HasSubstr("no.txt"));
-  WriteFile(folder_ / "bad.txt", "0\nedge:1\n");
-  EXPECT_THAT(Refusal({"field", grid_, "--sources", folder_ / "bad.txt"}, 3),
-              HasSubstr("bad.txt line 2: 'edge:1'"));
 }
 
 TEST_F(FieldQuestionsTest, FieldStreamsWhatIsSettled) {
