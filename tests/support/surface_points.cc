@@ -198,6 +198,21 @@ SurfacePoint RandomPointNearby(const TriangleSoup& soup, double distance,
   return point;
 }
 
+std::vector<SurfacePoint> PointsBeside(const TriangleSoup& soup,
+                                       const std::vector<uint32_t>& vertices,
+                                       double weight) {
+  std::vector<SurfacePoint> points;
+  for (const uint32_t vertex : vertices) {
+    for (const Place& place : PlacesOfVertex(soup, vertex)) {
+      FacePoint point{place.face, {weight, weight, weight}};
+      point.weights[CornerOf(soup.triangles[place.face], vertex)] =
+          1 - 2 * weight;
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
 SurfacePoint RandomSurfacePoint(const TriangleSoup& soup, Random& random) {
   constexpr double kDistances[] = {1e-3, 1e-9, 1e-15, 1e-200};
   switch (random.Below(6)) {

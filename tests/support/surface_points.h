@@ -50,7 +50,11 @@ SurfacePoint RandomVertexPoint(const TriangleSoup& soup, Random& random);
 // it, or on an edge so near its end.
 SurfacePoint RandomPointNearby(const TriangleSoup& soup, double distance,
                                Random& random);
-// Any of these.
+// Points in the faces around these vertices, `weight` away from them.
+std::vector<SurfacePoint> PointsBeside(const TriangleSoup& soup,
+                                       const std::vector<uint32_t>& vertices,
+                                       double weight);
+// Any of the random ones.
 SurfacePoint RandomSurfacePoint(const TriangleSoup& soup, Random& random);
 
 // A polyline of up to `most` points, each in a common face with the one before.

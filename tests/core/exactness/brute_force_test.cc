@@ -19,6 +19,7 @@
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/random.h"
+#include "tests/support/surface_points.h"
 
 namespace geodesic::test {
 namespace {
@@ -202,18 +203,8 @@ TEST(BruteForceComparison, PointsRightBesideDoubledVertices) {
         RotateAndShift(BoxGrid(1, 2, 1.5, 2, 2, 2), seed), 3, seed, &doubled);
     const std::shared_ptr<const Mesh> mesh =
         BuildOrFail({"doubled vertices", soup});
-    std::vector<SurfacePoint> points;
-    for (uint32_t f = 0; f < soup.triangles.size(); ++f) {
-      for (int corner = 0; corner < 3; ++corner) {
-        if (std::ranges::find(doubled, soup.triangles[f][corner]) ==
-            doubled.end()) {
-          continue;
-        }
-        FacePoint point{f, {2.6e-10, 2.6e-10, 2.6e-10}};
-        point.weights[corner] = 1 - 5.2e-10;
-        points.push_back(point);
-      }
-    }
+    const std::vector<SurfacePoint> points =
+        PointsBeside(soup, doubled, 2.6e-10);
     const BruteForce brute_force(soup, points);
     for (const SurfacePoint& point : points) {
       const std::vector<Source> sources = {{point}};

@@ -183,25 +183,6 @@ TEST(MeshTest, PathsMayBendAtReflexCornersAndSaddlesOnly) {
   EXPECT_TRUE((*saddle)->IsPseudoSource(0));
 }
 
-TEST(MeshTest, SurfacesMayTouchInAVertex) {
-  // Two closed tetrahedra that share vertex 0.
-  TriangleSoup soup{.positions = {{0, 0, 0},
-                                  {1, 0, 0},
-                                  {0, 1, 0},
-                                  {0, 0, 1},
-                                  {-1, 0, 0},
-                                  {0, -1, 0},
-                                  {0, 0, -1}}};
-  for (const auto& [a, b, c] : std::vector<Triangle>{{1, 2, 3}, {4, 5, 6}}) {
-    soup.triangles.insert(soup.triangles.end(),
-                          {{0, b, a}, {0, c, b}, {0, a, c}, {a, b, c}});
-  }
-  const auto mesh = Mesh::Build(soup).value();
-  EXPECT_TRUE(mesh->IsPseudoSource(0));
-  EXPECT_FALSE(mesh->IsBoundary(0));
-  EXPECT_EQ(mesh->Outgoing(0).size(), 6u);
-}
-
 TEST(MeshTest, RefusalsNameTheOffender) {
   TriangleSoup no_faces = Square(), infinite = Square(), absent = Square(),
                repeated = Square();

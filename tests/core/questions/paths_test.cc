@@ -153,20 +153,12 @@ TEST_P(Paths, FromPointsBesideDoubledVertices) {
     const TriangleSoup soup =
         DoubleVertices(DoubleVertices(terrain, 4, seed), 8, seed, &doubled);
     const auto mesh = BuildOrFail({"doubled vertices", soup});
-    for (uint32_t f = 0; f < soup.triangles.size(); ++f) {
-      for (int corner = 0; corner < 3; ++corner) {
-        if (std::ranges::find(doubled, soup.triangles[f][corner]) ==
-            doubled.end()) {
-          continue;
-        }
-        FacePoint near{.face = f, .weights = {9e-16, 9e-16, 9e-16}};
-        near.weights[corner] = 1 - 1.8e-15;
-        CheckAllPaths("beside doubled vertices", *mesh,
-                      {.sources = {{near}}, .algorithm = GetParam().algorithm},
-                      {.slack = 8 * CoordinateRounding(soup.positions),
-                       .check_bends = false},
-                      7);
-      }
+    for (const SurfacePoint& near : PointsBeside(soup, doubled, 9e-16)) {
+      CheckAllPaths("beside doubled vertices", *mesh,
+                    Ask({.sources = {{near}}}),
+                    {.slack = 8 * CoordinateRounding(soup.positions),
+                     .check_bends = false},
+                    7);
     }
   }
 }
