@@ -14,9 +14,9 @@
 #include <variant>
 #include <vector>
 
+#include "geodesic/computation.h"
 #include "server/engine/base/status_details.h"
 #include "tests/engine/engine_fixture.h"
-#include "tests/engine/solving_computation.h"
 #include "tests/support/curved_meshes.h"
 
 namespace geodesic::server {
@@ -26,6 +26,33 @@ using test::RecordingObserver;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+
+// A computation that does all its work in one function.
+using SolveFunction = std::function<absl::StatusOr<DistanceField>(
+    const Mesh&, const ValidQuery&, Checkpoint&)>;
+
+class SolvingComputation final : public Computation {
+ public:
+  SolvingComputation(const Mesh& mesh, ValidQuery query, SolveFunction solve)
+      : mesh_(mesh), query_(std::move(query)), solve_(std::move(solve)) {}
+
+  absl::Status Advance(const Reach&, Checkpoint& checkpoint) override {
+    absl::StatusOr<DistanceField> field = solve_(mesh_, query_, checkpoint);
+    if (field.ok()) field_ = *std::move(field);
+    return field.status();
+  }
+  DistanceField Field() const override { return field_; }
+  absl::Status AddSource(const Source&) override {
+    return absl::UnimplementedError("not for tests");
+  }
+  uint64_t bytes() const override { return sizeof(*this); }
+
+ private:
+  const Mesh& mesh_;
+  const ValidQuery query_;
+  const SolveFunction solve_;
+  DistanceField field_;
+};
 
 class AdmissionTest : public test::EngineTest {
  protected:
@@ -41,9 +68,11 @@ class AdmissionTest : public test::EngineTest {
     const auto uploaded = Upload(geodesic::test::Icosphere(2));
     ASSERT_TRUE(uploaded.ok()) << uploaded.status();
     digest_ = uploaded->mesh.digest;
-    start_ = test::StartWith(solve_);
+    start_ = [this](const Mesh& mesh, const ValidQuery& query,
+                    const SolveOptions&) {
+      return std::make_unique<SolvingComputation>(mesh, query, solve_);
+    };
     solve_ = [this](const Mesh& mesh, const ValidQuery& query,
-                    const SolveOptions&,
                     Checkpoint& checkpoint) -> absl::StatusOr<DistanceField> {
       const auto& point = std::get<SurfacePoint>(query->sources[0].place);
       order_.push_back(std::get<VertexPoint>(point).vertex);
@@ -83,7 +112,7 @@ class AdmissionTest : public test::EngineTest {
   }
 
   std::string digest_;
-  test::SolveFunction solve_;
+  SolveFunction solve_;
   std::function<void()> at_poll_;
   std::vector<uint32_t> order_;  // of the vertices that were sources
   std::shared_ptr<RecordingObserver> observer_ =
@@ -92,19 +121,16 @@ class AdmissionTest : public test::EngineTest {
 
 class OutcomeTest : public AdmissionTest {
  protected:
-  // Computes a field, with `act` done in the queue or while it is computed.
-  void Run(FieldRequest request, bool in_queue,
-           const std::function<void(const FieldCall&)>& act) {
+  // Computes a field.
+  void Run() {
     absl::StatusOr<FieldCall> call;
     at_poll_ = [&] {
       EXPECT_GE(engine_.solver_memory().used(),
                 PlannedSolverBytes(*call->mesh->mesh, call->query));
-      if (!in_queue) act(*call);
     };
-    call = Ask(request);
+    call = Ask(Field(0));
     ASSERT_TRUE(call.ok()) << call.status();
     EXPECT_EQ(engine_.solver_memory().used(), 0);  // it only waits
-    if (in_queue) act(*call);
     executor_.RunAll();
     call = absl::CancelledError();  // which held the mesh
     ExpectNothingHeld();
@@ -112,45 +138,24 @@ class OutcomeTest : public AdmissionTest {
 };
 
 TEST_F(OutcomeTest, AnAnswerLeavesTheFieldAlone) {
-  Run(Field(0), false, [](const FieldCall&) {});
+  Run();
   EXPECT_TRUE(observer_->field->ok());
   EXPECT_EQ(engine_.fields().cache().size(), 1);
 }
 
-TEST_F(OutcomeTest, CancellingLeavesNothing) {
-  for (const bool in_queue : {true, false}) {
-    Run(Field(0), in_queue,
-        [&](const FieldCall& call) { engine_.fields().Cancel(call); });
-    EXPECT_EQ(observer_->calls, 0);
-  }
-  EXPECT_EQ(engine_.fields().cache().used_bytes(), 0);
-}
-
 TEST_F(OutcomeTest, ADeadlineLeavesNothing) {
-  for (const bool in_queue : {true, false}) {
-    FieldRequest request = Field(0);
-    request.deadline = clock_.Now() + std::chrono::seconds(1);
-    Run(request, in_queue,
-        [&](const FieldCall&) { clock_.Advance(std::chrono::seconds(2)); });
-    EXPECT_TRUE(absl::IsDeadlineExceeded(observer_->field->status()));
-  }
+  FieldRequest request = Field(0);
+  request.deadline = clock_.Now() + std::chrono::seconds(1);
+  at_poll_ = [&] { clock_.Advance(std::chrono::seconds(2)); };
+  ASSERT_TRUE(Ask(request).ok());
+  executor_.RunAll();
+  EXPECT_TRUE(absl::IsDeadlineExceeded(observer_->field->status()));
   EXPECT_EQ(engine_.fields().cache().used_bytes(), 0);
-}
-
-TEST_F(OutcomeTest, StoppingInTheQueueLeavesNothing) {
-  Run(Field(0), true, [&](const FieldCall&) { engine_.scheduler().StopAll(); });
-  EXPECT_TRUE(absl::IsUnavailable(observer_->field->status()));
-}
-
-TEST_F(OutcomeTest, StoppingTheSolverLeavesNothing) {
-  Run(Field(0), false,
-      [&](const FieldCall&) { engine_.scheduler().StopAll(); });
-  EXPECT_TRUE(absl::IsUnavailable(observer_->field->status()));
-  EXPECT_EQ(engine_.counters().solves_stopped, 1);
+  ExpectNothingHeld();
 }
 
 TEST_F(OutcomeTest, AnErrorLeavesNothing) {
-  const std::pair<test::SolveFunction, absl::Status> cases[] = {
+  const std::pair<SolveFunction, absl::Status> cases[] = {
       {[](const auto&...) { return absl::InternalError("a bug"); },
        absl::InternalError("a bug")},
       {[](const auto&...) -> absl::StatusOr<DistanceField> {
@@ -165,7 +170,7 @@ TEST_F(OutcomeTest, AnErrorLeavesNothing) {
            "exception while the server computed a field: a bug")}};
   for (const auto& [solve, error] : cases) {
     solve_ = solve;
-    Run(Field(0), false, [](const FieldCall&) {});
+    Run();
     EXPECT_EQ(observer_->field->status(), error);
   }
   EXPECT_EQ(engine_.counters().solves_stopped, 3);
@@ -276,22 +281,6 @@ INSTANTIATE_TEST_SUITE_P(
                                  "--solver-memory"},
                       TinyBudget{&Limits::field_cache_bytes, "--field-cache"}));
 
-TEST_F(AdmissionTest, AQuestionWaitsForOneRowAtMost) {
-  auto matrix = AskForMatrix(100, 5);
-  ASSERT_TRUE(matrix.ok());
-  executor_.RunOne();  // the first row
-  ASSERT_TRUE(Ask(Field(1)).ok());
-  ASSERT_TRUE(Ask(Field(2)).ok());
-  // While these run, the reader takes rows, so that others are submitted.
-  at_poll_ = [&] { matrix->rows->Take(); };
-  executor_.RunAll();
-  ASSERT_GE(order_.size(), 4);
-  EXPECT_THAT(std::vector(order_.begin(), order_.begin() + 4),
-              ElementsAre(100, 1, 2, 101));
-  EXPECT_TRUE(observer_->field->ok());
-  while (matrix->rows->Take()) executor_.RunAll();
-}
-
 class SharedQueueTest : public AdmissionTest {
  protected:
   SharedQueueTest() : AdmissionTest(Shares()) {}
@@ -349,18 +338,6 @@ TEST_F(AdmissionTest, BatchesGoAfterRowsAndQuestions) {
   ASSERT_TRUE(Ask(Field(2)).ok());
   executor_.RunAll();
   EXPECT_THAT(order_, ElementsAre(2, 100, 101, 1));
-}
-
-TEST_F(AdmissionTest, ABatchThatSomebodyWaitsForIsNoBatch) {
-  ASSERT_TRUE(Ask(Field(1, /*is_batch=*/true)).ok());
-  ASSERT_TRUE(Ask(Field(2, /*is_batch=*/true)).ok());
-  const auto matrix = AskForMatrix(100, 1);
-  ASSERT_TRUE(matrix.ok());
-  const auto joined = Ask(Field(2));
-  ASSERT_TRUE(joined.ok());
-  EXPECT_EQ(joined->origin, FieldOrigin::kJoined);
-  executor_.RunAll();
-  EXPECT_THAT(order_, ElementsAre(2, 100, 1));
 }
 
 TEST_F(AdmissionTest, WhatMustBeKeptIsNotComputed) {

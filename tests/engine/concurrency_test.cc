@@ -6,9 +6,9 @@
 #include <cmath>
 #include <condition_variable>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -74,20 +74,12 @@ class WaitingObserver final : public FieldObserver {
  public:
   void OnProgress(const Progress&) override {}
   void OnField(const absl::StatusOr<FieldAnswer>& answer) override {
-    std::lock_guard lock(mutex_);
-    answer_ = answer;
-    changed_.notify_all();
+    answer_.set_value(answer);
   }
-  absl::StatusOr<FieldAnswer> Wait() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return answer_.has_value(); });
-    return *answer_;
-  }
+  absl::StatusOr<FieldAnswer> Wait() { return answer_.get_future().get(); }
 
  private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::optional<absl::StatusOr<FieldAnswer>> answer_;
+  std::promise<absl::StatusOr<FieldAnswer>> answer_;
 };
 
 class EngineConcurrencyTest : public ::testing::Test {
@@ -96,20 +88,15 @@ class EngineConcurrencyTest : public ::testing::Test {
     auto upload = engine_.meshes().StartUpload(test::ArrayHeader(soup));
     EXPECT_TRUE(upload.ok()) << upload.status();
     EXPECT_TRUE((*upload)->Append(0, test::ArrayBytes(soup)).ok());
-    std::mutex mutex;
-    std::condition_variable changed;
-    std::string digest;
+    const auto told =
+        std::make_shared<std::promise<absl::StatusOr<UploadResult>>>();
     const auto job = engine_.meshes().FinishUpload(
-        *std::move(upload), [&](const absl::StatusOr<UploadResult>& result) {
-          std::lock_guard lock(mutex);
-          EXPECT_TRUE(result.ok()) << result.status();
-          digest = result.ok() ? result->mesh.digest : "failed";
-          changed.notify_all();
-        });
+        *std::move(upload),
+        [told](const auto& result) { told->set_value(result); });
     EXPECT_TRUE(job.ok()) << job.status();
-    std::unique_lock lock(mutex);
-    changed.wait(lock, [&] { return !digest.empty(); });
-    return digest;
+    const absl::StatusOr<UploadResult> result = told->get_future().get();
+    EXPECT_TRUE(result.ok()) << result.status();
+    return result.ok() ? result->mesh.digest : "failed";
   }
 
   SteadyClock clock_;

@@ -31,20 +31,13 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-TEST_F(DurableEngineTest, AnUploadIsOnDiskWhenItIsAnswered) {
-  const TriangleSoup soup = geodesic::test::Icosphere(2);
-  const auto uploaded = Upload(soup);
-  ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-  EXPECT_FALSE(uploaded->already_resident);
-  EXPECT_TRUE(fs::exists(FileOf(DigestOf(soup))));
-  EXPECT_EQ(uploaded->mesh.stored_bytes, fs::file_size(FileOf(DigestOf(soup))));
-  EXPECT_GT(uploaded->mesh.resident_bytes, 0);
-}
-
 TEST_F(DurableEngineTest, EverythingIsThereAfterARestart) {
   const TriangleSoup soup = geodesic::test::Icosphere(2);
   const auto before = Upload(soup);
   ASSERT_TRUE(before.ok());
+  EXPECT_FALSE(before->already_resident);
+  EXPECT_GT(before->mesh.resident_bytes, 0);
+  EXPECT_EQ(before->mesh.stored_bytes, fs::file_size(FileOf(DigestOf(soup))));
   ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
   const std::vector<std::string> listed = Listed();
   Restart();
@@ -198,15 +191,18 @@ TEST_F(DurableEngineTest, DamageIsSetAsideAndHealedByAnUpload) {
 
 TEST_F(DurableEngineTest, FieldsAreThereAfterARestart) {
   const std::string digest = Upload(geodesic::test::Icosphere(2))->mesh.digest;
-  const auto before = Field({.mesh_digest = digest});
+  const FieldRequest request = {.mesh_digest = digest,
+                                .extras = {.gradients = true}};
+  const auto before = Field(request);
   ASSERT_TRUE(before.ok());
   EXPECT_EQ(before->origin, FieldOrigin::kComputed);
   Restart();
   ASSERT_TRUE(Await(digest).ok());
-  const auto after = Field({.mesh_digest = digest});
+  const auto after = Field(request);
   ASSERT_TRUE(after.ok()) << after.status();
   EXPECT_EQ(after->origin, FieldOrigin::kCached);
   EXPECT_EQ(after->field->distances, before->field->distances);
+  EXPECT_EQ(after->derived->gradients, before->derived->gradients);
   EXPECT_EQ(after->field->settled_radius, before->field->settled_radius);
   EXPECT_EQ(after->field->algorithm, before->field->algorithm);
   EXPECT_EQ(after->field->statistics.windows_created,
@@ -214,22 +210,8 @@ TEST_F(DurableEngineTest, FieldsAreThereAfterARestart) {
   EXPECT_EQ(engine_->counters().solves_started, 0);
   EXPECT_EQ(engine_->counters().fields_loaded, 1);
   // From memory, the second time.
-  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kCached);
+  EXPECT_EQ(Field(request)->origin, FieldOrigin::kCached);
   EXPECT_EQ(engine_->counters().fields_loaded, 1);
-}
-
-TEST_F(DurableEngineTest, TracedFieldsToo) {
-  const std::string digest = Upload(geodesic::test::Icosphere(2))->mesh.digest;
-  const FieldRequest request = {.mesh_digest = digest,
-                                .extras = {.gradients = true}};
-  const auto before = Field(request);
-  ASSERT_TRUE(before.ok());
-  Restart();
-  ASSERT_TRUE(Await(digest).ok());
-  const auto after = Field(request);
-  ASSERT_TRUE(after.ok());
-  EXPECT_EQ(after->origin, FieldOrigin::kCached);
-  EXPECT_EQ(after->derived->gradients, before->derived->gradients);
 }
 
 TEST_F(DurableEngineTest, FieldsGoWithTheirMesh) {

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "server/store/data_folder.h"
-#include "tests/engine/field_keys.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/queries.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geodesic::server {
@@ -38,7 +39,11 @@ class FieldFilesTest : public ::testing::Test {
                             {Curve{{VertexPoint{2}, EdgePoint{2, 3, 0.25}}}}},
                 .targets = {FacePoint{4, {0.25, 0.25, 0.5}}}};
     if (change) change(query);
-    return test::KeyOf(query, std::string(64, 'a'));
+    // Valid on a grid of ten by ten vertices.
+    static const std::shared_ptr<const Mesh> grid =
+        *Mesh::Build(geodesic::test::MakeGrid({.columns = 9, .rows = 9}));
+    return {.mesh_digest = std::string(64, 'a'),
+            .query = geodesic::test::Valid(*grid, query).Sorted().query};
   }
 
   static DistanceField Field(double settled_radius = kInfinity) {

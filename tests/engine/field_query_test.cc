@@ -1,18 +1,14 @@
 // The part of QueryEngine that deals with fields.
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "geodesic/field_path.h"
 #include "geodesic/solve.h"
 #include "server/engine/base/status_details.h"
 #include "tests/engine/engine_fixture.h"
-#include "tests/engine/solving_computation.h"
 #include "tests/support/curved_meshes.h"
 
 namespace geodesic::server {
@@ -23,7 +19,6 @@ using test::RecordingObserver;
 Source At(uint32_t vertex, double offset = 0) {
   return {VertexPoint{vertex}, offset};
 }
-using ::testing::HasSubstr;
 
 class FieldQueryTest : public test::EngineTest {
  protected:
@@ -33,12 +28,6 @@ class FieldQueryTest : public test::EngineTest {
     const auto uploaded = Upload(geodesic::test::Icosphere(2));
     ASSERT_TRUE(uploaded.ok()) << uploaded.status();
     digest_ = uploaded->mesh.digest;
-    start_ = test::StartWith(solve_);
-    solve_ = [this](const Mesh& mesh, const ValidQuery& query,
-                    const SolveOptions& options, Checkpoint& checkpoint) {
-      ++solves_;
-      return Solve(mesh, query, options, checkpoint);
-    };
   }
 
   absl::StatusOr<FieldCall> Ask(
@@ -51,9 +40,7 @@ class FieldQueryTest : public test::EngineTest {
         observer);
   }
 
-  test::SolveFunction solve_;
   std::string digest_;
-  int solves_ = 0;
   std::shared_ptr<RecordingObserver> a_ = std::make_shared<RecordingObserver>();
   std::shared_ptr<RecordingObserver> b_ = std::make_shared<RecordingObserver>();
 };
@@ -82,7 +69,7 @@ TEST_F(FieldQueryTest, TheCacheAnswersTheSecondTime) {
   EXPECT_EQ(again->origin, FieldOrigin::kCached);
   EXPECT_EQ(again->answer->field, **a_->field);
   EXPECT_EQ(b_->calls, 0);
-  EXPECT_EQ(solves_, 1);
+  EXPECT_EQ(engine_.counters().solves_started, 1);
   EXPECT_EQ(executor_.size(), 0);
 }
 
@@ -104,7 +91,7 @@ TEST_F(FieldQueryTest, ConcurrentEqualQueriesAreSolvedOnce) {
   ASSERT_TRUE(joined.ok());
   EXPECT_EQ(joined->origin, FieldOrigin::kJoined);
   executor_.RunAll();
-  EXPECT_EQ(solves_, 1);
+  EXPECT_EQ(engine_.counters().solves_started, 1);
   EXPECT_EQ(**a_->field, **b_->field);
   EXPECT_EQ(engine_.counters().queries_joined, 1);
 }
@@ -118,48 +105,6 @@ TEST_F(FieldQueryTest, AlgorithmsAreDifferentQuestions) {
   ASSERT_TRUE(other.ok());
   EXPECT_EQ(other->origin, FieldOrigin::kComputed);
   EXPECT_EQ(other->query->algorithm, Algorithm::kMmp);
-}
-
-TEST_F(FieldQueryTest, ProgressReachesTheObserver) {
-  solve_ = [this](const Mesh& mesh, const ValidQuery&, const SolveOptions&,
-                  Checkpoint& checkpoint) {
-    for (int poll = 0; poll < 11; ++poll) {
-      clock_.Advance(std::chrono::milliseconds(25));
-      EXPECT_TRUE(checkpoint.Poll({}).ok());
-    }
-    return DistanceField{.distances = std::vector<double>(mesh.vertex_count())};
-  };
-  ASSERT_TRUE(Ask(0, a_).ok());
-  executor_.RunAll();
-  // Every 50 ms of 275, the first at once.
-  EXPECT_EQ(a_->seen.size(), 6);
-}
-
-TEST_F(FieldQueryTest, ArgumentsAreChecked) {
-  const auto ask = [&](std::vector<Source> sources) {
-    return engine_.fields()
-        .Compute({digest_, {.sources = std::move(sources)}}, a_)
-        .status();
-  };
-  EXPECT_EQ(FieldPathOf(ask({})), "sources");
-  EXPECT_EQ(FieldPathOf(ask({At(0, -1)})), "sources[0].offset");
-  const absl::Status range = ask({At(0), At(162)});
-  EXPECT_TRUE(absl::IsInvalidArgument(range));
-  EXPECT_THAT(std::string(range.message()), HasSubstr("sources[1]"));
-  EXPECT_TRUE(absl::IsInvalidArgument(ask({At(0, -1)})));
-  EXPECT_TRUE(absl::IsInvalidArgument(
-      ask({At(0, std::numeric_limits<double>::quiet_NaN())})));
-  EXPECT_TRUE(absl::IsNotFound(
-      engine_.fields()
-          .Compute({std::string(64, '0'), {.sources = {{VertexPoint{0}, 0}}}},
-                   a_)
-          .status()));
-  EXPECT_EQ(
-      FieldPathOf(engine_.fields()
-                      .Compute({"x", {.sources = {{VertexPoint{0}, 0}}}}, a_)
-                      .status()),
-      "mesh_digest");
-  EXPECT_EQ(a_->calls, 0);
 }
 
 TEST_F(FieldQueryTest, DeletingAMeshDropsItsFieldsOnly) {
@@ -214,7 +159,7 @@ TEST_F(TinyCacheTest, FieldsInUseBoundWhatIsSolved) {
   executor_.RunAll();
   EXPECT_TRUE(absl::IsResourceExhausted(c->field->status()));
   EXPECT_TRUE(RetryAfter(c->field->status()).has_value());
-  EXPECT_EQ(solves_, 2);
+  EXPECT_EQ(engine_.counters().solves_started, 2);
   a_->field.reset();
   a_->answer.reset();
   ASSERT_TRUE(Ask(2, c).ok());

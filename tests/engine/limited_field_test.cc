@@ -8,9 +8,7 @@
 #include <memory>
 #include <numbers>
 #include <string>
-#include <vector>
 
-#include "geodesic/field_path.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/planar_meshes.h"
 
@@ -73,16 +71,12 @@ class LimitedFieldTest : public test::EngineTest {
   std::string digest_;
 };
 
-TEST_F(LimitedFieldTest, EndsAtTheRadius) {
-  const Reply reply = Ask(Request({.radius = 5}));
+TEST_F(LimitedFieldTest, EndsAtItsRadiusAndAnswersForLess) {
+  const Reply reply = Ask(Request({.radius = 8}));
   EXPECT_EQ(reply.call.origin, FieldOrigin::kComputed);
-  EXPECT_EQ(reply.answer.field->settled_radius, 5);
-  ExpectExactUpTo(*reply.answer.field, 5);
+  EXPECT_EQ(reply.answer.field->settled_radius, 8);
+  ExpectExactUpTo(*reply.answer.field, 8);
   EXPECT_EQ(reply.answer.field->distances.back(), kInfinity);
-}
-
-TEST_F(LimitedFieldTest, WhatReachesFurtherAnswersLess) {
-  Ask(Request({.radius = 8}));
   EXPECT_EQ(Ask(Request({.radius = 5})).call.origin, FieldOrigin::kCached);
   EXPECT_EQ(Ask(Request({.radius = 8})).call.origin, FieldOrigin::kCached);
   EXPECT_EQ(engine_.counters().solves_started, 1);
@@ -160,35 +154,6 @@ TEST_F(LimitedFieldTest, AWholeFieldAnswersForVertexTargets) {
   EXPECT_EQ(Ask(request).call.origin, FieldOrigin::kComputed);
 }
 
-TEST_F(LimitedFieldTest, PointsAndCurvesAreSources) {
-  FieldRequest request = Request();
-  // The left side of the square as a curve: distance is x.
-  Curve side;
-  for (uint32_t y = 0; y <= kSide; ++y) {
-    side.points.push_back(VertexPoint{y * (kSide + 1)});
-  }
-  side.points.resize(10);
-  request.query = {.sources = {{side}}};
-  const Reply reply = Ask(request);
-  for (uint32_t x = 0; x <= kSide; ++x) {
-    EXPECT_NEAR(reply.answer.field->distances[5 * (kSide + 1) + x], x, 1e-10);
-  }
-}
-
-TEST_F(LimitedFieldTest, SourcesKeepTheClientsNumbers) {
-  FieldRequest request = Request();
-  request.query = {.sources = {{VertexPoint{9}, 1},
-                               {Curve{{VertexPoint{2}}}},
-                               {VertexPoint{4}, 0},
-                               {VertexPoint{9}, 0}},
-                   .trace = true};
-  const auto call =
-      engine_.fields().Compute(request, std::make_shared<RecordingObserver>());
-  ASSERT_TRUE(call.ok()) << call.status();
-  // Sorted: vertex 4, vertex 9 without offset, the curve.
-  EXPECT_EQ(call->source_numbers, (std::vector<uint32_t>{2, 3, 1}));
-}
-
 TEST_F(LimitedFieldTest, VerticesComeInOrderWhileItSolves) {
   FieldRequest request = Request({.radius = 12});
   request.extras.settled_order = true;
@@ -221,21 +186,6 @@ TEST_F(LimitedFieldTest, VerticesComeInOrderWhileItSolves) {
     EXPECT_EQ(cached[i].vertex, settled[i].vertex);
   }
   EXPECT_EQ(engine_.counters().solves_started, 1);
-}
-
-TEST_F(LimitedFieldTest, WrongLimitsAreNamed) {
-  const auto fault = [&](FieldReach reach) {
-    FieldRequest request = Request(reach);
-    request.query.targets = {VertexPoint{1}};
-    return FieldPathOf(
-        engine_.fields()
-            .Compute(request, std::make_shared<RecordingObserver>())
-            .status());
-  };
-  EXPECT_EQ(fault({.radius = -1}), "radius");
-  EXPECT_EQ(fault({.radius = std::nan("")}), "radius");
-  EXPECT_EQ(fault({.targets = 0}), "stop_after_targets");
-  EXPECT_EQ(fault({.targets = 2}), "stop_after_targets");
 }
 
 }  // namespace

@@ -25,19 +25,6 @@ Store::Handle Put(Store& store, const std::string& key, int value) {
   return store.Insert(key, value, *std::move(room)).value;
 }
 
-TEST(LruStore, HitAndMiss) {
-  Store store("test store", 100);
-  EXPECT_EQ(store.Find("a"), nullptr);
-  Put(store, "a", 1);
-  Put(store, "b", 2);
-  ASSERT_NE(store.Find("a"), nullptr);
-  EXPECT_EQ(*store.Find("a"), 1);
-  EXPECT_EQ(*store.Find("b"), 2);
-  EXPECT_EQ(store.Find("c"), nullptr);
-  EXPECT_EQ(store.size(), 2);
-  EXPECT_EQ(store.used_bytes(), 20);
-}
-
 TEST(LruStore, ThePresentEntryWins) {
   Store store("test store", 100);
   Put(store, "a", 1);

@@ -18,7 +18,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 using MeshEngineTest = test::EngineTest;
 
@@ -137,14 +136,6 @@ TEST_F(MeshEngineTest, FindMissingChecksItsArguments) {
           .status()));
 }
 
-TEST_F(MeshEngineTest, AMissingMeshIsToBeUploadedAgain) {
-  const absl::Status status =
-      engine_.meshes().Get(std::string(64, '0')).status();
-  EXPECT_TRUE(absl::IsNotFound(status));
-  EXPECT_THAT(std::string(status.message()), HasSubstr("upload it again"));
-  EXPECT_TRUE(absl::IsInvalidArgument(engine_.meshes().Get("no\n").status()));
-}
-
 TEST_F(MeshEngineTest, ListsInPages) {
   std::vector<std::string> digests;
   for (uint32_t columns = 1; columns <= 5; ++columns) {
@@ -183,12 +174,6 @@ TEST_F(MeshEngineTest, DeleteForgetsTheMesh) {
   EXPECT_TRUE(absl::IsNotFound(Delete(digest)));
   EXPECT_TRUE(absl::IsNotFound(engine_.meshes().Get(digest).status()));
   EXPECT_EQ(engine_.meshes().store().used_bytes(), 0);
-}
-
-TEST_F(MeshEngineTest, NoUploadsWhileDraining) {
-  engine_.scheduler().BeginDrain();
-  EXPECT_TRUE(absl::IsUnavailable(
-      engine_.meshes().StartUpload(test::TetrahedronOffHeader()).status()));
 }
 
 }  // namespace

@@ -134,12 +134,6 @@ TEST_F(LoadAdmissionTest, WhoeverLeavesMeanwhileLeavesNothing) {
   EXPECT_EQ(engine_->counters().meshes_loaded, 0);
 }
 
-TEST_F(LoadAdmissionTest, TheServersEndIsTold) {
-  LoadBeside([&](const auto&) { engine_->scheduler().StopAll(); });
-  ASSERT_TRUE(loaded_.has_value());
-  EXPECT_TRUE(absl::IsUnavailable(loaded_->status())) << loaded_->status();
-}
-
 TEST_F(EvictionTest, WhatCanNeverBeLoadedIsRefusedAtOnceWithTheFigures) {
   const std::string digest = Upload(Grid(12))->mesh.digest;
   const auto refusal = [&] {

@@ -82,22 +82,6 @@ TEST_F(MeshUploadTest, ArraysArriveUnchanged) {
   EXPECT_EQ(parsed->triangles, soup.triangles);
 }
 
-TEST_F(MeshUploadTest, FilesAreRead) {
-  auto upload = Received(test::kTetrahedronOff);
-  EXPECT_EQ(upload->file()->sha256, Sha256Hex(test::kTetrahedronOff));
-  const auto parsed = TryToParse(*upload);
-  ASSERT_TRUE(parsed.ok()) << parsed.status();
-  EXPECT_EQ(parsed->positions, test::Tetrahedron().positions);
-  EXPECT_EQ(parsed->triangles, test::Tetrahedron().triangles);
-}
-
-TEST_F(MeshUploadTest, AMalformedFileIsNamedAsSuch) {
-  auto upload = Received("OFF\n1 1 0\n0 0 zero\n3 0 0 0\n");
-  const absl::Status status = TryToParse(*upload).status();
-  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
-  EXPECT_EQ(FieldPathOf(status), "chunk.data");
-}
-
 TEST_F(MeshUploadTest, BadHeadersAreRefused) {
   using enum absl::StatusCode;
   ExpectRefused({.format = UploadFormat::kObj}, kInvalidArgument,

@@ -93,23 +93,6 @@ TEST_F(RowPipelineTest, HandsRowsOutInOrderToTheLast) {
   EXPECT_EQ(calls_.use_count(), 1);
 }
 
-TEST_F(RowPipelineTest, OthersComeFirst) {
-  const auto rows = Make(10);
-  ASSERT_TRUE(Start(rows).ok());
-  // A question goes before every row that has not begun.
-  bool asked = false;
-  ASSERT_TRUE(scheduler_
-                  .Submit({.run =
-                               [&](const std::stop_token&) {
-                                 asked = true;
-                                 EXPECT_TRUE(started_.empty());
-                               },
-                           .abandon = [](const absl::Status&) {}})
-                  .ok());
-  executor_.RunAll();
-  EXPECT_TRUE(asked);
-}
-
 TEST_F(RowPipelineTest, AFullQueueRefusesTheFirstRowAndNoOther) {
   std::vector<std::shared_ptr<RowPipeline>> open;  // two run, two wait
   for (int i = 0; i < 4; ++i) {

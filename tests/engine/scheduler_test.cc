@@ -193,22 +193,20 @@ TEST_F(MemoryTest, WhatDoesNotFitWaitsAndIsNotOvertaken) {
 }
 
 TEST_F(MemoryTest, WhoWaitedBehindADroppedJobGoesOn) {
-  const auto drop = [&] {
-    absl::StatusOr<Scheduler::JobId> large;
-    while_running_["a"] = [&] {
-      executor_.RunAll();
-      EXPECT_THAT(ran_, ElementsAre("a"));
-      wide_.Cancel(*large);
-      executor_.RunAll();
-      EXPECT_THAT(ran_, ElementsAre("a", "c"));
-    };
-    ASSERT_TRUE(wide_.Submit(HungryJob("a", 60)).ok());
-    large = wide_.Submit(HungryJob("b", 60));
-    ASSERT_TRUE(large.ok());
-    ASSERT_TRUE(wide_.Submit(HungryJob("c", 10)).ok());
+  absl::StatusOr<Scheduler::JobId> large;
+  while_running_["a"] = [&] {
     executor_.RunAll();
+    EXPECT_THAT(ran_, ElementsAre("a"));
+    wide_.Cancel(*large);
+    executor_.RunAll();
+    EXPECT_THAT(ran_, ElementsAre("a", "c"));
   };
-  drop();
+  ASSERT_TRUE(wide_.Submit(HungryJob("a", 60)).ok());
+  large = wide_.Submit(HungryJob("b", 60));
+  ASSERT_TRUE(large.ok());
+  ASSERT_TRUE(wide_.Submit(HungryJob("c", 10)).ok());
+  executor_.RunAll();
+  EXPECT_THAT(ran_, ElementsAre("a", "c"));
   EXPECT_EQ(memory_->used(), 0);
 }
 
@@ -225,6 +223,8 @@ TEST_F(MemoryTest, WhatNoJobWillGiveBackIsNotWaitedFor) {
               HasSubstr("60 bytes are needed, but of the solver memory of 100 "
                         "bytes 50 are in use and 50 available"));
   EXPECT_THAT(std::string(reason_.message()), HasSubstr("--solver-memory"));
+  EXPECT_TRUE(RetryAfter(reason_).has_value());
+  EXPECT_EQ(ReasonOf(reason_), reason::kMemoryFull);
   EXPECT_THAT(ran_, ElementsAre("b"));
   EXPECT_TRUE(wide_.WaitIdle(std::chrono::milliseconds(0)));
 }

@@ -5,7 +5,6 @@
 #include <functional>
 #include <memory>
 #include <new>
-#include <optional>
 #include <vector>
 
 #include "server/engine/base/status_details.h"
@@ -114,26 +113,6 @@ TEST_F(SoloJobTest, WaitsForMemoryThatOthersHold) {
   EXPECT_EQ(ran, (std::vector<int>{1, 2}));
   EXPECT_TRUE(told_->report.status.ok());
   EXPECT_EQ(memory_->used(), 0);
-}
-
-TEST_F(SoloJobTest, HearsOfMemoryThatNoJobWillGiveBack) {
-  // A slow reader's answer, say.
-  auto held = ByteReservation::Make(memory_, 1000);
-  ASSERT_TRUE(held.ok());
-  ASSERT_TRUE(
-      Start(SoloJob{.planned_bytes = memory_->capacity(),
-                    .work = [](Checkpoint&, ByteReservation) -> absl::Status {
-                      ADD_FAILURE() << "there was no memory";
-                      return absl::OkStatus();
-                    }})
-          .ok());
-  executor_.RunAll();
-  ASSERT_EQ(told_->calls, 1);
-  const absl::Status& status = told_->report.status;
-  EXPECT_TRUE(absl::IsResourceExhausted(status));
-  EXPECT_TRUE(RetryAfter(status).has_value());
-  EXPECT_EQ(ReasonOf(status), reason::kMemoryFull);
-  EXPECT_EQ(memory_->used(), 1000);
 }
 
 TEST_F(SoloJobTest, ReportsHowItWent) {

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstring>
 
 #include "tests/integration/planar_grid_test.h"
@@ -16,73 +15,6 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 class MatrixQuestionsTest : public PlanarGridTest {};
-
-TEST_F(MatrixQuestionsTest, MatrixIsDistancesRowByRow) {
-  const std::vector<Source> sources = {
-      {VertexPoint{3}}, {FacePoint{7, {0.5, 0.25, 0.25}}}, {VertexPoint{3}, 1}};
-  const std::vector<Point> from = {
-      At(3), Where(FacePoint{7, {0.5, 0.25, 0.25}}), At(3)};
-  for (const bool all_vertices : {true, false}) {
-    MatrixQuery query = {.mesh_digest = digest_, .sources = sources};
-    if (!all_vertices) query.targets = places_;
-    MatrixShape shape;
-    uint64_t next = 0;
-    absl::StatusOr<AnswerInfo> info = client_.ComputeMatrix(
-        query, {.on_shape =
-                    [&](const MatrixShape& announced) {
-                      shape = announced;
-                      return absl::OkStatus();
-                    },
-                .on_row =
-                    [&](const MatrixRow& row) {
-                      EXPECT_EQ(row.row, next++);
-                      EXPECT_TRUE(row.columns.empty());
-                      EXPECT_EQ(row.values.size(), shape.columns);
-                      for (size_t c = 0; c < row.values.size(); ++c) {
-                        const Point to =
-                            all_vertices ? At(c) : Where(places_[c]);
-                        EXPECT_NEAR(
-                            row.values[c],
-                            sources[row.row].offset + Euclid(from[row.row], to),
-                            kTolerance);
-                      }
-                      return absl::OkStatus();
-                    }});
-    ASSERT_TRUE(info.ok()) << info.status();
-    EXPECT_EQ(next, sources.size());
-    EXPECT_EQ(shape.rows, sources.size());
-    EXPECT_EQ(shape.columns, all_vertices ? vertex_count_ : places_.size());
-    EXPECT_EQ(info->mesh_digest, digest_);
-  }
-}
-
-TEST_F(MatrixQuestionsTest, SparseMatrixHoldsWhatIsNear) {
-  constexpr double kRadius = 0.3;
-  MatrixQuery query = {
-      .mesh_digest = digest_, .radius = kRadius, .sparse = true};
-  for (uint64_t v = 0; v < vertex_count_; ++v) {
-    query.sources.push_back({VertexPoint{v}});
-  }
-  absl::StatusOr<AnswerInfo> info = client_.ComputeMatrix(
-      query, {.on_row = [&](const MatrixRow& row) {
-        std::vector<uint32_t> expected;
-        for (uint64_t v = 0; v < vertex_count_; ++v) {
-          if (Euclid(At(row.row), At(v)) <= kRadius * (1 - 1e-9)) {
-            expected.push_back(static_cast<uint32_t>(v));
-          }
-        }
-        // Those at the radius itself may be in or not, by rounding.
-        for (size_t i = 0; i < row.columns.size(); ++i) {
-          EXPECT_NEAR(row.values[i], Euclid(At(row.row), At(row.columns[i])),
-                      kTolerance);
-          EXPECT_LE(row.values[i], kRadius);
-        }
-        EXPECT_TRUE(std::ranges::is_sorted(row.columns));
-        EXPECT_TRUE(std::ranges::includes(row.columns, expected));
-        return absl::OkStatus();
-      }});
-  ASSERT_TRUE(info.ok()) << info.status();
-}
 
 TEST_F(MatrixQuestionsTest, ReceiverMayEndTheMatrix) {
   MatrixQuery query = {.mesh_digest = digest_};
@@ -99,38 +31,6 @@ TEST_F(MatrixQuestionsTest, ReceiverMayEndTheMatrix) {
           .status();
   EXPECT_EQ(status, absl::DataLossError("full"));
   EXPECT_EQ(rows, 3);
-}
-
-TEST_F(MatrixQuestionsTest, NearestAreThoseOfBruteForce) {
-  std::vector<SurfacePoint> targets = places_;
-  for (uint64_t v = 0; v < vertex_count_; v += 5) {
-    targets.push_back(VertexPoint{v});
-  }
-  const std::vector<Source> sources = {{VertexPoint{0}},
-                                       {EdgePoint{50, 51, 0.3}}};
-  constexpr size_t kCount = 6;
-  absl::StatusOr<NearestAnswer> answer =
-      client_.FindNearest({.mesh_digest = digest_,
-                           .sources = sources,
-                           .targets = targets,
-                           .count = kCount});
-  ASSERT_TRUE(answer.ok()) << answer.status();
-  ASSERT_EQ(answer->found.size(), sources.size());
-  const std::vector<Point> from = {At(0), Where(EdgePoint{50, 51, 0.3})};
-  for (size_t s = 0; s < sources.size(); ++s) {
-    std::vector<double> expected;
-    for (const SurfacePoint& target : targets) {
-      expected.push_back(Euclid(from[s], Where(target)));
-    }
-    std::ranges::sort(expected);
-    ASSERT_EQ(answer->found[s].size(), kCount);
-    for (size_t rank = 0; rank < kCount; ++rank) {
-      const NearestTarget& found = answer->found[s][rank];
-      EXPECT_NEAR(found.distance, expected[rank], kTolerance);
-      EXPECT_NEAR(found.distance,
-                  Euclid(from[s], Where(targets.at(found.target))), kTolerance);
-    }
-  }
 }
 
 TEST_F(MatrixQuestionsTest, MatrixGoesToFiles) {

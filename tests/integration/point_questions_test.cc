@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "tests/integration/planar_grid_test.h"
@@ -15,31 +14,6 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 
 class PointQuestionsTest : public PlanarGridTest {};
-
-TEST_F(PointQuestionsTest, SamplesAreFarthestOfAll) {
-  constexpr uint64_t kCount = 12;
-  absl::StatusOr<SampleAnswer> answer = client_.SampleFarthestPoints(
-      {.mesh_digest = digest_, .sources = {{VertexPoint{0}}}, .count = kCount});
-  ASSERT_TRUE(answer.ok()) << answer.status();
-  ASSERT_EQ(answer->samples.size(), kCount);
-  std::vector<uint64_t> chosen = {0};
-  for (const FarthestSample& sample : answer->samples) {
-    const auto distance = [&](uint64_t vertex) {
-      double least = kInfinity;
-      for (const uint64_t other : chosen) {
-        least = std::min(least, Euclid(At(vertex), At(other)));
-      }
-      return least;
-    };
-    double farthest = 0;
-    for (uint64_t v = 0; v < vertex_count_; ++v) {
-      farthest = std::max(farthest, distance(v));
-    }
-    EXPECT_NEAR(sample.distance, farthest, kTolerance);
-    EXPECT_NEAR(sample.distance, distance(sample.vertex), kTolerance);
-    chosen.push_back(sample.vertex);
-  }
-}
 
 TEST_F(PointQuestionsTest, LogMapOfThePlaneKeepsAllDistances) {
   const std::vector<SurfacePoint> places = {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <string>
 #include <thread>
@@ -20,7 +19,6 @@ namespace geodesic::client {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 class RestartTest : public ::testing::Test {
@@ -146,77 +144,36 @@ TEST_F(RestartTest, AnyQuestionFindsItsMesh) {
   ASSERT_TRUE(client_->UploadArrays(mesh).ok());
   const VertexPoint from{0};
   const VertexPoint to{48};
-  const std::vector<std::function<absl::Status()>> questions = {
-      [&] {
-        return client_
-            ->ComputePaths(
-                {.mesh_digest = digest, .sources = {{from}}, .targets = {to}})
-            .status();
-      },
-      [&] {
-        return client_
-            ->ComputeIsolines(
-                {.mesh_digest = digest, .sources = {{from}}, .levels = {0.5}})
-            .status();
-      },
-      [&] {
-        return client_
-            ->FindNearest({.mesh_digest = digest,
-                           .sources = {{from}},
-                           .targets = {to},
-                           .count = 1})
-            .status();
-      },
-      [&] {
-        return client_
-            ->SampleFarthestPoints(
-                {.mesh_digest = digest, .sources = {{from}}, .count = 2})
-            .status();
-      },
-      [&] {
-        return client_->ComputeLogMap({.mesh_digest = digest, .source = from})
-            .status();
-      },
-      [&] { return client_->ReadMesh(digest).status(); }};
-  for (size_t i = 0; i < questions.size(); ++i) {
+  const auto expect_found = [&](const auto& ask) {
     Stop();
     Start();
     EXPECT_EQ(client_->GetMesh(digest)->resident_bytes, 0);
-    const absl::Status status = questions[i]();
-    EXPECT_TRUE(status.ok()) << "question " << i << ": " << status;
-    EXPECT_GT(client_->GetMesh(digest)->resident_bytes, 0) << i;
-  }
-}
-
-TEST_F(RestartTest, ManyAskForWhatHasToBeLoaded) {
-  const MeshArrays mesh = PlanarGrid(40);
-  ASSERT_TRUE(client_->UploadArrays(mesh).ok());
-  Stop();
-  Start();
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 8; ++i) {
-    threads.emplace_back([&] { ExpectEuclid(mesh); });
-  }
-  for (std::thread& thread : threads) thread.join();
-}
-
-TEST_F(RestartTest, MemoryIsACacheOfTheDisk) {
-  Stop();
-  Start({"--mesh-store", "2MiB"});
-  // About 0.7 MB each in memory.
-  std::vector<MeshArrays> meshes;
-  for (uint32_t n = 34; n < 42; ++n) meshes.push_back(PlanarGrid(n));
-  for (const MeshArrays& mesh : meshes) {
-    const auto upload = client_->UploadArrays(mesh);
-    ASSERT_TRUE(upload.ok()) << upload.status();
-  }
-  size_t resident = 0;
-  const auto listed = client_->ListMeshes();
-  for (const MeshInfo& mesh : *listed) {
-    resident += mesh.resident_bytes > 0 ? 1 : 0;
-  }
-  EXPECT_LT(resident, meshes.size());
-  for (const MeshArrays& mesh : meshes) ExpectEuclid(mesh);
+    const absl::Status status = ask().status();
+    EXPECT_TRUE(status.ok()) << status;
+    EXPECT_GT(client_->GetMesh(digest)->resident_bytes, 0);
+  };
+  expect_found([&] {
+    return client_->ComputePaths(
+        {.mesh_digest = digest, .sources = {{from}}, .targets = {to}});
+  });
+  expect_found([&] {
+    return client_->ComputeIsolines(
+        {.mesh_digest = digest, .sources = {{from}}, .levels = {0.5}});
+  });
+  expect_found([&] {
+    return client_->FindNearest({.mesh_digest = digest,
+                                 .sources = {{from}},
+                                 .targets = {to},
+                                 .count = 1});
+  });
+  expect_found([&] {
+    return client_->SampleFarthestPoints(
+        {.mesh_digest = digest, .sources = {{from}}, .count = 2});
+  });
+  expect_found([&] {
+    return client_->ComputeLogMap({.mesh_digest = digest, .source = from});
+  });
+  expect_found([&] { return client_->ReadMesh(digest); });
 }
 
 TEST_F(RestartTest, AFolderHasOneServer) {
@@ -225,19 +182,6 @@ TEST_F(RestartTest, AFolderHasOneServer) {
   EXPECT_EQ(second.exit_code, 1);
   EXPECT_THAT(second.err, HasSubstr("in use by process"));
   EXPECT_TRUE(client_->ListMeshes().ok());
-}
-
-TEST_F(RestartTest, WithoutItNothingIsKept) {
-  Stop();
-  server_.emplace(folder_);
-  client_.emplace(server_->address());
-  EXPECT_EQ(client_->GetCapabilities()->limits.mesh_disk_bytes, 0);
-  ASSERT_TRUE(client_->UploadArrays(PlanarGrid(3)).ok());
-  EXPECT_EQ(client_->ListMeshes()->at(0).stored_bytes, 0);
-  server_->Kill();
-  server_.emplace(folder_);
-  client_.emplace(server_->address());
-  EXPECT_THAT(*client_->ListMeshes(), IsEmpty());
 }
 
 }  // namespace

@@ -172,19 +172,5 @@ TEST_F(AccessTest, ARateIsHeldAndSaysWhenToComeAgain) {
   EXPECT_THAT(std::string(status.message()), HasSubstr("requests_per_second"));
 }
 
-TEST_F(AccessTest, AReloadTakesATokenAwayFromLiveConnections) {
-  StartWith(R"(["read"])");
-  const std::string method = "/geodesic.v1.MeshService/ListMeshes";
-  const test::Metadata token = {{"authorization", "Bearer sesame"}};
-  ASSERT_TRUE(Call(method, token).ok());
-  geodesic::test::WriteFile(folder_ / "tokens.json", R"({"tokens": []})");
-  server_->Reload();
-  EXPECT_TRUE(absl::IsUnauthenticated(Call(method, token)));
-  // What is not well-formed changes nothing.
-  geodesic::test::WriteFile(folder_ / "tokens.json", "{");
-  server_->Reload();
-  EXPECT_TRUE(absl::IsUnauthenticated(Call(method, token)));
-}
-
 }  // namespace
 }  // namespace geodesic::server

@@ -5,8 +5,8 @@
 // pinned.
 //
 // What is not in the table cannot be: nothing fails in a queue or in a stream.
-// Of what waits for memory, uploads are tried here; loads, solves, and uploads
-// that are being built in tests/engine.
+// Jobs that wait for memory are jobs in the queue to whoever made them; what
+// they hold meanwhile is tested in tests/engine.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@
 #include "tests/engine/uploads.h"
 #include "tests/rpc/questions_fixture.h"
 #include "tests/support/curved_meshes.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/http_get.h"
 #include "tests/support/tcp_relay.h"
 #include "tests/support/temporary_folder.h"
 
@@ -35,8 +35,7 @@ using std::chrono::steady_clock;
 
 enum class Cause { kCancel, kDeadline, kError, kShutdown, kGone };
 enum class Kind { kUnary, kUpload, kStream };
-// kMemory: the job waits for memory that another holds.
-enum class Phase { kQueued, kMemory, kComputing, kStreaming };
+enum class Phase { kQueued, kComputing, kStreaming };
 
 struct Row {
   Cause cause;
@@ -48,16 +47,14 @@ std::string NameOf(const Row& row) {
   constexpr const char* kCauses[] = {"Cancel", "Deadline", "Error", "Shutdown",
                                      "ClientGone"};
   constexpr const char* kKinds[] = {"Unary", "Upload", "Stream"};
-  constexpr const char* kPhases[] = {"Queued", "Memory", "Computing",
-                                     "Streaming"};
+  constexpr const char* kPhases[] = {"Queued", "Computing", "Streaming"};
   return absl::StrCat(kCauses[static_cast<int>(row.cause)],
                       kKinds[static_cast<int>(row.kind)],
                       kPhases[static_cast<int>(row.phase)]);
 }
 
 std::vector<Row> Table() {
-  std::vector<Row> table = {{Cause::kError, Kind::kUnary, Phase::kComputing},
-                            {Cause::kError, Kind::kUpload, Phase::kComputing},
+  std::vector<Row> table = {{Cause::kError, Kind::kUpload, Phase::kComputing},
                             {Cause::kError, Kind::kUpload, Phase::kStreaming},
                             {Cause::kError, Kind::kStream, Phase::kComputing}};
   for (const Cause cause :
@@ -65,7 +62,6 @@ std::vector<Row> Table() {
     table.push_back({cause, Kind::kUnary, Phase::kQueued});
     table.push_back({cause, Kind::kUpload, Phase::kStreaming});
     table.push_back({cause, Kind::kUpload, Phase::kQueued});
-    table.push_back({cause, Kind::kUpload, Phase::kMemory});
     table.push_back({cause, Kind::kStream, Phase::kQueued});
     table.push_back({cause, Kind::kStream, Phase::kComputing});
     table.push_back({cause, Kind::kStream, Phase::kStreaming});
@@ -142,27 +138,16 @@ class CancelMatrixTest : public test::RpcTest,
     server_.reset();  // its jobs use the solvers
   }
 
-  // One thread, and another for what waits for memory, to be reached through a
-  // relay that can be cut.
+  // One thread, to be reached through a relay that can be cut.
   void SetUp() override {
     ServerOptions options = SmallServer();
-    soup_ = geodesic::test::Icosphere(6);
     options.limits.max_concurrent_jobs = 1;
     options.limits.max_queued_jobs = 10;
-    if (GetParam().phase == Phase::kMemory) {
-      // A quarter as many faces do not fit beside the mesh of the job that
-      // runs.
-      options.limits.max_concurrent_jobs = 2;
-      options.limits.mesh_store_bytes =
-          Mesh::EstimateResidentBytes(soup_.positions.size(),
-                                      soup_.triangles.size()) +
-          4096;
-    }
     // So that deletions are jobs.
     if (GetParam().kind == Kind::kUnary) options.data_dir = folder_ / "data";
     options.limits.mesh_disk_bytes = options.limits.field_disk_bytes = 1 << 30;
     StartWith(options, solvers_.Start());
-    digest_ = Upload(soup_);
+    digest_ = Upload(geodesic::test::Icosphere(6));
     relay_.emplace(server_->port());
     const auto relayed = SlowChannel(relay_->port());
     relayed_meshes_ = v1::MeshService::NewStub(relayed);
@@ -224,7 +209,8 @@ class CancelMatrixTest : public test::RpcTest,
     });
   }
 
-  void ExpectCode(const grpc::Status& status, grpc::StatusCode at_error) {
+  void ExpectCode(const grpc::Status& status,
+                  grpc::StatusCode at_error = grpc::StatusCode::OK) {
     const grpc::StatusCode code = status.error_code();
     switch (GetParam().cause) {
       case Cause::kCancel:
@@ -276,7 +262,6 @@ class CancelMatrixTest : public test::RpcTest,
 
   const geodesic::test::TemporaryFolder folder_;
   EndlessSolvers solvers_;
-  TriangleSoup soup_;
   std::string digest_;
   std::weak_ptr<const ResidentMesh> mesh_;
   std::optional<geodesic::test::TcpRelay> relay_;
@@ -293,42 +278,28 @@ class CancelMatrixTest : public test::RpcTest,
 // Deletes a mesh, which on this server is a job. It is done though nobody waits
 // for the answer, unless the server stops.
 void CancelMatrixTest::RunUnary() {
-  const bool is_error = GetParam().cause == Cause::kError;
-  if (!is_error) Block();
+  Block();
   v1::DeleteMeshRequest request;
-  request.set_digest(is_error ? std::string(64, 'a') : digest_);
+  request.set_digest(digest_);
   v1::DeleteMeshResponse response;
   SetDeadline();
   auto answer = std::async(std::launch::async, [&] {
     return relayed_meshes_->DeleteMesh(&context_, request, &response);
   });
-  if (!is_error) {
-    ASSERT_TRUE(Reach([&] { return engine().scheduler().queued() == 1; }));
-    Trigger();
-  }
-  ExpectCode(answer.get(), grpc::StatusCode::NOT_FOUND);
+  ASSERT_TRUE(Reach([&] { return engine().scheduler().queued() == 1; }));
+  Trigger();
+  ExpectCode(answer.get());
 }
 
 void CancelMatrixTest::RunUpload() {
   const Cause cause = GetParam().cause;
   const Phase phase = GetParam().phase;
-  if (phase == Phase::kQueued || phase == Phase::kMemory) Block();
-  const bool is_bad_mesh = phase == Phase::kComputing && cause == Cause::kError;
-  const bool is_file = is_bad_mesh || phase == Phase::kMemory;
-  const TriangleSoup soup =
-      phase == Phase::kMemory
-          ? geodesic::test::MakeGrid({.columns = 100, .rows = 100})
-          : test::Tetrahedron();
-  const std::string bytes = is_bad_mesh ? "OFF\n1 1 0\n0 0 0\n3 0 1 2\n"
-                            : is_file   ? test::OffFile(soup)
-                                        : test::ArrayBytes(soup);
+  if (phase == Phase::kQueued) Block();
+  std::string bytes = test::ArrayBytes(test::Tetrahedron());
   v1::CreateMeshRequest message;
-  if (is_file) {
-    message.mutable_header()->set_format(v1::MESH_FORMAT_OFF);
-    message.mutable_header()->set_size_bytes(bytes.size());
-  } else {
-    *message.mutable_header() = test::ArraysHeader(soup);
-  }
+  *message.mutable_header() = test::ArraysHeader(test::Tetrahedron());
+  // The last corner of the last face.
+  if (phase == Phase::kComputing) bytes[bytes.size() - 4] = 77;
   v1::CreateMeshResponse response;
   SetDeadline();
   const auto writer = relayed_meshes_->CreateMesh(&context_, &response);
@@ -344,14 +315,9 @@ void CancelMatrixTest::RunUpload() {
     }
   } else {
     writer->WritesDone();
-    if (phase == Phase::kQueued) {
-      ASSERT_TRUE(Reach([&] { return engine().scheduler().queued() == 1; }));
-    } else if (phase == Phase::kMemory) {
-      // The file has been parsed; its triangles alone are held.
-      ASSERT_TRUE(Reach([&] {
-        return engine().upload_memory().used() == test::ArrayBytes(soup).size();
-      }));
-    }
+  }
+  if (phase == Phase::kQueued) {
+    ASSERT_TRUE(Reach([&] { return engine().scheduler().queued() == 1; }));
   }
   Trigger();
   ExpectCode(writer->Finish(), grpc::StatusCode::INVALID_ARGUMENT);
@@ -370,8 +336,6 @@ void CancelMatrixTest::RunStream() {
         return engine().scheduler().queued() == 1;
       case Phase::kComputing:
         return solvers_.starts == 1;
-      case Phase::kMemory:
-        break;
       case Phase::kStreaming:
         // A field of 320 KiB is more than its reader takes unread.
         return engine().fields().cache().size() == 1 &&
@@ -420,91 +384,90 @@ INSTANTIATE_TEST_SUITE_P(All, CancelMatrixTest, ::testing::ValuesIn(Table()),
 // Every question's work stops when its client gives up. (Fields are above.)
 class QuestionCancellationTest : public test::QuestionsTest {
  protected:
-  void SetUp() override {}  // Each test starts a server as it needs it.
+  // The solver waits, so nothing of the answer has come when the call is
+  // cancelled.
+  void SetUp() override {
+    ServerOptions options = SmallServer();
+    options.metrics_listen = "127.0.0.1:0";
+    StartWithGrid(/*held=*/true, options);
+  }
 
-  // Nothing of the answer can have come when the call is cancelled, since the
-  // solver waits.
   template <typename Request>
-  void ExpectCancelled(Request request) {
-    request.set_mesh_digest(digest_);
+  void ExpectCancelled(const Request& request) {
+    SCOPED_TRACE(request.GetTypeName());
+    const int starts = solver_.starts();
     grpc::ClientContext context;
     const auto reader = Begin(context, request);
-    solver_.WaitForStarts(1);
-    context.TryCancel();
-    const auto reply = ReadAll(*reader);
-    EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::CANCELLED);
-    for (const auto& message : reply.messages) {
-      EXPECT_FALSE(message.has_trailer());
-    }
-    // The solver is still held: only what cancels it lets it end.
-    EXPECT_TRUE(
-        server_->engine().scheduler().WaitIdle(std::chrono::seconds(120)));
+    solver_.WaitForStarts(starts + 1);
+    ExpectCancelled(context, *reader);
   }
 
   // The same for work that no test can hold up, on a mesh so large that it
   // takes long: it is cancelled once it tells of its progress.
-  template <typename Response, typename Request>
-  void ExpectCancelledUnderWay(Request request) {
-    StartWithGrid(/*held=*/false);
-    request.set_mesh_digest(Upload(geodesic::test::Icosphere(7)));
-    request.add_sources()->set_vertex(0);
+  template <typename Request>
+  void ExpectCancelledUnderWay(const Request& request) {
+    SCOPED_TRACE(request.GetTypeName());
     grpc::ClientContext context;
     const auto reader = Begin(context, request);
-    Response message;
+    auto message = MessageOf(*reader);
     do {
       ASSERT_TRUE(reader->Read(&message));
     } while (!message.has_progress());
+    ExpectCancelled(context, *reader);
+  }
+
+ private:
+  template <typename Response>
+  static Response MessageOf(const grpc::ClientReader<Response>&) {
+    return {};
+  }
+
+  template <typename Response>
+  void ExpectCancelled(grpc::ClientContext& context,
+                       grpc::ClientReader<Response>& reader) {
+    const std::string before = CancelledSeconds();
     context.TryCancel();
-    EXPECT_EQ(ReadAll(*reader).status.error_code(),
-              grpc::StatusCode::CANCELLED);
+    const auto reply = ReadAll(reader);
+    EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::CANCELLED);
+    for (const auto& message : reply.messages) {
+      EXPECT_FALSE(message.has_trailer());
+    }
     EXPECT_TRUE(
         server_->engine().scheduler().WaitIdle(std::chrono::seconds(120)));
+    EXPECT_NE(CancelledSeconds(), before);
+  }
+
+  // The line that tells of the time of jobs which nobody waited for at their
+  // end.
+  std::string CancelledSeconds() const {
+    const std::string page =
+        geodesic::test::HttpGet(server_->metrics_port(), "/metrics");
+    const size_t begin =
+        page.find("\ngeodesic_cancelled_compute_seconds_total ") + 1;
+    return page.substr(begin, page.find('\n', begin) - begin);
   }
 };
 
-TEST_F(QuestionCancellationTest, StopsPaths) {
-  StartWithGrid(/*held=*/true);
-  v1::ComputePathsRequest request;
-  request.add_sources()->set_vertex(0);
-  request.add_targets()->set_vertex(Vertex(kSide, kSide));
-  ExpectCancelled(request);
-}
+TEST_F(QuestionCancellationTest, StopsItsWork) {
+  auto paths = From<v1::ComputePathsRequest>(0);
+  paths.add_targets()->set_vertex(Vertex(kSide, kSide));
+  ExpectCancelled(paths);
+  ExpectCancelled(From<v1::ComputeLogMapRequest>(Vertex(5, 5)));
+  auto matrix = From<v1::ComputeMatrixRequest>(1);
+  for (uint32_t i = 2; i <= kSide; ++i) matrix.add_sources()->set_vertex(i);
+  ExpectCancelled(matrix);
+  auto nearest = From<v1::FindNearestRequest>(0);
+  nearest.add_targets()->set_vertex(Vertex(1, 1));
+  nearest.set_count(1);
+  ExpectCancelled(nearest);
 
-TEST_F(QuestionCancellationTest, StopsALogMap) {
-  StartWithGrid(/*held=*/true);
-  v1::ComputeLogMapRequest request;
-  request.mutable_source()->set_vertex(Vertex(kSide / 2, kSide / 2));
-  ExpectCancelled(request);
-}
-
-TEST_F(QuestionCancellationTest, StopsAMatrix) {
-  StartWithGrid(/*held=*/true);
-  v1::ComputeMatrixRequest request;
-  for (uint32_t i = 1; i <= kSide; ++i) request.add_sources()->set_vertex(i);
-  ExpectCancelled(request);
-}
-
-TEST_F(QuestionCancellationTest, StopsTheNearest) {
-  StartWithGrid(/*held=*/true);
-  v1::FindNearestRequest request;
-  request.add_sources()->set_vertex(0);
-  for (uint32_t i = 1; i <= kSide; ++i) {
-    request.add_targets()->set_vertex(Vertex(i, i));
-  }
-  request.set_count(3);
-  ExpectCancelled(request);
-}
-
-TEST_F(QuestionCancellationTest, StopsSamples) {
-  v1::SampleFarthestPointsRequest request;
-  request.set_count(20);
-  ExpectCancelledUnderWay<v1::SampleFarthestPointsResponse>(request);
-}
-
-TEST_F(QuestionCancellationTest, StopsIsolines) {
-  v1::ComputeIsolinesRequest request;
-  request.add_levels(100);
-  ExpectCancelledUnderWay<v1::ComputeIsolinesResponse>(request);
+  digest_ = Upload(geodesic::test::Icosphere(7));
+  auto samples = From<v1::SampleFarthestPointsRequest>(0);
+  samples.set_count(20);
+  ExpectCancelledUnderWay(samples);
+  auto isolines = From<v1::ComputeIsolinesRequest>(0);
+  isolines.add_levels(100);
+  ExpectCancelledUnderWay(isolines);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // FieldService.ComputeField.
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <memory>
@@ -24,7 +24,6 @@ using test::FieldReply;
 using test::kInfinity;
 using test::OpenField;
 using test::Values;
-using ::testing::HasSubstr;
 
 class FieldRpcTest : public test::RpcTest {
  protected:
@@ -65,49 +64,6 @@ TEST_F(FieldRpcTest, StreamsAFieldInOrder) {
   EXPECT_GT(trailer.statistics().windows_propagated(), 0);
 }
 
-TEST_F(FieldRpcTest, TheCacheAnswersTheSecondTime) {
-  Start();
-  const std::string digest = Upload(geodesic::test::Icosphere(3));
-  const FieldReply first = ComputeField(digest, 1);
-  const FieldReply second = ComputeField(digest, 1);
-  ASSERT_TRUE(second.status.ok());
-  EXPECT_EQ(second.distances, first.distances);
-  EXPECT_EQ(second.messages.front().header().origin(), v1::FIELD_ORIGIN_CACHED);
-  EXPECT_EQ(second.messages.back().trailer().origin(), v1::FIELD_ORIGIN_CACHED);
-  EXPECT_EQ(second.messages.back().trailer().statistics().windows_created(),
-            first.messages.back().trailer().statistics().windows_created());
-  // header, one chunk, trailer: no progress.
-  EXPECT_EQ(second.messages.size(), 3);
-  EXPECT_EQ(counters().solves_finished, 1);
-}
-
-TEST_F(FieldRpcTest, EveryAlgorithmAnswers) {
-  Start();
-  const std::string digest = Upload(geodesic::test::Icosphere(2));
-  const std::vector<double> expected = ComputeField(digest, 0).distances;
-  for (const auto algorithm :
-       {v1::ALGORITHM_FWP_CH, v1::ALGORITHM_FWP_MMP, v1::ALGORITHM_ICH,
-        v1::ALGORITHM_MMP, v1::ALGORITHM_CH, v1::ALGORITHM_LC_MMP,
-        v1::ALGORITHM_LC_CH, v1::ALGORITHM_FWP_LIST}) {
-    v1::ComputeFieldRequest request = FieldRequest(digest, 0);
-    request.set_algorithm(algorithm);
-    const FieldReply reply = ComputeField(request);
-    ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-    EXPECT_EQ(reply.messages.front().header().algorithm(), algorithm);
-    ASSERT_EQ(reply.distances.size(), expected.size());
-    for (size_t v = 0; v < expected.size(); ++v) {
-      EXPECT_NEAR(reply.distances[v], expected[v], 1e-10);
-    }
-  }
-}
-
-TEST_F(FieldRpcTest, UnknownMesh) {
-  Start();
-  const FieldReply reply = ComputeField(std::string(64, 'a'), 0);
-  EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::NOT_FOUND);
-  EXPECT_THAT(reply.status.error_message(), HasSubstr("upload it again"));
-}
-
 // `header` comes before the solver is done, and progress while it runs.
 TEST_F(FieldRpcTest, ProgressWhileItComputes) {
   Start(SmallServer(), /*held=*/true);
@@ -138,24 +94,6 @@ TEST_F(FieldRpcTest, EqualQueriesAreSolvedOnce) {
   solver_.LetGo();
   for (const auto& call : calls) EXPECT_TRUE(call->End().ok());
   EXPECT_EQ(counters().solves_started, 1);
-}
-
-TEST_F(FieldRpcTest, AFullQueueSaysWhenToComeBack) {
-  Start(SmallServer(), /*held=*/true);
-  const std::string digest = Upload(geodesic::test::Icosphere(2));
-  // Two run, two wait.
-  std::vector<std::unique_ptr<OpenField>> calls;
-  for (uint64_t vertex = 0; vertex < 4; ++vertex) {
-    calls.push_back(Open(digest, vertex));
-    ASSERT_TRUE(calls.back()->Read());
-  }
-  const FieldReply refused = ComputeField(digest, 4);
-  EXPECT_EQ(refused.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
-  const auto retry = test::RetryInfo(refused.status);
-  ASSERT_TRUE(retry.has_value());
-  EXPECT_GT(retry->retry_delay().seconds() + retry->retry_delay().nanos(), 0);
-  solver_.LetGo();
-  for (const auto& call : calls) EXPECT_TRUE(call->End().ok());
 }
 
 uint64_t ResidentBytes() {
@@ -198,61 +136,12 @@ TEST_F(FieldRpcTest, SlowReadersTakeLittleMemory) {
   }
 }
 
-// Beyond one vertex and the whole mesh: places, targets, limits, precision,
+// Beyond the distances of the whole mesh: targets, limits, quantities,
 // progressive fields.
 class FieldQuestionsTest : public test::QuestionsTest {
  protected:
-  // The bytes of the one chunk.
-  static std::string Distances(
-      const std::vector<v1::ComputeFieldResponse>& messages) {
-    for (const auto& message : messages) {
-      if (message.has_chunk()) return message.chunk().distances();
-    }
-    return "";
-  }
-
   v1::ComputeFieldRequest Request() const { return FieldRequest(digest_, 0); }
 };
-
-TEST_F(FieldQuestionsTest, SourcesLieAnywhere) {
-  v1::ComputeFieldRequest request;
-  request.set_mesh_digest(digest_);
-  SetEdge(3, 4, 0.25, *request.add_sources());
-  const Point at_edge = {3.25, 0, 0};
-  v1::FacePoint& face = *request.add_sources()->mutable_face();
-  face.set_face(77);
-  for (const double weight : {0.2, 0.3, 0.5}) face.add_weights(weight);
-  Point in_face{};
-  for (int i = 0; i < 3; ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      in_face[axis] +=
-          face.weights(i) * soup_.positions[soup_.triangles[77][i]][axis];
-    }
-  }
-  const FieldReply reply = ComputeField(request);
-  ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-  for (size_t v = 0; v < soup_.positions.size(); ++v) {
-    EXPECT_NEAR(reply.distances[v],
-                std::min(Euclid(soup_.positions[v], at_edge),
-                         Euclid(soup_.positions[v], in_face)),
-                1e-10);
-  }
-}
-
-TEST_F(FieldQuestionsTest, ACurveIsASource) {
-  v1::ComputeFieldRequest request;
-  request.set_mesh_digest(digest_);
-  v1::Curve& curve = *request.add_sources()->mutable_curve();
-  // Along the lower side from x = 2 to x = 6.
-  for (uint64_t x = 2; x <= 6; ++x) curve.add_points()->set_vertex(x);
-  const FieldReply reply = ComputeField(request);
-  ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
-  for (size_t v = 0; v < soup_.positions.size(); ++v) {
-    const Point& p = soup_.positions[v];
-    const Point nearest = {std::min(std::max(p[0], 2.0), 6.0), 0, 0};
-    EXPECT_NEAR(reply.distances[v], Euclid(p, nearest), 1e-10);
-  }
-}
 
 TEST_F(FieldQuestionsTest, TargetsComeInTheirOrder) {
   v1::ComputeFieldRequest request = Request();
@@ -295,17 +184,47 @@ TEST_F(FieldQuestionsTest, ARadiusCutsWhatIsSent) {
   EXPECT_EQ(reply.messages.back().trailer().settled_radius(), kInfinity);
 }
 
-TEST_F(FieldQuestionsTest, SinglePrecisionIsTheNearest) {
-  v1::ComputeFieldRequest request = Request();
-  const auto exact = Values<double>(Distances(Messages(request)));
-  request.set_value_type(v1::VALUE_TYPE_FLOAT32);
-  const auto messages = Messages(request);
-  EXPECT_EQ(messages[0].header().value_type(), v1::VALUE_TYPE_FLOAT32);
-  const auto single = Values<float>(Distances(messages));
-  ASSERT_EQ(single.size(), exact.size());
-  for (size_t v = 0; v < exact.size(); ++v) {
-    EXPECT_EQ(single[v], static_cast<float>(exact[v]));
+TEST_F(FieldQuestionsTest, LabelsAndGradientsEndWhereDistancesDo) {
+  v1::ComputeFieldRequest request;
+  request.set_mesh_digest(digest_);
+  // Numbered against the order of their vertices.
+  request.add_sources()->set_vertex(Vertex(9, 8));
+  request.add_sources()->set_vertex(Vertex(1, 2));
+  request.add_quantities(v1::FIELD_QUANTITY_NEAREST_SOURCE);
+  request.add_quantities(v1::FIELD_QUANTITY_GRADIENT);
+  const std::vector<Point> sources = {{9, 8, 0}, {1, 2, 0}};
+  for (const double radius : {kInfinity, 5.1, 3.1}) {
+    if (!std::isinf(radius)) request.set_radius(radius);
+    const auto messages = Messages(request);
+    const auto chunk = std::ranges::find_if(
+        messages, [](const auto& message) { return message.has_chunk(); });
+    ASSERT_NE(chunk, messages.end());
+    const auto distances = Values<double>(chunk->chunk().distances());
+    const auto nearest = Values<uint32_t>(chunk->chunk().nearest_sources());
+    const auto gradients = Values<Point>(chunk->chunk().gradients());
+    ASSERT_EQ(distances.size(), soup_.positions.size());
+    ASSERT_EQ(nearest.size(), distances.size());
+    ASSERT_EQ(gradients.size(), distances.size());
+    for (size_t v = 0; v < distances.size(); ++v) {
+      const Point& p = soup_.positions[v];
+      const double d[] = {Euclid(p, sources[0]), Euclid(p, sources[1])};
+      const double least = std::min(d[0], d[1]);
+      if (least > radius) {
+        EXPECT_EQ(distances[v], kInfinity);
+        EXPECT_EQ(nearest[v], 0xffffffff);
+        EXPECT_EQ(gradients[v], Point());
+        continue;
+      }
+      EXPECT_NEAR(distances[v], least, 1e-10);
+      EXPECT_NEAR(d[nearest[v]], least, 1e-10);
+      EXPECT_NEAR(Euclid(gradients[v], Point()), least == 0 ? 0 : 1, 1e-10);
+    }
   }
+  // The traced field answers those who want distances alone.
+  request.clear_quantities();
+  request.clear_radius();
+  EXPECT_EQ(Messages(request).front().header().origin(),
+            v1::FIELD_ORIGIN_CACHED);
 }
 
 TEST_F(FieldQuestionsTest, AProgressiveFieldComesInOrder) {
@@ -340,26 +259,6 @@ TEST_F(FieldQuestionsTest, AProgressiveFieldComesInOrder) {
   EXPECT_EQ(messages.back().trailer().settled_radius(), kInfinity);
 }
 
-TEST_F(FieldQuestionsTest, WhatASettledChunkSaidStaysTrueAfterCancelling) {
-  const TriangleSoup soup = geodesic::test::Icosphere(6);
-  const std::string digest = Upload(soup);
-  v1::ComputeFieldRequest request = FieldRequest(digest, 0);
-  request.set_progressive(true);
-  const auto call = Open(request);
-  do {
-    ASSERT_TRUE(call->Read());
-  } while (!call->message.has_settled());
-  const v1::SettledChunk settled = call->message.settled();
-  const auto vertices = Values<uint32_t>(settled.vertices());
-  const auto values = Values<double>(settled.distances());
-  call->context.TryCancel();
-  EXPECT_EQ(call->End().error_code(), grpc::StatusCode::CANCELLED);
-  const std::vector<double> whole = ComputeField(digest, 0).distances;
-  for (size_t i = 0; i < vertices.size(); ++i) {
-    EXPECT_EQ(values[i], whole[vertices[i]]);
-  }
-}
-
 TEST_F(FieldQuestionsTest, WrongArgumentsAreNamed) {
   ExpectFaults(
       Request(),
@@ -392,18 +291,25 @@ TEST_F(FieldQuestionsTest, WrongArgumentsAreNamed) {
         "sources[1].offset"},
        {"targets { vertex: 1000 }", "targets[0].vertex"},
        {"targets {}", "targets[0]"},
+       {"targets { vertex: 1 } stop_after_targets: 0", "stop_after_targets"},
        {"targets { vertex: 1 } stop_after_targets: 2", "stop_after_targets"},
        {"targets { vertex: 1 } stop_after_targets: 18446744073709551615",
         "stop_after_targets"},
        {"radius: -1", "radius"},
+       {"priority: 99", "priority"},
+       {"algorithm: 99", "algorithm"},
        {"value_type: 9", "value_type"},
        {"quantities: 9", "quantities[0]"},
        {"quantities: FIELD_QUANTITY_GRADIENT progressive: true",
         "quantities"}});
-  ExpectUsual(Request());
   v1::ComputeFieldRequest request = Request();
   request.clear_sources();
   EXPECT_EQ(Fault(request), "sources");
+  request = Request();
+  request.set_mesh_digest("horse");
+  EXPECT_EQ(Fault(request), "mesh_digest");
+  request.set_mesh_digest(std::string(64, 'a'));
+  EXPECT_EQ(CodeOf(request), grpc::StatusCode::NOT_FOUND);
 }
 
 TEST_F(FieldQuestionsTest, CountsHaveLimits) {

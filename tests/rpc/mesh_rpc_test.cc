@@ -1,10 +1,8 @@
-// MeshService but for uploads.
+// MeshService.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -12,7 +10,6 @@
 #include "tests/engine/uploads.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/curved_meshes.h"
-#include "tests/support/planar_meshes.h"
 
 namespace geodesic::server {
 namespace {
@@ -43,37 +40,13 @@ class MeshRpcTest : public test::RpcTest {
     v1::DeleteMeshResponse response;
     return meshes_->DeleteMesh(&context, request, &response);
   }
-  grpc::Status ReadMesh(const std::string& digest, TriangleSoup& soup) {
+  grpc::Status ReadMesh(const std::string& digest) {
     grpc::ClientContext context;
     v1::ReadMeshRequest request;
     request.set_digest(digest);
     const auto reader = meshes_->ReadMesh(&context, request);
     v1::ReadMeshResponse message;
-    size_t vertex = 0;
-    size_t face = 0;
-    bool first = true;
-    while (reader->Read(&message)) {
-      EXPECT_EQ(message.has_header(), first);
-      first = false;
-      if (message.has_header()) {
-        EXPECT_EQ(message.header().digest(), digest);
-        soup.positions.resize(message.header().vertex_count());
-        soup.triangles.resize(message.header().face_count());
-      } else if (message.has_vertices()) {
-        const std::string& bytes = message.vertices().positions();
-        EXPECT_EQ(message.vertices().first_vertex(), vertex);
-        EXPECT_EQ(face, 0);
-        std::memcpy(&soup.positions[vertex], bytes.data(), bytes.size());
-        vertex += bytes.size() / sizeof(Point);
-      } else {
-        const std::string& bytes = message.faces().indices();
-        EXPECT_EQ(message.faces().first_face(), face);
-        std::memcpy(&soup.triangles[face], bytes.data(), bytes.size());
-        face += bytes.size() / sizeof(Triangle);
-      }
-    }
-    EXPECT_EQ(vertex, soup.positions.size());
-    EXPECT_EQ(face, soup.triangles.size());
+    EXPECT_FALSE(reader->Read(&message));
     return reader->Finish();
   }
 };
@@ -98,93 +71,20 @@ TEST_F(MeshRpcTest, DescribesAMesh) {
   EXPECT_GT(mesh.resident_bytes(), 192 * 3 * 64);
 }
 
-TEST_F(MeshRpcTest, ABookOfThreePagesHasNoGenus) {
-  // Three faces along one edge.
-  const TriangleSoup soup = {
-      .positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
-      .triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
-  v1::Mesh mesh;
-  const std::string digest = Upload(soup);
-  ASSERT_TRUE(GetMesh(digest, mesh).ok());
-  EXPECT_EQ(mesh.edge_count(), 7);
-  EXPECT_FALSE(mesh.has_genus());
-  // Every two of its pages unfold into one plane.
-  const test::FieldReply reply = ComputeField(digest, 2);
-  ASSERT_EQ(reply.distances.size(), 5);
-  EXPECT_NEAR(reply.distances[3], 2, 1e-10);
-  EXPECT_NEAR(reply.distances[4], 2, 1e-10);
-}
-
 TEST_F(MeshRpcTest, UnknownAndMalformedNames) {
   v1::Mesh mesh;
-  TriangleSoup soup;
   const std::vector<grpc::Status> unknown = {
-      GetMesh(kUnknown, mesh), DeleteMesh(kUnknown), ReadMesh(kUnknown, soup)};
+      GetMesh(kUnknown, mesh), DeleteMesh(kUnknown), ReadMesh(kUnknown)};
   for (const grpc::Status& status : unknown) {
     EXPECT_EQ(status.error_code(), grpc::StatusCode::NOT_FOUND);
     EXPECT_THAT(status.error_message(), HasSubstr("upload it again"));
   }
   const std::vector<grpc::Status> malformed = {
-      GetMesh("horse", mesh), DeleteMesh("horse"), ReadMesh("horse", soup)};
+      GetMesh("horse", mesh), DeleteMesh("horse"), ReadMesh("horse")};
   for (const grpc::Status& status : malformed) {
     EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
     EXPECT_EQ(FieldAtFault(status), "digest");
   }
-}
-
-TEST_F(MeshRpcTest, ReadsBackWhatWasUploaded) {
-  // More than one chunk of each.
-  const TriangleSoup soup = geodesic::test::Icosphere(6);
-  TriangleSoup read;
-  ASSERT_TRUE(ReadMesh(Upload(soup), read).ok());
-  EXPECT_EQ(read.positions, soup.positions);
-  EXPECT_EQ(read.triangles, soup.triangles);
-}
-
-TEST_F(MeshRpcTest, ListsInPages) {
-  std::set<std::string> uploaded;
-  for (uint32_t columns = 1; columns <= 5; ++columns) {
-    uploaded.insert(
-        Upload(geodesic::test::MakeGrid({.columns = columns, .rows = 2})));
-  }
-  std::vector<std::string> listed;
-  v1::ListMeshesRequest request;
-  request.set_page_size(2);
-  do {
-    grpc::ClientContext context;
-    v1::ListMeshesResponse response;
-    ASSERT_TRUE(meshes_->ListMeshes(&context, request, &response).ok());
-    EXPECT_LE(response.meshes_size(), 2);
-    for (const v1::Mesh& mesh : response.meshes()) {
-      listed.push_back(mesh.digest());
-    }
-    request.set_page_token(response.next_page_token());
-  } while (!request.page_token().empty());
-  EXPECT_EQ(listed, std::vector<std::string>(uploaded.begin(), uploaded.end()));
-}
-
-TEST_F(MeshRpcTest, ListChecksItsArguments) {
-  v1::ListMeshesRequest request;
-  v1::ListMeshesResponse response;
-  {
-    grpc::ClientContext context;
-    request.set_page_size(-1);
-    EXPECT_EQ(FieldAtFault(meshes_->ListMeshes(&context, request, &response)),
-              "page_size");
-  }
-  grpc::ClientContext context;
-  request.set_page_size(1);
-  request.set_page_token("2");
-  EXPECT_EQ(FieldAtFault(meshes_->ListMeshes(&context, request, &response)),
-            "page_token");
-}
-
-TEST_F(MeshRpcTest, DeletedIsGone) {
-  const std::string digest = Upload(test::Tetrahedron());
-  EXPECT_TRUE(DeleteMesh(digest).ok());
-  EXPECT_EQ(DeleteMesh(digest).error_code(), grpc::StatusCode::NOT_FOUND);
-  EXPECT_EQ(ComputeField(digest, 0).status.error_code(),
-            grpc::StatusCode::NOT_FOUND);
 }
 
 TEST_F(MeshRpcTest, FindMissing) {
@@ -210,6 +110,71 @@ TEST_F(MeshRpcTest, FindMissing) {
   EXPECT_EQ(
       FieldAtFault(meshes_->FindMissingMeshes(&context, request, &response)),
       "files[0].format");
+}
+
+// CreateMesh, and those who break its protocol.
+class UploadRpcTest : public test::RpcTest {
+ protected:
+  void SetUp() override { Start(); }
+
+  static v1::CreateMeshRequest Header(v1::MeshFormat format, uint64_t size) {
+    v1::CreateMeshRequest message;
+    message.mutable_header()->set_format(format);
+    message.mutable_header()->set_size_bytes(size);
+    return message;
+  }
+  static v1::CreateMeshRequest Chunk(uint64_t offset, const std::string& data) {
+    v1::CreateMeshRequest message;
+    message.mutable_chunk()->set_offset(offset);
+    message.mutable_chunk()->set_data(data);
+    return message;
+  }
+
+  grpc::Status Send(const std::vector<v1::CreateMeshRequest>& messages) {
+    grpc::ClientContext context;
+    v1::CreateMeshResponse response;
+    const auto writer = meshes_->CreateMesh(&context, &response);
+    for (const v1::CreateMeshRequest& message : messages) {
+      if (!writer->Write(message)) break;
+    }
+    writer->WritesDone();
+    return writer->Finish();
+  }
+
+  void ExpectInvalid(const std::vector<v1::CreateMeshRequest>& messages,
+                     const std::string& field) {
+    const grpc::Status status = Send(messages);
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT)
+        << status.error_message();
+    EXPECT_EQ(FieldAtFault(status), field);
+    // The server serves on.
+    EXPECT_FALSE(Upload(test::Tetrahedron()).empty());
+  }
+};
+
+TEST_F(UploadRpcTest, StreamsThatBreakTheProtocol) {
+  const auto obj = v1::MESH_FORMAT_OBJ;
+  ExpectInvalid({}, "header");
+  ExpectInvalid({Chunk(0, "abc")}, "header");
+  ExpectInvalid({Header(obj, 3), Header(obj, 3)}, "header");
+  ExpectInvalid({v1::CreateMeshRequest()}, "part");
+  ExpectInvalid({Header(obj, 3), v1::CreateMeshRequest()}, "part");
+  ExpectInvalid({Header(obj, 6), Chunk(0, "abc"), Chunk(2, "def")},
+                "chunk.offset");
+  ExpectInvalid({Header(obj, 6), Chunk(3, "def")}, "chunk.offset");
+  ExpectInvalid({Header(obj, 2), Chunk(0, "abc")}, "chunk.data");
+  ExpectInvalid({Header(obj, 4), Chunk(0, "abc")}, "header.size_bytes");
+  ExpectInvalid({Header(obj, 0)}, "header.size_bytes");
+  ExpectInvalid({Header(v1::MESH_FORMAT_UNSPECIFIED, 3), Chunk(0, "abc")},
+                "header.format");
+  ExpectInvalid({Header(static_cast<v1::MeshFormat>(77), 3), Chunk(0, "abc")},
+                "header.format");
+  ExpectInvalid({Header(obj, 8), Chunk(0, "v 0 zero")}, "chunk.data");
+  const std::string tetrahedron = test::kTetrahedronOff;
+  v1::CreateMeshRequest header =
+      Header(v1::MESH_FORMAT_OFF, tetrahedron.size());
+  header.mutable_header()->set_expected_digest(kUnknown);
+  ExpectInvalid({header, Chunk(0, tetrahedron)}, "header.expected_digest");
 }
 
 }  // namespace

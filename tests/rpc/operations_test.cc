@@ -35,8 +35,14 @@ std::string HealthRequest(const std::string& service) {
 }
 const std::string kServing("\x08\x01", 2);
 
-constexpr std::chrono::hours kPatience{1};
 const std::string kNotServing("\x08\x02", 2);
+
+constexpr const char* kServices[] = {
+    "geodesic.v1.MeshService", "geodesic.v1.FieldService",
+    "geodesic.v1.PathService", "geodesic.v1.MatrixService",
+    "geodesic.v1.CapabilitiesService"};
+
+constexpr std::chrono::hours kPatience{1};
 
 class OperationsTest : public test::RpcTest {
  protected:
@@ -79,15 +85,14 @@ TEST_F(OperationsTest, CapabilitiesTellTheLimits) {
 }
 
 TEST_F(OperationsTest, HealthIsServing) {
-  for (const char* service :
-       {"", "geodesic.v1.MeshService", "geodesic.v1.FieldService",
-        "geodesic.v1.PathService", "geodesic.v1.MatrixService",
-        "geodesic.v1.CapabilitiesService"}) {
+  const auto expect_serving = [&](const char* service) {
     const auto answer =
         test::CallMethod(channel_, kHealthCheck, HealthRequest(service));
     ASSERT_TRUE(answer.ok()) << answer.status();
     EXPECT_EQ(*answer, kServing) << service;
-  }
+  };
+  expect_serving("");
+  for (const char* service : kServices) expect_serving(service);
   EXPECT_TRUE(absl::IsNotFound(
       test::CallMethod(channel_, kHealthCheck, HealthRequest("unknown"))
           .status()));
@@ -100,10 +105,7 @@ TEST_F(OperationsTest, ReflectionListsTheServices) {
       "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo",
       std::string("\x3a\x00", 2));
   ASSERT_TRUE(answer.ok()) << answer.status();
-  for (const char* service :
-       {"geodesic.v1.MeshService", "geodesic.v1.FieldService",
-        "geodesic.v1.PathService", "geodesic.v1.MatrixService",
-        "geodesic.v1.CapabilitiesService"}) {
+  for (const char* service : kServices) {
     EXPECT_THAT(*answer, HasSubstr(service));
   }
 }

@@ -50,8 +50,8 @@ class QuestionsTest : public RpcTest {
 
   void SetUp() override { StartWithGrid(/*held=*/false); }
 
-  void StartWithGrid(bool held) {
-    Start(SmallServer(), held);
+  void StartWithGrid(bool held, const ServerOptions& options = SmallServer()) {
+    Start(options, held);
     paths_ = v1::PathService::NewStub(channel_);
     matrices_ = v1::MatrixService::NewStub(channel_);
     soup_ = geodesic::test::MakeGrid({.columns = kSide, .rows = kSide});
@@ -147,19 +147,17 @@ class QuestionsTest : public RpcTest {
     }
   }
 
-  // What every question has: priorities, and as errors an algorithm that nobody
-  // knows, a digest that is none, and a mesh that is not there.
-  // REQUIRES: the request is answered.
+  // A question about the grid, from this vertex.
   template <typename Request>
-  void ExpectUsual(Request request) {
-    ExpectFaults(request, {{"priority: 99", "priority"},
-                           {"algorithm: 99", "algorithm"}});
-    request.set_priority(v1::PRIORITY_BATCH);
-    EXPECT_FALSE(Messages(request).empty());
-    request.set_mesh_digest("horse");
-    EXPECT_EQ(Fault(request), "mesh_digest");
-    request.set_mesh_digest(std::string(64, 'a'));
-    EXPECT_EQ(CodeOf(request), grpc::StatusCode::NOT_FOUND);
+  Request From(uint64_t vertex) const {
+    Request request;
+    request.set_mesh_digest(digest_);
+    if constexpr (requires { request.add_sources(); }) {
+      request.add_sources()->set_vertex(vertex);
+    } else {
+      request.mutable_source()->set_vertex(vertex);
+    }
+    return request;
   }
 
   // Puts the place on the edge between two vertices.
@@ -172,14 +170,6 @@ class QuestionsTest : public RpcTest {
   }
 
   uint64_t Vertex(uint32_t x, uint32_t y) const { return y * (kSide + 1) + x; }
-
-  void ExpectHeader(const v1::AnswerHeader& header) const {
-    EXPECT_EQ(header.mesh_digest(), digest_);
-    EXPECT_EQ(header.vertex_count(), soup_.positions.size());
-    EXPECT_EQ(header.algorithm(), v1::ALGORITHM_FWP_LIST);
-    EXPECT_EQ(header.relative_tolerance(), 1e-10);
-    EXPECT_EQ(header.server_version(), ServerVersion());
-  }
 
   TriangleSoup soup_;
   std::string digest_;

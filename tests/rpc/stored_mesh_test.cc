@@ -111,18 +111,6 @@ TEST_F(StoredMeshTest, ADeadlineEndsTheWait) {
   EndBusy();
 }
 
-TEST_F(StoredMeshTest, OneOfManyLeaves) {
-  StartBusy();
-  const auto first = Open(second_, 0);
-  const auto second = Open(second_, 1);
-  WaitForLoads(1);
-  first->context.TryCancel();
-  EXPECT_EQ(first->End().error_code(), grpc::StatusCode::CANCELLED);
-  EndBusy();
-  const grpc::Status status = second->End();
-  EXPECT_TRUE(status.ok()) << status.error_message();
-}
-
 TEST_F(StoredMeshTest, AServerThatStopsSaysSo) {
   StartBusy();
   const auto call = Open(second_, 0);
@@ -131,24 +119,6 @@ TEST_F(StoredMeshTest, AServerThatStopsSaysSo) {
   server_->Wait();
   EXPECT_EQ(call->End().error_code(), grpc::StatusCode::UNAVAILABLE);
   EXPECT_FALSE(busy_->End().ok());
-}
-
-TEST_F(StoredMeshTest, ADeletionWaitsForItsTurnAndIsFinal) {
-  StartBusy();
-  v1::DeleteMeshRequest request;
-  request.set_digest(second_);
-  v1::DeleteMeshResponse response;
-  grpc::Status status;
-  std::thread deletion([&] {
-    grpc::ClientContext context;
-    status = meshes_->DeleteMesh(&context, request, &response);
-  });
-  while (server_->engine().scheduler().queued() == 0) std::this_thread::yield();
-  EndBusy();
-  deletion.join();
-  EXPECT_TRUE(status.ok()) << status.error_message();
-  EXPECT_EQ(ComputeField(second_, 0).status.error_code(),
-            grpc::StatusCode::NOT_FOUND);
 }
 
 }  // namespace

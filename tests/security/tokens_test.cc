@@ -60,43 +60,6 @@ class TokensTest : public SecureTest {
   }
 };
 
-TEST_F(TokensTest, EveryRefusalHasItsReason) {
-  WriteTokens({{"good-token"},
-               {"late-token", R"(["read"])",
-                R"(, "expires": "2020-01-01T00:00:00Z")"}});
-  const RunningServer server(folder_, Flags());
-  EXPECT_TRUE(Ask(server, "good-token").ok());
-  const auto expect = [&](const std::string& token, const std::string& reason) {
-    const absl::Status status = Ask(server, token);
-    EXPECT_TRUE(absl::IsUnauthenticated(status)) << token << status;
-    EXPECT_EQ(ErrorReason(status), reason);
-  };
-  expect("", "TOKEN_MISSING");
-  expect("late-token", "TOKEN_EXPIRED");
-  expect("bad-token", "TOKEN_UNKNOWN");
-  // A hash is no token.
-  expect(Sha256Hex("good-token"), "TOKEN_UNKNOWN");
-  expect(std::string(5000, 'x'), "TOKEN_UNKNOWN");
-}
-
-TEST_F(TokensTest, WhoMayAskMayNotUploadOrDelete) {
-  WriteTokens({{"read-token"},
-               {"load-token", R"(["read", "upload"])"},
-               {"root-token", R"(["admin"])"}});
-  const RunningServer server(folder_, Flags());
-  const MeshArrays mesh = PlanarGrid(3);
-  const absl::Status refused =
-      Connect(server, "read-token").UploadArrays(mesh).status();
-  EXPECT_TRUE(absl::IsPermissionDenied(refused)) << refused;
-  EXPECT_EQ(ErrorReason(refused), "SCOPE_MISSING");
-  const auto upload = Connect(server, "load-token").UploadArrays(mesh);
-  ASSERT_TRUE(upload.ok()) << upload.status();
-  EXPECT_TRUE(absl::IsPermissionDenied(
-      Connect(server, "load-token").DeleteMesh(upload->mesh.digest)));
-  EXPECT_TRUE(
-      Connect(server, "root-token").DeleteMesh(upload->mesh.digest).ok());
-}
-
 TEST_F(TokensTest, AChangedFileIsTakenUpWhileConnectionsLive) {
   WriteTokens({{"old-token"}});
   const RunningServer server(folder_, Flags());

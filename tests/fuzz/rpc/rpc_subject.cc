@@ -136,50 +136,44 @@ void CheckDistances(const std::string& bytes) {
 // distance is negative or not a number.
 class AnswerCheck {
  public:
-  void Take(const google::protobuf::Message& message);
+  void Take(const google::protobuf::Message& message) {
+    const auto* type = message.GetDescriptor();
+    const auto* part = message.GetReflection()->GetOneofFieldDescriptor(
+        message, type->FindOneofByName("part"));
+    Require(part != nullptr);
+    const bool is_header = part->name() == "header";
+    Require(is_header == !has_begun_ && !has_trailer_);
+    has_begun_ = true;
+    has_trailer_ = part->name() == "trailer";
+    promises_trailer_ = type->name() != "ReadMeshResponse";
+    if (type->name() == "ComputeFieldResponse") {
+      CheckField(static_cast<const v1::ComputeFieldResponse&>(message));
+    }
+  }
 
   // After the last message.
-  void End(const grpc::Status& status, bool was_cancelled) const;
+  void End(const grpc::Status& status, bool was_cancelled) const {
+    if (status.ok()) {
+      Require(has_begun_ && has_trailer_ == promises_trailer_);
+    } else {
+      CheckRefusal(status, was_cancelled);
+    }
+  }
 
  private:
-  void CheckField(const v1::ComputeFieldResponse& message);
+  void CheckField(const v1::ComputeFieldResponse& message) {
+    if (message.has_header()) value_type_ = message.header().value_type();
+    if (value_type_ != v1::VALUE_TYPE_FLOAT64) return;
+    CheckDistances(message.chunk().distances());
+    CheckDistances(message.targets().distances());
+    CheckDistances(message.settled().distances());
+  }
 
   bool has_begun_ = false;
   bool has_trailer_ = false;
   bool promises_trailer_ = true;
   v1::ValueType value_type_ = v1::VALUE_TYPE_UNSPECIFIED;
 };
-
-void AnswerCheck::Take(const google::protobuf::Message& message) {
-  const auto* type = message.GetDescriptor();
-  const auto* part = message.GetReflection()->GetOneofFieldDescriptor(
-      message, type->FindOneofByName("part"));
-  Require(part != nullptr);
-  const bool is_header = part->name() == "header";
-  Require(is_header == !has_begun_ && !has_trailer_);
-  has_begun_ = true;
-  has_trailer_ = part->name() == "trailer";
-  promises_trailer_ = type->name() != "ReadMeshResponse";
-  if (type->name() == "ComputeFieldResponse") {
-    CheckField(static_cast<const v1::ComputeFieldResponse&>(message));
-  }
-}
-
-void AnswerCheck::End(const grpc::Status& status, bool was_cancelled) const {
-  if (status.ok()) {
-    Require(has_begun_ && has_trailer_ == promises_trailer_);
-  } else {
-    CheckRefusal(status, was_cancelled);
-  }
-}
-
-void AnswerCheck::CheckField(const v1::ComputeFieldResponse& message) {
-  if (message.has_header()) value_type_ = message.header().value_type();
-  if (value_type_ != v1::VALUE_TYPE_FLOAT64) return;
-  CheckDistances(message.chunk().distances());
-  CheckDistances(message.targets().distances());
-  CheckDistances(message.settled().distances());
-}
 
 class Subject {
  public:
@@ -262,7 +256,34 @@ class Subject {
                       .cancel_after = cancel_after});
   }
 
-  void Begin(const RpcScript& script, size_t begin, size_t end);
+  void Begin(const RpcScript& script, size_t begin, size_t end) {
+    // In the order of RpcMethod.
+    static constexpr void (Subject::*kBegin[kRpcMethods])(const RpcFrame&) = {
+        &Subject::BeginUnary<CapabilitiesCall>,
+        &Subject::BeginUnary<FindMissingCall>,
+        nullptr,  // an upload has many frames
+        &Subject::BeginUnary<GetMeshCall>,
+        &Subject::BeginStream<MeshStream>,
+        &Subject::BeginUnary<ListMeshesCall>,
+        &Subject::BeginUnary<DeleteMeshCall>,
+        &Subject::BeginStream<FieldStream>,
+        &Subject::BeginStream<LogMapStream>,
+        &Subject::BeginStream<SampleStream>,
+        &Subject::BeginStream<PathStream>,
+        &Subject::BeginStream<IsolineStream>,
+        &Subject::BeginStream<MatrixStream>,
+        &Subject::BeginStream<NearestStream>};
+    const RpcFrame& frame = script[begin];
+    if (frame.method != RpcMethod::kCreateMesh) {
+      (this->*kBegin[static_cast<size_t>(frame.method)])(frame);
+      return;
+    }
+    std::vector<std::string> messages;
+    for (size_t i = begin; i < end; ++i) {
+      messages.push_back(Message(script[i]));
+    }
+    BeginCall<UploadStream>(std::move(messages), frame.cancel_after, nullptr);
+  }
 
   // Until nothing happens any more.
   void Pump() {
@@ -324,46 +345,6 @@ class Subject {
   std::vector<std::string> digests_;
   std::vector<Call> calls_;
 };
-
-void Subject::Begin(const RpcScript& script, size_t begin, size_t end) {
-  const RpcFrame& frame = script[begin];
-  switch (frame.method) {
-    case RpcMethod::kGetCapabilities:
-      return BeginUnary<CapabilitiesCall>(frame);
-    case RpcMethod::kFindMissingMeshes:
-      return BeginUnary<FindMissingCall>(frame);
-    case RpcMethod::kCreateMesh: {
-      std::vector<std::string> messages;
-      for (size_t i = begin; i < end; ++i) {
-        messages.push_back(Message(script[i]));
-      }
-      return BeginCall<UploadStream>(std::move(messages), frame.cancel_after,
-                                     nullptr);
-    }
-    case RpcMethod::kGetMesh:
-      return BeginUnary<GetMeshCall>(frame);
-    case RpcMethod::kReadMesh:
-      return BeginStream<MeshStream>(frame);
-    case RpcMethod::kListMeshes:
-      return BeginUnary<ListMeshesCall>(frame);
-    case RpcMethod::kDeleteMesh:
-      return BeginUnary<DeleteMeshCall>(frame);
-    case RpcMethod::kComputeField:
-      return BeginStream<FieldStream>(frame);
-    case RpcMethod::kComputeLogMap:
-      return BeginStream<LogMapStream>(frame);
-    case RpcMethod::kSampleFarthestPoints:
-      return BeginStream<SampleStream>(frame);
-    case RpcMethod::kComputePaths:
-      return BeginStream<PathStream>(frame);
-    case RpcMethod::kComputeIsolines:
-      return BeginStream<IsolineStream>(frame);
-    case RpcMethod::kComputeMatrix:
-      return BeginStream<MatrixStream>(frame);
-    case RpcMethod::kFindNearest:
-      return BeginStream<NearestStream>(frame);
-  }
-}
 
 }  // namespace
 

@@ -1,0 +1,290 @@
+// The questions beside ComputeField: what their answers say of themselves,
+// where they are cut and how long ones are divided, and how wrong requests are
+// refused. Whether answers are right is seen by clients: tests/integration.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/rpc/questions_fixture.h"
+#include "tests/support/curved_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+using test::Euclid;
+using test::kInfinity;
+using test::Values;
+
+std::vector<Point> Positions(const v1::PolylinePiece& piece) {
+  return Values<Point>(piece.positions());
+}
+
+class QuestionsRpcTest : public test::QuestionsTest {
+ protected:
+  v1::ComputePathsRequest Paths() const {
+    auto request = From<v1::ComputePathsRequest>(Vertex(0, 0));
+    request.add_targets()->set_vertex(Vertex(5, 0));
+    return request;
+  }
+  v1::ComputeIsolinesRequest Isolines() const {
+    auto request = From<v1::ComputeIsolinesRequest>(Vertex(5, 5));
+    request.add_levels(2);
+    return request;
+  }
+  v1::ComputeLogMapRequest LogMap() const {
+    return From<v1::ComputeLogMapRequest>(Vertex(4, 5));
+  }
+  v1::SampleFarthestPointsRequest Samples() const {
+    auto request = From<v1::SampleFarthestPointsRequest>(Vertex(0, 0));
+    request.set_count(1);
+    return request;
+  }
+  v1::ComputeMatrixRequest Matrix() const {
+    auto request = From<v1::ComputeMatrixRequest>(Vertex(9, 9));
+    request.add_sources()->set_vertex(Vertex(0, 4));
+    return request;
+  }
+  v1::FindNearestRequest Nearest() const {
+    auto request = From<v1::FindNearestRequest>(Vertex(0, 0));
+    request.add_targets()->set_vertex(Vertex(1, 0));
+    request.set_count(1);
+    return request;
+  }
+
+  void ExpectHeader(const v1::AnswerHeader& header) const {
+    EXPECT_EQ(header.mesh_digest(), digest_);
+    EXPECT_EQ(header.vertex_count(), soup_.positions.size());
+    EXPECT_EQ(header.algorithm(), v1::ALGORITHM_FWP_LIST);
+    EXPECT_EQ(header.relative_tolerance(), 1e-10);
+    EXPECT_EQ(header.server_version(), ServerVersion());
+  }
+  void ExpectHeader(const v1::MatrixHeader& header) const {
+    ExpectHeader(header.answer());
+  }
+
+  // What every question has: a header, a trailer, priorities, and as errors an
+  // algorithm that nobody knows, a digest that is none, and a mesh that is not
+  // there.
+  template <typename Request>
+  void ExpectUsual(Request request) {
+    SCOPED_TRACE(request.GetTypeName());
+    ExpectFaults(request, {{"priority: 99", "priority"},
+                           {"algorithm: 99", "algorithm"}});
+    request.set_priority(v1::PRIORITY_BATCH);
+    const auto messages = Messages(request);
+    ExpectHeader(messages.front().header());
+    EXPECT_GT(messages.back().trailer().windows_propagated(), 0);
+    EXPECT_GT(messages.back().trailer().item_count(), 0);
+    request.set_mesh_digest("horse");
+    EXPECT_EQ(Fault(request), "mesh_digest");
+    request.set_mesh_digest(std::string(64, 'a'));
+    EXPECT_EQ(CodeOf(request), grpc::StatusCode::NOT_FOUND);
+  }
+
+  template <typename Request>
+  void ExpectExhausted(const Request& request) {
+    EXPECT_EQ(CodeOf(request), grpc::StatusCode::RESOURCE_EXHAUSTED)
+        << request.GetTypeName();
+  }
+};
+
+TEST_F(QuestionsRpcTest, AllHaveWhatIsUsual) {
+  ExpectUsual(Paths());
+  ExpectUsual(Isolines());
+  ExpectUsual(LogMap());
+  ExpectUsual(Samples());
+  ExpectUsual(Matrix());
+  ExpectUsual(Nearest());
+}
+
+TEST_F(QuestionsRpcTest, WrongArgumentsAreNamed) {
+  ExpectFaults(From<v1::ComputePathsRequest>(0), {{"", "targets"}});
+  ExpectFaults(Paths(), {{"targets { vertex: 1000 }", "targets[1].vertex"},
+                         {"radius: nan", "radius"}});
+  ExpectFaults(From<v1::ComputeIsolinesRequest>(0), {{"", "levels"}});
+  ExpectFaults(Isolines(), {{"levels: 0", "levels[1]"},
+                            {"levels: -1", "levels[1]"},
+                            {"levels: inf", "levels[1]"},
+                            {"levels: nan", "levels[1]"}});
+  ExpectFaults(LogMap(), {{"source { vertex: 1000 }", "source.vertex"},
+                          {"source { face { weights: [0.5, -0.5, 1] } }",
+                           "source.face.weights[1]"},
+                          {"radius: -1", "radius"},
+                          {"value_type: 7", "value_type"}});
+  ExpectFaults(From<v1::SampleFarthestPointsRequest>(0), {{"", "count"}});
+  ExpectFaults(Matrix(),
+               {{"layout: 9", "layout"},
+                {"value_type: 9", "value_type"},
+                {"radius: -2", "radius"},
+                {"sources { vertex: 0 offset: -1 }", "sources[2].offset"},
+                {"sources { vertex: 1000 }", "sources[2].vertex"}});
+  ExpectFaults(From<v1::FindNearestRequest>(0),
+               {{"count: 1", "targets"}, {"targets { vertex: 1 }", "count"}});
+}
+
+TEST_F(QuestionsRpcTest, NoneIsAboutNothing) {
+  const auto expect_sources = [&](auto request) {
+    request.clear_sources();
+    EXPECT_EQ(Fault(request), "sources") << request.GetTypeName();
+  };
+  expect_sources(Paths());
+  expect_sources(Isolines());
+  expect_sources(Samples());
+  expect_sources(Matrix());
+  expect_sources(Nearest());
+  v1::ComputeLogMapRequest map = LogMap();
+  map.clear_source();
+  EXPECT_EQ(Fault(map), "source");
+}
+
+TEST_F(QuestionsRpcTest, SizesHaveLimits) {
+  v1::ComputePathsRequest paths = Paths();
+  for (int i = 0; i < 100; ++i) paths.add_targets()->set_vertex(0);
+  ExpectExhausted(paths);
+  v1::ComputeIsolinesRequest isolines = Isolines();
+  for (int i = 0; i < 5; ++i) isolines.add_levels(1 + i);
+  ExpectExhausted(isolines);
+  v1::SampleFarthestPointsRequest samples = Samples();
+  samples.set_count(21);
+  ExpectExhausted(samples);
+  v1::ComputeMatrixRequest matrix = Matrix();
+  while (matrix.sources_size() < 201) matrix.add_sources()->set_vertex(0);
+  ExpectExhausted(matrix);
+  // 200 rows of 10,201 values are more than the million.
+  matrix.mutable_sources()->RemoveLast();
+  matrix.set_mesh_digest(
+      Upload(geodesic::test::MakeGrid({.columns = 100, .rows = 100})));
+  ExpectExhausted(matrix);
+}
+
+TEST_F(QuestionsRpcTest, PathsNumberSourcesAsTheRequestDoes) {
+  v1::ComputePathsRequest request;
+  request.set_mesh_digest(digest_);
+  // Not in the order of the mesh, a curve in between.
+  v1::Source& far = *request.add_sources();
+  far.set_vertex(Vertex(10, 10));
+  far.set_offset(0.5);
+  request.add_sources()->mutable_curve()->add_points()->set_vertex(
+      Vertex(10, 0));
+  request.add_sources()->set_vertex(Vertex(0, 0));
+  request.add_targets()->set_vertex(Vertex(9, 9));
+  request.add_targets()->set_vertex(Vertex(9, 1));
+  request.add_targets()->set_vertex(Vertex(1, 1));
+  const auto messages = Messages(request);
+  uint64_t target = 0;
+  for (const auto& message : messages) {
+    if (!message.has_path()) continue;
+    EXPECT_EQ(message.path().source(), target);
+    EXPECT_NEAR(message.path().length(), std::sqrt(2), 1e-10);
+    EXPECT_NEAR(message.path().distance(),
+                std::sqrt(2) + (target == 0 ? 0.5 : 0), 1e-10);
+    ++target;
+  }
+  EXPECT_EQ(target, 3);
+}
+
+TEST_F(QuestionsRpcTest, WhatIsNotReachedHasNoPath) {
+  v1::ComputePathsRequest request = Paths();
+  request.set_radius(4);
+  // Once computed, once from a field that reaches further.
+  for (int i = 0; i < 2; ++i) {
+    const auto messages = Messages(request);
+    for (const auto& message : messages) {
+      if (!message.has_path()) continue;
+      EXPECT_EQ(message.path().length(), kInfinity);
+      EXPECT_EQ(message.path().distance(), kInfinity);
+      EXPECT_FALSE(message.path().has_source());
+      EXPECT_EQ(message.path().piece().point_count(), 0);
+    }
+    v1::ComputePathsRequest further = request;
+    further.clear_radius();
+    EXPECT_EQ(CodeOf(further), grpc::StatusCode::OK);
+  }
+}
+
+TEST_F(QuestionsRpcTest, LongPathsTakeSeveralMessages) {
+  // A strip that a path runs along through more than 8192 faces.
+  soup_ = geodesic::test::MakeGrid({.columns = 9000, .rows = 1});
+  digest_ = Upload(soup_);
+  auto request = From<v1::ComputePathsRequest>(0);
+  request.add_targets()->set_vertex(2 * 9001 - 1);
+  const auto messages = Messages(request);
+  std::vector<Point> points;
+  int pieces = 0;
+  for (const auto& message : messages) {
+    if (!message.has_path()) continue;
+    ++pieces;
+    const v1::PolylinePiece& piece = message.path().piece();
+    EXPECT_EQ(piece.first_point(), points.size());
+    const auto more = Positions(piece);
+    points.insert(points.end(), more.begin(), more.end());
+    EXPECT_NEAR(message.path().length(), std::hypot(9000, 1), 1e-6);
+  }
+  EXPECT_GT(pieces, 1);
+  double length = 0;
+  for (size_t i = 1; i < points.size(); ++i) {
+    length += Euclid(points[i - 1], points[i]);
+  }
+  EXPECT_NEAR(length, std::hypot(9000, 1), 1e-6);
+}
+
+TEST_F(QuestionsRpcTest, AMatrixSaysItsShape) {
+  v1::ComputeMatrixRequest request = Matrix();
+  request.set_value_type(v1::VALUE_TYPE_FLOAT32);
+  const auto messages = Messages(request);
+  const v1::MatrixHeader& header = messages.front().header();
+  EXPECT_EQ(header.row_count(), 2);
+  EXPECT_EQ(header.column_count(), soup_.positions.size());
+  EXPECT_EQ(header.value_type(), v1::VALUE_TYPE_FLOAT32);
+  EXPECT_EQ(header.layout(), v1::MATRIX_LAYOUT_DENSE);
+  const std::vector<Point> rows = {{9, 9, 0}, {0, 4, 0}};
+  for (const auto& message : messages) {
+    if (!message.has_chunk()) continue;
+    const auto values = Values<float>(message.chunk().values());
+    ASSERT_EQ(values.size(), soup_.positions.size());
+    EXPECT_FLOAT_EQ(values[0],
+                    Euclid(rows[message.chunk().row()], soup_.positions[0]));
+  }
+  request.set_layout(v1::MATRIX_LAYOUT_SPARSE);
+  EXPECT_EQ(Messages(request).front().header().layout(),
+            v1::MATRIX_LAYOUT_SPARSE);
+}
+
+class HeldMatrixTest : public QuestionsRpcTest {
+ protected:
+  void SetUp() override { StartWithGrid(/*held=*/true); }
+};
+
+// A reader that stalls holds up its own matrix alone, after a few rows.
+TEST_F(HeldMatrixTest, AStalledReaderHoldsAFewRows) {
+  solver_.LetGo();  // it counts the rows
+  soup_ = geodesic::test::Icosphere(5);
+  digest_ = Upload(soup_);
+  v1::ComputeMatrixRequest request;
+  request.set_mesh_digest(digest_);
+  for (int i = 0; i < 40; ++i) request.add_sources()->set_vertex(i);
+  // The client must not read ahead.
+  const auto slow = v1::MatrixService::NewStub(SlowChannel(server_->port()));
+  grpc::ClientContext context;
+  const auto reader = slow->ComputeMatrix(&context, request);
+  v1::ComputeMatrixResponse message;
+  ASSERT_TRUE(reader->Read(&message));
+  // The jobs end by themselves: no more are submitted.
+  EXPECT_TRUE(
+      server_->engine().scheduler().WaitIdle(std::chrono::seconds(120)));
+  // Questions of others are answered.
+  EXPECT_TRUE(ComputeField(digest_, 0).status.ok());
+  EXPECT_LT(solver_.starts(), 40);
+  // Then it goes on to the end.
+  const auto rest = ReadAll(*reader);
+  EXPECT_TRUE(rest.status.ok()) << rest.status.error_message();
+  EXPECT_EQ(rest.messages.back().trailer().item_count(), 40);
+}
+
+}  // namespace
+}  // namespace geodesic::server
