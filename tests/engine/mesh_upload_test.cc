@@ -34,20 +34,17 @@ class MeshUploadTest : public ::testing::Test {
     return upload;
   }
 
-  // Parses with as much memory as it takes, in the end `taken`.
-  absl::StatusOr<TriangleSoup> TryToParse(MeshUpload& upload, uint64_t& taken) {
+  // Parses with as much memory as it takes, in the end `*taken`.
+  absl::StatusOr<TriangleSoup> TryToParse(MeshUpload& upload,
+                                          uint64_t* taken = nullptr) {
     for (;;) {
       absl::Status status = upload.ReserveForParse();
       if (!status.ok()) return status;
-      taken = memory_->used();
+      if (taken != nullptr) *taken = memory_->used();
       auto parsed = upload.Parse(checkpoint_);
       if (!parsed.ok()) return parsed.status();
       if (*parsed) return std::move(upload.soup());
     }
-  }
-  absl::StatusOr<TriangleSoup> TryToParse(MeshUpload& upload) {
-    uint64_t taken = 0;
-    return TryToParse(upload, taken);
   }
 
   // What is wrong with the header, and where.
@@ -199,7 +196,7 @@ TEST_F(MeshUploadTest, NoFileTakesMoreThanWasSetAside) {
   EXPECT_FALSE(*cut_off);
 
   uint64_t taken = 0;
-  const auto parsed = TryToParse(*upload, taken);
+  const auto parsed = TryToParse(*upload, &taken);
   ASSERT_TRUE(parsed.ok()) << parsed.status();
   EXPECT_EQ(parsed->triangles.size(), kCorners - 2);
   EXPECT_GE(taken, upload->header().size_bytes + 2 * kTriangleBytes);

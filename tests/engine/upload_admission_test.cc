@@ -146,12 +146,6 @@ TEST_P(WaitingUploadTest, WhoeverLeavesMeanwhileLeavesNothing) {
   EXPECT_EQ(engine_.counters().meshes_built, 1);
 }
 
-TEST_P(WaitingUploadTest, TheServersEndIsTold) {
-  FinishBeside([&](auto) { engine_.scheduler().StopAll(); });
-  ASSERT_TRUE(result_.has_value());
-  EXPECT_TRUE(absl::IsUnavailable(result_->status())) << result_->status();
-}
-
 INSTANTIATE_TEST_SUITE_P(Formats, WaitingUploadTest,
                          ::testing::Values(UploadFormat::kArrays,
                                            UploadFormat::kOff));

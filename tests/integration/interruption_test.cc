@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <algorithm>
-
 #include "geodesic_client/client.h"
 #include "tests/integration/meshes.h"
 #include "tests/integration/running_server.h"
@@ -43,37 +41,6 @@ TEST_F(InterruptionTest, CtrlCEndsTheCommand) {
   EXPECT_EQ(server_.Wait(), 0);
   EXPECT_THAT(FileBytes(folder_ / "server.log"),
               HasSubstr("method=ComputeField code=CANCELLED"));
-}
-
-TEST_F(InterruptionTest, WhatHadSettledWasFinal) {
-  std::stop_source stop;
-  std::vector<SettledVertex> settled;
-  absl::StatusOr<Field> field = client_.StreamField(
-      {.mesh_digest = digest_,
-       .sources = {{VertexPoint{0}}},
-       .algorithm = "ich"},
-      [&](std::span<const SettledVertex> vertices) {
-        settled.insert(settled.end(), vertices.begin(), vertices.end());
-        if (settled.size() > 1) stop.request_stop();
-      },
-      {.stop = stop.get_token()});
-  ASSERT_TRUE(absl::IsCancelled(field.status())) << field.status();
-  ASSERT_GT(settled.size(), 1);
-  ASSERT_LT(settled.size(), 501 * 501);
-  const double radius = settled.back().distance;
-  absl::StatusOr<Field> whole =
-      client_.ComputeField({.mesh_digest = digest_,
-                            .sources = {{VertexPoint{0}}},
-                            .radius = radius});
-  ASSERT_TRUE(whole.ok()) << whole.status();
-  for (const SettledVertex& vertex : settled) {
-    EXPECT_NEAR(vertex.distance, whole->distances[vertex.vertex],
-                1e-10 * radius);
-  }
-  // Nothing nearer was left out.
-  const auto nearer = std::ranges::count_if(
-      whole->distances, [radius](double d) { return d < radius * (1 - 1e-9); });
-  EXPECT_GE(settled.size(), static_cast<size_t>(nearer));
 }
 
 TEST_F(InterruptionTest, CtrlCLeavesWhatHadSettled) {

@@ -145,16 +145,6 @@ TEST_F(LibraryTest, EveryAlgorithmAnswers) {
   }
 }
 
-TEST_F(LibraryTest, UnknownAlgorithmIsRefusedHere) {
-  absl::Status status = client_
-                            .ComputeField({.mesh_digest = std::string(64, 'a'),
-                                           .sources = {{VertexPoint{0}}},
-                                           .algorithm = "heat"})
-                            .status();
-  EXPECT_TRUE(absl::IsInvalidArgument(status));
-  EXPECT_NE(status.message().find("fwp-ch"), absl::string_view::npos);
-}
-
 TEST_F(LibraryTest, ThreadsShareAClient) {
   const MeshArrays mesh = PlanarGrid(24);
   ASSERT_TRUE(client_.UploadArrays(mesh).ok());

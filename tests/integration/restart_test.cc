@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <thread>
@@ -19,7 +18,6 @@ namespace geodesic::client {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::SizeIs;
 
 class RestartTest : public ::testing::Test {
  protected:
@@ -34,17 +32,6 @@ class RestartTest : public ::testing::Test {
     client_.reset();
     server_->Terminate();
     return server_->Wait();
-  }
-
-  // The distances from a vertex of a planar grid are Euclid's.
-  void ExpectEuclid(const MeshArrays& mesh) {
-    const absl::StatusOr<Field> field = client_->ComputeField(
-        {.mesh_digest = MeshDigest(mesh), .sources = {{VertexPoint{0}}}});
-    ASSERT_TRUE(field.ok()) << field.status();
-    for (size_t v = 0; v < mesh.positions.size(); ++v) {
-      const Point& p = mesh.positions[v];
-      ASSERT_NEAR(field->distances[v], std::hypot(p[0], p[1]), 1e-10);
-    }
   }
 
   std::string data_dir() const { return folder_ / "data"; }
@@ -87,54 +74,6 @@ TEST_F(RestartTest, MeshesTakeTurnsInMemory) {
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(refused, 0);
-}
-
-TEST_F(RestartTest, MeshesAndFieldsAreThere) {
-  const MeshArrays mesh = PlanarGrid(20);
-  WriteFile(folder_ / "hills.off", OffText(HillyGrid(10)));
-  ASSERT_TRUE(client_->UploadArrays(mesh).ok());
-  ASSERT_TRUE(client_->UploadFile(folder_ / "hills.off").ok());
-  ExpectEuclid(mesh);
-  EXPECT_EQ(Stop(), 0);
-
-  Start();
-  const auto meshes = client_->ListMeshes();
-  ASSERT_TRUE(meshes.ok()) << meshes.status();
-  ASSERT_THAT(*meshes, SizeIs(2));
-  for (const MeshInfo& info : *meshes) {
-    EXPECT_EQ(info.resident_bytes, 0);
-    EXPECT_GT(info.stored_bytes, 0);
-    EXPECT_GT(info.face_count, 0);
-  }
-  // The file is not sent again, and the field not computed.
-  const auto again = client_->UploadFile(folder_ / "hills.off");
-  ASSERT_TRUE(again.ok()) << again.status();
-  EXPECT_TRUE(again->already_resident);
-  EXPECT_EQ(again->bytes_sent, 0);
-  const auto field = client_->ComputeField(
-      {.mesh_digest = MeshDigest(mesh), .sources = {{VertexPoint{0}}}});
-  ASSERT_TRUE(field.ok()) << field.status();
-  EXPECT_EQ(field->origin, FieldOrigin::kCached);
-  ExpectEuclid(mesh);
-  EXPECT_GT(client_->GetMesh(MeshDigest(mesh))->resident_bytes, 0);
-}
-
-TEST_F(RestartTest, KilledServersToo) {
-  const MeshArrays kept = PlanarGrid(20);
-  const MeshArrays deleted = PlanarGrid(10);
-  ASSERT_TRUE(client_->UploadArrays(kept).ok());
-  ASSERT_TRUE(client_->UploadArrays(deleted).ok());
-  ASSERT_TRUE(client_->DeleteMesh(MeshDigest(deleted)).ok());
-  client_.reset();
-  server_->Kill();
-  Start();
-  EXPECT_TRUE(
-      absl::IsNotFound(client_->ReadMesh(MeshDigest(deleted)).status()));
-  const auto read = client_->ReadMesh(MeshDigest(kept));
-  ASSERT_TRUE(read.ok()) << read.status();
-  EXPECT_EQ(read->positions, kept.positions);
-  EXPECT_EQ(read->triangles, kept.triangles);
-  ExpectEuclid(kept);
 }
 
 // Every question brings the mesh it is about back from the disk.

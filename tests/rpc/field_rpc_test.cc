@@ -25,10 +25,7 @@ using test::kInfinity;
 using test::OpenField;
 using test::Values;
 
-class FieldRpcTest : public test::RpcTest {
- protected:
-  EngineCounters counters() { return server_->engine().counters(); }
-};
+using FieldRpcTest = test::RpcTest;
 
 TEST_F(FieldRpcTest, StreamsAFieldInOrder) {
   Start();
@@ -93,7 +90,7 @@ TEST_F(FieldRpcTest, EqualQueriesAreSolvedOnce) {
   }
   solver_.LetGo();
   for (const auto& call : calls) EXPECT_TRUE(call->End().ok());
-  EXPECT_EQ(counters().solves_started, 1);
+  EXPECT_EQ(server_->engine().counters().solves_started, 1);
 }
 
 uint64_t ResidentBytes() {

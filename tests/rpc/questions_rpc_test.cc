@@ -20,10 +20,6 @@ using test::Euclid;
 using test::kInfinity;
 using test::Values;
 
-std::vector<Point> Positions(const v1::PolylinePiece& piece) {
-  return Values<Point>(piece.positions());
-}
-
 class QuestionsRpcTest : public test::QuestionsTest {
  protected:
   v1::ComputePathsRequest Paths() const {
@@ -221,7 +217,7 @@ TEST_F(QuestionsRpcTest, LongPathsTakeSeveralMessages) {
     ++pieces;
     const v1::PolylinePiece& piece = message.path().piece();
     EXPECT_EQ(piece.first_point(), points.size());
-    const auto more = Positions(piece);
+    const auto more = Values<Point>(piece.positions());
     points.insert(points.end(), more.begin(), more.end());
     EXPECT_NEAR(message.path().length(), std::hypot(9000, 1), 1e-6);
   }

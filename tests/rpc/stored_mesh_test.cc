@@ -35,12 +35,15 @@ class StoredMeshTest : public test::RpcTest {
     return options;
   }
 
-  // Two meshes on disk, none in memory; the only thread is held by a
-  // computation on the first, whose stream is open.
+  // Two meshes on disk, and a field of the second; nothing is in memory. The
+  // only thread is held by a computation on the first, whose stream is open.
   void StartBusy() {
     Start(OneThread());
     first_ = Upload(geodesic::test::Icosphere(1));
     second_ = Upload(geodesic::test::Icosphere(2));
+    ASSERT_TRUE(ComputeField(second_, 0).status.ok());
+    // A field is written when nothing else is to do.
+    ASSERT_TRUE(server_->engine().scheduler().WaitIdle(kLong));
     server_.reset();
     Start(OneThread(), /*held=*/true);
     busy_ = Open(first_, 0);
@@ -72,6 +75,7 @@ TEST_F(StoredMeshTest, AQuestionWaitsForItsMesh) {
   EndBusy();
   ASSERT_TRUE(call->Read());
   EXPECT_EQ(call->message.header().mesh_digest(), second_);
+  EXPECT_EQ(call->message.header().origin(), v1::FIELD_ORIGIN_CACHED);
   EXPECT_TRUE(call->End().ok());
   EXPECT_EQ(server_->engine().counters().meshes_loaded, 2);
 }

@@ -19,23 +19,13 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct Token {
-  std::string token;
-  std::string scopes = R"(["read"])";
-  std::string more = "";
-};
-
 class TokensTest : public SecureTest {
  protected:
-  // Replaced as a whole, as one should.
-  void WriteTokens(const std::vector<Token>& tokens) const {
-    std::string text;
-    for (const Token& token : tokens) {
-      text += text.empty() ? R"({"tokens": [)" : ", ";
-      text += R"({"name": "owner-of-)" + token.token.substr(0, 4) +
-              R"(", "sha256": ")" + Sha256Hex(token.token) +
-              R"(", "scopes": )" + token.scopes + token.more + "}";
-    }
+  // Knows this token alone, which may read. Replaced as a whole, as one should.
+  void WriteToken(const std::string& token) const {
+    const std::string text = R"({"tokens": [{"name": "owner-of-)" +
+                             token.substr(0, 4) + R"(", "sha256": ")" +
+                             Sha256Hex(token) + R"(", "scopes": ["read"]})";
     WriteFile(folder_ / "tokens.new", text + "]}");
     std::filesystem::rename(folder_ / "tokens.new", folder_ / "tokens.json");
   }
@@ -61,18 +51,18 @@ class TokensTest : public SecureTest {
 };
 
 TEST_F(TokensTest, AChangedFileIsTakenUpWhileConnectionsLive) {
-  WriteTokens({{"old-token"}});
+  WriteToken("old-token");
   const RunningServer server(folder_, Flags());
   Client client = Connect(server, "old-token");
   ASSERT_TRUE(client.ListMeshes().ok());
-  WriteTokens({{"new-token"}});
+  WriteToken("new-token");
   EXPECT_TRUE(Until([&] { return !client.ListMeshes().ok(); }));
   EXPECT_EQ(ErrorReason(client.ListMeshes().status()), "TOKEN_UNKNOWN");
   EXPECT_TRUE(Ask(server, "new-token").ok());
 }
 
 TEST_F(TokensTest, ASignalMakesTheServerReadTheFileAgain) {
-  WriteTokens({{"good-token"}});
+  WriteToken("good-token");
   const RunningServer server(folder_, Flags());
   server.Reload();
   EXPECT_TRUE(Until([&] {
@@ -83,7 +73,7 @@ TEST_F(TokensTest, ASignalMakesTheServerReadTheFileAgain) {
 }
 
 TEST_F(TokensTest, NoTokenGetsIntoTheLog) {
-  WriteTokens({{"read-token"}});
+  WriteToken("read-token");
   {
     RunningServer server(folder_, Flags());
     EXPECT_TRUE(Ask(server, "read-token").ok());
@@ -101,7 +91,7 @@ TEST_F(TokensTest, NoTokenGetsIntoTheLog) {
 }
 
 TEST_F(TokensTest, TheCommandTakesTokensThreeWays) {
-  WriteTokens({{"read-token"}});
+  WriteToken("read-token");
   const RunningServer server(folder_, Flags());
   EXPECT_EQ(Command(server, {"--token", "read-token", "meshes"}).exit_code, 0);
   WriteFile(folder_ / "token", "read-token\n");

@@ -2,8 +2,8 @@
 #include <google/protobuf/message.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
@@ -59,7 +59,7 @@ class Mutator {
 
   template <typename Container>
   auto Any(Container& items) -> decltype(items[0]) {
-    return items[Below(items.size())];
+    return items[Below(std::size(items))];
   }
 
   void ChangeBytes(std::string& bytes) {
@@ -181,33 +181,29 @@ class Mutator {
 
   uint64_t Integer() {
     constexpr uint64_t kMax = std::numeric_limits<uint64_t>::max();
-    static constexpr std::array kEdges = {uint64_t{0},
-                                          uint64_t{1} << 31,
-                                          (uint64_t{1} << 32) - 1,
-                                          uint64_t{1} << 32,
-                                          uint64_t{1} << 63,
-                                          kMax - 1,
-                                          kMax};
+    static constexpr uint64_t kEdges[] = {
+        0,        1ull << 31, (1ull << 32) - 1, 1ull << 32, 1ull << 63,
+        kMax - 1, kMax};
     return Below(3) > 0 ? Below(40) : Any(kEdges);
   }
 
   double Double() {
     using Limits = std::numeric_limits<double>;
-    static constexpr std::array kEdges = {0.0,
-                                          -0.0,
-                                          1.0,
-                                          -1.0,
-                                          0.5,
-                                          1.0 / 3,
-                                          1e-9,
-                                          1e-300,
-                                          1e300,
-                                          Limits::infinity(),
-                                          -Limits::infinity(),
-                                          Limits::quiet_NaN(),
-                                          Limits::denorm_min(),
-                                          Limits::max(),
-                                          1 + Limits::epsilon()};
+    static constexpr double kEdges[] = {0.0,
+                                        -0.0,
+                                        1.0,
+                                        -1.0,
+                                        0.5,
+                                        1.0 / 3,
+                                        1e-9,
+                                        1e-300,
+                                        1e300,
+                                        Limits::infinity(),
+                                        -Limits::infinity(),
+                                        Limits::quiet_NaN(),
+                                        Limits::denorm_min(),
+                                        Limits::max(),
+                                        1 + Limits::epsilon()};
     if (Below(2) == 0) return Any(kEdges);
     return std::uniform_real_distribution<double>(0, 2)(random_);
   }
