@@ -10,6 +10,7 @@
 #include "tests/support/field_check.h"
 #include "tests/support/mesh_edits.h"
 #include "tests/support/oracles/brute_force.h"
+#include "tests/support/oracles/planar_domain.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/surface_points.h"
@@ -29,6 +30,32 @@ void ExpectBruteForce(const NamedMesh& mesh, DistanceFunction distance) {
     }
     ASSERT_TRUE(FieldsAgree({mesh.name, {{VertexPoint{s}}}, "brute-force"},
                             expected, brute_force.Distances(s)));
+  }
+}
+
+TEST(Oracles, BruteForceFindsShortestPathsInPlanarDomains) {
+  for (const double jitter : {0.0, 0.2}) {
+    for (const Diagonals diagonals :
+         {Diagonals::kParallel, Diagonals::kAlternating, Diagonals::kRandom}) {
+      const GridOptions grid{.columns = 6,
+                             .rows = 5,
+                             .cell_width = 0.3,
+                             .cell_height = 0.7,
+                             .diagonals = diagonals,
+                             .jitter = jitter};
+      for (const GridOptions& options :
+           {grid, WithHole(grid), LShape(grid), UShape(grid)}) {
+        const PlanarDomain domain(options);
+        const TriangleSoup soup = MakeGrid(options);
+        std::vector<std::vector<double>> distances;
+        for (const Point& p : soup.positions) {
+          distances.push_back(domain.Distances(p, soup.positions));
+        }
+        ExpectBruteForce({"planar domain", soup}, [&](uint32_t s, uint32_t v) {
+          return distances[s][v];
+        });
+      }
+    }
   }
 }
 

@@ -1,13 +1,16 @@
-// Planar meshes against Euclid. A regular grid is the
+// Planar meshes against Euclid and the visibility graph. A regular grid is the
 // hardest of them: rays run along edges and through vertices everywhere.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/oracles/planar_domain.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/random.h"
 #include "tests/support/vec.h"
@@ -49,6 +52,34 @@ TEST_P(PlanarMeshes, LargeRegularGrid) {
     GTEST_SKIP() << GetParam().name << " is tested on smaller meshes only";
   }
   ExpectEuclid({"large regular grid", soup}, {50 * 101 + 37});
+}
+
+// Around reflex corners, in regular grids and jittered ones.
+TEST_P(PlanarMeshes, HolesAndNotches) {
+  for (const double jitter : {0.0, 0.2}) {
+    const GridOptions grid{.columns = 18,
+                           .rows = 15,
+                           .cell_width = 0.3,
+                           .diagonals = Diagonals::kAlternating,
+                           .jitter = jitter};
+    GridOptions two_holes = grid;
+    two_holes.removed = {{3, 3, 6, 12}, {9, 2, 14, 9}};
+    const std::vector<std::pair<std::string, GridOptions>> domains = {
+        {"grid with a hole", WithHole(grid)},
+        {"L shape", LShape(grid)},
+        {"U shape", UShape(grid)},
+        {"grid with two holes", two_holes}};
+    for (const auto& [name, options] : domains) {
+      const PlanarDomain domain(options);
+      const NamedMesh named{name, MakeGrid(options)};
+      const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+      for (const uint32_t s : SpreadVertices(named.soup, 7)) {
+        ExpectField(
+            name, *mesh, {{VertexPoint{s}}},
+            domain.Distances(named.soup.positions[s], named.soup.positions));
+      }
+    }
+  }
 }
 
 // Along a side that is straight but for noise, vertices in a row cast shadows
