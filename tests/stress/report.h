@@ -25,6 +25,7 @@ class Report {
   // Counts a check of a law; prints `details` (streamed) if it does not hold.
   template <typename... Details>
   bool Check(bool holds, std::string_view law, const Details&... details) {
+    ++all_checks_;
     ++checks_[std::string(law)];
     if (holds) return true;
     ++violations_;
@@ -50,11 +51,7 @@ class Report {
 
   uint64_t cases() const { return cases_; }
   uint64_t violations() const { return violations_; }
-  uint64_t checks() const {
-    uint64_t sum = 0;
-    for (const auto& [law, count] : checks_) sum += count;
-    return sum;
-  }
+  uint64_t checks() const { return all_checks_; }
   const std::map<std::string, uint64_t>& checks_by_law() const {
     return checks_;
   }
@@ -63,6 +60,7 @@ class Report {
   uint64_t seed_ = 0;
   std::string description_;
   uint64_t cases_ = 0;
+  uint64_t all_checks_ = 0;
   uint64_t violations_ = 0;
   std::map<std::string, uint64_t> checks_;
 };

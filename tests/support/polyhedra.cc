@@ -149,8 +149,7 @@ class ConvexUnfolder {
     for (size_t f = 0; f < polyhedron_.faces.size(); ++f) {
       if (!Contains(f, p_)) continue;
       const Vec3 origin = Corner(f, 0);
-      const Vec3 edge = Corner(f, 1) - origin;
-      const Vec3 u = (1 / Norm(edge)) * edge;
+      const Vec3 u = Along(f, 0);
       const Vec3 v = Inward(f, 0, u);
       const Placement flat{origin, u, v, {}, {1, 0}, {0, 1}};
       // The source goes to the origin.
@@ -174,6 +173,11 @@ class ConvexUnfolder {
     return ToVec3(polyhedron_.vertices[CornerNumber(f, i)]);
   }
 
+  // The direction of side i.
+  Vec3 Along(size_t f, size_t i) const {
+    const Vec3 edge = Corner(f, i + 1) - Corner(f, i);
+    return (1 / Norm(edge)) * edge;
+  }
   // The direction in face f, square to its side i with direction u, that
   // points into the face.
   Vec3 Inward(size_t f, size_t i, Vec3 u) const {
@@ -184,8 +188,7 @@ class ConvexUnfolder {
 
   bool Contains(size_t f, Vec3 p) const {
     for (size_t i = 0; i < Corners(f); ++i) {
-      const Vec3 edge = Corner(f, i + 1) - Corner(f, i);
-      const Vec3 u = (1 / Norm(edge)) * edge;
+      const Vec3 u = Along(f, i);
       const Vec3 v = Inward(f, i, u);
       const Vec3 d = p - Corner(f, i);
       if (Dot(d, v) < -kSlack) return false;
@@ -226,8 +229,7 @@ class ConvexUnfolder {
             CornerNumber(g, i + 1) != CornerNumber(f, side)) {
           continue;
         }
-        const Vec3 edge = Corner(g, i + 1) - Corner(g, i);
-        const Vec3 u = (1 / Norm(edge)) * edge;
+        const Vec3 u = Along(g, i);
         const Vec2 flat = (1 / Norm(a - b)) * (a - b);
         // Face g lies left of b -> a, away from the source.
         Enter(g,

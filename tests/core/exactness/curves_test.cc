@@ -65,15 +65,10 @@ std::vector<std::pair<std::string, TriangleSoup>> Planes() {
                                  .seed = 5})}};
 }
 
-TEST_P(Curves, AcrossFaces) {
+TEST_P(Curves, AcrossFacesWithinOneAndAsASinglePoint) {
   for (const auto& [name, soup] : Planes()) {
     ExpectEuclid(name, soup, {{{{1.3, 2.1}, {9.7, 6.4}}}});
     ExpectEuclid(name, soup, {{{{2.2, 1.1}, {6.1, 7.3}, {10.3, 3.9}}}});
-  }
-}
-
-TEST_P(Curves, WithinOneFaceAndAsASinglePoint) {
-  for (const auto& [name, soup] : Planes()) {
     ExpectEuclid(name, soup, {{{{5.6, 5.2}, {5.7, 5.3}}}});
     ExpectEuclid(name, soup, {{{{5.6, 5.2}}}});
   }

@@ -59,67 +59,44 @@ TEST_P(NonManifold, PagesOfABookUnfoldIntoThePlane) {
 
 // Two unit cubes, the second moved by `shift`, with the vertices at one place
 // made one.
-TriangleSoup TwoCubes(const Point& shift, std::vector<uint32_t>* second) {
+TriangleSoup TwoCubes(const Point& shift) {
   TriangleSoup soup = BoxGrid(1, 1, 1, 2, 2, 2);
   const TriangleSoup cube = soup;
-  second->clear();
+  std::vector<uint32_t> second;
   for (Point p : cube.positions) {
     for (int i = 0; i < 3; ++i) p[i] += shift[i];
     const auto at = std::ranges::find(soup.positions, p);
-    second->push_back(static_cast<uint32_t>(at - soup.positions.begin()));
+    second.push_back(static_cast<uint32_t>(at - soup.positions.begin()));
     if (at == soup.positions.end()) soup.positions.push_back(p);
   }
-  for (const Triangle& t : cube.triangles) {
-    soup.triangles.push_back(
-        {(*second)[t[0]], (*second)[t[1]], (*second)[t[2]]});
+  for (const auto& [a, b, c] : cube.triangles) {
+    soup.triangles.push_back({second[a], second[b], second[c]});
   }
   return soup;
 }
 
-// A way from one cube to the other runs through the vertex; no way within a
-// cube gains from the other.
-TEST_P(NonManifold, CubesThatShareAVertex) {
-  std::vector<uint32_t> second;
-  const TriangleSoup soup = TwoCubes({1, 1, 1}, &second);
-  const Polyhedron box = Box(1, 1, 1);
-  const uint32_t first_count = static_cast<uint32_t>(second.size());
-  const auto distance = [&](uint32_t s, uint32_t v) {
-    const auto within = [&](Point p, Point q, double shift) {
-      for (int i = 0; i < 3; ++i) {
-        p[i] -= shift;
-        q[i] -= shift;
-      }
-      return DistanceOnConvex(box, p, q);
-    };
-    const Point corner = {1, 1, 1};
-    const Point &p = soup.positions[s], &q = soup.positions[v];
-    const double shift_p = s < first_count ? 0 : 1;
-    const double shift_q = v < first_count ? 0 : 1;
-    if (shift_p == shift_q) return within(p, q, shift_p);
-    return within(p, corner, shift_p) + within(corner, q, shift_q);
+TEST_P(NonManifold, CubesThatTouch) {
+  struct Case {
+    Point shift, from, to;
+    double distance;
   };
-  ExpectDistances({"cubes that share a vertex", soup}, SpreadVertices(soup, 5),
-                  distance);
-}
-
-// Faces of both cubes that lie beside the edge unfold into one plane: four of
-// them meet there.
-TEST_P(NonManifold, CubesThatShareAnEdge) {
-  std::vector<uint32_t> second;
-  const TriangleSoup soup = TwoCubes({1, 1, 0}, &second);
-  const NamedMesh named{"cubes that share an edge", soup};
-  ExpectBruteForce(named, SpreadVertices(soup, 6));
-  // From the middle of one face beside the edge to that of one of the other.
-  const auto number = [&](const Point& p) {
-    return static_cast<uint32_t>(std::ranges::find(soup.positions, p) -
-                                 soup.positions.begin());
-  };
-  const uint32_t from = number({1, 0.5, 0.5}), to = number({1.5, 1, 1});
-  ASSERT_LT(from, soup.positions.size());
-  ASSERT_LT(to, soup.positions.size());
-  const std::vector<double> field =
-      SolveOn(*BuildOrFail(named), {{VertexPoint{from}}});
-  EXPECT_NEAR(field[to], std::hypot(1, 0.5), 1e-12);
+  for (const auto& [shift, from, to, distance] :
+       {// A way from one cube to the other runs through the vertex that they
+        // share; no way within a cube gains from the other.
+        Case{{1, 1, 1}, {0, 0, 0}, {2, 2, 2}, 2 * std::sqrt(5)},
+        // Faces of both cubes that lie beside the edge that they share unfold
+        // into one plane: four of them meet there. From the middle of one to
+        // that of one of the other cube.
+        Case{{1, 1, 0}, {1, 0.5, 0.5}, {1.5, 1, 1}, std::hypot(1, 0.5)}}) {
+    const NamedMesh named{"cubes that touch", TwoCubes(shift)};
+    ExpectBruteForce(named, SpreadVertices(named.soup, 6));
+    const std::vector<Point>& positions = named.soup.positions;
+    const auto s = std::ranges::find(positions, from) - positions.begin();
+    const auto v = std::ranges::find(positions, to) - positions.begin();
+    const std::vector<double> field =
+        SolveOn(*BuildOrFail(named), {{VertexPoint{static_cast<uint32_t>(s)}}});
+    EXPECT_NEAR(field.at(v), distance, 1e-12);
+  }
 }
 
 GEODESIC_TEST_EVERY_ALGORITHM(NonManifold);

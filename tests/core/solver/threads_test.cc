@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "geodesic/computation.h"
@@ -18,13 +17,8 @@
 namespace geodesic {
 namespace {
 
-struct Scene {
-  std::string name;
-  TriangleSoup soup;
-};
-
 // With wavefronts wide enough for threads to share them.
-std::vector<Scene> WideScenes() {
+std::vector<test::NamedMesh> WideScenes() {
   TriangleSoup fins = test::Terrain(30, 30, 1, 5);
   // A third face on some edges: windows go on into both others.
   for (uint32_t i = 0; i < 30; ++i) {
@@ -74,10 +68,9 @@ void ExpectSameBits(const DistanceField& field, const DistanceField& expected) {
 }
 
 TEST(ThreadsTest, AnyNumberGivesTheSameBits) {
-  for (const Scene& scene : WideScenes()) {
+  for (const test::NamedMesh& scene : WideScenes()) {
     SCOPED_TRACE(scene.name);
-    const std::shared_ptr<const Mesh> mesh =
-        test::BuildOrFail({scene.name, scene.soup});
+    const std::shared_ptr<const Mesh> mesh = test::BuildOrFail(scene);
     const Query query = Question(scene.soup);
     NoCheckpoint checkpoint;
     const auto expected = Solve(*mesh, query, {}, checkpoint);
