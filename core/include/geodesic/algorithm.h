@@ -14,10 +14,10 @@
 
 namespace geodesic {
 
-// The one list of algorithms; the first is the default. Of each: its name here
-// and as command lines and messages spell it; its rule (solver/rules) and its
-// queue (solver/queues); the algorithm with the same queue whose windows are
-// trimmed against each other; a summary.
+// The one list of algorithms; the first is the default. An entry holds the
+// enumerator, the name in command lines and messages, the rule (solver/rules),
+// the queue (solver/queues), the algorithm with the same queue whose windows
+// are trimmed against each other, and a summary.
 #define GEODESIC_ALGORITHMS(X)                                                \
   X(FwpList, "fwp-list", ListRule, FwpBuckets, FwpMmp,                        \
     "Lists of windows, trimmed and propagated together, in FWP buckets")      \

@@ -1,5 +1,5 @@
-// The one seam through which a running solver meets the world: cancellation,
-// deadlines, memory budgets and progress.
+// How a running solver reports progress and learns of cancellation, deadlines
+// and memory budgets.
 
 #ifndef GEODESIC_CHECKPOINT_H_
 #define GEODESIC_CHECKPOINT_H_
@@ -23,8 +23,8 @@ struct Progress {
   uint64_t windows_propagated = 0;
   // Bytes the solver holds beyond the mesh.
   uint64_t solver_bytes = 0;
-  // The distances so far, one per vertex, to be multiplied by `unit`: those up
-  // to settled_radius are final. Valid during the call of Poll only.
+  // The distances so far, one per vertex. Times `unit` they are in file units;
+  // those up to settled_radius are final. Valid during the call of Poll only.
   std::span<const double> distances = {};
   double unit = 1;
 };
@@ -33,9 +33,9 @@ class Checkpoint {
  public:
   virtual ~Checkpoint() = default;
 
-  // Called by the solver from its own thread: once before the first window,
-  // then at least every few thousand windows (well under 10 ms apart). A
-  // status that is not OK stops the solver, which returns that status.
+  // The solver calls this from its own thread, once before the first window and
+  // then at least every few thousand windows (well under 10 ms apart). A status
+  // that is not OK stops the solver, which returns that status.
   virtual absl::Status Poll(const Progress& progress) = 0;
 };
 

@@ -23,38 +23,39 @@
 
 namespace geodesic {
 
-// When a computation may stop: as soon as one of these holds.
+// A computation may stop as soon as one of these conditions holds.
 struct Reach {
   // Every distance up to here is certified; in the unit of the mesh's file.
   double radius = std::numeric_limits<double>::infinity();
-  // So many of the query's targets (vertices among them) are certified.
+  // This many of the query's targets (vertices included) are certified.
   // DEFAULT: never stop because of targets.
   uint64_t targets = std::numeric_limits<uint64_t>::max();
 };
 
-// Not thread-safe; one thread at a time. Has threads of its own
-// (SolveOptions::threads) during Advance alone. Holds the wavefront and the
-// distances between calls; the mesh must outlive it.
+// Not thread-safe. It has threads of its own (SolveOptions::threads) only
+// during Advance. It holds the wavefront and the distances between calls. The
+// mesh must outlive it.
 class Computation {
  public:
   virtual ~Computation() = default;
 
-  // Propagates until `reach` is reached or nothing is left. Work goes with the
-  // surface covered.
+  // Propagates until `reach` is reached or nothing is left. The cost grows with
+  // the surface covered.
   // Errors: INVALID_ARGUMENT for a radius that is negative or NaN; whatever
-  // `checkpoint` returns. After that too Field() is valid and Advance may go
-  // on.
+  // `checkpoint` returns. After an error Field() is still valid and Advance may
+  // go on.
   virtual absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) = 0;
 
-  // What is certified now: distances beyond settled_radius are +infinity.
-  // After an Advance that stopped at a radius, that is settled_radius. O(V).
+  // What is certified now; distances beyond settled_radius are +infinity. If
+  // Advance stopped at a radius, settled_radius is that radius. O(V).
   virtual DistanceField Field() const = 0;
 
-  // Adds a source, which is a point, to a computation that has come to its end;
-  // the next Advance starts from it. What was certified is so no longer:
-  // distances may only become smaller. Its number follows those of the query's.
+  // Adds a source, which must be a point, to a computation that has come to its
+  // end; the next Advance starts from it. Nothing is certified any more, but
+  // distances can only become smaller. The source's number follows those of the
+  // query's sources.
   // Errors: INVALID_ARGUMENT as ValidQuery::Make, or for a curve;
-  // FAILED_PRECONDITION: the last Advance has left something to do, or the
+  // FAILED_PRECONDITION if the last Advance has left something to do, or if the
   // query asked for a trace.
   virtual absl::Status AddSource(const Source& source) = 0;
 
@@ -62,9 +63,9 @@ class Computation {
   virtual uint64_t bytes() const = 0;
 };
 
-// What to set aside before a computation of this query starts: what it holds
-// per vertex and target, and a quarter of the mesh for the rest. What it turns
-// out to need beyond that, Progress::solver_bytes tells. O(1).
+// Bytes to reserve before a computation of this query starts: its arrays per
+// vertex and target, and a quarter of the mesh's size for the rest. If it comes
+// to need more, Progress::solver_bytes tells. O(1).
 uint64_t PlannedSolverBytes(const Mesh& mesh, const ValidQuery& query);
 
 // Errors: INVALID_ARGUMENT for an option out of range.

@@ -16,13 +16,15 @@ namespace geodesic {
 struct SolveStatistics {
   // Batches taken from the queue; for a heap, one per window.
   uint64_t iterations = 0;
-  // Windows that entered the wavefront, and those of them propagated.
+  // Windows that entered the wavefront, and how many of them were propagated.
   uint64_t windows_created = 0;
   uint64_t windows_propagated = 0;
-  // Windows waiting in the queue: at the most, and the mean over iterations.
+  // The largest number of windows waiting in the queue, and the mean over
+  // iterations.
   uint64_t peak_wavefront = 0;
   double mean_wavefront = 0;
-  // Windows in memory at the most (MMP keeps propagated ones for trimming).
+  // The largest number of windows in memory (MMP keeps propagated ones for
+  // trimming).
   uint64_t peak_windows = 0;
   uint64_t pseudo_source_events = 0;
   uint64_t peak_solver_bytes = 0;
@@ -34,16 +36,16 @@ inline constexpr uint32_t kNoPseudoSource = 0xffffffffu;
 // How a shortest path arrives at a point: its last straight piece, which starts
 // at a pseudo-source and is unfolded into the plane of the last face.
 struct Arrival {
-  // Below the number of vertices: that vertex, where the path may bend.
-  // Otherwise, less that number, an anchor: a piece of a source (anchors.h).
+  // A number below the vertex count V is a vertex, where the path may bend. Any
+  // other number p is anchor p - V, a piece of a source (anchors.h).
   // kNoPseudoSource: nothing has arrived.
   uint32_t pseudo_source = kNoPseudoSource;
   // The half-edge through which the path enters its last face; kNoHalfEdge if
   // the pseudo-source lies in a face around the point.
   HalfEdge entry = kNoHalfEdge;
-  // In the frame of `entry` and the mesh's scaled unit: the pseudo-source is at
-  // (x, -depth). If it is a segment of a curve, (x, depth) is the unit vector
-  // in which the path runs.
+  // The pseudo-source is at (x, -depth) in the frame of `entry`, in the mesh's
+  // scaled unit. If it is a segment of a curve, (x, depth) is instead the unit
+  // vector along which the path runs.
   double x = 0;
   double depth = 0;
 };

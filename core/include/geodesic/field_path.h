@@ -1,5 +1,5 @@
-// Which part of a question an error is about, as data that the status carries
-// beside its message.
+// A status can carry, beside its message, the path of the part of a question
+// that the error is about.
 //
 // A path names the parts as the protocol's messages do (proto/), e.g.
 // "sources[1].face.weights[0]", "targets[2].edge.t" or "algorithm".
@@ -15,10 +15,11 @@
 
 namespace geodesic {
 
-// The status with that path, in place of one that it has. OK stays OK.
+// The status with that path, which replaces any that it has. OK stays OK.
 absl::Status WithFieldPath(absl::Status status, std::string_view path);
 
-// INVALID_ARGUMENT with that path. The message tells everything, the path too.
+// INVALID_ARGUMENT with that path. The message stands alone, so it names the
+// path, too.
 absl::Status InvalidField(std::string_view path, std::string_view message);
 
 // Nothing where the status names no part.

@@ -1,5 +1,5 @@
-// What else a traced field knows about every vertex: which source is nearest,
-// and in which direction distance grows.
+// What else a traced field knows about every vertex: the nearest source, and
+// the direction in which distance grows.
 
 #ifndef GEODESIC_FIELD_QUANTITIES_H_
 #define GEODESIC_FIELD_QUANTITIES_H_
@@ -16,16 +16,17 @@ namespace geodesic {
 
 inline constexpr uint32_t kNoSource = 0xffffffffu;
 
-// The number of the source whose path arrives at each vertex: its
-// Voronoi cell. kNoSource where none does. At a tie, one of the nearest. O(V).
+// The number of the source whose path arrives at each vertex, which is the
+// vertex's Voronoi cell. kNoSource where no path arrives. At a tie, one of the
+// nearest. O(V).
 // Errors: INVALID_ARGUMENT: a field without trace, or of another mesh or query;
 // INTERNAL: the trace leads in circles (a defect).
 absl::StatusOr<std::vector<uint32_t>> NearestSources(
     const Mesh& mesh, const ValidQuery& query, const DistanceField& field);
 
-// The unit vector in space in which the shortest path arrives at each vertex:
-// the gradient of the distance there, in the plane of the path's last face. The
-// zero vector at sources and where no path arrives. O(V).
+// The unit vector in space along which the shortest path arrives at each
+// vertex. It is the gradient of the distance there, in the plane of the path's
+// last face. The zero vector at sources and where no path arrives. O(V).
 // Errors: as NearestSources.
 absl::StatusOr<std::vector<Point>> Gradients(const Mesh& mesh,
                                              const ValidQuery& query,

@@ -16,21 +16,22 @@
 namespace geodesic {
 
 struct LogMap {
-  // Per vertex, in the unit of the file: distance (less the source's offset)
-  // times (cos, sin) of the angle at which the shortest path leaves the source.
-  // NaN where no path arrives, beyond `radius`, or where the path leaves a
-  // source vertex by way of edges without length. Angles are measured around
-  // the source from `zero_direction`, counterclockwise seen from outside; at an
-  // interior vertex they are scaled so that the cone around it measures 2 pi.
+  // One per vertex, in the unit of the file: the distance without the source's
+  // offset, times (cos, sin) of the angle at which the shortest path leaves the
+  // source. NaN where no path arrives, beyond `radius`, or where the path
+  // leaves a source vertex by way of edges without length. Angles are measured
+  // around the source from `zero_direction`, counterclockwise seen from
+  // outside; at an interior vertex they are scaled so that the cone around it
+  // measures 2 pi.
   std::vector<std::array<double, 2>> coordinates;
-  // Unit vector in space of angle 0: along the first half-edge of
-  // Mesh::Outgoing at a vertex, along the edge from its lower vertex number to
-  // the higher at an edge point, along corner 0 -> corner 1 in a face.
+  // The unit vector in space that has angle 0. At a vertex it runs along the
+  // first half-edge of Mesh::Outgoing, at an edge point along the edge from the
+  // lower vertex number to the higher, and in a face from corner 0 to corner 1.
   Point zero_direction{};
 };
 
-// `field` may reach further than `radius`, up to which the map is drawn.
-// O(V + edges crossed by the paths up to there).
+// Maps the vertices up to `radius`; `field` may reach further. O(V + edges
+// crossed by the paths up to `radius`).
 // Errors: INVALID_ARGUMENT: a field without trace, or of another mesh or query;
 // not exactly one source point, or one around which the surface is not an
 // oriented disk or half-disk; INTERNAL: the trace does not lead back to the

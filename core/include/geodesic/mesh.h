@@ -3,12 +3,12 @@
 //   absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
 //       Mesh::Build(std::move(soup));
 //
-// A face has three half-edges in a row, 3k, 3k + 1 and 3k + 2, the first of
-// them FirstSide(face). Half-edge 3k + i runs from the face's corner i to
-// corner i + 1 (mod 3) and belongs to the face on its left. Everything else is
+// A face has three half-edges in a row, 3k, 3k + 1 and 3k + 2, where 3k is
+// FirstSide(face). Half-edge 3k + i runs from the face's corner i to its corner
+// i + 1 (mod 3) and belongs to the face on its left. The other relations are
 // arithmetic on that number, so connectivity is one array of twins. Half-edges
-// are numbered along a space-filling curve, so that a wavefront finds what it
-// needs next near what it has just used, in whatever order the faces came.
+// are numbered along a space-filling curve: whatever the order of the faces,
+// neighbours lie close together in memory, which makes propagation fast.
 //
 // Guarantees:
 //   1. vertex and face numbers are the caller's; nothing is renumbered,
@@ -33,22 +33,24 @@
 
 namespace geodesic {
 
-// A number of a half-edge, below 2^31; kNoHalfEdge stands beyond a boundary.
+// The number of a half-edge, below 2^31; kNoHalfEdge where there is none.
 using HalfEdge = uint32_t;
 inline constexpr HalfEdge kNoHalfEdge = 0xffffffffu;
 
-// What lies beyond a side of a face: the half-edge of the one face there if it
-// runs the other way, as on an oriented manifold. Otherwise, from
-// kIrregularExit on: kNoHalfEdge, or whatever Mesh::ForEachBeyond knows.
+// What lies beyond a side of a face. If one face lies there and its half-edge
+// runs the other way, as on an oriented manifold, it is that half-edge. Values
+// from kIrregularExit on are kNoHalfEdge at a boundary, or stand for an
+// irregular edge, whose faces Mesh::ForEachBeyond visits.
 using Exit = uint32_t;
 inline constexpr Exit kIrregularExit = 0x80000000u;
 
 inline HalfEdge Next(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline HalfEdge Prev(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
-// One cache line: the face left of half-edge A -> B, laid into the plane with
-// A = (0, 0), B = (length, 0) and the apex C above, plus where the two other
-// sides lead. Lengths are in the mesh's scaled unit (see Mesh::scale_exponent).
+// The face on the left of half-edge A -> B, laid into the plane with A at
+// (0, 0), B at (length, 0) and the apex C above; and where its other two sides
+// lead. It fills one cache line. Lengths are in the mesh's scaled unit (see
+// Mesh::scale_exponent).
 struct alignas(64) HalfEdgeFrame {
   double length;               // |AB|
   double apex_x, apex_y;       // C; apex_y >= 0
@@ -64,16 +66,16 @@ class ConeAngles;
 class Mesh {
  public:
   // Checks the soup and builds the connectivity. O(V + F log F) time.
-  // Errors, all INVALID_ARGUMENT and naming the first offender: no face; a
-  // coordinate that is not finite; an index out of range; a face that repeats
-  // a vertex.
-  // RESOURCE_EXHAUSTED: more faces or vertices than 32-bit numbers can name.
+  // Errors: INVALID_ARGUMENT naming the first offender: no face, a coordinate
+  // that is not finite, an index out of range, or a face that repeats a vertex;
+  // RESOURCE_EXHAUSTED for more faces or vertices than 32-bit numbers can name.
   static absl::StatusOr<std::shared_ptr<const Mesh>> Build(TriangleSoup soup);
-  // Likewise, and asks `checkpoint` between its steps. Errors: its own, too.
+  // The same, but asks `checkpoint` between its steps. Errors: also whatever
+  // `checkpoint` returns.
   static absl::StatusOr<std::shared_ptr<const Mesh>> Build(
       TriangleSoup soup, Checkpoint& checkpoint);
 
-  // An upper bound on what Build needs at its peak and on what stays resident,
+  // Upper bounds on what Build needs at its peak and on what stays resident,
   // for admission before any memory is taken.
   static uint64_t EstimateBuildBytes(uint64_t vertices, uint64_t faces);
   static uint64_t EstimateResidentBytes(uint64_t vertices, uint64_t faces);
@@ -125,8 +127,8 @@ class Mesh {
   }
 
   // Calls visit(half_edge, is_mirrored) for the half-edge of every other face
-  // at the edge of h, in order of their numbers. Mirrored ones run in h's own
-  // direction: seen from h's face, their frame is turned over.
+  // at the edge of h, in order of their numbers. A mirrored one runs in the
+  // same direction as h: seen from h's face, its frame is turned over.
   template <typename Visit>
   void ForEachBeyond(HalfEdge h, Visit visit) const {
     if (Beyond(h) < kIrregularExit) {
@@ -157,7 +159,7 @@ class Mesh {
   bool IsPseudoSource(uint32_t v) const { return kinds_[v] & kPseudoSource; }
   bool IsSaddle(uint32_t v) const { return kinds_[v] & kSaddle; }
   bool IsBoundary(uint32_t v) const { return kinds_[v] & kBoundary; }
-  // Whether the faces around v form more than one fan, or three of them or more
+  // Whether the faces around v form more than one fan, or three or more of them
   // share an edge there.
   bool IsNonManifold(uint32_t v) const { return kinds_[v] & kNonManifold; }
 

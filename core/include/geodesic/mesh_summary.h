@@ -26,8 +26,8 @@ struct MeshSummary {
   uint64_t non_manifold_vertices = 0;
   // Edges along which two faces run in the same direction.
   uint64_t inconsistent_edges = 0;
-  // Whether faces can be turned over so that all agree across the edges of two
-  // faces.
+  // Whether faces can be turned over such that they agree across all edges of
+  // two faces.
   bool is_orientable = true;
   // Sum of the genera of the components; none where the surface is not
   // orientable or has non-manifold edges.

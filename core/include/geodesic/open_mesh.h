@@ -1,4 +1,4 @@
-// Meshes to and from OpenMesh, for its tools: subdividers, decimaters,
+// Converts meshes to and from OpenMesh, which has subdividers, decimaters and
 // smoothers.
 //
 //   #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
@@ -22,8 +22,8 @@
 
 namespace geodesic {
 
-// The mesh in OpenMesh: vertex v, face f and the half-edges inside faces are
-// those of `mesh`, in its order, and positions are the same doubles; boundary
+// The mesh in OpenMesh. Vertices, faces and the half-edges inside faces are
+// those of `mesh`, in its order, and positions are the same doubles. Boundary
 // half-edges are linked along their boundary loops. A vertex where several
 // boundary loops touch lies on each of them. At irregular edges
 // (Mesh::IsIrregularEdge) the surface is cut: every face gets an edge of its
@@ -33,8 +33,9 @@ namespace geodesic {
 // OpenMesh's add_face searches around vertices. About 100 bytes a face.
 OpenMesh::TriMesh ToOpenMesh(const Mesh& mesh);
 
-// Positions and triangles of a mesh of OpenMesh with any traits, in its order.
-// REQUIRES: nothing in it is marked as deleted; see garbage_collection().
+// The positions and triangles of an OpenMesh mesh with any traits, in its
+// order.
+// REQUIRES: no element is marked as deleted; see garbage_collection().
 // O(V + F).
 template <typename Traits>
 TriangleSoup FromOpenMesh(const OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh) {

@@ -15,22 +15,22 @@
 
 namespace geodesic {
 
-// A shortest path as points of the surface: straight from each to the next,
-// through the inside of one face or along one edge. Its inner points lie on
-// edges, which it crosses straight, and at vertices.
+// A shortest path as points of the surface. It runs straight from each point to
+// the next, through the inside of one face or along one edge. Its inner points
+// lie at vertices and on edges, which it crosses straight.
 struct GeodesicPath {
   // From the source to the target; one point if they coincide, none if the
   // target is not reached.
   std::vector<SurfacePoint> points;
-  // The same in space, in the unit of the mesh's file.
+  // The same points in space, in the unit of the mesh's file.
   std::vector<Point> positions;
   // The distance at the target: the field's own bits. +infinity if there is no
   // path.
   double distance = 0;
-  // The same less the source's offset. The lengths of the pieces sum to it
-  // within 1e-10 relative and the rounding of coordinates.
+  // The distance without the source's offset. The lengths of the pieces sum to
+  // it within 1e-10 relative and the rounding of coordinates.
   double length = 0;
-  // Where it starts: its number.
+  // The number of the source where the path starts.
   uint32_t source = 0;
 };
 
@@ -44,7 +44,7 @@ class PathTracer {
  public:
   // `query` is the one that `field` was solved for. Mesh and field must outlive
   // the tracer. O(V + sources).
-  // Errors: INVALID_ARGUMENT: a field without trace, or one of another mesh or
+  // Errors: INVALID_ARGUMENT for a field without trace, or of another mesh or
   // query.
   static absl::StatusOr<PathTracer> Create(const Mesh& mesh,
                                            const ValidQuery& query,

@@ -1,4 +1,4 @@
-// What is asked of a mesh.
+// A question about distances on a mesh.
 
 #ifndef GEODESIC_QUERY_H_
 #define GEODESIC_QUERY_H_
@@ -13,19 +13,20 @@
 namespace geodesic {
 
 // A polyline on the surface. Points that follow each other lie in a common
-// face, where the segment between them runs straight; in each, if several faces
-// hold both.
+// face, where the segment between them runs straight. If several faces hold
+// both points, there is a segment in each of them.
 struct Curve {
   std::vector<SurfacePoint> points;  // at least one
 
   friend auto operator<=>(const Curve&, const Curve&) = default;
 };
 
-// From where distances are measured: a point, or every point of a curve.
+// Distances are measured from a source, which is a point or every point of a
+// curve.
 struct Source {
   std::variant<SurfacePoint, Curve> place;
   // In the unit of the mesh's file; finite, >= 0, and at most about 1e6 times
-  // the mesh's extent, beside which the mesh would be lost in rounding.
+  // the mesh's extent, since rounding would swamp the mesh beside a larger one.
   double offset = 0;
 
   friend auto operator<=>(const Source&, const Source&) = default;
@@ -42,9 +43,9 @@ struct Query {
   // Points beside the vertices whose distances are wanted.
   std::vector<SurfacePoint> targets;
   Algorithm algorithm = kDefaultAlgorithm;
-  // Whether to keep how each shortest path arrives (DistanceField::arrivals):
-  // what paths, nearest sources, gradients and log maps are made from. 24 bytes
-  // a vertex.
+  // Whether to keep how each shortest path arrives (DistanceField::arrivals),
+  // which paths, nearest sources, gradients and log maps need. Takes 24 bytes a
+  // vertex.
   bool trace = false;
 
   friend auto operator<=>(const Query&, const Query&) = default;

@@ -1,12 +1,12 @@
-// Bounded readers for mesh files held in memory: OBJ, PLY, OFF, STL.
+// Bounded readers for mesh files (OBJ, PLY, OFF, STL) held in memory.
 //
 //   absl::StatusOr<MeshFormat> format = MeshFormatFromPath("horse.ply");
 //   absl::StatusOr<TriangleSoup> soup = ReadMesh(bytes, *format);
 //   absl::StatusOr<std::shared_ptr<const Mesh>> mesh = Mesh::Build(*soup);
 //
-// The bytes are taken for hostile. A reader
+// The bytes may be hostile. A reader
 //   1. opens no file and follows no reference (an OBJ's mtllib is ignored);
-//   2. allocates nothing on the word of a header: memory grows with bytes that
+//   2. allocates nothing because a header says so: memory grows with bytes that
 //      have been read, and stays within a small factor of the input's size;
 //   3. keeps doubles as doubles (correctly rounded) and the file's vertex
 //      order, unused vertices included; STL, which has no indices, is welded
@@ -15,8 +15,8 @@
 //      first corner;
 //   5. returns only finite coordinates and indices within range.
 //
-// Messages number the file's faces and vertices from 0 (a face is the file's
-// polygon, before triangulation) and quote an OBJ's references as written.
+// Error messages number the file's faces and vertices from 0, where a face is a
+// polygon before triangulation. They quote an OBJ's references as written.
 
 #ifndef GEODESIC_READ_MESH_H_
 #define GEODESIC_READ_MESH_H_
@@ -49,15 +49,15 @@ struct ReadLimits {
   // DEFAULT: what 32-bit half-edge indices can address.
   uint64_t max_vertices = uint64_t{1} << 31;
   uint64_t max_triangles = (uint64_t{1} << 32) / 3 - 1;
-  // Asked now and then whether to go on. DEFAULT: nobody is.
+  // Polled now and then, and may stop the reader. DEFAULT: nothing stops it.
   Checkpoint* checkpoint = nullptr;
 };
 
 // Reads a whole file. Thread-safe; linear in the size of `bytes`.
 // Errors: INVALID_ARGUMENT for a malformed file, naming the line (text) or the
 // byte offset (binary) and the element; RESOURCE_EXHAUSTED when a limit is
-// passed, naming it; what the checkpoint says. A file without faces is not an
-// error here.
+// passed, naming it; whatever the checkpoint returns. A file without faces is
+// not an error here.
 absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes, MeshFormat format,
                                       const ReadLimits& limits = {});
 

@@ -21,15 +21,15 @@ struct FarthestSample {
   double distance = 0;
 };
 
-// `count` vertices, each the farthest from the query's sources and from all
-// samples before it (the lowest number of those that tie up to rounding); fewer
-// if every vertex is at distance 0 already. Components that no source is on
-// come first. Vertices without a face are left out. The query's targets and
-// trace are not used.
+// Returns `count` vertices, each the farthest from the query's sources and from
+// all samples before it. Among vertices that tie up to rounding it takes the
+// lowest number. There are fewer if every vertex is at distance 0 already.
+// Components without a source come first. Vertices without a face are left out.
+// The query's targets and trace are not used.
 //
-// One computation that goes on with every sample: each costs O(V) and about the
-// area that it takes over, where `checkpoint` sees the settled radius start
-// from 0 again.
+// One computation goes on with every sample. A sample costs O(V) and the
+// propagation over about the area that it takes over. At each sample
+// `checkpoint` sees the settled radius start from 0 again.
 // Errors: whatever `checkpoint` returns.
 absl::StatusOr<std::vector<FarthestSample>> SampleFarthestPoints(
     const Mesh& mesh, const ValidQuery& query, uint32_t count,

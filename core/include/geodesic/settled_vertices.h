@@ -1,5 +1,5 @@
-// The certified frontier as a list of vertices, for streaming a field while it
-// is computed.
+// Lists vertices as their distances become final, for streaming a field while
+// it is computed.
 
 #ifndef GEODESIC_SETTLED_VERTICES_H_
 #define GEODESIC_SETTLED_VERTICES_H_
@@ -16,8 +16,8 @@ struct SettledVertex {
   double distance = 0;  // in the unit of the file; final
 };
 
-// Gives out every vertex once, in order of distance (of number at a tie), up to
-// rounding between calls.
+// Returns every vertex once, ordered by distance and at a tie by number;
+// between calls the order holds up to rounding.
 class SettledVertices {
  public:
   // The vertices that have become final since the last call; none before the
@@ -25,8 +25,8 @@ class SettledVertices {
   std::vector<SettledVertex> Collect(const Progress& progress);
 
  private:
-  // By radius alone a vertex would be lost whose distance improves by a
-  // rounding just as the radius passes it.
+  // The radius alone would miss a vertex whose distance improves by a rounding
+  // just as the radius passes it.
   std::vector<bool> given_;
 };
 

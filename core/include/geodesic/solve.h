@@ -22,16 +22,18 @@ namespace geodesic {
 //
 // Guarantees:
 //   1. exact: every distance is the length of a shortest path on the surface,
-//      up to rounding (relative error below 1e-10; about 1e-15 is usual;
-//      distances so short that one rounding of the mesh's coordinates is a
-//      larger fraction of them are good to that rounding);
+//      up to rounding. The relative error is below 1e-10, usually about 1e-15.
+//      It is larger only for distances so short that one rounding of the mesh's
+//      coordinates is a larger fraction of them; they are good to that
+//      rounding;
 //   2. +infinity exactly where no path leads;
 //   3. deterministic: the same arguments give the same bits;
 //   4. pure and thread-safe: no I/O, no shared state, and no threads unless
-//      options.threads asks for them; the bits do not depend on how many.
+//      options.threads asks for them. The bits do not depend on the number of
+//      threads.
 //
-// Errors: INVALID_ARGUMENT for an option out of range; INTERNAL: a vertex was
-// left out beside one that was reached (a defect; another algorithm may know
+// Errors: INVALID_ARGUMENT for an option out of range; INTERNAL if a vertex was
+// left out beside one that was reached (a defect; another algorithm may find
 // the answer); whatever `checkpoint` returns.
 // Time: O(n^2 log n) at worst, in practice about n^1.5 on smooth meshes and
 // less on rough ones. Memory beside the mesh: docs/algorithm.md.
@@ -40,7 +42,7 @@ absl::StatusOr<DistanceField> Solve(const Mesh& mesh, const ValidQuery& query,
                                     Checkpoint& checkpoint);
 
 // The same for a query that is not yet valid.
-// Errors: as ValidQuery::Make, too.
+// Errors: also those of ValidQuery::Make.
 absl::StatusOr<DistanceField> Solve(const Mesh& mesh, const Query& query,
                                     const SolveOptions& options,
                                     Checkpoint& checkpoint);

@@ -39,22 +39,23 @@ struct FacePoint {
 
 using SurfacePoint = std::variant<VertexPoint, EdgePoint, FacePoint>;
 
-// How far from 1 the sum of weights may be that a client sends; it is divided
-// out.
+// How far the sum of weights that a client sends may be from 1. The weights are
+// divided by their sum.
 inline constexpr double kWeightSumTolerance = 1e-6;
 
-// `path` names the point. Errors: INVALID_ARGUMENT that begins with the path of
-// what is wrong and carries it (field_path.h), e.g. "targets[2].face.face 99 is
-// out of range: the mesh has 12 faces, numbered from 0": an index out of range,
-// an edge that is not in the mesh, t outside [0, 1], a weight that is negative
-// or not finite, weights that do not sum to 1.
+// `path` is the point's path in messages, e.g. "targets[2]".
+// Errors: INVALID_ARGUMENT for an index out of range, an edge that is not in
+// the mesh, t outside [0, 1], a weight that is negative or not finite, or
+// weights that do not sum to 1. The status carries the path of what is wrong
+// (field_path.h) and its message begins with it, e.g. "targets[2].face.face 99
+// is out of range: the mesh has 12 faces, numbered from 0".
 absl::Status Validate(const SurfacePoint& point, const Mesh& mesh,
                       const std::string& path);
 
-// The same point in one fixed form: on the lowest element that holds it (a
-// weight or t of 0, or below 1e-18, leads to an edge or a vertex), edges from
-// the lower vertex to the higher, weights that sum to 1. REQUIRES:
-// Validate(point, mesh, "").ok().
+// The same point in one fixed form. It is on the lowest element that holds it:
+// a weight or t of 0, or below 1e-18, leads to an edge or a vertex. Edges run
+// from the lower vertex to the higher, and weights sum to 1.
+// REQUIRES: Validate(point, mesh, "").ok().
 SurfacePoint Canonicalize(const SurfacePoint& point, const Mesh& mesh);
 
 // Where the point lies in space, in the unit of the mesh's file.

@@ -16,9 +16,9 @@ using Point = std::array<double, 3>;
 // Three vertex indices, 0-based.
 using Triangle = std::array<uint32_t, 3>;
 
-// Vertices keep the order of the file; a polygon with k corners has become
-// k - 2 triangles, in place, fanned from its first corner. Nothing has been
-// checked beyond what the reader promises (see read_mesh.h).
+// Vertices keep the order of the file. The k - 2 triangles of a polygon with k
+// corners stand in the polygon's place, fanned from its first corner. Nothing
+// is checked beyond what the reader promises (see read_mesh.h).
 struct TriangleSoup {
   std::vector<Point> positions;
   std::vector<Triangle> triangles;

@@ -1,5 +1,5 @@
-// A query that was checked against a mesh. Everything that is computed starts
-// from one, so that each question is checked once.
+// A query that was checked against a mesh. Every computation starts from one,
+// so each question is checked once.
 
 #ifndef GEODESIC_VALID_QUERY_H_
 #define GEODESIC_VALID_QUERY_H_
@@ -19,41 +19,46 @@ struct SortedQuery;
 
 // A query in canonical form: its points lie on the lowest elements that hold
 // them (surface_point.h), no offset is -0, and its algorithm is the one that
-// runs. Sources and targets are those that were given, in the same order.
+// runs. Sources and targets keep their order.
 //
-// Chen and Han's rule (one angle, one split) needs windows that end at
-// pseudo-sources and rays that meet when they are followed back; where there
-// are several sources and not all are vertices, or curves, or edges of three
-// faces or more, the MMP rule takes its place. So it does on meshes with faces
-// without area, where rays coincide (docs/algorithm.md, 6, 13 and 16).
+// The algorithm that runs may differ from the one that was asked for. Chen and
+// Han's rule (one angle, one split) needs windows that end at pseudo-sources
+// and rays that meet when they are followed back. MMP's rule takes its place
+// where that does not hold: if a source is a curve; if not all sources are
+// vertices, unless the only source is a point and the algorithm is not ch; and
+// on meshes with edges of three faces or more, or with faces without area,
+// where rays coincide (docs/algorithm.md, 6, 13 and 16).
 //
-// Only for the mesh that it was made for. Copies share their content: O(1).
+// It is valid for the mesh that it was made for only. Copies share their
+// content, so they cost O(1).
 class ValidQuery {
  public:
   // Errors: INVALID_ARGUMENT naming the offender, e.g. "sources[3].vertex 991
   // is out of range: the mesh has 502 vertices, numbered from 0", with its path
-  // (field_path.h). O(sources, points of curves and targets).
+  // (field_path.h).
+  // O(sources + points of curves + targets).
   static absl::StatusOr<ValidQuery> Make(Query query, const Mesh& mesh);
 
   const Query& operator*() const { return *query_; }
   const Query* operator->() const { return query_.get(); }
 
-  // The same question with its sources in one fixed order: points first and in
-  // order, of equal ones only the least offset, then curves as they come.
-  // Questions that differ in the order of their points alone are equal then.
+  // The same question with its sources in one fixed order: points first,
+  // sorted, then curves as they come. Of equal points only the one with the
+  // least offset stays. Questions that differ only in the order of their points
+  // become equal.
   SortedQuery Sorted() const;
 
-  // Parts of the question, and the same one with a trace or without:
+  // The same question with or without a trace.
   ValidQuery WithTrace(bool trace) const;
-  // Distances at vertices are in every field.
+  // The same without targets at vertices, whose distances every field has.
   ValidQuery WithoutVertexTargets() const;
-  // Neither targets nor a trace.
+  // The same without targets and without a trace.
   ValidQuery DistancesAlone() const;
   // One source alone. The algorithm is the one that runs for that source.
   // REQUIRES: the mesh of Make.
   ValidQuery OfSource(uint32_t source, const Mesh& mesh) const;
 
-  // By the canonical form.
+  // Both compare the canonical forms.
   friend auto operator<=>(const ValidQuery& a, const ValidQuery& b) {
     return *a <=> *b;
   }
@@ -70,8 +75,8 @@ class ValidQuery {
 
 struct SortedQuery {
   ValidQuery query;
-  // Which source of the unsorted query each of its sources is; of equal ones
-  // the first.
+  // For each source of `query`, its number in the unsorted query. Of equal ones
+  // it is the first.
   std::vector<uint32_t> numbers;
 };
 
