@@ -46,8 +46,8 @@ void KeepNearest(uint64_t count, MatrixRow& row) {
   row.values = std::move(values);
 }
 
-// Checks all but the query, which has become `query`: the size against the
-// limits, too. Errors: INVALID_ARGUMENT, RESOURCE_EXHAUSTED.
+// Checks everything but the query, which was checked as `query`, including the
+// matrix's size. Errors: INVALID_ARGUMENT, RESOURCE_EXHAUSTED.
 absl::Status CheckMatrix(const MatrixRequest& request, const ValidQuery& query,
                          const Mesh& mesh, const Limits& limits) {
   absl::Status status = CheckRadius("radius", request.radius);
@@ -73,14 +73,14 @@ absl::Status CheckMatrix(const MatrixRequest& request, const ValidQuery& query,
   return absl::OkStatus();
 }
 
-// A row is never larger than this while it is computed.
+// The most memory that a row takes while it is computed.
 uint64_t RowBytes(const Query& query, const Mesh& mesh) {
   return (mesh.vertex_count() + query.targets.size()) *
          (sizeof(double) + sizeof(uint32_t));
 }
 
-// What computes the rows of a checked request. They shrink their memory to what
-// they keep. REQUIRES: they are given RowBytes.
+// The function that computes the rows of a checked request. It shrinks a row's
+// memory to what the row keeps. REQUIRES: it is given RowBytes.
 RowFunction MakeRowFunction(MeshHandle mesh, ValidQuery query,
                             const MatrixRequest& request,
                             const SolveOptions& options, StartFunction start) {
@@ -184,7 +184,7 @@ absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
                .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, *query),
                .done = std::move(request.done),
                .progress = std::move(request.progress)};
-  // How large the answer will be is not known before it is there.
+  // The size of the answer is only known when the work is done.
   solo.work = [this, mesh = call.mesh, memory = call.answer_memory,
                query = *std::move(query), work = std::move(request.work)](
                   Checkpoint& checkpoint, ByteReservation) mutable {
@@ -219,7 +219,7 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
                .deadline = request.deadline,
                .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, query),
                .row_bytes = RowBytes(*query, *call.mesh->mesh)};
-  // One more than can run, so that no thread waits for the reader's thanks.
+  // One more than can run, so no thread waits for the reader to take a row.
   call.rows = std::make_shared<RowPipeline>(
       solo_jobs_, std::move(plan), rows, limits_.max_concurrent_jobs + 1,
       MakeRowFunction(call.mesh, query, request, solve_options_, start_),

@@ -1,4 +1,4 @@
-// The service without its wire: meshes, fields and other questions about them.
+// The service without gRPC: meshes, fields and other questions about them.
 //
 //   SteadyClock clock;
 //   ThreadPool pool(limits.max_concurrent_jobs);
@@ -38,7 +38,7 @@
 
 namespace geodesic::server {
 
-// What a server keeps in its data folder: meshes for good, fields within a
+// What a server keeps in its data folder: meshes and fields, each within a
 // budget.
 struct DurableStore {
   struct Options {
@@ -46,13 +46,13 @@ struct DurableStore {
     // Bytes of disk.
     uint64_t mesh_bytes = 0;
     uint64_t field_bytes = 0;
-    // Of the program; see FieldFiles.
+    // The program's version; see FieldFiles.
     std::string version;
-    // Hears, in a line for people, of damaged files.
+    // Is called with a line for people about each damaged file.
     std::function<void(const std::string& line)> warn;
   };
 
-  // Takes possession of the folder and reads what is in it.
+  // Locks the folder and reads what is in it.
   // Errors: as DataFolder::Open and BlobStore::Open.
   static absl::StatusOr<std::unique_ptr<DurableStore>> Open(
       const Options& options);
@@ -68,13 +68,12 @@ struct QuestionRequest {
   Query query;
   TimePoint deadline = kNoDeadline;
   Requester requester;
-  // Charges `answer` with what it leaves behind.
+  // Answers the question, and charges `answer` with the memory it keeps.
   absl::AnyInvocable<absl::Status(const Mesh&, const ValidQuery&,
                                   const SolveOptions&, Checkpoint&,
                                   ByteReservation& answer)>
       work;
-  // See SoloJob. They may still be called while and just after the job is
-  // cancelled.
+  // See SoloJob. They may still be called during Cancel and just after it.
   std::function<void(const JobReport&)> done;
   std::function<void(const Progress&)> progress;
 };
@@ -84,21 +83,21 @@ struct QuestionCall {
   // The one that runs.
   Algorithm algorithm = kDefaultAlgorithm;
   SoloJobs::Call job;
-  // What the work was given to charge; held as long as the answer is.
+  // The memory that the work charged; held as long as the answer is.
   std::shared_ptr<ByteReservation> answer_memory;
 };
 
 // Distances from each of many sources to the same targets.
 struct MatrixRequest {
   std::string mesh_digest;
-  // Every source is a row, in their order. Without targets every vertex
-  // is a column.
+  // Every source is a row and every target a column, in their order. Without
+  // targets every vertex is a column.
   Query query;
   double radius = std::numeric_limits<double>::infinity();
-  // Leave out what is infinite, and tell columns.
+  // Whether rows leave out infinite values and list columns.
   bool sparse = false;
-  // When set, each row has so many of its least values only, in their order,
-  // and tells columns.
+  // If set, each row has only this many of its least values, in ascending
+  // order, and lists columns.
   std::optional<uint64_t> nearest;
   TimePoint deadline = kNoDeadline;
   Requester requester;
@@ -131,14 +130,14 @@ class QueryEngine {
   // REQUIRES: the executor runs what it has been given.
   ~QueryEngine();
 
-  // From now on meshes and fields are kept in `durable`, too. Call before all
-  // else.
+  // From now on meshes and fields are kept in `durable`, too. Call before any
+  // other method.
   void Attach(std::unique_ptr<DurableStore> durable);
 
   MeshLibrary& meshes() { return meshes_; }
   FieldEngine& fields() { return fields_; }
-  // Its end is the engine's: after BeginDrain uploads and queries that need a
-  // job fail with UNAVAILABLE.
+  // After its BeginDrain, uploads and queries that need a job fail with
+  // UNAVAILABLE.
   Scheduler& scheduler() { return scheduler_; }
 
   // Does `work` on the mesh in a job of its own. The query is checked first.
@@ -146,7 +145,7 @@ class QueryEngine {
   absl::StatusOr<QuestionCall> StartQuestion(QuestionRequest request);
   void Cancel(const QuestionCall& call) { solo_jobs_.Cancel(call.job); }
 
-  // Starts to compute the rows of a matrix; `on_row` as RowPipeline has it.
+  // Starts to compute the rows of a matrix; see RowPipeline for `on_row`.
   // Errors: as FieldEngine::Compute.
   absl::StatusOr<MatrixCall> ComputeMatrix(MatrixRequest request,
                                            std::function<void()> on_row);
@@ -171,7 +170,7 @@ class QueryEngine {
   FieldEngine fields_;
   SoloJobs solo_jobs_;
 
-  // Last, so that no job is left when the others go.
+  // Last, so no job is left when the other members are destroyed.
   Scheduler scheduler_;
 };
 

@@ -1,4 +1,4 @@
-// Checks of what a client names or counts, before memory follows it.
+// Checks of a request's names and counts, before memory is allocated for them.
 
 #ifndef GEODESIC_SERVER_ENGINE_BASE_ARGUMENT_CHECKS_H_
 #define GEODESIC_SERVER_ENGINE_BASE_ARGUMENT_CHECKS_H_
@@ -23,7 +23,7 @@ absl::Status CheckCount(std::string_view things, uint64_t count,
 // Errors: INVALID_ARGUMENT naming `field` when it is negative or NaN.
 absl::Status CheckRadius(std::string_view field, double radius);
 
-// A field that is read on is no longer there, or is another one.
+// NOT_FOUND: the field to be resumed is no longer kept, or was replaced.
 absl::Status FieldNotKept();
 
 absl::Status NotResident(const std::string& digest);

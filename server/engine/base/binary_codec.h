@@ -1,5 +1,5 @@
-// Numbers and strings as bytes, for files of our own: little endian, in order,
-// nothing between.
+// Writes numbers and strings as bytes for the server's own files: little
+// endian, in order, without padding.
 
 #ifndef GEODESIC_SERVER_ENGINE_BASE_BINARY_CODEC_H_
 #define GEODESIC_SERVER_ENGINE_BASE_BINARY_CODEC_H_
@@ -42,8 +42,7 @@ class BinaryWriter {
   std::string bytes_;
 };
 
-// Once a value would lie beyond the end, it and all that follow are zero and
-// ok() is false.
+// A value beyond the end and all that follow read as zero; ok() is then false.
 class BinaryReader {
  public:
   explicit BinaryReader(std::string_view bytes) : bytes_(bytes) {}
@@ -66,7 +65,7 @@ class BinaryReader {
   }
 
   bool ok() const { return ok_; }
-  // Whether all went well and nothing is left.
+  // Whether every value could be read and no byte is left.
   bool AtEnd() const { return ok_ && bytes_.empty(); }
 
  private:
@@ -74,8 +73,8 @@ class BinaryReader {
   bool ok_ = true;
 };
 
-// What `read(reader, record)` takes from bytes that begin with this version and
-// end with the record; nothing for others.
+// The record that `read(reader, record)` reads. Empty unless the bytes begin
+// with this version and end with the record.
 template <typename Record, typename Read>
 std::optional<Record> DecodeRecord(std::string_view bytes, uint32_t version,
                                    Read read) {

@@ -1,5 +1,5 @@
-// Memory is reserved from a budget before it is grown into, and goes back when
-// what it was reserved for is gone.
+// Memory is reserved from a budget before it is allocated, and goes back to it
+// after it is freed.
 //
 //   auto budget = std::make_shared<ByteBudget>("upload memory", 1 << 30);
 //   absl::StatusOr<ByteReservation> room =
@@ -27,8 +27,8 @@ class ByteBudget {
   ByteBudget(std::string name, uint64_t capacity);
 
   // Takes `bytes`, all or nothing.
-  // Errors: RESOURCE_EXHAUSTED naming the budget and its flag, what is needed,
-  // used and available; with a retry hint when an idle server would have it.
+  // Errors: RESOURCE_EXHAUSTED naming the budget, its flag, and the bytes
+  // needed, used and free; with a retry hint unless the budget is too small.
   absl::Status Take(uint64_t bytes);
 
   // Whether so many bytes can ever be taken. Errors: as Take.
@@ -54,7 +54,7 @@ class ByteBudget {
 // Bytes taken from a budget, returned on destruction. Movable; not thread-safe.
 class ByteReservation {
  public:
-  // Holds nothing, of no budget.
+  // Holds nothing and belongs to no budget.
   ByteReservation() = default;
 
   // Errors: as ByteBudget::Take.
@@ -69,7 +69,7 @@ class ByteReservation {
   // hold that many; the reservation then stays as it is.
   absl::Status GrowTo(uint64_t bytes);
 
-  // Does nothing when `bytes` are not less than what is held.
+  // Does nothing unless `bytes` is less than bytes().
   void ShrinkTo(uint64_t bytes);
 
   uint64_t bytes() const { return bytes_; }

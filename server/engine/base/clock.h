@@ -1,4 +1,4 @@
-// The engine's only way to time.
+// The engine reads time only through this interface.
 
 #ifndef GEODESIC_SERVER_ENGINE_BASE_CLOCK_H_
 #define GEODESIC_SERVER_ENGINE_BASE_CLOCK_H_

@@ -1,4 +1,4 @@
-// Where the engine stops, all in one place; GetCapabilities publishes them.
+// All limits of the engine; GetCapabilities publishes them.
 
 #ifndef GEODESIC_SERVER_ENGINE_BASE_LIMITS_H_
 #define GEODESIC_SERVER_ENGINE_BASE_LIMITS_H_
@@ -9,28 +9,28 @@
 namespace geodesic::server {
 
 struct Limits {
-  // Of one upload and of the mesh in it.
+  // For one upload and the mesh in it.
   uint64_t max_upload_bytes = uint64_t{1} << 30;
   uint64_t max_vertices = uint64_t{100'000'000};
   uint64_t max_faces = uint64_t{200'000'000};
 
-  // Of one query; points of all its curves together.
+  // For one query; the curve points are those of all its curves together.
   uint64_t max_sources = 100'000;
   uint64_t max_curve_points = 100'000;
   uint64_t max_targets = 1'000'000;
   uint64_t max_levels = 1'000;
   uint64_t max_samples = 100'000;
 
-  // Of one matrix: its rows, and its rows times its columns.
+  // For one matrix: rows, and rows times columns.
   uint64_t max_matrix_rows = 1'000'000;
   uint64_t max_matrix_values = uint64_t{100'000'000'000};
 
-  // Jobs (solves and mesh builds) that run, and that wait for a thread.
+  // Jobs (solves and mesh builds) that run at once.
   uint64_t max_concurrent_jobs = 2;
-  // That share one solve, if they have no job when it starts.
+  // Threads that share one solve, if they are idle when it starts.
   uint64_t max_threads_per_solve = 8;
   uint64_t max_queued_jobs = 256;
-  // Of those that wait, the ones of one client.
+  // Waiting jobs of one client.
   uint64_t max_queued_jobs_per_client = 64;
 
   // Byte budgets: resident meshes, finished fields, uploads on their way to
@@ -40,7 +40,7 @@ struct Limits {
   uint64_t upload_memory_bytes = uint64_t{4} << 30;
   uint64_t solver_memory_bytes = uint64_t{8} << 30;
 
-  // Of meshes and fields on disk; 0: nothing outlives the server.
+  // Byte budgets of meshes and fields on disk; 0: nothing outlives the server.
   uint64_t mesh_disk_bytes = 0;
   uint64_t field_disk_bytes = 0;
 

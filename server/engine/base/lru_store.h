@@ -1,4 +1,4 @@
-// A store bounded in bytes that forgets what was least recently used.
+// A store bounded in bytes that evicts the least recently used entries.
 //
 //   LruStore<std::string, Thing> store("thing store", 1 << 30);
 //   absl::StatusOr<ByteReservation> room = store.Reserve(SizeOf(thing));
@@ -6,11 +6,11 @@
 //       store.Insert("a", std::move(thing), *std::move(room)).value;
 //
 // Guarantees:
-//   1. the charges of all entries, of all reservations, and of removed entries
-//      that somebody still holds, never exceed the capacity together;
-//   2. an entry is pinned while a handle to it is out: it is not evicted;
-//   3. room is made by evicting unpinned entries, least recently used first,
-//      and only when that suffices: a request in vain evicts nothing;
+//   1. the charges of entries, of reservations and of removed entries that are
+//      still held never add up to more than the capacity;
+//   2. a handle pins its entry: the entry is not evicted while it is held;
+//   3. room is made by evicting unpinned entries, least recently used first; if
+//      that would not make enough room, nothing is evicted;
 //   4. an entry never changes.
 
 #ifndef GEODESIC_SERVER_ENGINE_BASE_LRU_STORE_H_
@@ -33,15 +33,14 @@
 
 namespace geodesic::server {
 
-// Thread-safe. Keys are ordered by <. Every call is O(log n) but for those
-// that say otherwise.
+// Thread-safe. Keys are ordered by <. O(log n) unless said otherwise.
 template <typename Key, typename Value>
 class LruStore {
  public:
   using Handle = std::shared_ptr<const Value>;
 
-  // `removed` hears of each entry that is evicted or erased, under the store's
-  // lock: it must be short and must not call the store.
+  // `removed` is called for each entry that is evicted or erased, under the
+  // store's lock; it must be short and must not call the store.
   LruStore(std::string name, uint64_t capacity,
            std::function<void(const Key&)> removed = nullptr)
       : budget_(std::make_shared<ByteBudget>(std::move(name), capacity)),
@@ -86,9 +85,9 @@ class LruStore {
     bool is_new = false;
   };
 
-  // Keeps `value` with `charge` until it is evicted or erased. When the key is
-  // present already, the present entry wins and is marked as used, unless
-  // `keep(present)` is false: then it is replaced.
+  // Keeps `value` with `charge` until it is evicted or erased. An entry that
+  // the key has already stays, and is marked as used, if `keep(present)` is
+  // true; otherwise `value` replaces it.
   Inserted Insert(
       Key key, Value value, ByteReservation charge,
       absl::FunctionRef<bool(const Value& present)> keep = [](const Value&) {
@@ -96,7 +95,7 @@ class LruStore {
       }) {
     auto charged =
         std::make_shared<const Charged>(std::move(charge), std::move(value));
-    // Allocated first, so that no exception leaves half an entry.
+    // Allocated first, because an exception must not leave half an entry.
     std::list<const Key*> node(1, nullptr);
     std::lock_guard lock(mutex_);
     const auto [it, is_new] = entries_.try_emplace(std::move(key));
@@ -107,13 +106,13 @@ class LruStore {
       recency_.splice(recency_.end(), node);
     } else {
       recency_.splice(recency_.end(), recency_, it->second.position);
-      // The old value goes with `charged`, after the lock.
+      // `charged` frees the old value after the lock is released.
       if (!keep(it->second.charged->value)) it->second.charged.swap(charged);
     }
     return {ToHandle(it->second.charged), is_new};
   }
 
-  // Forgets the entry; those who hold it keep it. Whether there was one.
+  // Removes the entry; handles to it stay valid. Returns whether there was one.
   bool Erase(const Key& key) {
     std::lock_guard lock(mutex_);
     const auto it = entries_.find(key);
@@ -122,7 +121,7 @@ class LruStore {
     return true;
   }
 
-  // Forgets the entries whose key satisfies `predicate`. O(n).
+  // Removes the entries whose key satisfies `predicate`. O(n).
   template <typename Predicate>
   void EraseIf(Predicate predicate) {
     std::lock_guard lock(mutex_);
@@ -149,7 +148,7 @@ class LruStore {
     return entries_.size();
   }
 
-  // Entries that went to make room, since the start.
+  // Entries evicted to make room, since the start.
   uint64_t evictions() const {
     std::lock_guard lock(mutex_);
     return evictions_;
@@ -160,8 +159,8 @@ class LruStore {
   uint64_t capacity() const { return budget_->capacity(); }
 
  private:
-  // The charge goes back to the budget when the memory does, not when the
-  // store forgets the entry.
+  // The charge returns to the budget when the value is freed, which may be
+  // later than the entry's removal.
   struct Charged {
     Charged(ByteReservation c, Value v)
         : charge(std::move(c)), value(std::move(v)) {}
@@ -178,8 +177,8 @@ class LruStore {
     return Handle(charged, &charged->value);
   }
 
-  // Handles are only ever made from none under mutex_, so while it is held a
-  // count of one cannot grow.
+  // The first handle to an entry is only made under mutex_, so a count of one
+  // cannot grow while it is held.
   static bool IsPinned(const Entry& entry) {
     return entry.charged.use_count() > 1;
   }

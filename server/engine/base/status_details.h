@@ -1,6 +1,6 @@
-// What the engine tells besides a code, a message and the path of a field
-// (geodesic/field_path.h), carried as payloads of absl::Status so that it
-// survives every layer in between.
+// Details of an error besides code, message and field path
+// (geodesic/field_path.h). They are payloads of absl::Status, so all layers
+// keep them.
 
 #ifndef GEODESIC_SERVER_ENGINE_BASE_STATUS_DETAILS_H_
 #define GEODESIC_SERVER_ENGINE_BASE_STATUS_DETAILS_H_
@@ -26,7 +26,7 @@ inline constexpr std::string_view kInvalidRequest = "INVALID_REQUEST";
 // NOT_FOUND
 inline constexpr std::string_view kMeshNotResident = "MESH_NOT_RESIDENT";
 inline constexpr std::string_view kFieldNotKept = "FIELD_NOT_KEPT";
-// RESOURCE_EXHAUSTED: for good, or until others are done
+// RESOURCE_EXHAUSTED, either for good or until other requests have ended
 inline constexpr std::string_view kLimitExceeded = "LIMIT_EXCEEDED";
 inline constexpr std::string_view kQueueFull = "QUEUE_FULL";
 inline constexpr std::string_view kMemoryFull = "MEMORY_FULL";
@@ -42,7 +42,7 @@ inline constexpr std::string_view kScopeMissing = "SCOPE_MISSING";
 // UNAVAILABLE
 inline constexpr std::string_view kShuttingDown = "SHUTTING_DOWN";
 inline constexpr std::string_view kUnavailable = "UNAVAILABLE";
-// Of the code's own name
+// The reasons named like their codes
 inline constexpr std::string_view kDeadlineExceeded = "DEADLINE_EXCEEDED";
 inline constexpr std::string_view kCancelled = "CANCELLED";
 inline constexpr std::string_view kInternal = "INTERNAL";
@@ -64,10 +64,10 @@ absl::Status WithRetryAfter(absl::Status status,
 
 std::optional<std::chrono::milliseconds> RetryAfter(const absl::Status& status);
 
-// A stable reason, one of those above. OK stays OK.
+// Adds a reason, one of those above. OK stays OK.
 absl::Status WithReason(absl::Status status, std::string_view reason);
 
-// The reason that was given, else the usual one of the status's code.
+// The status's reason; without one, the usual reason for its code.
 // REQUIRES: not OK.
 std::string ReasonOf(const absl::Status& status);
 
@@ -76,22 +76,22 @@ absl::Status WithQuotaFailure(absl::Status status, std::string_view subject);
 
 std::optional<std::string> QuotaSubject(const absl::Status& status);
 
-// Names the mesh, by its digest, that is not there.
+// Adds the digest of the mesh that was not found.
 absl::Status WithMesh(absl::Status status, std::string_view digest);
 
 std::optional<std::string> MeshAtFault(const absl::Status& status);
 
-// UNAVAILABLE: the server ends.
+// UNAVAILABLE: the server is shutting down.
 absl::Status ShuttingDown();
 
-// The message in printable ASCII: bytes of a file or request that it quotes
-// beyond that are escaped.
+// The message in printable ASCII. Other bytes, which it may quote from a file
+// or request, are escaped.
 std::string PrintableMessage(const absl::Status& status);
 
-// For jobs, which no exception may leave: the thread and the server live on.
-// What `work` returns, an absl::Status or StatusOr; RESOURCE_EXHAUSTED for
-// bad_alloc and INTERNAL for any other exception, saying that it came while the
-// server `what`, e.g. "built a mesh".
+// Runs `work` in a job, where an exception must not end the thread or the
+// server. Returns what `work` returns, an absl::Status or StatusOr. Errors:
+// RESOURCE_EXHAUSTED for bad_alloc, INTERNAL for other exceptions; the message
+// says that it came while the server `what`, e.g. "built a mesh".
 template <typename Work>
 auto Guarded(std::string_view what, Work work) -> decltype(work()) {
   const absl::string_view name(what.data(), what.size());

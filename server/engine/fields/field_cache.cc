@@ -8,7 +8,7 @@
 namespace geodesic::server {
 namespace {
 
-// Of all curves together.
+// The points of all curves together.
 uint64_t CurvePoints(const Query& query) {
   uint64_t points = 0;
   for (const Source& source : query.sources) {
@@ -18,7 +18,7 @@ uint64_t CurvePoints(const Query& query) {
   return points;
 }
 
-// What a field takes in the cache; known before it is computed.
+// The bytes a field takes in the cache, which are known before it is computed.
 uint64_t FieldBytes(const FieldKey& key, uint64_t vertices) {
   const Query& query = *key.query;
   const uint64_t per_value =
@@ -35,7 +35,7 @@ uint64_t FieldBytes(const FieldKey& key, uint64_t vertices) {
 bool Covers(const DistanceField& field, const FieldReach& reach) {
   if (field.settled_radius >= reach.radius) return true;
   if (!reach.LimitsTargets()) return false;
-  // What is not certified is infinite.
+  // A distance that is not certified is infinite.
   const auto certified = std::ranges::count_if(
       field.target_distances, [](double d) { return std::isfinite(d); });
   return static_cast<uint64_t>(certified) >= reach.targets;
@@ -44,7 +44,7 @@ bool Covers(const DistanceField& field, const FieldReach& reach) {
 bool VisitAnsweringKeys(const FieldKey& key,
                         absl::FunctionRef<bool(const FieldKey&)> visit) {
   if (visit(key)) return true;
-  // A traced field holds all that one without a trace does.
+  // A traced field holds everything that an untraced one does.
   const auto visit_traced = [&](FieldKey other) {
     if (other.query->trace) return false;
     other.query = other.query.WithTrace(true);

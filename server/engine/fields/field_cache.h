@@ -1,5 +1,5 @@
-// The finished fields, whole ones and those that end at a radius or a target,
-// and what makes two questions about a field the same.
+// The cache of finished fields, and the keys by which equal questions are
+// found. A field may be whole or end at a radius or a target.
 
 #ifndef GEODESIC_SERVER_ENGINE_FIELDS_FIELD_CACHE_H_
 #define GEODESIC_SERVER_ENGINE_FIELDS_FIELD_CACHE_H_
@@ -18,8 +18,8 @@
 
 namespace geodesic::server {
 
-// Names a field: equal keys have equal bits, as far as the fields reach. The
-// tuning is part of it because it changes the statistics and the last bits.
+// Names a field: fields with equal keys have equal bits, as far as they reach.
+// The tuning is part of it because it changes the statistics and the last bits.
 struct FieldKey {
   std::string mesh_digest;
   ValidQuery query;  // sorted
@@ -29,13 +29,13 @@ struct FieldKey {
   friend auto operator<=>(const FieldKey&, const FieldKey&) = default;
 };
 
-// What else may be asked of a field.
+// What may be asked of a field beside its distances.
 struct FieldExtras {
   bool nearest_sources = false;
   bool gradients = false;
   bool log_map = false;
   bool paths = false;
-  // The vertices in order of distance, while the field is computed.
+  // The vertices in order of distance, sent while the field is computed.
   bool settled_order = false;
 
   bool NeedTrace() const {
@@ -46,11 +46,11 @@ struct FieldExtras {
   friend auto operator<=>(const FieldExtras&, const FieldExtras&) = default;
 };
 
-// How much of a field is asked for: enough as soon as one of these holds.
+// How much of a field is asked for: the search may end once one of these holds.
 struct FieldReach {
-  // Every distance up to here is there.
+  // Every distance up to this one is final.
   double radius = std::numeric_limits<double>::infinity();
-  // So many of the key's targets are there.
+  // This many of the key's targets are final.
   uint64_t targets = std::numeric_limits<uint64_t>::max();
 
   bool LimitsTargets() const {
@@ -85,7 +85,7 @@ class FieldCache {
   // A field that answers the question, if there is one.
   std::optional<Found> Find(const FieldKey& key, const FieldReach& reach);
 
-  // Whether the field can ever be kept. Errors: as Reserve.
+  // Whether the cache can ever hold the field. Errors: as Reserve.
   absl::Status CheckCapacity(const FieldKey& key, uint64_t vertices) const;
 
   // Makes room for a field before it is computed.
@@ -93,8 +93,7 @@ class FieldCache {
   absl::StatusOr<ByteReservation> Reserve(const FieldKey& key,
                                           uint64_t vertices);
 
-  // Keeps the field unless one is there that reaches further; returns the one
-  // that is handed out.
+  // Keeps the field, or the one it has if that reaches further; returns it.
   FieldHandle Insert(const FieldKey& key, DistanceField field,
                      ByteReservation room);
 
@@ -109,7 +108,7 @@ class FieldCache {
 };
 
 // Calls `visit` with the key of each field that may answer a question, the best
-// first, until it returns true. Whether it did.
+// first, until it returns true. Returns whether it did.
 bool VisitAnsweringKeys(const FieldKey& key,
                         absl::FunctionRef<bool(const FieldKey&)> visit);
 

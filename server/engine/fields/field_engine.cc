@@ -28,7 +28,7 @@ absl::Status CheckReach(const FieldReach& reach, size_t targets) {
   return absl::OkStatus();
 }
 
-// The request's query, to be solved as its quantities need it.
+// The request's query, with a trace if its quantities need one.
 // Errors: as ValidQuery::Make.
 absl::StatusOr<ValidQuery> MakeValid(const FieldRequest& request,
                                      const Mesh& mesh) {
@@ -44,12 +44,12 @@ absl::StatusOr<ValidQuery> MakeValid(const FieldRequest& request,
   return ValidQuery::Make(std::move(query), mesh);
 }
 
-// What is kept of the solver's memory for the answer.
+// The part of the solver's memory that the settled order takes.
 uint64_t SettledBytes(const FieldExtras& extras, uint64_t vertices) {
   return extras.settled_order ? SettledLog::BytesFor(vertices) : 0;
 }
 
-// The rest of the order, once the field is there.
+// Appends the rest of the order once the field is computed.
 void FinishOrder(const DistanceField& field, double radius, SettledLog& log) {
   log.Append({.settled_radius = std::min(field.settled_radius, radius),
               .distances = field.distances});
@@ -63,7 +63,7 @@ absl::Status Assign(absl::StatusOr<T> from, T& to) {
   return absl::OkStatus();
 }
 
-// What they take: memory that Derive is to be given.
+// The memory that Derive must be given.
 uint64_t DerivedBytes(const FieldExtras& extras, uint64_t vertices) {
   if (!extras.NeedTrace()) return 0;
   uint64_t per_vertex = 0;
@@ -73,7 +73,7 @@ uint64_t DerivedBytes(const FieldExtras& extras, uint64_t vertices) {
   return vertices * per_vertex + sizeof(DerivedQuantities);
 }
 
-// Log maps end at `radius`. O(V), and for a log map the edges that its paths
+// Log maps end at `radius`. O(V), plus the edges that the paths of a log map
 // cross.
 // REQUIRES: `field` was solved for `query`, with a trace; extras.NeedTrace().
 // Errors: INVALID_ARGUMENT for a log map around a vertex that allows none.
@@ -139,8 +139,8 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
                  .query = std::move(sorted.query),
                  .source_numbers = std::move(sorted.numbers),
                  .reach = request.reach};
-  // Distances at vertices are in the field itself, so the targets that the
-  // solver need not know of are left out: more questions are the same then.
+  // The field itself holds distances at vertices. Vertex targets that the
+  // solver does not need are left out, so more questions are equal.
   const FieldJobKey key{
       .field = {.mesh_digest = mesh->digest,
                 .query = request.reach.LimitsTargets()
@@ -200,7 +200,7 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
   if (!ticket.ok()) return ticket.status();
   call.ticket = *std::move(ticket);
   call.settled = call.ticket.shared;
-  // What is in the cache takes a job only for its extras.
+  // A cached field needs a job only for its extras.
   if (is_cached || (is_kept && call.ticket.is_first)) {
     Count(&FieldCounters::queries_cached);
     call.origin = FieldOrigin::kCached;
@@ -231,8 +231,8 @@ absl::Status FieldEngine::Provide(FieldJob& job) {
   std::optional<FieldCache::Found> found =
       fields_.Find(job.key.field, job.key.reach);
   if (!found) {
-    // The cache's room is taken, too: a field that nobody could keep while it
-    // is streamed would be memory out of all bounds.
+    // Room in the cache is taken, too, because a field that is streamed without
+    // it would be memory that no budget counts.
     auto room = fields_.Reserve(job.key.field, vertices);
     if (!room.ok()) return room.status();
     auto memory = ByteReservation::Make(solver_memory_, job.solver_bytes);
@@ -278,8 +278,8 @@ absl::StatusOr<FieldAnswer> FieldEngine::Answer(FieldJob& job,
 FieldHandle FieldEngine::Keep(const FieldKey& key, DistanceField field,
                               ByteReservation room) {
   FieldHandle kept = fields_.Insert(key, std::move(field), std::move(room));
-  // Whoever deleted the mesh before this moment found no field to erase;
-  // whoever does so later will.
+  // A deletion of the mesh before now found no field to erase; a later one
+  // will.
   if (!meshes_.Contains(key.mesh_digest)) fields_.EraseMesh(key.mesh_digest);
   return kept;
 }
@@ -298,7 +298,7 @@ std::optional<FieldCache::Found> FieldEngine::LoadStored(FieldJob& job) {
     other_room = *std::move(taken);
   }
   absl::StatusOr<DistanceField> field = files_->Load(*stored, mesh);
-  // What cannot be read is computed.
+  // A field that cannot be read is computed again.
   if (!field.ok() || !Covers(*field, key.reach)) return {};
   Count(&FieldCounters::fields_loaded);
   FieldHandle handle = Keep(*stored, *std::move(field),

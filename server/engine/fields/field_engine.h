@@ -1,4 +1,4 @@
-// Fields: found in the cache, joined or computed.
+// Finds fields in the cache, joins running computations or starts new ones.
 
 #ifndef GEODESIC_SERVER_ENGINE_FIELDS_FIELD_ENGINE_H_
 #define GEODESIC_SERVER_ENGINE_FIELDS_FIELD_ENGINE_H_
@@ -44,7 +44,7 @@ struct FieldRequest {
   FieldExtras extras;
   TimePoint deadline = kNoDeadline;
   Requester requester;
-  // Only a field that is there already will do.
+  // Fails unless the field is kept already.
   bool must_be_kept = false;
 };
 
@@ -54,8 +54,8 @@ enum class FieldOrigin {
   kCached,
 };
 
-// What is made from a traced field, once it is there.
-// As far as it was asked for. Sources are numbered as the field's query does.
+// The quantities that were asked for and are made from a finished, traced
+// field. Sources are numbered as in the field's query.
 struct DerivedQuantities {
   ByteReservation memory;
   // Pinned for the tracer.
@@ -70,22 +70,21 @@ struct DerivedQuantities {
   std::optional<PathTracer> paths;
 };
 
-// Handles pin what they point to. The field was solved for what was asked, or
-// more.
+// Handles pin what they point to. The field may hold more than was asked for.
 struct FieldAnswer {
   FieldHandle field;
-  // Null unless a quantity was asked for.
+  // Null if no quantity was asked for.
   std::shared_ptr<const DerivedQuantities> derived;
   FieldOrigin origin = FieldOrigin::kComputed;
 };
 
-// Who waits for a field. Calls come from a solver's thread, one at a time, and
-// must be short; they may still arrive while and just after the waiter leaves.
+// Is told about a field. Calls come from a solver's thread, one at a time, and
+// must be short. They may still arrive during Cancel and just after it.
 class FieldObserver {
  public:
   virtual ~FieldObserver() = default;
 
-  // A later call replaces what an earlier one said.
+  // Each call replaces the one before.
   virtual void OnProgress(const Progress& progress) = 0;
 
   // The last call, at most once: the answer or why there is none.
@@ -95,20 +94,20 @@ class FieldObserver {
 // Equal questions that are asked at the same time share one computation.
 using FieldJobs = SharedJobs<FieldJobKey, FieldAnswer, SettledLog>;
 
-// What a question was answered with at once.
+// What Compute returns at once.
 struct FieldCall {
   FieldOrigin origin = FieldOrigin::kComputed;
   MeshHandle mesh;
   // Sorted; its targets are all that were asked for, in the same order.
   ValidQuery query;
-  // The number, in the request, of each of the query's sources.
+  // For each source of the query, its number in the request.
   std::vector<uint32_t> source_numbers;
   FieldReach reach;
-  // Set when origin is kCached and nothing is left to do; the observer is then
-  // never called.
+  // Set if origin is kCached and no job is needed. The observer is then not
+  // called.
   std::optional<FieldAnswer> answer;
-  // Otherwise: for Cancel, and, if asked for, what is final already; OnProgress
-  // tells of more.
+  // Otherwise: the ticket for Cancel and, if asked for, the log of final
+  // vertices. OnProgress is called when the log has grown.
   FieldJobs::Ticket ticket;
   std::shared_ptr<SettledLog> settled;
 };
@@ -127,16 +126,16 @@ struct FieldCounters {
 // Thread-safe. No call waits for a job.
 class FieldEngine {
  public:
-  // No field stays whose mesh is gone from `meshes`.
-  // What is referred to outlives the engine, and `scheduler` has no job left
-  // when it goes.
+  // A field is dropped when its mesh is gone from `meshes`. REQUIRES: the
+  // references outlive the engine, and `scheduler` has no job left when it is
+  // destroyed.
   FieldEngine(const Limits& limits, const SolveOptions& options,
               const Clock& clock, Scheduler& scheduler,
               std::shared_ptr<ByteBudget> solver_memory, StartFunction start,
               MeshLibrary& meshes);
 
-  // From now on keeps fields in `files`, too, which outlives the object. Call
-  // before all else.
+  // From now on also keeps fields in `files`, which outlives the object. Call
+  // before any other method.
   void Attach(FieldFiles& files) {
     files_ = &files;
     writer_.emplace(files, scheduler_, meshes_);
@@ -144,14 +143,13 @@ class FieldEngine {
 
   // Starts, joins or finds the computation of a field.
   // Errors: INVALID_ARGUMENT; NOT_FOUND: the mesh is not resident, or the field
-  // must be kept already and is not; RESOURCE_EXHAUSTED: more than a limit, the
-  // queue is full, or the memory can never be had; UNAVAILABLE. `observer` is
-  // then not called. It may already be called before this returns.
+  // must be kept already and is not; RESOURCE_EXHAUSTED: a limit is exceeded,
+  // the queue is full, or the memory can never be had; UNAVAILABLE. `observer`
+  // is not called after an error; it may be called before this returns.
   absl::StatusOr<FieldCall> Compute(const FieldRequest& request,
                                     std::shared_ptr<FieldObserver> observer);
 
-  // The caller of `call` waits no longer. When it was the last, the solver
-  // stops at its next poll.
+  // Ends the wait for `call`. If it was the last, the solver stops soon.
   void Cancel(const FieldCall& call) { jobs_.Leave(call.ticket); }
 
   // Drops the fields of a mesh. Waits for the disk, if fields are kept there.
@@ -162,7 +160,7 @@ class FieldEngine {
   const FieldJobs& jobs() const { return jobs_; }
 
  private:
-  // One job, and what it has before it runs: the field, or the memory for it.
+  // One job. Before it runs it has the field, or the memory to compute it.
   struct FieldJob {
     MeshHandle mesh;
     FieldJobKey key;
@@ -177,9 +175,9 @@ class FieldEngine {
   };
 
   void Count(uint64_t FieldCounters::*event);
-  // Whether the memory for it can ever be had. Errors: RESOURCE_EXHAUSTED.
+  // Whether the job's memory can ever be had. Errors: RESOURCE_EXHAUSTED.
   absl::Status CheckCapacity(const FieldJob& job) const;
-  // All or nothing. Errors: as ByteBudget::Take.
+  // Finds the field or takes memory for it. Errors: as ByteBudget::Take.
   absl::Status Provide(FieldJob& job);
   absl::StatusOr<FieldAnswer> Answer(FieldJob& job, JobCheckpoint& checkpoint);
   // Puts a field into the cache.

@@ -17,11 +17,11 @@ namespace {
 
 constexpr uint32_t kMetadataVersion = 1;
 
-// Each takes some memory for as long as it lies on the disk.
+// Bounds the index: each field on disk takes some memory.
 constexpr size_t kMaxFields = 100'000;
 
-// That wait to be written: a disk that is slower than the solvers is not to
-// hold up anything.
+// At most this many fields wait to be written; more are dropped, because a slow
+// disk must not hold up the solvers.
 constexpr size_t kMaxWaiting = 64;
 
 static_assert(sizeof(Arrival) == 24, "arrivals are kept as they lie in memory");
@@ -64,7 +64,7 @@ void VisitNumbers(Statistics& statistics, Visit visit) {
   visit(statistics.solve_seconds);
 }
 
-// All but the arrays.
+// Everything in the file but the arrays.
 struct Metadata {
   std::string mesh_digest;
   bool has_arrivals = false;
@@ -75,8 +75,7 @@ struct Metadata {
   SolveStatistics statistics;
 };
 
-// Changes with the numbers of half-edges, which arrivals name, and with where
-// they lie. O(F).
+// A hash of how half-edges, which arrivals name, are numbered and placed. O(F).
 uint64_t LayoutOf(const Mesh& mesh) {
   constexpr uint64_t kPrime = 0x100000001b3;  // FNV-1a's
   uint64_t hash = 0xcbf29ce484222325;
@@ -103,7 +102,7 @@ std::string Encode(const FieldKey& key, const Mesh& mesh,
   return writer.bytes();
 }
 
-// Nothing for the metadata of another version.
+// Empty if the metadata has another version.
 std::optional<Metadata> Decode(std::string_view bytes) {
   return DecodeRecord<Metadata>(
       bytes, kMetadataVersion, [](BinaryReader& reader, Metadata& metadata) {
@@ -168,7 +167,7 @@ std::optional<FieldKey> FieldFiles::Find(const FieldKey& key,
     const std::optional<BlobInfo> info = blobs_->Find(NameOf(candidate));
     const std::optional<Metadata> metadata =
         info ? Decode(info->metadata) : std::nullopt;
-    // Whether targets are certified only the field itself tells.
+    // Only the field itself tells whether its targets are certified.
     if (metadata &&
         (reach.LimitsTargets() || metadata->settled_radius >= reach.radius)) {
       found = candidate;
@@ -250,7 +249,7 @@ void FieldWriter::SubmitJob() {
                           .run = [this](const std::stop_token&) { WriteOne(); },
                           .abandon = [](const absl::Status&) {}})
                  .ok();
-  // The server stops: nobody will ask.
+  // The server is stopping, so nobody will ask for these.
   if (!has_job_) waiting_.clear();
 }
 
@@ -264,8 +263,7 @@ void FieldWriter::WriteOne() {
   const MeshHandle mesh = item.mesh.lock();
   const FieldHandle field = item.field.lock();
   if (mesh != nullptr && field != nullptr) {
-    // A disk that takes no more is no harm to those who ask; who upload hear
-    // of it.
+    // A full disk does not hurt queries; uploads report it.
     (void)Guarded("kept a field",
                   [&] { return files_.Put(item.key, *mesh->mesh, *field); });
     // As FieldEngine::Keep.

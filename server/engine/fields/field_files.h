@@ -32,22 +32,22 @@ class FieldFiles {
       const DataFolder& folder, uint64_t capacity, std::string version,
       std::function<void(const std::string&)> warn);
 
-  // The key of a field that answers the question, as far as can be told
-  // without reading it; see FieldCache::Find.
+  // The key of a field that should answer the question, judged without reading
+  // it; see FieldCache::Find.
   std::optional<FieldKey> Find(const FieldKey& key, const FieldReach& reach);
 
-  // Keeps the field unless one is there that reaches as far.
+  // Keeps the field unless the disk has one that reaches as far.
   // Errors: as BlobStore::Put.
   absl::Status Put(const FieldKey& key, const Mesh& mesh,
                    const DistanceField& field);
 
   // The field of a key that Find returned, on its mesh. A traced field names
-  // half-edges, so it is found only while meshes are laid out as they were.
+  // half-edges, so it is usable only while they are numbered as they were.
   // Errors: NOT_FOUND, DATA_LOSS (set aside), UNAVAILABLE, RESOURCE_EXHAUSTED.
   absl::StatusOr<DistanceField> Load(const FieldKey& key, const Mesh& mesh);
 
-  // Drops the fields of a mesh. What cannot be removed now, for its disk is
-  // read-only, stays and is right still: meshes are named by their content.
+  // Drops the fields of a mesh. Fields on a disk that is read-only stay; they
+  // are still right, because meshes are named by their content.
   void EraseMesh(const std::string& digest);
 
   const BlobStore& blobs() const { return *blobs_; }
@@ -62,14 +62,14 @@ class FieldFiles {
   const std::unique_ptr<BlobStore> blobs_;
 };
 
-// Writes fields to disk when nothing else is to do. Fields and meshes wait here
-// unpinned: what is evicted first is not written.
-// At most one job of the scheduler's is this object's. Thread-safe.
+// Writes fields to disk when the scheduler has nothing else to do. Waiting
+// fields and meshes are not pinned; those evicted before their turn are not
+// written. Has at most one job at a time. Thread-safe.
 class FieldWriter {
  public:
-  // No field stays on disk whose mesh is gone from `meshes`.
-  // REQUIRES: all outlive the object, and `scheduler` has no job left when it
-  // goes.
+  // A field is removed from disk when its mesh is gone from `meshes`.
+  // REQUIRES: the references outlive the object, and `scheduler` has no job
+  // left when it is destroyed.
   FieldWriter(FieldFiles& files, Scheduler& scheduler, MeshLibrary& meshes)
       : files_(files), scheduler_(scheduler), meshes_(meshes) {}
 

@@ -5,7 +5,7 @@
 namespace geodesic::server {
 namespace {
 
-// A look at every vertex is paid for by a few windows a vertex.
+// Append looks at every vertex, which is cheap once in so many windows.
 constexpr uint64_t kWindowsPerVertex = 4;
 
 }  // namespace
@@ -35,14 +35,14 @@ std::vector<SettledVertex> SettledLog::Read(size_t begin, size_t count) const {
 
 absl::Status SettledCheckpoint::Poll(const Progress& progress) {
   absl::Status status = next_.Poll(progress);
-  // Before the first window not even the sources have their distances.
+  // Before the first window not even the sources have distances.
   if (progress.windows_propagated < next_scan_ ||
       progress.settled_radius <= 0) {
     return status;
   }
   next_scan_ = progress.windows_propagated +
                kWindowsPerVertex * progress.distances.size();
-  // What is final goes out even if the solver has to stop now.
+  // Vertices that are final are logged even if the solver has to stop now.
   Progress within = progress;
   within.settled_radius = std::min(progress.settled_radius, radius_);
   const size_t before = log_.size();

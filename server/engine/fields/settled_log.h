@@ -1,5 +1,5 @@
 // The vertices of one computation in order of distance, as they become final.
-// The solver writes at its end, any number of readers read along.
+// The solver appends while any number of readers read.
 
 #ifndef GEODESIC_SERVER_ENGINE_FIELDS_SETTLED_LOG_H_
 #define GEODESIC_SERVER_ENGINE_FIELDS_SETTLED_LOG_H_
@@ -21,7 +21,7 @@ namespace geodesic::server {
 // Thread-safe; one writer.
 class SettledLog {
  public:
-  // What `vertices` entries take.
+  // The bytes of `vertices` entries.
   static uint64_t BytesFor(uint64_t vertices) {
     return vertices * sizeof(SettledVertex);
   }

@@ -8,8 +8,8 @@
 namespace geodesic::server {
 namespace {
 
-// The reservation runs ahead of the solver in steps of this size, so that
-// growth between two polls is covered as well, while there is room.
+// The reservation grows in steps of this size while there is room, so it also
+// covers what the solver takes between two polls.
 constexpr uint64_t kMemoryStep = uint64_t{16} << 20;
 
 }  // namespace
@@ -23,15 +23,15 @@ JobCheckpoint::JobCheckpoint(JobWaiters& waiters, const Clock& clock,
       next_progress_(clock.Now()) {}
 
 absl::Status JobCheckpoint::Poll(const Progress& progress) {
-  // Where every processor solves, calls that need a moment of one would wait
-  // for the end of a solver's slice: milliseconds.
+  // When solvers use every processor, a short call would otherwise wait for the
+  // end of a solver's time slice, which takes milliseconds.
   std::this_thread::yield();
   windows_propagated_ = progress.windows_propagated;
   const TimePoint now = clock_.Now();
   if (absl::Status status = waiters_.Expire(now); !status.ok()) {
     return status;
   }
-  // Waiters that leave are seen above; this comes from a shutdown.
+  // Expire has seen waiters that left, so this stop comes from a shutdown.
   if (stop_.stop_requested()) {
     return ShuttingDown();
   }

@@ -1,5 +1,5 @@
-// What a running solver meets at each poll: those who wait for it and their
-// deadlines, a request to stop, and the memory budget that all solvers share.
+// What a running solver checks at each poll: who still waits for it, whether it
+// was asked to stop, and the memory budget that all solvers share.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_JOB_CHECKPOINT_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_JOB_CHECKPOINT_H_
@@ -14,12 +14,12 @@
 
 namespace geodesic::server {
 
-// Those who wait for a job. Called from the job's thread.
+// The clients that wait for a job. Called from the job's thread.
 class JobWaiters {
  public:
   virtual ~JobWaiters() = default;
 
-  // Lets those go whose deadline has come.
+  // Removes the waiters whose deadline has come.
   // Errors: DEADLINE_EXCEEDED or CANCELLED when nobody is left.
   virtual absl::Status Expire(TimePoint now) = 0;
 
@@ -33,11 +33,10 @@ class JobCheckpoint final : public Checkpoint {
   JobCheckpoint(JobWaiters& waiters, const Clock& clock, std::stop_token stop,
                 Duration progress_interval);
 
-  // What the solver has of its budget so far; without it a solver may take
-  // nothing.
+  // Takes over the solver's reservation. Without one it may take no memory.
   void Hold(ByteReservation memory) { memory_ = std::move(memory); }
 
-  // Tells those who wait at once.
+  // Tells the waiters now, not at the next interval.
   void Publish(const Progress& progress) { waiters_.Publish(progress); }
 
   // Errors: as JobWaiters::Expire; UNAVAILABLE when the job was asked to stop
@@ -45,7 +44,7 @@ class JobCheckpoint final : public Checkpoint {
   // memory budget.
   absl::Status Poll(const Progress& progress) override;
 
-  // Of the last poll.
+  // As of the last poll.
   uint64_t windows_propagated() const { return windows_propagated_; }
 
  private:

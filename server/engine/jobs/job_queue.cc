@@ -5,7 +5,7 @@
 namespace geodesic::server {
 namespace {
 
-// Starts that those who wait let pass.
+// Starts in a row that may pass over waiting jobs that are less urgent.
 constexpr uint64_t kPatience = 8;
 
 constexpr auto kStoreLane = static_cast<size_t>(JobPriority::kStore);
@@ -54,8 +54,7 @@ WaitingJob JobQueue::Start() {
   const size_t next = NextLane();
   Lane& lane = lanes_[next];
   const uint64_t number = *lane.turns.front().numbers.begin();
-  // The client stands behind the others again; if this was its last job, its
-  // line goes below.
+  // The client's line goes to the end; Remove drops it with its last job.
   lane.turns.splice(lane.turns.end(), lane.turns, lane.turns.begin());
   WaitingJob started = *Remove(number);
 

@@ -1,13 +1,13 @@
-// The jobs that wait for a thread, in the order in which they get one.
+// The jobs that wait for a thread, in the order in which they will get one.
 //
 //   1. A more urgent job goes before a less urgent one.
-//   2. Of jobs that are equally urgent, clients take turns, a job each.
+//   2. Among equally urgent jobs, clients take turns, one job each.
 //   3. A client's jobs go in order of age.
 //
-// So that urgent work does not keep the rest away for ever, the rest gets one
-// start of nine while it waits: the kind that was passed over most often (but
-// kStore, which can wait). Between two such starts goes a job of the most
-// urgent kind, so that it never waits for more than one less urgent one.
+// Urgent jobs must not delay the others for ever, so one start of nine goes to
+// the less urgent kind that was passed over most often (never to kStore).
+// Between two such starts goes a job of the most urgent kind, so it never waits
+// for more than one less urgent job.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_JOB_QUEUE_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_JOB_QUEUE_H_
@@ -30,12 +30,12 @@
 
 namespace geodesic::server {
 
-// Who asks, and how urgent it is to them.
+// The client that asks, and whether it can wait.
 struct Requester {
-  // Names the client in messages to itself. Clients take turns, and each has a
-  // share of the queue. Empty: the server itself, which has no share.
+  // The client's name in messages to it. Clients take turns, and each has a
+  // share of the queue. Empty for the server itself, which has no share.
   std::string client;
-  // Whether others, who wait for their answers, may go first.
+  // Whether interactive requests may go first.
   bool is_batch = false;
 };
 
@@ -57,40 +57,40 @@ constexpr JobPriority RowPriority(bool is_batch) {
   return is_batch ? JobPriority::kBatch : JobPriority::kRow;
 }
 
-// Either `run` or `abandon` ends the job, unless it is cancelled while it
-// waits: then neither is called. None of them may throw.
+// A job ends with `run` or `abandon`; neither is called if it is cancelled
+// while it waits. None of the functions may throw.
 struct Job {
   JobPriority priority = JobPriority::kSolve;
   // See Requester.
   std::string client;
-  // Whether it goes on with what was admitted before: it is then admitted too,
-  // though the queue be full or draining, and takes no place in it.
+  // Whether the job continues work that was admitted before. It is then
+  // admitted even if the queue is full or draining, and takes no place in it.
   bool is_continuation = false;
   // Takes the memory that the job needs, just before it runs; may be empty.
-  // Must be short. While it fails with a retry hint and other jobs may give
-  // memory back, the job waits and is asked again (see Scheduler); any other
-  // error is the job's end. What was taken goes with the job.
+  // Must be short. If it fails with a retry hint and other jobs may give memory
+  // back, the job waits and this is called again (see Scheduler); any other
+  // error ends the job. Destroying the job returns the memory.
   absl::AnyInvocable<absl::Status()> reserve;
   // Does the work, on a thread of the executor. It should return soon after
   // the token asks it to stop.
   absl::AnyInvocable<void(std::stop_token)> run;
-  // After `run`: whether there is more to do, for which the job waits in its
-  // old place, takes memory and runs again; may be empty. One that was asked to
-  // stop is dropped instead.
+  // Called after `run`; returns whether there is more to do. If so, the job
+  // waits in its old place, takes memory and runs again, unless it was asked to
+  // stop: then it is dropped. May be empty.
   absl::AnyInvocable<bool()> goes_on;
-  // Hears why the job will never run. Must be short.
+  // Is told why the job will never run. Must be short.
   absl::AnyInvocable<void(const absl::Status&)> abandon;
 };
 
 struct WaitingJob {
   Job job;
   TimePoint since;
-  // Jobs that went before it because its memory was not there.
+  // Jobs that started before it because its memory was not available.
   uint64_t overtaken = 0;
 };
 
-// Not thread-safe. Jobs are known by numbers, the older the smaller.
-// O(log n) unless said otherwise.
+// Not thread-safe. Jobs are named by numbers; an older job has a smaller one.
+// Calls are O(log n) unless they say otherwise.
 class JobQueue {
  public:
   // REQUIRES: the number is not in the queue.
@@ -103,13 +103,13 @@ class JobQueue {
   // The oldest job that `can_start`. O(n).
   std::optional<uint64_t> Oldest(absl::FunctionRef<bool(Job&)> can_start);
 
-  // Takes out the next job, whose turn is over then. REQUIRES: !empty().
+  // Takes out the next job and ends its client's turn. REQUIRES: !empty().
   WaitingJob Start();
 
-  // Takes out a job that is not to start; nothing if it is not there.
+  // Takes out a job that will not start; empty if it is not in the queue.
   std::optional<WaitingJob> Remove(uint64_t number);
 
-  // Makes a job more urgent. Nothing if it is not there, or is so already.
+  // Makes a job more urgent. Does nothing if it already is, or is not queued.
   void Expedite(uint64_t number, JobPriority priority);
 
   // Takes out all, in order of age. O(n).
@@ -118,12 +118,12 @@ class JobQueue {
   bool empty() const { return jobs_.empty(); }
   size_t size() const { return jobs_.size(); }
 
-  // Takes a place for continuations that are yet to come, and gives it back.
+  // Take a place for continuations that will come later, and give it back.
   void Hold(const std::string& client);
   void Release(const std::string& client);
 
-  // Those of jobs but continuations, and those that are held; of all, and of
-  // one client.
+  // Places taken by jobs, except continuations, and by Hold; in all, or by one
+  // client.
   size_t places() const { return places_; }
   size_t places_of(const std::string& client) const;
 
@@ -136,15 +136,15 @@ class JobQueue {
   struct Lane {
     std::list<Line> turns;  // whose turn it is stands first
     std::map<std::string, std::list<Line>::iterator> lines;
-    // Starts of more urgent jobs since one of these, or the last time none
-    // waited.
+    // Starts of more urgent jobs since one of this lane started, or since the
+    // lane was last empty.
     uint64_t passed_over = 0;
   };
 
   Lane& LaneOf(JobPriority priority) {
     return lanes_[static_cast<size_t>(priority)];
   }
-  // The first that is not empty. REQUIRES: there is one.
+  // The first lane that is not empty. REQUIRES: there is one.
   size_t MostUrgent() const;
   size_t NextLane() const;
   void Enter(uint64_t number, const Job& job);
@@ -154,7 +154,7 @@ class JobQueue {
   size_t places_ = 0;
   std::map<std::string, size_t> clients_;  // places of each that has any
   std::array<Lane, kJobPriorities> lanes_;
-  // Starts in a row that left somebody less urgent behind.
+  // Starts in a row that passed over a less urgent job.
   uint64_t passes_ = 0;
   size_t last_lane_ = 0;
 };

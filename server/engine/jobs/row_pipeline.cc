@@ -80,7 +80,7 @@ void RowPipeline::Finish(uint64_t row, const JobReport& report,
       place_.reset();
     }
     on_row = on_row_;
-    // Whoever takes the rows holds the pipeline: no circle is left behind.
+    // on_row_ holds the reader, which holds the pipeline: break that cycle.
     if (!failure_.ok() || rows_finished_ == rows_) on_row_ = nullptr;
   }
   if (on_row) on_row();
@@ -88,7 +88,7 @@ void RowPipeline::Finish(uint64_t row, const JobReport& report,
 
 std::optional<absl::StatusOr<MatrixRow>> RowPipeline::Take() {
   std::lock_guard lock(mutex_);
-  // Rows before the one that failed are good.
+  // Rows before the one that failed are still handed out.
   const auto it = finished_.find(next_take_);
   if (it == finished_.end()) {
     if (failure_.ok()) return std::nullopt;

@@ -1,5 +1,5 @@
-// The rows of a matrix: each computed in a job of its own, handed out in order,
-// and never more than a few ahead of what was taken.
+// Computes each row of a matrix in a job of its own and hands the rows out in
+// order. Only a few rows are computed ahead of the reader.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_ROW_PIPELINE_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_ROW_PIPELINE_H_
@@ -24,13 +24,13 @@ namespace geodesic::server {
 
 struct MatrixRow {
   ByteReservation memory;
-  // Of each value its column; empty in a dense row.
+  // The column of each value; empty in a dense row.
   std::vector<uint32_t> columns;
   std::vector<double> values;
 };
 
-// Is given the memory for the row. Must be thread-safe: rows are computed side
-// by side.
+// Computes a row in the `memory` it is given. Must be thread-safe, because rows
+// are computed in parallel.
 using RowFunction = std::function<absl::StatusOr<MatrixRow>(
     uint64_t row, Checkpoint&, ByteReservation memory)>;
 
@@ -38,40 +38,40 @@ using RowFunction = std::function<absl::StatusOr<MatrixRow>(
 struct RowJobs {
   Requester requester;
   TimePoint deadline = kNoDeadline;
-  // Of one row, for its solver and for the row itself; see SoloJob.
+  // For one row: its solver's memory and its own; see SoloJob.
   uint64_t planned_bytes = 0;
   uint64_t row_bytes = 0;
 };
 
-// Thread-safe. Held by whoever takes the rows and by the running jobs.
+// Thread-safe. Held by the reader of the rows and by the running jobs.
 class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
  public:
-  // At most `window` rows are computed but not taken, or being computed. One at
-  // a time waits for a thread. `on_row` hears that there may be a row to take:
-  // from a job's thread; it must be short; it may still be called while and
-  // just after the pipeline is cancelled.
+  // At most `window` rows are being computed or wait to be taken; one at a time
+  // waits for a thread. `on_row` is called from a job's thread when there may
+  // be a row to take. It must be short, and may still be called during Cancel
+  // and just after it.
   // REQUIRES: `jobs` outlives the pipeline's jobs; window > 0.
   RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows, size_t window,
               RowFunction function, std::function<void()> on_row);
 
-  // Call once. `place` is held until the last row begins: the reader may pause,
-  // and then take many rows at once.
+  // Call once. `place` is held until the last row begins, because the reader
+  // may pause and then take many rows at once.
   // Errors: as SoloJobs::Start.
   absl::Status Start(Scheduler::Place place);
 
-  // The next row if it is finished, or why there will be none.
+  // The next row if it is finished, or the error if there will be none.
   std::optional<absl::StatusOr<MatrixRow>> Take();
 
-  // Nobody takes any more: running jobs stop at their next poll.
+  // No more rows will be taken: running jobs stop at their next poll.
   void Cancel();
 
-  // Of what is finished:
+  // Totals of the jobs that have ended:
   uint64_t rows_finished() const;
   double seconds() const;
   uint64_t windows_propagated() const;
 
  private:
-  // The row that waited has a thread: now the next may wait.
+  // Called when the waiting row gets a thread; the next row may then wait.
   void Begin();
   void Finish(uint64_t row, const JobReport& report, MatrixRow result);
 

@@ -12,7 +12,7 @@ namespace {
 // A queue moves on within about a second: most jobs take less.
 constexpr std::chrono::milliseconds kRetryDelay{1000};
 
-// As many as usually wait.
+// The default of max_queued_jobs.
 constexpr uint64_t kMostOvertaken = 256;
 
 }  // namespace
@@ -68,7 +68,7 @@ absl::StatusOr<Scheduler::Place> Scheduler::HoldPlace(
 absl::Status Scheduler::CheckRoom(const std::string& client,
                                   bool runs_at_once) const {
   if (draining_) return ShuttingDown();
-  // Those for whom there is a thread do not wait.
+  // A job for which a thread is free does not wait.
   const size_t free_threads = max_running_ - running_.size();
   if (runs_at_once && queue_.size() < free_threads) return absl::OkStatus();
   if (queue_.places() >= max_queued_ + free_threads) {
@@ -82,7 +82,7 @@ absl::Status Scheduler::CheckRoom(const std::string& client,
         reason::kQueueFull);
   }
   const size_t places = client.empty() ? 0 : queue_.places_of(client);
-  // Compared so that no limit at all does not overflow.
+  // Written so that the largest limit, which means none, does not overflow.
   if (places < free_threads || places - free_threads < max_queued_per_client_) {
     return absl::OkStatus();
   }
@@ -113,7 +113,7 @@ void Scheduler::Cancel(JobId id) {
     std::lock_guard lock(mutex_);
     dropped = queue_.Remove(id);
     if (dropped.has_value()) {
-      // It may have been the one that the others waited behind.
+      // The other jobs may have waited behind this one.
       AskForThreads();
     } else if (const auto run = running_.find(id); run != running_.end()) {
       source = run->second;
@@ -188,7 +188,7 @@ void Scheduler::RunOne() {
     if (goes_on && !stopped_ && !source.stop_requested()) {
       queue_.Push(id, {std::move(started->job), Now()});
     } else if (goes_on) {
-      // What it captured goes without the lock, before it counts as done.
+      // Frees what the job captured without the lock, before it counts as done.
       const bool is_end = stopped_;
       lock.unlock();
       if (is_end) started->job.abandon(ShuttingDown());
@@ -198,8 +198,8 @@ void Scheduler::RunOne() {
     running_.erase(id);
   }
   --workers_;
-  // One task a job, so that an executor which others share stays fair. When
-  // nothing could be done, the next change asks again.
+  // Each task runs one job, which is fair to others who share the executor.
+  // When no job could start, the next change asks again.
   if (progressed) AskForThreads();
   if (workers_ == 0) idle_.notify_all();
 }
@@ -210,7 +210,7 @@ bool Scheduler::Run(WaitingJob& started, const std::stop_source& source) {
   times.waited = begin - started.since;
   started.job.run(source.get_token());
   const bool goes_on = started.job.goes_on && started.job.goes_on();
-  // Else what it captured is gone before the job counts as done.
+  // What the job captured is freed before the job counts as done.
   if (!goes_on) started.job = Job();
   if (ended_) {
     times.ran = Now() - begin;

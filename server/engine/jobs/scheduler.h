@@ -1,4 +1,4 @@
-// Runs jobs on an executor: so many at once, so many waiting, no more.
+// Runs jobs on an executor, with a bound on how many run and how many wait.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_SCHEDULER_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_SCHEDULER_H_
@@ -31,26 +31,26 @@ struct JobTimes {
   JobPriority priority = JobPriority::kSolve;
   Duration waited{0};  // for a thread
   Duration ran{0};
-  // It was asked to stop before its end.
+  // Whether it was asked to stop before its end.
   bool was_stopped = false;
 };
 
 // Thread-safe. job_queue.h says in which order jobs go.
 //
-// While the memory of the job whose turn it is is not there, it waits for
-// running jobs to end, and nobody overtakes it: else a large job might never
-// run. When none runs, others of the queue go first, for they hold memory, too
-// (the meshes that they are about): the oldest whose own memory is there, one
-// at a time, up to 256 of them. When there is none, nobody will give memory
-// back, and the job is abandoned.
+// If the next job's memory is not available, it waits for running jobs to end,
+// and no other job starts; otherwise a large job might never run. If no job
+// runs, others may overtake it, because waiting jobs also hold memory (their
+// meshes): the oldest whose own memory is available goes first, one at a time,
+// up to 256 of them. If there is none, no memory will come back, and the job is
+// abandoned.
 class Scheduler {
  public:
   using JobId = uint64_t;
-  // Goes with its last copy.
+  // The place is given back with its last copy.
   using Place = std::shared_ptr<void>;
 
-  // Besides max_running jobs that run, max_queued may wait, of one client
-  // max_queued_per_client. A place that is held counts like a job that waits.
+  // Up to max_running jobs run and max_queued wait, max_queued_per_client of
+  // them for one client. A place that is held counts like a waiting job.
   // REQUIRES: max_running > 0; `executor` outlives the scheduler.
   Scheduler(Executor& executor, size_t max_running, size_t max_queued,
             size_t max_queued_per_client = std::numeric_limits<size_t>::max());
@@ -59,36 +59,37 @@ class Scheduler {
   // REQUIRES: the executor runs what it has been given.
   ~Scheduler();
 
-  // From now on `ended` hears of each job that ran, from the job's thread.
+  // From now on `ended` is called for each job that ran, from the job's thread.
   // `clock` outlives the scheduler. REQUIRES: no job has been submitted.
   void ObserveJobs(const Clock& clock,
                    std::function<void(const JobTimes&)> ended);
 
   // Errors: RESOURCE_EXHAUSTED with a retry hint when the queue is full, or the
-  // client's share of it, which it then names as a quota; UNAVAILABLE after
-  // BeginDrain. Continuations are spared all of these, but not UNAVAILABLE
-  // after StopAll. The job's callbacks are then not called.
+  // client's share of it is (a quota failure); UNAVAILABLE after BeginDrain. A
+  // continuation only fails after StopAll, with UNAVAILABLE. After an error no
+  // callback of the job is called.
   absl::StatusOr<JobId> Submit(Job job);
 
-  // A place in the queue for a question of many jobs, whose reader decides when
-  // the next is due: while it is held, continuations may come, one that waits
-  // at a time. Errors: as Submit. REQUIRES: it goes before the scheduler.
+  // Takes a place in the queue for a question of many jobs, whose reader
+  // decides when the next is due. While the place is held, its continuations
+  // may be submitted; at most one of them waits at a time. Errors: as Submit.
+  // REQUIRES: the place is released before the scheduler is destroyed.
   absl::StatusOr<Place> HoldPlace(const std::string& client);
 
-  // A waiting job is dropped, a running one asked to stop; neither callback is
+  // Drops a waiting job, or asks a running one to stop; neither callback is
   // called from here. Does nothing for a job that is gone.
   void Cancel(JobId id);
 
-  // Makes a job that waits more urgent: somebody in a hurry waits for it, too.
+  // Makes a waiting job more urgent, because somebody in a hurry has joined it.
   // Does nothing for a job that runs or is gone.
   void Expedite(JobId id, JobPriority priority);
 
-  // From now on Submit fails; what was admitted goes on.
+  // From now on Submit fails, except for continuations; admitted jobs go on.
   void BeginDrain();
   bool is_draining() const;
 
-  // BeginDrain; then waiting jobs are abandoned with UNAVAILABLE and running
-  // ones asked to stop.
+  // BeginDrain; then abandons waiting jobs with UNAVAILABLE and asks running
+  // ones to stop.
   void StopAll();
 
   // Waits until no job runs or waits. False when `limit` passed first.
@@ -96,25 +97,25 @@ class Scheduler {
 
   size_t running() const;
   size_t queued() const;
-  // Threads that no job has or waits for.
+  // Threads beyond those that running and waiting jobs take.
   size_t idle() const;
 
  private:
   void RunOne();
   TimePoint Now() const;
-  // Runs the job; whether it goes on.
+  // Runs the job; returns whether it goes on.
   bool Run(WaitingJob& started, const std::stop_source& source);
 
   // The rest REQUIRES: mutex_ held.
 
-  // `runs_at_once`: if there is a thread for it.
+  // `runs_at_once`: the job needs no place if a thread is free for it.
   absl::Status CheckRoom(const std::string& client, bool runs_at_once) const;
   // Takes the memory of a job. Errors: as Job::reserve.
   static absl::Status Reserve(Job& job);
   // Asks the executor for as many threads as jobs may use.
   void AskForThreads();
-  // The next job, if its memory is there. Those that will never get theirs are
-  // told so, without the lock; `progressed` becomes true then.
+  // The next job, if its memory is available. Jobs that will never get theirs
+  // are abandoned, without the lock; `progressed` then becomes true.
   std::optional<WaitingJob> StartNext(std::unique_lock<std::mutex>& lock,
                                       JobId& id, bool& progressed);
 
@@ -137,10 +138,10 @@ class Scheduler {
   bool stopped_ = false;
 };
 
-// For a solve that starts now, in a job of the scheduler: it shares its work
-// with as many threads as are idle, `most` in all. They are threads of its own:
-// if other jobs come meanwhile, it takes a little of their processors until it
-// ends, and waits for none of its threads that gets no turn.
+// For a solve that starts now in a job of the scheduler: it shares its work
+// with as many threads as are idle, `most` in all. The solve makes these
+// threads itself. They compete for processors with jobs that start later, but
+// the solve never waits for one that gets none.
 inline SolveOptions WithIdleThreads(SolveOptions options,
                                     const Scheduler& scheduler, uint64_t most) {
   options.threads =

@@ -1,4 +1,4 @@
-// Work that is done once for all who ask for the same.
+// Does work once for all clients that ask for the same.
 //
 //   SharedJobs<std::string, Mesh> loads(scheduler, clock, interval);
 //   auto ticket = loads.Join(
@@ -7,9 +7,9 @@
 //   ...
 //   loads.Leave(*ticket);  // unless it was told
 //
-// Who asks first starts the job, others join it. Each may leave, or be late for
-// its own deadline; when nobody is left, the job is dropped, or stops at its
-// next poll. A job that nobody can join has a key of its own.
+// The first client starts the job, others join it. Each may leave or miss its
+// own deadline. When no client is left, the job is dropped, or stops at its
+// next poll. A job that must not be joined gets a key of its own.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_SHARED_JOBS_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_SHARED_JOBS_H_
@@ -40,13 +40,13 @@
 
 namespace geodesic::server {
 
-// Who waits for a job. Calls come from the job's thread, one at a time, and
-// must be short; they may still arrive while and just after the waiter leaves.
+// One client that waits for a job. Calls come from the job's thread, one at a
+// time, and must be short. They may still come during Leave and just after.
 template <typename Result>
 struct Waiter {
   // The last call, at most once: the result or why there is none.
   std::function<void(const absl::StatusOr<Result>&)> done;
-  // A later call replaces what an earlier one said. May be empty.
+  // Each call replaces the one before. May be empty.
   std::function<void(const Progress&)> progress;
   TimePoint deadline = kNoDeadline;
 };
@@ -57,10 +57,10 @@ struct SharedWork {
   bool is_continuation = false;  // see Job
   // See Job. Must not call the SharedJobs.
   absl::AnyInvocable<absl::Status()> reserve;
-  // Does the work. Nothing: it has more to do, and runs again when it has
-  // reserved the memory for that. The checkpoint says when to stop.
+  // Does the work. If it returns nullopt there is more to do: it runs again
+  // after `reserve` succeeds again. The checkpoint says when to stop.
   absl::AnyInvocable<absl::StatusOr<std::optional<Result>>(JobCheckpoint&)> run;
-  // What everybody who waits can see meanwhile; may be null.
+  // Data that all waiters can read while the job runs; may be null.
   std::shared_ptr<Shared> shared;
 };
 
@@ -80,22 +80,22 @@ class SharedJobs {
   };
 
   // REQUIRES: `scheduler` and `clock` outlive the object, and `scheduler` has
-  // no job left when it goes.
+  // no job left when it is destroyed.
   SharedJobs(Scheduler& scheduler, const Clock& clock,
              Duration progress_interval)
       : scheduler_(scheduler),
         clock_(clock),
         progress_interval_(progress_interval) {}
 
-  // Joins the job of this key, which then is as urgent as `priority` at least;
-  // submits what `make` makes, which must not call this object, if there is
-  // none. The waiter may be told before this returns.
+  // Joins the job of this key and makes it at least as urgent as `priority`. If
+  // there is none, submits what `make` returns; `make` must not call this
+  // object. The waiter may be called before this returns.
   // Errors: as Scheduler::Submit; the waiter is then not called, and nobody has
   // joined.
   absl::StatusOr<Ticket> Join(
       const Key& key, Waiter<Result> waiter, JobPriority priority,
       absl::FunctionRef<SharedWork<Result, Shared>()> make) {
-    // Held until the waiter is on the list: the job's end cannot come first,
+    // Held until the waiter is on the list, so the job cannot end before that,
     // and nobody joins a job that is refused.
     std::lock_guard lock(mutex_);
     const auto it = open_.find(key);
@@ -165,8 +165,8 @@ class SharedJobs {
   absl::Status Submit(const std::shared_ptr<Entry>& entry, JobPriority priority,
                       Work work) {
     entry->shared = std::move(work.shared);
-    // The job's callbacks share the work, which goes before anyone hears of its
-    // end.
+    // The job's callbacks share the work. It is freed before any waiter hears
+    // of the end.
     struct Held {
       Work work;
       bool goes_on = false;
@@ -209,7 +209,7 @@ class SharedJobs {
     return Guarded("did a job", [&] { return work.run(checkpoint); });
   }
 
-  // Takes out the waiters whose deadline has come and tells them so.
+  // Removes the waiters whose deadline has come and tells them so.
   // Errors: DEADLINE_EXCEEDED or CANCELLED when nobody is left.
   absl::Status Expire(Entry& entry, TimePoint now) {
     const absl::Status late = absl::DeadlineExceededError(
@@ -244,8 +244,8 @@ class SharedJobs {
     for (const auto& listener : listeners) listener(progress);
   }
 
-  // Whoever asks from now on starts another job: what should be found then must
-  // be there before.
+  // From now on a question starts another job, so the result must be stored
+  // where questions find it before this call.
   void End(Entry& entry, const absl::StatusOr<Result>& result) {
     Waiters waiters;
     {
@@ -259,7 +259,7 @@ class SharedJobs {
   // REQUIRES: mutex_ held.
   void Close(const Entry& entry) {
     const auto it = open_.find(entry.key);
-    // Another job of the same key may have come since this one closed.
+    // Another job may have taken the key since this one was closed.
     if (it != open_.end() && it->second.get() == &entry) open_.erase(it);
   }
 

@@ -1,5 +1,5 @@
-// Work for one client alone, with the same scheduling, deadlines, cancellation
-// and memory budget as fields have.
+// Work for one client alone, with the scheduling, deadlines, cancellation and
+// memory budget that fields have.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_SOLO_JOB_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_SOLO_JOB_H_
@@ -24,7 +24,7 @@ namespace geodesic::server {
 // How a job ended.
 struct JobReport {
   absl::Status status;
-  // What it took on its thread.
+  // The time it took on its thread.
   double seconds = 0;
   uint64_t windows_propagated = 0;
 };
@@ -34,12 +34,12 @@ struct SoloJob {
   std::string client;            // see Requester
   bool is_continuation = false;  // see Job
   TimePoint deadline = kNoDeadline;
-  // Taken from the solver budget before the work begins: for the solver, and
-  // for the answer, which the work is given.
+  // Memory taken from the solver budget before the work begins: for the solver,
+  // and for the answer. The work is given the latter.
   uint64_t planned_bytes = 0;
   uint64_t answer_bytes = 0;
   absl::AnyInvocable<absl::Status(Checkpoint&, ByteReservation answer)> work;
-  // As Waiter has them.
+  // See Waiter.
   std::function<void(const JobReport&)> done;
   std::function<void(const Progress&)> progress;
 };
@@ -50,14 +50,14 @@ class SoloJobs {
   // For Cancel.
   using Call = SharedJobs<uint64_t, JobReport>::Ticket;
 
-  // What is referred to outlives the object, and `scheduler` has no job left
-  // when it goes.
+  // REQUIRES: the references outlive the object, and `scheduler` has no job
+  // left when it is destroyed.
   SoloJobs(const Clock& clock, Scheduler& scheduler,
            std::shared_ptr<ByteBudget> solver_memory,
            Duration progress_interval);
 
   // Errors: as Scheduler::Submit; RESOURCE_EXHAUSTED when the memory can never
-  // be had. `done` is then not called. It may already be called before this
+  // be had. `done` is not called after an error; it may be called before this
   // returns.
   absl::StatusOr<Call> Start(SoloJob job);
 

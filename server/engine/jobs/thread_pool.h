@@ -1,4 +1,4 @@
-// The engine's only way to threads, and a fixed number of them.
+// The engine uses threads only through Executor; ThreadPool has a fixed number.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_THREAD_POOL_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_THREAD_POOL_H_
@@ -24,8 +24,8 @@ class Executor {
   virtual void Schedule(Task task) = 0;
 };
 
-// Takes tasks in order. The queue itself has no bound: whoever schedules (see
-// scheduler.h) keeps count. Thread-safe.
+// Starts tasks in order. The queue is unbounded; Scheduler bounds what it puts
+// there. Thread-safe.
 class ThreadPool final : public Executor {
  public:
   // REQUIRES: threads > 0.

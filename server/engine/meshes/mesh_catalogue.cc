@@ -5,7 +5,7 @@
 namespace geodesic::server {
 namespace {
 
-// The same mesh in every format, and a few spellings of it.
+// Enough for a mesh in every format, and a few variants of each.
 constexpr size_t kMaxFilesPerMesh = 16;
 
 }  // namespace
@@ -19,8 +19,7 @@ std::optional<std::string> MeshCatalogue::FindFile(const FileKey& file) const {
 
 void MeshCatalogue::AddFile(const FileKey& file, const std::string& digest) {
   RememberFile(file, digest);
-  // The mesh may have been dropped meanwhile, before there was a file to
-  // forget.
+  // The mesh may have been dropped just before its file was remembered.
   if (!Contains(digest)) ForgetFiles(digest);
 }
 

@@ -1,4 +1,4 @@
-// What a server knows of its meshes, wherever it keeps them, and how they are
+// What a server knows of its meshes, in memory or on disk, and how they are
 // named.
 
 #ifndef GEODESIC_SERVER_ENGINE_MESHES_MESH_CATALOGUE_H_
@@ -33,7 +33,7 @@ struct UploadHeader {
   // kArrays only.
   uint64_t vertex_count = 0;
   uint64_t face_count = 0;
-  // When not empty, a mesh with another digest is refused.
+  // If not empty, a mesh with another digest is refused.
   std::string expected_digest;
 };
 
@@ -64,13 +64,13 @@ struct ResidentMesh {
   }
 };
 
-// Of a server without a data folder the catalogue is its MeshStore, otherwise
-// its MeshFiles. Thread-safe.
+// The catalogue of a server is its MeshFiles, or its MeshStore if it has no
+// data folder. Thread-safe.
 class MeshCatalogue {
  public:
   virtual ~MeshCatalogue() = default;
 
-  // What is known of the mesh, which is marked as used, or nothing.
+  // Describes the mesh and marks it as used; empty if it is not there.
   virtual std::optional<MeshDescription> Describe(
       const std::string& digest) = 0;
   bool Contains(const std::string& digest) {
@@ -85,16 +85,16 @@ class MeshCatalogue {
   // The digest of the mesh that was uploaded as this file.
   std::optional<std::string> FindFile(const FileKey& file) const;
 
-  // Remembers that `file` holds the mesh, for as long as the mesh is there. A
-  // mesh remembers its latest few files.
+  // Remembers that `file` holds the mesh, for as long as the mesh is kept. Only
+  // the latest few files of a mesh are remembered.
   void AddFile(const FileKey& file, const std::string& digest);
 
-  // Those who hold the mesh keep it.
+  // Drops the mesh; handles to it stay valid.
   // Errors: NOT_FOUND; UNAVAILABLE (it cannot be removed from the disk).
   virtual absl::Status Erase(const std::string& digest) = 0;
 
-  // Whether the meshes outlive the process. Then the rest waits for the disk,
-  // as Erase does; otherwise it does nothing.
+  // Whether the meshes outlive the process. If so, the methods below wait for
+  // the disk, as Erase does; otherwise they do nothing.
   virtual bool is_durable() const { return false; }
 
   // Whether a mesh of this size can ever be kept; see BlobStore::Admit.
@@ -110,14 +110,14 @@ class MeshCatalogue {
     return absl::OkStatus();
   }
 
-  // Takes memory for the arrays of the `mesh` described.
+  // Reads the arrays of `mesh` from disk into memory.
   // Errors: NOT_FOUND (not there, or damaged and set aside), what `checkpoint`
   // says, RESOURCE_EXHAUSTED, UNAVAILABLE (it cannot be read now).
   virtual absl::StatusOr<TriangleSoup> Load(const MeshDescription& mesh,
                                             Checkpoint& checkpoint);
 
  protected:
-  // Calls nobody under its lock.
+  // These call nothing under their lock.
   void RememberFile(const FileKey& file, const std::string& digest);
   void ForgetFiles(const std::string& digest);
 

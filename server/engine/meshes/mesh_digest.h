@@ -17,7 +17,7 @@ namespace geodesic::server {
 // The arrays are hashed as they lie in memory.
 static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12);
 
-// What the digest covers before the arrays: a tag and the two counts.
+// The bytes that the digest covers before the arrays: a tag and the two counts.
 inline std::string MeshDigestHead(uint64_t vertices, uint64_t faces) {
   const std::array<uint64_t, 2> counts = {vertices, faces};
   std::string head("geodesic.mesh.v1\n");

@@ -18,10 +18,10 @@ namespace {
 
 constexpr uint32_t kMetadataVersion = 1;
 
-// A cancelled reader stops within this many bytes, some 10 ms.
+// A cancelled read stops within this many bytes, about 10 ms.
 constexpr size_t kPieceBytes = size_t{8} << 20;
 
-// A disk is not cleared up in a second.
+// Freeing disk space takes longer than a second.
 constexpr std::chrono::milliseconds kRetryDelay{5000};
 
 // Calls `visit` for each number of a summary, in the order of the file.
@@ -46,7 +46,7 @@ void VisitNumbers(Summary& summary, Visit visit) {
   visit(summary.anisotropy);
 }
 
-// Of a mesh's file.
+// Bytes of the body of a mesh's file.
 uint64_t BodyBytes(uint64_t vertices, uint64_t faces) {
   return MeshDigestHead(vertices, faces).size() + vertices * sizeof(Point) +
          faces * sizeof(Triangle);
@@ -70,7 +70,7 @@ std::string Encode(const MeshSummary& summary,
   return writer.bytes();
 }
 
-// Nothing for the metadata of another version.
+// Empty if the metadata has another version.
 std::optional<Metadata> Decode(std::string_view bytes) {
   return DecodeRecord<Metadata>(
       bytes, kMetadataVersion, [](BinaryReader& reader, Metadata& metadata) {
@@ -100,7 +100,7 @@ std::optional<MeshDescription> ToDescription(BlobInfo info) {
                          .stored_bytes = info.file_bytes};
 }
 
-// A mesh has its faces in an order of its own.
+// Mesh stores its faces in another order than the file.
 absl::Status AppendTriangles(const Mesh& mesh, BlobSink& sink) {
   constexpr uint32_t kPiece = 64 << 10;
   std::vector<Triangle> piece;
@@ -173,7 +173,7 @@ std::vector<MeshDescription> MeshFiles::List(const std::string& after,
 }
 
 absl::Status MeshFiles::Admit(uint64_t vertices, uint64_t faces) {
-  // The largest metadata there is.
+  // Metadata of the largest size.
   const std::string metadata =
       Encode(MeshSummary(), FileKey{UploadFormat::kStl, std::string(64, '0')});
   return blobs_->Admit(BodyBytes(vertices, faces), metadata.size());
@@ -212,7 +212,7 @@ absl::StatusOr<TriangleSoup> MeshFiles::Load(const MeshDescription& mesh,
         BodyBytes(mesh.summary.vertices, mesh.summary.faces)) {
       return absl::DataLossError("the body has not the size of the mesh");
     }
-    // The counts, which the digest covers.
+    // The head holds the counts, which the digest covers.
     std::string head(expected.size(), '\0');
     absl::Status read = body.Read(head);
     if (!read.ok()) return read;

@@ -1,5 +1,5 @@
-// The meshes on disk. A file's body is what the mesh's digest is the digest of,
-// so that a mesh cannot be read but as the one that was written.
+// The meshes on disk. A mesh's digest is the digest of its file's body, so a
+// mesh that is read is the one that was written.
 
 #ifndef GEODESIC_SERVER_ENGINE_MESHES_MESH_FILES_H_
 #define GEODESIC_SERVER_ENGINE_MESHES_MESH_FILES_H_
@@ -20,18 +20,18 @@
 
 namespace geodesic::server {
 
-// Thread-safe. See BlobStore for what outlives what. After a restart only the
-// first file that a mesh was uploaded as is known.
+// Thread-safe. See BlobStore for what survives a crash. After a restart only
+// the first file that a mesh was uploaded as is known.
 class MeshFiles final : public MeshCatalogue {
  public:
-  // `warn` hears of damaged files. REQUIRES: `folder` outlives the object.
+  // `warn` is told of damaged files. REQUIRES: `folder` outlives the object.
   // Errors: as BlobStore::Open.
   static absl::StatusOr<std::unique_ptr<MeshFiles>> Open(
       const DataFolder& folder, uint64_t capacity,
       std::function<void(const std::string&)> warn);
 
-  // `removed` hears of each mesh that was evicted or found damaged, when it is
-  // gone. Call before all else.
+  // `removed` is called after a mesh was evicted or found damaged. Call this
+  // before any other method.
   void SetRemoved(std::function<void(const std::string& digest)> removed) {
     removed_ = std::move(removed);
   }

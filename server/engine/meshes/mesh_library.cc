@@ -17,14 +17,14 @@ constexpr size_t kMaxDigestsPerRequest = 1000;
 constexpr int kDefaultPageSize = 100;
 constexpr int kMaxPageSize = 1000;
 
-// What a build takes of the upload memory, beside its arrays: what stays is the
-// mesh store's.
+// The upload memory that a build takes beside its arrays. The mesh itself is
+// charged to the mesh store.
 uint64_t BytesToBuild(uint64_t vertices, uint64_t faces) {
   return Mesh::EstimateBuildBytes(vertices, faces) -
          Mesh::EstimateResidentBytes(vertices, faces);
 }
 
-// Of the upload memory, for a mesh whose arrays are all it comes from.
+// The upload memory for a mesh that is built from its arrays.
 uint64_t BytesFromArrays(uint64_t vertices, uint64_t faces) {
   return vertices * sizeof(Point) + faces * sizeof(Triangle) +
          BytesToBuild(vertices, faces);
@@ -54,7 +54,7 @@ void MeshLibrary::Attach(MeshFiles& files) {
 
 MeshHandle MeshLibrary::FindResident(const std::string& digest) {
   MeshHandle mesh = store_.Find(digest);
-  // A question keeps it from being dropped from the disk, too.
+  // Marks the mesh as used on disk, too.
   if (mesh != nullptr) catalogue_->Contains(digest);
   return mesh;
 }
@@ -89,7 +89,7 @@ absl::StatusOr<MissingMeshes> MeshLibrary::FindMissing(
     absl::Status status =
         CheckDigest(absl::StrCat("mesh_digests[", i, "]"), mesh_digests[i]);
     if (!status.ok()) return status;
-    // Marks the mesh as used, so that it outlives the client's next step.
+    // Marks the mesh as used: the client's next request is likely to find it.
     if (!Contains(mesh_digests[i])) {
       missing.mesh_digests.push_back(mesh_digests[i]);
     }
@@ -174,7 +174,7 @@ absl::Status MeshLibrary::Delete(const std::string& digest,
 }
 
 absl::Status MeshLibrary::Erase(const std::string& digest) {
-  // The disk first: nobody brings the mesh back from there afterwards.
+  // The disk goes first, so the mesh cannot be loaded again from there.
   absl::Status status = catalogue_->Erase(digest);
   if (status.ok() || absl::IsNotFound(status)) {
     (void)store_.Erase(digest);
@@ -186,8 +186,7 @@ absl::Status MeshLibrary::Erase(const std::string& digest) {
 MeshStore::Inserted MeshLibrary::Keep(ResidentMesh mesh, ByteReservation room) {
   const std::string digest = mesh.digest;
   MeshStore::Inserted kept = store_.Insert(std::move(mesh), std::move(room));
-  // Whoever erased it from the disk before this moment found nothing in memory
-  // to erase; whoever does so later will.
+  // An Erase before this moment found nothing in memory; a later one will.
   if (!Contains(digest)) {
     (void)store_.Erase(digest);
     kept.value = nullptr;
@@ -278,7 +277,7 @@ absl::Status MeshLibrary::ReserveForMesh(MeshBuild& build) {
   if (!status.ok()) return status;
   absl::StatusOr<ByteReservation> room = store_.Reserve(vertices, faces);
   if (!room.ok()) {
-    // Who waits holds no more than it has.
+    // A waiting job must not hold memory that it does not use yet.
     memory.ShrinkTo(held);
     return room.status();
   }
@@ -300,7 +299,7 @@ absl::StatusOr<std::optional<UploadResult>> MeshLibrary::Run(
   absl::Status fits = CheckCapacity(upload.soup().positions.size(),
                                     upload.soup().triangles.size());
   if (!fits.ok()) return fits;
-  // Usually the memory is there, and the job need not wait again.
+  // Usually the memory is available, and the job need not wait again.
   if (!ReserveForMesh(build).ok()) return std::nullopt;
   return Build(build, checkpoint);
 }
@@ -384,7 +383,7 @@ absl::StatusOr<MeshHandle> MeshLibrary::Run(MeshLoad& load,
   absl::StatusOr<std::shared_ptr<const Mesh>> built =
       Mesh::Build(*std::move(soup), checkpoint);
   if (absl::IsInvalidArgument(built.status())) {
-    // It was built once, from the same bytes.
+    // It was built from the same bytes before, so this is a defect.
     return absl::InternalError(absl::StrCat(
         "mesh ", load.digest, " cannot be built: ", built.status().message()));
   }

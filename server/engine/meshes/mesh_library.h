@@ -1,9 +1,9 @@
-// The meshes a server has, and the ways in which they come and go.
+// The meshes a server has; how they are uploaded, loaded and deleted.
 //
 // With a data folder, memory is a cache of the disk:
 //   1. an upload is answered when its mesh is on disk;
-//   2. a mesh in memory is on disk, but while it is being dropped from both;
-//   3. a mesh on disk that is not in memory comes back by Await.
+//   2. a mesh in memory is on disk, except while it is dropped from both;
+//   3. Await loads a mesh that is on disk but not in memory.
 
 #ifndef GEODESIC_SERVER_ENGINE_MESHES_MESH_LIBRARY_H_
 #define GEODESIC_SERVER_ENGINE_MESHES_MESH_LIBRARY_H_
@@ -33,13 +33,13 @@ namespace geodesic::server {
 
 struct UploadResult {
   MeshDescription mesh;
-  // The server had it before.
+  // Whether the server had it before.
   bool already_resident = false;
 };
 using UploadCallback = std::function<void(const absl::StatusOr<UploadResult>&)>;
 using UploadJobs = SharedJobs<uint64_t, UploadResult>;  // each of its own key
 
-// Meshes on their way from disk to memory: one load for all who ask.
+// Loads of meshes from disk; all who ask for one mesh share one load.
 using MeshLoads = SharedJobs<std::string, MeshHandle>;
 using MeshCallback = std::function<void(const absl::StatusOr<MeshHandle>&)>;
 
@@ -59,20 +59,20 @@ struct MeshPage {
   std::string next_token;
 };
 
-// Thread-safe. No call waits for a job or the disk. A job is that of the
-// `client` that a call names (see Requester).
+// Thread-safe. No call waits for a job or the disk. Jobs belong to the `client`
+// of the call that starts them (see Requester).
 class MeshLibrary {
  public:
-  // `removed` hears of each mesh that is gone for good: deleted, or lost by the
-  // disk. It may wait for the disk.
+  // `removed` is called for each mesh that is gone for good, deleted or lost by
+  // the disk. It may wait for the disk.
   // REQUIRES: `limits`, `scheduler` and `clock` outlive the object, and
-  // `scheduler` has no job left when it goes.
+  // `scheduler` has no job left when it is destroyed.
   MeshLibrary(const Limits& limits, const Clock& clock, Scheduler& scheduler,
               std::shared_ptr<ByteBudget> upload_memory,
               std::function<void(const std::string& digest)> removed);
 
-  // From now on keeps meshes in `files`, which outlives the object. Call
-  // before all else.
+  // From now on keeps meshes in `files`, which outlives the object. Call before
+  // any other method.
   void Attach(MeshFiles& files);
 
   // Errors: INVALID_ARGUMENT naming a malformed digest, or the number of items
@@ -86,41 +86,40 @@ class MeshLibrary {
   absl::StatusOr<std::unique_ptr<MeshUpload>> StartUpload(UploadHeader header);
 
   // Parses, builds and keeps the mesh in a job, which waits for its memory as
-  // Job::reserve says, and calls `done` from there, once, unless the job is
-  // cancelled while it waits. Calls it at once, from here, when the file is
-  // known; nobody waits then.
+  // Job::reserve says. The job calls `done` once, unless it is cancelled while
+  // it waits. If the file is known, `done` is called from here and the ticket
+  // is empty. The job calls `built` before `done`, even if nobody waits any
+  // more; what `built` captured is freed when the job has ended.
   // Errors, here or in `done`: INVALID_ARGUMENT (bytes missing; a malformed
   // file; a refused mesh; another digest than expected); RESOURCE_EXHAUSTED;
   // UNAVAILABLE.
-  // `built` is called from the job before, with the mesh, whether or not
-  // somebody still waits; what it captured goes when the job has ended.
   absl::StatusOr<UploadJobs::Ticket> FinishUpload(
       std::unique_ptr<MeshUpload> upload, UploadCallback done,
       const std::string& client = {},
       std::function<void(const UploadResult&)> built = nullptr);
 
-  // Nobody waits for the upload's mesh any longer: its job is dropped, or stops
-  // soon and keeps nothing. Its callback is not called.
+  // Drops the upload's job, or makes it stop soon and keep nothing. Its
+  // callback is not called.
   void CancelUpload(const UploadJobs::Ticket& upload) {
     uploads_.Leave(upload);
   }
 
-  // A mesh in memory, which is marked as used.
+  // Returns a mesh in memory and marks it as used.
   // Errors: INVALID_ARGUMENT: malformed digest, naming `field`; NOT_FOUND: not
   // resident.
   absl::StatusOr<MeshHandle> Get(const std::string& digest,
                                  std::string_view field = "digest");
 
-  // A mesh in memory or on disk, which is marked as used.
+  // Describes a mesh in memory or on disk and marks it as used.
   // Errors: INVALID_ARGUMENT: malformed digest; NOT_FOUND: in neither.
   absl::StatusOr<MeshDescription> Describe(const std::string& digest);
   bool Contains(const std::string& digest) {
     return catalogue_->Contains(digest);
   }
 
-  // Calls `done` with the mesh in memory: at once if it is there, and nobody
-  // waits then; otherwise from the job that loads it, which waits for its
-  // memory as Job::reserve says.
+  // Calls `done` with the mesh in memory. If it is there already, that happens
+  // from here and the ticket is empty; otherwise from the job that loads it,
+  // which waits for its memory as Job::reserve says.
   // Errors, here or in `done`: NOT_FOUND; RESOURCE_EXHAUSTED (no memory, at
   // once if it can never be had; the queue is full); UNAVAILABLE (shutting
   // down; the disk cannot be read).
@@ -129,12 +128,12 @@ class MeshLibrary {
                                           const std::string& client = {});
   void Leave(const MeshLoads::Ticket& ticket) { loads_.Leave(ticket); }
 
-  // `page_size` 0 means 100, above 1000 is taken as 1000.
+  // `page_size` 0 means 100; a size above 1000 counts as 1000.
   // Errors: INVALID_ARGUMENT: negative size or malformed token.
   absl::StatusOr<MeshPage> List(int page_size, const std::string& token);
 
-  // Drops the mesh; running jobs are left alone. With a data folder, in a job,
-  // and `done` hears when the mesh is gone from the disk; otherwise at once.
+  // Drops the mesh; running jobs keep it. With a data folder a job does so, and
+  // `done` is called when the mesh is gone from disk; otherwise at once.
   // Errors, here or in `done`: as Describe; RESOURCE_EXHAUSTED (the queue is
   // full); UNAVAILABLE (shutting down; the disk cannot be written).
   absl::Status Delete(const std::string& digest,
@@ -147,15 +146,15 @@ class MeshLibrary {
   const MeshLoads& loads() const { return loads_; }
 
  private:
-  // An upload whose bytes have come. Its job parses them, then builds the mesh,
-  // and each begins when its memory is there: how much a build needs is known
-  // once the file is parsed.
+  // An upload whose bytes have come. Its job parses them, then builds the mesh.
+  // Each step begins when its memory is available, because the need of a build
+  // is only known once the file is parsed.
   struct MeshBuild {
     std::unique_ptr<MeshUpload> upload;
     ByteReservation room;  // of the mesh store, once it is parsed
   };
-  // What a load has before it runs: the mesh, if it has come meanwhile, or the
-  // memory for it.
+  // Before a load runs it has the mesh, if that has come meanwhile, or memory
+  // for it.
   struct MeshLoad {
     std::string digest;
     MeshHandle mesh;
@@ -169,16 +168,16 @@ class MeshLibrary {
 
   // Whether the memory to build a mesh can ever be had.
   absl::Status CheckMemory(uint64_t vertices, uint64_t faces) const;
-  // And, beside it, the disk to keep it.
+  // CheckMemory, and whether the disk can ever hold the mesh.
   absl::Status CheckCapacity(uint64_t vertices, uint64_t faces) const;
 
-  // If the upload's file is known and is the expected one, what came of it.
+  // The mesh of the upload's file, if it is known and the expected one.
   std::optional<UploadResult> FindUploaded(const MeshUpload& upload);
-  // Takes the memory for what comes next. See Job::reserve.
+  // Takes the memory for the next step. See Job::reserve.
   absl::Status Reserve(MeshBuild& build);
   absl::Status ReserveForMesh(MeshBuild& build);
-  // Goes on as far as memory is there. Nothing: Reserve, and run it again.
-  // No mesh is kept once `checkpoint` has failed.
+  // Goes on as far as there is memory. If the result is empty, call Reserve and
+  // run it again. No mesh is kept once `checkpoint` has failed.
   absl::StatusOr<std::optional<UploadResult>> Run(MeshBuild& build,
                                                   Checkpoint& checkpoint);
   absl::StatusOr<UploadResult> Build(MeshBuild& build, Checkpoint& checkpoint);
@@ -187,8 +186,8 @@ class MeshLibrary {
   absl::Status Reserve(MeshLoad& load);
   absl::StatusOr<MeshHandle> Run(MeshLoad& load, Checkpoint& checkpoint);
 
-  // Keeps the mesh in memory, unless the disk has lost it meanwhile: then
-  // `value` of the result is null.
+  // Keeps the mesh in memory. If the disk has lost the mesh meanwhile, it is
+  // dropped and `value` of the result is null.
   MeshStore::Inserted Keep(ResidentMesh mesh, ByteReservation room);
   absl::Status Erase(const std::string& digest);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint64_t kDigestBytes = 64;
 
-// What a mesh takes that itself takes so many bytes.
+// The bytes charged for a mesh whose own memory is `mesh_bytes`.
 uint64_t ChargeOf(uint64_t mesh_bytes) {
   return mesh_bytes + sizeof(ResidentMesh) + kDigestBytes;
 }

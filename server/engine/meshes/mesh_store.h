@@ -1,5 +1,5 @@
-// The resident meshes: all that a server without a data folder has, and
-// otherwise a cache of its disk.
+// The meshes in memory. With a data folder they are a cache of the disk,
+// otherwise all meshes that the server has.
 
 #ifndef GEODESIC_SERVER_ENGINE_MESHES_MESH_STORE_H_
 #define GEODESIC_SERVER_ENGINE_MESHES_MESH_STORE_H_
@@ -43,14 +43,14 @@ class MeshStore final : public MeshCatalogue {
 
   using Inserted = LruStore<std::string, ResidentMesh>::Inserted;
 
-  // Keeps `mesh`, charged with what of `room` it really takes.
+  // Keeps `mesh`, charged with the part of `room` that it really takes.
   Inserted Insert(ResidentMesh mesh, ByteReservation room);
 
   uint64_t used_bytes() const { return meshes_.used_bytes(); }
   uint64_t evictions() const { return meshes_.evictions(); }
 
  private:
-  // Its lock is taken before that of the files' names, never after.
+  // Its lock is taken before files_mutex_, never after.
   LruStore<std::string, ResidentMesh> meshes_;
 };
 

@@ -22,22 +22,22 @@ static_assert(std::endian::native == std::endian::little);
 // The buffer starts with the size of a usual chunk and then doubles.
 constexpr uint64_t kFirstCapacity = uint64_t{1} << 20;
 
-// What triangles take of memory, by the size of their file. Most files keep to
-// the first: "f 1001 1002 1003\n" is 17 bytes and makes 12. A file that does
-// not is read again with more, at the last with what one of any content keeps
-// to: a byte may be a corner, and add a triangle.
+// Bounds on the triangles' memory, as multiples of the file's size. Most files
+// keep to the first: "f 1001 1002 1003\n" is 17 bytes and makes 12. A file that
+// does not is read again with a larger bound. Every file keeps to the last: a
+// byte may be a corner, and add a triangle.
 constexpr uint64_t kUsualFactor = 3;
 constexpr uint64_t kNextFactor = 4;
 constexpr uint64_t kLastFactor = 48;
 
-// Who counts, for messages.
+// The subject of CheckCount's messages.
 constexpr char kUpload[] = "the upload announces";
 
 uint64_t FirstFactor(const UploadHeader& header) {
   return header.format == UploadFormat::kArrays ? 1 : kUsualFactor;
 }
 
-// Half of the bytes is for vertices and half for triangles; an array that grows
+// Half of the bytes is for vertices and half for triangles. An array that grows
 // takes twice its content while it is moved.
 ReadLimits LimitsWithin(uint64_t bytes) {
   return {.max_vertices = bytes / (4 * sizeof(Point)),

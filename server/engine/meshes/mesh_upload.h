@@ -1,4 +1,4 @@
-// One upload: bytes as they arrive, checked and counted before they are kept.
+// One upload; its bytes are checked and counted before they are kept.
 
 #ifndef GEODESIC_SERVER_ENGINE_MESHES_MESH_UPLOAD_H_
 #define GEODESIC_SERVER_ENGINE_MESHES_MESH_UPLOAD_H_
@@ -22,11 +22,11 @@
 
 namespace geodesic::server {
 
-// Not thread-safe. Call Append for each chunk, then Finish, and ReserveForParse
-// and Parse until it is parsed.
+// Not thread-safe. Call Append for each chunk, then Finish, then
+// ReserveForParse and Parse until is_parsed().
 class MeshUpload {
  public:
-  // Nothing is allocated on the word of the header.
+  // Allocates nothing that only the header announces.
   // Errors: INVALID_ARGUMENT naming the field of the header;
   // RESOURCE_EXHAUSTED naming the limit that the header exceeds.
   static absl::StatusOr<std::unique_ptr<MeshUpload>> Start(
@@ -39,26 +39,24 @@ class MeshUpload {
   // has no room. An upload that has failed is of no further use.
   absl::Status Append(uint64_t offset, std::string_view data);
 
-  // Says that no more will come.
+  // Ends the upload.
   // Errors: INVALID_ARGUMENT when bytes are missing.
   absl::Status Finish();
 
-  // The name of the bytes; nothing for arrays, whose bytes do not say how many
-  // of them are vertices. REQUIRES: Finish succeeded.
+  // The key of the uploaded file. Empty for arrays, whose bytes do not say how
+  // many of them are vertices. REQUIRES: Finish succeeded.
   const std::optional<FileKey>& file() const { return file_; }
 
-  // What the bytes of such an upload and, as a rule, the triangles made of them
-  // take.
+  // The memory of such an upload's bytes and, for most files, of its triangles.
   static uint64_t BytesToParse(const UploadHeader& header);
 
   // Takes memory for the triangles. REQUIRES: Finish succeeded.
   // Errors: as ByteReservation::GrowTo.
   absl::Status ReserveForParse();
 
-  // Makes triangles of the bytes, which are gone afterwards. Linear in their
-  // number: not for a thread that must not wait. False, and the bytes stay,
-  // when the file holds more than the memory taken for it: ReserveForParse then
-  // takes more. REQUIRES: ReserveForParse succeeded.
+  // Makes triangles from the bytes and frees them, in linear time. Returns
+  // false and keeps the bytes if the memory taken is too small for the file;
+  // ReserveForParse then takes more. REQUIRES: ReserveForParse succeeded.
   // Errors: INVALID_ARGUMENT naming line, byte or element, or when the header
   // expects another mesh; RESOURCE_EXHAUSTED when a limit is passed; what
   // `checkpoint` says.
@@ -69,7 +67,7 @@ class MeshUpload {
   TriangleSoup& soup() { return *soup_; }
   const std::string& digest() const { return digest_; }
 
-  // Covers the bytes, and the triangles once there are any.
+  // The memory of the bytes, or of the triangles once they are parsed.
   ByteReservation& memory() { return reservation_; }
 
   const UploadHeader& header() const { return header_; }
