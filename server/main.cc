@@ -27,7 +27,7 @@ namespace {
 constexpr int kCannotStart = 1;
 constexpr int kRequestsCancelled = 3;
 
-// The signals that are taken on a thread of their own.
+// The signals that ProcessSignals handles.
 sigset_t WatchedSignals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -37,9 +37,9 @@ sigset_t WatchedSignals() {
   return signals;
 }
 
-// While it lives, each of these signals calls `received`, from an ordinary
-// thread, where everything is allowed.
-// REQUIRES: they are blocked in every thread.
+// While it lives, calls `received` for each of these signals, from an ordinary
+// thread, where any function may be called.
+// REQUIRES: the signals are blocked in every thread.
 class ProcessSignals {
  public:
   explicit ProcessSignals(std::function<void(int signal)> received)
@@ -52,7 +52,7 @@ class ProcessSignals {
           }
         }) {}
 
-  // A call that is going on ends first.
+  // Waits for a call of `received` that is under way.
   ~ProcessSignals() {
     thread_.request_stop();
     // Wakes sigwait, which then finds the request.
@@ -64,10 +64,10 @@ class ProcessSignals {
 };
 
 int Run(const ServerOptions& options) {
-  // Before any thread is started, so that none takes them.
+  // Blocked before any thread starts, so every thread inherits it.
   const sigset_t watched = WatchedSignals();
   pthread_sigmask(SIG_BLOCK, &watched, nullptr);
-  // A file that may not grow is an error of the write, not the server's end.
+  // Makes a write beyond a file size limit fail instead of ending the server.
   signal(SIGXFSZ, SIG_IGN);
   const std::shared_ptr<spdlog::logger> logger =
       spdlog::stderr_color_mt("geodesicd");
@@ -89,11 +89,10 @@ int Run(const ServerOptions& options) {
   logger->info("geodesicd {} serves on {}:{} {}", ServerVersion(),
                options.listen.substr(0, colon), server.port(),
                options.tls.enabled() ? "over TLS" : "in clear");
-  // glibc by itself gives back what lies at the end of a heap. After an exit of
-  // readers, thousands of free messages lie between smaller things that stay,
-  // so it would keep their gigabyte for good. To look takes less than a
-  // millisecond when there is little to give back, and some ten for each
-  // hundred MiB.
+  // By itself glibc only gives back free memory at the end of a heap. When many
+  // readers leave, their messages are freed between smaller allocations that
+  // stay, and it would keep a gigabyte for good. A trim takes less than 1 ms
+  // when there is little to give back, and about 10 ms for each 100 MiB.
   const std::jthread trimmer =
       Every(std::chrono::seconds(5), [] { malloc_trim(0); });
   const ProcessSignals signals([&](int signal) {

@@ -67,7 +67,7 @@ void AddSeconds(CLI::App& app, const std::string& flag,
       ->type_name("SECONDS");
 }
 
-// What is wrong with an address, or nothing.
+// Says what is wrong with an address; empty if it is well-formed.
 std::string CheckAddress(const std::string& address) {
   const size_t colon = address.rfind(':');
   const std::string port =
@@ -85,9 +85,8 @@ CLI::Option& AddText(CLI::App& app, const std::string& flag, std::string& value,
   return *app.add_option(flag, value, help)->type_name(type);
 }
 
-// Every setting but --config, in the order of the help, with its bounds.
-// Defaults of the disk are for the sake of the help; without --data-dir they
-// are 0.
+// Adds every setting but --config, with its bounds, in the order of the help.
+// The disk budgets' defaults are for the help; without --data-dir they are 0.
 void AddOptions(CLI::App& app, ServerOptions& options) {
   Limits& limits = options.limits;
   limits.max_concurrent_jobs =
@@ -208,15 +207,14 @@ void AddOptions(CLI::App& app, ServerOptions& options) {
       ->capture_default_str();
 }
 
-// max-faces is GEODESICD_MAX_FACES.
+// "GEODESICD_MAX_FACES" for "max-faces".
 std::string EnvironmentName(const std::string& flag) {
   return absl::StrCat("GEODESICD_", absl::AsciiStrToUpper(absl::StrReplaceAll(
                                         flag, {{"-", "_"}})));
 }
 
-// CLI11 lets a file win over the environment. In a container the file is in
-// the image and the environment is what the operator sets, so here it is the
-// other way round.
+// CLI11 lets a file win over the environment. In a container the file is in the
+// image and operators set the environment, so here the environment wins.
 class FileBelowEnvironment final : public CLI::ConfigBase {
  public:
   std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {

@@ -18,21 +18,21 @@ namespace geodesic::server {
 struct ServerOptions {
   // HOST:PORT; port 0 takes a free one.
   std::string listen = "127.0.0.1:50051";
-  // In clear unless there are files. Only then, or if it is said to be meant,
-  // may others than this machine be listened to.
+  // Without files the server listens in clear. It then refuses addresses that
+  // other machines can reach, unless insecure_listen is set.
   TlsFiles tls;
   bool insecure_listen = false;
-  // As access_control.h has it; empty: everybody may do everything.
+  // See access_control.h; empty: everybody may do everything.
   std::string token_file;
   // HOST:PORT of /metrics, /livez and /readyz; empty: none.
   std::string metrics_listen;
-  // Whether gRPC's channelz service is there, for everybody.
+  // Whether gRPC's channelz service is served, to everybody.
   bool channelz = false;
   // Where to write the port that was taken; empty: nowhere.
   std::string port_file;
-  // What to keep meshes and fields in; empty: nothing outlives the server.
+  // The folder of meshes and fields; empty: nothing outlives the server.
   std::string data_dir;
-  // Requests at once; beyond that streams are refused.
+  // Requests at once; further streams are refused.
   uint64_t max_requests = 1000;
   // Largest gRPC message taken.
   uint64_t max_message_bytes = uint64_t{4} << 20;
@@ -40,9 +40,9 @@ struct ServerOptions {
   uint64_t max_connection_streams = 256;
   // How long a message may take to come in.
   std::chrono::seconds receive_patience{60};
-  // Of messages that are still coming in.
+  // Memory of messages that are still coming in.
   uint64_t receive_memory_bytes = uint64_t{256} << 20;
-  // Of requests that were decoded, and of the questions in them.
+  // Memory of decoded requests and of the questions made from them.
   uint64_t request_memory_bytes = uint64_t{1} << 30;
   // How long requests may go on after SIGTERM.
   std::chrono::seconds drain{30};
@@ -51,14 +51,14 @@ struct ServerOptions {
   Limits limits;
 };
 
-// What the command line asks for: to run with `options`, or, when `exit_code`
-// is set, to exit with it (help or an error has been printed).
+// The result of the command line: run with `options`, or exit with `exit_code`
+// if it is set (help or an error has then been printed).
 struct CommandLine {
   ServerOptions options;
   std::optional<int> exit_code;
 };
 
-// A flag wins over its environment variable, and that over the file.
+// A flag wins over its environment variable, which wins over the file.
 CommandLine ParseCommandLine(int argc, const char* const* argv,
                              const std::string& version);
 

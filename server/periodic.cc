@@ -11,7 +11,7 @@
 namespace geodesic::server {
 namespace {
 
-// What changes when the file does. All zero for none.
+// A value that changes when the file does. All zero if there is no file.
 auto Stamp(const std::string& path) {
   struct stat file = {};
   if (stat(path.c_str(), &file) != 0) file = {};

@@ -1,4 +1,4 @@
-// What the process does again and again, on threads of its own.
+// Threads that do something again and again.
 
 #ifndef GEODESIC_SERVER_PERIODIC_H_
 #define GEODESIC_SERVER_PERIODIC_H_
@@ -13,9 +13,9 @@ namespace geodesic::server {
 // A thread that calls `action` after each interval, until it is stopped.
 std::jthread Every(std::chrono::seconds interval, std::function<void()> action);
 
-// A thread that calls `changed` when the file at `path` is another one than a
-// second before, or was written to. Unlike a notification of the kernel that
-// works for files that are replaced, linked and mounted.
+// A thread that looks once a second whether the file at `path` was replaced or
+// written to, and then calls `changed`. Unlike inotify this also works for
+// files that are replaced, linked or mounted.
 std::jthread WatchFile(const std::string& path, std::function<void()> changed);
 
 }  // namespace geodesic::server

@@ -24,18 +24,18 @@
 namespace geodesic::server {
 namespace {
 
-// How long answers that are ready may take to leave.
+// How long finished answers may take to be sent.
 constexpr std::chrono::milliseconds kFlushGrace{500};
 
-// How long fields that were computed last may take to the disk.
+// How long the last fields may take to be written to disk.
 constexpr std::chrono::seconds kStoreGrace{2};
 
-// How long the last reactions of cancelled calls may take.
+// How long cancelled calls may take to end.
 constexpr std::chrono::seconds kCancelGrace{10};
 
 constexpr int kMostReflections = 32;
 
-// How soon a changed certificate is noticed. Looking costs three calls of stat.
+// How often files are checked for a new certificate, by three calls of stat.
 constexpr unsigned int kRefreshSeconds = 1;
 
 double EndOf(const TlsFiles& files) {
@@ -45,8 +45,8 @@ double EndOf(const TlsFiles& files) {
 }
 
 // TLS credentials that follow the files: connections made after a file has
-// changed get the new certificate, those that are open go on with the old one.
-// Without files: none, in clear. Errors: as CheckTlsFiles.
+// changed get the new certificate, open ones keep the old one. Without files
+// the connections are in clear. Errors: as CheckTlsFiles.
 absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> MakeServerCredentials(
     const TlsFiles& files) {
   if (!files.enabled()) return grpc::InsecureServerCredentials();
@@ -64,13 +64,12 @@ absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> MakeServerCredentials(
   return grpc::experimental::TlsServerCredentials(options);
 }
 
-// Bounds what connections can hold. Those who are slow to say who they are, or
-// are gone without a word, are found out.
+// Bounds what connections can hold, and closes those that are slow in the
+// handshake or whose client is gone without a word.
 void BoundConnections(const ServerOptions& options,
                       grpc::ServerBuilder& builder) {
-  // Intake bounds what comes in for the methods of the protocol; this, what
-  // does for others, a little late. The threads are those of reflection, of
-  // which each call takes one.
+  // Intake bounds the memory of messages for the protocol's methods; this also
+  // bounds others', though a little late. Each reflection call takes a thread.
   builder.SetResourceQuota(grpc::ResourceQuota("geodesicd")
                                .Resize(2 * options.receive_memory_bytes)
                                .SetMaxThreads(kMostReflections));
@@ -80,11 +79,11 @@ void BoundConnections(const ServerOptions& options,
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 120 * kSecond);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20 * kSecond);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
-  // What a stream may send that is not read, however fast the connection is.
-  // One that is read may send its message.
+  // The bytes a client may send on a stream that is not read, however fast the
+  // connection is. While the stream is read, a whole message may come.
   builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 16 << 10);
-  // A client that has more waits.
+  // A client's calls beyond this wait.
   builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS,
                              static_cast<int>(options.max_connection_streams));
 }
@@ -157,17 +156,17 @@ absl::Status Server::Start() {
     if (absl::Status status = OpenDataFolder(); !status.ok()) return status;
   }
 
-  // Puts the descriptor of the health service where reflection finds it.
+  // Registers the descriptor of the health service for reflection.
   grpc::health::v1::HealthCheckRequest::descriptor();
 
-  // Both act on every server that is built afterwards; there is one.
+  // Both act on every server that is built afterwards, which is only this one.
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
 
   if (options_.channelz) grpc::channelz::experimental::InitChannelzService();
 
   grpc::ServerBuilder builder;
-  // Without it two servers could share a port, each with half of the meshes.
+  // Otherwise two servers could share a port, each with half of the meshes.
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   BoundConnections(options_, builder);
   builder.SetMaxReceiveMessageSize(
@@ -255,9 +254,9 @@ bool Server::Wait() {
   }
   const bool in_order = log_.WaitIdle(until, hurry_.get_token());
   if (!in_order) logger_->warn("{} requests are cancelled", log_.active());
-  // What is left is fields on their way to the disk.
+  // The jobs that are left write fields to disk.
   if (in_order) engine_.scheduler().WaitIdle(kStoreGrace);
-  // Ends the requests that wait for a job; those that stream are cut off.
+  // Ends the requests that wait for a job. Shutdown cuts off those that stream.
   engine_.scheduler().StopAll();
   grpc_server_->Shutdown(std::chrono::system_clock::now() + kFlushGrace);
   log_.WaitIdle(clock_.Now() + kCancelGrace, std::stop_token());

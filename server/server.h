@@ -1,4 +1,4 @@
-// The one place that wires the service: clock, threads, engine, gRPC.
+// Puts the service together: clock, threads, engine, gRPC.
 //
 //   Server server(options, logger);
 //   absl::Status status = server.Start();
@@ -50,8 +50,8 @@ class Server {
   // Shuts down without grace if that was not done before.
   ~Server();
 
-  // Opens the data folder, if there is to be one, binds the address and serves.
-  // Call once.
+  // Opens the data folder, if one is set, binds the address and serves. Call
+  // once.
   // Errors: UNAVAILABLE naming the folder that cannot be used or the address
   // that could not be bound; as CheckTlsFiles and AccessControl::Reload.
   absl::Status Start();
@@ -69,18 +69,18 @@ class Server {
   // the grace period. Call once, after Start succeeded.
   bool Wait();
 
-  // Takes up the tokens as they are now; when they are not well-formed says so
-  // in the log and keeps the old ones. Thread-safe.
+  // Reads the tokens again; if they are malformed, logs it and keeps the old
+  // ones. Thread-safe.
   void Reload();
 
-  // Where /metrics is. REQUIRES: Start succeeded, with metrics_listen.
+  // The port of /metrics. REQUIRES: Start succeeded, with metrics_listen.
   int metrics_port() const { return http_->port(); }
 
   QueryEngine& engine() { return engine_; }
 
  private:
   absl::Status OpenDataFolder();
-  // Serves metrics and follows the tokens.
+  // Serves metrics and watches the token file.
   absl::Status StartOperations();
   void SetServing(bool serving);
   bool IsReady();
@@ -109,7 +109,7 @@ class Server {
   bool draining_ = false;
   TimePoint drain_until_;
 
-  // Last, for their threads call the others.
+  // Last, because their threads use the other members.
   std::optional<HttpServer> http_;
   std::jthread token_watch_;
 };

@@ -10,7 +10,7 @@
 namespace geodesic::server {
 namespace {
 
-// Room for all who watch a server, and for many connections that say nothing.
+// Enough for all who watch a server, and for many idle connections.
 constexpr unsigned kMostConnections = 512;
 constexpr unsigned kIdleSeconds = 10;
 // A request's head must fit in here.
@@ -40,7 +40,7 @@ MHD_Result Serve(void* data, MHD_Connection* connection, const char* url,
   if (path == "/metrics") {
     return Reply(connection, MHD_HTTP_OK, pages.metrics());
   }
-  // Alive is who answers.
+  // A server that answers is alive.
   if (path == "/livez") return Reply(connection, MHD_HTTP_OK, "ok\n");
   if (path == "/readyz") {
     return pages.is_ready()
@@ -51,7 +51,7 @@ MHD_Result Serve(void* data, MHD_Connection* connection, const char* url,
                "there are /metrics, /livez and /readyz\n");
 }
 
-// What getaddrinfo makes of "HOST:PORT" or "[HOST]:PORT"; null if nothing.
+// Resolves "HOST:PORT" or "[HOST]:PORT" by getaddrinfo; null if it cannot.
 std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> Resolve(
     const std::string& address) {
   const size_t colon = address.rfind(':');
@@ -84,8 +84,8 @@ absl::Status HttpServer::Start(const std::string& address) {
         absl::StrCat("cannot serve metrics on ", address,
                      ": it is no HOST:PORT of this machine"));
   }
-  // One thread that waits for no connection in particular: who sends half a
-  // request, or reads slowly, holds nobody up.
+  // One thread serves all connections by epoll, so a client that sends half a
+  // request or reads slowly holds nobody up.
   unsigned flags = MHD_USE_EPOLL_INTERNAL_THREAD | MHD_USE_ITC;
   if (resolved->ai_family == AF_INET6) flags |= MHD_USE_IPv6;
   daemon_.reset(MHD_start_daemon(

@@ -13,9 +13,9 @@ struct MHD_Daemon;
 
 namespace geodesic::server {
 
-// Serves from a thread of its own while it lives. In clear, and to everybody
-// who reaches it: what it tells are numbers, but it belongs on an address of
-// the operators.
+// Serves from a thread of its own while it lives, in clear and to everybody who
+// reaches it. It only shows numbers, but belongs on an address of the
+// operators.
 class HttpServer {
  public:
   // Called from that thread; must be short.
@@ -39,7 +39,7 @@ class HttpServer {
   };
 
   const Pages pages_;
-  // Last, so that nobody is served when the pages go.
+  // Last, so nobody is served any more when pages_ is destroyed.
   std::unique_ptr<MHD_Daemon, Stop> daemon_;
 };
 

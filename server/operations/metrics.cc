@@ -20,7 +20,7 @@ using prometheus::Histogram;
 using prometheus::MetricFamily;
 using prometheus::MetricType;
 
-// From a cached field on loopback to the longest solve, about three to ten.
+// In seconds: from a cached field on loopback to the longest solve.
 const Histogram::BucketBoundaries& Buckets() {
   static const Histogram::BucketBoundaries buckets = {
       0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100, 300};
@@ -38,7 +38,7 @@ Family<Histogram>& AddHistogram(prometheus::Registry& registry,
   return prometheus::BuildHistogram().Name(name).Help(help).Register(registry);
 }
 
-// By JobPriority.
+// Indexed by JobPriority.
 constexpr const char* kJobKinds[kJobPriorities] = {"build", "solve", "row",
                                                    "batch", "store"};
 
@@ -51,8 +51,7 @@ struct Sample {
   uint64_t value;
 };
 
-// A family whose members differ in the label called `name`; without a name
-// there is one member.
+// A family whose members differ in the label `name`; if that is "", it has one.
 MetricFamily Make(MetricType type, const std::string& family,
                   const std::string& help, const std::string& name,
                   const std::vector<Sample>& samples) {
@@ -68,7 +67,7 @@ MetricFamily Make(MetricType type, const std::string& family,
   return result;
 }
 
-// What the data folder takes and does.
+// Appends the figures of the data folder.
 void AppendDisk(const DurableStore& durable,
                 std::vector<MetricFamily>& families) {
   const BlobStore& meshes = durable.meshes->blobs();

@@ -1,6 +1,6 @@
-// What is counted, in the form Prometheus reads.
+// The server's metrics, in the form Prometheus reads.
 //
-// docs/operations.md lists the metrics and what they are good for.
+// docs/operations.md lists and explains them.
 
 #ifndef GEODESIC_SERVER_OPERATIONS_METRICS_H_
 #define GEODESIC_SERVER_OPERATIONS_METRICS_H_
@@ -29,12 +29,12 @@ struct RequestReport {
   std::string_view method;
   absl::Status status;
   double seconds = 0;
-  // Of these, spent waiting for the client to take what was written.
+  // The part of `seconds` spent waiting for the client to read.
   double write_seconds = 0;
   uint64_t bytes = 0;
 };
 
-// Every label's values come from fixed lists, so that no client can make the
+// The values of every label come from a fixed list, so no client can make the
 // page grow. Thread-safe.
 class Metrics {
  public:
@@ -44,16 +44,16 @@ class Metrics {
   void JobEnded(const JobTimes& times);
   void TokensReloaded(bool is_ok);
 
-  // Adds what is asked for other values at each scrape.
+  // Adds a function that gives more metrics at each scrape.
   // REQUIRES: nobody scrapes yet.
   using Collector = std::function<std::vector<prometheus::MetricFamily>()>;
   void Add(Collector collector);
 
-  // A value that is asked for at each scrape, likewise.
+  // Adds a gauge whose value is read at each scrape, likewise.
   void AddGauge(const std::string& name, const std::string& help,
                 std::function<double()> value);
 
-  // The page.
+  // The text of the page.
   std::string Text() const;
 
  private:

@@ -18,21 +18,21 @@
 
 namespace geodesic::server {
 
-// A derived class says what Ask does, which must be short, and that it is done
-// by Answer.
+// A derived class implements Ask, which must be short, and calls Answer at the
+// end.
 template <typename Request, typename Response>
 class UnaryCall : public AnswerStream<Request, Response> {
  public:
   using AnswerStream<Request, Response>::AnswerStream;
 
  protected:
-  // Call once at most: not when Ask fails.
+  // Call at most once, and not if Ask fails.
   void Answer(absl::StatusOr<Response> response) {
     this->Update([&] { response_ = std::move(response); });
   }
 
  private:
-  // Not a stream, of which there may not be too many.
+  // A unary call does not count against the bound on streams.
   absl::Status Admit(RequestLog::Entry& entry) final { return entry.Admit(); }
 
   absl::StatusOr<NextMessage> Fill(Response& message) final {
@@ -45,7 +45,7 @@ class UnaryCall : public AnswerStream<Request, Response> {
   std::optional<absl::StatusOr<Response>> response_;
 };
 
-// What can be said at once. Errors: as QueryEngine.
+// Answers that need no job. Errors: as QueryEngine.
 absl::StatusOr<v1::FindMissingMeshesResponse> AnswerOf(
     const ServiceContext& service, const v1::FindMissingMeshesRequest& request);
 absl::StatusOr<v1::GetMeshResponse> AnswerOf(const ServiceContext& service,
@@ -79,7 +79,7 @@ using ListMeshesCall = ShortCall<v1::ListMeshesRequest, v1::ListMeshesResponse>;
 using CapabilitiesCall =
     ShortCall<v1::GetCapabilitiesRequest, v1::GetCapabilitiesResponse>;
 
-// Answers when the mesh is gone from the disk, too.
+// Answers when the mesh is gone from memory and disk.
 class DeleteMeshCall final
     : public UnaryCall<v1::DeleteMeshRequest, v1::DeleteMeshResponse> {
  public:
@@ -89,7 +89,7 @@ class DeleteMeshCall final
   absl::Status Ask() override;
 };
 
-// What a server says of itself.
+// What GetCapabilities answers.
 v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,
                                              uint64_t max_message_bytes,
                                              const std::string& version);

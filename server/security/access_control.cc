@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::string_view kBearer = "bearer ";
 
-// The token in "Bearer TOKEN"; the scheme is in any case (RFC 9110).
+// The token in "Bearer TOKEN"; the scheme is not case-sensitive (RFC 9110).
 std::optional<std::string_view> BearerToken(std::string_view authorization) {
   if (authorization.size() <= kBearer.size()) return std::nullopt;
   for (size_t i = 0; i < kBearer.size(); ++i) {
@@ -47,8 +47,8 @@ absl::Status Wrong(std::string_view where, std::string_view what) {
       absl::StrCat(std::string(where), " ", std::string(what)));
 }
 
-// Whether `json` is an object without other members than these. Typing errors
-// must not turn into rights.
+// Whether `json` is an object with no other members than these: a typing error
+// must not grant rights.
 absl::Status CheckObject(const Json& json, const std::string& where,
                          std::initializer_list<std::string_view> known) {
   if (!json.is_object()) return Wrong(where, "is no object");
@@ -129,7 +129,7 @@ absl::StatusOr<Quota> ParseQuota(const Json& json, const std::string& where) {
   status.Update(
       SetNumber(json, where, "requests_per_second", quota.requests_per_second));
   if (!status.ok()) return status;
-  // A second's worth, unless it is said otherwise.
+  // The default burst is the requests of one second.
   if (std::isfinite(quota.requests_per_second)) {
     quota.burst = std::max(1.0, quota.requests_per_second);
   }
@@ -194,7 +194,7 @@ absl::StatusOr<TokenTable> TokenTable::Parse(std::string_view text) {
     if (status = CheckName(*name, where); !status.ok()) return status;
     absl::StatusOr<std::string> hash = Text(token, where, "sha256");
     if (!hash.ok()) return hash.status();
-    // Not quoted: someone may have put the token itself there.
+    // The value is not quoted, because it may be the token itself.
     if (!IsSha256Hex(*hash)) {
       return Wrong(where,
                    "has a \"sha256\" that is not 64 lower-case hexadecimal "

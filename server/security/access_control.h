@@ -1,4 +1,4 @@
-// Lets a request in, or says why not, by a file of the tokens' hashes:
+// Admits requests by a file of the tokens' hashes:
 //
 //   {"tokens": [{"name": "ci", "sha256": "9f86d0...", "scopes": ["read"],
 //                "expires": "2027-01-31T00:00:00Z"}],
@@ -7,7 +7,7 @@
 //               "default": {"jobs": 2}}}
 //
 // `expires` and `quotas` may be left out, and any number in a quota. "default"
-// is for names that have no quota of their own.
+// is for names without a quota of their own.
 
 #ifndef GEODESIC_SERVER_SECURITY_ACCESS_CONTROL_H_
 #define GEODESIC_SERVER_SECURITY_ACCESS_CONTROL_H_
@@ -30,13 +30,12 @@ class TokenTable {
  public:
   using WallTime = std::chrono::system_clock::time_point;
 
-  // Errors: INVALID_ARGUMENT naming the entry: no JSON of this form; a member
-  // it does not know; a hash that is none or comes twice; no scopes; a date
-  // that is none.
+  // Errors: INVALID_ARGUMENT naming the entry: no JSON of this form; an unknown
+  // member; a malformed or repeated hash; no scopes; a malformed date.
   static absl::StatusOr<TokenTable> Parse(std::string_view json);
 
-  // The owner of a token. Takes the same time for every token that is not
-  // known, however much of a hash it shares. O(tokens).
+  // The owner of a token. Takes the same time for every unknown token, however
+  // much of a known hash its own hash shares. O(tokens).
   // Errors: UNAUTHENTICATED, with reason TOKEN_UNKNOWN or TOKEN_EXPIRED.
   absl::StatusOr<Caller> Find(std::string_view token, WallTime now) const;
 
@@ -62,13 +61,12 @@ class AccessControl {
   explicit AccessControl(std::string token_file,
                          WallClock now = &std::chrono::system_clock::now);
 
-  // Takes up the file as it is now. When that fails what was there before
-  // stays in force.
-  // Errors: NOT_FOUND, PERMISSION_DENIED: it cannot be read; as
+  // Reads the file. If that fails, the tokens read before stay in force.
+  // Errors: NOT_FOUND, PERMISSION_DENIED: the file cannot be read; as
   // TokenTable::Parse.
   absl::Status Reload();
 
-  // Who calls, by the value of the "authorization" header, if there is one.
+  // The caller, by the value of the "authorization" header, if there is one.
   // Errors: UNAUTHENTICATED, reason TOKEN_MISSING when there is none or it is
   // no bearer token; as TokenTable::Find.
   absl::StatusOr<Caller> Identify(

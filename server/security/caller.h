@@ -1,4 +1,4 @@
-// Who calls, as far as the server knows, and what they may do.
+// A caller as the server knows it, and what it may do.
 
 #ifndef GEODESIC_SERVER_SECURITY_CALLER_H_
 #define GEODESIC_SERVER_SECURITY_CALLER_H_
@@ -56,13 +56,13 @@ class Scopes {
   uint8_t bits_ = 0;
 };
 
-// What one client may take of the server. DEFAULT: whatever there is.
+// How much of the server one client may use. DEFAULT: no limit.
 struct Quota {
-  // Memory of resident meshes that it uploaded.
+  // Memory of the resident meshes that the client uploaded.
   uint64_t resident_bytes = std::numeric_limits<uint64_t>::max();
-  // Streams under way: uploads, computations, meshes being read.
+  // Streams at once: uploads, computations and meshes being read.
   uint64_t jobs = std::numeric_limits<uint64_t>::max();
-  // Requests of any kind, on average and all at once.
+  // Requests of any kind, on average and in one burst.
   double requests_per_second = std::numeric_limits<double>::infinity();
   double burst = 1;
 
@@ -70,8 +70,7 @@ struct Quota {
 };
 
 struct Caller {
-  // Several tokens may share a name, and then share its quota. Empty for
-  // everybody, on a server without tokens.
+  // Tokens of one name share its quota. Empty on a server without tokens.
   std::string name;
   Scopes scopes;
   Quota quota;

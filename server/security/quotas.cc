@@ -16,17 +16,17 @@ namespace {
 // Jobs end, and meshes are evicted, within about a second.
 constexpr std::chrono::milliseconds kRetryDelay{1000};
 
-// A rate limit that lets bursts through: holds at most `burst` and refills at
-// `rate` a second. Not thread-safe.
+// A rate limit with bursts: holds at most `burst` tokens and gets `rate` of
+// them each second. Not thread-safe.
 class TokenBucket {
  public:
   // Full. REQUIRES: rate > 0, burst >= 1.
   TokenBucket(double rate, double burst, TimePoint now)
       : rate_(rate), burst_(burst), level_(burst), time_(now) {}
 
-  // Takes one out; or how long until there will be one.
+  // Takes a token and returns zero, or returns how long until there is one.
   Duration Take(TimePoint now) {
-    // An unlimited rate over no time at all would be no number.
+    // An infinite rate times no time would be NaN.
     if (std::isinf(rate_)) return Duration::zero();
     const std::chrono::duration<double> passed = now - time_;
     level_ = std::min(burst_, level_ + rate_ * passed.count());
@@ -52,7 +52,7 @@ class Quotas::Account {
  public:
   explicit Account(std::string name) : name_(std::move(name)) {}
 
-  // Quotas may change when the tokens are reloaded.
+  // Called for every request, because a reload may change quotas.
   void SetQuota(const Quota& quota, TimePoint now) {
     std::lock_guard lock(mutex_);
     if (requests_.has_value() && quota == quota_) return;
@@ -106,7 +106,7 @@ class Quotas::Account {
  private:
   // The rest REQUIRES: mutex_ held.
 
-  // Memory that has gone leaves an expired pointer, which pins nothing.
+  // Freed memory leaves an expired pointer.
   uint64_t ResidentBytes() {
     std::erase_if(held_,
                   [](const Held& held) { return held.memory.expired(); });

@@ -1,4 +1,4 @@
-// What each client has taken of the server, against its quota.
+// Counts what each client uses of the server, against its quota.
 
 #ifndef GEODESIC_SERVER_SECURITY_QUOTAS_H_
 #define GEODESIC_SERVER_SECURITY_QUOTAS_H_
@@ -24,23 +24,23 @@ class Quotas {
  public:
   class Account;
 
-  // A job under way and the bytes its upload will take. Gives them back at the
-  // end. Not thread-safe.
+  // A running job and the bytes its upload will take. Gives both back when it
+  // is destroyed. Not thread-safe.
   class Job {
    public:
-    // `account` pays; null: nobody.
+    // `account` is charged; null: the job is not counted.
     explicit Job(std::shared_ptr<Account> account)
         : account_(std::move(account)) {}
     ~Job();
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
 
-    // Before an upload: that so many bytes more may become resident.
-    // Errors: with no retry hint when they never could.
+    // Reserves the bytes that an upload will make resident.
+    // Errors: without a retry hint if they exceed the whole quota.
     absl::Status ReserveBytes(uint64_t bytes);
 
-    // Says what the upload made resident: the bytes count until nobody holds
-    // `memory` any more, though the job may end before. Thread-safe.
+    // Counts `bytes` for what the upload made resident until nobody holds
+    // `memory` any more; the job may end before. Thread-safe.
     void AddMemory(const std::shared_ptr<const void>& memory,
                    uint64_t bytes) const;
 
@@ -52,14 +52,14 @@ class Quotas {
   // REQUIRES: `clock` outlives the quotas.
   explicit Quotas(const Clock& clock) : clock_(clock) {}
 
-  // Counts a request. Errors: with a hint when the next may come.
+  // Counts a request. Errors: with a hint when to come again.
   absl::Status TakeRequest(const Caller& caller);
 
   // Errors: with a retry hint.
   absl::StatusOr<std::shared_ptr<Job>> TakeJob(const Caller& caller);
 
  private:
-  // Null for those who are not counted.
+  // Null for a caller that is not counted.
   std::shared_ptr<Account> AccountOf(const Caller& caller);
 
   const Clock& clock_;

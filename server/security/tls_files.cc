@@ -24,10 +24,10 @@ struct Freed {
 template <typename Thing>
 using Owned = std::unique_ptr<Thing, Freed>;
 
-// A key that asks for a passphrase must not make the server wait for one.
+// Without this OpenSSL would wait for somebody to type a key's passphrase.
 int NoPassphrase(char*, int, int, void*) { return -1; }
 
-// What `read` makes of the PEM file.
+// Reads `thing` from the PEM file by `read`.
 template <typename Thing>
 absl::Status Read(const std::string& path, const char* kind,
                   Thing* (*read)(FILE*, Thing**, pem_password_cb*, void*),

@@ -1,7 +1,7 @@
-// The files of TLS, looked at before gRPC gets them.
+// Checks the files of TLS before gRPC gets them.
 //
-// gRPC serves on without a word when a file is missing or malformed, and every
-// handshake fails. So what is wrong is said here, at the start.
+// gRPC says nothing when a file is missing or malformed, and every handshake
+// fails. So the server checks them at the start.
 
 #ifndef GEODESIC_SERVER_SECURITY_TLS_FILES_H_
 #define GEODESIC_SERVER_SECURITY_TLS_FILES_H_
@@ -17,11 +17,11 @@ namespace geodesic::server {
 
 // Paths of PEM files; empty: none.
 struct TlsFiles {
-  // The server's certificate, then those that lead to its authority.
+  // The server's certificate, then the chain to its authority.
   std::string certificate;
   std::string key;
-  // Authorities whose clients are let in; when given, a client without a
-  // certificate of theirs is refused.
+  // Authorities of clients; if set, a client without their certificate is
+  // refused.
   std::string client_authorities;
 
   bool enabled() const { return !certificate.empty(); }
@@ -33,13 +33,13 @@ struct TlsFiles {
 // certificate's. Messages name the file, never what is in it.
 absl::Status CheckTlsFiles(const TlsFiles& files);
 
-// When the certificate ends, as the file is now. REQUIRES: files.enabled().
+// When the certificate in the file expires. REQUIRES: files.enabled().
 // Errors: as CheckTlsFiles.
 absl::StatusOr<std::chrono::system_clock::time_point> CertificateEnd(
     const TlsFiles& files);
 
-// Whether the host of "HOST:PORT" is this machine's alone: 127.0.0.0/8, [::1]
-// or localhost. False for what it does not know, such as other names.
+// Whether the host of "HOST:PORT" can only be reached from this machine:
+// 127.0.0.0/8, [::1] or localhost. False for all other names.
 bool IsLoopback(std::string_view address);
 
 }  // namespace geodesic::server

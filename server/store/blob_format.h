@@ -14,7 +14,7 @@
 //    72  digest of the body;            104: digest of the metadata
 //   136  digest of the 136 bytes before
 //
-// So each byte of a file is covered by a digest, and so is its length.
+// So digests cover each byte of a file and its length.
 
 #ifndef GEODESIC_SERVER_STORE_BLOB_FORMAT_H_
 #define GEODESIC_SERVER_STORE_BLOB_FORMAT_H_

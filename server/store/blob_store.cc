@@ -18,8 +18,7 @@ namespace {
 
 constexpr absl::string_view kTemporaryEnding = ".tmp";
 
-// Metadata is small; a header that claims more is refused before memory
-// follows it.
+// Metadata is small; a header that claims more is refused before allocation.
 constexpr uint64_t kMaxMetadataBytes = uint64_t{256} << 20;
 
 std::string Plural(const std::string& kind) {
@@ -48,7 +47,7 @@ absl::Status BlobSink::Append(std::string_view bytes) {
   return status;
 }
 
-// A file as the scan finds it, and when it was used.
+// A file that Scan found, and when it was last used.
 struct BlobStore::Found {
   BlobInfo info;
   timespec used;
@@ -59,7 +58,7 @@ absl::StatusOr<std::unique_ptr<BlobStore>> BlobStore::Open(
   absl::StatusOr<FileDescriptor> files =
       OpenFolder(folder.descriptor(), Plural(options.kind));
   if (!files.ok()) return files.status();
-  // The folders' own names, too, are to outlive the machine.
+  // The names of the folders must survive a crash of the machine, too.
   absl::Status status = Sync(folder.descriptor(), "--data-dir");
   if (!status.ok()) return status;
   auto removed = std::exchange(options.removed, nullptr);
@@ -94,7 +93,7 @@ absl::Status BlobStore::Scan() {
   std::vector<Found> found;
   for (const std::string& file : *names) {
     if (absl::EndsWith(file, kTemporaryEnding)) {
-      // Nobody was told that it was kept.
+      // No Put has returned OK for it.
       unlinkat(folder_.get(), file.c_str(), 0);
       continue;
     }
@@ -108,7 +107,7 @@ absl::Status BlobStore::Scan() {
     if (blob.ok()) {
       found.push_back(*std::move(blob));
     } else if (!absl::IsDataLoss(blob.status())) {
-      // It may be readable at the next start, or to another version.
+      // It may be readable at the next start, or by another version.
       Warn(absl::StrCat(PathOf(name),
                         " is left out: ", blob.status().message()));
     }
@@ -121,7 +120,7 @@ absl::Status BlobStore::Scan() {
     std::lock_guard lock(mutex_);
     for (Found& blob : found) Insert(std::move(blob.info));
   }
-  // The capacity may have been larger once.
+  // The capacity may have been larger before.
   if (absl::Status status = MakeRoom(0); !status.ok()) {
     Warn(absl::StrCat(Plural(options_.kind), "/ holds more than its ",
                       options_.capacity, " bytes: ", status.message()));
@@ -279,7 +278,7 @@ absl::Status BlobStore::MakeRoom(uint64_t bytes) {
         reserved_bytes_ += bytes;
         return absl::OkStatus();
       }
-      // In vain nothing is evicted.
+      // If evicting everything would not help, nothing is evicted.
       if (recency_.empty() ||
           (is_first && reserved_bytes_ + bytes > options_.capacity)) {
         return absl::ResourceExhaustedError(absl::StrCat(
@@ -333,11 +332,11 @@ absl::Status BlobStore::Publish(const std::string& temporary, BlobInfo info,
   std::lock_guard lock(mutex_);
   const auto old = entries_.find(info.name);
   if (!status.ok() && old == entries_.end()) {
-    // It may not survive, so it is not promised.
+    // It may not survive a crash, so it is removed and Put fails.
     unlinkat(folder_.get(), file.c_str(), 0);
     return status;
   }
-  // Where there was one, it is replaced, for good or only until a power cut.
+  // The old blob is replaced, if Sync failed perhaps only until a power cut.
   if (old != entries_.end()) Remove(old);
   is_reserved = false;
   reserved_bytes_ -= OnDisk(info.file_bytes);
@@ -383,7 +382,7 @@ absl::Status BlobStore::Read(
   absl::Status status = Take(name, take);
   std::lock_guard lock(mutex_);
   ++counters_.reads;
-  // Whoever wants no more has not found anything wrong.
+  // A cancelled read is not a failure.
   if (!status.ok() && !absl::IsCancelled(status)) ++counters_.read_failures;
   return status;
 }
@@ -395,7 +394,7 @@ absl::Status BlobStore::Take(
       OpenToRead(folder_.get(), FileName(name), PathOf(name));
   if (!file.ok()) {
     if (absl::IsNotFound(file.status())) {
-      // Somebody took the file away under the server's feet, or erased it.
+      // Erase, or somebody outside the server, has removed the file.
       std::lock_guard names_lock(names_mutex_);
       struct stat facts {};
       if (fstatat(folder_.get(), FileName(name).c_str(), &facts, 0) != 0) {
@@ -411,7 +410,7 @@ absl::Status BlobStore::Take(
   if (fstat(file->get(), &facts) != 0) {
     return DiskError(errno, "examine", PathOf(name));
   }
-  // The time of last use; without it the order after a restart is rougher.
+  // Sets the time of last use. If that fails, a restart only knows it roughly.
   const timespec now[2] = {{0, UTIME_NOW}, {0, UTIME_NOW}};
   futimens(file->get(), now);
 

@@ -4,24 +4,21 @@
 //   absl::Status status = store->Put(name, metadata, {head, body});
 //   status = store->Read(name, [&](BlobBody& b) { return b.Read(into); });
 //
-// Guarantees, also when the process or the machine dies at any moment:
-//   1. what Put said OK to is there until it is erased, evicted or damaged;
-//   2. what Erase said OK to stays away;
-//   3. a blob is whole or absent: it is written beside its place, flushed, and
-//      then takes its name in one step; what a crash left beside is removed by
-//      the next Open;
-//   4. no damaged byte is handed out: Read fails unless the digests agree. A
-//      damaged file is moved to the folder "quarantine" and reported, and its
-//      name is free again;
-//   5. the files, those being written included, never take more than the
-//      capacity together, counted in blocks of 4 KiB as disks do, nor are there
-//      more than a number; room is made by removing what was unused longest;
-//   6. after an error everything is as before, and the next call tries anew: a
-//      disk that was full or read-only needs no restart.
+// Guarantees, even if the process or the machine dies at any moment:
+//   1. a blob for which Put returned OK stays until erased, evicted or damaged;
+//   2. a blob for which Erase returned OK does not come back;
+//   3. a blob is whole or absent: it is written under a temporary name, flushed
+//      and then renamed; the next Open removes what a crash left;
+//   4. Read fails unless the digests agree. A damaged file is moved to the
+//      folder "quarantine" and reported, and its name is free again;
+//   5. all files together, including those being written, never exceed the
+//      capacity, counted in blocks of 4 KiB as disks do, nor max_count; room is
+//      made by removing the least recently used;
+//   6. after an error everything is as before, and the next call tries again:
+//      no restart is needed after a disk was full or read-only.
 //
-// The index is in memory and made from the folder alone by Open. How recently a
-// blob was used is kept as its file's time, at every Put and Read, so it is
-// known roughly after a restart.
+// The index is in memory; Open makes it from the folder alone. Put and Read
+// store the time of last use as the file's time, so a restart roughly knows it.
 
 #ifndef GEODESIC_SERVER_STORE_BLOB_STORE_H_
 #define GEODESIC_SERVER_STORE_BLOB_STORE_H_
@@ -63,20 +60,20 @@ struct BlobCounters {
   uint64_t writes = 0;  // failures included
   uint64_t write_failures = 0;
   uint64_t too_large = 0;  // for the whole store; nothing was written
-  uint64_t reads = 0;      // likewise
+  uint64_t reads = 0;      // failures included
   uint64_t read_failures = 0;
   uint64_t evictions = 0;
   uint64_t damaged = 0;
 };
 
-// A body while it is read, from its first byte to its last. What was read
-// is good only when BlobStore::Read has returned OK.
+// A body that is being read, from its first byte to its last. The bytes may
+// only be used when BlobStore::Read has returned OK.
 class BlobBody {
  public:
   uint64_t bytes_left() const { return bytes_left_; }
 
-  // The next bytes.
-  // Errors: DATA_LOSS when so many are not left; as DiskError.
+  // Fills `bytes` with the next bytes.
+  // Errors: DATA_LOSS if fewer are left; as DiskError.
   absl::Status Read(std::span<char> bytes);
 
  private:
@@ -89,7 +86,7 @@ class BlobBody {
   Sha256 hash_;
 };
 
-// A body while it is written.
+// A body that is being written.
 class BlobSink {
  public:
   // Errors: as DiskError.
@@ -109,18 +106,18 @@ class BlobSink {
 class BlobStore {
  public:
   struct Options {
-    // Of the files, their ending and the name of their folder ("mesh" files
-    // are in "meshes"): at most 8 letters.
+    // The ending of the files and, in plural, the name of their folder ("mesh"
+    // files are in "meshes"): at most 8 letters.
     std::string kind;
     uint64_t capacity = 0;
-    // Whether a blob's name is the digest of its body: then it must be.
+    // Whether a blob's name must be the digest of its body.
     bool is_named_by_content = false;
-    // Each takes a few hundred bytes of memory, too.
+    // Bounds memory, of which each blob takes a few hundred bytes.
     size_t max_count = 1'000'000;
-    // Hears of each blob that is gone though nobody erased it. Called without
-    // a lock, when it is gone already, and never by Open.
+    // Called for each blob that is gone though nobody erased it: without a
+    // lock, after it is gone, and never by Open.
     std::function<void(const std::string& name)> removed;
-    // Hears, in a line for people, of damage and of what was done about it.
+    // Called with a line for people about damage and what was done about it.
     std::function<void(const std::string& line)> warn;
   };
 
@@ -133,7 +130,7 @@ class BlobStore {
   BlobStore(const BlobStore&) = delete;
   BlobStore& operator=(const BlobStore&) = delete;
 
-  // What is known of the blob, which is marked as used, or nothing.
+  // Describes the blob and marks it as used; empty if it is not there.
   std::optional<BlobInfo> Find(const std::string& name);
 
   // Up to `count` blobs in order of name, from the first above `after`. Marks
@@ -145,22 +142,21 @@ class BlobStore {
                                       std::string_view metadata)>
                    visit) const;
 
-  // Whether a blob of so many bytes can ever be kept; one that cannot is
-  // counted as refused. Errors: RESOURCE_EXHAUSTED with the figures and the
-  // server's flag.
+  // Whether a blob of this size can ever be kept; counts one that cannot as too
+  // large. Errors: RESOURCE_EXHAUSTED with the figures and the server's flag.
   absl::Status Admit(uint64_t body_bytes, uint64_t metadata_bytes);
 
-  // Keeps a blob, whose body `write` appends, `body_bytes` in all; in place of
-  // the one with this name, if there is one.
-  // Errors: as Admit; RESOURCE_EXHAUSTED (larger than what others do not write
-  // at the moment; disk full), UNAVAILABLE (the disk cannot be
-  // written), INTERNAL (the body has not that size; the name is not its digest,
-  // but should be); those of `write`.
+  // Keeps a blob, in place of the one with this name, if there is one. `write`
+  // appends its body, `body_bytes` in all.
+  // Errors: as Admit; RESOURCE_EXHAUSTED (writes under way take the room; disk
+  // full), UNAVAILABLE (the disk cannot be written), INTERNAL (the body has
+  // another size or, if it is_named_by_content, another digest); those of
+  // `write`.
   // REQUIRES: IsSha256Hex(name).
   absl::Status Put(const std::string& name, std::string_view metadata,
                    uint64_t body_bytes,
                    absl::FunctionRef<absl::Status(BlobSink& sink)> write);
-  // The same for a body that is the parts one after the other.
+  // The same for a body that is given in parts.
   absl::Status Put(const std::string& name, std::string_view metadata,
                    std::span<const std::string_view> body);
 
@@ -196,29 +192,29 @@ class BlobStore {
 
   absl::Status Scan();
   absl::StatusOr<Found> Inspect(const std::string& name);
-  // The header and the metadata of an open file, and that they fit its size.
+  // Reads header and metadata of an open file; checks that they fit its size.
   absl::StatusOr<BlobInfo> ReadInfo(int file, uint64_t size,
                                     const std::string& name,
                                     BlobHeader& header) const;
   absl::Status MakeRoom(uint64_t bytes);
-  // Put and Read, uncounted.
+  // Put and Read without counting.
   absl::Status Keep(const std::string& name, std::string_view metadata,
                     uint64_t body_bytes,
                     absl::FunctionRef<absl::Status(BlobSink& sink)> write);
   absl::Status Take(const std::string& name,
                     absl::FunctionRef<absl::Status(BlobBody& body)> take);
-  // A whole file beside the others.
+  // Writes and flushes a whole file under a temporary name, which it returns.
   absl::StatusOr<std::string> WriteTemporary(
       const BlobInfo& info,
       absl::FunctionRef<absl::Status(BlobSink& sink)> write);
-  // Gives it its name and puts it into the index, where it counts by itself:
-  // `is_reserved` is false from then on.
+  // Renames it to its own name and puts it into the index, which then counts
+  // its bytes; `is_reserved` becomes false.
   absl::Status Publish(const std::string& temporary, BlobInfo info,
                        bool& is_reserved);
   absl::Status Write(
       int file, const BlobInfo& info,
       absl::FunctionRef<absl::Status(BlobSink& sink)> write) const;
-  // Takes a damaged file out of the way, if it still is the one with `inode`.
+  // Moves a damaged file to quarantine if it still is the one with `inode`.
   void SetAside(const std::string& name, ino_t inode, const absl::Status& why);
 
   // These REQUIRE mutex_ held:
@@ -230,12 +226,12 @@ class BlobStore {
   const FileDescriptor folder_;
   Quarantine& quarantine_;
 
-  // Held while room is made, so that no two count the same bytes as theirs.
-  // Taken before the others.
+  // Held while room is made, so no two writers count on the same bytes. Taken
+  // before the other mutexes.
   std::mutex room_mutex_;
 
-  // Held while a name in the folder changes, until the change is on the disk
-  // and in the index, so that these agree. Taken before mutex_.
+  // Held while a name in the folder changes, until the change is on disk and in
+  // the index, so they agree. Taken before mutex_.
   std::mutex names_mutex_;
   uint64_t next_temporary_ = 0;  // guarded by names_mutex_
 

@@ -18,7 +18,7 @@
 namespace geodesic::server {
 namespace {
 
-// Of the quarantine.
+// Files in the quarantine.
 constexpr size_t kMaxFiles = 100;
 
 // "by process 123", if the file says so.
@@ -45,11 +45,11 @@ absl::StatusOr<std::unique_ptr<Quarantine>> Quarantine::Open(int parent) {
 absl::StatusOr<std::string> Quarantine::Take(int folder,
                                              const std::string& file) {
   std::lock_guard lock(mutex_);
-  // Before the new one comes, which clocks may take for the oldest.
+  // Done before the new one comes, which may look oldest if the clock was set.
   if (const Contents contents = Count(); contents.files >= kMaxFiles) {
     unlinkat(folder_.get(), contents.oldest.c_str(), 0);
   }
-  // A name can be damaged more than once.
+  // A file of this name may have come before.
   std::string aside = file;
   struct stat facts {};
   for (int i = 1;
@@ -77,7 +77,7 @@ Quarantine::Contents Quarantine::Count() const {
         !S_ISREG(facts.st_mode)) {
       continue;
     }
-    // Being moved changes a file's status, not its content.
+    // A move sets the time of status change, not that of modification.
     const timespec& moved = facts.st_ctim;
     if (contents.files == 0 ||
         std::tie(moved.tv_sec, moved.tv_nsec, name) <
@@ -94,8 +94,8 @@ Quarantine::Contents Quarantine::Count() const {
 absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path) {
   absl::StatusOr<FileDescriptor> folder = OpenFolder(AT_FDCWD, path);
   if (!folder.ok()) return Unusable(folder.status());
-  // Open for reading only: a disk with a file open for writing could not be
-  // made read-only.
+  // Opened for reading: a disk with a file open for writing cannot be made
+  // read-only.
   absl::StatusOr<FileDescriptor> lock =
       OpenToRead(folder->get(), "lock", path + "/lock", O_CREAT);
   if (!lock.ok()) return Unusable(lock.status());
@@ -104,8 +104,8 @@ absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path) {
         absl::StrCat("--data-dir ", path, " is in use", Owner(lock->get()),
                      "; each server needs a folder of its own"));
   }
-  // For people and the message above only: the lock is the kernel's, and a
-  // full or read-only disk must not keep a server from serving what it has.
+  // The number is for people and the message above. Errors are ignored: a
+  // server with a full or read-only disk must still serve what it has.
   const FileDescriptor owner(
       openat(folder->get(), "lock", O_WRONLY | O_TRUNC | O_CLOEXEC));
   (void)WriteAt(owner.get(), 0, absl::StrCat(getpid(), "\n"), "lock");

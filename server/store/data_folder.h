@@ -1,4 +1,4 @@
-// The folder in which one server, and no other, keeps what outlives it.
+// The folder in which a server keeps what outlives it; one server at a time.
 
 #ifndef GEODESIC_SERVER_STORE_DATA_FOLDER_H_
 #define GEODESIC_SERVER_STORE_DATA_FOLDER_H_
@@ -15,26 +15,26 @@
 
 namespace geodesic::server {
 
-// The folder "quarantine", with the latest hundred damaged files. What is there
-// is listed whenever somebody asks, for people take files away. Thread-safe;
-// all calls wait for the disk.
+// The folder "quarantine", with the latest hundred damaged files. Every call
+// lists it, because people take files away. Thread-safe; calls wait for the
+// disk.
 class Quarantine {
  public:
   // Errors: as OpenFolder.
   static absl::StatusOr<std::unique_ptr<Quarantine>> Open(int parent);
 
-  // Moves a file here and returns its new name. When it is one too many, the
-  // oldest goes.
+  // Moves a file here and returns its new name. Removes the oldest file if
+  // there are too many.
   // Errors: as DiskError; the file is then where it was.
   absl::StatusOr<std::string> Take(int folder, const std::string& file);
 
   struct Contents {
     size_t files = 0;
     uint64_t bytes = 0;  // in blocks of 4 KiB, as disks count
-    // The file that came first.
+    // The file that was moved here first.
     std::string oldest;
   };
-  // Nothing of a folder that cannot be listed. O(files).
+  // All empty if the folder cannot be listed. O(files).
   Contents Count() const;
 
  private:
@@ -44,13 +44,13 @@ class Quarantine {
   std::mutex mutex_;  // held while files come and go
 };
 
-// Holds the folder's lock while it lives; a process that dies lets go of it.
+// Holds the folder's lock; the kernel releases it when the process dies.
 class DataFolder {
  public:
-  // Makes the folder when there is none, readable by this user alone; its
-  // parents must exist.
-  // Errors: UNAVAILABLE naming the process that has the folder already, or what
-  // keeps it from being made or opened.
+  // Makes the folder if there is none, readable by this user alone; its parents
+  // must exist.
+  // Errors: UNAVAILABLE naming the process that holds the lock, or why the
+  // folder cannot be made or opened.
   static absl::StatusOr<DataFolder> Open(const std::string& path);
 
   int descriptor() const { return folder_.get(); }

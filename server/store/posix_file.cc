@@ -114,7 +114,7 @@ absl::Status Sync(int file, std::string_view name) {
 }
 
 absl::StatusOr<std::vector<std::string>> NamesIn(int folder) {
-  // A description of its own, for a listing moves its offset.
+  // Opened again, because a listing moves the offset of its descriptor.
   const int copy = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   DIR* listing = copy < 0 ? nullptr : fdopendir(copy);
   if (listing == nullptr) return DiskError(errno, "list", "--data-dir");

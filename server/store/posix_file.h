@@ -15,7 +15,7 @@
 
 namespace geodesic::server {
 
-// Closed at the end. Movable; not thread-safe to change.
+// Closes the file when destroyed. Movable; changes are not thread-safe.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
@@ -34,20 +34,19 @@ class FileDescriptor {
   int number_ = -1;
 };
 
-// What errno `error` means to who asked to `verb` the file `name`:
+// The error of a failure with errno `error` to `verb` the file `name`:
 //   NOT_FOUND: there is no such file;
 //   RESOURCE_EXHAUSTED: the disk, a quota, a file's bound, memory or the table
-//     of open files is full; freeing some helps;
+//     of open files is full;
 //   UNAVAILABLE: anything else (read-only, no permission, a broken disk).
 absl::Status DiskError(int error, std::string_view verb, std::string_view name);
 
-// Opens a folder for use with the functions that take its descriptor; makes it
-// (mode 0700), but not its parents, when there is none.
+// Opens a folder. Makes it (mode 0700), but not its parents, if there is none.
 absl::StatusOr<FileDescriptor> OpenFolder(int parent, const std::string& name);
 
-// Opens a regular file for reading, and never waits for anything else that has
-// its name, such as a pipe. Follows no link. `more_flags` of open(2): with
-// O_CREAT the file is made (mode 0600) when there is none. `name` is for
+// Opens a regular file for reading. Follows no link, and fails without waiting
+// for anything else that has the name, such as a pipe. `more_flags` of open(2):
+// with O_CREAT the file is made (mode 0600) when there is none. `name` is for
 // messages.
 // Errors: as DiskError; UNAVAILABLE: it is no regular file.
 absl::StatusOr<FileDescriptor> OpenToRead(int folder, const std::string& file,
@@ -57,17 +56,17 @@ absl::StatusOr<FileDescriptor> OpenToRead(int folder, const std::string& file,
 // The names in a folder, among them "." and "..". Errors: as DiskError.
 absl::StatusOr<std::vector<std::string>> NamesIn(int folder);
 
-// What a file of so many bytes takes of a disk, in blocks of 4 KiB.
+// The bytes that a file of this size takes on disk, in blocks of 4 KiB.
 uint64_t OnDisk(uint64_t bytes);
 
-// Writes or reads all of it, at `offset`. `name` is for messages.
+// Writes or reads all of `bytes` at `offset`. `name` is for messages.
 // Errors: as DiskError; ReadAt: DATA_LOSS when the file ends before.
 absl::Status WriteAt(int file, uint64_t offset, std::string_view bytes,
                      std::string_view name);
 absl::Status ReadAt(int file, uint64_t offset, std::span<char> bytes,
                     std::string_view name);
 
-// Returns when the file, or the names in the folder, are on the disk.
+// Returns when the file's content, or the folder's names, are on disk.
 absl::Status Sync(int file, std::string_view name);
 
 }  // namespace geodesic::server

@@ -1,10 +1,10 @@
-// What every call shares that sends one request: the request is received and
-// decoded, and the answer goes out one message at a time, the next made when
-// gRPC has taken that one.
+// The base of every call with one request. It receives and decodes the request
+// and sends the answer one message at a time; the next message is made when
+// gRPC has taken the last one.
 //
-// The request is gone once the engine has been asked. A slow reader costs one
-// message and what the answer pins, and what nobody took is overwritten by
-// newer. When the mesh is on disk and not in memory, the stream waits for it
+// The request is freed once the engine has been asked. A slow reader costs one
+// message and what the answer pins; newer progress replaces progress that was
+// not sent. When the mesh is on disk but not in memory, the stream waits for it
 // and asks again.
 
 #ifndef GEODESIC_SERVER_RPC_CALLS_ANSWER_STREAM_H_
@@ -59,17 +59,17 @@ std::string MeshDigestOf(const Request& request) {
   }
 }
 
-// A call's deadline on the engine's clock; gRPC tells it in the system's time.
+// A call's deadline on the engine's clock; gRPC gives it in system time.
 inline TimePoint CallDeadline(const grpc::CallbackServerContext& context) {
   const auto deadline = context.deadline();
   const auto now = std::chrono::system_clock::now();
-  // Anything further away than this is as good as none.
+  // A deadline further away than this counts as none.
   if (deadline > now + std::chrono::hours(24 * 365)) return kNoDeadline;
   return std::chrono::steady_clock::now() + (deadline - now);
 }
 
-// A derived class says what is asked of the engine and what the messages are;
-// Launch starts it (see service.h).
+// A derived class asks the engine and makes the messages. Launch (service.h)
+// starts it.
 template <typename RequestType, typename ResponseType>
 class AnswerStream : public Call<ResponseType> {
  public:
@@ -103,7 +103,7 @@ class AnswerStream : public Call<ResponseType> {
       ticket = std::exchange(ticket_, {});
       begun = begun_;
     }
-    // Without the lock, for the engine has its own.
+    // Called without the lock, because the engine has its own.
     service_.engine.meshes().Leave(ticket);
     if (begun) Cancel();
   }
@@ -120,20 +120,20 @@ class AnswerStream : public Call<ResponseType> {
  protected:
   using Call<ResponseType>::service_;
 
-  // Asks the engine, which may call back at once; called without the lock, and
-  // once more after it found no mesh and that came from the disk.
-  // The request is there while it is called and then no more; the context, too,
-  // though the client be gone.
+  // Asks the engine, which may call back at once. Called without the lock, and
+  // again once the mesh has come from disk if it was not found before. The
+  // request and the context stay valid until it returns, even if the client
+  // goes.
   virtual absl::Status Ask() = 0;
 
-  // The caller waits no longer; called once at most, after Ask succeeded and
-  // without the lock.
+  // Tells the engine that the caller waits no longer. Called at most once,
+  // after Ask succeeded, without the lock.
   virtual void Cancel() {}
 
   // Makes the next message, under the lock. An error ends the stream.
   virtual absl::StatusOr<NextMessage> Fill(Response& message) = 0;
 
-  // Changes what Fill sees, and sends what there is to send.
+  // Calls `change` on what Fill reads, then sends the messages that are ready.
   template <typename Change>
   void Update(Change change) {
     std::lock_guard lock(mutex_);
@@ -141,8 +141,8 @@ class AnswerStream : public Call<ResponseType> {
     Advance();
   }
 
-  // What every question of the engine says: about which mesh, by which
-  // algorithm, until when and for whom. Errors: INVALID_ARGUMENT.
+  // Sets what every question has: the mesh, the algorithm, the deadline and the
+  // client. Errors: INVALID_ARGUMENT.
   template <typename Question>
   absl::Status BeginQuestion(Question& question) {
     question.mesh_digest = mesh_digest_;
@@ -159,8 +159,7 @@ class AnswerStream : public Call<ResponseType> {
 
   RequestLog::Entry& entry() { return *entry_; }
   const std::string& version() const { return service_.capabilities.version(); }
-  // For Ask. At the end of one that succeeds, what is no more needed may be
-  // changed.
+  // For Ask. An Ask that is about to succeed may change it.
   Request& request() { return *request_; }
 
  private:
@@ -183,7 +182,7 @@ class AnswerStream : public Call<ResponseType> {
     GoOn(Ask());
   }
 
-  // `ok`: of the read. Errors: as Intake::Decode. REQUIRES: mutex_ held.
+  // `ok`: a message came. Errors: as Intake::Decode. REQUIRES: mutex_ held.
   absl::Status Receive(bool ok) {
     if (!ok) return absl::InvalidArgumentError(kNoMessage);
     request_.emplace();
@@ -224,7 +223,7 @@ class AnswerStream : public Call<ResponseType> {
     service_.engine.meshes().Leave(*ticket);
   }
 
-  // `mesh` keeps it in memory until the engine has been asked.
+  // `mesh` pins the mesh until the engine has been asked.
   void OnMesh(const absl::StatusOr<MeshHandle>& mesh) {
     {
       std::lock_guard lock(mutex_);
@@ -235,9 +234,9 @@ class AnswerStream : public Call<ResponseType> {
     GoOn(mesh.ok() ? Ask() : mesh.status());
   }
 
-  // `status`: of Ask.
+  // `status` is the result of Ask.
   void GoOn(absl::Status status) {
-    // Nothing else that is not found would come with the mesh.
+    // Loading the mesh only helps if the mesh is what was not found.
     if (MeshAtFault(status).has_value() &&
         service_.engine.meshes().Contains(mesh_digest_)) {
       AwaitMesh();

@@ -1,10 +1,10 @@
-// What every call shares: it is let in, its messages are received one after the
-// other, it ends once, and it is logged.
+// The base of every call. It admits the call, receives its messages one after
+// the other, ends it once and logs it.
 //
-// Who may not ask, or asks too much, is refused before anything of the request
-// is received. Reactions and the engine's calls come from different threads, so
-// everything happens under one lock. Two parties hold the object, gRPC until
-// OnDone and the engine as long as it may call; the last to let go destroys it.
+// A caller without the right, or beyond a quota, is refused before anything of
+// the request is received. gRPC and the engine call from different threads, so
+// everything happens under one lock. gRPC holds the object until OnDone, the
+// engine as long as it may call; the last one destroys it.
 
 #ifndef GEODESIC_SERVER_RPC_CALLS_CALL_H_
 #define GEODESIC_SERVER_RPC_CALLS_CALL_H_
@@ -34,7 +34,7 @@
 
 namespace geodesic::server {
 
-// What the calls of a server work with. Outlives all calls.
+// The objects that all calls of a server use. They outlive all calls.
 struct ServiceContext {
   QueryEngine& engine;
   RequestLog& log;
@@ -42,8 +42,8 @@ struct ServiceContext {
   v1::GetCapabilitiesResponse capabilities;
 };
 
-// Why a read may fail. A message that is too large gRPC refuses by itself, and
-// tells the client so; the server hears as much as when the client leaves.
+// Why a read may fail. gRPC itself refuses a message that is too large and
+// tells the client so; to the server this looks as if the client had left.
 inline constexpr char kNoMessage[] =
     "no message came: the client sent none, is gone, or sent one larger than "
     "--max-message-bytes, which gRPC refused";
@@ -55,7 +55,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
  public:
   using Response = ResponseType;
 
-  // `method` as the log names it. REQUIRES: `service` outlives the call;
+  // `method` is its name in the log. REQUIRES: `service` outlives the call;
   // `context` lives until gRPC is done with it.
   Call(const ServiceContext& service, std::string_view method,
        grpc::CallbackServerContext& context)
@@ -63,7 +63,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
     entry_.emplace(service.log, method, context);
   }
 
-  // Begins; `self` is this, kept alive until gRPC is done with it.
+  // Begins the call. `self` is this; it is held until gRPC is done with it.
   void Launch(std::shared_ptr<Call> self) {
     {
       std::lock_guard lock(mutex_);
@@ -94,7 +94,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
     if (!finished_) {
       End(BrokenOffError());
     } else {
-      // Its client does not even take the answer.
+      // The call has ended, but its client does not take the answer.
       context_.TryCancel();
     }
   }
@@ -115,7 +115,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
     std::lock_guard lock(mutex_);
     entry_.reset();
     bytes_.Clear();
-    // The lock is released before `self`, which may be the last to hold it.
+    // The lock is released before `self`, which may be the last reference.
     self = std::move(self_);
   }
 
@@ -125,8 +125,8 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
     return entry.AdmitStream();
   }
 
-  // A message has come or, unless `ok`, will not come: the client has sent
-  // everything or is gone. Called without the lock.
+  // Called without the lock when a message has come. If not `ok`, none will
+  // come: the client has sent everything or is gone.
   virtual void OnReceived(bool ok) = 0;
 
   // Waits for a message. REQUIRES: mutex_ is not held.
@@ -146,7 +146,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
     service_.intake.Enter(std::move(self), peer_);
   }
 
-  // This call as its own class, to be handed to the engine.
+  // A reference to this call, for callbacks of the engine.
   template <typename Type>
   std::shared_ptr<Type> Shared(Type*) {
     return std::static_pointer_cast<Type>(this->shared_from_this());
@@ -156,7 +156,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
 
   // The rest REQUIRES: mutex_ held.
 
-  // Decodes the message that came, whose bytes go. Errors: as Intake::Decode.
+  // Decodes the message and frees its bytes. Errors: as Intake::Decode.
   absl::StatusOr<ByteReservation> Decode(google::protobuf::Message& message) {
     absl::StatusOr<ByteReservation> memory =
         service_.intake.Decode(bytes_, message);
@@ -164,7 +164,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
     return memory;
   }
 
-  // Ends the call unless it has ended; OK: after this last message.
+  // Ends the call unless it has ended. If OK, sends this last message first.
   void End(absl::Status status, const Response* message = nullptr) {
     if (finished_) return;
     finished_ = true;
@@ -194,7 +194,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
  private:
   void OnLate(uint64_t read) {
     std::lock_guard lock(mutex_);
-    // It may have come in the meantime.
+    // The message may have come in the meantime.
     if (reads_ == read) End(LateError(service_.intake.patience()));
   }
 

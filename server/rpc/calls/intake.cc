@@ -16,15 +16,14 @@
 namespace geodesic::server {
 namespace {
 
-// While the engine is asked there are the request, and up to three copies of
-// the question, each smaller than the request; the call keeps one or two of
-// them.
+// While the engine is asked, there are the request and up to three copies of
+// the question, each smaller than the request. The call keeps one or two.
 constexpr uint64_t kWhileAsking = 3;
 constexpr uint64_t kShareAfterwards = 2;  // half of it
 
 constexpr std::chrono::milliseconds kComeAgain{1000};
 
-// A reception that is younger is not broken off: an honest one takes less.
+// Younger receptions are not broken off: an honest one takes less time.
 constexpr std::chrono::milliseconds kYoung{250};
 
 // How often room is made while somebody waits.
@@ -36,16 +35,16 @@ using google::protobuf::MessageFactory;
 using google::protobuf::internal::WireFormatLite;
 using google::protobuf::io::CodedInputStream;
 
-// What an allocation and its place in a list cost beside its own bytes: the
-// allocator's header and rounding, and a pointer in a list that may be twice as
-// long as it is full.
+// The cost of an allocation and its place in a list beside its own bytes: the
+// allocator's header and rounding, and a pointer in a list that may have twice
+// the capacity it needs.
 constexpr uint64_t kAllocation = 32;
-// A scalar in such a list, or a field that the type does not know.
+// A scalar in such a list, or a field unknown to the type.
 constexpr uint64_t kScalar = 32;
 // A string is an object beside its bytes.
 constexpr uint64_t kString = kAllocation + 64;
-// Packed numbers lie in such a list: those of fixed length as they are, and a
-// varint of one byte as eight.
+// Packed numbers lie in such a list. Those of fixed length keep their size; a
+// varint of one byte takes eight.
 constexpr uint64_t kFixedGrowth = 2;
 constexpr uint64_t kVarintGrowth = 16;
 
@@ -58,8 +57,7 @@ class Sizer {
  public:
   explicit Sizer(CodedInputStream& input) : input_(input) {}
 
-  // Adds a message of this type, which is all up to the input's limit. False
-  // when it is malformed.
+  // Adds a message of this type, up to the input's limit. False if malformed.
   bool AddMessage(const Descriptor& type) {
     size_ += SizeOf(type);
     while (const uint32_t tag = input_.ReadTag()) {
@@ -71,7 +69,7 @@ class Sizer {
   uint64_t size() const { return size_; }
 
  private:
-  // More are refused by the parser, too.
+  // The parser refuses deeper nesting, too.
   static constexpr int kDeepest = 100;
 
   bool AddField(const Descriptor& type, uint32_t tag) {
@@ -82,8 +80,7 @@ class Sizer {
         return AddDelimited(field);
       case WireFormatLite::WIRETYPE_START_GROUP:
       case WireFormatLite::WIRETYPE_END_GROUP:
-        // No message of the protocol has groups; the parser keeps them as
-        // unknown fields.
+        // The protocol has no groups; the parser keeps them as unknown fields.
         is_in_group_ = true;
         size_ += kString;
         return true;

@@ -1,12 +1,12 @@
-// How requests come in: how many messages at once, how long each may take, and
-// what requests may hold.
+// Bounds how many messages are received at once, how long each may take, and
+// how much memory requests hold.
 //
-// While a message is received gRPC may set aside as much memory as the largest
-// message takes, so each takes a slot. Who finds none waits, held back by flow
-// control after 64 KiB. So that nobody keeps the others out by sending slowly,
-// or not at all, connections share the slots evenly: when one waits that has
-// fewer than another, the other's oldest reception is broken off, unless it is
-// young.
+// gRPC may allocate memory for the largest message while it receives one, so
+// each reception takes a slot. A call without a slot waits; flow control then
+// stops its client after 64 KiB. A client that sends slowly, or not at all,
+// must not keep others out, so connections share the slots evenly: if one waits
+// that has fewer slots than another, the other's oldest reception is broken
+// off, unless it is young.
 
 #ifndef GEODESIC_SERVER_RPC_CALLS_INTAKE_H_
 #define GEODESIC_SERVER_RPC_CALLS_INTAKE_H_
@@ -33,15 +33,15 @@
 
 namespace geodesic::server {
 
-// Who receives a message. Both are called without a lock of the intake's.
+// Receives a message. Both methods are called without a lock of the intake.
 class Receiver {
  public:
   virtual ~Receiver() = default;
 
-  // There is a slot: read, then leave it.
+  // A slot is free: read, then call Leave.
   virtual void OnSlot() = 0;
 
-  // Others wait: end. Called again, from time to time, until the slot is left.
+  // Others wait: end the call. Called again and again until Leave.
   virtual void OnBrokenOff() = 0;
 };
 
@@ -51,9 +51,9 @@ class Intake {
   struct Options {
     // Messages that may be received at once.
     uint64_t slots = 64;
-    // What has not come as a whole after so long is waited for no longer.
+    // How long a message may take to come in.
     std::chrono::milliseconds patience{60'000};
-    // For what is decoded.
+    // The budget of decoded requests.
     uint64_t memory_bytes = uint64_t{1} << 30;
   };
 
@@ -63,19 +63,19 @@ class Intake {
   // apart. REQUIRES: the caller holds no lock that OnSlot takes.
   void Enter(std::shared_ptr<Receiver> receiver, const std::string& connection);
 
-  // REQUIRES: it has a slot; the caller holds no lock that another's OnSlot
-  // takes.
+  // REQUIRES: `receiver` has a slot; the caller holds no lock that another
+  // receiver's OnSlot takes.
   void Leave(const Receiver& receiver);
 
-  // Decodes a request, and reserves memory for it and for the question that is
-  // made from it before it does.
+  // Reserves memory for a request and for the question that is made from it,
+  // then decodes the request.
   // Errors: INVALID_ARGUMENT: malformed; RESOURCE_EXHAUSTED naming the request
-  // memory, with a retry hint when an idle server would have it.
+  // memory, with a retry hint unless that is too small.
   absl::StatusOr<ByteReservation> Decode(
       grpc::ByteBuffer& bytes, google::protobuf::Message& request) const;
 
-  // Lets go of what was reserved for the request, which is gone, and keeps what
-  // the question takes. Call once.
+  // Returns the memory of the request, which is gone, and keeps that of the
+  // question. Call once.
   static void ReleaseRequest(ByteReservation& reservation);
 
   std::chrono::milliseconds patience() const { return patience_; }
@@ -94,12 +94,12 @@ class Intake {
     std::deque<std::shared_ptr<Receiver>> waiting;
   };
 
-  // Gives free slots to those who wait, without the lock.
+  // Gives free slots to receivers that wait. Calls them without the lock.
   void Serve();
-  // Breaks receptions off for those who wait, and comes again if some still do.
+  // Breaks receptions off for receivers that wait; runs again while some wait.
   void MakeRoom();
   // The rest REQUIRES: mutex_ held.
-  // The connection that waits and has the fewest slots; none: null.
+  // The waiting connection that has the fewest slots; null if none waits.
   std::pair<const std::string, Connection>* Neediest();
   void Watch();
 
@@ -115,18 +115,17 @@ class Intake {
   bool is_watching_ = false;
 };
 
-// How much memory a message takes once it is decoded, told before it is:
-// an upper bound on what a message of this type takes when it is parsed from
-// these bytes: two bytes can become 70. Nothing is allocated for what the
-// bytes say. Of malformed bytes the part before the fault counts, which is what
-// a parser may have set aside. O(bytes).
+// An upper bound on the memory that a message of this type takes when it is
+// parsed from these bytes; two bytes can become 70. Allocates nothing for the
+// content. If the bytes are malformed, counts the part before the fault, for
+// which a parser may have allocated memory. O(bytes).
 uint64_t DecodedSize(const google::protobuf::Descriptor& type,
                      google::protobuf::io::ZeroCopyInputStream& bytes);
 
-// The error of a message that was late.
+// The error of a call whose message was late.
 absl::Status LateError(std::chrono::milliseconds patience);
 
-// The error of one that was broken off, so that others can be received.
+// The error of a call that was broken off so others can be received.
 absl::Status BrokenOffError();
 
 }  // namespace geodesic::server

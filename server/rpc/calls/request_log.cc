@@ -86,8 +86,8 @@ std::string TraceParent(const grpc::CallbackServerContext& context) {
   return std::string(given);
 }
 
-// Adds to the trailers the request id and, when the server is full, when gRPC's
-// own retries may come again, or that they may not.
+// Adds the request id to the trailers. When the server is full, also says when
+// gRPC's own retries may come, or that they may not.
 void AddTrailers(const std::string& request_id, const absl::Status& status,
                  grpc::CallbackServerContext& context) {
   context.AddTrailingMetadata("x-request-id", request_id);
@@ -219,7 +219,7 @@ std::string RequestLog::Entry::client() const {
 grpc::Status RequestLog::Entry::End(absl::Status status) {
   AddTrailers(request_id_, status, context_);
   status_ = std::move(status);
-  // Before the client hears of the end: its next request must find the room.
+  // Freed before the client hears of the end: its next request may need it.
   job_.reset();
   return ToGrpcStatus(status_);
 }
@@ -245,8 +245,7 @@ RequestLog::Entry::~Entry() {
       status_.ok() ? ""
                    : absl::StrCat(" reason=", ReasonOf(status_), " error=\"",
                                   absl::CHexEscape(status_.message()), "\""));
-  // Under the lock, so that a waiter who then lets the log go finds nobody
-  // in it.
+  // Notifies under the lock: a waiter may destroy the log as soon as it wakes.
   std::lock_guard lock(log_.mutex_);
   if (--log_.active_ == 0) log_.idle_.notify_all();
 }
@@ -259,7 +258,7 @@ Scope RequiredScope(std::string_view method) {
 }
 
 std::string PeerHost(std::string_view peer) {
-  // The colons of an IPv6 address are written otherwise or in brackets.
+  // The colons of an IPv6 address are escaped or in brackets.
   const bool has_port = peer.starts_with("ipv4:") || peer.starts_with("ipv6:");
   return std::string(has_port ? peer.substr(0, peer.rfind(':')) : peer);
 }

@@ -1,4 +1,4 @@
-// A request's way through the house: let in, counted, answered, logged.
+// Admits, counts and logs requests.
 
 #ifndef GEODESIC_SERVER_RPC_CALLS_REQUEST_LOG_H_
 #define GEODESIC_SERVER_RPC_CALLS_REQUEST_LOG_H_
@@ -30,17 +30,16 @@ class logger;
 
 namespace geodesic::server {
 
-// Code and message stay (see PrintableMessage). Details follow as google.rpc
-// messages: ErrorInfo with the reason always, BadRequest for a field at fault,
-// ResourceInfo for a mesh that is not there, QuotaFailure, and RetryInfo when
+// Keeps the code and the message (see PrintableMessage) and adds details as
+// google.rpc messages: always ErrorInfo with the reason, BadRequest for a field
+// at fault, ResourceInfo for a missing mesh, QuotaFailure, and RetryInfo when
 // waiting helps.
 grpc::Status ToGrpcStatus(const absl::Status& status);
 
 // Thread-safe.
 class RequestLog {
  public:
-  // A request, from its arrival until its last byte is gone. Belongs to the
-  // request; not thread-safe.
+  // One request, from its arrival until its last byte is sent. Not thread-safe.
   class Entry {
    public:
     // REQUIRES: `log` outlives the entry, `context` lives until End.
@@ -48,35 +47,35 @@ class RequestLog {
           grpc::CallbackServerContext& context);
     Entry(const Entry&) = delete;
     Entry& operator=(const Entry&) = delete;
-    // Writes the line.
+    // Writes the line of the log.
     ~Entry();
 
-    // Whether the caller may ask this; to be asked before anything of the
-    // request is looked at.
+    // Whether the caller may make this request. Call before looking at anything
+    // in it.
     // Errors: as AccessControl::Identify, CheckScope, Quotas::TakeRequest.
     absl::Status Admit();
 
-    // Admit, and whether there is room for one more stream. Each holds a
-    // message or two, so their number bounds their memory.
+    // Admit, and whether there is room for one more stream. A stream holds a
+    // message or two, so the number of streams bounds their memory.
     // Errors: as Admit; RESOURCE_EXHAUSTED with a retry hint when the server
     // or the caller has too many requests that have not ended.
     absl::Status AdmitStream();
 
-    // What the request was about, e.g. the start of a digest.
+    // What the request is about, e.g. the start of a digest.
     void set_subject(std::string subject) { subject_ = std::move(subject); }
     void add_bytes(uint64_t bytes) { bytes_ += bytes; }
-    // Time in which the client was waited for.
+    // Adds time spent waiting for the client.
     void add_write_time(Duration time) { write_time_ += time; }
 
-    // Who asks, for the engine (see Requester): the name of the token or, on a
-    // server without tokens, the address.
+    // The client's name for the engine (see Requester): the token's name or, on
+    // a server without tokens, the address.
     std::string client() const;
 
     // The caller's job, once AdmitStream has succeeded. It counts until the
     // request ends and nobody else holds it.
     const std::shared_ptr<Quotas::Job>& job() { return job_; }
 
-    // How the request ends, as gRPC is told; call once, before its Finish.
+    // Ends the request; returns the status for gRPC. Call once, before Finish.
     grpc::Status End(absl::Status status);
 
    private:
@@ -95,12 +94,11 @@ class RequestLog {
     Duration write_time_{0};
   };
 
-  // What is referred to outlives the log.
+  // REQUIRES: the references outlive the log.
   RequestLog(std::shared_ptr<spdlog::logger> logger, size_t max_active,
              const AccessControl& access, Quotas& quotas, Metrics& metrics);
 
-  // Waits until no request is active. False when `until` or a request to stop
-  // waiting came first.
+  // Waits until no request is active. False if `until` or `stop` came first.
   bool WaitIdle(std::chrono::steady_clock::time_point until,
                 std::stop_token stop);
 
@@ -123,12 +121,12 @@ class RequestLog {
 // "ComputeField". A method that was forgotten here needs the scope admin.
 Scope RequiredScope(std::string_view method);
 
-// A peer's address as gRPC tells it, without the port, which changes from one
-// connection to the next: "ipv4:10.1.2.3" of "ipv4:10.1.2.3:53412".
+// A peer's address as gRPC writes it, without the port, which differs between
+// connections: "ipv4:10.1.2.3" for "ipv4:10.1.2.3:53412".
 std::string PeerHost(std::string_view peer);
 
-// Enough of a digest to tell meshes apart in a log. What is no digest is not
-// quoted: the log is for programs too.
+// Enough of a digest to tell meshes apart in a log. Other text is not quoted,
+// because programs read the log, too.
 std::string DigestPrefix(std::string_view digest);
 
 }  // namespace geodesic::server

@@ -1,11 +1,10 @@
-// A service of the protocol whose requests this program reads itself.
+// A service of the protocol whose requests the server reads itself.
 //
-// gRPC's generated services hand a request over when all of it has been
-// received and decoded: before anybody has seen a token, for as long as the
-// client likes, in memory that nobody counts; and they answer a malformed one
-// with UNIMPLEMENTED. So each method is served as a stream of bytes, which on
-// the wire is the same: a call begins with its headers, and its messages are
-// read when it asks for them.
+// gRPC's generated services receive and decode a whole request before anybody
+// has checked its token, for as long as the client likes and in memory that
+// nobody counts. They also answer a malformed one with UNIMPLEMENTED. So each
+// method is served as a stream of bytes, which is the same on the wire: a call
+// begins with its headers and reads its messages when it is ready.
 //
 //   auto service = std::make_unique<Service>("geodesic.v1.PathService");
 //   service->Add<PathStream>(service);
@@ -41,7 +40,7 @@ Type* Launch(const ServiceContext& service,
 
 class Service final : public grpc::Service {
  public:
-  // `name` is of the protocol, e.g. "geodesic.v1.MeshService".
+  // `name` is that in the protocol, e.g. "geodesic.v1.MeshService".
   explicit Service(const std::string& name)
       : type_(*google::protobuf::DescriptorPool::generated_pool()
                    ->FindServiceByName(name)) {}

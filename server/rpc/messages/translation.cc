@@ -19,8 +19,8 @@ constexpr uint64_t kPointsPerMessage = 8192;
 
 static_assert(sizeof(Point) == 3 * sizeof(double));
 
-// Sets `result`. Wider numbers are on no mesh; the rest is for the engine to
-// judge.
+// Sets `result`. A number beyond 32 bits is on no mesh; the engine checks
+// others.
 absl::Status SetNumber(uint64_t number, const std::string& field,
                        uint32_t& result) {
   if (number > std::numeric_limits<uint32_t>::max()) {
@@ -32,7 +32,7 @@ absl::Status SetNumber(uint64_t number, const std::string& field,
   return absl::OkStatus();
 }
 
-// The place of a v1::SurfacePoint, or of a v1::Source that is no curve.
+// The place of a v1::SurfacePoint, or of a v1::Source that is not a curve.
 template <typename Message>
 absl::StatusOr<SurfacePoint> PointFrom(const Message& message,
                                        const std::string& field) {
@@ -95,7 +95,7 @@ absl::StatusOr<std::variant<SurfacePoint, Curve>> PlaceFrom(
   return Curve{*std::move(points)};
 }
 
-// `things` and `limit_name` are what the limit counts and is called.
+// `things` is what the limit counts, `limit_name` its name, both for messages.
 absl::Status AddAll(
     const google::protobuf::RepeatedPtrField<v1::Source>& sources,
     const char* things, const char* limit_name, uint64_t limit,
@@ -311,7 +311,7 @@ absl::Status Translate(const v1::ComputeFieldRequest& request,
   if (!status.ok()) return status;
   if (request.has_radius()) result.reach.radius = request.radius();
   if (request.has_stop_after_targets()) {
-    // The largest number would mean no limit to the engine.
+    // To the engine the largest number means no limit.
     result.reach.targets = std::min(request.stop_after_targets(),
                                     std::numeric_limits<uint64_t>::max() - 1);
   }

@@ -1,4 +1,4 @@
-// The protocol's messages <-> what the engine takes and gives.
+// Translates between the protocol's messages and the engine's types.
 
 #ifndef GEODESIC_SERVER_RPC_MESSAGES_TRANSLATION_H_
 #define GEODESIC_SERVER_RPC_MESSAGES_TRANSLATION_H_
@@ -31,12 +31,12 @@
 
 namespace geodesic::server {
 
-// Numbers as they travel in `bytes` fields, little endian.
+// Numbers in `bytes` fields, little endian.
 
 // Numbers are sent as they lie in memory.
 static_assert(std::endian::native == std::endian::little);
 
-// Replaces what `bytes` holds, whose room is used again.
+// Replaces the content of `bytes` and reuses its memory.
 template <typename T>
 void SetBytes(std::span<const T> items, std::string& bytes) {
   bytes.assign(reinterpret_cast<const char*>(items.data()),
@@ -66,9 +66,9 @@ inline void SetValues(std::span<const double> values, v1::ValueType type,
 
 // Points, sources and polylines.
 
-// Errors of these: INVALID_ARGUMENT naming `field`, the path of the value in
-// the request, or a part of it: no place; a number beyond 32 bits; other than
-// three weights. Whether the place is on a mesh is for the engine to judge.
+// Errors of these: INVALID_ARGUMENT naming `field`, which is the value's path
+// in the request, or a part of it: no place; a number beyond 32 bits; other
+// than three weights. The engine checks that the place is on the mesh.
 absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point,
                                        const std::string& field);
 
@@ -93,7 +93,7 @@ absl::Status AddRows(
 void SetPoint(const Point& from, v1::Point& to);
 void SetSurfacePoint(const SurfacePoint& from, v1::SurfacePoint& to);
 
-// Replaces `piece` by the points from `first` on, as many as a message takes;
+// Replaces `piece` by as many points from `first` on as a message takes;
 // returns where the next piece begins. A polyline without points has one empty
 // piece.
 uint64_t SetPiece(std::span<const SurfacePoint> points,
@@ -113,7 +113,7 @@ v1::AnswerHeader MakeHeader(const ResidentMesh& mesh, Algorithm algorithm,
                             const std::string& version);
 
 // INVALID_ARGUMENT: this field of a request has a number that its enumeration
-// does not.
+// does not have.
 absl::Status Unknown(const std::string& field, int number);
 
 // Errors of these: INVALID_ARGUMENT naming the part of the request at fault.
@@ -121,14 +121,14 @@ absl::StatusOr<Algorithm> FromProto(v1::Algorithm algorithm);
 // Never unspecified.
 absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type);
 absl::StatusOr<bool> IsBatch(v1::Priority priority);
-// Adds to `question` what only a field's request says.
+// Adds to `question` what only field requests have.
 // Errors: also RESOURCE_EXHAUSTED for counts beyond the limits.
 absl::Status Translate(const v1::ComputeFieldRequest& request,
                        const Limits& limits, FieldRequest& question);
 
 // Meshes and uploads.
 
-// What clients may upload.
+// The formats that clients may upload.
 inline constexpr std::pair<UploadFormat, v1::MeshFormat> kMeshFormats[] = {
     {UploadFormat::kArrays, v1::MESH_FORMAT_ARRAYS},
     {UploadFormat::kObj, v1::MESH_FORMAT_OBJ},

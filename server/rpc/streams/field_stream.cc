@@ -20,7 +20,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // 512 KiB a message: large enough to stream at the speed of memory, small
-// enough that a stalled reader costs little.
+// enough to cost little when a reader stalls.
 constexpr uint64_t kValuesPerChunk = 65536;
 // Distances, gradients and labels together are four times as large.
 constexpr uint64_t kVerticesPerRichChunk = 16384;
@@ -36,7 +36,7 @@ FieldChunks::FieldChunks(const FieldCall& call, FieldAnswer answer,
       extras_(extras),
       value_type_(value_type),
       next_vertex_(first_vertex) {
-  // What was sent before may have been cut, too.
+  // Distances sent before the stream broke may have been cut, too.
   const std::span<const double> all = answer_.field->distances;
   if (std::isinf(call_.reach.radius)) return;
   for (const double distance : all.first(std::min(first_vertex, all.size()))) {
@@ -110,7 +110,7 @@ bool FieldChunks::NextTargets(v1::TargetChunk& chunk) {
 
 double FieldChunks::settled_radius() const {
   const double settled = answer_.field->settled_radius;
-  // A whole field that lies within the radius has been sent whole.
+  // A whole field that lies within the radius was sent as a whole.
   if (std::isinf(settled) && !was_cut_) return settled;
   return std::min(settled, call_.reach.radius);
 }
@@ -153,7 +153,7 @@ absl::StatusOr<NextMessage> FieldStream::Fill(
     FillHeader(*message.mutable_header());
     return NextMessage::kSend;
   }
-  // What is final goes out even if the rest never comes.
+  // Final vertices are sent even if the rest never comes.
   if (FillSettled(message)) return NextMessage::kSend;
   if (!answer_.has_value()) {
     if (!progress_.has_value()) return NextMessage::kWait;
@@ -199,8 +199,7 @@ void FieldStream::KeepQuestion() {
 }
 
 std::string FieldStream::MakeFieldId(const FieldAnswer& answer) {
-  // Equal questions get equal bits, from the same program and as far as the
-  // search came.
+  // One version of the program gives equal questions equal bits up to `radius`.
   const double radius =
       std::min(answer.field->settled_radius, call_->reach.radius);
   question_.Update({reinterpret_cast<const char*>(&radius), sizeof(radius)});
@@ -229,7 +228,7 @@ bool FieldStream::FillSettled(v1::ComputeFieldResponse& message) {
 
 bool FieldStream::FillChunk(v1::ComputeFieldResponse& message) {
   v1::FieldChunk& chunk = *message.mutable_chunk();
-  // The message is used again and again.
+  // The message is reused.
   chunk.clear_field_id();
   if (!chunks_->Next(chunk)) return false;
   if (!field_id_.empty()) chunk.set_field_id(std::exchange(field_id_, {}));

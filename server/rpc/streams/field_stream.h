@@ -17,8 +17,8 @@
 
 namespace geodesic::server {
 
-// A field cut into messages, and cut at the radius that was asked for: the
-// field itself may reach further. Not thread-safe. Pins the field.
+// Cuts a field into messages, and cuts it off at the radius that was asked for,
+// because the field may reach further. Pins the field. Not thread-safe.
 class FieldChunks {
  public:
   // The first chunk begins at `first_vertex`.
@@ -30,13 +30,13 @@ class FieldChunks {
   bool Next(v1::FieldChunk& chunk);
   bool NextTargets(v1::TargetChunk& chunk);
 
-  // Up to where every distance was sent. Final once every chunk was made.
+  // Every distance up to here was sent. Final once every chunk was made.
   double settled_radius() const;
 
   const FieldAnswer& answer() const { return answer_; }
 
  private:
-  // +infinity for what lies beyond the radius; remembers that there was such.
+  // +infinity for a distance beyond the radius, which sets was_cut_.
   double Cut(double distance);
 
   const FieldCall& call_;
@@ -45,7 +45,7 @@ class FieldChunks {
   const v1::ValueType value_type_;
   uint64_t next_vertex_;
   uint64_t next_target_ = 0;
-  // Of the field's own targets, which are those that are no vertices or all.
+  // Counts the field's own targets: all, or only those that are not vertices.
   uint64_t next_own_target_ = 0;
   bool was_cut_ = false;
   std::vector<double> values_;
@@ -65,12 +65,12 @@ class FieldStream final
   void Cancel() override;
   absl::StatusOr<NextMessage> Fill(v1::ComputeFieldResponse& message) override;
 
-  // Once the answer is there. Errors: NOT_FOUND, INVALID_ARGUMENT: it cannot be
-  // resumed as the client wants.
+  // Called once the answer is there. Errors: NOT_FOUND, INVALID_ARGUMENT: the
+  // field cannot be resumed as asked.
   absl::Status StartChunks();
-  // Of the request, which goes, what StartChunks and MakeFieldId need.
+  // Keeps what StartChunks and MakeFieldId need of the request, which is freed.
   void KeepQuestion();
-  // Names what this request gets: the same name, the same bits. Call once.
+  // Names the answer to this request; equal names mean equal bits. Call once.
   std::string MakeFieldId(const FieldAnswer& answer);
 
   // Fills the next message of its kind; false when there is none.

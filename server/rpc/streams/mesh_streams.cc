@@ -19,8 +19,8 @@ static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12);
 
 constexpr uint64_t kChunkBytes = uint64_t{512} << 10;
 
-// Copies one chunk of the `count` items that `item` gives from `begin` on;
-// returns where the next begins.
+// Copies one chunk of the `count` items that `item` gives, from `begin` on;
+// returns where the next chunk begins.
 template <typename Item>
 uint64_t FillChunk(uint64_t count, uint64_t begin, Item item,
                    std::string& bytes) {
@@ -34,8 +34,8 @@ uint64_t FillChunk(uint64_t count, uint64_t begin, Item item,
   return end;
 }
 
-// What the mesh will take in memory, as far as its header tells: a file does
-// not say before it is read, so its own size stands for it.
+// The memory that the mesh will take, as far as the header tells. A file's need
+// is only known when it is parsed, so its size is used instead.
 uint64_t LeastBytes(const UploadHeader& header) {
   return header.format == UploadFormat::kArrays
              ? Mesh::EstimateResidentBytes(header.vertex_count,
@@ -148,14 +148,14 @@ void UploadStream::Complete() {
     quota = entry_->job();
     client = entry_->client();
   }
-  // Without the lock: the engine may call back at once.
+  // Called without the lock, because the engine may call back at once.
   absl::StatusOr<UploadJobs::Ticket> job = engine().meshes().FinishUpload(
       std::move(upload),
       [self = Shared(this)](const absl::StatusOr<UploadResult>& result) {
         self->OnBuilt(result);
       },
       client,
-      // Held by the job, which counts against the quota to its end.
+      // The job holds this callback, so it counts against the quota to its end.
       [&engine = engine(),
        quota = std::move(quota)](const UploadResult& result) {
         if (result.already_resident) return;
@@ -175,7 +175,7 @@ void UploadStream::Complete() {
 
 void UploadStream::OnBuilt(const absl::StatusOr<UploadResult>& result) {
   std::lock_guard lock(mutex_);
-  // After Finish neither the response nor the log entry is ours.
+  // After Finish neither response_ nor entry_ may be used.
   if (finished_) return;
   if (!result.ok()) {
     End(result.status());

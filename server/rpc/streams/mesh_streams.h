@@ -37,8 +37,8 @@ class MeshStream final
 };
 
 // One CreateMesh call: a header, chunks, then a job that builds the mesh. The
-// next chunk is read only when the one before has been taken, so a fast sender
-// is held back by flow control.
+// next chunk is read only when the last one has been taken, so flow control
+// holds a fast sender back.
 class UploadStream final : public Call<v1::CreateMeshResponse> {
  public:
   using Request = v1::CreateMeshRequest;
@@ -52,7 +52,7 @@ class UploadStream final : public Call<v1::CreateMeshResponse> {
 
  private:
   void OnReceived(bool ok) override;
-  // The client has sent everything.
+  // Called when the client has sent everything.
   void Complete();
   void OnBuilt(const absl::StatusOr<UploadResult>& result);
 

@@ -79,7 +79,7 @@ absl::StatusOr<GeodesicPath> PathStream::TraceNext() {
 
 absl::StatusOr<bool> PathStream::FillPart(v1::ComputePathsResponse& message) {
   if (next_item_ > 0 && next_point_ < path_.points.size()) {
-    // More of the same path.
+    // Sends the next piece of the same path.
     next_point_ = SetPiece(path_.points, path_.positions, next_point_,
                            *message.mutable_path()->mutable_piece());
     return true;

@@ -25,22 +25,21 @@
 
 namespace geodesic::server {
 
-// What an answer cost.
+// The work that an answer took.
 struct AnswerCost {
   double seconds = 0;
   uint64_t windows_propagated = 0;
 };
 
-// FieldQuestionStream and JobQuestionStream, below, say how the engine is
-// asked.
+// The classes FieldQuestionStream and JobQuestionStream, below, ask the engine.
 template <typename Request, typename Response>
 class QuestionStream : public AnswerStream<Request, Response> {
  public:
   using AnswerStream<Request, Response>::AnswerStream;
 
  protected:
-  // Fills the next part of the answer; false when there is none left. Under the
-  // stream's lock, after SetFinished.
+  // Fills the next part of the answer; false when there is none left. Called
+  // under the stream's lock, after SetFinished.
   virtual absl::StatusOr<bool> FillPart(Response& message) = 0;
 
   // For Ask:
@@ -56,7 +55,7 @@ class QuestionStream : public AnswerStream<Request, Response> {
     });
   }
 
-  // `change` puts the answer where FillPart finds it.
+  // `change` stores the answer where FillPart finds it.
   template <typename Change>
   void SetFinished(absl::Status status, AnswerCost cost, Change change) {
     this->Update([&] {
@@ -130,7 +129,7 @@ class FieldQuestionStream : public QuestionStream<Request, Response>,
   // Adds to `question` what only this stream knows.
   virtual absl::Status Translate(FieldRequest& question) = 0;
 
-  // Of the call, constant once it has been asked.
+  // Constant once Ask has succeeded.
   const FieldCall& call() const { return *call_; }
   // For FillPart.
   const FieldAnswer& answer() const { return answer_; }
@@ -158,14 +157,14 @@ class FieldQuestionStream : public QuestionStream<Request, Response>,
   FieldAnswer answer_;  // guarded by the stream's lock
 };
 
-// Questions that are answered by a job of their own, which leaves a Result.
+// Questions that are answered by a job of their own, which makes a Result.
 template <typename Request, typename Response, typename Result>
 class JobQuestionStream : public QuestionStream<Request, Response> {
  public:
   using QuestionStream<Request, Response>::QuestionStream;
 
  protected:
-  // What the job does. Charges `memory` with the result.
+  // The work of the job. It charges `memory` with the result.
   using Work = absl::AnyInvocable<absl::StatusOr<Result>(
       const Mesh&, const ValidQuery&, const SolveOptions&, Checkpoint&,
       ByteReservation& memory)>;
@@ -228,9 +227,9 @@ class PathStream final : public FieldQuestionStream<v1::ComputePathsRequest,
   absl::StatusOr<GeodesicPath> TraceNext();
 
   // Guarded by the stream's lock:
-  // Of the field's own targets, which are those that are no vertices or all.
+  // Counts the field's own targets: all, or only those that are not vertices.
   uint32_t next_own_target_ = 0;
-  // The path on its way, and how much of it was sent.
+  // The path that is being sent, and how many of its points were.
   GeodesicPath path_;
   uint64_t next_point_ = 0;
 };

@@ -20,7 +20,7 @@
 
 namespace geodesic::server {
 
-// Where a chunk has its columns and values.
+// The fields of a chunk that hold columns and values.
 struct ChunkBytes {
   std::string& columns;
   std::string& values;
