@@ -49,7 +49,7 @@ class Metrics {
   using Collector = std::function<std::vector<prometheus::MetricFamily>()>;
   void Add(Collector collector);
 
-  // Adds a gauge whose value is read at each scrape, likewise.
+  // Adds a gauge whose value is read at each scrape. REQUIRES: as Add.
   void AddGauge(const std::string& name, const std::string& help,
                 std::function<double()> value);
 

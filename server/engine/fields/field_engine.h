@@ -171,7 +171,7 @@ class FieldEngine {
     ByteReservation room;     // of the field cache
     ByteReservation memory;   // of the solver
     ByteReservation settled;  // of the solver, too, for the settled order
-    ByteReservation derived;  // likewise, for other quantities
+    ByteReservation derived;  // of the solver, too, for other quantities
   };
 
   void Count(uint64_t FieldCounters::*event);

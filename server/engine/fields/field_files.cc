@@ -266,7 +266,7 @@ void FieldWriter::WriteOne() {
     // A full disk does not hurt queries; uploads report it.
     (void)Guarded("kept a field",
                   [&] { return files_.Put(item.key, *mesh->mesh, *field); });
-    // As FieldEngine::Keep.
+    // See FieldEngine::Keep.
     if (!meshes_.Contains(mesh->digest)) files_.EraseMesh(mesh->digest);
   }
   std::lock_guard lock(mutex_);

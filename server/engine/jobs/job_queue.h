@@ -41,10 +41,10 @@ struct Requester {
 
 // The most urgent first.
 enum class JobPriority {
-  kBuild,  // of meshes: short, and queries wait for them
+  kBuild,  // a mesh build: short, and queries wait for it
   kSolve,
-  kRow,    // one of many that a single request needs
-  kBatch,  // either of the two, of a request that can wait
+  kRow,    // one row of a matrix
+  kBatch,  // a solve or row of a request that can wait
   kStore,  // keeps on disk what would otherwise be computed again
 };
 inline constexpr int kJobPriorities = 5;

@@ -90,9 +90,9 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   // Guarded by mutex_:
   std::function<void()> on_row_;
   Scheduler::Place place_;
-  bool is_waiting_ = false;  // the row before next_row_, for a thread
-  uint64_t next_row_ = 0;    // to be submitted
-  uint64_t next_take_ = 0;   // to be taken
+  bool is_waiting_ = false;  // row next_row_ - 1 waits for a thread
+  uint64_t next_row_ = 0;    // the next to submit
+  uint64_t next_take_ = 0;   // the next to take
   std::map<uint64_t, SoloJobs::Call> running_;
   std::map<uint64_t, MatrixRow> finished_;
   absl::Status failure_;

@@ -158,7 +158,7 @@ class MeshLibrary {
   struct MeshLoad {
     std::string digest;
     MeshHandle mesh;
-    ByteReservation arrays;  // and what else is gone when the mesh is there
+    ByteReservation arrays;  // and the build's temporary memory
     ByteReservation room;    // of the mesh store
   };
 

@@ -85,7 +85,7 @@ class MeshUpload {
   const std::shared_ptr<ByteBudget> budget_;
   ByteReservation reservation_;
   std::vector<char> bytes_;
-  uint64_t soup_factor_;  // the triangles' bytes by those of the upload
+  uint64_t soup_factor_;  // bound: triangles' bytes / upload's bytes
   Sha256 hash_;
   std::optional<FileKey> file_;
   std::optional<TriangleSoup> soup_;

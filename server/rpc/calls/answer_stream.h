@@ -279,11 +279,11 @@ class AnswerStream : public Call<ResponseType> {
   std::string mesh_digest_;   // set by Receive, then constant
   ByteReservation memory_;    // of the request and the question
   bool is_asking_ = false;    // Ask runs, or is about to
-  bool begun_ = false;        // it succeeded
+  bool begun_ = false;        // Ask succeeded
   MeshLoads::Ticket ticket_;  // while the mesh is being loaded
   bool cancelled_ = false;
   bool writing_ = false;   // a message is on its way
-  TimePoint write_begin_;  // since when
+  TimePoint write_begin_;  // when it was started
   Response message_;
 
   // Set by Receive; Ask's while it runs:

@@ -143,7 +143,7 @@ class RowStream final : public AnswerStream<Request, Response> {
   bool has_header_ = false;
   bool has_news_ = false;  // a row was finished since the last progress
   uint64_t next_row_ = 0;
-  std::optional<MatrixRow> row_;  // on its way
+  std::optional<MatrixRow> row_;  // being sent
   uint64_t next_value_ = 0;       // of *row_
 };
 
