@@ -10,8 +10,8 @@
 namespace geodesic::client {
 namespace {
 
-// Appends the elements that `bytes` holds; they are elements `first` and
-// following of the `count` there are to be.
+// Appends the elements that `bytes` holds, which begin with number `first` of
+// `count`.
 template <typename Element>
 absl::Status Append(std::string_view what, const std::string& bytes,
                     uint64_t first, uint64_t count,
@@ -28,8 +28,8 @@ absl::Status Append(std::string_view what, const std::string& bytes,
 
 using v1::ComputeFieldResponse;
 
-// Room taken on the server's word alone, in values: address space that no
-// memory backs until values arrive. Larger fields grow as vectors do.
+// How many values to reserve on the server's word alone. That takes address
+// space only, until values arrive. Larger fields grow as vectors do.
 constexpr uint64_t kMostReserved = uint64_t{1} << 24;
 
 }  // namespace
@@ -220,7 +220,7 @@ absl::Status FieldAssembler::TakeHeader(const v1::FieldHeader& header) {
   if (has_header_) {
     return absl::DataLossError("the server sent two headers for one query");
   }
-  // When a field is read on, it must be the same.
+  // A stream that is resumed must continue the same field.
   if (!field_id_.empty() && header.vertex_count() != field_.vertex_count) {
     return absl::DataLossError("the server went on with another field");
   }

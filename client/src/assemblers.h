@@ -1,5 +1,6 @@
-// Puts together what travels in pieces. Memory grows with the bytes that have
-// arrived, not with the counts announced. None of this is thread-safe.
+// Puts together what the server sends in pieces. Memory grows with the bytes
+// that have arrived, not with the announced counts. None of this is
+// thread-safe.
 
 #ifndef GEODESIC_CLIENT_ASSEMBLERS_H_
 #define GEODESIC_CLIENT_ASSEMBLERS_H_
@@ -25,11 +26,11 @@
 
 namespace geodesic::client {
 
-// Numbers are copied as they come.
+// Numbers arrive little endian and are copied as they are.
 static_assert(std::endian::native == std::endian::little);
 
-// Appends the elements that `bytes` holds. Returns false, and does nothing, if
-// it holds a part of one.
+// Appends the elements that `bytes` holds. Returns false and appends nothing if
+// the last one is not whole.
 template <typename Element>
 bool AppendElements(std::string_view bytes, std::vector<Element>* elements) {
   static_assert(std::is_trivially_copyable_v<Element>);
@@ -56,7 +57,8 @@ bool AppendValues(std::string_view bytes, ValueType type,
                         values);
 }
 
-// Errors: DATA_LOSS unless as many `items` have come as were to.
+// Errors: DATA_LOSS unless `received` is `expected`; `items` names what is
+// counted.
 absl::Status CheckCount(std::string_view items, uint64_t received,
                         uint64_t expected);
 
@@ -66,12 +68,12 @@ class PolylineAssembler {
   // Whether the next piece begins a line.
   bool complete() const { return due_ == 0; }
 
-  // Appends a piece to `line`, which is empty where a line begins.
+  // Appends a piece to `line`, which is empty before its first piece.
   // Errors: DATA_LOSS for a piece other than the one that is due.
   absl::Status Consume(const v1::PolylinePiece& piece, Polyline* line);
 
  private:
-  // Points of the line that have not come.
+  // Points of the line that have not arrived.
   uint64_t due_ = 0;
 };
 
@@ -85,22 +87,23 @@ struct RowPiece {
   std::string_view values;
 };
 
-// Puts the rows of a matrix together, and holds one.
+// Puts the rows of a matrix together. Holds one row at a time.
 class RowAssembler {
  public:
   RowAssembler(ValueType value_type, bool has_numbers)
       : value_type_(value_type), has_numbers_(has_numbers) {}
 
-  // Whether the row that began last is whole; then the next one is due.
+  // Whether the current row is whole and the next one is due.
   bool complete() const { return complete_; }
   uint64_t row() const { return row_count_ - (complete_ ? 1 : 0); }
-  // Rows that are whole.
+  // How many rows are whole.
   uint64_t row_count() const { return row_count_; }
 
   const std::vector<uint32_t>& numbers() const { return numbers_; }
   const std::vector<double>& values() const { return values_; }
 
-  // Numbers are below `column_count`, as is how many values a row may have.
+  // Takes a piece of the row that is due. A row has at most `column_count`
+  // values, and its numbers are below that.
   // Errors: DATA_LOSS for a piece other than the one that is due.
   absl::Status Consume(const RowPiece& piece, uint64_t column_count);
 
@@ -120,7 +123,7 @@ class MeshAssembler {
   // Errors: DATA_LOSS if it breaks the stream's protocol.
   absl::Status Consume(const v1::ReadMeshResponse& message);
 
-  // The mesh, after the stream has ended well; every index is that of a vertex.
+  // The mesh, once the stream has ended without error. Every index is checked.
   // Errors: DATA_LOSS if anything is missing.
   absl::StatusOr<MeshArrays> Finish() &&;
 
@@ -132,12 +135,11 @@ class MeshAssembler {
 };
 
 // Puts a distance field together from the messages of a ComputeField stream.
-//
 class FieldAssembler {
  public:
-  // For the answer to `query`, which outlives this. With `on_settled` the field
-  // is progressive: settled vertices come instead of chunks. Both callbacks may
-  // be empty.
+  // Assembles the answer to `query`, which must outlive the object. With
+  // `on_settled` the field is progressive: the server sends settled vertices
+  // instead of chunks. Both callbacks may be empty.
   FieldAssembler(const FieldQuery& query, SettledCallback on_settled,
                  SolveProgressCallback progress)
       : query_(query),
@@ -152,17 +154,19 @@ class FieldAssembler {
   bool has_header() const { return has_header_; }
   uint64_t received() const { return field_.distances.size(); }
 
-  // After a stream has broken: the next one is to begin where this one ended,
-  // or at the start if what came cannot be added to.
+  // To be called after a stream has broken. Returns where the next one must
+  // begin: where this one ended, or at the start if the field cannot be
+  // continued.
   struct Position {
     std::string field_id;  // empty: at the start
     uint64_t first_vertex = 0;
   };
   Position Resume();
-  // After a stream has broken: the next one begins at the start.
+  // To be called after a stream has broken, if the next one begins at the
+  // start.
   void Restart();
 
-  // The field, after the stream has ended well.
+  // The field, once the stream has ended without error.
   // Errors: DATA_LOSS if anything is missing.
   absl::StatusOr<Field> Finish() &&;
 

@@ -1,5 +1,5 @@
-// Client::ComputeField and StreamField: one server stream, received into its
-// final buffer or handed on. One that breaks is read on.
+// Client::ComputeField and StreamField. Each reads a server stream, into its
+// final buffer or for the callback. ComputeField resumes a stream that breaks.
 
 #include <algorithm>
 #include <string>
@@ -41,8 +41,8 @@ absl::Status ReceiveStream(v1::FieldService::Stub* stub,
                     });
 }
 
-// Whether and how to go on after a stream has failed; until it had begun, gRPC
-// has tried again itself.
+// Prepares the next stream after one has failed. Returns false if there is to
+// be none. Before an answer has begun, gRPC itself tries again.
 bool ReadOn(const absl::Status& failed, int attempts,
             const CallOptions& options, FieldAssembler* assembler,
             v1::ComputeFieldRequest* request) {
@@ -78,9 +78,9 @@ absl::StatusOr<Field> Receive(v1::FieldService::Stub* stub,
         ReceiveStream(stub, *request, options, &assembler);
     if (status.ok()) return std::move(assembler).Finish();
     begun |= assembler.has_header();
-    // What has been handed out cannot be taken back.
+    // Distances that were handed out cannot be taken back.
     if (!retry || !begun || on_settled != nullptr) return status;
-    // As long as it gets on.
+    // Attempts count only while nothing new arrives.
     if (assembler.received() > most) attempts = 1;
     most = std::max(most, assembler.received());
     if (!ReadOn(status, attempts, options, &assembler, &*request)) {

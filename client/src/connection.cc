@@ -17,7 +17,7 @@ namespace {
 
 using grpc::experimental::ClientInterceptorFactoryInterface;
 
-// 128 random bits; uniqueness is all that is asked of them.
+// 128 random bits, which need to be unique only.
 std::string MakeRequestId() {
   thread_local std::mt19937_64 random{std::random_device{}()};
   const uint64_t high = random();
@@ -26,9 +26,9 @@ std::string MakeRequestId() {
                       absl::Hex(low, absl::kZeroPad16));
 }
 
-// Adds what every call says of itself: "x-request-id", by which the server's
-// log can be searched, and "authorization" unless it is empty. Calls without
-// TLS get that too, which gRPC's own call credentials refuse.
+// Adds "x-request-id" to every call, by which the server's log can be searched,
+// and "authorization" unless it is empty. gRPC's own call credentials cannot
+// serve, since they refuse calls without TLS.
 class CallMetadata final : public grpc::experimental::Interceptor {
  public:
   explicit CallMetadata(const std::string& authorization)
@@ -52,7 +52,7 @@ class CallMetadata final : public grpc::experimental::Interceptor {
   const std::string& authorization_;
 };
 
-// Belongs to the channel, which outlives its calls.
+// Belongs to the channel and so outlives its calls.
 class CallMetadataFactory final : public ClientInterceptorFactoryInterface {
  public:
   explicit CallMetadataFactory(const std::string& token)
@@ -82,25 +82,24 @@ std::shared_ptr<grpc::Channel> MakeChannel(const std::string& server,
                                            const ConnectionOptions& options) {
   constexpr int kMebibyte = 1 << 20;
   grpc::ChannelArguments arguments;
-  // A page of meshes or a chunk of a field is far smaller; the server's own
-  // limit on requests is its own affair.
+  // A page of meshes or a chunk of a field is far smaller. The server has its
+  // own limit on requests.
   arguments.SetMaxReceiveMessageSize(64 * kMebibyte);
   arguments.SetMaxSendMessageSize(64 * kMebibyte);
-  // A dead peer is noticed while a call waits. Servers by default hang up on
+  // Pings notice a dead peer while a call waits. By default, servers hang up on
   // clients that ping more often than every five minutes.
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, 5 * 60 * 1000 + 10 * 1000);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20 * 1000);
-  // Time for one attempt to connect; gRPC's 20 s is long for someone waiting.
+  // Time for one attempt to connect. gRPC's 20 s is long for a waiting user.
   arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 5 * 1000);
-  // Clients of one process that name the same server do not share a
-  // connection, so that closing one means closing it.
+  // Clients of one process do not share a connection to the same server, so
+  // destroying a client closes its connection.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  // Questions and look-ups change nothing, so gRPC asks them again while
-  // nothing of an answer has come: when the server is not there, or, at the
-  // time it names itself, when it is full. A mesh that was deleted by a call
-  // whose answer was lost would then be reported missing, so DeleteMesh is not
-  // among them; and what CreateMesh sends is too much to be kept for a
-  // repetition by gRPC, so upload.cc sees to that.
+  // Questions and look-ups change nothing, so gRPC repeats them until an answer
+  // begins: if the server is not there, or if it is full, after the time that
+  // it suggests. DeleteMesh is not repeated: if the answer to a call that
+  // deleted the mesh were lost, the repetition would report it missing.
+  // CreateMesh sends too much for gRPC to keep, so upload.cc repeats it.
   if (options.retry) {
     arguments.SetServiceConfigJSON(kServiceConfig);
   } else {

@@ -35,13 +35,13 @@ struct Client::Connection {
   std::unique_ptr<v1::MatrixService::Stub> matrices;
 };
 
-// Holds the context of an RPC for as long as it runs.
+// The context of one RPC, which it must outlive.
 class Call {
  public:
   explicit Call(const CallOptions& options)
       : on_stop_(options.stop, Cancel{&context_}) {
     if (options.timeout.has_value()) {
-      // A timeout beyond a year is as good as none, and does not overflow.
+      // A year is as good as no timeout, and does not overflow.
       constexpr std::chrono::duration<double> kYear(365.0 * 24 * 3600);
       context_.set_deadline(
           std::chrono::system_clock::now() +

@@ -12,13 +12,13 @@
 namespace geodesic::client {
 namespace {
 
-// Canonical arrays are little endian; they are hashed as they lie in memory.
+// Canonical arrays are little endian, so they are hashed as they lie in memory.
 static_assert(std::endian::native == std::endian::little);
 static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12);
 
 constexpr std::string_view kDigestPreamble = "geodesic.mesh.v1\n";
 
-// By number.
+// Indexed by MeshFormat.
 constexpr std::array<std::string_view, 4> kFormatNames = {"obj", "ply", "off",
                                                           "stl"};
 

@@ -30,13 +30,14 @@ const v1::AnswerHeader& CommonHeader(const v1::MatrixHeader& header) {
   return header.answer();
 }
 
-// Reads an answer to its end as query.proto lays it down: a header, progress,
-// parts and a trailer. What it says of itself goes into `info`. `progress`
-// takes the messages of that name with what is known by then, `take` the header
-// and all parts; it may end the call by an error. Parts unknown here, which a
-// later server may add, go to `take` too. `count` is called at the end, for the
-// number of items that have come. Errors: the server's; those of `take`;
-// DATA_LOSS if the stream breaks the protocol or is not complete.
+// Reads an answer to its end. As query.proto defines, it is a header, progress,
+// parts and a trailer. `info` receives what the answer says about itself.
+// `progress` is called with progress messages and `info` as known by then.
+// `take` is called with the header and with all parts, also unknown ones that a
+// later server may add; if it returns an error, the call ends. `count` is
+// called at the end and returns how many items have arrived.
+// Errors: the server's; those of `take`; DATA_LOSS if the stream breaks the
+// protocol or is not complete.
 template <typename Response, typename Progress, typename Take, typename Count>
 absl::Status ReadAnswer(Call* call,
                         std::unique_ptr<grpc::ClientReader<Response>> reader,
@@ -77,14 +78,14 @@ absl::Status ReadAnswer(Call* call,
   return CheckCount("items", count(), item_count);
 }
 
-// Takes the progress of one computation for a callback, which may be empty.
+// Hands the progress of one computation to `callback`, which may be empty.
 auto ReportTo(const SolveProgressCallback& callback) {
   return [&callback](const v1::SolveProgress& message, const AnswerInfo& info) {
     if (callback != nullptr) callback(FromProto(message, info.vertex_count));
   };
 }
 
-// Takes the progress of `rows` computations for a callback, which may be empty.
+// Hands the progress of `rows` computations to `callback`, which may be empty.
 auto ReportTo(const CountProgressCallback& callback, uint64_t rows) {
   return
       [&callback, rows](const v1::MatrixProgress& message, const AnswerInfo&) {

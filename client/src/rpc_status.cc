@@ -27,7 +27,7 @@ Seconds ToSeconds(const google::protobuf::Duration& duration) {
                  1e-9 * duration.nanos());
 }
 
-// The detail of this type, if there is one.
+// Reads the detail of this type. Returns false if there is none.
 template <typename Detail>
 bool ReadDetail(const absl::Status& status, Detail* detail) {
   const auto payload = status.GetPayload(
@@ -35,7 +35,7 @@ bool ReadDetail(const absl::Status& status, Detail* detail) {
   return payload.has_value() && detail->ParseFromString(std::string(*payload));
 }
 
-// Adds what one detail says beyond `message`, in words.
+// Adds to `notes`, in words, what `detail` says beyond `message`.
 void Describe(const google::protobuf::Any& detail, std::string_view message,
               bool name_fields, std::vector<std::string>* notes) {
   google::rpc::BadRequest bad_request;
@@ -43,7 +43,7 @@ void Describe(const google::protobuf::Any& detail, std::string_view message,
   if (name_fields && detail.UnpackTo(&bad_request)) {
     for (const auto& violation : bad_request.field_violations()) {
       notes->push_back(absl::StrCat("field ", violation.field()));
-      // Servers tend to say the same twice.
+      // The message often holds the description already.
       if (message.find(violation.description()) == std::string_view::npos) {
         absl::StrAppend(&notes->back(), ": ", violation.description());
       }
@@ -60,7 +60,7 @@ absl::Status FromRpcStatus(const grpc::Status& status, std::string_view file) {
   if (status.ok()) return absl::OkStatus();
   std::vector<std::string> notes;
   google::rpc::Status rich;
-  // What cannot be read is nothing, not half of it.
+  // A failed parse may leave half of the details.
   if (!rich.ParseFromString(status.error_details())) rich.Clear();
   for (const google::protobuf::Any& detail : rich.details()) {
     Describe(detail, status.error_message(), file.empty(), &notes);

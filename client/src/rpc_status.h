@@ -1,5 +1,5 @@
-// Statuses as gRPC gives them -> statuses as this library gives them, and which
-// of them make a call that gRPC does not repeat worth repeating.
+// Turns gRPC's statuses into those of this library, and decides which of them
+// make it worth repeating a call that gRPC does not repeat.
 
 #ifndef GEODESIC_CLIENT_RPC_STATUS_H_
 #define GEODESIC_CLIENT_RPC_STATUS_H_
@@ -13,21 +13,21 @@
 
 namespace geodesic::client {
 
-// Keeps code and message; what google.rpc.BadRequest and google.rpc.RetryInfo
-// in the details say is appended to the message in brackets. The details
-// themselves become payloads under their type URLs; errors.h reads them.
-// For a call that sent the file `file` what is wrong with the request is wrong
-// with the file: the message then begins with its path and names no fields.
+// Keeps code and message, and appends in brackets what google.rpc.BadRequest
+// and google.rpc.RetryInfo in the details say. The details themselves become
+// payloads under their type URLs, which errors.h reads. If the call sent the
+// file `file`, an error of the request is an error of that file: the message
+// begins with its path and names no fields.
 absl::Status FromRpcStatus(const grpc::Status& status,
                            std::string_view file = "");
 
-// As the channel's own policy has it.
+// The same as in the channel's retry policy.
 inline constexpr int kMaxAttempts = 4;
 
-// Waits before the next attempt, as long as the server suggests or twice as
-// long each time; `attempts` have failed, the last with `status`. False, at
-// once or when `stop` asks for it, if there is to be none: the error would come
-// again, or it was tried often enough.
+// Waits before the next attempt, as long as the server suggests or else twice
+// as long each time. `attempts` have failed, the last with `status`. Returns
+// false at once if another attempt would not help or there have been enough,
+// and as soon as `stop` asks for it.
 bool WaitToRetry(const absl::Status& status, int attempts,
                  std::stop_token stop);
 

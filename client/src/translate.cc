@@ -31,8 +31,8 @@ std::vector<v1::Algorithm> Algorithms() {
   return algorithms;
 }
 
-// Puts a place into a v1::SurfacePoint or a v1::Source, which name the fields
-// alike.
+// Puts a place into a v1::SurfacePoint or a v1::Source, whose fields have the
+// same names.
 template <typename Message>
 class PlaceSetter {
  public:

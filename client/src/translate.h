@@ -1,4 +1,5 @@
-// Messages of geodesic.v1 <-> the plain types of the public headers.
+// Converts between messages of geodesic.v1 and the plain types of the public
+// headers.
 
 #ifndef GEODESIC_CLIENT_TRANSLATE_H_
 #define GEODESIC_CLIENT_TRANSLATE_H_
@@ -25,10 +26,10 @@ MeshInfo FromProto(const v1::Mesh& mesh);
 FieldOrigin FromProto(v1::FieldOrigin origin);
 FieldStatistics FromProto(const v1::SolveStatistics& statistics);
 Capabilities FromProto(const v1::GetCapabilitiesResponse& response);
-// `vertex_count` is that of the answer's header.
+// `vertex_count` comes from the answer's header.
 SolveProgress FromProto(const v1::SolveProgress& progress,
                         uint64_t vertex_count);
-// Errors: DATA_LOSS for a point that is not set, or weights that are not three.
+// Errors: DATA_LOSS if no point is set, or if there are not three weights.
 absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point);
 
 v1::SurfacePoint ToProto(const SurfacePoint& point);
@@ -38,14 +39,14 @@ v1::Priority ToProto(Priority priority);
 
 v1::MeshFormat ToProto(MeshFormat format);
 
-// "fwp-ch" for ALGORITHM_FWP_CH: the name follows from the protocol's.
+// "fwp-ch" for ALGORITHM_FWP_CH. The name follows from the protocol's name.
 std::string AlgorithmName(v1::Algorithm algorithm);
 
 // The inverse; ALGORITHM_UNSPECIFIED for an empty name.
-// Errors: INVALID_ARGUMENT naming the name and those that are known.
+// Errors: INVALID_ARGUMENT naming `name` and the known names.
 absl::StatusOr<v1::Algorithm> AlgorithmFromName(std::string_view name);
 
-// A request with all of `query` that several questions have.
+// A request with those members of `query` that several questions have.
 // Errors: INVALID_ARGUMENT for an unknown algorithm.
 template <typename Request, typename Query>
 absl::StatusOr<Request> MakeRequest(const Query& query) {

@@ -1,4 +1,5 @@
-// Client::UploadFile, UploadArrays and FindFile: ask first, then send.
+// Client::UploadFile, UploadArrays and FindFile. They ask whether the server
+// has a mesh before they send it.
 
 #include <sys/stat.h>
 
@@ -28,7 +29,7 @@ class FileReader {
   // Errors: NOT_FOUND, PERMISSION_DENIED or FAILED_PRECONDITION if it cannot be
   // opened, INVALID_ARGUMENT if it is no regular file; all name the path.
   static absl::StatusOr<FileReader> Open(const std::string& path) {
-    // A pipe would block the open, so its kind is looked at first.
+    // Opening a pipe would block, so the file's kind is checked first.
     struct stat info = {};
     if (stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) {
       return absl::InvalidArgumentError(
@@ -43,8 +44,8 @@ class FileReader {
 
   uint64_t size() const { return size_; }
 
-  // Fills `buffer` with the next bytes, up to its size; shrinks it at the end
-  // of the file, to nothing once that is reached.
+  // Fills `buffer` with the next bytes, up to its size. At the end of the file
+  // it shrinks `buffer`, and empties it if no bytes are left.
   // Errors: DATA_LOSS naming the path.
   absl::Status Read(std::string* buffer) {
     buffer->resize(std::fread(buffer->data(), 1, buffer->size(), file_.get()));
@@ -68,14 +69,14 @@ class FileReader {
   uint64_t size_;
 };
 
-// Fills `chunk` with the next bytes of an upload, from its start or from where
-// the last one ended; an empty chunk ends it.
+// Fills `chunk` with the next bytes of an upload, which follow the last chunk
+// unless `restart` is set. An empty chunk ends the upload.
 using ChunkSource =
     std::function<absl::Status(bool restart, std::string* chunk)>;
 
-// Sends an upload; again if the connection broke or the server is full: it
-// keeps nothing of an upload that did not end, and one that did is merely found
-// resident. `path` is the file's, or empty.
+// Sends an upload, and sends it again if the connection breaks or the server is
+// full. That is safe: the server drops an upload that does not end, and finds a
+// mesh resident whose upload did. `path` is the file's, or empty.
 absl::StatusOr<UploadOutcome> Send(v1::MeshService::Stub* stub,
                                    const std::string& path,
                                    const v1::UploadHeader& header,
@@ -104,7 +105,7 @@ absl::StatusOr<UploadOutcome> Send(v1::MeshService::Stub* stub,
       if (progress != nullptr) progress(sent, header.size_bytes());
     }
     writer->WritesDone();
-    // A write that failed has its reason here.
+    // This status tells why a write failed.
     const absl::Status status = FromRpcStatus(writer->Finish(), path);
     if (!local.ok()) return local;
     if (!status.ok()) return status;
@@ -170,7 +171,7 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
     if (mesh.ok()) {
       return UploadOutcome{.mesh = *std::move(mesh), .already_resident = true};
     }
-    // It may have been evicted since it was asked for.
+    // The mesh may have been evicted since FindFile.
     if (!absl::IsNotFound(mesh.status())) return mesh.status();
   }
 

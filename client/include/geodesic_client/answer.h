@@ -15,7 +15,7 @@ namespace geodesic::client {
 // may offer fewer; see Client::GetCapabilities.
 std::vector<std::string> AlgorithmNames();
 
-// How real numbers travel. They arrive as doubles in either case.
+// How real numbers travel. The client gets doubles in either case.
 enum class ValueType {
   kFloat64,
   kFloat32,  // Half the bytes; each value is the nearest float.
@@ -39,20 +39,21 @@ struct SolveProgress {
 
 using SolveProgressCallback = std::function<void(const SolveProgress&)>;
 
-// Called with what is finished of `total` rows, sources, or bytes to send.
+// Called with how many of the `total` rows, sources, or bytes to send are
+// finished.
 using CountProgressCallback =
     std::function<void(uint64_t finished, uint64_t total)>;
 
-// What every answer but a field's says about itself.
+// What every answer says about itself. A Field has such members of its own.
 struct AnswerInfo {
   std::string mesh_digest;
   uint64_t vertex_count = 0;
   std::string algorithm;
-  // Relative error every distance stays below.
+  // The relative error of every distance is below this.
   double relative_tolerance = 0;
   std::string server_version;
-  // Time that the computations took, added up over threads; 0 if nothing had
-  // to be computed.
+  // Time that the computations took, summed over threads; 0 if nothing had to
+  // be computed.
   double compute_seconds = 0;
   uint64_t windows_propagated = 0;
 };

@@ -16,7 +16,7 @@ struct AlgorithmCapability {
   bool is_default = false;
 };
 
-// Limits of a server; what passes them is refused with RESOURCE_EXHAUSTED.
+// Limits of a server. A request beyond them is refused with RESOURCE_EXHAUSTED.
 struct ServerLimits {
   uint64_t max_upload_bytes = 0;
   uint64_t max_vertices = 0;
@@ -27,18 +27,18 @@ struct ServerLimits {
   uint64_t max_queued_jobs = 0;
   uint64_t mesh_store_bytes = 0;
   uint64_t field_cache_bytes = 0;
-  // Of one request.
+  // Limits of one request. The points of all its curves count together.
   uint64_t max_curve_points = 0;
   uint64_t max_targets = 0;
   uint64_t max_levels = 0;
   uint64_t max_samples = 0;
-  // Of one matrix: its rows, and its rows times its columns.
+  // Limits of one matrix: rows, and rows times columns.
   uint64_t max_matrix_rows = 0;
   uint64_t max_matrix_values = 0;
-  // 0: nothing outlives the server.
+  // Byte budgets on disk. 0: nothing outlives the server.
   uint64_t mesh_disk_bytes = 0;
   uint64_t field_disk_bytes = 0;
-  // Of the jobs that may wait, those of one client.
+  // How many of the waiting jobs may belong to one client.
   uint64_t max_queued_jobs_per_client = 0;
 };
 

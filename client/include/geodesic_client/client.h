@@ -35,26 +35,28 @@ namespace geodesic::client {
 
 // How long a call may take, and a way to end it from another thread.
 struct CallOptions {
-  // Of each RPC of the call. DEFAULT: none, the call takes what it takes.
+  // Limit for each RPC of the call. DEFAULT: none.
   std::optional<std::chrono::duration<double>> timeout;
-  // A request to stop ends the call, and the work on the server, with
-  // CANCELLED. DEFAULT: a token that never stops anything.
+  // A request to stop ends the call with CANCELLED, and the work on the server,
+  // too. DEFAULT: a token that never stops anything.
   std::stop_token stop;
 };
 
-// Calls block until the server has answered; callbacks run on the calling
+// Calls block until the server has answered. Callbacks run on the calling
 // thread. Thread-safe: calls of several threads share one connection.
 //
-// Calls that change nothing are repeated by themselves, up to three times, when
-// no server is there or it is full and says that waiting helps; so are uploads.
-// A field whose stream breaks is read on where it broke, and if the server has
-// dropped it, asked for again. ConnectionOptions::retry turns all that off.
+// The client repeats uploads and calls that change nothing, up to three times,
+// if no server is there or if a full server says that waiting helps. If the
+// stream of ComputeField breaks, it reads on from there, or asks again for a
+// field that the server has dropped. ConnectionOptions::retry turns all that
+// off.
 //
 // Errors have the server's code and message, and name the field of the request
-// the server points at; errors.h reads the rest. Besides the errors listed with
-// each method any call may fail with
+// that the server points at; errors.h reads the rest. Besides the errors listed
+// with each method, any call may fail with
 //   UNAVAILABLE: no server there, or it is shutting down, or TLS failed;
-//   UNAUTHENTICATED, PERMISSION_DENIED: the token is not what is needed;
+//   UNAUTHENTICATED, PERMISSION_DENIED: the token is missing, is wrong, or does
+//     not allow the call;
 //   DEADLINE_EXCEEDED, CANCELLED: by CallOptions;
 //   DATA_LOSS: the server's answer contradicts itself;
 //   INTERNAL: a defect of the server.
@@ -70,33 +72,35 @@ class Client {
   // Makes a mesh file resident. The file is hashed first and sent only if the
   // server does not know it.
   // Errors: those of CreateMesh in mesh_service.proto; NOT_FOUND or
-  // PERMISSION_DENIED if the file cannot be opened, INVALID_ARGUMENT if it is
-  // no regular file; DATA_LOSS if it changes while it is read. What is wrong
-  // with the file is said with its path in front.
+  // PERMISSION_DENIED if the file cannot be opened; INVALID_ARGUMENT if it is
+  // no regular file; DATA_LOSS if it changes while it is read. Messages about
+  // the file begin with its path.
   absl::StatusOr<UploadOutcome> UploadFile(
       const std::string& path, MeshFormat format,
       const CallOptions& options = {},
       const CountProgressCallback& progress = nullptr);
 
-  // The same; the format is the one the path's ending names.
-  // Errors: INVALID_ARGUMENT if it names none.
+  // The same, with the format that the path's ending names.
+  // Errors: also INVALID_ARGUMENT if it names none.
   absl::StatusOr<UploadOutcome> UploadFile(
       const std::string& path, const CallOptions& options = {},
       const CountProgressCallback& progress = nullptr);
 
-  // Makes a mesh in memory resident; sent only if the server lacks it.
+  // Makes a mesh in memory resident. It is sent only if the server lacks it.
   absl::StatusOr<UploadOutcome> UploadArrays(
       const MeshArrays& mesh, const CallOptions& options = {},
       const CountProgressCallback& progress = nullptr);
 
-  // The digest of the resident mesh that has come from this very file before;
-  // nothing if the server does not know the file. Errors: as UploadFile.
+  // The digest of the resident mesh that was uploaded from a file with these
+  // very bytes; nothing if the server does not know the file.
+  // Errors: as UploadFile.
   absl::StatusOr<std::optional<std::string>> FindFile(
       const std::string& path, MeshFormat format,
       const CallOptions& options = {});
 
-  // Errors: INVALID_ARGUMENT for a malformed digest; NOT_FOUND: not resident,
-  // upload it again. Likewise for ReadMesh and DeleteMesh.
+  // Errors: INVALID_ARGUMENT for a malformed digest; NOT_FOUND if the mesh is
+  // not resident and must be uploaded again. ReadMesh and DeleteMesh have the
+  // same errors.
   absl::StatusOr<MeshInfo> GetMesh(const std::string& digest,
                                    const CallOptions& options = {});
 
@@ -112,24 +116,25 @@ class Client {
   absl::Status DeleteMesh(const std::string& digest,
                           const CallOptions& options = {});
 
-  // The questions. Each is one server stream; what is computed for it stays
-  // with the server while memory allows. docs/questions.md says what each costs
-  // and guarantees, the .proto what may be refused. Errors of all of them:
+  // The questions. Each is one server stream. The server keeps what it computes
+  // while memory allows. docs/questions.md says what each question costs and
+  // guarantees, and the .proto files what may be refused. Errors of all of
+  // them:
   //   INVALID_ARGUMENT: an unknown algorithm (naming the known ones), a place
   //     off the mesh, a value out of range;
   //   NOT_FOUND: the mesh is not resident, upload it again;
-  //   RESOURCE_EXHAUSTED: beyond a limit of the server, or it is busy and says
-  //     when to try again.
+  //   RESOURCE_EXHAUSTED: a limit of the server is passed, or it is busy and
+  //     says when to try again.
 
   // A distance field, or part of one.
   absl::StatusOr<Field> ComputeField(
       const FieldQuery& query, const CallOptions& options = {},
       const SolveProgressCallback& progress = nullptr);
 
-  // The same, with finished distances handed out while the solver runs. What
-  // has been handed out is final even if the call ends early. `distances` of
-  // the result is empty. Errors: INVALID_ARGUMENT also for a query that asks
-  // for nearest sources or gradients.
+  // The same, but hands out finished distances while the solver runs. They are
+  // final even if the call ends early. `distances` of the result is empty.
+  // Errors: INVALID_ARGUMENT also for a query that asks for nearest sources or
+  // gradients.
   absl::StatusOr<Field> StreamField(
       const FieldQuery& query, const SettledCallback& on_settled,
       const CallOptions& options = {},
@@ -168,8 +173,8 @@ class Client {
 };
 
 // Uploads the file unless the server has it, and calls `ask` with the mesh's
-// digest. A server short of memory may evict a mesh in between: it is then
-// uploaded again and asked about once more.
+// digest. A server short of memory may evict the mesh in between. Then this
+// uploads it again and calls `ask` once more.
 //
 //   absl::StatusOr<Field> field =
 //       AskAboutFile(client, "horse.ply", [&](const std::string& digest) {
@@ -177,8 +182,8 @@ class Client {
 //                                     .sources = {{VertexPoint{0}}}});
 //       });
 //
-// `ask` returns an absl::StatusOr; this returns the last one, or why the upload
-// failed. Errors: as Client::UploadFile and `ask`.
+// `ask` returns an absl::StatusOr, and this returns the last one.
+// Errors: those of Client::UploadFile and `ask`.
 template <typename Ask>
 std::invoke_result_t<Ask, const std::string&> AskAboutFile(
     Client& client, const std::string& path, Ask ask,

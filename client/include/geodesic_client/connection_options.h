@@ -14,11 +14,13 @@
 
 namespace geodesic::client {
 
-// Texts in PEM form.
+// Certificates and keys, as texts in PEM form.
 struct TlsOptions {
-  // Authorities that vouch for the server. DEFAULT: those the system trusts.
+  // Authorities that vouch for the server. DEFAULT: those that the system
+  // trusts.
   std::string authorities;
-  // What the client shows a server that asks who it is. DEFAULT: nothing.
+  // The certificate that the client shows a server that asks for one, and its
+  // key. DEFAULT: nothing.
   std::string certificate;
   std::string key;
   // The name in the server's certificate. DEFAULT: the host of its address.
@@ -28,15 +30,16 @@ struct TlsOptions {
 struct ConnectionOptions {
   // DEFAULT: in clear.
   std::optional<TlsOptions> tls;
-  // Sent with each call as "authorization: Bearer ...", in clear if the
-  // connection is. DEFAULT: none.
+  // Sent with each call as "authorization: Bearer ...". Without TLS it travels
+  // in clear. DEFAULT: none.
   std::string token;
   // Whether calls are repeated, and broken reads resumed, as client.h says.
   // Without it every error is reported at once.
   bool retry = true;
 };
 
-// Paths of files with the members of TlsOptions; empty: none.
+// Paths of files that hold the members of TlsOptions. An empty path names no
+// file.
 struct TlsPaths {
   std::string authorities;
   std::string certificate;
@@ -47,9 +50,9 @@ struct TlsPaths {
 // INVALID_ARGUMENT if it holds no PEM, or for a certificate without its key.
 absl::StatusOr<TlsOptions> ReadTlsFiles(const TlsPaths& paths);
 
-// The token that is the file's first line.
-// Errors: likewise; INVALID_ARGUMENT if that is empty or no header could carry
-// it.
+// Reads the token, which is the file's first line.
+// Errors: NOT_FOUND or PERMISSION_DENIED if the file cannot be read;
+// INVALID_ARGUMENT if the line is empty or no header could carry it.
 absl::StatusOr<std::string> ReadTokenFile(const std::string& path);
 
 }  // namespace geodesic::client

@@ -1,4 +1,4 @@
-// What a server's error says beyond code and message.
+// What a server's error says besides its code and message.
 
 #ifndef GEODESIC_CLIENT_ERRORS_H_
 #define GEODESIC_CLIENT_ERRORS_H_
@@ -11,11 +11,13 @@
 
 namespace geodesic::client {
 
-// The stable reason the server gave, e.g. "MESH_NOT_RESIDENT": the list is in
-// docs/protocol.md. Empty if there is none, as for errors of this machine.
+// The stable reason that the server gave, e.g. "MESH_NOT_RESIDENT";
+// docs/protocol.md lists them. Empty if there is none, as for errors of this
+// machine.
 std::string ErrorReason(const absl::Status& status);
 
-// After what time the server suggests to try again; nothing if it does not.
+// How long the server suggests to wait before trying again; nothing if it
+// suggests no time.
 std::optional<std::chrono::duration<double>> RetryDelay(
     const absl::Status& status);
 

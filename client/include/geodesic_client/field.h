@@ -29,8 +29,8 @@ struct FieldQuery {
   std::vector<SurfacePoint> targets;
   // The search ends here; distances beyond are +infinity. DEFAULT: no limit.
   std::optional<double> radius;
-  // The search ends once so many targets are final; distances that are not
-  // final then are +infinity. DEFAULT: it does not end for that.
+  // The search ends once this many targets are final; distances that are not
+  // final by then are +infinity. DEFAULT: no limit.
   std::optional<uint64_t> stop_after_targets;
   // What to send beside the distances.
   bool nearest_sources = false;
@@ -70,22 +70,22 @@ struct Field {
   // The algorithm that computed the field.
   std::string algorithm;
   // One value per vertex, in the mesh's vertex order; +infinity where no path
-  // leads or the search did not come. Empty if the field was streamed.
+  // leads or the search did not get. Empty if the field was streamed.
   std::vector<double> distances;
   // One value per target of the query.
   std::vector<double> target_distances;
-  // If asked for: the number of the source nearest to each vertex, kNoSource
-  // where the distance is infinite; at a tie, one of the nearest.
+  // If asked for: the number of the source nearest to each vertex, or one of
+  // them at a tie; kNoSource where the distance is infinite.
   std::vector<uint32_t> nearest_sources;
-  // If asked for: the unit vector in which the shortest path arrives at each
+  // If asked for: the unit vector along which the shortest path arrives at each
   // vertex; zero at sources and where the distance is infinite.
   std::vector<std::array<double, 3>> gradients;
-  // Every distance up to here is present and exact; those beyond may be
-  // +infinity instead.
+  // Every distance up to here is present and exact. Those beyond may be
+  // +infinity.
   double settled_radius = std::numeric_limits<double>::infinity();
   FieldOrigin origin = FieldOrigin::kComputed;
   FieldStatistics statistics;
-  // Relative error every distance stays below.
+  // The relative error of every distance is below this.
   double relative_tolerance = 0;
   // Version of the program that computed the field.
   std::string server_version;
@@ -97,7 +97,7 @@ struct SettledVertex {
   double distance = 0;
 };
 
-// Called with vertices in order of distance (of number at a tie), each once.
+// Called with vertices ordered by distance and at a tie by number, each once.
 using SettledCallback = std::function<void(std::span<const SettledVertex>)>;
 
 }  // namespace geodesic::client

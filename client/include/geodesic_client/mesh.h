@@ -26,8 +26,8 @@ struct MeshArrays {
   std::vector<Triangle> triangles;
 };
 
-// The name every server gives this mesh: 64 lower-case hexadecimal digits of
-// sha-256, as geodesic/v1/mesh.proto defines it. Thread-safe; linear.
+// The name that every server gives this mesh: 64 lower-case hexadecimal digits
+// of SHA-256, as geodesic/v1/mesh.proto defines it. Thread-safe. Linear.
 std::string MeshDigest(const MeshArrays& mesh);
 
 // Whether `text` has the form of a mesh's name.
@@ -53,8 +53,7 @@ struct MeshInfo {
   // Connected pieces that have at least one face.
   uint64_t component_count = 0;
   uint64_t isolated_vertex_count = 0;
-  // Nothing where there is none: on a mesh that is not orientable or has
-  // non-manifold edges.
+  // Nothing on a mesh that is not orientable or has non-manifold edges.
   std::optional<int64_t> genus;
   // Interior vertices whose cone angle exceeds 2 pi.
   uint64_t saddle_vertex_count = 0;
@@ -64,9 +63,10 @@ struct MeshInfo {
   double mean_edge_length = 0;
   // 1 for equilateral faces, larger for slimmer ones.
   double anisotropy = 0;
-  // Memory the mesh takes on the server; 0: it is on disk only.
+  // Memory that the mesh takes on the server; 0 if it is on disk only.
   uint64_t resident_bytes = 0;
-  // What it takes on the server's disk; 0: the server keeps nothing there.
+  // Bytes that the mesh takes on the server's disk; 0 if the server keeps
+  // nothing there.
   uint64_t stored_bytes = 0;
   // Edges with three faces or more, and vertices around which the faces do not
   // form one disk or half-disk.

@@ -1,7 +1,7 @@
 // The questions beside fields, as a client asks them and receives the answers.
 //
-// Members of queries mean what they do in FieldQuery (field.h), where nothing
-// else is said. docs/questions.md says what each question costs.
+// A member without a comment means what it does in FieldQuery (field.h).
+// docs/questions.md says what each question costs.
 
 #ifndef GEODESIC_CLIENT_QUESTIONS_H_
 #define GEODESIC_CLIENT_QUESTIONS_H_
@@ -22,8 +22,8 @@
 
 namespace geodesic::client {
 
-// A line on the surface: straight from each point to the next, through the
-// inside of one face or along one edge.
+// A line on the surface. It runs straight from each point to the next, through
+// the inside of one face or along one edge.
 struct Polyline {
   std::vector<SurfacePoint> points;
   // The same points in space, in the unit of the mesh's file.
@@ -33,8 +33,8 @@ struct Polyline {
 // Shortest paths.
 struct PathQuery {
   std::string mesh_digest;
-  // At least one of each; a path leads to each target from the source nearest
-  // to it.
+  // At least one source and one target. A path leads to each target from its
+  // nearest source.
   std::vector<Source> sources;
   std::vector<SurfacePoint> targets;
   std::string algorithm;
@@ -46,12 +46,12 @@ struct PathQuery {
 struct GeodesicPath {
   // Number of the source where the path starts; nothing if there is no path.
   std::optional<uint64_t> source;
-  // The source's offset and `length` together.
+  // The sum of the source's offset and `length`.
   double distance = std::numeric_limits<double>::infinity();
   double length = std::numeric_limits<double>::infinity();
-  // From the source to the target: it crosses edges straight, and bends only at
-  // saddle and boundary vertices. One point if they coincide, none if there is
-  // no path.
+  // Leads from the source to the target. It crosses edges straight and bends
+  // only at saddle and boundary vertices. It has one point if source and target
+  // coincide, and none if there is no path.
   Polyline line;
 };
 
@@ -64,7 +64,7 @@ struct PathAnswer {
 struct IsolineQuery {
   std::string mesh_digest;
   std::vector<Source> sources;
-  // Distances; at least one, each finite and above 0. In any order; equal ones
+  // Distances in any order; at least one, each finite and above 0. Equal ones
   // count once.
   std::vector<double> levels;
   std::string algorithm;
@@ -76,8 +76,8 @@ struct Isoline {
   // Whether the last point leads back to the first; open ones end at a
   // boundary.
   bool is_closed = false;
-  // Its points are exact crossings of edges. Between them the isoline is made
-  // of circular arcs, which the polyline cuts short.
+  // The line's points are exact crossings of edges. Between them the isoline
+  // consists of circular arcs, which the polyline cuts short.
   Polyline line;
 };
 
@@ -90,9 +90,9 @@ struct IsolineAnswer {
 // A block of the matrix of all distances, received row by row.
 struct MatrixQuery {
   std::string mesh_digest;
-  // A row each; at least one.
+  // Each source is a row; at least one.
   std::vector<Source> sources;
-  // A column each. DEFAULT: empty, every vertex is a column.
+  // Each target is a column. DEFAULT: empty, every vertex is a column.
   std::vector<SurfacePoint> targets;
   std::string algorithm;
   ValueType value_type = ValueType::kFloat64;
@@ -109,15 +109,16 @@ struct MatrixShape {
 
 struct MatrixRow {
   uint64_t row = 0;
-  // The columns of `values`, ascending. Empty in a matrix that is not sparse,
-  // whose rows hold a value for every column; +infinity where no path leads or
-  // the search did not come.
+  // The columns of `values`, ascending. Empty in a matrix that is not sparse:
+  // its rows hold a value for every column, which is +infinity where no path
+  // leads or the search did not get.
   std::span<const uint32_t> columns;
   std::span<const double> values;
 };
 
-// Where a matrix goes. A status that is not OK ends the call with it. One row
-// is in memory at a time; a slow receiver slows the server down.
+// Takes the rows of a matrix. If a function returns an error, the call ends
+// with it. One row is in memory at a time. A slow receiver slows the server
+// down.
 struct MatrixReceiver {
   // Called once, first. May be empty.
   std::function<absl::Status(const MatrixShape&)> on_shape;
@@ -130,9 +131,9 @@ struct MatrixReceiver {
 // The nearest members of a set.
 struct NearestQuery {
   std::string mesh_digest;
-  // At least one; each is asked on its own.
+  // At least one. Each gets its own nearest targets.
   std::vector<Source> sources;
-  // The set; at least one.
+  // The members of the set; at least one.
   std::vector<SurfacePoint> targets;
   // How many to find for each source; at least 1.
   uint64_t count = 1;
@@ -152,15 +153,15 @@ struct NearestTarget {
 
 struct NearestAnswer {
   AnswerInfo info;
-  // For each source, in order of distance (of number at a tie); fewer than
-  // asked for where no more can be reached.
+  // For each source, its nearest targets ordered by distance and at a tie by
+  // number; fewer than asked for where no more can be reached.
   std::vector<std::vector<NearestTarget>> found;
 };
 
 // Vertices far from each other.
 struct SampleQuery {
   std::string mesh_digest;
-  // At least one: from where the first sample is farthest.
+  // At least one. The first sample is the vertex farthest from them.
   std::vector<Source> sources;
   // At least 1.
   uint64_t count = 1;
@@ -170,19 +171,19 @@ struct SampleQuery {
 
 struct FarthestSample {
   uint64_t vertex = 0;
-  // From the sources and all earlier samples; +infinity for the first one on a
-  // component without any.
+  // Measured from the sources and all earlier samples; +infinity for the first
+  // sample on a component without any.
   double distance = 0;
 };
 
 struct SampleAnswer {
   AnswerInfo info;
-  // Vertices of faces. Fewer than asked for when every such vertex is at
-  // distance 0 already.
+  // Only vertices of faces are sampled. There are fewer than asked for if every
+  // such vertex is at distance 0 already.
   std::vector<FarthestSample> samples;
 };
 
-// The log map: the surface around a point laid into the plane by direction and
+// The log map lays the surface around a point into the plane by direction and
 // distance.
 struct LogMapQuery {
   std::string mesh_digest;
@@ -196,11 +197,11 @@ struct LogMapQuery {
 
 struct LogMap {
   AnswerInfo info;
-  // Per vertex: distance times (cos, sin) of the angle at which the shortest
-  // path leaves the source. NaN where no path leads or the map ended before.
+  // One per vertex: the distance times (cos, sin) of the angle at which the
+  // shortest path leaves the source. NaN where no path leads or beyond the map.
   std::vector<std::array<double, 2>> coordinates;
-  // Unit vector in space of angle 0. Angles grow counterclockwise seen from
-  // outside; at a vertex they are scaled so that a full turn measures 2 pi.
+  // The unit vector in space that has angle 0. Angles grow counterclockwise
+  // seen from outside; around a vertex they are scaled to 2 pi for a full turn.
   Point zero_direction{};
 };
 

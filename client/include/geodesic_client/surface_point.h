@@ -45,11 +45,12 @@ struct Curve {
   friend bool operator==(const Curve&, const Curve&) = default;
 };
 
-// From where distances are measured: a point, or every point of a curve. The
-// sources of a query are numbered from 0 in its own order.
+// Distances are measured from a source, which is a point or every point of a
+// curve. The sources of a query are numbered from 0 in their order.
 struct Source {
   std::variant<VertexPoint, EdgePoint, FacePoint, Curve> place;
-  // Distance the source starts with, in the unit of the mesh; finite, >= 0.
+  // Added to all distances from the source; in the unit of the mesh, finite, >=
+  // 0.
   double offset = 0;
 
   friend bool operator==(const Source&, const Source&) = default;
