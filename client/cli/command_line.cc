@@ -19,7 +19,7 @@ namespace {
 constexpr size_t kNameColumns = 30;
 constexpr size_t kDescriptionColumns = 50;
 
-// CLI11 indents what follows a newline.
+// Breaks `text` into lines, which CLI11 indents.
 std::string Wrapped(const std::string& text) {
   std::istringstream words(text);
   std::string lines;
@@ -38,7 +38,7 @@ std::string Wrapped(const std::string& text) {
   return lines;
 }
 
-// Options with what their values are, and wrapped descriptions.
+// Shows the types of options' values, and wraps descriptions.
 class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter() { column_width(kNameColumns); }
@@ -46,7 +46,7 @@ class HelpFormatter : public CLI::Formatter {
   std::string make_option_name(const CLI::Option* option,
                                bool is_positional) const override {
     std::string name = CLI::Formatter::make_option_name(option, is_positional);
-    // A flag that may have a count shows the one it has without.
+    // The name of a flag with a count ends in braces (AddFlagOrCount).
     const size_t brace = name.find('{');
     return brace == std::string::npos
                ? name
@@ -90,8 +90,8 @@ size_t EditDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// The candidate nearest to `typed` by letters inserted, removed and replaced;
-// empty if that takes more than one, and one more for three letters typed.
+// The candidate nearest to `typed` by edit distance. Empty if the distance is
+// more than one, plus one for every three letters typed.
 std::string Suggestion(std::string_view typed,
                        const std::vector<std::string>& candidates) {
   std::string nearest;
@@ -106,7 +106,7 @@ std::string Suggestion(std::string_view typed,
   return nearest;
 }
 
-// The names of the options, or of the commands, that one may have meant.
+// The names of options, or of commands, that the user may have meant.
 std::vector<std::string> Candidates(const CLI::App& app, const CLI::App* given,
                                     const std::string& typed) {
   std::vector<std::string> names;
@@ -127,11 +127,11 @@ std::vector<std::string> Candidates(const CLI::App& app, const CLI::App* given,
   return names;
 }
 
-// What `error` says, with what somebody who mistyped a word may have meant.
-// `given` is the command, or null if there is none.
+// What `error` says, with a suggestion for a mistyped word. `given` is the
+// command, or null if there is none.
 std::string MessageOf(const CLI::App& app, const CLI::App* given,
                       const CLI::Error& error) {
-  // CLI11 lists these from the last to the first.
+  // CLI11 lists the remaining words from the last to the first.
   const std::vector<std::string> rest = app.remaining(true);
   const bool is_extra =
       dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
@@ -146,7 +146,7 @@ std::string MessageOf(const CLI::App& app, const CLI::App* given,
                       suggestion.empty() ? "" : "?");
 }
 
-// Whether what is sent there stays on this machine.
+// Whether data sent to `server` stays on this machine.
 bool IsLoopback(std::string_view server) {
   const std::string_view host = server.substr(0, server.rfind(':'));
   return host == "localhost" || host == "[::1]" || host.starts_with("127.");
@@ -159,7 +159,7 @@ absl::StatusOr<std::string> ReadToken(const ConnectionArguments& connection) {
   return ReadTokenFile(connection.token_file);
 }
 
-// Adds --server and what belongs to it.
+// Adds --server and the options that belong to it.
 void AddConnection(CLI::App* app, ConnectionArguments* arguments) {
   ConnectionArguments& connection = *arguments;
   AddValue(app, {"--server", "Where the server listens", "HOST:PORT"},
@@ -206,7 +206,7 @@ void AddConnection(CLI::App* app, ConnectionArguments* arguments) {
       ->envname("GEODESIC_NO_RETRY");
 }
 
-// As --help lists them.
+// In the order in which --help lists them.
 std::vector<Command> AllCommands() {
   return {UploadCommand(),   MeshesCommand(), InfoCommand(),
           DeleteCommand(),   FieldCommand(),  PathCommand(),
@@ -226,14 +226,14 @@ void AddCommonOptions(CLI::App* app, CommandLine* line) {
       ParseTimeout, &line->timeout);
 }
 
-// The words after the program's name, the last one first, as CLI11 takes them;
-// `help [COMMAND]` becomes `[COMMAND] --help`.
+// The words after the program's name, with the last one first, as CLI11 takes
+// them. `help [COMMAND]` becomes `[COMMAND] --help`.
 std::vector<std::string> Words(const CLI::App& app, int argc,
                                const char* const* argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words[0] == "help") {
     words.erase(words.begin());
-    // Of a command that there is not, nothing but that can be said.
+    // An unknown command gets no --help, so the parser reports it.
     const auto is_it = [&words](const CLI::App* command) {
       return command->get_name() == words[0];
     };

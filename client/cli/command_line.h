@@ -1,5 +1,5 @@
-// The command line of `geodesic`: what is common to all commands, and which of
-// them is meant.
+// Parses the command line of `geodesic`: the command, and the options common to
+// all commands.
 
 #ifndef GEODESIC_CLIENT_CLI_COMMAND_LINE_H_
 #define GEODESIC_CLIENT_CLI_COMMAND_LINE_H_
@@ -31,21 +31,21 @@ struct CommandLine {
   ConnectionArguments connection;
   bool json = false;
   bool quiet = false;
-  // Seconds.
+  // In seconds.
   std::optional<double> timeout;
-  // Holds its own arguments.
+  // The command holds its own arguments.
   Command command;
 };
 
-// The command line, or how to end at once: after printing help or the version
-// to `out`, or what is wrong to `err`.
+// The command line, or the exit code to end with at once, after printing help
+// or the version to `out` or an error to `err`.
 std::variant<CommandLine, ExitCode> ParseCommandLine(int argc,
                                                      const char* const* argv,
                                                      std::ostream& out,
                                                      std::ostream& err);
 
 // Reads the files that the arguments name.
-// Errors, all FileErrors: those of ReadTlsFiles and ReadTokenFile;
+// Errors, all marked by FileError: those of ReadTlsFiles and ReadTokenFile;
 // FAILED_PRECONDITION if a token would go to another machine in clear.
 absl::StatusOr<ConnectionOptions> ReadConnection(
     const ConnectionArguments& connection);

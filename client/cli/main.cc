@@ -26,12 +26,12 @@ namespace geodesic::client {
 namespace {
 
 // Buffers what is written to standard output. The stream is bad once a write
-// has failed, and Finish says why. A reader that closes its end of a pipe ends
-// the process by SIGPIPE, as it does with most tools. Not thread-safe.
+// has failed, and Finish says why. If the reader of a pipe closes its end,
+// SIGPIPE ends the process, as with most tools. Not thread-safe.
 class StandardOutput : private std::streambuf {
  public:
-  // If standard input, output or error is closed, it is replaced by one that
-  // cannot be written to, so that no file or connection takes its number.
+  // Opens /dev/null, for reading only, in place of a closed standard input,
+  // output or error. Otherwise a file or connection would take its number.
   StandardOutput() {
     int descriptor = 0;
     while ((descriptor = open("/dev/null", O_RDONLY | O_CLOEXEC)) >= 0 &&
@@ -43,7 +43,7 @@ class StandardOutput : private std::streambuf {
 
   std::ostream& stream() { return stream_; }
 
-  // Writes what waits and closes standard output.
+  // Writes what is buffered and closes standard output.
   // Errors: those of the first write that failed.
   absl::Status Finish() {
     sync();
@@ -81,14 +81,14 @@ class StandardOutput : private std::streambuf {
   std::ostream stream_{this};
 };
 
-// While it lives SIGINT and SIGTERM request a stop instead of ending the
-// process; the second of them ends it at once with exit code 130. To be made
-// before any other thread, which would otherwise take the signals.
+// While it lives, SIGINT and SIGTERM request a stop instead of ending the
+// process; the second signal ends it at once with exit code 130. It must be
+// made before any other thread, since that would otherwise take the signals.
 class InterruptListener {
  public:
   InterruptListener() {
-    // A blocked signal waits until sigwait takes it, in this thread and in
-    // those made from it.
+    // This thread and those made from it block the signals, so that they wait
+    // for sigwait.
     sigset_t signals;
     sigemptyset(&signals);
     for (const int signal : {SIGINT, SIGTERM, kWake}) {
@@ -114,7 +114,7 @@ class InterruptListener {
   std::stop_token stop() const { return source_.get_token(); }
 
  private:
-  // Ends the thread; of no other use here.
+  // Serves only to end the thread.
   static constexpr int kWake = SIGUSR1;
 
   std::stop_source source_;
@@ -162,7 +162,7 @@ absl::Status RunCommand(const CommandLine& line, Json* json,
                         .out = out,
                         .err = std::cerr,
                         .progress_style = ProgressStyle(line.quiet),
-                        // The last column makes some terminals wrap.
+                        // Some terminals wrap after the last column.
                         .terminal_width = TerminalWidth() - 1});
   if (absl::IsCancelled(status) && call.stop.stop_requested()) {
     return Interrupted();
@@ -177,10 +177,10 @@ ExitCode ParseAndRun(int argc, const char* const* argv, std::ostream& out) {
   const auto& line = std::get<CommandLine>(parsed);
   Json json = Json::object();
   const absl::Status status = RunCommand(line, &json, out);
-  // Finish says what is wrong with the output.
+  // If the output failed, Finish reports it.
   if (!out) return ExitCode::kOk;
   const ExitCode exit_code = status.ok() ? ExitCode::kOk : ExitCodeOf(status);
-  // Beside what was done before.
+  // The object keeps the results from before the error.
   if (!status.ok()) json["error"].update(ErrorToJson(status, exit_code));
   if (line.json) PrintJson(json, &out);
   if (!status.ok()) {
@@ -196,7 +196,8 @@ ExitCode ParseAndRun(int argc, const char* const* argv, std::ostream& out) {
 
 int main(int argc, char** argv) {
   using namespace geodesic::client;
-  // Failures are reported here; gRPC's own lines are for those who ask.
+  // The command reports failures itself. Users who want gRPC's own log can set
+  // the variable.
   setenv("GRPC_VERBOSITY", "NONE", /*overwrite=*/0);
   StandardOutput out;
   ExitCode exit_code = ParseAndRun(argc, argv, out.stream());

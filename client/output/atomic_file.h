@@ -1,4 +1,4 @@
-// A file that appears under its name when it is complete, or not at all.
+// A file that appears under its name only when it is complete.
 
 #ifndef GEODESIC_CLIENT_OUTPUT_ATOMIC_FILE_H_
 #define GEODESIC_CLIENT_OUTPUT_ATOMIC_FILE_H_
@@ -15,8 +15,8 @@
 
 namespace geodesic::client {
 
-// Writes to "<path>.part-<process>" beside the file and renames it at the end.
-// Not thread-safe.
+// Writes to "<path>.part-<process>" and renames that at the end. Not
+// thread-safe.
 class AtomicFile {
  public:
   // Errors: those of opening a file for writing, naming the path.
@@ -24,23 +24,24 @@ class AtomicFile {
 
   AtomicFile(AtomicFile&&) = default;
   AtomicFile& operator=(AtomicFile&&) = delete;
-  // Removes what has been written unless Commit succeeded.
+  // Removes the file under its temporary name unless Commit succeeded.
   ~AtomicFile();
 
-  // Once a write has failed the following ones do nothing; Commit tells.
+  // Once a write has failed, later ones do nothing, and Commit returns the
+  // error.
   void Append(std::string_view bytes);
   void Append(const void* bytes, size_t size) {
     Append({static_cast<const char*>(bytes), size});
   }
 
-  // What has gone wrong so far.
+  // The first error so far.
   absl::Status status() const;
 
   // Bytes appended so far.
   uint64_t size() const { return size_; }
 
-  // Puts the file in its place, over one that may be there.
-  // Errors: what went wrong first, naming the path.
+  // Puts the file in its place, over an older one.
+  // Errors: the first one, naming the path.
   absl::Status Commit();
 
  private:

@@ -70,12 +70,12 @@ std::string NpyHeader(std::string_view type, std::span<const uint64_t> shape,
   for (const uint64_t size : shape) {
     absl::StrAppend(&dimensions, dimensions.empty() ? "" : " ", size, ",");
   }
-  // A tuple of one keeps its comma, longer ones end without.
+  // A Python tuple of one element needs its comma.
   if (shape.size() > 1) dimensions.pop_back();
   std::string text =
       absl::StrCat("{'descr': '", std::string(type),
                    "', 'fortran_order': False, 'shape': (", dimensions, "), }");
-  // Magic, length and text, ended by a newline, fill whole blocks.
+  // Magic, length and text with its newline fill whole blocks.
   const size_t prefix = kMagic.size() + sizeof(uint16_t);
   const size_t unpadded = std::max(prefix + text.size() + 1, least_size);
   const size_t size = (unpadded + kAlignment - 1) / kAlignment * kAlignment;

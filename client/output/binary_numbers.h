@@ -1,4 +1,4 @@
-// Numbers in binary files, and NumPy's files of them (format 1.0).
+// Numbers in binary files, and NumPy files (format 1.0).
 
 #ifndef GEODESIC_CLIENT_OUTPUT_BINARY_NUMBERS_H_
 #define GEODESIC_CLIENT_OUTPUT_BINARY_NUMBERS_H_
@@ -16,23 +16,25 @@ namespace geodesic::client {
 
 enum class NumberType { kFloat64, kFloat32, kInt64, kInt32 };
 
-// Appends the values in this type. REQUIRES: integers are in range.
+// Appends the values, converted to `type`.
+// REQUIRES: they are in its range if it is an integer type.
 void AppendNumbers(std::span<const double> values, NumberType type,
                    std::string* bytes, std::endian order = std::endian::little);
 
-// The same, a block at a time.
+// The same into a file, a block at a time.
 void AppendNumbers(std::span<const double> values, NumberType type,
                    AtomicFile* file, std::endian order = std::endian::little);
 
-// As NumPy writes it: "<f8", "<f4", "<i8" or "<i4".
+// NumPy's name of the type: "<f8", "<f4", "<i8" or "<i4".
 std::string_view NumpyName(NumberType type);
 
-// All that comes before the values; `type` as NumPy names it. Whole blocks of
-// 64 bytes, and at least `least_size`.
+// The part of a file before the values. `type` is NumPy's name. The size is a
+// multiple of 64 bytes and at least `least_size`.
 std::string NpyHeader(std::string_view type, std::span<const uint64_t> shape,
                       size_t least_size = 0);
 
-// A whole file in memory. REQUIRES: as many values as the shape has.
+// A whole file in memory.
+// REQUIRES: as many values as the shape has.
 std::string NpyArray(std::span<const double> values, NumberType type,
                      const std::vector<uint64_t>& shape);
 

@@ -1,7 +1,7 @@
-// Values at the vertices in the formats other programs read.
+// Writes values at the vertices in the formats that other programs read.
 //
 // Bytes are little endian unless said otherwise. +infinity stays infinity in
-// every format. A writer appends to the file; errors surface at its Commit.
+// every format. A writer appends to the file, whose Commit returns errors.
 
 #ifndef GEODESIC_CLIENT_OUTPUT_FIELD_WRITERS_H_
 #define GEODESIC_CLIENT_OUTPUT_FIELD_WRITERS_H_
@@ -24,7 +24,7 @@ inline constexpr char kGradientColumn[] = "gradient";
 
 struct Column {
   std::string name;
-  // `components` for each vertex, one vertex after the other.
+  // `components` values for each vertex, vertex by vertex.
   std::vector<double> values;
   size_t components = 1;  // or 3, a vector
   NumberType type = NumberType::kFloat64;
@@ -33,7 +33,7 @@ struct Column {
     return type == NumberType::kInt64 || type == NumberType::kInt32;
   }
   size_t count() const { return values.size() / components; }
-  // As NumPy has it: (count), or (count, components).
+  // NumPy's shape: (count), or (count, components).
   std::vector<uint64_t> shape() const {
     if (components == 1) return {count()};
     return {count(), components};
@@ -47,14 +47,15 @@ void WriteNpy(const Column& column, AtomicFile* file);
 // vector is three columns: gradient_x, gradient_y, gradient_z.
 void WriteCsv(std::span<const Column> columns, AtomicFile* file);
 
-// Binary PLY: vertices x, y, z and the columns (vectors as in .csv; all double
-// or int) and faces.
-// REQUIRES: a value per vertex; fewer than 2^31 vertices, as in WriteVtk.
+// Binary PLY. Vertices have x, y, z and the columns, as double or int, with
+// vectors as in .csv. Then come the faces.
+// REQUIRES: a value per vertex; fewer than 2^31 vertices. Likewise for
+// WriteVtk.
 void WritePly(const MeshArrays& mesh, std::span<const Column> columns,
               AtomicFile* file);
 
-// Legacy VTK polydata, binary (hence big endian, as that format demands), with
-// the columns as point scalars and vectors.
+// Legacy VTK polydata with the columns as point scalars and vectors. It is
+// binary, which in that format means big endian.
 void WriteVtk(const MeshArrays& mesh, std::span<const Column> columns,
               AtomicFile* file);
 

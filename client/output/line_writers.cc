@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 size_t PointCount(const Line& line) { return line.polyline.positions.size(); }
 
-// Pieces between points, the closing one among them.
+// Pieces between points, including the one that closes the line.
 size_t PieceCount(const Line& line) {
   const size_t points = PointCount(line);
   return points < 2 ? 0 : points - (line.is_closed ? 0 : 1);
@@ -39,7 +39,8 @@ Totals TotalsOf(const Lines& lines) {
   return totals;
 }
 
-// Numbers of the points, counted over all lines, that a line runs through.
+// Visits the numbers of the line's points in order, the first of which is
+// `first`. A closed line ends with `first` again.
 template <typename Visit>
 void VisitIndices(const Line& line, size_t first, Visit visit) {
   for (size_t i = 0; i < PointCount(line); ++i) visit(first + i);

@@ -1,7 +1,7 @@
-// Polylines on the surface in the formats other programs read: shortest paths
-// and isolines.
+// Writes polylines on the surface, such as shortest paths and isolines, in the
+// formats that other programs read.
 //
-// A writer appends to the file; errors surface at its Commit.
+// A writer appends to the file, whose Commit returns errors.
 
 #ifndef GEODESIC_CLIENT_OUTPUT_LINE_WRITERS_H_
 #define GEODESIC_CLIENT_OUTPUT_LINE_WRITERS_H_
@@ -23,10 +23,10 @@ struct Line {
   std::vector<double> values;
 };
 
-// What is known about every line besides its points.
+// A quantity that every line has besides its points.
 struct Attribute {
   std::string name;
-  // Integers that are negative mean that there is none.
+  // A negative integer means that the line has no value.
   bool is_integer = false;
 };
 
@@ -35,18 +35,18 @@ struct Lines {
   std::vector<Line> lines;
 };
 
-// Writes lines in one of kLineFormats but .png. In all but .csv and .json,
-// lines without points are left out. .obj: Wavefront OBJ, with a group, its
-// points and an l statement a line. .ply: binary, with vertices x, y, z and
-// edges vertex1, vertex2, line (the
-//   line's number), and the attributes at each edge.
+// Writes lines in one of kLineFormats except .png. Only .csv and .json contain
+// lines without points.
+// .obj: Wavefront OBJ. A line is a group, its points and an l statement.
+// .ply: binary. Vertices have x, y, z; edges have vertex1, vertex2, line (the
+//   line's number) and the attributes.
 // .vtk: legacy polydata, binary: LINES, with the attributes as cell scalars.
 // .csv: "line,point,x,y,z,place,...", a row for each point, the attributes in
 //   the last columns. A closed line repeats its first point at its end.
-// .json: a FeatureCollection as in GeoJSON, in the mesh's own coordinates: one
-//   LineString for each line (a null geometry if it has fewer than two points),
-//   whose properties are the attributes, null where infinite, `closed` and
-//   `points`, the surface points.
+// .json: a FeatureCollection as in GeoJSON, in the mesh's own coordinates, with
+//   one LineString for each line (a null geometry if it has fewer than two
+//   points). Its properties are the attributes (null where infinite), `closed`
+//   and `points`, the surface points.
 void WriteLines(const Lines& lines, OutputFormat format, AtomicFile* file);
 
 }  // namespace geodesic::client

@@ -20,7 +20,7 @@
 namespace geodesic::client {
 namespace {
 
-// Calls `visit(column, value)` for the finite values of a row, or for all.
+// Calls `visit(column, value)` for all values of a row, or for the finite ones.
 template <typename Visit>
 void VisitValues(const MatrixRow& row, bool finite_only, Visit visit) {
   for (size_t i = 0; i < row.values.size(); ++i) {
@@ -29,18 +29,19 @@ void VisitValues(const MatrixRow& row, bool finite_only, Visit visit) {
   }
 }
 
-// An .npy file of one dimension that has no name and grows; its header, which
-// says how long it is, is written last.
+// A growing .npy file of one dimension, without a name. Its header holds its
+// length, so it is written last.
 class GrowingNpy {
  public:
-  // Beside `path`, where the room is that the archive will need.
+  // Creates the file in the folder of `path`, where the archive needs room
+  // anyway.
   static absl::StatusOr<GrowingNpy> Create(const std::string& path,
                                            NumberType type) {
     std::filesystem::path folder = std::filesystem::path(path).parent_path();
     if (folder.empty()) folder = ".";
     const int descriptor =
         open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-    // Some file systems have no files without a name.
+    // Some file systems do not support files without a name.
     const bool is_unknown =
         descriptor < 0 && (errno == EOPNOTSUPP || errno == EISDIR);
     std::FILE* file = descriptor >= 0 ? fdopen(descriptor, "w+b")
@@ -67,7 +68,7 @@ class GrowingNpy {
     std::rewind(file_.get());
     Write(header);
     if (std::fflush(file_.get()) != 0 && error_ == 0) error_ = errno;
-    // Whoever reads it begins where the file stands.
+    // A reader begins at the file's position.
     std::rewind(file_.get());
     return status();
   }
@@ -79,7 +80,7 @@ class GrowingNpy {
   }
 
   uint64_t count() const { return count_; }
-  // Hands the file over.
+  // The caller owns the file then.
   std::FILE* Release() { return file_.release(); }
 
  private:
@@ -87,7 +88,7 @@ class GrowingNpy {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  // Whatever the length, the header fits.
+  // Enough for the header of an array of any length.
   static constexpr size_t kHeaderSize = 128;
 
   GrowingNpy(std::string path, std::FILE* file, NumberType type)
@@ -108,7 +109,7 @@ class GrowingNpy {
   std::string bytes_;
 };
 
-// .npy or .csv: a header and then rows, one after the other.
+// Writes .npy or .csv, which have a header and then one row after the other.
 class PlainMatrixWriter final : public MatrixWriter {
  public:
   PlainMatrixWriter(AtomicFile file, OutputFormat format, NumberType type,
@@ -177,7 +178,7 @@ class NpzMatrixWriter final : public MatrixWriter {
     if (!status.ok()) return status;
     absl::StatusOr<ZipArchive> archive = ZipArchive::Create(path_);
     if (!archive.ok()) return archive.status();
-    // SciPy wants one type for both kinds of indices where it can have it.
+    // SciPy prefers one type for both index arrays.
     const bool is_small = data_.count() <= std::numeric_limits<int32_t>::max();
     archive->Add("indices.npy", indices_.Release());
     archive->Add(

@@ -1,4 +1,4 @@
-// Matrices of distances, written row by row: memory holds one row.
+// Writes matrices of distances row by row. Memory holds one row.
 
 #ifndef GEODESIC_CLIENT_OUTPUT_MATRIX_WRITERS_H_
 #define GEODESIC_CLIENT_OUTPUT_MATRIX_WRITERS_H_
@@ -17,7 +17,7 @@
 
 namespace geodesic::client {
 
-// What rows and columns are; without targets every vertex is a column.
+// The places of rows and columns. Without targets every vertex is a column.
 struct MatrixPlaces {
   std::vector<Source> sources;
   std::vector<SurfacePoint> targets;
@@ -25,8 +25,8 @@ struct MatrixPlaces {
 
 inline constexpr char kMatrixCsvHeader[] = "source,target,distance\n";
 
-// A line for each value of the row, which names its source and target as the
-// command line does.
+// A line for each value of the row. It names source and target as the command
+// line does.
 std::string CsvRow(const MatrixPlaces& places, const MatrixRow& row);
 
 // Nothing appears under the file's name before Commit. Not thread-safe.
@@ -34,14 +34,15 @@ class MatrixWriter {
  public:
   virtual ~MatrixWriter() = default;
 
-  // First, once.
-  // Errors: those of writing files, naming the path; likewise for the others.
+  // Called once, before the rows.
+  // Errors: those of writing files, naming the path. The other functions have
+  // the same errors.
   virtual absl::Status Begin(const MatrixShape& shape) = 0;
 
-  // Every row, in order.
+  // Called for every row, in order.
   virtual absl::Status Append(const MatrixRow& row) = 0;
 
-  // Puts the file in its place; its size.
+  // Puts the file in its place. Returns its size in bytes.
   virtual absl::StatusOr<uint64_t> Commit() = 0;
 };
 

@@ -1,4 +1,5 @@
-// Numbers from and to text, without a locale, and lines of them.
+// Converts numbers from and to text, independent of the locale, and makes CSV
+// lines.
 
 #ifndef GEODESIC_CLIENT_OUTPUT_NUMBER_TEXT_H_
 #define GEODESIC_CLIENT_OUTPUT_NUMBER_TEXT_H_
@@ -11,7 +12,7 @@
 
 namespace geodesic::client {
 
-// Whether all of `text` is a number.
+// Parses `text`. Returns false unless all of it is one number.
 template <typename Number>
 bool ParseNumber(std::string_view text, Number* number) {
   const char* end = text.data() + text.size();
@@ -27,9 +28,9 @@ std::string NumberText(Number number) {
                      std::to_chars(text, text + sizeof(text), number).ptr);
 }
 
-// Lines of comma-separated values. Numbers have the fewest digits that give the
-// same number again; infinity is "inf". Texts go in as they are: none here
-// holds a comma, but for places in a face, which are quoted.
+// Builds lines of comma-separated values. Numbers have the fewest digits that
+// give the same number again; infinity is "inf". Texts are not escaped, since
+// none holds a comma except places in a face, which are quoted.
 class CsvLine {
  public:
   template <typename Value>
@@ -47,8 +48,8 @@ class CsvLine {
     return *this;
   }
 
-  // The line with its newline; the next one begins.
-  // REQUIRES: something is in it.
+  // Returns the line with its newline and begins the next one.
+  // REQUIRES: the line is not empty.
   std::string End() {
     line_.back() = '\n';
     return std::exchange(line_, {});

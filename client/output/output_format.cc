@@ -11,7 +11,7 @@
 namespace geodesic::client {
 
 std::string_view OutputFormatName(OutputFormat format) {
-  // By number.
+  // Indexed by OutputFormat.
   constexpr std::array kNames = {"npy", "npz", "csv", "f64",  "f32",
                                  "ply", "vtk", "obj", "json", "png"};
   return kNames.at(static_cast<size_t>(format));

@@ -1,4 +1,4 @@
-// What an output file's ending asks for.
+// The formats of output files, which their endings name.
 
 #ifndef GEODESIC_CLIENT_OUTPUT_OUTPUT_FORMAT_H_
 #define GEODESIC_CLIENT_OUTPUT_OUTPUT_FORMAT_H_
@@ -26,7 +26,7 @@ enum class OutputFormat {
   kPng
 };
 
-// What each kind of answer can be written as.
+// The formats in which each kind of answer can be written.
 inline constexpr std::array kFieldFormats = {
     OutputFormat::kNpy, OutputFormat::kNpz, OutputFormat::kCsv,
     OutputFormat::kF64, OutputFormat::kF32, OutputFormat::kPly,
@@ -50,12 +50,12 @@ std::string_view OutputFormatName(OutputFormat format);
 std::string OutputEndings(std::span<const OutputFormat> formats);
 
 // The one of `formats` that the path's ending names, in any case.
-// Errors: INVALID_ARGUMENT naming the path and the endings.
+// Errors: INVALID_ARGUMENT naming the path and the allowed endings.
 absl::StatusOr<OutputFormat> OutputFormatFromPath(
     std::string_view path, std::span<const OutputFormat> formats);
 
-// An error now rather than after a long computation, if the path's folder does
-// not exist or cannot be written to.
+// Errors: the path's folder does not exist or cannot be written to. To be
+// called before a long computation.
 absl::Status CheckWritable(const std::string& path);
 
 }  // namespace geodesic::client

@@ -73,7 +73,7 @@ std::string Quoted(std::string_view text) {
   return absl::StrCat("'", std::string(text), "'");
 }
 
-// Cuts `text` at the first `separator`; false if there is none.
+// Cuts `text` at the first `separator`. Returns false if there is none.
 bool Split(std::string_view text, char separator, std::string_view* before,
            std::string_view* after) {
   const size_t at = text.find(separator);
@@ -83,7 +83,7 @@ bool Split(std::string_view text, char separator, std::string_view* before,
   return true;
 }
 
-// The functions below return what is wrong with the text, or nothing.
+// The functions below return what is wrong with the text, or an empty string.
 
 std::string ParseIndex(std::string_view text, const char* what,
                        uint64_t* number) {
@@ -156,7 +156,7 @@ std::string TakeOffset(std::string_view* text, double* offset) {
                             " is not a number >= 0");
 }
 
-// What `parse` makes of each line of a file.
+// The results of `parse` for each line of a file.
 template <typename Item, typename Parse>
 absl::StatusOr<std::vector<Item>> ReadList(const std::string& path,
                                            Parse parse) {

@@ -1,4 +1,5 @@
-// Places on the surface as the command line reads and writes them, and as JSON:
+// Converts places on the surface to JSON, and from and to the command line's
+// text:
 //
 //   17                     vertex 17
 //   edge:3-8@0.25          on the edge from vertex 3 to 8, a quarter of the way
@@ -34,11 +35,12 @@ nlohmann::ordered_json PointToJson(const SurfacePoint& point);
 // The same, or {"curve": [point, ...]}; with "offset".
 nlohmann::ordered_json SourceToJson(const Source& source);
 
-// As the path of a list.
+// The path of a list that is read from standard input.
 inline constexpr char kStandardInput[] = "-";
 
-// Errors: INVALID_ARGUMENT naming the text and what it should be, likewise for
-// the others. Whether the mesh has such a place is for the server to say.
+// Errors: INVALID_ARGUMENT naming the text and what it should be; ParseSource
+// and ParseCurve have the same. The server checks whether the mesh has the
+// place.
 absl::StatusOr<SurfacePoint> ParsePoint(std::string_view text);
 
 // "POINT" or "POINT:OFFSET".
@@ -47,9 +49,10 @@ absl::StatusOr<Source> ParseSource(std::string_view text);
 // "POINT;POINT;..." or "POINT;POINT;...:OFFSET".
 absl::StatusOr<Source> ParseCurve(std::string_view text);
 
-// The sources of a file, one a line: a curve where the line has a ';'. Empty
-// lines and those that begin with '#' are skipped. "-" is standard input.
-// Errors: of opening and reading the file; INVALID_ARGUMENT naming the line.
+// The sources of a file, one a line. A line with a ';' is a curve. Empty lines
+// and those that begin with '#' are skipped. "-" is standard input.
+// Errors: those of opening and reading the file; INVALID_ARGUMENT naming the
+// line.
 absl::StatusOr<std::vector<Source>> ReadSources(const std::string& path);
 
 // The same for points.

@@ -9,7 +9,8 @@
 namespace geodesic::client {
 namespace {
 
-// The first day a zip file can name, so that equal content makes equal files.
+// The first day that a zip file can hold. A fixed time makes equal content
+// equal files.
 constexpr time_t kFirstDay = 315532800 + 12 * 3600;  // 1980-01-01, noon UTC
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Archives of arrays: .npz is a zip file of .npy files, not compressed.
+// Writes archives of arrays. An .npz file is a zip file of .npy files, here not
+// compressed.
 
 #ifndef GEODESIC_CLIENT_OUTPUT_ZIP_ARCHIVE_H_
 #define GEODESIC_CLIENT_OUTPUT_ZIP_ARCHIVE_H_
@@ -18,8 +19,8 @@ struct zip_source;
 
 namespace geodesic::client {
 
-// Collects members; the file appears under its name when it is complete, or
-// not at all. Equal members make equal files. Not thread-safe.
+// Collects members. The file appears under its name only when it is complete.
+// Equal members make equal files. Not thread-safe.
 class ZipArchive {
  public:
   // Errors: those of opening a file for writing, naming the path.
@@ -27,11 +28,13 @@ class ZipArchive {
 
   void Add(const std::string& name, std::string bytes);
 
-  // All that `file` holds, read when the archive is committed. Closes it.
+  // Adds all that `file` holds, which Commit reads. Takes over the file and
+  // closes it.
   void Add(const std::string& name, std::FILE* file);
 
-  // Puts the archive in its place, over a file that may be there; its size.
-  // Errors: what went wrong first, naming the path.
+  // Puts the archive in its place, over an older file. Returns its size in
+  // bytes.
+  // Errors: the first one, naming the path.
   absl::StatusOr<uint64_t> Commit();
 
  private:

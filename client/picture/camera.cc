@@ -21,7 +21,7 @@ struct Extent {
     high = std::max(high, value);
   }
   bool empty() const { return low > high; }
-  // Halved first: the ends may be the largest doubles of either sign.
+  // Both ends are halved first, since they may be the largest doubles.
   double middle() const { return low / 2 + high / 2; }
   double half() const { return high / 2 - low / 2; }
 };
@@ -37,13 +37,13 @@ std::array<Extent, 3> BoxOf(const std::vector<Point>& points) {
 // The screen on which views are tried.
 constexpr int kTrialSize = 192;
 
-// What a view shows.
+// A view and how much it shows.
 struct Trial {
   View view;
-  // How much of the mesh's outline fills, in units of the mesh: not of the
-  // screen, where a long mesh seen from its end looks large.
+  // Area of the mesh's outline in units of the mesh. In units of the screen a
+  // long mesh would look large from its end.
   double area = 0;
-  // The fraction of the marks that is seen.
+  // The fraction of the marks that is visible.
   double marks_seen = 0;
 };
 
@@ -64,7 +64,7 @@ Trial Try(const MeshArrays& mesh, const std::vector<Point>& shown,
   Trial trial = {
       .view = view,
       .area = static_cast<double>(covered) / (camera.scale() * camera.scale())};
-  // A mark within two samples of the surface, which may slope, is seen.
+  // A mark may be two samples behind the surface, which may slope.
   const auto seen = std::ranges::count_if(marks, [&](const Point& mark) {
     return IsVisible(camera.Project(mark), 2, buffer);
   });
@@ -156,18 +156,18 @@ UpAxis GuessUpAxis(const std::vector<Point>& positions) {
 
 View ChooseView(const MeshArrays& mesh, const std::vector<Point>& shown,
                 const std::vector<Point>& marks, UpAxis up) {
-  // Flat meshes are looked at from above.
+  // Flat meshes are seen from above.
   const double elevation = up == UpAxis::kZ ? 45 : 18;
   std::vector<Trial> trials;
   double largest_area = 0;
-  // In order of preference where views are equally good: the front first.
+  // Of equally good views the first wins, so views of the front come first.
   for (const double azimuth :
        {30.0, -30.0, 60.0, -60.0, 150.0, -150.0, 120.0, -120.0}) {
     trials.push_back(Try(mesh, shown, marks, {up, azimuth, elevation}));
     largest_area = std::max(largest_area, trials.back().area);
   }
   const auto score = [largest_area](const Trial& trial) {
-    // Steps of a hundredth, so that noise does not overrule the order.
+    // The area is rounded to hundredths, so noise does not overrule the order.
     const double area =
         largest_area > 0 ? std::round(100 * trial.area / largest_area) : 0;
     return area + 35 * trial.marks_seen;

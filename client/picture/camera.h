@@ -1,4 +1,4 @@
-// An orthographic view of a mesh, and one that shows much of it.
+// An orthographic view of a mesh, and the choice of a good one.
 
 #ifndef GEODESIC_CLIENT_PICTURE_CAMERA_H_
 #define GEODESIC_CLIENT_PICTURE_CAMERA_H_
@@ -12,9 +12,9 @@ namespace geodesic::client {
 
 enum class UpAxis { kY, kZ };
 
-// Where the viewer stands, in degrees. Azimuth 0 looks along -z if y is up and
-// along +y if z is up; it grows as the viewer walks to the right. Elevation
-// grows as the viewer rises.
+// Where the viewer stands. Angles are in degrees. Azimuth 0 looks along -z if y
+// is up and along +y if z is up. Azimuth grows as the viewer walks to the
+// right, and elevation as the viewer rises.
 struct View {
   UpAxis up = UpAxis::kY;
   double azimuth = 0;
@@ -33,14 +33,14 @@ struct Rectangle {
 class Camera {
  public:
   // Shows all of `points` in the middle of `area`, as large as fits.
-  // Coordinates of any magnitude are fine, and so are no points.
+  // Coordinates may have any magnitude, and `points` may be empty.
   Camera(const std::vector<Point>& points, const View& view,
          const Rectangle& area);
 
-  // Pixels to the right, pixels down, and pixels toward the viewer.
+  // The point in pixels: to the right, down, and toward the viewer.
   Vector3 Project(const Point& point) const;
 
-  // Pixels that half the longest side of the points' bounding box takes.
+  // Half the longest side of the points' bounding box, in pixels.
   double scale() const { return scale_; }
 
   // Unit vectors of the screen, in the mesh's axes.
@@ -52,23 +52,24 @@ class Camera {
   Vector3 right_;
   Vector3 up_;
   Vector3 toward_viewer_;
-  // The middle of the points' bounding box, and the reciprocal of its longest
-  // side: what comes first, so that no square overflows.
+  // The middle of the points' bounding box, and the reciprocal of half its
+  // longest side. Points are scaled by these first, so that no square
+  // overflows.
   Vector3 middle_;
   double inverse_size_ = 1;
-  // Pixels for a unit of the scaled points, and the pixel of their middle.
+  // Pixels per unit of the scaled points, and the pixel of their middle.
   double scale_ = 1;
   double center_x_ = 0;
   double center_y_ = 0;
 };
 
-// z for a mesh that is flat along z, as terrains are, or that would stand on a
-// floor along z but fall over along y; y otherwise, as in most models.
+// z for a mesh that is flat along z, as terrains are, or that would stand
+// upright along z but not along y. Otherwise y, as in most models.
 UpAxis GuessUpAxis(const std::vector<Point>& positions);
 
-// Tries oblique views of `shown`, the points that are to fit, from all around
-// and takes the one in which the mesh has the largest outline, preferring those
-// that see more of the marks, which lie on the surface.
+// Tries oblique views from all around that fit the points `shown`. Takes the
+// one with the best score, which grows with the area of the mesh's outline and
+// with the share of `marks`, points on the surface, that are visible.
 View ChooseView(const MeshArrays& mesh, const std::vector<Point>& shown,
                 const std::vector<Point>& marks, UpAxis up);
 

@@ -15,8 +15,8 @@ struct Waypoint {
   double hue_degrees;
 };
 
-// Chosen by eye; everything between follows. Kept off black, where shading
-// would have nothing left to show the shape with.
+// Chosen by eye. They stay off black, on which shading could not show the
+// shape.
 constexpr std::array<Waypoint, 5> kWaypoints = {{{0.36, 0.150, 298},
                                                  {0.50, 0.125, 258},
                                                  {0.65, 0.105, 200},
@@ -39,8 +39,7 @@ OkLab PathAt(double t) {
   const Waypoint& p1 = kWaypoints[segment];
   const Waypoint& p2 = kWaypoints[segment + 1];
   const Waypoint& p3 = kWaypoints[std::min(segment + 2, kLast)];
-  // Lightness and hue advance evenly enough to be linear; the spline keeps
-  // chroma and hue free of kinks.
+  // Splines keep the path free of kinks.
   const double chroma = Spline(p0.chroma, p1.chroma, p2.chroma, p3.chroma, s);
   const double hue = Spline(p0.hue_degrees, p1.hue_degrees, p2.hue_degrees,
                             p3.hue_degrees, s) *

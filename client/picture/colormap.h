@@ -1,10 +1,10 @@
-// Distance -> colour, from deep violet over teal to yellow.
+// Maps distance to colour, from deep violet over teal to yellow.
 //
-// The map is derived here, not taken from a table: a path through the OKLab
-// colour space (B. Ottosson, "A perceptual color space for image processing",
-// 2020) whose lightness only rises, walked at constant speed. Hence
+// The map is a path through the OKLab colour space (B. Ottosson, "A perceptual
+// color space for image processing", 2020). Its lightness only rises and its
+// speed is constant. Therefore
 //   1. equal steps of distance look equally large;
-//   2. it keeps its order in greyscale and for colour-blind eyes.
+//   2. colours keep their order in greyscale and for colour-blind eyes.
 
 #ifndef GEODESIC_CLIENT_PICTURE_COLORMAP_H_
 #define GEODESIC_CLIENT_PICTURE_COLORMAP_H_
@@ -15,7 +15,7 @@
 
 namespace geodesic::client {
 
-// A colour in OKLab: lightness 0 to 1, green-red and blue-yellow axes.
+// A colour in OKLab: lightness from 0 to 1, and green-red and blue-yellow axes.
 struct OkLab {
   double lightness = 0;
   double a = 0;
@@ -24,7 +24,7 @@ struct OkLab {
 
 LinearColor LinearFromOkLab(const OkLab& color);
 
-// Immutable, hence thread-safe.
+// Immutable and thread-safe.
 class Colormap {
  public:
   Colormap();

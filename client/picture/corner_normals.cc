@@ -14,8 +14,8 @@ constexpr ptrdiff_t kMostTriangles = 64;
 
 Vector3 ToVector(const Point& point) { return {point[0], point[1], point[2]}; }
 
-// A factor that brings the corners' coordinates, not those of stray vertices,
-// to a magnitude of 1 at most.
+// A factor that brings the corners' coordinates to a magnitude of at most 1.
+// Vertices without triangles do not count.
 double InverseMagnitude(const MeshArrays& mesh) {
   double largest = 0;
   for (const Triangle& triangle : mesh.triangles) {
@@ -68,7 +68,8 @@ Incidence VertexTriangles(const MeshArrays& mesh) {
   return incidence;
 }
 
-// The part of a vertex's normal that triangle `own` sees.
+// The sum of those face normals in [begin, end) that are on one smooth sheet
+// with `own`.
 Vector3 CreasedSum(const Vector3& own, const std::vector<Vector3>& face_normals,
                    const uint32_t* begin, const uint32_t* end) {
   Vector3 sum;

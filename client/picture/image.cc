@@ -86,7 +86,8 @@ std::string Image::Shortened(const std::string& text, double width,
     cairo_text_extents(cairo(), shown.c_str(), &extents);
     return extents.x_advance <= width;
   };
-  // From the front, since the names of curves may have any length.
+  // Letters are added from the front, since the name of a curve may be very
+  // long.
   size_t whole = 0;
   size_t cut = 0;
   while (whole < text.size() && fits(text.substr(0, whole + 1))) {

@@ -1,4 +1,4 @@
-// Pictures and their colours.
+// Images and their colours.
 
 #ifndef GEODESIC_CLIENT_PICTURE_IMAGE_H_
 #define GEODESIC_CLIENT_PICTURE_IMAGE_H_
@@ -12,7 +12,8 @@
 
 namespace geodesic::client {
 
-// Red, green and blue in linear light, 0 to 1: what may be added and averaged.
+// Red, green and blue in linear light, from 0 to 1, which can be added and
+// averaged.
 struct LinearColor {
   float red = 0;
   float green = 0;
@@ -25,33 +26,34 @@ inline LinearColor operator+(const LinearColor& a, const LinearColor& b) {
 inline LinearColor operator*(float s, const LinearColor& a) {
   return {s * a.red, s * a.green, s * a.blue};
 }
-// `a` where t is 0, `b` where it is 1.
+// Returns `a` if t is 0 and `b` if t is 1.
 inline LinearColor Mix(const LinearColor& a, const LinearColor& b, float t) {
   return (1 - t) * a + t * b;
 }
-// Each channel brought into 0 to 1.
+// Clamps each channel to 0..1.
 LinearColor Clamp(const LinearColor& color);
 
-// Pixels in sRGB (IEC 61966-2-1), and Cairo to draw lines and text over them.
-// Coordinates are in pixels, from the left and from the top.
+// Pixels in sRGB (IEC 61966-2-1), and a Cairo context that draws lines and text
+// over them. Coordinates are in pixels, from the left and from the top.
 class Image {
  public:
-  // White. REQUIRES: 0 < width, height <= 32767.
+  // A white image.
+  // REQUIRES: 0 < width, height <= 32767.
   Image(int width, int height);
 
   int width() const;
   int height() const;
 
-  // Of a colour beyond 0 to 1, the nearest that the screen can show.
+  // Clamps the colour to 0..1.
   // REQUIRES: nothing has been drawn with cairo() yet.
   void Set(int x, int y, const LinearColor& color);
 
-  // Draws on this image, for as long as it lives.
+  // Draws on this image. Valid as long as the image.
   cairo_t* cairo() { return cairo_.get(); }
-  // What cairo() draws with from now on.
+  // Sets the colour that cairo() draws with.
   void SetInk(const LinearColor& color);
-  // As much of `text`, which is ASCII, as fits into `width` pixels in letters
-  // of `size` pixels; an ellipsis takes the place of what does not.
+  // Returns as much of `text`, which is ASCII, as fits into `width` pixels in
+  // letters of `size` pixels. An ellipsis replaces the rest.
   std::string Shortened(const std::string& text, double width, double size);
   // Writes a line of UTF-8 that stands on `baseline`, in letters of `size`
   // pixels. Returns where it ends.
@@ -67,7 +69,7 @@ class Image {
     void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
   };
 
-  // Holds the pixels too.
+  // Owns the pixels too.
   std::unique_ptr<cairo_t, Destroy> cairo_;
 };
 

@@ -12,14 +12,14 @@ double SmoothStep(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
-// Coverage by the lines at multiples of `step`, which are `width` pixels wide.
+// Coverage by the lines at multiples of `step`, `width` pixels wide.
 double LinesCoverage(double step, double distance, double gradient,
                      double width) {
   const double nearest = step * std::round(distance / step);
   if (nearest <= 0) return 0;
   const double spacing = step / gradient;
   const double off = std::abs(distance - nearest) / gradient;
-  // A ramp half a pixel wide: samples are half a pixel apart.
+  // The ramp is half a pixel wide, as samples are half a pixel apart.
   const double inside = std::clamp((width / 2 - off) / 0.5 + 0.5, 0.0, 1.0);
   return inside * SmoothStep(2 * width, 4 * width, spacing);
 }
@@ -51,8 +51,8 @@ std::vector<ScaleLabel> ScaleLabels(const IsolineScale& scale, double largest) {
   const double step = scale.label_step();
   for (int i = 0; i * step <= largest * (1 + 1e-12); ++i) {
     char text[32];
-    // Labels are multiples of a round step: six digits are more than enough,
-    // and hide that 3 * 0.1 is not 0.3.
+    // Labels are multiples of a round step. Six digits are enough for them, and
+    // hide that 3 * 0.1 is not 0.3.
     std::snprintf(text, sizeof(text), "%.6g", i * step);
     labels.push_back({i * step, text});
   }

@@ -1,4 +1,4 @@
-// Evenly spaced distances: where isolines run and what the colour bar says.
+// Evenly spaced distances for isolines and for the labels of the colour bar.
 
 #ifndef GEODESIC_CLIENT_PICTURE_ISOLINES_H_
 #define GEODESIC_CLIENT_PICTURE_ISOLINES_H_
@@ -8,8 +8,8 @@
 
 namespace geodesic::client {
 
-// Isolines at the multiples of `step`; every `per_label`-th is a thicker one
-// whose distance the colour bar names.
+// Isolines run at the multiples of `step`. Every `per_label`-th is thicker, and
+// the colour bar names its distance.
 struct IsolineScale {
   double step = 0;
   int per_label = 1;
@@ -22,16 +22,15 @@ struct IsolineScale {
 // finite.
 IsolineScale ChooseIsolines(double largest);
 
-// How much of a point of the screen an isoline covers, 0 to 1. `distance` is
-// the field there and `gradient` its change per pixel; lines are
-// `width` pixels wide wherever they run, the labelled ones twice that. Where
-// they would run closer than a few pixels they fade. There is none at distance
-// zero.
+// How much of a point of the screen an isoline covers, from 0 to 1. `distance`
+// is the field there and `gradient` its change per pixel. Lines are `width`
+// pixels wide everywhere, labelled ones twice that. They fade where they would
+// be only a few pixels apart. There is no line at distance zero.
 double IsolineCoverage(const IsolineScale& scale, double distance,
                        double gradient, double width);
 
 // The multiples of the label step from 0 to `largest`, as written beside the
-// colour bar: "0", "0.5", "1", or "2e-05" where digits would run away.
+// colour bar: "0", "0.5", "1", or "2e-05" for very small or large ones.
 struct ScaleLabel {
   double distance = 0;
   std::string text;

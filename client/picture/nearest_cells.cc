@@ -17,7 +17,7 @@ NearestCells::NearestCells(const MeshArrays& mesh,
                            std::span<const double> distances,
                            std::span<const uint32_t> nearest_sources)
     : mesh_(mesh), distances_(distances), nearest_sources_(nearest_sources) {
-  // The second round goes over sides whose second distance the first has found.
+  // The second round uses the distances that the first round has found.
   for (int round = 0; round < 2; ++round) {
     for (const Triangle& triangle : mesh.triangles) Relax(triangle);
   }
@@ -56,7 +56,7 @@ double NearestCells::Unfolded(uint32_t vertex, uint32_t a, uint32_t b,
   const double base = Between(mesh_.positions[a], mesh_.positions[b]);
   const double unit = std::max({from_a, from_b, va, vb, base});
   if (!std::isfinite(unit) || !(base > 0)) return along_edges;
-  // With a at 0 and b on the x-axis, v above it and the source below.
+  // In the plane, a is at 0, b on the x-axis, v above it, the source below.
   const double c = base / unit;
   const auto place = [c, unit](double to_a, double to_b) {
     to_a /= unit;
@@ -66,7 +66,7 @@ double NearestCells::Unfolded(uint32_t vertex, uint32_t a, uint32_t b,
   };
   const auto [vx, vy] = place(va, vb);
   const auto [sx, sy] = place(from_a, from_b);
-  // Where the straight line between them crosses the side.
+  // Where the straight line between v and the source crosses the side.
   const double crossing = vy + sy > 0 ? sx + (vx - sx) * sy / (vy + sy) : sx;
   if (!(crossing >= 0 && crossing <= c)) return along_edges;
   return std::min(along_edges, unit * std::hypot(vx - sx, vy + sy));

@@ -12,15 +12,16 @@ namespace {
 constexpr LinearColor kTextInk = {0.03F, 0.03F, 0.035F};
 constexpr LinearColor kRim = {1, 1, 1};
 
-// Pieces whose visibility is decided at their middle, in samples.
+// Length of a piece of a line in samples. The middle decides whether it is
+// visible.
 constexpr double kPiece = 2;
 
-// Room for the slope of the surface between the middle of a sample and the
-// line, in samples: what is nearer than this to the surface lies on it.
+// A line lies on the surface if it is no more than this many samples behind it.
+// This allows for the slope between the line and the middle of a sample.
 constexpr double kTolerance = 5;
 
-// Whether a piece of a line is worth a look. Also false where a coordinate is
-// no number, and for what would be too long for Cairo.
+// Whether a piece of a line can be drawn. False also if a coordinate is NaN or
+// the piece would be too long for Cairo.
 bool IsDrawable(const Vector3& from, const Vector3& to) {
   constexpr double kFar = 1e6;
   return std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x),
@@ -76,7 +77,7 @@ void DrawMark(const MarkStyle& style, double x, double y, Image* image) {
     cairo_fill(cairo);
     return;
   }
-  // Six dashes and six gaps; round ends take a pen's width off the gaps.
+  // Six dashes and six gaps. Round ends shorten a gap by the pen's width.
   const double pen = 0.18 * size;
   const double sixth = size * std::numbers::pi / 6;
   const double dashes[] = {0.5 * sixth - pen / 2, 0.5 * sixth + pen / 2};
@@ -86,7 +87,7 @@ void DrawMark(const MarkStyle& style, double x, double y, Image* image) {
   cairo_set_dash(cairo, nullptr, 0, 0);
 }
 
-// Where the key is; lengths in pixels.
+// Where the key is, in pixels.
 struct Layout {
   explicit Layout(const Image& image)
       : text(TextSize(image.width(), image.height())),
@@ -136,7 +137,7 @@ void DrawFaintLines(const std::vector<ScreenLine>& lines, double pen,
         cairo_new_sub_path(cairo);
         continue;
       }
-      // Begins the line where there is none yet.
+      // This begins the line if there is no current point.
       cairo_line_to(cairo, line[i - 1].x / kSamples, line[i - 1].y / kSamples);
       cairo_line_to(cairo, line[i].x / kSamples, line[i].y / kSamples);
     }
@@ -238,7 +239,7 @@ void DrawSourceColors(
   const Layout at(*image);
   const double row = 1.6 * at.text;
   const auto rows = static_cast<size_t>((at.bottom - at.top) / row);
-  // The last row says what there is no room for.
+  // The last row says how many sources there is no room for.
   const size_t shown = names.size() <= rows ? names.size() : rows - 1;
   double y = at.top;
   for (uint32_t source = 0; source < shown; ++source, y += row) {

@@ -24,7 +24,7 @@ constexpr LinearColor kRim = {1, 1, 1};
 constexpr LinearColor kSourceMark = {0.75F, 0.02F, 0.02F};
 constexpr LinearColor kTargetMark = {0.02F, 0.12F, 0.6F};
 
-// A colour for each source, far from those of the sources before and after it.
+// A colour for each source, unlike those of the sources before and after it.
 LinearColor ColorOfSource(uint32_t source) {
   // Hues a golden angle apart, with the lightness in three steps.
   constexpr double kGoldenAngle = 2.399963229728653;
@@ -33,12 +33,12 @@ LinearColor ColorOfSource(uint32_t source) {
                                 0.11 * std::cos(hue), 0.11 * std::sin(hue)}));
 }
 
-// What colour a mesh has at each sample of the screen.
+// Colours the mesh at each sample of the screen.
 class Surface {
  public:
-  // `largest` is the largest finite distance, `screen` are the mesh's vertices
-  // in samples; `line_width`, of isolines, is in pixels. What is referred to
-  // must outlive the object.
+  // `largest` is the largest finite distance, `screen` holds the mesh's
+  // vertices in samples, and `line_width` is the width of isolines in pixels.
+  // Referenced arguments must outlive the object.
   Surface(const MeshArrays& mesh, const PictureContent& content, double largest,
           const std::vector<Vector3>& screen, const Camera& camera,
           const IsolineScale& isolines, double line_width)
@@ -110,14 +110,14 @@ class Surface {
     return Mix(color, kThinLine, static_cast<float>(0.85 * line));
   }
 
-  // `albedo` under light from the upper left in front, and a soft one from
-  // above and below that leaves no part black. Both sides are lit alike.
+  // `albedo` under a lamp in front at the upper left, and soft light from above
+  // and below that leaves no part black. Both sides of a face look alike.
   LinearColor Shade(const LinearColor& albedo, Vector3 normal) const {
     if (Dot(normal, camera_.toward_viewer()) < 0) normal = -1 * normal;
     const double lamp = std::max(0.0, Dot(normal, toward_lamp_));
     const double sky = 0.5 + 0.5 * Dot(normal, camera_.up());
-    // A surface that faces the lamp keeps its colour, so that it can be read
-    // off the colour bar.
+    // A surface that faces the lamp keeps its colour, for comparison with the
+    // colour bar.
     return static_cast<float>(0.27 + 0.16 * sky + 0.66 * lamp) * albedo;
   }
 
@@ -131,7 +131,7 @@ class Surface {
     return Normalized(sum);
   }
 
-  // Change of the distance per pixel, in the direction it changes most.
+  // Change of the distance per pixel, in the direction of steepest change.
   double Gradient(const Triangle& triangle,
                   const std::array<double, 3>& distances) const {
     const Vector3& a = screen_[triangle[0]];
@@ -157,7 +157,7 @@ class Surface {
   double line_width_;
 };
 
-// In samples.
+// The points on the screen, in samples.
 std::vector<Vector3> OnScreen(const std::vector<Point>& points,
                               const Camera& camera) {
   std::vector<Vector3> screen;
@@ -180,7 +180,7 @@ std::vector<ScreenLine> OnScreen(const std::vector<PictureLine>& lines,
   return screen;
 }
 
-// What a view should show besides the mesh: dots, and points along lines.
+// Points that a view should show: dots, and points along lines.
 std::vector<Point> Marks(const PictureContent& content) {
   constexpr size_t kPerLine = 50;
   std::vector<Point> marks;
@@ -195,7 +195,7 @@ std::vector<Point> Marks(const PictureContent& content) {
   return marks;
 }
 
-// The vertices that are corners: stray ones do not decide what is shown.
+// The vertices of triangles. Stray vertices do not decide what is shown.
 std::vector<Point> Corners(const MeshArrays& mesh) {
   std::vector<bool> used(mesh.positions.size(), false);
   for (const Triangle& triangle : mesh.triangles) {
@@ -253,7 +253,7 @@ Image Render(const MeshArrays& mesh, const PictureContent& content,
   DrawVisibleLines(OnScreen(content.thin_lines, camera), 1.3 * pen, kThinLine,
                    samples, &image);
   const std::vector<ScreenLine> bold = OnScreen(content.bold_lines, camera);
-  // What is hidden shows faintly, so that a path is seen whole.
+  // Hidden parts show faintly, so a path can be seen whole.
   DrawFaintLines(bold, 3 * pen, kBoldLine, &image);
   DrawVisibleLines(bold, 6 * pen, kRim, samples, &image);
   DrawVisibleLines(bold, 4 * pen, kBoldLine, samples, &image);

@@ -1,4 +1,4 @@
-// A picture of a mesh and of what was computed on it.
+// Draws a mesh and what was computed on it.
 //
 //   Image image = Render(mesh, {.distances = field.distances,
 //                               .isolines = true,
@@ -32,7 +32,7 @@ struct PictureOptions {
   // In pixels, each from kLeastPictureSize to kMostPictureSize.
   int width = 1600;
   int height = 1200;
-  // As View has them. DEFAULT: chosen by the mesh and what is drawn on it.
+  // The angles of a View. DEFAULT: chosen by the mesh and what is drawn on it.
   std::optional<ViewDirection> direction;
   // DEFAULT: guessed from the mesh.
   std::optional<UpAxis> up;
@@ -46,37 +46,35 @@ struct PictureLine {
 };
 
 struct PictureContent {
-  // One per vertex: colours from 0 to the largest finite one, told by a colour
-  // bar; light grey where a corner's is infinite. Empty: one colour all over.
+  // One per vertex. Colours run from 0 to the largest finite distance, as a
+  // colour bar shows. A triangle is light grey if a corner's distance is
+  // infinite. Empty: the mesh has one colour.
   std::span<const double> distances;
-  // One per vertex: a colour for each source's cell instead. Needs distances
-  // too.
+  // One per vertex: colours each source's cell instead. Needs distances too.
   std::span<const uint32_t> nearest_sources;
-  // What the legend calls them, by their numbers.
+  // Names of sources in the legend, indexed by number.
   std::vector<std::string> source_names;
   // Dark lines of constant width at round distances.
   bool isolines = false;
-  // Thin dark lines: isolines as computed. `levels` are marked in the colour
-  // bar.
+  // Thin dark lines for computed isolines. The colour bar marks `levels`.
   std::vector<PictureLine> thin_lines;
   std::vector<double> levels;
-  // Bold lines: paths and curves. What is hidden of them shows faintly.
+  // Bold lines for paths and curves. Hidden parts show faintly.
   std::vector<PictureLine> bold_lines;
-  // Dots of two colours, told below the picture; dashed rings where something
-  // hides them.
+  // Dots of two colours, which the legend below the picture names. Hidden ones
+  // are dashed rings.
   std::vector<Point> sources;
   std::vector<Point> targets;
 };
 
-// The largest distance that is finite; 0 if there is none.
+// The largest finite distance; 0 if there is none.
 double LargestFinite(std::span<const double> distances);
 
-// Draws the mesh on white, smoothly shaded, with what of the lines is seen.
-// Pictures too narrow for a colour bar or a legend of sources have none.
+// Draws the mesh on white, smoothly shaded, with lines and dots. A picture too
+// narrow for a colour bar or a legend of sources has none.
 // REQUIRES: one distance and nearest source per vertex, or none; indices in
 // range.
-// Coordinates and distances of any magnitude are fine. Takes memory of 36 bytes
-// a pixel.
+// Coordinates and distances may have any magnitude. Takes 36 bytes a pixel.
 Image Render(const MeshArrays& mesh, const PictureContent& content,
              const PictureOptions& options);
 

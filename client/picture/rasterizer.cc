@@ -11,7 +11,7 @@ double Area2(const Vector3& a, const Vector3& b, const Vector3& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Below this, in samples squared, a triangle is seen edge-on.
+// A triangle with less than this, in samples squared, is seen edge-on.
 constexpr double kLeastArea2 = 1e-12;
 
 // The first sample whose middle is not before `position`.
@@ -32,10 +32,10 @@ void DrawTriangle(const Vector3& a, const Vector3& b, const Vector3& c,
       std::nextafter(std::max({a.y, b.y, c.y}), INFINITY), buffer->height);
   if (x_begin == x_end) return;
 
-  // Corner weights are affine on the screen; these are their steps.
+  // Corner weights are affine on the screen. These are their steps per sample.
   const double step_b = (c.y - a.y) / area2;
   const double step_c = -(b.y - a.y) / area2;
-  // Weights of neighbours differ in rounding along their common edge.
+  // Along a common edge the weights of neighbours differ by rounding.
   constexpr double kSlack = -1e-9;
   for (int y = y_begin; y < y_end; ++y) {
     const Barycentric first = BarycentricAt(a, b, c, x_begin + 0.5, y + 0.5);

@@ -1,4 +1,4 @@
-// Which triangle is seen at each sample of the screen.
+// Finds the triangle that is visible at each sample of the screen.
 
 #ifndef GEODESIC_CLIENT_PICTURE_RASTERIZER_H_
 #define GEODESIC_CLIENT_PICTURE_RASTERIZER_H_
@@ -17,15 +17,15 @@ namespace geodesic::client {
 inline constexpr uint32_t kNoTriangle = std::numeric_limits<uint32_t>::max();
 
 struct VisibleSample {
-  // Toward the viewer; the nearest triangle's.
+  // Depth of the nearest triangle; it grows toward the viewer.
   float depth = -std::numeric_limits<float>::infinity();
   uint32_t triangle = kNoTriangle;
 };
 
-// Samples a pixel of a picture has, across and down.
+// Samples per pixel, across and down.
 inline constexpr int kSamples = 2;
 
-// Rows from the top, samples from the left.
+// Rows go from the top, samples from the left.
 struct VisibilityBuffer {
   VisibilityBuffer(int w, int h)
       : width(w), height(h), samples(static_cast<size_t>(w) * h) {}
@@ -42,16 +42,16 @@ struct VisibilityBuffer {
   std::vector<VisibleSample> samples;
 };
 
-// False for what is no number.
+// False also if x or y is NaN.
 bool IsOnScreen(const Vector3& point, const VisibilityBuffer& buffer);
 
-// Whether nothing is in front of a point by more than `tolerance`, in samples.
+// Whether nothing is in front of a point by more than `tolerance` samples.
 // False off the screen.
 bool IsVisible(const Vector3& point, double tolerance,
                const VisibilityBuffer& buffer);
 
-// The weights of a triangle's corners at a point of the screen; they add up to
-// one, and all are >= 0 inside.
+// The weights of a triangle's corners at a point of the screen. Their sum is 1,
+// and inside the triangle all are >= 0.
 using Barycentric = std::array<double, 3>;
 
 // REQUIRES: the triangle has area on the screen.
@@ -60,7 +60,7 @@ Barycentric BarycentricAt(const Vector3& a, const Vector3& b, const Vector3& c,
 
 // Draws `triangles` with the corners `screen` (x and y in samples, z toward the
 // viewer) into a buffer of the given size. Samples are taken at the middle of
-// their square; edges belong to both of their triangles, so that no seam shows.
+// their square. An edge belongs to both of its triangles, so no seam shows.
 // Triangles without area on the screen are not drawn. Linear in the triangles
 // and the samples they cover.
 VisibilityBuffer Rasterize(const std::vector<Vector3>& screen,

@@ -1,4 +1,4 @@
-// Vectors of three doubles, as the picture's geometry needs them.
+// Vectors of three doubles, for the geometry of pictures.
 
 #ifndef GEODESIC_CLIENT_PICTURE_VECTOR3_H_
 #define GEODESIC_CLIENT_PICTURE_VECTOR3_H_
@@ -30,7 +30,7 @@ inline Vector3 Cross(const Vector3& a, const Vector3& b) {
 }
 inline double Length(const Vector3& a) { return std::sqrt(Dot(a, a)); }
 
-// The zero vector stays as it is.
+// Leaves the zero vector as it is.
 inline Vector3 Normalized(const Vector3& a) {
   const double length = Length(a);
   return length > 0 ? (1 / length) * a : a;

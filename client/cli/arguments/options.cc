@@ -30,7 +30,7 @@ absl::StatusOr<Number> ParseIf(std::string_view text, std::string_view expected,
   return number;
 }
 
-// AZIMUTH,ELEVATION in degrees.
+// Parses AZIMUTH,ELEVATION in degrees.
 absl::StatusOr<ViewDirection> ParseView(std::string_view text) {
   ViewDirection view;
   const size_t comma = text.find(',');
@@ -45,7 +45,7 @@ absl::StatusOr<ViewDirection> ParseView(std::string_view text) {
   return view;
 }
 
-// WIDTHxHEIGHT in pixels.
+// Parses WIDTHxHEIGHT in pixels.
 absl::Status TakeSize(std::string_view text, int* width, int* height) {
   const size_t x = text.find('x');
   const auto in_range = [](int pixels) {
@@ -62,7 +62,7 @@ absl::Status TakeSize(std::string_view text, int* width, int* height) {
                             kLeastPictureSize, " to ", kMostPictureSize, ")"));
 }
 
-// One of these words.
+// Adds an option whose value is one of `words`.
 CLI::Option* AddChoice(CLI::App* app, const OptionText& text,
                        const std::vector<std::string>& words,
                        std::function<void(const std::string&)> take) {
@@ -110,7 +110,7 @@ CLI::Option* AddText(CLI::App* app, const OptionText& text,
   return app
       ->add_option_function<std::vector<std::string>>(text.name, take_all,
                                                       text.help)
-      // One value after each mention: what follows may be MESH.
+      // Each mention takes one value only, since the next word may be MESH.
       ->allow_extra_args(false)
       ->type_name(text.type)
       ->group(text.group)
@@ -123,7 +123,7 @@ void AddFlag(CLI::App* app, const OptionText& text, bool* flag) {
 
 void AddFlagOrCount(CLI::App* app, const OptionText& text, int64_t all,
                     std::optional<uint64_t>* count) {
-  // The help shows [=N] for what is in braces.
+  // Braces hold the value of the flag without a count. The help shows [=N].
   app->add_flag_function(
          absl::StrCat(text.name, "{", all, "}"),
          [name = text.name, count](int64_t number) {

@@ -1,5 +1,6 @@
-// Options, and what several commands share of them. Each function adds to `app`
-// what writes into its last argument, both of which outlive the parsing.
+// Options that several commands share, and ways to add options. A function that
+// takes `app` adds options to it that write into its last argument. Both must
+// outlive the parsing.
 
 #ifndef GEODESIC_CLIENT_CLI_ARGUMENTS_OPTIONS_H_
 #define GEODESIC_CLIENT_CLI_ARGUMENTS_OPTIONS_H_
@@ -21,7 +22,7 @@
 #include "geodesic_client/mesh.h"
 #include "geodesic_client/surface_point.h"
 
-// Of CLI11, whose header takes seconds to compile.
+// Declared here because CLI11's header takes seconds to compile.
 namespace CLI {
 class App;
 class Option;
@@ -32,14 +33,15 @@ namespace geodesic::client {
 struct MeshArgument {
   // A file or a digest.
   std::string text;
-  // DEFAULT: what the file's ending says.
+  // DEFAULT: the format that the file's ending names.
   std::optional<MeshFormat> format;
 };
 
-// Whether a question must be given places.
+// Whether a question needs places.
 enum class Need { kRequired, kOptional };
 
-// Numbered in this order: points, curves, then those of files.
+// Sources are numbered in this order: points, curves, then those listed in
+// files.
 struct SourceArguments {
   std::vector<Source> points;
   std::vector<Source> curves;
@@ -47,7 +49,7 @@ struct SourceArguments {
   Need need = Need::kOptional;
 };
 
-// Likewise.
+// Targets are numbered in the same way.
 struct TargetArguments {
   std::vector<SurfacePoint> points;
   std::vector<std::string> files;
@@ -59,7 +61,7 @@ struct OutputArgument {
   OutputFormat format = OutputFormat::kNpy;
 };
 
-// What questions are given; each has options for some of it.
+// The arguments of questions. Each question has options for some of them.
 struct QuestionArguments {
   MeshArgument mesh;
   SourceArguments sources;
@@ -74,21 +76,22 @@ struct QuestionArguments {
 
 // How an option is written and shown.
 struct OptionText {
-  // "-s,--source", or a word in capitals for what has no name.
+  // "-s,--source", or a word in capitals for a positional argument.
   std::string name;
   std::string help;
-  // What its value is; flags have none.
+  // The kind of its value, as the help shows it; empty for flags.
   std::string type;
   std::string group = "Options";
   bool required = false;
 };
 
-// An option that may be repeated; `take` may say what is wrong with a value.
+// Adds an option that may be repeated. `take` gets each value; if it returns an
+// error, the command line is refused.
 CLI::Option* AddText(CLI::App* app, const OptionText& text,
                      std::function<absl::Status(const std::string&)> take);
 
-// The same for a value that goes through `parse`: the last mention decides, or
-// all values are kept if `value` is a vector of them.
+// The same for values that `parse` reads. If `value` is a vector, it keeps all
+// of them; otherwise the last mention decides.
 template <typename Parse, typename Value>
 CLI::Option* AddValue(CLI::App* app, const OptionText& text, Parse parse,
                       Value* value) {
@@ -104,49 +107,48 @@ CLI::Option* AddValue(CLI::App* app, const OptionText& text, Parse parse,
   });
 }
 
-// What single options may say, for AddValue.
-// Errors: INVALID_ARGUMENT naming the text.
+// Parsers of single values, for AddValue. Errors: INVALID_ARGUMENT naming the
+// text.
 //
-// A distance: finite, above 0.
+// A distance that is finite and above 0.
 absl::StatusOr<double> ParseLevel(std::string_view text);
-// Seconds above 0; "inf" is fine.
+// Seconds, above 0; "inf" is allowed.
 absl::StatusOr<double> ParseTimeout(std::string_view text);
 // "HOST:PORT", or "[IPV6]:PORT".
 absl::StatusOr<std::string> ParseServer(std::string_view text);
-// At least 1.
+// A count of at least 1.
 absl::StatusOr<uint64_t> ParseCount(std::string_view text);
 
-// An option that is there or not.
+// Adds an option without a value; `flag` is whether it is given.
 void AddFlag(CLI::App* app, const OptionText& text, bool* flag);
-// A flag that may have a count from 1; without one it is `all`.
+// Adds a flag that may have a count from 1. Without a count it means `all`.
 void AddFlagOrCount(CLI::App* app, const OptionText& text, int64_t all,
                     std::optional<uint64_t>* count);
 
-// Refuses the command line, in a check.
+// Refuses the command line. To be called while it is parsed or checked.
 [[noreturn]] void Refuse(const std::string& option, const std::string& why);
-// Whether --json is given. For checks.
+// Whether --json is given. To be called in checks.
 bool WantsJson(const CLI::App& app);
 
-// FILE...
+// Adds FILE...
 void AddFiles(CLI::App* app, const std::string& help,
               std::vector<std::string>* files);
-// MESH, as `help` explains it, and --format.
+// Adds MESH, as `help` explains it, and --format.
 inline constexpr char kMeshHelp[] =
     "A mesh file, uploaded if the server lacks it; or the digest of a resident "
     "mesh, of which the first 8 digits do if they are unique";
 void AddMesh(CLI::App* app, const std::string& help, MeshArgument* mesh);
 void AddFormat(CLI::App* app, std::optional<MeshFormat>* format);
 
-// --source, --curve, --sources.
+// Adds --source, --curve and --sources.
 void AddSources(CLI::App* app, Need need, SourceArguments* sources);
-// --target, --targets; `help` says what targets are for.
+// Adds --target and --targets. `help` says what targets are for.
 void AddTargets(CLI::App* app, Need need, const std::string& help,
                 TargetArguments* targets);
 
-// --algorithm, --priority and -o, whose `output_help` begins the sentence that
-// the endings end. When all of the command line has been taken, refuses a
-// question without the places it needs or that reads standard input twice, then
-// calls `check` if there is one.
+// Adds --algorithm, --priority and -o, whose help is `output_help` followed by
+// the endings of `formats`. After parsing it refuses a question that lacks
+// places or reads standard input twice, and then calls `check` if there is one.
 void AddQuestion(CLI::App* app, const std::string& output_help,
                  std::span<const OutputFormat> formats,
                  QuestionArguments* question,
@@ -155,7 +157,7 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
 void AddRadius(CLI::App* app, const std::string& help,
                std::optional<double>* radius);
 void AddFloat32(CLI::App* app, bool* float32);
-// --view, --up, --size.
+// Adds --view, --up and --size.
 void AddPicture(CLI::App* app, PictureOptions* picture);
 
 }  // namespace geodesic::client

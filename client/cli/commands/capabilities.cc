@@ -1,4 +1,4 @@
-// capabilities: what the server is and takes.
+// capabilities: the server's version, algorithms, formats and limits.
 
 #include <array>
 #include <string>

@@ -1,4 +1,4 @@
-// A command of `geodesic`, and what it works with.
+// A command of `geodesic`, and the session that it runs in.
 
 #ifndef GEODESIC_CLIENT_CLI_COMMANDS_COMMAND_H_
 #define GEODESIC_CLIENT_CLI_COMMANDS_COMMAND_H_
@@ -23,15 +23,16 @@ namespace geodesic::client {
 
 struct Session {
   Client& client;
-  // Where the server listens.
+  // Address of the server.
   const std::string& server;
-  // Timeout and Ctrl-C, for every call.
+  // Brings the timeout and Ctrl-C to every call.
   CallOptions call;
-  // The object to print at the end instead of text; null without --json.
+  // With --json, the object to print at the end instead of text; otherwise
+  // null.
   Json* json = nullptr;
-  // Whether to print nothing but what was asked for.
+  // Whether to print only what was asked for.
   bool quiet = false;
-  // Results as text, and everything else.
+  // `out` takes results as text, `err` everything else.
   std::ostream& out;
   std::ostream& err;
   ProgressDisplay::Style progress_style = ProgressDisplay::Style::kNone;
@@ -41,16 +42,16 @@ struct Session {
 struct Command {
   std::string name;
   std::string help;
-  // Lines to try.
+  // Examples for the help, one a line.
   std::string examples;
-  // Adds the options, and checks of what they say together.
+  // Adds the options, and checks of their combinations.
   std::function<void(CLI::App* app)> add_options;
-  // Does the work and prints the result, or fills the object of --json. If it
-  // fails, there is only what was printed or put in as it came.
+  // Does the work and prints the result, or puts it into Session::json. If it
+  // fails, what was already printed or put there stays.
   std::function<absl::Status(const Session&)> run;
 };
 
-// A command whose options write into an `Arguments`, which `run` is given.
+// A command whose options write into an `Arguments` that `run` gets.
 template <typename Arguments>
 Command MakeCommand(
     std::string name, std::string help, std::string examples,
@@ -69,7 +70,7 @@ Command MakeCommand(
 struct NoArguments {};
 inline void AddNoOptions(CLI::App*, NoArguments*) {}
 
-// All that there are.
+// All commands.
 Command CapabilitiesCommand();
 Command DeleteCommand();
 Command FieldCommand();

@@ -102,7 +102,7 @@ FieldQuery ToQuery(const FieldArguments& arguments, const Question& question) {
   return query;
 }
 
-// What distances have in common.
+// The largest of the finite distances, and how many are finite.
 struct FieldExtremes {
   // 0 if no vertex is reached.
   double largest = 0;
@@ -118,7 +118,8 @@ struct FieldExtremes {
   }
 };
 
-// The field's columns: distances first, then what else was asked for.
+// The field's columns: distances first, then other quantities that were asked
+// for.
 std::vector<Column> ColumnsOf(const FieldArguments& arguments,
                               const Field& field) {
   const NumberType real = NumberTypeOf(arguments.float32);
@@ -142,8 +143,8 @@ std::vector<Column> ColumnsOf(const FieldArguments& arguments,
   return columns;
 }
 
-// Members: distances, and nearest_sources, gradients and target_distances where
-// there are any.
+// Writes the member distances, and nearest_sources, gradients and
+// target_distances where there are any.
 absl::StatusOr<uint64_t> WriteNpz(const std::string& path,
                                   const std::vector<Column>& columns,
                                   const std::vector<double>& target_distances) {
@@ -179,7 +180,7 @@ PictureContent ContentOf(const Question& question, const Field& field,
   return content;
 }
 
-// The files of the outputs, or the terminal.
+// Writes to the files of the outputs, or to the terminal if there are none.
 class Rows {
  public:
   Rows(const Session& session, const std::vector<OutputArgument>& outputs)
@@ -194,7 +195,7 @@ class Rows {
     for (std::ostream* place : places_) *place << text;
   }
 
-  // Whether all is written so far.
+  // Returns whether everything so far could be written.
   bool Flush() {
     bool good = true;
     for (std::ostream* place : places_) good &= !place->flush().fail();
@@ -258,15 +259,15 @@ absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
       {OutputFormat::kPly, OutputFormat::kVtk, OutputFormat::kPng}, write);
 }
 
-// Writes lines "vertex,distance" to the outputs, or to the terminal if there
-// are none, as they come. What has come is there even if the command is
-// interrupted. Ends the call when nothing more can be written.
+// Writes lines "vertex,distance" as they come, to the outputs, or to the
+// terminal if there are none. They stay even if the command is interrupted.
+// Ends the call when nothing more can be written.
 absl::StatusOr<Field> StreamRows(const Session& session,
                                  const FieldQuery& query,
                                  const std::vector<OutputArgument>& outputs,
                                  Stopwatch* watch, FieldExtremes* extremes,
                                  std::vector<WrittenFile>* written) {
-  // A stop asked for by the user, or because nothing more can be written.
+  // The user can request a stop, and so does a failed write.
   std::stop_source stop;
   const std::stop_callback pass_on(session.call.stop,
                                    [&stop] { stop.request_stop(); });
@@ -375,7 +376,7 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
     }
     files = WriteFieldOutputs(session, arguments, question, info, *field);
   }
-  // Rows that went to the terminal are all that it gets.
+  // If the rows went to the terminal, nothing else does.
   if (arguments.progressive && outputs.empty()) return absl::OkStatus();
   return PrintReport(session, question, info, seconds, files,
                      ReportOf(arguments, question, *field, extremes));

@@ -17,7 +17,7 @@ namespace {
 
 struct IsolinesArguments : QuestionArguments {
   std::vector<double> levels;
-  // Instead of levels.
+  // Given instead of levels.
   std::optional<uint64_t> count;
 };
 
@@ -86,8 +86,8 @@ absl::StatusOr<std::vector<double>> SpreadLevels(const Field& field,
   return levels;
 }
 
-// Refuses more levels than the server draws before the field below them is
-// computed.
+// Refuses more levels than the server allows, before the field that the levels
+// come from is computed.
 absl::Status CheckCount(const Session& session, uint64_t count) {
   absl::StatusOr<Capabilities> capabilities =
       session.client.GetCapabilities(session.call);
@@ -111,7 +111,7 @@ PictureContent ContentOf(const Question& question, const Field& field,
   return content;
 }
 
-// What is said about the lines of each level; lengths are those in space.
+// A row for the lines of each level, with their length in space.
 Report ReportOf(std::vector<double> levels, const IsolineAnswer& answer) {
   Report report = {.header = {"level", "lines", "closed", "points", "length"}};
   Json list = Json::array();
@@ -147,7 +147,7 @@ absl::Status Answer(const IsolinesArguments& arguments, const Session& session,
     if (!status.ok()) return status;
   }
   Stopwatch watch(session);
-  // Below the lines, for the picture and for what --count means.
+  // The distances, which the picture and --count need.
   std::optional<Field> field;
   const auto need_field = [&]() -> absl::Status {
     if (field.has_value()) return absl::OkStatus();

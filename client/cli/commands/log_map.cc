@@ -47,7 +47,7 @@ void AddOptions(CLI::App* app, LogMapArguments* arguments) {
               arguments, check);
 }
 
-// u and v; in one column of pairs, or one each.
+// The coordinates u and v, as one column of pairs.
 Column Pairs(const LogMap& map, NumberType type) {
   Column pairs = {.name = "uv", .components = 2, .type = type};
   for (const auto& uv : map.coordinates) {

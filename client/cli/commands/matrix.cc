@@ -76,7 +76,7 @@ class Destination {
   }
 
   const MatrixSummary& summary() const { return summary_; }
-  // With --json and no file: the rows.
+  // The rows, with --json and without files.
   const Json& rows() const { return rows_; }
 
  private:
@@ -121,7 +121,7 @@ class Destination {
   Json rows_ = Json::array();
 };
 
-// Rows travel dense if a file needs them so; .npz never does.
+// Rows travel dense if a file needs all values; .npz never does.
 bool IsSparse(const QuestionArguments& arguments) {
   const bool is_limited = arguments.radius.has_value();
   const std::vector<OutputArgument>& outputs = arguments.outputs;
@@ -146,7 +146,7 @@ absl::Status Answer(const QuestionArguments& arguments, const Session& session,
   const double seconds = watch.seconds();
   absl::StatusOr<std::vector<WrittenFile>> files = destination.Commit();
   if (!files.ok()) return files.status();
-  // Rows that went to the terminal are all that it gets.
+  // If the rows went to the terminal, nothing else does.
   if (!session.json && files->empty()) return absl::OkStatus();
 
   const MatrixSummary& summary = destination.summary();

@@ -31,7 +31,8 @@ bool IsFile(const std::string& text) {
   return std::filesystem::exists(text, error);
 }
 
-// Whether the file can be read, and how.
+// The file's format.
+// Errors: FileError if it cannot be read or its format is unknown.
 absl::StatusOr<MeshFormat> InspectFile(const MeshArgument& mesh) {
   const std::string& path = mesh.text;
   if (access(path.c_str(), R_OK) != 0) {
@@ -59,7 +60,8 @@ absl::Status Neither(const std::string& text) {
       "first 8)")));
 }
 
-// The digest that `text` is or begins.
+// Returns `text` if it is a digest, otherwise the resident digest that begins
+// with it.
 absl::StatusOr<std::string> CompleteDigest(const Session& session,
                                            std::string text) {
   if (!IsDigestOrPrefix(text)) return Neither(text);

@@ -1,5 +1,5 @@
-// upload, meshes, info, delete: which meshes are resident, and what they are
-// like.
+// upload, meshes, info, delete: make meshes resident, list, describe and drop
+// them.
 
 #include <string>
 #include <utility>
@@ -18,7 +18,7 @@ std::string Genus(const MeshInfo& mesh) {
   return mesh.genus.has_value() ? absl::StrCat(*mesh.genus) : "none";
 }
 
-// Whether the faces are turned alike, or could be.
+// Whether the faces are oriented consistently, or could be.
 std::string Orientation(const MeshInfo& mesh) {
   if (!mesh.orientable) return "not orientable";
   if (mesh.inconsistent_edge_count == 0) return "consistent";
@@ -27,7 +27,7 @@ std::string Orientation(const MeshInfo& mesh) {
                       " edges are turned against each other");
 }
 
-// All that is known of a mesh, a line each.
+// All that is known of a mesh, one fact a line.
 std::vector<Fact> FactsOf(const MeshInfo& mesh) {
   return {{"digest", mesh.digest},
           {"vertices", GroupedNumber(mesh.vertex_count)},

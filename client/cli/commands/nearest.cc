@@ -45,8 +45,8 @@ Json FoundJson(const Question& question, const NearestAnswer& answer) {
   return rows;
 }
 
-// Calls `visit(source, rank, nearest)` for all that was found; the nearest has
-// rank 1.
+// Calls `visit(source, rank, nearest)` for every target that was found. The
+// nearest has rank 1.
 template <typename Visit>
 void VisitFound(const NearestAnswer& answer, Visit visit) {
   for (size_t source = 0; source < answer.found.size(); ++source) {

@@ -11,7 +11,8 @@
 namespace geodesic::client {
 namespace {
 
-// Appends what the files list to `items`, which then must hold something.
+// Appends what the files list to `items`. It is an error if `items` is then
+// empty, unless there are no files.
 template <typename Item, typename Read>
 absl::Status AppendLists(const std::vector<std::string>& files, Read read,
                          std::vector<Item>* items) {
@@ -25,7 +26,7 @@ absl::Status AppendLists(const std::vector<std::string>& files, Read read,
       absl::StrCat(files[0], " lists nothing: write one place a line")));
 }
 
-// All but the mesh.
+// The question without its mesh. Checks that the outputs can be written.
 absl::StatusOr<Question> Prepare(const QuestionArguments& arguments) {
   for (const OutputArgument& output : arguments.outputs) {
     absl::Status status = CheckWritable(output.path);
@@ -236,7 +237,7 @@ absl::Status PrintReport(const Session& session, const Question& question,
   std::vector<Fact> facts = {{"mesh", info.mesh_digest},
                              {"algorithm", info.algorithm}};
   facts.insert(facts.end(), report.facts.begin(), report.facts.end());
-  // Rows of a matrix are computed side by side.
+  // Rows of a matrix are computed at the same time.
   facts.push_back({"solver", absl::StrCat(Seconds(info.compute_seconds),
                                           info.compute_seconds > call_seconds
                                               ? " over all threads"

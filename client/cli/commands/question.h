@@ -1,4 +1,4 @@
-// What the commands that ask a question have in common.
+// Helpers of the commands that ask a question.
 
 #ifndef GEODESIC_CLIENT_CLI_COMMANDS_QUESTION_H_
 #define GEODESIC_CLIENT_CLI_COMMANDS_QUESTION_H_
@@ -27,14 +27,15 @@ namespace geodesic::client {
 // A question about a mesh, before it is sent.
 struct Question {
   std::string mesh_digest;
-  // Numbered as the server will number them.
+  // In the order in which the server numbers them.
   std::vector<Source> sources;
   std::vector<SurfacePoint> targets;
 };
 
-// Reads the lists of --sources and --targets, sees whether the outputs can be
-// written, makes the mesh resident and calls `answer`; again if the mesh was
-// evicted before the question came. Errors: those of `answer`, too.
+// Reads the lists of --sources and --targets, checks that the outputs can be
+// written, makes the mesh resident and calls `answer`. It uploads the mesh and
+// calls `answer` once more if the mesh was evicted in between.
+// Errors: FileErrors, those of AskAboutMesh and those of `answer`.
 absl::Status AskQuestion(
     const Session& session, const QuestionArguments& arguments,
     const std::function<absl::Status(const Question&)>& answer);
@@ -54,7 +55,7 @@ Command MakeQuestion(std::string name, std::string help, std::string examples,
       });
 }
 
-// How numbers travel, and stand in binary files.
+// The types of numbers on the wire and in binary files.
 inline ValueType ValueTypeOf(bool float32) {
   return float32 ? ValueType::kFloat32 : ValueType::kFloat64;
 }
@@ -62,7 +63,7 @@ inline NumberType NumberTypeOf(bool float32) {
   return float32 ? NumberType::kFloat32 : NumberType::kFloat64;
 }
 
-// A query with all that several kinds of query have.
+// A query with the members that several kinds of query have.
 template <typename Query>
 Query MakeQuery(const QuestionArguments& arguments, const Question& question) {
   Query query;
@@ -78,7 +79,7 @@ Query MakeQuery(const QuestionArguments& arguments, const Question& question) {
   return query;
 }
 
-// Shows how far a computation has come, and measures how long it takes.
+// Shows the progress of a computation, and measures how long it takes.
 class Stopwatch {
  public:
   explicit Stopwatch(const Session& session)
@@ -86,9 +87,9 @@ class Stopwatch {
         display_(session.progress_style, session.terminal_width, start_,
                  &session.err) {}
 
-  // Valid as long as this is.
+  // The callbacks must not outlive the Stopwatch.
   SolveProgressCallback OnSolve();
-  // `what` is counted, in the plural.
+  // `what` names the counted things, in the plural.
   std::function<void(uint64_t, uint64_t)> OnCount(const std::string& what);
 
   double seconds() const {
@@ -103,7 +104,8 @@ class Stopwatch {
 };
 
 // The mesh that was asked about, for outputs that hold or show it.
-// Errors: those of the server; DATA_LOSS if it has not the answer's vertices.
+// Errors: those of Client::ReadMesh; DATA_LOSS if its vertex count is not the
+// answer's.
 absl::StatusOr<MeshArrays> FetchMesh(const Session& session,
                                      const AnswerInfo& info);
 
@@ -112,54 +114,54 @@ struct WrittenFile {
   uint64_t bytes = 0;
 };
 
-// Writes the whole file or nothing; its size.
+// Writes the whole file or nothing. Returns its size in bytes.
 absl::StatusOr<uint64_t> WriteFile(
     const std::string& path, const std::function<void(AtomicFile*)>& write);
 
-// Draws the picture and writes it; its size in bytes.
+// Draws the picture and writes it. Returns its size in bytes.
 absl::StatusOr<uint64_t> WritePicture(const std::string& path,
                                       const MeshArrays& mesh,
                                       const PictureContent& content,
                                       const PictureOptions& options);
 
-// Shows the sources in a picture: points as dots, curves as bold lines. What
-// the mesh does not have is anywhere.
+// Shows the sources in a picture: points as dots, curves as bold lines. Places
+// that the mesh does not have may appear anywhere.
 void ShowSources(const std::vector<Source>& sources, const MeshArrays& mesh,
                  PictureContent* content);
 
-// Likewise for targets, which are points.
+// Shows the targets in a picture as dots.
 void ShowTargets(const std::vector<SurfacePoint>& targets,
                  const MeshArrays& mesh, PictureContent* content);
 
-// Calls `write` for every output: with the mesh of the answer if the format is
-// among `with_mesh`, otherwise with an empty one.
+// Calls `write` for every output, with the mesh of the answer if the format is
+// among `with_mesh`, otherwise with an empty mesh.
 absl::StatusOr<std::vector<WrittenFile>> WriteOutputs(
     const Session& session, const std::vector<OutputArgument>& outputs,
     const AnswerInfo& info, std::initializer_list<OutputFormat> with_mesh,
     const std::function<absl::StatusOr<uint64_t>(
         const OutputArgument&, const MeshArrays& mesh)>& write);
 
-// What an answer says besides its files.
+// What a command prints about an answer.
 struct Report {
-  // A table, or none.
+  // A table; no header means no table.
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
   std::vector<Fact> facts;
-  // Members of the object that --json prints.
+  // Members for the object that --json prints.
   Json json = Json::object();
 };
 
-// Prints the table and the facts, with what all answers have in common, or one
-// JSON object. With --quiet only the table and the report's own facts, and
-// nothing if the answer went to files. Prints nothing if those could not be
-// written.
+// Prints the table, the facts of `report` and those of all answers, or one JSON
+// object. With --quiet it prints only the table and the report's own facts, and
+// nothing if the answer went to files. It prints nothing if the files could not
+// be written.
 // Errors: that of `files`.
 absl::Status PrintReport(const Session& session, const Question& question,
                          const AnswerInfo& info, double call_seconds,
                          const absl::StatusOr<std::vector<WrittenFile>>& files,
                          const Report& report);
 
-// Ends a command whose output cannot be written.
+// The status of a command whose output cannot be written.
 absl::Status OutputFailed();
 
 }  // namespace geodesic::client

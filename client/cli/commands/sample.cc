@@ -65,7 +65,7 @@ void WriteCsv(const std::vector<PlacedSample>& samples, AtomicFile* file) {
   }
 }
 
-// Points without faces.
+// Writes the samples as points, without faces.
 void WritePly(const std::vector<PlacedSample>& samples, AtomicFile* file) {
   MeshArrays points;
   std::vector<Column> columns = {{.name = "vertex", .type = NumberType::kInt32},

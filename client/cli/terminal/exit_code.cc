@@ -38,7 +38,7 @@ std::string_view ExitCodeHelp() {
 }
 
 absl::Status FileError(absl::Status status) {
-  // A server's NOT_FOUND is another matter.
+  // NOT_FOUND is for what the server does not have.
   if (absl::IsNotFound(status)) {
     status = absl::InvalidArgumentError(status.message());
   }
@@ -102,7 +102,7 @@ std::string Explain(const absl::Status& status, std::string_view server) {
                             "; `geodesic meshes` lists what is resident, "
                             "`geodesic upload FILE` adds to it");
       }
-      // In gRPC's words, which come before the server's own checks.
+      // gRPC refuses such a message, in these words, before the server can.
       if (message.find("Received message larger than max") !=
           std::string::npos) {
         return absl::StrCat(

@@ -1,4 +1,4 @@
-// How the command ends, for scripts, and what it says when it fails.
+// The exit codes of the command, for scripts, and its error messages.
 
 #ifndef GEODESIC_CLIENT_CLI_TERMINAL_EXIT_CODE_H_
 #define GEODESIC_CLIENT_CLI_TERMINAL_EXIT_CODE_H_
@@ -23,19 +23,20 @@ enum class ExitCode {
 // The codes and their meaning, as --help prints them.
 std::string_view ExitCodeHelp();
 
-// Marks an error as one of this machine's files: the server never saw it. A
-// file that is not there is a wrong argument: INVALID_ARGUMENT.
+// Marks an error of a file of this machine, which the server never saw.
+// NOT_FOUND becomes INVALID_ARGUMENT, since a missing file is a wrong argument.
 absl::Status FileError(absl::Status status);
 
-// What a command ends with because it was asked to stop. A server that cancels
-// a call by itself is another matter.
+// The status of a command that was asked to stop. It differs from that of a
+// call which the server cancelled by itself.
 absl::Status Interrupted();
 
 // REQUIRES: not OK.
 ExitCode ExitCodeOf(const absl::Status& status);
 
-// What went wrong and what to do next, in a sentence or two. `server` is the
-// address the command spoke to. REQUIRES: not OK.
+// Says what went wrong and what to do next, in a sentence or two. `server` is
+// the server's address.
+// REQUIRES: not OK.
 std::string Explain(const absl::Status& status, std::string_view server);
 
 }  // namespace geodesic::client

@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Back to the first column, and nothing of the old line is left.
+// Goes back to the first column and erases the line.
 constexpr char kWipe[] = "\r\x1b[K";
 
 constexpr milliseconds kBarDelay(500);
@@ -33,7 +33,7 @@ std::string BarLine(std::string_view what, double fraction,
   fraction = Clamped(fraction);
   std::string line =
       absl::StrCat(std::string(what), " ", Percent(fraction), " ");
-  // Detail goes before the bar gets too short to be read.
+  // The detail is left out if the bar would get too short to be read.
   constexpr int kLeastBar = 12;
   constexpr int kMostBar = 40;
   const int room = width - static_cast<int>(line.size()) - 2;

@@ -1,4 +1,4 @@
-// Shows how far something has come, to people.
+// Shows progress to the user.
 
 #ifndef GEODESIC_CLIENT_CLI_TERMINAL_PROGRESS_DISPLAY_H_
 #define GEODESIC_CLIENT_CLI_TERMINAL_PROGRESS_DISPLAY_H_
@@ -11,8 +11,8 @@
 
 namespace geodesic::client {
 
-// Nothing is shown before half a second has passed, so that short work leaves
-// no trace. Not thread-safe.
+// It shows nothing in the first half second, so short work leaves no trace. Not
+// thread-safe.
 class ProgressDisplay {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -24,7 +24,7 @@ class ProgressDisplay {
     kNone,
   };
 
-  // `start` is when the work begins; `width` the columns a line may take.
+  // `start` is when the work begins. A line takes at most `width` columns.
   ProgressDisplay(Style style, int width, TimePoint start, std::ostream* out);
   // Wipes the bar.
   ~ProgressDisplay();

@@ -23,27 +23,29 @@ std::string ByteCount(uint64_t bytes);
 // "0.1234", six significant digits.
 std::string ShortNumber(double number);
 
-// Three of them, with spaces between.
+// Three short numbers, separated by spaces.
 std::string ShortNumbers(const std::array<double, 3>& numbers);
 
 // "12.3 ms", "4.56 s".
 std::string Seconds(double seconds);
 
-// The text without what a terminal would take for a command: control characters
-// are shown as "\x1b". UTF-8 stays as it is.
+// The text with control characters, which a terminal could take for commands,
+// shown as in "\x1b". UTF-8 stays as it is.
 std::string Printable(std::string_view text);
 
-// "name   value", a line each, the values in one column. Printable,
-// likewise for tables.
+// Prints a line "name   value" for each fact, with the values in one column.
+// Facts, and the cells of tables, are made Printable.
 using Fact = std::pair<std::string, std::string>;
 void PrintFacts(const std::vector<Fact>& facts, std::ostream* out);
 
-// Columns wide enough for their cells; the first to the left, the others to the
-// right. REQUIRES: rows as long as the header.
+// Prints a table. The first column is aligned to the left, the others to the
+// right.
+// REQUIRES: rows are as long as the header.
 void PrintTable(const std::vector<std::string>& header,
                 std::vector<std::vector<std::string>> rows, std::ostream* out);
 
-// What --json prints. Keys keep their order, so that people can read it too.
+// The type of what --json prints. Keys keep their order, for people who read
+// it.
 using Json = nlohmann::ordered_json;
 void PrintJson(const Json& json, std::ostream* out);
 
