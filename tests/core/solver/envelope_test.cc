@@ -81,7 +81,7 @@ TEST(EnvelopeTest, TrimsAnyListToWhatIsNearest) {
       windows.push_back(some.Next());
       Append(windows.back(), list);
     }
-    envelope.Trim(kLength, true, list);
+    envelope.Trim(kLength, list);
     SCOPED_TRACE(seed);
     ExpectEnvelope(windows, list);
     for (size_t i = 0; i < list.size; ++i) {
@@ -105,7 +105,7 @@ TEST(EnvelopeTest, TrimsNeighboursInPlace) {
         {std::max(0.0, x - 0.07), std::min(kLength, x + 0.07)}, {x, 1, 0}));
     Append(windows.back(), list);
   }
-  envelope.Trim(kLength, false, list);
+  envelope.Trim(kLength, list);
   ASSERT_EQ(list.size, windows.size());
   for (size_t i = 0; i + 1 < list.size; ++i) {
     EXPECT_NEAR(list.end[i], 0.1 * static_cast<double>(i) + 0.05, 1e-14);

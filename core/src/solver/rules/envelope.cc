@@ -31,10 +31,9 @@ void Replace(size_t first, size_t last, std::span<const ListedWindow> listed,
 
 }  // namespace
 
-void Envelope::Trim(double length, bool may_split, WindowColumns& windows) {
+void Envelope::Trim(double length, WindowColumns& windows) {
   if (windows.size < 2) return;
   length_ = length;
-  may_split_ = may_split;
   FindMeetings(windows);
   const size_t done = CutAtMeetings(windows);
   if (done == older_.size) return;
@@ -144,7 +143,6 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
     windows.begin_distance[i] = newer_.begin_distance[meeting];
     windows.end_distance[top] = older_.end_distance[meeting];
   } else {
-    if (may_split_) return false;
     Window older = windows.At(top), newer = windows.At(i);
     const Interval won = WonByNewer(older, newer);
     if (won.width() <= 0) {
@@ -181,14 +179,12 @@ size_t Envelope::TrimSeveral(size_t i, size_t& kept, WindowColumns& windows) {
   return std::max(i, kept);
 }
 
-void Envelope::Merge(double length, bool may_split, size_t middle,
-                     WindowColumns& windows) {
+void Envelope::Merge(double length, size_t middle, WindowColumns& windows) {
   if (middle == 0 || middle == windows.size ||
       windows.end[middle - 1] <= windows.begin[middle]) {
     return;
   }
   length_ = length;
-  may_split_ = may_split;
   // Whatever meets nothing of the other list stays in place.
   size_t first = 0;
   while (windows.end[first] <= windows.begin[middle]) ++first;
@@ -240,16 +236,6 @@ void Envelope::Contest(const ListedWindow& window) {
   const Window& older = sorted_.back().window;
   const Interval held = older.interval;
   const Interval interval = window.window.interval;
-  if (may_split_) {
-    if (const auto at = SplitBeforeContest(older, window.window)) {
-      ListedWindow before = window, after = window;
-      before.window.CutTo({interval.begin, *at});
-      after.window.CutTo({*at, interval.end});
-      Add(before);
-      Add(after);
-      return;
-    }
-  }
   const Interval won = WonByNewer(older, window.window);
   if (won.width() <= 0) {
     Push(window, {held.end, interval.end});

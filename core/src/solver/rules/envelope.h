@@ -24,16 +24,21 @@ namespace geodesic {
 // That is done in place, for all of them together. From the first overlap on
 // that is more involved, windows are taken one by one, and what one of them
 // meets goes through a short list of its own.
+//
+// Two windows change over once at most. They could do so twice only beside a
+// ray that both hold (SplitBeforeContest). Windows that crossed a face together
+// share no ray, since they were disjoint before; and lists that are merged have
+// pseudo-sources of which none can be passed by (ListRule runs with one source,
+// or with sources at vertices).
 class Envelope {
  public:
-  // `length`: of the half-edge. `may_split`: Front::MayChangeOverTwice.
-  void Trim(double length, bool may_split, WindowColumns& windows);
+  // `length`: of the half-edge.
+  void Trim(double length, WindowColumns& windows);
 
   // The same for two lists, [0, middle) and [middle, size), each of which is
   // trimmed already; the distances at the windows' ends need not be known, and
   // are not afterwards.
-  void Merge(double length, bool may_split, size_t middle,
-             WindowColumns& windows);
+  void Merge(double length, size_t middle, WindowColumns& windows);
 
  private:
   // Finds the neighbours that overlap by more than rounding, which is given up,
@@ -49,8 +54,8 @@ class Envelope {
   size_t MeetingOf(size_t pair);
   // Trims window i, which begins before the last of the `kept` ends, against
   // that, in place. Where they meet `meeting` says, unless it is kNone. Changes
-  // nothing and returns false if the two are not neighbours, or may change over
-  // more than once.
+  // nothing and returns false if the two are not neighbours, or the newer one
+  // wins the middle of the older one.
   bool TrimNeighbours(size_t i, size_t meeting, size_t& kept,
                       WindowColumns& windows);
   // Trims windows from `i` on against those of the `kept` that they meet, until
@@ -68,7 +73,6 @@ class Envelope {
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
   double length_ = 0;
-  bool may_split_ = false;
   std::vector<double> begins_, overlaps_;
   // Of the windows that overlap the next one: their numbers, the pairs that
   // they make (so many as older_ holds), where those meet (FindCrossovers).

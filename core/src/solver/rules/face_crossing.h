@@ -134,7 +134,7 @@ class FaceCrossing {
     if (most == kUseless) {
       children_.KeepIf(0, [this](size_t i) { return labels_[i] != kUseless; });
     }
-    envelope_.Trim(length, front_.MayChangeOverTwice(), children_);
+    envelope_.Trim(length, children_);
     return least;
   }
 

@@ -157,7 +157,7 @@ class alignas(kCacheLine) ListWorker {
         const size_t middle = list_.size;
         list = blocks_.Take(list, list_);
         DropStale(middle);
-        envelope_.Merge(length, front_.MayChangeOverTwice(), middle, list_);
+        envelope_.Merge(length, middle, list_);
       }
     }
     return waited;
