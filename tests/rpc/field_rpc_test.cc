@@ -181,6 +181,24 @@ TEST_F(FieldQuestionsTest, ARadiusCutsWhatIsSent) {
   EXPECT_EQ(reply.messages.back().trailer().settled_radius(), kInfinity);
 }
 
+// Wherever the solver stopped, and whatever the cache has.
+TEST_F(FieldQuestionsTest, TheLastTargetCutsWhatIsSent) {
+  v1::ComputeFieldRequest request = Request();
+  request.add_targets()->set_vertex(5);
+  request.add_targets()->set_vertex(2);
+  request.set_stop_after_targets(1);
+  for (const bool cached : {false, true}) {
+    if (cached) Messages(Request());
+    const FieldReply reply = ComputeField(request);
+    const v1::FieldTrailer& trailer = reply.messages.back().trailer();
+    EXPECT_EQ(trailer.settled_radius(), reply.distances[2]);
+    for (size_t v = 0; v < soup_.positions.size(); ++v) {
+      const double expected = Euclid(soup_.positions[0], soup_.positions[v]);
+      EXPECT_EQ(reply.distances[v] == kInfinity, expected > 2) << v;
+    }
+  }
+}
+
 TEST_F(FieldQuestionsTest, LabelsAndGradientsEndWhereDistancesDo) {
   v1::ComputeFieldRequest request;
   request.set_mesh_digest(digest_);

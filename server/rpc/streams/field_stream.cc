@@ -35,17 +35,30 @@ FieldChunks::FieldChunks(const FieldCall& call, FieldAnswer answer,
       answer_(std::move(answer)),
       extras_(extras),
       value_type_(value_type),
+      radius_(std::min(call.reach.radius, RadiusOfTargets())),
       next_vertex_(first_vertex) {
   // Distances sent before the stream broke may have been cut, too.
   const std::span<const double> all = answer_.field->distances;
-  if (std::isinf(call_.reach.radius)) return;
+  if (std::isinf(radius_)) return;
   for (const double distance : all.first(std::min(first_vertex, all.size()))) {
     Cut(distance);
   }
 }
 
+double FieldChunks::RadiusOfTargets() {
+  // What is settled was sent as it came, and may reach further.
+  if (!call_.reach.LimitsTargets() || extras_.settled_order) return kInfinity;
+  std::vector<double> distances(call_.query->targets.size());
+  for (double& distance : distances) distance = NextTargetDistance();
+  next_target_ = next_own_target_ = 0;
+  const auto last =
+      distances.begin() + static_cast<std::ptrdiff_t>(call_.reach.targets - 1);
+  std::ranges::nth_element(distances, last);
+  return *last;
+}
+
 double FieldChunks::Cut(double distance) {
-  if (distance <= call_.reach.radius) return distance;
+  if (distance <= radius_) return distance;
   was_cut_ |= distance < kInfinity;
   return kInfinity;
 }
@@ -58,7 +71,7 @@ bool FieldChunks::Next(v1::FieldChunk& chunk) {
   const std::span<const double> part =
       all.subspan(next_vertex_, std::min(most, all.size() - next_vertex_));
   chunk.set_offset(next_vertex_);
-  if (std::isinf(call_.reach.radius)) {
+  if (std::isinf(radius_)) {
     SetValues(part, value_type_, *chunk.mutable_distances());
   } else {
     values_.clear();
@@ -70,7 +83,7 @@ bool FieldChunks::Next(v1::FieldChunk& chunk) {
     bytes.clear();
     for (size_t v = next_vertex_; v < next_vertex_ + part.size(); ++v) {
       const uint32_t source = answer_.derived->nearest_sources[v];
-      AppendBytes(source == kNoSource || all[v] > call_.reach.radius
+      AppendBytes(source == kNoSource || all[v] > radius_
                       ? kNoSource
                       : call_.source_numbers[source],
                   bytes);
@@ -80,7 +93,7 @@ bool FieldChunks::Next(v1::FieldChunk& chunk) {
     values_.clear();
     for (size_t v = next_vertex_; v < next_vertex_ + part.size(); ++v) {
       const Point gradient =
-          all[v] > call_.reach.radius ? Point{} : answer_.derived->gradients[v];
+          all[v] > radius_ ? Point{} : answer_.derived->gradients[v];
       values_.insert(values_.end(), gradient.begin(), gradient.end());
     }
     SetValues(values_, value_type_, *chunk.mutable_gradients());
@@ -94,25 +107,28 @@ bool FieldChunks::NextTargets(v1::TargetChunk& chunk) {
   if (next_target_ >= targets.size()) return false;
   const uint64_t end =
       std::min<uint64_t>(next_target_ + kValuesPerChunk, targets.size());
-  const bool has_all = answer_.field->target_distances.size() == targets.size();
   chunk.set_offset(next_target_);
   values_.clear();
-  for (; next_target_ < end; ++next_target_) {
-    const auto* vertex = std::get_if<VertexPoint>(&targets[next_target_]);
-    const bool is_own = has_all || vertex == nullptr;
-    values_.push_back(
-        Cut(is_own ? answer_.field->target_distances[next_own_target_++]
-                   : answer_.field->distances[vertex->vertex]));
-  }
+  while (next_target_ < end) values_.push_back(Cut(NextTargetDistance()));
   SetValues(values_, value_type_, *chunk.mutable_distances());
   return true;
+}
+
+double FieldChunks::NextTargetDistance() {
+  const std::vector<SurfacePoint>& targets = call_.query->targets;
+  const DistanceField& field = *answer_.field;
+  const bool has_all = field.target_distances.size() == targets.size();
+  const auto* vertex = std::get_if<VertexPoint>(&targets[next_target_++]);
+  return has_all || vertex == nullptr
+             ? field.target_distances[next_own_target_++]
+             : field.distances[vertex->vertex];
 }
 
 double FieldChunks::settled_radius() const {
   const double settled = answer_.field->settled_radius;
   // A whole field that lies within the radius was sent as a whole.
   if (std::isinf(settled) && !was_cut_) return settled;
-  return std::min(settled, call_.reach.radius);
+  return std::min(settled, radius_);
 }
 
 absl::Status FieldStream::Ask() {
@@ -181,11 +197,11 @@ absl::Status FieldStream::StartChunks() {
         absl::StrCat("resumption.first_vertex is ", first_vertex,
                      "; the mesh has ", vertices, " vertices"));
   }
-  field_id_ = MakeFieldId(answer);
+  chunks_.emplace(*call_, answer, extras_, value_type_, first_vertex);
+  field_id_ = MakeFieldId();
   if (resumption_.has_value() && resumption_->field_id() != field_id_) {
     return FieldNotKept();
   }
-  chunks_.emplace(*call_, answer, extras_, value_type_, first_vertex);
   return absl::OkStatus();
 }
 
@@ -198,10 +214,10 @@ void FieldStream::KeepQuestion() {
   question_.Update(question.SerializeAsString());
 }
 
-std::string FieldStream::MakeFieldId(const FieldAnswer& answer) {
+std::string FieldStream::MakeFieldId() {
   // One version of the program gives equal questions equal bits up to `radius`.
   const double radius =
-      std::min(answer.field->settled_radius, call_->reach.radius);
+      std::min(chunks_->answer().field->settled_radius, chunks_->radius());
   question_.Update({reinterpret_cast<const char*>(&radius), sizeof(radius)});
   return question_.FinishHex();
 }

@@ -18,7 +18,8 @@
 namespace geodesic::server {
 
 // Cuts a field into messages, and cuts it off at the radius that was asked for,
-// because the field may reach further. Pins the field. Not thread-safe.
+// or at the last of the nearest targets that were, because the field may reach
+// further. Pins the field. Not thread-safe.
 class FieldChunks {
  public:
   // The first chunk begins at `first_vertex`.
@@ -30,12 +31,17 @@ class FieldChunks {
   bool Next(v1::FieldChunk& chunk);
   bool NextTargets(v1::TargetChunk& chunk);
 
+  // Nothing beyond is sent.
+  double radius() const { return radius_; }
   // Every distance up to here was sent. Final once every chunk was made.
   double settled_radius() const;
 
   const FieldAnswer& answer() const { return answer_; }
 
  private:
+  // The distance of the last target that was asked for; +infinity if all are.
+  double RadiusOfTargets();
+  double NextTargetDistance();
   // +infinity for a distance beyond the radius, which sets was_cut_.
   double Cut(double distance);
 
@@ -43,10 +49,11 @@ class FieldChunks {
   const FieldAnswer answer_;
   const FieldExtras extras_;
   const v1::ValueType value_type_;
-  uint64_t next_vertex_;
   uint64_t next_target_ = 0;
   // Counts the field's own targets: all, or only those that are not vertices.
   uint64_t next_own_target_ = 0;
+  const double radius_;
+  uint64_t next_vertex_;
   bool was_cut_ = false;
   std::vector<double> values_;
 };
@@ -71,7 +78,7 @@ class FieldStream final
   // Keeps what StartChunks and MakeFieldId need of the request, which is freed.
   void KeepQuestion();
   // Names the answer to this request; equal names mean equal bits. Call once.
-  std::string MakeFieldId(const FieldAnswer& answer);
+  std::string MakeFieldId();
 
   // Fills the next message of its kind; false when there is none.
   bool FillSettled(v1::ComputeFieldResponse& message);
