@@ -153,9 +153,13 @@ bool IsLoopback(std::string_view server) {
 }
 
 absl::StatusOr<std::string> ReadToken(const ConnectionArguments& connection) {
-  if (!connection.token.empty() || connection.token_file.empty()) {
-    return connection.token;
+  if (!connection.token.empty()) {
+    if (IsToken(connection.token)) return connection.token;
+    return absl::InvalidArgumentError(
+        "--token (or GEODESIC_TOKEN) holds a blank or another character that "
+        "no token has");
   }
+  if (connection.token_file.empty()) return std::string();
   return ReadTokenFile(connection.token_file);
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "service_config.h"
 
@@ -56,7 +57,12 @@ class CallMetadata final : public grpc::experimental::Interceptor {
 class CallMetadataFactory final : public ClientInterceptorFactoryInterface {
  public:
   explicit CallMetadataFactory(const std::string& token)
-      : authorization_(token.empty() ? "" : absl::StrCat("Bearer ", token)) {}
+      : authorization_(
+            token.empty()
+                ? ""
+                : absl::StrCat("Bearer ",
+                               IsToken(token) ? token : absl::CEscape(token))) {
+  }
 
   grpc::experimental::Interceptor* CreateClientInterceptor(
       grpc::experimental::ClientRpcInfo*) override {

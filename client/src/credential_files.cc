@@ -17,7 +17,9 @@ namespace {
 absl::StatusOr<std::string> ReadFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
+  // To insert nothing, as of an empty file, would count as a failure.
+  if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+  if (!file.is_open() || file.bad() || !text) {
     return absl::ErrnoToStatus(errno, absl::StrCat("cannot read ", path));
   }
   return std::move(text).str();
@@ -51,14 +53,18 @@ absl::StatusOr<TlsOptions> ReadTlsFiles(const TlsPaths& paths) {
   return tls;
 }
 
+bool IsToken(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) {
+    return absl::ascii_isgraph(c);
+  });
+}
+
 absl::StatusOr<std::string> ReadTokenFile(const std::string& path) {
   absl::StatusOr<std::string> text = ReadFile(path);
   if (!text.ok()) return text.status();
   std::string token = text->substr(0, text->find('\n'));
   absl::StripAsciiWhitespace(&token);
-  if (token.empty() || !std::ranges::all_of(token, [](char c) {
-        return absl::ascii_isgraph(c);
-      })) {
+  if (!IsToken(token)) {
     return absl::InvalidArgumentError(
         absl::StrCat("the first line of ", path, " is no token"));
   }

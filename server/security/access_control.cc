@@ -251,7 +251,9 @@ absl::Status AccessControl::Reload() {
   if (token_file_.empty()) return absl::OkStatus();
   std::ifstream file(token_file_);
   std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
+  // To insert nothing, as of an empty file, would count as a failure.
+  if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+  if (!file.is_open() || file.bad() || !text) {
     return absl::ErrnoToStatus(errno,
                                absl::StrCat("cannot read ", token_file_));
   }

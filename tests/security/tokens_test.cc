@@ -111,6 +111,38 @@ TEST_F(TokensTest, TheCommandTakesTokensThreeWays) {
   EXPECT_THAT(missing.err, HasSubstr(folder_ / "nothing"));
 }
 
+TEST_F(TokensTest, WhatIsNoTokenIsRefused) {
+  WriteToken("read-token");
+  const RunningServer server(folder_, Flags());
+  WriteFile(folder_ / "empty", "");
+  for (const char* option : {"--token-file", "--tls-ca"}) {
+    const ProcessResult empty =
+        RunProgram({GEODESIC_BINARY, option, folder_ / "empty", "meshes"});
+    EXPECT_EQ(empty.exit_code, 3) << option;
+    EXPECT_THAT(empty.err, HasSubstr(folder_ / "empty"));
+  }
+  for (const char* text : {"read-token\n", "read\ttoken",
+                           "r\xc3\xa9"
+                           "ad"}) {
+    const ProcessResult bad = Command(server, {"--token", text, "meshes"});
+    EXPECT_EQ(bad.exit_code, 3) << text;
+    EXPECT_THAT(bad.err, HasSubstr("--token"));
+    EXPECT_EQ(ErrorReason(Ask(server, text)), "TOKEN_UNKNOWN") << text;
+  }
+}
+
+TEST_F(TokensTest, AnEmptiedFileIsReportedAndTheOldTokensStay) {
+  WriteToken("read-token");
+  const RunningServer server(folder_, Flags());
+  WriteFile(folder_ / "tokens.json", "");
+  server.Reload();
+  EXPECT_TRUE(Until([&] {
+    return FileBytes(folder_ / "server.log")
+               .find("the tokens stay as they were") != std::string::npos;
+  }));
+  EXPECT_TRUE(Ask(server, "read-token").ok());
+}
+
 TEST_F(TokensTest, TheCommandSendsNoTokenToOthersInClear) {
   const ProcessResult result =
       RunProgram({GEODESIC_BINARY, "--server", "meshes.test:1", "--token",

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "absl/status/statusor.h"
 
@@ -31,7 +32,8 @@ struct ConnectionOptions {
   // DEFAULT: in clear.
   std::optional<TlsOptions> tls;
   // Sent with each call as "authorization: Bearer ...". Without TLS it travels
-  // in clear. DEFAULT: none.
+  // in clear. What is no token (IsToken) is sent with its characters escaped,
+  // and refused. DEFAULT: none.
   std::string token;
   // Whether calls are repeated, and broken reads resumed, as client.h says.
   // Without it every error is reported at once.
@@ -50,9 +52,12 @@ struct TlsPaths {
 // INVALID_ARGUMENT if it holds no PEM, or for a certificate without its key.
 absl::StatusOr<TlsOptions> ReadTlsFiles(const TlsPaths& paths);
 
+// Whether a header can carry the text as a token: visible characters of ASCII.
+bool IsToken(std::string_view text);
+
 // Reads the token, which is the file's first line.
 // Errors: NOT_FOUND or PERMISSION_DENIED if the file cannot be read;
-// INVALID_ARGUMENT if the line is empty or no header could carry it.
+// INVALID_ARGUMENT if the line is no token.
 absl::StatusOr<std::string> ReadTokenFile(const std::string& path);
 
 }  // namespace geodesic::client
