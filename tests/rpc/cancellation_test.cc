@@ -16,7 +16,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -27,10 +26,12 @@
 #include "tests/support/http_get.h"
 #include "tests/support/tcp_relay.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/until.h"
 
 namespace geodesic::server {
 namespace {
 
+using geodesic::test::Until;
 using std::chrono::steady_clock;
 
 enum class Cause { kCancel, kDeadline, kError, kShutdown, kGone };
@@ -115,17 +116,6 @@ StartFunction EndlessSolvers::Start() {
              -> absl::StatusOr<std::unique_ptr<Computation>> {
     return std::make_unique<EndlessComputation>(*this, mesh, query, options);
   };
-}
-
-// Asks again until `holds()`; false if that takes two minutes.
-template <typename Condition>
-bool Until(Condition holds) {
-  const auto patience = steady_clock::now() + std::chrono::minutes(2);
-  while (!holds()) {
-    if (steady_clock::now() > patience) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return true;
 }
 
 class CancelMatrixTest : public test::RpcTest,

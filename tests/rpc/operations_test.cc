@@ -17,11 +17,13 @@
 #include "tests/engine/uploads.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/http_get.h"
+#include "tests/support/until.h"
 
 namespace geodesic::server {
 namespace {
 
 using geodesic::test::HttpGet;
+using geodesic::test::Until;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -177,8 +179,11 @@ TEST_F(PagesTest, ADrainingServerIsAliveAndNotReady) {
   const std::string digest = Upload(test::Tetrahedron());
   const auto call = Open(digest, 0);
   solver_.WaitForStarts(1);
-  EXPECT_THAT(HttpGet(port, "/metrics"),
-              HasSubstr("geodesic_jobs{state=\"running\"} 1"));
+  // The upload's job counts until a moment after its answer.
+  EXPECT_TRUE(Until([&] {
+    return HttpGet(port, "/metrics")
+               .find("geodesic_jobs{state=\"running\"} 1") != std::string::npos;
+  }));
 
   server_->Shutdown(std::chrono::minutes(1));
   EXPECT_THAT(HttpGet(port, "/readyz"), StartsWith("HTTP/1.1 503 "));

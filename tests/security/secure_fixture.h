@@ -5,15 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "geodesic_client/client.h"
 #include "tests/client/temporary_folder.h"
 #include "tests/integration/running_server.h"
+#include "tests/support/until.h"
 
 namespace geodesic::client {
 
@@ -43,17 +42,7 @@ class Authority {
 // A certificate of nobody's but its own, whose day has passed.
 Identity MakeExpired(const TemporaryFolder& folder);
 
-// Asks again until `holds()`; false if that takes a minute.
-template <typename Condition>
-bool Until(Condition holds) {
-  const auto patience =
-      std::chrono::steady_clock::now() + std::chrono::minutes(1);
-  while (!holds()) {
-    if (std::chrono::steady_clock::now() > patience) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-  return true;
-}
+using geodesic::test::Until;
 
 // A server's identity, and clients that trust its authority.
 class SecureTest : public ::testing::Test {
