@@ -113,8 +113,7 @@ class alignas(kCacheLine) ListWorker {
     opened_.Reserve(1);
     opened_.Set(0, *window, pseudo_source);
     opened_.size = 1;
-    handed_on_.push_back(
-        {half_edge, kLeft, blocks_.Store(opened_), 1, window->Label()});
+    HandOn(half_edge, kLeft, window->Label(), opened_);
   }
 
   void Observe(HalfEdge h, const Window& window, uint32_t pseudo_source) {
@@ -143,7 +142,7 @@ class alignas(kCacheLine) ListWorker {
         },
         [this, h](HalfEdge side, Exit exit, WindowColumns& children,
                   double label) {
-          HandOn(side, exit, side == Prev(h) ? kLeft : kRight, label, children);
+          Leave(side, exit, side == Prev(h) ? kLeft : kRight, label, children);
         });
   }
 
@@ -176,20 +175,23 @@ class alignas(kCacheLine) ListWorker {
   }
 
   // Hands on what leaves a face across `side`.
-  void HandOn(HalfEdge side, Exit exit, Side from, double label,
-              WindowColumns& children) {
-    const auto count = static_cast<uint32_t>(children.size);
+  void Leave(HalfEdge side, Exit exit, Side from, double label,
+             WindowColumns& children) {
     if (exit < kIrregularExit) {
-      handed_on_.push_back({exit, from, blocks_.Store(children), count, label});
+      HandOn(exit, from, label, children);
       return;
     }
     const double length = mesh_.frame(side).length;
     mesh_.ForEachBeyond(side, [&](HalfEdge to, bool is_mirrored) {
       if (is_mirrored) children.Mirror(length);
-      handed_on_.push_back({to, is_mirrored ? kRight : from,
-                            blocks_.Store(children), count, label});
+      HandOn(to, is_mirrored ? kRight : from, label, children);
       if (is_mirrored) children.Mirror(length);
     });
+  }
+  void HandOn(HalfEdge to, Side from, double label,
+              const WindowColumns& windows) {
+    handed_on_.push_back({to, from, blocks_.Store(windows),
+                          static_cast<uint32_t>(windows.size), label});
   }
 
   const Front& front_;
