@@ -1,4 +1,4 @@
-// Isolines against closed forms, brute force, and the distances of points.
+// Isolines against closed forms and the distances of points.
 
 #include "geodesic/isolines.h"
 
@@ -8,200 +8,24 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <memory>
 #include <numbers>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/core/questions/path_check.h"
+#include "tests/core/questions/isoline_checks.h"
 #include "tests/support/checkpoints.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
 #include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/planar_meshes.h"
-#include "tests/support/random.h"
 #include "tests/support/surface_points.h"
 
 namespace geodesic::test {
 namespace {
-
-using Edge = std::pair<uint32_t, uint32_t>;  // the lower vertex first
-
-std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
-                                    const std::vector<double>& levels) {
-  NoCheckpoint checkpoint;
-  return ComputeIsolines(mesh, Valid(mesh, query), levels, {}, checkpoint)
-      .value();
-}
-
-// Distances of points anywhere, by solving with them as targets.
-std::vector<double> DistancesOrFail(const Mesh& mesh, Query query,
-                                    const std::vector<SurfacePoint>& points) {
-  query.targets = points;
-  return SolveOrFail(mesh, query).target_distances;
-}
-
-class IsolineCheck {
- public:
-  IsolineCheck(const NamedMesh& named, const Mesh& mesh, const Query& query,
-               const std::vector<double>& levels, double slack)
-      : name_(named.name),
-        mesh_(mesh),
-        query_(query),
-        slack_(slack),
-        isolines_(IsolinesOrFail(mesh, query, levels)) {}
-
-  void ExpectPointsAtLevel() const {
-    std::vector<SurfacePoint> points;
-    for (const Isoline& isoline : isolines_) {
-      points.insert(points.end(), isoline.points.begin(), isoline.points.end());
-    }
-    const std::vector<double> distances =
-        DistancesOrFail(mesh_, query_, points);
-    ASSERT_EQ(distances.size(), points.size());
-    size_t i = 0;
-    for (const Isoline& isoline : isolines_) {
-      ASSERT_EQ(isoline.positions.size(), isoline.points.size());
-      for (size_t p = 0; p < isoline.points.size(); ++p, ++i) {
-        ASSERT_NEAR(distances[i], isoline.level,
-                    kRelativeTolerance * isoline.level + slack_)
-            << name_ << " at " << Name(points[i]);
-        ASSERT_EQ(isoline.positions[p], PositionOf(points[i], mesh_));
-      }
-    }
-  }
-
-  void ExpectCurves() const {
-    std::set<std::pair<double, SurfacePoint>> seen;
-    for (const Isoline& isoline : isolines_) {
-      const std::vector<SurfacePoint>& points = isoline.points;
-      ASSERT_GE(points.size(), 2u) << name_;
-      for (size_t p = 0; p < points.size(); ++p) {
-        // Only vertices may be passed more than once, and ends only where
-        // three faces meet.
-        if (std::holds_alternative<EdgePoint>(points[p]) &&
-            FacesAt(mesh_, points[p]).size() <= 2) {
-          EXPECT_TRUE(seen.emplace(isoline.level, points[p]).second)
-              << name_ << ", level " << isoline.level << ": " << Name(points[p])
-              << " comes twice";
-        }
-        if (p + 1 == points.size() && !isoline.is_closed) break;
-        const SurfacePoint& next = points[(p + 1) % points.size()];
-        EXPECT_NE(points[p], next) << name_;
-        EXPECT_TRUE(ShareAFace(mesh_, points[p], next))
-            << name_ << ": " << Name(points[p]) << " and " << Name(next);
-      }
-      if (isoline.is_closed) continue;
-      for (const SurfacePoint& end : {points.front(), points.back()}) {
-        EXPECT_TRUE(MayEndAt(end)) << name_ << ", level " << isoline.level
-                                   << ": an end at " << Name(end);
-      }
-    }
-  }
-
-  // The side of points on edges, by their distances and by the crossings
-  // between them and the edge's ends.
-  void ExpectSeparation(const std::vector<double>& levels,
-                        uint32_t samples) const {
-    std::map<std::pair<double, Edge>, std::vector<double>> crossings;
-    for (const Isoline& isoline : isolines_) {
-      for (const SurfacePoint& point : isoline.points) {
-        if (const auto* at = std::get_if<EdgePoint>(&point)) {
-          crossings[{isoline.level, {at->from, at->to}}].push_back(at->t);
-        }
-      }
-    }
-    std::vector<SurfacePoint> points;
-    for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      points.push_back(VertexPoint{v});
-    }
-    std::set<Edge> distinct;
-    for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
-      distinct.insert(std::minmax({mesh_.From(h), mesh_.To(h)}));
-    }
-    const std::vector<Edge> edges(distinct.begin(), distinct.end());
-    Random random(7);
-    std::vector<EdgePoint> sampled;
-    for (uint32_t i = 0; i < samples; ++i) {
-      const auto& [from, to] =
-          edges[random.Below(static_cast<uint32_t>(edges.size()))];
-      sampled.push_back({from, to, random.Uniform(0.001, 0.999)});
-    }
-    points.insert(points.end(), sampled.begin(), sampled.end());
-    const std::vector<double> distances =
-        DistancesOrFail(mesh_, query_, points);
-    ASSERT_EQ(distances.size(), points.size());
-
-    for (const double level : levels) {
-      const auto is_clear = [&](double distance) {
-        return std::abs(distance - level) > 1e-9 * level + slack_;
-      };
-      const auto crossings_before = [&](const Edge& edge, double t) {
-        const auto found = crossings.find({level, edge});
-        if (found == crossings.end()) return std::ptrdiff_t{0};
-        return std::ranges::count_if(found->second,
-                                     [&](double c) { return c < t; });
-      };
-      for (const Edge& edge : edges) {
-        const double from = distances[edge.first], to = distances[edge.second];
-        if (!is_clear(from) || !is_clear(to)) continue;
-        EXPECT_EQ((from < level) != (to < level),
-                  crossings_before(edge, 2) % 2 == 1)
-            << name_ << ", level " << level << ": edge " << edge.first << " - "
-            << edge.second << ", distances " << from << " and " << to;
-      }
-      for (size_t i = 0; i < sampled.size(); ++i) {
-        const auto& [from, to, t] = sampled[i];
-        const double at = distances[mesh_.vertex_count() + i];
-        if (!is_clear(at) || !is_clear(distances[from])) continue;
-        EXPECT_EQ((distances[from] < level) != (at < level),
-                  crossings_before({from, to}, t) % 2 == 1)
-            << name_ << ", level " << level << ": " << Name(sampled[i])
-            << ", distance " << at << ", from " << distances[from];
-      }
-    }
-  }
-
- private:
-  // At the boundary or where more than two faces meet.
-  bool MayEndAt(const SurfacePoint& point) const {
-    if (std::holds_alternative<EdgePoint>(point)) {
-      return FacesAt(mesh_, point).size() != 2;
-    }
-    const uint32_t vertex = std::get<VertexPoint>(point).vertex;
-    return mesh_.IsBoundary(vertex) || mesh_.IsNonManifold(vertex);
-  }
-
-  const std::string name_;
-  const Mesh& mesh_;
-  const Query& query_;
-  const double slack_;
-  const std::vector<Isoline> isolines_;
-};
-
-// Computes the isolines of all levels and expects that
-//   - every point lies on an edge or at a vertex, at its level, where positions
-//     say;
-//   - points that follow each other differ, share a face and come once a level;
-//   - open isolines end at the boundary or where more than two faces meet;
-//   - along every edge, the points that are nearer than the level are told from
-//     the others by the crossings in between: at both ends, and at `samples`
-//     points of edges drawn at random.
-// `slack` is added to the tolerance of distances.
-void ExpectIsolines(const NamedMesh& named, const Query& query,
-                    const std::vector<double>& levels, uint32_t samples,
-                    double slack = 0) {
-  const auto mesh = BuildOrFail(named);
-  const IsolineCheck check(named, *mesh, query, levels, slack);
-  check.ExpectPointsAtLevel();
-  check.ExpectCurves();
-  check.ExpectSeparation(levels, samples);
-}
 
 class Isolines : public EveryAlgorithm {
  protected:
@@ -369,6 +193,21 @@ TEST_P(Isolines, OfTwoSourcesMeet) {
         {"grid", soup}, query,
         {0.1, 0.9, meeting.level * 0.999, meeting.level * 1.001, 2.5, 3.4}, 300,
         1e-14);
+  }
+}
+
+TEST_P(Isolines, Spheres) {
+  const TriangleSoup soup = Icosphere(3);
+  const auto mesh = BuildOrFail({"icosphere", soup});
+  const Query query = From({{VertexPoint{11}}});
+  const std::vector<double> levels = SpreadLevels(*mesh, query, 8);
+  const auto isolines = IsolinesOrFail(*mesh, query, levels);
+  ASSERT_EQ(isolines.size(), levels.size());
+  for (size_t i = 0; i < levels.size(); ++i) {
+    EXPECT_EQ(isolines[i].level, levels[i]);
+    EXPECT_TRUE(isolines[i].is_closed);
+    const double circle = 2 * std::numbers::pi * std::sin(levels[i]);
+    EXPECT_NEAR(Length(isolines[i]), circle, 0.05 * circle);
   }
 }
 
