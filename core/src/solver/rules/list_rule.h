@@ -22,8 +22,8 @@
 //
 // Work is done in rounds. What waits at a half-edge when a round begins crosses
 // its face, and each vertex that has improved by then becomes a pseudo-source
-// (list_worker.h). The results are applied after the round, in the order of the
-// queue, so they do not depend on the number of threads. A list is given to the
+// (list_worker.h). The results are applied after the round, in one fixed
+// order, so they do not depend on the number of threads. A list is given to the
 // thread that made it, in whose cache it lies. All vertices of a round come
 // before all half-edges: where the two alternate the processor mispredicts the
 // branch between them, which takes as long as a window.
