@@ -21,6 +21,7 @@
 #include "absl/status/statusor.h"
 #include "bench/load_mesh.h"
 #include "bench/question_options.h"
+#include "bench/solve_pairs.h"
 #include "geodesic/mesh.h"
 
 namespace geodesic {
@@ -33,6 +34,7 @@ struct Options {
   uint32_t max_batch = SolveOptions().max_batch;
   bool fixed_batch = false;
   std::string output;
+  PairOptions pairs;
 };
 
 double SecondsSince(std::chrono::steady_clock::time_point start) {
@@ -71,6 +73,9 @@ absl::Status Run(const Options& options) {
       LoadMesh(options.question.mesh_file);
   if (!mesh.ok()) return mesh.status();
   const double setup_seconds = SecondsSince(start);
+  if (options.pairs.target.has_value() || options.pairs.pairs > 0) {
+    return SolvePairs(**mesh, options.question, options.pairs);
+  }
 
   const Query query{.sources = {{VertexPoint{options.question.source}}},
                     .algorithm = *algorithm};
@@ -142,6 +147,7 @@ int main(int argc, char** argv) {
                "are drained one by one");
   app.add_option("--output", options.output,
                  "write the field to this file, raw little-endian doubles");
+  geodesic::AddPairOptions(app, options.pairs);
   CLI11_PARSE(app, argc, argv);
   if (absl::Status status = geodesic::Run(options); !status.ok()) {
     std::cerr << "solve: " << std::string(status.message()) << "\n";

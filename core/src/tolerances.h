@@ -159,6 +159,19 @@ inline constexpr double kRoundedPlace = 1e-14;
 // Asked only beside faces without area, which have no plane to tell it.
 inline constexpr double kDirectionless = 1e-9;
 
+// A lower bound straight through space is lowered by this: some roundings of
+// the coordinates, which are about 1 at the most.
+inline constexpr double kGoalRounding = 1e-14;
+
+// A directed search goes on until what is pending exceeds the distance of its
+// target by this fraction, and drops what exceeds it: the error that distances
+// are promised to stay below.
+inline constexpr double kGoalMargin = 1e-10;
+
+// Distances from landmarks are rounded to single precision, by 6e-8 at the
+// most; bounds allow for four times that, which covers their own rounding too.
+inline constexpr float kLandmarkRounding = 0x1p-22f;
+
 // A source's offset in sizes of the mesh may not exceed this. Labels are sums
 // with it: a part in 2^53 of it is their grain, and what is shorter is a tie.
 // From 1e8 on ties multiply the windows of the Chen-Han rules on meshes with

@@ -20,6 +20,30 @@
 namespace geodesic {
 namespace {
 
+// Which rule and which queue an algorithm is. Type erasure happens here, once
+// per query. Curves are asked of algorithms that trim only (ValidQuery sees to
+// it).
+template <typename OriginType>
+std::unique_ptr<Computation> Start(const Mesh& mesh, const ValidQuery& query,
+                                   const Tuning& tuning,
+                                   WindowObserver* observer) {
+  switch (query->algorithm) {
+#define GEODESIC_START(id, name, Rule, Queue, with_trimming, summary) \
+  case Algorithm::k##id:                                              \
+    if constexpr (std::is_same_v<OriginType, Origin> ||               \
+                  Algorithm::k##id == Algorithm::k##with_trimming) {  \
+      return std::make_unique<Propagation<Rule, Queue, OriginType>>(  \
+          mesh, query, tuning, observer);                             \
+    }                                                                 \
+    break;
+    GEODESIC_ALGORITHMS(GEODESIC_START)
+#undef GEODESIC_START
+  }
+  return nullptr;
+}
+
+}  // namespace
+
 absl::StatusOr<Tuning> TuningFor(const Mesh& mesh,
                                  const SolveOptions& options) {
   if (!(options.bucket_width > 0) || !std::isfinite(options.bucket_width)) {
@@ -44,30 +68,6 @@ absl::StatusOr<Tuning> TuningFor(const Mesh& mesh,
       .adaptive_batch = options.adaptive_batch,
       .threads = options.threads};
 }
-
-// Which rule and which queue an algorithm is. Type erasure happens here, once
-// per query. Curves are asked of algorithms that trim only (ValidQuery sees to
-// it).
-template <typename OriginType>
-std::unique_ptr<Computation> Start(const Mesh& mesh, const ValidQuery& query,
-                                   const Tuning& tuning,
-                                   WindowObserver* observer) {
-  switch (query->algorithm) {
-#define GEODESIC_START(id, name, Rule, Queue, with_trimming, summary) \
-  case Algorithm::k##id:                                              \
-    if constexpr (std::is_same_v<OriginType, Origin> ||               \
-                  Algorithm::k##id == Algorithm::k##with_trimming) {  \
-      return std::make_unique<Propagation<Rule, Queue, OriginType>>(  \
-          mesh, query, tuning, observer);                             \
-    }                                                                 \
-    break;
-    GEODESIC_ALGORITHMS(GEODESIC_START)
-#undef GEODESIC_START
-  }
-  return nullptr;
-}
-
-}  // namespace
 
 uint64_t PlannedSolverBytes(const Mesh& mesh, const ValidQuery& query) {
   const uint64_t per_point =

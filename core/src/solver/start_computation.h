@@ -7,6 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "geodesic/computation.h"
+#include "solver/queues/queue.h"
 #include "solver/windows/window_observer.h"
 
 namespace geodesic {
@@ -16,6 +17,9 @@ namespace geodesic {
 absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
     const Mesh& mesh, const ValidQuery& query, const SolveOptions& options,
     WindowObserver* observer);
+
+// Errors: INVALID_ARGUMENT for an option out of range.
+absl::StatusOr<Tuning> TuningFor(const Mesh& mesh, const SolveOptions& options);
 
 }  // namespace geodesic
 

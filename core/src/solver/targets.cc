@@ -6,18 +6,19 @@
 namespace geodesic {
 
 Targets::Targets(const Mesh& mesh, std::span<const SurfacePoint> targets)
-    : mesh_(mesh), targets_(targets.size()) {
+    : mesh_(&mesh), targets_(targets.size()) {
   for (uint32_t t = 0; t < targets.size(); ++t) {
     Target& target = targets_[t];
     if (const auto* vertex = std::get_if<VertexPoint>(&targets[t])) {
       target.vertex = vertex->vertex;
       continue;
     }
-    if (first_in_slot_.empty()) first_in_slot_.assign(mesh.face_count(), kNone);
     // For a point on an edge any face will do: whatever leads to the point from
     // another one is a window into this.
     target.point = FacesAround(mesh, targets[t])[0];
-    uint32_t& first = first_in_slot_[mesh.FirstSide(target.point.face) / 3];
+    uint32_t& first =
+        first_in_slot_.try_emplace(mesh.FirstSide(target.point.face) / 3, kNone)
+            .first->second;
     target.next = first;
     first = t;
   }
@@ -27,9 +28,9 @@ Targets::ThroughCorner Targets::NearestCorner(
     const Target& target, std::span<const double> distances) const {
   ThroughCorner best{kNone, std::numeric_limits<double>::infinity()};
   for (uint32_t corner = 0; corner < 3; ++corner) {
-    const uint32_t v = mesh_.triangle(target.point.face)[corner];
+    const uint32_t v = mesh_->triangle(target.point.face)[corner];
     const double distance =
-        distances[v] + DistanceToCorner(mesh_, target.point, corner);
+        distances[v] + DistanceToCorner(*mesh_, target.point, corner);
     if (distance < best.distance) best = {v, distance};
   }
   return best;

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "absl/container/flat_hash_map.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
@@ -31,7 +32,7 @@ class Targets {
 
   // Whether windows into the face of h may lead to a target.
   bool Watches(HalfEdge h) const {
-    return !first_in_slot_.empty() && first_in_slot_[h / 3] != kNone;
+    return !first_in_slot_.empty() && first_in_slot_.contains(h / 3);
   }
 
   // Takes the paths of a window on h to the targets in its face, whose lengths
@@ -44,11 +45,10 @@ class Targets {
   // for a place in the frame of the face's first half-edge.
   template <typename Distance>
   void OfferWithin(uint32_t face, uint32_t pseudo_source, Distance distance) {
-    const HalfEdge first = mesh_.FirstSide(face);
+    const HalfEdge first = mesh_->FirstSide(face);
     if (!Watches(first)) return;
-    for (uint32_t t = first_in_slot_[first / 3]; t != kNone;
-         t = targets_[t].next) {
-      Take(targets_[t], distance(InFrame(mesh_, targets_[t].point, first)),
+    for (uint32_t t = FirstIn(first); t != kNone; t = targets_[t].next) {
+      Take(targets_[t], distance(InFrame(*mesh_, targets_[t].point, first)),
            {.pseudo_source = pseudo_source});
     }
   }
@@ -60,7 +60,7 @@ class Targets {
 
   uint64_t bytes() const {
     return targets_.capacity() * sizeof(Target) +
-           first_in_slot_.capacity() * sizeof(uint32_t);
+           first_in_slot_.capacity() * 2 * sizeof(uint32_t);
   }
 
  private:
@@ -86,21 +86,26 @@ class Targets {
     target.distance = distance;
     target.arrival = arrival;
   }
+  // The first target in the face of h. REQUIRES: Watches(h).
+  uint32_t FirstIn(HalfEdge h) const {
+    return first_in_slot_.find(h / 3)->second;
+  }
   ThroughCorner NearestCorner(const Target& target,
                               std::span<const double> distances) const;
 
-  const Mesh& mesh_;
+  const Mesh* mesh_;
   std::vector<Target> targets_;
-  std::vector<uint32_t> first_in_slot_;  // empty if there are no targets
+  // By h / 3 of the faces that hold a target.
+  absl::flat_hash_map<uint32_t, uint32_t> first_in_slot_;
 };
 
 template <typename OriginType, typename Mend>
 void Targets::Offer(HalfEdge h, const BasicWindow<OriginType>& window,
                     uint32_t pseudo_source, Mend mend) {
-  const HalfEdgeFrame& frame = mesh_.frame(h);
+  const HalfEdgeFrame& frame = mesh_->frame(h);
   const auto& [interval, origin, begin_distance, end_distance] = window;
-  for (uint32_t t = first_in_slot_[h / 3]; t != kNone; t = targets_[t].next) {
-    const PlanePoint at = InFrame(mesh_, targets_[t].point, h);
+  for (uint32_t t = FirstIn(h); t != kNone; t = targets_[t].next) {
+    const PlanePoint at = InFrame(*mesh_, targets_[t].point, h);
     const double crossing = CrossingTo(origin, at);
     // As for an apex: rays may miss the window by rounding.
     const double through = std::clamp(crossing, interval.begin, interval.end);

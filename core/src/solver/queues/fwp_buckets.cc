@@ -30,6 +30,18 @@ void FwpBuckets::Push(uint32_t id, double label) {
   }
 }
 
+void FwpBuckets::Clear() {
+  batch_.clear();
+  for (int64_t bucket = first_; in_ring_ > 0; ++bucket) {
+    in_ring_ -= ring_.MoveTo(bucket & kMask, batch_);
+    batch_.clear();
+  }
+  beyond_.clear();
+  next_ = 0;
+  entries_ = iterations_ = 0;
+  Restart();
+}
+
 bool FwpBuckets::StartIteration() {
   if (entries_ == 0) return false;
   Advance();

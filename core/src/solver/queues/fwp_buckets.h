@@ -127,6 +127,8 @@ class FwpBuckets {
   }
 
   void Restart() { first_ = end_ = least_ = near_ = far_ = 0; }
+  // Forgets all ids, and restarts. O(ids and the buckets between them).
+  void Clear();
 
   // The lower edge of the first bucket that is not empty.
   double SettledRadius() const { return static_cast<double>(first_) * width_; }

@@ -118,9 +118,22 @@ class FaceCrossing {
     if (first == last) return;
     ChildrenAcross(side, edge, list_, crossings_.data(), first, last, children_,
                    labels_.data());
+    if constexpr (Front::Goal::kDirects) DirectLabels(side);
     const double label = TrimChildren(side.length);
     if (children_.size > 0)
       hand_on(side.half_edge, side.exit, children_, label);
+  }
+
+  // Makes keys of the children's labels (goal.h).
+  template <Side kSide>
+  void DirectLabels(const FaceSide<kSide>& side) {
+    const uint32_t from = mesh_.From(side.half_edge);
+    const uint32_t to = mesh_.To(side.half_edge);
+    // Seen from beyond, the edge runs the other way.
+    const EdgeGoal goal = front_.goal().At(to, from);
+    for (size_t i = 0; i < children_.size; ++i) {
+      labels_[i] = KeyOf(children_.At(i), labels_[i], side.length, goal);
+    }
   }
 
   // Trims children_, whose edge is this long. Returns a lower bound on their

@@ -18,6 +18,7 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "solver/curve_segment.h"
+#include "solver/goal.h"
 #include "solver/queues/queue.h"
 #include "solver/rules/shadow_fan.h"
 #include "solver/targets.h"
@@ -31,20 +32,26 @@
 
 namespace geodesic {
 
-// OriginType as for BasicWindow.
-template <WindowQueue QueueType, typename OriginType>
+// OriginType as for BasicWindow. GoalType: Goal if the computation is directed
+// at its targets; windows and vertices then wait with a lower bound on the
+// whole way (goal.h) in place of their label, those beyond the goal's limit not
+// at all.
+template <WindowQueue QueueType, typename OriginType,
+          typename GoalType = NoGoal>
 class Front {
  public:
   using Queue = QueueType;
   using Origin = OriginType;
+  using Goal = GoalType;
   using Window = BasicWindow<Origin>;
 
   // `observer`, if any, hears of every window.
   Front(const Mesh& mesh, const Query& query, Queue& queue,
-        WindowObserver* observer)
+        WindowObserver* observer, Goal goal = {})
       : mesh_(mesh),
         queue_(queue),
         observer_(observer),
+        goal_(std::move(goal)),
         targets_(mesh, query.targets),
         distances_(mesh.vertex_count(),
                    std::numeric_limits<double>::infinity()),
@@ -53,8 +60,25 @@ class Front {
     if (!mesh.HasCollapsedFaces()) incoming_.resize(mesh.vertex_count());
   }
 
+  // Forgets all, and begins with other targets. O(vertices reached).
+  void Restart(std::span<const SurfacePoint> targets) {
+    for (const uint32_t v : reached_list_) {
+      distances_[v] = std::numeric_limits<double>::infinity();
+      states_[v] = 0;
+      if (!incoming_.empty()) incoming_[v] = {};
+    }
+    reached_list_.clear();
+    distances_.resize(mesh_.vertex_count());
+    anchor_places_.clear();
+    has_free_anchor_ = false;
+    reached_ = 0;
+    targets_ = Targets(mesh_, targets);
+  }
+
   const Mesh& mesh() const { return mesh_; }
   Queue& queue() { return queue_; }
+  Goal& goal() { return goal_; }
+  const Goal& goal() const { return goal_; }
   const Targets& targets() const { return targets_; }
   double distance(uint32_t v) const { return distances_[v]; }
   std::span<const double> distances() const {
@@ -82,7 +106,8 @@ class Front {
   uint64_t reached() const { return reached_; }
   uint64_t bytes() const {
     return distances_.capacity() * sizeof(double) + states_.capacity() +
-           arrivals_.capacity() * sizeof(Arrival) + targets_.bytes();
+           arrivals_.capacity() * sizeof(Arrival) + targets_.bytes() +
+           reached_list_.capacity() * sizeof(uint32_t);
   }
   // Fetches the face of h, then (once that has arrived) the distances of its
   // corners into cache.
@@ -173,6 +198,9 @@ class Front {
           AtLeastStraight(distance, arrival.pseudo_source, VertexPoint{v});
       if (!Improves(distance, best)) return;
     }
+    if constexpr (Goal::kDirects) {
+      if (std::isinf(best)) reached_list_.push_back(v);
+    }
     reached_ += std::isinf(best);
     best = distance;
     if (!arrivals_.empty()) arrivals_[v] = arrival;
@@ -181,9 +209,24 @@ class Front {
       states_[v] &= ~kPending;
       return;
     }
-    states_[v] |= kPending;
     if (!incoming_.empty()) incoming_[v] = ray;
-    queue_.Push(kVertexEvent | v, distance);
+    double key = distance;
+    if constexpr (Goal::kDirects) {
+      key += goal_.Bound(v);
+      if (!(key <= goal_.limit())) return;
+    }
+    states_[v] |= kPending;
+    queue_.Push(kVertexEvent | v, key);
+  }
+
+  // What a window on h with this label waits with; infinite if it need not.
+  double KeyOf(HalfEdge h, const Window& window, double label) const {
+    if constexpr (Goal::kDirects) {
+      return geodesic::KeyOf(window, label, mesh_.frame(h).length,
+                             goal_.At(mesh_.From(h), mesh_.To(h)));
+    } else {
+      return label;
+    }
   }
 
   // Calls enter(half_edge, origin, interval) for every face beyond `side` that
@@ -452,6 +495,7 @@ class Front {
   const Mesh& mesh_;
   Queue& queue_;
   WindowObserver* const observer_;
+  Goal goal_;
   Targets targets_;
   std::vector<double> distances_;  // of vertices, then offsets of anchors
   std::vector<SpacePoint> anchor_places_;  // of those that are points
@@ -462,6 +506,7 @@ class Front {
   std::vector<IncomingRay> incoming_;
   bool has_free_anchor_ = false;  // one that is not a vertex
   uint64_t reached_ = 0;
+  std::vector<uint32_t> reached_list_;  // for Restart; with a goal only
 };
 
 // A sink for Front::AddAnchor and Front::Expand: what they find is applied at

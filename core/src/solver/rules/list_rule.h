@@ -77,6 +77,18 @@ class ListRule {
   // Sources were added: nothing here depends on them.
   void Restart() {}
 
+  // Forgets all windows. O(half-edges that wait).
+  void Clear() {
+    for (const Queued& queued : queues_) {
+      if (waiting_[queued.half_edge] == kNone) continue;
+      workers_[0].Drop(queues_[waiting_[queued.half_edge]].lists);
+      waiting_[queued.half_edge] = kNone;
+    }
+    queues_.clear();
+    free_.clear();
+    pending_ = peak_ = created_ = 0;
+  }
+
   // Ends the threads; the next round starts others.
   void ReleaseThreads() { team_.reset(); }
 
@@ -115,6 +127,7 @@ class ListRule {
     double label;  // the least the half-edge is queued with
     WaitingLists lists = {};
     uint32_t member = 0;  // who has handed on the latest
+    HalfEdge half_edge = kNoHalfEdge;
   };
   // One of the round.
   struct Event {
@@ -287,7 +300,8 @@ class ListRule {
         waiting_[h] = free_.back();
         free_.pop_back();
       }
-      queues_[waiting_[h]] = {.label = std::numeric_limits<double>::infinity()};
+      queues_[waiting_[h]] = {.label = std::numeric_limits<double>::infinity(),
+                              .half_edge = h};
     }
     Queued& queued = queues_[waiting_[h]];
     queued.member = member;

@@ -7,6 +7,7 @@
 #define GEODESIC_SOLVER_RULES_LIST_WORKER_H_
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -83,6 +84,11 @@ class alignas(kCacheLine) ListWorker {
     return outcome;
   }
 
+  // Frees lists that nobody will take.
+  void Drop(const WaitingLists& lists) {
+    for (WindowBlock* list : lists) blocks_.Drop(list);
+  }
+
   Outcome Expand(uint32_t vertex) {
     Outcome outcome{.begin = Here()};
     front_.Expand(vertex, *this);
@@ -110,10 +116,12 @@ class alignas(kCacheLine) ListWorker {
             const Interval& interval) {
     const auto window = front_.UsefulWindow(half_edge, origin, interval);
     if (!window.has_value()) return;
+    const double key = front_.KeyOf(half_edge, *window, window->Label());
+    if (std::isinf(key)) return;
     opened_.Reserve(1);
     opened_.Set(0, *window, pseudo_source);
     opened_.size = 1;
-    HandOn(half_edge, kLeft, window->Label(), opened_);
+    HandOn(half_edge, kLeft, key, opened_);
   }
 
   void Observe(HalfEdge h, const Window& window, uint32_t pseudo_source) {

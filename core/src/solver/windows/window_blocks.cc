@@ -87,6 +87,14 @@ WindowBlock* WindowBlocks::Take(WindowBlock* block, WindowColumns& windows) {
   return next;
 }
 
+void WindowBlocks::Drop(WindowBlock* block) {
+  while (block != nullptr) {
+    WindowBlock* const next = block->next;
+    Release(block);
+    block = next;
+  }
+}
+
 void WindowBlocks::PrefetchRest(const WindowBlock* block) {
   constexpr size_t kMost = 12;
   PrefetchLines(block, 3, std::min(kMost, (WordsOf(block->log_room) + 7) / 8));

@@ -62,6 +62,8 @@ class WindowBlocks {
   // Appends the windows of a block to `windows`, without their distances, and
   // frees the block. Returns the next of its chain.
   WindowBlock* Take(WindowBlock* block, WindowColumns& windows);
+  // Frees a chain of blocks.
+  void Drop(WindowBlock* block);
 
   // Fetches the begin of a block into cache, then (once that has arrived) the
   // rest. Another thread may be using the block.

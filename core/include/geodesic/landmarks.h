@@ -1,0 +1,73 @@
+// Vertices whose exact distances to all others are known: they bound the
+// distance between any two places from below.
+
+#ifndef GEODESIC_LANDMARKS_H_
+#define GEODESIC_LANDMARKS_H_
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/mesh.h"
+#include "geodesic/solve_options.h"
+#include "geodesic/surface_point.h"
+
+namespace geodesic {
+
+// By the triangle inequality |d(l, x) - d(l, y)| <= d(x, y) for each landmark
+// l. Distances are kept in single precision, 64 bytes a vertex; the bounds
+// allow for their rounding. Const functions are thread-safe.
+class Landmarks {
+ public:
+  // More bound little better.
+  static constexpr uint32_t kMost = 16;
+
+  // Distances from every landmark to one place lie between low and high, but
+  // for rounding; in the mesh's scaled unit.
+  struct Place {
+    std::array<float, kMost> low, high;
+  };
+
+  // None yet.
+  explicit Landmarks(const Mesh& mesh);
+
+  // A landmark: the distances from one vertex to all, in the unit of the file.
+  // REQUIRES: count() < kMost, and the distances are certified everywhere. O(V)
+  void Add(std::span<const double> distances);
+
+  uint32_t count() const { return count_; }
+  uint64_t bytes() const { return values_.capacity() * sizeof(Row); }
+  // What bytes() will be for a mesh.
+  static uint64_t PlannedBytes(const Mesh& mesh);
+
+  // REQUIRES: the point is one of the mesh. O(landmarks).
+  Place PlaceOf(const SurfacePoint& point, const Mesh& mesh) const;
+
+  // No path from vertex v to the place is shorter, in the scaled unit.
+  // +infinity if a landmark tells that there is no path. O(landmarks).
+  double LowerBound(uint32_t v, const Place& place) const;
+
+ private:
+  struct alignas(64) Row {
+    std::array<float, kMost> distances = {};
+  };
+
+  double scale_;  // from the unit of the file
+  uint32_t count_ = 0;
+  std::vector<Row> values_;  // by vertex
+};
+
+// Chooses up to `count` landmarks one after the other, each as far from those
+// before as can be, and computes their fields. Only the part of the mesh that
+// holds most vertices gets any. At most Landmarks::kMost.
+// Errors: as Solve.
+absl::StatusOr<Landmarks> MakeLandmarks(const Mesh& mesh, uint32_t count,
+                                        const SolveOptions& options,
+                                        Checkpoint& checkpoint);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_LANDMARKS_H_

@@ -1,0 +1,68 @@
+// Exact distances to a few targets, by a search that is directed at them.
+//
+//   TargetSearch search(*mesh);
+//   absl::StatusOr<TargetDistances> found =
+//       search.Run(query, landmarks, checkpoint);
+//
+// Windows are propagated in the order of their label plus a lower bound on the
+// rest of the way: the straight line through space, and what landmarks tell.
+// Any order is exact (Xu et al. 2015, Proposition 1). No bound decreases along
+// a path by more than the path's length, so the least sum still pending bounds
+// every path that was not found yet; a target's distance is final once it is no
+// larger. What cannot be on a shortest path to a target is never opened.
+
+#ifndef GEODESIC_TARGET_SEARCH_H_
+#define GEODESIC_TARGET_SEARCH_H_
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/distance_field.h"
+#include "geodesic/landmarks.h"
+#include "geodesic/mesh.h"
+#include "geodesic/valid_query.h"
+
+namespace geodesic {
+
+struct TargetDistances {
+  // One per target of the query, in the unit of the file; +infinity where no
+  // path leads. As exact as those of Solve (solve.h).
+  std::vector<double> distances;
+  SolveStatistics statistics;
+};
+
+// Keeps its memory from one search to the next, so that a search costs what it
+// covers, not what the mesh has. Not thread-safe: one for each thread.
+class TargetSearch {
+ public:
+  // O(V + F) time and memory. The mesh must outlive it.
+  explicit TargetSearch(const Mesh& mesh);
+  TargetSearch(TargetSearch&&) noexcept;
+  TargetSearch& operator=(TargetSearch&&) noexcept;
+  ~TargetSearch();
+
+  // The distances of query->targets. `landmarks` may be null, or of any number;
+  // they change the cost alone. Questions that fwp-list does not answer
+  // (curves, several sources that are not all vertices, faces without area,
+  // edges of three faces or more: see ValidQuery) are computed as a field that
+  // stops at the last target, at the cost of that. Errors: INVALID_ARGUMENT
+  // without targets; whatever `checkpoint` returns.
+  absl::StatusOr<TargetDistances> Run(const ValidQuery& query,
+                                      const Landmarks* landmarks,
+                                      Checkpoint& checkpoint);
+
+  // Bytes held beside the mesh between searches, and at the start of one.
+  uint64_t bytes() const;
+  static uint64_t PlannedBytes(const Mesh& mesh);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_TARGET_SEARCH_H_

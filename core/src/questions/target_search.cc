@@ -1,0 +1,178 @@
+#include "geodesic/target_search.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "geodesic/computation.h"
+#include "solver/goal.h"
+#include "solver/queues/fwp_buckets.h"
+#include "solver/rules/front.h"
+#include "solver/rules/list_rule.h"
+#include "solver/start_computation.h"
+#include "surface/anchors.h"
+#include "tolerances.h"
+
+namespace geodesic {
+
+class TargetSearch::Impl {
+ public:
+  explicit Impl(const Mesh& mesh)
+      : mesh_(mesh),
+        queue_(*TuningFor(mesh, {})),
+        front_(mesh, Query{}, queue_, nullptr, Goal(mesh)),
+        rule_(front_, 1) {}
+
+  absl::StatusOr<TargetDistances> Run(const ValidQuery& query,
+                                      const Landmarks* landmarks,
+                                      Checkpoint& checkpoint) {
+    const auto start = std::chrono::steady_clock::now();
+    Restart(query, landmarks);
+    absl::Status status = Propagate(checkpoint);
+    if (!status.ok()) return status;
+    TargetDistances found{.statistics = statistics_};
+    for (size_t t = 0; t < front_.targets().size(); ++t) {
+      found.distances.push_back(ToFileUnit(DistanceTo(t)));
+    }
+    found.statistics.iterations = queue_.iterations();
+    found.statistics.windows_created = rule_.created();
+    found.statistics.peak_windows = rule_.peak_windows();
+    found.statistics.solve_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+            .count();
+    return found;
+  }
+
+  // As a field that stops at the last target.
+  absl::StatusOr<TargetDistances> RunAsField(const ValidQuery& query,
+                                             Checkpoint& checkpoint) const {
+    absl::StatusOr<std::unique_ptr<Computation>> computation =
+        StartComputation(mesh_, query, {});
+    if (!computation.ok()) return computation.status();
+    absl::Status status =
+        (*computation)->Advance({.targets = query->targets.size()}, checkpoint);
+    if (!status.ok()) return status;
+    DistanceField field = (*computation)->Field();
+    return TargetDistances{std::move(field.target_distances), field.statistics};
+  }
+
+  uint64_t bytes() const {
+    return front_.bytes() + front_.goal().bytes() + rule_.bytes() +
+           queue_.bytes();
+  }
+
+ private:
+  using DirectedFront = Front<FwpBuckets, Origin, Goal>;
+  using Rule = ListRule<DirectedFront>;
+
+  static constexpr uint64_t kPollPeriod = 1024;
+
+  void Restart(const ValidQuery& query, const Landmarks* landmarks) {
+    statistics_ = {};
+    rule_.Clear();
+    queue_.Clear();
+    front_.Restart(query->targets);
+    front_.goal().Aim(query->targets, landmarks);
+    DirectSink sink(front_, rule_);
+    for (const Anchor& anchor : AnchorsOf(query))
+      front_.AddAnchor(anchor, sink);
+  }
+
+  absl::Status Propagate(Checkpoint& checkpoint) {
+    uint64_t steps = kPollPeriod;
+    for (;;) {
+      if (steps >= kPollPeriod) {
+        steps = 0;
+        if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+      }
+      front_.goal().set_limit(Farthest() * (1 + kGoalMargin));
+      if (queue_.SettledRadius() > front_.goal().limit()) break;
+      together_.clear();
+      do {
+        const uint32_t id = queue_.Pop();
+        if (id == kNothing) break;
+        statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
+        together_.push_back(id);
+      } while (together_.size() < Rule::kMostTogether &&
+               queue_.Upcoming(1) != kNothing);
+      if (together_.empty()) break;
+      steps += together_.size();
+      statistics_.windows_propagated += rule_.Propagate(together_);
+      statistics_.peak_wavefront =
+          std::max(statistics_.peak_wavefront, rule_.pending());
+    }
+    return Poll(checkpoint);
+  }
+
+  absl::Status Poll(Checkpoint& checkpoint) {
+    const uint64_t held = bytes();
+    statistics_.peak_solver_bytes =
+        std::max(statistics_.peak_solver_bytes, held);
+    return checkpoint.Poll({
+        .vertices_reached = front_.reached(),
+        .vertices = mesh_.vertex_count(),
+        .live_windows = rule_.pending(),
+        .windows_propagated = statistics_.windows_propagated,
+        .solver_bytes = held,
+    });
+  }
+
+  double DistanceTo(size_t t) const {
+    return front_.targets().Distance(t, front_.distances());
+  }
+  // Of the targets, as far as is known.
+  double Farthest() const {
+    double farthest = 0;
+    for (size_t t = 0; t < front_.targets().size(); ++t) {
+      farthest = std::max(farthest, DistanceTo(t));
+    }
+    return farthest;
+  }
+  double ToFileUnit(double length) const {
+    const int half = mesh_.scale_exponent() / 2;
+    return length * std::ldexp(1, half) *
+           std::ldexp(1, mesh_.scale_exponent() - half);
+  }
+
+  const Mesh& mesh_;
+  FwpBuckets queue_;
+  DirectedFront front_;
+  Rule rule_;
+  std::vector<uint32_t> together_;
+  SolveStatistics statistics_;
+};
+
+TargetSearch::TargetSearch(const Mesh& mesh)
+    : impl_(std::make_unique<Impl>(mesh)) {}
+TargetSearch::TargetSearch(TargetSearch&&) noexcept = default;
+TargetSearch& TargetSearch::operator=(TargetSearch&&) noexcept = default;
+TargetSearch::~TargetSearch() = default;
+
+absl::StatusOr<TargetDistances> TargetSearch::Run(const ValidQuery& query,
+                                                  const Landmarks* landmarks,
+                                                  Checkpoint& checkpoint) {
+  if (query->targets.empty()) {
+    return absl::InvalidArgumentError("targets is empty: name at least one");
+  }
+  if (query->algorithm == Algorithm::kFwpList) {
+    return impl_->Run(query, landmarks, checkpoint);
+  }
+  return impl_->RunAsField(query, checkpoint);
+}
+
+uint64_t TargetSearch::bytes() const { return impl_->bytes(); }
+
+uint64_t TargetSearch::PlannedBytes(const Mesh& mesh) {
+  // Distance, state, ray and bound; where lists wait; the queue and the windows
+  // of a wide search.
+  constexpr uint64_t kPerVertex = 2 * sizeof(double) + 1 + sizeof(IncomingRay);
+  constexpr uint64_t kBase = uint64_t{1} << 20;
+  return kPerVertex * mesh.vertex_count() +
+         sizeof(uint32_t) * mesh.half_edge_count() +
+         mesh.resident_bytes() / 16 + kBase;
+}
+
+}  // namespace geodesic

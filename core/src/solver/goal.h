@@ -1,0 +1,104 @@
+// What a directed computation heads for: lower bounds on the rest of the way
+// from any vertex.
+
+#ifndef GEODESIC_SOLVER_GOAL_H_
+#define GEODESIC_SOLVER_GOAL_H_
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "geodesic/landmarks.h"
+#include "geodesic/mesh.h"
+#include "geodesic/surface_point.h"
+#include "solver/windows/window.h"
+#include "surface/straight_line.h"
+
+namespace geodesic {
+
+// Bounds at the ends of an edge, and the longest path that is of any use.
+struct EdgeGoal {
+  double from_bound, to_bound;
+  double limit;
+};
+
+// A lower bound on all paths to the goal that go through a window: infinite if
+// that exceeds the limit. From x on the edge A -> B the rest of the way is no
+// shorter than the bound at A less |Ax|, nor than the bound at B less |xB|. Of
+// the sum with the distance at x, the first is least at the window's end, the
+// second at its begin; and neither label nor rest are less anywhere than the
+// last one takes them.
+inline double KeyOf(const Window& window, double label, double length,
+                    const EdgeGoal& goal) {
+  const double by_from =
+      window.end_distance - window.interval.end + goal.from_bound;
+  const double by_to =
+      window.begin_distance - (length - window.interval.begin) + goal.to_bound;
+  const double by_label =
+      label + (goal.from_bound + goal.to_bound - length) / 2;
+  double key = std::max(label, by_from);
+  key = by_to > key ? by_to : key;
+  key = by_label > key ? by_label : key;
+  return key <= goal.limit ? key : std::numeric_limits<double>::infinity();
+}
+
+// For computations that head for all there is.
+struct NoGoal {
+  static constexpr bool kDirects = false;
+};
+
+// For one thread. Bounds are computed for vertices that are asked about only.
+class Goal {
+ public:
+  static constexpr bool kDirects = true;
+
+  explicit Goal(const Mesh& mesh)
+      : mesh_(mesh), bounds_(mesh.vertex_count(), kUnknown) {}
+
+  // Heads for the nearest of the targets. `landmarks` may be null; they outlive
+  // the search.
+  void Aim(std::span<const SurfacePoint> targets, const Landmarks* landmarks);
+  // Forgets what was asked about since Aim. O(that).
+  void Clear();
+
+  // No path from v to a target is shorter.
+  double Bound(uint32_t v) const {
+    const double bound = bounds_[v];
+    return bound >= 0 ? bound : Compute(v);
+  }
+  // Paths that are longer lead to no target's distance.
+  double limit() const { return limit_; }
+  void set_limit(double limit) { limit_ = limit; }
+  EdgeGoal At(uint32_t from, uint32_t to) const {
+    return {Bound(from), Bound(to), limit_};
+  }
+
+  uint64_t bytes() const {
+    return bounds_.capacity() * sizeof(double) +
+           known_.capacity() * sizeof(uint32_t);
+  }
+
+ private:
+  static constexpr double kUnknown = -1;
+
+  struct Target {
+    SpacePoint place;
+    Landmarks::Place from_landmarks;
+  };
+
+  double Compute(uint32_t v) const;
+
+  const Mesh& mesh_;
+  const Landmarks* landmarks_ = nullptr;
+  std::vector<Target> targets_;
+  double limit_ = std::numeric_limits<double>::infinity();
+  // A cache: Bound changes nothing that others see.
+  mutable std::vector<double> bounds_;
+  mutable std::vector<uint32_t> known_;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SOLVER_GOAL_H_

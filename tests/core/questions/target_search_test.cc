@@ -1,0 +1,240 @@
+// Searches for targets find what whole fields of another algorithm say.
+
+#include "geodesic/target_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "tests/support/checkpoints.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/field_check.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/polyhedra.h"
+#include "tests/support/queries.h"
+#include "tests/support/random.h"
+#include "tests/support/surface_points.h"
+
+namespace geodesic::test {
+namespace {
+
+// Pairs and fields may differ by so much. Both are within some 1e-14 of the
+// truth; a window that is missing makes a difference of 1e-6 and more.
+constexpr double kPairTolerance = 1e-12;
+
+std::vector<NamedMesh> Surfaces() {
+  std::vector<NamedMesh> meshes = {
+      {"icosphere", Icosphere(4)},
+      {"sphere by meridians", UvSphere(30, 24)},
+      {"noisy torus", Torus({.around = 40, .across = 24, .noise = 0.15})},
+      {"terrain", Terrain(40, 36, 1.5, 7)},
+      {"box", BoxGrid(1, 2, 3, 6, 8, 10)},
+      {"saddles", SaddleRow(20, 1e-9, 4)},
+      {"hyperbolic", HyperbolicGrid(20, 20, 1e-3)},
+      {"U-shaped grid", MakeGrid(UShape({.columns = 24, .rows = 24}))},
+      {"two parts and loose vertices",
+       AddIsolatedVertices(
+           Join(Icosphere(3), RotateAndShift(Terrain(12, 12, 1, 3), 5)), 3)},
+      {"a book", Book(MakeGrid({.columns = 8, .rows = 8}), 4)}};
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
+    meshes.push_back({absl::StrCat("edited ", seed),
+                      EditedMesh(seed, /*degenerate=*/seed % 3 == 0)});
+  }
+  return meshes;
+}
+
+class TargetSearchOn {
+ public:
+  explicit TargetSearchOn(const NamedMesh& named)
+      : mesh_(BuildOrFail(named)), soup_(named.soup), search_(*mesh_) {}
+
+  const Mesh& mesh() const { return *mesh_; }
+
+  Landmarks MakeSome(uint32_t count) const {
+    NoCheckpoint checkpoint;
+    absl::StatusOr<Landmarks> made =
+        MakeLandmarks(*mesh_, count, {}, checkpoint);
+    EXPECT_TRUE(made.ok()) << made.status();
+    return *std::move(made);
+  }
+
+  std::vector<double> Find(const Query& query, const Landmarks* landmarks) {
+    NoCheckpoint checkpoint;
+    const absl::StatusOr<TargetDistances> found =
+        search_.Run(Valid(*mesh_, query), landmarks, checkpoint);
+    EXPECT_TRUE(found.ok()) << found.status();
+    return found.ok() ? found->distances : std::vector<double>();
+  }
+
+  // From fields, by another rule.
+  std::vector<double> Expected(Query query) const {
+    query.algorithm = Algorithm::kMmp;
+    return SolveOrFail(*mesh_, query).target_distances;
+  }
+
+  // Expects the same from searches without landmarks and with some.
+  void ExpectRight(const Query& query, const Landmarks& landmarks) {
+    const std::vector<double> expected = Expected(query);
+    const std::vector<double> found = Find(query, nullptr);
+    const std::vector<double> with_landmarks = Find(query, &landmarks);
+    ASSERT_EQ(found.size(), expected.size());
+    ASSERT_EQ(with_landmarks.size(), expected.size());
+    for (size_t t = 0; t < expected.size(); ++t) {
+      SCOPED_TRACE(absl::StrCat("from ", Name(query.sources[0]), " to ",
+                                Name(query.targets[t])));
+      if (std::isinf(expected[t])) {
+        EXPECT_EQ(found[t], expected[t]);
+        EXPECT_EQ(with_landmarks[t], expected[t]);
+        continue;
+      }
+      EXPECT_NEAR(found[t], expected[t], kPairTolerance * expected[t]);
+      EXPECT_NEAR(with_landmarks[t], expected[t], kPairTolerance * expected[t]);
+    }
+  }
+
+ private:
+  const std::shared_ptr<const Mesh> mesh_;
+  const TriangleSoup soup_;
+  TargetSearch search_;
+};
+
+TEST(TargetSearch, FindsWhatFieldsSayBetweenVertices) {
+  Random random(1);
+  for (const NamedMesh& named : Surfaces()) {
+    SCOPED_TRACE(named.name);
+    TargetSearchOn search(named);
+    const Landmarks landmarks = search.MakeSome(5);
+    for (int i = 0; i < 8; ++i) {
+      search.ExpectRight({.sources = {{RandomVertexPoint(named.soup, random)}},
+                          .targets = {RandomVertexPoint(named.soup, random)}},
+                         landmarks);
+    }
+  }
+}
+
+TEST(TargetSearch, FindsWhatFieldsSayBetweenAllKindsOfPoints) {
+  Random random(2);
+  for (const NamedMesh& named : Surfaces()) {
+    SCOPED_TRACE(named.name);
+    TargetSearchOn search(named);
+    const Landmarks landmarks = search.MakeSome(3);
+    for (int i = 0; i < 8; ++i) {
+      Query query;
+      for (int s = 0; s < 1 + i % 3; ++s) {
+        query.sources.push_back({RandomSurfacePoint(named.soup, random)});
+        query.sources.back().offset = i % 2 == 0 ? 0 : random.Uniform(0, 0.3);
+      }
+      for (int t = 0; t < 1 + i / 2; ++t) {
+        query.targets.push_back(RandomSurfacePoint(named.soup, random));
+      }
+      search.ExpectRight(query, landmarks);
+    }
+  }
+}
+
+TEST(TargetSearch, GivesTheSameBitsAfterOtherSearches) {
+  Random random(3);
+  for (const NamedMesh& named : Surfaces()) {
+    SCOPED_TRACE(named.name);
+    TargetSearchOn used(named);
+    const Landmarks landmarks = used.MakeSome(4);
+    for (int i = 0; i < 4; ++i) {
+      const Query query{.sources = {{RandomVertexPoint(named.soup, random)}},
+                        .targets = {RandomSurfacePoint(named.soup, random)}};
+      TargetSearchOn fresh(named);
+      EXPECT_EQ(used.Find(query, &landmarks), fresh.Find(query, &landmarks));
+    }
+  }
+}
+
+TEST(TargetSearch, GoesOnAfterBeingStopped) {
+  const NamedMesh named{"terrain", Terrain(60, 60, 1.5, 7)};
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  TargetSearch search(*mesh);
+  const Query query{.sources = {{VertexPoint{0}}},
+                    .targets = {VertexPoint{mesh->vertex_count() - 1}}};
+  class StopAt final : public Checkpoint {
+   public:
+    explicit StopAt(int polls) : left_(polls) {}
+    absl::Status Poll(const Progress&) override {
+      return left_-- > 0 ? absl::OkStatus() : absl::CancelledError("enough");
+    }
+
+   private:
+    int left_;
+  };
+  for (int polls = 0; polls < 4; ++polls) {
+    StopAt stop(polls);
+    const absl::StatusOr<TargetDistances> stopped =
+        search.Run(Valid(*mesh, query), nullptr, stop);
+    if (stopped.ok()) break;
+    EXPECT_EQ(stopped.status().code(), absl::StatusCode::kCancelled);
+  }
+  NoCheckpoint checkpoint;
+  const absl::StatusOr<TargetDistances> found =
+      search.Run(Valid(*mesh, query), nullptr, checkpoint);
+  ASSERT_TRUE(found.ok());
+  const std::vector<double> field =
+      SolveOrFail(*mesh, Algorithm::kMmp, query.sources);
+  EXPECT_NEAR(found->distances[0], field.back(), kPairTolerance * field.back());
+}
+
+// What is far off the way is not looked at.
+TEST(TargetSearch, PropagatesFewWindowsBesideAField) {
+  const NamedMesh named{"terrain", Terrain(120, 120, 0.5, 7)};
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  TargetSearch search(*mesh);
+  NoCheckpoint checkpoint;
+  const Query query{.sources = {{VertexPoint{60 * 121 + 10}}},
+                    .targets = {VertexPoint{60 * 121 + 110}}};
+  const absl::StatusOr<TargetDistances> found =
+      search.Run(Valid(*mesh, query), nullptr, checkpoint);
+  ASSERT_TRUE(found.ok());
+  const DistanceField field = SolveOrFail(*mesh, query);
+  EXPECT_LT(found->statistics.windows_propagated,
+            field.statistics.windows_propagated / 4);
+}
+
+TEST(TargetSearch, NeedsATarget) {
+  const std::shared_ptr<const Mesh> mesh =
+      BuildOrFail({"icosphere", Icosphere(1)});
+  TargetSearch search(*mesh);
+  NoCheckpoint checkpoint;
+  EXPECT_EQ(search
+                .Run(Valid(*mesh, {.sources = {{VertexPoint{0}}}}), nullptr,
+                     checkpoint)
+                .status()
+                .code(),
+            absl::StatusCode::kInvalidArgument);
+}
+
+TEST(Landmarks, BoundDistancesFromBelow) {
+  Random random(4);
+  for (const NamedMesh& named : Surfaces()) {
+    SCOPED_TRACE(named.name);
+    const TargetSearchOn search(named);
+    const Mesh& mesh = search.mesh();
+    const Landmarks landmarks = search.MakeSome(Landmarks::kMost);
+    for (int i = 0; i < 3; ++i) {
+      const SurfacePoint target = RandomSurfacePoint(named.soup, random);
+      const Landmarks::Place place = landmarks.PlaceOf(target, mesh);
+      const std::vector<double> field =
+          SolveOrFail(mesh, Algorithm::kMmp, {{target}});
+      for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+        EXPECT_LE(
+            std::ldexp(landmarks.LowerBound(v, place), mesh.scale_exponent()),
+            field[v])
+            << v << " from " << Name(target);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace geodesic::test
