@@ -30,6 +30,11 @@ void CheckCurveLaws(const Scene& scene, test::Random& random, Report& report);
 void CheckQuestionLaws(const Scene& scene, test::Random& random,
                        Report& report);
 
+// Searches for targets, with landmarks and without, one after the other on the
+// same memory, say what fields say, both ways. On the scene and on a variation
+// of it.
+void CheckPairLaws(const Scene& scene, test::Random& random, Report& report);
+
 }  // namespace geodesic::stress
 
 #endif  // GEODESIC_TESTS_STRESS_LAWS_H_

@@ -38,6 +38,7 @@ void RunCase(uint64_t seed, Report& report, uint64_t* refused) {
   CheckCurveLaws(scene, random, report);
   CheckQuestionLaws(scene, random, report);
   if (scene.is_small()) CheckBruteForce(scene, random, report);
+  CheckPairLaws(scene, random, report);
 }
 
 void Print(const Report& report, double seconds, uint64_t refused) {

@@ -191,6 +191,36 @@ double Edit(TriangleSoup& soup, uint32_t size, Random& random,
   return stretched;
 }
 
+TriangleSoup DrawFlatSaddles(Random& random) {
+  const double excess = std::pow(10, random.Uniform(-16, -2));
+  switch (random.Below(3)) {
+    case 0:
+      return test::SaddleRow(1 + random.Below(40), excess, random.Below(8));
+    case 1:
+      return test::SaddleCluster(excess, 1 + random.Below(6),
+                                 random.Uniform(1.5, 10));
+    default:
+      return test::HyperbolicGrid(4 + random.Below(8), 4 + random.Below(8),
+                                  std::sqrt(excess));
+  }
+}
+
+// Builds the mesh and draws points; the rest is there.
+void Finish(Scene& scene, Random& random) {
+  scene.description +=
+      ", " + std::to_string(scene.soup.triangles.size()) + " faces";
+  absl::StatusOr<std::shared_ptr<const Mesh>> mesh = Mesh::Build(scene.soup);
+  if (!mesh.ok()) return;
+  scene.mesh = *std::move(mesh);
+  scene.rounding = test::CoordinateRounding(scene.soup.positions);
+  for (int i = 0; i < 8; ++i) {
+    scene.points.push_back(test::RandomSurfacePoint(scene.soup, random));
+  }
+  if (const auto* point = std::get_if<FacePoint>(&scene.points[0])) {
+    scene.points.push_back(FacePoint{point->face, {0.25, 0.5, 0.25}});
+  }
+}
+
 }  // namespace
 
 Scene DrawScene(Random& random) {
@@ -202,19 +232,46 @@ Scene DrawScene(Random& random) {
       Edit(scene.soup,
            scene.soup.triangles.size() <= 500 ? std::min(size, 5u) : size,
            random, &scene.description);
-  scene.description +=
-      ", " + std::to_string(scene.soup.triangles.size()) + " faces";
-  absl::StatusOr<std::shared_ptr<const Mesh>> mesh = Mesh::Build(scene.soup);
-  if (!mesh.ok()) return scene;
-  scene.mesh = *std::move(mesh);
-  scene.rounding = test::CoordinateRounding(scene.soup.positions);
-  for (int i = 0; i < 8; ++i) {
-    scene.points.push_back(test::RandomSurfacePoint(scene.soup, random));
-  }
-  if (const auto* point = std::get_if<FacePoint>(&scene.points[0])) {
-    scene.points.push_back(FacePoint{point->face, {0.25, 0.5, 0.25}});
-  }
+  Finish(scene, random);
   return scene;
+}
+
+Scene DrawVariation(const Scene& scene, Random& random) {
+  Scene varied{.description = scene.description + "; then",
+               .soup = scene.soup,
+               .stretched = scene.stretched};
+  switch (random.Below(4)) {
+    case 0: {
+      varied.description += " far from the origin";
+      const double far = scene.size() * std::pow(10, random.Uniform(0, 9));
+      for (Point& p : varied.soup.positions) {
+        for (uint32_t axis = 0; axis < 3; ++axis) p[axis] += far * (axis + 1);
+      }
+      break;
+    }
+    case 1:
+      varied.description += " much smaller or larger";
+      varied.soup = test::Scale(std::move(varied.soup),
+                                OneIn(2, random) ? 1e-100 : 1e100);
+      break;
+    case 2:
+      varied.description += " a strip";
+      varied.stretched = 1;
+      varied.soup = test::MakeGrid(
+          {.columns = 30 + random.Below(60),
+           .rows = 1 + random.Below(2),
+           .cell_width = std::pow(10, random.Uniform(-3, 1)),
+           .diagonals = static_cast<test::Diagonals>(random.Below(3)),
+           .jitter = OneIn(2, random) ? 0 : random.Uniform(0, 0.24),
+           .seed = DrawSeed(random)});
+      break;
+    default:
+      varied.description += " flat saddles";
+      varied.stretched = 1;
+      varied.soup = DrawFlatSaddles(random);
+  }
+  Finish(varied, random);
+  return varied;
 }
 
 std::vector<AlgorithmInfo> AlgorithmsFor(const Scene& scene) {

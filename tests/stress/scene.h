@@ -42,6 +42,10 @@ struct Scene {
 // What Mesh::Build refuses comes without a mesh.
 Scene DrawScene(test::Random& random);
 
+// The scene far from the origin, much smaller or much larger; or a strip or
+// flat saddles in its place.
+Scene DrawVariation(const Scene& scene, test::Random& random);
+
 // Of the algorithms that are quick enough for the scene.
 Algorithm DrawAlgorithm(const Scene& scene, test::Random& random);
 std::vector<AlgorithmInfo> AlgorithmsFor(const Scene& scene);

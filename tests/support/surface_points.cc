@@ -1,6 +1,7 @@
 #include "tests/support/surface_points.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <utility>
@@ -225,6 +226,25 @@ SurfacePoint RandomSurfacePoint(const TriangleSoup& soup, Random& random) {
     default:
       return RandomFacePoint(soup, random);
   }
+}
+
+std::vector<SurfacePoint> RandomNeighbours(const TriangleSoup& soup,
+                                           const SurfacePoint& point,
+                                           Random& random) {
+  const std::vector<Place> places = PlacesOf(soup, point);
+  const Place& place =
+      places[random.Below(static_cast<uint32_t>(places.size()))];
+  const Real step = std::pow(10, random.Uniform(-16, 0));
+  FacePoint near{.face = place.face};
+  for (int i = 0; i < 3; ++i) {
+    near.weights[i] =
+        static_cast<double>((1 - step) * place.weights[i] + step / 3);
+  }
+  std::vector<SurfacePoint> neighbours = {point, near};
+  for (const uint32_t v : soup.triangles[place.face]) {
+    neighbours.push_back(VertexPoint{v});
+  }
+  return neighbours;
 }
 
 std::vector<SurfacePoint> RandomCurve(const TriangleSoup& soup, uint32_t most,

@@ -56,6 +56,11 @@ std::vector<SurfacePoint> PointsBeside(const TriangleSoup& soup,
                                        double weight);
 // Any of the random ones.
 SurfacePoint RandomSurfacePoint(const TriangleSoup& soup, Random& random);
+// What lies beside a point: itself, the corners of one of its faces, and a
+// point of that face, mostly very near.
+std::vector<SurfacePoint> RandomNeighbours(const TriangleSoup& soup,
+                                           const SurfacePoint& point,
+                                           Random& random);
 
 // A polyline of up to `most` points, each in a common face with the one before.
 std::vector<SurfacePoint> RandomCurve(const TriangleSoup& soup, uint32_t most,
