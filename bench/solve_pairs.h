@@ -25,7 +25,8 @@ struct PairOptions {
 
 void AddPairOptions(CLI::App& app, PairOptions& options);
 
-// Prints a line of JSON. Landmarks are made before the clock starts.
+// Prints a line of JSON; times are processor time. Landmarks are made before
+// the clock starts.
 absl::Status SolvePairs(const Mesh& mesh, const QuestionOptions& question,
                         const PairOptions& options);
 
