@@ -4,6 +4,7 @@
 #ifndef GEODESIC_BENCH_SPEED_BENCHMARKS_H_
 #define GEODESIC_BENCH_SPEED_BENCHMARKS_H_
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,6 +36,19 @@ void RegisterSources(const Subject& subject, int sources, int most_threads,
 // built beforehand. Counter: off, the largest relative difference from the
 // default algorithm's field.
 void RegisterCgal(const Subject& subject);
+
+// pairs/MESH: the distances of `count` random pairs of vertices, by a search
+// without landmarks, with 16, and by a field that stops at the target, which
+// take turns. Counters, for WAY of search, landmarks and field: WAY, the median
+// in milliseconds, WAY_p99, WAY_windows and WAY_windows_p99. Beside them made,
+// the milliseconds that the landmarks took, and off, the largest relative
+// difference between the ways.
+void RegisterPairs(const Subject& subject, uint32_t count);
+inline constexpr uint32_t kSeedOfPairs = 1;
+
+// cgal_pairs/MESH: the first few of these pairs by CGAL. Counters: median, in
+// milliseconds, and off, as above.
+void RegisterCgalPairs(const Subject& subject);
 
 // upload/STEP/FILE: what happens to the bytes of a mesh file until the mesh is
 // resident, and upload/whole/FILE; upload/plain/FILE: a plain loop that reads

@@ -1,5 +1,5 @@
-// speed: measures solvers, uploads and memory on meshes, beside CGAL where it
-// is installed, and writes Markdown tables. scripts/bench runs it.
+// speed: measures solvers, pairs, uploads and memory on meshes, beside CGAL
+// where it is installed, and writes Markdown tables. scripts/bench runs it.
 
 #include <benchmark/benchmark.h>
 
@@ -24,6 +24,7 @@ struct Options {
   std::string command = "speed";
   int rounds = 3;
   int sources = 64;
+  uint32_t pairs = 1000;
   uint32_t most_cgal_faces = 100'000;
   uint32_t most_sources_faces = 120'000;
 };
@@ -51,6 +52,7 @@ int Run(const Options& options) {
   for (const Subject& subject : subjects) {
     RegisterSolve(subject, options.rounds);
     RegisterLowerEnvelope(subject);
+    RegisterPairs(subject, options.pairs);
     if (subject.mesh->face_count() <= options.most_sources_faces) {
       RegisterSources(subject, options.sources,
                       benchmark::CPUInfo::Get().num_cpus, options.rounds);
@@ -58,6 +60,7 @@ int Run(const Options& options) {
 #ifdef GEODESIC_CGAL_VERSION
     if (subject.mesh->face_count() <= options.most_cgal_faces) {
       RegisterCgal(subject);
+      RegisterCgalPairs(subject);
     }
 #endif
   }
@@ -83,7 +86,8 @@ int Run(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Measures solvers, uploads and memory, side by side in one process."};
+      "Measures solvers, pairs, uploads and memory, side by side in one "
+      "process."};
   geodesic::speed::Options options;
   app.add_option("MESH_FILE", options.files,
                  "OBJ, PLY, OFF or STL files; generated meshes without any")
@@ -98,6 +102,10 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--sources", options.sources,
                  "how many fields are computed side by side")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--pairs", options.pairs,
+                 "how many random pairs of vertices are searched")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--cgal-faces", options.most_cgal_faces,

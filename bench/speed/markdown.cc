@@ -220,6 +220,54 @@ void WriteSources(std::ostream& out, const Report& report,
   WriteTable(out, subjects, columns);
 }
 
+void WritePairs(std::ostream& out, const Report& report,
+                std::span<const Subject> subjects) {
+  const auto counter = [&](const Subject& subject, const std::string& name) {
+    return report.Counter(absl::StrCat("pairs/", subject.name), name);
+  };
+  const auto cgal = [&](const Subject& subject, const std::string& name) {
+    return report.Counter(absl::StrCat("cgal_pairs/", subject.name), name);
+  };
+  out << "## Pairs\n\nMilliseconds and windows for the distance between two "
+         "random vertices: the median and the 99th percentile of 1,000 pairs, "
+         "by a search without landmarks, with 16, and by a field that stops at "
+         "the target. Then what making the landmarks takes, how many times "
+         "faster than the field the searches are, and CGAL's median of three "
+         "of the pairs; last the largest relative difference of all of "
+         "them.\n\n";
+  std::vector<Column> columns;
+  for (const char* way : {"search", "landmarks", "field"}) {
+    const auto add = [&](const std::string& title, const std::string& name,
+                         const char* format) {
+      columns.push_back({title, [=](const Subject& subject) {
+                           return absl::StrCat(
+                               Text(counter(subject, name), format), ", ",
+                               Text(counter(subject, name + "_p99"), format));
+                         }});
+    };
+    add(absl::StrCat(way, ", ms"), way, "%.1f");
+    add(absl::StrCat(way, ", windows"), absl::StrCat(way, "_windows"), "%.0f");
+  }
+  columns.push_back({"made, ms", [=](const Subject& subject) {
+                       return Text(counter(subject, "made"), "%.0f");
+                     }});
+  for (const char* way : {"search", "landmarks"}) {
+    columns.push_back({absl::StrCat("field / ", way), [=](const Subject& s) {
+                         return Text(counter(s, "field") / counter(s, way),
+                                     "%.1f");
+                       }});
+  }
+  columns.push_back({"CGAL, ms", [=](const Subject& subject) {
+                       return Text(cgal(subject, "median"), "%.0f");
+                     }});
+  columns.push_back({"apart", [=](const Subject& subject) {
+                       const Value ours = counter(subject, "off");
+                       const Value theirs = cgal(subject, "off");
+                       return Text(ours < theirs ? theirs : ours, "%.0e");
+                     }});
+  WriteTable(out, subjects, columns);
+}
+
 void WriteUpload(std::ostream& out, const Report& report,
                  std::span<const Subject> subjects) {
   out << "## Upload\n\nMilliseconds from the first byte at the engine to a "
@@ -253,6 +301,7 @@ void WriteMarkdown(std::ostream& out, const Report& report,
   WriteWindows(out, report, subjects);
   WriteMemory(out, report, subjects);
   WriteSources(out, report, subjects);
+  WritePairs(out, report, subjects);
   WriteUpload(out, report, subjects);
 }
 

@@ -22,7 +22,7 @@ awk -v n=12 'BEGIN {
     print 3, v, v + n + 1, v + n
   }
 }' >"$folder/grid.off"
-"$speed" "$folder/grid.off" --rounds 1 --sources 4 \
+"$speed" "$folder/grid.off" --rounds 1 --sources 4 --pairs 60 \
   --markdown "$folder/tables.md" >"$folder/log"
 
 # The figures of column $2 in the table under heading $1.
@@ -42,6 +42,11 @@ done
 cell Memory 'mesh, a face' | awk '{ exit !($1 > 100) }' || fail "no memory"
 cell 'Many sources side by side' '1 thread' | grep -Eq '^[0-9]' ||
   fail "no fields side by side"
+for way in search landmarks field; do
+  cell Pairs "$way, ms" | grep -Eq '^[0-9.]+, [0-9.]+$' || fail "no pairs: $way"
+done
+cell Pairs apart | awk '{ exit !($1 < 1e-12) }' ||
+  fail "searches do not agree with fields"
 grep -q '^cgal/' "$folder/log" || exit 0
 cell 'One source, one thread' apart | awk '{ exit !($1 < 1e-10) }' ||
   fail "CGAL does not agree: $(cat "$folder/tables.md")"

@@ -15,6 +15,16 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, SurfaceMesh>;
 using ShortestPath = CGAL::Surface_mesh_shortest_path<Traits>;
 using Vertex = SurfaceMesh::Vertex_index;
 
+double DistanceTo(Vertex v, ShortestPath& shortest_path,
+                  const SurfaceMesh& mesh) {
+  const double distance =
+      mesh.is_isolated(v)
+          ? -1
+          : shortest_path.shortest_distance_to_source_points(v).first;
+  // CGAL says -1 where no source can be reached.
+  return distance < 0 ? std::numeric_limits<double>::infinity() : distance;
+}
+
 }  // namespace
 
 struct CgalOracle::Model {
@@ -41,15 +51,15 @@ std::vector<double> CgalOracle::Distances(uint32_t source) const {
   shortest_path.add_source_point(Vertex(source));
   std::vector<double> distances;
   for (const Vertex v : mesh.vertices()) {
-    double distance = -1;
-    if (!mesh.is_isolated(v)) {
-      distance = shortest_path.shortest_distance_to_source_points(v).first;
-    }
-    // CGAL says -1 where no source can be reached.
-    distances.push_back(distance < 0 ? std::numeric_limits<double>::infinity()
-                                     : distance);
+    distances.push_back(DistanceTo(v, shortest_path, mesh));
   }
   return distances;
+}
+
+double CgalOracle::Distance(uint32_t source, uint32_t target) const {
+  ShortestPath shortest_path(model_->mesh);
+  shortest_path.add_source_point(Vertex(source));
+  return DistanceTo(Vertex(target), shortest_path, model_->mesh);
 }
 
 }  // namespace geodesic::test

@@ -21,6 +21,8 @@ class CgalOracle {
 
   // One distance per vertex, +infinity where no path leads or no face is.
   std::vector<double> Distances(uint32_t source) const;
+  // One alone, which spares asking for the others.
+  double Distance(uint32_t source, uint32_t target) const;
 
  private:
   struct Model;
