@@ -152,6 +152,8 @@ void AddOptions(CLI::App& app, ServerOptions& options) {
            "Levels of one request for isolines");
   AddCount(app, "--max-samples", limits.max_samples, kMost,
            "Farthest points sampled by one request");
+  AddCount(app, "--max-pairs", limits.max_pairs, kMost,
+           "Pairs of one question for their distances");
   AddCount(app, "--max-matrix-rows", limits.max_matrix_rows, kMost,
            "Rows of one matrix; each is a search of its own");
   AddCount(app, "--max-matrix-values", limits.max_matrix_values, kMaxBytes,

@@ -112,6 +112,8 @@ Server::Server(const ServerOptions& options,
       services_(MakeServices(service_context_)) {
   engine_.scheduler().ObserveJobs(
       clock_, [this](const JobTimes& times) { metrics_.JobEnded(times); });
+  search_watch_ = Every(SearchPool::kPatience / 2,
+                        [this] { engine_.pairs().DropOldSearches(); });
   metrics_.Add([this] { return CollectEngine(engine_, intake_.memory()); });
   metrics_.AddGauge("geodesic_active_requests", "Requests that have not ended",
                     [this] { return static_cast<double>(log_.active()); });

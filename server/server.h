@@ -112,6 +112,7 @@ class Server {
   // Last, because their threads use the other members.
   std::optional<HttpServer> http_;
   std::jthread token_watch_;
+  std::jthread search_watch_;
 };
 
 }  // namespace geodesic::server

@@ -152,6 +152,8 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
       fields_(limits_, solve_options_, clock, scheduler_, solver_memory_,
               start_, meshes_),
       solo_jobs_(clock, scheduler_, solver_memory_, limits.progress_interval),
+      pairs_(limits_, solve_options_, clock, scheduler_, solo_jobs_,
+             solver_memory_, start_, meshes_, fields_),
       scheduler_(executor, limits.max_concurrent_jobs, limits.max_queued_jobs,
                  limits.max_queued_jobs_per_client) {}
 
@@ -215,7 +217,8 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
   call.algorithm = query.OfSource(0, *call.mesh->mesh)->algorithm;
   call.column_count = query->targets.empty() ? call.mesh->mesh->vertex_count()
                                              : query->targets.size();
-  RowJobs plan{.requester = request.requester,
+  RowJobs plan{.client = request.requester.client,
+               .priority = RowPriority(request.requester.is_batch),
                .deadline = request.deadline,
                .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, query),
                .row_bytes = RowBytes(*query, *call.mesh->mesh)};
@@ -232,7 +235,8 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
 }
 
 EngineCounters QueryEngine::counters() const {
-  return {fields_.counters(), meshes_.meshes_built(), meshes_.meshes_loaded()};
+  return {fields_.counters(), meshes_.meshes_built(), meshes_.meshes_loaded(),
+          pairs_.counts()};
 }
 
 }  // namespace geodesic::server

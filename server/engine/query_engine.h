@@ -1,4 +1,5 @@
-// The service without gRPC: meshes, fields and other questions about them.
+// The service without gRPC: meshes, fields, pairs and other questions about
+// them.
 //
 //   SteadyClock clock;
 //   ThreadPool pool(limits.max_concurrent_jobs);
@@ -34,6 +35,7 @@
 #include "server/engine/jobs/thread_pool.h"
 #include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_library.h"
+#include "server/engine/pairs/pair_engine.h"
 #include "server/store/data_folder.h"
 
 namespace geodesic::server {
@@ -115,6 +117,7 @@ struct MatrixCall {
 struct EngineCounters : FieldCounters {
   uint64_t meshes_built = 0;
   uint64_t meshes_loaded = 0;  // from disk
+  PairCounts pairs;
 };
 
 // Thread-safe. No call waits for a job. No exception leaves a job: bad_alloc
@@ -136,6 +139,7 @@ class QueryEngine {
 
   MeshLibrary& meshes() { return meshes_; }
   FieldEngine& fields() { return fields_; }
+  PairEngine& pairs() { return pairs_; }
   // After its BeginDrain, uploads and queries that need a job fail with
   // UNAVAILABLE.
   Scheduler& scheduler() { return scheduler_; }
@@ -155,6 +159,7 @@ class QueryEngine {
   const DurableStore* durable() const { return durable_.get(); }  // may be null
   const MeshLibrary& meshes() const { return meshes_; }
   const FieldEngine& fields() const { return fields_; }
+  const PairEngine& pairs() const { return pairs_; }
   const Scheduler& scheduler() const { return scheduler_; }
   const ByteBudget& upload_memory() const { return *upload_memory_; }
   const ByteBudget& solver_memory() const { return *solver_memory_; }
@@ -169,6 +174,7 @@ class QueryEngine {
   MeshLibrary meshes_;
   FieldEngine fields_;
   SoloJobs solo_jobs_;
+  PairEngine pairs_;
 
   // Last, so no job is left when the other members are destroyed.
   Scheduler scheduler_;

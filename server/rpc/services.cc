@@ -1,6 +1,7 @@
 #include "server/rpc/calls/service.h"
 #include "server/rpc/streams/field_stream.h"
 #include "server/rpc/streams/mesh_streams.h"
+#include "server/rpc/streams/pair_stream.h"
 #include "server/rpc/streams/question_streams.h"
 #include "server/rpc/streams/row_stream.h"
 #include "server/rpc/unary_calls.h"
@@ -29,6 +30,7 @@ std::vector<std::unique_ptr<Service>> MakeServices(
       Make<PathStream, IsolineStream>("geodesic.v1.PathService", context));
   services.push_back(
       Make<MatrixStream, NearestStream>("geodesic.v1.MatrixService", context));
+  services.push_back(Make<PairStream>("geodesic.v1.PairService", context));
   services.push_back(
       Make<CapabilitiesCall>("geodesic.v1.CapabilitiesService", context));
   return services;

@@ -102,6 +102,7 @@ v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,
   published.set_max_targets(limits.max_targets);
   published.set_max_levels(limits.max_levels);
   published.set_max_samples(limits.max_samples);
+  published.set_max_pairs(limits.max_pairs);
   published.set_max_matrix_rows(limits.max_matrix_rows);
   published.set_max_matrix_values(limits.max_matrix_values);
   published.set_mesh_disk_bytes(limits.mesh_disk_bytes);

@@ -164,11 +164,12 @@ TEST(ServiceConfig, NamesServicesAndMethodsThatExist) {
   ASSERT_TRUE(file) << GEODESIC_SERVICE_CONFIG;
   const Json config = Json::parse(file);
   std::map<std::string, const google::protobuf::ServiceDescriptor*> services;
-  for (const auto* message : {v1::GetCapabilitiesRequest::descriptor(),
-                              v1::ComputeFieldRequest::descriptor(),
-                              v1::ComputeMatrixRequest::descriptor(),
-                              v1::GetMeshRequest::descriptor(),
-                              v1::ComputePathsRequest::descriptor()}) {
+  for (const auto* message :
+       {v1::GetCapabilitiesRequest::descriptor(),
+        v1::ComputeFieldRequest::descriptor(),
+        v1::ComputeMatrixRequest::descriptor(),
+        v1::GetMeshRequest::descriptor(), v1::ComputePairsRequest::descriptor(),
+        v1::ComputePathsRequest::descriptor()}) {
     const auto* service = message->file()->service(0);
     services[service->full_name()] = service;
   }
@@ -183,7 +184,7 @@ TEST(ServiceConfig, NamesServicesAndMethodsThatExist) {
     }
     ++checked;
   }
-  EXPECT_EQ(checked, 8);
+  EXPECT_EQ(checked, 9);
 }
 
 }  // namespace

@@ -77,6 +77,7 @@ class EngineTest : public EngineActions {
             .max_targets = 100,
             .max_levels = 5,
             .max_samples = 20,
+            .max_pairs = 1000,
             .max_matrix_rows = 50,
             .max_matrix_values = 10'000,
             .max_concurrent_jobs = 1,

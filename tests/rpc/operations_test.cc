@@ -42,7 +42,7 @@ const std::string kNotServing("\x08\x02", 2);
 constexpr const char* kServices[] = {
     "geodesic.v1.MeshService", "geodesic.v1.FieldService",
     "geodesic.v1.PathService", "geodesic.v1.MatrixService",
-    "geodesic.v1.CapabilitiesService"};
+    "geodesic.v1.PairService", "geodesic.v1.CapabilitiesService"};
 
 constexpr std::chrono::hours kPatience{1};
 
@@ -79,6 +79,7 @@ TEST_F(OperationsTest, CapabilitiesTellTheLimits) {
   EXPECT_EQ(limits.max_targets(), options.limits.max_targets);
   EXPECT_EQ(limits.max_levels(), options.limits.max_levels);
   EXPECT_EQ(limits.max_samples(), options.limits.max_samples);
+  EXPECT_EQ(limits.max_pairs(), options.limits.max_pairs);
   EXPECT_EQ(limits.max_matrix_rows(), options.limits.max_matrix_rows);
   EXPECT_EQ(limits.max_matrix_values(), options.limits.max_matrix_values);
   // This server keeps nothing on disk.

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "geodesic/v1/matrix_service.grpc.pb.h"
+#include "geodesic/v1/pair_service.grpc.pb.h"
 #include "geodesic/v1/path_service.grpc.pb.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/planar_meshes.h"
@@ -54,6 +55,7 @@ class QuestionsTest : public RpcTest {
     Start(options, held);
     paths_ = v1::PathService::NewStub(channel_);
     matrices_ = v1::MatrixService::NewStub(channel_);
+    pairs_ = v1::PairService::NewStub(channel_);
     soup_ = geodesic::test::MakeGrid({.columns = kSide, .rows = kSide});
     digest_ = Upload(soup_);
   }
@@ -96,6 +98,10 @@ class QuestionsTest : public RpcTest {
   auto Begin(grpc::ClientContext& context,
              const v1::FindNearestRequest& request) {
     return matrices_->FindNearest(&context, request);
+  }
+  auto Begin(grpc::ClientContext& context,
+             const v1::ComputePairsRequest& request) {
+    return pairs_->ComputePairs(&context, request);
   }
 
   template <typename Request>
@@ -175,6 +181,7 @@ class QuestionsTest : public RpcTest {
   std::string digest_;
   std::unique_ptr<v1::PathService::Stub> paths_;
   std::unique_ptr<v1::MatrixService::Stub> matrices_;
+  std::unique_ptr<v1::PairService::Stub> pairs_;
 };
 
 }  // namespace geodesic::server::test

@@ -99,6 +99,7 @@ ServerOptions RpcTest::SmallServer() {
                      .max_targets = 100,
                      .max_levels = 5,
                      .max_samples = 20,
+                     .max_pairs = 3000,
                      .max_matrix_rows = 200,
                      .max_matrix_values = 1'000'000,
                      .max_concurrent_jobs = 2,
@@ -239,7 +240,8 @@ v1::UploadHeader ArraysHeader(const TriangleSoup& soup) {
 
 std::vector<const google::protobuf::MethodDescriptor*> AllMethods() {
   std::vector<const google::protobuf::MethodDescriptor*> methods;
-  for (const char* name : {"Mesh", "Field", "Path", "Matrix", "Capabilities"}) {
+  for (const char* name :
+       {"Mesh", "Field", "Path", "Matrix", "Pair", "Capabilities"}) {
     const auto* service =
         google::protobuf::DescriptorPool::generated_pool()->FindServiceByName(
             absl::StrCat("geodesic.v1.", name, "Service"));

@@ -19,14 +19,19 @@ ByteBudget::ByteBudget(std::string name, uint64_t capacity)
     : name_(std::move(name)), capacity_(capacity) {}
 
 absl::Status ByteBudget::Take(uint64_t bytes) {
-  {
-    std::lock_guard lock(mutex_);
-    if (bytes <= capacity_ - used_) {
-      used_ += bytes;
-      return absl::OkStatus();
-    }
+  if (TryTake(bytes)) return absl::OkStatus();
+  if (give_back_ && bytes <= capacity_) {
+    give_back_();
+    if (TryTake(bytes)) return absl::OkStatus();
   }
   return Exhausted(bytes);
+}
+
+bool ByteBudget::TryTake(uint64_t bytes) {
+  std::lock_guard lock(mutex_);
+  if (bytes > capacity_ - used_) return false;
+  used_ += bytes;
+  return true;
 }
 
 absl::Status ByteBudget::CheckCapacity(uint64_t bytes) const {

@@ -9,9 +9,11 @@
 #define GEODESIC_SERVER_ENGINE_BASE_BYTE_BUDGET_H_
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -37,15 +39,24 @@ class ByteBudget {
   // REQUIRES: taken before.
   void Return(uint64_t bytes);
 
+  // From now on Take calls `give_back` before it fails, and then tries again.
+  // It returns bytes that are held for convenience alone. Call before any other
+  // method.
+  void OnShortage(std::function<void()> give_back) {
+    give_back_ = std::move(give_back);
+  }
+
   uint64_t used() const;
   uint64_t capacity() const { return capacity_; }
 
  private:
+  bool TryTake(uint64_t bytes);
   // The error of Take.
   absl::Status Exhausted(uint64_t bytes) const;
 
   const std::string name_;
   const uint64_t capacity_;
+  std::function<void()> give_back_;  // may be empty
 
   mutable std::mutex mutex_;
   uint64_t used_ = 0;  // guarded by mutex_

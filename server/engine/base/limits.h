@@ -21,6 +21,9 @@ struct Limits {
   uint64_t max_levels = 1'000;
   uint64_t max_samples = 100'000;
 
+  // Pairs of one question for their distances.
+  uint64_t max_pairs = 65'536;
+
   // For one matrix: rows, and rows times columns.
   uint64_t max_matrix_rows = 1'000'000;
   uint64_t max_matrix_values = uint64_t{100'000'000'000};

@@ -211,6 +211,21 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
   return call;
 }
 
+FieldHandle FieldEngine::FindWhole(const ResidentMesh& mesh,
+                                   const SurfacePoint& source) {
+  if (fields_.size() == 0) return nullptr;
+  absl::StatusOr<ValidQuery> query =
+      ValidQuery::Make({.sources = {{source}}}, *mesh.mesh);
+  if (!query.ok()) return nullptr;
+  std::optional<FieldCache::Found> found =
+      fields_.Find({.mesh_digest = mesh.digest,
+                    .query = *std::move(query),
+                    .bucket_width = options_.bucket_width,
+                    .max_batch = options_.max_batch},
+                   {});
+  return found ? std::move(found->field) : nullptr;
+}
+
 absl::Status FieldEngine::CheckCapacity(const FieldJob& job) const {
   const uint64_t vertices = job.mesh->mesh->vertex_count();
   absl::Status status = fields_.CheckCapacity(job.key.field, vertices);

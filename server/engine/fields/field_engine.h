@@ -149,6 +149,11 @@ class FieldEngine {
   absl::StatusOr<FieldCall> Compute(const FieldRequest& request,
                                     std::shared_ptr<FieldObserver> observer);
 
+  // The whole field of one source, computed by the default algorithm, if it is
+  // in the cache; otherwise null. Distances at vertices alone are sure to be in
+  // it. REQUIRES: the source is on the mesh.
+  FieldHandle FindWhole(const ResidentMesh& mesh, const SurfacePoint& source);
+
   // Ends the wait for `call`. If it was the last, the solver stops soon.
   void Cancel(const FieldCall& call) { jobs_.Leave(call.ticket); }
 

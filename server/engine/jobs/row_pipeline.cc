@@ -24,8 +24,8 @@ absl::Status RowPipeline::SubmitNext() {
   const uint64_t row = next_row_;
   auto result = std::make_shared<MatrixRow>();
   absl::StatusOr<SoloJobs::Call> call = jobs_.Start(
-      {.priority = RowPriority(plan_.requester.is_batch),
-       .client = plan_.requester.client,
+      {.priority = plan_.priority,
+       .client = plan_.client,
        .is_continuation = true,
        .deadline = plan_.deadline,
        .planned_bytes = plan_.planned_bytes,

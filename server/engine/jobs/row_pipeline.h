@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -36,7 +37,8 @@ using RowFunction = std::function<absl::StatusOr<MatrixRow>(
 
 // What the jobs of all rows have in common.
 struct RowJobs {
-  Requester requester;
+  std::string client;  // see Requester
+  JobPriority priority = JobPriority::kRow;
   TimePoint deadline = kNoDeadline;
   // For one row: its solver's memory and its own; see SoloJob.
   uint64_t planned_bytes = 0;

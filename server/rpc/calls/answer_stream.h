@@ -141,8 +141,8 @@ class AnswerStream : public Call<ResponseType> {
     Advance();
   }
 
-  // Sets what every question has: the mesh, the algorithm, the deadline and the
-  // client. Errors: INVALID_ARGUMENT.
+  // Sets what every question has: the mesh, the deadline, the client, and the
+  // algorithm of one that has a query. Errors: INVALID_ARGUMENT.
   template <typename Question>
   absl::Status BeginQuestion(Question& question) {
     question.mesh_digest = mesh_digest_;
@@ -150,10 +150,12 @@ class AnswerStream : public Call<ResponseType> {
     const absl::StatusOr<bool> is_batch = IsBatch(request().priority());
     if (!is_batch.ok()) return is_batch.status();
     question.requester = {.client = entry_->client(), .is_batch = *is_batch};
-    const absl::StatusOr<Algorithm> algorithm =
-        FromProto(request().algorithm());
-    if (!algorithm.ok()) return algorithm.status();
-    question.query.algorithm = *algorithm;
+    if constexpr (requires { question.query; }) {
+      const absl::StatusOr<Algorithm> algorithm =
+          FromProto(request().algorithm());
+      if (!algorithm.ok()) return algorithm.status();
+      question.query.algorithm = *algorithm;
+    }
     return absl::OkStatus();
   }
 

@@ -38,6 +38,7 @@ constexpr std::pair<std::string_view, Scope> kRequired[] = {
     {"ComputePaths", Scope::kRead},
     {"ComputeIsolines", Scope::kRead},
     {"ComputeMatrix", Scope::kRead},
+    {"ComputePairs", Scope::kRead},
     {"FindNearest", Scope::kRead},
     {"GetCapabilities", Scope::kRead},
 };

@@ -173,6 +173,40 @@ absl::Status AddRows(
                 limits.max_curve_points, query);
 }
 
+absl::Status AddPairs(const v1::ComputePairsRequest& request,
+                      const Limits& limits, std::vector<PointPair>& pairs) {
+  const auto& vertices = request.vertex_pairs();
+  if (request.pairs_size() > 0 && !vertices.empty()) {
+    return InvalidField("vertex_pairs",
+                        "the request has pairs and vertex_pairs: use one");
+  }
+  if (vertices.size() % 2 != 0) {
+    return InvalidField("vertex_pairs",
+                        absl::StrCat("vertex_pairs has ", vertices.size(),
+                                     " vertices; a pair has two"));
+  }
+  const size_t count = request.pairs_size() + vertices.size() / 2;
+  absl::Status status =
+      CheckCount("pairs", count, "max_pairs", limits.max_pairs);
+  if (!status.ok()) return status;
+  pairs.reserve(count);
+  for (int i = 0; i < vertices.size(); i += 2) {
+    pairs.push_back({VertexPoint{vertices[i]}, VertexPoint{vertices[i + 1]}});
+  }
+  for (int i = 0; i < request.pairs_size(); ++i) {
+    const std::string field = absl::StrCat("pairs[", i, "].");
+    const v1::PointPair& pair = request.pairs(i);
+    absl::StatusOr<SurfacePoint> source =
+        PointFrom(pair.source(), field + "source");
+    if (!source.ok()) return source.status();
+    absl::StatusOr<SurfacePoint> target =
+        PointFrom(pair.target(), field + "target");
+    if (!target.ok()) return target.status();
+    pairs.push_back({*source, *target});
+  }
+  return absl::OkStatus();
+}
+
 void SetPoint(const Point& from, v1::Point& to) {
   to.set_x(from[0]);
   to.set_y(from[1]);

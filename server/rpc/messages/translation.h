@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -22,12 +23,14 @@
 #include "geodesic/v1/field_service.pb.h"
 #include "geodesic/v1/mesh.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
+#include "geodesic/v1/pair_service.pb.h"
 #include "geodesic/v1/query.pb.h"
 #include "geodesic/v1/surface.pb.h"
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_store.h"
+#include "server/engine/pairs/pair_plan.h"
 
 namespace geodesic::server {
 
@@ -89,6 +92,11 @@ absl::Status AddSources(
 absl::Status AddRows(
     const google::protobuf::RepeatedPtrField<v1::Source>& sources,
     const Limits& limits, Query& query);
+
+// The pairs of a request, in either form.
+// Errors: also RESOURCE_EXHAUSTED when they are more than the limit.
+absl::Status AddPairs(const v1::ComputePairsRequest& request,
+                      const Limits& limits, std::vector<PointPair>& pairs);
 
 void SetPoint(const Point& from, v1::Point& to);
 void SetSurfacePoint(const SurfacePoint& from, v1::SurfacePoint& to);

@@ -10,6 +10,7 @@
 #include "geodesic/v1/field_service.pb.h"
 #include "geodesic/v1/matrix_service.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
+#include "geodesic/v1/pair_service.pb.h"
 #include "geodesic/v1/path_service.pb.h"
 
 namespace geodesic::server::test {
@@ -64,6 +65,13 @@ constexpr Seed kSeeds[] = {
     {RpcMethod::kFindNearest,
      R"(mesh_digest: "C" sources { vertex: 0 } targets { vertex: 1 }
         targets { vertex: 4 } count: 1)"},
+    {RpcMethod::kComputePairs,
+     R"(mesh_digest: "C" pairs { source { vertex: 0 } target { vertex: 4 } }
+        pairs { source { edge { from: 1 to: 2 t: 0.5 } }
+                target { face { face: 0 weights: [0.5, 0.5, 0] } } })"},
+    {RpcMethod::kComputePairs,
+     R"(mesh_digest: "B" vertex_pairs: [0, 1, 2, 3] value_type:
+        VALUE_TYPE_FLOAT32)"},
 };
 
 constexpr const char* kUpload[] = {
@@ -142,7 +150,8 @@ std::unique_ptr<google::protobuf::Message> NewRequest(RpcMethod method) {
       &v1::ComputePathsRequest::default_instance(),
       &v1::ComputeIsolinesRequest::default_instance(),
       &v1::ComputeMatrixRequest::default_instance(),
-      &v1::FindNearestRequest::default_instance()};
+      &v1::FindNearestRequest::default_instance(),
+      &v1::ComputePairsRequest::default_instance()};
   return std::unique_ptr<google::protobuf::Message>(
       kRequests[static_cast<size_t>(method)]->New());
 }

@@ -31,8 +31,9 @@ enum class RpcMethod : uint8_t {
   kComputeIsolines,
   kComputeMatrix,
   kFindNearest,
+  kComputePairs,
 };
-inline constexpr size_t kRpcMethods = 14;
+inline constexpr size_t kRpcMethods = 15;
 
 // A message of a call. Messages of CreateMesh that follow each other are one
 // upload, up to one with `ends_upload`; the first says when its client goes,

@@ -26,6 +26,7 @@
 #include "server/rpc/calls/request_log.h"
 #include "server/rpc/streams/field_stream.h"
 #include "server/rpc/streams/mesh_streams.h"
+#include "server/rpc/streams/pair_stream.h"
 #include "server/rpc/streams/question_streams.h"
 #include "server/rpc/streams/row_stream.h"
 #include "server/rpc/unary_calls.h"
@@ -57,6 +58,7 @@ Limits SmallLimits() {
   limits.max_targets = 50;
   limits.max_levels = 20;
   limits.max_samples = 20;
+  limits.max_pairs = 40;
   limits.max_matrix_rows = 40;
   limits.max_matrix_values = 1'000;
   limits.max_queued_jobs = 4;
@@ -272,7 +274,8 @@ class Subject {
         &Subject::BeginStream<PathStream>,
         &Subject::BeginStream<IsolineStream>,
         &Subject::BeginStream<MatrixStream>,
-        &Subject::BeginStream<NearestStream>};
+        &Subject::BeginStream<NearestStream>,
+        &Subject::BeginStream<PairStream>};
     const RpcFrame& frame = script[begin];
     if (frame.method != RpcMethod::kCreateMesh) {
       (this->*kBegin[static_cast<size_t>(frame.method)])(frame);
@@ -322,6 +325,9 @@ class Subject {
     Require(engine_.scheduler().running() == 0);
     Require(engine_.scheduler().queued() == 0);
     Require(engine_.upload_memory().used() == 0);
+    // Searches are kept for a while.
+    clock_.Advance(SearchPool::kPatience);
+    engine_.pairs().DropOldSearches();
     Require(engine_.solver_memory().used() == 0);
     Require(engine_.fields().jobs().waiters() == 0);
     Require(log_.active() == 0);

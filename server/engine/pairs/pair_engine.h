@@ -1,0 +1,83 @@
+// Distances of pairs of points.
+
+#ifndef GEODESIC_SERVER_ENGINE_PAIRS_PAIR_ENGINE_H_
+#define GEODESIC_SERVER_ENGINE_PAIRS_PAIR_ENGINE_H_
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic/algorithm.h"
+#include "geodesic/solve_options.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/base/clock.h"
+#include "server/engine/base/limits.h"
+#include "server/engine/fields/field_engine.h"
+#include "server/engine/jobs/row_pipeline.h"
+#include "server/engine/jobs/scheduler.h"
+#include "server/engine/jobs/solo_job.h"
+#include "server/engine/meshes/mesh_library.h"
+#include "server/engine/pairs/pair_plan.h"
+#include "server/engine/pairs/pair_work.h"
+#include "server/engine/pairs/search_pool.h"
+
+namespace geodesic::server {
+
+struct PairRequest {
+  std::string mesh_digest;
+  std::vector<PointPair> pairs;
+  TimePoint deadline = kNoDeadline;
+  Requester requester;
+};
+
+struct PairCall {
+  MeshHandle mesh;
+  // That of the searches.
+  Algorithm algorithm = kDefaultAlgorithm;
+  uint64_t pair_count = 0;
+  // Their columns are numbers of pairs; PairOrder puts these in order.
+  std::shared_ptr<RowPipeline> rows;
+  uint64_t row_count = 0;
+  // For its counts.
+  std::shared_ptr<const PairWork> work;
+};
+
+// Thread-safe. No call waits for a job.
+class PairEngine {
+ public:
+  // REQUIRES: the references outlive the engine, and `scheduler` has no job
+  // left when it is destroyed.
+  PairEngine(const Limits& limits, const SolveOptions& options,
+             const Clock& clock, Scheduler& scheduler, SoloJobs& jobs,
+             std::shared_ptr<ByteBudget> solver_memory,
+             const StartFunction& start, MeshLibrary& meshes,
+             FieldEngine& fields);
+
+  // Starts to compute the distances of all pairs; see RowPipeline for `on_row`.
+  // Errors: as FieldEngine::Compute.
+  absl::StatusOr<PairCall> Compute(PairRequest request,
+                                   std::function<void()> on_row);
+
+  // Frees searches that nobody has used for a while.
+  void DropOldSearches() { searches_->DropOld(); }
+
+  PairCounts counts() const { return totals_.counts(); }
+  const SearchPool& searches() const { return *searches_; }
+
+ private:
+  const Limits& limits_;
+  const SolveOptions& options_;
+  Scheduler& scheduler_;
+  SoloJobs& jobs_;
+  const StartFunction& start_;
+  MeshLibrary& meshes_;
+  FieldEngine& fields_;
+  const std::shared_ptr<SearchPool> searches_;
+  PairCounter totals_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_PAIRS_PAIR_ENGINE_H_

@@ -1,0 +1,160 @@
+#include "server/engine/pairs/pair_work.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "geodesic/computation.h"
+
+namespace geodesic::server {
+namespace {
+
+// Adds the windows of several searches up.
+class SumOfSearches final : public Checkpoint {
+ public:
+  explicit SumOfSearches(Checkpoint& checkpoint) : checkpoint_(checkpoint) {}
+
+  absl::Status Poll(const Progress& progress) override {
+    latest_ = progress.windows_propagated;
+    Progress sum = progress;
+    sum.windows_propagated += before_;
+    return checkpoint_.Poll(sum);
+  }
+
+  // The next search begins.
+  void Next() { before_ += std::exchange(latest_, 0); }
+
+ private:
+  Checkpoint& checkpoint_;
+  uint64_t before_ = 0;
+  uint64_t latest_ = 0;
+};
+
+const SurfacePoint& OtherEnd(const PointPair& pair, const SurfacePoint& end) {
+  return pair.source == end ? pair.target : pair.source;
+}
+
+// The distance to `target` from a whole field around `source` in the cache.
+std::optional<double> FromCache(FieldEngine& fields, const ResidentMesh& mesh,
+                                const SurfacePoint& source,
+                                const SurfacePoint& target) {
+  const auto* vertex = std::get_if<VertexPoint>(&target);
+  if (vertex == nullptr) return {};
+  const FieldHandle field = fields.FindWhole(mesh, source);
+  if (field == nullptr) return {};
+  return field->distances[vertex->vertex];
+}
+
+std::optional<double> FromCache(FieldEngine& fields, const ResidentMesh& mesh,
+                                const PointPair& pair) {
+  std::optional<double> found =
+      FromCache(fields, mesh, pair.source, pair.target);
+  if (!found) found = FromCache(fields, mesh, pair.target, pair.source);
+  return found;
+}
+
+}  // namespace
+
+ValidQuery DistanceQuery(const SurfacePoint& source,
+                         std::vector<SurfacePoint> targets, const Mesh& mesh) {
+  return *ValidQuery::Make(
+      {.sources = {{source}}, .targets = std::move(targets)}, mesh);
+}
+
+uint64_t PairWork::PlannedBytes() const {
+  const ValidQuery query =
+      DistanceQuery(pairs[0].source, {pairs[0].target}, *mesh->mesh);
+  const uint64_t of_search = TargetSearch::PlannedBytes(*mesh->mesh);
+  const uint64_t of_field = PlannedSolverBytes(*mesh->mesh, query);
+  // A search that is not directed is computed as a field, beside its arrays.
+  if (query->algorithm != kDefaultAlgorithm) return of_search + of_field;
+  const bool has_field = std::ranges::any_of(
+      rows, [](const PairRow& row) { return row.shared.has_value(); });
+  return has_field ? std::max(of_search, of_field) : of_search;
+}
+
+uint64_t PairWork::RowBytes() const {
+  size_t most = 0;
+  for (const PairRow& row : rows) most = std::max(most, row.pairs.size());
+  // The other ends are the targets of a field.
+  return most * (sizeof(double) + sizeof(uint32_t) + sizeof(SurfacePoint));
+}
+
+absl::StatusOr<MatrixRow> PairWork::Answer(uint64_t row, Checkpoint& checkpoint,
+                                           ByteReservation memory) const {
+  const PairRow& plan = rows[row];
+  MatrixRow result{.memory = std::move(memory), .columns = plan.pairs};
+  result.values.reserve(plan.pairs.size());
+  absl::Status status = plan.shared.has_value()
+                            ? Solve(plan, checkpoint, result.values)
+                            : Search(plan.pairs, checkpoint, result.values);
+  if (!status.ok()) return status;
+  result.memory.ShrinkTo(plan.pairs.size() *
+                         (sizeof(double) + sizeof(uint32_t)));
+  return result;
+}
+
+absl::Status PairWork::Search(const std::vector<uint32_t>& numbers,
+                              Checkpoint& checkpoint,
+                              std::vector<double>& distances) const {
+  std::optional<SearchPool::Loan> search;
+  SumOfSearches sum(checkpoint);
+  absl::Status status;
+  for (const uint32_t number : numbers) {
+    const PointPair& pair = pairs[number];
+    if (const auto cached = FromCache(fields, *mesh, pair)) {
+      distances.push_back(*cached);
+      ++answered.from_cache;
+      ++totals.from_cache;
+      continue;
+    }
+    if (!search) search.emplace(searches.Lend(mesh));
+    sum.Next();
+    absl::StatusOr<TargetDistances> found =
+        (*search)->Run(DistanceQuery(pair.source, {pair.target}, *mesh->mesh),
+                       landmarks.get(), sum);
+    if (!found.ok()) {
+      status = found.status();
+      break;
+    }
+    distances.push_back(found->distances[0]);
+    ++answered.searched;
+    ++totals.searched;
+  }
+  if (search) search->GiveBack();
+  return status;
+}
+
+absl::Status PairWork::Solve(const PairRow& row, Checkpoint& checkpoint,
+                             std::vector<double>& distances) const {
+  for (const uint32_t number : row.pairs) {
+    const SurfacePoint& other = OtherEnd(pairs[number], *row.shared);
+    const auto cached = FromCache(fields, *mesh, *row.shared, other);
+    if (!cached) break;
+    distances.push_back(*cached);
+  }
+  const size_t count = row.pairs.size();
+  if (distances.size() == count) {
+    answered.from_cache += count;
+    totals.from_cache += count;
+    return absl::OkStatus();
+  }
+  std::vector<SurfacePoint> targets;
+  targets.reserve(count);
+  for (const uint32_t number : row.pairs) {
+    targets.push_back(OtherEnd(pairs[number], *row.shared));
+  }
+  auto computation = start(
+      *mesh->mesh, DistanceQuery(*row.shared, std::move(targets), *mesh->mesh),
+      options);
+  if (!computation.ok()) return computation.status();
+  absl::Status status = (*computation)->Advance({.targets = count}, checkpoint);
+  if (!status.ok()) return status;
+  distances = (*computation)->Field().target_distances;
+  answered.from_fields += count;
+  totals.from_fields += count;
+  return absl::OkStatus();
+}
+
+}  // namespace geodesic::server

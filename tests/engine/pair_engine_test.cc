@@ -1,0 +1,239 @@
+#include "server/engine/pairs/pair_engine.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geodesic/field_path.h"
+#include "server/engine/pairs/pair_order.h"
+#include "tests/engine/engine_fixture.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+using ::geodesic::test::MakeGrid;
+
+// On the grid geodesics are straight, so every distance is Euclid's.
+class PairEngineTest : public test::EngineTest {
+ protected:
+  static constexpr uint32_t kSide = 10;
+
+  void SetUp() override { Hold(MakeGrid({.columns = kSide, .rows = kSide})); }
+
+  void Hold(const TriangleSoup& soup) {
+    soup_ = soup;
+    const auto uploaded = Upload(soup);
+    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
+    digest_ = uploaded->mesh.digest;
+  }
+
+  absl::StatusOr<PairCall> Start(std::vector<PointPair> pairs) {
+    return engine_.pairs().Compute(
+        {.mesh_digest = digest_, .pairs = std::move(pairs)}, [] {});
+  }
+
+  // Runs the question to its end.
+  absl::StatusOr<std::vector<double>> Ask(std::vector<PointPair> pairs) {
+    absl::StatusOr<PairCall> call = Start(std::move(pairs));
+    if (!call.ok()) return call.status();
+    call_ = *std::move(call);
+    PairOrder order(call_.pair_count);
+    std::vector<double> distances;
+    while (!order.is_finished()) {
+      executor_.RunAll();
+      const auto row = call_.rows->Take();
+      if (!row.has_value()) return absl::InternalError("no row came");
+      if (!row->ok()) return row->status();
+      order.Add(**row);
+      const auto next = order.Take(call_.pair_count);
+      distances.insert(distances.end(), next.begin(), next.end());
+    }
+    return distances;
+  }
+
+  void ExpectEuclid(const std::vector<PointPair>& pairs) {
+    const auto distances = Ask(pairs);
+    ASSERT_TRUE(distances.ok()) << distances.status();
+    ASSERT_EQ(distances->size(), pairs.size());
+    for (size_t i = 0; i < pairs.size(); ++i) {
+      const Point a = PositionOf(pairs[i].source, *call_.mesh->mesh);
+      const Point b = PositionOf(pairs[i].target, *call_.mesh->mesh);
+      EXPECT_NEAR((*distances)[i],
+                  std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 1e-12)
+          << i;
+    }
+  }
+
+  PairCounts counts() const { return call_.work->answered.counts(); }
+
+  TriangleSoup soup_;
+  std::string digest_;
+  PairCall call_;
+};
+
+TEST_F(PairEngineTest, SearchesPairsOfAnyPoints) {
+  const FacePoint in_face{7, {0.2, 0.3, 0.5}};
+  const EdgePoint on_edge{3, 4, 0.25};
+  ExpectEuclid({{VertexPoint{0}, VertexPoint{120}},
+                {in_face, VertexPoint{5}},
+                {on_edge, in_face},
+                {VertexPoint{9}, VertexPoint{9}},
+                {in_face, in_face}});
+  EXPECT_EQ(counts().searched, 5);
+  EXPECT_EQ(counts().all(), 5);
+  EXPECT_GT(call_.rows->windows_propagated(), 0);
+  EXPECT_EQ(engine_.counters().pairs.searched, 5);
+}
+
+TEST_F(PairEngineTest, AFieldAnswersManyThatShareAnEnd) {
+  std::vector<PointPair> pairs;
+  const FacePoint shared{100, {0.5, 0.25, 0.25}};
+  for (uint32_t i = 0; i < kFieldInSearches; ++i) {
+    const VertexPoint vertex{7 * i};
+    pairs.push_back({VertexPoint{i}, VertexPoint{120 - i}});
+    pairs.push_back(i % 2 == 0 ? PointPair{shared, vertex}
+                               : PointPair{vertex, shared});
+  }
+  ExpectEuclid(pairs);
+  EXPECT_EQ(counts().searched, kFieldInSearches);
+  EXPECT_EQ(counts().from_fields, kFieldInSearches);
+}
+
+TEST_F(PairEngineTest, AFieldInTheCacheAnswersBothWays) {
+  const auto observer = std::make_shared<test::RecordingObserver>();
+  ASSERT_TRUE(engine_.fields()
+                  .Compute({.mesh_digest = digest_,
+                            .query = {.sources = {{VertexPoint{60}}}}},
+                           observer)
+                  .ok());
+  executor_.RunAll();
+  ASSERT_EQ(observer->calls, 1);
+  ExpectEuclid({{VertexPoint{60}, VertexPoint{3}},
+                {VertexPoint{4}, VertexPoint{60}},
+                {VertexPoint{4}, VertexPoint{5}},
+                {VertexPoint{60}, EdgePoint{3, 4, 0.5}}});
+  EXPECT_EQ(counts().from_cache, 2);
+  EXPECT_EQ(counts().searched, 2);
+  std::vector<PointPair> star;
+  for (uint32_t i = 0; i < 50; ++i) {
+    star.push_back({VertexPoint{60}, VertexPoint{i}});
+  }
+  ExpectEuclid(star);
+  EXPECT_EQ(counts().from_cache, 50);
+}
+
+TEST_F(PairEngineTest, TellsThatNoPathLeads) {
+  Hold(geodesic::test::Join(MakeGrid({.columns = 3, .rows = 3}),
+                            MakeGrid({.columns = 3, .rows = 3})));
+  const auto distances = Ask(
+      {{VertexPoint{0}, VertexPoint{20}}, {VertexPoint{0}, VertexPoint{1}}});
+  ASSERT_TRUE(distances.ok()) << distances.status();
+  EXPECT_EQ((*distances)[0], std::numeric_limits<double>::infinity());
+  EXPECT_DOUBLE_EQ((*distances)[1], 1);
+}
+
+// Its edges of many faces allow no directed search.
+TEST_F(PairEngineTest, OnABookTwoThatShareAnEndGetAField) {
+  Hold(geodesic::test::Book(MakeGrid({.columns = 4, .rows = 4}), 3));
+  const auto distances = Ask({{VertexPoint{6}, VertexPoint{8}},
+                              {VertexPoint{9}, VertexPoint{11}},
+                              {VertexPoint{8}, VertexPoint{9}}});
+  ASSERT_TRUE(distances.ok()) << distances.status();
+  EXPECT_NE(call_.algorithm, Algorithm::kFwpList);
+  EXPECT_EQ(counts().from_fields, 2);
+  EXPECT_EQ(counts().searched, 1);
+  for (const double d : *distances) EXPECT_GT(d, 0);
+}
+
+TEST_F(PairEngineTest, WrongPairsAreNamed) {
+  const auto fault = [&](std::vector<PointPair> pairs) {
+    const absl::Status status = Start(std::move(pairs)).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+    return FieldPathOf(status).value_or("none");
+  };
+  EXPECT_EQ(fault({}), "pairs");
+  EXPECT_EQ(fault({{VertexPoint{0}, VertexPoint{1}},
+                   {VertexPoint{500}, VertexPoint{1}}}),
+            "pairs[1].source.vertex");
+  EXPECT_EQ(fault({{VertexPoint{0}, EdgePoint{0, 1, 2}}}),
+            "pairs[0].target.edge.t");
+  digest_ = "abc";
+  EXPECT_EQ(fault({{VertexPoint{0}, VertexPoint{1}}}), "mesh_digest");
+}
+
+TEST_F(PairEngineTest, KeepsItsSearchAndGivesItUpForOthers) {
+  ExpectEuclid({{VertexPoint{0}, VertexPoint{50}}});
+  EXPECT_EQ(engine_.pairs().searches().idle(), 1);
+  EXPECT_GT(engine_.solver_memory().used(), 0);
+  ExpectEuclid({{VertexPoint{3}, VertexPoint{70}}});
+  EXPECT_EQ(engine_.pairs().searches().idle(), 1);
+  clock_.Advance(SearchPool::kPatience);
+  engine_.pairs().DropOldSearches();
+  EXPECT_EQ(engine_.solver_memory().used(), 0);
+}
+
+TEST_F(PairEngineTest, CancellingStopsTheSearches) {
+  std::vector<PointPair> pairs;
+  for (uint32_t i = 0; i < 100; ++i) {
+    pairs.push_back({VertexPoint{i}, VertexPoint{120 - i}});
+  }
+  absl::StatusOr<PairCall> call = Start(pairs);
+  ASSERT_TRUE(call.ok()) << call.status();
+  int looks = 0;
+  clock_.at_look = [&] {
+    if (++looks == 20) call->rows->Cancel();
+  };
+  executor_.RunAll();
+  clock_.at_look = nullptr;
+  EXPECT_GT(call->work->answered.counts().searched, 0);
+  EXPECT_LT(call->work->answered.counts().searched, 32);
+  EXPECT_EQ(engine_.scheduler().running(), 0);
+  EXPECT_EQ(engine_.scheduler().queued(), 0);
+  // The search that was stopped answers the next question.
+  ExpectEuclid(pairs);
+}
+
+TEST_F(PairEngineTest, DeadlinesHold) {
+  auto call =
+      engine_.pairs().Compute({.mesh_digest = digest_,
+                               .pairs = {{VertexPoint{0}, VertexPoint{1}}},
+                               .deadline = clock_.Now()},
+                              [] {});
+  ASSERT_TRUE(call.ok()) << call.status();
+  executor_.RunAll();
+  const auto row = call->rows->Take();
+  ASSERT_TRUE(row.has_value());
+  EXPECT_TRUE(absl::IsDeadlineExceeded(row->status()));
+}
+
+class TightEngineTest : public test::EngineTest {
+ protected:
+  static Limits Tight() {
+    Limits limits = SmallLimits();
+    limits.solver_memory_bytes = 1000;
+    return limits;
+  }
+  TightEngineTest() : EngineTest(Tight()) {}
+};
+
+TEST_F(TightEngineTest, WhatNeverFitsIsRefusedAtOnce) {
+  const auto uploaded = Upload(MakeGrid({.columns = 10, .rows = 10}));
+  ASSERT_TRUE(uploaded.ok()) << uploaded.status();
+  const auto call =
+      engine_.pairs().Compute({.mesh_digest = uploaded->mesh.digest,
+                               .pairs = {{VertexPoint{0}, VertexPoint{1}}}},
+                              [] {});
+  EXPECT_TRUE(absl::IsResourceExhausted(call.status())) << call.status();
+}
+
+}  // namespace
+}  // namespace geodesic::server
