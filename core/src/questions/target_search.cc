@@ -17,12 +17,19 @@
 #include "tolerances.h"
 
 namespace geodesic {
+namespace {
+
+// The front of a search is narrow: it takes less at a time than a field does,
+// so that it does not run past the targets.
+constexpr SolveOptions kSearchOptions{.bucket_width = 4, .max_batch = 64};
+
+}  // namespace
 
 class TargetSearch::Impl {
  public:
   explicit Impl(const Mesh& mesh)
       : mesh_(mesh),
-        queue_(*TuningFor(mesh, {})),
+        queue_(*TuningFor(mesh, kSearchOptions)),
         front_(mesh, Query{}, queue_, nullptr, Goal(mesh)),
         rule_(front_, 1) {}
 
