@@ -40,10 +40,11 @@ std::string InUnits(uint64_t bytes) {
 }
 
 void AddBytes(CLI::App& app, const std::string& flag, uint64_t& value,
-              const std::string& help, uint64_t most = kMaxBytes) {
+              const std::string& help, uint64_t most = kMaxBytes,
+              uint64_t least = 1) {
   app.add_option(flag, value, help)
       ->transform(CLI::AsSizeValue(/*kb_is_1000=*/true).description(""))
-      ->check(CLI::Range(uint64_t{1}, most).description(""))
+      ->check(CLI::Range(least, most).description(""))
       ->default_str(InUnits(value))
       ->type_name("BYTES");
 }
@@ -172,6 +173,11 @@ void AddOptions(CLI::App& app, ServerOptions& options) {
            "Memory for uploads on their way to become meshes, all together");
   AddBytes(app, "--solver-memory", limits.solver_memory_bytes,
            "Memory for running solvers, all together");
+  AddBytes(app, "--landmark-memory", limits.landmark_memory_bytes,
+           "Memory for landmarks, 64 bytes a vertex of meshes whose distances "
+           "between points are asked for; the least recently used are evicted; "
+           "0 makes none",
+           kMaxBytes, /*least=*/0);
 
   app.option_defaults()->group("Disk");
   AddText(app, "--data-dir", options.data_dir, "DIR",

@@ -88,6 +88,7 @@ MeshInfo FromProto(const v1::Mesh& mesh) {
       .anisotropy = mesh.anisotropy(),
       .resident_bytes = mesh.resident_bytes(),
       .stored_bytes = mesh.stored_bytes(),
+      .landmark_count = mesh.landmark_count(),
       .non_manifold_edge_count = mesh.non_manifold_edge_count(),
       .non_manifold_vertex_count = mesh.non_manifold_vertex_count(),
       .inconsistent_edge_count = mesh.inconsistent_edge_count(),
@@ -147,7 +148,8 @@ Capabilities FromProto(const v1::GetCapabilitiesResponse& response) {
       .max_matrix_values = limits.max_matrix_values(),
       .mesh_disk_bytes = limits.mesh_disk_bytes(),
       .field_disk_bytes = limits.field_disk_bytes(),
-      .max_queued_jobs_per_client = limits.max_queued_jobs_per_client()};
+      .max_queued_jobs_per_client = limits.max_queued_jobs_per_client(),
+      .landmark_memory_bytes = limits.landmark_memory_bytes()};
   return capabilities;
 }
 

@@ -29,6 +29,8 @@
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/fields/field_files.h"
+#include "server/engine/fields/landmark_maker.h"
+#include "server/engine/fields/start_function.h"
 #include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/solo_job.h"
@@ -140,6 +142,7 @@ class QueryEngine {
   MeshLibrary& meshes() { return meshes_; }
   FieldEngine& fields() { return fields_; }
   PairEngine& pairs() { return pairs_; }
+  LandmarkMaker& landmarks() { return landmarks_; }
   // After its BeginDrain, uploads and queries that need a job fail with
   // UNAVAILABLE.
   Scheduler& scheduler() { return scheduler_; }
@@ -160,6 +163,7 @@ class QueryEngine {
   const MeshLibrary& meshes() const { return meshes_; }
   const FieldEngine& fields() const { return fields_; }
   const PairEngine& pairs() const { return pairs_; }
+  const LandmarkMaker& landmarks() const { return landmarks_; }
   const Scheduler& scheduler() const { return scheduler_; }
   const ByteBudget& upload_memory() const { return *upload_memory_; }
   const ByteBudget& solver_memory() const { return *solver_memory_; }
@@ -173,6 +177,7 @@ class QueryEngine {
   std::unique_ptr<DurableStore> durable_;  // may be null
   MeshLibrary meshes_;
   FieldEngine fields_;
+  LandmarkMaker landmarks_;
   SoloJobs solo_jobs_;
   PairEngine pairs_;
 

@@ -40,7 +40,7 @@ Family<Histogram>& AddHistogram(prometheus::Registry& registry,
 
 // Indexed by JobPriority.
 constexpr const char* kJobKinds[kJobPriorities] = {"build", "solve", "row",
-                                                   "batch", "store"};
+                                                   "batch", "store", "prepare"};
 
 double Seconds(Duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -200,6 +200,7 @@ std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
   const EngineCounters counters = engine.counters();
   const Limits& limits = engine.limits();
   const MeshStore& meshes = engine.meshes().store();
+  const LandmarkStore& landmarks = engine.meshes().landmarks();
   const FieldEngine& fields = engine.fields();
   const Scheduler& scheduler = engine.scheduler();
   std::vector<MetricFamily> families = {
@@ -224,16 +225,21 @@ std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
       Make(MetricType::Counter, "geodesic_meshes_built_total",
            "Meshes that uploads made resident", "",
            {{"", counters.meshes_built}}),
+      Make(MetricType::Counter, "geodesic_landmarks_made_total",
+           "Landmarks of meshes that were computed", "",
+           {{"", engine.landmarks().made()}}),
       Make(MetricType::Counter, "geodesic_evictions_total",
            "Entries that went to make room", "store",
            {{"meshes", meshes.evictions()},
-            {"fields", fields.cache().evictions()}}),
+            {"fields", fields.cache().evictions()},
+            {"landmarks", landmarks.evictions()}}),
       Make(MetricType::Gauge, "geodesic_used_bytes",
            "Memory in use or reserved, by budget", "budget",
            {{"meshes", meshes.used_bytes()},
             {"fields", fields.cache().used_bytes()},
             {"uploads", engine.upload_memory().used()},
             {"solvers", engine.solver_memory().used()},
+            {"landmarks", landmarks.used_bytes()},
             {"requests", requests.used()}}),
       Make(MetricType::Gauge, "geodesic_capacity_bytes",
            "What each budget may hold", "budget",
@@ -241,6 +247,7 @@ std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
             {"fields", limits.field_cache_bytes},
             {"uploads", limits.upload_memory_bytes},
             {"solvers", limits.solver_memory_bytes},
+            {"landmarks", limits.landmark_memory_bytes},
             {"requests", requests.capacity()}}),
       Make(MetricType::Gauge, "geodesic_jobs",
            "Jobs that run, and that wait for a thread", "state",

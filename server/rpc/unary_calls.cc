@@ -107,6 +107,7 @@ v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,
   published.set_max_matrix_values(limits.max_matrix_values);
   published.set_mesh_disk_bytes(limits.mesh_disk_bytes);
   published.set_field_disk_bytes(limits.field_disk_bytes);
+  published.set_landmark_memory_bytes(limits.landmark_memory_bytes);
   return capabilities;
 }
 

@@ -39,11 +39,11 @@ class JobQueueTest : public ::testing::Test {
 
 TEST_F(JobQueueTest, UrgentJobsGoFirst) {
   for (const JobPriority priority :
-       {JobPriority::kStore, JobPriority::kBatch, JobPriority::kRow,
-        JobPriority::kSolve, JobPriority::kBuild}) {
+       {JobPriority::kPrepare, JobPriority::kStore, JobPriority::kBatch,
+        JobPriority::kRow, JobPriority::kSolve, JobPriority::kBuild}) {
     Push(priority);
   }
-  EXPECT_EQ(StartAll(), (Numbers{4, 3, 2, 1, 0}));
+  EXPECT_EQ(StartAll(), (Numbers{5, 4, 3, 2, 1, 0}));
 }
 
 TEST_F(JobQueueTest, ClientsTakeTurns) {

@@ -75,6 +75,8 @@ TEST_F(OperationsTest, CapabilitiesTellTheLimits) {
   EXPECT_EQ(limits.max_queued_jobs(), options.limits.max_queued_jobs);
   EXPECT_EQ(limits.mesh_store_bytes(), options.limits.mesh_store_bytes);
   EXPECT_EQ(limits.field_cache_bytes(), options.limits.field_cache_bytes);
+  EXPECT_EQ(limits.landmark_memory_bytes(),
+            options.limits.landmark_memory_bytes);
   EXPECT_EQ(limits.max_curve_points(), options.limits.max_curve_points);
   EXPECT_EQ(limits.max_targets(), options.limits.max_targets);
   EXPECT_EQ(limits.max_levels(), options.limits.max_levels);

@@ -69,11 +69,12 @@ TEST_F(OptionsTest, Flags) {
   const CommandLine result =
       Parse({"--listen", "[::1]:0", "--mesh-store", "2GiB", "--field-cache=1MB",
              "--threads", "3", "--max-queued-jobs", "0", "--drain-seconds", "0",
-             "--log-level", "warn"});
+             "--log-level", "warn", "--landmark-memory", "0"});
   ASSERT_FALSE(result.exit_code.has_value()) << err_;
   EXPECT_EQ(result.options.listen, "[::1]:0");
   EXPECT_EQ(result.options.limits.mesh_store_bytes, uint64_t{2} << 30);
   EXPECT_EQ(result.options.limits.field_cache_bytes, 1'000'000);
+  EXPECT_EQ(result.options.limits.landmark_memory_bytes, 0);
   EXPECT_EQ(result.options.limits.max_concurrent_jobs, 3);
   EXPECT_EQ(result.options.limits.max_queued_jobs, 0);
   EXPECT_EQ(result.options.drain, std::chrono::seconds(0));

@@ -45,6 +45,8 @@ constexpr std::array kLimits = {
           ByteCount},
     Limit{"field_cache_bytes", "field cache", &ServerLimits::field_cache_bytes,
           ByteCount},
+    Limit{"landmark_memory_bytes", "landmark memory",
+          &ServerLimits::landmark_memory_bytes, ByteCount},
     Limit{"mesh_disk_bytes", "mesh disk", &ServerLimits::mesh_disk_bytes,
           ByteCount},
     Limit{"field_disk_bytes", "field disk", &ServerLimits::field_disk_bytes,

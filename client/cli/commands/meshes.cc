@@ -52,7 +52,8 @@ std::vector<Fact> FactsOf(const MeshInfo& mesh) {
           {"mean edge length", ShortNumber(mesh.mean_edge_length)},
           {"anisotropy", ShortNumber(mesh.anisotropy)},
           {"resident", ByteCount(mesh.resident_bytes)},
-          {"on disk", ByteCount(mesh.stored_bytes)}};
+          {"on disk", ByteCount(mesh.stored_bytes)},
+          {"landmarks", GroupedNumber(mesh.landmark_count)}};
 }
 
 Json ToJson(const MeshInfo& mesh) {
@@ -76,7 +77,8 @@ Json ToJson(const MeshInfo& mesh) {
           {"mean_edge_length", mesh.mean_edge_length},
           {"anisotropy", mesh.anisotropy},
           {"resident_bytes", mesh.resident_bytes},
-          {"stored_bytes", mesh.stored_bytes}};
+          {"stored_bytes", mesh.stored_bytes},
+          {"landmarks", mesh.landmark_count}};
 }
 
 struct UploadArguments {

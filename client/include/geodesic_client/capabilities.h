@@ -40,6 +40,8 @@ struct ServerLimits {
   uint64_t field_disk_bytes = 0;
   // How many of the waiting jobs may belong to one client.
   uint64_t max_queued_jobs_per_client = 0;
+  // Memory for landmarks of meshes. 0: none are made.
+  uint64_t landmark_memory_bytes = 0;
 };
 
 struct Capabilities {

@@ -68,6 +68,8 @@ struct MeshInfo {
   // Bytes that the mesh takes on the server's disk; 0 if the server keeps
   // nothing there.
   uint64_t stored_bytes = 0;
+  // Vertices whose distances to all others the server keeps, to answer faster.
+  uint64_t landmark_count = 0;
   // Edges with three faces or more, and vertices around which the faces do not
   // form one disk or half-disk.
   uint64_t non_manifold_edge_count = 0;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,15 +32,33 @@ class Landmarks {
     std::array<float, kMost> low, high;
   };
 
-  // None yet.
+  // The distances from a vertex to every landmark, in the scaled unit; zeros
+  // where there is none yet.
+  struct alignas(64) Row {
+    std::array<float, kMost> distances = {};
+  };
+
+  // None yet. O(V + F).
   explicit Landmarks(const Mesh& mesh);
+
+  // Those whose rows() were kept, of an equal mesh. More are not chosen.
+  // REQUIRES: a row for each vertex; count <= kMost.
+  Landmarks(const Mesh& mesh, uint32_t count, std::vector<Row> rows);
+
+  // The vertex that is to be the next landmark: as far from all those before as
+  // can be, in the part of the mesh that has most vertices. Empty once there
+  // are enough.
+  std::optional<uint32_t> next() const { return next_; }
 
   // A landmark: the distances from one vertex to all, in the unit of the file.
   // REQUIRES: count() < kMost, and the distances are certified everywhere. O(V)
   void Add(std::span<const double> distances);
 
   uint32_t count() const { return count_; }
-  uint64_t bytes() const { return values_.capacity() * sizeof(Row); }
+  // By vertex.
+  std::span<const Row> rows() const { return rows_; }
+
+  uint64_t bytes() const { return rows_.capacity() * sizeof(Row); }
   // What bytes() will be for a mesh.
   static uint64_t PlannedBytes(const Mesh& mesh);
 
@@ -51,19 +70,17 @@ class Landmarks {
   double LowerBound(uint32_t v, const Place& place) const;
 
  private:
-  struct alignas(64) Row {
-    std::array<float, kMost> distances = {};
-  };
+  // The vertex farthest from all landmarks, if one is apart from them.
+  std::optional<uint32_t> Farthest() const;
 
   double scale_;  // from the unit of the file
   uint32_t count_ = 0;
-  std::vector<Row> values_;  // by vertex
+  std::optional<uint32_t> next_;
+  std::vector<Row> rows_;
 };
 
-// Chooses up to `count` landmarks one after the other, each as far from those
-// before as can be, and computes their fields. Only the part of the mesh that
-// holds most vertices gets any. At most Landmarks::kMost.
-// Errors: as Solve.
+// Adds the fields of up to `count` vertices, each the next(), to none. At most
+// Landmarks::kMost. Errors: as Solve.
 absl::StatusOr<Landmarks> MakeLandmarks(const Mesh& mesh, uint32_t count,
                                         const SolveOptions& options,
                                         Checkpoint& checkpoint);

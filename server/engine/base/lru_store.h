@@ -58,6 +58,13 @@ class LruStore {
     return ToHandle(it->second.charged);
   }
 
+  // The same, but marks nothing as used.
+  Handle Peek(const Key& key) const {
+    std::lock_guard lock(mutex_);
+    const auto it = entries_.find(key);
+    return it == entries_.end() ? nullptr : ToHandle(it->second.charged);
+  }
+
   // Whether so many bytes can ever be reserved. Errors: as Reserve.
   absl::Status CheckCapacity(uint64_t bytes) const {
     return budget_->CheckCapacity(bytes);

@@ -26,16 +26,13 @@
 #include "server/engine/fields/field_cache.h"
 #include "server/engine/fields/field_files.h"
 #include "server/engine/fields/settled_log.h"
+#include "server/engine/fields/start_function.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/shared_jobs.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/meshes/mesh_store.h"
 
 namespace geodesic::server {
-
-using StartFunction =
-    std::function<absl::StatusOr<std::unique_ptr<Computation>>(
-        const Mesh&, const ValidQuery&, const SolveOptions&)>;
 
 struct FieldRequest {
   std::string mesh_digest;

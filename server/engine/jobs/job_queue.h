@@ -5,9 +5,9 @@
 //   3. A client's jobs go in order of age.
 //
 // Urgent jobs must not delay the others for ever, so one start of nine goes to
-// the less urgent kind that was passed over most often (never to kStore).
-// Between two such starts goes a job of the most urgent kind, so it never waits
-// for more than one less urgent job.
+// the less urgent kind that was passed over most often (never to kStore, nor to
+// kPrepare). Between two such starts goes a job of the most urgent kind, so it
+// never waits for more than one less urgent job.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_JOB_QUEUE_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_JOB_QUEUE_H_
@@ -43,11 +43,12 @@ struct Requester {
 enum class JobPriority {
   kBuild,  // a mesh build: short, and queries wait for it
   kSolve,
-  kRow,    // one row of a matrix
-  kBatch,  // a solve or row of a request that can wait
-  kStore,  // keeps on disk what would otherwise be computed again
+  kRow,      // one row of a matrix
+  kBatch,    // a solve or row of a request that can wait
+  kStore,    // keeps on disk what would otherwise be computed again
+  kPrepare,  // makes what later questions would be faster with
 };
-inline constexpr int kJobPriorities = 5;
+inline constexpr int kJobPriorities = 6;
 
 // The priority of what answers a request at once, and of its rows.
 constexpr JobPriority SolvePriority(bool is_batch) {

@@ -69,7 +69,7 @@ absl::Status Scheduler::CheckRoom(const std::string& client,
                                   bool runs_at_once) const {
   if (draining_) return ShuttingDown();
   // A job for which a thread is free does not wait.
-  const size_t free_threads = max_running_ - running_.size();
+  const size_t free_threads = FreeThreads();
   if (runs_at_once && queue_.size() < free_threads) return absl::OkStatus();
   if (queue_.places() >= max_queued_ + free_threads) {
     return WithReason(
@@ -165,8 +165,8 @@ size_t Scheduler::running() const {
 
 size_t Scheduler::idle() const {
   std::lock_guard lock(mutex_);
-  const size_t busy = running_.size() + queue_.size();
-  return busy < max_running_ ? max_running_ - busy : 0;
+  const size_t free = FreeThreads();
+  return queue_.size() < free ? free - queue_.size() : 0;
 }
 
 size_t Scheduler::queued() const {
@@ -182,6 +182,8 @@ void Scheduler::RunOne() {
     progressed = true;
     const std::stop_source source;
     running_.emplace(id, source);
+    const bool gives_way = started->job.priority == JobPriority::kPrepare;
+    giving_way_ += gives_way;
     lock.unlock();
     bool goes_on = Run(*started, source);
     lock.lock();
@@ -196,6 +198,7 @@ void Scheduler::RunOne() {
       lock.lock();
     }
     running_.erase(id);
+    giving_way_ -= gives_way;
   }
   --workers_;
   // Each task runs one job, which is fair to others who share the executor.

@@ -43,6 +43,9 @@ struct JobTimes {
 // meshes): the oldest whose own memory is available goes first, one at a time,
 // up to 256 of them. If there is none, no memory will come back, and the job is
 // abandoned.
+//
+// A running job of kPrepare gives way when others wait, so its thread counts as
+// free for them.
 class Scheduler {
  public:
   using JobId = uint64_t;
@@ -95,6 +98,7 @@ class Scheduler {
   // Waits until no job runs or waits. False when `limit` passed first.
   bool WaitIdle(std::chrono::milliseconds limit);
 
+  // Of all priorities.
   size_t running() const;
   size_t queued() const;
   // Threads beyond those that running and waiting jobs take.
@@ -108,6 +112,10 @@ class Scheduler {
 
   // The rest REQUIRES: mutex_ held.
 
+  // Threads that no job has, or one that gives way.
+  size_t FreeThreads() const {
+    return max_running_ - running_.size() + giving_way_;
+  }
   // `runs_at_once`: the job needs no place if a thread is free for it.
   absl::Status CheckRoom(const std::string& client, bool runs_at_once) const;
   // Takes the memory of a job. Errors: as Job::reserve.
@@ -132,7 +140,8 @@ class Scheduler {
   // Guarded by mutex_:
   JobQueue queue_;
   std::map<JobId, std::stop_source> running_;
-  size_t workers_ = 0;  // tasks on the executor; <= max_running_
+  size_t giving_way_ = 0;  // of running_, those of kPrepare
+  size_t workers_ = 0;     // tasks on the executor; <= max_running_
   uint64_t next_number_ = 0;
   bool draining_ = false;
   bool stopped_ = false;

@@ -50,6 +50,7 @@ struct MeshDescription {
   MeshSummary summary;
   uint64_t resident_bytes = 0;  // 0: not in memory
   uint64_t stored_bytes = 0;    // 0: not on disk
+  uint32_t landmarks = 0;       // in memory
 };
 
 struct ResidentMesh {

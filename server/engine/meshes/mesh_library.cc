@@ -40,7 +40,9 @@ MeshLibrary::MeshLibrary(const Limits& limits, const Clock& clock,
       scheduler_(scheduler),
       upload_memory_(std::move(upload_memory)),
       removed_(std::move(removed)),
-      store_(limits.mesh_store_bytes),
+      landmarks_(limits.landmark_memory_bytes),
+      store_(limits.mesh_store_bytes,
+             [this](const std::string& digest) { landmarks_.Erase(digest); }),
       uploads_(scheduler, clock, limits.progress_interval),
       loads_(scheduler, clock, limits.progress_interval) {}
 
@@ -64,6 +66,7 @@ std::optional<MeshDescription> MeshLibrary::Find(const std::string& digest) {
   std::optional<MeshDescription> mesh = catalogue_->Describe(digest);
   if (mesh && resident != nullptr) {
     mesh->resident_bytes = resident->mesh->resident_bytes();
+    mesh->landmarks = landmarks_.CountOf(digest);
   }
   return mesh;
 }
@@ -147,6 +150,7 @@ absl::StatusOr<MeshPage> MeshLibrary::List(int page_size,
                                                &MeshDescription::digest);
     if (mesh != meshes.end() && mesh->digest == resident.digest) {
       mesh->resident_bytes = resident.resident_bytes;
+      mesh->landmarks = landmarks_.CountOf(mesh->digest);
     }
   }
   if (meshes.size() > count) {

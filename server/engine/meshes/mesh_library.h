@@ -24,6 +24,7 @@
 #include "server/engine/base/limits.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/shared_jobs.h"
+#include "server/engine/meshes/landmark_store.h"
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_store.h"
@@ -143,6 +144,9 @@ class MeshLibrary {
   uint64_t meshes_built() const { return meshes_built_; }
   uint64_t meshes_loaded() const { return meshes_loaded_; }  // from disk
   const MeshStore& store() const { return store_; }
+  // Of meshes in memory; they go with their meshes.
+  LandmarkStore& landmarks() { return landmarks_; }
+  const LandmarkStore& landmarks() const { return landmarks_; }
   const MeshLoads& loads() const { return loads_; }
 
  private:
@@ -195,6 +199,7 @@ class MeshLibrary {
   Scheduler& scheduler_;
   const std::shared_ptr<ByteBudget> upload_memory_;
   const std::function<void(const std::string&)> removed_;
+  LandmarkStore landmarks_;
   MeshStore store_;
   MeshCatalogue* catalogue_ = &store_;
   UploadJobs uploads_;

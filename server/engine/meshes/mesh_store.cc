@@ -16,9 +16,13 @@ uint64_t ChargeOf(uint64_t mesh_bytes) {
 
 }  // namespace
 
-MeshStore::MeshStore(uint64_t capacity)
+MeshStore::MeshStore(uint64_t capacity,
+                     std::function<void(const std::string&)> dropped)
     : meshes_("mesh store", capacity,
-              [this](const std::string& digest) { ForgetFiles(digest); }) {}
+              [this, dropped = std::move(dropped)](const std::string& digest) {
+                ForgetFiles(digest);
+                if (dropped) dropped(digest);
+              }) {}
 
 std::optional<MeshDescription> MeshStore::Describe(const std::string& digest) {
   const MeshHandle mesh = Find(digest);

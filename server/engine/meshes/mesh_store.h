@@ -5,6 +5,7 @@
 #define GEODESIC_SERVER_ENGINE_MESHES_MESH_STORE_H_
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,10 +24,17 @@ using MeshHandle = std::shared_ptr<const ResidentMesh>;
 // Thread-safe. See LruStore for what is kept and what is evicted.
 class MeshStore final : public MeshCatalogue {
  public:
-  explicit MeshStore(uint64_t capacity);
+  // `dropped` is called for each mesh that leaves memory, as LruStore says.
+  explicit MeshStore(uint64_t capacity,
+                     std::function<void(const std::string&)> dropped = nullptr);
 
   // Null when not resident; marks the mesh as used.
   MeshHandle Find(const std::string& digest) { return meshes_.Find(digest); }
+
+  // Whether it is resident; marks nothing as used.
+  bool Holds(const std::string& digest) const {
+    return meshes_.Peek(digest) != nullptr;
+  }
 
   std::optional<MeshDescription> Describe(const std::string& digest) override;
   std::vector<MeshDescription> List(const std::string& after,

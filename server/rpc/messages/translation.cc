@@ -381,6 +381,7 @@ v1::Mesh ToProto(const MeshDescription& mesh) {
   proto.set_anisotropy(summary.anisotropy);
   proto.set_resident_bytes(mesh.resident_bytes);
   proto.set_stored_bytes(mesh.stored_bytes);
+  proto.set_landmark_count(mesh.landmarks);
   proto.set_non_manifold_edge_count(summary.non_manifold_edges);
   proto.set_non_manifold_vertex_count(summary.non_manifold_vertices);
   proto.set_inconsistent_edge_count(summary.inconsistent_edges);

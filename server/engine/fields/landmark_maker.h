@@ -1,0 +1,99 @@
+// Makes landmarks of meshes when the scheduler has nothing else to do.
+//
+//   LandmarksHandle landmarks = maker.Wanted(mesh);  // those of now, or null
+//
+// A step computes the field of one landmark, and is put off within
+// milliseconds when a job waits. One mesh has its turn at a time.
+
+#ifndef GEODESIC_SERVER_ENGINE_FIELDS_LANDMARK_MAKER_H_
+#define GEODESIC_SERVER_ENGINE_FIELDS_LANDMARK_MAKER_H_
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/computation.h"
+#include "geodesic/landmarks.h"
+#include "geodesic/solve_options.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/fields/start_function.h"
+#include "server/engine/jobs/scheduler.h"
+#include "server/engine/meshes/landmark_store.h"
+#include "server/engine/meshes/mesh_library.h"
+
+namespace geodesic::server {
+
+// Thread-safe. No call waits for a job.
+class LandmarkMaker {
+ public:
+  // REQUIRES: the references outlive the object, and `scheduler` has no job
+  // left when it is destroyed.
+  LandmarkMaker(const SolveOptions& options, Scheduler& scheduler,
+                std::shared_ptr<ByteBudget> solver_memory, StartFunction start,
+                MeshLibrary& meshes);
+
+  // Says that a question about the mesh would be faster with landmarks, and
+  // returns those there are, perhaps null. If more would help, they are made
+  // later. Does not pin the mesh for that.
+  LandmarksHandle Wanted(const MeshHandle& mesh);
+
+  // Landmarks computed since the start.
+  uint64_t made() const { return made_; }
+
+ private:
+  struct Turn {
+    std::string digest;
+    std::weak_ptr<const ResidentMesh> mesh;
+  };
+  // The field of the next landmark. It can wait between steps.
+  struct Field {
+    MeshHandle mesh;  // pinned for the computation
+    ByteReservation memory;
+    std::unique_ptr<Computation> computation;
+  };
+  // What has been made of the mesh whose turn it is.
+  struct Work {
+    ByteReservation room;  // of the landmark memory
+    std::optional<Landmarks> landmarks;
+    std::optional<Field> field;
+  };
+
+  void Enqueue(const MeshHandle& mesh);
+  // REQUIRES: mutex_ held, turns_ not empty.
+  void SubmitStep();
+  void RunStep(const std::stop_token& stop);
+
+  // These are called by the job alone.
+
+  // Whether there is more to do. Errors: the landmarks cannot be made now.
+  absl::StatusOr<bool> Step(const MeshHandle& mesh,
+                            const std::stop_token& stop);
+  absl::Status Begin(const ResidentMesh& mesh);
+  absl::Status StartField(const MeshHandle& mesh);
+  void Publish(const ResidentMesh& mesh);
+
+  const SolveOptions options_;
+  const StartFunction start_;
+  const std::shared_ptr<ByteBudget> solver_memory_;
+  Scheduler& scheduler_;
+  MeshLibrary& meshes_;
+  std::atomic<uint64_t> made_ = 0;
+
+  std::mutex mutex_;
+  // Guarded by mutex_: the meshes that wait; while there are any, a job works
+  // on the first.
+  std::deque<Turn> turns_;
+
+  Work work_;  // the job's
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_FIELDS_LANDMARK_MAKER_H_

@@ -1,0 +1,244 @@
+// Landmarks are made in time that nobody needs, and go before anything else.
+
+#include "server/engine/fields/landmark_maker.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "server/engine/base/status_details.h"
+#include "tests/engine/engine_fixture.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/planar_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+using test::EngineTest;
+using test::RecordingObserver;
+
+class LandmarkMakerTest : public EngineTest {
+ protected:
+  explicit LandmarkMakerTest(Limits limits = SmallLimits())
+      : EngineTest(limits) {}
+
+  void SetUp() override { mesh_ = Make(geodesic::test::Icosphere(3)); }
+
+  MeshHandle Make(const TriangleSoup& soup) {
+    const auto uploaded = Upload(soup);
+    EXPECT_TRUE(uploaded.ok()) << uploaded.status();
+    return *engine_.meshes().Get(uploaded->mesh.digest);
+  }
+
+  LandmarksHandle Wanted() { return engine_.landmarks().Wanted(mesh_); }
+  uint32_t Count() const {
+    return engine_.meshes().landmarks().CountOf(mesh_->digest);
+  }
+  uint64_t Used() const { return engine_.meshes().landmarks().used_bytes(); }
+
+  absl::StatusOr<FieldCall> AskForField(uint32_t vertex) {
+    return engine_.fields().Compute(
+        {.mesh_digest = mesh_->digest,
+         .query = {.sources = {{VertexPoint{vertex}}}}},
+        observer_);
+  }
+
+  // Calls `then` at the first poll of each computation.
+  void AtEachStart(std::function<void(const ValidQuery&)> then) {
+    start_ = [then = std::move(then)](const Mesh& mesh, const ValidQuery& query,
+                                      const SolveOptions& options) {
+      then(query);
+      return StartComputation(mesh, query, options);
+    };
+  }
+
+  MeshHandle mesh_;
+  std::shared_ptr<RecordingObserver> observer_ =
+      std::make_shared<RecordingObserver>();
+};
+
+TEST_F(LandmarkMakerTest, TheFirstQuestionGetsNoneAndLaterOnesAll) {
+  EXPECT_EQ(Count(), 0);
+  executor_.RunAll();
+  EXPECT_EQ(Count(), 0) << "nobody wanted any";
+  EXPECT_EQ(Wanted(), nullptr);
+  executor_.RunAll();
+  const LandmarksHandle made = Wanted();
+  ASSERT_NE(made, nullptr);
+  EXPECT_EQ(made->count(), Landmarks::kMost);
+  EXPECT_EQ(executor_.size(), 0) << "there are enough";
+  EXPECT_EQ(engine_.landmarks().made(), Landmarks::kMost);
+  EXPECT_EQ(engine_.solver_memory().used(), 0);
+
+  // They are those of the library.
+  NoCheckpoint checkpoint;
+  const auto expected =
+      MakeLandmarks(*mesh_->mesh, Landmarks::kMost, {}, checkpoint);
+  for (uint32_t v = 0; v < mesh_->mesh->vertex_count(); ++v) {
+    ASSERT_EQ(made->rows()[v].distances, expected->rows()[v].distances);
+  }
+}
+
+TEST_F(LandmarkMakerTest, SomeAreOfUseBeforeAllAreMade) {
+  Wanted();
+  std::vector<uint32_t> counts;
+  while (executor_.RunOne()) counts.push_back(Count());
+  EXPECT_EQ(counts, (std::vector<uint32_t>{1, 2, 2, 4, 4, 4, 4, 8, 8, 8, 8, 8,
+                                           8, 8, 8, 16}));
+}
+
+TEST_F(LandmarkMakerTest, AMeshOfFewVerticesHasFewLandmarks) {
+  mesh_ = Make(test::Tetrahedron());
+  Wanted();
+  executor_.RunAll();
+  EXPECT_EQ(Count(), 4);
+  EXPECT_EQ(Wanted()->count(), 4);
+  EXPECT_EQ(executor_.size(), 0);
+}
+
+TEST_F(LandmarkMakerTest, AQuestionThatComesInAStepGoesFirst) {
+  int started = 0;
+  AtEachStart([&](const ValidQuery&) {
+    if (++started == 1) {
+      EXPECT_TRUE(AskForField(5).ok());
+    }
+  });
+  Wanted();
+  executor_.RunOne();
+  EXPECT_EQ(Count(), 0) << "the step is put off";
+  executor_.RunOne();
+  EXPECT_EQ(observer_->calls, 1);
+  executor_.RunAll();
+  EXPECT_EQ(Count(), Landmarks::kMost);
+  EXPECT_EQ(started, 1 + int{Landmarks::kMost}) << "no step began anew";
+}
+
+TEST_F(LandmarkMakerTest, AJobGetsTheMemoryOfAStepThatWasPutOff) {
+  int started = 0;
+  bool has_run = false;
+  AtEachStart([&](const ValidQuery&) {
+    if (++started != 1) return;
+    Job job{.abandon = [](const absl::Status& why) { FAIL() << why; }};
+    job.reserve = [this] {
+      return engine_.solver_memory().used() == 0
+                 ? absl::OkStatus()
+                 : WithRetryAfter(absl::ResourceExhaustedError("all of it"),
+                                  std::chrono::milliseconds(1));
+    };
+    job.run = [&](const std::stop_token&) { has_run = true; };
+    EXPECT_TRUE(engine_.scheduler().Submit(std::move(job)).ok());
+  });
+  Wanted();
+  executor_.RunOne();
+  EXPECT_GT(engine_.solver_memory().used(), 0) << "the step is put off";
+  executor_.RunAll();
+  EXPECT_TRUE(has_run);
+  EXPECT_EQ(Count(), Landmarks::kMost);
+  EXPECT_EQ(started, 2 + int{Landmarks::kMost} - 1) << "one step began anew";
+}
+
+TEST_F(LandmarkMakerTest, TheyGoWithTheirMesh) {
+  Wanted();
+  executor_.RunAll();
+  EXPECT_GT(Used(), 0);
+  EXPECT_TRUE(Delete(mesh_->digest).ok());
+  EXPECT_EQ(Used(), 0);
+  EXPECT_EQ(Count(), 0);
+}
+
+TEST_F(LandmarkMakerTest, NoMoreAreMadeOfAMeshThatIsGone) {
+  int started = 0;
+  AtEachStart([&](const ValidQuery&) {
+    if (++started == 2) {
+      EXPECT_TRUE(Delete(mesh_->digest).ok());
+    }
+  });
+  Wanted();
+  executor_.RunAll();
+  EXPECT_EQ(started, 2);
+  EXPECT_EQ(engine_.landmarks().made(), 1);
+  EXPECT_EQ(Used(), 0);
+  EXPECT_EQ(engine_.solver_memory().used(), 0);
+}
+
+TEST_F(LandmarkMakerTest, AMeshThatWaitsIsNotPinned) {
+  Wanted();
+  const std::weak_ptr<const ResidentMesh> mesh = mesh_;
+  EXPECT_TRUE(engine_.meshes().Delete(mesh_->digest, [](const auto&) {}).ok());
+  mesh_ = nullptr;
+  EXPECT_TRUE(mesh.expired());
+  executor_.RunAll();
+  EXPECT_EQ(engine_.landmarks().made(), 0);
+}
+
+TEST_F(LandmarkMakerTest, ADrainWaitsForNone) {
+  AtEachStart([&](const ValidQuery&) { engine_.scheduler().BeginDrain(); });
+  Wanted();
+  executor_.RunAll();
+  EXPECT_EQ(engine_.landmarks().made(), 0);
+  EXPECT_TRUE(engine_.scheduler().WaitIdle(std::chrono::milliseconds(0)));
+  EXPECT_EQ(Used(), 0);
+}
+
+class NoQueueTest : public LandmarkMakerTest {
+ protected:
+  static Limits NoQueue() {
+    Limits limits = SmallLimits();
+    limits.max_queued_jobs = 0;
+    return limits;
+  }
+  NoQueueTest() : LandmarkMakerTest(NoQueue()) {}
+};
+
+TEST_F(NoQueueTest, AStepTakesNobodysThread) {
+  int started = 0;
+  AtEachStart([&](const ValidQuery&) {
+    if (++started == 1) {
+      const auto call = AskForField(5);
+      EXPECT_TRUE(call.ok()) << call.status();
+    }
+  });
+  Wanted();
+  executor_.RunAll();
+  EXPECT_EQ(observer_->calls, 1);
+  EXPECT_EQ(Count(), Landmarks::kMost);
+}
+
+// Room for the landmarks of one mesh while they are made, and no more.
+class LittleMemoryTest : public LandmarkMakerTest {
+ protected:
+  static Limits LittleMemory() {
+    Limits limits = SmallLimits();
+    limits.landmark_memory_bytes = 90 << 10;
+    return limits;
+  }
+  LittleMemoryTest() : LandmarkMakerTest(LittleMemory()) {}
+};
+
+TEST_F(LittleMemoryTest, TheLeastRecentlyUsedGoFirst) {
+  const MeshHandle first = mesh_;
+  Wanted();
+  executor_.RunAll();
+  EXPECT_EQ(Count(), Landmarks::kMost);
+  mesh_ = Make(geodesic::test::Torus({.around = 30, .across = 30}));
+  Wanted();
+  executor_.RunAll();
+  EXPECT_EQ(Count(), Landmarks::kMost);
+  EXPECT_EQ(engine_.meshes().landmarks().CountOf(first->digest), 0);
+  EXPECT_LE(Used(), 90 << 10);
+}
+
+TEST_F(LittleMemoryTest, WhatCanNeverFitIsNotBegun) {
+  mesh_ = Make(geodesic::test::Icosphere(4));
+  EXPECT_EQ(Wanted(), nullptr);
+  EXPECT_EQ(executor_.size(), 0);
+}
+
+}  // namespace
+}  // namespace geodesic::server
