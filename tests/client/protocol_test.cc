@@ -15,6 +15,7 @@
 #include "geodesic/v1/field_service.pb.h"
 #include "geodesic/v1/matrix_service.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
+#include "geodesic/v1/pair_service.pb.h"
 #include "geodesic/v1/path_service.pb.h"
 #include "geodesic_client/errors.h"
 #include "geodesic_client/field.h"
