@@ -60,7 +60,7 @@ constexpr std::array<const char*, 5> kOthers = {
 // How far one of them is from the searches without landmarks.
 struct Comparison {
   uint64_t same_bits = 0;
-  double largest = 0;  // relative difference
+  double largest = 0;  // relative difference; of short ones only if wrong
   uint64_t wrong = 0;
 };
 
@@ -137,7 +137,8 @@ class Subject {
     // Lengths are known no better than the rounding of coordinates.
     const bool is_near = apart <= kPairTolerance * expected + 4 * rounding_ &&
                          std::isfinite(expected);
-    if (apart > 4 * rounding_ || !is_near) {
+    constexpr double kShort = 1e4;
+    if (expected > kShort * rounding_ || !is_near) {
       comparison.largest = std::max(comparison.largest, apart / expected);
     }
     if (is_near) return;
