@@ -191,6 +191,16 @@ double Edit(TriangleSoup& soup, uint32_t size, Random& random,
   return stretched;
 }
 
+// Lengths near the origin shrink with this power of the distance from it, those
+// at `size` from it stay.
+void DrawIn(TriangleSoup& soup, double size, double power) {
+  for (Point& p : soup.positions) {
+    const double factor =
+        std::pow(std::hypot(p[0] / size, p[1] / size, p[2] / size), power);
+    for (double& c : p) c *= factor;
+  }
+}
+
 TriangleSoup DrawFlatSaddles(Random& random) {
   const double excess = std::pow(10, random.Uniform(-16, -2));
   switch (random.Below(3)) {
@@ -240,7 +250,7 @@ Scene DrawVariation(const Scene& scene, Random& random) {
   Scene varied{.description = scene.description + "; then",
                .soup = scene.soup,
                .stretched = scene.stretched};
-  switch (random.Below(4)) {
+  switch (random.Below(5)) {
     case 0: {
       varied.description += " far from the origin";
       const double far = scene.size() * std::pow(10, random.Uniform(0, 9));
@@ -255,6 +265,10 @@ Scene DrawVariation(const Scene& scene, Random& random) {
                                 OneIn(2, random) ? 1e-100 : 1e100);
       break;
     case 2:
+      varied.description += " drawn in towards the origin";
+      DrawIn(varied.soup, scene.size(), random.Uniform(1, 20));
+      break;
+    case 3:
       varied.description += " a strip";
       varied.stretched = 1;
       varied.soup = test::MakeGrid(

@@ -42,8 +42,8 @@ struct Scene {
 // What Mesh::Build refuses comes without a mesh.
 Scene DrawScene(test::Random& random);
 
-// The scene far from the origin, much smaller or much larger; or a strip or
-// flat saddles in its place.
+// The scene far from the origin, much smaller, much larger, or with ever
+// shorter edges towards the origin; or a strip or flat saddles in its place.
 Scene DrawVariation(const Scene& scene, test::Random& random);
 
 // Of the algorithms that are quick enough for the scene.
