@@ -126,7 +126,8 @@ class ListRule {
   struct Queued {
     double label;  // the least the half-edge is queued with
     WaitingLists lists = {};
-    uint32_t member = 0;  // who has handed on the latest
+    WaitingLists last = {};  // of the chains
+    uint32_t member = 0;     // who has handed on the latest
     HalfEdge half_edge = kNoHalfEdge;
   };
   // One of the round.
@@ -305,9 +306,9 @@ class ListRule {
     }
     Queued& queued = queues_[waiting_[h]];
     queued.member = member;
-    WindowBlock** place = &queued.lists[from];
-    while (*place != nullptr) place = &(*place)->next;
-    *place = list;
+    WindowBlock*& first = queued.lists[from];
+    (first == nullptr ? first : queued.last[from]->next) = list;
+    queued.last[from] = list;
     created_ += count;
     pending_ += count;
     peak_ = std::max(peak_, pending_);
