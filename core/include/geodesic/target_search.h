@@ -23,6 +23,7 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/landmarks.h"
 #include "geodesic/mesh.h"
+#include "geodesic/path.h"
 #include "geodesic/valid_query.h"
 
 namespace geodesic {
@@ -31,6 +32,8 @@ struct TargetDistances {
   // One per target of the query, in the unit of the file; +infinity where no
   // path leads. As exact as those of Solve (solve.h).
   std::vector<double> distances;
+  // One per target, if the query asked for a trace. As those of PathTracer.
+  std::vector<GeodesicPath> paths;
   SolveStatistics statistics;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geodesic/computation.h"
+#include "questions/paths/path_tracer.h"
 #include "solver/goal.h"
 #include "solver/queues/fwp_buckets.h"
 #include "solver/rules/front.h"
@@ -44,6 +45,10 @@ class TargetSearch::Impl {
     for (size_t t = 0; t < front_.targets().size(); ++t) {
       found.distances.push_back(ToFileUnit(DistanceTo(t)));
     }
+    if (query->trace) {
+      status = TracePaths(query, found);
+      if (!status.ok()) return status;
+    }
     found.statistics.iterations = queue_.iterations();
     found.statistics.windows_created = rule_.created();
     found.statistics.peak_windows = rule_.peak_windows();
@@ -62,8 +67,19 @@ class TargetSearch::Impl {
     absl::Status status =
         (*computation)->Advance({.targets = query->targets.size()}, checkpoint);
     if (!status.ok()) return status;
-    DistanceField field = (*computation)->Field();
-    return TargetDistances{std::move(field.target_distances), field.statistics};
+    const DistanceField field = (*computation)->Field();
+    TargetDistances found{.distances = field.target_distances,
+                          .statistics = field.statistics};
+    if (!query->trace) return found;
+    const absl::StatusOr<PathTracer> tracer =
+        PathTracer::Create(mesh_, query, field);
+    if (!tracer.ok()) return tracer.status();
+    for (uint32_t t = 0; t < found.distances.size(); ++t) {
+      absl::StatusOr<GeodesicPath> path = tracer->ToTarget(t);
+      if (!path.ok()) return path.status();
+      found.paths.push_back(*std::move(path));
+    }
+    return found;
   }
 
   uint64_t bytes() const {
@@ -81,7 +97,7 @@ class TargetSearch::Impl {
     statistics_ = {};
     rule_.Clear();
     queue_.Clear();
-    front_.Restart(query->targets);
+    front_.Restart(*query);
     front_.goal().Aim(query->targets, landmarks);
     DirectSink sink(front_, rule_);
     for (const Anchor& anchor : AnchorsOf(query))
@@ -112,6 +128,29 @@ class TargetSearch::Impl {
           std::max(statistics_.peak_wavefront, rule_.pending());
     }
     return Poll(checkpoint);
+  }
+
+  // To the targets whose distances were found.
+  absl::Status TracePaths(const ValidQuery& query, TargetDistances& found) {
+    std::vector<double> distances;
+    std::vector<Arrival> arrivals;
+    for (size_t t = 0; t < front_.targets().size(); ++t) {
+      distances.push_back(DistanceTo(t));
+      arrivals.push_back(
+          front_.targets().ArrivalAt(t, front_.distances(), front_.arrivals()));
+    }
+    const TracedField field(mesh_, query,
+                            {.vertices = front_.distances(),
+                             .targets = distances,
+                             .vertex_arrivals = front_.arrivals(),
+                             .target_arrivals = arrivals});
+    for (uint32_t t = 0; t < distances.size(); ++t) {
+      absl::StatusOr<GeodesicPath> path =
+          TracePath(field, field.Target(t), found.distances[t]);
+      if (!path.ok()) return path.status();
+      found.paths.push_back(*std::move(path));
+    }
+    return absl::OkStatus();
   }
 
   absl::Status Poll(Checkpoint& checkpoint) {

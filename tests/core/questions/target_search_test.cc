@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "tests/core/questions/path_check.h"
 #include "tests/support/checkpoints.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/field_check.h"
@@ -134,6 +135,39 @@ TEST(TargetSearch, FindsWhatFieldsSayBetweenAllKindsOfPoints) {
         query.targets.push_back(RandomSurfacePoint(named.soup, random));
       }
       search.ExpectRight(query, landmarks);
+    }
+  }
+}
+
+TEST(TargetSearch, TracesShortestPaths) {
+  Random random(5);
+  for (const NamedMesh& named : Surfaces()) {
+    SCOPED_TRACE(named.name);
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    TargetSearch search(*mesh);
+    NoCheckpoint checkpoint;
+    for (int i = 0; i < 6; ++i) {
+      const ValidQuery query =
+          Valid(*mesh, {.sources = {{RandomSurfacePoint(named.soup, random)}},
+                        .targets = {RandomSurfacePoint(named.soup, random),
+                                    RandomSurfacePoint(named.soup, random)},
+                        .trace = i != 2});
+      const absl::StatusOr<TargetDistances> found =
+          search.Run(query, nullptr, checkpoint);
+      ASSERT_TRUE(found.ok()) << found.status();
+      if (!query->trace) {
+        EXPECT_TRUE(found->paths.empty());
+        continue;
+      }
+      ASSERT_EQ(found->paths.size(), 2);
+      for (size_t t = 0; t < 2; ++t) {
+        EXPECT_EQ(found->paths[t].distance, found->distances[t]);
+        if (std::isinf(found->distances[t])) continue;
+        EXPECT_TRUE(IsShortestPath(
+            *mesh, found->paths[t], PointOf(query->sources[0]),
+            query->targets[t], found->distances[t], {.check_bends = false}))
+            << "to " << Name(query->targets[t]);
+      }
     }
   }
 }

@@ -1,3 +1,5 @@
+#include "questions/paths/path_tracer.h"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -18,7 +20,8 @@ absl::Status OutOfRange(const char* name, uint32_t number, const char* owner,
                    count, " ", what, ", numbered from 0"));
 }
 
-// `distance`: the field's at `end`.
+}  // namespace
+
 absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
                                        double distance) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -49,8 +52,6 @@ absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
   return absl::InternalError("the trace leads in circles");
 }
 
-}  // namespace
-
 PathTracer::PathTracer(std::unique_ptr<const TracedField> field)
     : field_(std::move(field)) {}
 PathTracer::PathTracer(PathTracer&&) noexcept = default;
@@ -71,7 +72,7 @@ absl::StatusOr<GeodesicPath> PathTracer::ToVertex(uint32_t vertex) const {
     return OutOfRange("vertex", vertex, "mesh", count, "vertices");
   }
   return TracePath(*field_, field_->Vertex(vertex),
-                   field_->field().distances[vertex]);
+                   field_->distances().vertices[vertex]);
 }
 
 absl::StatusOr<GeodesicPath> PathTracer::ToTarget(uint32_t target) const {
@@ -80,7 +81,7 @@ absl::StatusOr<GeodesicPath> PathTracer::ToTarget(uint32_t target) const {
     return OutOfRange("target", target, "query", count, "targets");
   }
   return TracePath(*field_, field_->Target(target),
-                   field_->field().target_distances[target]);
+                   field_->distances().targets[target]);
 }
 
 }  // namespace geodesic

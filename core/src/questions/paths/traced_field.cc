@@ -48,7 +48,12 @@ absl::StatusOr<TracedField> TracedField::Create(const Mesh& mesh,
   status.Update(CheckSize(field.target_arrivals.size(), query->targets.size(),
                           "arrivals at targets"));
   if (!status.ok()) return status;
-  TracedField traced(mesh, query, field);
+  TracedField traced(mesh, query,
+                     {.vertices = field.distances,
+                      .targets = field.target_distances,
+                      .vertex_arrivals = field.arrivals,
+                      .target_arrivals = field.target_arrivals,
+                      .exponent = mesh.scale_exponent()});
   status.Update(CheckArrivals(field.arrivals, mesh, traced.anchors_.size()));
   status.Update(
       CheckArrivals(field.target_arrivals, mesh, traced.anchors_.size()));
@@ -57,7 +62,7 @@ absl::StatusOr<TracedField> TracedField::Create(const Mesh& mesh,
 }
 
 double TracedField::Scaled(double distance) const {
-  return std::ldexp(distance, -mesh_->scale_exponent());
+  return std::ldexp(distance, -distances_.exponent);
 }
 
 }  // namespace geodesic

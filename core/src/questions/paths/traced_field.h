@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -24,7 +25,14 @@ struct PathEnd {
   Arrival arrival;
 };
 
-// Refers to the mesh and the field. Thread-safe.
+// Where a field lies: its distances times 2^-exponent are in the scaled unit.
+struct TracedDistances {
+  std::span<const double> vertices, targets;
+  std::span<const Arrival> vertex_arrivals, target_arrivals;
+  int exponent = 0;
+};
+
+// Refers to the mesh and the distances. Thread-safe.
 class TracedField {
  public:
   // Errors: INVALID_ARGUMENT: a field without trace, or of another mesh or
@@ -32,22 +40,32 @@ class TracedField {
   static absl::StatusOr<TracedField> Create(const Mesh& mesh,
                                             const ValidQuery& query,
                                             const DistanceField& field);
+  // REQUIRES: they are those of a computation of this query on this mesh.
+  TracedField(const Mesh& mesh, const ValidQuery& query,
+              const TracedDistances& distances)
+      : mesh_(&mesh),
+        query_(query),
+        distances_(distances),
+        anchors_(AnchorsOf(query)),
+        rounding_(Scaled(std::numeric_limits<double>::denorm_min())) {}
 
   const Mesh& mesh() const { return *mesh_; }
-  const DistanceField& field() const { return *field_; }
+  const TracedDistances& distances() const { return distances_; }
   const std::vector<SurfacePoint>& targets() const { return query_->targets; }
 
   // In the scaled unit; +infinity if no path leads there.
   double VertexDistance(uint32_t v) const {
-    return Scaled(field_->distances[v]);
+    return Scaled(distances_.vertices[v]);
   }
-  const Arrival& VertexArrival(uint32_t v) const { return field_->arrivals[v]; }
+  const Arrival& VertexArrival(uint32_t v) const {
+    return distances_.vertex_arrivals[v];
+  }
   PathEnd Vertex(uint32_t v) const {
     return {VertexPoint{v}, VertexDistance(v), VertexArrival(v)};
   }
   PathEnd Target(uint32_t t) const {
-    return {targets()[t], Scaled(field_->target_distances[t]),
-            field_->target_arrivals[t]};
+    return {targets()[t], Scaled(distances_.targets[t]),
+            distances_.target_arrivals[t]};
   }
 
   // Whether a pseudo-source is a vertex; otherwise it is an anchor.
@@ -65,19 +83,11 @@ class TracedField {
   double rounding() const { return rounding_; }
 
  private:
-  TracedField(const Mesh& mesh, const ValidQuery& query,
-              const DistanceField& field)
-      : mesh_(&mesh),
-        query_(query),
-        field_(&field),
-        anchors_(AnchorsOf(query)),
-        rounding_(Scaled(std::numeric_limits<double>::denorm_min())) {}
-
   double Scaled(double distance) const;
 
   const Mesh* mesh_;
   ValidQuery query_;
-  const DistanceField* field_;
+  TracedDistances distances_;
   std::vector<Anchor> anchors_;
   double rounding_;
 };

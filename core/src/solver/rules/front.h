@@ -60,19 +60,22 @@ class Front {
     if (!mesh.HasCollapsedFaces()) incoming_.resize(mesh.vertex_count());
   }
 
-  // Forgets all, and begins with other targets. O(vertices reached).
-  void Restart(std::span<const SurfacePoint> targets) {
+  // Forgets all, and begins with the targets of another query. O(vertices
+  // reached); the first time with a trace O(V).
+  void Restart(const Query& query) {
     for (const uint32_t v : reached_list_) {
       distances_[v] = std::numeric_limits<double>::infinity();
       states_[v] = 0;
       if (!incoming_.empty()) incoming_[v] = {};
+      if (!arrivals_.empty()) arrivals_[v] = {};
     }
+    if (query.trace) arrivals_.resize(mesh_.vertex_count());
     reached_list_.clear();
     distances_.resize(mesh_.vertex_count());
     anchor_places_.clear();
     has_free_anchor_ = false;
     reached_ = 0;
-    targets_ = Targets(mesh_, targets);
+    targets_ = Targets(mesh_, query.targets);
   }
 
   const Mesh& mesh() const { return mesh_; }

@@ -1,0 +1,19 @@
+// Following a whole shortest path back, for PathTracer and TargetSearch.
+
+#ifndef GEODESIC_QUESTIONS_PATHS_PATH_TRACER_H_
+#define GEODESIC_QUESTIONS_PATHS_PATH_TRACER_H_
+
+#include "absl/status/statusor.h"
+#include "geodesic/path.h"
+#include "questions/paths/traced_field.h"
+
+namespace geodesic {
+
+// `distance`: the field's at `end`, in the unit of the file. O(edges crossed).
+// Errors: INTERNAL: the trace does not lead back.
+absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
+                                       double distance);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_QUESTIONS_PATHS_PATH_TRACER_H_
