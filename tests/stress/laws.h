@@ -31,8 +31,8 @@ void CheckQuestionLaws(const Scene& scene, test::Random& random,
                        Report& report);
 
 // Searches for targets, with landmarks and without, one after the other on the
-// same memory, say what fields say, both ways. On the scene and on a variation
-// of it.
+// same memory, say what fields say, both ways, and their paths are shortest. On
+// the scene and on a variation of it.
 void CheckPairLaws(const Scene& scene, test::Random& random, Report& report);
 
 }  // namespace geodesic::stress

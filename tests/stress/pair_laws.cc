@@ -8,6 +8,7 @@
 #include "geodesic/target_search.h"
 #include "tests/stress/answers.h"
 #include "tests/stress/laws.h"
+#include "tests/stress/path_check.h"
 #include "tests/support/queries.h"
 #include "tests/support/surface_points.h"
 
@@ -103,6 +104,10 @@ class PairLaws {
     check("landmarks change nothing", with_landmarks);
     check("targets are found together", Find(query, none_));
     check("targets are found together with landmarks", Find(query, some_));
+    Query traced = query;
+    traced.trace = true;
+    CheckEqual("a trace changes nothing", query, Find(query, some_),
+               Find(traced, some_), 0, report_, 0);
     Query other = query;
     other.algorithm = DrawAlgorithm(scene_, random_);
     CheckEqual("a search says what fields of others say", other, Field(other),
@@ -118,7 +123,8 @@ class PairLaws {
     return all;
   }
 
-  // One distance for each target, in any case.
+  // One distance for each target, in any case. Checks the paths of a query with
+  // a trace.
   std::vector<double> Find(const Query& query, const Landmarks& landmarks) {
     NoCheckpoint checkpoint;
     const absl::StatusOr<TargetDistances> found =
@@ -127,6 +133,10 @@ class PairLaws {
     if (!report_.Check(found.ok(), "a search ends", found.status(), ", ",
                        Name(query))) {
       return std::vector<double>(query.targets.size());
+    }
+    for (size_t t = 0; t < found->paths.size(); ++t) {
+      CheckPath(scene_, query, found->paths[t], query.targets[t],
+                found->distances[t], report_);
     }
     return found->distances;
   }
