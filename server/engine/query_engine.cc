@@ -154,7 +154,7 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
       landmarks_(solve_options_, scheduler_, solver_memory_, start_, meshes_),
       solo_jobs_(clock, scheduler_, solver_memory_, limits.progress_interval),
       pairs_(limits_, solve_options_, clock, scheduler_, solo_jobs_,
-             solver_memory_, start_, meshes_, fields_),
+             solver_memory_, start_, meshes_, fields_, landmarks_),
       scheduler_(executor, limits.max_concurrent_jobs, limits.max_queued_jobs,
                  limits.max_queued_jobs_per_client) {}
 

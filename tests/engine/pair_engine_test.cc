@@ -80,6 +80,15 @@ class PairEngineTest : public test::EngineTest {
   PairCall call_;
 };
 
+TEST_F(PairEngineTest, HasLandmarksMadeForLaterQuestions) {
+  ASSERT_TRUE(Ask({{VertexPoint{0}, VertexPoint{99}}}).ok());
+  EXPECT_EQ(call_.work->landmarks, nullptr);
+  executor_.RunAll();
+  ASSERT_TRUE(Ask({{VertexPoint{0}, VertexPoint{99}}}).ok());
+  ASSERT_NE(call_.work->landmarks, nullptr);
+  EXPECT_EQ(call_.work->landmarks->count(), Landmarks::kMost);
+}
+
 TEST_F(PairEngineTest, SearchesPairsOfAnyPoints) {
   const FacePoint in_face{7, {0.2, 0.3, 0.5}};
   const EdgePoint on_edge{3, 4, 0.25};

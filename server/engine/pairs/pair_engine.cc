@@ -56,7 +56,7 @@ PairEngine::PairEngine(const Limits& limits, const SolveOptions& options,
                        const Clock& clock, Scheduler& scheduler, SoloJobs& jobs,
                        std::shared_ptr<ByteBudget> solver_memory,
                        const StartFunction& start, MeshLibrary& meshes,
-                       FieldEngine& fields)
+                       FieldEngine& fields, LandmarkMaker& landmarks)
     : limits_(limits),
       options_(options),
       scheduler_(scheduler),
@@ -64,6 +64,7 @@ PairEngine::PairEngine(const Limits& limits, const SolveOptions& options,
       start_(start),
       meshes_(meshes),
       fields_(fields),
+      landmarks_(landmarks),
       searches_(std::make_shared<SearchPool>(clock, solver_memory,
                                              limits.max_concurrent_jobs)) {
   solver_memory->OnShortage([searches = std::weak_ptr<SearchPool>(searches_)] {
@@ -91,7 +92,7 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
                    .searches = *searches_,
                    .totals = totals_,
                    .mesh = mesh,
-                   .landmarks = nullptr,  // nobody makes them yet
+                   .landmarks = landmarks_.Wanted(mesh),
                    .pairs = std::move(request.pairs)});
   work->rows = PlanPairs(
       work->pairs,

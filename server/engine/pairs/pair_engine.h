@@ -15,6 +15,7 @@
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
+#include "server/engine/fields/landmark_maker.h"
 #include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/solo_job.h"
@@ -53,7 +54,7 @@ class PairEngine {
              const Clock& clock, Scheduler& scheduler, SoloJobs& jobs,
              std::shared_ptr<ByteBudget> solver_memory,
              const StartFunction& start, MeshLibrary& meshes,
-             FieldEngine& fields);
+             FieldEngine& fields, LandmarkMaker& landmarks);
 
   // Starts to compute the distances of all pairs; see RowPipeline for `on_row`.
   // Errors: as FieldEngine::Compute.
@@ -74,6 +75,7 @@ class PairEngine {
   const StartFunction& start_;
   MeshLibrary& meshes_;
   FieldEngine& fields_;
+  LandmarkMaker& landmarks_;
   const std::shared_ptr<SearchPool> searches_;
   PairCounter totals_;
 };
