@@ -136,6 +136,8 @@ absl::StatusOr<std::unique_ptr<DurableStore>> DurableStore::Open(
                                  options.version, options.warn);
   if (!fields.ok()) return fields.status();
   store->fields = *std::move(fields);
+  store->landmarks =
+      std::make_unique<LandmarkFiles>(store->fields->blobs(), options.version);
   return store;
 }
 
@@ -148,7 +150,10 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
       solver_memory_(std::make_shared<ByteBudget>("solver memory",
                                                   limits.solver_memory_bytes)),
       meshes_(limits_, clock, scheduler_, upload_memory_,
-              [this](const std::string& digest) { fields_.EraseMesh(digest); }),
+              [this](const std::string& digest) {
+                fields_.EraseMesh(digest);
+                landmarks_.EraseMesh(digest);
+              }),
       fields_(limits_, solve_options_, clock, scheduler_, solver_memory_,
               start_, meshes_),
       landmarks_(solve_options_, scheduler_, solver_memory_, start_, meshes_),
@@ -164,6 +169,7 @@ void QueryEngine::Attach(std::unique_ptr<DurableStore> durable) {
   durable_ = std::move(durable);
   meshes_.Attach(*durable_->meshes);
   fields_.Attach(*durable_->fields);
+  landmarks_.Attach(*durable_->landmarks);
 }
 
 absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(

@@ -29,6 +29,7 @@
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/fields/field_files.h"
+#include "server/engine/fields/landmark_files.h"
 #include "server/engine/fields/landmark_maker.h"
 #include "server/engine/fields/start_function.h"
 #include "server/engine/jobs/row_pipeline.h"
@@ -64,6 +65,7 @@ struct DurableStore {
   DataFolder folder;
   std::unique_ptr<MeshFiles> meshes;
   std::unique_ptr<FieldFiles> fields;
+  std::unique_ptr<LandmarkFiles> landmarks;  // beside the fields
 };
 
 // A question that is answered for one client alone.

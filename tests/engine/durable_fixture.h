@@ -54,7 +54,7 @@ class DurableEngineTest : public EngineActions {
     auto store = DurableStore::Open({.path = data_dir(),
                                      .mesh_bytes = limits_.mesh_disk_bytes,
                                      .field_bytes = limits_.field_disk_bytes,
-                                     .version = "1",
+                                     .version = version_,
                                      .warn = [this](const std::string& line) {
                                        warnings_.push_back(line);
                                      }});
@@ -117,6 +117,7 @@ class DurableEngineTest : public EngineActions {
                     .solver_memory_bytes = 256 * kMiB,
                     .mesh_disk_bytes = 64 * kMiB,
                     .field_disk_bytes = 16 * kMiB};
+  std::string version_ = "1";  // of the program
   geodesic::test::TemporaryFolder temporary_;
   std::vector<std::string> warnings_;
   std::function<void()> at_start_;  // of a computation

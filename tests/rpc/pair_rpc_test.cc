@@ -1,5 +1,6 @@
 // PairService: how answers are divided and requests refused.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -7,6 +8,8 @@
 #include <vector>
 
 #include "tests/rpc/questions_fixture.h"
+#include "tests/support/http_get.h"
+#include "tests/support/until.h"
 
 namespace geodesic::server {
 namespace {
@@ -82,6 +85,39 @@ TEST_F(PairRpcTest, ChunksComeInOrderWhateverAnswersThem) {
   EXPECT_EQ(trailer.pairs_searched() + trailer.pairs_from_fields(), 2000);
 }
 
+class LandmarksRpcTest : public PairRpcTest {
+ protected:
+  void SetUp() override {
+    ServerOptions options = SmallServer();
+    options.metrics_listen = "127.0.0.1:0";
+    StartWithGrid(/*held=*/false, options);
+  }
+
+  uint64_t LandmarkCount() {
+    v1::GetMeshRequest request;
+    request.set_digest(digest_);
+    v1::GetMeshResponse response;
+    grpc::ClientContext context;
+    const grpc::Status status = meshes_->GetMesh(&context, request, &response);
+    EXPECT_TRUE(status.ok()) << status.error_message();
+    return response.mesh().landmark_count();
+  }
+};
+
+TEST_F(LandmarksRpcTest, AreMadeOnceAPairWasAskedFor) {
+  EXPECT_EQ(LandmarkCount(), 0);
+  Messages(OnePair());
+  EXPECT_TRUE(geodesic::test::Until([&] { return LandmarkCount() == 16; }));
+  const std::string metrics =
+      geodesic::test::HttpGet(server_->metrics_port(), "/metrics");
+  EXPECT_THAT(metrics, ::testing::HasSubstr(
+                           "geodesic_landmarks_total{origin=\"computed\"} 16"));
+  const auto messages = Messages(OnePair());
+  const auto& chunk = messages[messages.size() - 2].chunk();
+  EXPECT_EQ(Values<double>(chunk.distances()),
+            std::vector<double>{std::hypot(4.5, 3)});
+}
+
 TEST_F(PairRpcTest, RefusesWrongRequests) {
   ExpectFaults(
       OnePair(),
@@ -116,7 +152,11 @@ TEST_F(PairRpcTest, RefusesMoreThanTheLimit) {
 // Its pairs are a field each, because they share their ends.
 class HeldPairsTest : public PairRpcTest {
  protected:
-  void SetUp() override { StartWithGrid(/*held=*/true); }
+  void SetUp() override {
+    ServerOptions options = SmallServer();
+    options.limits.landmark_memory_bytes = 0;  // their fields would be held too
+    StartWithGrid(/*held=*/true, options);
+  }
 };
 
 TEST_F(HeldPairsTest, CancellingStopsItsWork) {

@@ -50,6 +50,7 @@ class FieldFiles {
   // are still right, because meshes are named by their content.
   void EraseMesh(const std::string& digest);
 
+  BlobStore& blobs() { return *blobs_; }
   const BlobStore& blobs() const { return *blobs_; }
 
  private:

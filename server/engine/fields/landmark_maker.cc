@@ -121,7 +121,12 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
   }
   absl::Status status;
   if (!work_.landmarks) status = Begin(*mesh);
-  if (status.ok() && !work_.field) status = StartField(mesh);
+  if (!status.ok()) return status;
+  if (!work_.landmarks->next().has_value()) {
+    Publish(*mesh);
+    return false;
+  }
+  if (!work_.field) status = StartField(mesh);
   if (!status.ok()) return status;
   Field& field = *work_.field;
   IdleCheckpoint checkpoint(scheduler_, stop, meshes_.store(), mesh->digest,
@@ -133,6 +138,7 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
   work_.field.reset();
   ++made_;
   const bool goes_on = work_.landmarks->next().has_value();
+  if (!goes_on) Store(*mesh);
   Publish(*mesh);
   return goes_on;
 }
@@ -144,7 +150,19 @@ absl::Status LandmarkMaker::Begin(const ResidentMesh& mesh) {
       meshes_.landmarks().Reserve(*mesh.mesh);
   if (!room.ok()) return room.status();
   work_.room = *std::move(room);
-  work_.landmarks = present == nullptr ? Landmarks(*mesh.mesh) : *present;
+  if (present != nullptr) {
+    work_.landmarks = *present;
+    return absl::OkStatus();
+  }
+  if (files_ != nullptr) {
+    absl::StatusOr<Landmarks> stored = files_->Load(mesh.digest, *mesh.mesh);
+    if (stored.ok()) {
+      loaded_ += stored->count();
+      work_.landmarks = *std::move(stored);
+      return absl::OkStatus();
+    }
+  }
+  work_.landmarks = Landmarks(*mesh.mesh);
   return absl::OkStatus();
 }
 
@@ -160,6 +178,18 @@ absl::Status LandmarkMaker::StartField(const MeshHandle& mesh) {
   if (!computation.ok()) return computation.status();
   work_.field = Field{mesh, *std::move(memory), *std::move(computation)};
   return absl::OkStatus();
+}
+
+void LandmarkMaker::Store(const ResidentMesh& mesh) {
+  if (files_ == nullptr) return;
+  // A full disk does not hurt questions; uploads report it.
+  (void)files_->Put(mesh.digest, *work_.landmarks);
+  // A mesh that was deleted before now had no file.
+  if (!meshes_.Contains(mesh.digest)) files_->Erase(mesh.digest);
+}
+
+void LandmarkMaker::EraseMesh(const std::string& digest) {
+  if (files_ != nullptr) files_->Erase(digest);
 }
 
 void LandmarkMaker::Publish(const ResidentMesh& mesh) {

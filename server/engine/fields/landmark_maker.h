@@ -23,6 +23,7 @@
 #include "geodesic/landmarks.h"
 #include "geodesic/solve_options.h"
 #include "server/engine/base/byte_budget.h"
+#include "server/engine/fields/landmark_files.h"
 #include "server/engine/fields/start_function.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/meshes/landmark_store.h"
@@ -39,13 +40,21 @@ class LandmarkMaker {
                 std::shared_ptr<ByteBudget> solver_memory, StartFunction start,
                 MeshLibrary& meshes);
 
+  // From now on also keeps landmarks in `files`, which outlives the object.
+  // Call before any other method.
+  void Attach(LandmarkFiles& files) { files_ = &files; }
+
   // Says that a question about the mesh would be faster with landmarks, and
   // returns those there are, perhaps null. If more would help, they are made
   // later. Does not pin the mesh for that.
   LandmarksHandle Wanted(const MeshHandle& mesh);
 
-  // Landmarks computed since the start.
+  // Drops what the disk keeps of a mesh that is gone. Waits for the disk.
+  void EraseMesh(const std::string& digest);
+
+  // Landmarks since the start: computed, and read from disk.
   uint64_t made() const { return made_; }
+  uint64_t loaded() const { return loaded_; }
 
  private:
   struct Turn {
@@ -75,16 +84,20 @@ class LandmarkMaker {
   // Whether there is more to do. Errors: the landmarks cannot be made now.
   absl::StatusOr<bool> Step(const MeshHandle& mesh,
                             const std::stop_token& stop);
+  // Takes those there are, in memory or on disk, or begins with none.
   absl::Status Begin(const ResidentMesh& mesh);
   absl::Status StartField(const MeshHandle& mesh);
   void Publish(const ResidentMesh& mesh);
+  void Store(const ResidentMesh& mesh);
 
   const SolveOptions options_;
   const StartFunction start_;
   const std::shared_ptr<ByteBudget> solver_memory_;
   Scheduler& scheduler_;
   MeshLibrary& meshes_;
+  LandmarkFiles* files_ = nullptr;  // null: they are kept in memory alone
   std::atomic<uint64_t> made_ = 0;
+  std::atomic<uint64_t> loaded_ = 0;
 
   std::mutex mutex_;
   // Guarded by mutex_: the meshes that wait; while there are any, a job works

@@ -85,6 +85,8 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
       .algorithm =
           DistanceQuery(request.pairs[0].source, {}, *mesh->mesh)->algorithm,
       .pair_count = request.pairs.size()};
+  // A field makes no use of landmarks.
+  const bool is_directed = call.algorithm == kDefaultAlgorithm;
   const std::shared_ptr<PairWork> work(
       new PairWork{.start = start_,
                    .options = options_,
@@ -92,12 +94,11 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
                    .searches = *searches_,
                    .totals = totals_,
                    .mesh = mesh,
-                   .landmarks = landmarks_.Wanted(mesh),
+                   .landmarks = is_directed ? landmarks_.Wanted(mesh) : nullptr,
                    .pairs = std::move(request.pairs)});
-  work->rows = PlanPairs(
-      work->pairs,
-      CostsOf(call.algorithm == kDefaultAlgorithm, work->landmarks != nullptr,
-              call.pair_count, limits_.max_concurrent_jobs));
+  work->rows = PlanPairs(work->pairs,
+                         CostsOf(is_directed, work->landmarks != nullptr,
+                                 call.pair_count, limits_.max_concurrent_jobs));
   call.work = work;
   call.row_count = work->rows.size();
   const bool is_batch = request.requester.is_batch;
