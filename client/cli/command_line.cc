@@ -212,10 +212,11 @@ void AddConnection(CLI::App* app, ConnectionArguments* arguments) {
 
 // In the order in which --help lists them.
 std::vector<Command> AllCommands() {
-  return {UploadCommand(),   MeshesCommand(), InfoCommand(),
-          DeleteCommand(),   FieldCommand(),  PathCommand(),
-          IsolinesCommand(), MatrixCommand(), NearestCommand(),
-          SampleCommand(),   LogMapCommand(), CapabilitiesCommand()};
+  return {UploadCommand(),      MeshesCommand(),   InfoCommand(),
+          DeleteCommand(),      DistanceCommand(), FieldCommand(),
+          PathCommand(),        IsolinesCommand(), MatrixCommand(),
+          NearestCommand(),     SampleCommand(),   LogMapCommand(),
+          CapabilitiesCommand()};
 }
 
 void AddCommonOptions(CLI::App* app, CommandLine* line) {

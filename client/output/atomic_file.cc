@@ -33,6 +33,16 @@ void AtomicFile::Append(std::string_view bytes) {
   size_ += bytes.size();
 }
 
+void AtomicFile::Replace(std::string_view first_bytes) {
+  if (error_ != 0) return;
+  if (std::fseek(file_.get(), 0, SEEK_SET) != 0 ||
+      std::fwrite(first_bytes.data(), 1, first_bytes.size(), file_.get()) !=
+          first_bytes.size() ||
+      std::fseek(file_.get(), 0, SEEK_END) != 0) {
+    error_ = errno;
+  }
+}
+
 absl::Status AtomicFile::status() const {
   return error_ == 0 ? absl::OkStatus()
                      : absl::ErrnoToStatus(

@@ -34,6 +34,9 @@ class AtomicFile {
     Append({static_cast<const char*>(bytes), size});
   }
 
+  // Writes over the first bytes of the file. REQUIRES: as many were appended.
+  void Replace(std::string_view first_bytes);
+
   // The first error so far.
   absl::Status status() const;
 

@@ -130,6 +130,7 @@ Client::Connection::Connection(const std::string& server,
       capabilities(v1::CapabilitiesService::NewStub(channel)),
       fields(v1::FieldService::NewStub(channel)),
       paths(v1::PathService::NewStub(channel)),
-      matrices(v1::MatrixService::NewStub(channel)) {}
+      matrices(v1::MatrixService::NewStub(channel)),
+      pairs(v1::PairService::NewStub(channel)) {}
 
 }  // namespace geodesic::client

@@ -17,6 +17,7 @@
 #include "geodesic/v1/field_service.grpc.pb.h"
 #include "geodesic/v1/matrix_service.grpc.pb.h"
 #include "geodesic/v1/mesh_service.grpc.pb.h"
+#include "geodesic/v1/pair_service.grpc.pb.h"
 #include "geodesic/v1/path_service.grpc.pb.h"
 #include "geodesic_client/client.h"
 #include "rpc_status.h"
@@ -33,6 +34,7 @@ struct Client::Connection {
   std::unique_ptr<v1::FieldService::Stub> fields;
   std::unique_ptr<v1::PathService::Stub> paths;
   std::unique_ptr<v1::MatrixService::Stub> matrices;
+  std::unique_ptr<v1::PairService::Stub> pairs;
 };
 
 // The context of one RPC, which it must outlive.

@@ -6,6 +6,7 @@
 #include "absl/strings/str_cat.h"
 #include "assemblers.h"
 #include "connection.h"
+#include "read_answer.h"
 #include "translate.h"
 
 namespace geodesic::client {
@@ -21,61 +22,6 @@ absl::Status OutOfOrder(std::string_view what, uint64_t number,
 absl::Status EndedWithin(std::string_view what) {
   return absl::DataLossError(
       absl::StrCat("the server's answer ended within ", std::string(what)));
-}
-
-const v1::AnswerHeader& CommonHeader(const v1::AnswerHeader& header) {
-  return header;
-}
-const v1::AnswerHeader& CommonHeader(const v1::MatrixHeader& header) {
-  return header.answer();
-}
-
-// Reads an answer to its end. As query.proto defines, it is a header, progress,
-// parts and a trailer. `info` receives what the answer says about itself.
-// `progress` is called with progress messages and `info` as known by then.
-// `take` is called with the header and with all parts, also unknown ones that a
-// later server may add; if it returns an error, the call ends. `count` is
-// called at the end and returns how many items have arrived.
-// Errors: the server's; those of `take`; DATA_LOSS if the stream breaks the
-// protocol or is not complete.
-template <typename Response, typename Progress, typename Take, typename Count>
-absl::Status ReadAnswer(Call* call,
-                        std::unique_ptr<grpc::ClientReader<Response>> reader,
-                        const Progress& progress, const Take& take,
-                        const Count& count, AnswerInfo* info) {
-  bool has_header = false;
-  bool has_trailer = false;
-  uint64_t item_count = 0;
-  const auto consume = [&](const Response& response) -> absl::Status {
-    if (has_header == response.has_header() || has_trailer) {
-      return absl::DataLossError("the server's answer is out of order");
-    }
-    if (response.has_header()) {
-      has_header = true;
-      const v1::AnswerHeader& header = CommonHeader(response.header());
-      info->mesh_digest = header.mesh_digest();
-      info->vertex_count = header.vertex_count();
-      info->algorithm = AlgorithmName(header.algorithm());
-      info->relative_tolerance = header.relative_tolerance();
-      info->server_version = header.server_version();
-    } else if (response.has_progress()) {
-      progress(response.progress(), *info);
-      return absl::OkStatus();
-    } else if (response.has_trailer()) {
-      has_trailer = true;
-      info->compute_seconds = response.trailer().compute_seconds();
-      info->windows_propagated = response.trailer().windows_propagated();
-      item_count = response.trailer().item_count();
-      return absl::OkStatus();
-    }
-    return take(response);
-  };
-  absl::Status status = ReadStream(call, std::move(reader), consume);
-  if (!status.ok()) return status;
-  if (!has_trailer) {
-    return absl::DataLossError("the server's answer ended without its trailer");
-  }
-  return CheckCount("items", count(), item_count);
 }
 
 // Hands the progress of one computation to `callback`, which may be empty.

@@ -13,6 +13,7 @@
 #include "absl/strings/cord.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
+#include "absl/strings/str_replace.h"
 #include "geodesic_client/errors.h"
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
@@ -85,6 +86,35 @@ absl::Status FromRpcStatus(const grpc::Status& status, std::string_view file) {
 std::string ErrorReason(const absl::Status& status) {
   google::rpc::ErrorInfo info;
   return ReadDetail(status, &info) ? info.reason() : "";
+}
+
+std::string ErrorField(const absl::Status& status) {
+  google::rpc::BadRequest bad_request;
+  return ReadDetail(status, &bad_request) &&
+                 bad_request.field_violations_size() > 0
+             ? bad_request.field_violations(0).field()
+             : "";
+}
+
+absl::Status RenameField(const absl::Status& status, const std::string& from,
+                         const std::string& to) {
+  const auto renamed = [&](const std::string& text) {
+    return absl::StrReplaceAll(text, {{from, to}});
+  };
+  absl::Status result(status.code(), renamed(std::string(status.message())));
+  status.ForEachPayload([&](absl::string_view name, const absl::Cord& payload) {
+    result.SetPayload(name, payload);
+  });
+  google::rpc::BadRequest bad_request;
+  if (!ReadDetail(status, &bad_request)) return result;
+  for (auto& violation : *bad_request.mutable_field_violations()) {
+    violation.set_field(renamed(violation.field()));
+    violation.set_description(renamed(violation.description()));
+  }
+  result.SetPayload(
+      absl::StrCat("type.googleapis.com/", bad_request.GetTypeName()),
+      absl::Cord(bad_request.SerializeAsString()));
+  return result;
 }
 
 std::optional<Seconds> RetryDelay(const absl::Status& status) {

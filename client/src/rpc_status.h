@@ -7,6 +7,7 @@
 #include <grpcpp/support/status.h>
 
 #include <stop_token>
+#include <string>
 #include <string_view>
 
 #include "absl/status/status.h"
@@ -20,6 +21,11 @@ namespace geodesic::client {
 // begins with its path and names no fields.
 absl::Status FromRpcStatus(const grpc::Status& status,
                            std::string_view file = "");
+
+// The same error about another part of the request: in its message and details
+// `from` becomes `to`.
+absl::Status RenameField(const absl::Status& status, const std::string& from,
+                         const std::string& to);
 
 // The same as in the channel's retry policy.
 inline constexpr int kMaxAttempts = 4;

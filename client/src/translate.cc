@@ -144,6 +144,7 @@ Capabilities FromProto(const v1::GetCapabilitiesResponse& response) {
       .max_targets = limits.max_targets(),
       .max_levels = limits.max_levels(),
       .max_samples = limits.max_samples(),
+      .max_pairs = limits.max_pairs(),
       .max_matrix_rows = limits.max_matrix_rows(),
       .max_matrix_values = limits.max_matrix_values(),
       .mesh_disk_bytes = limits.mesh_disk_bytes(),

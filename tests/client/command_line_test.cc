@@ -67,6 +67,8 @@ TEST_F(CommandLineTest, EachCommandTakesItsOptions) {
            {"field", "m", "--source", "edge:3-8@0.25:2", "--source",
             "face:5@0.2,0.3,0.5", "--curve", "1;edge:1-2@0.5:0.5", "--sources",
             "a.txt", "--target", "face:0@1,0,0", "--targets", "-"},
+           {"distance", "m", "1", "face:5@0.2,0.3,0.5"},
+           {"distance", "m", "--pairs", "-", "--float32", "-o", "d.npy"},
            {"path", "m", "-s", "1", "-t", "2"},
            {"matrix", "m", "-s", "1"},
            {"nearest", "m", "-s", "1", "-t", "2", "-k", "3"},
@@ -212,8 +214,8 @@ TEST_F(CommandLineTest, HelpFitsATerminalAndHasExamples) {
               HasSubstr("no command fild; did you mean field?"));
   std::string all_help = text({"--help"});
   for (const char* command :
-       {"upload", "meshes", "info", "delete", "field", "path", "isolines",
-        "matrix", "nearest", "sample", "logmap", "capabilities"}) {
+       {"upload", "meshes", "info", "delete", "distance", "field", "path",
+        "isolines", "matrix", "nearest", "sample", "logmap", "capabilities"}) {
     const std::string help = text({command, "--help"});
     EXPECT_THAT(help, HasSubstr("Examples:\n  geodesic ")) << command;
     all_help += help;

@@ -214,18 +214,32 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
             AlgorithmNames(), [question](const std::string& name) {
               question->algorithm = name;
             });
+  AddPriority(app, &question->priority);
+  AddOutputs(app, output_help, formats, &question->outputs);
+  app->callback([question, check = std::move(check)] {
+    CheckPlaces(*question);
+    if (check != nullptr) check();
+  });
+}
+
+void AddPriority(CLI::App* app, Priority* priority) {
   AddChoice(app,
             {"--priority",
              "Let the questions of those who wait go first: batch; default: "
              "interactive"},
-            {"interactive", "batch"}, [question](const std::string& priority) {
-              question->priority = priority == "batch" ? Priority::kBatch
-                                                       : Priority::kInteractive;
+            {"interactive", "batch"}, [priority](const std::string& word) {
+              *priority =
+                  word == "batch" ? Priority::kBatch : Priority::kInteractive;
             });
+}
+
+void AddOutputs(CLI::App* app, const std::string& help,
+                std::span<const OutputFormat> formats,
+                std::vector<OutputArgument>* outputs) {
   AddValue(
       app,
       {"-o,--output",
-       absl::StrCat(output_help, "; may be repeated. The ending says what: ",
+       absl::StrCat(help, "; may be repeated. The ending says what: ",
                     OutputEndings(formats)),
        "FILE"},
       [formats](const std::string& path) -> absl::StatusOr<OutputArgument> {
@@ -234,11 +248,7 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
         if (!format.ok()) return format.status();
         return OutputArgument{path, *format};
       },
-      &question->outputs);
-  app->callback([question, check = std::move(check)] {
-    CheckPlaces(*question);
-    if (check != nullptr) check();
-  });
+      outputs);
 }
 
 void AddRadius(CLI::App* app, const std::string& help,

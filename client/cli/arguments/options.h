@@ -154,6 +154,12 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
                  QuestionArguments* question,
                  std::function<void()> check = nullptr);
 
+// Parts of AddQuestion.
+void AddPriority(CLI::App* app, Priority* priority);
+void AddOutputs(CLI::App* app, const std::string& help,
+                std::span<const OutputFormat> formats,
+                std::vector<OutputArgument>* outputs);
+
 void AddRadius(CLI::App* app, const std::string& help,
                std::optional<double>* radius);
 void AddFloat32(CLI::App* app, bool* float32);

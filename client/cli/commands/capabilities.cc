@@ -30,6 +30,7 @@ constexpr std::array kLimits = {
     Limit{"max_targets", "most targets", &ServerLimits::max_targets},
     Limit{"max_levels", "most levels", &ServerLimits::max_levels},
     Limit{"max_samples", "most samples", &ServerLimits::max_samples},
+    Limit{"max_pairs", "most pairs", &ServerLimits::max_pairs},
     Limit{"max_matrix_rows", "most matrix rows",
           &ServerLimits::max_matrix_rows},
     Limit{"max_matrix_values", "most matrix values",

@@ -73,6 +73,7 @@ inline void AddNoOptions(CLI::App*, NoArguments*) {}
 // All commands.
 Command CapabilitiesCommand();
 Command DeleteCommand();
+Command DistanceCommand();
 Command FieldCommand();
 Command InfoCommand();
 Command IsolinesCommand();

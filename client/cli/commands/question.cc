@@ -213,14 +213,15 @@ absl::Status PrintReport(const Session& session, const Question& question,
                          const Report& report) {
   if (!files.ok()) return files.status();
   if (session.json) {
-    *session.json = {{"mesh", info.mesh_digest},
-                     {"algorithm", info.algorithm},
-                     {"sources", SourcesJson(question.sources)},
-                     {"relative_tolerance", info.relative_tolerance},
-                     {"windows_propagated", info.windows_propagated},
-                     {"compute_seconds", info.compute_seconds},
-                     {"call_seconds", call_seconds},
-                     {"server_version", info.server_version}};
+    *session.json = {{"mesh", info.mesh_digest}, {"algorithm", info.algorithm}};
+    if (!question.sources.empty()) {
+      (*session.json)["sources"] = SourcesJson(question.sources);
+    }
+    session.json->update(Json{{"relative_tolerance", info.relative_tolerance},
+                              {"windows_propagated", info.windows_propagated},
+                              {"compute_seconds", info.compute_seconds},
+                              {"call_seconds", call_seconds},
+                              {"server_version", info.server_version}});
     session.json->update(report.json);
     (*session.json)["outputs"] = FilesJson(*files);
     return absl::OkStatus();

@@ -32,6 +32,8 @@ struct ServerLimits {
   uint64_t max_targets = 0;
   uint64_t max_levels = 0;
   uint64_t max_samples = 0;
+  // Pairs of one call; ComputePairs makes as many calls as it takes.
+  uint64_t max_pairs = 0;
   // Limits of one matrix: rows, and rows times columns.
   uint64_t max_matrix_rows = 0;
   uint64_t max_matrix_values = 0;

@@ -29,6 +29,7 @@
 #include "geodesic_client/errors.h"
 #include "geodesic_client/field.h"
 #include "geodesic_client/mesh.h"
+#include "geodesic_client/pairs.h"
 #include "geodesic_client/questions.h"
 
 namespace geodesic::client {
@@ -155,6 +156,19 @@ class Client {
 
   absl::StatusOr<NearestAnswer> FindNearest(
       const NearestQuery& query, const CallOptions& options = {},
+      const CountProgressCallback& progress = nullptr);
+
+  // Single distances, of any number of pairs. A list that is longer than the
+  // server's max_pairs takes several calls, one after the other; errors name a
+  // pair by its number in the query. Errors: also whatever the receiver
+  // returns.
+  absl::StatusOr<PairSummary> ComputePairs(const PairQuery& query,
+                                           const PairReceiver& receiver,
+                                           const CallOptions& options = {});
+
+  // The same for distances that fit into memory.
+  absl::StatusOr<PairAnswer> ComputePairs(
+      const PairQuery& query, const CallOptions& options = {},
       const CountProgressCallback& progress = nullptr);
 
   absl::StatusOr<SampleAnswer> SampleFarthestPoints(

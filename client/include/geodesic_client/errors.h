@@ -16,6 +16,10 @@ namespace geodesic::client {
 // machine.
 std::string ErrorReason(const absl::Status& status);
 
+// The path of the part of the request that the server points at, e.g.
+// "pairs[17].source.vertex". Empty if there is none.
+std::string ErrorField(const absl::Status& status);
+
 // How long the server suggests to wait before trying again; nothing if it
 // suggests no time.
 std::optional<std::chrono::duration<double>> RetryDelay(

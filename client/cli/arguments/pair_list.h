@@ -1,0 +1,52 @@
+// Reads pairs of places from a text file, piece by piece.
+
+#ifndef GEODESIC_CLIENT_CLI_ARGUMENTS_PAIR_LIST_H_
+#define GEODESIC_CLIENT_CLI_ARGUMENTS_PAIR_LIST_H_
+
+#include <cstdint>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic_client/pairs.h"
+
+namespace geodesic::client {
+
+// Two places (place_text.h) with blanks, tabs or a comma between them. What
+// follows them is an error, INVALID_ARGUMENT naming the text.
+absl::StatusOr<PointPair> ParsePair(std::string_view line);
+
+// A pair of places a line. Empty lines and those that begin with '#' are
+// skipped.
+class PairList {
+ public:
+  // "-" is standard input. Errors: those of opening the file, naming it.
+  static absl::StatusOr<PairList> Open(const std::string& path);
+
+  struct Piece {
+    std::vector<PointPair> pairs;
+    std::vector<uint64_t> lines;  // where each pair stands, from 1
+  };
+
+  // The next pairs, `most` of them unless the file ends before.
+  // Errors: those of reading; INVALID_ARGUMENT naming the file and the line.
+  absl::StatusOr<Piece> Read(size_t most);
+
+  const std::string& path() const { return path_; }
+
+ private:
+  PairList(std::string path, std::unique_ptr<std::ifstream> file)
+      : path_(std::move(path)), file_(std::move(file)) {}
+
+  std::string path_;
+  std::unique_ptr<std::ifstream> file_;  // null: standard input
+  uint64_t lines_ = 0;                   // that were read
+};
+
+}  // namespace geodesic::client
+
+#endif  // GEODESIC_CLIENT_CLI_ARGUMENTS_PAIR_LIST_H_

@@ -1,0 +1,335 @@
+// distance: from one place to another, for one pair or a list of any length.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/cord.h"
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_replace.h"
+#include "client/cli/arguments/pair_list.h"
+#include "client/cli/commands/command.h"
+#include "client/cli/commands/mesh_argument.h"
+#include "client/cli/commands/question.h"
+#include "client/output/matrix_writers.h"
+#include "client/output/number_text.h"
+#include "client/output/pair_writers.h"
+#include "client/output/place_text.h"
+#include "geodesic_client/errors.h"
+
+namespace geodesic::client {
+namespace {
+
+// How many pairs of a list are in memory.
+constexpr size_t kPairsAtOnce = 65'536;
+
+struct DistanceArguments {
+  MeshArgument mesh;
+  // The places A and B as they are written; empty with `list`.
+  std::string source;
+  std::string target;
+  std::optional<PointPair> pair;
+  std::string list;
+  bool float32 = false;
+  Priority priority = Priority::kInteractive;
+  std::vector<OutputArgument> outputs;
+};
+
+SurfacePoint PlaceOf(const std::string& name, const std::string& text) {
+  absl::StatusOr<SurfacePoint> place = ParsePoint(text);
+  if (!place.ok()) Refuse(name, std::string(place.status().message()));
+  return *place;
+}
+
+void CheckArguments(DistanceArguments* arguments) {
+  const bool has_list = !arguments->list.empty();
+  if (has_list != arguments->source.empty()) {
+    Refuse("A B", "name two places, or --pairs FILE, not both");
+  }
+  if (has_list) return;
+  if (arguments->target.empty()) Refuse("B", "name the second place");
+  arguments->pair = {PlaceOf("A", arguments->source),
+                     PlaceOf("B", arguments->target)};
+}
+
+void AddOptions(CLI::App* app, DistanceArguments* arguments) {
+  AddMesh(app, kMeshHelp, &arguments->mesh);
+  app->add_option("A", arguments->source,
+                  "The place to measure from: VERTEX, edge:A-B@T or "
+                  "face:F@W0,W1,W2")
+      ->type_name("");
+  app->add_option("B", arguments->target, "The place to measure to")
+      ->type_name("");
+  app->add_option("--pairs", arguments->list,
+                  "Read pairs from a file, two places a line with blanks, tabs "
+                  "or a comma between them, or from standard input (-)")
+      ->type_name("FILE");
+  AddFloat32(app, &arguments->float32);
+  AddPriority(app, &arguments->priority);
+  AddOutputs(app,
+             "Write the distances here as they come, in order of the pairs",
+             kPairFormats, &arguments->outputs);
+  app->callback([arguments] { CheckArguments(arguments); });
+}
+
+// Takes the distances: files, the terminal, or one JSON object.
+class Destination {
+ public:
+  Destination(const DistanceArguments& arguments, const Session& session)
+      : arguments_(arguments), session_(session) {}
+
+  // Errors: those of opening files.
+  absl::Status Open() {
+    for (const OutputArgument& output : arguments_.outputs) {
+      absl::StatusOr<PairWriter> writer = PairWriter::Create(
+          output.path, output.format, NumberTypeOf(arguments_.float32));
+      if (!writer.ok()) return FileError(writer.status());
+      writers_.push_back(*std::move(writer));
+    }
+    if (is_text()) session_.out << kMatrixCsvHeader;
+    return absl::OkStatus();
+  }
+
+  absl::Status Append(std::span<const PointPair> pairs,
+                      std::span<const double> distances) {
+    count_ += distances.size();
+    for (const double distance : distances) {
+      if (!std::isfinite(distance)) continue;
+      ++finite_;
+      largest_ = std::max(largest_, distance);
+    }
+    if (keeps()) kept_.insert(kept_.end(), distances.begin(), distances.end());
+    if (is_text()) session_.out << CsvPairs(pairs, distances);
+    if (!session_.out) return OutputFailed();
+    for (PairWriter& writer : writers_) {
+      absl::Status status = writer.Append(pairs, distances);
+      if (!status.ok()) return FileError(status);
+    }
+    return absl::OkStatus();
+  }
+
+  absl::StatusOr<std::vector<WrittenFile>> Commit() {
+    size_t next = 0;
+    const auto write = [&](const OutputArgument&,
+                           const MeshArrays&) -> absl::StatusOr<uint64_t> {
+      absl::StatusOr<uint64_t> size = writers_[next++].Commit();
+      if (!size.ok()) return FileError(size.status());
+      return size;
+    };
+    return WriteOutputs(session_, arguments_.outputs, /*info=*/{},
+                        /*with_mesh=*/{}, write);
+  }
+
+  Report ReportOf(const PairSummary& summary) const {
+    Report report = {
+        .facts = {{"pairs", GroupedNumber(count_)},
+                  {"finite distances", GroupedNumber(finite_)},
+                  {"largest distance", ShortNumber(largest_)},
+                  {"found by",
+                   absl::StrCat(GroupedNumber(summary.searched), " searches; ",
+                                GroupedNumber(summary.from_fields),
+                                " pairs from fields, ",
+                                GroupedNumber(summary.from_cache),
+                                " from the cache")}},
+        .json = {{"pairs", count_},
+                 {"finite_distances", finite_},
+                 {"largest_distance", largest_},
+                 {"pairs_searched", summary.searched},
+                 {"pairs_from_fields", summary.from_fields},
+                 {"pairs_from_cache", summary.from_cache}}};
+    if (arguments_.pair.has_value()) {
+      const PointPair& pair = *arguments_.pair;
+      report.facts.clear();
+      report.header = {"source", "target", "distance"};
+      report.rows = {{PointText(pair.source), PointText(pair.target),
+                      NumberText(kept_[0])}};
+      report.json["source"] = PointToJson(pair.source);
+      report.json["target"] = PointToJson(pair.target);
+      report.json["distance"] = kept_[0];
+    } else if (keeps()) {
+      report.json["distances"] = kept_;
+    }
+    return report;
+  }
+
+  uint64_t count() const { return count_; }
+  // Whether lines go to the terminal as they come; nothing else does then.
+  bool is_text() const {
+    return writers_.empty() && !session_.json && !arguments_.pair.has_value();
+  }
+
+ private:
+  // Whether the distances are kept for the report.
+  bool keeps() const {
+    return arguments_.pair.has_value() || (session_.json && writers_.empty());
+  }
+
+  const DistanceArguments& arguments_;
+  const Session& session_;
+  std::vector<PairWriter> writers_;
+  std::vector<double> kept_;
+  uint64_t count_ = 0;
+  uint64_t finite_ = 0;
+  double largest_ = 0;
+};
+
+// Asks piece by piece.
+class PairRun {
+ public:
+  PairRun(const DistanceArguments& arguments, const Session& session,
+          std::optional<PairList> list, Destination* destination)
+      : arguments_(arguments),
+        session_(session),
+        list_(std::move(list)),
+        destination_(destination),
+        watch_(session) {
+    if (arguments.pair.has_value()) piece_.pairs = {*arguments.pair};
+  }
+
+  // Goes on after the last distance that came, on the mesh with this digest.
+  absl::Status GoOn(const std::string& digest) {
+    for (;;) {
+      if (piece_.pairs.empty()) {
+        if (absl::Status status = ReadPiece(); !status.ok()) return status;
+        if (piece_.pairs.empty()) return absl::OkStatus();
+      }
+      if (absl::Status status = AskForPiece(digest); !status.ok()) {
+        return status;
+      }
+    }
+  }
+
+  const PairSummary& summary() const { return summary_; }
+  double seconds() const { return watch_.seconds(); }
+
+ private:
+  // Leaves the piece empty at the end of the list.
+  absl::Status ReadPiece() {
+    if (!list_.has_value()) return absl::OkStatus();
+    absl::StatusOr<PairList::Piece> next = list_->Read(kPairsAtOnce);
+    if (!next.ok()) return FileError(next.status());
+    piece_ = *std::move(next);
+    if (!piece_.pairs.empty() || destination_->count() > 0) {
+      return absl::OkStatus();
+    }
+    return FileError(absl::InvalidArgumentError(absl::StrCat(
+        list_->path(), " lists nothing: write two places a line")));
+  }
+
+  absl::Status AskForPiece(const std::string& digest) {
+    // The rest of a piece that was broken off.
+    const uint64_t before = destination_->count();
+    const uint64_t total = before + piece_.pairs.size();
+    const PairQuery query = {.mesh_digest = digest,
+                             .pairs = std::exchange(piece_.pairs, {}),
+                             .value_type = ValueTypeOf(arguments_.float32),
+                             .priority = arguments_.priority};
+    const std::span<const PointPair> pairs = query.pairs;
+    uint64_t taken = 0;
+    const auto progress = watch_.OnCount("pairs");
+    const PairReceiver receiver = {
+        .on_distances =
+            [&](uint64_t first, std::span<const double> distances) {
+              taken = first + distances.size();
+              return destination_->Append(
+                  pairs.subspan(first, distances.size()), distances);
+            },
+        // More pairs may follow than were read.
+        .on_progress = [&](uint64_t finished,
+                           uint64_t) { progress(before + finished, total); }};
+    absl::StatusOr<PairSummary> found =
+        session_.client.ComputePairs(query, receiver, session_.call);
+    if (!found.ok()) {
+      absl::Status status = AtLine(found.status(), before);
+      piece_.pairs.assign(pairs.begin() + static_cast<std::ptrdiff_t>(taken),
+                          pairs.end());
+      if (!piece_.lines.empty()) {
+        piece_.lines.erase(
+            piece_.lines.begin(),
+            piece_.lines.begin() + static_cast<std::ptrdiff_t>(taken));
+      }
+      return status;
+    }
+    summary_.Add(*found);
+    return absl::OkStatus();
+  }
+
+  // Names the line of the pair that the server points at, and numbers the pair
+  // in the list. `before` pairs came before those that were sent.
+  absl::Status AtLine(const absl::Status& status, uint64_t before) const {
+    const std::string field = ErrorField(status);
+    const std::string name = field.substr(0, field.find(']') + 1);
+    uint64_t number = 0;
+    if (!list_.has_value() || !name.starts_with("pairs[") ||
+        !absl::SimpleAtoi(name.substr(6, name.size() - 7), &number) ||
+        number >= piece_.lines.size()) {
+      return status;
+    }
+    absl::Status result(
+        status.code(),
+        absl::StrCat(
+            list_->path(), " line ", piece_.lines[number], ": ",
+            absl::StrReplaceAll(
+                std::string(status.message()),
+                {{name, absl::StrCat("pairs[", before + number, "]")}})));
+    status.ForEachPayload(
+        [&](absl::string_view type, const absl::Cord& payload) {
+          result.SetPayload(type, payload);
+        });
+    return result;
+  }
+
+  const DistanceArguments& arguments_;
+  const Session& session_;
+  std::optional<PairList> list_;
+  Destination* destination_;
+  Stopwatch watch_;
+  PairList::Piece piece_;  // that is not answered yet
+  PairSummary summary_;
+};
+
+absl::Status Run(const DistanceArguments& arguments, const Session& session) {
+  for (const OutputArgument& output : arguments.outputs) {
+    absl::Status status = CheckWritable(output.path);
+    if (!status.ok()) return FileError(status);
+  }
+  std::optional<PairList> list;
+  if (!arguments.list.empty()) {
+    absl::StatusOr<PairList> opened = PairList::Open(arguments.list);
+    if (!opened.ok()) return FileError(opened.status());
+    list = *std::move(opened);
+  }
+  Destination destination(arguments, session);
+  absl::Status status = destination.Open();
+  if (!status.ok()) return status;
+  PairRun run(arguments, session, std::move(list), &destination);
+  status = AskAboutMesh(
+      session, arguments.mesh,
+      [&run](const std::string& digest) { return run.GoOn(digest); });
+  if (!status.ok()) return status;
+  const double seconds = run.seconds();
+  absl::StatusOr<std::vector<WrittenFile>> files = destination.Commit();
+  if (!files.ok()) return files.status();
+  if (destination.is_text()) return absl::OkStatus();
+  return PrintReport(session, {}, run.summary().info, seconds, files,
+                     destination.ReportOf(run.summary()));
+}
+
+}  // namespace
+
+Command DistanceCommand() {
+  return MakeCommand<DistanceArguments>(
+      "distance", "Distances from one place to another",
+      "  geodesic distance horse.ply 0 99\n"
+      "  geodesic distance horse.ply edge:3-8@0.25 face:5@0.2,0.3,0.5 -q\n"
+      "  geodesic distance horse.ply --pairs pairs.txt -o d.npy",
+      AddOptions, Run);
+}
+
+}  // namespace geodesic::client

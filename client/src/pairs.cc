@@ -1,0 +1,167 @@
+// Client::ComputePairs, by as many calls as the server's limits ask for.
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_cat.h"
+#include "assemblers.h"
+#include "connection.h"
+#include "geodesic_client/errors.h"
+#include "read_answer.h"
+#include "rpc_status.h"
+#include "translate.h"
+
+namespace geodesic::client {
+namespace {
+
+// The most bytes of a pair on the wire, and of the rest of a request.
+constexpr uint64_t kVertexPairBytes = 2 * sizeof(uint32_t);
+constexpr uint64_t kPairBytes = 96;
+constexpr uint64_t kRequestBytes = 256;
+
+bool HasShortVertex(const SurfacePoint& point) {
+  const auto* vertex = std::get_if<VertexPoint>(&point);
+  return vertex != nullptr &&
+         vertex->vertex <= std::numeric_limits<uint32_t>::max();
+}
+
+// Whether the pairs can travel in the short form.
+bool AreVertices(std::span<const PointPair> pairs) {
+  return std::ranges::all_of(pairs, [](const PointPair& pair) {
+    return HasShortVertex(pair.source) && HasShortVertex(pair.target);
+  });
+}
+
+void AddVertex(const SurfacePoint& point, v1::ComputePairsRequest* request) {
+  request->add_vertex_pairs(
+      static_cast<uint32_t>(std::get<VertexPoint>(point).vertex));
+}
+
+v1::ComputePairsRequest MakePairRequest(const PairQuery& query,
+                                        std::span<const PointPair> pairs) {
+  v1::ComputePairsRequest request;
+  request.set_mesh_digest(query.mesh_digest);
+  request.set_value_type(ToProto(query.value_type));
+  request.set_priority(ToProto(query.priority));
+  const bool are_vertices = AreVertices(pairs);
+  for (const PointPair& pair : pairs) {
+    if (are_vertices) {
+      AddVertex(pair.source, &request);
+      AddVertex(pair.target, &request);
+    } else {
+      v1::PointPair& message = *request.add_pairs();
+      *message.mutable_source() = ToProto(pair.source);
+      *message.mutable_target() = ToProto(pair.target);
+    }
+  }
+  return request;
+}
+
+// How many of the pairs one call takes.
+uint64_t PairsPerCall(std::span<const PointPair> pairs,
+                      const ServerLimits& limits) {
+  const uint64_t bytes = AreVertices(pairs) ? kVertexPairBytes : kPairBytes;
+  const uint64_t room = limits.max_message_bytes -
+                        std::min(limits.max_message_bytes, kRequestBytes);
+  return std::max<uint64_t>(1, std::min(limits.max_pairs, room / bytes));
+}
+
+// The server numbers the pairs of one call; the caller knows others before
+// them.
+absl::Status Renumbered(const absl::Status& status, uint64_t first) {
+  const std::string kPairs = "pairs[";
+  const std::string field = ErrorField(status);
+  const size_t end = field.find(']');
+  uint64_t number = 0;
+  if (first == 0 || !field.starts_with(kPairs) || end == std::string::npos ||
+      !absl::SimpleAtoi(field.substr(kPairs.size(), end - kPairs.size()),
+                        &number)) {
+    return status;
+  }
+  return RenameField(status, field.substr(0, end + 1),
+                     absl::StrCat(kPairs, first + number, "]"));
+}
+
+}  // namespace
+
+absl::StatusOr<PairSummary> Client::ComputePairs(const PairQuery& query,
+                                                 const PairReceiver& receiver,
+                                                 const CallOptions& options) {
+  const std::span<const PointPair> pairs = query.pairs;
+  uint64_t per_call = 1;
+  if (pairs.size() > 1) {
+    absl::StatusOr<Capabilities> server = GetCapabilities(options);
+    if (!server.ok()) return server.status();
+    per_call = PairsPerCall(pairs, server->limits);
+  }
+  PairSummary summary;
+  uint64_t first = 0;
+  do {
+    const auto some = pairs.subspan(
+        first, std::min<uint64_t>(per_call, pairs.size() - first));
+    const v1::ComputePairsRequest request = MakePairRequest(query, some);
+    uint64_t received = 0;
+    std::vector<double> distances;
+    PairSummary of_call;
+    const auto take =
+        [&](const v1::ComputePairsResponse& response) -> absl::Status {
+      if (response.has_trailer()) {
+        of_call.searched = response.trailer().pairs_searched();
+        of_call.from_fields = response.trailer().pairs_from_fields();
+        of_call.from_cache = response.trailer().pairs_from_cache();
+      }
+      if (!response.has_chunk()) return absl::OkStatus();
+      const v1::PairsChunk& chunk = response.chunk();
+      distances.clear();
+      if (chunk.offset() != received ||
+          !AppendValues(chunk.distances(), query.value_type, &distances) ||
+          distances.size() > some.size() - received) {
+        return absl::DataLossError(
+            absl::StrCat("the server sent ", chunk.distances().size(),
+                         " bytes of distances from pair ", chunk.offset(),
+                         " after ", received, " of ", some.size()));
+      }
+      const uint64_t number = first + received;
+      received += distances.size();
+      return receiver.on_distances(number, distances);
+    };
+    const auto progress = [&](const v1::PairsProgress& message,
+                              const AnswerInfo&) {
+      if (receiver.on_progress != nullptr) {
+        receiver.on_progress(first + message.pairs_finished(), pairs.size());
+      }
+    };
+    Call call(options);
+    absl::Status status = ReadAnswer(
+        &call, connection_->pairs->ComputePairs(call.context(), request),
+        progress, take, [&received] { return received; }, &of_call.info);
+    status.Update(CheckCount("distances", received, some.size()));
+    if (!status.ok()) return Renumbered(status, first);
+    summary.Add(of_call);
+    first += some.size();
+  } while (first < pairs.size());
+  return summary;
+}
+
+absl::StatusOr<PairAnswer> Client::ComputePairs(
+    const PairQuery& query, const CallOptions& options,
+    const CountProgressCallback& progress) {
+  PairAnswer answer;
+  const PairReceiver receiver = {
+      .on_distances =
+          [&answer](uint64_t, std::span<const double> distances) {
+            answer.distances.insert(answer.distances.end(), distances.begin(),
+                                    distances.end());
+            return absl::OkStatus();
+          },
+      .on_progress = progress};
+  absl::StatusOr<PairSummary> summary = ComputePairs(query, receiver, options);
+  if (!summary.ok()) return summary.status();
+  answer.summary = *std::move(summary);
+  return answer;
+}
+
+}  // namespace geodesic::client

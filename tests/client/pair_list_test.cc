@@ -1,0 +1,86 @@
+#include "client/cli/arguments/pair_list.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/client/temporary_folder.h"
+
+namespace geodesic::client {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+PointPair Vertices(uint64_t source, uint64_t target) {
+  return {VertexPoint{source}, VertexPoint{target}};
+}
+
+TEST(ParsePairTest, TakesBlanksTabsAndCommas) {
+  for (const char* text :
+       {"3 4", "3,4", "3\t4", " 3  ,  4 ", "3, 4\r", "3 ,4"}) {
+    const auto pair = ParsePair(text);
+    ASSERT_TRUE(pair.ok()) << text << pair.status();
+    EXPECT_EQ(*pair, Vertices(3, 4)) << text;
+  }
+}
+
+TEST(ParsePairTest, CommasOfWeightsBelongToTheFace) {
+  const FacePoint face{5, {0.2, 0.3, 0.5}};
+  for (const char* text : {"face:5@0.2,0.3,0.5,17", "face:5@0.2,0.3,0.5 17",
+                           "face:5@0.2,0.3,0.5, 17"}) {
+    const auto pair = ParsePair(text);
+    ASSERT_TRUE(pair.ok()) << text << pair.status();
+    EXPECT_EQ(*pair, (PointPair{face, VertexPoint{17}})) << text;
+  }
+  EXPECT_EQ(*ParsePair("edge:3-8@0.25,face:5@0.2,0.3,0.5"),
+            (PointPair{EdgePoint{3, 8, 0.25}, face}));
+}
+
+TEST(ParsePairTest, NamesWhatIsWrong) {
+  for (const auto& [text, says] :
+       std::vector<std::pair<const char*, const char*>>{
+           {"3", "'3' is one place; write two"},
+           {"3,", "is one place"},
+           {"3 4 5", "'5' follows the two places"},
+           {"3 x", "'x' is not a point"},
+           {"3,,4", "'' is not a point"},
+           {"face:5@0.2,0.3 17", "'face:5@0.2,0.3' is not a point"}}) {
+    const absl::Status status = ParsePair(text).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << text;
+    EXPECT_THAT(std::string(status.message()), HasSubstr(says));
+  }
+}
+
+TEST(PairListTest, ReadsPieceByPiece) {
+  const TemporaryFolder folder;
+  WriteFile(folder / "p.txt", "# pairs\n0 1\n\n2 3\n \t\n4 5");
+  auto list = PairList::Open(folder / "p.txt");
+  ASSERT_TRUE(list.ok()) << list.status();
+  const auto first = list->Read(2);
+  ASSERT_TRUE(first.ok()) << first.status();
+  EXPECT_THAT(first->pairs, ElementsAre(Vertices(0, 1), Vertices(2, 3)));
+  EXPECT_THAT(first->lines, ElementsAre(2, 4));
+  const auto second = list->Read(2);
+  ASSERT_TRUE(second.ok()) << second.status();
+  EXPECT_THAT(second->pairs, ElementsAre(Vertices(4, 5)));
+  EXPECT_THAT(second->lines, ElementsAre(6));
+  EXPECT_THAT(list->Read(2)->pairs, IsEmpty());
+}
+
+TEST(PairListTest, NamesFileAndLine) {
+  const TemporaryFolder folder;
+  WriteFile(folder / "p.txt", "0 1\n# fine\n2\n");
+  auto list = PairList::Open(folder / "p.txt");
+  ASSERT_TRUE(list.ok()) << list.status();
+  const absl::Status status = list->Read(9).status();
+  EXPECT_THAT(std::string(status.message()),
+              HasSubstr(folder / "p.txt" + " line 3: '2' is one place"));
+  EXPECT_FALSE(PairList::Open(folder / "none.txt").ok());
+}
+
+}  // namespace
+}  // namespace geodesic::client
