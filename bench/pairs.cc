@@ -104,7 +104,7 @@ double ProcessorSeconds() {
 double Quantile(std::vector<double> values, double part) {
   std::ranges::sort(values);
   return values[static_cast<size_t>(
-      part * static_cast<double>(values.size() - 1) + 0.5)];
+      std::lround(part * static_cast<double>(values.size() - 1)))];
 }
 
 }  // namespace geodesic
