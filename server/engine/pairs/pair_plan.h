@@ -24,7 +24,7 @@ struct PointPair {
 // searches cheaper, and a search that is not directed (see TargetSearch) is a
 // field itself.
 inline constexpr size_t kFieldInSearches = 12;
-inline constexpr size_t kFieldInSearchesWithLandmarks = 60;
+inline constexpr size_t kFieldInSearchesWithLandmarks = 30;
 inline constexpr size_t kFieldInUndirectedSearches = 2;
 
 struct PairCosts {
