@@ -159,8 +159,13 @@ inline constexpr double kRoundedPlace = 1e-14;
 // Asked only beside faces without area, which have no plane to tell it.
 inline constexpr double kDirectionless = 1e-9;
 
-// A lower bound straight through space is lowered by this: some roundings of
-// the coordinates, which are about 1 at the most.
+// A vertex that is farther than the way along an edge from a neighbour by more
+// than this fraction was missed by windows. It is below what distances are
+// promised to be good to, and far above the rounding of one edge.
+inline constexpr double kAlongEdge = 1e-11;
+
+// A lower bound on the rest of a way is lowered by this: some roundings of
+// coordinates and distances, which are about 1.
 inline constexpr double kGoalRounding = 1e-14;
 
 // A directed search goes on until what is pending exceeds the distance of its
@@ -168,8 +173,9 @@ inline constexpr double kGoalRounding = 1e-14;
 // are promised to stay below.
 inline constexpr double kGoalMargin = 1e-10;
 
-// Distances from landmarks are rounded to single precision, by 6e-8 at the
-// most; bounds allow for four times that, which covers their own rounding too.
+// Distances from landmarks are rounded to single precision, by 6e-8 of them at
+// the most; bounds allow for four times that, which covers their own rounding
+// too.
 inline constexpr float kLandmarkRounding = 0x1p-22f;
 
 // A source's offset in sizes of the mesh may not exceed this. Labels are sums

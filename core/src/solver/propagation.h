@@ -160,6 +160,11 @@ class Propagation final : public Computation {
         taken = Step();
       }
       if (taken == 0) {
+        if (front_.RelaxAlongEdges()) {
+          queue_.Restart();
+          rule_.Restart();
+          continue;
+        }
         if (absl::Status status = CheckComplete(); !status.ok()) return status;
         certified_radius_ = std::numeric_limits<double>::infinity();
         return Poll(checkpoint);

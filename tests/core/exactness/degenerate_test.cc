@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -221,6 +222,44 @@ TEST_P(DegenerateMeshes, PathsOnAFewFaces) {
         {{0, 2, 1}, {0, 3, 2}, {1, 4, 5}, {1, 2, 4}}}}};
   for (const NamedMesh& named : meshes) {
     ExpectBruteForce(named, SpreadVertices(named.soup, 7));
+  }
+}
+
+// A sheet folded back on itself, whose faces are 1e-9 as high as they are long:
+// windows miss vertices beside others. SolveOn expects that no vertex is
+// farther than a neighbour and the way from there.
+TEST_P(DegenerateMeshes, FoldedNeedlesAreNotLeftOut) {
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(
+      {"folded needles",
+       {{{2.6020527637557096e-12, 0.0, 1.3224557146675526e-12},
+         {2.6020527637557096e-12, 1.0000000000000002e-06,
+          1.219195023046415e-12},
+         {2.6020527637557096e-12, 0.002, 6.134515106222839e-13},
+         {2.6020527637557096e-12, 0.003, 6.223801179322336e-13},
+         {1.4029581843163721e-12, 0.0, 5.043130577450019e-13},
+         {1.4029581843163721e-12, 1.0000000000000002e-06,
+          2.2932754742924665e-13},
+         {1.4029581843163721e-12, 0.002, 3.346693546402034e-13},
+         {1.4029581843163721e-12, 3e-06, 1.1095460128885108e-13},
+         {7.564380301417603e-13, 0.0, 7.058810844976104e-13},
+         {7.564380301417603e-13, 0.001, 7.3567271875753e-13},
+         {7.564380301417603e-13, 2.0000000000000003e-06, 5.675761100205648e-13},
+         {7.564380301417603e-13, 0.003, 5.210236025582191e-15}},
+        {{0, 4, 1},
+         {4, 5, 1},
+         {1, 5, 6},
+         {1, 6, 2},
+         {2, 6, 3},
+         {6, 7, 3},
+         {4, 8, 5},
+         {8, 9, 5},
+         {5, 9, 6},
+         {9, 10, 6},
+         {6, 10, 7},
+         {10, 11, 7}}}});
+  for (uint32_t source = 0; source < mesh->vertex_count(); ++source) {
+    SCOPED_TRACE(absl::StrCat("from ", source));
+    SolveOn(*mesh, {{VertexPoint{source}}});
   }
 }
 

@@ -302,6 +302,24 @@ class Front {
     }
   }
 
+  // Relaxes vertices that are farther than the way along an edge from a
+  // neighbour: windows can miss them where faces are hardly higher than
+  // rounding. Returns whether there were any. O(F).
+  bool RelaxAlongEdges() {
+    bool has_relaxed = false;
+    for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
+      const uint32_t a = mesh_.From(h), b = mesh_.To(h);
+      const double length = mesh_.frame(h).length;
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+        const double distance = distances_[from] + length;
+        if (!(distance < distances_[to] * (1 - kAlongEdge))) continue;
+        Relax(to, distance, {.pseudo_source = from}, IncomingRay::Bent());
+        has_relaxed = true;
+      }
+    }
+    return has_relaxed;
+  }
+
   // A vertex that was not reached, beside one that was. None once nothing is
   // pending. O(1) where all vertices are reached.
   std::optional<uint32_t> FindGap() const {
