@@ -51,8 +51,11 @@ class Landmarks {
   std::optional<uint32_t> next() const { return next_; }
 
   // A landmark: the distances from one vertex to all, in the unit of the file.
-  // REQUIRES: count() < kMost, and the distances are certified everywhere. O(V)
-  void Add(std::span<const double> distances);
+  // Distances that differ along an edge by more than its length bound nothing;
+  // they are left out, and no more are chosen.
+  // REQUIRES: count() < kMost, the mesh is the same, and the distances are
+  // certified everywhere. O(V + F).
+  void Add(const Mesh& mesh, std::span<const double> distances);
 
   uint32_t count() const { return count_; }
   // By vertex.

@@ -51,6 +51,21 @@ std::optional<uint32_t> FirstOf(const Mesh& mesh) {
   });
 }
 
+// Whether distances differ along each edge by its length at the most, up to the
+// rounding that bounds allow for.
+bool AgreeWithEdges(const Mesh& mesh, std::span<const double> distances,
+                    double scale) {
+  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
+    const double from = distances[mesh.From(h)] * scale;
+    const double to = distances[mesh.To(h)] * scale;
+    if (std::abs(from - to) >
+        mesh.frame(h).length + kLandmarkRounding * std::max(from, to) / 2) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Landmarks::Landmarks(const Mesh& mesh)
@@ -67,7 +82,11 @@ uint64_t Landmarks::PlannedBytes(const Mesh& mesh) {
   return mesh.vertex_count() * sizeof(Row);
 }
 
-void Landmarks::Add(std::span<const double> distances) {
+void Landmarks::Add(const Mesh& mesh, std::span<const double> distances) {
+  if (!AgreeWithEdges(mesh, distances, scale_)) {
+    next_.reset();
+    return;
+  }
   for (size_t v = 0; v < rows_.size(); ++v) {
     rows_[v].distances[count_] = static_cast<float>(distances[v] * scale_);
   }
@@ -101,12 +120,14 @@ Landmarks::Place Landmarks::PlaceOf(const SurfacePoint& point,
   const FacePoint in_face = FacesAround(mesh, point)[0];
   for (uint32_t corner = 0; corner < 3; ++corner) {
     const auto beside = static_cast<float>(
-        DistanceToCorner(mesh, in_face, corner) * (1 + kLandmarkRounding));
+        DistanceToCorner(mesh, in_face, corner) * (1 + 2 * kLandmarkRounding));
     const Row& row = rows_[mesh.triangle(in_face.face)[corner]];
     for (uint32_t l = 0; l < kMost; ++l) {
-      const float distance = row.distances[l];
-      place.low[l] = std::max(place.low[l], distance - beside);
-      place.high[l] = std::min(place.high[l], distance + beside);
+      // Rounding goes with these, and the difference may be far smaller.
+      const float low = row.distances[l] * (1 - kLandmarkRounding);
+      const float high = row.distances[l] * (1 + kLandmarkRounding);
+      place.low[l] = std::max(place.low[l], low - beside);
+      place.high[l] = std::min(place.high[l], high + beside);
     }
   }
   return place;
@@ -138,7 +159,7 @@ absl::StatusOr<Landmarks> MakeLandmarks(const Mesh& mesh, uint32_t count,
         Solve(mesh, Query{.sources = {{VertexPoint{*landmarks.next()}}}},
               options, checkpoint);
     if (!field.ok()) return field.status();
-    landmarks.Add(field->distances);
+    landmarks.Add(mesh, field->distances);
   }
   return landmarks;
 }

@@ -27,11 +27,11 @@ double Goal::Compute(uint32_t v) const {
   const SpacePoint place{.vertex = v};
   double least = std::numeric_limits<double>::infinity();
   for (const Target& target : targets_) {
-    double bound = StraightDistance(mesh_, place, target.place) - kGoalRounding;
+    double bound = StraightDistance(mesh_, place, target.place);
     if (landmarks_ != nullptr) {
       bound = std::max(bound, landmarks_->LowerBound(v, target.from_landmarks));
     }
-    least = std::min(least, bound);
+    least = std::min(least, bound - kGoalRounding);
   }
   known_.push_back(v);
   return bounds_[v] = std::max(least, 0.0);

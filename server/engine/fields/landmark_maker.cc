@@ -134,7 +134,7 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
   status = field.computation->Advance({}, checkpoint);
   if (absl::IsAborted(status)) return true;
   if (!status.ok()) return status;
-  work_.landmarks->Add(field.computation->Field().distances);
+  work_.landmarks->Add(*mesh->mesh, field.computation->Field().distances);
   work_.field.reset();
   ++made_;
   const bool goes_on = work_.landmarks->next().has_value();

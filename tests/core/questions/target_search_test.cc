@@ -29,6 +29,12 @@ namespace {
 // truth; a window that is missing makes a difference of 1e-6 and more.
 constexpr double kPairTolerance = 1e-12;
 
+// Distances of far places differ by next to nothing there.
+TriangleSoup Squeezed(TriangleSoup soup, double factor) {
+  for (Point& position : soup.positions) position[1] *= factor;
+  return soup;
+}
+
 std::vector<NamedMesh> Surfaces() {
   std::vector<NamedMesh> meshes = {
       {"icosphere", Icosphere(4)},
@@ -42,6 +48,8 @@ std::vector<NamedMesh> Surfaces() {
       {"two parts and loose vertices",
        AddIsolatedVertices(
            Join(Icosphere(3), RotateAndShift(Terrain(12, 12, 1, 3), 5)), 3)},
+      {"needles",
+       Squeezed(MakeGrid({.columns = 30, .rows = 6, .jitter = 0.3}), 1e-5)},
       {"a book", Book(MakeGrid({.columns = 8, .rows = 8}), 4)}};
   for (uint64_t seed = 1; seed <= 12; ++seed) {
     meshes.push_back({absl::StrCat("edited ", seed),
@@ -255,7 +263,7 @@ TEST(Landmarks, BoundDistancesFromBelow) {
     const TargetSearchOn search(named);
     const Mesh& mesh = search.mesh();
     const Landmarks landmarks = search.MakeSome(Landmarks::kMost);
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 12; ++i) {
       const SurfacePoint target = RandomSurfacePoint(named.soup, random);
       const Landmarks::Place place = landmarks.PlaceOf(target, mesh);
       const std::vector<double> field =
@@ -266,6 +274,26 @@ TEST(Landmarks, BoundDistancesFromBelow) {
             field[v])
             << v << " from " << Name(target);
       }
+    }
+  }
+}
+
+// Where the way from the landmark is short beside the edges around.
+TEST(Landmarks, BoundDistancesOfPlacesBesideThem) {
+  const NamedMesh named{"terrain", Terrain(12, 12, 1, 3)};
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  Random random(6);
+  for (uint32_t landmark = 0; landmark < mesh->vertex_count(); ++landmark) {
+    Landmarks landmarks(*mesh);
+    landmarks.Add(
+        *mesh, SolveOrFail(*mesh, Algorithm::kMmp, {{VertexPoint{landmark}}}));
+    for (const HalfEdge h : mesh->Outgoing(landmark)) {
+      const double t = std::pow(10, random.Uniform(-12, -2));
+      const SurfacePoint target = EdgePoint{landmark, mesh->To(h), t};
+      EXPECT_LE(
+          landmarks.LowerBound(landmark, landmarks.PlaceOf(target, *mesh)),
+          t * mesh->frame(h).length)
+          << Name(target);
     }
   }
 }
