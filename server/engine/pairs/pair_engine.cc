@@ -54,7 +54,7 @@ PairCosts CostsOf(bool is_directed, bool has_landmarks, size_t pairs,
 
 PairEngine::PairEngine(const Limits& limits, const SolveOptions& options,
                        const Clock& clock, Scheduler& scheduler, SoloJobs& jobs,
-                       std::shared_ptr<ByteBudget> solver_memory,
+                       const std::shared_ptr<ByteBudget>& solver_memory,
                        const StartFunction& start, MeshLibrary& meshes,
                        FieldEngine& fields, LandmarkMaker& landmarks)
     : limits_(limits),

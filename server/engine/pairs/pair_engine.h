@@ -52,7 +52,7 @@ class PairEngine {
   // left when it is destroyed.
   PairEngine(const Limits& limits, const SolveOptions& options,
              const Clock& clock, Scheduler& scheduler, SoloJobs& jobs,
-             std::shared_ptr<ByteBudget> solver_memory,
+             const std::shared_ptr<ByteBudget>& solver_memory,
              const StartFunction& start, MeshLibrary& meshes,
              FieldEngine& fields, LandmarkMaker& landmarks);
 
