@@ -307,14 +307,21 @@ class Front {
   // rounding. Returns whether there were any. O(F).
   bool RelaxAlongEdges() {
     bool has_relaxed = false;
-    for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
-      const uint32_t a = mesh_.From(h), b = mesh_.To(h);
-      const double length = mesh_.frame(h).length;
-      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
-        const double distance = distances_[from] + length;
-        if (!(distance < distances_[to] * (1 - kAlongEdge))) continue;
-        Relax(to, distance, {.pseudo_source = from}, IncomingRay::Bent());
-        has_relaxed = true;
+    for (HalfEdge first = 0; first < mesh_.half_edge_count(); first += 3) {
+      const Triangle& corners = mesh_.TriangleOf(first);
+      for (uint32_t i = 0; i < 3; ++i) {
+        const uint32_t a = corners[i], b = corners[i == 2 ? 0 : i + 1];
+        const double length = mesh_.frame(first + i).length;
+        if (std::abs(distances_[a] - distances_[b]) <=
+            length * (1 + kAlongEdge)) {
+          continue;
+        }
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+          const double distance = distances_[from] + length;
+          if (!(distance < distances_[to] * (1 - kAlongEdge))) continue;
+          Relax(to, distance, {.pseudo_source = from}, IncomingRay::Bent());
+          has_relaxed = true;
+        }
       }
     }
     return has_relaxed;
