@@ -1,14 +1,19 @@
 #include "bench/question_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iterator>
+#include <string>
 #include <vector>
 
 namespace geodesic {
 
-void AddQuestionOptions(CLI::App& app, QuestionOptions& options) {
+void AddQuestionOptions(CLI::App& app, QuestionOptions& options,
+                        std::vector<std::string> others) {
   std::vector<std::string> names;
-  names.reserve(kAlgorithms.size());
+  names.reserve(kAlgorithms.size() + others.size());
   for (const AlgorithmInfo& info : kAlgorithms) names.emplace_back(info.name);
+  std::ranges::move(others, std::back_inserter(names));
   app.add_option("MESH_FILE", options.mesh_file, "OBJ, PLY, OFF or STL file")
       ->required()
       ->check(CLI::ExistingFile);

@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "geodesic/algorithm.h"
 
@@ -19,8 +20,10 @@ struct QuestionOptions {
 };
 
 // Adds MESH_FILE, SOURCE, --algorithm and --repeat. `options` holds the
-// defaults and outlives the parsing.
-void AddQuestionOptions(CLI::App& app, QuestionOptions& options);
+// defaults and outlives the parsing. --algorithm takes the exact ones and
+// `others`.
+void AddQuestionOptions(CLI::App& app, QuestionOptions& options,
+                        std::vector<std::string> others = {});
 
 }  // namespace geodesic
 

@@ -1,15 +1,13 @@
-// solve: exact geodesic distances of a mesh file, timed, as one line of JSON.
-// It is how this project's speed is compared with other programs'.
+// solve: geodesic distances of a mesh file, timed, as one line of JSON. It is
+// how this project's speed, and that of the approximate methods, is compared
+// with other programs'.
 
 #include "geodesic/solve.h"
-
-#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -20,7 +18,9 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "bench/load_mesh.h"
+#include "bench/measured.h"
 #include "bench/question_options.h"
+#include "bench/solve_approximate.h"
 #include "bench/solve_pairs.h"
 #include "geodesic/mesh.h"
 
@@ -35,6 +35,7 @@ struct Options {
   bool fixed_batch = false;
   std::string output;
   PairOptions pairs;
+  ApproximateOptions approximate;
 };
 
 double SecondsSince(std::chrono::steady_clock::time_point start) {
@@ -42,37 +43,19 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
       .count();
 }
 
-absl::Status Write(const std::string& path, const std::vector<double>& values) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(values.data()),
-             static_cast<std::streamsize>(values.size() * sizeof(double)));
-  if (!file.flush()) return absl::UnavailableError("cannot write " + path);
-  return absl::OkStatus();
-}
-
-double Median(std::vector<double> values) {
-  const auto middle =
-      values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double PeakRssMb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
 absl::Status Run(const Options& options) {
-  absl::StatusOr<Algorithm> algorithm =
-      AlgorithmFromName(options.question.algorithm);
-  if (!algorithm.ok()) return algorithm.status();
-
   const auto start = std::chrono::steady_clock::now();
   absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
       LoadMesh(options.question.mesh_file);
   if (!mesh.ok()) return mesh.status();
   const double setup_seconds = SecondsSince(start);
+  if (ApproximateMethodFromName(options.question.algorithm).ok()) {
+    return SolveApproximate(**mesh, setup_seconds, options.question,
+                            options.approximate, options.output);
+  }
+  const absl::StatusOr<Algorithm> algorithm =
+      AlgorithmFromName(options.question.algorithm);
+  if (!algorithm.ok()) return algorithm.status();
   if (options.pairs.target.has_value() || options.pairs.pairs > 0) {
     return SolvePairs(**mesh, options.question, options.pairs);
   }
@@ -95,7 +78,7 @@ absl::Status Run(const Options& options) {
     seconds.push_back(field.statistics.solve_seconds);
   }
   if (!options.output.empty()) {
-    if (absl::Status status = Write(options.output, field.distances);
+    if (absl::Status status = WriteField(options.output, field.distances);
         !status.ok()) {
       return status;
     }
@@ -105,8 +88,11 @@ absl::Status Run(const Options& options) {
                                       {"vertices", (*mesh)->vertex_count()},
                                       {"algorithm", std::string(AlgorithmName(
                                                         field.algorithm))},
+                                      {"exact", true},
+                                      {"certified_error", 0},
                                       {"threads", options.threads},
                                       {"setup_s", setup_seconds},
+                                      {"prepare_s", 0},
                                       {"solve_s", Median(seconds)},
                                       {"solve_s_all", seconds},
                                       {"windows_created",
@@ -126,10 +112,11 @@ absl::Status Run(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Solves exact geodesic distances on a mesh file and prints the cost as "
-      "one line of JSON."};
+      "Solves geodesic distances on a mesh file, exactly unless --algorithm "
+      "names an approximate method, and prints the cost as one line of JSON."};
   geodesic::Options options;
-  geodesic::AddQuestionOptions(app, options.question);
+  geodesic::AddQuestionOptions(app, options.question,
+                               geodesic::ApproximateMethodNames());
   app.add_option("--threads", options.threads,
                  "threads to solve with; the result is the same to the bit")
       ->check(CLI::Range(1u, geodesic::kMostSolveThreads))
@@ -148,8 +135,12 @@ int main(int argc, char** argv) {
   app.add_option("--output", options.output,
                  "write the field to this file, raw little-endian doubles");
   geodesic::AddPairOptions(app, options.pairs);
+  geodesic::AddApproximateOptions(app, options.approximate);
   CLI11_PARSE(app, argc, argv);
-  if (absl::Status status = geodesic::Run(options); !status.ok()) {
+  absl::Status status =
+      geodesic::CheckCombination(app, options.question.algorithm);
+  if (status.ok()) status = geodesic::Run(options);
+  if (!status.ok()) {
     std::cerr << "solve: " << std::string(status.message()) << "\n";
     return 1;
   }

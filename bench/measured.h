@@ -1,0 +1,25 @@
+// What solve measures and how it hands out fields.
+
+#ifndef GEODESIC_BENCH_MEASURED_H_
+#define GEODESIC_BENCH_MEASURED_H_
+
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+
+namespace geodesic {
+
+// REQUIRES: there are values.
+double Median(std::vector<double> values);
+
+// Of this process, so far.
+double PeakRssMb();
+
+// As raw little-endian doubles. Errors: UNAVAILABLE with the path.
+absl::Status WriteField(const std::string& path,
+                        const std::vector<double>& values);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_BENCH_MEASURED_H_

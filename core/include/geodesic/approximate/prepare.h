@@ -1,0 +1,26 @@
+// Prepares any approximate method by its place in the list (method.h).
+
+#ifndef GEODESIC_APPROXIMATE_PREPARE_H_
+#define GEODESIC_APPROXIMATE_PREPARE_H_
+
+#include <memory>
+
+#include "absl/status/statusor.h"
+#include "geodesic/approximate/method.h"
+#include "geodesic/approximate/prepared_method.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/mesh.h"
+
+namespace geodesic {
+
+// What methods can be told; each reads its own part.
+struct MethodOptions {};
+
+// Errors: as the method's own Prepare.
+absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(
+    const Mesh& mesh, ApproximateMethod method, const MethodOptions& options,
+    Checkpoint& checkpoint);
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_APPROXIMATE_PREPARE_H_

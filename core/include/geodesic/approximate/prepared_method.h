@@ -1,0 +1,49 @@
+// What all approximate methods have in common: something is made of the mesh
+// once, and then asked for fields.
+
+#ifndef GEODESIC_APPROXIMATE_PREPARED_METHOD_H_
+#define GEODESIC_APPROXIMATE_PREPARED_METHOD_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic/approximate/method.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/valid_query.h"
+
+namespace geodesic {
+
+// Distances that are nearly right, in the unit of the mesh's file. Nothing is
+// certified: no method bounds its error.
+struct ApproximateField {
+  // One per vertex; +infinity exactly where no path from any source leads.
+  std::vector<double> distances;
+  ApproximateMethod method;
+  double solve_seconds = 0;
+};
+
+// Immutable: const functions are thread-safe, and many may run at once. The
+// mesh that it was made of must outlive it.
+class PreparedMethod {
+ public:
+  virtual ~PreparedMethod() = default;
+
+  virtual ApproximateMethod method() const = 0;
+
+  // The field of the query's sources. The query's algorithm plays no part, and
+  // the same arguments give the same bits. `checkpoint` is never told of a
+  // settled radius or of distances.
+  // Errors: INVALID_ARGUMENT with the path (field_path.h) of what the method
+  // cannot do: curves, targets, a trace; each method names what else. Whatever
+  // `checkpoint` returns.
+  virtual absl::StatusOr<ApproximateField> Distances(
+      const ValidQuery& query, Checkpoint& checkpoint) const = 0;
+
+  // Bytes held beside the mesh.
+  virtual uint64_t bytes() const = 0;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_APPROXIMATE_PREPARED_METHOD_H_

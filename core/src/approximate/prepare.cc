@@ -1,0 +1,20 @@
+#include "geodesic/approximate/prepare.h"
+
+#include "absl/status/status.h"
+#include "geodesic/approximate/fast_marching.h"
+
+namespace geodesic {
+
+absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(
+    const Mesh& mesh, ApproximateMethod method, const MethodOptions&,
+    Checkpoint& checkpoint) {
+  switch (method) {
+    case ApproximateMethod::kFmm:
+      return FastMarching::Prepare(mesh, MarchingQueue::kHeap, checkpoint);
+    case ApproximateMethod::kFmmUntidy:
+      return FastMarching::Prepare(mesh, MarchingQueue::kUntidy, checkpoint);
+  }
+  return absl::InternalError("no such approximate method");
+}
+
+}  // namespace geodesic

@@ -1,0 +1,63 @@
+#include "approximate/seeds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/field_path.h"
+#include "surface/surface_location.h"
+
+namespace geodesic {
+namespace {
+
+absl::Status Refuse(const std::string& path, ApproximateMethod method,
+                    std::string_view what) {
+  return InvalidField(
+      path, absl::StrCat(path, ": ", std::string(ApproximateMethodName(method)),
+                         " ", std::string(what)));
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<Seed>> SeedsOf(const ValidQuery& query,
+                                          const Mesh& mesh,
+                                          ApproximateMethod method) {
+  if (!query->targets.empty()) {
+    return Refuse("targets[0]", method,
+                  "gives the distances of vertices alone; leave targets out");
+  }
+  if (query->trace) {
+    return Refuse("trace", method,
+                  "keeps no paths; ask an exact algorithm for them");
+  }
+  std::vector<Seed> seeds;
+  for (size_t s = 0; s < query->sources.size(); ++s) {
+    const Source& source = query->sources[s];
+    if (IsCurve(source)) {
+      return Refuse(absl::StrCat("sources[", s, "].curve"), method,
+                    "starts from points; ask an exact algorithm");
+    }
+    const auto& point = std::get<SurfacePoint>(source.place);
+    const double offset = std::ldexp(source.offset, -mesh.scale_exponent());
+    if (const auto* at = std::get_if<VertexPoint>(&point)) {
+      seeds.push_back({at->vertex, offset});
+      continue;
+    }
+    for (const FacePoint& place : FacesAround(mesh, point)) {
+      for (uint32_t corner = 0; corner < 3; ++corner) {
+        seeds.push_back({mesh.triangle(place.face)[corner],
+                         offset + DistanceToCorner(mesh, place, corner)});
+      }
+    }
+  }
+  std::ranges::sort(seeds, [](const Seed& a, const Seed& b) {
+    return a.vertex != b.vertex ? a.vertex < b.vertex : a.distance < b.distance;
+  });
+  const auto repeated = std::ranges::unique(seeds, {}, &Seed::vertex);
+  seeds.erase(repeated.begin(), repeated.end());
+  return seeds;
+}
+
+}  // namespace geodesic
