@@ -1,0 +1,103 @@
+"""The core, as geodesic.local uses it. Everything is thread-safe unless said
+otherwise; what computes lets other threads of Python run, and stops when Ctrl-C
+or an exception of `progress` says so.
+"""
+
+from typing import Any, Callable, Dict, List, Optional, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+_Progress = Optional[Callable[[int, int], object]]
+
+VERSION: str
+# (name, summary) of each; the first is the default.
+ALGORITHMS: Tuple[Tuple[str, str], ...]
+
+class Places:
+    """The arrays of geodesic.places.Places."""
+    def __init__(self, kinds: NDArray[np.uint8], numbers: NDArray[np.uint32],
+                 weights: NDArray[np.float64]) -> None: ...
+    @property
+    def kinds(self) -> NDArray[np.uint8]: ...
+    @property
+    def numbers(self) -> NDArray[np.uint32]: ...
+    @property
+    def weights(self) -> NDArray[np.float64]: ...
+
+class Sources:
+    """The arrays of geodesic.places.Sources."""
+    def __init__(self, places: Places, counts: NDArray[np.int64],
+                 offsets: NDArray[np.float64]) -> None: ...
+
+class Mesh:
+    """Immutable. `vertices` (V, 3) and `faces` (F, 3), 32- or 64-bit integers,
+    are copied once."""
+    def __init__(self, vertices: NDArray[np.float64],
+                 faces: NDArray[np.integer[Any]]) -> None: ...
+    @staticmethod
+    def read(data: bytes, name: str) -> Mesh:
+        """Of a file's bytes; the ending of `name` says in which format."""
+    @property
+    def positions(self) -> NDArray[np.float64]:
+        """(V, 3); the mesh's own memory, read only."""
+    @property
+    def vertex_count(self) -> int: ...
+    @property
+    def face_count(self) -> int: ...
+    def triangles(self) -> NDArray[np.int32]:
+        """(F, 3); a copy."""
+    def facts(self) -> Dict[str, Any]: ...
+
+class Query:
+    """A question that was checked against its mesh."""
+    def __init__(self, mesh: Mesh, sources: Sources, targets: Places,
+                 algorithm: str, trace: bool) -> None: ...
+
+class Field:
+    """What solve() found."""
+    @property
+    def distances(self) -> NDArray[np.float64]:
+        """(V,); the field's own memory, read only."""
+    def take_distances(self) -> NDArray[np.float64]:
+        """(V,); not copied, but gone from the field."""
+    def take_target_distances(self) -> NDArray[np.float64]:
+        """(T,); likewise."""
+    @property
+    def settled_radius(self) -> float: ...
+    @property
+    def algorithm(self) -> str: ...
+    def statistics(self) -> Dict[str, Any]: ...
+    def nearest_sources(self) -> NDArray[np.uint32]: ...
+    def gradients(self) -> NDArray[np.float64]: ...
+    def log_map(self, radius: float) -> Tuple[NDArray[np.float64], List[float]]: ...
+    def paths(self) -> List[
+        Tuple[Places, NDArray[np.float64], float, float, int]]: ...
+
+def solve(query: Query, radius: float, stop_after_targets: int, threads: int,
+          progress: _Progress) -> Field: ...
+
+class Progression:
+    """A computation in slices. For one thread at a time."""
+    def __init__(self, query: Query, radius: float, threads: int) -> None: ...
+    def next(self, seconds: float) -> Optional[
+        Tuple[NDArray[np.int64], NDArray[np.float64]]]: ...
+
+def isolines(query: Query, levels: List[float], threads: int,
+             progress: _Progress) -> List[
+                 Tuple[float, bool, Places, NDArray[np.float64]]]: ...
+def samples(query: Query, count: int, threads: int, progress: _Progress,
+            ) -> Tuple[NDArray[np.int64], NDArray[np.float64]]: ...
+def fill_matrix(query: Query, radius: float, threads: int,
+                progress: _Progress, out: NDArray[Any]) -> None:
+    """`out` is C-contiguous, of float64 or float32."""
+def sparse_matrix(query: Query, radius: float, threads: int,
+                  progress: _Progress) -> Tuple[
+                      NDArray[np.int64], NDArray[np.int32],
+                      NDArray[np.float64]]:
+    """Counts of the rows, columns, values."""
+def nearest(query: Query, count: int, radius: float, threads: int,
+            progress: _Progress) -> Tuple[NDArray[np.int64],
+                                          NDArray[np.float64]]: ...
+def pairs(query: Query, order: NDArray[np.int64], ends: NDArray[np.int64],
+          threads: int, progress: _Progress) -> NDArray[np.float64]: ...

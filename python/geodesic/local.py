@@ -1,0 +1,157 @@
+"""Answers in this process: the core, through the extension `_core`."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Iterator, List, Optional, Tuple
+
+import numpy as np
+
+from . import _core
+from .backend import FieldAnswer, IsolineAnswer, Options, PathAnswer
+from .places import Places, Sources, empty
+
+_ALL_TARGETS = 2**64 - 1
+_NO_SOURCE = 2**32 - 1
+
+
+def _core_places(places: Places) -> _core.Places:
+    return _core.Places(places.kinds, places.numbers, places.weights)
+
+
+def _places(places: _core.Places) -> Places:
+    return Places(places.kinds, places.numbers, places.weights)
+
+
+def labels_of(numbers: np.ndarray) -> np.ndarray:
+    """Numbers of sources as int32, -1 where there is none; no copy."""
+    return numbers.view(np.int32)
+
+
+class LocalBackend:
+    """A mesh in this process. Thread-safe: nothing of it changes."""
+
+    def __init__(self, mesh: _core.Mesh) -> None:
+        self._mesh = mesh
+        self.vertex_count: int = mesh.vertex_count
+        self.face_count: int = mesh.face_count
+
+    def vertices(self) -> np.ndarray:
+        return self._mesh.positions
+
+    def faces(self) -> np.ndarray:
+        return self._mesh.triangles()
+
+    def facts(self) -> Dict[str, Any]:
+        return self._mesh.facts()
+
+    def where(self) -> str:
+        return "in this process"
+
+    def _query(self, sources: Sources, targets: Optional[Places],
+               options: Options, trace: bool = False) -> _core.Query:
+        return _core.Query(
+            self._mesh,
+            _core.Sources(_core_places(sources.places), sources.counts,
+                          sources.offsets),
+            _core_places(empty(0) if targets is None else targets),
+            options.algorithm or _core.ALGORITHMS[0][0], trace)
+
+    def field(self, sources: Sources, targets: Places, radius: float,
+              stop_after_targets: Optional[int], labels: bool, gradients: bool,
+              options: Options) -> FieldAnswer:
+        query = self._query(sources, targets, options, labels or gradients)
+        stop = _ALL_TARGETS if stop_after_targets is None else stop_after_targets
+        field = _core.solve(query, radius, stop, options.threads,
+                            options.progress)
+        answer = FieldAnswer(
+            distances=np.empty(0),
+            target_distances=np.empty(0),
+            settled_radius=field.settled_radius,
+            algorithm=field.algorithm,
+            statistics=field.statistics(),
+            labels=labels_of(field.nearest_sources()) if labels else None,
+            gradients=field.gradients() if gradients else None)
+        answer.distances = field.take_distances()
+        answer.target_distances = field.take_target_distances()
+        return answer
+
+    def progressive(self, sources: Sources, radius: float, interval: float,
+                    options: Options,
+                    ) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
+        progression = _core.Progression(self._query(sources, None, options),
+                                        radius, options.threads)
+        while (settled := progression.next(interval)) is not None:
+            yield settled
+
+    def paths(self, sources: Sources, targets: Places, radius: float,
+              options: Options) -> List[PathAnswer]:
+        query = self._query(sources, targets, options, trace=True)
+        field = _core.solve(query, radius, len(targets), options.threads,
+                            options.progress)
+        return [
+            PathAnswer(_places(places), points, distance, length, source)
+            for places, points, distance, length, source in field.paths()
+        ]
+
+    def isolines(self, sources: Sources, levels: List[float],
+                 options: Options) -> List[IsolineAnswer]:
+        found = _core.isolines(self._query(sources, None, options), levels,
+                               options.threads, options.progress)
+        return [
+            IsolineAnswer(level, closed, _places(places), points)
+            for level, closed, places, points in found
+        ]
+
+    def fill_matrix(self, sources: Sources, targets: Optional[Places],
+                    radius: float, out: np.ndarray, options: Options) -> None:
+        _core.fill_matrix(self._query(sources, targets, options), radius,
+                          options.threads, options.progress, out)
+
+    def sparse_matrix(self, sources: Sources, targets: Optional[Places],
+                      radius: float, options: Options,
+                      ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+        return _core.sparse_matrix(self._query(sources, targets, options),
+                                   radius, options.threads, options.progress)
+
+    def nearest(self, sources: Sources, targets: Places, count: int,
+                radius: float, options: Options,
+                ) -> Tuple[np.ndarray, np.ndarray]:
+        return _core.nearest(self._query(sources, targets, options), count,
+                             radius, options.threads, options.progress)
+
+    def pairs(self, sources: Places, targets: Places,
+              options: Options) -> np.ndarray:
+        order, ends = _groups(sources)
+        backward, backward_ends = _groups(targets)
+        # Distances are the same both ways, so the end that is shared by more
+        # pairs is the one to start from.
+        if len(backward_ends) < len(ends):
+            sources, targets = targets, sources
+            order, ends = backward, backward_ends
+        count = len(sources)
+        points = Sources(sources, np.full(count, -1), np.zeros(count))
+        return _core.pairs(self._query(points, targets, options), order, ends,
+                           options.threads, options.progress)
+
+    def samples(self, sources: Sources, count: int, options: Options,
+                ) -> Tuple[np.ndarray, np.ndarray]:
+        return _core.samples(self._query(sources, None, options), count,
+                             options.threads, options.progress)
+
+    def log_map(self, sources: Sources, radius: float, options: Options,
+                ) -> Tuple[np.ndarray, np.ndarray]:
+        field = _core.solve(self._query(sources, None, options, trace=True),
+                            radius, _ALL_TARGETS, options.threads,
+                            options.progress)
+        coordinates, zero_direction = field.log_map(radius)
+        return coordinates, np.array(zero_direction)
+
+
+def _groups(places: Places) -> Tuple[np.ndarray, np.ndarray]:
+    """An order in which equal places stand together, and where each group
+    ends."""
+    rows = np.column_stack([places.kinds, places.numbers, places.weights])
+    _, group = np.unique(rows, axis=0, return_inverse=True)
+    group = group.reshape(-1)
+    order = np.argsort(group, kind="stable")
+    return order, np.flatnonzero(np.diff(group[order], append=-1)) + 1

@@ -1,0 +1,534 @@
+"""The class that users see."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import math
+import os
+import pathlib
+from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core, inputs
+from .backend import Backend, Options
+from .errors import InvalidArgument
+from .local import LocalBackend
+from .places import FacePoint, Places, Source, SurfacePoint, to_places, to_sources
+from .progress import ProgressOption, reporting
+from .results import Field, Isoline, LogMap, Path
+from .surface import FaceFinder, PointFinder
+
+OneOrManySources = Union[Source, Sequence[Source], NDArray[Any], Places]
+OneOrManyPlaces = Union[SurfacePoint, Sequence[SurfacePoint], NDArray[Any],
+                        Places]
+
+
+def _threads(threads: Optional[int]) -> int:
+    """None: as many as this process may use."""
+    if threads is None:
+        return len(os.sched_getaffinity(0))
+    if threads < 1:
+        raise InvalidArgument(f"threads is {threads}; at least one has to work")
+    return threads
+
+
+def _radius(radius: Optional[float]) -> float:
+    if radius is None:
+        return math.inf
+    radius = float(radius)
+    if not radius >= 0:
+        raise InvalidArgument(f"radius is {radius}, which is no distance")
+    return radius
+
+
+class Mesh:
+    """A triangle mesh, and the questions about distances along its surface.
+
+        mesh = geodesic.Mesh(V, F)
+        d = mesh.distances(0)          # from vertex 0 to every vertex
+        path = mesh.path(0, 99)        # the shortest path between two vertices
+
+    Distances are exact up to rounding (relative error below 1e-10): they are
+    lengths of shortest paths across the faces, not along the edges. They are
+    +inf where no path leads. Numbers of vertices and faces start from 0 and are
+    those of your arrays; lengths have the unit of your vertices.
+
+    Any triangles will do: boundaries, holes, several pieces, isolated vertices,
+    faces without area, edges of three faces, faces turned either way.
+
+    A source or target is a vertex number, an EdgePoint or a FacePoint; many of
+    them are a list, an array of vertex numbers or a mask of the vertices. A
+    source may also be a Curve. For points in space use nearest_point().
+
+    What the methods have in common:
+        radius: stop there; what lies beyond is +inf. Costs what lies within.
+        offsets: one per source, >= 0, added to the distances from it.
+        algorithm: a name from geodesic.algorithms(). All give the same
+            distances.
+        threads: how many may work on the question; None for as many as this
+            process may use. The answer has the same bits with any number.
+        progress: True for a bar of tqdm, or a function f(done, total) that is
+            called some times a second; what it raises stops the computation.
+    Ctrl-C stops them, too. A mesh never changes; use it in as many threads as
+    you like.
+    """
+
+    def __init__(self, vertices: Any, faces: Optional[ArrayLike] = None) -> None:
+        """Takes arrays, a file, or another library's mesh.
+
+        Args:
+            vertices: numbers (V, 3); or a file's path (.obj, .ply, .off, .stl);
+                or a mesh of trimesh, meshio or PyVista.
+            faces: integers (F, 3), the vertices of each triangle; polygons of
+                files and other libraries' meshes become fans of triangles.
+
+        Raises:
+            InvalidArgument: naming the first offender: a wrong shape or type, a
+                coordinate that is not finite, a vertex that is not there, a
+                face that has a vertex twice, a malformed line of a file.
+        """
+        if isinstance(vertices, (str, os.PathLike)):
+            if faces is not None:
+                raise InvalidArgument("faces come from the file, too: "
+                                      f"Mesh({os.fspath(vertices)!r})")
+            path = pathlib.Path(vertices)
+            mesh = _core.Mesh.read(path.read_bytes(), path.name)
+        elif faces is None:
+            mesh = _core.Mesh(*inputs.arrays_of(vertices))
+        else:
+            mesh = _core.Mesh(inputs.to_vertices(vertices),
+                              inputs.to_faces(faces))
+        self._backend: Backend = LocalBackend(mesh)
+
+    @classmethod
+    def _on(cls, backend: Backend) -> "Mesh":
+        """A mesh whose questions another place answers."""
+        mesh = cls.__new__(cls)
+        mesh._backend = backend
+        return mesh
+
+    def __repr__(self) -> str:
+        return (f"<geodesic.Mesh: {self.n_vertices} vertices, {self.n_faces} "
+                f"faces, {self._backend.where()}>")
+
+    def __reduce__(self):
+        # So that multiprocessing, joblib and Dask can send it.
+        return Mesh, (np.array(self.vertices), self.faces)
+
+    @property
+    def n_vertices(self) -> int:
+        """V."""
+        return self._backend.vertex_count
+
+    @property
+    def n_faces(self) -> int:
+        """F."""
+        return self._backend.face_count
+
+    @functools.cached_property
+    def vertices(self) -> NDArray[np.float64]:
+        """(V, 3), read only."""
+        return self._backend.vertices()
+
+    @functools.cached_property
+    def faces(self) -> NDArray[np.int32]:
+        """(F, 3), read only."""
+        faces = self._backend.faces()
+        faces.setflags(write=False)
+        return faces
+
+    @functools.cached_property
+    def digest(self) -> str:
+        """The mesh's name on every server: a sha-256 of its arrays."""
+        name = hashlib.sha256(b"geodesic.mesh.v1\n")
+        name.update(np.array([self.n_vertices, self.n_faces], "<u8").tobytes())
+        name.update(np.ascontiguousarray(self.vertices, "<f8"))
+        name.update(np.ascontiguousarray(self.faces, "<i4"))
+        return name.hexdigest()
+
+    def info(self) -> Dict[str, Any]:
+        """What there is to know of the mesh: numbers of edges, boundary_loops,
+        components, isolated_vertices, non_manifold_edges, degenerate_faces, its
+        genus, bounding_box_min and _max, mean_edge_length, anisotropy."""
+        return self._backend.facts()
+
+    # Questions.
+
+    def distances(self, source: OneOrManySources = 0, *,
+                  targets: Optional[OneOrManyPlaces] = None,
+                  radius: Optional[float] = None,
+                  offsets: Optional[ArrayLike] = None,
+                  algorithm: Optional[str] = None,
+                  threads: Optional[int] = 1,
+                  progress: ProgressOption = None) -> NDArray[np.float64]:
+        """The distance from the nearest source to every vertex.
+
+            d = mesh.distances(0)
+            d = mesh.distances([0, 5, 9], radius=20)
+            d = mesh.distances(0, targets=[7, 99])     # just these two
+
+        Returns:
+            (V,); with targets (T,), one per target, at the cost of a search that
+            ends with the last of them.
+        """
+        points, sources = self._places(targets, "targets"), self._sources(
+            source, offsets)
+        with reporting(progress, "vertices") as report:
+            field = self._backend.field(
+                sources, points, _radius(radius),
+                None if targets is None else len(points), False, False,
+                Options(algorithm, _threads(threads), report))
+        return field.distances if targets is None else field.target_distances
+
+    def field(self, source: OneOrManySources = 0, *, labels: bool = False,
+              gradients: bool = False,
+              targets: Optional[OneOrManyPlaces] = None,
+              stop_after_targets: Optional[int] = None,
+              radius: Optional[float] = None,
+              offsets: Optional[ArrayLike] = None,
+              algorithm: Optional[str] = None, threads: Optional[int] = 1,
+              progress: ProgressOption = None) -> Field:
+        """Distances, and what else one search knows.
+
+            field = mesh.field(sources, labels=True, gradients=True)
+            field.distances, field.labels, field.gradients
+
+        Args:
+            labels: also the number of the nearest source of every vertex.
+            gradients: also the direction in which the distance grows.
+            targets: places whose distances are wanted beside the vertices'.
+            stop_after_targets: stop when so many targets are known.
+        """
+        points, sources = self._places(targets, "targets"), self._sources(
+            source, offsets)
+        with reporting(progress, "vertices") as report:
+            answer = self._backend.field(
+                sources, points, _radius(radius), stop_after_targets, labels,
+                gradients, Options(algorithm, _threads(threads), report))
+        return Field(
+            distances=answer.distances,
+            target_distances=(None if targets is None else
+                              answer.target_distances),
+            labels=answer.labels,
+            gradients=answer.gradients,
+            settled_radius=answer.settled_radius,
+            algorithm=answer.algorithm,
+            statistics=answer.statistics)
+
+    def labels(self, sources: OneOrManySources, **options: Any,
+               ) -> NDArray[np.int32]:
+        """The number of the nearest source of every vertex, (V,): its Voronoi
+        cell. -1 where no path leads; at a tie one of the nearest. Options as in
+        field()."""
+        labels = self.field(sources, labels=True, **options).labels
+        assert labels is not None
+        return labels
+
+    def gradients(self, source: OneOrManySources = 0, **options: Any,
+                  ) -> NDArray[np.float64]:
+        """The unit vector in which the distance grows at every vertex, (V, 3).
+        Options as in field()."""
+        gradients = self.field(source, gradients=True, **options).gradients
+        assert gradients is not None
+        return gradients
+
+    def progressive(self, source: OneOrManySources = 0, *,
+                    interval: float = 0.1, radius: Optional[float] = None,
+                    offsets: Optional[ArrayLike] = None,
+                    algorithm: Optional[str] = None,
+                    threads: Optional[int] = 1,
+                    ) -> Iterator[Tuple[NDArray[np.int64], NDArray[np.float64]]]:
+        """Distances as they become final, in order of distance.
+
+            for vertices, distances in mesh.progressive(0):
+                d[vertices] = distances
+
+        Leave the loop when you have seen enough; what came is final. Vertices
+        that never come cannot be reached.
+
+        Args:
+            interval: seconds between two parts, about.
+        """
+        return self._backend.progressive(
+            self._sources(source, offsets), _radius(radius), interval,
+            Options(algorithm, _threads(threads)))
+
+    def distance(self, source: SurfacePoint, target: SurfacePoint) -> float:
+        """The distance between two places, by a search that is directed at the
+        second: a small part of a field's cost."""
+        return float(self.pairs([source], [target], threads=1)[0])
+
+    def pairs(self, sources: OneOrManyPlaces,
+              targets: Optional[OneOrManyPlaces] = None, *,
+              threads: Optional[int] = None,
+              progress: ProgressOption = None) -> NDArray[np.float64]:
+        """The distance from each source to the target of the same number.
+
+            d = mesh.pairs([0, 1, 2], [7, 8, 9])
+            d = mesh.pairs(vertex_pairs)          # integers (N, 2)
+
+        Returns:
+            (N,). Up to rounding the same as those of distances().
+        """
+        if targets is None:
+            both = np.asarray(sources)
+            if both.ndim != 2 or both.shape[1] != 2:
+                raise InvalidArgument(
+                    f"pairs have shape {both.shape}, not (N, 2)")
+            sources, targets = both[:, 0], both[:, 1]
+        starts = self._places(sources, "sources")
+        ends = self._places(targets, "targets")
+        if len(starts) != len(ends):
+            raise InvalidArgument(f"there are {len(starts)} sources, but "
+                                  f"{len(ends)} targets: pairs need as many")
+        if len(starts) == 0:
+            return np.empty(0)
+        with reporting(progress, "pairs") as report:
+            return self._backend.pairs(
+                starts, ends, Options(None, _threads(threads), report))
+
+    def path(self, source: OneOrManySources, target: SurfacePoint,
+             **options: Any) -> Path:
+        """A shortest path from the nearest source to a place.
+
+            path = mesh.path(0, 99)
+            path.points, path.length
+
+        Options as in paths().
+        """
+        paths = self.paths(source, target, **options)
+        if len(paths) != 1:
+            raise InvalidArgument(
+                f"there are {len(paths)} targets; paths() takes many")
+        return paths[0]
+
+    def paths(self, source: OneOrManySources, targets: OneOrManyPlaces, *,
+              radius: Optional[float] = None,
+              offsets: Optional[ArrayLike] = None,
+              algorithm: Optional[str] = None, threads: Optional[int] = 1,
+              progress: ProgressOption = None) -> List[Path]:
+        """Shortest paths from the nearest source to each target, by one search
+        that ends with the last of them."""
+        points, sources = self._places(targets, "targets"), self._sources(
+            source, offsets)
+        if len(points) == 0:
+            return []
+        with reporting(progress, "vertices") as report:
+            answers = self._backend.paths(
+                sources, points, _radius(radius),
+                Options(algorithm, _threads(threads), report))
+        return [
+            Path(self, a.places, a.points, a.distance, a.length, a.source)
+            for a in answers
+        ]
+
+    def isolines(self, source: OneOrManySources = 0, *,
+                 levels: Optional[ArrayLike] = None, count: int = 10,
+                 offsets: Optional[ArrayLike] = None,
+                 algorithm: Optional[str] = None, threads: Optional[int] = 1,
+                 progress: ProgressOption = None) -> List[Isoline]:
+        """Lines of equal distance, as ordered polylines on the surface.
+
+        Args:
+            levels: the distances, > 0. Without them there are `count` levels,
+                evenly spread up to the largest distance.
+
+        Returns:
+            In order of level. A level may have many lines.
+        """
+        sources = self._sources(source, offsets)
+        options = Options(algorithm, _threads(threads))
+        if levels is None:
+            distances = self._backend.field(
+                sources, self._places(None, "targets"), math.inf, None, False,
+                False, options).distances
+            largest = distances[np.isfinite(distances)].max(initial=0)
+            if largest == 0:
+                return []
+            levels = largest * np.arange(1, count + 1) / (count + 1)
+        wanted = [float(level) for level in np.atleast_1d(levels)]
+        with reporting(progress, "vertices") as options.progress:
+            answers = self._backend.isolines(sources, wanted, options)
+        return [
+            Isoline(self, a.places, a.points, a.level, a.closed)
+            for a in answers
+        ]
+
+    def matrix(self, sources: Optional[OneOrManySources] = None,
+               targets: Optional[OneOrManyPlaces] = None, *,
+               radius: Optional[float] = None, dtype: Any = np.float64,
+               out: Optional[np.ndarray] = None,
+               offsets: Optional[ArrayLike] = None,
+               algorithm: Optional[str] = None, threads: Optional[int] = None,
+               progress: ProgressOption = None) -> Any:
+        """The distance from every source to every target.
+
+            D = mesh.matrix([0, 5], [7, 8, 9])           # (2, 3)
+            D = mesh.matrix(radius=10, progress=True)    # all vertices, sparse
+
+        Args:
+            sources: None for every vertex. Each has a row of its own.
+            targets: None for every vertex.
+            radius: makes the matrix sparse: a scipy.sparse.csr_matrix of the
+                distances up to there, diagonal zeros included.
+            dtype: float64 or float32 (the nearest to the exact values).
+            out: a C-contiguous array to fill, such as a np.memmap.
+            threads: rows at a time; None for as many as this process may use.
+
+        Returns:
+            (S, T) dense, or a csr_matrix where a radius is given.
+        """
+        if sources is None:
+            sources = np.arange(self.n_vertices)
+        rows = self._sources(sources, offsets)
+        points = None if targets is None else self._places(targets, "targets")
+        if points is not None and len(points) == 0:
+            raise InvalidArgument("there is no target")
+        columns = self.n_vertices if points is None else len(points)
+        with reporting(progress, "rows") as report:
+            options = Options(algorithm, _threads(threads), report)
+            if radius is not None and out is None:
+                return self._sparse(rows, points, columns, _radius(radius),
+                                    dtype, options)
+            if out is None:
+                out = np.empty((len(rows), columns), dtype)
+            if (out.shape != (len(rows), columns) or
+                    out.dtype not in (np.float64, np.float32) or
+                    not out.flags.c_contiguous or not out.flags.writeable):
+                raise InvalidArgument(
+                    f"out has shape {out.shape} and type {out.dtype}; it must be "
+                    f"a writeable array of shape ({len(rows)}, {columns}) in C "
+                    "order, of float64 or float32")
+            self._backend.fill_matrix(rows, points, _radius(radius), out,
+                                      options)
+            return out
+
+    def _sparse(self, rows, points, columns, radius, dtype, options):
+        try:
+            import scipy.sparse
+        except ImportError:
+            raise ImportError(
+                "matrix(radius=...) makes a scipy.sparse.csr_matrix, but scipy "
+                "is not installed; matrix(radius=..., out=array) fills a dense "
+                "array") from None
+        counts, indices, values = self._backend.sparse_matrix(
+            rows, points, radius, options)
+        starts = np.concatenate([[0], np.cumsum(counts)])
+        return scipy.sparse.csr_matrix(
+            (values.astype(dtype, copy=False), indices, starts),
+            shape=(len(rows), columns))
+
+    def nearest(self, sources: OneOrManySources, targets: OneOrManyPlaces,
+                k: int = 1, *, radius: Optional[float] = None,
+                offsets: Optional[ArrayLike] = None,
+                algorithm: Optional[str] = None,
+                threads: Optional[int] = None,
+                progress: ProgressOption = None,
+                ) -> Tuple[NDArray[np.int64], NDArray[np.float64]]:
+        """Of each source the k nearest targets, in order of distance.
+
+        Returns:
+            (numbers, distances), each (S, k). Numbers are positions in targets;
+            -1, and +inf, where there are fewer.
+        """
+        rows = self._sources(sources, offsets)
+        points = self._places(targets, "targets")
+        if len(points) == 0:
+            raise InvalidArgument("there is no target")
+        if k < 1:
+            raise InvalidArgument(f"k is {k}; ask for at least one target")
+        with reporting(progress, "rows") as report:
+            return self._backend.nearest(
+                rows, points, k, _radius(radius),
+                Options(algorithm, _threads(threads), report))
+
+    def samples(self, count: int, source: OneOrManySources = 0, *,
+                algorithm: Optional[str] = None, threads: Optional[int] = 1,
+                progress: ProgressOption = None,
+                ) -> Tuple[NDArray[np.int64], NDArray[np.float64]]:
+        """Farthest-point samples: vertices, each the farthest from the source
+        and from all samples before it. The source is not among them.
+
+        Returns:
+            (vertices, distances), each (count,); the distances fall, and the
+            first on a piece without a source is +inf.
+        """
+        if count < 0:
+            raise InvalidArgument(f"count is {count}")
+        with reporting(progress, "vertices") as report:
+            return self._backend.samples(
+                self._sources(source, None), count,
+                Options(algorithm, _threads(threads), report))
+
+    def log_map(self, source: SurfacePoint = 0, *,
+                radius: Optional[float] = None,
+                algorithm: Optional[str] = None, threads: Optional[int] = 1,
+                progress: ProgressOption = None) -> LogMap:
+        """The surface around a source laid into the plane, by direction and
+        distance. The surface around it must be a disk or half-disk."""
+        with reporting(progress, "vertices") as report:
+            coordinates, zero_direction = self._backend.log_map(
+                self._sources(source, None), _radius(radius),
+                Options(algorithm, _threads(threads), report))
+        return LogMap(coordinates, zero_direction)
+
+    # Places.
+
+    def nearest_point(self, xyz: ArrayLike,
+                      ) -> Union[FacePoint, List[FacePoint]]:
+        """The place on the surface that is nearest to a point in space.
+
+            d = mesh.distances(mesh.nearest_point([0.1, 2, 3]))
+
+        Args:
+            xyz: (3,), or (N, 3) for a list of N places.
+        """
+        points = np.asarray(xyz, np.float64)
+        if points.shape[-1:] != (3,) or points.ndim > 2:
+            raise InvalidArgument(
+                f"points in space have shape {points.shape}, not (3,) or (N, 3)")
+        if not np.all(np.isfinite(points)):
+            raise InvalidArgument("a point in space is not finite")
+        if points.ndim == 1:
+            return self._point_finder.nearest(points)[0]
+        return [self._point_finder.nearest(point)[0] for point in points]
+
+    def positions(self, places: OneOrManyPlaces) -> NDArray[np.float64]:
+        """Where places lie in space, (N, 3)."""
+        points = to_places(places, "places", self.n_vertices)
+        result = np.empty((len(points), 3))
+        for i, kind in enumerate(points.kinds):
+            first, second = points.numbers[i]
+            if kind == 0:
+                result[i] = self.vertices[first]
+            elif kind == 1:
+                t = points.weights[i, 0]
+                result[i] = ((1 - t) * self.vertices[first] +
+                             t * self.vertices[second])
+            else:
+                result[i] = points.weights[i] @ self.vertices[self.faces[first]]
+        return result
+
+    def plot(self, values: Optional[ArrayLike] = None, **options: Any) -> Any:
+        """Draws the mesh, coloured by a value per vertex; see
+        geodesic.plotting.plot."""
+        from . import plotting
+        return plotting.plot(self, values, **options)
+
+    @functools.cached_property
+    def _face_finder(self) -> FaceFinder:
+        return FaceFinder(self.faces)
+
+    @functools.cached_property
+    def _point_finder(self) -> PointFinder:
+        return PointFinder(self.vertices, self.faces)
+
+    def _sources(self, source, offsets):
+        return to_sources(source, offsets, self.n_vertices)
+
+    def _places(self, places, name):
+        return to_places(() if places is None else places, name,
+                         self.n_vertices)

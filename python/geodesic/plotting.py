@@ -1,0 +1,133 @@
+"""Pictures of meshes and distances, by PyVista or matplotlib."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .errors import InvalidArgument
+
+if TYPE_CHECKING:
+    from .mesh import Mesh
+
+
+def plot(mesh: "Mesh", values: Optional[ArrayLike] = None, *,
+         lines: Sequence[Any] = (), view: str = "xy",
+         file: Optional[str] = None, title: Optional[str] = None,
+         cmap: str = "viridis", backend: Optional[str] = None) -> Any:
+    """Draws the mesh, coloured by a value per vertex.
+
+    Args:
+        values: (V,), such as distances; what is not finite is grey.
+        lines: Paths and Isolines to draw on it.
+        view: which way to look: "xy" along the z axis, likewise "xz", "yz"; a
+            "-" in front looks from the other side (matplotlib).
+        file: write a picture there instead of showing it.
+        backend: "pyvista" or "matplotlib"; otherwise the first installed.
+
+    Returns:
+        PyVista's plotter or matplotlib's axes.
+    """
+    if values is not None:
+        values = np.asarray(values, np.float64)
+        if values.shape != (mesh.n_vertices,):
+            raise InvalidArgument(
+                f"values have shape {values.shape}; one per vertex is "
+                f"({mesh.n_vertices},)")
+    if backend in (None, "pyvista"):
+        try:
+            import pyvista
+        except ImportError:
+            if backend == "pyvista":
+                raise
+        else:
+            return _with_pyvista(pyvista, mesh, values, lines, file, title, cmap)
+    elif backend != "matplotlib":
+        raise InvalidArgument(
+            f"backend is {backend!r}; there are 'pyvista' and 'matplotlib'")
+    try:
+        import matplotlib
+    except ImportError:
+        raise ImportError("mesh.plot draws with PyVista or matplotlib; neither "
+                          "is installed") from None
+    if file is not None:
+        matplotlib.use("Agg", force=False)
+    return _with_matplotlib(mesh, values, lines, view, file, title, cmap)
+
+
+def _with_pyvista(pyvista, mesh, values, lines, file, title, cmap):
+    faces = np.column_stack([np.full(mesh.n_faces, 3), mesh.faces])
+    surface = pyvista.PolyData(np.array(mesh.vertices), faces.reshape(-1))
+    plotter = pyvista.Plotter(off_screen=file is not None)
+    if values is None:
+        plotter.add_mesh(surface)
+    else:
+        colours = np.where(np.isfinite(values), values, np.nan)
+        plotter.add_mesh(surface, scalars=colours, cmap=cmap,
+                         scalar_bar_args={"title": title or "distance"})
+    for line in lines:
+        points = line.points
+        if getattr(line, "closed", False):
+            points = np.concatenate([points, points[:1]])
+        plotter.add_lines(points, connected=True, color="black")
+    if file is None:
+        plotter.show()
+    else:
+        plotter.screenshot(file)
+    return plotter
+
+
+def _with_matplotlib(mesh, values, lines, view, file, title, cmap):
+    """Faces from back to front, with a light from the viewer."""
+    from matplotlib import pyplot
+    from matplotlib.collections import LineCollection, PolyCollection
+    from matplotlib.colors import Normalize
+
+    axes_of = {"xy": (0, 1, 2, 1), "xz": (0, 2, 1, -1), "yz": (1, 2, 0, 1)}
+    plane = view.lstrip("-")
+    if plane not in axes_of:
+        raise InvalidArgument(f"view is {view!r}; there are 'xy', 'xz', 'yz', "
+                              "'-xy', '-xz' and '-yz'")
+    right, up, depth, towards = axes_of[plane]
+    side = -1.0 if view.startswith("-") else 1.0
+    positions = np.column_stack([
+        side * mesh.vertices[:, right], mesh.vertices[:, up],
+        side * towards * mesh.vertices[:, depth]])
+    corners = positions[mesh.faces]
+    order = np.argsort(corners[:, :, 2].mean(axis=1))
+    normals = np.cross(corners[:, 1] - corners[:, 0],
+                       corners[:, 2] - corners[:, 0])
+    lengths = np.linalg.norm(normals, axis=1)
+    light = np.abs(normals[:, 2]) / np.where(lengths > 0, lengths, 1)
+
+    colours = np.full((mesh.n_faces, 3), 0.7)
+    figure, axes = pyplot.subplots(figsize=(8, 6))
+    if values is not None:
+        of_faces = values[mesh.faces].mean(axis=1)
+        shown = np.isfinite(of_faces)
+        if shown.any():
+            scale = Normalize(of_faces[shown].min(), of_faces[shown].max())
+            colour_map = pyplot.get_cmap(cmap)
+            colours[shown] = colour_map(scale(of_faces[shown]))[:, :3]
+            figure.colorbar(pyplot.cm.ScalarMappable(scale, colour_map), ax=axes,
+                            label="distance", shrink=0.8)
+    colours *= (0.35 + 0.65 * light)[:, None]
+    axes.add_collection(PolyCollection(
+        corners[order][:, :, :2], facecolors=colours[order],
+        edgecolors="face", linewidths=0.2))
+    axes.add_collection(LineCollection(
+        [np.column_stack([side * line.points[:, right], line.points[:, up]])
+         for line in lines], colors="black", linewidths=1))
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.set_axis_off()
+    if title:
+        axes.set_title(title)
+    if file is None:
+        pyplot.show()
+    else:
+        figure.savefig(file, dpi=150, bbox_inches="tight")
+        pyplot.close(figure)
+    return axes

@@ -1,0 +1,149 @@
+"""Geometry of single faces: where places lie, and which faces hold them."""
+
+from __future__ import annotations
+
+from typing import Tuple
+
+import numpy as np
+
+from .places import FacePoint, Places
+
+
+class FaceFinder:
+    """Faces by their edges. O(F log F) once."""
+
+    def __init__(self, faces: np.ndarray) -> None:
+        self._faces = faces
+        count = len(faces)
+        first = faces.reshape(-1).astype(np.uint64)
+        second = faces[:, [1, 2, 0]].reshape(-1).astype(np.uint64)
+        keys = (np.minimum(first, second) << np.uint64(32)) | np.maximum(
+            first, second)
+        order = np.argsort(keys, kind="stable")
+        self._keys = keys[order]
+        self._face_of_key = np.repeat(np.arange(count), 3)[order]
+
+    def _corners(self, places: Places, i: int) -> set:
+        """The vertices of the lowest element that holds place i."""
+        kind, numbers = places.kinds[i], places.numbers[i]
+        if kind == 0:
+            return {int(numbers[0])}
+        if kind == 1:
+            return {int(numbers[0]), int(numbers[1])}
+        return set(self._faces[numbers[0]].tolist())
+
+    def _face_with(self, corners: set) -> int:
+        """The first face that has all these vertices, -1 if there is none."""
+        if len(corners) == 1:
+            [vertex] = corners
+            holds = np.any(self._faces == vertex, axis=1)
+            return int(np.argmax(holds)) if holds.any() else -1
+        low, high = sorted(corners)[:2]
+        key = np.uint64(low << 32 | high)
+        at = np.searchsorted(self._keys, key)
+        while at < len(self._keys) and self._keys[at] == key:
+            face = int(self._face_of_key[at])
+            if corners <= set(self._faces[face].tolist()):
+                return face
+            at += 1
+        return -1
+
+    def along(self, places: Places) -> Tuple[np.ndarray, np.ndarray]:
+        """For a polyline on the surface: the face in which the piece after each
+        point runs (for the last point: before it), int64 (P,), and the point's
+        barycentric weights there, (P, 3)."""
+        count = len(places)
+        faces = np.full(count, -1, np.int64)
+        weights = np.zeros((count, 3))
+        corners = [self._corners(places, i) for i in range(count)]
+        for i in range(count - 1):
+            in_face = next((int(places.numbers[j, 0])
+                            for j in (i, i + 1) if places.kinds[j] == 2), None)
+            faces[i] = (self._face_with(corners[i] | corners[i + 1])
+                        if in_face is None else in_face)
+        if count > 1:
+            faces[-1] = faces[-2]
+        elif count == 1:
+            faces[0] = (places.numbers[0, 0] if places.kinds[0] == 2 else
+                        self._face_with(corners[0]))
+        for i in range(count):
+            if faces[i] < 0:
+                continue
+            of_face = self._faces[faces[i]]
+            if places.kinds[i] == 0:
+                weights[i, of_face == places.numbers[i, 0]] = 1
+            elif places.kinds[i] == 1:
+                t = places.weights[i, 0]
+                weights[i, of_face == places.numbers[i, 0]] = 1 - t
+                weights[i, of_face == places.numbers[i, 1]] = t
+            else:
+                weights[i] = places.weights[i]
+        return faces, weights
+
+
+def nearest_on_faces(point: np.ndarray, corners: np.ndarray,
+                     ) -> Tuple[np.ndarray, np.ndarray]:
+    """The nearest point of each triangle: barycentric weights (N, 3) and
+    squared distances (N,). `corners` has shape (N, 3, 3)."""
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    ab, ac = b - a, c - a
+    normal = np.cross(ab, ac)
+    area = np.einsum("ij,ij->i", normal, normal)
+    best = np.full(len(corners), np.inf)
+    weights = np.zeros((len(corners), 3))
+
+    def offer(candidate: np.ndarray, valid: np.ndarray) -> None:
+        there = np.einsum("ij,ijk->ik", candidate, corners)
+        squared = np.sum((there - point)**2, axis=1)
+        better = valid & (squared < best)
+        best[better] = squared[better]
+        weights[better] = candidate[better]
+
+    # The foot of the perpendicular, where it falls into the triangle.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        to_point = point - a
+        w_c = np.einsum("ij,ij->i", np.cross(ab, to_point), normal) / area
+        w_b = np.einsum("ij,ij->i", np.cross(to_point, ac), normal) / area
+    inside = np.stack([1 - w_b - w_c, w_b, w_c], axis=1)
+    valid = np.all(inside >= 0, axis=1)
+    inside[~valid] = 0
+    offer(inside, valid)
+    # The nearest point of each side, corners included.
+    everywhere = np.ones(len(corners), bool)
+    for i, j in ((0, 1), (1, 2), (2, 0)):
+        side = corners[:, j] - corners[:, i]
+        length = np.einsum("ij,ij->i", side, side)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            t = np.einsum("ij,ij->i", point - corners[:, i], side) / length
+        t = np.clip(np.nan_to_num(t), 0, 1)
+        on_side = np.zeros((len(corners), 3))
+        on_side[:, i] = 1 - t
+        on_side[:, j] = t
+        offer(on_side, everywhere)
+    return weights, best
+
+
+class PointFinder:
+    """Nearest points of a surface to points in space. O(F) once and for each."""
+
+    def __init__(self, vertices: np.ndarray, faces: np.ndarray) -> None:
+        self._vertices = vertices
+        self._faces = faces
+        corners = vertices[faces]
+        self._low = corners.min(axis=1)
+        self._high = corners.max(axis=1)
+
+    def nearest(self, point: np.ndarray) -> Tuple[FacePoint, float]:
+        """A nearest point, and its distance through space."""
+        # Only faces whose boxes come as near as the nearest corner can win.
+        gap = np.maximum(np.maximum(self._low - point, point - self._high), 0)
+        box = np.sum(gap**2, axis=1)
+        first = self._faces[np.argmin(box)]
+        bound = np.min(np.sum((self._vertices[first] - point)**2, axis=1))
+        candidates = np.flatnonzero(box <= bound)
+        weights, squared = nearest_on_faces(
+            point, self._vertices[self._faces[candidates]])
+        best = int(np.argmin(squared))
+        return (FacePoint(int(candidates[best]),
+                          tuple(float(w) for w in weights[best])),
+                float(np.sqrt(squared[best])))

@@ -1,0 +1,246 @@
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "geodesic/computation.h"
+#include "geodesic/field_quantities.h"
+#include "geodesic/log_map.h"
+#include "geodesic/path.h"
+#include "geodesic/settled_vertices.h"
+#include "places.h"
+#include "status.h"
+#include "subject.h"
+#include "watch.h"
+
+namespace geodesic::python {
+namespace {
+
+namespace py = pybind11;
+
+// A field and what it was asked of. Immutable but for TakeDistances.
+struct Field {
+  QueryHandle question;
+  DistanceField field;
+};
+
+// What lies beyond the radius is +infinity, also with algorithms that cannot
+// stop there.
+void CutAt(double radius, DistanceField& field) {
+  const auto cut = [radius](double& distance) {
+    if (distance > radius) distance = std::numeric_limits<double>::infinity();
+  };
+  std::ranges::for_each(field.distances, cut);
+  std::ranges::for_each(field.target_distances, cut);
+  field.settled_radius = std::min(field.settled_radius, radius);
+}
+
+std::unique_ptr<Field> Solve(const QueryHandle& question, double radius,
+                             uint64_t stop_after_targets, uint32_t threads,
+                             py::object progress) {
+  Watch watch(std::move(progress));
+  return watch.Run([&]() -> absl::StatusOr<std::unique_ptr<Field>> {
+    absl::StatusOr<std::unique_ptr<Computation>> computation =
+        StartComputation(*question.mesh, question.query, {.threads = threads});
+    if (!computation.ok()) return computation.status();
+    if (absl::Status status =
+            (*computation)
+                ->Advance({.radius = radius, .targets = stop_after_targets},
+                          watch);
+        !status.ok()) {
+      return status;
+    }
+    DistanceField field = (*computation)->Field();
+    if (radius < std::numeric_limits<double>::infinity()) CutAt(radius, field);
+    return std::unique_ptr<Field>(new Field{question, std::move(field)});
+  });
+}
+
+py::array_t<double> Distances(const py::object& self) {
+  const DistanceField& field = self.cast<const Field&>().field;
+  return ViewOf(field.distances.data(),
+                {static_cast<py::ssize_t>(field.distances.size())}, self);
+}
+
+py::dict Statistics(const Field& self) {
+  const SolveStatistics& statistics = self.field.statistics;
+  using namespace py::literals;
+  return py::dict("iterations"_a = statistics.iterations,
+                  "windows_created"_a = statistics.windows_created,
+                  "windows_propagated"_a = statistics.windows_propagated,
+                  "peak_wavefront"_a = statistics.peak_wavefront,
+                  "mean_wavefront"_a = statistics.mean_wavefront,
+                  "peak_windows"_a = statistics.peak_windows,
+                  "peak_solver_bytes"_a = statistics.peak_solver_bytes,
+                  "solve_seconds"_a = statistics.solve_seconds);
+}
+
+// Calls a question about a traced field without the interpreter's lock.
+template <typename Question>
+auto AskOf(const Field& self, Question question) {
+  auto answer = [&] {
+    const py::gil_scoped_release unlocked;
+    return question(*self.question.mesh, self.question.query, self.field);
+  }();
+  return ValueOrThrow(std::move(answer));
+}
+
+py::array_t<uint32_t> NearestSourcesOf(const Field& self) {
+  return ToArray(AskOf(self, NearestSources));
+}
+
+py::array_t<double> GradientsOf(const Field& self) {
+  return ToArray(AskOf(self, Gradients));
+}
+
+py::tuple LogMapOf(const Field& self, double radius) {
+  LogMap map = AskOf(self, [radius](const Mesh& mesh, const ValidQuery& query,
+                                    const DistanceField& field) {
+    return ComputeLogMap(mesh, query, field, radius);
+  });
+  return py::make_tuple(ToArray(std::move(map.coordinates)),
+                        map.zero_direction);
+}
+
+// (places, positions, distance, length, source) of each target's path.
+py::list PathsOf(const Field& self) {
+  using Paths = std::vector<GeodesicPath>;
+  Paths paths = AskOf(
+      self,
+      [](const Mesh& mesh, const ValidQuery& query,
+         const DistanceField& field) -> absl::StatusOr<Paths> {
+        const absl::StatusOr<PathTracer> tracer =
+            PathTracer::Create(mesh, query, field);
+        if (!tracer.ok()) return tracer.status();
+        Paths traced;
+        for (uint32_t target = 0; target < query->targets.size(); ++target) {
+          absl::StatusOr<GeodesicPath> path = tracer->ToTarget(target);
+          if (!path.ok()) return path.status();
+          traced.push_back(*std::move(path));
+        }
+        return traced;
+      });
+  py::list result;
+  for (GeodesicPath& path : paths) {
+    result.append(py::make_tuple(ToPlaceArrays(path.points),
+                                 ToArray(std::move(path.positions)),
+                                 path.distance, path.length, path.source));
+  }
+  return result;
+}
+
+// A computation whose vertices are handed out as they become final. For one
+// thread at a time.
+class Progression {
+ public:
+  Progression(QueryHandle question, double radius, uint32_t threads)
+      : question_(std::move(question)),
+        radius_(radius),
+        computation_(ValueOrThrow(StartComputation(
+            *question_.mesh, question_.query, {.threads = threads}))) {}
+
+  // (vertices, distances) of those that have become final since the last call,
+  // in order of distance; waits until there are some, and about `seconds`. None
+  // at the end.
+  py::object Next(double seconds) {
+    if (is_over_) return py::none();
+    Watch watch{py::none()};
+    Slice slice(settled_, watch, seconds);
+    std::vector<SettledVertex> found =
+        watch.Run([&]() -> absl::StatusOr<std::vector<SettledVertex>> {
+          const absl::Status status =
+              computation_->Advance({.radius = radius_}, slice);
+          if (slice.is_full()) return slice.found();
+          if (!status.ok()) return status;
+          is_over_ = true;
+          const DistanceField field = computation_->Field();
+          return settled_.Collect({.settled_radius = field.settled_radius,
+                                   .distances = field.distances});
+        });
+    std::vector<int64_t> vertices;
+    std::vector<double> distances;
+    for (const SettledVertex& settled : found) {
+      if (settled.distance > radius_) continue;
+      vertices.push_back(settled.vertex);
+      distances.push_back(settled.distance);
+    }
+    return py::make_tuple(ToArray(std::move(vertices)),
+                          ToArray(std::move(distances)));
+  }
+
+ private:
+  // Stops a computation when its time is over and vertices have become final.
+  class Slice final : public Checkpoint {
+   public:
+    Slice(SettledVertices& settled, Watch& watch, double seconds)
+        : settled_(settled),
+          watch_(watch),
+          end_(std::chrono::steady_clock::now() +
+               std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                   std::chrono::duration<double>(seconds))) {}
+
+    absl::Status Poll(const Progress& progress) override {
+      if (absl::Status status = watch_.Poll(progress); !status.ok()) {
+        return status;
+      }
+      if (std::chrono::steady_clock::now() < end_) return absl::OkStatus();
+      found_ = settled_.Collect(progress);
+      if (found_.empty()) return absl::OkStatus();
+      return absl::CancelledError("the slice is full");
+    }
+
+    bool is_full() const { return !found_.empty(); }
+    const std::vector<SettledVertex>& found() const { return found_; }
+
+   private:
+    SettledVertices& settled_;
+    Watch& watch_;
+    const std::chrono::steady_clock::time_point end_;
+    std::vector<SettledVertex> found_;
+  };
+
+  const QueryHandle question_;
+  const double radius_;
+  std::unique_ptr<Computation> computation_;
+  SettledVertices settled_;
+  bool is_over_ = false;
+};
+
+}  // namespace
+
+void BindField(py::module_& module) {
+  py::class_<Field>(module, "Field")
+      .def_property_readonly("distances", &Distances)
+      .def("take_distances",
+           [](Field& self) { return ToArray(std::move(self.field.distances)); })
+      .def("take_target_distances",
+           [](Field& self) {
+             return ToArray(std::move(self.field.target_distances));
+           })
+      .def_property_readonly(
+          "settled_radius",
+          [](const Field& self) { return self.field.settled_radius; })
+      .def_property_readonly(
+          "algorithm",
+          [](const Field& self) {
+            return py::str(AlgorithmName(self.field.algorithm).data());
+          })
+      .def("statistics", &Statistics)
+      .def("nearest_sources", &NearestSourcesOf)
+      .def("gradients", &GradientsOf)
+      .def("log_map", &LogMapOf)
+      .def("paths", &PathsOf);
+  module.def("solve", &Solve);
+  py::class_<Progression>(module, "Progression")
+      .def(py::init<QueryHandle, double, uint32_t>())
+      .def("next", &Progression::Next);
+}
+
+}  // namespace geodesic::python

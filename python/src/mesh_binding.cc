@@ -1,0 +1,119 @@
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "geodesic/mesh_summary.h"
+#include "geodesic/read_mesh.h"
+#include "places.h"
+#include "status.h"
+#include "subject.h"
+#include "watch.h"
+
+namespace geodesic::python {
+namespace {
+
+namespace py = pybind11;
+using DoubleArray = py::array_t<double, py::array::c_style>;
+
+MeshHandle BuildMesh(const DoubleArray& vertices, const py::array& faces) {
+  TriangleSoup soup{ToPoints(vertices), ToTriangles(faces)};
+  Watch watch{py::none()};
+  return {watch.Run([&] { return Mesh::Build(std::move(soup), watch); })};
+}
+
+MeshHandle ReadFile(const py::bytes& bytes, const std::string& name) {
+  const MeshFormat format = ValueOrThrow(MeshFormatFromPath(name));
+  const std::string_view text = bytes;
+  Watch watch{py::none()};
+  return {watch.Run([&]() -> absl::StatusOr<std::shared_ptr<const Mesh>> {
+    absl::StatusOr<TriangleSoup> soup =
+        ReadMesh(text, format, {.checkpoint = &watch});
+    if (!soup.ok()) return soup.status();
+    return Mesh::Build(*std::move(soup), watch);
+  })};
+}
+
+py::array_t<double> Positions(const py::object& self) {
+  const auto& mesh = *self.cast<const MeshHandle&>().mesh;
+  return ViewOf(mesh.positions().data()->data(), {mesh.vertex_count(), 3},
+                self);
+}
+
+py::array_t<int32_t> Triangles(const MeshHandle& self) {
+  std::vector<std::array<int32_t, 3>> faces(self.mesh->face_count());
+  for (uint32_t f = 0; f < self.mesh->face_count(); ++f) {
+    std::ranges::copy(self.mesh->triangle(f), faces[f].begin());
+  }
+  return ToArray(std::move(faces));
+}
+
+py::dict Facts(const MeshHandle& self) {
+  MeshSummary summary;
+  {
+    const py::gil_scoped_release unlocked;
+    summary = Summarize(*self.mesh);
+  }
+  using namespace py::literals;
+  return py::dict(
+      "vertices"_a = summary.vertices, "faces"_a = summary.faces,
+      "edges"_a = summary.edges, "boundary_edges"_a = summary.boundary_edges,
+      "boundary_loops"_a = summary.boundary_loops,
+      "components"_a = summary.components,
+      "isolated_vertices"_a = summary.isolated_vertices,
+      "non_manifold_edges"_a = summary.non_manifold_edges,
+      "non_manifold_vertices"_a = summary.non_manifold_vertices,
+      "inconsistent_edges"_a = summary.inconsistent_edges,
+      "is_orientable"_a = summary.is_orientable, "genus"_a = summary.genus,
+      "saddle_vertices"_a = summary.saddle_vertices,
+      "degenerate_faces"_a = summary.degenerate_faces,
+      "bounding_box_min"_a = summary.bounding_box_min,
+      "bounding_box_max"_a = summary.bounding_box_max,
+      "mean_edge_length"_a = summary.mean_edge_length,
+      "anisotropy"_a = summary.anisotropy);
+}
+
+QueryHandle MakeQuery(const MeshHandle& mesh, const SourceArrays& sources,
+                      const PlaceArrays& targets, const std::string& algorithm,
+                      bool trace) {
+  return {mesh.mesh,
+          ValueOrThrow(ValidQuery::Make(
+              {.sources = ToSources(sources),
+               .targets = ToSurfacePoints(targets),
+               .algorithm = ValueOrThrow(AlgorithmFromName(algorithm)),
+               .trace = trace},
+              *mesh.mesh))};
+}
+
+}  // namespace
+
+void BindMesh(py::module_& module) {
+  py::class_<PlaceArrays>(module, "Places")
+      .def(py::init<PlaceArrays::Array<uint8_t>, PlaceArrays::Array<uint32_t>,
+                    PlaceArrays::Array<double>>())
+      .def_readonly("kinds", &PlaceArrays::kinds)
+      .def_readonly("numbers", &PlaceArrays::numbers)
+      .def_readonly("weights", &PlaceArrays::weights);
+  py::class_<SourceArrays>(module, "Sources")
+      .def(py::init<PlaceArrays, PlaceArrays::Array<int64_t>,
+                    PlaceArrays::Array<double>>());
+  py::class_<MeshHandle>(module, "Mesh")
+      .def(py::init(&BuildMesh))
+      .def_static("read", &ReadFile)
+      .def_property_readonly("positions", &Positions)
+      .def_property_readonly(
+          "vertex_count",
+          [](const MeshHandle& self) { return self.mesh->vertex_count(); })
+      .def_property_readonly(
+          "face_count",
+          [](const MeshHandle& self) { return self.mesh->face_count(); })
+      .def("triangles", &Triangles)
+      .def("facts", &Facts);
+  py::class_<QueryHandle>(module, "Query").def(py::init(&MakeQuery));
+}
+
+}  // namespace geodesic::python

@@ -1,0 +1,197 @@
+"""What meshes are made of, and what is said of what they cannot be."""
+
+import pathlib
+import pickle
+import tempfile
+import types
+import unittest
+
+import meshes
+import numpy as np
+
+import geodesic
+
+
+class InputsTest(unittest.TestCase):
+
+    def setUp(self):
+        self.vertices, self.faces = meshes.octahedron()
+        self.wanted = geodesic.Mesh(self.vertices, self.faces)
+
+    def assert_same(self, mesh):
+        np.testing.assert_array_equal(mesh.vertices, self.wanted.vertices)
+        np.testing.assert_array_equal(mesh.faces, self.wanted.faces)
+        self.assertEqual(mesh.digest, self.wanted.digest)
+
+    def assert_refused(self, words, call, *arguments, **named):
+        with self.assertRaises(geodesic.InvalidArgument) as caught:
+            call(*arguments, **named)
+        self.assertIn(words, str(caught.exception))
+        self.assertIsInstance(caught.exception, ValueError)
+
+    def test_types_and_layouts(self):
+        for kind in (np.int8, np.uint16, np.int32, np.uint32, np.int64,
+                     np.uint64, ">i4"):
+            self.assert_same(
+                geodesic.Mesh(self.vertices, self.faces.astype(kind)))
+        self.assert_same(
+            geodesic.Mesh(np.asfortranarray(self.vertices),
+                          np.asfortranarray(self.faces)))
+        self.assert_same(geodesic.Mesh(self.vertices.astype(np.float32),
+                                       self.faces))
+        self.assert_same(geodesic.Mesh(self.vertices.astype(int), self.faces))
+        self.assert_same(geodesic.Mesh(self.vertices.tolist(),
+                                       self.faces.tolist()))
+        backwards = geodesic.Mesh(self.vertices, self.faces[::-1])
+        np.testing.assert_array_equal(backwards.faces, self.faces[::-1])
+
+    def test_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "octahedron.off"
+            path.write_text(
+                "OFF\n6 8 0\n" +
+                "".join("%r %r %r\n" % tuple(v) for v in self.vertices) +
+                "".join("3 %d %d %d\n" % tuple(f) for f in self.faces))
+            self.assert_same(geodesic.Mesh(path))
+            self.assert_same(geodesic.Mesh(str(path)))
+            bad = pathlib.Path(folder) / "bad.off"
+            bad.write_text("OFF\n1 1 0\n0 0 zero\n3 0 0 0\n")
+            self.assert_refused("line 3", geodesic.Mesh, bad)
+            self.assert_refused("faces come from the file", geodesic.Mesh,
+                                path, self.faces)
+            self.assert_refused(".gif", geodesic.Mesh, self._touch(folder))
+            with self.assertRaises(FileNotFoundError):
+                geodesic.Mesh(pathlib.Path(folder) / "none.off")
+
+    def _touch(self, folder):
+        path = pathlib.Path(folder) / "a.gif"
+        path.write_bytes(b"")
+        return path
+
+    def test_meshes_of_other_libraries(self):
+        # As trimesh, PyVista and meshio show theirs.
+        self.assert_same(
+            geodesic.Mesh(
+                types.SimpleNamespace(vertices=self.vertices,
+                                      faces=self.faces)))
+        flat = np.column_stack([np.full(8, 3), self.faces]).reshape(-1)
+        self.assert_same(
+            geodesic.Mesh(
+                types.SimpleNamespace(points=self.vertices, faces=flat)))
+        block = types.SimpleNamespace(type="triangle", data=self.faces)
+        line = types.SimpleNamespace(type="line", data=[[0, 1]])
+        self.assert_same(
+            geodesic.Mesh(
+                types.SimpleNamespace(points=self.vertices,
+                                      cells=[line, block])))
+        tetrahedra = types.SimpleNamespace(type="tetra", data=[[0, 1, 2, 3]])
+        self.assert_refused(
+            "tetra", geodesic.Mesh,
+            types.SimpleNamespace(points=self.vertices, cells=[tetrahedra]))
+        self.assert_refused("dict is no mesh", geodesic.Mesh, {})
+
+    def test_polygons_become_fans(self):
+        square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.0]])
+        wanted = [[0, 1, 2], [0, 2, 3]]
+        for faces in ([4, 0, 1, 2, 3], [3, 0, 1, 2, 3, 0, 2, 3]):
+            mesh = geodesic.Mesh(
+                types.SimpleNamespace(points=square, faces=np.array(faces)))
+            np.testing.assert_array_equal(mesh.faces, wanted)
+        quads = types.SimpleNamespace(type="quad", data=[[0, 1, 2, 3]])
+        mesh = geodesic.Mesh(
+            types.SimpleNamespace(points=square[:, :2], cells=[quads]))
+        np.testing.assert_array_equal(mesh.faces, wanted)
+        np.testing.assert_array_equal(mesh.vertices, square)
+
+    def test_refused_meshes(self):
+        v, f = self.vertices, self.faces
+        self.assert_refused("(3, 6), not (V, 3): transpose", geodesic.Mesh, v.T,
+                            f)
+        self.assert_refused("third coordinate", geodesic.Mesh, v[:, :2], f)
+        self.assert_refused("(6,), not (V, 3)", geodesic.Mesh, v[:, 0], f)
+        self.assert_refused("complex128", geodesic.Mesh, v * 1j, f)
+        self.assert_refused("<U", geodesic.Mesh, [["a", "b", "c"]], f)
+        self.assert_refused(".astype(int)", geodesic.Mesh, v, f * 1.0)
+        self.assert_refused("tetrahedra", geodesic.Mesh, v, f[:, [0, 1, 2, 0]])
+        self.assert_refused("(24,), not (F, 3)", geodesic.Mesh, v, f.ravel())
+        self.assert_refused("faces[0, 1] is -1", geodesic.Mesh, v,
+                            np.array([[0, -1, 2]]))
+        self.assert_refused("faces[1, 0] is 4294967296", geodesic.Mesh, v,
+                            np.array([[0, 1, 2], [2**32, 1, 2]]))
+        self.assert_refused("face 0 names vertex 6", geodesic.Mesh, v,
+                            np.array([[0, 1, 6]]))
+        self.assert_refused("face 1", geodesic.Mesh, v,
+                            np.array([[0, 1, 2], [3, 3, 4]]))
+        self.assert_refused("vertex 2", geodesic.Mesh,
+                            np.where(np.arange(6)[:, None] == 2, np.nan, v), f)
+        self.assert_refused("no face", geodesic.Mesh, v, f[:0])
+
+    def test_refused_places(self):
+        mesh = self.wanted
+        ask = mesh.distances
+        self.assert_refused("sources[0] is -1", ask, -1)
+        self.assert_refused("sources[1] is -3", ask, [0, -3])
+        self.assert_refused("sources[0].vertex 6 is out of range", ask, 6)
+        self.assert_refused("sources[1].vertex 6", ask, np.array([0, 6]))
+        self.assert_refused("nearest_point", ask, np.array([0.0, 1, 2]))
+        self.assert_refused("nearest_point", ask, [0.0, 1.0, 2.0])
+        self.assert_refused("mask of shape (5,)", ask, np.ones(5, bool))
+        self.assert_refused("no source", ask, [])
+        self.assert_refused("no source", ask, np.zeros(6, bool))
+        self.assert_refused("sources is None", ask, None)
+        self.assert_refused("sources is 'x'", ask, "x")
+        self.assert_refused("sources[1] is None", ask, [0, None])
+        self.assert_refused("face 8", ask, geodesic.FacePoint(8, (1, 0, 0)))
+        self.assert_refused("weights", ask, geodesic.FacePoint(0, (1, 1, 0)))
+        self.assert_refused("three numbers", ask, geodesic.FacePoint(0, (1, 0)))
+        self.assert_refused("edge", ask, geodesic.EdgePoint(0, 1, 0.5))
+        self.assert_refused("t", ask, geodesic.EdgePoint(0, 2, 1.5))
+        self.assert_refused("targets[0] is a curve", ask, 0,
+                            targets=geodesic.Curve([0, 2]))
+        self.assert_refused("targets[1].vertex 9", ask, 0, targets=[0, 9])
+        self.assert_refused("curve", ask, geodesic.Curve([0, 1]))
+        self.assert_refused("offsets have shape (2,)", ask, 0, offsets=[0, 1])
+        self.assert_refused("sources[0].offset", ask, 0, offsets=[-1])
+        self.assert_refused("sources[0].offset", ask, 0, offsets=np.nan)
+
+    def test_refused_options(self):
+        mesh = self.wanted
+        self.assert_refused("known are: fwp-list", mesh.distances, 0,
+                            algorithm="heat")
+        self.assert_refused("radius is -1", mesh.distances, 0, radius=-1)
+        self.assert_refused("radius is nan", mesh.distances, 0,
+                            radius=float("nan"))
+        self.assert_refused("threads is 0", mesh.distances, 0, threads=0)
+        self.assert_refused("level", mesh.isolines, 0, levels=[-1])
+        self.assert_refused("1 sources, but 2 targets", mesh.pairs, [0], [1, 2])
+        self.assert_refused("(3,), not (N, 2)", mesh.pairs, [0, 1, 2])
+        self.assert_refused("k is 0", mesh.nearest, 0, [1], 0)
+        self.assert_refused("out has shape", mesh.matrix, [0, 1],
+                            out=np.empty((2, 5)))
+        self.assert_refused("out has shape", mesh.matrix, [0, 1],
+                            out=np.empty((2, 6), int))
+        self.assert_refused("2 targets", mesh.path, 0, [1, 2])
+        self.assert_refused("values have shape",
+                            mesh.plot, np.zeros(5))
+        self.assert_refused("not finite", mesh.nearest_point, [0, 0, np.inf])
+        self.assert_refused("(2,), not (3,)", mesh.nearest_point, [0, 0])
+
+    def test_what_they_say_of_themselves(self):
+        mesh = self.wanted
+        self.assertEqual(
+            repr(mesh),
+            "<geodesic.Mesh: 6 vertices, 8 faces, in this process>")
+        self.assertIn("6 of 6 vertices reached", repr(mesh.field(0)))
+        self.assertIn("fwp-list", repr(mesh.field(0)))
+        self.assertIn("points, length", repr(mesh.path(0, 1)))
+        self.assertIn("closed", repr(mesh.isolines(0, levels=[0.5])))
+        self.assertIn("6 of 6", repr(mesh.log_map(0)))
+        self.assertEqual(mesh.info()["genus"], 0)
+        self.assertEqual(mesh.info()["edges"], 12)
+
+    def test_pickles(self):
+        self.assert_same(pickle.loads(pickle.dumps(self.wanted)))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,200 @@
+"""Paths, isolines, matrices and the other questions, from their definitions."""
+
+import unittest
+
+import meshes
+import numpy as np
+import tolerances
+
+import geodesic
+
+
+class QuestionsTest(unittest.TestCase):
+
+    @classmethod
+    def setUpClass(cls):
+        cls.mesh = geodesic.Mesh(*meshes.terrain(24))
+
+    def assert_close(self, got, wanted, relative=tolerances.EXACT):
+        np.testing.assert_allclose(got, wanted, rtol=relative,
+                                   atol=relative * np.max(wanted))
+
+    def assert_on_faces(self, line):
+        """Faces and weights give the points, and each piece is in its face."""
+        corners = self.mesh.vertices[self.mesh.faces[line.faces]]
+        points = np.einsum("ij,ijk->ik", line.barycentric, corners)
+        np.testing.assert_allclose(points, line.points,
+                                   atol=tolerances.COORDINATES)
+        np.testing.assert_allclose(line.barycentric.sum(axis=1), 1,
+                                   atol=tolerances.COORDINATES)
+        np.testing.assert_allclose(self.mesh.positions(line.places),
+                                   line.points, atol=tolerances.COORDINATES)
+        # The end of each piece lies in the plane and inside the piece's face.
+        for i in range(len(line) - 1):
+            a, b, c = corners[i]
+            solved, residual, _, _ = np.linalg.lstsq(
+                np.column_stack([b - a, c - a]), line.points[i + 1] - a,
+                rcond=None)
+            self.assertTrue(np.all(solved >= -tolerances.COORDINATES))
+            self.assertLess(solved.sum(), 1 + tolerances.COORDINATES)
+            if residual.size:
+                self.assertLess(residual[0], tolerances.COORDINATES)
+
+    def test_paths(self):
+        distances = self.mesh.distances(0)
+        targets = [624, 300, geodesic.FacePoint(77, (0.2, 0.3, 0.5)), 0]
+        paths = self.mesh.paths(0, targets)
+        for path, target in zip(paths, targets):
+            with self.subTest(target=target):
+                pieces = np.diff(path.points, axis=0)
+                self.assert_close(np.linalg.norm(pieces, axis=1).sum(),
+                                  path.length)
+                wanted = (distances[target] if isinstance(target, int) else
+                          self.mesh.distances(0, targets=target)[0])
+                self.assert_close(path.distance, wanted)
+                self.assertEqual(path.source, 0)
+                np.testing.assert_allclose(
+                    path.points[[0, -1]],
+                    self.mesh.positions([0, target]),
+                    atol=tolerances.COORDINATES)
+                self.assert_on_faces(path)
+
+    def test_path_that_is_not_there(self):
+        vertices, faces = meshes.octahedron()
+        mesh = geodesic.Mesh(np.concatenate([vertices, [[9, 9, 9]]]), faces)
+        path = mesh.path(0, 6)
+        self.assertEqual((path.distance, path.length, len(path), path.source),
+                         (np.inf, np.inf, 0, None))
+        self.assertEqual(path.faces.shape, (0,))
+        self.assertEqual(path.barycentric.shape, (0, 3))
+
+    def test_isolines(self):
+        lines = self.mesh.isolines(5, levels=[0.2, 0.5])
+        self.assertEqual({line.level for line in lines}, {0.2, 0.5})
+        for line in lines:
+            self.assert_close(self.mesh.distances(5, targets=line.places),
+                              np.full(len(line), line.level), tolerances.ORACLE)
+            self.assert_on_faces(line)
+        by_count = self.mesh.isolines(5, count=4)
+        largest = self.mesh.distances(5).max()
+        self.assert_close(sorted({line.level for line in by_count}),
+                          largest * np.arange(1, 5) / 5)
+
+    def test_matrix(self):
+        targets = [7, 400, geodesic.FacePoint(77, (0.2, 0.3, 0.5))]
+        sources = [3, geodesic.EdgePoint(0, 1, 0.5), 600]
+        dense = self.mesh.matrix(sources, targets, threads=2)
+        for row, source in zip(dense, sources):
+            self.assert_close(row, self.mesh.distances(source, targets=targets))
+        whole = self.mesh.matrix([3, 600])
+        np.testing.assert_array_equal(whole[1], self.mesh.distances(600))
+        single = self.mesh.matrix([3, 600], dtype=np.float32)
+        np.testing.assert_array_equal(single, whole.astype(np.float32))
+        out = np.full((2, self.mesh.n_vertices), -1.0)
+        self.assertIs(self.mesh.matrix([3, 600], out=out), out)
+        np.testing.assert_array_equal(out, whole)
+
+    def test_sparse_matrix(self):
+        whole = self.mesh.matrix()
+        self.assert_close(whole, whole.T)
+        near = self.mesh.matrix(radius=0.1)
+        self.assertEqual(near.shape, whole.shape)
+        kept = np.zeros(whole.shape, bool)
+        kept[near.nonzero()] = True
+        np.fill_diagonal(kept, True)
+        np.testing.assert_array_equal(kept, whole <= 0.1)
+        self.assert_close(near.toarray(), np.where(kept, whole, 0))
+        # Zeros of the diagonal are entries, too.
+        self.assertEqual(near.nnz, kept.sum())
+
+    def test_nearest(self):
+        sources, targets = [0, 77, 301], [5, 9, 100, 400, 624]
+        wanted = self.mesh.matrix(sources, targets)
+        numbers, distances = self.mesh.nearest(sources, targets, k=3)
+        np.testing.assert_array_equal(numbers, np.argsort(wanted)[:, :3])
+        self.assert_close(distances, np.sort(wanted)[:, :3])
+        numbers, distances = self.mesh.nearest(0, [5, 9], k=4)
+        np.testing.assert_array_equal(numbers[0, 2:], [-1, -1])
+        np.testing.assert_array_equal(distances[0, 2:], [np.inf, np.inf])
+
+    def test_pairs(self):
+        random = np.random.default_rng(1)
+        pairs = random.integers(0, self.mesh.n_vertices, (40, 2))
+        # Enough with one end in common for a field, forwards and backwards.
+        shared = np.column_stack([np.full(20, 5), np.arange(20)])
+        for asked in (pairs, np.concatenate([pairs, shared]),
+                      np.concatenate([pairs, shared[:, ::-1]])):
+            wanted = [
+                self.mesh.distances(a, targets=int(b))[0] for a, b in asked
+            ]
+            self.assert_close(self.mesh.pairs(asked, threads=2), wanted)
+        self.assert_close(self.mesh.distance(3, 99),
+                          self.mesh.distances(3)[99])
+
+    def test_samples(self):
+        vertices, distances = self.mesh.samples(8, source=3)
+        nearest = self.mesh.distances(3)
+        for vertex, distance in zip(vertices, distances):
+            self.assert_close(distance, nearest.max())
+            self.assert_close(nearest[vertex], nearest.max())
+            nearest = np.minimum(nearest, self.mesh.distances(int(vertex)))
+
+    def test_labels_and_gradients(self):
+        sources = [3, 99, 500]
+        field = self.mesh.field(sources, labels=True, gradients=True)
+        each = self.mesh.matrix(sources)
+        self.assert_close(each[field.labels, np.arange(each.shape[1])],
+                          each.min(axis=0))
+        np.testing.assert_array_equal(field.labels, self.mesh.labels(sources))
+        lengths = np.linalg.norm(field.gradients, axis=1)
+        away = np.ones(len(lengths), bool)
+        away[sources] = False
+        self.assert_close(lengths[away], np.ones(away.sum()))
+        np.testing.assert_array_equal(lengths[sources], 0)
+        plane_vertices, faces = meshes.grid(9)
+        gradients = geodesic.Mesh(plane_vertices, faces).gradients(0)
+        wanted = plane_vertices - plane_vertices[0]
+        wanted[1:] /= np.linalg.norm(wanted[1:], axis=1)[:, None]
+        np.testing.assert_allclose(gradients, wanted,
+                                   atol=tolerances.COORDINATES)
+
+    def test_labels_of_what_is_not_reached(self):
+        vertices, faces = meshes.octahedron()
+        mesh = geodesic.Mesh(np.concatenate([vertices, [[9, 9, 9]]]), faces)
+        np.testing.assert_array_equal(mesh.labels([0, 1])[[0, 1, 6]],
+                                      [0, 1, -1])
+
+    def test_log_map_of_plane(self):
+        vertices, faces = meshes.grid(10)
+        mesh = geodesic.Mesh(vertices, faces)
+        source = 60
+        log_map = mesh.log_map(source)
+        around = vertices[:, :2] - vertices[source, :2]
+        x = log_map.zero_direction[:2]
+        y = np.array([-x[1], x[0]])
+        np.testing.assert_allclose(log_map.coordinates,
+                                   np.column_stack([around @ x, around @ y]),
+                                   atol=tolerances.COORDINATES)
+        near = mesh.log_map(source, radius=0.25).coordinates
+        np.testing.assert_array_equal(
+            np.isnan(near[:, 0]), np.linalg.norm(around, axis=1) > 0.25)
+
+    def test_nearest_point(self):
+        random = np.random.default_rng(2)
+        points = random.uniform(-0.2, 1.2, (20, 3))
+        found = self.mesh.positions(self.mesh.nearest_point(points))
+        # No point of a fine sampling of every face is nearer.
+        weights = np.array([(i, j, 12 - i - j) for i in range(13)
+                            for j in range(13 - i)]) / 12
+        sampled = np.einsum("wc,fcx->fwx", weights,
+                            self.mesh.vertices[self.mesh.faces]).reshape(-1, 3)
+        for point, there in zip(points, found):
+            best = np.min(np.linalg.norm(sampled - point, axis=1))
+            self.assertLessEqual(np.linalg.norm(there - point),
+                                 best + tolerances.COORDINATES)
+        on_vertex = self.mesh.nearest_point(self.mesh.vertices[17])
+        self.assertEqual(self.mesh.distances(on_vertex)[17], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
