@@ -68,10 +68,7 @@ def _with_pyvista(pyvista, mesh, values, lines, file, title, cmap):
         plotter.add_mesh(surface, scalars=colours, cmap=cmap,
                          scalar_bar_args={"title": title or "distance"})
     for line in lines:
-        points = line.points
-        if getattr(line, "closed", False):
-            points = np.concatenate([points, points[:1]])
-        plotter.add_lines(points, connected=True, color="black")
+        plotter.add_lines(_segments(line).reshape(-1, 3), color="black")
     if file is None:
         plotter.show()
     else:
@@ -79,10 +76,23 @@ def _with_pyvista(pyvista, mesh, values, lines, file, title, cmap):
     return plotter
 
 
+# How far lines are drawn in front of the surface that they run on, as a part of
+# its extent: more than a face is deep, less than an ear is thick.
+_LIFT = 0.01
+
+
+def _segments(line):
+    """The pieces of a line, (N, 2, 3)."""
+    points = line.points
+    if getattr(line, "closed", False):
+        points = np.concatenate([points, points[:1]])
+    return np.stack([points[:-1], points[1:]], axis=1)
+
+
 def _with_matplotlib(mesh, values, lines, view, file, title, cmap):
-    """Faces from back to front, with a light from the viewer."""
+    """Faces and lines from back to front, with a light from the viewer."""
     from matplotlib import pyplot
-    from matplotlib.collections import LineCollection, PolyCollection
+    from matplotlib.collections import PolyCollection
     from matplotlib.colors import Normalize
 
     axes_of = {"xy": (0, 1, 2, 1), "xz": (0, 2, 1, -1), "yz": (1, 2, 0, 1)}
@@ -92,16 +102,16 @@ def _with_matplotlib(mesh, values, lines, view, file, title, cmap):
                               "'-xy', '-xz' and '-yz'")
     right, up, depth, towards = axes_of[plane]
     side = -1.0 if view.startswith("-") else 1.0
-    positions = np.column_stack([
-        side * mesh.vertices[:, right], mesh.vertices[:, up],
-        side * towards * mesh.vertices[:, depth]])
-    corners = positions[mesh.faces]
-    order = np.argsort(corners[:, :, 2].mean(axis=1))
+
+    def seen(points):
+        """As (right, up, towards the viewer)."""
+        return points[..., [right, up, depth]] * [side, 1, side * towards]
+
+    corners = seen(mesh.vertices)[mesh.faces]
     normals = np.cross(corners[:, 1] - corners[:, 0],
                        corners[:, 2] - corners[:, 0])
     lengths = np.linalg.norm(normals, axis=1)
     light = np.abs(normals[:, 2]) / np.where(lengths > 0, lengths, 1)
-
     colours = np.full((mesh.n_faces, 3), 0.7)
     figure, axes = pyplot.subplots(figsize=(8, 6))
     if values is not None:
@@ -114,12 +124,20 @@ def _with_matplotlib(mesh, values, lines, view, file, title, cmap):
             figure.colorbar(pyplot.cm.ScalarMappable(scale, colour_map), ax=axes,
                             label="distance", shrink=0.8)
     colours *= (0.35 + 0.65 * light)[:, None]
+
+    pieces = seen(np.concatenate([np.empty((0, 2, 3))] +
+                                 [_segments(line) for line in lines]))
+    # There and back again: a polygon without an inside.
+    polygons = np.concatenate([corners, pieces[:, [0, 1, 0]]])
+    colours = np.concatenate([colours, np.zeros((len(pieces), 3))])
+    widths = np.repeat([0.2, 1.0], [len(corners), len(pieces)])
+    extent = np.linalg.norm(np.ptp(mesh.vertices, axis=0))
+    front = polygons[:, :, 2].mean(axis=1) + np.where(
+        widths == 1.0, _LIFT * extent, 0)
+    order = np.argsort(front)
     axes.add_collection(PolyCollection(
-        corners[order][:, :, :2], facecolors=colours[order],
-        edgecolors="face", linewidths=0.2))
-    axes.add_collection(LineCollection(
-        [np.column_stack([side * line.points[:, right], line.points[:, up]])
-         for line in lines], colors="black", linewidths=1))
+        polygons[order][:, :, :2], facecolors=colours[order],
+        edgecolors=colours[order], linewidths=widths[order]))
     axes.set_aspect("equal")
     axes.autoscale_view()
     axes.set_axis_off()
