@@ -61,6 +61,13 @@ std::vector<std::string> ApproximateMethodNames() {
 }
 
 void AddApproximateOptions(CLI::App& app, ApproximateOptions& options) {
+  app.add_option("--lambda", options.method.heat.lambda,
+                 "heat: it spreads for lambda h^2")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_flag("!--no-intrinsic-delaunay",
+               options.method.heat.intrinsic_delaunay,
+               "heat: use the mesh's own edges");
   app.add_flag("--errors", options.errors,
                "also solve exactly, and print the mean and the largest "
                "relative error");

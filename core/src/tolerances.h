@@ -184,6 +184,17 @@ inline constexpr float kLandmarkRounding = 0x1p-22f;
 // short edges; from 1e15 on, where an edge is a grain, no rule comes to an end.
 inline constexpr double kMostOffset = 1e6;
 
+// Of the heat method: where a face's two shorter sides together exceed its
+// longest by less than this fraction of the mean edge length, all edges are
+// made longer by what is missing. Cotangents then stay below a million or so,
+// and distances change by about this fraction of an edge for each edge on their
+// way, far less than the method is off (Sharp and Crane 2020 take the same).
+inline constexpr double kMollified = 1e-5;
+
+// An edge is turned only if the cotangents opposite to it sum to less than
+// minus this, or rounding would turn edges of squares to and fro.
+inline constexpr double kNotDelaunay = 1e-9;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_

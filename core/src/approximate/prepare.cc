@@ -6,13 +6,15 @@
 namespace geodesic {
 
 absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(
-    const Mesh& mesh, ApproximateMethod method, const MethodOptions&,
+    const Mesh& mesh, ApproximateMethod method, const MethodOptions& options,
     Checkpoint& checkpoint) {
   switch (method) {
     case ApproximateMethod::kFmm:
       return FastMarching::Prepare(mesh, MarchingQueue::kHeap, checkpoint);
     case ApproximateMethod::kFmmUntidy:
       return FastMarching::Prepare(mesh, MarchingQueue::kUntidy, checkpoint);
+    case ApproximateMethod::kHeat:
+      return HeatMethod::Prepare(mesh, options.heat, checkpoint);
   }
   return absl::InternalError("no such approximate method");
 }

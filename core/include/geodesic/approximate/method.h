@@ -20,7 +20,8 @@ namespace geodesic {
   X(Fmm, "fmm",                                                         \
     "Fast marching: planar fronts from face to face, in a binary heap") \
   X(FmmUntidy, "fmm-untidy",                                            \
-    "Fast marching in buckets that are not sorted inside")
+    "Fast marching in buckets that are not sorted inside")              \
+  X(Heat, "heat", "The heat method: two sparse linear systems, factorized once")
 
 enum class ApproximateMethod {
 #define GEODESIC_ENUMERATOR(id, ...) k##id,

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "absl/status/statusor.h"
+#include "geodesic/approximate/heat_method.h"
 #include "geodesic/approximate/method.h"
 #include "geodesic/approximate/prepared_method.h"
 #include "geodesic/checkpoint.h"
@@ -14,7 +15,9 @@
 namespace geodesic {
 
 // What methods can be told; each reads its own part.
-struct MethodOptions {};
+struct MethodOptions {
+  HeatOptions heat;
+};
 
 // Errors: as the method's own Prepare.
 absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(

@@ -1,0 +1,66 @@
+// Sparse symmetric matrices and their Cholesky factors, by SuiteSparse's
+// CHOLMOD (Chen, Davis, Hager, Rajamanickam: Algorithm 887, ACM TOMS 35(3),
+// 2008). Nobody else includes its header.
+//
+// Columns are eliminated one by one. CHOLMOD's supernodes would call a BLAS,
+// whose bits differ from one to the next, and start OpenMP threads that nobody
+// can forbid them; on meshes they are faster only beside a tuned BLAS.
+
+#ifndef GEODESIC_APPROXIMATE_CHOLESKY_H_
+#define GEODESIC_APPROXIMATE_CHOLESKY_H_
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "absl/status/statusor.h"
+
+namespace geodesic {
+
+// Where the entries of a symmetric matrix are: column after column those on and
+// above the diagonal, rows in order, so that the diagonal is each column's
+// last. Matrices of one pattern differ in their values alone.
+struct SymmetricPattern {
+  std::vector<int32_t> column_begin;  // size + 1
+  std::vector<int32_t> rows;
+
+  uint64_t size() const { return column_begin.size() - 1; }
+};
+
+// A factor. Const functions are thread-safe.
+class Cholesky {
+ public:
+  // How to eliminate with little fill: for all matrices of one pattern.
+  class Order;
+  // Errors: RESOURCE_EXHAUSTED.
+  static absl::StatusOr<std::shared_ptr<const Order>> Analyze(
+      const SymmetricPattern& pattern);
+
+  // REQUIRES: the order is of this pattern; a value for each of its rows.
+  // Errors: FAILED_PRECONDITION if the matrix is not positive definite;
+  // RESOURCE_EXHAUSTED.
+  static absl::StatusOr<Cholesky> Factorize(const SymmetricPattern& pattern,
+                                            const Order& order,
+                                            std::span<const double> values);
+
+  Cholesky(Cholesky&&) noexcept;
+  Cholesky& operator=(Cholesky&&) noexcept;
+  ~Cholesky();
+
+  // By back-substitution. Errors: RESOURCE_EXHAUSTED.
+  absl::StatusOr<std::vector<double>> Solve(
+      std::span<const double> right_side) const;
+
+  uint64_t bytes() const;
+
+ private:
+  class Factor;
+  explicit Cholesky(std::unique_ptr<Factor> factor);
+
+  std::unique_ptr<Factor> factor_;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_APPROXIMATE_CHOLESKY_H_
