@@ -113,7 +113,7 @@ Server::Server(const ServerOptions& options,
   engine_.scheduler().ObserveJobs(
       clock_, [this](const JobTimes& times) { metrics_.JobEnded(times); });
   search_watch_ = Every(SearchPool::kPatience / 2,
-                        [this] { engine_.pairs().DropOldSearches(); });
+                        [this] { engine_.searches().pool().DropOld(); });
   metrics_.Add([this] { return CollectEngine(engine_, intake_.memory()); });
   metrics_.AddGauge("geodesic_active_requests", "Requests that have not ended",
                     [this] { return static_cast<double>(log_.active()); });

@@ -79,31 +79,54 @@ uint64_t RowBytes(const Query& query, const Mesh& mesh) {
          (sizeof(double) + sizeof(uint32_t));
 }
 
+// What searches for the targets have, if they cost less than a field that stops
+// when the first `wanted` of them are final. The targets lie anywhere: such a
+// field covers as large a part of a whole one as they are of all.
+std::optional<SearchMeans> ForRow(const ValidQuery& query, uint64_t wanted,
+                                  double radius, const MeshHandle& mesh,
+                                  SearchEngine& searches) {
+  const uint64_t targets = query->targets.size();
+  if (query->algorithm != kDefaultAlgorithm || wanted == 0 ||
+      targets >= kFieldInSearchesWithLandmarks || !std::isinf(radius)) {
+    return {};
+  }
+  SearchMeans means = searches.MeansFor(mesh, query->algorithm);
+  if (targets * targets >= wanted * means.field_in_searches) return {};
+  return means;
+}
+
 // The function that computes the rows of a checked request. It shrinks a row's
 // memory to what the row keeps. REQUIRES: it is given RowBytes.
 RowFunction MakeRowFunction(MeshHandle mesh, ValidQuery query,
                             const MatrixRequest& request,
-                            const SolveOptions& options, StartFunction start) {
+                            const SolveOptions& options, StartFunction start,
+                            SearchEngine& searches) {
   return [mesh = std::move(mesh), query = std::move(query),
           radius = request.radius, sparse = request.sparse,
-          nearest = request.nearest, options, start = std::move(start)](
-             uint64_t row, Checkpoint& checkpoint,
-             ByteReservation memory) -> absl::StatusOr<MatrixRow> {
+          nearest = request.nearest, options, start = std::move(start),
+          &searches](uint64_t row, Checkpoint& checkpoint,
+                     ByteReservation memory) -> absl::StatusOr<MatrixRow> {
     const uint64_t targets = query->targets.size();
+    const uint64_t wanted = std::min(nearest.value_or(targets), targets);
     MatrixRow result{.memory = std::move(memory)};
-    auto computation =
-        start(*mesh->mesh,
-              query.OfSource(static_cast<uint32_t>(row), *mesh->mesh), options);
-    if (!computation.ok()) return computation.status();
-    Reach reach{.radius = radius};
-    if (targets > 0) {
-      reach.targets = std::min(nearest.value_or(targets), targets);
+    const ValidQuery of_row =
+        query.OfSource(static_cast<uint32_t>(row), *mesh->mesh);
+    if (const auto means = ForRow(of_row, wanted, radius, mesh, searches)) {
+      absl::StatusOr<TargetDistances> found =
+          searches.Run(mesh, of_row, *means, checkpoint);
+      if (!found.ok()) return found.status();
+      result.values = std::move(found->distances);
+    } else {
+      auto computation = start(*mesh->mesh, of_row, options);
+      if (!computation.ok()) return computation.status();
+      Reach reach{.radius = radius};
+      if (targets > 0) reach.targets = wanted;
+      absl::Status status = (*computation)->Advance(reach, checkpoint);
+      if (!status.ok()) return status;
+      DistanceField field = (*computation)->Field();
+      result.values = targets > 0 ? std::move(field.target_distances)
+                                  : std::move(field.distances);
     }
-    absl::Status status = (*computation)->Advance(reach, checkpoint);
-    if (!status.ok()) return status;
-    DistanceField field = (*computation)->Field();
-    result.values = targets > 0 ? std::move(field.target_distances)
-                                : std::move(field.distances);
     if (sparse || nearest.has_value()) {
       MakeSparse(radius, result);
       if (nearest.has_value()) KeepNearest(*nearest, result);
@@ -152,14 +175,15 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
       meshes_(limits_, clock, scheduler_, upload_memory_,
               [this](const std::string& digest) {
                 fields_.EraseMesh(digest);
-                landmarks_.EraseMesh(digest);
+                searches_.landmarks().EraseMesh(digest);
               }),
+      searches_(limits_, solve_options_, clock, scheduler_, solver_memory_,
+                start_, meshes_),
       fields_(limits_, solve_options_, clock, scheduler_, solver_memory_,
-              start_, meshes_),
-      landmarks_(solve_options_, scheduler_, solver_memory_, start_, meshes_),
+              start_, meshes_, searches_),
       solo_jobs_(clock, scheduler_, solver_memory_, limits.progress_interval),
-      pairs_(limits_, solve_options_, clock, scheduler_, solo_jobs_,
-             solver_memory_, start_, meshes_, fields_, landmarks_),
+      pairs_(limits_, solve_options_, scheduler_, solo_jobs_, start_, meshes_,
+             searches_, fields_),
       scheduler_(executor, limits.max_concurrent_jobs, limits.max_queued_jobs,
                  limits.max_queued_jobs_per_client) {}
 
@@ -169,7 +193,7 @@ void QueryEngine::Attach(std::unique_ptr<DurableStore> durable) {
   durable_ = std::move(durable);
   meshes_.Attach(*durable_->meshes);
   fields_.Attach(*durable_->fields);
-  landmarks_.Attach(*durable_->landmarks);
+  searches_.landmarks().Attach(*durable_->landmarks);
 }
 
 absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
@@ -227,12 +251,15 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
   RowJobs plan{.client = request.requester.client,
                .priority = RowPriority(request.requester.is_batch),
                .deadline = request.deadline,
-               .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, query),
+               .planned_bytes = std::max(
+                   PlannedSolverBytes(*call.mesh->mesh, query),
+                   SearchEngine::PlannedBytes(*call.mesh->mesh, query)),
                .row_bytes = RowBytes(*query, *call.mesh->mesh)};
   // One more than can run, so no thread waits for the reader to take a row.
   call.rows = std::make_shared<RowPipeline>(
       solo_jobs_, std::move(plan), rows, limits_.max_concurrent_jobs + 1,
-      MakeRowFunction(call.mesh, query, request, solve_options_, start_),
+      MakeRowFunction(call.mesh, query, request, solve_options_, start_,
+                      searches_),
       std::move(on_row));
   absl::StatusOr<Scheduler::Place> place =
       scheduler_.HoldPlace(request.requester.client);

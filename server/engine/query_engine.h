@@ -29,16 +29,16 @@
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/fields/field_files.h"
-#include "server/engine/fields/landmark_files.h"
-#include "server/engine/fields/landmark_maker.h"
-#include "server/engine/fields/start_function.h"
 #include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/solo_job.h"
+#include "server/engine/jobs/start_function.h"
 #include "server/engine/jobs/thread_pool.h"
 #include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/pairs/pair_engine.h"
+#include "server/engine/searches/landmark_files.h"
+#include "server/engine/searches/search_engine.h"
 #include "server/store/data_folder.h"
 
 namespace geodesic::server {
@@ -142,9 +142,9 @@ class QueryEngine {
   void Attach(std::unique_ptr<DurableStore> durable);
 
   MeshLibrary& meshes() { return meshes_; }
+  SearchEngine& searches() { return searches_; }
   FieldEngine& fields() { return fields_; }
   PairEngine& pairs() { return pairs_; }
-  LandmarkMaker& landmarks() { return landmarks_; }
   // After its BeginDrain, uploads and queries that need a job fail with
   // UNAVAILABLE.
   Scheduler& scheduler() { return scheduler_; }
@@ -163,9 +163,9 @@ class QueryEngine {
   EngineCounters counters() const;
   const DurableStore* durable() const { return durable_.get(); }  // may be null
   const MeshLibrary& meshes() const { return meshes_; }
+  const SearchEngine& searches() const { return searches_; }
   const FieldEngine& fields() const { return fields_; }
   const PairEngine& pairs() const { return pairs_; }
-  const LandmarkMaker& landmarks() const { return landmarks_; }
   const Scheduler& scheduler() const { return scheduler_; }
   const ByteBudget& upload_memory() const { return *upload_memory_; }
   const ByteBudget& solver_memory() const { return *solver_memory_; }
@@ -178,8 +178,8 @@ class QueryEngine {
   const std::shared_ptr<ByteBudget> solver_memory_;
   std::unique_ptr<DurableStore> durable_;  // may be null
   MeshLibrary meshes_;
+  SearchEngine searches_;
   FieldEngine fields_;
-  LandmarkMaker landmarks_;
   SoloJobs solo_jobs_;
   PairEngine pairs_;
 

@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <memory>
 #include <optional>
@@ -379,6 +381,7 @@ class QuestionCancellationTest : public test::QuestionsTest {
   void SetUp() override {
     ServerOptions options = SmallServer();
     options.metrics_listen = "127.0.0.1:0";
+    options.limits.landmark_memory_bytes = 0;  // their fields would be held too
     StartWithGrid(/*held=*/true, options);
   }
 
@@ -441,6 +444,7 @@ class QuestionCancellationTest : public test::QuestionsTest {
 TEST_F(QuestionCancellationTest, StopsItsWork) {
   auto paths = From<v1::ComputePathsRequest>(0);
   paths.add_targets()->set_vertex(Vertex(kSide, kSide));
+  paths.set_radius(kSide);  // a field, which can be held up
   ExpectCancelled(paths);
   ExpectCancelled(From<v1::ComputeLogMapRequest>(Vertex(5, 5)));
   auto matrix = From<v1::ComputeMatrixRequest>(1);
@@ -449,9 +453,22 @@ TEST_F(QuestionCancellationTest, StopsItsWork) {
   auto nearest = From<v1::FindNearestRequest>(0);
   nearest.add_targets()->set_vertex(Vertex(1, 1));
   nearest.set_count(1);
+  nearest.set_radius(kSide);
   ExpectCancelled(nearest);
 
-  digest_ = Upload(geodesic::test::Icosphere(7));
+  const TriangleSoup ball = geodesic::test::Icosphere(7);
+  digest_ = Upload(ball);
+  // The search for the place on the other side covers all of the ball.
+  const auto other_side =
+      std::ranges::max_element(ball.positions, {}, [&](const Point& place) {
+        const Point& first = ball.positions[0];
+        return std::hypot(place[0] - first[0], place[1] - first[1],
+                          place[2] - first[2]);
+      });
+  auto search = From<v1::ComputePathsRequest>(0);
+  search.add_targets()->set_vertex(
+      static_cast<uint32_t>(other_side - ball.positions.begin()));
+  ExpectCancelledUnderWay(search);
   auto samples = From<v1::SampleFarthestPointsRequest>(0);
   samples.set_count(20);
   ExpectCancelledUnderWay(samples);

@@ -47,12 +47,12 @@ class TargetSearch {
   TargetSearch& operator=(TargetSearch&&) noexcept;
   ~TargetSearch();
 
-  // The distances of query->targets. `landmarks` may be null, or of any number;
-  // they change the cost alone. Questions that fwp-list does not answer
-  // (curves, several sources that are not all vertices, faces without area,
-  // edges of three faces or more: see ValidQuery) are computed as a field that
-  // stops at the last target, at the cost of that. Errors: INVALID_ARGUMENT
-  // without targets; whatever `checkpoint` returns.
+  // The distances of query->targets, each by a search of its own. `landmarks`
+  // may be null, or of any number; they change the cost alone. Questions that
+  // fwp-list does not answer (curves, several sources that are not all
+  // vertices, faces without area, edges of three faces or more: see ValidQuery)
+  // are computed as a field that stops at the last target, at the cost of that.
+  // Errors: INVALID_ARGUMENT without targets; whatever `checkpoint` returns.
   absl::StatusOr<TargetDistances> Run(const ValidQuery& query,
                                       const Landmarks* landmarks,
                                       Checkpoint& checkpoint);

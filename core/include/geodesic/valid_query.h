@@ -57,6 +57,8 @@ class ValidQuery {
   // One source alone. The algorithm is the one that runs for that source.
   // REQUIRES: the mesh of Make.
   ValidQuery OfSource(uint32_t source, const Mesh& mesh) const;
+  // One target alone.
+  ValidQuery OfTarget(uint32_t target) const;
 
   // Both compare the canonical forms.
   friend auto operator<=>(const ValidQuery& a, const ValidQuery& b) {

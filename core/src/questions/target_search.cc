@@ -38,20 +38,15 @@ class TargetSearch::Impl {
                                       const Landmarks* landmarks,
                                       Checkpoint& checkpoint) {
     const auto start = std::chrono::steady_clock::now();
-    Restart(query, landmarks);
-    absl::Status status = Propagate(checkpoint);
-    if (!status.ok()) return status;
-    TargetDistances found{.statistics = statistics_};
-    for (size_t t = 0; t < front_.targets().size(); ++t) {
-      found.distances.push_back(ToFileUnit(DistanceTo(t)));
-    }
-    if (query->trace) {
-      status = TracePaths(query, found);
+    statistics_ = {};
+    TargetDistances found;
+    // A search for several at once would cover all that lies between them.
+    for (uint32_t t = 0; t < query->targets.size(); ++t) {
+      absl::Status status =
+          RunOne(query.OfTarget(t), landmarks, checkpoint, found);
       if (!status.ok()) return status;
     }
-    found.statistics.iterations = queue_.iterations();
-    found.statistics.windows_created = rule_.created();
-    found.statistics.peak_windows = rule_.peak_windows();
+    found.statistics = statistics_;
     found.statistics.solve_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
             .count();
@@ -93,12 +88,30 @@ class TargetSearch::Impl {
 
   static constexpr uint64_t kPollPeriod = 1024;
 
+  // Adds the distance of the query's only target, and the path to it.
+  absl::Status RunOne(const ValidQuery& query, const Landmarks* landmarks,
+                      Checkpoint& checkpoint, TargetDistances& found) {
+    Restart(query, landmarks);
+    absl::Status status = Propagate(checkpoint);
+    if (!status.ok()) return status;
+    found.distances.push_back(ToFileUnit(Distance()));
+    if (query->trace) {
+      absl::StatusOr<GeodesicPath> path = Trace(query, found.distances.back());
+      if (!path.ok()) return path.status();
+      found.paths.push_back(*std::move(path));
+    }
+    statistics_.iterations += queue_.iterations();
+    statistics_.windows_created += rule_.created();
+    statistics_.peak_windows =
+        std::max(statistics_.peak_windows, rule_.peak_windows());
+    return absl::OkStatus();
+  }
+
   void Restart(const ValidQuery& query, const Landmarks* landmarks) {
-    statistics_ = {};
     rule_.Clear();
     queue_.Clear();
     front_.Restart(*query);
-    front_.goal().Aim(query->targets, landmarks);
+    front_.goal().Aim(query->targets[0], landmarks);
     DirectSink sink(front_, rule_);
     for (const Anchor& anchor : AnchorsOf(query))
       front_.AddAnchor(anchor, sink);
@@ -111,7 +124,7 @@ class TargetSearch::Impl {
         steps = 0;
         if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
       }
-      front_.goal().set_limit(Farthest() * (1 + kGoalMargin));
+      front_.goal().set_limit(Distance() * (1 + kGoalMargin));
       if (queue_.SettledRadius() > front_.goal().limit()) break;
       together_.clear();
       do {
@@ -130,27 +143,18 @@ class TargetSearch::Impl {
     return Poll(checkpoint);
   }
 
-  // To the targets whose distances were found.
-  absl::Status TracePaths(const ValidQuery& query, TargetDistances& found) {
-    std::vector<double> distances;
-    std::vector<Arrival> arrivals;
-    for (size_t t = 0; t < front_.targets().size(); ++t) {
-      distances.push_back(DistanceTo(t));
-      arrivals.push_back(
-          front_.targets().ArrivalAt(t, front_.distances(), front_.arrivals()));
-    }
+  // `distance`: that of the target, in the unit of the file.
+  absl::StatusOr<GeodesicPath> Trace(const ValidQuery& query,
+                                     double distance) const {
+    const Arrival arrival =
+        front_.targets().ArrivalAt(0, front_.distances(), front_.arrivals());
+    const double scaled = Distance();
     const TracedField field(mesh_, query,
                             {.vertices = front_.distances(),
-                             .targets = distances,
+                             .targets = {&scaled, 1},
                              .vertex_arrivals = front_.arrivals(),
-                             .target_arrivals = arrivals});
-    for (uint32_t t = 0; t < distances.size(); ++t) {
-      absl::StatusOr<GeodesicPath> path =
-          TracePath(field, field.Target(t), found.distances[t]);
-      if (!path.ok()) return path.status();
-      found.paths.push_back(*std::move(path));
-    }
-    return absl::OkStatus();
+                             .target_arrivals = {&arrival, 1}});
+    return TracePath(field, field.Target(0), distance);
   }
 
   absl::Status Poll(Checkpoint& checkpoint) {
@@ -166,16 +170,9 @@ class TargetSearch::Impl {
     });
   }
 
-  double DistanceTo(size_t t) const {
-    return front_.targets().Distance(t, front_.distances());
-  }
-  // Of the targets, as far as is known.
-  double Farthest() const {
-    double farthest = 0;
-    for (size_t t = 0; t < front_.targets().size(); ++t) {
-      farthest = std::max(farthest, DistanceTo(t));
-    }
-    return farthest;
+  // Of the target, as far as is known.
+  double Distance() const {
+    return front_.targets().Distance(0, front_.distances());
   }
   double ToFileUnit(double length) const {
     const int half = mesh_.scale_exponent() / 2;

@@ -4,16 +4,13 @@
 
 namespace geodesic {
 
-void Goal::Aim(std::span<const SurfacePoint> targets,
-               const Landmarks* landmarks) {
+void Goal::Aim(const SurfacePoint& target, const Landmarks* landmarks) {
   Clear();
+  target_ = InSpace(mesh_, target);
   landmarks_ =
       landmarks != nullptr && landmarks->count() > 0 ? landmarks : nullptr;
-  targets_.clear();
-  for (const SurfacePoint& target : targets) {
-    targets_.push_back({.place = InSpace(mesh_, target)});
-    if (landmarks_ == nullptr) continue;
-    targets_.back().from_landmarks = landmarks_->PlaceOf(target, mesh_);
+  if (landmarks_ != nullptr) {
+    from_landmarks_ = landmarks_->PlaceOf(target, mesh_);
   }
   limit_ = std::numeric_limits<double>::infinity();
 }
@@ -24,17 +21,12 @@ void Goal::Clear() {
 }
 
 double Goal::Compute(uint32_t v) const {
-  const SpacePoint place{.vertex = v};
-  double least = std::numeric_limits<double>::infinity();
-  for (const Target& target : targets_) {
-    double bound = StraightDistance(mesh_, place, target.place);
-    if (landmarks_ != nullptr) {
-      bound = std::max(bound, landmarks_->LowerBound(v, target.from_landmarks));
-    }
-    least = std::min(least, bound - kGoalRounding);
+  double bound = StraightDistance(mesh_, SpacePoint{.vertex = v}, target_);
+  if (landmarks_ != nullptr) {
+    bound = std::max(bound, landmarks_->LowerBound(v, from_landmarks_));
   }
   known_.push_back(v);
-  return bounds_[v] = std::max(least, 0.0);
+  return bounds_[v] = std::max(bound - kGoalRounding, 0.0);
 }
 
 }  // namespace geodesic

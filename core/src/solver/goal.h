@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "geodesic/landmarks.h"
@@ -57,18 +56,17 @@ class Goal {
   explicit Goal(const Mesh& mesh)
       : mesh_(mesh), bounds_(mesh.vertex_count(), kUnknown) {}
 
-  // Heads for the nearest of the targets. `landmarks` may be null; they outlive
-  // the search.
-  void Aim(std::span<const SurfacePoint> targets, const Landmarks* landmarks);
+  // `landmarks` may be null; they outlive the search.
+  void Aim(const SurfacePoint& target, const Landmarks* landmarks);
   // Forgets what was asked about since Aim. O(that).
   void Clear();
 
-  // No path from v to a target is shorter.
+  // No path from v to the target is shorter.
   double Bound(uint32_t v) const {
     const double bound = bounds_[v];
     return bound >= 0 ? bound : Compute(v);
   }
-  // Paths that are longer lead to no target's distance.
+  // Longer paths are of no use.
   double limit() const { return limit_; }
   void set_limit(double limit) { limit_ = limit; }
   EdgeGoal At(uint32_t from, uint32_t to) const {
@@ -83,16 +81,12 @@ class Goal {
  private:
   static constexpr double kUnknown = -1;
 
-  struct Target {
-    SpacePoint place;
-    Landmarks::Place from_landmarks;
-  };
-
   double Compute(uint32_t v) const;
 
   const Mesh& mesh_;
   const Landmarks* landmarks_ = nullptr;
-  std::vector<Target> targets_;
+  SpacePoint target_;
+  Landmarks::Place from_landmarks_;
   double limit_ = std::numeric_limits<double>::infinity();
   // A cache: Bound changes nothing that others see.
   mutable std::vector<double> bounds_;

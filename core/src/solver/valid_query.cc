@@ -186,4 +186,12 @@ ValidQuery ValidQuery::OfSource(uint32_t source, const Mesh& mesh) const {
   return {std::move(query), asked_};
 }
 
+ValidQuery ValidQuery::OfTarget(uint32_t target) const {
+  Query query{.sources = query_->sources,
+              .targets = {query_->targets[target]},
+              .algorithm = query_->algorithm,
+              .trace = query_->trace};
+  return {std::move(query), asked_};
+}
+
 }  // namespace geodesic

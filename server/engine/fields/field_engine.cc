@@ -1,6 +1,7 @@
 #include "server/engine/fields/field_engine.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -63,6 +64,15 @@ absl::Status Assign(absl::StatusOr<T> from, T& to) {
   return absl::OkStatus();
 }
 
+// Whether the question is about paths to its targets and nothing else, and can
+// be answered by searches that are directed at them.
+bool MayBeSearched(const FieldJobKey& key) {
+  return key.field.query->algorithm == kDefaultAlgorithm &&
+         key.extras == FieldExtras{.paths = true} &&
+         key.reach.targets == key.field.query->targets.size() &&
+         std::isinf(key.reach.radius);
+}
+
 // The memory that Derive must be given.
 uint64_t DerivedBytes(const FieldExtras& extras, uint64_t vertices) {
   if (!extras.NeedTrace()) return 0;
@@ -71,6 +81,15 @@ uint64_t DerivedBytes(const FieldExtras& extras, uint64_t vertices) {
   if (extras.gradients) per_vertex += sizeof(Point);
   if (extras.log_map) per_vertex += sizeof(LogMap::coordinates[0]);
   return vertices * per_vertex + sizeof(DerivedQuantities);
+}
+
+uint64_t BytesOf(const std::vector<GeodesicPath>& paths) {
+  uint64_t bytes = paths.capacity() * sizeof(GeodesicPath);
+  for (const GeodesicPath& path : paths) {
+    bytes += path.points.capacity() * sizeof(SurfacePoint) +
+             path.positions.capacity() * sizeof(Point);
+  }
+  return bytes;
 }
 
 // Log maps end at `radius`. O(V), plus the edges that the paths of a log map
@@ -113,13 +132,15 @@ absl::StatusOr<std::shared_ptr<const DerivedQuantities>> Derive(
 FieldEngine::FieldEngine(const Limits& limits, const SolveOptions& options,
                          const Clock& clock, Scheduler& scheduler,
                          std::shared_ptr<ByteBudget> solver_memory,
-                         StartFunction start, MeshLibrary& meshes)
+                         StartFunction start, MeshLibrary& meshes,
+                         SearchEngine& searches)
     : limits_(limits),
       options_(options),
       start_(std::move(start)),
       solver_memory_(std::move(solver_memory)),
       scheduler_(scheduler),
       meshes_(meshes),
+      searches_(searches),
       fields_(limits.field_cache_bytes),
       jobs_(scheduler, clock, limits.progress_interval) {}
 
@@ -174,6 +195,13 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
       .settled_log =
           key.extras.settled_order ? std::make_shared<SettledLog>() : nullptr,
       .solver_bytes = PlannedSolverBytes(*mesh->mesh, key.field.query)});
+  if (!is_kept && MayBeSearched(key)) {
+    SearchMeans means = searches_.MeansFor(mesh, key.field.query->algorithm);
+    if (key.reach.targets < means.field_in_searches) {
+      job->search = std::move(means);
+      job->solver_bytes = TargetSearch::PlannedBytes(*mesh->mesh);
+    }
+  }
   if (status = CheckCapacity(*job); !status.ok()) return status;
   Waiter<FieldAnswer> waiter{
       .done =
@@ -245,7 +273,11 @@ absl::Status FieldEngine::Provide(FieldJob& job) {
   if (!derived.ok()) return derived.status();
   std::optional<FieldCache::Found> found =
       fields_.Find(job.key.field, job.key.reach);
-  if (!found) {
+  if (!found && job.search) {
+    auto memory = ByteReservation::Make(solver_memory_, job.solver_bytes);
+    if (!memory.ok()) return memory.status();
+    job.memory = *std::move(memory);
+  } else if (!found) {
     // Room in the cache is taken, too, because a field that is streamed without
     // it would be memory that no budget counts.
     auto room = fields_.Reserve(job.key.field, vertices);
@@ -270,6 +302,7 @@ absl::StatusOr<FieldAnswer> FieldEngine::Answer(FieldJob& job,
   }
   FieldAnswer answer{.origin = FieldOrigin::kCached};
   std::optional<FieldCache::Found> found = std::move(job.found);
+  if (!found && job.search) return Search(job, checkpoint);
   if (!found) found = LoadStored(job);
   if (!found) {
     absl::StatusOr<FieldHandle> field = Solve(job, checkpoint);
@@ -319,6 +352,34 @@ std::optional<FieldCache::Found> FieldEngine::LoadStored(FieldJob& job) {
   FieldHandle handle = Keep(*stored, *std::move(field),
                             std::move(is_other ? other_room : job.room));
   return FieldCache::Found{*std::move(stored), std::move(handle)};
+}
+
+absl::StatusOr<FieldAnswer> FieldEngine::Search(FieldJob& job,
+                                                JobCheckpoint& checkpoint) {
+  Count(&FieldCounters::solves_started);
+  checkpoint.Hold(std::move(job.memory));
+  absl::StatusOr<TargetDistances> found = Guarded("searched for targets", [&] {
+    return searches_.Run(job.mesh, job.key.field.query, *job.search,
+                         checkpoint);
+  });
+  absl::Status status = found.status();
+  if (status.ok()) {
+    status = job.derived.GrowTo(job.derived.bytes() + BytesOf(found->paths));
+  }
+  if (!status.ok()) {
+    Count(&FieldCounters::solves_stopped);
+    return status;
+  }
+  Count(&FieldCounters::solves_finished);
+  auto derived = std::make_shared<DerivedQuantities>();
+  derived->memory = std::move(job.derived);
+  derived->mesh = job.mesh;
+  derived->found_paths = std::move(found->paths);
+  derived->field = std::make_shared<const DistanceField>(
+      DistanceField{.target_distances = std::move(found->distances),
+                    .algorithm = job.key.field.query->algorithm,
+                    .statistics = found->statistics});
+  return FieldAnswer{.field = derived->field, .derived = derived};
 }
 
 absl::StatusOr<FieldHandle> FieldEngine::Solve(FieldJob& job,

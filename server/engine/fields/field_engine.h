@@ -1,4 +1,5 @@
 // Finds fields in the cache, joins running computations or starts new ones.
+// Paths to few targets are searched for, unless a field is there.
 
 #ifndef GEODESIC_SERVER_ENGINE_FIELDS_FIELD_ENGINE_H_
 #define GEODESIC_SERVER_ENGINE_FIELDS_FIELD_ENGINE_H_
@@ -26,11 +27,12 @@
 #include "server/engine/fields/field_cache.h"
 #include "server/engine/fields/field_files.h"
 #include "server/engine/fields/settled_log.h"
-#include "server/engine/fields/start_function.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/shared_jobs.h"
+#include "server/engine/jobs/start_function.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/meshes/mesh_store.h"
+#include "server/engine/searches/search_engine.h"
 
 namespace geodesic::server {
 
@@ -65,9 +67,12 @@ struct DerivedQuantities {
   LogMap log_map;
 
   std::optional<PathTracer> paths;
+  // Or, if they were searched for, one per target of the query.
+  std::vector<GeodesicPath> found_paths;
 };
 
-// Handles pin what they point to. The field may hold more than was asked for.
+// Handles pin what they point to. The field may hold more than was asked for;
+// after a search it holds distances of targets alone.
 struct FieldAnswer {
   FieldHandle field;
   // Null if no quantity was asked for.
@@ -129,7 +134,7 @@ class FieldEngine {
   FieldEngine(const Limits& limits, const SolveOptions& options,
               const Clock& clock, Scheduler& scheduler,
               std::shared_ptr<ByteBudget> solver_memory, StartFunction start,
-              MeshLibrary& meshes);
+              MeshLibrary& meshes, SearchEngine& searches);
 
   // From now on also keeps fields in `files`, which outlives the object. Call
   // before any other method.
@@ -167,7 +172,8 @@ class FieldEngine {
     MeshHandle mesh;
     FieldJobKey key;
     std::shared_ptr<SettledLog> settled_log;  // null: nobody asks for it
-    uint64_t solver_bytes = 0;  // that the solver is planned to take
+    uint64_t solver_bytes = 0;          // that the solver is planned to take
+    std::optional<SearchMeans> search;  // if the targets are searched for
 
     std::optional<FieldCache::Found> found;
     ByteReservation room;     // of the field cache
@@ -187,6 +193,7 @@ class FieldEngine {
                    ByteReservation room);
   // A field on disk that answers the question, or nothing.
   std::optional<FieldCache::Found> LoadStored(FieldJob& job);
+  absl::StatusOr<FieldAnswer> Search(FieldJob& job, JobCheckpoint& checkpoint);
   absl::StatusOr<FieldHandle> Solve(FieldJob& job, JobCheckpoint& checkpoint);
 
   const Limits& limits_;
@@ -195,6 +202,7 @@ class FieldEngine {
   const std::shared_ptr<ByteBudget> solver_memory_;
   Scheduler& scheduler_;
   MeshLibrary& meshes_;
+  SearchEngine& searches_;
   FieldCache fields_;
   FieldJobs jobs_;
   FieldFiles* files_ = nullptr;        // null: fields are kept in memory alone

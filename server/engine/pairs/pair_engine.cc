@@ -38,39 +38,20 @@ absl::Status MakeCanonical(const Mesh& mesh, std::vector<PointPair>& pairs) {
   return absl::OkStatus();
 }
 
-PairCosts CostsOf(bool is_directed, bool has_landmarks, size_t pairs,
-                  size_t threads) {
-  PairCosts costs{.searches_per_row = std::clamp<size_t>(
-                      pairs / (kRowsPerThread * threads), 1, kSearchesPerRow)};
-  if (!is_directed) {
-    costs.least_for_field = kFieldInUndirectedSearches;
-  } else if (has_landmarks) {
-    costs.least_for_field = kFieldInSearchesWithLandmarks;
-  }
-  return costs;
-}
-
 }  // namespace
 
 PairEngine::PairEngine(const Limits& limits, const SolveOptions& options,
-                       const Clock& clock, Scheduler& scheduler, SoloJobs& jobs,
-                       const std::shared_ptr<ByteBudget>& solver_memory,
+                       Scheduler& scheduler, SoloJobs& jobs,
                        const StartFunction& start, MeshLibrary& meshes,
-                       FieldEngine& fields, LandmarkMaker& landmarks)
+                       SearchEngine& searches, FieldEngine& fields)
     : limits_(limits),
       options_(options),
       scheduler_(scheduler),
       jobs_(jobs),
       start_(start),
       meshes_(meshes),
-      fields_(fields),
-      landmarks_(landmarks),
-      searches_(std::make_shared<SearchPool>(clock, solver_memory,
-                                             limits.max_concurrent_jobs)) {
-  solver_memory->OnShortage([searches = std::weak_ptr<SearchPool>(searches_)] {
-    if (const auto pool = searches.lock()) pool->DropIdle();
-  });
-}
+      searches_(searches),
+      fields_(fields) {}
 
 absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
                                              std::function<void()> on_row) {
@@ -85,20 +66,21 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
       .algorithm =
           DistanceQuery(request.pairs[0].source, {}, *mesh->mesh)->algorithm,
       .pair_count = request.pairs.size()};
-  // A field makes no use of landmarks.
-  const bool is_directed = call.algorithm == kDefaultAlgorithm;
   const std::shared_ptr<PairWork> work(
       new PairWork{.start = start_,
                    .options = options_,
                    .fields = fields_,
-                   .searches = *searches_,
+                   .searches = searches_.pool(),
                    .totals = totals_,
                    .mesh = mesh,
-                   .landmarks = is_directed ? landmarks_.Wanted(mesh) : nullptr,
+                   .means = searches_.MeansFor(mesh, call.algorithm),
                    .pairs = std::move(request.pairs)});
-  work->rows = PlanPairs(work->pairs,
-                         CostsOf(is_directed, work->landmarks != nullptr,
-                                 call.pair_count, limits_.max_concurrent_jobs));
+  work->rows = PlanPairs(
+      work->pairs,
+      {.least_for_field = work->means.field_in_searches,
+       .searches_per_row = std::clamp<size_t>(
+           call.pair_count / (kRowsPerThread * limits_.max_concurrent_jobs), 1,
+           kSearchesPerRow)});
   call.work = work;
   call.row_count = work->rows.size();
   const bool is_batch = request.requester.is_batch;

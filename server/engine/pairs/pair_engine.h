@@ -11,18 +11,16 @@
 #include "absl/status/statusor.h"
 #include "geodesic/algorithm.h"
 #include "geodesic/solve_options.h"
-#include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
-#include "server/engine/fields/landmark_maker.h"
 #include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/solo_job.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/pairs/pair_plan.h"
 #include "server/engine/pairs/pair_work.h"
-#include "server/engine/pairs/search_pool.h"
+#include "server/engine/searches/search_engine.h"
 
 namespace geodesic::server {
 
@@ -51,21 +49,15 @@ class PairEngine {
   // REQUIRES: the references outlive the engine, and `scheduler` has no job
   // left when it is destroyed.
   PairEngine(const Limits& limits, const SolveOptions& options,
-             const Clock& clock, Scheduler& scheduler, SoloJobs& jobs,
-             const std::shared_ptr<ByteBudget>& solver_memory,
-             const StartFunction& start, MeshLibrary& meshes,
-             FieldEngine& fields, LandmarkMaker& landmarks);
+             Scheduler& scheduler, SoloJobs& jobs, const StartFunction& start,
+             MeshLibrary& meshes, SearchEngine& searches, FieldEngine& fields);
 
   // Starts to compute the distances of all pairs; see RowPipeline for `on_row`.
   // Errors: as FieldEngine::Compute.
   absl::StatusOr<PairCall> Compute(PairRequest request,
                                    std::function<void()> on_row);
 
-  // Frees searches that nobody has used for a while.
-  void DropOldSearches() { searches_->DropOld(); }
-
   PairCounts counts() const { return totals_.counts(); }
-  const SearchPool& searches() const { return *searches_; }
 
  private:
   const Limits& limits_;
@@ -74,9 +66,8 @@ class PairEngine {
   SoloJobs& jobs_;
   const StartFunction& start_;
   MeshLibrary& meshes_;
+  SearchEngine& searches_;
   FieldEngine& fields_;
-  LandmarkMaker& landmarks_;
-  const std::shared_ptr<SearchPool> searches_;
   PairCounter totals_;
 };
 

@@ -19,17 +19,9 @@ struct PointPair {
   SurfacePoint target;
 };
 
-// A field costs about as much as so many searches directed at one target, on
-// meshes of 10^4 to 10^6 faces and pairs drawn at random. Landmarks make
-// searches cheaper, and a search that is not directed (see TargetSearch) is a
-// field itself.
-inline constexpr size_t kFieldInSearches = 12;
-inline constexpr size_t kFieldInSearchesWithLandmarks = 30;
-inline constexpr size_t kFieldInUndirectedSearches = 2;
-
 struct PairCosts {
   // Pairs with a common end get a field if they are at least so many.
-  size_t least_for_field = kFieldInSearches;
+  size_t least_for_field = 2;
   // Searches that are done one after the other.
   size_t searches_per_row = 32;
 };

@@ -65,13 +65,11 @@ ValidQuery DistanceQuery(const SurfacePoint& source,
 uint64_t PairWork::PlannedBytes() const {
   const ValidQuery query =
       DistanceQuery(pairs[0].source, {pairs[0].target}, *mesh->mesh);
-  const uint64_t of_search = TargetSearch::PlannedBytes(*mesh->mesh);
-  const uint64_t of_field = PlannedSolverBytes(*mesh->mesh, query);
-  // A search that is not directed is computed as a field, beside its arrays.
-  if (query->algorithm != kDefaultAlgorithm) return of_search + of_field;
+  const uint64_t of_search = SearchEngine::PlannedBytes(*mesh->mesh, query);
   const bool has_field = std::ranges::any_of(
       rows, [](const PairRow& row) { return row.shared.has_value(); });
-  return has_field ? std::max(of_search, of_field) : of_search;
+  if (!has_field) return of_search;
+  return std::max(of_search, PlannedSolverBytes(*mesh->mesh, query));
 }
 
 uint64_t PairWork::RowBytes() const {
@@ -113,7 +111,7 @@ absl::Status PairWork::Search(const std::vector<uint32_t>& numbers,
     sum.Next();
     absl::StatusOr<TargetDistances> found =
         (*search)->Run(DistanceQuery(pair.source, {pair.target}, *mesh->mesh),
-                       landmarks.get(), sum);
+                       means.landmarks.get(), sum);
     if (!found.ok()) {
       status = found.status();
       break;

@@ -11,13 +11,12 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
-#include "geodesic/landmarks.h"
 #include "geodesic/solve_options.h"
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/meshes/mesh_store.h"
 #include "server/engine/pairs/pair_plan.h"
-#include "server/engine/pairs/search_pool.h"
+#include "server/engine/searches/search_engine.h"
 
 namespace geodesic::server {
 
@@ -50,8 +49,7 @@ struct PairWork {
   PairCounter& totals;  // of all questions
 
   MeshHandle mesh;
-  // May be null; then searches go by the straight line alone.
-  std::shared_ptr<const Landmarks> landmarks;
+  SearchMeans means;
   std::vector<PointPair> pairs;  // canonical
   std::vector<PairRow> rows;
   mutable PairCounter answered;

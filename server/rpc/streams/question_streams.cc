@@ -59,6 +59,8 @@ absl::Status PathStream::Translate(FieldRequest& question) {
 }
 
 absl::StatusOr<GeodesicPath> PathStream::TraceNext() {
+  const DerivedQuantities& derived = *answer().derived;
+  if (!derived.paths.has_value()) return derived.found_paths[next_item_++];
   const auto* vertex =
       std::get_if<VertexPoint>(&call().query->targets[next_item_]);
   const bool is_own =
@@ -73,7 +75,7 @@ absl::StatusOr<GeodesicPath> PathStream::TraceNext() {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return GeodesicPath{.distance = kInfinity, .length = kInfinity};
   }
-  const PathTracer& paths = *answer().derived->paths;
+  const PathTracer& paths = *derived.paths;
   return is_own ? paths.ToTarget(own) : paths.ToVertex(vertex->vertex);
 }
 

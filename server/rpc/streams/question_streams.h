@@ -223,7 +223,8 @@ class PathStream final : public FieldQuestionStream<v1::ComputePathsRequest,
  private:
   absl::Status Translate(FieldRequest& question) override;
   absl::StatusOr<bool> FillPart(v1::ComputePathsResponse& message) override;
-  // Traces the path to the next target. O(edges crossed).
+  // The path to the next target, traced if it was not searched for. O(edges
+  // crossed).
   absl::StatusOr<GeodesicPath> TraceNext();
 
   // Guarded by the stream's lock:

@@ -327,7 +327,7 @@ class Subject {
     Require(engine_.upload_memory().used() == 0);
     // Searches are kept for a while.
     clock_.Advance(SearchPool::kPatience);
-    engine_.pairs().DropOldSearches();
+    engine_.searches().pool().DropOld();
     Require(engine_.solver_memory().used() == 0);
     Require(engine_.fields().jobs().waiters() == 0);
     Require(log_.active() == 0);

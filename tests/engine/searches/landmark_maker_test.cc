@@ -1,6 +1,6 @@
 // Landmarks are made in time that nobody needs, and go before anything else.
 
-#include "server/engine/fields/landmark_maker.h"
+#include "server/engine/searches/landmark_maker.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,9 @@ class LandmarkMakerTest : public EngineTest {
     return *engine_.meshes().Get(uploaded->mesh.digest);
   }
 
-  LandmarksHandle Wanted() { return engine_.landmarks().Wanted(mesh_); }
+  LandmarksHandle Wanted() {
+    return engine_.searches().landmarks().Wanted(mesh_);
+  }
   uint32_t Count() const {
     return engine_.meshes().landmarks().CountOf(mesh_->digest);
   }
@@ -73,7 +75,7 @@ TEST_F(LandmarkMakerTest, TheFirstQuestionGetsNoneAndLaterOnesAll) {
   ASSERT_NE(made, nullptr);
   EXPECT_EQ(made->count(), Landmarks::kMost);
   EXPECT_EQ(executor_.size(), 0) << "there are enough";
-  EXPECT_EQ(engine_.landmarks().made(), Landmarks::kMost);
+  EXPECT_EQ(engine_.searches().landmarks().made(), Landmarks::kMost);
   EXPECT_EQ(engine_.solver_memory().used(), 0);
 
   // They are those of the library.
@@ -162,7 +164,7 @@ TEST_F(LandmarkMakerTest, NoMoreAreMadeOfAMeshThatIsGone) {
   Wanted();
   executor_.RunAll();
   EXPECT_EQ(started, 2);
-  EXPECT_EQ(engine_.landmarks().made(), 1);
+  EXPECT_EQ(engine_.searches().landmarks().made(), 1);
   EXPECT_EQ(Used(), 0);
   EXPECT_EQ(engine_.solver_memory().used(), 0);
 }
@@ -174,14 +176,14 @@ TEST_F(LandmarkMakerTest, AMeshThatWaitsIsNotPinned) {
   mesh_ = nullptr;
   EXPECT_TRUE(mesh.expired());
   executor_.RunAll();
-  EXPECT_EQ(engine_.landmarks().made(), 0);
+  EXPECT_EQ(engine_.searches().landmarks().made(), 0);
 }
 
 TEST_F(LandmarkMakerTest, ADrainWaitsForNone) {
   AtEachStart([&](const ValidQuery&) { engine_.scheduler().BeginDrain(); });
   Wanted();
   executor_.RunAll();
-  EXPECT_EQ(engine_.landmarks().made(), 0);
+  EXPECT_EQ(engine_.searches().landmarks().made(), 0);
   EXPECT_TRUE(engine_.scheduler().WaitIdle(std::chrono::milliseconds(0)));
   EXPECT_EQ(Used(), 0);
 }

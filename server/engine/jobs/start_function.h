@@ -1,7 +1,7 @@
 // How the engine starts a computation: the seam where tests hold a solver up.
 
-#ifndef GEODESIC_SERVER_ENGINE_FIELDS_START_FUNCTION_H_
-#define GEODESIC_SERVER_ENGINE_FIELDS_START_FUNCTION_H_
+#ifndef GEODESIC_SERVER_ENGINE_JOBS_START_FUNCTION_H_
+#define GEODESIC_SERVER_ENGINE_JOBS_START_FUNCTION_H_
 
 #include <functional>
 #include <memory>
@@ -20,4 +20,4 @@ using StartFunction =
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_ENGINE_FIELDS_START_FUNCTION_H_
+#endif  // GEODESIC_SERVER_ENGINE_JOBS_START_FUNCTION_H_

@@ -1,8 +1,8 @@
 // The finished landmarks of meshes on disk, beside the fields and within their
 // budget. What is lost here is made again.
 
-#ifndef GEODESIC_SERVER_ENGINE_FIELDS_LANDMARK_FILES_H_
-#define GEODESIC_SERVER_ENGINE_FIELDS_LANDMARK_FILES_H_
+#ifndef GEODESIC_SERVER_ENGINE_SEARCHES_LANDMARK_FILES_H_
+#define GEODESIC_SERVER_ENGINE_SEARCHES_LANDMARK_FILES_H_
 
 #include <string>
 #include <utility>
@@ -42,4 +42,4 @@ class LandmarkFiles {
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_ENGINE_FIELDS_LANDMARK_FILES_H_
+#endif  // GEODESIC_SERVER_ENGINE_SEARCHES_LANDMARK_FILES_H_

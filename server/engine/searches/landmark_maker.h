@@ -5,8 +5,8 @@
 // A step computes the field of one landmark, and is put off within
 // milliseconds when a job waits. One mesh has its turn at a time.
 
-#ifndef GEODESIC_SERVER_ENGINE_FIELDS_LANDMARK_MAKER_H_
-#define GEODESIC_SERVER_ENGINE_FIELDS_LANDMARK_MAKER_H_
+#ifndef GEODESIC_SERVER_ENGINE_SEARCHES_LANDMARK_MAKER_H_
+#define GEODESIC_SERVER_ENGINE_SEARCHES_LANDMARK_MAKER_H_
 
 #include <atomic>
 #include <cstdint>
@@ -23,11 +23,11 @@
 #include "geodesic/landmarks.h"
 #include "geodesic/solve_options.h"
 #include "server/engine/base/byte_budget.h"
-#include "server/engine/fields/landmark_files.h"
-#include "server/engine/fields/start_function.h"
 #include "server/engine/jobs/scheduler.h"
+#include "server/engine/jobs/start_function.h"
 #include "server/engine/meshes/landmark_store.h"
 #include "server/engine/meshes/mesh_library.h"
+#include "server/engine/searches/landmark_files.h"
 
 namespace geodesic::server {
 
@@ -109,4 +109,4 @@ class LandmarkMaker {
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_ENGINE_FIELDS_LANDMARK_MAKER_H_
+#endif  // GEODESIC_SERVER_ENGINE_SEARCHES_LANDMARK_MAKER_H_

@@ -1,8 +1,8 @@
 // Searches that are kept from one question to the next, because making one
 // takes time and memory in proportion to the mesh.
 
-#ifndef GEODESIC_SERVER_ENGINE_PAIRS_SEARCH_POOL_H_
-#define GEODESIC_SERVER_ENGINE_PAIRS_SEARCH_POOL_H_
+#ifndef GEODESIC_SERVER_ENGINE_SEARCHES_SEARCH_POOL_H_
+#define GEODESIC_SERVER_ENGINE_SEARCHES_SEARCH_POOL_H_
 
 #include <chrono>
 #include <cstddef>
@@ -23,7 +23,7 @@ namespace geodesic::server {
 class SearchPool : public std::enable_shared_from_this<SearchPool> {
  public:
   // How long an idle search is kept.
-  static constexpr std::chrono::seconds kPatience{30};
+  static constexpr std::chrono::seconds kPatience{5};
 
   // A search for one job, freed with the loan unless it is given back.
   class Loan {
@@ -85,4 +85,4 @@ class SearchPool : public std::enable_shared_from_this<SearchPool> {
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_ENGINE_PAIRS_SEARCH_POOL_H_
+#endif  // GEODESIC_SERVER_ENGINE_SEARCHES_SEARCH_POOL_H_

@@ -82,11 +82,11 @@ class PairEngineTest : public test::EngineTest {
 
 TEST_F(PairEngineTest, HasLandmarksMadeForLaterQuestions) {
   ASSERT_TRUE(Ask({{VertexPoint{0}, VertexPoint{99}}}).ok());
-  EXPECT_EQ(call_.work->landmarks, nullptr);
+  EXPECT_EQ(call_.work->means.landmarks, nullptr);
   executor_.RunAll();
   ASSERT_TRUE(Ask({{VertexPoint{0}, VertexPoint{99}}}).ok());
-  ASSERT_NE(call_.work->landmarks, nullptr);
-  EXPECT_EQ(call_.work->landmarks->count(), Landmarks::kMost);
+  ASSERT_NE(call_.work->means.landmarks, nullptr);
+  EXPECT_EQ(call_.work->means.landmarks->count(), Landmarks::kMost);
 }
 
 TEST_F(PairEngineTest, SearchesPairsOfAnyPoints) {
@@ -181,12 +181,12 @@ TEST_F(PairEngineTest, WrongPairsAreNamed) {
 
 TEST_F(PairEngineTest, KeepsItsSearchAndGivesItUpForOthers) {
   ExpectEuclid({{VertexPoint{0}, VertexPoint{50}}});
-  EXPECT_EQ(engine_.pairs().searches().idle(), 1);
+  EXPECT_EQ(engine_.searches().pool().idle(), 1);
   EXPECT_GT(engine_.solver_memory().used(), 0);
   ExpectEuclid({{VertexPoint{3}, VertexPoint{70}}});
-  EXPECT_EQ(engine_.pairs().searches().idle(), 1);
+  EXPECT_EQ(engine_.searches().pool().idle(), 1);
   clock_.Advance(SearchPool::kPatience);
-  engine_.pairs().DropOldSearches();
+  engine_.searches().pool().DropOld();
   EXPECT_EQ(engine_.solver_memory().used(), 0);
 }
 

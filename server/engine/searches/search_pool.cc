@@ -1,4 +1,4 @@
-#include "server/engine/pairs/search_pool.h"
+#include "server/engine/searches/search_pool.h"
 
 #include <utility>
 

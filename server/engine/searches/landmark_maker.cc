@@ -1,4 +1,4 @@
-#include "server/engine/fields/landmark_maker.h"
+#include "server/engine/searches/landmark_maker.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "server/engine/fields/landmark_files.h"
+#include "server/engine/searches/landmark_files.h"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Landmarks outlive the process, as far as the disk keeps them whole.
 
-#include "server/engine/fields/landmark_files.h"
+#include "server/engine/searches/landmark_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,9 +32,9 @@ class LandmarkFilesTest : public test::DurableEngineTest {
   LandmarksHandle Wanted() {
     const auto mesh = Await(digest_);
     EXPECT_TRUE(mesh.ok()) << mesh.status();
-    (void)engine_->landmarks().Wanted(*mesh);
+    (void)engine_->searches().landmarks().Wanted(*mesh);
     executor_.RunAll();
-    return engine_->landmarks().Wanted(*mesh);
+    return engine_->searches().landmarks().Wanted(*mesh);
   }
 
   std::vector<std::string> Files() const {
@@ -60,8 +60,8 @@ TEST_F(LandmarkFilesTest, TheyAreLoadedAfterARestart) {
   for (uint32_t v = 0; v < after->rows().size(); ++v) {
     ASSERT_EQ(after->rows()[v].distances, before->rows()[v].distances);
   }
-  EXPECT_EQ(engine_->landmarks().loaded(), Landmarks::kMost);
-  EXPECT_EQ(engine_->landmarks().made(), 0);
+  EXPECT_EQ(engine_->searches().landmarks().loaded(), Landmarks::kMost);
+  EXPECT_EQ(engine_->searches().landmarks().made(), 0);
 }
 
 TEST_F(LandmarkFilesTest, ADamagedFileIsMadeAnew) {
@@ -74,11 +74,11 @@ TEST_F(LandmarkFilesTest, ADamagedFileIsMadeAnew) {
   geodesic::test::WriteFile(files[0], bytes);
   Restart();
   EXPECT_EQ(Wanted()->count(), Landmarks::kMost);
-  EXPECT_EQ(engine_->landmarks().made(), Landmarks::kMost);
+  EXPECT_EQ(engine_->searches().landmarks().made(), Landmarks::kMost);
   EXPECT_THAT(warnings_, SizeIs(1));
   Restart();
   Wanted();
-  EXPECT_EQ(engine_->landmarks().loaded(), Landmarks::kMost);
+  EXPECT_EQ(engine_->searches().landmarks().loaded(), Landmarks::kMost);
 }
 
 TEST_F(LandmarkFilesTest, AnotherVersionMakesItsOwn) {
@@ -86,7 +86,7 @@ TEST_F(LandmarkFilesTest, AnotherVersionMakesItsOwn) {
   version_ = "2";
   Restart();
   EXPECT_EQ(Wanted()->count(), Landmarks::kMost);
-  EXPECT_EQ(engine_->landmarks().made(), Landmarks::kMost);
+  EXPECT_EQ(engine_->searches().landmarks().made(), Landmarks::kMost);
   EXPECT_THAT(warnings_, IsEmpty());
 }
 
@@ -106,7 +106,8 @@ TEST_F(LandmarkFilesTest, AMeshThatComesBackToMemoryFindsThemAgain) {
   EXPECT_EQ(engine_->meshes().Describe(digest_)->resident_bytes, 0);
   EXPECT_EQ(engine_->meshes().landmarks().used_bytes(), 0);
   EXPECT_EQ(Wanted()->count(), Landmarks::kMost);
-  EXPECT_EQ(engine_->landmarks().made(), Landmarks::kMost) << "the first time";
+  EXPECT_EQ(engine_->searches().landmarks().made(), Landmarks::kMost)
+      << "the first time";
 }
 
 }  // namespace

@@ -1,0 +1,193 @@
+// Questions about few targets, which are searched for: paths and small
+// matrices. On the grid geodesics are straight, so every distance is Euclid's.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geodesic/surface_point.h"
+#include "tests/engine/engine_fixture.h"
+#include "tests/support/planar_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+using geodesic::test::MakeGrid;
+using test::RecordingObserver;
+
+double Euclid(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+class FoundPathsTest : public test::EngineTest {
+ protected:
+  void SetUp() override {
+    const auto uploaded = Upload(MakeGrid({.columns = 10, .rows = 10}));
+    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
+    digest_ = uploaded->mesh.digest;
+    mesh_ = *engine_.meshes().Get(digest_);
+  }
+
+  FieldRequest PathsTo(std::vector<SurfacePoint> targets) const {
+    FieldRequest request{.mesh_digest = digest_, .extras = {.paths = true}};
+    request.query.sources = {{VertexPoint{0}}};
+    request.reach.targets = targets.size();
+    request.query.targets = std::move(targets);
+    return request;
+  }
+
+  // The answer, computed to its end.
+  FieldAnswer Ask(const FieldRequest& request) {
+    const auto observer = std::make_shared<RecordingObserver>();
+    const auto call = engine_.fields().Compute(request, observer);
+    EXPECT_TRUE(call.ok()) << call.status();
+    executor_.RunAll();
+    EXPECT_TRUE(observer->answer.has_value());
+    EXPECT_TRUE(observer->answer->ok()) << observer->answer->status();
+    return **observer->answer;
+  }
+
+  Point PositionOf(const SurfacePoint& point) const {
+    return geodesic::PositionOf(point, *mesh_->mesh);
+  }
+
+  std::string digest_;
+  MeshHandle mesh_;
+};
+
+TEST_F(FoundPathsTest, AreStraightAndLeaveNoField) {
+  const std::vector<SurfacePoint> targets{
+      VertexPoint{120}, FacePoint{7, {0.2, 0.3, 0.5}}, EdgePoint{3, 4, 0.25}};
+  {
+    const FieldAnswer answer = Ask(PathsTo(targets));
+    EXPECT_EQ(answer.origin, FieldOrigin::kComputed);
+    EXPECT_FALSE(answer.derived->paths.has_value());
+    const std::vector<GeodesicPath>& paths = answer.derived->found_paths;
+    ASSERT_EQ(paths.size(), targets.size());
+    for (size_t t = 0; t < targets.size(); ++t) {
+      const double distance =
+          Euclid(PositionOf(VertexPoint{0}), PositionOf(targets[t]));
+      EXPECT_NEAR(paths[t].distance, distance, 1e-12) << t;
+      EXPECT_EQ(paths[t].distance, answer.field->target_distances[t]);
+      ASSERT_GE(paths[t].positions.size(), 2);
+      double length = 0;
+      for (size_t i = 1; i < paths[t].positions.size(); ++i) {
+        length += Euclid(paths[t].positions[i - 1], paths[t].positions[i]);
+      }
+      EXPECT_NEAR(length, distance, 1e-12) << t;
+      EXPECT_LT(Euclid(paths[t].positions.back(), PositionOf(targets[t])),
+                1e-12);
+    }
+  }
+  EXPECT_EQ(engine_.fields().cache().size(), 0);
+  engine_.searches().pool().DropIdle();
+  EXPECT_EQ(engine_.solver_memory().used(), 0);
+}
+
+TEST_F(FoundPathsTest, ComeFromAFieldThatIsThere) {
+  FieldRequest whole = PathsTo({});
+  whole.reach = {};
+  Ask(whole);
+  const FieldAnswer answer = Ask(PathsTo({VertexPoint{120}}));
+  EXPECT_EQ(answer.origin, FieldOrigin::kCached);
+  EXPECT_TRUE(answer.derived->paths.has_value());
+}
+
+TEST_F(FoundPathsTest, ManyTargetsOrARadiusTakeAField) {
+  std::vector<SurfacePoint> many;
+  for (uint32_t i = 0; i < kFieldInSearches; ++i) {
+    many.push_back(VertexPoint{9 * i});
+  }
+  EXPECT_TRUE(Ask(PathsTo(std::move(many))).derived->paths.has_value());
+  EXPECT_EQ(engine_.fields().cache().size(), 1);
+  FieldRequest near = PathsTo({VertexPoint{119}});
+  near.query.sources = {{VertexPoint{1}}};
+  near.reach.radius = 3;
+  EXPECT_TRUE(Ask(near).derived->paths.has_value());
+  EXPECT_EQ(engine_.fields().cache().size(), 2);
+}
+
+TEST_F(FoundPathsTest, EqualQuestionsShareASearch) {
+  const auto a = std::make_shared<RecordingObserver>();
+  const auto b = std::make_shared<RecordingObserver>();
+  const FieldRequest request = PathsTo({VertexPoint{120}});
+  ASSERT_TRUE(engine_.fields().Compute(request, a).ok());
+  ASSERT_EQ(engine_.fields().Compute(request, b)->origin, FieldOrigin::kJoined);
+  executor_.RunAll();
+  EXPECT_EQ((*a->answer)->derived, (*b->answer)->derived);
+}
+
+class SmallMatrixTest : public FoundPathsTest {
+ protected:
+  MatrixRequest From(std::vector<uint32_t> sources,
+                     std::vector<SurfacePoint> targets) const {
+    MatrixRequest request{.mesh_digest = digest_};
+    for (const uint32_t source : sources) {
+      request.query.sources.push_back({VertexPoint{source}});
+    }
+    request.query.targets = std::move(targets);
+    return request;
+  }
+
+  std::vector<MatrixRow> Rows(MatrixRequest request) {
+    auto call = engine_.ComputeMatrix(std::move(request), [] {});
+    EXPECT_TRUE(call.ok()) << call.status();
+    std::vector<MatrixRow> rows;
+    while (rows.size() < call->row_count) {
+      executor_.RunAll();
+      auto row = call->rows->Take();
+      EXPECT_TRUE(row.has_value() && row->ok());
+      rows.push_back(**std::move(row));
+    }
+    return rows;
+  }
+
+  size_t searches() const { return engine_.searches().pool().idle(); }
+};
+
+TEST_F(SmallMatrixTest, EachTargetIsSearchedFor) {
+  const std::vector<uint32_t> sources{0, 60, 17};
+  const std::vector<SurfacePoint> targets{VertexPoint{120},
+                                          FacePoint{7, {0.2, 0.3, 0.5}}};
+  const std::vector<MatrixRow> rows = Rows(From(sources, targets));
+  EXPECT_GT(searches(), 0);
+  for (size_t s = 0; s < sources.size(); ++s) {
+    ASSERT_EQ(rows[s].values.size(), targets.size());
+    for (size_t t = 0; t < targets.size(); ++t) {
+      EXPECT_NEAR(
+          rows[s].values[t],
+          Euclid(PositionOf(VertexPoint{sources[s]}), PositionOf(targets[t])),
+          1e-12)
+          << s << ", " << t;
+    }
+  }
+}
+
+TEST_F(SmallMatrixTest, TheNearestOfTwoIsSearchedFor) {
+  MatrixRequest request = From({0}, {VertexPoint{120}, VertexPoint{13}});
+  request.nearest = 1;
+  const std::vector<MatrixRow> rows = Rows(std::move(request));
+  EXPECT_GT(searches(), 0);
+  EXPECT_EQ(rows[0].columns, std::vector<uint32_t>{1});
+}
+
+TEST_F(SmallMatrixTest, ARadiusOrTheNearestOfMoreTakesAField) {
+  MatrixRequest within = From({0}, {VertexPoint{120}, VertexPoint{13}});
+  within.radius = 4;
+  const std::vector<MatrixRow> rows = Rows(std::move(within));
+  EXPECT_TRUE(std::isinf(rows[0].values[0]));
+  std::vector<SurfacePoint> six;
+  for (uint32_t i = 0; i < 6; ++i) six.push_back(VertexPoint{13 + i});
+  MatrixRequest nearest = From({0}, std::move(six));
+  nearest.nearest = 1;
+  Rows(std::move(nearest));
+  EXPECT_EQ(searches(), 0);
+}
+
+}  // namespace
+}  // namespace geodesic::server
