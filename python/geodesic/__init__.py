@@ -9,7 +9,7 @@
 Everything a mesh can be asked is a method of geodesic.Mesh: help(geodesic.Mesh).
 """
 
-from typing import Dict
+from typing import TYPE_CHECKING, Any, Dict
 
 from . import _core
 from .errors import (Cancelled, DeadlineExceeded, GeodesicError, InternalError,
@@ -19,13 +19,16 @@ from .mesh import Mesh
 from .places import Curve, EdgePoint, FacePoint, Places
 from .results import Field, Isoline, LogMap, Path
 
+if TYPE_CHECKING:
+    from .service import Service
+
 __version__: str = _core.VERSION
 
 __all__ = [
     "Cancelled", "Curve", "DeadlineExceeded", "EdgePoint", "FacePoint", "Field",
     "GeodesicError", "InternalError", "InvalidArgument", "Isoline", "LogMap",
     "Mesh", "NotAllowed", "NotFound", "Path", "Places", "ResourceExhausted",
-    "Unavailable", "algorithms"
+    "Unavailable", "algorithms", "connect"
 ]
 
 
@@ -33,3 +36,24 @@ def algorithms() -> Dict[str, str]:
     """The algorithms by name, with a summary of each; the first is the default.
     All give the same distances; they differ in time and memory."""
     return dict(_core.ALGORITHMS)
+
+
+def connect(address: str, **options: Any) -> "Service":
+    """Connects to a geodesic service; needs grpcio and protobuf.
+
+        with geodesic.connect("host:50051") as service:
+            d = service.mesh(V, F).distances(0)
+
+    Options: token, timeout (seconds a call may take), tls, authorities,
+    certificate, key, server_name; see help(geodesic.service.connect).
+    """
+    try:
+        from . import service
+    except ModuleNotFoundError as error:
+        if error.name is None or error.name.split(".")[0] not in (
+                "grpc", "google"):
+            raise
+        raise ImportError(
+            "geodesic.connect speaks gRPC: install grpcio and protobuf "
+            "(Debian: python3-grpcio python3-protobuf)") from None
+    return service.connect(address, **options)

@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _core
 from .backend import FieldAnswer, IsolineAnswer, Options, PathAnswer
+from .digest import mesh_digest
 from .places import Places, Sources, empty
 
 _ALL_TARGETS = 2**64 - 1
@@ -43,6 +44,9 @@ class LocalBackend:
 
     def facts(self) -> Dict[str, Any]:
         return self._mesh.facts()
+
+    def digest(self) -> str:
+        return mesh_digest(self.vertices(), self.faces())
 
     def where(self) -> str:
         return "in this process"

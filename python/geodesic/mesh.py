@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import hashlib
 import math
 import os
 import pathlib
@@ -116,6 +115,9 @@ class Mesh:
 
     def __reduce__(self):
         # So that multiprocessing, joblib and Dask can send it.
+        if not isinstance(self._backend, LocalBackend):
+            raise TypeError("a mesh of a service cannot be pickled; the other "
+                            "process can open it by its digest")
         return Mesh, (np.array(self.vertices), self.faces)
 
     @property
@@ -143,11 +145,7 @@ class Mesh:
     @functools.cached_property
     def digest(self) -> str:
         """The mesh's name on every server: a sha-256 of its arrays."""
-        name = hashlib.sha256(b"geodesic.mesh.v1\n")
-        name.update(np.array([self.n_vertices, self.n_faces], "<u8").tobytes())
-        name.update(np.ascontiguousarray(self.vertices, "<f8"))
-        name.update(np.ascontiguousarray(self.faces, "<i4"))
-        return name.hexdigest()
+        return self._backend.digest()
 
     def info(self) -> Dict[str, Any]:
         """What there is to know of the mesh: numbers of edges, boundary_loops,
@@ -176,6 +174,8 @@ class Mesh:
         """
         points, sources = self._places(targets, "targets"), self._sources(
             source, offsets)
+        if targets is not None and len(points) == 0:
+            return np.empty(0)
         with reporting(progress, "vertices") as report:
             field = self._backend.field(
                 sources, points, _radius(radius),

@@ -11,6 +11,8 @@ import geodesic
 
 
 class DistancesTest(unittest.TestCase):
+    # service_test.py has these answered elsewhere.
+    make = staticmethod(geodesic.Mesh)
 
     def assert_close(self, got, wanted, relative=tolerances.EXACT):
         np.testing.assert_allclose(got, wanted, rtol=relative,
@@ -18,7 +20,7 @@ class DistancesTest(unittest.TestCase):
 
     def test_plane_is_euclid(self):
         vertices, faces = meshes.grid(12)
-        mesh = geodesic.Mesh(vertices, faces)
+        mesh = self.make(vertices, faces)
         for algorithm in geodesic.algorithms():
             for source in (0, 84):
                 with self.subTest(algorithm=algorithm, source=source):
@@ -31,7 +33,7 @@ class DistancesTest(unittest.TestCase):
     def test_brute_force_on_small_meshes(self):
         for seed in range(6):
             vertices, faces = meshes.spindle(seed)
-            mesh = geodesic.Mesh(vertices, faces)
+            mesh = self.make(vertices, faces)
             for source in range(0, 12, 5):
                 with self.subTest(seed=seed, source=source):
                     self.assert_close(
@@ -48,7 +50,7 @@ class DistancesTest(unittest.TestCase):
 
     def test_sphere(self):
         vertices, faces = meshes.sphere(5)
-        d = geodesic.Mesh(vertices, faces).distances(0)
+        d = self.make(vertices, faces).distances(0)
         angles = np.arccos(np.clip(vertices @ vertices[0], -1, 1))
         # The polyhedron lies inside the sphere, and its edges, of length at most
         # h, sag by h^2 / 8 at most.
@@ -58,7 +60,7 @@ class DistancesTest(unittest.TestCase):
 
     def test_bounds(self):
         vertices, faces = meshes.terrain(20)
-        d = geodesic.Mesh(vertices, faces).distances(37)
+        d = self.make(vertices, faces).distances(37)
         upper = oracles.along_edges(vertices, faces, 37)
         lower = np.linalg.norm(vertices - vertices[37], axis=1)
         self.assertTrue(np.all(d <= upper * (1 + tolerances.EXACT)))
@@ -66,7 +68,7 @@ class DistancesTest(unittest.TestCase):
 
     def test_unreachable_is_infinite(self):
         vertices, faces = meshes.octahedron()
-        two = geodesic.Mesh(
+        two = self.make(
             np.concatenate([vertices, vertices + 9, [[5, 5, 5]]]),
             np.concatenate([faces, faces + 6]))
         d = two.distances(0)
@@ -74,7 +76,7 @@ class DistancesTest(unittest.TestCase):
         self.assertTrue(np.all(d[6:] == np.inf))
 
     def test_radius(self):
-        mesh = geodesic.Mesh(*meshes.terrain(20))
+        mesh = self.make(*meshes.terrain(20))
         whole = mesh.distances(5)
         for algorithm in geodesic.algorithms():
             with self.subTest(algorithm=algorithm):
@@ -84,12 +86,12 @@ class DistancesTest(unittest.TestCase):
                 self.assertTrue(np.all(d[whole > 0.4 * (1 + 1e-9)] == np.inf))
 
     def test_targets(self):
-        mesh = geodesic.Mesh(*meshes.terrain(20))
+        mesh = self.make(*meshes.terrain(20))
         d = mesh.distances(5, targets=[7, 400, 7])
         self.assert_close(d, mesh.distances(5)[[7, 400, 7]])
 
     def test_many_sources_and_offsets(self):
-        mesh = geodesic.Mesh(*meshes.terrain(15))
+        mesh = self.make(*meshes.terrain(15))
         offsets = [0.3, 0, 0.1]
         wanted = np.min([
             mesh.distances(s) + o for s, o in zip((3, 99, 200), offsets)
@@ -97,7 +99,7 @@ class DistancesTest(unittest.TestCase):
         self.assert_close(mesh.distances([3, 99, 200], offsets=offsets), wanted)
 
     def test_ways_to_say_sources(self):
-        mesh = geodesic.Mesh(*meshes.terrain(9))
+        mesh = self.make(*meshes.terrain(9))
         mask = np.zeros(mesh.n_vertices, bool)
         mask[[3, 50]] = True
         wanted = mesh.distances([3, 50])
@@ -108,7 +110,7 @@ class DistancesTest(unittest.TestCase):
 
     def test_points_of_edges_and_faces(self):
         vertices, faces = meshes.grid(8)
-        mesh = geodesic.Mesh(vertices, faces)
+        mesh = self.make(vertices, faces)
         weights = (0.2, 0.3, 0.5)
         places = [
             geodesic.FacePoint(30, weights),
@@ -128,7 +130,7 @@ class DistancesTest(unittest.TestCase):
 
     def test_curve(self):
         vertices, faces = meshes.grid(10)
-        mesh = geodesic.Mesh(vertices, faces)
+        mesh = self.make(vertices, faces)
         # Three vertices in a row: the segment from (0.3, 0.5) to (0.5, 0.5).
         curve = geodesic.Curve([58, 59, 60])
         along = np.clip(vertices[:, 0], 0.3, 0.5)
@@ -141,12 +143,12 @@ class DistancesTest(unittest.TestCase):
                        np.linalg.norm(vertices - vertices[0], axis=1)))
 
     def test_threads_change_no_bit(self):
-        mesh = geodesic.Mesh(*meshes.terrain(60))
+        mesh = self.make(*meshes.terrain(60))
         np.testing.assert_array_equal(mesh.distances(7),
                                       mesh.distances(7, threads=3))
 
     def test_progressive(self):
-        mesh = geodesic.Mesh(*meshes.terrain(60))
+        mesh = self.make(*meshes.terrain(60))
         whole = mesh.distances(7)
         parts = list(mesh.progressive(7, interval=0))
         self.assertGreater(len(parts), 2)

@@ -1,0 +1,545 @@
+"""Answers of a service, by its streams (docs/protocol.md)."""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
+
+import grpc
+import numpy as np
+
+from .backend import FieldAnswer, IsolineAnswer, Options, PathAnswer
+from .errors import InternalError, InvalidArgument, NotFound, Unavailable
+from .places import Places, Sources
+from .v1 import (field_service_pb2, field_service_pb2_grpc, matrix_service_pb2,
+                 matrix_service_pb2_grpc, mesh_pb2, mesh_service_pb2,
+                 mesh_service_pb2_grpc, pair_service_pb2,
+                 pair_service_pb2_grpc, path_service_pb2,
+                 path_service_pb2_grpc, query_pb2)
+from .wire import (Polyline, error_of, source_messages, surface_points)
+
+# A field whose stream breaks is read on this often without any part of it
+# coming, with longer and longer pauses, in seconds.
+_PAUSES = (0.2, 0.4, 0.8)
+# Rows of one request: their sources fit into a message.
+_ROWS_OF_A_REQUEST = 30_000
+# Pairs of one request: as many as a server takes unless it is set otherwise, or,
+# of other places than vertices, as fit into a message.
+_PAIRS_OF_A_REQUEST = 65_536
+_PLACE_PAIRS_OF_A_REQUEST = 30_000
+
+
+class Stubs:
+    """The service's stubs on one channel, and how its calls are made."""
+
+    def __init__(self, channel: grpc.Channel, address: str,
+                 timeout: Optional[float],
+                 metadata: Tuple[Tuple[str, str], ...]) -> None:
+        self.address = address
+        self.meshes = mesh_service_pb2_grpc.MeshServiceStub(channel)
+        self.fields = field_service_pb2_grpc.FieldServiceStub(channel)
+        self.paths = path_service_pb2_grpc.PathServiceStub(channel)
+        self.matrices = matrix_service_pb2_grpc.MatrixServiceStub(channel)
+        self.pairs = pair_service_pb2_grpc.PairServiceStub(channel)
+        self._timeout = timeout
+        self._metadata = metadata
+
+    def call(self, method: Callable, request: Any) -> Any:
+        """The response of a call that has one; raises the package's errors."""
+        try:
+            return method(request, timeout=self._timeout,
+                          metadata=self._metadata)
+        except grpc.RpcError as error:
+            raise error_of(error) from None
+
+    def stream(self, method: Callable, request: Any) -> Iterator[Any]:
+        """The responses of a call that streams them. Whoever stops reading, also
+        by an exception, cancels the call."""
+        call = method(request, timeout=self._timeout, metadata=self._metadata)
+        try:
+            yield from call
+        except grpc.RpcError as error:
+            raise error_of(error) from None
+        finally:
+            call.cancel()
+
+    def parts(self, method: Callable, request: Any,
+              ) -> Iterator[Tuple[str, Any]]:
+        """The same as (name, part) of a stream that ends with a trailer."""
+        is_whole = False
+        for response in self.stream(method, request):
+            name = response.WhichOneof("part")
+            if name is None:
+                continue  # from a newer server
+            is_whole = name == "trailer"
+            yield name, getattr(response, name)
+        if not is_whole:
+            raise InternalError("the stream ended without a trailer")
+
+
+def _algorithm(name: Optional[str]) -> int:
+    if name is None:
+        return query_pb2.ALGORITHM_UNSPECIFIED
+    known = {
+        key[len("ALGORITHM_"):].lower().replace("_", "-"): number
+        for key, number in query_pb2.Algorithm.items() if number != 0
+    }
+    if name not in known:
+        raise InvalidArgument(f'unknown algorithm "{name}"; known are: ' +
+                              ", ".join(known))
+    return known[name]
+
+
+def _algorithm_name(number: int) -> str:
+    return query_pb2.Algorithm.Name(number)[len("ALGORITHM_"):].lower().replace(
+        "_", "-")
+
+
+def _statistics(message: query_pb2.SolveStatistics) -> Dict[str, Any]:
+    return {
+        field.name: getattr(message, field.name)
+        for field in message.DESCRIPTOR.fields
+    }
+
+
+class _FieldReader:
+    """Puts a field together, over as many streams as it takes."""
+
+    def __init__(self, options: Options) -> None:
+        self._options = options
+        self.vertex_count = 0
+        self.algorithm = 0
+        self.first_missing = 0
+        self.field_id = ""
+        self.has_targets = False
+        self.distances = np.empty(0)
+        self.labels: Optional[np.ndarray] = None
+        self.gradients: Optional[np.ndarray] = None
+        self.target_distances = np.empty(0)
+        self.trailer: Any = None
+
+    def begin_again(self) -> None:
+        self.first_missing, self.field_id = 0, ""
+
+    def add(self, name: str, part: Any) -> None:
+        if name == "header":
+            if self.vertex_count != part.vertex_count:
+                self.vertex_count = part.vertex_count
+                self.distances = np.full(part.vertex_count, np.inf)
+            self.target_distances = np.full(part.target_count, np.inf)
+            self.algorithm = part.algorithm
+        elif name == "progress" and self._options.progress is not None:
+            self._options.progress(part.vertices_reached, self.vertex_count)
+        elif name == "chunk":
+            self._add_chunk(part)
+        elif name == "targets":
+            values = np.frombuffer(part.distances, "<f8")
+            self.target_distances[part.offset:part.offset + len(values)] = values
+        elif name == "trailer":
+            self.trailer = part
+
+    def _add_chunk(self, chunk: Any) -> None:
+        if chunk.field_id:
+            self.field_id = chunk.field_id
+        if chunk.offset != self.first_missing:
+            raise InternalError(f"the field goes on at vertex {chunk.offset}, "
+                                f"not at {self.first_missing}")
+        values = np.frombuffer(chunk.distances, "<f8")
+        span = slice(chunk.offset, chunk.offset + len(values))
+        self.distances[span] = values
+        if chunk.nearest_sources:
+            if self.labels is None:
+                self.labels = np.full(self.vertex_count, -1, np.int32)
+            self.labels[span] = np.frombuffer(chunk.nearest_sources, "<i4")
+        if chunk.gradients:
+            if self.gradients is None:
+                self.gradients = np.zeros((self.vertex_count, 3))
+            self.gradients[span] = np.frombuffer(chunk.gradients,
+                                                 "<f8").reshape(-1, 3)
+        self.first_missing = span.stop
+
+
+class RemoteBackend:
+    """A mesh of a service. Thread-safe.
+
+    A mesh that the service has dropped meanwhile is sent again, where this
+    process knows it.
+    """
+
+    def __init__(self, stubs: Stubs, mesh: mesh_pb2.Mesh,
+                 arrays: Optional[Tuple[np.ndarray, np.ndarray]],
+                 upload: Optional[Callable[[], mesh_pb2.Mesh]]) -> None:
+        self._stubs = stubs
+        self._mesh = mesh
+        self._arrays = arrays
+        self._upload = upload
+        self.vertex_count: int = mesh.vertex_count
+        self.face_count: int = mesh.face_count
+
+    def digest(self) -> str:
+        return self._mesh.digest
+
+    def where(self) -> str:
+        return "at " + self._stubs.address
+
+    def facts(self) -> Dict[str, Any]:
+        mesh = self._resident(lambda: self._stubs.call(
+            self._stubs.meshes.GetMesh,
+            mesh_service_pb2.GetMeshRequest(digest=self.digest()))).mesh
+
+        def point(p):
+            return [p.x, p.y, p.z]
+
+        return {
+            "vertices": mesh.vertex_count,
+            "faces": mesh.face_count,
+            "edges": mesh.edge_count,
+            "boundary_edges": mesh.boundary_edge_count,
+            "boundary_loops": mesh.boundary_loop_count,
+            "components": mesh.component_count,
+            "isolated_vertices": mesh.isolated_vertex_count,
+            "non_manifold_edges": mesh.non_manifold_edge_count,
+            "non_manifold_vertices": mesh.non_manifold_vertex_count,
+            "inconsistent_edges": mesh.inconsistent_edge_count,
+            "is_orientable": mesh.orientable,
+            "genus": mesh.genus if mesh.HasField("genus") else None,
+            "saddle_vertices": mesh.saddle_vertex_count,
+            "degenerate_faces": mesh.degenerate_face_count,
+            "bounding_box_min": point(mesh.bounding_box_min),
+            "bounding_box_max": point(mesh.bounding_box_max),
+            "mean_edge_length": mesh.mean_edge_length,
+            "anisotropy": mesh.anisotropy,
+        }
+
+    def vertices(self) -> np.ndarray:
+        return self._read()[0]
+
+    def faces(self) -> np.ndarray:
+        return self._read()[1]
+
+    def _read(self) -> Tuple[np.ndarray, np.ndarray]:
+        """The arrays, from the service where they came as a file."""
+        if self._arrays is None:
+            positions = np.empty((self.vertex_count, 3))
+            faces = np.empty((self.face_count, 3), np.int32)
+            request = mesh_service_pb2.ReadMeshRequest(digest=self.digest())
+            for response in self._stubs.stream(self._stubs.meshes.ReadMesh,
+                                               request):
+                kind = response.WhichOneof("part")
+                if kind == "vertices":
+                    rows = np.frombuffer(response.vertices.positions,
+                                         "<f8").reshape(-1, 3)
+                    first = response.vertices.first_vertex
+                    positions[first:first + len(rows)] = rows
+                elif kind == "faces":
+                    rows = np.frombuffer(response.faces.indices,
+                                         "<i4").reshape(-1, 3)
+                    first = response.faces.first_face
+                    faces[first:first + len(rows)] = rows
+            positions.setflags(write=False)
+            self._arrays = positions, faces
+        return self._arrays
+
+    def _resident(self, ask: Callable[[], Any]) -> Any:
+        """What `ask` returns, which is asked again when the service had dropped
+        the mesh."""
+        try:
+            return ask()
+        except NotFound as error:
+            if error.reason != "MESH_NOT_RESIDENT" or self._upload is None:
+                raise
+        self._upload()
+        return ask()
+
+    def _answer(self, method: Callable, request: Any, options: Options,
+                ) -> List[Tuple[str, Any]]:
+        """The parts of an answer; reports the solver's progress."""
+
+        def ask():
+            found = []
+            for name, part in self._stubs.parts(method, request):
+                if name != "progress":
+                    found.append((name, part))
+                elif options.progress is not None:
+                    options.progress(part.vertices_reached, self.vertex_count)
+            return found
+
+        return self._resident(ask)
+
+    def _field_request(self, sources: Sources, radius: float,
+                       options: Options) -> Any:
+        request = field_service_pb2.ComputeFieldRequest(
+            mesh_digest=self.digest(),
+            sources=source_messages(sources),
+            algorithm=_algorithm(options.algorithm))
+        if radius < math.inf:
+            request.radius = radius
+        return request
+
+    def field(self, sources: Sources, targets: Places, radius: float,
+              stop_after_targets: Optional[int], labels: bool, gradients: bool,
+              options: Options) -> FieldAnswer:
+        request = self._field_request(sources, radius, options)
+        request.targets.extend(surface_points(targets))
+        if stop_after_targets is not None:
+            request.stop_after_targets = stop_after_targets
+        if labels:
+            request.quantities.append(
+                field_service_pb2.FIELD_QUANTITY_NEAREST_SOURCE)
+        if gradients:
+            request.quantities.append(
+                field_service_pb2.FIELD_QUANTITY_GRADIENT)
+        reader = _FieldReader(options)
+        self._resident(lambda: self._read_field(request, reader))
+        return FieldAnswer(
+            distances=reader.distances,
+            target_distances=reader.target_distances,
+            settled_radius=reader.trailer.settled_radius,
+            algorithm=_algorithm_name(reader.algorithm),
+            statistics=_statistics(reader.trailer.statistics),
+            labels=reader.labels,
+            gradients=reader.gradients)
+
+    def _read_field(self, request: Any, reader: _FieldReader) -> None:
+        """Reads on where a stream breaks."""
+        attempts = 0
+        while reader.trailer is None:
+            before = reader.first_missing
+            if reader.field_id:
+                request.resumption.field_id = reader.field_id
+                request.resumption.first_vertex = reader.first_missing
+            else:
+                request.ClearField("resumption")
+            try:
+                for name, part in self._stubs.parts(
+                        self._stubs.fields.ComputeField, request):
+                    reader.add(name, part)
+            except Unavailable:
+                attempts = 0 if reader.first_missing > before else attempts + 1
+                if attempts > len(_PAUSES):
+                    raise
+                time.sleep(_PAUSES[max(attempts - 1, 0)])
+            except NotFound as error:
+                if error.reason != "FIELD_NOT_KEPT":
+                    raise
+                reader.begin_again()
+
+    def progressive(self, sources: Sources, radius: float, interval: float,
+                    options: Options,
+                    ) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
+        request = self._field_request(sources, radius, options)
+        request.progressive = True
+        for name, part in self._stubs.parts(self._stubs.fields.ComputeField,
+                                            request):
+            if name == "settled":
+                yield (np.frombuffer(part.vertices, "<u4").astype(np.int64),
+                       np.frombuffer(part.distances, "<f8"))
+
+    def paths(self, sources: Sources, targets: Places, radius: float,
+              options: Options) -> List[PathAnswer]:
+        request = path_service_pb2.ComputePathsRequest(
+            mesh_digest=self.digest(),
+            sources=source_messages(sources),
+            targets=surface_points(targets),
+            algorithm=_algorithm(options.algorithm))
+        if radius < math.inf:
+            request.radius = radius
+        answers = []
+        polyline = Polyline()
+        for name, part in self._answer(self._stubs.paths.ComputePaths, request,
+                                       options):
+            if name == "path" and polyline.add(part.piece):
+                answers.append(
+                    PathAnswer(polyline.places(), polyline.positions(),
+                               part.distance, part.length, part.source))
+                polyline = Polyline()
+        return answers
+
+    def isolines(self, sources: Sources, levels: List[float],
+                 options: Options) -> List[IsolineAnswer]:
+        request = path_service_pb2.ComputeIsolinesRequest(
+            mesh_digest=self.digest(),
+            sources=source_messages(sources),
+            levels=levels,
+            algorithm=_algorithm(options.algorithm))
+        answers = []
+        polyline = Polyline()
+        for name, part in self._answer(self._stubs.paths.ComputeIsolines,
+                                       request, options):
+            if name == "isoline" and polyline.add(part.piece):
+                answers.append(
+                    IsolineAnswer(part.level, part.is_closed,
+                                  polyline.places(), polyline.positions()))
+                polyline = Polyline()
+        return answers
+
+    def _rows(self, method: Callable, make: Callable, sources: Sources,
+              options: Options) -> Iterator[Tuple[int, Any]]:
+        """(row, chunk) of a matrix, by requests of some rows each."""
+        total = len(sources)
+        if np.any(sources.counts >= 0):
+            blocks = [sources]  # curves have more points than rows
+        else:
+            blocks = [
+                Sources(sources.places[at:at + _ROWS_OF_A_REQUEST],
+                        sources.counts[at:at + _ROWS_OF_A_REQUEST],
+                        sources.offsets[at:at + _ROWS_OF_A_REQUEST])
+                for at in range(0, total, _ROWS_OF_A_REQUEST)
+            ]
+        first = 0
+        for block in blocks:
+            request = make(source_messages(block))
+            for name, part in self._stubs.parts(method, request):
+                if name == "chunk":
+                    yield first + part.row, part
+                elif name == "progress" and options.progress is not None:
+                    options.progress(first + part.rows_finished, total)
+            first += len(block)
+
+    def _matrix_rows(self, sources, targets, radius, dtype, layout, options):
+        columns = list(surface_points(targets)) if targets is not None else []
+        value_type = (query_pb2.VALUE_TYPE_FLOAT32 if dtype == np.float32 else
+                      query_pb2.VALUE_TYPE_FLOAT64)
+
+        def make(messages):
+            request = matrix_service_pb2.ComputeMatrixRequest(
+                mesh_digest=self.digest(), sources=messages, targets=columns,
+                algorithm=_algorithm(options.algorithm),
+                value_type=value_type, layout=layout)
+            if radius < math.inf:
+                request.radius = radius
+            return request
+
+        return self._rows(self._stubs.matrices.ComputeMatrix, make, sources,
+                          options)
+
+    def fill_matrix(self, sources: Sources, targets: Optional[Places],
+                    radius: float, out: np.ndarray, options: Options) -> None:
+        kind = out.dtype.newbyteorder("<")
+
+        def fill():
+            for row, chunk in self._matrix_rows(
+                    sources, targets, radius, out.dtype,
+                    matrix_service_pb2.MATRIX_LAYOUT_DENSE, options):
+                values = np.frombuffer(chunk.values, kind)
+                out[row, chunk.offset:chunk.offset + len(values)] = values
+
+        self._resident(fill)
+
+    def sparse_matrix(self, sources: Sources, targets: Optional[Places],
+                      radius: float, options: Options,
+                      ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+
+        def read():
+            counts = np.zeros(len(sources), np.int64)
+            columns, values = [], []
+            for row, chunk in self._matrix_rows(
+                    sources, targets, radius, np.float64,
+                    matrix_service_pb2.MATRIX_LAYOUT_SPARSE, options):
+                counts[row] = chunk.value_count
+                columns.append(chunk.columns)
+                values.append(chunk.values)
+            return (counts,
+                    np.frombuffer(bytearray(b"".join(columns)), "<i4"),
+                    np.frombuffer(bytearray(b"".join(values)), "<f8"))
+
+        return self._resident(read)
+
+    def nearest(self, sources: Sources, targets: Places, count: int,
+                radius: float, options: Options,
+                ) -> Tuple[np.ndarray, np.ndarray]:
+        points = list(surface_points(targets))
+
+        def make(messages):
+            request = matrix_service_pb2.FindNearestRequest(
+                mesh_digest=self.digest(), sources=messages, targets=points,
+                count=count, algorithm=_algorithm(options.algorithm))
+            if radius < math.inf:
+                request.radius = radius
+            return request
+
+        def read():
+            numbers = np.full((len(sources), count), -1, np.int64)
+            distances = np.full((len(sources), count), np.inf)
+            for row, chunk in self._rows(self._stubs.matrices.FindNearest, make,
+                                         sources, options):
+                found = np.frombuffer(chunk.targets, "<u4")
+                span = slice(chunk.offset, chunk.offset + len(found))
+                numbers[row, span] = found
+                distances[row, span] = np.frombuffer(chunk.distances, "<f8")
+            return numbers, distances
+
+        return self._resident(read)
+
+    def pairs(self, sources: Places, targets: Places,
+              options: Options) -> np.ndarray:
+        are_vertices = not (np.any(sources.kinds) or np.any(targets.kinds))
+        at_once = (_PAIRS_OF_A_REQUEST if are_vertices else
+                   _PLACE_PAIRS_OF_A_REQUEST)
+        distances = np.full(len(sources), np.inf)
+
+        def read(first, request):
+            for name, part in self._stubs.parts(self._stubs.pairs.ComputePairs,
+                                                request):
+                if name == "chunk":
+                    values = np.frombuffer(part.distances, "<f8")
+                    at = first + part.offset
+                    distances[at:at + len(values)] = values
+                elif name == "progress" and options.progress is not None:
+                    options.progress(first + part.pairs_finished, len(sources))
+
+        for first in range(0, len(sources), at_once):
+            some = slice(first, first + at_once)
+            request = pair_service_pb2.ComputePairsRequest(
+                mesh_digest=self.digest())
+            if are_vertices:
+                request.vertex_pairs.extend(
+                    np.column_stack([sources.numbers[some, 0],
+                                     targets.numbers[some, 0]]).ravel().tolist())
+            else:
+                request.pairs.extend(
+                    pair_service_pb2.PointPair(source=a, target=b)
+                    for a, b in zip(surface_points(sources[some]),
+                                    surface_points(targets[some])))
+            self._resident(lambda first=first, request=request: read(
+                first, request))
+        return distances
+
+    def samples(self, sources: Sources, count: int, options: Options,
+                ) -> Tuple[np.ndarray, np.ndarray]:
+        request = field_service_pb2.SampleFarthestPointsRequest(
+            mesh_digest=self.digest(),
+            sources=source_messages(sources),
+            count=count,
+            algorithm=_algorithm(options.algorithm))
+        found = [
+            (sample.vertex, sample.distance)
+            for name, part in self._answer(
+                self._stubs.fields.SampleFarthestPoints, request, options)
+            if name == "samples" for sample in part.samples
+        ]
+        return (np.array([vertex for vertex, _ in found], np.int64),
+                np.array([distance for _, distance in found], np.float64))
+
+    def log_map(self, sources: Sources, radius: float, options: Options,
+                ) -> Tuple[np.ndarray, np.ndarray]:
+        if len(sources) != 1 or sources.counts[0] >= 0:
+            raise InvalidArgument("a log map has one source, which is a point")
+        request = field_service_pb2.ComputeLogMapRequest(
+            mesh_digest=self.digest(),
+            source=next(iter(surface_points(sources.places))),
+            algorithm=_algorithm(options.algorithm))
+        if radius < math.inf:
+            request.radius = radius
+        coordinates = np.full((self.vertex_count, 2), np.nan)
+        zero_direction = np.zeros(3)
+        for name, part in self._answer(self._stubs.fields.ComputeLogMap,
+                                       request, options):
+            if name == "frame":
+                zero = part.zero_direction
+                zero_direction[:] = zero.x, zero.y, zero.z
+            elif name == "chunk":
+                rows = np.frombuffer(part.coordinates, "<f8").reshape(-1, 2)
+                coordinates[part.offset:part.offset + len(rows)] = rows
+        return coordinates, zero_direction

@@ -1,0 +1,264 @@
+"""A connection to a service, and the meshes there."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import pathlib
+import time
+from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
+
+import grpc
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import inputs
+from .digest import mesh_digest
+from .errors import InvalidArgument, Unavailable
+from .mesh import Mesh
+from .remote import RemoteBackend, Stubs
+from .v1 import (capabilities_service_pb2, capabilities_service_pb2_grpc,
+                 mesh_pb2, mesh_service_pb2)
+
+_CHUNK_BYTES = 512 * 1024
+# An upload that breaks is repeated after these pauses, in seconds.
+_PAUSES = (0.2, 0.4, 0.8)
+_FORMATS = {
+    ".obj": mesh_pb2.MESH_FORMAT_OBJ,
+    ".ply": mesh_pb2.MESH_FORMAT_PLY,
+    ".off": mesh_pb2.MESH_FORMAT_OFF,
+    ".stl": mesh_pb2.MESH_FORMAT_STL,
+}
+
+PemOrPath = Union[str, bytes, os.PathLike]
+
+
+def _pem(value: Optional[PemOrPath]) -> Optional[bytes]:
+    """The text of a certificate or key, or the content of its file."""
+    if value is None or isinstance(value, bytes):
+        return value
+    if isinstance(value, str) and value.lstrip().startswith("-----BEGIN"):
+        return value.encode()
+    return pathlib.Path(value).read_bytes()
+
+
+class Service:
+    """A connection to a geodesic service; made by geodesic.connect(). Thread-safe.
+    Leave it by close(), or use it in a with statement."""
+
+    def __init__(self, address: str, channel: grpc.Channel,
+                 timeout: Optional[float],
+                 metadata: Tuple[Tuple[str, str], ...]) -> None:
+        self._channel = channel
+        self._stubs = Stubs(channel, address, timeout, metadata)
+        self._capabilities = (
+            capabilities_service_pb2_grpc.CapabilitiesServiceStub(channel))
+
+    def __repr__(self) -> str:
+        return f"<geodesic.Service at {self._stubs.address}>"
+
+    def __enter__(self) -> "Service":
+        return self
+
+    def __exit__(self, *_) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Ends the connection, and what runs on it."""
+        self._channel.close()
+
+    def version(self) -> str:
+        """The server's version."""
+        return self._get_capabilities().version
+
+    def limits(self) -> Dict[str, int]:
+        """What the server takes: max_sources, max_pairs, mesh_store_bytes..."""
+        limits = self._get_capabilities().limits
+        return {f.name: getattr(limits, f.name) for f in limits.DESCRIPTOR.fields}
+
+    def algorithms(self) -> Dict[str, str]:
+        """The server's algorithms by name, with a summary of each."""
+        return {a.name: a.summary for a in self._get_capabilities().algorithms}
+
+    def _get_capabilities(self):
+        return self._stubs.call(
+            self._capabilities.GetCapabilities,
+            capabilities_service_pb2.GetCapabilitiesRequest())
+
+    def mesh(self, vertices: Any, faces: Optional[ArrayLike] = None) -> Mesh:
+        """A mesh whose questions the service answers.
+
+        Takes what geodesic.Mesh takes. The mesh is sent only if the service does
+        not have it, and again if it was dropped there meanwhile.
+        """
+        if isinstance(vertices, (str, os.PathLike)):
+            if faces is not None:
+                raise InvalidArgument("faces come from the file, too")
+            return self._file(pathlib.Path(vertices))
+        if faces is None:
+            positions, triangles = inputs.arrays_of(vertices)
+        else:
+            positions = inputs.to_vertices(vertices)
+            triangles = inputs.to_faces(faces)
+        return self._arrays(positions, triangles)
+
+    def open(self, digest: str) -> Mesh:
+        """A mesh that the service has, by its name."""
+        found = self._stubs.call(
+            self._stubs.meshes.GetMesh,
+            mesh_service_pb2.GetMeshRequest(digest=digest)).mesh
+        return Mesh._on(RemoteBackend(self._stubs, found, None, None))
+
+    def meshes(self) -> List[str]:
+        """The names of the meshes that the service has."""
+        digests: List[str] = []
+        token = ""
+        while True:
+            page = self._stubs.call(
+                self._stubs.meshes.ListMeshes,
+                mesh_service_pb2.ListMeshesRequest(page_token=token))
+            digests += [mesh.digest for mesh in page.meshes]
+            token = page.next_page_token
+            if not token:
+                return digests
+
+    def delete(self, mesh: Union[Mesh, str]) -> None:
+        """Takes a mesh from the service, by itself or by its name."""
+        digest = mesh if isinstance(mesh, str) else mesh.digest
+        self._stubs.call(self._stubs.meshes.DeleteMesh,
+                         mesh_service_pb2.DeleteMeshRequest(digest=digest))
+
+    def _arrays(self, positions: np.ndarray, triangles: np.ndarray) -> Mesh:
+        wrong = np.argwhere((triangles < 0) | (triangles >= 2**32))
+        if wrong.size:
+            face, corner = wrong[0]
+            raise InvalidArgument(
+                f"faces[{face}, {corner}] is {triangles[face, corner]}, which is "
+                "no vertex: vertices are numbered from 0")
+        kept = positions.astype("<f8", copy=False).view()
+        kept.setflags(write=False)
+        # The same bytes as the wire's uint32.
+        numbers = np.ascontiguousarray(triangles).astype("<u4", copy=False).view(
+            "<i4")
+        digest = mesh_digest(kept, numbers)
+
+        def upload() -> mesh_pb2.Mesh:
+            header = mesh_service_pb2.UploadHeader(
+                format=mesh_pb2.MESH_FORMAT_ARRAYS,
+                size_bytes=kept.nbytes + numbers.nbytes,
+                vertex_count=len(kept),
+                face_count=len(numbers),
+                expected_digest=digest)
+            return self._upload(header, (kept, numbers))
+
+        missing = self._stubs.call(
+            self._stubs.meshes.FindMissingMeshes,
+            mesh_service_pb2.FindMissingMeshesRequest(
+                mesh_digests=[digest])).missing_mesh_digests
+        mesh = upload() if missing else self._stubs.call(
+            self._stubs.meshes.GetMesh,
+            mesh_service_pb2.GetMeshRequest(digest=digest)).mesh
+        return Mesh._on(
+            RemoteBackend(self._stubs, mesh, (kept, numbers), upload))
+
+    def _file(self, path: pathlib.Path) -> Mesh:
+        if path.suffix.lower() not in _FORMATS:
+            raise InvalidArgument(f"{path} is no mesh file; there are " +
+                                  ", ".join(_FORMATS))
+        data = np.frombuffer(path.read_bytes(), np.uint8)
+        file = mesh_pb2.FileDigest(format=_FORMATS[path.suffix.lower()],
+                                   sha256=hashlib.sha256(data).hexdigest())
+
+        def upload() -> mesh_pb2.Mesh:
+            return self._upload(
+                mesh_service_pb2.UploadHeader(format=file.format,
+                                              size_bytes=data.nbytes), (data,))
+
+        known = self._stubs.call(
+            self._stubs.meshes.FindMissingMeshes,
+            mesh_service_pb2.FindMissingMeshesRequest(files=[file])).known_files
+        mesh = self._stubs.call(
+            self._stubs.meshes.GetMesh,
+            mesh_service_pb2.GetMeshRequest(
+                digest=known[0].mesh_digest)).mesh if known else upload()
+        return Mesh._on(RemoteBackend(self._stubs, mesh, None, upload))
+
+    def _upload(self, header: mesh_service_pb2.UploadHeader,
+                arrays: Tuple[np.ndarray, ...]) -> mesh_pb2.Mesh:
+        """Sends a mesh's bytes, again where the connection breaks."""
+        for pause in _PAUSES + (None,):
+            try:
+                return self._stubs.call(
+                    self._stubs.meshes.CreateMesh,
+                    _upload_messages(header, arrays)).mesh
+            except Unavailable:
+                if pause is None:
+                    raise
+                time.sleep(pause)
+        raise AssertionError
+
+
+def _upload_messages(header: mesh_service_pb2.UploadHeader,
+                     arrays: Tuple[np.ndarray, ...],
+                     ) -> Iterator[mesh_service_pb2.CreateMeshRequest]:
+    yield mesh_service_pb2.CreateMeshRequest(header=header)
+    sent = 0
+    for array in arrays:
+        data = memoryview(array.reshape(-1)).cast("B")
+        for at in range(0, len(data), _CHUNK_BYTES):
+            chunk = bytes(data[at:at + _CHUNK_BYTES])
+            yield mesh_service_pb2.CreateMeshRequest(
+                chunk=mesh_service_pb2.UploadChunk(offset=sent, data=chunk))
+            sent += len(chunk)
+
+
+def connect(address: str, *, token: Optional[str] = None,
+            timeout: Optional[float] = None, tls: Optional[bool] = None,
+            authorities: Optional[PemOrPath] = None,
+            certificate: Optional[PemOrPath] = None,
+            key: Optional[PemOrPath] = None,
+            server_name: Optional[str] = None) -> Service:
+    """Connects to a geodesic service.
+
+        with geodesic.connect("host:50051") as service:
+            d = service.mesh(V, F).distances(0)
+
+    Args:
+        address: host:port.
+        token: sent with each call. Without TLS it travels in clear.
+        timeout: seconds that a call may take, or None.
+        tls: whether to speak TLS; by default if any of what follows is given.
+        authorities: who vouches for the server, as PEM or a path; by default
+            those whom the system trusts.
+        certificate, key: what to show a server that asks for one, likewise.
+        server_name: the name in the server's certificate, if it is not the host.
+
+    Nothing is sent before the first question. Calls that fail because the
+    service is not there or is full are repeated for some seconds.
+    """
+    options = [
+        ("grpc.service_config", pathlib.Path(__file__).with_name(
+            "service-config.json").read_text(encoding="utf-8")),
+        # Parts of answers have their own bounds.
+        ("grpc.max_receive_message_length", -1),
+    ]
+    if tls is None:
+        tls = any(x is not None
+                  for x in (authorities, certificate, key, server_name))
+    if (certificate is None) != (key is None):
+        raise InvalidArgument("a certificate needs its key, and a key its "
+                              "certificate")
+    metadata: Tuple[Tuple[str, str], ...] = ()
+    if token is not None:
+        if not token or not all("!" <= c <= "~" for c in token):
+            raise InvalidArgument("the token has characters that none has")
+        metadata = (("authorization", "Bearer " + token),)
+    if not tls:
+        channel = grpc.insecure_channel(address, options)
+    else:
+        if server_name is not None:
+            options.append(("grpc.ssl_target_name_override", server_name))
+        credentials = grpc.ssl_channel_credentials(
+            _pem(authorities), _pem(key), _pem(certificate))
+        channel = grpc.secure_channel(address, credentials, options)
+    return Service(address, channel, timeout, metadata)

@@ -1,0 +1,134 @@
+"""Places and errors as the service's messages (docs/protocol.md) hold them."""
+
+from __future__ import annotations
+
+from typing import Any, Iterable, List
+
+import grpc
+import numpy as np
+from google.protobuf import descriptor_pb2, descriptor_pool
+from google.protobuf import message_factory
+
+from .errors import GeodesicError, from_code
+from .places import Places, Sources, empty
+from .v1 import surface_pb2
+
+
+def surface_points(places: Places) -> Iterable[surface_pb2.SurfacePoint]:
+    """A message for each place."""
+    for kind, numbers, weights in zip(places.kinds.tolist(),
+                                      places.numbers.tolist(),
+                                      places.weights.tolist()):
+        if kind == 0:
+            yield surface_pb2.SurfacePoint(vertex=numbers[0])
+        elif kind == 1:
+            edge = surface_pb2.EdgePoint(to=numbers[1], t=weights[0])
+            setattr(edge, "from", numbers[0])  # a word of Python's own
+            yield surface_pb2.SurfacePoint(edge=edge)
+        else:
+            yield surface_pb2.SurfacePoint(
+                face=surface_pb2.FacePoint(face=numbers[0], weights=weights))
+
+
+def source_messages(sources: Sources) -> List[surface_pb2.Source]:
+    """A message for each source."""
+    points = iter(surface_points(sources.places))
+    messages = []
+    for count, offset in zip(sources.counts.tolist(),
+                             sources.offsets.tolist()):
+        message = surface_pb2.Source(offset=offset)
+        if count >= 0:
+            message.curve.points.extend(next(points) for _ in range(count))
+            message.curve.SetInParent()
+        else:
+            point = next(points)
+            kind = point.WhichOneof("place")
+            if kind == "vertex":
+                message.vertex = point.vertex
+            else:
+                getattr(message, kind).CopyFrom(getattr(point, kind))
+        messages.append(message)
+    return messages
+
+
+def read_places(points: Iterable[surface_pb2.SurfacePoint], count: int) -> Places:
+    """The places of `count` messages."""
+    places = empty(count)
+    for i, point in enumerate(points):
+        kind = point.WhichOneof("place")
+        if kind == "vertex":
+            places.numbers[i, 0] = point.vertex
+        elif kind == "edge":
+            places.kinds[i] = 1
+            places.numbers[i] = getattr(point.edge, "from"), point.edge.to
+            places.weights[i, 0] = point.edge.t
+        else:
+            places.kinds[i] = 2
+            places.numbers[i, 0] = point.face.face
+            places.weights[i] = point.face.weights
+    return places
+
+
+class Polyline:
+    """A polyline that comes in pieces."""
+
+    def __init__(self) -> None:
+        self._points: List[surface_pb2.SurfacePoint] = []
+        self._positions: List[bytes] = []
+
+    def add(self, piece: surface_pb2.PolylinePiece) -> bool:
+        """Whether it is whole now."""
+        self._points += piece.points
+        self._positions.append(piece.positions)
+        return len(self._points) >= piece.point_count
+
+    def places(self) -> Places:
+        return read_places(self._points, len(self._points))
+
+    def positions(self) -> np.ndarray:
+        return np.frombuffer(bytearray(b"".join(self._positions)),
+                             "<f8").reshape(-1, 3)
+
+
+def _detail_types() -> Any:
+    """google.rpc's Status and ErrorInfo, as far as they are read here, apart from
+    any other package's."""
+    file = descriptor_pb2.FileDescriptorProto(
+        name="geodesic/error_details.proto", package="google.rpc",
+        syntax="proto3")
+    field = descriptor_pb2.FieldDescriptorProto
+
+    def add(name, *fields):
+        message = file.message_type.add(name=name)
+        for number, field_name, label, kind, type_name in fields:
+            message.field.add(name=field_name, number=number, label=label,
+                              type=kind, type_name=type_name)
+
+    add("Any", (1, "type_url", field.LABEL_OPTIONAL, field.TYPE_STRING, None),
+        (2, "value", field.LABEL_OPTIONAL, field.TYPE_BYTES, None))
+    add("Status", (3, "details", field.LABEL_REPEATED, field.TYPE_MESSAGE,
+                   ".google.rpc.Any"))
+    add("ErrorInfo", (1, "reason", field.LABEL_OPTIONAL, field.TYPE_STRING,
+                      None))
+    pool = descriptor_pool.DescriptorPool()
+    pool.Add(file)
+    factory = message_factory.MessageFactory(pool)
+    return tuple(
+        factory.GetPrototype(pool.FindMessageTypeByName("google.rpc." + name))
+        for name in ("Status", "ErrorInfo"))
+
+
+_Status, _ErrorInfo = _detail_types()
+
+
+def error_of(error: grpc.RpcError) -> GeodesicError:
+    """The package's exception for one of gRPC's."""
+    reason = None
+    for key, value in error.trailing_metadata() or ():
+        if key != "grpc-status-details-bin":
+            continue
+        for detail in _Status.FromString(value).details:
+            if detail.type_url.endswith("/google.rpc.ErrorInfo"):
+                reason = _ErrorInfo.FromString(detail.value).reason
+    return from_code(error.code().value[0], error.details() or
+                     error.code().name, reason)

@@ -1,0 +1,304 @@
+"""The same interface against a real geodesicd: the same questions, tested by the
+same tests, and what only a service has.
+
+    service_test.py --server GEODESICD --openssl OPENSSL
+"""
+
+import argparse
+import hashlib
+import json
+import os
+import pathlib
+import pickle
+import subprocess
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "support" / "python"))
+import distances_test  # noqa: E402
+import geodesic_service  # noqa: E402
+import meshes  # noqa: E402
+import numpy as np  # noqa: E402
+import questions_test  # noqa: E402
+import relay  # noqa: E402
+import tolerances  # noqa: E402
+
+import geodesic  # noqa: E402
+import geodesic.remote  # noqa: E402
+
+ARGUMENTS = None
+TOKEN = "correct-horse-battery-staple"
+
+
+class ServedTest(unittest.TestCase):
+    """A server for the tests of a class, and a connection to it."""
+
+    flags = ()
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.server = geodesic_service.Server(ARGUMENTS, folder.name, cls.flags)
+        cls.addClassCleanup(cls.server.stop)
+        cls.service = geodesic.connect(cls.server.address)
+        cls.addClassCleanup(cls.service.close)
+        cls.make = cls.service.mesh
+        super().setUpClass()
+
+
+class RemoteDistancesTest(ServedTest, distances_test.DistancesTest):
+
+    def test_progressive(self):
+        # When parts come is the server's affair.
+        mesh = self.make(*meshes.terrain(60))
+        parts = list(mesh.progressive(7))
+        vertices = np.concatenate([part[0] for part in parts])
+        distances = np.concatenate([part[1] for part in parts])
+        np.testing.assert_array_equal(np.sort(vertices),
+                                      np.arange(mesh.n_vertices))
+        np.testing.assert_array_equal(distances, mesh.distances(7)[vertices])
+
+
+class RemoteQuestionsTest(ServedTest, questions_test.QuestionsTest):
+    pass
+
+
+class ServiceTest(ServedTest):
+
+    def test_same_bits_as_in_this_process(self):
+        vertices, faces = meshes.terrain(70)
+        here = geodesic.Mesh(vertices, faces)
+        there = self.make(vertices, faces)
+        self.assertEqual(there.digest, here.digest)
+        self.assertEqual(there.info(), here.info())
+        for ask in (lambda mesh: mesh.distances([3, 99], radius=0.7),
+                    lambda mesh: mesh.field(7, gradients=True).gradients,
+                    lambda mesh: mesh.labels([3, 99]),
+                    lambda mesh: mesh.path(0, 4000).points,
+                    lambda mesh: mesh.path(0, 4000).faces,
+                    lambda mesh: mesh.isolines(0, levels=[0.5])[0].points,
+                    lambda mesh: mesh.matrix([0, 7], [5, 9]),
+                    lambda mesh: mesh.matrix([0, 7], radius=0.1).toarray(),
+                    lambda mesh: mesh.log_map(300).coordinates,
+                    lambda mesh: mesh.samples(4)[0]):
+            np.testing.assert_array_equal(ask(there), ask(here))
+
+    def test_real_meshes(self):
+        # The smaller half of them: each is uploaded as a file.
+        paths = sorted(meshes.real_meshes(), key=os.path.getsize)
+        if not paths:
+            self.skipTest("there are no meshes from outside the project")
+        for path in paths[:len(paths) // 2]:
+            with self.subTest(mesh=path.name):
+                here, there = geodesic.Mesh(path), self.make(path)
+                np.testing.assert_array_equal(there.distances(0),
+                                              here.distances(0))
+
+    def test_files_and_names(self):
+        vertices, faces = meshes.octahedron()
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "octahedron.off"
+            path.write_text(
+                "OFF\n6 8 0\n" +
+                "".join("%r %r %r\n" % tuple(v) for v in vertices) +
+                "".join("3 %d %d %d\n" % tuple(f) for f in faces))
+            mesh = self.make(path)
+            self.assertEqual(self.make(path).digest, mesh.digest)
+        opened = self.service.open(mesh.digest)
+        for known in (mesh, opened):
+            # The service tells what this process did not read.
+            np.testing.assert_array_equal(known.vertices, vertices)
+            np.testing.assert_array_equal(known.faces, faces)
+            self.assertEqual(known.digest, geodesic.Mesh(vertices, faces).digest)
+        self.assertIn(mesh.digest, self.service.meshes())
+        self.assertEqual(
+            repr(mesh), "<geodesic.Mesh: 6 vertices, 8 faces, at "
+            f"{self.server.address}>")
+        with self.assertRaises(TypeError):
+            pickle.dumps(mesh)
+
+    def test_a_mesh_that_was_dropped_is_sent_again(self):
+        vertices, faces = meshes.terrain(12)
+        mesh = self.make(vertices, faces)
+        wanted = mesh.distances(0)
+        opened = self.service.open(mesh.digest)
+        for ask in (lambda: mesh.distances(0), lambda: mesh.path(0, 9),
+                    lambda: mesh.matrix([0]), lambda: mesh.pairs([[0, 1]])):
+            self.service.delete(mesh)
+            ask()
+        np.testing.assert_array_equal(mesh.distances(0), wanted)
+        self.service.delete(mesh)
+        with self.assertRaises(geodesic.NotFound) as caught:
+            opened.distances(0)
+        self.assertEqual(caught.exception.reason, "MESH_NOT_RESIDENT")
+
+    def test_errors(self):
+        mesh = self.make(*meshes.octahedron())
+        with self.assertRaisesRegex(ValueError, r"sources\[0\].vertex 6 is out"
+                                    ) as caught:
+            mesh.distances(6)
+        self.assertEqual(caught.exception.reason, "INVALID_REQUEST")
+        with self.assertRaisesRegex(geodesic.InvalidArgument, "heat"):
+            mesh.distances(0, algorithm="heat")
+        with self.assertRaisesRegex(geodesic.InvalidArgument, "names vertex 9"):
+            self.make(meshes.octahedron()[0], [[0, 1, 9]])
+        with self.assertRaisesRegex(geodesic.InvalidArgument, "faces.0, 1. is -1"):
+            self.make(meshes.octahedron()[0], [[0, -1, 2]])
+        with self.assertRaises(geodesic.NotFound):
+            self.service.open("0" * 64)
+        with self.assertRaises(geodesic.InvalidArgument):
+            self.service.open("no digest")
+
+    def test_deadline(self):
+        mesh = self.make(*meshes.terrain(300))
+        with geodesic.connect(self.server.address, timeout=1) as impatient:
+            late = impatient.open(mesh.digest)
+            with self.assertRaises(TimeoutError) as caught:
+                late.distances(0, algorithm="ch")  # minutes
+        self.assertIsInstance(caught.exception, geodesic.DeadlineExceeded)
+
+    def test_what_progress_raises_cancels_the_call(self):
+        mesh = self.make(*meshes.terrain(300))
+
+        class Enough(Exception):
+            pass
+
+        def progress(done, total):
+            self.assertEqual(total, mesh.n_vertices)
+            raise Enough
+
+        for ask in (lambda: mesh.distances(0, algorithm="ch",
+                                           progress=progress),
+                    lambda: mesh.samples(9, algorithm="ch", progress=progress)):
+            with self.assertRaises(Enough):
+                ask()
+
+    def test_limits(self):
+        self.assertEqual(self.service.version(), geodesic.__version__)
+        self.assertEqual(self.service.algorithms(), geodesic.algorithms())
+        self.assertGreater(self.service.limits()["max_pairs"], 0)
+
+    def test_a_field_whose_stream_breaks_is_read_on(self):
+        vertices, faces = meshes.terrain(250)
+        wanted = self.make(vertices, faces).field(0, labels=True, gradients=True,
+                                                  targets=[7])
+        hop = relay.Relay(self.server.address)
+        self.addCleanup(hop.close)
+        field_bytes = len(vertices) * 36
+        for cut in (1000, field_bytes // 2, field_bytes - 1000):
+            with geodesic.connect(hop.address) as service:
+                mesh = service.mesh(vertices, faces)
+                before = hop.cuts
+                hop.cut_after(cut)
+                field = mesh.field(0, labels=True, gradients=True, targets=[7])
+            self.assertEqual(hop.cuts, before + 1)
+            for name in ("distances", "labels", "gradients",
+                         "target_distances"):
+                np.testing.assert_array_equal(getattr(field, name),
+                                              getattr(wanted, name))
+
+    def test_nobody_there(self):
+        with geodesic.connect("127.0.0.1:1") as service:
+            with self.assertRaises(ConnectionError) as caught:
+                service.mesh(*meshes.octahedron())
+        self.assertIsInstance(caught.exception, geodesic.Unavailable)
+
+
+class BlocksTest(ServedTest):
+
+    def test_many_rows_are_several_requests(self):
+        vertices, faces = meshes.terrain(10)
+        mesh, here = self.make(vertices, faces), geodesic.Mesh(vertices, faces)
+        done = []
+        with mock.patch.object(geodesic.remote, "_ROWS_OF_A_REQUEST", 50):
+            matrix = mesh.matrix(progress=lambda *call: done.append(call))
+            numbers, _ = mesh.nearest(np.arange(121), [0, 5, 99], k=2)
+        np.testing.assert_array_equal(matrix, here.matrix())
+        self.assertTrue(all(total == 121 for _, total in done))
+        np.testing.assert_array_equal(
+            numbers, here.nearest(np.arange(121), [0, 5, 99], k=2)[0])
+
+    def test_many_pairs_are_several_requests(self):
+        vertices, faces = meshes.terrain(10)
+        mesh, here = self.make(vertices, faces), geodesic.Mesh(vertices, faces)
+        pairs = np.random.default_rng(3).integers(0, 121, (60, 2))
+        with mock.patch.object(geodesic.remote, "_PAIRS_OF_A_REQUEST", 25):
+            np.testing.assert_allclose(mesh.pairs(pairs), here.pairs(pairs),
+                                       rtol=tolerances.EXACT)
+
+
+class SecuredTest(unittest.TestCase):
+    """TLS and tokens."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.certificate = os.path.join(folder.name, "cert.pem")
+        key = os.path.join(folder.name, "key.pem")
+        config = os.path.join(folder.name, "openssl.cnf")
+        with open(config, "w", encoding="ascii") as file:
+            file.write("[req]\ndistinguished_name=name\n[name]\n")
+        subprocess.run([
+            ARGUMENTS.openssl, "req", "-x509", "-config", config, "-newkey",
+            "ec", "-pkeyopt", "ec_paramgen_curve:P-256", "-nodes", "-days", "2",
+            "-subj", "/CN=server", "-addext", "subjectAltName=DNS:meshes.test",
+            "-out", cls.certificate, "-keyout", key
+        ], check=True, stderr=subprocess.DEVNULL)
+        tokens = os.path.join(folder.name, "tokens.json")
+        with open(tokens, "w", encoding="ascii") as file:
+            json.dump({"tokens": [{
+                "name": "python",
+                "sha256": hashlib.sha256(TOKEN.encode()).hexdigest(),
+                "scopes": ["read", "upload"]}]}, file)
+        cls.server = geodesic_service.Server(ARGUMENTS, folder.name, [
+            "--tls-cert", cls.certificate, "--tls-key", key, "--token-file",
+            tokens])
+        cls.addClassCleanup(cls.server.stop)
+
+    def connect(self, **options):
+        service = geodesic.connect(self.server.address,
+                                   server_name="meshes.test", **options)
+        self.addCleanup(service.close)
+        return service
+
+    def test_with_certificate_and_token(self):
+        pem = pathlib.Path(self.certificate).read_bytes()
+        for authorities in (self.certificate, pem, pem.decode()):
+            service = self.connect(authorities=authorities, token=TOKEN)
+            mesh = service.mesh(*meshes.octahedron())
+            self.assertEqual(mesh.distances(0)[0], 0)
+            with self.assertRaises(PermissionError) as caught:
+                service.delete(mesh)
+            self.assertEqual(caught.exception.reason, "SCOPE_MISSING")
+
+    def test_without_token(self):
+        for token, reason in ((None, "TOKEN_MISSING"), ("x", "TOKEN_UNKNOWN")):
+            service = self.connect(authorities=self.certificate, token=token)
+            with self.assertRaises(geodesic.NotAllowed) as caught:
+                service.meshes()
+            self.assertEqual(caught.exception.reason, reason)
+        with self.assertRaises(geodesic.InvalidArgument):
+            self.connect(token="two words")
+
+    def test_without_authorities(self):
+        service = self.connect(tls=True, token=TOKEN)
+        with self.assertRaises(geodesic.Unavailable):
+            service.meshes()
+        with self.assertRaises(geodesic.InvalidArgument):
+            self.connect(certificate=self.certificate)
+
+
+# The tests of this process have run.
+del distances_test.DistancesTest, questions_test.QuestionsTest
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--server", required=True)
+    parser.add_argument("--openssl", required=True)
+    ARGUMENTS = parser.parse_args()
+    unittest.main(argv=sys.argv[:1])
