@@ -90,11 +90,10 @@ class LocalBackend:
     def paths(self, sources: Sources, targets: Places, radius: float,
               options: Options) -> List[PathAnswer]:
         query = self._query(sources, targets, options, trace=True)
-        field = _core.solve(query, radius, len(targets), options.threads,
-                            options.progress)
+        found = _core.paths(query, radius, options.threads, options.progress)
         return [
             PathAnswer(_places(places), points, distance, length, source)
-            for places, points, distance, length, source in field.paths()
+            for places, points, distance, length, source in found
         ]
 
     def isolines(self, sources: Sources, levels: List[float],

@@ -13,9 +13,8 @@
 #include "geodesic/computation.h"
 #include "geodesic/field_quantities.h"
 #include "geodesic/log_map.h"
-#include "geodesic/path.h"
 #include "geodesic/settled_vertices.h"
-#include "places.h"
+#include "solve_within.h"
 #include "status.h"
 #include "subject.h"
 #include "watch.h"
@@ -31,36 +30,16 @@ struct Field {
   DistanceField field;
 };
 
-// What lies beyond the radius is +infinity, also with algorithms that cannot
-// stop there.
-void CutAt(double radius, DistanceField& field) {
-  const auto cut = [radius](double& distance) {
-    if (distance > radius) distance = std::numeric_limits<double>::infinity();
-  };
-  std::ranges::for_each(field.distances, cut);
-  std::ranges::for_each(field.target_distances, cut);
-  field.settled_radius = std::min(field.settled_radius, radius);
-}
-
 std::unique_ptr<Field> Solve(const QueryHandle& question, double radius,
                              uint64_t stop_after_targets, uint32_t threads,
                              py::object progress) {
   Watch watch(std::move(progress));
-  return watch.Run([&]() -> absl::StatusOr<std::unique_ptr<Field>> {
-    absl::StatusOr<std::unique_ptr<Computation>> computation =
-        StartComputation(*question.mesh, question.query, {.threads = threads});
-    if (!computation.ok()) return computation.status();
-    if (absl::Status status =
-            (*computation)
-                ->Advance({.radius = radius, .targets = stop_after_targets},
-                          watch);
-        !status.ok()) {
-      return status;
-    }
-    DistanceField field = (*computation)->Field();
-    if (radius < std::numeric_limits<double>::infinity()) CutAt(radius, field);
-    return std::unique_ptr<Field>(new Field{question, std::move(field)});
+  DistanceField field = watch.Run([&] {
+    return SolveWithin(question.mesh(), question.query,
+                       {.radius = radius, .targets = stop_after_targets},
+                       threads, watch);
   });
+  return std::unique_ptr<Field>(new Field{question, std::move(field)});
 }
 
 py::array_t<double> Distances(const py::object& self) {
@@ -87,7 +66,7 @@ template <typename Question>
 auto AskOf(const Field& self, Question question) {
   auto answer = [&] {
     const py::gil_scoped_release unlocked;
-    return question(*self.question.mesh, self.question.query, self.field);
+    return question(self.question.mesh(), self.question.query, self.field);
   }();
   return ValueOrThrow(std::move(answer));
 }
@@ -109,33 +88,6 @@ py::tuple LogMapOf(const Field& self, double radius) {
                         map.zero_direction);
 }
 
-// (places, positions, distance, length, source) of each target's path.
-py::list PathsOf(const Field& self) {
-  using Paths = std::vector<GeodesicPath>;
-  Paths paths = AskOf(
-      self,
-      [](const Mesh& mesh, const ValidQuery& query,
-         const DistanceField& field) -> absl::StatusOr<Paths> {
-        const absl::StatusOr<PathTracer> tracer =
-            PathTracer::Create(mesh, query, field);
-        if (!tracer.ok()) return tracer.status();
-        Paths traced;
-        for (uint32_t target = 0; target < query->targets.size(); ++target) {
-          absl::StatusOr<GeodesicPath> path = tracer->ToTarget(target);
-          if (!path.ok()) return path.status();
-          traced.push_back(*std::move(path));
-        }
-        return traced;
-      });
-  py::list result;
-  for (GeodesicPath& path : paths) {
-    result.append(py::make_tuple(ToPlaceArrays(path.points),
-                                 ToArray(std::move(path.positions)),
-                                 path.distance, path.length, path.source));
-  }
-  return result;
-}
-
 // A computation whose vertices are handed out as they become final. For one
 // thread at a time.
 class Progression {
@@ -144,7 +96,7 @@ class Progression {
       : question_(std::move(question)),
         radius_(radius),
         computation_(ValueOrThrow(StartComputation(
-            *question_.mesh, question_.query, {.threads = threads}))) {}
+            question_.mesh(), question_.query, {.threads = threads}))) {}
 
   // (vertices, distances) of those that have become final since the last call,
   // in order of distance; waits until there are some, and about `seconds`. None
@@ -235,8 +187,7 @@ void BindField(py::module_& module) {
       .def("statistics", &Statistics)
       .def("nearest_sources", &NearestSourcesOf)
       .def("gradients", &GradientsOf)
-      .def("log_map", &LogMapOf)
-      .def("paths", &PathsOf);
+      .def("log_map", &LogMapOf);
   module.def("solve", &Solve);
   py::class_<Progression>(module, "Progression")
       .def(py::init<QueryHandle, double, uint32_t>())

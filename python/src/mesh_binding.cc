@@ -23,19 +23,21 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
 MeshHandle BuildMesh(const DoubleArray& vertices, const py::array& faces) {
   TriangleSoup soup{ToPoints(vertices), ToTriangles(faces)};
   Watch watch{py::none()};
-  return {watch.Run([&] { return Mesh::Build(std::move(soup), watch); })};
+  return MeshHandle(
+      watch.Run([&] { return Mesh::Build(std::move(soup), watch); }));
 }
 
 MeshHandle ReadFile(const py::bytes& bytes, const std::string& name) {
   const MeshFormat format = ValueOrThrow(MeshFormatFromPath(name));
   const std::string_view text = bytes;
   Watch watch{py::none()};
-  return {watch.Run([&]() -> absl::StatusOr<std::shared_ptr<const Mesh>> {
-    absl::StatusOr<TriangleSoup> soup =
-        ReadMesh(text, format, {.checkpoint = &watch});
-    if (!soup.ok()) return soup.status();
-    return Mesh::Build(*std::move(soup), watch);
-  })};
+  return MeshHandle(
+      watch.Run([&]() -> absl::StatusOr<std::shared_ptr<const Mesh>> {
+        absl::StatusOr<TriangleSoup> soup =
+            ReadMesh(text, format, {.checkpoint = &watch});
+        if (!soup.ok()) return soup.status();
+        return Mesh::Build(*std::move(soup), watch);
+      }));
 }
 
 py::array_t<double> Positions(const py::object& self) {
@@ -80,13 +82,12 @@ py::dict Facts(const MeshHandle& self) {
 QueryHandle MakeQuery(const MeshHandle& mesh, const SourceArrays& sources,
                       const PlaceArrays& targets, const std::string& algorithm,
                       bool trace) {
-  return {mesh.mesh,
-          ValueOrThrow(ValidQuery::Make(
-              {.sources = ToSources(sources),
-               .targets = ToSurfacePoints(targets),
-               .algorithm = ValueOrThrow(AlgorithmFromName(algorithm)),
-               .trace = trace},
-              *mesh.mesh))};
+  return {mesh, ValueOrThrow(ValidQuery::Make(
+                    {.sources = ToSources(sources),
+                     .targets = ToSurfacePoints(targets),
+                     .algorithm = ValueOrThrow(AlgorithmFromName(algorithm)),
+                     .trace = trace},
+                    *mesh.mesh))};
 }
 
 }  // namespace

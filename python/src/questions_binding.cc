@@ -21,7 +21,7 @@ py::list Isolines(const QueryHandle& question, std::vector<double> levels,
                   uint32_t threads, py::object progress) {
   Watch watch(std::move(progress));
   std::vector<Isoline> isolines = watch.Run([&] {
-    return ComputeIsolines(*question.mesh, question.query, std::move(levels),
+    return ComputeIsolines(question.mesh(), question.query, std::move(levels),
                            {.threads = threads}, watch);
   });
   py::list result;
@@ -38,7 +38,7 @@ py::tuple Samples(const QueryHandle& question, uint32_t count, uint32_t threads,
                   py::object progress) {
   Watch watch(std::move(progress));
   const std::vector<FarthestSample> samples = watch.Run([&] {
-    return SampleFarthestPoints(*question.mesh, question.query, count,
+    return SampleFarthestPoints(question.mesh(), question.query, count,
                                 {.threads = threads}, watch);
   });
   std::vector<int64_t> vertices;

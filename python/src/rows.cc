@@ -27,8 +27,8 @@ class StopFlag final : public Checkpoint {
 
 absl::Status RunRows(
     uint64_t count, uint32_t threads, Watch& watch,
-    const std::function<absl::Status(uint64_t row, uint32_t worker,
-                                     Checkpoint& checkpoint)>& row) {
+    const std::function<absl::Status(uint64_t row, Checkpoint& checkpoint)>&
+        row) {
   StopFlag stop;
   std::atomic<uint64_t> next = 0;
   std::atomic<uint64_t> done = 0;
@@ -37,11 +37,11 @@ absl::Status RunRows(
   uint64_t running = std::min<uint64_t>(threads, count);  // guarded by mutex
   absl::Status first_error;                               // guarded by mutex
 
-  const auto work = [&](uint32_t worker) {
+  const auto work = [&] {
     while (!stop.is_set()) {
       const uint64_t i = next++;
       if (i >= count) break;
-      absl::Status status = row(i, worker, stop);
+      absl::Status status = row(i, stop);
       if (!status.ok()) {
         const std::scoped_lock lock(mutex);
         if (!stop.is_set()) first_error = std::move(status);
@@ -56,9 +56,8 @@ absl::Status RunRows(
   };
 
   std::vector<std::jthread> workers;
-  for (uint32_t worker = 0; worker < std::min<uint64_t>(threads, count);
-       ++worker) {
-    workers.emplace_back(work, worker);
+  for (uint64_t started = running; started > 0; --started) {
+    workers.emplace_back(work);
   }
   std::unique_lock lock(mutex);
   while (!has_ended.wait_for(lock, Watch::kInterval,

@@ -12,16 +12,15 @@
 
 namespace geodesic::python {
 
-// Calls row(i, worker, checkpoint) for every i < count, in order of their
-// beginning, on `threads` threads of its own, whose numbers are below
-// `threads`. Meanwhile the calling thread reports to `watch` how many have
-// ended; it holds no lock of Python.
-// Errors: that of the first row that fails, or CANCELLED by `watch`. No row
-// begins after that, and those that run are stopped.
+// Calls row(i, checkpoint) for every i < count, in order of their beginning, on
+// `threads` threads of its own. Meanwhile the calling thread reports to `watch`
+// how many have ended; it holds no lock of Python. Errors: that of the first
+// row that fails, or CANCELLED by `watch`. No row begins after that, and those
+// that run are stopped.
 absl::Status RunRows(
     uint64_t count, uint32_t threads, Watch& watch,
-    const std::function<absl::Status(uint64_t row, uint32_t worker,
-                                     Checkpoint& checkpoint)>& row);
+    const std::function<absl::Status(uint64_t row, Checkpoint& checkpoint)>&
+        row);
 
 }  // namespace geodesic::python
 

@@ -1,21 +1,18 @@
 // Matrices, nearest targets and pairs: a computation a row.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <numeric>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "arrays.h"
 #include "bindings.h"
-#include "geodesic/computation.h"
 #include "geodesic/target_search.h"
 #include "rows.h"
+#include "solve_within.h"
 #include "status.h"
 #include "subject.h"
 #include "watch.h"
@@ -35,24 +32,13 @@ absl::StatusOr<std::vector<double>> RowOf(const QueryHandle& question,
                                           uint64_t stop_after_targets,
                                           Checkpoint& checkpoint) {
   const ValidQuery query =
-      question.query.OfSource(static_cast<uint32_t>(row), *question.mesh);
-  absl::StatusOr<std::unique_ptr<Computation>> computation =
-      StartComputation(*question.mesh, query, {});
-  if (!computation.ok()) return computation.status();
-  if (absl::Status status =
-          (*computation)
-              ->Advance({.radius = radius, .targets = stop_after_targets},
-                        checkpoint);
-      !status.ok()) {
-    return status;
-  }
-  DistanceField field = (*computation)->Field();
-  std::vector<double> values = std::move(
-      query->targets.empty() ? field.distances : field.target_distances);
-  for (double& value : values) {
-    if (value > radius) value = kInfinity;
-  }
-  return values;
+      question.query.OfSource(static_cast<uint32_t>(row), question.mesh());
+  absl::StatusOr<DistanceField> field = SolveWithin(
+      question.mesh(), query, {.radius = radius, .targets = stop_after_targets},
+      /*threads=*/1, checkpoint);
+  if (!field.ok()) return field.status();
+  return std::move(query->targets.empty() ? field->distances
+                                          : field->target_distances);
 }
 
 // Fills `out`, an array of shape (sources, targets or vertices) in C order.
@@ -67,17 +53,17 @@ void FillMatrix(const QueryHandle& question, double radius, uint32_t threads,
                                    : question.query->targets.size();
   Watch watch(std::move(progress));
   watch.Run([&]() -> absl::StatusOr<bool> {
-    absl::Status status = RunRows(
-        static_cast<uint64_t>(out.shape(0)), threads, watch,
-        [&](uint64_t row, uint32_t, Checkpoint& checkpoint) -> absl::Status {
-          const absl::StatusOr<std::vector<double>> found =
-              RowOf(question, row, radius, all_targets, checkpoint);
-          if (!found.ok()) return found.status();
-          std::ranges::transform(
-              *found, values + row * columns,
-              [](double value) { return static_cast<Value>(value); });
-          return absl::OkStatus();
-        });
+    absl::Status status =
+        RunRows(static_cast<uint64_t>(out.shape(0)), threads, watch,
+                [&](uint64_t row, Checkpoint& checkpoint) -> absl::Status {
+                  const absl::StatusOr<std::vector<double>> found =
+                      RowOf(question, row, radius, all_targets, checkpoint);
+                  if (!found.ok()) return found.status();
+                  std::ranges::transform(
+                      *found, values + row * columns,
+                      [](double value) { return static_cast<Value>(value); });
+                  return absl::OkStatus();
+                });
     if (!status.ok()) return status;
     return true;
   });
@@ -101,20 +87,20 @@ py::tuple SparseMatrix(const QueryHandle& question, double radius,
     std::vector<double> values;
   };
   Csr csr = watch.Run([&]() -> absl::StatusOr<Csr> {
-    absl::Status status = RunRows(
-        rows.size(), threads, watch,
-        [&](uint64_t number, uint32_t, Checkpoint& checkpoint) -> absl::Status {
-          const absl::StatusOr<std::vector<double>> found =
-              RowOf(question, number, radius, all_targets, checkpoint);
-          if (!found.ok()) return found.status();
-          Row& row = rows[number];
-          for (size_t column = 0; column < found->size(); ++column) {
-            if (!std::isfinite((*found)[column])) continue;
-            row.columns.push_back(static_cast<int32_t>(column));
-            row.values.push_back((*found)[column]);
-          }
-          return absl::OkStatus();
-        });
+    absl::Status status =
+        RunRows(rows.size(), threads, watch,
+                [&](uint64_t number, Checkpoint& checkpoint) -> absl::Status {
+                  const absl::StatusOr<std::vector<double>> found =
+                      RowOf(question, number, radius, all_targets, checkpoint);
+                  if (!found.ok()) return found.status();
+                  Row& row = rows[number];
+                  for (size_t column = 0; column < found->size(); ++column) {
+                    if (!std::isfinite((*found)[column])) continue;
+                    row.columns.push_back(static_cast<int32_t>(column));
+                    row.values.push_back((*found)[column]);
+                  }
+                  return absl::OkStatus();
+                });
     if (!status.ok()) return status;
     Csr all;
     for (Row& row : rows) {
@@ -144,7 +130,7 @@ py::tuple Nearest(const QueryHandle& question, uint32_t count, double radius,
   watch.Run([&]() -> absl::StatusOr<bool> {
     absl::Status status = RunRows(
         static_cast<uint64_t>(sources), threads, watch,
-        [&](uint64_t row, uint32_t, Checkpoint& checkpoint) -> absl::Status {
+        [&](uint64_t row, Checkpoint& checkpoint) -> absl::Status {
           const absl::StatusOr<std::vector<double>> found =
               RowOf(question, row, radius, count, checkpoint);
           if (!found.ok()) return found.status();
@@ -168,10 +154,6 @@ py::tuple Nearest(const QueryHandle& question, uint32_t count, double radius,
   return py::make_tuple(targets, distances);
 }
 
-// So many pairs with the same source are cheaper as one field than as a search
-// each (docs/questions.md).
-constexpr size_t kPairsWorthAField = 12;
-
 // The distance from source i to target i of the query, for each i. `order` has
 // every i, those of equal sources beside each other: group g is what lies
 // between ends[g - 1] and ends[g].
@@ -182,27 +164,24 @@ py::array_t<double> Pairs(const QueryHandle& question,
   const auto order_of = order.unchecked<1>();
   const auto end_of = ends.unchecked<1>();
   std::vector<double> distances(question.query->targets.size());
-  std::vector<std::optional<TargetSearch>> searches(threads);
 
   // The distances of pairs that have the first one's source.
-  const auto ask = [&](const std::vector<size_t>& pairs, uint32_t worker,
+  const auto ask = [&](const std::vector<size_t>& pairs,
                        Checkpoint& checkpoint) -> absl::Status {
     Query query{.sources = {question.query->sources[pairs[0]]}};
     for (size_t i : pairs) query.targets.push_back(question.query->targets[i]);
     const absl::StatusOr<ValidQuery> valid =
-        ValidQuery::Make(std::move(query), *question.mesh);
+        ValidQuery::Make(std::move(query), question.mesh());
     if (!valid.ok()) return valid.status();
     std::vector<double> found;
-    if (pairs.size() >= kPairsWorthAField) {
-      absl::StatusOr<std::vector<double>> row = RowOf(
-          {question.mesh, *valid}, 0, kInfinity, pairs.size(), checkpoint);
+    if (pairs.size() >= kTargetsWorthAField) {
+      absl::StatusOr<std::vector<double>> row =
+          RowOf({question.on, *valid}, 0, kInfinity, pairs.size(), checkpoint);
       if (!row.ok()) return row.status();
       found = *std::move(row);
     } else {
-      std::optional<TargetSearch>& search = searches[worker];
-      if (!search.has_value()) search.emplace(*question.mesh);
       absl::StatusOr<TargetDistances> searched =
-          search->Run(*valid, nullptr, checkpoint);
+          question.on.searches->Run(*valid, checkpoint);
       if (!searched.ok()) return searched.status();
       found = std::move(searched->distances);
     }
@@ -214,19 +193,18 @@ py::array_t<double> Pairs(const QueryHandle& question,
   watch.Run([&]() -> absl::StatusOr<bool> {
     absl::Status status =
         RunRows(static_cast<uint64_t>(end_of.shape(0)), threads, watch,
-                [&](uint64_t row, uint32_t worker,
-                    Checkpoint& checkpoint) -> absl::Status {
+                [&](uint64_t row, Checkpoint& checkpoint) -> absl::Status {
                   const auto group = static_cast<py::ssize_t>(row);
                   std::vector<size_t> pairs;
                   for (int64_t k = group == 0 ? 0 : end_of(group - 1);
                        k < end_of(group); ++k) {
                     pairs.push_back(static_cast<size_t>(order_of(k)));
                   }
-                  if (pairs.size() >= kPairsWorthAField) {
-                    return ask(pairs, worker, checkpoint);
+                  if (pairs.size() >= kTargetsWorthAField) {
+                    return ask(pairs, checkpoint);
                   }
                   for (size_t i : pairs) {
-                    absl::Status found = ask({i}, worker, checkpoint);
+                    absl::Status found = ask({i}, checkpoint);
                     if (!found.ok()) return found;
                   }
                   return absl::OkStatus();

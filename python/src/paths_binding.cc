@@ -1,0 +1,68 @@
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "geodesic/path.h"
+#include "places.h"
+#include "solve_within.h"
+#include "subject.h"
+#include "watch.h"
+
+namespace geodesic::python {
+namespace {
+
+namespace py = pybind11;
+using PathList = std::vector<GeodesicPath>;
+
+// To few targets by a search for each, otherwise from one field.
+absl::StatusOr<PathList> FindPaths(const QueryHandle& question, double radius,
+                                   uint32_t threads, Checkpoint& checkpoint) {
+  const ValidQuery& query = question.query;
+  const size_t targets = query->targets.size();
+  if (query->algorithm == kDefaultAlgorithm && std::isinf(radius) &&
+      targets < kTargetsWorthAField) {
+    absl::StatusOr<TargetDistances> found =
+        question.on.searches->Run(query, checkpoint);
+    if (!found.ok()) return found.status();
+    return std::move(found->paths);
+  }
+  const absl::StatusOr<DistanceField> field =
+      SolveWithin(question.mesh(), query,
+                  {.radius = radius, .targets = targets}, threads, checkpoint);
+  if (!field.ok()) return field.status();
+  const absl::StatusOr<PathTracer> tracer =
+      PathTracer::Create(question.mesh(), query, *field);
+  if (!tracer.ok()) return tracer.status();
+  PathList paths;
+  for (uint32_t target = 0; target < targets; ++target) {
+    absl::StatusOr<GeodesicPath> path = tracer->ToTarget(target);
+    if (!path.ok()) return path.status();
+    paths.push_back(*std::move(path));
+  }
+  return paths;
+}
+
+// (places, positions, distance, length, source) of each target's path.
+py::list Paths(const QueryHandle& question, double radius, uint32_t threads,
+               py::object progress) {
+  Watch watch(std::move(progress));
+  PathList paths =
+      watch.Run([&] { return FindPaths(question, radius, threads, watch); });
+  py::list result;
+  for (GeodesicPath& path : paths) {
+    result.append(py::make_tuple(ToPlaceArrays(path.points),
+                                 ToArray(std::move(path.positions)),
+                                 path.distance, path.length, path.source));
+  }
+  return result;
+}
+
+}  // namespace
+
+void BindPaths(py::module_& module) { module.def("paths", &Paths); }
+
+}  // namespace geodesic::python
