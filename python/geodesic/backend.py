@@ -78,6 +78,10 @@ class Backend(Protocol):
 
     def where(self) -> str: ...
 
+    def with_faces(self, faces: np.ndarray) -> "Backend":
+        """A mesh of the same vertices at the same place."""
+        ...
+
     def field(self, sources: Sources, targets: Places, radius: float,
               stop_after_targets: Optional[int], labels: bool, gradients: bool,
               options: Options) -> FieldAnswer: ...

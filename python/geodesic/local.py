@@ -51,6 +51,9 @@ class LocalBackend:
     def where(self) -> str:
         return "in this process"
 
+    def with_faces(self, faces: np.ndarray) -> "LocalBackend":
+        return LocalBackend(_core.Mesh(self.vertices(), faces))
+
     def _query(self, sources: Sources, targets: Optional[Places],
                options: Options, trace: bool = False) -> _core.Query:
         return _core.Query(

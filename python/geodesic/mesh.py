@@ -12,10 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, inputs
+from .asynchronous import AsyncMesh
 from .backend import Backend, Options
 from .errors import InvalidArgument
 from .local import LocalBackend
-from .places import FacePoint, Places, Source, SurfacePoint, to_places, to_sources
+from .places import (Curve, FacePoint, Places, Source, SurfacePoint,
+                     to_numbers, to_places, to_sources)
 from .progress import ProgressOption, reporting
 from .results import Field, Isoline, LogMap, Path
 from .surface import FaceFinder, PointFinder
@@ -41,6 +43,19 @@ def _radius(radius: Optional[float]) -> float:
     if not radius >= 0:
         raise InvalidArgument(f"radius is {radius}, which is no distance")
     return radius
+
+
+def _mask(values: Optional[ArrayLike], name: str, count: int) -> np.ndarray:
+    """Which of `count` are named, by numbers or by a mask; bool (count,)."""
+    mask = np.zeros(count, bool)
+    if values is not None and np.size(values):
+        numbers = to_numbers(np.asarray(values), name, count)
+        if numbers.max() >= count:
+            first = int(np.argmax(numbers >= count))
+            raise InvalidArgument(f"{name}[{first}] is {numbers[first]}, but the "
+                                  f"mesh has {count}, numbered from 0")
+        mask[numbers] = True
+    return mask
 
 
 class Mesh:
@@ -101,12 +116,14 @@ class Mesh:
             mesh = _core.Mesh(inputs.to_vertices(vertices),
                               inputs.to_faces(faces))
         self._backend: Backend = LocalBackend(mesh)
+        self.kept_faces: Optional[NDArray[np.int64]] = None
 
     @classmethod
     def _on(cls, backend: Backend) -> "Mesh":
         """A mesh whose questions another place answers."""
         mesh = cls.__new__(cls)
         mesh._backend = backend
+        mesh.kept_faces = None
         return mesh
 
     def __repr__(self) -> str:
@@ -152,6 +169,30 @@ class Mesh:
         components, isolated_vertices, non_manifold_edges, degenerate_faces, its
         genus, bounding_box_min and _max, mean_edge_length, anisotropy."""
         return self._backend.facts()
+
+    def without(self, vertices: Optional[ArrayLike] = None,
+                faces: Optional[ArrayLike] = None) -> "Mesh":
+        """The mesh with a part left out, such as a cortex's medial wall.
+
+            cortex = mesh.without(medial_wall)      # bool (V,), or numbers
+
+        Args:
+            vertices: numbers or a mask (V,); their faces go.
+            faces: numbers or a mask (F,).
+
+        Returns:
+            A mesh whose vertices have the same numbers; those left out have no
+            faces, so nothing leads there. Faces are numbered anew: `kept_faces`
+            has their numbers in this mesh.
+        """
+        gone = _mask(faces, "faces", self.n_faces)
+        gone |= np.any(
+            _mask(vertices, "vertices", self.n_vertices)[self.faces], axis=1)
+        if gone.all():
+            raise InvalidArgument("no face is left")
+        rest = Mesh._on(self._backend.with_faces(self.faces[~gone]))
+        rest.kept_faces = np.flatnonzero(~gone)
+        return rest
 
     # Questions.
 
@@ -496,6 +537,27 @@ class Mesh:
             return self._point_finder.nearest(points)[0]
         return [self._point_finder.nearest(point)[0] for point in points]
 
+    def curve(self, places: OneOrManyPlaces, *, closed: bool = False) -> Curve:
+        """A curve through places that need not share faces: shortest paths from
+        each to the next.
+
+            d = mesh.distances(mesh.curve([0, 99, 7]))
+            d = mesh.distances(mesh.curve(mesh.nearest_point(drawn_in_space)))
+        """
+        stops = list(self._places(places, "places"))
+        if len(stops) < 2:
+            raise InvalidArgument("a curve has at least two places")
+        if closed:
+            stops.append(stops[0])
+        points: List[SurfacePoint] = stops[:1]
+        for i, (start, end) in enumerate(zip(stops, stops[1:])):
+            path = self.path(start, end)
+            if len(path) == 0:
+                raise InvalidArgument(
+                    f"no path leads from places[{i}] to the next")
+            points += path.places[1:]
+        return Curve(points)
+
     def positions(self, places: OneOrManyPlaces) -> NDArray[np.float64]:
         """Where places lie in space, (N, 3)."""
         points = to_places(places, "places", self.n_vertices)
@@ -517,6 +579,11 @@ class Mesh:
         geodesic.plotting.plot."""
         from . import plotting
         return plotting.plot(self, values, **options)
+
+    @property
+    def aio(self) -> "AsyncMesh":
+        """The same methods to await: d = await mesh.aio.distances(0)."""
+        return AsyncMesh(self)
 
     @functools.cached_property
     def _face_finder(self) -> FaceFinder:

@@ -117,13 +117,14 @@ def _number(value: Any, name: str) -> int:
     return int(value)
 
 
-def _vertex_numbers(values: np.ndarray, name: str, vertex_count: int,
-                    ) -> np.ndarray:
+def to_numbers(values: np.ndarray, name: str, count: int) -> np.ndarray:
+    """Numbers of vertices or faces, of which there are `count`, from numbers or
+    a mask, (N,). Numbers may still be beyond the mesh."""
     if values.dtype == np.bool_:
-        if values.shape != (vertex_count,):
+        if values.shape != (count,):
             raise InvalidArgument(
                 f"{name} is a mask of shape {values.shape}; one for this mesh "
-                f"has shape ({vertex_count},)")
+                f"has shape ({count},)")
         return np.flatnonzero(values)
     if values.dtype.kind == "f":
         raise InvalidArgument(
@@ -131,15 +132,15 @@ def _vertex_numbers(values: np.ndarray, name: str, vertex_count: int,
             "are integers. For points in space use mesh.nearest_point(xyz)")
     if values.dtype.kind not in "iu":
         raise InvalidArgument(f"{name} is an array of {values.dtype}, which are "
-                              "no vertex numbers")
+                              "no numbers")
     values = np.atleast_1d(values)
     if values.ndim != 1:
         raise InvalidArgument(
-            f"{name} has shape {values.shape}; vertex numbers come as (N,)")
+            f"{name} has shape {values.shape}; numbers come as (N,)")
     wrong = np.flatnonzero((values < 0) | (values > _LARGEST))
     if wrong.size:
         raise InvalidArgument(f"{name}[{wrong[0]}] is {values[wrong[0]]}: "
-                              "vertices are numbered from 0")
+                              "vertices and faces are numbered from 0")
     return values
 
 
@@ -151,7 +152,7 @@ def _as_list(value: Any, name: str, vertex_count: int,
              ) -> Union[np.ndarray, List[Any]]:
     """An array of vertex numbers, or a list of places."""
     if isinstance(value, np.ndarray):
-        return _vertex_numbers(value, name, vertex_count)
+        return to_numbers(value, name, vertex_count)
     if _is_one(value):
         return [value]
     if isinstance(value, (str, bytes)):
@@ -163,9 +164,9 @@ def _as_list(value: Any, name: str, vertex_count: int,
             f"{name} is {value!r}; a place is a vertex number, an EdgePoint or a "
             "FacePoint") from None
     if items and all(isinstance(item, numbers.Integral) for item in items):
-        return _vertex_numbers(np.array(items), name, vertex_count)
+        return to_numbers(np.array(items), name, vertex_count)
     if any(isinstance(item, (float, np.ndarray)) for item in items):
-        return _vertex_numbers(np.asarray(items), name, vertex_count)
+        return to_numbers(np.asarray(items), name, vertex_count)
     return items
 
 

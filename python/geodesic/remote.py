@@ -169,11 +169,14 @@ class RemoteBackend:
 
     def __init__(self, stubs: Stubs, mesh: mesh_pb2.Mesh,
                  arrays: Optional[Tuple[np.ndarray, np.ndarray]],
-                 upload: Optional[Callable[[], mesh_pb2.Mesh]]) -> None:
+                 upload: Optional[Callable[[], mesh_pb2.Mesh]],
+                 of_arrays: Callable[[np.ndarray, np.ndarray],
+                                     "RemoteBackend"]) -> None:
         self._stubs = stubs
         self._mesh = mesh
         self._arrays = arrays
         self._upload = upload
+        self._of_arrays = of_arrays
         self.vertex_count: int = mesh.vertex_count
         self.face_count: int = mesh.face_count
 
@@ -182,6 +185,9 @@ class RemoteBackend:
 
     def where(self) -> str:
         return "at " + self._stubs.address
+
+    def with_faces(self, faces: np.ndarray) -> "RemoteBackend":
+        return self._of_arrays(self.vertices(), faces)
 
     def facts(self) -> Dict[str, Any]:
         mesh = self._resident(lambda: self._stubs.call(

@@ -100,14 +100,15 @@ class Service:
         else:
             positions = inputs.to_vertices(vertices)
             triangles = inputs.to_faces(faces)
-        return self._arrays(positions, triangles)
+        return Mesh._on(self._arrays(positions, triangles))
 
     def open(self, digest: str) -> Mesh:
         """A mesh that the service has, by its name."""
         found = self._stubs.call(
             self._stubs.meshes.GetMesh,
             mesh_service_pb2.GetMeshRequest(digest=digest)).mesh
-        return Mesh._on(RemoteBackend(self._stubs, found, None, None))
+        return Mesh._on(
+            RemoteBackend(self._stubs, found, None, None, self._arrays))
 
     def meshes(self) -> List[str]:
         """The names of the meshes that the service has."""
@@ -128,7 +129,8 @@ class Service:
         self._stubs.call(self._stubs.meshes.DeleteMesh,
                          mesh_service_pb2.DeleteMeshRequest(digest=digest))
 
-    def _arrays(self, positions: np.ndarray, triangles: np.ndarray) -> Mesh:
+    def _arrays(self, positions: np.ndarray,
+                triangles: np.ndarray) -> RemoteBackend:
         wrong = np.argwhere((triangles < 0) | (triangles >= 2**32))
         if wrong.size:
             face, corner = wrong[0]
@@ -158,8 +160,8 @@ class Service:
         mesh = upload() if missing else self._stubs.call(
             self._stubs.meshes.GetMesh,
             mesh_service_pb2.GetMeshRequest(digest=digest)).mesh
-        return Mesh._on(
-            RemoteBackend(self._stubs, mesh, (kept, numbers), upload))
+        return RemoteBackend(self._stubs, mesh, (kept, numbers), upload,
+                             self._arrays)
 
     def _file(self, path: pathlib.Path) -> Mesh:
         if path.suffix.lower() not in _FORMATS:
@@ -181,7 +183,8 @@ class Service:
             self._stubs.meshes.GetMesh,
             mesh_service_pb2.GetMeshRequest(
                 digest=known[0].mesh_digest)).mesh if known else upload()
-        return Mesh._on(RemoteBackend(self._stubs, mesh, None, upload))
+        return Mesh._on(
+            RemoteBackend(self._stubs, mesh, None, upload, self._arrays))
 
     def _upload(self, header: mesh_service_pb2.UploadHeader,
                 arrays: Tuple[np.ndarray, ...]) -> mesh_pb2.Mesh:

@@ -22,6 +22,7 @@ import distances_test  # noqa: E402
 import geodesic_service  # noqa: E402
 import meshes  # noqa: E402
 import numpy as np  # noqa: E402
+import parts_test  # noqa: E402
 import questions_test  # noqa: E402
 import relay  # noqa: E402
 import tolerances  # noqa: E402
@@ -64,6 +65,10 @@ class RemoteDistancesTest(ServedTest, distances_test.DistancesTest):
 
 
 class RemoteQuestionsTest(ServedTest, questions_test.QuestionsTest):
+    pass
+
+
+class RemotePartsTest(ServedTest, parts_test.PartsTest):
     pass
 
 
@@ -294,7 +299,8 @@ class SecuredTest(unittest.TestCase):
 
 
 # The tests of this process have run.
-del distances_test.DistancesTest, questions_test.QuestionsTest
+del distances_test.DistancesTest, parts_test.PartsTest
+del questions_test.QuestionsTest
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
