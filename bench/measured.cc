@@ -3,7 +3,9 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 
 namespace geodesic {
@@ -28,6 +30,23 @@ absl::Status WriteField(const std::string& path,
              static_cast<std::streamsize>(values.size() * sizeof(double)));
   if (!file.flush()) return absl::UnavailableError("cannot write " + path);
   return absl::OkStatus();
+}
+
+RelativeErrors CompareDistances(const std::vector<double>& distances,
+                                const std::vector<double>& exact) {
+  RelativeErrors errors;
+  uint64_t count = 0;
+  for (size_t v = 0; v < exact.size(); ++v) {
+    if (exact[v] == 0 || (std::isinf(exact[v]) && std::isinf(distances[v]))) {
+      continue;
+    }
+    const double error = std::abs(distances[v] / exact[v] - 1);
+    errors.mean += error;
+    errors.largest = std::max(errors.largest, error);
+    ++count;
+  }
+  if (count > 0) errors.mean /= static_cast<double>(count);
+  return errors;
 }
 
 }  // namespace geodesic

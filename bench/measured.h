@@ -20,6 +20,16 @@ double PeakRssMb();
 absl::Status WriteField(const std::string& path,
                         const std::vector<double>& values);
 
+struct RelativeErrors {
+  double mean = 0;
+  double largest = 0;
+};
+
+// Over the distances that are finite and not 0. Infinite if the two differ in
+// which are finite. REQUIRES: as many of both.
+RelativeErrors CompareDistances(const std::vector<double>& distances,
+                                const std::vector<double>& exact);
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_BENCH_MEASURED_H_

@@ -21,6 +21,7 @@
 #include "bench/measured.h"
 #include "bench/question_options.h"
 #include "bench/solve_approximate.h"
+#include "bench/solve_graph_pairs.h"
 #include "bench/solve_pairs.h"
 #include "geodesic/mesh.h"
 
@@ -50,8 +51,13 @@ absl::Status Run(const Options& options) {
   if (!mesh.ok()) return mesh.status();
   const double setup_seconds = SecondsSince(start);
   if (ApproximateMethodFromName(options.question.algorithm).ok()) {
+    if (options.pairs.target.has_value() || options.pairs.pairs > 0) {
+      return SolveGraphPairs(**mesh, options.question, options.approximate,
+                             options.threads, options.pairs);
+    }
     return SolveApproximate(**mesh, setup_seconds, options.question,
-                            options.approximate, options.output);
+                            options.approximate, options.threads,
+                            options.output);
   }
   const absl::StatusOr<Algorithm> algorithm =
       AlgorithmFromName(options.question.algorithm);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -16,38 +17,29 @@
 namespace geodesic {
 namespace {
 
-struct Errors {
-  double mean = 0;
-  double largest = 0;
-};
-
-// Relative, over the vertices that are reached and are no source. Infinite if
-// the two differ in which vertices are reached.
-Errors Compare(const std::vector<double>& distances,
-               const std::vector<double>& exact) {
-  Errors errors;
-  uint64_t count = 0;
-  for (size_t v = 0; v < exact.size(); ++v) {
-    if (exact[v] == 0 || (std::isinf(exact[v]) && std::isinf(distances[v]))) {
-      continue;
-    }
-    const double error = std::abs(distances[v] / exact[v] - 1);
-    errors.mean += error;
-    errors.largest = std::max(errors.largest, error);
-    ++count;
-  }
-  if (count > 0) errors.mean /= static_cast<double>(count);
-  return errors;
-}
-
-// Which methods take an option; the exact algorithms take none of these.
-struct OptionOfMethods {
-  std::string_view option;
+// Who takes an option.
+struct OptionTakers {
+  const char* option;
+  bool exact;
   std::vector<ApproximateMethod> methods;
 };
-const std::vector<OptionOfMethods>& OptionsOfMethods() {
-  static const auto& kOptions = *new std::vector<OptionOfMethods>{};
-  return kOptions;
+
+std::vector<OptionTakers> AllTakers() {
+  using enum ApproximateMethod;
+  return {{"--threads", true, {kSvg}},
+          {"--bucket-width", true, {}},
+          {"--max-batch", true, {}},
+          {"--fixed-batch", true, {}},
+          {"--target", true, {kSvg}},
+          {"--pairs", true, {kSvg}},
+          {"--landmarks", true, {kSvg}},
+          {"--seed", true, {kSvg}},
+          {"--compare", true, {}},
+          {"--lambda", false, {kHeat}},
+          {"--no-intrinsic-delaunay", false, {kHeat}},
+          {"--k", false, {kSvg}},
+          {"--build-with", false, {kSvg}},
+          {"--errors", false, {kFmm, kFmmUntidy, kHeat, kSvg}}};
 }
 
 }  // namespace
@@ -68,6 +60,16 @@ void AddApproximateOptions(CLI::App& app, ApproximateOptions& options) {
   app.add_flag("!--no-intrinsic-delaunay",
                options.method.heat.intrinsic_delaunay,
                "heat: use the mesh's own edges");
+  app.add_option("--k", options.method.svg.neighbours,
+                 "svg: vertices looked at around each vertex")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--build-with", options.method.svg.builder,
+                 "svg: whose windows find the arcs")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, SaddleGraphBuilder>{
+              {"fwp", SaddleGraphBuilder::kFwp},
+              {"ich", SaddleGraphBuilder::kIch}}));
   app.add_flag("--errors", options.errors,
                "also solve exactly, and print the mean and the largest "
                "relative error");
@@ -77,23 +79,14 @@ absl::Status CheckCombination(const CLI::App& app,
                               const std::string& algorithm) {
   const absl::StatusOr<ApproximateMethod> method =
       ApproximateMethodFromName(algorithm);
-  const auto refuse = [&](std::string_view option) {
-    return absl::InvalidArgumentError(
-        absl::StrCat(std::string(option), " is no option of ", algorithm));
-  };
-  for (const auto& [option, methods] : OptionsOfMethods()) {
-    if (app.count(std::string(option)) == 0) continue;
-    if (!method.ok() || std::ranges::find(methods, *method) == methods.end()) {
-      return refuse(option);
+  for (const auto& [option, exact, methods] : AllTakers()) {
+    const bool is_taken =
+        method.ok() ? std::ranges::find(methods, *method) != methods.end()
+                    : exact;
+    if (!is_taken && app.count(option) > 0) {
+      return absl::InvalidArgumentError(
+          absl::StrCat(option, " is no option of ", algorithm));
     }
-  }
-  if (!method.ok()) {
-    return app.count("--errors") > 0 ? refuse("--errors") : absl::OkStatus();
-  }
-  for (const std::string_view exact :
-       {"--threads", "--bucket-width", "--max-batch", "--fixed-batch",
-        "--target", "--pairs", "--landmarks", "--seed", "--compare"}) {
-    if (app.count(std::string(exact)) > 0) return refuse(exact);
   }
   return absl::OkStatus();
 }
@@ -101,7 +94,7 @@ absl::Status CheckCombination(const CLI::App& app,
 absl::Status SolveApproximate(const Mesh& mesh, double setup_seconds,
                               const QuestionOptions& question,
                               const ApproximateOptions& options,
-                              const std::string& output) {
+                              uint32_t threads, const std::string& output) {
   const absl::StatusOr<ApproximateMethod> method =
       ApproximateMethodFromName(question.algorithm);
   if (!method.ok()) return method.status();
@@ -109,9 +102,11 @@ absl::Status SolveApproximate(const Mesh& mesh, double setup_seconds,
       ValidQuery::Make({.sources = {{VertexPoint{question.source}}}}, mesh);
   if (!query.ok()) return query.status();
   NoCheckpoint checkpoint;
+  MethodOptions method_options = options.method;
+  method_options.svg.threads = threads;
   const auto start = std::chrono::steady_clock::now();
   const absl::StatusOr<std::shared_ptr<const PreparedMethod>> prepared =
-      PrepareMethod(mesh, *method, options.method, checkpoint);
+      PrepareMethod(mesh, *method, method_options, checkpoint);
   if (!prepared.ok()) return prepared.status();
   const double prepare_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
@@ -145,7 +140,8 @@ absl::Status SolveApproximate(const Mesh& mesh, double setup_seconds,
     const absl::StatusOr<DistanceField> exact =
         Solve(mesh, *query, {}, checkpoint);
     if (!exact.ok()) return exact.status();
-    const Errors errors = Compare(field.distances, exact->distances);
+    const RelativeErrors errors =
+        CompareDistances(field.distances, exact->distances);
     line["mean_error"] = errors.mean;
     line["max_error"] = errors.largest;
   }

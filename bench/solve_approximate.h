@@ -5,6 +5,7 @@
 #define GEODESIC_BENCH_SOLVE_APPROXIMATE_H_
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,12 @@ void AddApproximateOptions(CLI::App& app, ApproximateOptions& options);
 absl::Status CheckCombination(const CLI::App& app,
                               const std::string& algorithm);
 
-// Writes the field to `output` unless that is empty, and prints a line of JSON.
+// Prepares the method, with so many threads where it takes them, writes the
+// field to `output` unless that is empty, and prints a line of JSON.
 absl::Status SolveApproximate(const Mesh& mesh, double setup_seconds,
                               const QuestionOptions& question,
                               const ApproximateOptions& options,
-                              const std::string& output);
+                              uint32_t threads, const std::string& output);
 
 }  // namespace geodesic
 

@@ -195,6 +195,11 @@ inline constexpr double kMollified = 1e-5;
 // minus this, or rounding would turn edges of squares to and fro.
 inline constexpr double kNotDelaunay = 1e-9;
 
+// Arcs of the saddle vertex graph are rounded to single precision, by 6e-8 of
+// them at the most. A directed search goes on until what is pending exceeds the
+// distance of its target by this fraction.
+inline constexpr double kArcRounding = 2e-7;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_

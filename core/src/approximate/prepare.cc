@@ -15,6 +15,8 @@ absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(
       return FastMarching::Prepare(mesh, MarchingQueue::kUntidy, checkpoint);
     case ApproximateMethod::kHeat:
       return HeatMethod::Prepare(mesh, options.heat, checkpoint);
+    case ApproximateMethod::kSvg:
+      return SaddleVertexGraph::Prepare(mesh, options.svg, checkpoint);
   }
   return absl::InternalError("no such approximate method");
 }

@@ -1,6 +1,7 @@
 #include "geodesic/landmarks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -137,17 +138,23 @@ double Landmarks::LowerBound(uint32_t v, const Place& place) const {
   const Row& row = rows_[v];
   // A landmark in another part of the mesh is infinitely far from both, and
   // tells nothing: NaN is not greater.
-  float bound = 0;
+  std::array<float, kMost> bounds;
   for (uint32_t l = 0; l < kMost; ++l) {
     const float distance = row.distances[l];
     const float before = place.low[l] * (1 - kLandmarkRounding) -
                          distance * (1 + kLandmarkRounding);
     const float beyond = distance * (1 - kLandmarkRounding) -
                          place.high[l] * (1 + kLandmarkRounding);
-    bound = before > bound ? before : bound;
-    bound = beyond > bound ? beyond : bound;
+    const float bound = before > 0 ? before : 0;
+    bounds[l] = beyond > bound ? beyond : bound;
   }
-  return bound;
+  // By halves, for which processors have instructions.
+  for (uint32_t half = kMost / 2; half > 0; half /= 2) {
+    for (uint32_t l = 0; l < half; ++l) {
+      bounds[l] = bounds[l + half] > bounds[l] ? bounds[l + half] : bounds[l];
+    }
+  }
+  return bounds[0];
 }
 
 absl::StatusOr<Landmarks> MakeLandmarks(const Mesh& mesh, uint32_t count,

@@ -48,6 +48,29 @@ struct NoGoal {
   static constexpr bool kDirects = false;
 };
 
+// For computations that head for what is near: windows and vertices wait with
+// their label, those beyond the limit not at all.
+struct NearEdge {
+  double limit;
+};
+
+inline double KeyOf(const Window&, double label, double, const NearEdge& edge) {
+  return label <= edge.limit ? label : std::numeric_limits<double>::infinity();
+}
+
+class NearGoal {
+ public:
+  static constexpr bool kDirects = true;
+
+  double Bound(uint32_t) const { return 0; }
+  double limit() const { return limit_; }
+  void set_limit(double limit) { limit_ = limit; }
+  NearEdge At(uint32_t, uint32_t) const { return {limit_}; }
+
+ private:
+  double limit_ = std::numeric_limits<double>::infinity();
+};
+
 // For one thread. Bounds are computed for vertices that are asked about only.
 class Goal {
  public:

@@ -16,12 +16,16 @@ namespace geodesic {
 
 // The one list of approximate methods. An entry holds the enumerator, the name
 // in command lines and messages, and a summary.
-#define GEODESIC_APPROXIMATE_METHODS(X)                                 \
-  X(Fmm, "fmm",                                                         \
-    "Fast marching: planar fronts from face to face, in a binary heap") \
-  X(FmmUntidy, "fmm-untidy",                                            \
-    "Fast marching in buckets that are not sorted inside")              \
-  X(Heat, "heat", "The heat method: two sparse linear systems, factorized once")
+#define GEODESIC_APPROXIMATE_METHODS(X)                                     \
+  X(Fmm, "fmm",                                                             \
+    "Fast marching: planar fronts from face to face, in a binary heap")     \
+  X(FmmUntidy, "fmm-untidy",                                                \
+    "Fast marching in buckets that are not sorted inside")                  \
+  X(Heat, "heat",                                                           \
+    "The heat method: two sparse linear systems, factorized once")          \
+  X(Svg, "svg",                                                             \
+    "The saddle vertex graph: Dijkstra over direct geodesics between near " \
+    "vertices")
 
 enum class ApproximateMethod {
 #define GEODESIC_ENUMERATOR(id, ...) k##id,

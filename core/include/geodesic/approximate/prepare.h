@@ -9,6 +9,7 @@
 #include "geodesic/approximate/heat_method.h"
 #include "geodesic/approximate/method.h"
 #include "geodesic/approximate/prepared_method.h"
+#include "geodesic/approximate/saddle_vertex_graph.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
 
@@ -17,6 +18,7 @@ namespace geodesic {
 // What methods can be told; each reads its own part.
 struct MethodOptions {
   HeatOptions heat;
+  SaddleGraphOptions svg;
 };
 
 // Errors: as the method's own Prepare.

@@ -115,6 +115,17 @@ class ChenHanRule {
     }
   }
 
+  // Forgets all windows. O(half-edges whose apex was reached).
+  // REQUIRES: the front has a goal; no window is left (Drop).
+  void Clear() {
+    for (const HalfEdge h : touched_) best_[h] = {};
+    touched_.clear();
+    holds_anchors_ = false;
+    reach_.reset();
+  }
+  // Frees window `id`, which will not be propagated.
+  void Drop(uint32_t id) { pool_.Free(id); }
+
   // Propagates window `id` across its face and frees it. False if the window
   // turned out to be useless: it does not count as propagated.
   bool Propagate(uint32_t id) {
@@ -170,6 +181,9 @@ class ChenHanRule {
     const bool goes_left = !is_worse || lean > best.lean - kSameRay;
     const bool goes_right = !is_worse || lean < best.lean + kSameRay;
     if (at_apex < best.distance && !front_.MayBePassedBy(pseudo_source)) {
+      if constexpr (Front::Goal::kDirects) {
+        if (std::isinf(best.distance)) touched_.push_back(h);
+      }
       best = {at_apex, lean};
       holds_anchors_ |= pseudo_source >= mesh_.vertex_count();
     }
@@ -199,7 +213,8 @@ class ChenHanRule {
   uint64_t pending() const { return pool_.live(); }
   uint64_t peak_windows() const { return pool_.peak(); }
   uint64_t bytes() const {
-    return pool_.bytes() + best_.capacity() * sizeof(Best);
+    return pool_.bytes() + best_.capacity() * sizeof(Best) +
+           touched_.capacity() * sizeof(HalfEdge);
   }
 
  private:
@@ -239,9 +254,13 @@ class ChenHanRule {
            Depth depth) {
     ++created_;
     front_.Observe(half_edge, window, pseudo_source);
+    const double key = front_.KeyOf(half_edge, window, window.Label());
+    if constexpr (Front::Goal::kDirects) {
+      if (std::isinf(key)) return;
+    }
     front_.queue().Push(pool_.Allocate({window.interval, window.origin,
                                         half_edge, pseudo_source, depth}),
-                        window.Label());
+                        key);
   }
   // Adds a child of `parent`, which leaves the face across `side`, in every
   // face beyond it.
@@ -301,7 +320,8 @@ class ChenHanRule {
   Front& front_;
   const Mesh& mesh_;
   WindowPool<Entry> pool_;
-  std::vector<Best> best_;  // one per half-edge
+  std::vector<Best> best_;         // one per half-edge
+  std::vector<HalfEdge> touched_;  // those that are known; with a goal only
   // Whether some of them are of sources that are no vertex.
   bool holds_anchors_ = false;
   // No point is farther than this; set by the first window of a start. Not if

@@ -130,7 +130,7 @@ class FaceCrossing {
     const uint32_t from = mesh_.From(side.half_edge);
     const uint32_t to = mesh_.To(side.half_edge);
     // Seen from beyond, the edge runs the other way.
-    const EdgeGoal goal = front_.goal().At(to, from);
+    const auto goal = front_.goal().At(to, from);
     for (size_t i = 0; i < children_.size; ++i) {
       labels_[i] = KeyOf(children_.At(i), labels_[i], side.length, goal);
     }

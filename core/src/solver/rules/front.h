@@ -107,6 +107,8 @@ class Front {
            mesh_.HasNonManifoldEdges();
   }
   uint64_t reached() const { return reached_; }
+  // The vertices that are; with a goal only.
+  std::span<const uint32_t> reached_list() const { return reached_list_; }
   uint64_t bytes() const {
     return distances_.capacity() * sizeof(double) + states_.capacity() +
            arrivals_.capacity() * sizeof(Arrival) + targets_.bytes() +
@@ -534,7 +536,7 @@ class Front {
   std::vector<IncomingRay> incoming_;
   bool has_free_anchor_ = false;  // one that is not a vertex
   uint64_t reached_ = 0;
-  std::vector<uint32_t> reached_list_;  // for Restart; with a goal only
+  std::vector<uint32_t> reached_list_;  // with a goal only
 };
 
 // A sink for Front::AddAnchor and Front::Expand: what they find is applied at
