@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import inspect
 import threading
-from typing import TYPE_CHECKING, Any, AsyncIterator, Callable, Tuple
+from typing import TYPE_CHECKING, Any, AsyncIterator, Callable, Optional, Tuple
 
 import numpy as np
 
@@ -63,6 +63,9 @@ class AsyncMesh:
     async def progressive(self, *arguments: Any, **options: Any,
                           ) -> AsyncIterator[Tuple[np.ndarray, np.ndarray]]:
         parts = self._mesh.progressive(*arguments, **options)
-        end = object()
-        while (part := await asyncio.to_thread(next, parts, end)) is not end:
+
+        def take() -> Optional[Tuple[np.ndarray, np.ndarray]]:
+            return next(parts, None)
+
+        while (part := await asyncio.to_thread(take)) is not None:
             yield part

@@ -11,7 +11,7 @@ def mesh_digest(vertices: np.ndarray, faces: np.ndarray) -> str:
     """The sha-256 of a mesh's arrays: float64 (V, 3), and (F, 3) of 32 bits."""
     name = hashlib.sha256(b"geodesic.mesh.v1\n")
     name.update(np.array([len(vertices), len(faces)], "<u8").tobytes())
-    name.update(np.ascontiguousarray(vertices.astype("<f8", copy=False)))
+    name.update(np.ascontiguousarray(vertices.astype("<f8", copy=False)).data)
     name.update(np.ascontiguousarray(
-        faces.astype(faces.dtype.newbyteorder("<"), copy=False)))
+        faces.astype(faces.dtype.newbyteorder("<"), copy=False)).data)
     return name.hexdigest()

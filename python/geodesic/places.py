@@ -111,10 +111,11 @@ def _number(value: Any, name: str) -> int:
             value, numbers.Integral):
         raise InvalidArgument(f"{name} is {value!r}, which is no number of a "
                               "vertex or face")
-    if not 0 <= value <= _LARGEST:
+    number = int(value)
+    if not 0 <= number <= _LARGEST:
         raise InvalidArgument(
-            f"{name} is {value}: vertices and faces are numbered from 0")
-    return int(value)
+            f"{name} is {number}: vertices and faces are numbered from 0")
+    return number
 
 
 def to_numbers(values: np.ndarray, name: str, count: int) -> np.ndarray:

@@ -48,12 +48,10 @@ def plot(mesh: "Mesh", values: Optional[ArrayLike] = None, *,
         raise InvalidArgument(
             f"backend is {backend!r}; there are 'pyvista' and 'matplotlib'")
     try:
-        import matplotlib
+        import matplotlib  # noqa: F401
     except ImportError:
         raise ImportError("mesh.plot draws with PyVista or matplotlib; neither "
                           "is installed") from None
-    if file is not None:
-        matplotlib.use("Agg", force=False)
     return _with_matplotlib(mesh, values, lines, view, file, title, cmap)
 
 
@@ -91,9 +89,11 @@ def _segments(line):
 
 def _with_matplotlib(mesh, values, lines, view, file, title, cmap):
     """Faces and lines from back to front, with a light from the viewer."""
-    from matplotlib import pyplot
+    import matplotlib
+    from matplotlib.cm import ScalarMappable
     from matplotlib.collections import PolyCollection
     from matplotlib.colors import Normalize
+    from matplotlib.figure import Figure
 
     axes_of = {"xy": (0, 1, 2, 1), "xz": (0, 2, 1, -1), "yz": (1, 2, 0, 1)}
     plane = view.lstrip("-")
@@ -113,15 +113,20 @@ def _with_matplotlib(mesh, values, lines, view, file, title, cmap):
     lengths = np.linalg.norm(normals, axis=1)
     light = np.abs(normals[:, 2]) / np.where(lengths > 0, lengths, 1)
     colours = np.full((mesh.n_faces, 3), 0.7)
-    figure, axes = pyplot.subplots(figsize=(8, 6))
+    if file is None:
+        from matplotlib import pyplot
+        figure, axes = pyplot.subplots(figsize=(8, 6))
+    else:  # needs no display, and leaves pyplot's as it is
+        figure = Figure(figsize=(8, 6))
+        axes = figure.subplots()
     if values is not None:
         of_faces = values[mesh.faces].mean(axis=1)
         shown = np.isfinite(of_faces)
         if shown.any():
             scale = Normalize(of_faces[shown].min(), of_faces[shown].max())
-            colour_map = pyplot.get_cmap(cmap)
+            colour_map = matplotlib.colormaps[cmap]
             colours[shown] = colour_map(scale(of_faces[shown]))[:, :3]
-            figure.colorbar(pyplot.cm.ScalarMappable(scale, colour_map), ax=axes,
+            figure.colorbar(ScalarMappable(scale, colour_map), ax=axes,
                             label="distance", shrink=0.8)
     colours *= (0.35 + 0.65 * light)[:, None]
 
@@ -147,5 +152,4 @@ def _with_matplotlib(mesh, values, lines, view, file, title, cmap):
         pyplot.show()
     else:
         figure.savefig(file, dpi=150, bbox_inches="tight")
-        pyplot.close(figure)
     return axes

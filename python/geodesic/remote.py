@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import time
 from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
@@ -508,8 +509,7 @@ class RemoteBackend:
                     pair_service_pb2.PointPair(source=a, target=b)
                     for a, b in zip(surface_points(sources[some]),
                                     surface_points(targets[some])))
-            self._resident(lambda first=first, request=request: read(
-                first, request))
+            self._resident(functools.partial(read, first, request))
         return distances
 
     def samples(self, sources: Sources, count: int, options: Options,

@@ -169,7 +169,7 @@ class Service:
                                   ", ".join(_FORMATS))
         data = np.frombuffer(path.read_bytes(), np.uint8)
         file = mesh_pb2.FileDigest(format=_FORMATS[path.suffix.lower()],
-                                   sha256=hashlib.sha256(data).hexdigest())
+                                   sha256=hashlib.sha256(data.data).hexdigest())
 
         def upload() -> mesh_pb2.Mesh:
             return self._upload(
@@ -207,7 +207,7 @@ def _upload_messages(header: mesh_service_pb2.UploadHeader,
     yield mesh_service_pb2.CreateMeshRequest(header=header)
     sent = 0
     for array in arrays:
-        data = memoryview(array.reshape(-1)).cast("B")
+        data = array.reshape(-1).data.cast("B")
         for at in range(0, len(data), _CHUNK_BYTES):
             chunk = bytes(data[at:at + _CHUNK_BYTES])
             yield mesh_service_pb2.CreateMeshRequest(

@@ -144,6 +144,6 @@ class PointFinder:
         weights, squared = nearest_on_faces(
             point, self._vertices[self._faces[candidates]])
         best = int(np.argmin(squared))
-        return (FacePoint(int(candidates[best]),
-                          tuple(float(w) for w in weights[best])),
+        first, second, third = weights[best].tolist()
+        return (FacePoint(int(candidates[best]), (first, second, third)),
                 float(np.sqrt(squared[best])))
