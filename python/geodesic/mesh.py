@@ -327,7 +327,7 @@ class Mesh:
                                   f"{len(ends)} targets: pairs need as many")
         if len(starts) == 0:
             return np.empty(0)
-        with reporting(progress, "pairs") as report:
+        with reporting(progress, "sources") as report:
             return self._backend.pairs(
                 starts, ends, Options(None, _threads(threads), report))
 

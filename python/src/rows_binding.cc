@@ -154,61 +154,88 @@ py::tuple Nearest(const QueryHandle& question, uint32_t count, double radius,
   return py::make_tuple(targets, distances);
 }
 
+using PairGroups = std::vector<std::vector<size_t>>;
+
+// Group g is what `order` has between ends[g - 1] and ends[g].
+PairGroups ToGroups(const py::array_t<int64_t>& order,
+                    const py::array_t<int64_t>& ends) {
+  const auto number = order.unchecked<1>();
+  const auto end = ends.unchecked<1>();
+  PairGroups groups(static_cast<size_t>(end.shape(0)));
+  py::ssize_t k = 0;
+  for (size_t g = 0; g < groups.size(); ++g) {
+    for (; k < end(static_cast<py::ssize_t>(g)); ++k) {
+      groups[g].push_back(static_cast<size_t>(number(k)));
+    }
+  }
+  return groups;
+}
+
+// Says how far a computation is in rows while something is made for all.
+class BeforeRows final : public Checkpoint {
+ public:
+  BeforeRows(Watch& watch, uint64_t rows) : watch_(watch), rows_(rows) {}
+  absl::Status Poll(const Progress&) override {
+    return watch_.Report(0, rows_);
+  }
+
+ private:
+  Watch& watch_;
+  const uint64_t rows_;
+};
+
+// The distances from source i to target i of the query, for the pairs i of a
+// group, whose sources are equal.
+absl::Status AnswerPairs(const QueryHandle& question,
+                         const std::vector<size_t>& pairs,
+                         Checkpoint& checkpoint,
+                         std::vector<double>& distances) {
+  Query query{.sources = {question.query->sources[pairs[0]]}};
+  for (size_t i : pairs) query.targets.push_back(question.query->targets[i]);
+  const absl::StatusOr<ValidQuery> valid =
+      ValidQuery::Make(std::move(query), question.mesh());
+  if (!valid.ok()) return valid.status();
+  std::vector<double> found;
+  if (pairs.size() >= kTargetsWorthAField) {
+    absl::StatusOr<std::vector<double>> row =
+        RowOf({question.on, *valid}, 0, kInfinity, pairs.size(), checkpoint);
+    if (!row.ok()) return row.status();
+    found = *std::move(row);
+  } else {
+    absl::StatusOr<TargetDistances> searched =
+        question.on.searches->Run(*valid, checkpoint);
+    if (!searched.ok()) return searched.status();
+    found = std::move(searched->distances);
+  }
+  for (size_t k = 0; k < pairs.size(); ++k) distances[pairs[k]] = found[k];
+  return absl::OkStatus();
+}
+
 // The distance from source i to target i of the query, for each i. `order` has
-// every i, those of equal sources beside each other: group g is what lies
-// between ends[g - 1] and ends[g].
+// every i, those of equal sources beside each other, each group up to one of
+// `ends`.
 py::array_t<double> Pairs(const QueryHandle& question,
                           const py::array_t<int64_t>& order,
                           const py::array_t<int64_t>& ends, uint32_t threads,
                           py::object progress) {
-  const auto order_of = order.unchecked<1>();
-  const auto end_of = ends.unchecked<1>();
+  const PairGroups groups = ToGroups(order, ends);
+  size_t searches = 0;
+  for (const std::vector<size_t>& group : groups) {
+    if (group.size() < kTargetsWorthAField) searches += group.size();
+  }
   std::vector<double> distances(question.query->targets.size());
-
-  // The distances of pairs that have the first one's source.
-  const auto ask = [&](const std::vector<size_t>& pairs,
-                       Checkpoint& checkpoint) -> absl::Status {
-    Query query{.sources = {question.query->sources[pairs[0]]}};
-    for (size_t i : pairs) query.targets.push_back(question.query->targets[i]);
-    const absl::StatusOr<ValidQuery> valid =
-        ValidQuery::Make(std::move(query), question.mesh());
-    if (!valid.ok()) return valid.status();
-    std::vector<double> found;
-    if (pairs.size() >= kTargetsWorthAField) {
-      absl::StatusOr<std::vector<double>> row =
-          RowOf({question.on, *valid}, 0, kInfinity, pairs.size(), checkpoint);
-      if (!row.ok()) return row.status();
-      found = *std::move(row);
-    } else {
-      absl::StatusOr<TargetDistances> searched =
-          question.on.searches->Run(*valid, checkpoint);
-      if (!searched.ok()) return searched.status();
-      found = std::move(searched->distances);
-    }
-    for (size_t k = 0; k < pairs.size(); ++k) distances[pairs[k]] = found[k];
-    return absl::OkStatus();
-  };
-
   Watch watch(std::move(progress));
   watch.Run([&]() -> absl::StatusOr<bool> {
-    absl::Status status =
-        RunRows(static_cast<uint64_t>(end_of.shape(0)), threads, watch,
-                [&](uint64_t row, Checkpoint& checkpoint) -> absl::Status {
-                  const auto group = static_cast<py::ssize_t>(row);
-                  std::vector<size_t> pairs;
-                  for (int64_t k = group == 0 ? 0 : end_of(group - 1);
-                       k < end_of(group); ++k) {
-                    pairs.push_back(static_cast<size_t>(order_of(k)));
-                  }
-                  if (pairs.size() >= kTargetsWorthAField) {
-                    return ask(pairs, checkpoint);
-                  }
-                  for (size_t i : pairs) {
-                    absl::Status found = ask({i}, checkpoint);
-                    if (!found.ok()) return found;
-                  }
-                  return absl::OkStatus();
-                });
+    if (searches >= kSearchesWorthLandmarks) {
+      BeforeRows before(watch, groups.size());
+      absl::Status made = question.on.searches->MakeLandmarks(threads, before);
+      if (!made.ok()) return made;
+    }
+    absl::Status status = RunRows(groups.size(), threads, watch,
+                                  [&](uint64_t row, Checkpoint& checkpoint) {
+                                    return AnswerPairs(question, groups[row],
+                                                       checkpoint, distances);
+                                  });
     if (!status.ok()) return status;
     return true;
   });

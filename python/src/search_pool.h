@@ -4,13 +4,15 @@
 #define GEODESIC_PYTHON_SEARCH_POOL_H_
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
-#include <utility>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
+#include "geodesic/landmarks.h"
 #include "geodesic/mesh.h"
 #include "geodesic/target_search.h"
 #include "geodesic/valid_query.h"
@@ -21,39 +23,32 @@ namespace geodesic::python {
 // is cheaper than a search for each (docs/questions.md, pairs).
 inline constexpr size_t kTargetsWorthAField = 12;
 
+// So many searches gain more by landmarks than these cost: 16 fields, each as
+// much as 13 searches or 26 with landmarks (docs/performance.md, pairs), break
+// even at 400.
+inline constexpr size_t kSearchesWorthLandmarks = 1000;
+
 // A search takes O(V + F) to set up, and then what it covers. There are as many
 // as ran at once. Thread-safe. The mesh must outlive it.
 class SearchPool {
  public:
   explicit SearchPool(const Mesh& mesh) : mesh_(mesh) {}
 
-  // As TargetSearch::Run, without landmarks.
+  // As TargetSearch::Run, with landmarks once there are some.
   absl::StatusOr<TargetDistances> Run(const ValidQuery& query,
-                                      Checkpoint& checkpoint) {
-    std::unique_ptr<TargetSearch> search = Take();
-    absl::StatusOr<TargetDistances> found =
-        search->Run(query, nullptr, checkpoint);
-    const std::scoped_lock lock(mutex_);
-    idle_.push_back(std::move(search));
-    return found;
-  }
+                                      Checkpoint& checkpoint);
+
+  // Makes landmarks, once. Whoever comes meanwhile searches without.
+  // Errors: as geodesic::MakeLandmarks.
+  absl::Status MakeLandmarks(uint32_t threads, Checkpoint& checkpoint);
 
  private:
-  std::unique_ptr<TargetSearch> Take() {
-    {
-      const std::scoped_lock lock(mutex_);
-      if (!idle_.empty()) {
-        std::unique_ptr<TargetSearch> search = std::move(idle_.back());
-        idle_.pop_back();
-        return search;
-      }
-    }
-    return std::make_unique<TargetSearch>(mesh_);
-  }
-
   const Mesh& mesh_;
   std::mutex mutex_;
-  std::vector<std::unique_ptr<TargetSearch>> idle_;  // guarded by mutex_
+  // Guarded by mutex_:
+  std::vector<std::unique_ptr<TargetSearch>> idle_;
+  std::shared_ptr<const Landmarks> landmarks_;
+  bool are_being_made_ = false;
 };
 
 }  // namespace geodesic::python

@@ -133,6 +133,15 @@ class QuestionsTest(unittest.TestCase):
         self.assert_close(self.mesh.distance(3, 99),
                           self.mesh.distances(3)[99])
 
+    def test_many_pairs(self):
+        # Enough for landmarks, which bound what a search opens.
+        pairs = np.random.default_rng(4).integers(0, self.mesh.n_vertices,
+                                                  (1200, 2))
+        whole = self.mesh.matrix()
+        self.assert_close(self.mesh.pairs(pairs), whole[pairs[:, 0], pairs[:, 1]])
+        self.assert_close(self.mesh.pairs(pairs, threads=3),
+                          whole[pairs[:, 0], pairs[:, 1]])
+
     def test_samples(self):
         vertices, distances = self.mesh.samples(8, source=3)
         nearest = self.mesh.distances(3)
