@@ -1,15 +1,37 @@
 #include "client/cli/arguments/pair_list.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
-#include <iostream>
-#include <istream>
+#include <ext/stdio_filebuf.h>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "client/output/place_text.h"
 
 namespace geodesic::client {
 namespace {
+
+// Two places take far less.
+constexpr size_t kLongestLine = 4096;
+
+// The next line without its end; false when there is none. Errors:
+// INVALID_ARGUMENT for a line that is longer than kLongestLine.
+absl::StatusOr<bool> ReadLine(std::istream& from, std::string* line) {
+  line->clear();
+  char c = 0;
+  while (from.get(c)) {
+    if (c == '\n') return true;
+    if (line->size() == kLongestLine) {
+      return absl::InvalidArgumentError(
+          absl::StrCat("the line has more than ", kLongestLine,
+                       " characters; write two places a line"));
+    }
+    line->push_back(c);
+  }
+  return !line->empty();
+}
 
 bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -56,25 +78,36 @@ absl::StatusOr<PointPair> ParsePair(std::string_view line) {
 }
 
 absl::StatusOr<PairList> PairList::Open(const std::string& path) {
-  if (path == kStandardInput) return PairList(path, nullptr);
-  auto file = std::make_unique<std::ifstream>(path);
-  if (!*file) {
+  std::unique_ptr<std::filebuf> file;
+  if (path == kStandardInput) {
+    // std::cin could not tell whether more has come.
+    file = std::make_unique<__gnu_cxx::stdio_filebuf<char>>(dup(STDIN_FILENO),
+                                                            std::ios::in);
+  } else {
+    file = std::make_unique<std::filebuf>();
+    file->open(path, std::ios::in);
+  }
+  if (!file->is_open()) {
     return absl::ErrnoToStatus(errno, absl::StrCat("cannot read ", path));
   }
   return PairList(path, std::move(file));
 }
 
 absl::StatusOr<PairList::Piece> PairList::Read(size_t most) {
-  std::istream& from = file_ == nullptr ? std::cin : *file_;
+  std::istream& from = *stream_;
   Piece piece;
   std::string line;
-  while (piece.pairs.size() < most && std::getline(from, line)) {
+  while (piece.pairs.size() < most) {
+    // What has come is answered before more is waited for.
+    if (!piece.pairs.empty() && file_->in_avail() == 0) break;
     ++lines_;
+    const absl::StatusOr<bool> is_there = ReadLine(from, &line);
+    if (!is_there.ok()) return AtLine(is_there.status());
+    if (!*is_there) break;
     if (line.starts_with('#') || std::ranges::all_of(line, IsBlank)) continue;
     absl::StatusOr<PointPair> pair = ParsePair(line);
     if (!pair.ok()) {
-      return absl::InvalidArgumentError(absl::StrCat(
-          path_, " line ", lines_, ": ", std::string(pair.status().message())));
+      return AtLine(pair.status());
     }
     piece.pairs.push_back(*std::move(pair));
     piece.lines.push_back(lines_);
@@ -83,6 +116,11 @@ absl::StatusOr<PairList::Piece> PairList::Read(size_t most) {
     return absl::ErrnoToStatus(errno, absl::StrCat("cannot read ", path_));
   }
   return piece;
+}
+
+absl::Status PairList::AtLine(const absl::Status& status) const {
+  return absl::InvalidArgumentError(absl::StrCat(
+      path_, " line ", lines_, ": ", std::string(status.message())));
 }
 
 }  // namespace geodesic::client

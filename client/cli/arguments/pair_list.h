@@ -32,19 +32,26 @@ class PairList {
     std::vector<uint64_t> lines;  // where each pair stands, from 1
   };
 
-  // The next pairs, `most` of them unless the file ends before.
+  // The next pairs: `most` of them, or fewer where the file ends or what has
+  // come of a pipe does. Waits for one; none is the end.
   // Errors: those of reading; INVALID_ARGUMENT naming the file and the line.
   absl::StatusOr<Piece> Read(size_t most);
 
   const std::string& path() const { return path_; }
 
  private:
-  PairList(std::string path, std::unique_ptr<std::ifstream> file)
-      : path_(std::move(path)), file_(std::move(file)) {}
+  PairList(std::string path, std::unique_ptr<std::filebuf> file)
+      : path_(std::move(path)),
+        file_(std::move(file)),
+        stream_(std::make_unique<std::istream>(file_.get())) {}
+
+  // An error in the line that was read last.
+  absl::Status AtLine(const absl::Status& status) const;
 
   std::string path_;
-  std::unique_ptr<std::ifstream> file_;  // null: standard input
-  uint64_t lines_ = 0;                   // that were read
+  std::unique_ptr<std::filebuf> file_;
+  std::unique_ptr<std::istream> stream_;  // of file_
+  uint64_t lines_ = 0;                    // that were read
 };
 
 }  // namespace geodesic::client
