@@ -36,8 +36,9 @@ inline constexpr std::array kLineFormats = {
     OutputFormat::kCsv, OutputFormat::kJson, OutputFormat::kPng};
 inline constexpr std::array kMatrixFormats = {
     OutputFormat::kNpy, OutputFormat::kNpz, OutputFormat::kCsv};
-inline constexpr std::array kPairFormats = {OutputFormat::kNpy,
-                                            OutputFormat::kCsv};
+inline constexpr std::array kPairFormats = {
+    OutputFormat::kNpy, OutputFormat::kCsv, OutputFormat::kObj,
+    OutputFormat::kPly, OutputFormat::kVtk, OutputFormat::kJson};
 inline constexpr std::array kTableFormats = {OutputFormat::kCsv,
                                              OutputFormat::kJson};
 inline constexpr std::array kSampleFormats = {

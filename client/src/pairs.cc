@@ -46,6 +46,7 @@ v1::ComputePairsRequest MakePairRequest(const PairQuery& query,
   request.set_mesh_digest(query.mesh_digest);
   request.set_value_type(ToProto(query.value_type));
   request.set_priority(ToProto(query.priority));
+  request.set_paths(query.paths);
   const bool are_vertices = AreVertices(pairs);
   for (const PointPair& pair : pairs) {
     if (are_vertices) {
@@ -104,7 +105,10 @@ absl::StatusOr<PairSummary> Client::ComputePairs(const PairQuery& query,
         first, std::min<uint64_t>(per_call, pairs.size() - first));
     const v1::ComputePairsRequest request = MakePairRequest(query, some);
     uint64_t received = 0;
+    uint64_t paths = 0;
     std::vector<double> distances;
+    Polyline path;
+    PolylineAssembler assembler;
     PairSummary of_call;
     const auto take =
         [&](const v1::ComputePairsResponse& response) -> absl::Status {
@@ -112,6 +116,16 @@ absl::StatusOr<PairSummary> Client::ComputePairs(const PairQuery& query,
         of_call.searched = response.trailer().pairs_searched();
         of_call.from_fields = response.trailer().pairs_from_fields();
         of_call.from_cache = response.trailer().pairs_from_cache();
+      }
+      if (response.has_path()) {
+        if (response.path().pair() != paths || paths >= received) {
+          return absl::DataLossError(absl::StrCat(
+              "the server sent the path of pair ", response.path().pair(),
+              " where ", paths, " was due, after ", received, " distances"));
+        }
+        absl::Status status = assembler.Consume(response.path().piece(), &path);
+        if (!status.ok() || !assembler.complete()) return status;
+        return receiver.on_path(first + paths++, std::exchange(path, {}));
       }
       if (!response.has_chunk()) return absl::OkStatus();
       const v1::PairsChunk& chunk = response.chunk();
@@ -139,6 +153,7 @@ absl::StatusOr<PairSummary> Client::ComputePairs(const PairQuery& query,
         &call, connection_->pairs->ComputePairs(call.context(), request),
         progress, take, [&received] { return received; }, &of_call.info);
     status.Update(CheckCount("distances", received, some.size()));
+    if (query.paths) status.Update(CheckCount("paths", paths, some.size()));
     if (!status.ok()) return Renumbered(status, first);
     summary.Add(of_call);
     first += some.size();
@@ -155,6 +170,11 @@ absl::StatusOr<PairAnswer> Client::ComputePairs(
           [&answer](uint64_t, std::span<const double> distances) {
             answer.distances.insert(answer.distances.end(), distances.begin(),
                                     distances.end());
+            return absl::OkStatus();
+          },
+      .on_path =
+          [&answer](uint64_t, Polyline path) {
+            answer.paths.push_back(std::move(path));
             return absl::OkStatus();
           },
       .on_progress = progress};

@@ -119,6 +119,48 @@ TEST_F(PairsTest, ALongListTakesSeveralCalls) {
               StartsWith("pairs[52].source.vertex 1000 is out of range"));
 }
 
+TEST_F(PairsTest, PathsLeadFromSourceToTarget) {
+  PairQuery query = {
+      .mesh_digest = digest_, .pairs = SomePairs(100), .paths = true};
+  query.pairs.push_back({VertexPoint{7}, VertexPoint{7}});
+  const auto answer = client_.ComputePairs(query);
+  ASSERT_TRUE(answer.ok()) << answer.status();
+  ExpectEuclid(query.pairs, answer->distances);
+  EXPECT_EQ(answer->summary.searched, 101);
+  ASSERT_EQ(answer->paths.size(), 101);
+  for (size_t i = 0; i < 101; ++i) {
+    const std::vector<Point>& path = answer->paths[i].positions;
+    ASSERT_FALSE(path.empty()) << i;
+    EXPECT_NEAR(Euclid(path.front(), Where(query.pairs[i].source)), 0,
+                kTolerance);
+    EXPECT_NEAR(Euclid(path.back(), Where(query.pairs[i].target)), 0,
+                kTolerance);
+    double length = 0;
+    for (size_t k = 1; k < path.size(); ++k) {
+      length += Euclid(path[k - 1], path[k]);
+    }
+    EXPECT_NEAR(length, answer->distances[i], kTolerance) << i;
+  }
+  EXPECT_EQ(answer->paths.back().points.size(), 1);
+}
+
+TEST_F(PairsTest, TheCommandWritesPaths) {
+  WriteFile(folder_ / "p.txt", "0 80\n3 edge:0-10@0.25\n");
+  GeodesicJson({"distance", grid_, "--pairs", folder_ / "p.txt", "-o",
+                folder_ / "p.json", "-o", folder_ / "d.csv", "-o",
+                folder_ / "p.obj"});
+  const json paths = json::parse(FileBytes(folder_ / "p.json"));
+  ASSERT_EQ(paths["features"].size(), 2);
+  const json& second = paths["features"][1];
+  EXPECT_EQ(second["properties"]["pair"], 1);
+  EXPECT_NEAR(second["properties"]["distance"],
+              Euclid(At(3), Where(places_[1])), kTolerance);
+  EXPECT_EQ(second["properties"]["points"].front()["vertex"], 3);
+  EXPECT_THAT(FileBytes(folder_ / "d.csv"),
+              HasSubstr("\n0,80,1.41421356237309"));
+  EXPECT_THAT(FileBytes(folder_ / "p.obj"), HasSubstr("\nl "));
+}
+
 TEST_F(PairsTest, TheCommandPrintsOneDistance) {
   const ProcessResult text = Geodesic({"distance", grid_, "0", "80", "-q"});
   EXPECT_THAT(text.out, HasSubstr("1.414213562373095"));
@@ -184,8 +226,8 @@ TEST_F(PairsTest, TheCommandNamesFileAndLine) {
   EXPECT_THAT(Refusal({"distance", grid_, "0", "1", "--pairs", path}, kUsage),
               HasSubstr("not both"));
   EXPECT_THAT(
-      Refusal({"distance", grid_, "0", "-o", folder_ / "d.ply"}, kUsage),
-      HasSubstr(".npy and .csv"));
+      Refusal({"distance", grid_, "0", "-o", folder_ / "d.npz"}, kUsage),
+      HasSubstr(".npy, .csv, .obj, .ply, .vtk and .json"));
   // A file that was begun is not left behind.
   WriteFile(path, "0 1\n0 81\n");
   Refusal({"distance", grid_, "--pairs", path, "-o", folder_ / "d.csv"},

@@ -51,6 +51,34 @@ TEST_F(PairRpcTest, AnswersOnePair) {
             std::vector<double>{std::hypot(4.5, 3)});
 }
 
+TEST_F(PairRpcTest, PathsFollowTheirChunk) {
+  v1::ComputePairsRequest request = Pairs();
+  for (uint32_t i = 0; i < 200; ++i) {
+    request.add_vertex_pairs(i % 3);  // fields would cost less
+    request.add_vertex_pairs(i * 31 % soup_.positions.size());
+  }
+  request.set_paths(true);
+  uint64_t distances = 0, paths = 0, due = 0;
+  const auto messages = Messages(request);
+  for (const auto& message : messages) {
+    if (message.has_chunk()) {
+      EXPECT_EQ(message.chunk().offset(), distances);
+      EXPECT_EQ(paths, distances);
+      distances += message.chunk().distances().size() / sizeof(double);
+    }
+    if (!message.has_path()) continue;
+    const v1::PairPath& path = message.path();
+    EXPECT_EQ(path.pair(), paths);
+    if (due == 0) due = path.piece().point_count();
+    due -= path.piece().points_size();
+    if (due == 0) ++paths;
+    EXPECT_LE(paths, distances);
+  }
+  EXPECT_EQ(distances, 200);
+  EXPECT_EQ(paths, 200);
+  EXPECT_EQ(messages.back().trailer().pairs_searched(), 200);
+}
+
 TEST_F(PairRpcTest, ChunksComeInOrderWhateverAnswersThem) {
   v1::ComputePairsRequest request = Pairs();
   const uint32_t vertices = soup_.positions.size();

@@ -17,6 +17,7 @@
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/mesh_argument.h"
 #include "client/cli/commands/question.h"
+#include "client/output/line_writers.h"
 #include "client/output/matrix_writers.h"
 #include "client/output/number_text.h"
 #include "client/output/pair_writers.h"
@@ -40,6 +41,11 @@ struct DistanceArguments {
   Priority priority = Priority::kInteractive;
   std::vector<OutputArgument> outputs;
 };
+
+// Files of other formats hold paths.
+bool HoldsDistances(OutputFormat format) {
+  return format == OutputFormat::kNpy || format == OutputFormat::kCsv;
+}
 
 SurfacePoint PlaceOf(const std::string& name, const std::string& text) {
   absl::StatusOr<SurfacePoint> place = ParsePoint(text);
@@ -73,7 +79,8 @@ void AddOptions(CLI::App* app, DistanceArguments* arguments) {
   AddFloat32(app, &arguments->float32);
   AddPriority(app, &arguments->priority);
   AddOutputs(app,
-             "Write the distances here as they come, in order of the pairs",
+             "Write the distances here as they come (.npy, .csv), or the "
+             "shortest paths, which are kept in memory until the end",
              kPairFormats, &arguments->outputs);
   app->callback([arguments] { CheckArguments(arguments); });
 }
@@ -87,6 +94,7 @@ class Destination {
   // Errors: those of opening files.
   absl::Status Open() {
     for (const OutputArgument& output : arguments_.outputs) {
+      if (!HoldsDistances(output.format)) continue;
       absl::StatusOr<PairWriter> writer = PairWriter::Create(
           output.path, output.format, NumberTypeOf(arguments_.float32));
       if (!writer.ok()) return FileError(writer.status());
@@ -114,10 +122,22 @@ class Destination {
     return absl::OkStatus();
   }
 
+  // REQUIRES: has_paths().
+  void Append(double distance, Polyline path) {
+    lines_.lines.push_back(
+        {.polyline = std::move(path),
+         .values = {static_cast<double>(count_ - 1), distance}});
+  }
+
   absl::StatusOr<std::vector<WrittenFile>> Commit() {
     size_t next = 0;
-    const auto write = [&](const OutputArgument&,
+    const auto write = [&](const OutputArgument& output,
                            const MeshArrays&) -> absl::StatusOr<uint64_t> {
+      if (!HoldsDistances(output.format)) {
+        return WriteFile(output.path, [&](AtomicFile* file) {
+          WriteLines(lines_, output.format, file);
+        });
+      }
       absl::StatusOr<uint64_t> size = writers_[next++].Commit();
       if (!size.ok()) return FileError(size.status());
       return size;
@@ -159,21 +179,25 @@ class Destination {
   }
 
   uint64_t count() const { return count_; }
+  bool has_paths() const { return writers_.size() < arguments_.outputs.size(); }
   // Whether lines go to the terminal as they come; nothing else does then.
   bool is_text() const {
-    return writers_.empty() && !session_.json && !arguments_.pair.has_value();
+    return arguments_.outputs.empty() && !session_.json &&
+           !arguments_.pair.has_value();
   }
 
  private:
   // Whether the distances are kept for the report.
   bool keeps() const {
-    return arguments_.pair.has_value() || (session_.json && writers_.empty());
+    return arguments_.pair.has_value() ||
+           (session_.json && arguments_.outputs.empty());
   }
 
   const DistanceArguments& arguments_;
   const Session& session_;
   std::vector<PairWriter> writers_;
   std::vector<double> kept_;
+  Lines lines_ = {.attributes = {{"pair", true}, {"distance"}}};
   uint64_t count_ = 0;
   uint64_t finite_ = 0;
   double largest_ = 0;
@@ -229,16 +253,35 @@ class PairRun {
     const PairQuery query = {.mesh_digest = digest,
                              .pairs = std::exchange(piece_.pairs, {}),
                              .value_type = ValueTypeOf(arguments_.float32),
-                             .priority = arguments_.priority};
+                             .priority = arguments_.priority,
+                             .paths = destination_->has_paths()};
     const std::span<const PointPair> pairs = query.pairs;
     uint64_t taken = 0;
+    // The latest distances, up to that of pair `come` less one.
+    std::vector<double> without_path;
+    uint64_t come = 0;
     const auto progress = watch_.OnCount("pairs");
     const PairReceiver receiver = {
         .on_distances =
             [&](uint64_t first, std::span<const double> distances) {
+              if (query.paths) {
+                come = first + distances.size();
+                without_path.assign(distances.begin(), distances.end());
+                return absl::OkStatus();
+              }
               taken = first + distances.size();
               return destination_->Append(
                   pairs.subspan(first, distances.size()), distances);
+            },
+        .on_path =
+            [&](uint64_t pair, Polyline path) {
+              const double distance =
+                  without_path[without_path.size() - (come - pair)];
+              taken = pair + 1;
+              absl::Status status =
+                  destination_->Append(pairs.subspan(pair, 1), {&distance, 1});
+              destination_->Append(distance, std::move(path));
+              return status;
             },
         // More pairs may follow than were read.
         .on_progress = [&](uint64_t finished,
@@ -327,7 +370,7 @@ Command DistanceCommand() {
   return MakeCommand<DistanceArguments>(
       "distance", "Distances from one place to another",
       "  geodesic distance horse.ply 0 99\n"
-      "  geodesic distance horse.ply edge:3-8@0.25 face:5@0.2,0.3,0.5 -q\n"
+      "  geodesic distance horse.ply 0 face:5@0.2,0.3,0.5 -o path.obj\n"
       "  geodesic distance horse.ply --pairs pairs.txt -o d.npy",
       AddOptions, Run);
 }

@@ -12,6 +12,7 @@
 
 #include "absl/status/status.h"
 #include "geodesic_client/answer.h"
+#include "geodesic_client/questions.h"
 #include "geodesic_client/surface_point.h"
 
 namespace geodesic::client {
@@ -31,6 +32,9 @@ struct PairQuery {
   std::vector<PointPair> pairs;
   ValueType value_type = ValueType::kFloat64;
   Priority priority = Priority::kInteractive;
+  // Whether a shortest path from source to target comes with each distance. The
+  // server then searches each pair by itself.
+  bool paths = false;
 };
 
 // Takes the distances of pairs. If `on_distances` returns an error, the call
@@ -41,6 +45,10 @@ struct PairReceiver {
   // call.
   std::function<absl::Status(uint64_t first, std::span<const double>)>
       on_distances;
+  // Called with the path of each pair, in order of the pairs and after its
+  // distance, if the query asks for paths; without points where none leads.
+  // May be empty otherwise.
+  std::function<absl::Status(uint64_t pair, Polyline path)> on_path;
   // Counts pairs. May be empty.
   CountProgressCallback on_progress;
 };
@@ -69,6 +77,7 @@ struct PairSummary {
 struct PairAnswer {
   PairSummary summary;
   std::vector<double> distances;  // one per pair
+  std::vector<Polyline> paths;    // one per pair, if they were asked for
 };
 
 }  // namespace geodesic::client

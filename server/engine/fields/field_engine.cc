@@ -83,15 +83,6 @@ uint64_t DerivedBytes(const FieldExtras& extras, uint64_t vertices) {
   return vertices * per_vertex + sizeof(DerivedQuantities);
 }
 
-uint64_t BytesOf(const std::vector<GeodesicPath>& paths) {
-  uint64_t bytes = paths.capacity() * sizeof(GeodesicPath);
-  for (const GeodesicPath& path : paths) {
-    bytes += path.points.capacity() * sizeof(SurfacePoint) +
-             path.positions.capacity() * sizeof(Point);
-  }
-  return bytes;
-}
-
 // Log maps end at `radius`. O(V), plus the edges that the paths of a log map
 // cross.
 // REQUIRES: `field` was solved for `query`, with a trace; extras.NeedTrace().

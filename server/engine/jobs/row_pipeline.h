@@ -17,6 +17,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
+#include "geodesic/path.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/jobs/solo_job.h"
@@ -28,6 +29,8 @@ struct MatrixRow {
   // The column of each value; empty in a dense row.
   std::vector<uint32_t> columns;
   std::vector<double> values;
+  // Of the values, if they were asked for.
+  std::vector<GeodesicPath> paths;
 };
 
 // Computes a row in the `memory` it is given. Must be thread-safe, because rows

@@ -1,6 +1,7 @@
 #include "server/engine/pairs/pair_engine.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -74,10 +75,12 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
                    .totals = totals_,
                    .mesh = mesh,
                    .means = searches_.MeansFor(mesh, call.algorithm),
-                   .pairs = std::move(request.pairs)});
+                   .pairs = std::move(request.pairs),
+                   .paths = request.paths});
   work->rows = PlanPairs(
       work->pairs,
-      {.least_for_field = work->means.field_in_searches,
+      {.least_for_field = request.paths ? std::numeric_limits<size_t>::max()
+                                        : work->means.field_in_searches,
        .searches_per_row = std::clamp<size_t>(
            call.pair_count / (kRowsPerThread * limits_.max_concurrent_jobs), 1,
            kSearchesPerRow)});

@@ -27,6 +27,8 @@ namespace geodesic::server {
 struct PairRequest {
   std::string mesh_digest;
   std::vector<PointPair> pairs;
+  // Whether rows have paths, too. They are then in order of the pairs.
+  bool paths = false;
   TimePoint deadline = kNoDeadline;
   Requester requester;
 };

@@ -86,37 +86,40 @@ absl::StatusOr<MatrixRow> PairWork::Answer(uint64_t row, Checkpoint& checkpoint,
   result.values.reserve(plan.pairs.size());
   absl::Status status = plan.shared.has_value()
                             ? Solve(plan, checkpoint, result.values)
-                            : Search(plan.pairs, checkpoint, result.values);
+                            : Search(plan.pairs, checkpoint, result);
   if (!status.ok()) return status;
   result.memory.ShrinkTo(plan.pairs.size() *
                          (sizeof(double) + sizeof(uint32_t)));
+  status = result.memory.GrowTo(result.memory.bytes() + BytesOf(result.paths));
+  if (!status.ok()) return status;
   return result;
 }
 
 absl::Status PairWork::Search(const std::vector<uint32_t>& numbers,
-                              Checkpoint& checkpoint,
-                              std::vector<double>& distances) const {
+                              Checkpoint& checkpoint, MatrixRow& row) const {
   std::optional<SearchPool::Loan> search;
   SumOfSearches sum(checkpoint);
   absl::Status status;
   for (const uint32_t number : numbers) {
     const PointPair& pair = pairs[number];
-    if (const auto cached = FromCache(fields, *mesh, pair)) {
-      distances.push_back(*cached);
+    const auto cached = paths ? std::nullopt : FromCache(fields, *mesh, pair);
+    if (cached) {
+      row.values.push_back(*cached);
       ++answered.from_cache;
       ++totals.from_cache;
       continue;
     }
     if (!search) search.emplace(searches.Lend(mesh));
     sum.Next();
-    absl::StatusOr<TargetDistances> found =
-        (*search)->Run(DistanceQuery(pair.source, {pair.target}, *mesh->mesh),
-                       means.landmarks.get(), sum);
+    absl::StatusOr<TargetDistances> found = (*search)->Run(
+        DistanceQuery(pair.source, {pair.target}, *mesh->mesh).WithTrace(paths),
+        means.landmarks.get(), sum);
     if (!found.ok()) {
       status = found.status();
       break;
     }
-    distances.push_back(found->distances[0]);
+    row.values.push_back(found->distances[0]);
+    if (paths) row.paths.push_back(std::move(found->paths[0]));
     ++answered.searched;
     ++totals.searched;
   }

@@ -51,6 +51,7 @@ struct PairWork {
   MeshHandle mesh;
   SearchMeans means;
   std::vector<PointPair> pairs;  // canonical
+  bool paths = false;            // wanted, too
   std::vector<PairRow> rows;
   mutable PairCounter answered;
 
@@ -65,8 +66,7 @@ struct PairWork {
 
  private:
   absl::Status Search(const std::vector<uint32_t>& numbers,
-                      Checkpoint& checkpoint,
-                      std::vector<double>& distances) const;
+                      Checkpoint& checkpoint, MatrixRow& row) const;
   absl::Status Solve(const PairRow& row, Checkpoint& checkpoint,
                      std::vector<double>& distances) const;
 };

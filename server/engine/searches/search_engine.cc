@@ -51,4 +51,13 @@ uint64_t SearchEngine::PlannedBytes(const Mesh& mesh, const ValidQuery& query) {
   return of_search + PlannedSolverBytes(mesh, query);
 }
 
+uint64_t BytesOf(std::span<const GeodesicPath> paths) {
+  uint64_t bytes = paths.size_bytes();
+  for (const GeodesicPath& path : paths) {
+    bytes += path.points.capacity() * sizeof(SurfacePoint) +
+             path.positions.capacity() * sizeof(Point);
+  }
+  return bytes;
+}
+
 }  // namespace geodesic::server

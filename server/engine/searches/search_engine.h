@@ -7,10 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "absl/status/statusor.h"
 #include "geodesic/algorithm.h"
 #include "geodesic/checkpoint.h"
+#include "geodesic/path.h"
 #include "geodesic/solve_options.h"
 #include "geodesic/target_search.h"
 #include "geodesic/valid_query.h"
@@ -74,6 +76,9 @@ class SearchEngine {
   LandmarkMaker landmarks_;
   const std::shared_ptr<SearchPool> pool_;
 };
+
+// What paths take in memory. O(paths).
+uint64_t BytesOf(std::span<const GeodesicPath> paths);
 
 }  // namespace geodesic::server
 

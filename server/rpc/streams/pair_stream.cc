@@ -14,6 +14,7 @@ absl::Status PairStream::Ask() {
   if (!status.ok()) return status;
   status = AddPairs(request(), engine().limits(), question.pairs);
   if (!status.ok()) return status;
+  question.paths = request().paths();
   absl::StatusOr<PairCall> call = engine().pairs().Compute(
       std::move(question), [self = this->Shared(this)] {
         self->Update([&] { self->has_news_ = true; });
@@ -29,12 +30,16 @@ absl::StatusOr<NextMessage> PairStream::Fill(
     FillHeader(*message.mutable_header());
     return NextMessage::kSend;
   }
+  if (next_path_ < row_.paths.size()) {
+    FillPath(*message.mutable_path());
+    return NextMessage::kSend;
+  }
   if (order_->is_finished()) {
     FillTrailer(*message.mutable_trailer());
     return NextMessage::kSendLast;
   }
   while (!order_->has_next()) {
-    const std::optional<absl::StatusOr<MatrixRow>> row = call_.rows->Take();
+    std::optional<absl::StatusOr<MatrixRow>> row = call_.rows->Take();
     if (!row.has_value()) {
       if (!std::exchange(has_news_, false)) return NextMessage::kWait;
       message.mutable_progress()->set_pairs_finished(
@@ -42,7 +47,9 @@ absl::StatusOr<NextMessage> PairStream::Fill(
       return NextMessage::kSend;
     }
     if (!row->ok()) return row->status();
-    order_->Add(**row);
+    row_ = **std::move(row);
+    next_path_ = 0;
+    order_->Add(row_);
   }
   FillChunk(*message.mutable_chunk());
   return NextMessage::kSend;
@@ -60,6 +67,18 @@ void PairStream::FillChunk(v1::PairsChunk& chunk) {
   SetValues(order_->Take(kPairsPerChunk), value_type_,
             *chunk.mutable_distances());
   entry().add_bytes(chunk.distances().size());
+}
+
+void PairStream::FillPath(v1::PairPath& proto) {
+  // Rows that have paths come in order, so the chunk was that of this row.
+  proto.set_pair(row_.columns[next_path_]);
+  const GeodesicPath& path = row_.paths[next_path_];
+  next_point_ = SetPiece(path.points, path.positions, next_point_,
+                         *proto.mutable_piece());
+  entry().add_bytes(proto.piece().positions().size());
+  if (next_point_ < path.points.size()) return;
+  ++next_path_;
+  next_point_ = 0;
 }
 
 void PairStream::FillTrailer(v1::PairsTrailer& trailer) {

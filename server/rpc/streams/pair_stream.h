@@ -31,6 +31,8 @@ class PairStream final
 
   void FillHeader(v1::PairsHeader& header);
   void FillChunk(v1::PairsChunk& chunk);
+  // A piece of the next path of row_.
+  void FillPath(v1::PairPath& path);
   void FillTrailer(v1::PairsTrailer& trailer);
 
   // Set by Ask, then constant:
@@ -40,6 +42,9 @@ class PairStream final
   // Guarded by the stream's lock:
   bool has_news_ = false;  // rows may have ended since the last progress
   std::optional<PairOrder> order_;  // once the header was sent
+  MatrixRow row_;                   // whose paths are being sent
+  uint64_t next_path_ = 0;          // of row_
+  uint64_t next_point_ = 0;         // of the path
 };
 
 }  // namespace geodesic::server
