@@ -26,7 +26,7 @@ struct OptionTakers {
 
 std::vector<OptionTakers> AllTakers() {
   using enum ApproximateMethod;
-  return {{"--threads", true, {kSvg}},
+  return {{"--threads", true, {kSvg, kGtu}},
           {"--bucket-width", true, {}},
           {"--max-batch", true, {}},
           {"--fixed-batch", true, {}},
@@ -39,7 +39,8 @@ std::vector<OptionTakers> AllTakers() {
           {"--no-intrinsic-delaunay", false, {kHeat}},
           {"--k", false, {kSvg}},
           {"--build-with", false, {kSvg}},
-          {"--errors", false, {kFmm, kFmmUntidy, kHeat, kSvg}}};
+          {"--samples", false, {kGtu}},
+          {"--errors", false, {kFmm, kFmmUntidy, kHeat, kSvg, kGtu}}};
 }
 
 }  // namespace
@@ -70,6 +71,10 @@ void AddApproximateOptions(CLI::App& app, ApproximateOptions& options) {
           CLI::CheckedTransformer(std::map<std::string, SaddleGraphBuilder>{
               {"fwp", SaddleGraphBuilder::kFwp},
               {"ich", SaddleGraphBuilder::kIch}}));
+  app.add_option("--samples", options.method.gtu.samples,
+                 "gtu: vertices whose exact fields are computed")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_flag("--errors", options.errors,
                "also solve exactly, and print the mean and the largest "
                "relative error");
@@ -103,7 +108,7 @@ absl::Status SolveApproximate(const Mesh& mesh, double setup_seconds,
   if (!query.ok()) return query.status();
   NoCheckpoint checkpoint;
   MethodOptions method_options = options.method;
-  method_options.svg.threads = threads;
+  method_options.svg.threads = method_options.gtu.threads = threads;
   const auto start = std::chrono::steady_clock::now();
   const absl::StatusOr<std::shared_ptr<const PreparedMethod>> prepared =
       PrepareMethod(mesh, *method, method_options, checkpoint);

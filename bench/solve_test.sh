@@ -46,8 +46,9 @@ for algorithm in fwp-list fwp-ch fwp-mmp ich mmp lc-ch lc-mmp ch; do
 done
 parts=('"exact":false' '"certified_error":null' '"prepare_s":' '"mean_error":')
 options=(--errors)
-for method in fmm fmm-untidy heat svg; do says "$method"; done
+for method in fmm fmm-untidy heat svg gtu; do says "$method"; done
 says svg --pairs 3 --landmarks 2 --k 4 --build-with ich --threads 2
+says gtu --samples 4 --threads 2
 says heat --lambda 2 --no-intrinsic-delaunay
 
 # refuses OPTION ALGORITHM ARGUMENT...
@@ -63,6 +64,7 @@ refuses() {
 refuses --k heat --k 5
 refuses --k fwp-list --k 5
 refuses --lambda svg --lambda 2
+refuses --samples svg --samples 4
 refuses --threads fmm --threads 2
 refuses --bucket-width svg --bucket-width 2
 refuses --compare svg --pairs 3 --compare 1

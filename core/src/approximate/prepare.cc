@@ -17,6 +17,8 @@ absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(
       return HeatMethod::Prepare(mesh, options.heat, checkpoint);
     case ApproximateMethod::kSvg:
       return SaddleVertexGraph::Prepare(mesh, options.svg, checkpoint);
+    case ApproximateMethod::kGtu:
+      return TriangleUnfolding::Prepare(mesh, options.gtu, checkpoint);
   }
   return absl::InternalError("no such approximate method");
 }

@@ -25,7 +25,9 @@ namespace geodesic {
     "The heat method: two sparse linear systems, factorized once")          \
   X(Svg, "svg",                                                             \
     "The saddle vertex graph: Dijkstra over direct geodesics between near " \
-    "vertices")
+    "vertices")                                                             \
+  X(Gtu, "gtu",                                                             \
+    "Geodesic triangle unfolding: fields of samples, laid into the plane")
 
 enum class ApproximateMethod {
 #define GEODESIC_ENUMERATOR(id, ...) k##id,

@@ -10,6 +10,7 @@
 #include "geodesic/approximate/method.h"
 #include "geodesic/approximate/prepared_method.h"
 #include "geodesic/approximate/saddle_vertex_graph.h"
+#include "geodesic/approximate/triangle_unfolding.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
 
@@ -19,6 +20,7 @@ namespace geodesic {
 struct MethodOptions {
   HeatOptions heat;
   SaddleGraphOptions svg;
+  TriangleUnfoldingOptions gtu;
 };
 
 // Errors: as the method's own Prepare.
