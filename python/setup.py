@@ -8,6 +8,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import sysconfig
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
@@ -22,10 +23,12 @@ def version():
 
 
 class CMakeBuild(build_ext):
-    """Builds with CMake into build/python, where later builds go on."""
+    """Builds with CMake into build/python/ABI, where later builds for the same
+    Python go on."""
 
     def build_extension(self, ext):
-        folder = ROOT / "build" / "python"
+        abi = sysconfig.get_config_var("SOABI")
+        folder = ROOT / "build" / "python" / abi
         subprocess.run(
             [
                 "cmake", "-S", ROOT, "-B", folder, "-G", "Ninja",

@@ -525,7 +525,8 @@ class Mesh:
             d = mesh.distances(mesh.nearest_point([0.1, 2, 3]))
 
         Args:
-            xyz: (3,), or (N, 3) for a list of N places.
+            xyz: (3,), or (N, 3) for a list of N places. O(F) each: some 2 ms on
+                100,000 faces.
         """
         points = np.asarray(xyz, np.float64)
         if points.shape[-1:] != (3,) or points.ndim > 2:

@@ -1,7 +1,7 @@
 """The same interface against a real geodesicd: the same questions, tested by the
 same tests, and what only a service has.
 
-    service_test.py --server GEODESICD --openssl OPENSSL
+    service_test.py --server GEODESICD --command GEODESIC --openssl OPENSSL
 """
 
 import argparse
@@ -93,15 +93,26 @@ class ServiceTest(ServedTest):
             np.testing.assert_array_equal(ask(there), ask(here))
 
     def test_real_meshes(self):
-        # The smaller half of them: each is uploaded as a file.
-        paths = sorted(meshes.real_meshes(), key=os.path.getsize)
+        paths = meshes.real_meshes()
         if not paths:
             self.skipTest("there are no meshes from outside the project")
-        for path in paths[:len(paths) // 2]:
+        for path in paths:
             with self.subTest(mesh=path.name):
                 here, there = geodesic.Mesh(path), self.make(path)
-                np.testing.assert_array_equal(there.distances(0),
-                                              here.distances(0))
+                wanted = here.distances(0)
+                np.testing.assert_array_equal(there.distances(0), wanted)
+                np.testing.assert_array_equal(self.by_command(path), wanted)
+                self.service.delete(there)
+
+    def by_command(self, path):
+        """What the command `geodesic` says of distances from vertex 0."""
+        with tempfile.TemporaryDirectory() as folder:
+            output = os.path.join(folder, "distances.npy")
+            subprocess.run([
+                ARGUMENTS.command, "field", path, "--source", "0", "-o", output,
+                "--server", self.server.address, "--quiet"
+            ], check=True, stdout=subprocess.DEVNULL)
+            return np.load(output)
 
     def test_files_and_names(self):
         vertices, faces = meshes.octahedron()
@@ -305,6 +316,7 @@ del questions_test.QuestionsTest
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--server", required=True)
+    parser.add_argument("--command", required=True)
     parser.add_argument("--openssl", required=True)
     ARGUMENTS = parser.parse_args()
     unittest.main(argv=sys.argv[:1])
