@@ -124,9 +124,9 @@ void IntrinsicTriangulation::Turn(HalfEdge h) {
 
   struct Side {
     HalfEdge before, after;
-    uint32_t from;
-    double length;
-    HalfEdge twin;
+    uint32_t from = 0;
+    double length = 0;
+    HalfEdge twin = kNoHalfEdge;
   };
   std::array<Side, 4> sides = {{{Next(twin), first},
                                 {Prev(h), first + 2},

@@ -55,8 +55,10 @@ absl::StatusOr<std::vector<Seed>> SeedsOf(const ValidQuery& query,
   std::ranges::sort(seeds, [](const Seed& a, const Seed& b) {
     return a.vertex != b.vertex ? a.vertex < b.vertex : a.distance < b.distance;
   });
-  const auto repeated = std::ranges::unique(seeds, {}, &Seed::vertex);
-  seeds.erase(repeated.begin(), repeated.end());
+  const auto repeated = std::unique(
+      seeds.begin(), seeds.end(),
+      [](const Seed& a, const Seed& b) { return a.vertex == b.vertex; });
+  seeds.erase(repeated, seeds.end());
   return seeds;
 }
 
