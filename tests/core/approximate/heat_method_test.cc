@@ -71,10 +71,10 @@ TEST(HeatMethod, SeveralSourcesArePinned) {
       {"plane",
        MakeGrid({.columns = 50, .rows = 40, .diagonals = Diagonals::kRandom})});
   // A corner, its neighbour on the boundary, and two inside.
-  std::vector<Source> sources;
-  for (const uint32_t v : {0u, 3u, 1000u, 1530u}) {
-    sources.push_back({VertexPoint{v}});
-  }
+  const std::vector<Source> sources = {{VertexPoint{0}},
+                                       {VertexPoint{3}},
+                                       {VertexPoint{1000}},
+                                       {VertexPoint{1530}}};
   const std::vector<double> field = Field(*mesh, sources);
   for (const Source& source : sources) {
     EXPECT_EQ(field[std::get<VertexPoint>(PointOf(source)).vertex], 0);
