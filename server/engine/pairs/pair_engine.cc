@@ -15,6 +15,17 @@ constexpr size_t kSearchesPerRow = 32;
 // Few searches are spread over the threads, and the faster of these take more.
 constexpr size_t kRowsPerThread = 4;
 
+// Landmarks cost some 200 searches, and save more than half of each.
+constexpr size_t kSearchesWorthLandmarks = 1000;
+
+size_t SearchCount(const std::vector<PairRow>& rows) {
+  size_t count = 0;
+  for (const PairRow& row : rows) {
+    if (!row.shared.has_value()) count += row.pairs.size();
+  }
+  return count;
+}
+
 // Checks the point and makes it canonical. `end` is its name in the pair.
 absl::Status MakeCanonical(const Mesh& mesh, size_t pair, const char* end,
                            SurfacePoint& point) {
@@ -71,19 +82,22 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
       new PairWork{.start = start_,
                    .options = options_,
                    .fields = fields_,
-                   .searches = searches_.pool(),
+                   .searches = searches_,
                    .totals = totals_,
                    .mesh = mesh,
-                   .means = searches_.MeansFor(mesh, call.algorithm),
+                   .algorithm = call.algorithm,
                    .pairs = std::move(request.pairs),
                    .paths = request.paths});
+  const SearchMeans means = searches_.MeansFor(mesh, call.algorithm);
   work->rows = PlanPairs(
       work->pairs,
       {.least_for_field = request.paths ? std::numeric_limits<size_t>::max()
-                                        : work->means.field_in_searches,
+                                        : means.field_in_searches,
        .searches_per_row = std::clamp<size_t>(
            call.pair_count / (kRowsPerThread * limits_.max_concurrent_jobs), 1,
            kSearchesPerRow)});
+  work->wants_landmarks = call.algorithm == kDefaultAlgorithm &&
+                          SearchCount(work->rows) >= kSearchesWorthLandmarks;
   call.work = work;
   call.row_count = work->rows.size();
   const bool is_batch = request.requester.is_batch;

@@ -66,10 +66,13 @@ uint64_t PairWork::PlannedBytes() const {
   const ValidQuery query =
       DistanceQuery(pairs[0].source, {pairs[0].target}, *mesh->mesh);
   const uint64_t of_search = SearchEngine::PlannedBytes(*mesh->mesh, query);
+  const uint64_t of_landmarks =
+      wants_landmarks ? LandmarkMaker::PlannedBytes(*mesh->mesh) : 0;
   const bool has_field = std::ranges::any_of(
       rows, [](const PairRow& row) { return row.shared.has_value(); });
-  if (!has_field) return of_search;
-  return std::max(of_search, PlannedSolverBytes(*mesh->mesh, query));
+  const uint64_t of_field =
+      has_field ? PlannedSolverBytes(*mesh->mesh, query) : 0;
+  return std::max({of_search, of_field, of_landmarks});
 }
 
 uint64_t PairWork::RowBytes() const {
@@ -100,6 +103,11 @@ absl::Status PairWork::Search(const std::vector<uint32_t>& numbers,
   std::optional<SearchPool::Loan> search;
   SumOfSearches sum(checkpoint);
   absl::Status status;
+  if (wants_landmarks && !makes_landmarks.exchange(true)) {
+    status = searches.landmarks().MakeNow(mesh, checkpoint);
+    if (!status.ok()) return status;
+  }
+  const SearchMeans means = searches.MeansFor(mesh, algorithm);
   for (const uint32_t number : numbers) {
     const PointPair& pair = pairs[number];
     const auto cached = paths ? std::nullopt : FromCache(fields, *mesh, pair);
@@ -109,7 +117,7 @@ absl::Status PairWork::Search(const std::vector<uint32_t>& numbers,
       ++totals.from_cache;
       continue;
     }
-    if (!search) search.emplace(searches.Lend(mesh));
+    if (!search) search.emplace(searches.pool().Lend(mesh));
     sum.Next();
     absl::StatusOr<TargetDistances> found = (*search)->Run(
         DistanceQuery(pair.source, {pair.target}, *mesh->mesh).WithTrace(paths),

@@ -45,14 +45,17 @@ struct PairWork {
   const StartFunction& start;
   const SolveOptions& options;
   FieldEngine& fields;
-  SearchPool& searches;
+  SearchEngine& searches;
   PairCounter& totals;  // of all questions
 
   MeshHandle mesh;
-  SearchMeans means;
-  std::vector<PointPair> pairs;  // canonical
-  bool paths = false;            // wanted, too
+  Algorithm algorithm = kDefaultAlgorithm;  // of the searches
+  std::vector<PointPair> pairs;             // canonical
+  bool paths = false;                       // wanted, too
   std::vector<PairRow> rows;
+  // Whether searches are so many that landmarks are made for them first.
+  bool wants_landmarks = false;
+  mutable std::atomic<bool> makes_landmarks = false;
   mutable PairCounter answered;
 
   // The most memory that one row takes, for its solver and for its values.

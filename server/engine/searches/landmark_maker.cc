@@ -51,6 +51,10 @@ class IdleCheckpoint final : public Checkpoint {
   const uint64_t extra_bytes_;
 };
 
+bool IsEnough(const LandmarksHandle& landmarks) {
+  return landmarks != nullptr && !landmarks->next().has_value();
+}
+
 // The memory of a finished field's distances, beside the solver's.
 uint64_t DistanceBytes(const Mesh& mesh) {
   return mesh.vertex_count() * sizeof(double);
@@ -70,8 +74,7 @@ LandmarkMaker::LandmarkMaker(const SolveOptions& options, Scheduler& scheduler,
 LandmarksHandle LandmarkMaker::Wanted(const MeshHandle& mesh) {
   LandmarkStore& store = meshes_.landmarks();
   LandmarksHandle present = store.Find(mesh->digest);
-  const bool is_enough = present != nullptr && !present->next().has_value();
-  if (!is_enough && store.CanHold(*mesh->mesh)) Enqueue(mesh);
+  if (!IsEnough(present) && store.CanHold(*mesh->mesh)) Enqueue(mesh);
   return present;
 }
 
@@ -119,71 +122,108 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
     work_.field.reset();
     return true;
   }
-  absl::Status status;
-  if (!work_.landmarks) status = Begin(*mesh);
-  if (!status.ok()) return status;
+  if (!work_.landmarks) {
+    absl::StatusOr<Work> begun = Begin(*mesh);
+    if (!begun.ok()) return begun.status();
+    work_ = *std::move(begun);
+  }
   if (!work_.landmarks->next().has_value()) {
-    Publish(*mesh);
+    Publish(*mesh, work_);
     return false;
   }
-  if (!work_.field) status = StartField(mesh);
-  if (!status.ok()) return status;
+  if (!work_.field) {
+    absl::StatusOr<ByteReservation> memory =
+        ByteReservation::Make(solver_memory_, PlannedBytes(*mesh->mesh));
+    if (!memory.ok()) return memory.status();
+    auto computation = StartField(*mesh->mesh, *work_.landmarks);
+    if (!computation.ok()) return computation.status();
+    work_.field = Field{mesh, *std::move(memory), *std::move(computation)};
+  }
   Field& field = *work_.field;
   IdleCheckpoint checkpoint(scheduler_, stop, meshes_.store(), mesh->digest,
                             field.memory, DistanceBytes(*mesh->mesh));
-  status = field.computation->Advance({}, checkpoint);
+  absl::Status status = field.computation->Advance({}, checkpoint);
   if (absl::IsAborted(status)) return true;
   if (!status.ok()) return status;
-  work_.landmarks->Add(*mesh->mesh, field.computation->Field().distances);
+  const bool goes_on = Add(*mesh, *field.computation, work_);
   work_.field.reset();
-  ++made_;
-  const bool goes_on = work_.landmarks->next().has_value();
-  if (!goes_on) Store(*mesh);
-  Publish(*mesh);
   return goes_on;
 }
 
-absl::Status LandmarkMaker::Begin(const ResidentMesh& mesh) {
+absl::Status LandmarkMaker::MakeNow(const MeshHandle& mesh,
+                                    Checkpoint& checkpoint) {
+  if (IsEnough(meshes_.landmarks().Find(mesh->digest))) {
+    return absl::OkStatus();
+  }
+  absl::StatusOr<Work> work = Begin(*mesh);
+  // Questions are answered without them.
+  if (!work.ok()) return absl::OkStatus();
+  bool goes_on = work->landmarks->next().has_value();
+  if (!goes_on) Publish(*mesh, *work);
+  while (goes_on) {
+    auto computation = StartField(*mesh->mesh, *work->landmarks);
+    if (!computation.ok()) return computation.status();
+    absl::Status status = (*computation)->Advance({}, checkpoint);
+    if (!status.ok()) return status;
+    goes_on = Add(*mesh, **computation, *work);
+  }
+  return absl::OkStatus();
+}
+
+uint64_t LandmarkMaker::PlannedBytes(const Mesh& mesh) {
+  const absl::StatusOr<ValidQuery> query =
+      ValidQuery::Make({.sources = {{VertexPoint{0}}}}, mesh);
+  return (query.ok() ? PlannedSolverBytes(mesh, *query) : 0) +
+         DistanceBytes(mesh);
+}
+
+absl::StatusOr<LandmarkMaker::Work> LandmarkMaker::Begin(
+    const ResidentMesh& mesh) {
   // Those of a turn that was broken off.
   const LandmarksHandle present = meshes_.landmarks().Find(mesh.digest);
   absl::StatusOr<ByteReservation> room =
       meshes_.landmarks().Reserve(*mesh.mesh);
   if (!room.ok()) return room.status();
-  work_.room = *std::move(room);
+  Work work{.room = *std::move(room)};
   if (present != nullptr) {
-    work_.landmarks = *present;
-    return absl::OkStatus();
+    work.landmarks = *present;
+    return work;
   }
   if (files_ != nullptr) {
     absl::StatusOr<Landmarks> stored = files_->Load(mesh.digest, *mesh.mesh);
     if (stored.ok()) {
       loaded_ += stored->count();
-      work_.landmarks = *std::move(stored);
-      return absl::OkStatus();
+      work.landmarks = *std::move(stored);
+      return work;
     }
   }
-  work_.landmarks = Landmarks(*mesh.mesh);
-  return absl::OkStatus();
+  work.landmarks = Landmarks(*mesh.mesh);
+  return work;
 }
 
-absl::Status LandmarkMaker::StartField(const MeshHandle& mesh) {
-  const absl::StatusOr<ValidQuery> query = ValidQuery::Make(
-      {.sources = {{VertexPoint{*work_.landmarks->next()}}}}, *mesh->mesh);
+absl::StatusOr<std::unique_ptr<Computation>> LandmarkMaker::StartField(
+    const Mesh& mesh, const Landmarks& landmarks) const {
+  const absl::StatusOr<ValidQuery> query =
+      ValidQuery::Make({.sources = {{VertexPoint{*landmarks.next()}}}}, mesh);
   if (!query.ok()) return query.status();
-  absl::StatusOr<ByteReservation> memory = ByteReservation::Make(
-      solver_memory_,
-      PlannedSolverBytes(*mesh->mesh, *query) + DistanceBytes(*mesh->mesh));
-  if (!memory.ok()) return memory.status();
-  auto computation = start_(*mesh->mesh, *query, options_);
-  if (!computation.ok()) return computation.status();
-  work_.field = Field{mesh, *std::move(memory), *std::move(computation)};
-  return absl::OkStatus();
+  return start_(mesh, *query, options_);
 }
 
-void LandmarkMaker::Store(const ResidentMesh& mesh) {
+bool LandmarkMaker::Add(const ResidentMesh& mesh, const Computation& field,
+                        Work& work) {
+  work.landmarks->Add(*mesh.mesh, field.Field().distances);
+  ++made_;
+  const bool goes_on = work.landmarks->next().has_value();
+  if (!goes_on) Store(mesh, *work.landmarks);
+  Publish(mesh, work);
+  return goes_on;
+}
+
+void LandmarkMaker::Store(const ResidentMesh& mesh,
+                          const Landmarks& landmarks) {
   if (files_ == nullptr) return;
   // A full disk does not hurt questions; uploads report it.
-  (void)files_->Put(mesh.digest, *work_.landmarks);
+  (void)files_->Put(mesh.digest, landmarks);
   // A mesh that was deleted before now had no file.
   if (!meshes_.Contains(mesh.digest)) files_->Erase(mesh.digest);
 }
@@ -192,15 +232,16 @@ void LandmarkMaker::EraseMesh(const std::string& digest) {
   if (files_ != nullptr) files_->Erase(digest);
 }
 
-void LandmarkMaker::Publish(const ResidentMesh& mesh) {
+void LandmarkMaker::Publish(const ResidentMesh& mesh, Work& work) {
   LandmarkStore& store = meshes_.landmarks();
-  Landmarks& landmarks = *work_.landmarks;
-  if (!landmarks.next().has_value()) {
-    store.Insert(mesh.digest, std::move(landmarks), std::move(work_.room));
-  } else if (std::has_single_bit(landmarks.count())) {
+  if (!work.landmarks->next().has_value()) {
+    store.Insert(mesh.digest, *std::move(work.landmarks), std::move(work.room));
+  } else if (std::has_single_bit(work.landmarks->count())) {
     // A copy for questions that come meanwhile, if there is room for two.
     absl::StatusOr<ByteReservation> room = store.Reserve(*mesh.mesh);
-    if (room.ok()) store.Insert(mesh.digest, landmarks, *std::move(room));
+    if (room.ok()) {
+      store.Insert(mesh.digest, *work.landmarks, *std::move(room));
+    }
   }
   // A mesh that went before now found no landmarks to take along.
   if (!meshes_.store().Holds(mesh.digest)) store.Erase(mesh.digest);

@@ -19,6 +19,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
 #include "geodesic/computation.h"
 #include "geodesic/landmarks.h"
 #include "geodesic/solve_options.h"
@@ -48,6 +49,14 @@ class LandmarkMaker {
   // returns those there are, perhaps null. If more would help, they are made
   // later. Does not pin the mesh for that.
   LandmarksHandle Wanted(const MeshHandle& mesh);
+
+  // Makes all landmarks that are missing, or none if there is no room for them,
+  // on the calling thread: for a question that is long enough to pay for them.
+  // Takes PlannedBytes. Errors: the checkpoint's.
+  absl::Status MakeNow(const MeshHandle& mesh, Checkpoint& checkpoint);
+
+  // Of the solver's memory.
+  static uint64_t PlannedBytes(const Mesh& mesh);
 
   // Drops what the disk keeps of a mesh that is gone. Waits for the disk.
   void EraseMesh(const std::string& digest);
@@ -79,16 +88,21 @@ class LandmarkMaker {
   void SubmitStep();
   void RunStep(const std::stop_token& stop);
 
-  // These are called by the job alone.
-
-  // Whether there is more to do. Errors: the landmarks cannot be made now.
+  // Called by the job alone. Whether there is more to do. Errors: the landmarks
+  // cannot be made now.
   absl::StatusOr<bool> Step(const MeshHandle& mesh,
                             const std::stop_token& stop);
-  // Takes those there are, in memory or on disk, or begins with none.
-  absl::Status Begin(const ResidentMesh& mesh);
-  absl::Status StartField(const MeshHandle& mesh);
-  void Publish(const ResidentMesh& mesh);
-  void Store(const ResidentMesh& mesh);
+  // Takes those there are, in memory or on disk, or begins with none. Errors:
+  // there is no room.
+  absl::StatusOr<Work> Begin(const ResidentMesh& mesh);
+  absl::StatusOr<std::unique_ptr<Computation>> StartField(
+      const Mesh& mesh, const Landmarks& landmarks) const;
+  // Adds a finished field, and publishes what there is. Whether more are
+  // missing.
+  bool Add(const ResidentMesh& mesh, const Computation& field, Work& work);
+  // The last time takes the landmarks.
+  void Publish(const ResidentMesh& mesh, Work& work);
+  void Store(const ResidentMesh& mesh, const Landmarks& landmarks);
 
   const SolveOptions options_;
   const StartFunction start_;

@@ -73,6 +73,9 @@ class PairEngineTest : public test::EngineTest {
     }
   }
 
+  uint32_t CountLandmarks() const {
+    return engine_.meshes().landmarks().CountOf(digest_);
+  }
   PairCounts counts() const { return call_.work->answered.counts(); }
 
   TriangleSoup soup_;
@@ -81,12 +84,29 @@ class PairEngineTest : public test::EngineTest {
 };
 
 TEST_F(PairEngineTest, HasLandmarksMadeForLaterQuestions) {
-  ASSERT_TRUE(Ask({{VertexPoint{0}, VertexPoint{99}}}).ok());
-  EXPECT_EQ(call_.work->means.landmarks, nullptr);
+  const auto call = Start({{VertexPoint{0}, VertexPoint{99}}});
+  ASSERT_TRUE(call.ok()) << call.status();
+  executor_.RunOne();
+  EXPECT_TRUE(call->rows->Take().has_value());
+  EXPECT_EQ(CountLandmarks(), 0);
   executor_.RunAll();
-  ASSERT_TRUE(Ask({{VertexPoint{0}, VertexPoint{99}}}).ok());
-  ASSERT_NE(call_.work->means.landmarks, nullptr);
-  EXPECT_EQ(call_.work->means.landmarks->count(), Landmarks::kMost);
+  EXPECT_EQ(CountLandmarks(), Landmarks::kMost);
+}
+
+TEST_F(PairEngineTest, ALongListHasLandmarksMadeFirst) {
+  Hold(MakeGrid({.columns = 20, .rows = 20}));
+  std::vector<PointPair> pairs;
+  for (uint32_t i = 0; i < 1000; ++i) {
+    // No end is shared by so many that a field would pay.
+    pairs.push_back({VertexPoint{i % 441}, VertexPoint{i * 5 % 441}});
+  }
+  const auto call = Start(pairs);
+  ASSERT_TRUE(call.ok()) << call.status();
+  executor_.RunOne();
+  EXPECT_EQ(CountLandmarks(), Landmarks::kMost);
+  call->rows->Cancel();
+  executor_.RunAll();
+  ExpectEuclid(pairs);
 }
 
 TEST_F(PairEngineTest, SearchesPairsOfAnyPoints) {
