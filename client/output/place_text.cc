@@ -1,5 +1,6 @@
 #include "client/output/place_text.h"
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <fstream>
@@ -57,10 +58,14 @@ struct PlaceJson {
 
 constexpr std::string_view kPointForms =
     "VERTEX, edge:A-B@T or face:F@W0,W1,W2 (numbers from 0, T from 0 to 1, "
-    "weights >= 0 that sum to 1)";
+    "weights >= 0 that sum to 1), nearest:X,Y,Z, or min: or max: with x, y or "
+    "z";
 
 constexpr std::string_view kEdge = "edge:";
 constexpr std::string_view kFace = "face:";
+constexpr std::string_view kNearest = "nearest:";
+constexpr std::string_view kLeast = "min:";
+constexpr std::string_view kGreatest = "max:";
 
 absl::Status Wrong(std::string_view text, const char* kind,
                    const std::string& problem, std::string_view forms) {
@@ -81,6 +86,13 @@ bool Split(std::string_view text, char separator, std::string_view* before,
   *before = text.substr(0, at);
   *after = text.substr(at + 1);
   return true;
+}
+
+std::string_view Trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t";
+  const size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
 // The functions below return what is wrong with the text, or an empty string.
@@ -109,13 +121,17 @@ std::string ParseEdge(std::string_view text, EdgePoint* point) {
   return "";
 }
 
+// Cuts `text` at its first two commas. Returns false if there are not as many.
+bool SplitThree(std::string_view text, std::array<std::string_view, 3>* parts) {
+  return Split(text, ',', &(*parts)[0], &text) &&
+         Split(text, ',', &(*parts)[1], &(*parts)[2]);
+}
+
 std::string ParseFace(std::string_view text, FacePoint* point) {
   std::string_view face;
   std::string_view weights;
   std::array<std::string_view, 3> w;
-  if (!Split(text, '@', &face, &weights) ||
-      !Split(weights, ',', &w[0], &weights) ||
-      !Split(weights, ',', &w[1], &w[2])) {
+  if (!Split(text, '@', &face, &weights) || !SplitThree(weights, &w)) {
     return "a face needs @ and three weights";
   }
   std::string problem = ParseIndex(face, "face", &point->face);
@@ -131,22 +147,59 @@ std::string ParseFace(std::string_view text, FacePoint* point) {
   return problem;
 }
 
-std::string ParsePlace(std::string_view text, SurfacePoint* point) {
+std::string ParseNearest(std::string_view text, NearestPoint* point) {
+  std::array<std::string_view, 3> parts;
+  if (!SplitThree(text, &parts)) return "nearest needs three coordinates";
+  for (size_t axis = 0; axis < parts.size(); ++axis) {
+    const std::string_view number = Trimmed(parts[axis]);
+    double& coordinate = point->to[axis];
+    if (!ParseNumber(number, &coordinate) || !std::isfinite(coordinate)) {
+      return absl::StrCat("the coordinate ", Quoted(number),
+                          " is not a finite number");
+    }
+  }
+  return "";
+}
+
+std::string ParseExtreme(std::string_view text, bool is_greatest,
+                         ExtremeVertex* vertex) {
+  constexpr std::string_view kAxes = "xyz";
+  const size_t axis = text.size() == 1 ? kAxes.find(text) : text.npos;
+  if (axis == text.npos) {
+    return absl::StrCat(Quoted(text), " is not an axis: x, y or z");
+  }
+  *vertex = {axis, is_greatest};
+  return "";
+}
+
+std::string ParsePlace(std::string_view text, WrittenPoint* point) {
   if (text.starts_with(kEdge)) {
     return ParseEdge(text.substr(kEdge.size()), &point->emplace<EdgePoint>());
   }
   if (text.starts_with(kFace)) {
     return ParseFace(text.substr(kFace.size()), &point->emplace<FacePoint>());
   }
+  if (text.starts_with(kNearest)) {
+    return ParseNearest(text.substr(kNearest.size()),
+                        &point->emplace<NearestPoint>());
+  }
+  for (const std::string_view kind : {kLeast, kGreatest}) {
+    if (!text.starts_with(kind)) continue;
+    return ParseExtreme(text.substr(kind.size()), kind == kGreatest,
+                        &point->emplace<ExtremeVertex>());
+  }
   return ParseIndex(text, "vertex", &point->emplace<VertexPoint>().vertex);
 }
 
 // Takes ":OFFSET" off the end of a place.
 std::string TakeOffset(std::string_view* text, double* offset) {
-  // The colon after "edge" and "face" belongs to the place.
-  const size_t kind =
-      text->starts_with(kEdge) || text->starts_with(kFace) ? kEdge.size() : 0;
-  const size_t colon = text->find(':', kind);
+  // The colon after "edge" and the like belongs to the place.
+  size_t begin = 0;
+  for (const std::string_view kind :
+       {kEdge, kFace, kNearest, kLeast, kGreatest}) {
+    if (text->starts_with(kind)) begin = kind.size();
+  }
+  const size_t colon = text->find(':', begin);
   if (colon == std::string_view::npos) return "";
   const std::string_view number = text->substr(colon + 1);
   *text = text->substr(0, colon);
@@ -208,38 +261,35 @@ Json SourceToJson(const Source& source) {
   return json;
 }
 
-absl::StatusOr<SurfacePoint> ParsePoint(std::string_view text) {
-  SurfacePoint point;
+absl::StatusOr<WrittenPoint> ParsePoint(std::string_view text) {
+  WrittenPoint point;
   const std::string problem = ParsePlace(text, &point);
   if (!problem.empty()) return Wrong(text, "point", problem, kPointForms);
   return point;
 }
 
-absl::StatusOr<Source> ParseSource(std::string_view text) {
-  Source source;
+absl::StatusOr<WrittenSource> ParseSource(std::string_view text) {
+  WrittenSource source = {.points = {{}}};
   std::string_view place = text;
-  SurfacePoint point;
   std::string problem = TakeOffset(&place, &source.offset);
-  if (problem.empty()) problem = ParsePlace(place, &point);
+  if (problem.empty()) problem = ParsePlace(place, &source.points[0]);
   if (!problem.empty()) {
     return Wrong(text, "source", problem,
                  absl::StrCat(std::string(kPointForms),
                               ", each also with :OFFSET >= 0"));
   }
-  std::visit([&source](const auto& at) { source.place = at; }, point);
   return source;
 }
 
-absl::StatusOr<Source> ParseCurve(std::string_view text) {
-  Source source;
-  Curve curve;
+absl::StatusOr<WrittenSource> ParseCurve(std::string_view text) {
+  WrittenSource source = {.is_curve = true};
   std::string_view rest = text;
   std::string_view place;
-  SurfacePoint point;
+  WrittenPoint point;
   std::string problem;
   while (problem.empty() && Split(rest, ';', &place, &rest)) {
     problem = ParsePlace(place, &point);
-    curve.points.push_back(point);
+    source.points.push_back(point);
   }
   if (problem.empty()) problem = TakeOffset(&rest, &source.offset);
   if (problem.empty()) problem = ParsePlace(rest, &point);
@@ -249,20 +299,20 @@ absl::StatusOr<Source> ParseCurve(std::string_view text) {
                               "where POINT is ",
                               std::string(kPointForms)));
   }
-  curve.points.push_back(point);
-  source.place = std::move(curve);
+  source.points.push_back(point);
   return source;
 }
 
-absl::StatusOr<std::vector<Source>> ReadSources(const std::string& path) {
-  return ReadList<Source>(path, [](std::string_view line) {
+absl::StatusOr<std::vector<WrittenSource>> ReadSources(
+    const std::string& path) {
+  return ReadList<WrittenSource>(path, [](std::string_view line) {
     return line.find(';') == std::string_view::npos ? ParseSource(line)
                                                     : ParseCurve(line);
   });
 }
 
-absl::StatusOr<std::vector<SurfacePoint>> ReadPoints(const std::string& path) {
-  return ReadList<SurfacePoint>(path, ParsePoint);
+absl::StatusOr<std::vector<WrittenPoint>> ReadPoints(const std::string& path) {
+  return ReadList<WrittenPoint>(path, ParsePoint);
 }
 
 }  // namespace geodesic::client

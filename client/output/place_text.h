@@ -4,8 +4,10 @@
 //   17                     vertex 17
 //   edge:3-8@0.25          on the edge from vertex 3 to 8, a quarter of the way
 //   face:5@0.2,0.3,0.5     in face 5, barycentric weights of its corners
-//   17:0.5                 a source with an offset; likewise for the others
-//   3;edge:3-8@0.5;9:0.5   a curve through these points, with an offset
+//   nearest:1,-2,0.5       the point of the surface nearest to this one in
+//   space min:x, max:z           the vertex with the least or greatest
+//   coordinate 17:0.5                 a source with an offset; likewise for the
+//   others 3;edge:3-8@0.5;9:0.5   a curve through these points, with an offset
 
 #ifndef GEODESIC_CLIENT_OUTPUT_PLACE_TEXT_H_
 #define GEODESIC_CLIENT_OUTPUT_PLACE_TEXT_H_
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "client/places/written_place.h"
 #include "geodesic_client/surface_point.h"
 
 namespace geodesic::client {
@@ -41,22 +44,22 @@ inline constexpr char kStandardInput[] = "-";
 // Errors: INVALID_ARGUMENT naming the text and what it should be; ParseSource
 // and ParseCurve have the same. The server checks whether the mesh has the
 // place.
-absl::StatusOr<SurfacePoint> ParsePoint(std::string_view text);
+absl::StatusOr<WrittenPoint> ParsePoint(std::string_view text);
 
 // "POINT" or "POINT:OFFSET".
-absl::StatusOr<Source> ParseSource(std::string_view text);
+absl::StatusOr<WrittenSource> ParseSource(std::string_view text);
 
 // "POINT;POINT;..." or "POINT;POINT;...:OFFSET".
-absl::StatusOr<Source> ParseCurve(std::string_view text);
+absl::StatusOr<WrittenSource> ParseCurve(std::string_view text);
 
 // The sources of a file, one a line. A line with a ';' is a curve. Empty lines
 // and those that begin with '#' are skipped. "-" is standard input.
 // Errors: those of opening and reading the file; INVALID_ARGUMENT naming the
 // line.
-absl::StatusOr<std::vector<Source>> ReadSources(const std::string& path);
+absl::StatusOr<std::vector<WrittenSource>> ReadSources(const std::string& path);
 
 // The same for points.
-absl::StatusOr<std::vector<SurfacePoint>> ReadPoints(const std::string& path);
+absl::StatusOr<std::vector<WrittenPoint>> ReadPoints(const std::string& path);
 
 }  // namespace geodesic::client
 

@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-PointPair Vertices(uint64_t source, uint64_t target) {
+WrittenPair Vertices(uint64_t source, uint64_t target) {
   return {VertexPoint{source}, VertexPoint{target}};
 }
 
@@ -38,10 +38,23 @@ TEST(ParsePairTest, CommasOfWeightsBelongToTheFace) {
                            "face:5@0.2,0.3,0.5, 17"}) {
     const auto pair = ParsePair(text);
     ASSERT_TRUE(pair.ok()) << text << pair.status();
-    EXPECT_EQ(*pair, (PointPair{face, VertexPoint{17}})) << text;
+    EXPECT_EQ(*pair, (WrittenPair{face, VertexPoint{17}})) << text;
   }
   EXPECT_EQ(*ParsePair("edge:3-8@0.25,face:5@0.2,0.3,0.5"),
-            (PointPair{EdgePoint{3, 8, 0.25}, face}));
+            (WrittenPair{EdgePoint{3, 8, 0.25}, face}));
+}
+
+TEST(ParsePairTest, CoordinatesMayHaveBlanks) {
+  const NearestPoint near{{1, -2, 0.5}};
+  for (const char* text :
+       {"nearest:1,-2,0.5 max:z", "nearest:1,-2,0.5,max:z",
+        "nearest: 1, -2, 0.5 , max:z", "nearest:1,\t-2,0.5\tmax:z"}) {
+    const auto pair = ParsePair(text);
+    ASSERT_TRUE(pair.ok()) << text << pair.status();
+    EXPECT_EQ(*pair, (WrittenPair{near, ExtremeVertex{2, true}})) << text;
+  }
+  EXPECT_EQ(*ParsePair("3 nearest:1, -2, 0.5"),
+            (WrittenPair{VertexPoint{3}, near}));
 }
 
 TEST(ParsePairTest, NamesWhatIsWrong) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "client/places/place_finder.h"
 #include "tests/client/temporary_folder.h"
 
 namespace geodesic::client {
@@ -11,19 +12,61 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
+WrittenSource At(const WrittenPoint& point, double offset = 0) {
+  return {{point}, false, offset};
+}
+
+TEST(ParsePointTest, KnowsPlacesToLookFor) {
+  for (const char* text :
+       {"nearest:1,-2.5,3e-4", "nearest: 1 , -2.5,\t3e-4 "}) {
+    EXPECT_EQ(*ParsePoint(text), WrittenPoint(NearestPoint{{1, -2.5, 3e-4}}))
+        << text;
+  }
+  EXPECT_EQ(*ParsePoint("min:x"), WrittenPoint(ExtremeVertex{0, false}));
+  EXPECT_EQ(*ParsePoint("max:z"), WrittenPoint(ExtremeVertex{2, true}));
+}
+
 TEST(ParsePointTest, KnowsThreeKinds) {
-  EXPECT_EQ(*ParsePoint("17"), SurfacePoint(VertexPoint{17}));
-  EXPECT_EQ(*ParsePoint("edge:3-8@0.25"), SurfacePoint(EdgePoint{3, 8, 0.25}));
+  EXPECT_EQ(*ParsePoint("17"), WrittenPoint(VertexPoint{17}));
+  EXPECT_EQ(*ParsePoint("edge:3-8@0.25"), WrittenPoint(EdgePoint{3, 8, 0.25}));
   EXPECT_EQ(*ParsePoint("face:5@0.2,0.3,0.5"),
-            SurfacePoint(FacePoint{5, {0.2, 0.3, 0.5}}));
+            WrittenPoint(FacePoint{5, {0.2, 0.3, 0.5}}));
 }
 
 TEST(ParsePointTest, NamesWhatIsWrong) {
-  for (const char* text :
-       {"", "-1", "1.5", "1:2", "edge:", "edge:1@0.5", "edge:1-2", "edge:1-2@",
-        "edge:1-2@-0.1", "edge:1-2@1.1", "edge:1-2@nan", "face:1@0.5,0.5",
-        "face:1@1,0,0,0", "face:1@-1,1,1", "face:1@nan,0,0", "face:1@inf,0,0",
-        "edge:1-2@0.5x", "vertex:1", "1;2"}) {
+  for (const char* text : {"",
+                           "-1",
+                           "1.5",
+                           "1:2",
+                           "edge:",
+                           "edge:1@0.5",
+                           "edge:1-2",
+                           "edge:1-2@",
+                           "edge:1-2@-0.1",
+                           "edge:1-2@1.1",
+                           "edge:1-2@nan",
+                           "face:1@0.5,0.5",
+                           "face:1@1,0,0,0",
+                           "face:1@-1,1,1",
+                           "face:1@nan,0,0",
+                           "face:1@inf,0,0",
+                           "edge:1-2@0.5x",
+                           "vertex:1",
+                           "1;2",
+                           "nearest:",
+                           "nearest:1,2",
+                           "nearest:1,2,3,4",
+                           "nearest:1,2,nan",
+                           "nearest:1,2,inf",
+                           "nearest:1,2,1e999",
+                           "nearest:1,,3",
+                           "nearest",
+                           "min:",
+                           "min:w",
+                           "max:zz",
+                           "max:Z",
+                           "max:z:1",
+                           "max"}) {
     const absl::Status status = ParsePoint(text).status();
     EXPECT_TRUE(absl::IsInvalidArgument(status)) << text;
     EXPECT_THAT(std::string(status.message()), HasSubstr("edge:A-B@T")) << text;
@@ -31,12 +74,13 @@ TEST(ParsePointTest, NamesWhatIsWrong) {
 }
 
 TEST(ParseSourceTest, TakesAnOffset) {
-  EXPECT_EQ(*ParseSource("17"), (Source{VertexPoint{17}, 0}));
-  EXPECT_EQ(*ParseSource("17:0.5"), (Source{VertexPoint{17}, 0.5}));
-  EXPECT_EQ(*ParseSource("edge:3-8@0.25:2"),
-            (Source{EdgePoint{3, 8, 0.25}, 2}));
+  EXPECT_EQ(*ParseSource("17"), At(VertexPoint{17}, 0));
+  EXPECT_EQ(*ParseSource("17:0.5"), At(VertexPoint{17}, 0.5));
+  EXPECT_EQ(*ParseSource("edge:3-8@0.25:2"), At(EdgePoint{3, 8, 0.25}, 2));
   EXPECT_EQ(*ParseSource("face:5@1,0,0:1e-3"),
-            (Source{FacePoint{5, {1, 0, 0}}, 1e-3}));
+            At(FacePoint{5, {1, 0, 0}}, 1e-3));
+  EXPECT_EQ(*ParseSource("nearest:0,0,-1:2"), At(NearestPoint{{0, 0, -1}}, 2));
+  EXPECT_EQ(*ParseSource("min:y:0.5"), At(ExtremeVertex{1, false}, 0.5));
   for (const char* text : {"1:", "1:-1", "1:nan", "1:inf", "1:2:3",
                            "edge:1-2@0.5:", "edge:1-2@0.5:x", "1;2"}) {
     EXPECT_FALSE(ParseSource(text).ok()) << text;
@@ -45,10 +89,11 @@ TEST(ParseSourceTest, TakesAnOffset) {
 
 TEST(ParseCurveTest, IsPointsInARow) {
   EXPECT_EQ(*ParseCurve("1;edge:1-2@0.5;face:3@0,0,1:0.25"),
-            (Source{Curve{{VertexPoint{1}, EdgePoint{1, 2, 0.5},
-                           FacePoint{3, {0, 0, 1}}}},
-                    0.25}));
-  EXPECT_EQ(*ParseCurve("4"), (Source{Curve{{VertexPoint{4}}}}));
+            (WrittenSource{
+                {VertexPoint{1}, EdgePoint{1, 2, 0.5}, FacePoint{3, {0, 0, 1}}},
+                true,
+                0.25}));
+  EXPECT_EQ(*ParseCurve("4"), (WrittenSource{{VertexPoint{4}}, true}));
   for (const char* text : {"", ";", "1;", ";1", "1;;2", "1:2;3", "1;x"}) {
     EXPECT_FALSE(ParseCurve(text).ok()) << text;
   }
@@ -58,12 +103,14 @@ TEST(PlaceTextTest, IsReadBack) {
   const std::vector<Source> sources = {{VertexPoint{7}, 0.1},
                                        {EdgePoint{1, 2, 1.0 / 3}, 0},
                                        {FacePoint{3, {0.1, 0.2, 0.7}}, 1e-300}};
+  PlaceFinder finder(nullptr);  // there is nothing to look for
   for (const Source& source : sources) {
-    EXPECT_EQ(*ParseSource(SourceText(source)), source) << SourceText(source);
+    EXPECT_EQ(*finder.Find(*ParseSource(SourceText(source))), source)
+        << SourceText(source);
   }
   const Source curve = {Curve{{VertexPoint{7}, EdgePoint{1, 2, 0.1}}}, 2};
   EXPECT_EQ(SourceText(curve), "7;edge:1-2@0.1:2");
-  EXPECT_EQ(*ParseCurve(SourceText(curve)), curve);
+  EXPECT_EQ(*finder.Find(*ParseCurve(SourceText(curve))), curve);
 }
 
 TEST(PlaceTextTest, AsJson) {
@@ -79,15 +126,18 @@ TEST(PlaceTextTest, AsJson) {
 
 TEST(ReadListTest, OneALine) {
   TemporaryFolder folder;
-  WriteFile(folder / "s.txt", "# rows\n1\n\n2:0.5\r\n3;4\nedge:0-1@0.5");
+  WriteFile(folder / "s.txt",
+            "# rows\n1\n\n2:0.5\r\n3;4\nedge:0-1@0.5\n"
+            "max:z\nnearest:0, -1, 2:0.5\n");
   EXPECT_THAT(*ReadSources(folder / "s.txt"),
-              ElementsAre(Source{VertexPoint{1}}, Source{VertexPoint{2}, 0.5},
-                          Source{Curve{{VertexPoint{3}, VertexPoint{4}}}},
-                          Source{EdgePoint{0, 1, 0.5}}));
+              ElementsAre(At(VertexPoint{1}), At(VertexPoint{2}, 0.5),
+                          WrittenSource{{VertexPoint{3}, VertexPoint{4}}, true},
+                          At(EdgePoint{0, 1, 0.5}), At(ExtremeVertex{2, true}),
+                          At(NearestPoint{{0, -1, 2}}, 0.5)));
   WriteFile(folder / "t.txt", "5\nface:1@0,0,1\n");
   EXPECT_THAT(*ReadPoints(folder / "t.txt"),
-              ElementsAre(SurfacePoint(VertexPoint{5}),
-                          SurfacePoint(FacePoint{1, {0, 0, 1}})));
+              ElementsAre(WrittenPoint(VertexPoint{5}),
+                          WrittenPoint(FacePoint{1, {0, 0, 1}})));
 }
 
 TEST(ReadListTest, NamesFileAndLine) {

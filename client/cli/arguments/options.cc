@@ -164,9 +164,8 @@ void AddSources(CLI::App* app, Need need, SourceArguments* sources) {
   sources->need = need;
   AddValue(app,
            {"-s,--source",
-            absl::StrCat("Measure from this POINT: VERTEX, edge:A-B@T or "
-                         "face:F@W0,W1,W2; it starts with OFFSET (default 0); "
-                         "may be repeated",
+            absl::StrCat("Measure from this POINT: ", kPointHelp,
+                         "; it starts with OFFSET (default 0); may be repeated",
                          need == Need::kRequired
                              ? " (required, or --curve or --sources)"
                              : "; default: vertex 0"),

@@ -18,9 +18,9 @@
 #include "absl/status/statusor.h"
 #include "client/output/output_format.h"
 #include "client/picture/picture.h"
+#include "client/places/written_place.h"
 #include "geodesic_client/answer.h"
 #include "geodesic_client/mesh.h"
-#include "geodesic_client/surface_point.h"
 
 // Declared here because CLI11's header takes seconds to compile.
 namespace CLI {
@@ -43,15 +43,15 @@ enum class Need { kRequired, kOptional };
 // Sources are numbered in this order: points, curves, then those listed in
 // files.
 struct SourceArguments {
-  std::vector<Source> points;
-  std::vector<Source> curves;
+  std::vector<WrittenSource> points;
+  std::vector<WrittenSource> curves;
   std::vector<std::string> files;
   Need need = Need::kOptional;
 };
 
 // Targets are numbered in the same way.
 struct TargetArguments {
-  std::vector<SurfacePoint> points;
+  std::vector<WrittenPoint> points;
   std::vector<std::string> files;
   Need need = Need::kOptional;
 };
@@ -139,6 +139,13 @@ inline constexpr char kMeshHelp[] =
     "mesh, of which the first 8 digits do if they are unique";
 void AddMesh(CLI::App* app, const std::string& help, MeshArgument* mesh);
 void AddFormat(CLI::App* app, std::optional<MeshFormat>* format);
+
+// How a POINT is written, for help texts.
+inline constexpr char kPointHelp[] =
+    "VERTEX, edge:A-B@T, face:F@W0,W1,W2, nearest:X,Y,Z (the point of the "
+    "surface nearest to this one) or min:x, max:z and the like (the vertex "
+    "with "
+    "the least or greatest coordinate)";
 
 // Adds --source, --curve and --sources.
 void AddSources(CLI::App* app, Need need, SourceArguments* sources);

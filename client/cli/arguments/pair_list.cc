@@ -39,13 +39,18 @@ void SkipBlanks(std::string_view* text) {
   while (!text->empty() && IsBlank(text->front())) text->remove_prefix(1);
 }
 
-// Takes the text of a place off the front. Commas end it, but for the two
-// between the weights of a place in a face.
+// Takes the text of a place off the front. A comma or a blank ends it, but for
+// the two commas between the numbers of a place in a face or near a point in
+// space, and for blanks before the latter's numbers.
 std::string_view TakePlace(std::string_view* text) {
-  int commas = text->starts_with("face:") ? 2 : 0;
+  const bool is_nearest = text->starts_with("nearest:");
+  int commas = is_nearest || text->starts_with("face:") ? 2 : 0;
   size_t size = 0;
-  for (; size < text->size() && !IsBlank((*text)[size]); ++size) {
-    if ((*text)[size] == ',' && commas-- == 0) break;
+  bool has_number = !is_nearest;
+  for (; size < text->size(); ++size) {
+    const char c = (*text)[size];
+    if (c == ',' ? commas-- == 0 : IsBlank(c) && has_number) break;
+    if (is_nearest && !IsBlank(c)) has_number = c != ':' && c != ',';
   }
   const std::string_view place = text->substr(0, size);
   text->remove_prefix(size);
@@ -54,10 +59,10 @@ std::string_view TakePlace(std::string_view* text) {
 
 }  // namespace
 
-absl::StatusOr<PointPair> ParsePair(std::string_view line) {
+absl::StatusOr<WrittenPair> ParsePair(std::string_view line) {
   std::string_view rest = line;
   SkipBlanks(&rest);
-  absl::StatusOr<SurfacePoint> source = ParsePoint(TakePlace(&rest));
+  absl::StatusOr<WrittenPoint> source = ParsePoint(TakePlace(&rest));
   if (!source.ok()) return source.status();
   SkipBlanks(&rest);
   if (rest.starts_with(',')) rest.remove_prefix(1);
@@ -66,7 +71,7 @@ absl::StatusOr<PointPair> ParsePair(std::string_view line) {
     return absl::InvalidArgumentError(
         absl::StrCat("'", std::string(line), "' is one place; write two"));
   }
-  absl::StatusOr<SurfacePoint> target = ParsePoint(TakePlace(&rest));
+  absl::StatusOr<WrittenPoint> target = ParsePoint(TakePlace(&rest));
   if (!target.ok()) return target.status();
   SkipBlanks(&rest);
   if (!rest.empty()) {
@@ -74,7 +79,7 @@ absl::StatusOr<PointPair> ParsePair(std::string_view line) {
         absl::StrCat("'", std::string(rest), "' follows the two places of '",
                      std::string(line), "'"));
   }
-  return PointPair{*source, *target};
+  return WrittenPair{*source, *target};
 }
 
 absl::StatusOr<PairList> PairList::Open(const std::string& path) {
@@ -105,7 +110,7 @@ absl::StatusOr<PairList::Piece> PairList::Read(size_t most) {
     if (!is_there.ok()) return AtLine(is_there.status());
     if (!*is_there) break;
     if (line.starts_with('#') || std::ranges::all_of(line, IsBlank)) continue;
-    absl::StatusOr<PointPair> pair = ParsePair(line);
+    absl::StatusOr<WrittenPair> pair = ParsePair(line);
     if (!pair.ok()) {
       return AtLine(pair.status());
     }

@@ -12,13 +12,14 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "geodesic_client/pairs.h"
+#include "client/places/written_place.h"
 
 namespace geodesic::client {
 
-// Two places (place_text.h) with blanks, tabs or a comma between them. What
+// Two places (place_text.h) with blanks, tabs or a comma between them. Blanks
+// after a comma of nearest:X,Y,Z belong to it. What
 // follows them is an error, INVALID_ARGUMENT naming the text.
-absl::StatusOr<PointPair> ParsePair(std::string_view line);
+absl::StatusOr<WrittenPair> ParsePair(std::string_view line);
 
 // A pair of places a line. Empty lines and those that begin with '#' are
 // skipped.
@@ -28,7 +29,7 @@ class PairList {
   static absl::StatusOr<PairList> Open(const std::string& path);
 
   struct Piece {
-    std::vector<PointPair> pairs;
+    std::vector<WrittenPair> pairs;
     std::vector<uint64_t> lines;  // where each pair stands, from 1
   };
 

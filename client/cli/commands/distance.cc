@@ -22,6 +22,7 @@
 #include "client/output/number_text.h"
 #include "client/output/pair_writers.h"
 #include "client/output/place_text.h"
+#include "client/places/place_finder.h"
 #include "geodesic_client/errors.h"
 
 namespace geodesic::client {
@@ -35,7 +36,7 @@ struct DistanceArguments {
   // The places A and B as they are written; empty with `list`.
   std::string source;
   std::string target;
-  std::optional<PointPair> pair;
+  std::optional<WrittenPair> pair;
   std::string list;
   bool float32 = false;
   Priority priority = Priority::kInteractive;
@@ -47,8 +48,8 @@ bool HoldsDistances(OutputFormat format) {
   return format == OutputFormat::kNpy || format == OutputFormat::kCsv;
 }
 
-SurfacePoint PlaceOf(const std::string& name, const std::string& text) {
-  absl::StatusOr<SurfacePoint> place = ParsePoint(text);
+WrittenPoint PlaceOf(const std::string& name, const std::string& text) {
+  absl::StatusOr<WrittenPoint> place = ParsePoint(text);
   if (!place.ok()) Refuse(name, std::string(place.status().message()));
   return *place;
 }
@@ -60,15 +61,14 @@ void CheckArguments(DistanceArguments* arguments) {
   }
   if (has_list) return;
   if (arguments->target.empty()) Refuse("B", "name the second place");
-  arguments->pair = {PlaceOf("A", arguments->source),
-                     PlaceOf("B", arguments->target)};
+  arguments->pair = WrittenPair{PlaceOf("A", arguments->source),
+                                PlaceOf("B", arguments->target)};
 }
 
 void AddOptions(CLI::App* app, DistanceArguments* arguments) {
   AddMesh(app, kMeshHelp, &arguments->mesh);
   app->add_option("A", arguments->source,
-                  "The place to measure from: VERTEX, edge:A-B@T or "
-                  "face:F@W0,W1,W2")
+                  absl::StrCat("The place to measure from: ", kPointHelp))
       ->type_name("");
   app->add_option("B", arguments->target, "The place to measure to")
       ->type_name("");
@@ -112,6 +112,7 @@ class Destination {
       ++finite_;
       largest_ = std::max(largest_, distance);
     }
+    if (arguments_.pair.has_value()) pair_ = pairs[0];
     if (keeps()) kept_.insert(kept_.end(), distances.begin(), distances.end());
     if (is_text()) session_.out << CsvPairs(pairs, distances);
     if (!session_.out) return OutputFailed();
@@ -164,13 +165,12 @@ class Destination {
                  {"pairs_from_fields", summary.from_fields},
                  {"pairs_from_cache", summary.from_cache}}};
     if (arguments_.pair.has_value()) {
-      const PointPair& pair = *arguments_.pair;
       report.facts.clear();
       report.header = {"source", "target", "distance"};
-      report.rows = {{PointText(pair.source), PointText(pair.target),
+      report.rows = {{PointText(pair_.source), PointText(pair_.target),
                       NumberText(kept_[0])}};
-      report.json["source"] = PointToJson(pair.source);
-      report.json["target"] = PointToJson(pair.target);
+      report.json["source"] = PointToJson(pair_.source);
+      report.json["target"] = PointToJson(pair_.target);
       report.json["distance"] = kept_[0];
     } else if (keeps()) {
       report.json["distances"] = kept_;
@@ -196,6 +196,7 @@ class Destination {
   const DistanceArguments& arguments_;
   const Session& session_;
   std::vector<PairWriter> writers_;
+  PointPair pair_;  // the only one, if it is not a list
   std::vector<double> kept_;
   Lines lines_ = {.attributes = {{"pair", true}, {"distance"}}};
   uint64_t count_ = 0;
@@ -218,10 +219,15 @@ class PairRun {
 
   // Goes on after the last distance that came, on the mesh with this digest.
   absl::Status GoOn(const std::string& digest) {
+    PlaceFinder finder(
+        [&] { return session_.client.ReadMesh(digest, session_.call); });
     for (;;) {
-      if (piece_.pairs.empty()) {
+      if (pairs_.empty() && piece_.pairs.empty()) {
         if (absl::Status status = ReadPiece(); !status.ok()) return status;
         if (piece_.pairs.empty()) return absl::OkStatus();
+      }
+      if (absl::Status status = FindPlaces(&finder); !status.ok()) {
+        return status;
       }
       if (absl::Status status = AskForPiece(digest); !status.ok()) {
         return status;
@@ -246,12 +252,26 @@ class PairRun {
         list_->path(), " lists nothing: write two places a line")));
   }
 
+  // Moves the pairs of the piece to those that can be asked for.
+  absl::Status FindPlaces(PlaceFinder* finder) {
+    if (piece_.pairs.empty()) return absl::OkStatus();
+    std::vector<PointPair> found;
+    for (const WrittenPair& written : piece_.pairs) {
+      absl::StatusOr<PointPair> pair = finder->Find(written);
+      if (!pair.ok()) return pair.status();
+      found.push_back(*pair);
+    }
+    pairs_ = std::move(found);
+    piece_.pairs.clear();
+    return absl::OkStatus();
+  }
+
   absl::Status AskForPiece(const std::string& digest) {
     // The rest of a piece that was broken off.
     const uint64_t before = destination_->count();
-    const uint64_t total = before + piece_.pairs.size();
+    const uint64_t total = before + pairs_.size();
     const PairQuery query = {.mesh_digest = digest,
-                             .pairs = std::exchange(piece_.pairs, {}),
+                             .pairs = std::exchange(pairs_, {}),
                              .value_type = ValueTypeOf(arguments_.float32),
                              .priority = arguments_.priority,
                              .paths = destination_->has_paths()};
@@ -290,8 +310,8 @@ class PairRun {
         session_.client.ComputePairs(query, receiver, session_.call);
     if (!found.ok()) {
       absl::Status status = AtLine(found.status(), before);
-      piece_.pairs.assign(pairs.begin() + static_cast<std::ptrdiff_t>(taken),
-                          pairs.end());
+      pairs_.assign(pairs.begin() + static_cast<std::ptrdiff_t>(taken),
+                    pairs.end());
       if (!piece_.lines.empty()) {
         piece_.lines.erase(
             piece_.lines.begin(),
@@ -333,7 +353,8 @@ class PairRun {
   std::optional<PairList> list_;
   Destination* destination_;
   Stopwatch watch_;
-  PairList::Piece piece_;  // that is not answered yet
+  PairList::Piece piece_;         // its pairs are to be found on the mesh
+  std::vector<PointPair> pairs_;  // found, not answered yet
   PairSummary summary_;
 };
 
@@ -370,6 +391,7 @@ Command DistanceCommand() {
   return MakeCommand<DistanceArguments>(
       "distance", "Distances from one place to another",
       "  geodesic distance horse.ply 0 99\n"
+      "  geodesic distance horse.ply min:x nearest:0.1,-0.2,0\n"
       "  geodesic distance horse.ply 0 face:5@0.2,0.3,0.5 -o path.obj\n"
       "  geodesic distance horse.ply --pairs pairs.txt -o d.npy",
       AddOptions, Run);

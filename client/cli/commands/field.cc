@@ -388,6 +388,7 @@ Command FieldCommand() {
   return MakeQuestion(
       "field", "Distances to every vertex, and to any point",
       "  geodesic field horse.ply --source 0 --source 77:0.02 -o horse.png\n"
+      "  geodesic field horse.ply --source max:z --target nearest:0.1,-0.2,0\n"
       "  geodesic field horse.ply --source face:9@0.2,0.3,0.5 --radius 0.1 "
       "-o d.npy\n"
       "  geodesic field horse.ply --curve '0;edge:0-3@0.5' --source 9 "

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,26 +15,18 @@
 namespace geodesic::client {
 namespace {
 
-// The source is a point without an offset.
-struct LogMapArguments : QuestionArguments {
-  SurfacePoint source;
-};
-
-void AddOptions(CLI::App* app, LogMapArguments* arguments) {
+void AddOptions(CLI::App* app, QuestionArguments* arguments) {
   AddMesh(app, kMeshHelp, &arguments->mesh);
   AddText(app,
           {.name = "-s,--source",
-           .help = "The middle of the map, a POINT: VERTEX, edge:A-B@T or "
-                   "face:F@W0,W1,W2",
+           .help = absl::StrCat("The middle of the map, a POINT: ", kPointHelp),
            .type = "POINT",
            .required = true},
+          // Without an offset.
           [arguments](const std::string& text) {
-            absl::StatusOr<SurfacePoint> point = ParsePoint(text);
+            absl::StatusOr<WrittenPoint> point = ParsePoint(text);
             if (!point.ok()) return point.status();
-            arguments->source = *point;
-            Source& source = arguments->sources.points.emplace_back();
-            std::visit([&source](const auto& at) { source.place = at; },
-                       *point);
+            arguments->sources.points.push_back({.points = {*point}});
             return absl::OkStatus();
           });
   AddRadius(app, "End the map at this distance", &arguments->radius);
@@ -65,7 +58,7 @@ std::vector<Column> UAndV(const LogMap& map, NumberType type) {
   return columns;
 }
 
-Report ReportOf(const SurfacePoint& source, const LogMap& map) {
+Report ReportOf(const Source& source, const LogMap& map) {
   uint64_t mapped = 0;
   double largest = 0;
   for (const auto& [u, v] : map.coordinates) {
@@ -74,7 +67,7 @@ Report ReportOf(const SurfacePoint& source, const LogMap& map) {
     largest = std::max(largest, std::hypot(u, v));
   }
   return {
-      .facts = {{"source", PointText(source)},
+      .facts = {{"source", SourceText(source)},
                 {"angle 0", ShortNumbers(map.zero_direction)},
                 {"mapped", absl::StrCat(GroupedNumber(mapped), " of ",
                                         GroupedNumber(map.coordinates.size()),
@@ -86,10 +79,17 @@ Report ReportOf(const SurfacePoint& source, const LogMap& map) {
                {"zero_direction", map.zero_direction}}};
 }
 
-absl::Status Answer(const LogMapArguments& arguments, const Session& session,
+absl::Status Answer(const QuestionArguments& arguments, const Session& session,
                     const Question& question) {
   auto query = MakeQuery<LogMapQuery>(arguments, question);
-  query.source = arguments.source;
+  // The command line takes no curve.
+  std::visit(
+      [&query](const auto& place) {
+        if constexpr (!std::is_same_v<decltype(place), const Curve&>) {
+          query.source = place;
+        }
+      },
+      question.sources.at(0).place);
   Stopwatch watch(session);
   absl::StatusOr<LogMap> map =
       session.client.ComputeLogMap(query, session.call, watch.OnSolve());
@@ -110,7 +110,7 @@ absl::Status Answer(const LogMapArguments& arguments, const Session& session,
   return PrintReport(session, question, map->info, seconds,
                      WriteOutputs(session, arguments.outputs, map->info,
                                   {OutputFormat::kPly}, write),
-                     ReportOf(arguments.source, *map));
+                     ReportOf(question.sources[0], *map));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/mesh_argument.h"
 #include "client/output/place_text.h"
+#include "client/places/place_finder.h"
 
 namespace geodesic::client {
 namespace {
@@ -26,21 +27,48 @@ absl::Status AppendLists(const std::vector<std::string>& files, Read read,
       absl::StrCat(files[0], " lists nothing: write one place a line")));
 }
 
-// The question without its mesh. Checks that the outputs can be written.
-absl::StatusOr<Question> Prepare(const QuestionArguments& arguments) {
+// The places of a question, in the order in which the server numbers them.
+struct WrittenPlaces {
+  std::vector<WrittenSource> sources;
+  std::vector<WrittenPoint> targets;
+};
+
+// Checks that the outputs can be written, and reads the lists.
+absl::StatusOr<WrittenPlaces> Prepare(const QuestionArguments& arguments) {
   for (const OutputArgument& output : arguments.outputs) {
     absl::Status status = CheckWritable(output.path);
     if (!status.ok()) return FileError(status);
   }
   const SourceArguments& sources = arguments.sources;
   const TargetArguments& targets = arguments.targets;
-  Question question = {.sources = sources.points, .targets = targets.points};
-  question.sources.insert(question.sources.end(), sources.curves.begin(),
-                          sources.curves.end());
+  WrittenPlaces places = {.sources = sources.points, .targets = targets.points};
+  places.sources.insert(places.sources.end(), sources.curves.begin(),
+                        sources.curves.end());
   absl::Status status =
-      AppendLists(sources.files, ReadSources, &question.sources);
-  status.Update(AppendLists(targets.files, ReadPoints, &question.targets));
+      AppendLists(sources.files, ReadSources, &places.sources);
+  status.Update(AppendLists(targets.files, ReadPoints, &places.targets));
   if (!status.ok()) return status;
+  return places;
+}
+
+// The question about the mesh with this digest. Reads the mesh if a place has
+// to be looked for.
+absl::StatusOr<Question> FindPlaces(const Session& session,
+                                    const WrittenPlaces& places,
+                                    const std::string& digest) {
+  PlaceFinder finder(
+      [&] { return session.client.ReadMesh(digest, session.call); });
+  Question question = {.mesh_digest = digest};
+  for (const WrittenSource& written : places.sources) {
+    absl::StatusOr<Source> source = finder.Find(written);
+    if (!source.ok()) return source.status();
+    question.sources.push_back(*std::move(source));
+  }
+  for (const WrittenPoint& written : places.targets) {
+    absl::StatusOr<SurfacePoint> target = finder.Find(written);
+    if (!target.ok()) return target.status();
+    question.targets.push_back(*target);
+  }
   return question;
 }
 
@@ -89,11 +117,11 @@ Json SourcesJson(const std::vector<Source>& sources) {
 absl::Status AskQuestion(
     const Session& session, const QuestionArguments& arguments,
     const std::function<absl::Status(const Question&)>& answer) {
-  absl::StatusOr<Question> question = Prepare(arguments);
-  if (!question.ok()) return question.status();
+  absl::StatusOr<WrittenPlaces> places = Prepare(arguments);
+  if (!places.ok()) return places.status();
   return AskAboutMesh(session, arguments.mesh, [&](const std::string& digest) {
-    question->mesh_digest = digest;
-    return answer(*question);
+    absl::StatusOr<Question> question = FindPlaces(session, *places, digest);
+    return question.ok() ? answer(*question) : question.status();
   });
 }
 

@@ -33,9 +33,10 @@ struct Question {
 };
 
 // Reads the lists of --sources and --targets, checks that the outputs can be
-// written, makes the mesh resident and calls `answer`. It uploads the mesh and
-// calls `answer` once more if the mesh was evicted in between.
-// Errors: FileErrors, those of AskAboutMesh and those of `answer`.
+// written, makes the mesh resident, finds the places on it that are written by
+// what they are near to, and calls `answer`. It uploads the mesh and does so
+// once more if the mesh was evicted in between.
+// Errors: FileErrors, those of AskAboutMesh, PlaceFinder and `answer`.
 absl::Status AskQuestion(
     const Session& session, const QuestionArguments& arguments,
     const std::function<absl::Status(const Question&)>& answer);

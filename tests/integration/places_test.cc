@@ -1,0 +1,109 @@
+// Places that are written by what they are near to, through the command.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/integration/planar_grid_test.h"
+
+namespace geodesic::client {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr int kUsage = 2;
+constexpr int kFile = 3;
+
+// The grid is the unit square.
+class PlacesTest : public PlanarGridTest {};
+
+TEST_F(PlacesTest, AnswersAreThoseOfThePlacesTheyBecome) {
+  const json field =
+      GeodesicJson({"field", grid_, "-s", "nearest: 0.3, -2, 5", "-s",
+                    "max:y:0.5", "--curve", "min:x;1", "-t", "max:x"});
+  const json& sources = field["sources"];
+  EXPECT_EQ(sources[0]["edge"], json({2, 3}));
+  EXPECT_NEAR(sources[0]["t"], 0.4, kTolerance);
+  EXPECT_EQ(sources[1], json({{"vertex", 72}, {"offset", 0.5}}));
+  EXPECT_EQ(sources[2]["curve"], json({{{"vertex", 0}}, {{"vertex", 1}}}));
+  EXPECT_EQ(field["targets"][0]["vertex"], 8);
+  EXPECT_NEAR(field["targets"][0]["distance"], 0.7, kTolerance);
+}
+
+// The same with a digest as with the file.
+TEST_F(PlacesTest, EveryQuestionTakesThem) {
+  const std::string near = "nearest:0.5,0.5,-1";
+  const std::string middle = std::to_string(kMiddle);
+  for (const std::vector<std::string>& question :
+       std::vector<std::vector<std::string>>{{"field"},
+                                             {"path", "-t", "max:y"},
+                                             {"isolines", "-l", "0.3"},
+                                             {"matrix", "-t", "3"},
+                                             {"nearest", "-t", "min:z"},
+                                             {"sample", "-n", "2"}}) {
+    SCOPED_TRACE(question[0]);
+    for (const std::string& mesh : {grid_, digest_}) {
+      std::vector<std::string> words = question;
+      words.insert(words.begin() + 1, {mesh, "-s", near});
+      EXPECT_EQ(GeodesicJson(words)["sources"],
+                json({{{"vertex", kMiddle}, {"offset", 0.0}}}));
+    }
+  }
+  EXPECT_EQ(GeodesicJson({"logmap", digest_, "-s", near})["sources"],
+            GeodesicJson({"logmap", digest_, "-s", middle})["sources"]);
+  // Text and files show what was found.
+  EXPECT_THAT(Geodesic({"matrix", grid_, "-s", near, "-t", "min:y"}).out,
+              HasSubstr("\n" + middle + ",0,0.707106781186547"));
+}
+
+TEST_F(PlacesTest, DistancesOfPairs) {
+  const json one =
+      GeodesicJson({"distance", grid_, "nearest:0.3,-2,5", "max:x"});
+  EXPECT_NEAR(one["distance"], 0.7, kTolerance);
+  EXPECT_EQ(one["source"]["edge"], json({2, 3}));
+  EXPECT_EQ(one["target"]["vertex"], 8);
+  WriteFile(folder_ / "p.txt", "nearest:0.25, -1, 0 max:x\n0,nearest:0,9,0\n");
+  WriteFile(folder_ / "found.txt", "2 8\n0 72\n");
+  const auto answer = [this](const std::string& list) {
+    return Geodesic({"distance", grid_, "--pairs", folder_ / list}).out;
+  };
+  EXPECT_THAT(answer("p.txt"), HasSubstr("\n2,8,"));
+  EXPECT_EQ(answer("p.txt"), answer("found.txt"));
+}
+
+TEST_F(PlacesTest, ListsHoldThem) {
+  WriteFile(folder_ / "s.txt", "min:x\nnearest:1, -1, 0\n");
+  const json matrix =
+      GeodesicJson({"matrix", grid_, "--sources", folder_ / "s.txt",
+                    "--targets", folder_ / "s.txt"});
+  EXPECT_EQ(matrix["sources"][1]["vertex"], 8);
+  EXPECT_EQ(matrix["finite_values"], 4);
+  WriteFile(folder_ / "s.txt", "0\nnearest:1,2\n");
+  EXPECT_THAT(
+      Refusal({"matrix", grid_, "--sources", folder_ / "s.txt"}, kFile),
+      HasSubstr("s.txt line 2: 'nearest:1,2' is not a source: nearest needs "
+                "three coordinates"));
+}
+
+TEST_F(PlacesTest, WrongOnesAreNamed) {
+  for (const auto& [text, says] :
+       std::vector<std::pair<std::string, std::string>>{
+           {"nearest:1,2", "nearest needs three coordinates"},
+           {"nearest:1,2,nan", "the coordinate 'nan' is not a finite number"},
+           {"nearest:1,2,3,4", "the coordinate '3,4' is not a finite number"},
+           {"nearest:a,2,3", "the coordinate 'a' is not a finite number"},
+           {"min:w", "'w' is not an axis: x, y or z"},
+           {"max:", "'' is not an axis: x, y or z"}}) {
+    EXPECT_THAT(Refusal({"field", grid_, "-s", text}, kUsage),
+                testing::AllOf(HasSubstr(text), HasSubstr(says),
+                               HasSubstr("nearest:X,Y,Z")));
+    EXPECT_THAT(Refusal({"distance", grid_, "0", text}, kUsage),
+                HasSubstr(says));
+  }
+}
+
+}  // namespace
+}  // namespace geodesic::client
