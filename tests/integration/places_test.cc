@@ -88,6 +88,23 @@ TEST_F(PlacesTest, ListsHoldThem) {
                 "three coordinates"));
 }
 
+TEST_F(PlacesTest, InfoSaysWhereToBegin) {
+  MeshArrays beam = mesh_;
+  for (Point& position : beam.positions) position[1] = 4 * position[1] - 3;
+  const std::string path = folder_ / "beam.off";
+  WriteFile(path, OffText(beam));
+  const json info = GeodesicJson({"info", path});
+  EXPECT_EQ(info["bounding_box_min"][1], -3);
+  EXPECT_EQ(info["bounding_box_max"][1], 1);
+  EXPECT_EQ(info["bounding_box_size"][0], 1);
+  EXPECT_EQ(info["bounding_box_size"][1], 4);
+  const std::string text = Geodesic({"info", path}).out;
+  EXPECT_THAT(text, HasSubstr("--source max:y "));
+  EXPECT_EQ(GeodesicJson(
+                {"field", path, "--source", "max:y"})["sources"][0]["vertex"],
+            72);
+}
+
 TEST_F(PlacesTest, WrongOnesAreNamed) {
   for (const auto& [text, says] :
        std::vector<std::pair<std::string, std::string>>{

@@ -1,6 +1,7 @@
 // upload, meshes, info, delete: make meshes resident, list, describe and drop
 // them.
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,24 @@ std::string Orientation(const MeshInfo& mesh) {
                       " edges are turned against each other");
 }
 
+// From the least to the greatest coordinates.
+Point Extent(const MeshInfo& mesh) {
+  Point size = mesh.bounding_box_max;
+  for (size_t axis = 0; axis < size.size(); ++axis) {
+    size[axis] -= mesh.bounding_box_min[axis];
+  }
+  return size;
+}
+
+// A source to begin with: the end of the mesh's longest side.
+std::string FirstSource(const MeshInfo& mesh) {
+  const Point size = Extent(mesh);
+  const auto longest = std::ranges::max_element(size) - size.begin();
+  return absl::StrCat("--source max:", std::string(1, "xyz"[longest]),
+                      " (a vertex at this end of the mesh), or --source "
+                      "nearest:X,Y,Z");
+}
+
 // All that is known of a mesh, one fact a line.
 std::vector<Fact> FactsOf(const MeshInfo& mesh) {
   return {{"digest", mesh.digest},
@@ -49,6 +68,7 @@ std::vector<Fact> FactsOf(const MeshInfo& mesh) {
           {"bounding box",
            absl::StrCat(ShortNumbers(mesh.bounding_box_min), "  to  ",
                         ShortNumbers(mesh.bounding_box_max))},
+          {"size", ShortNumbers(Extent(mesh))},
           {"mean edge length", ShortNumber(mesh.mean_edge_length)},
           {"anisotropy", ShortNumber(mesh.anisotropy)},
           {"resident", ByteCount(mesh.resident_bytes)},
@@ -74,6 +94,7 @@ Json ToJson(const MeshInfo& mesh) {
           {"degenerate_faces", mesh.degenerate_face_count},
           {"bounding_box_min", mesh.bounding_box_min},
           {"bounding_box_max", mesh.bounding_box_max},
+          {"bounding_box_size", Extent(mesh)},
           {"mean_edge_length", mesh.mean_edge_length},
           {"anisotropy", mesh.anisotropy},
           {"resident_bytes", mesh.resident_bytes},
@@ -173,7 +194,9 @@ absl::Status Describe(const MeshArgument& argument, const Session& session) {
     if (session.json) {
       *session.json = ToJson(*mesh);
     } else {
-      PrintFacts(FactsOf(*mesh), &session.out);
+      std::vector<Fact> facts = FactsOf(*mesh);
+      facts.push_back({"begin with", FirstSource(*mesh)});
+      PrintFacts(facts, &session.out);
     }
     return absl::OkStatus();
   });
@@ -209,7 +232,7 @@ Command MeshesCommand() {
 
 Command InfoCommand() {
   return MakeCommand<MeshArgument>(
-      "info", "Describe a mesh: counts, topology, size",
+      "info", "Describe a mesh: counts, topology, size, where to begin",
       "  geodesic info horse.ply",
       [](CLI::App* app, MeshArgument* mesh) { AddMesh(app, kMeshHelp, mesh); },
       Describe);
