@@ -43,6 +43,7 @@
 
 #include "solver/rules/front.h"
 #include "solver/rules/list_worker.h"
+#include "solver/rules/passed_windows.h"
 #include "solver/thread_team.h"
 #include "solver/windows/window_blocks.h"
 
@@ -58,7 +59,8 @@ class ListRule {
   ListRule(Front& front, uint32_t threads)
       : front_(front),
         mesh_(front.mesh()),
-        waiting_(front.mesh().half_edge_count(), kNone) {
+        waiting_(front.mesh().half_edge_count(), kNone),
+        passed_(kKeepsPassed ? front.mesh().half_edge_count() : 0) {
     for (uint32_t member = 0; member < threads; ++member) {
       workers_.emplace_back(front, pool_);
       shares_.emplace_back();
@@ -101,7 +103,10 @@ class ListRule {
     const uint64_t propagated = FindRuns();
     for (const Run& run : runs_) Relax(run);
     for (const Run& run : runs_) Enqueue(run);
-    for (Worker& worker : workers_) worker.Clear();
+    for (Worker& worker : workers_) {
+      passed_.Count(worker.late(), worker.lost());
+      worker.Clear();
+    }
     return propagated;
   }
 
@@ -111,13 +116,16 @@ class ListRule {
   uint64_t bytes() const {
     return waiting_.capacity() * sizeof(uint32_t) +
            queues_.capacity() * sizeof(Queued) +
-           free_.capacity() * sizeof(uint32_t) + pool_.bytes();
+           free_.capacity() * sizeof(uint32_t) + passed_.bytes() +
+           pool_.bytes();
   }
 
  private:
   using Worker = ListWorker<Front>;
 
   static constexpr uint32_t kNone = 0xffffffffu;
+  // Searches are short, and start again on the same arrays.
+  static constexpr bool kKeepsPassed = !Front::Goal::kDirects;
   // Rounds of fewer events are not worth a team's start.
   static constexpr size_t kLeastShared = 32;
   // How many events a thread takes at a time.
@@ -213,9 +221,11 @@ class ListRule {
       Event& event = events[i];
       event.member = member;
       Worker& worker = workers_[member];
-      event.outcome = event.id & kVertexEvent
-                          ? worker.Expand(event.id & ~kVertexEvent)
-                          : worker.Cross(event.id, event.lists);
+      event.outcome =
+          event.id & kVertexEvent
+              ? worker.Expand(event.id & ~kVertexEvent)
+              : worker.Cross(event.id, event.lists,
+                             kKeepsPassed ? passed_.At(event.id) : nullptr);
     }
   }
 
@@ -322,6 +332,7 @@ class ListRule {
   std::vector<uint32_t> waiting_;  // by half-edge, into queues_; or kNone
   std::vector<Queued> queues_;
   std::vector<uint32_t> free_;  // of queues_
+  PassedWindows passed_;
   BlockPool pool_;
   std::deque<Worker> workers_;      // by member of the team
   std::optional<ThreadTeam> team_;  // once a round was wide enough

@@ -6,21 +6,26 @@
 #ifndef GEODESIC_SOLVER_RULES_LIST_WORKER_H_
 #define GEODESIC_SOLVER_RULES_LIST_WORKER_H_
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "solver/rules/envelope.h"
 #include "solver/rules/face_crossing.h"
+#include "solver/rules/passed_windows.h"
 #include "solver/rules/shadow_fan.h"
+#include "solver/rules/trimming.h"
 #include "solver/thread_team.h"
 #include "solver/windows/window_blocks.h"
 #include "solver/windows/window_columns.h"
+#include "tolerances.h"
 
 namespace geodesic {
 
@@ -74,10 +79,12 @@ class alignas(kCacheLine) ListWorker {
         crossing_(front),
         list_(crossing_.list()) {}
 
-  // Takes and frees the lists that wait at h.
-  Outcome Cross(HalfEdge h, const WaitingLists& lists) {
+  // Takes and frees the lists that wait at h. What has crossed is kept in
+  // `passed`, unless that is null (PassedWindows::At).
+  Outcome Cross(HalfEdge h, const WaitingLists& lists, WindowBlock** passed) {
     Outcome outcome{.begin = Here()};
     outcome.waited = Take(lists, mesh_.frame(h).length);
+    if (passed != nullptr) MeetPassed(mesh_.frame(h).length, *passed);
     outcome.propagated = static_cast<uint32_t>(list_.size);
     if (list_.size > 0) CrossFace(h);
     outcome.end = Here();
@@ -100,10 +107,14 @@ class alignas(kCacheLine) ListWorker {
   std::span<const Relaxation> relaxations() const { return relaxations_; }
   std::span<const HandedOn> handed_on() const { return handed_on_; }
   std::span<const Observed> observed() const { return observed_; }
+  // Windows that met a list which had crossed before, and those that lost all.
+  uint64_t late() const { return late_; }
+  uint64_t lost() const { return lost_; }
   void Clear() {
     relaxations_.clear();
     handed_on_.clear();
     observed_.clear();
+    late_ = lost_ = 0;
   }
 
   // As Front::Expand calls them.
@@ -170,6 +181,44 @@ class alignas(kCacheLine) ListWorker {
     return waited;
   }
 
+  // Drops windows of list_ that lose all they hold to those in `passed`, and
+  // keeps what is left there, too.
+  void MeetPassed(double length, WindowBlock*& passed) {
+    passed_.size = 0;
+    if (passed != nullptr) {
+      WindowBlocks::Copy(passed, passed_);
+      late_ += list_.size;
+      const size_t before = list_.size;
+      list_.KeepIf(0, [&](size_t i) { return !LosesAll(i, length); });
+      lost_ += before - list_.size;
+      if (list_.size == 0) return;
+      blocks_.Drop(std::exchange(passed, nullptr));
+    }
+    const size_t middle = passed_.size;
+    if (middle + list_.size > PassedWindows::kMost) return;
+    passed_.Append(list_);
+    envelope_.Merge(length, middle, passed_);
+    if (passed_.size > 0) passed = blocks_.Store(passed_);
+  }
+
+  // Whether the windows of passed_ are nearer on all that window i of list_
+  // holds, but for what is too narrow to hold.
+  bool LosesAll(size_t i, double length) const {
+    const Window window = Window::Over(list_.IntervalAt(i), list_.OriginAt(i));
+    double reached = window.interval.begin;
+    for (size_t k = 0; k < passed_.size; ++k) {
+      const Interval overlap{std::max(passed_.begin[k], window.interval.begin),
+                             std::min(passed_.end[k], window.interval.end)};
+      if (overlap.width() <= 0) continue;
+      if (overlap.begin - reached > kLeastWidth * length) return false;
+      const Window older =
+          Window::Over(passed_.IntervalAt(k), passed_.OriginAt(k));
+      if (WonByNewer(older, window).width() > 0) return false;
+      reached = overlap.end;
+    }
+    return window.interval.end - reached <= kLeastWidth * length;
+  }
+
   // Drops useless windows of list_ from `first` on.
   void DropStale(size_t first) {
     list_.KeepIf(first, [this](size_t i) {
@@ -208,11 +257,12 @@ class alignas(kCacheLine) ListWorker {
   std::vector<Relaxation> relaxations_;
   std::vector<HandedOn> handed_on_;
   std::vector<Observed> observed_;
+  uint64_t late_ = 0, lost_ = 0;
 
   // Scratch, kept for its memory.
   FaceCrossing<Front> crossing_;
   WindowColumns& list_;  // of crossing_
-  WindowColumns opened_;
+  WindowColumns opened_, passed_;
   Envelope envelope_;
 };
 

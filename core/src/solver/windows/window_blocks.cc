@@ -69,7 +69,7 @@ WindowBlock* WindowBlocks::Store(const WindowColumns& windows) {
   return block;
 }
 
-WindowBlock* WindowBlocks::Take(WindowBlock* block, WindowColumns& windows) {
+void WindowBlocks::Copy(const WindowBlock* block, WindowColumns& windows) {
   const size_t count = block->count, at = windows.size;
   windows.Reserve(at + count);
   const auto* tile = reinterpret_cast<const Tile*>(WindowsOf(block));
@@ -82,6 +82,10 @@ WindowBlock* WindowBlocks::Take(WindowBlock* block, WindowColumns& windows) {
     CopyFour(tile->pseudo_source, windows.pseudo_source + i);
   }
   windows.size += count;
+}
+
+WindowBlock* WindowBlocks::Take(WindowBlock* block, WindowColumns& windows) {
+  Copy(block, windows);
   WindowBlock* const next = block->next;
   Release(block);
   return next;

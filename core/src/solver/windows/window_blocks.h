@@ -59,8 +59,9 @@ class WindowBlocks {
 
   // Copies windows to a block of their own, the last of its chain.
   WindowBlock* Store(const WindowColumns& windows);
-  // Appends the windows of a block to `windows`, without their distances, and
-  // frees the block. Returns the next of its chain.
+  // Appends the windows of a block to `windows`, without their distances.
+  static void Copy(const WindowBlock* block, WindowColumns& windows);
+  // The same, and frees the block. Returns the next of its chain.
   WindowBlock* Take(WindowBlock* block, WindowColumns& windows);
   // Frees a chain of blocks.
   void Drop(WindowBlock* block);
@@ -90,6 +91,9 @@ class WindowBlocks {
   }
   static double* WindowsOf(WindowBlock* block) {
     return reinterpret_cast<double*>(block) + kHeaderWords;
+  }
+  static const double* WindowsOf(const WindowBlock* block) {
+    return reinterpret_cast<const double*>(block) + kHeaderWords;
   }
   static void PrefetchLines(const WindowBlock* block, size_t from, size_t to) {
     for (size_t line = from; line < to; ++line) {

@@ -69,6 +69,14 @@ class WindowColumns {
     pseudo_source[to] = pseudo_source[from];
   }
 
+  // Appends those of `other`. Their distances at the ends come along.
+  void Append(const WindowColumns& other) {
+    Reserve(size + other.size);
+    for (size_t i = 0; i < other.size; ++i) {
+      Set(size++, other.At(i), other.pseudo_source[i]);
+    }
+  }
+
   // Drops those from `first` on for which not keeps(i).
   template <typename Keeps>
   void KeepIf(size_t first, Keeps keeps) {
