@@ -232,7 +232,7 @@ Command MeshesCommand() {
 
 Command InfoCommand() {
   return MakeCommand<MeshArgument>(
-      "info", "Describe a mesh: counts, topology, size, where to begin",
+      "info", "Describe a mesh: counts, topology, extent",
       "  geodesic info horse.ply",
       [](CLI::App* app, MeshArgument* mesh) { AddMesh(app, kMeshHelp, mesh); },
       Describe);
