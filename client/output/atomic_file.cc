@@ -2,16 +2,21 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "client/output/output_format.h"
 
 namespace geodesic::client {
 
 absl::StatusOr<AtomicFile> AtomicFile::Create(const std::string& path) {
-  std::string partial_path = absl::StrCat(path, ".part-", getpid());
-  std::FILE* file = std::fopen(partial_path.c_str(), "wb");
+  const bool is_standard = path == kStandardOutput;
+  std::string partial_path =
+      is_standard ? "" : absl::StrCat(path, ".part-", getpid());
+  std::FILE* file =
+      is_standard ? std::tmpfile() : std::fopen(partial_path.c_str(), "wb");
   if (file == nullptr) {
     return absl::ErrnoToStatus(errno, absl::StrCat("cannot write ", path));
   }
@@ -21,7 +26,7 @@ absl::StatusOr<AtomicFile> AtomicFile::Create(const std::string& path) {
 AtomicFile::~AtomicFile() {
   if (file_ == nullptr) return;
   file_.reset();
-  std::remove(partial_path_.c_str());
+  if (!partial_path_.empty()) std::remove(partial_path_.c_str());
 }
 
 void AtomicFile::Append(std::string_view bytes) {
@@ -44,12 +49,40 @@ void AtomicFile::Replace(std::string_view first_bytes) {
 }
 
 absl::Status AtomicFile::status() const {
-  return error_ == 0 ? absl::OkStatus()
-                     : absl::ErrnoToStatus(
-                           error_, absl::StrCat("cannot write ", path_));
+  return error_ == 0
+             ? absl::OkStatus()
+             : absl::ErrnoToStatus(error_, absl::StrCat("cannot write ",
+                                                        path_ == kStandardOutput
+                                                            ? "standard output"
+                                                            : path_));
+}
+
+void AtomicFile::CopyToStandardOutput() {
+  std::array<char, 1 << 16> buffer;
+  std::rewind(file_.get());
+  size_t count = 0;
+  while (error_ == 0 && (count = std::fread(buffer.data(), 1, buffer.size(),
+                                            file_.get())) > 0) {
+    for (const char* next = buffer.data(); error_ == 0 && count > 0;) {
+      const ssize_t written = write(STDOUT_FILENO, next, count);
+      if (written >= 0) {
+        next += written;
+        count -= static_cast<size_t>(written);
+      } else if (errno != EINTR) {
+        error_ = errno;
+      }
+    }
+  }
+  if (error_ == 0 && std::ferror(file_.get()) != 0) error_ = EIO;
 }
 
 absl::Status AtomicFile::Commit() {
+  if (path_ == kStandardOutput) {
+    if (std::fflush(file_.get()) != 0 && error_ == 0) error_ = errno;
+    CopyToStandardOutput();
+    file_.reset();
+    return status();
+  }
   if (std::fclose(file_.release()) != 0 && error_ == 0) {
     error_ = errno;
   }

@@ -15,8 +15,9 @@
 
 namespace geodesic::client {
 
-// Writes to "<path>.part-<process>" and renames that at the end. Not
-// thread-safe.
+// Writes to "<path>.part-<process>" and renames that at the end. What goes to
+// standard output (kStandardOutput) is kept in a temporary file without a name,
+// and copied at the end. Not thread-safe.
 class AtomicFile {
  public:
   // Errors: those of opening a file for writing, naming the path.
@@ -43,7 +44,8 @@ class AtomicFile {
   // Bytes appended so far.
   uint64_t size() const { return size_; }
 
-  // Puts the file in its place, over an older one.
+  // Puts the file in its place, over an older one; or copies it to standard
+  // output, past the buffers of streams.
   // Errors: the first one, naming the path.
   absl::Status Commit();
 
@@ -57,8 +59,11 @@ class AtomicFile {
         partial_path_(std::move(partial_path)),
         file_(file) {}
 
+  // Errors of it are in error_.
+  void CopyToStandardOutput();
+
   std::string path_;
-  std::string partial_path_;
+  std::string partial_path_;  // empty for standard output
   std::unique_ptr<std::FILE, Close> file_;
   uint64_t size_ = 0;
   // errno of the first write that failed.

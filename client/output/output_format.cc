@@ -33,7 +33,10 @@ std::string OutputEndings(std::span<const OutputFormat> formats) {
 absl::StatusOr<OutputFormat> OutputFormatFromPath(
     std::string_view path, std::span<const OutputFormat> formats) {
   const std::string ending =
-      absl::AsciiStrToLower(std::filesystem::path(path).extension().string());
+      path == kStandardOutput
+          ? ".csv"
+          : absl::AsciiStrToLower(
+                std::filesystem::path(path).extension().string());
   for (const OutputFormat format : formats) {
     if (ending.size() > 1 && ending.substr(1) == OutputFormatName(format)) {
       return format;
@@ -45,6 +48,7 @@ absl::StatusOr<OutputFormat> OutputFormatFromPath(
 }
 
 absl::Status CheckWritable(const std::string& path) {
+  if (path == kStandardOutput) return absl::OkStatus();
   std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (folder.empty()) folder = ".";
   if (access(folder.c_str(), W_OK | X_OK) != 0) {

@@ -52,12 +52,17 @@ std::string_view OutputFormatName(OutputFormat format);
 // ".npy, .npz, .csv and .png".
 std::string OutputEndings(std::span<const OutputFormat> formats);
 
-// The one of `formats` that the path's ending names, in any case.
+// The path of an output that goes to standard output.
+inline constexpr char kStandardOutput[] = "-";
+
+// The one of `formats` that the path's ending names, in any case; that of
+// standard output is .csv.
 // Errors: INVALID_ARGUMENT naming the path and the allowed endings.
 absl::StatusOr<OutputFormat> OutputFormatFromPath(
     std::string_view path, std::span<const OutputFormat> formats);
 
-// Errors: the path's folder does not exist or cannot be written to. To be
+// Errors: the path's folder does not exist or cannot be written to. Standard
+// output is taken for writable. To be
 // called before a long computation.
 absl::Status CheckWritable(const std::string& path);
 

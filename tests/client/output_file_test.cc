@@ -17,6 +17,8 @@ TEST(OutputFormatTest, FollowsFromTheEnding) {
   EXPECT_EQ(*OutputFormatFromPath("a/b.c.CSV", kFieldFormats),
             OutputFormat::kCsv);
   EXPECT_EQ(*OutputFormatFromPath("a.f32", kFieldFormats), OutputFormat::kF32);
+  EXPECT_EQ(*OutputFormatFromPath(kStandardOutput, kFieldFormats),
+            OutputFormat::kCsv);
   EXPECT_EQ(*OutputFormatFromPath("a.obj", kLineFormats), OutputFormat::kObj);
   EXPECT_EQ(*OutputFormatFromPath("a.npz", kMatrixFormats), OutputFormat::kNpz);
 }

@@ -1,5 +1,7 @@
 #include "client/cli/arguments/options.h"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -74,6 +76,28 @@ CLI::Option* AddChoice(CLI::App* app, const OptionText& text,
 }
 
 absl::StatusOr<std::string> TakeWord(const std::string& word) { return word; }
+
+// Parses FILE.ENDING, "-" (standard output, .csv) or "-.ENDING".
+absl::StatusOr<OutputArgument> ParseOutput(
+    const std::string& path, std::span<const OutputFormat> formats) {
+  absl::StatusOr<OutputFormat> format = OutputFormatFromPath(path, formats);
+  if (!format.ok()) return format.status();
+  if (path != kStandardOutput && !path.starts_with("-.")) {
+    return OutputArgument{path, *format};
+  }
+  if (*format == OutputFormat::kNpy && isatty(STDOUT_FILENO) != 0) {
+    return absl::InvalidArgumentError(
+        "standard output is a terminal, which cannot show .npy; send it to a "
+        "program or a file, or write -.csv");
+  }
+  if (*format != OutputFormat::kNpy && *format != OutputFormat::kCsv &&
+      *format != OutputFormat::kJson) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("standard output takes .csv, .npy and .json only, not .",
+                     std::string(OutputFormatName(*format)), ": name a file"));
+  }
+  return OutputArgument{kStandardOutput, *format};
+}
 
 void CheckPlaces(const QuestionArguments& question) {
   const SourceArguments& sources = question.sources;
@@ -215,8 +239,9 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
             });
   AddPriority(app, &question->priority);
   AddOutputs(app, output_help, formats, &question->outputs);
-  app->callback([question, check = std::move(check)] {
+  app->callback([app, question, check = std::move(check)] {
     CheckPlaces(*question);
+    CheckOutputs(*app, question->outputs);
     if (check != nullptr) check();
   });
 }
@@ -239,15 +264,22 @@ void AddOutputs(CLI::App* app, const std::string& help,
       app,
       {"-o,--output",
        absl::StrCat(help, "; may be repeated. The ending says what: ",
-                    OutputEndings(formats)),
+                    OutputEndings(formats),
+                    "; - is standard output, as .csv unless it has an ending "
+                    "too (-.npy, -.json)"),
        "FILE"},
-      [formats](const std::string& path) -> absl::StatusOr<OutputArgument> {
-        absl::StatusOr<OutputFormat> format =
-            OutputFormatFromPath(path, formats);
-        if (!format.ok()) return format.status();
-        return OutputArgument{path, *format};
-      },
+      [formats](const std::string& path) { return ParseOutput(path, formats); },
       outputs);
+}
+
+void CheckOutputs(const CLI::App& app,
+                  const std::vector<OutputArgument>& outputs) {
+  const auto count =
+      std::ranges::count(outputs, kStandardOutput, &OutputArgument::path);
+  if (count > 1) Refuse("--output", "standard output (-) takes one answer");
+  if (count > 0 && WantsJson(app)) {
+    Refuse("--json", "prints to standard output, which -o - takes");
+  }
 }
 
 void AddRadius(CLI::App* app, const std::string& help,

@@ -57,7 +57,7 @@ struct TargetArguments {
 };
 
 struct OutputArgument {
-  std::string path;
+  std::string path;  // kStandardOutput, or that of a file
   OutputFormat format = OutputFormat::kNpy;
 };
 
@@ -155,7 +155,8 @@ void AddTargets(CLI::App* app, Need need, const std::string& help,
 
 // Adds --algorithm, --priority and -o, whose help is `output_help` followed by
 // the endings of `formats`. After parsing it refuses a question that lacks
-// places or reads standard input twice, and then calls `check` if there is one.
+// places, reads standard input twice or writes two answers to standard output,
+// and then calls `check` if there is one.
 void AddQuestion(CLI::App* app, const std::string& output_help,
                  std::span<const OutputFormat> formats,
                  QuestionArguments* question,
@@ -166,6 +167,9 @@ void AddPriority(CLI::App* app, Priority* priority);
 void AddOutputs(CLI::App* app, const std::string& help,
                 std::span<const OutputFormat> formats,
                 std::vector<OutputArgument>* outputs);
+// Refuses two answers on standard output. To be called in checks.
+void CheckOutputs(const CLI::App& app,
+                  const std::vector<OutputArgument>& outputs);
 
 void AddRadius(CLI::App* app, const std::string& help,
                std::optional<double>* radius);

@@ -82,7 +82,10 @@ void AddOptions(CLI::App* app, DistanceArguments* arguments) {
              "Write the distances here as they come (.npy, .csv), or the "
              "shortest paths, which are kept in memory until the end",
              kPairFormats, &arguments->outputs);
-  app->callback([arguments] { CheckArguments(arguments); });
+  app->callback([app, arguments] {
+    CheckArguments(arguments);
+    CheckOutputs(*app, arguments->outputs);
+  });
 }
 
 // Takes the distances: files, the terminal, or one JSON object.

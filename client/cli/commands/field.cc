@@ -45,6 +45,9 @@ void Check(const CLI::App& app, const FieldArguments& arguments) {
            "and --gradients to a run without it");
   }
   for (const OutputArgument& output : arguments.outputs) {
+    if (output.path == kStandardOutput) {
+      Refuse("--progressive", "prints to standard output without -o -");
+    }
     if (output.format != OutputFormat::kCsv) {
       Refuse("--progressive", "writes .csv only, not " + output.path);
     }

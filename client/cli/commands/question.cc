@@ -255,12 +255,17 @@ absl::Status PrintReport(const Session& session, const Question& question,
     return absl::OkStatus();
   }
   if (session.quiet && !files->empty()) return absl::OkStatus();
+  // Nothing else goes where an answer went.
+  const bool is_taken = std::ranges::any_of(*files, [](const auto& file) {
+    return file.output.path == kStandardOutput;
+  });
+  std::ostream& out = is_taken ? session.err : session.out;
   if (!report.header.empty()) {
-    PrintTable(report.header, report.rows, &session.out);
-    if (!session.quiet) session.out << '\n';
+    PrintTable(report.header, report.rows, &out);
+    if (!session.quiet) out << '\n';
   }
   if (session.quiet) {
-    PrintFacts(report.facts, &session.out);
+    PrintFacts(report.facts, &out);
     return absl::OkStatus();
   }
   std::vector<Fact> facts = {{"mesh", info.mesh_digest},
@@ -273,10 +278,12 @@ absl::Status PrintReport(const Session& session, const Question& question,
                                               : "")});
   facts.push_back({"this call", Seconds(call_seconds)});
   for (const WrittenFile& file : *files) {
-    facts.push_back({"wrote", absl::StrCat(file.output.path, " (",
-                                           ByteCount(file.bytes), ")")});
+    facts.push_back({"wrote", absl::StrCat(file.output.path == kStandardOutput
+                                               ? "standard output"
+                                               : file.output.path,
+                                           " (", ByteCount(file.bytes), ")")});
   }
-  PrintFacts(facts, &session.out);
+  PrintFacts(facts, &out);
   return absl::OkStatus();
 }
 

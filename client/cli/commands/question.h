@@ -155,7 +155,7 @@ struct Report {
 // Prints the table, the facts of `report` and those of all answers, or one JSON
 // object. With --quiet it prints only the table and the report's own facts, and
 // nothing if the answer went to files. It prints nothing if the files could not
-// be written.
+// be written, and to standard error if one of them is standard output.
 // Errors: that of `files`.
 absl::Status PrintReport(const Session& session, const Question& question,
                          const AnswerInfo& info, double call_seconds,
