@@ -87,6 +87,18 @@ void OfferInside(const std::array<Vector3, 3>& corners, uint64_t face,
   nearest->Offer(wa * a + wb * b + wc * c, FacePoint{face, {wa, wb, wc}});
 }
 
+// At most the squared distance of the face from the origin: that of the box
+// around it.
+double LeastSquaredDistance(const std::array<Vector3, 3>& corners) {
+  const auto gap = [](double a, double b, double c) {
+    return std::max({0.0, std::min({a, b, c}), -std::max({a, b, c})});
+  };
+  const auto& [a, b, c] = corners;
+  const Vector3 gaps = {gap(a.x, b.x, c.x), gap(a.y, b.y, c.y),
+                        gap(a.z, b.z, c.z)};
+  return Dot(gaps, gaps);
+}
+
 }  // namespace
 
 absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
@@ -99,6 +111,7 @@ absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
     for (size_t i = 0; i < 3; ++i) {
       corners[i] = frame.Place(mesh.positions[triangle[i]]);
     }
+    if (LeastSquaredDistance(corners) >= nearest.squared_distance) continue;
     for (size_t i = 0; i < 3; ++i) {
       const size_t j = (i + 1) % 3;
       OfferEdge(corners[i], triangle[i], corners[j], triangle[j], &nearest);
