@@ -1,11 +1,15 @@
 // Distances of pairs, through the library and the command.
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -200,6 +204,22 @@ TEST_F(PairsTest, TheCommandWritesListsAsTheyCome) {
   const json kept =
       GeodesicJson({"distance", grid_, "--pairs", folder_ / "p.txt"});
   EXPECT_EQ(kept["distances"].get<std::vector<double>>(), distances);
+}
+
+TEST_F(PairsTest, WhoWritesAPipeIsAnsweredAtOnce) {
+  const std::string path = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const int end =
+      open(path.c_str(), O_RDWR | O_CLOEXEC);  // so that neither end waits
+  Process distance(CommandLine({"distance", grid_, "--pairs", path}));
+  for (const auto& [pair, line] :
+       {std::pair{"0 80\n", "\n0,80,1.41421356237309"},
+        {"7 7\n", "\n7,7,0\n"}}) {
+    ASSERT_EQ(write(end, pair, std::strlen(pair)), std::strlen(pair));
+    EXPECT_TRUE(distance.AwaitOutput(line)) << line;
+  }
+  close(end);
+  EXPECT_EQ(distance.Wait().exit_code, 0);
 }
 
 TEST_F(PairsTest, TheCommandNamesFileAndLine) {

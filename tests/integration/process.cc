@@ -76,11 +76,19 @@ bool Process::ReadSome() {
   return true;
 }
 
-bool Process::AwaitError(const std::string& text) {
-  while (result_.err.find(text) == std::string::npos) {
+bool Process::Await(const std::string& kept, const std::string& text) {
+  while (kept.find(text) == std::string::npos) {
     if (!ReadSome()) return false;
   }
   return true;
+}
+
+bool Process::AwaitError(const std::string& text) {
+  return Await(result_.err, text);
+}
+
+bool Process::AwaitOutput(const std::string& text) {
+  return Await(result_.out, text);
 }
 
 ProcessResult Process::Wait() {

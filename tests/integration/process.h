@@ -35,6 +35,8 @@ class Process {
   // Waits until it has written `text` to its standard error, which it must
   // within a minute. Whether it has.
   bool AwaitError(const std::string& text);
+  // The same for its standard output.
+  bool AwaitOutput(const std::string& text);
 
   // Waits for its end.
   ProcessResult Wait();
@@ -43,6 +45,8 @@ class Process {
   // Takes what has come on either pipe; false when both have ended or a minute
   // has passed without anything.
   bool ReadSome();
+  // `kept` is of result_.
+  bool Await(const std::string& kept, const std::string& text);
 
   pid_t id_ = -1;
   int out_pipe_ = -1;

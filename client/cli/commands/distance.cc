@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ostream>
 #include <span>
 #include <string>
 #include <utility>
@@ -117,7 +118,8 @@ class Destination {
     }
     if (arguments_.pair.has_value()) pair_ = pairs[0];
     if (keeps()) kept_.insert(kept_.end(), distances.begin(), distances.end());
-    if (is_text()) session_.out << CsvPairs(pairs, distances);
+    // Whoever reads may wait for them before asking more.
+    if (is_text()) session_.out << CsvPairs(pairs, distances) << std::flush;
     if (!session_.out) return OutputFailed();
     for (PairWriter& writer : writers_) {
       absl::Status status = writer.Append(pairs, distances);
