@@ -12,14 +12,17 @@
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
 #include <utility>
 
+#include "absl/strings/str_cat.h"
 #include "server/options.h"
 #include "server/periodic.h"
 #include "server/server.h"
+#include "server/unix_socket.h"
 
 namespace geodesic::server {
 namespace {
@@ -78,16 +81,20 @@ int Run(const ServerOptions& options) {
     logger->critical("{}", status.ToString());
     return kCannotStart;
   }
+  const std::optional<std::string> socket = SocketPath(options.listen);
   if (!options.port_file.empty()) {
     std::ofstream file(options.port_file);
-    if (!(file << server.port() << '\n' << std::flush)) {
+    const std::string port = socket ? *socket : std::to_string(server.port());
+    if (!(file << port << '\n' << std::flush)) {
       logger->critical("cannot write --port-file {}", options.port_file);
       return kCannotStart;
     }
   }
-  const size_t colon = options.listen.rfind(':');
-  logger->info("geodesicd {} serves on {}:{} {}", ServerVersion(),
-               options.listen.substr(0, colon), server.port(),
+  const std::string address =
+      socket ? options.listen
+             : absl::StrCat(options.listen.substr(0, options.listen.rfind(':')),
+                            ":", server.port());
+  logger->info("geodesicd {} serves on {} {}", ServerVersion(), address,
                options.tls.enabled() ? "over TLS" : "in clear");
   // By itself glibc only gives back free memory at the end of a heap. When many
   // readers leave, their messages are freed between smaller allocations that

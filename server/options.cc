@@ -13,6 +13,7 @@
 #include "absl/strings/str_replace.h"
 #include "geodesic/solve_options.h"
 #include "server/security/tls_files.h"
+#include "server/unix_socket.h"
 
 namespace geodesic::server {
 namespace {
@@ -81,6 +82,14 @@ std::string CheckAddress(const std::string& address) {
              : absl::StrCat("\"", address, "\" is not HOST:PORT");
 }
 
+// The same for an address that may be a socket's.
+std::string CheckListen(const std::string& address) {
+  const std::optional<std::string> path = SocketPath(address);
+  if (!path) return CheckAddress(address);
+  const absl::Status status = CheckSocketPath(*path);
+  return absl::IsInvalidArgument(status) ? std::string(status.message()) : "";
+}
+
 CLI::Option& AddText(CLI::App& app, const std::string& flag, std::string& value,
                      const std::string& type, const std::string& help) {
   return *app.add_option(flag, value, help)->type_name(type);
@@ -99,11 +108,13 @@ void AddOptions(CLI::App& app, ServerOptions& options) {
 
   app.option_defaults()->group("Network");
   AddText(app, "--listen", options.listen, "HOST:PORT",
-          "Address and port to serve on; port 0 takes a free port")
-      .check(&CheckAddress)
+          "Address and port to serve on; port 0 takes a free port; or "
+          "unix:PATH, a socket that only this user can open")
+      .check(&CheckListen)
       ->capture_default_str();
   AddText(app, "--port-file", options.port_file, "PATH",
-          "Write the port that is served on to this file, for scripts");
+          "Write the port that is served on, or the socket's path, to this "
+          "file, for scripts");
   AddCount(app, "--max-requests", options.max_requests, kMillion,
            "Requests at once; each may hold a few messages in memory");
   AddCount(app, "--max-connection-streams", options.max_connection_streams,
@@ -202,6 +213,9 @@ void AddOptions(CLI::App& app, ServerOptions& options) {
   AddSeconds(app, "--drain-seconds", options.drain, 0,
              "After SIGTERM or SIGINT, how long requests may go on before they "
              "are cancelled; a second signal cancels them at once");
+  AddSeconds(app, "--exit-when-idle", options.exit_when_idle, 0,
+             "End when no request has been in hand for this long; 0 never "
+             "does");
   AddText(app, "--metrics-listen", options.metrics_listen, "HOST:PORT",
           "Serve /metrics for Prometheus, /livez and /readyz here, over "
           "HTTP in clear")

@@ -16,7 +16,7 @@ namespace geodesic::server {
 // `limits.mesh_disk_bytes` and `limits.field_disk_bytes` are 0 without a
 // data_dir.
 struct ServerOptions {
-  // HOST:PORT; port 0 takes a free one.
+  // HOST:PORT, where port 0 takes a free one; or unix:PATH.
   std::string listen = "127.0.0.1:50051";
   // Without files the server listens in clear. It then refuses addresses that
   // other machines can reach, unless insecure_listen is set.
@@ -28,7 +28,8 @@ struct ServerOptions {
   std::string metrics_listen;
   // Whether gRPC's channelz service is served, to everybody.
   bool channelz = false;
-  // Where to write the port that was taken; empty: nowhere.
+  // Where to write the port that was taken, or the socket's path; empty:
+  // nowhere.
   std::string port_file;
   // The folder of meshes and fields; empty: nothing outlives the server.
   std::string data_dir;
@@ -46,6 +47,8 @@ struct ServerOptions {
   uint64_t request_memory_bytes = uint64_t{1} << 30;
   // How long requests may go on after SIGTERM.
   std::chrono::seconds drain{30};
+  // How long without a request until the server ends by itself; 0: never.
+  std::chrono::seconds exit_when_idle{0};
   // A level of spdlog.
   std::string log_level = "info";
   Limits limits;

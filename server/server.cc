@@ -20,6 +20,7 @@
 #include "server/operations/metrics.h"
 #include "server/periodic.h"
 #include "server/rpc/unary_calls.h"
+#include "server/unix_socket.h"
 
 namespace geodesic::server {
 namespace {
@@ -157,7 +158,25 @@ absl::Status Server::Start() {
   if (!options_.data_dir.empty()) {
     if (absl::Status status = OpenDataFolder(); !status.ok()) return status;
   }
+  if (absl::Status status = Listen(*std::move(credentials)); !status.ok()) {
+    return status;
+  }
+  if (absl::Status status = StartOperations(); !status.ok()) {
+    grpc_server_.reset();
+    return status;
+  }
+  SetServing(true);
+  return absl::OkStatus();
+}
 
+absl::Status Server::Listen(
+    std::shared_ptr<grpc::ServerCredentials> credentials) {
+  const std::optional<std::string> socket = SocketPath(options_.listen);
+  if (socket) {
+    if (absl::Status status = CheckSocketPath(*socket); !status.ok()) {
+      return status;
+    }
+  }
   // Registers the descriptor of the health service for reflection.
   grpc::health::v1::HealthCheckRequest::descriptor();
 
@@ -173,20 +192,20 @@ absl::Status Server::Start() {
   BoundConnections(options_, builder);
   builder.SetMaxReceiveMessageSize(
       static_cast<int>(options_.max_message_bytes));
-  builder.AddListeningPort(options_.listen, *std::move(credentials), &port_);
+  builder.AddListeningPort(options_.listen, std::move(credentials), &port_);
   for (const auto& service : services_) builder.RegisterService(service.get());
-  grpc_server_ = builder.BuildAndStart();
+  {
+    std::optional<PrivateFiles> only_for_this_user;
+    if (socket) only_for_this_user.emplace();
+    grpc_server_ = builder.BuildAndStart();
+  }
   if (grpc_server_ == nullptr || port_ == 0) {
     grpc_server_.reset();
     return absl::UnavailableError(absl::StrCat(
         "cannot listen on ", options_.listen,
-        ": the port is in use or the address is not of this machine"));
+        socket ? ": its folder is missing or cannot be written to"
+               : ": the port is in use or the address is not of this machine"));
   }
-  if (absl::Status status = StartOperations(); !status.ok()) {
-    grpc_server_.reset();
-    return status;
-  }
-  SetServing(true);
   return absl::OkStatus();
 }
 
@@ -206,6 +225,13 @@ absl::Status Server::StartOperations() {
           "the way has them");
     }
     token_watch_ = WatchFile(options_.token_file, [this] { Reload(); });
+  }
+  if (options_.exit_when_idle.count() > 0) {
+    idle_watch_ = Every(std::chrono::seconds(1), [this] {
+      if (log_.IdleTime() < options_.exit_when_idle || !IsReady()) return;
+      logger_->info("no request for {} s", options_.exit_when_idle.count());
+      Shutdown(std::chrono::milliseconds(0));
+    });
   }
   if (options_.metrics_listen.empty()) return absl::OkStatus();
   http_.emplace(HttpServer::Pages{.metrics = [this] { return metrics_.Text(); },

@@ -34,7 +34,8 @@
 
 namespace grpc {
 class Server;
-}
+class ServerCredentials;
+}  // namespace grpc
 
 namespace geodesic::server {
 
@@ -56,12 +57,13 @@ class Server {
   // that could not be bound; as CheckTlsFiles and AccessControl::Reload.
   absl::Status Start();
 
-  // The port served on. REQUIRES: Start succeeded.
+  // The port served on. REQUIRES: Start succeeded, not with a socket.
   int port() const { return port_; }
 
   // Begins to drain and returns at once: health checks answer NOT_SERVING, new
   // work is refused, and Wait cancels what has not ended after `grace`. A
-  // second call cuts the grace short. Thread-safe.
+  // second call cuts the grace short. Thread-safe. The server itself calls this
+  // when it has been idle for options.exit_when_idle.
   // REQUIRES: Start succeeded.
   void Shutdown(std::chrono::milliseconds grace);
 
@@ -80,7 +82,9 @@ class Server {
 
  private:
   absl::Status OpenDataFolder();
-  // Serves metrics and watches the token file.
+  // Binds the address and serves.
+  absl::Status Listen(std::shared_ptr<grpc::ServerCredentials> credentials);
+  // Serves metrics, watches the token file and whether the server is idle.
   absl::Status StartOperations();
   void SetServing(bool serving);
   bool IsReady();
@@ -113,6 +117,7 @@ class Server {
   std::optional<HttpServer> http_;
   std::jthread token_watch_;
   std::jthread search_watch_;
+  std::jthread idle_watch_;
 };
 
 }  // namespace geodesic::server

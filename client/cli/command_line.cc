@@ -148,6 +148,7 @@ std::string MessageOf(const CLI::App& app, const CLI::App* given,
 
 // Whether data sent to `server` stays on this machine.
 bool IsLoopback(std::string_view server) {
+  if (server.starts_with("unix:")) return true;
   const std::string_view host = server.substr(0, server.rfind(':'));
   return host == "localhost" || host == "[::1]" || host.starts_with("127.");
 }
@@ -166,7 +167,8 @@ absl::StatusOr<std::string> ReadToken(const ConnectionArguments& connection) {
 // Adds --server and the options that belong to it.
 void AddConnection(CLI::App* app, ConnectionArguments* arguments) {
   ConnectionArguments& connection = *arguments;
-  AddValue(app, {"--server", "Where the server listens", "HOST:PORT"},
+  AddValue(app,
+           {"--server", "Where the server listens, or unix:/PATH", "HOST:PORT"},
            ParseServer, &connection.server)
       ->default_str(connection.server)
       ->envname("GEODESIC_SERVER");

@@ -82,6 +82,7 @@ absl::StatusOr<std::chrono::system_clock::time_point> CertificateEnd(
 }
 
 bool IsLoopback(std::string_view address) {
+  if (address.starts_with("unix:")) return true;
   std::string host(address.substr(0, address.rfind(':')));
   if (host == "localhost") return true;
   if (in_addr v4; inet_pton(AF_INET, host.c_str(), &v4) == 1) {

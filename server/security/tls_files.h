@@ -38,8 +38,8 @@ absl::Status CheckTlsFiles(const TlsFiles& files);
 absl::StatusOr<std::chrono::system_clock::time_point> CertificateEnd(
     const TlsFiles& files);
 
-// Whether the host of "HOST:PORT" can only be reached from this machine:
-// 127.0.0.0/8, [::1] or localhost. False for all other names.
+// Whether "HOST:PORT" or "unix:PATH" can only be reached from this machine:
+// a socket, 127.0.0.0/8, [::1] or localhost. False for all other names.
 bool IsLoopback(std::string_view address);
 
 }  // namespace geodesic::server

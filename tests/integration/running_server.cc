@@ -7,6 +7,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -44,11 +45,14 @@ RunningServer::RunningServer(const TemporaryFolder& folder,
   }
   // Open for writing too, so that it never looks ended before it has begun.
   const int pipe = open(port_file.c_str(), O_RDWR | O_CLOEXEC);
-  std::vector<std::string> arguments = {program, "--listen", "127.0.0.1:0",
-                                        "--port-file", port_file};
+  std::vector<std::string> arguments = {program, "--port-file", port_file};
+  if (std::ranges::find(flags, "--listen") == flags.end()) {
+    arguments.insert(arguments.end(), {"--listen", "127.0.0.1:0"});
+  }
   arguments.insert(arguments.end(), flags.begin(), flags.end());
   process_.emplace(arguments, folder / "server.log");
-  address_ = "127.0.0.1:" + ReadLine(pipe, process_->id());
+  const std::string line = ReadLine(pipe, process_->id());
+  address_ = (line.starts_with('/') ? "unix:" : "127.0.0.1:") + line;
   close(pipe);
   std::filesystem::remove(port_file);
 }

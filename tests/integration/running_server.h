@@ -17,14 +17,15 @@ namespace geodesic::client {
 
 class RunningServer {
  public:
-  // Starts it on a free loopback port and waits until it serves. Its log is
+  // Starts it, on a free loopback port unless the flags have --listen, and
+  // waits until it serves. Its log is
   // added to server.log in the folder.
   // Errors: throws std::runtime_error if it ends first, or takes a minute.
   explicit RunningServer(const TemporaryFolder& folder,
                          const std::vector<std::string>& flags = {},
                          const std::string& program = GEODESICD_BINARY);
 
-  // "127.0.0.1:PORT".
+  // "127.0.0.1:PORT", or "unix:PATH".
   const std::string& address() const { return address_; }
 
   pid_t id() const { return process_->id(); }

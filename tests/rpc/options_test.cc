@@ -65,6 +65,21 @@ TEST_F(OptionsTest, Defaults) {
   EXPECT_GE(result.options.limits.max_concurrent_jobs, 1);
 }
 
+TEST_F(OptionsTest, Sockets) {
+  const CommandLine result =
+      Parse({"--listen", "unix:/run/geodesic/a.sock", "--exit-when-idle", "9"});
+  ASSERT_FALSE(result.exit_code.has_value()) << err_;
+  EXPECT_EQ(result.options.listen, "unix:/run/geodesic/a.sock");
+  EXPECT_EQ(result.options.exit_when_idle, std::chrono::seconds(9));
+  EXPECT_EQ(Parse({}).options.exit_when_idle, std::chrono::seconds(0));
+  for (const std::string& path :
+       {std::string("a.sock"), std::string(), std::string("/a b"),
+        "/" + std::string(107, 'a')}) {
+    ExpectUsageError({"--listen", "unix:" + path}, "--listen");
+  }
+  ExpectUsageError({"--metrics-listen", "unix:/run/m"}, "--metrics-listen");
+}
+
 TEST_F(OptionsTest, Flags) {
   const CommandLine result =
       Parse({"--listen", "[::1]:0", "--mesh-store", "2GiB", "--field-cache=1MB",

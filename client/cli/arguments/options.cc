@@ -339,6 +339,7 @@ absl::StatusOr<uint64_t> ParseCount(std::string_view text) {
 }
 
 absl::StatusOr<std::string> ParseServer(std::string_view text) {
+  if (text.starts_with("unix:/")) return std::string(text);
   const size_t colon = text.rfind(':');
   const std::string_view host = text.substr(0, colon);
   const bool is_ipv6 =
@@ -352,7 +353,7 @@ absl::StatusOr<std::string> ParseServer(std::string_view text) {
       !ParseNumber(text.substr(colon + 1), &port) || port == 0) {
     return Wrong(text,
                  "a server: HOST:PORT, such as 127.0.0.1:50051 or "
-                 "[::1]:50051, with a port from 1 to 65535");
+                 "[::1]:50051, with a port from 1 to 65535; or unix:/PATH");
   }
   return std::string(text);
 }

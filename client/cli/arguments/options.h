@@ -114,7 +114,7 @@ CLI::Option* AddValue(CLI::App* app, const OptionText& text, Parse parse,
 absl::StatusOr<double> ParseLevel(std::string_view text);
 // Seconds, above 0; "inf" is allowed.
 absl::StatusOr<double> ParseTimeout(std::string_view text);
-// "HOST:PORT", or "[IPV6]:PORT".
+// "HOST:PORT", "[IPV6]:PORT", or "unix:/PATH".
 absl::StatusOr<std::string> ParseServer(std::string_view text);
 // A count of at least 1.
 absl::StatusOr<uint64_t> ParseCount(std::string_view text);

@@ -165,6 +165,12 @@ size_t RequestLog::active() const {
   return active_;
 }
 
+Duration RequestLog::IdleTime() const {
+  std::lock_guard lock(mutex_);
+  if (active_ > 0) return Duration(0);
+  return std::chrono::steady_clock::now() - idle_since_;
+}
+
 RequestLog::Entry::Entry(RequestLog& log, std::string_view method,
                          grpc::CallbackServerContext& context)
     : log_(log),
@@ -248,7 +254,10 @@ RequestLog::Entry::~Entry() {
                                   absl::CHexEscape(status_.message()), "\""));
   // Notifies under the lock: a waiter may destroy the log as soon as it wakes.
   std::lock_guard lock(log_.mutex_);
-  if (--log_.active_ == 0) log_.idle_.notify_all();
+  if (--log_.active_ == 0) {
+    log_.idle_since_ = std::chrono::steady_clock::now();
+    log_.idle_.notify_all();
+  }
 }
 
 Scope RequiredScope(std::string_view method) {

@@ -105,6 +105,9 @@ class RequestLog {
   // Requests that have not ended.
   size_t active() const;
 
+  // How long no request has been active; zero while one is.
+  Duration IdleTime() const;
+
  private:
   const std::shared_ptr<spdlog::logger> logger_;
   const size_t max_active_;
@@ -114,7 +117,10 @@ class RequestLog {
 
   mutable std::mutex mutex_;
   std::condition_variable_any idle_;
-  size_t active_ = 0;  // guarded by mutex_
+  // Guarded by mutex_:
+  size_t active_ = 0;
+  std::chrono::steady_clock::time_point idle_since_ =
+      std::chrono::steady_clock::now();
 };
 
 // The scope that an RPC needs: `method` without its service, e.g.
