@@ -148,7 +148,8 @@ std::string MessageOf(const CLI::App& app, const CLI::App* given,
 
 // Whether data sent to `server` stays on this machine.
 bool IsLoopback(std::string_view server) {
-  if (server.starts_with("unix:")) return true;
+  // A socket, or the server that geodesic starts by itself.
+  if (server.empty() || server.starts_with("unix:")) return true;
   const std::string_view host = server.substr(0, server.rfind(':'));
   return host == "localhost" || host == "[::1]" || host.starts_with("127.");
 }
@@ -168,9 +169,11 @@ absl::StatusOr<std::string> ReadToken(const ConnectionArguments& connection) {
 void AddConnection(CLI::App* app, ConnectionArguments* arguments) {
   ConnectionArguments& connection = *arguments;
   AddValue(app,
-           {"--server", "Where the server listens, or unix:/PATH", "HOST:PORT"},
+           {"--server",
+            "Where the server listens, or unix:/PATH; without it, geodesic "
+            "starts one of its own, which ends after ten idle minutes",
+            "HOST:PORT"},
            ParseServer, &connection.server)
-      ->default_str(connection.server)
       ->envname("GEODESIC_SERVER");
   app->add_flag("--tls", connection.tls,
                 "Speak TLS and trust the authorities this system trusts; the "
@@ -214,11 +217,11 @@ void AddConnection(CLI::App* app, ConnectionArguments* arguments) {
 
 // In the order in which --help lists them.
 std::vector<Command> AllCommands() {
-  return {UploadCommand(),      MeshesCommand(),   InfoCommand(),
-          DeleteCommand(),      DistanceCommand(), FieldCommand(),
-          PathCommand(),        IsolinesCommand(), MatrixCommand(),
-          NearestCommand(),     SampleCommand(),   LogMapCommand(),
-          CapabilitiesCommand()};
+  return {UploadCommand(),       MeshesCommand(),   InfoCommand(),
+          DeleteCommand(),       DistanceCommand(), FieldCommand(),
+          PathCommand(),         IsolinesCommand(), MatrixCommand(),
+          NearestCommand(),      SampleCommand(),   LogMapCommand(),
+          CapabilitiesCommand(), ServerCommand()};
 }
 
 void AddCommonOptions(CLI::App* app, CommandLine* line) {
@@ -287,7 +290,6 @@ std::variant<CommandLine, ExitCode> ParseCommandLine(int argc,
   }
   app.footer(absl::StrCat(
       "Examples:\n"
-      "  geodesic upload horse.ply\n"
       "  geodesic field horse.ply --source 0 -o horse.png -o horse.npy\n"
       "  geodesic path 3f2a91bc --source 0 --target 77 -o path.obj\n"
       "  geodesic --server meshes.example:50051 meshes --json\n\n"
@@ -309,6 +311,10 @@ absl::StatusOr<ConnectionOptions> ReadConnection(
   if (connection.tls || !connection.paths.authorities.empty() ||
       !connection.paths.certificate.empty() ||
       !connection.server_name.empty()) {
+    if (connection.server.empty()) {
+      return FileError(absl::FailedPreconditionError(
+          "TLS is for a server elsewhere: name it with --server HOST:PORT"));
+    }
     absl::StatusOr<TlsOptions> tls = ReadTlsFiles(connection.paths);
     if (!tls.ok()) return FileError(tls.status());
     options.tls = *std::move(tls);

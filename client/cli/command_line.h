@@ -18,7 +18,8 @@ namespace geodesic::client {
 
 // How the command reaches its server: address, TLS, token.
 struct ConnectionArguments {
-  std::string server = "127.0.0.1:50051";
+  // Empty: one that geodesic starts by itself.
+  std::string server;
   bool tls = false;
   TlsPaths paths;
   std::string server_name;
@@ -46,7 +47,8 @@ std::variant<CommandLine, ExitCode> ParseCommandLine(int argc,
 
 // Reads the files that the arguments name.
 // Errors, all marked by FileError: those of ReadTlsFiles and ReadTokenFile;
-// FAILED_PRECONDITION if a token would go to another machine in clear.
+// FAILED_PRECONDITION if a token would go to another machine in clear, or for
+// TLS without a server's name.
 absl::StatusOr<ConnectionOptions> ReadConnection(
     const ConnectionArguments& connection);
 

@@ -11,14 +11,18 @@
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <ostream>
 #include <stop_token>
 #include <streambuf>
+#include <string>
 #include <thread>
 #include <utility>
 #include <variant>
 
+#include "absl/strings/str_cat.h"
 #include "client/cli/command_line.h"
+#include "client/cli/own_server/own_server.h"
 #include "client/cli/terminal/text.h"
 #include "geodesic_client/errors.h"
 
@@ -142,20 +146,47 @@ Json ErrorToJson(const absl::Status& status, ExitCode exit_code) {
           {"exit_code", static_cast<int>(exit_code)}};
 }
 
-absl::Status RunCommand(const CommandLine& line, Json* json,
-                        std::ostream& out) {
+// What a command's error means when its server was started by `geodesic`: that
+// it may have ended meanwhile.
+absl::Status WithFateOf(const OwnServer& server, pid_t process,
+                        absl::Status status) {
+  if (!absl::IsUnavailable(status) && !absl::IsCancelled(status)) return status;
+  if (server.Running() == process) return status;
+  return NoServer(absl::UnavailableError(
+      absl::StrCat("the server that geodesic had started ended in the middle (",
+                   status.message(), "; its log is ", server.log_path(),
+                   "): run the command again, which starts another")));
+}
+
+// Sets `server` to the address of the server that was asked.
+absl::Status RunCommand(const CommandLine& line, std::string* server,
+                        Json* json, std::ostream& out) {
   InterruptListener interrupt;
   absl::StatusOr<ConnectionOptions> connection =
       ReadConnection(line.connection);
   if (!connection.ok()) return connection.status();
-  Client client(line.connection.server, *std::move(connection));
   CallOptions call = {.stop = interrupt.stop()};
   if (line.timeout.has_value()) {
     call.timeout = std::chrono::duration<double>(*line.timeout);
   }
+  std::optional<OwnServer> own;
+  std::optional<pid_t> process;
+  if (server->empty() || line.command.is_about_own_server) {
+    absl::StatusOr<OwnServer> opened = OwnServer::Open();
+    if (!opened.ok()) return opened.status();
+    own = *std::move(opened);
+    *server = own->address();
+  }
+  if (own.has_value() && !line.command.is_about_own_server) {
+    const absl::StatusOr<pid_t> started = AwaitOwnServer(*own, call);
+    if (call.stop.stop_requested()) return Interrupted();
+    if (!started.ok()) return started.status();
+    process = *started;
+  }
+  Client client(*server, *std::move(connection));
   absl::Status status =
       line.command.run({.client = client,
-                        .server = line.connection.server,
+                        .server = *server,
                         .call = call,
                         .json = line.json ? json : nullptr,
                         .quiet = line.quiet,
@@ -167,7 +198,8 @@ absl::Status RunCommand(const CommandLine& line, Json* json,
   if (absl::IsCancelled(status) && call.stop.stop_requested()) {
     return Interrupted();
   }
-  return status;
+  return process.has_value() ? WithFateOf(*own, *process, std::move(status))
+                             : status;
 }
 
 ExitCode ParseAndRun(int argc, const char* const* argv, std::ostream& out) {
@@ -176,7 +208,8 @@ ExitCode ParseAndRun(int argc, const char* const* argv, std::ostream& out) {
   if (const auto* ended = std::get_if<ExitCode>(&parsed)) return *ended;
   const auto& line = std::get<CommandLine>(parsed);
   Json json = Json::object();
-  const absl::Status status = RunCommand(line, &json, out);
+  std::string server = line.connection.server;
+  const absl::Status status = RunCommand(line, &server, &json, out);
   // If the output failed, Finish reports it.
   if (!out) return ExitCode::kOk;
   const ExitCode exit_code = status.ok() ? ExitCode::kOk : ExitCodeOf(status);
@@ -184,8 +217,7 @@ ExitCode ParseAndRun(int argc, const char* const* argv, std::ostream& out) {
   if (!status.ok()) json["error"].update(ErrorToJson(status, exit_code));
   if (line.json) PrintJson(json, &out);
   if (!status.ok()) {
-    std::cerr << "geodesic: "
-              << Printable(Explain(status, line.connection.server))
+    std::cerr << "geodesic: " << Printable(Explain(status, server))
               << std::endl;
   }
   return exit_code;

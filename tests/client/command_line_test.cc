@@ -56,6 +56,8 @@ TEST_F(CommandLineTest, EachCommandTakesItsOptions) {
            {"info", "a", "--format", "off"},
            {"delete", "a"},
            {"capabilities"},
+           {"server", "status"},
+           {"server", "stop"},
            {"field",       "--source", "3",      "-s",         "7:0.5",
             "horse.ply",   "-o",       "a.npy",  "-o",         "b.PNG",
             "--algorithm", "ich",      "--view", "-30,20",     "--size",
@@ -84,7 +86,7 @@ TEST_F(CommandLineTest, CommonOptions) {
   EXPECT_EQ(line.timeout, 2.5);
   EXPECT_TRUE(line.quiet);
   const CommandLine plain = Accepted({"meshes"});
-  EXPECT_EQ(plain.connection.server, "127.0.0.1:50051");
+  EXPECT_EQ(plain.connection.server, "");
   EXPECT_FALSE(plain.timeout.has_value());
   EXPECT_FALSE(plain.json);
   EXPECT_FALSE(plain.quiet);
@@ -172,9 +174,21 @@ TEST_F(CommandLineTest, WrongServersAreNamedAtOnce) {
   }
   EXPECT_EQ(Accepted({"--server", "[::1]:5", "meshes"}).connection.server,
             "[::1]:5");
+  EXPECT_EQ(Accepted({"--server", "unix:/a", "meshes"}).connection.server,
+            "unix:/a");
+}
+
+TEST_F(CommandLineTest, TlsNeedsAServersNameAndATokenDoesNot) {
+  EXPECT_EQ(ExitCodeOf(ReadConnection({.tls = true}).status()),
+            ExitCode::kFile);
+  EXPECT_TRUE(ReadConnection({.server = "a:1", .tls = true}).ok());
+  EXPECT_TRUE(ReadConnection({.token = "t"}).ok());
+  EXPECT_FALSE(ReadConnection({.server = "a:1", .token = "t"}).ok());
 }
 
 TEST_F(CommandLineTest, MissingPartsAreNamed) {
+  EXPECT_THAT(Refused({"server"}), HasSubstr("ACTION"));
+  EXPECT_THAT(Refused({"server", "start"}), HasSubstr("status or stop"));
   EXPECT_THAT(Refused({}), HasSubstr("subcommand"));
   EXPECT_THAT(Refused({"field", "m"}), HasSubstr("--source"));
   EXPECT_THAT(Refused({"field", "-s", "1"}), HasSubstr("MESH"));

@@ -49,6 +49,9 @@ struct Command {
   // Does the work and prints the result, or puts it into Session::json. If it
   // fails, what was already printed or put there stays.
   std::function<absl::Status(const Session&)> run;
+  // Whether it deals with the server that geodesic starts by itself, and so
+  // neither starts one nor reaches another.
+  bool is_about_own_server = false;
 };
 
 // A command whose options write into an `Arguments` that `run` gets.
@@ -63,7 +66,8 @@ Command MakeCommand(
       .help = std::move(help),
       .examples = std::move(examples),
       .add_options = [=](CLI::App* app) { add_options(app, arguments.get()); },
-      .run = [=](const Session& session) { return run(*arguments, session); }};
+      .run = [=](const Session& session) { return run(*arguments, session); },
+      .is_about_own_server = false};
 }
 
 // For commands without options.
@@ -83,6 +87,7 @@ Command MeshesCommand();
 Command NearestCommand();
 Command PathCommand();
 Command SampleCommand();
+Command ServerCommand();
 Command UploadCommand();
 
 }  // namespace geodesic::client

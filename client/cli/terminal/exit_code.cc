@@ -7,6 +7,8 @@ namespace geodesic::client {
 namespace {
 
 constexpr char kFilePayload[] = "geodesic.client/file-error";
+constexpr char kNoServerPayload[] = "geodesic.client/no-server";
+constexpr char kNoneRunsPayload[] = "geodesic.client/none-runs";
 constexpr char kInterruptedPayload[] = "geodesic.client/interrupted";
 
 // Whether gRPC gave up before a server answered.
@@ -28,6 +30,7 @@ bool TlsFailed(std::string_view message) {
 std::string_view ExitCodeHelp() {
   return "Exit codes:\n"
          "  0    done\n"
+         "  1    geodesic server status: no server runs\n"
          "  2    the command line is wrong\n"
          "  3    a file on this machine cannot be read or written\n"
          "  4    no server can be reached, or it is shutting down\n"
@@ -52,10 +55,27 @@ absl::Status Interrupted() {
   return status;
 }
 
+absl::Status NoServer(absl::Status status) {
+  if (!status.ok()) status.SetPayload(kNoServerPayload, absl::Cord());
+  return status;
+}
+
+absl::Status NoneRuns(std::string_view message) {
+  absl::Status status = absl::UnavailableError(std::string(message));
+  status.SetPayload(kNoneRunsPayload, absl::Cord());
+  return status;
+}
+
 ExitCode ExitCodeOf(const absl::Status& status) {
   if (status.GetPayload(kFilePayload).has_value()) return ExitCode::kFile;
   if (status.GetPayload(kInterruptedPayload).has_value()) {
     return ExitCode::kInterrupted;
+  }
+  if (status.GetPayload(kNoServerPayload).has_value()) {
+    return ExitCode::kUnreachable;
+  }
+  if (status.GetPayload(kNoneRunsPayload).has_value()) {
+    return ExitCode::kNoneRuns;
   }
   switch (status.code()) {
     case absl::StatusCode::kUnavailable:
@@ -73,6 +93,7 @@ std::string Explain(const absl::Status& status, std::string_view server) {
   const std::string message(status.message());
   switch (ExitCodeOf(status)) {
     case ExitCode::kUnreachable:
+      if (status.GetPayload(kNoServerPayload).has_value()) return message;
       if (absl::IsCancelled(status)) {
         return absl::StrCat("the server at ", at, " ended the call: ", message,
                             "; try again in a moment");

@@ -12,6 +12,7 @@ namespace geodesic::client {
 
 enum class ExitCode {
   kOk = 0,
+  kNoneRuns = 1,
   kUsage = 2,
   kFile = 3,
   kUnreachable = 4,
@@ -30,6 +31,13 @@ absl::Status FileError(absl::Status status);
 // The status of a command that was asked to stop. It differs from that of a
 // call which the server cancelled by itself.
 absl::Status Interrupted();
+
+// Marks an error of starting a server: there is none to reach, and the message
+// says why.
+absl::Status NoServer(absl::Status status);
+
+// What `geodesic server status` says when no server runs.
+absl::Status NoneRuns(std::string_view message);
 
 // REQUIRES: not OK.
 ExitCode ExitCodeOf(const absl::Status& status);

@@ -1,0 +1,209 @@
+#include "client/cli/own_server/own_server.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "client/cli/own_server/descriptor.h"
+#include "client/cli/own_server/launch.h"
+#include "client/cli/own_server/runtime_folder.h"
+#include "client/cli/terminal/exit_code.h"
+
+namespace geodesic::client {
+namespace {
+
+using std::chrono::steady_clock;
+
+// How long to wait for a server to start, or to end its requests.
+constexpr std::chrono::seconds kPatience{60};
+
+// How often files that cannot be waited for are looked at.
+constexpr std::chrono::milliseconds kLook{10};
+
+// How long a server that takes connections may take to answer.
+constexpr std::chrono::seconds kAnswer{20};
+
+// Servers that end while they are asked, one after the other.
+constexpr int kMostTries = 3;
+
+// A wait of a few looks that ends when it is stopped or takes too long.
+class Patience {
+ public:
+  explicit Patience(std::stop_token stop) : stop_(std::move(stop)) {}
+
+  steady_clock::time_point until() const { return until_; }
+
+  // Waits for the next look.
+  // Errors: CANCELLED; DEADLINE_EXCEEDED.
+  absl::Status Wait() {
+    std::unique_lock lock(mutex_);
+    never_.wait_for(lock, stop_, kLook, [] { return false; });
+    if (stop_.stop_requested()) return absl::CancelledError("stopped");
+    return steady_clock::now() < until_
+               ? absl::OkStatus()
+               : absl::DeadlineExceededError("waited too long");
+  }
+
+ private:
+  const std::stop_token stop_;
+  const steady_clock::time_point until_ = steady_clock::now() + kPatience;
+  std::mutex mutex_;
+  std::condition_variable_any never_;
+};
+
+// A file to be locked, made if it is missing.
+absl::StatusOr<Descriptor> OpenLock(const std::string& path) {
+  Descriptor file(open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC,
+                       S_IRUSR | S_IWUSR));
+  if (file.is_open()) return file;
+  return absl::ErrnoToStatus(errno, absl::StrCat("cannot open ", path));
+}
+
+bool TryLock(const Descriptor& file) {
+  return flock(file.get(), LOCK_EX | LOCK_NB) == 0;
+}
+
+bool HasEnded(const Descriptor& process) {
+  pollfd ended = {process.get(), POLLIN, 0};
+  return poll(&ended, 1, 0) == 1;
+}
+
+}  // namespace
+
+absl::StatusOr<OwnServer> OwnServer::Open() {
+  absl::StatusOr<std::string> folder = RuntimeFolder();
+  if (!folder.ok()) return FileError(folder.status());
+  OwnServer server(absl::StrCat(*folder, "/geodesicd-", GEODESIC_VERSION));
+  if (server.socket_path().size() >= sizeof(sockaddr_un::sun_path)) {
+    return FileError(absl::FailedPreconditionError(absl::StrCat(
+        server.socket_path(),
+        " is too long for a socket: set XDG_RUNTIME_DIR to a folder with a "
+        "shorter path, or name a server with --server")));
+  }
+  return server;
+}
+
+std::optional<pid_t> OwnServer::Running() const {
+  sockaddr_un address = {};
+  address.sun_family = AF_UNIX;
+  std::ranges::copy(socket_path(), address.sun_path);
+  const Descriptor probe(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  if (connect(probe.get(), reinterpret_cast<const sockaddr*>(&address),
+              sizeof(address)) != 0) {
+    return std::nullopt;
+  }
+  ucred peer = {};
+  socklen_t size = sizeof(peer);
+  if (getsockopt(probe.get(), SOL_SOCKET, SO_PEERCRED, &peer, &size) != 0) {
+    return std::nullopt;
+  }
+  return peer.pid;
+}
+
+absl::StatusOr<pid_t> OwnServer::Start(std::optional<pid_t> ending,
+                                       const std::stop_token& stop) const {
+  const auto usable = [&]() -> std::optional<pid_t> {
+    const std::optional<pid_t> process = Running();
+    return process == ending ? std::nullopt : process;
+  };
+  if (const auto process = usable()) return *process;
+  const absl::StatusOr<std::string> program = FindServerProgram();
+  if (!program.ok()) return NoServer(program.status());
+  const absl::StatusOr<Descriptor> starting = OpenLock(stem_ + ".starting");
+  if (!starting.ok()) return NoServer(starting.status());
+  const absl::StatusOr<Descriptor> alive = OpenLock(stem_ + ".alive");
+  if (!alive.ok()) return NoServer(alive.status());
+  Patience patience(stop);
+  bool is_starter = false;
+  for (;;) {
+    is_starter = is_starter || TryLock(*starting);
+    if (const auto process = usable()) return *process;
+    if (is_starter && TryLock(*alive)) break;
+    const absl::Status status = patience.Wait();
+    if (absl::IsCancelled(status)) return NoServer(status);
+    if (!status.ok()) {
+      return NoServer(absl::UnavailableError(absl::StrCat(
+          "a server or a command holds ", stem_,
+          is_starter ? ".alive" : ".starting", ", but no server answers at ",
+          address(), ": `geodesic server stop` ends one that serves")));
+    }
+  }
+  const absl::Status status = LaunchServer({.program = *program,
+                                            .socket_path = socket_path(),
+                                            .log_path = log_path(),
+                                            .kept_open = alive->get()},
+                                           patience.until(), stop);
+  if (!status.ok()) return NoServer(status);
+  if (const auto process = Running()) return *process;
+  return NoServer(absl::UnavailableError(absl::StrCat(
+      "the server that was started has ended (its log: ", log_path(), ")")));
+}
+
+absl::StatusOr<bool> OwnServer::Stop(const std::stop_token& stop) const {
+  const std::optional<pid_t> process = Running();
+  if (!process) return false;
+  const Descriptor handle(
+      static_cast<int>(syscall(SYS_pidfd_open, *process, 0)));
+  // The number may have become another process's before it was opened.
+  if (!handle.is_open() || Running() != process) return false;
+  if (syscall(SYS_pidfd_send_signal, handle.get(), SIGTERM, nullptr, 0) != 0) {
+    return absl::ErrnoToStatus(errno,
+                               absl::StrCat("cannot stop process ", *process));
+  }
+  Patience patience(stop);
+  while (!HasEnded(handle)) {
+    const absl::Status status = patience.Wait();
+    if (absl::IsDeadlineExceeded(status)) {
+      return absl::DeadlineExceededError(
+          absl::StrCat("process ", *process, " was asked to end, but has not"));
+    }
+    if (!status.ok()) return status;
+  }
+  return true;
+}
+
+absl::StatusOr<pid_t> AwaitOwnServer(const OwnServer& server,
+                                     const CallOptions& call) {
+  std::optional<pid_t> ending;
+  absl::Status status;
+  for (int i = 0; i < kMostTries; ++i) {
+    absl::StatusOr<pid_t> process = server.Start(ending, call.stop);
+    if (!process.ok()) return process;
+    Client client(server.address(), {.retry = false});
+    const absl::StatusOr<Capabilities> capabilities =
+        client.GetCapabilities({.timeout = kAnswer, .stop = call.stop});
+    if (capabilities.ok() && capabilities->version != GEODESIC_VERSION) {
+      (void)server.Stop(call.stop);
+      return NoServer(absl::FailedPreconditionError(absl::StrCat(
+          "this is geodesic " GEODESIC_VERSION
+          ", but the geodesicd found has "
+          "version ",
+          capabilities->version,
+          ": install both of one version, or name a server with --server")));
+    }
+    if (capabilities.ok()) return process;
+    status = capabilities.status();
+    if (!absl::IsUnavailable(status)) break;
+    ending = *process;
+  }
+  return NoServer(absl::Status(
+      status.code(), absl::StrCat("the server at ", server.address(),
+                                  " does not answer: ", status.message(),
+                                  " (its log: ", server.log_path(), ")")));
+}
+
+}  // namespace geodesic::client
