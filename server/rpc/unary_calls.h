@@ -13,6 +13,7 @@
 #include "geodesic/v1/capabilities_service.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
 #include "server/engine/base/limits.h"
+#include "server/engine/base/status_details.h"
 #include "server/rpc/calls/answer_stream.h"
 #include "server/rpc/calls/request_log.h"
 
@@ -54,6 +55,7 @@ absl::StatusOr<v1::ListMeshesResponse> AnswerOf(
     const ServiceContext& service, const v1::ListMeshesRequest& request);
 inline absl::StatusOr<v1::GetCapabilitiesResponse> AnswerOf(
     const ServiceContext& service, const v1::GetCapabilitiesRequest&) {
+  if (service.engine.scheduler().is_draining()) return ShuttingDown();
   return service.capabilities;
 }
 

@@ -184,6 +184,25 @@ TEST_F(OwnServerTest, OneKilledInTheMiddleIsReported) {
                                 HasSubstr("run the command again")));
 }
 
+TEST_F(OwnServerTest, OneThatDrainsIsWaitedFor) {
+  WriteFile(mesh_, OffText(HillyGrid(400)));
+  Process field({GEODESIC_BINARY, "field", mesh_, "--source", "0",
+                 "--algorithm", "ich", "-o", folder_ / "d.npy"});
+  const auto has_logged = [this](const std::string& words) {
+    if (!fs::exists(home_)) return false;
+    const std::string log = FileOf(".log");
+    return !log.empty() && FileBytes(log).find(words) != std::string::npos;
+  };
+  ASSERT_TRUE(test::Until([&] { return has_logged("CreateMesh code=OK"); }));
+  const auto first = Status()["pid"].get<pid_t>();
+  ASSERT_EQ(kill(first, SIGTERM), 0);
+  ASSERT_TRUE(test::Until([&] { return has_logged("draining"); }));
+  const ProcessResult next = Run({"meshes"});
+  EXPECT_EQ(next.exit_code, 0) << next.err;
+  EXPECT_NE(Status()["pid"].get<pid_t>(), first);
+  field.Wait();
+}
+
 TEST_F(OwnServerTest, AFolderThatOthersOpenIsRefused) {
   ASSERT_EQ(mkdir(home_.c_str(), 0700), 0);
   ASSERT_EQ(chmod(home_.c_str(), 0750), 0);

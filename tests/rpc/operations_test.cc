@@ -260,6 +260,11 @@ TEST_F(DrainTest, WhatRunsFinishesAndNothingNewBegins) {
   EXPECT_EQ(*health, kNotServing);
   EXPECT_EQ(ComputeField(digest_, 1).status.error_code(),
             grpc::StatusCode::UNAVAILABLE);
+  // So who asks before it begins knows.
+  EXPECT_TRUE(absl::IsUnavailable(
+      test::CallMethod(channel_,
+                       "/geodesic.v1.CapabilitiesService/GetCapabilities", "")
+          .status()));
   v1::CreateMeshResponse response;
   v1::UploadHeader header;
   header.set_format(v1::MESH_FORMAT_OFF);
