@@ -16,9 +16,12 @@ class GeodesicError(Exception):
     Attributes:
         reason: for programs; what the service calls the error, e.g.
             ``"QUEUE_FULL"``. None for errors of this process.
+        retry_after: after so many seconds the service would like to be asked
+            again; +inf: not at all. None if it did not say.
     """
 
     reason: Optional[str] = None
+    retry_after: Optional[float] = None
 
 
 class InvalidArgument(GeodesicError, ValueError):

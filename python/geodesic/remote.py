@@ -4,25 +4,23 @@ from __future__ import annotations
 
 import functools
 import math
-import time
 from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 
 import grpc
 import numpy as np
 
 from .backend import FieldAnswer, IsolineAnswer, Options, PathAnswer
-from .errors import InternalError, InvalidArgument, NotFound, Unavailable
+from .calls import Caller, Patience
+from .errors import (InternalError, InvalidArgument, NotFound,
+                     ResourceExhausted, Unavailable)
 from .places import Places, Sources
 from .v1 import (field_service_pb2, field_service_pb2_grpc, matrix_service_pb2,
                  matrix_service_pb2_grpc, mesh_pb2, mesh_service_pb2,
                  mesh_service_pb2_grpc, pair_service_pb2,
                  pair_service_pb2_grpc, path_service_pb2,
                  path_service_pb2_grpc, query_pb2)
-from .wire import (Polyline, error_of, source_messages, surface_points)
+from .wire import Polyline, source_messages, surface_points
 
-# A field whose stream breaks is read on this often without any part of it
-# coming, with longer and longer pauses, in seconds.
-_PAUSES = (0.2, 0.4, 0.8)
 # Rows of one request: their sources fit into a message.
 _ROWS_OF_A_REQUEST = 30_000
 # Pairs of one request: as many as a server takes unless it is set otherwise, or,
@@ -32,44 +30,27 @@ _PLACE_PAIRS_OF_A_REQUEST = 30_000
 
 
 class Stubs:
-    """The service's stubs on one channel, and how its calls are made."""
+    """The service's stubs on one channel, and how its calls are made: `call` and
+    `stream` are the Caller's."""
 
     def __init__(self, channel: grpc.Channel, address: str,
-                 timeout: Optional[float],
-                 metadata: Tuple[Tuple[str, str], ...]) -> None:
+                 caller: Caller) -> None:
         self.address = address
         self.meshes = mesh_service_pb2_grpc.MeshServiceStub(channel)
         self.fields = field_service_pb2_grpc.FieldServiceStub(channel)
         self.paths = path_service_pb2_grpc.PathServiceStub(channel)
         self.matrices = matrix_service_pb2_grpc.MatrixServiceStub(channel)
         self.pairs = pair_service_pb2_grpc.PairServiceStub(channel)
-        self._timeout = timeout
-        self._metadata = metadata
+        self.caller = caller
+        self.call = caller.call
+        self.stream = caller.stream
 
-    def call(self, method: Callable, request: Any) -> Any:
-        """The response of a call that has one; raises the package's errors."""
-        try:
-            return method(request, timeout=self._timeout,
-                          metadata=self._metadata)
-        except grpc.RpcError as error:
-            raise error_of(error) from None
-
-    def stream(self, method: Callable, request: Any) -> Iterator[Any]:
-        """The responses of a call that streams them. Whoever stops reading, also
-        by an exception, cancels the call."""
-        call = method(request, timeout=self._timeout, metadata=self._metadata)
-        try:
-            yield from call
-        except grpc.RpcError as error:
-            raise error_of(error) from None
-        finally:
-            call.cancel()
-
-    def parts(self, method: Callable, request: Any,
+    def parts(self, method: Callable, request: Any, **options: Any,
               ) -> Iterator[Tuple[str, Any]]:
-        """The same as (name, part) of a stream that ends with a trailer."""
+        """The same as (name, part) of a stream that ends with a trailer; options
+        as in Caller.stream()."""
         is_whole = False
-        for response in self.stream(method, request):
+        for response in self.stream(method, request, **options):
             name = response.WhichOneof("part")
             if name is None:
                 continue  # from a newer server
@@ -310,7 +291,8 @@ class RemoteBackend:
 
     def _read_field(self, request: Any, reader: _FieldReader) -> None:
         """Reads on where a stream breaks."""
-        attempts = 0
+        deadline = self._stubs.caller.deadline()
+        patience = Patience(deadline)
         while reader.trailer is None:
             before = reader.first_missing
             if reader.field_id:
@@ -320,13 +302,13 @@ class RemoteBackend:
                 request.ClearField("resumption")
             try:
                 for name, part in self._stubs.parts(
-                        self._stubs.fields.ComputeField, request):
+                        self._stubs.fields.ComputeField, request,
+                        repeat=False, deadline=deadline):
                     reader.add(name, part)
-            except Unavailable:
-                attempts = 0 if reader.first_missing > before else attempts + 1
-                if attempts > len(_PAUSES):
-                    raise
-                time.sleep(_PAUSES[max(attempts - 1, 0)])
+            except (Unavailable, ResourceExhausted) as error:
+                if reader.first_missing > before:
+                    patience.begin_again()
+                patience.pause(error)
             except NotFound as error:
                 if error.reason != "FIELD_NOT_KEPT":
                     raise

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import os
 import pathlib
-import time
 from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
 
 import grpc
@@ -13,16 +13,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import inputs
+from .calls import Caller
 from .digest import mesh_digest
-from .errors import InvalidArgument, Unavailable
+from .errors import InvalidArgument
 from .mesh import Mesh
 from .remote import RemoteBackend, Stubs
 from .v1 import (capabilities_service_pb2, capabilities_service_pb2_grpc,
                  mesh_pb2, mesh_service_pb2)
 
 _CHUNK_BYTES = 512 * 1024
-# An upload that breaks is repeated after these pauses, in seconds.
-_PAUSES = (0.2, 0.4, 0.8)
 _FORMATS = {
     ".obj": mesh_pb2.MESH_FORMAT_OBJ,
     ".ply": mesh_pb2.MESH_FORMAT_PLY,
@@ -49,8 +48,8 @@ class Service:
     def __init__(self, address: str, channel: grpc.Channel,
                  timeout: Optional[float],
                  metadata: Tuple[Tuple[str, str], ...]) -> None:
-        self._channel = channel
-        self._stubs = Stubs(channel, address, timeout, metadata)
+        self._stubs = Stubs(channel, address,
+                            Caller(channel, timeout, metadata))
         self._capabilities = (
             capabilities_service_pb2_grpc.CapabilitiesServiceStub(channel))
 
@@ -65,7 +64,7 @@ class Service:
 
     def close(self) -> None:
         """Ends the connection, and what runs on it."""
-        self._channel.close()
+        self._stubs.caller.close()
 
     def version(self) -> str:
         """The server's version."""
@@ -127,7 +126,8 @@ class Service:
         """Takes a mesh from the service, by itself or by its name."""
         digest = mesh if isinstance(mesh, str) else mesh.digest
         self._stubs.call(self._stubs.meshes.DeleteMesh,
-                         mesh_service_pb2.DeleteMeshRequest(digest=digest))
+                         mesh_service_pb2.DeleteMeshRequest(digest=digest),
+                         repeat=False)
 
     def _arrays(self, positions: np.ndarray,
                 triangles: np.ndarray) -> RemoteBackend:
@@ -189,16 +189,9 @@ class Service:
     def _upload(self, header: mesh_service_pb2.UploadHeader,
                 arrays: Tuple[np.ndarray, ...]) -> mesh_pb2.Mesh:
         """Sends a mesh's bytes, again where the connection breaks."""
-        for pause in _PAUSES + (None,):
-            try:
-                return self._stubs.call(
-                    self._stubs.meshes.CreateMesh,
-                    _upload_messages(header, arrays)).mesh
-            except Unavailable:
-                if pause is None:
-                    raise
-                time.sleep(pause)
-        raise AssertionError
+        return self._stubs.call(
+            self._stubs.meshes.CreateMesh,
+            functools.partial(_upload_messages, header, arrays)).mesh
 
 
 def _upload_messages(header: mesh_service_pb2.UploadHeader,
@@ -237,11 +230,16 @@ def connect(address: str, *, token: Optional[str] = None,
         server_name: the name in the server's certificate, if it is not the host.
 
     Nothing is sent before the first question. Calls that fail because the
-    service is not there or is full are repeated for some seconds.
+    service is not there or is full are repeated up to three times, within the
+    timeout.
     """
-    options = [
-        ("grpc.service_config", pathlib.Path(__file__).with_name(
-            "service-config.json").read_text(encoding="utf-8")),
+    options: List[Tuple[str, Union[int, str]]] = [
+        # A service config's retryPolicy lets grpcio 1.51 wait forever, beyond
+        # any timeout, for a stream whose server went away: geodesic.calls
+        # repeats calls itself, and looks for the service as soon.
+        ("grpc.enable_retries", 0),
+        ("grpc.initial_reconnect_backoff_ms", 200),
+        ("grpc.max_reconnect_backoff_ms", 3000),
         # Parts of answers have their own bounds.
         ("grpc.max_receive_message_length", -1),
     ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Iterable, List
 
 import grpc
@@ -124,11 +125,16 @@ _Status, _ErrorInfo = _detail_types()
 def error_of(error: grpc.RpcError) -> GeodesicError:
     """The package's exception for one of gRPC's."""
     reason = None
+    retry_after = None
     for key, value in error.trailing_metadata() or ():
+        if key == "grpc-retry-pushback-ms":
+            retry_after = int(value) / 1000 if value.isdecimal() else math.inf
         if key != "grpc-status-details-bin":
             continue
         for detail in _Status.FromString(value).details:
             if detail.type_url.endswith("/google.rpc.ErrorInfo"):
                 reason = _ErrorInfo.FromString(detail.value).reason
-    return from_code(error.code().value[0], error.details() or
+    made = from_code(error.code().value[0], error.details() or
                      error.code().name, reason)
+    made.retry_after = retry_after
+    return made
