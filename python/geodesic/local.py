@@ -156,8 +156,13 @@ class LocalBackend:
 def _groups(places: Places) -> Tuple[np.ndarray, np.ndarray]:
     """An order in which equal places stand together, and where each group
     ends."""
-    rows = np.column_stack([places.kinds, places.numbers, places.weights])
-    _, group = np.unique(rows, axis=0, return_inverse=True)
-    group = group.reshape(-1)
-    order = np.argsort(group, kind="stable")
-    return order, np.flatnonzero(np.diff(group[order], append=-1)) + 1
+    columns = [places.kinds, *places.numbers.T, *places.weights.T]
+    # Where all are vertices, one column tells.
+    columns = [column for column in columns if np.any(column != column[0])]
+    if not columns:
+        return np.arange(len(places)), np.array([len(places)])
+    order = np.lexsort(columns)
+    changes = np.zeros(len(places) - 1, bool)
+    for column in columns:
+        changes |= np.diff(column[order].astype(np.float64)) != 0
+    return order, np.append(np.flatnonzero(changes) + 1, len(places))

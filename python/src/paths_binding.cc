@@ -18,27 +18,31 @@ namespace {
 namespace py = pybind11;
 using PathList = std::vector<GeodesicPath>;
 
-// To few targets by a search for each, otherwise from one field.
+// To few targets by a search for each, otherwise from one field; then `watch`
+// is told how many paths there are.
 absl::StatusOr<PathList> FindPaths(const QueryHandle& question, double radius,
-                                   uint32_t threads, Checkpoint& checkpoint) {
+                                   uint32_t threads, Watch& watch) {
   const ValidQuery& query = question.query;
   const size_t targets = query->targets.size();
   if (query->algorithm == kDefaultAlgorithm && std::isinf(radius) &&
       targets < kTargetsWorthAField) {
     absl::StatusOr<TargetDistances> found =
-        question.on.searches->Run(query, checkpoint);
+        question.on.searches->Run(query, watch);
     if (!found.ok()) return found.status();
     return std::move(found->paths);
   }
   const absl::StatusOr<DistanceField> field =
       SolveWithin(question.mesh(), query,
-                  {.radius = radius, .targets = targets}, threads, checkpoint);
+                  {.radius = radius, .targets = targets}, threads, watch);
   if (!field.ok()) return field.status();
   const absl::StatusOr<PathTracer> tracer =
       PathTracer::Create(question.mesh(), query, *field);
   if (!tracer.ok()) return tracer.status();
   PathList paths;
   for (uint32_t target = 0; target < targets; ++target) {
+    if (absl::Status status = watch.Report(target, targets); !status.ok()) {
+      return status;
+    }
     absl::StatusOr<GeodesicPath> path = tracer->ToTarget(target);
     if (!path.ok()) return path.status();
     paths.push_back(*std::move(path));
@@ -54,6 +58,7 @@ py::list Paths(const QueryHandle& question, double radius, uint32_t threads,
       watch.Run([&] { return FindPaths(question, radius, threads, watch); });
   py::list result;
   for (GeodesicPath& path : paths) {
+    Watch::CheckSignals();
     result.append(py::make_tuple(ToPlaceArrays(path.points),
                                  ToArray(std::move(path.positions)),
                                  path.distance, path.length, path.source));

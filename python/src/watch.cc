@@ -31,10 +31,14 @@ absl::Status Watch::Report(uint64_t done, uint64_t total) {
   return status;
 }
 
+void Watch::CheckSignals() {
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
 absl::Status Watch::Ask(uint64_t done, uint64_t total) {
   const py::gil_scoped_acquire locked;
   try {
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    CheckSignals();
     // While a mesh is read or built there is nothing to count.
     if (has_progress_ && total > 0) progress_(done, total);
   } catch (...) {

@@ -47,6 +47,10 @@ class Watch final : public Checkpoint {
     return Report(progress.vertices_reached, progress.vertices);
   }
 
+  // For work with the interpreter's lock, such as making many objects: throws
+  // what Ctrl-C raises.
+  static void CheckSignals();
+
   // CANCELLED once Python has raised an exception, which Run() rethrows.
   absl::Status Report(uint64_t done, uint64_t total);
 

@@ -76,6 +76,23 @@ class ProcessTest(unittest.TestCase):
             with self.assertRaises(Enough):
                 ask()
 
+    def test_paths_say_how_many_there_are_and_stop(self):
+        mesh = geodesic.Mesh(*meshes.terrain(60))
+        targets = np.resize(np.arange(mesh.n_vertices), 100_000)
+        calls = []
+
+        class Enough(Exception):
+            pass
+
+        def progress(done, total):
+            calls.append((done, total))
+            if total == len(targets) and done > 0:
+                raise Enough
+
+        with self.assertRaises(Enough):
+            mesh.paths(0, targets, progress=progress)
+        self.assertLess(calls[-1][0], len(targets))
+
     def test_control_c(self):
         # Each would run for minutes; a signal that is lost runs into the test's
         # time limit.
