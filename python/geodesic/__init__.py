@@ -44,8 +44,8 @@ def connect(address: str, **options: Any) -> "Service":
         with geodesic.connect("host:50051") as service:
             d = service.mesh(V, F).distances(0)
 
-    Options: token, timeout (seconds a call may take), tls, authorities,
-    certificate, key, server_name; see help(geodesic.service.connect).
+    Options: token, insecure_token, timeout (seconds a call may take), tls,
+    authorities, certificate, key, server_name; see help(geodesic.service.connect).
     """
     try:
         from . import service

@@ -12,6 +12,7 @@ from typing import Any, Dict, Iterator, List, Optional, Protocol, Tuple
 
 import numpy as np
 
+from .errors import InvalidArgument
 from .places import Places, Sources
 from .progress import ProgressCallback
 
@@ -29,6 +30,11 @@ class Options:
     algorithm: Optional[str] = None
     threads: int = 1
     progress: Optional[ProgressCallback] = None
+
+    def __post_init__(self) -> None:
+        if self.algorithm is not None and not isinstance(self.algorithm, str):
+            raise InvalidArgument(
+                f"algorithm is {self.algorithm!r}, which is no name")
 
 
 @dataclasses.dataclass

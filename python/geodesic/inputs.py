@@ -6,6 +6,7 @@ from typing import Any, Tuple
 
 import numpy as np
 
+from .arguments import to_array
 from .errors import InvalidArgument
 
 _HINT = ("a mesh is Mesh(vertices, faces), a file (.obj, .ply, .off, .stl), or a "
@@ -14,7 +15,7 @@ _HINT = ("a mesh is Mesh(vertices, faces), a file (.obj, .ply, .off, .stl), or a
 
 def to_vertices(vertices: Any) -> np.ndarray:
     """float64 (V, 3) in C order; the array itself where it is that already."""
-    array = np.asarray(vertices)
+    array = to_array(vertices, "vertices")
     if array.dtype.kind not in "fiu":
         raise InvalidArgument(
             f"vertices are of type {array.dtype}, which are no coordinates")
@@ -31,7 +32,7 @@ def to_vertices(vertices: Any) -> np.ndarray:
 
 def to_faces(faces: Any) -> np.ndarray:
     """(F, 3) of 32- or 64-bit integers."""
-    array = np.asarray(faces)
+    array = to_array(faces, "faces")
     if array.dtype.kind not in "iu":
         raise InvalidArgument(
             f"faces are of type {array.dtype}, but vertex numbers are integers: "

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, inputs
+from .arguments import to_array, to_count, to_real
 from .asynchronous import AsyncMesh
 from .backend import Backend, Options
 from .errors import InvalidArgument
@@ -31,15 +32,13 @@ def _threads(threads: Optional[int]) -> int:
     """None: as many as this process may use."""
     if threads is None:
         return len(os.sched_getaffinity(0))
-    if threads < 1:
-        raise InvalidArgument(f"threads is {threads}; at least one has to work")
-    return threads
+    return to_count(threads, "threads", "at least one has to work")
 
 
 def _radius(radius: Optional[float]) -> float:
     if radius is None:
         return math.inf
-    radius = float(radius)
+    radius = to_real(radius, "radius")
     if not radius >= 0:
         raise InvalidArgument(f"radius is {radius}, which is no distance")
     return radius
@@ -48,8 +47,8 @@ def _radius(radius: Optional[float]) -> float:
 def _mask(values: Optional[ArrayLike], name: str, count: int) -> np.ndarray:
     """Which of `count` are named, by numbers or by a mask; bool (count,)."""
     mask = np.zeros(count, bool)
-    if values is not None and np.size(values):
-        numbers = to_numbers(np.asarray(values), name, count)
+    if values is not None and to_array(values, name).size:
+        numbers = to_numbers(to_array(values, name), name, count)
         if numbers.max() >= count:
             first = int(np.argmax(numbers >= count))
             raise InvalidArgument(f"{name}[{first}] is {numbers[first]}, but the "
@@ -245,6 +244,9 @@ class Mesh:
         """
         points, sources = self._places(targets, "targets"), self._sources(
             source, offsets)
+        if stop_after_targets is not None:
+            stop_after_targets = to_count(stop_after_targets,
+                                          "stop_after_targets")
         with reporting(progress, "vertices") as report:
             answer = self._backend.field(
                 sources, points, _radius(radius), stop_after_targets, labels,
@@ -293,6 +295,9 @@ class Mesh:
         Args:
             interval: seconds between two parts, about.
         """
+        interval = to_real(interval, "interval")
+        if not interval >= 0:
+            raise InvalidArgument(f"interval is {interval}; seconds are wanted")
         return self._backend.progressive(
             self._sources(source, offsets), _radius(radius), interval,
             Options(algorithm, _threads(threads)))
@@ -315,7 +320,7 @@ class Mesh:
             (N,). Up to rounding the same as those of distances().
         """
         if targets is None:
-            both = np.asarray(sources)
+            both = to_array(sources, "pairs")
             if both.ndim != 2 or both.shape[1] != 2:
                 raise InvalidArgument(
                     f"pairs have shape {both.shape}, not (N, 2)")
@@ -367,15 +372,17 @@ class Mesh:
         ]
 
     def isolines(self, source: OneOrManySources = 0, *,
-                 levels: Optional[ArrayLike] = None, count: int = 10,
+                 levels: Optional[ArrayLike] = None,
+                 count: Optional[int] = None,
                  offsets: Optional[ArrayLike] = None,
                  algorithm: Optional[str] = None, threads: Optional[int] = 1,
                  progress: ProgressOption = None) -> List[Isoline]:
         """Lines of equal distance, as ordered polylines on the surface.
 
         Args:
-            levels: the distances, > 0. Without them there are `count` levels,
-                evenly spread up to the largest distance.
+            levels: the distances, > 0.
+            count: instead of levels: so many, 10 if neither is given, evenly
+                spread up to the largest distance.
 
         Returns:
             In order of level. A level may have many lines.
@@ -383,6 +390,7 @@ class Mesh:
         sources = self._sources(source, offsets)
         options = Options(algorithm, _threads(threads))
         if levels is None:
+            count = 10 if count is None else to_count(count, "count")
             distances = self._backend.field(
                 sources, self._places(None, "targets"), math.inf, None, False,
                 False, options).distances
@@ -390,7 +398,10 @@ class Mesh:
             if largest == 0:
                 return []
             levels = largest * np.arange(1, count + 1) / (count + 1)
-        wanted = [float(level) for level in np.atleast_1d(levels)]
+        elif count is not None:
+            raise InvalidArgument("levels and count are given; they say the same "
+                                  "thing")
+        wanted = to_array(levels, "levels", np.float64).reshape(-1).tolist()
         with reporting(progress, "vertices") as options.progress:
             answers = self._backend.isolines(sources, wanted, options)
         return [
@@ -422,6 +433,13 @@ class Mesh:
         Returns:
             (S, T) dense, or a csr_matrix where a radius is given.
         """
+        try:
+            dtype = np.dtype(dtype)
+        except TypeError:
+            raise InvalidArgument(f"dtype is {dtype!r}, which is no type"
+                                  ) from None
+        if dtype not in (np.float64, np.float32):
+            raise InvalidArgument(f"dtype is {dtype}, not float64 or float32")
         if sources is None:
             sources = np.arange(self.n_vertices)
         rows = self._sources(sources, offsets)
@@ -436,6 +454,9 @@ class Mesh:
                                     dtype, options)
             if out is None:
                 out = np.empty((len(rows), columns), dtype)
+            if not isinstance(out, np.ndarray):
+                raise InvalidArgument(
+                    f"out is of type {type(out).__name__}, not a numpy array")
             if (out.shape != (len(rows), columns) or
                     out.dtype not in (np.float64, np.float32) or
                     not out.flags.c_contiguous or not out.flags.writeable):
@@ -479,8 +500,7 @@ class Mesh:
         points = self._places(targets, "targets")
         if len(points) == 0:
             raise InvalidArgument("there is no target")
-        if k < 1:
-            raise InvalidArgument(f"k is {k}; ask for at least one target")
+        k = to_count(k, "k", "ask for at least one target")
         with reporting(progress, "rows") as report:
             return self._backend.nearest(
                 rows, points, k, _radius(radius),
@@ -497,8 +517,7 @@ class Mesh:
             (vertices, distances), each (count,); the distances fall, and the
             first on a piece without a source is +inf.
         """
-        if count < 0:
-            raise InvalidArgument(f"count is {count}")
+        count = to_count(count, "count")
         with reporting(progress, "vertices") as report:
             return self._backend.samples(
                 self._sources(source, None), count,
@@ -528,7 +547,7 @@ class Mesh:
             xyz: (3,), or (N, 3) for a list of N places. O(F) each: some 2 ms on
                 100,000 faces.
         """
-        points = np.asarray(xyz, np.float64)
+        points = to_array(xyz, "xyz", np.float64)
         if points.shape[-1:] != (3,) or points.ndim > 2:
             raise InvalidArgument(
                 f"points in space have shape {points.shape}, not (3,) or (N, 3)")

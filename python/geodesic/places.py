@@ -12,6 +12,7 @@ from typing import Any, List, Sequence, Tuple, Union
 
 import numpy as np
 
+from .arguments import to_array, to_real
 from .errors import InvalidArgument
 
 
@@ -165,9 +166,9 @@ def _as_list(value: Any, name: str, vertex_count: int,
             f"{name} is {value!r}; a place is a vertex number, an EdgePoint or a "
             "FacePoint") from None
     if items and all(isinstance(item, numbers.Integral) for item in items):
-        return to_numbers(np.array(items), name, vertex_count)
+        return to_numbers(to_array(items, name), name, vertex_count)
     if any(isinstance(item, (float, np.ndarray)) for item in items):
-        return to_numbers(np.asarray(items), name, vertex_count)
+        return to_numbers(to_array(items, name), name, vertex_count)
     return items
 
 
@@ -190,14 +191,15 @@ def to_places(value: Any, name: str, vertex_count: int) -> Places:
             places.kinds[i] = _EDGE
             places.numbers[i] = (_number(item.start, here + ".start"),
                                  _number(item.end, here + ".end"))
-            places.weights[i, 0] = item.t
+            places.weights[i, 0] = to_real(item.t, here + ".t")
         elif isinstance(item, FacePoint):
-            if np.shape(item.weights) != (3,):
+            if to_array(item.weights, here + ".weights").shape != (3,):
                 raise InvalidArgument(
                     f"{here}.weights are not three numbers: {item.weights!r}")
             places.kinds[i] = _FACE
             places.numbers[i, 0] = _number(item.face, here + ".face")
-            places.weights[i] = item.weights
+            places.weights[i] = to_array(item.weights, here + ".weights",
+                                         np.float64)
         elif isinstance(item, Curve):
             raise InvalidArgument(f"{here} is a curve; only sources may be")
         else:
@@ -250,7 +252,8 @@ def to_sources(value: Any, offsets: Any, vertex_count: int) -> Sources:
     if offsets is None:
         offset_array = np.zeros(len(counts))
     else:
-        offset_array = np.array(offsets, np.float64, ndmin=1)
+        offset_array = np.atleast_1d(
+            to_array(offsets, "offsets", np.float64))
         if offset_array.shape != (len(counts),):
             raise InvalidArgument(
                 f"offsets have shape {offset_array.shape}, but there are "

@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 from typing import Callable, Iterator, Optional, Union
 
+from .errors import InvalidArgument
+
 # Called as progress(done, total) now and then, from the thread that asked.
 # What it raises stops the computation.
 ProgressCallback = Callable[[int, int], object]
@@ -21,6 +23,9 @@ def reporting(progress: ProgressOption, unit: str,
     if callable(progress):
         yield progress
         return
+    if progress is not True:
+        raise InvalidArgument(f"progress is {progress!r}; it may be True, or a "
+                              "function f(done, total)")
     try:
         import tqdm.auto
     except ImportError:

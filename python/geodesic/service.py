@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import functools
 import hashlib
+import ipaddress
+import math
 import os
 import pathlib
 from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
@@ -13,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import inputs
+from .arguments import to_real
 from .calls import Caller
 from .digest import mesh_digest
 from .errors import InvalidArgument
@@ -208,7 +211,30 @@ def _upload_messages(header: mesh_service_pb2.UploadHeader,
             sent += len(chunk)
 
 
+def _stays_here(address: str) -> bool:
+    """Whether what is sent to an address in clear stays on this machine."""
+    scheme, colon, rest = address.partition(":")
+    if colon and scheme in ("unix", "unix-abstract"):
+        return True
+    if colon and scheme in ("dns", "ipv4", "ipv6"):
+        address = rest.rpartition("/")[2]
+    return all(_is_loopback(one) for one in address.split(","))
+
+
+def _is_loopback(address: str) -> bool:
+    """Of HOST, HOST:PORT or [HOST]:PORT."""
+    if address.startswith("["):
+        host = address[1:].partition("]")[0]
+    else:
+        host = address if address.count(":") > 1 else address.partition(":")[0]
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
 def connect(address: str, *, token: Optional[str] = None,
+            insecure_token: bool = False,
             timeout: Optional[float] = None, tls: Optional[bool] = None,
             authorities: Optional[PemOrPath] = None,
             certificate: Optional[PemOrPath] = None,
@@ -221,7 +247,9 @@ def connect(address: str, *, token: Optional[str] = None,
 
     Args:
         address: host:port.
-        token: sent with each call. Without TLS it travels in clear.
+        token: sent with each call, and to other machines by TLS only.
+        insecure_token: lets the token go to another machine in clear, where
+            whoever is on the way can read it.
         timeout: seconds that a call may take, or None.
         tls: whether to speak TLS; by default if any of what follows is given.
         authorities: who vouches for the server, as PEM or a path; by default
@@ -233,6 +261,13 @@ def connect(address: str, *, token: Optional[str] = None,
     service is not there or is full are repeated up to three times, within the
     timeout.
     """
+    if not isinstance(address, str) or not address.strip():
+        raise InvalidArgument(f"address is {address!r}, not HOST:PORT")
+    if timeout is not None:
+        timeout = to_real(timeout, "timeout")
+        if not 0 < timeout < math.inf:
+            raise InvalidArgument(f"timeout is {timeout}; a call takes some "
+                                  "seconds, or as many as it likes with None")
     options: List[Tuple[str, Union[int, str]]] = [
         # A service config's retryPolicy lets grpcio 1.51 wait forever, beyond
         # any timeout, for a stream whose server went away: geodesic.calls
@@ -251,8 +286,18 @@ def connect(address: str, *, token: Optional[str] = None,
                               "certificate")
     metadata: Tuple[Tuple[str, str], ...] = ()
     if token is not None:
-        if not token or not all("!" <= c <= "~" for c in token):
-            raise InvalidArgument("the token has characters that none has")
+        if (not isinstance(token, str) or not token or
+                not all("!" <= c <= "~" for c in token)):
+            raise InvalidArgument("token is not a text of visible ASCII "
+                                  "characters")
+        if not tls:
+            if _stays_here(address):
+                # Nor does a proxy get it.
+                options.append(("grpc.enable_http_proxy", 0))
+            elif not insecure_token:
+                raise InvalidArgument(
+                    f"the token would go to {address} in clear: use TLS "
+                    "(tls=True or authorities=...)")
         metadata = (("authorization", "Bearer " + token),)
     if not tls:
         channel = grpc.insecure_channel(address, options)

@@ -12,7 +12,62 @@ import numpy as np
 import geodesic
 
 
-class InputsTest(unittest.TestCase):
+class Refusing(unittest.TestCase):
+
+    def assert_refused(self, words, call, *arguments, **named):
+        with self.assertRaises(geodesic.InvalidArgument) as caught:
+            call(*arguments, **named)
+        self.assertIn(words, str(caught.exception))
+        self.assertIsInstance(caught.exception, ValueError)
+
+
+class RefusedQuestionsTest(Refusing):
+    """service_test.py asks the same of a mesh of a service."""
+
+    make = geodesic.Mesh
+
+    def test_refused_types(self):
+        vertices, faces = meshes.octahedron()
+        mesh = self.make(vertices, faces)
+        for name in ("samples", "threads", "k"):
+            ask = {"samples": mesh.samples,
+                   "threads": lambda n: mesh.distances(0, threads=n),
+                   "k": lambda n: mesh.nearest(0, [1], n)}[name]
+            shown = {"samples": "count"}.get(name, name)
+            for value in (0, -1, 1.5, True, "x", 2**70):
+                self.assert_refused(f"{shown} is {value!r}", ask, value)
+        self.assert_refused("count is 0", mesh.isolines, 0, count=0)
+        self.assert_refused("levels and count", mesh.isolines, 0, count=2,
+                            levels=[1])
+        self.assert_refused("levels cannot be", mesh.isolines, 0, levels="x")
+        self.assert_refused("stop_after_targets is 1.5", mesh.field, 0,
+                            stop_after_targets=1.5)
+        self.assert_refused("interval is nan", mesh.progressive, 0,
+                            interval=np.nan)
+        self.assert_refused("radius is 'x'", mesh.distances, 0, radius="x")
+        self.assert_refused("offsets cannot be", mesh.distances, 0, offsets="a")
+        self.assert_refused("out is of type list", mesh.matrix, 0, [0],
+                            out=[[0]])
+        self.assert_refused("dtype is 'x'", mesh.matrix, 0, dtype="x")
+        self.assert_refused("dtype is int64", mesh.matrix, 0, dtype=int)
+        self.assert_refused("progress is 3", mesh.distances, 0, progress=3)
+        self.assert_refused("progress is 'x'", mesh.samples, 1, progress="x")
+        self.assert_refused("algorithm is 3", mesh.distances, 0, algorithm=3)
+        self.assert_refused("sources cannot be", mesh.distances,
+                            [0, np.arange(2)])
+        self.assert_refused("pairs cannot be", mesh.pairs, [[0, 1], [2]])
+        self.assert_refused("sources[0].t is 'x'", mesh.distances,
+                            geodesic.EdgePoint(0, 2, "x"))
+        self.assert_refused("sources[0].weights", mesh.distances,
+                            geodesic.FacePoint(0, "abc"))
+        self.assert_refused("xyz cannot be", mesh.nearest_point, "abc")
+        self.assert_refused("vertices cannot be", self.make,
+                            [[0, 0, 0], [1, 0]], faces)
+        self.assert_refused("faces cannot be", self.make, vertices,
+                            [[0, 1, 2], [1, 0]])
+
+
+class InputsTest(Refusing):
 
     def setUp(self):
         self.vertices, self.faces = meshes.octahedron()
@@ -22,12 +77,6 @@ class InputsTest(unittest.TestCase):
         np.testing.assert_array_equal(mesh.vertices, self.wanted.vertices)
         np.testing.assert_array_equal(mesh.faces, self.wanted.faces)
         self.assertEqual(mesh.digest, self.wanted.digest)
-
-    def assert_refused(self, words, call, *arguments, **named):
-        with self.assertRaises(geodesic.InvalidArgument) as caught:
-            call(*arguments, **named)
-        self.assertIn(words, str(caught.exception))
-        self.assertIsInstance(caught.exception, ValueError)
 
     def test_types_and_layouts(self):
         for kind in (np.int8, np.uint16, np.int32, np.uint32, np.int64,

@@ -20,6 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "support" / "python"))
 import distances_test  # noqa: E402
 import geodesic_service  # noqa: E402
+import inputs_test  # noqa: E402
 import meshes  # noqa: E402
 import numpy as np  # noqa: E402
 import parts_test  # noqa: E402
@@ -69,6 +70,10 @@ class RemoteQuestionsTest(ServedTest, questions_test.QuestionsTest):
 
 
 class RemotePartsTest(ServedTest, parts_test.PartsTest):
+    pass
+
+
+class RemoteInputsTest(ServedTest, inputs_test.RefusedQuestionsTest):
     pass
 
 
@@ -301,6 +306,35 @@ class SecuredTest(unittest.TestCase):
         with self.assertRaises(geodesic.InvalidArgument):
             self.connect(token="two words")
 
+    def test_tokens_go_to_other_machines_by_tls_only(self):
+        for address in ("meshes.test:50051", "10.0.0.1:50051", "127.evil.test:1",
+                        "localhost.evil.test:1", "[2001:db8::1]:1",
+                        "dns:///meshes.test:1", "dns://10.0.0.1/meshes.test:1",
+                        "ipv4:127.0.0.1:1,10.0.0.1:1", "127.0.0.1.evil.test"):
+            with self.assertRaisesRegex(geodesic.InvalidArgument, "in clear"):
+                geodesic.connect(address, token=TOKEN)
+            with self.assertRaisesRegex(geodesic.InvalidArgument, "in clear"):
+                geodesic.connect(address, token=TOKEN, tls=False)
+            geodesic.connect(address, token=TOKEN, tls=True).close()
+            geodesic.connect(address, token=TOKEN, insecure_token=True).close()
+        for address in ("localhost:1", "127.0.0.1:1", "127.8.9.10:1", "[::1]:1",
+                        "unix:/tmp/socket", "dns:///localhost:1",
+                        "ipv4:127.0.0.1:1"):
+            geodesic.connect(address, token=TOKEN).close()
+
+    def test_refused_arguments(self):
+        for words, options in (
+            ("address is None", dict(address=None)),
+            ("address is ''", dict(address="")),
+            ("timeout is -1", dict(timeout=-1)),
+            ("timeout is 0", dict(timeout=0)),
+            ("timeout is nan", dict(timeout=float("nan"))),
+            ("timeout is 'x'", dict(timeout="x")),
+            ("token is", dict(token=b"token")),
+            ("token is", dict(token=""))):
+            with self.assertRaisesRegex(geodesic.InvalidArgument, words):
+                geodesic.connect(**{"address": "localhost:1", **options})
+
     def test_without_authorities(self):
         service = self.connect(tls=True, token=TOKEN)
         with self.assertRaises(geodesic.Unavailable):
@@ -311,7 +345,7 @@ class SecuredTest(unittest.TestCase):
 
 # The tests of this process have run.
 del distances_test.DistancesTest, parts_test.PartsTest
-del questions_test.QuestionsTest
+del questions_test.QuestionsTest, inputs_test.RefusedQuestionsTest
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
