@@ -554,8 +554,8 @@ class Mesh:
         if not np.all(np.isfinite(points)):
             raise InvalidArgument("a point in space is not finite")
         if points.ndim == 1:
-            return self._point_finder.nearest(points)[0]
-        return [self._point_finder.nearest(point)[0] for point in points]
+            return self._point_finder.nearest(points)
+        return [self._point_finder.nearest(point) for point in points]
 
     def curve(self, places: OneOrManyPlaces, *, closed: bool = False) -> Curve:
         """A curve through places that need not share faces: shortest paths from

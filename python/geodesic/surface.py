@@ -82,9 +82,10 @@ class FaceFinder:
 
 
 def nearest_on_faces(point: np.ndarray, corners: np.ndarray,
-                     ) -> Tuple[np.ndarray, np.ndarray]:
-    """The nearest point of each triangle: barycentric weights (N, 3) and
-    squared distances (N,). `corners` has shape (N, 3, 3)."""
+                     reference: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """The nearest point of each triangle: barycentric weights (N, 3), and how
+    much its squared distance is more than that of `reference` (N,). `corners`
+    has shape (N, 3, 3)."""
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     ab, ac = b - a, c - a
     normal = np.cross(ab, ac)
@@ -94,13 +95,17 @@ def nearest_on_faces(point: np.ndarray, corners: np.ndarray,
 
     def offer(candidate: np.ndarray, valid: np.ndarray) -> None:
         there = np.einsum("ij,ijk->ik", candidate, corners)
-        squared = np.sum((there - point)**2, axis=1)
+        # |there - point|^2 - |reference - point|^2 without large numbers that
+        # cancel.
+        squared = np.sum((there - reference) *
+                         ((there - point) + (reference - point)), axis=1)
         better = valid & (squared < best)
         best[better] = squared[better]
         weights[better] = candidate[better]
 
     # The foot of the perpendicular, where it falls into the triangle.
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore",
+                     over="ignore"):
         to_point = point - a
         w_c = np.einsum("ij,ij->i", np.cross(ab, to_point), normal) / area
         w_b = np.einsum("ij,ij->i", np.cross(to_point, ac), normal) / area
@@ -113,7 +118,7 @@ def nearest_on_faces(point: np.ndarray, corners: np.ndarray,
     for i, j in ((0, 1), (1, 2), (2, 0)):
         side = corners[:, j] - corners[:, i]
         length = np.einsum("ij,ij->i", side, side)
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             t = np.einsum("ij,ij->i", point - corners[:, i], side) / length
         t = np.clip(np.nan_to_num(t), 0, 1)
         on_side = np.zeros((len(corners), 3))
@@ -123,27 +128,44 @@ def nearest_on_faces(point: np.ndarray, corners: np.ndarray,
     return weights, best
 
 
+# Points farther away than this, in sizes of the mesh, are taken for points in
+# the same direction: the squares of their coordinates are still numbers.
+_FARTHEST = 1e150
+# More than the rounding of squared distances.
+_ROUNDING = 1e-12
+
+
 class PointFinder:
     """Nearest points of a surface to points in space. O(F) once and for each."""
 
     def __init__(self, vertices: np.ndarray, faces: np.ndarray) -> None:
-        self._vertices = vertices
+        # Coordinates of at most 1, by a power of two, which rounds nothing.
+        self._exponent = int(np.frexp(np.abs(vertices).max(initial=0))[1])
+        self._vertices = np.ldexp(vertices, -self._exponent)
         self._faces = faces
-        corners = vertices[faces]
+        corners = self._vertices[faces]
         self._low = corners.min(axis=1)
         self._high = corners.max(axis=1)
 
-    def nearest(self, point: np.ndarray) -> Tuple[FacePoint, float]:
-        """A nearest point, and its distance through space."""
+    def nearest(self, point: np.ndarray) -> FacePoint:
+        """A nearest point."""
+        exponent = int(np.frexp(np.abs(point).max())[1])
+        if exponent - self._exponent > np.log2(_FARTHEST):
+            point = np.ldexp(point, -exponent) * _FARTHEST
+        else:
+            point = np.ldexp(point, -self._exponent)
         # Only faces whose boxes come as near as the nearest corner can win.
         gap = np.maximum(np.maximum(self._low - point, point - self._high), 0)
         box = np.sum(gap**2, axis=1)
         first = self._faces[np.argmin(box)]
         bound = np.min(np.sum((self._vertices[first] - point)**2, axis=1))
-        candidates = np.flatnonzero(box <= bound)
+        candidates = np.flatnonzero(box <= bound * (1 + _ROUNDING))
+        # From far away all squared distances would be the same up to rounding:
+        # a vertex is what they are compared with.
+        is_far = np.abs(point).max() > 2
         weights, squared = nearest_on_faces(
-            point, self._vertices[self._faces[candidates]])
+            point, self._vertices[self._faces[candidates]],
+            self._vertices[first[0]] if is_far else point)
         best = int(np.argmin(squared))
-        first, second, third = weights[best].tolist()
-        return (FacePoint(int(candidates[best]), (first, second, third)),
-                float(np.sqrt(squared[best])))
+        one, two, three = weights[best].tolist()
+        return FacePoint(int(candidates[best]), (one, two, three))

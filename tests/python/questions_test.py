@@ -190,6 +190,26 @@ class QuestionsTest(unittest.TestCase):
         np.testing.assert_array_equal(
             np.isnan(near[:, 0]), np.linalg.norm(around, axis=1) > 0.25)
 
+    def test_nearest_point_of_far_points_and_of_any_size(self):
+        vertices, faces = meshes.octahedron()
+        for size in (1e-200, 1, 1e200):
+            mesh = geodesic.Mesh(vertices * size, faces)
+            for far in (3, 1e9, 1e20, 1e100):
+                with np.errstate(all="raise"):
+                    places = mesh.nearest_point(vertices * size * far)
+                np.testing.assert_array_equal(mesh.positions(places),
+                                              vertices * size)
+        mesh = geodesic.Mesh(vertices, faces)
+        for far in (1e200, 1.7e308):
+            np.testing.assert_array_equal(
+                mesh.positions(mesh.nearest_point(vertices * far)), vertices)
+        # Straight above a square, however high.
+        square = geodesic.Mesh(*meshes.grid(4))
+        for height in (0, 1, 1e9, 1e100):
+            np.testing.assert_allclose(
+                square.positions([square.nearest_point([0.3, 0.6, height])]),
+                [[0.3, 0.6, 0]], atol=tolerances.COORDINATES)
+
     def test_nearest_point(self):
         random = np.random.default_rng(2)
         points = random.uniform(-0.2, 1.2, (20, 3))
