@@ -82,7 +82,8 @@ class Mesh:
         algorithm: a name from geodesic.algorithms(). All give the same
             distances.
         threads: how many may work on the question; None for as many as this
-            process may use. The answer has the same bits with any number.
+            process may use. The answer has the same bits with any number, up to
+            rounding for pairs and paths to few targets.
         progress: True for a bar of tqdm, or a function f(done, total) that is
             called some times a second; what it raises stops the computation.
     Ctrl-C stops them, too. A mesh never changes; use it in as many threads as
@@ -313,7 +314,7 @@ class Mesh:
               progress: ProgressOption = None) -> NDArray[np.float64]:
         """The distance from each source to the target of the same number.
 
-            d = mesh.pairs([0, 1, 2], [7, 8, 9])
+            d = mesh.pairs([0, 1, 2], [7, 8, 9])  # places of any kind
             d = mesh.pairs(vertex_pairs)          # integers (N, 2)
 
         Returns:
@@ -324,6 +325,10 @@ class Mesh:
             if both.ndim != 2 or both.shape[1] != 2:
                 raise InvalidArgument(
                     f"pairs have shape {both.shape}, not (N, 2)")
+            if both.dtype.kind not in "iu":
+                raise InvalidArgument(
+                    f"pairs are of type {both.dtype}, but (N, 2) are vertex "
+                    "numbers; other places come as pairs(sources, targets)")
             sources, targets = both[:, 0], both[:, 1]
         starts = self._places(sources, "sources")
         ends = self._places(targets, "targets")

@@ -56,6 +56,8 @@ class RefusedQuestionsTest(Refusing):
         self.assert_refused("sources cannot be", mesh.distances,
                             [0, np.arange(2)])
         self.assert_refused("pairs cannot be", mesh.pairs, [[0, 1], [2]])
+        self.assert_refused("pairs(sources, targets)", mesh.pairs,
+                            [[geodesic.EdgePoint(0, 2, 0.5), 1]])
         self.assert_refused("sources[0].t is 'x'", mesh.distances,
                             geodesic.EdgePoint(0, 2, "x"))
         self.assert_refused("sources[0].weights", mesh.distances,
