@@ -151,7 +151,11 @@ bool IsLoopback(std::string_view server) {
   // A socket, or the server that geodesic starts by itself.
   if (server.empty() || server.starts_with("unix:")) return true;
   const std::string_view host = server.substr(0, server.rfind(':'));
-  return host == "localhost" || host == "[::1]" || host.starts_with("127.");
+  // A name may begin with 127., too.
+  const bool is_number =
+      host.find_first_not_of("0123456789.") == std::string_view::npos;
+  return host == "localhost" || host == "[::1]" ||
+         (host.starts_with("127.") && is_number);
 }
 
 absl::StatusOr<std::string> ReadToken(const ConnectionArguments& connection) {

@@ -144,12 +144,14 @@ TEST_F(TokensTest, AnEmptiedFileIsReportedAndTheOldTokensStay) {
 }
 
 TEST_F(TokensTest, TheCommandSendsNoTokenToOthersInClear) {
-  const ProcessResult result =
-      RunProgram({GEODESIC_BINARY, "--server", "meshes.test:1", "--token",
-                  "read-token", "meshes"});
-  EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.err, HasSubstr("in clear"));
-  EXPECT_THAT(result.err, Not(HasSubstr("read-token")));
+  for (const char* server : {"meshes.test:1", "127.0.0.1.meshes.test:1"}) {
+    const ProcessResult result =
+        RunProgram({GEODESIC_BINARY, "--server", server, "--token",
+                    "read-token", "meshes"});
+    EXPECT_EQ(result.exit_code, 3) << server;
+    EXPECT_THAT(result.err, HasSubstr("in clear")) << server;
+    EXPECT_THAT(result.err, Not(HasSubstr("read-token")));
+  }
 }
 
 TEST_F(TokensTest, AMalformedFileKeepsTheServerFromStarting) {
