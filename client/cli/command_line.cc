@@ -315,12 +315,12 @@ absl::StatusOr<ConnectionOptions> ReadConnection(
   if (connection.tls || !connection.paths.authorities.empty() ||
       !connection.paths.certificate.empty() ||
       !connection.server_name.empty()) {
+    absl::StatusOr<TlsOptions> tls = ReadTlsFiles(connection.paths);
+    if (!tls.ok()) return FileError(tls.status());
     if (connection.server.empty()) {
       return FileError(absl::FailedPreconditionError(
           "TLS is for a server elsewhere: name it with --server HOST:PORT"));
     }
-    absl::StatusOr<TlsOptions> tls = ReadTlsFiles(connection.paths);
-    if (!tls.ok()) return FileError(tls.status());
     options.tls = *std::move(tls);
     options.tls->server_name = connection.server_name;
   }
