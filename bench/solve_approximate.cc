@@ -47,6 +47,7 @@ std::vector<OptionTakers> AllTakers() {
 
 std::vector<std::string> ApproximateMethodNames() {
   std::vector<std::string> names;
+  names.reserve(kApproximateMethods.size());
   for (const ApproximateMethodInfo& info : kApproximateMethods) {
     names.emplace_back(info.name);
   }

@@ -37,7 +37,7 @@ absl::Status SolveGraphPairs(const Mesh& mesh, const QuestionOptions& question,
           : RandomPairs(mesh, options.pairs, options.seed);
   for (const Pair& pair : pairs) {
     for (const uint32_t v : {pair.from, pair.to}) {
-      const absl::Status status = Validate(VertexPoint{v}, mesh, "pair");
+      absl::Status status = Validate(VertexPoint{v}, mesh, "pair");
       if (!status.ok()) return status;
     }
   }

@@ -121,7 +121,7 @@ class Builder {
           {.vertices_reached = done_,
            .vertices = mesh_.vertex_count(),
            .solver_bytes = search_bytes * options_.threads + arc_bytes_ +
-                           arcs_.capacity() * sizeof(arcs_[0])});
+                           arcs_.capacity() * sizeof(std::vector<Arc>)});
       if (!status_.ok()) is_stopped_ = true;
     }
     return is_stopped_;

@@ -109,7 +109,7 @@ class TriangleUnfolding::Builder {
         : builder_(builder), is_first_(member == 0) {}
     absl::Status Poll(const Progress&) override {
       if (is_first_) {
-        const absl::Status status = builder_.Poll();
+        absl::Status status = builder_.Poll();
         if (!status.ok()) return status;
       }
       return builder_.is_stopped_ ? absl::CancelledError("stopped")

@@ -72,8 +72,8 @@ absl::StatusOr<GeodesicPath> PathStream::TraceNext() {
                                  : answer().field->distances[vertex->vertex];
   // The field may reach further than was asked.
   if (distance > call().reach.radius) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return GeodesicPath{.distance = kInfinity, .length = kInfinity};
+    constexpr double kUnreached = std::numeric_limits<double>::infinity();
+    return GeodesicPath{.distance = kUnreached, .length = kUnreached};
   }
   const PathTracer& paths = *derived.paths;
   return is_own ? paths.ToTarget(own) : paths.ToVertex(vertex->vertex);

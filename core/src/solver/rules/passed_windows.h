@@ -54,7 +54,7 @@ class PassedWindows {
     late_ = lost_ = 0;
   }
 
-  uint64_t bytes() const { return lists_.capacity() * sizeof(lists_[0]); }
+  uint64_t bytes() const { return lists_.capacity() * sizeof(void*); }
 
  private:
   static constexpr uint32_t kMostLogSample = 4;
