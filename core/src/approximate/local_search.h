@@ -94,13 +94,7 @@ class LocalSearch {
   // if nothing is left.
   uint64_t Step() {
     if constexpr (kTogether) {
-      together_.clear();
-      do {
-        const uint32_t id = queue_.Pop();
-        if (id == kNothing) break;
-        together_.push_back(id);
-      } while (together_.size() < RuleType::kMostTogether &&
-               queue_.Upcoming(1) != kNothing);
+      PopTogether(queue_, RuleType::kMostTogether, together_);
       rule_.Propagate(together_);
       return together_.size();
     } else {

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "geodesic/computation.h"
+#include "mesh/file_unit.h"
 #include "questions/paths/path_tracer.h"
 #include "solver/goal.h"
 #include "solver/queues/fwp_buckets.h"
+#include "solver/queues/queue.h"
 #include "solver/rules/front.h"
 #include "solver/rules/list_rule.h"
 #include "solver/start_computation.h"
@@ -94,7 +95,7 @@ class TargetSearch::Impl {
     Restart(query, landmarks);
     absl::Status status = Propagate(checkpoint);
     if (!status.ok()) return status;
-    found.distances.push_back(ToFileUnit(Distance()));
+    found.distances.push_back(ToFileUnit(mesh_, Distance()));
     if (query->trace) {
       absl::StatusOr<GeodesicPath> path = Trace(query, found.distances.back());
       if (!path.ok()) return path.status();
@@ -126,15 +127,11 @@ class TargetSearch::Impl {
       }
       front_.goal().set_limit(Distance() * (1 + kGoalMargin));
       if (queue_.SettledRadius() > front_.goal().limit()) break;
-      together_.clear();
-      do {
-        const uint32_t id = queue_.Pop();
-        if (id == kNothing) break;
-        statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
-        together_.push_back(id);
-      } while (together_.size() < Rule::kMostTogether &&
-               queue_.Upcoming(1) != kNothing);
+      PopTogether(queue_, Rule::kMostTogether, together_);
       if (together_.empty()) break;
+      for (const uint32_t id : together_) {
+        statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
+      }
       steps += together_.size();
       statistics_.windows_propagated += rule_.Propagate(together_);
       statistics_.peak_wavefront =
@@ -173,11 +170,6 @@ class TargetSearch::Impl {
   // Of the target, as far as is known.
   double Distance() const {
     return front_.targets().Distance(0, front_.distances());
-  }
-  double ToFileUnit(double length) const {
-    const int half = mesh_.scale_exponent() / 2;
-    return length * std::ldexp(1, half) *
-           std::ldexp(1, mesh_.scale_exponent() - half);
   }
 
   const Mesh& mesh_;

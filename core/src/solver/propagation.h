@@ -22,6 +22,8 @@
 #include "geodesic/field_path.h"
 #include "geodesic/mesh.h"
 #include "geodesic/valid_query.h"
+#include "mesh/file_unit.h"
+#include "solver/queues/queue.h"
 #include "solver/rules/front.h"
 #include "solver/windows/window_observer.h"
 #include "surface/anchors.h"
@@ -64,7 +66,7 @@ class Propagation final : public Computation {
                         .algorithm = algorithm_,
                         .statistics = statistics_};
     const auto certified = [&](double length) {
-      const double distance = ToFileUnit(length);
+      const double distance = ToFileUnit(mesh(), length);
       return distance <= certified_radius_ ? distance : kInfinity;
     };
     const std::span<const double> distances = front_.distances();
@@ -196,7 +198,7 @@ class Propagation final : public Computation {
   void CertifyUpTo(double radius) {
     certified_radius_ =
         std::max(certified_radius_,
-                 std::min(radius, ToFileUnit(queue_.SettledRadius())));
+                 std::min(radius, ToFileUnit(mesh(), queue_.SettledRadius())));
   }
 
   // Propagates what the queue gives next. Returns how many steps that were: 0
@@ -218,14 +220,10 @@ class Propagation final : public Computation {
 
   // The same for all whose order the queue knows already, as one step.
   uint64_t StepTogether() {
-    together_.clear();
-    do {
-      const uint32_t id = queue_.Pop();
-      if (id == kNothing) break;
-      if (id & kVertexEvent) ++statistics_.pseudo_source_events;
-      together_.push_back(id);
-    } while (together_.size() < RuleType::kMostTogether &&
-             queue_.Upcoming(1) != kNothing);
+    PopTogether(queue_, RuleType::kMostTogether, together_);
+    for (const uint32_t id : together_) {
+      statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
+    }
     statistics_.windows_propagated += rule_.Propagate(together_);
     return together_.size();
   }
@@ -236,8 +234,9 @@ class Propagation final : public Computation {
     wavefront_sum_ += static_cast<double>(rule_.pending());
     ++wavefront_samples_;
     // Before the sources are seeded an empty queue settles nothing.
-    const double settled =
-        pending_anchors_.empty() ? ToFileUnit(queue_.SettledRadius()) : 0;
+    const double settled = pending_anchors_.empty()
+                               ? ToFileUnit(mesh(), queue_.SettledRadius())
+                               : 0;
     return checkpoint.Poll({
         .settled_radius =
             std::isinf(certified_radius_) ? certified_radius_ : settled,
@@ -247,7 +246,7 @@ class Propagation final : public Computation {
         .windows_propagated = statistics_.windows_propagated,
         .solver_bytes = bytes(),
         .distances = front_.distances(),
-        .unit = ToFileUnit(1),
+        .unit = ToFileUnit(mesh(), 1),
     });
   }
 
@@ -283,12 +282,6 @@ class Propagation final : public Computation {
   }
 
   const Mesh& mesh() const { return front_.mesh(); }
-  // In two steps, since 2 to that exponent may be no normal number.
-  double ToFileUnit(double length) const {
-    const int half = mesh().scale_exponent() / 2;
-    return length * std::ldexp(1, half) *
-           std::ldexp(1, mesh().scale_exponent() - half);
-  }
 
   const Algorithm algorithm_;
   const bool traces_;

@@ -5,7 +5,9 @@
 #define GEODESIC_SOLVER_QUEUES_QUEUE_H_
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "geodesic/solve_options.h"
 
@@ -39,6 +41,18 @@ concept WindowQueue = requires(Q queue, const Q& view, uint32_t id,
   { Q::kStrict } -> std::convertible_to<bool>;
   { view.bytes() } -> std::same_as<uint64_t>;
 };
+
+// Moves to `ids` the next id and those after it whose order the queue knows
+// already, `most` of them or fewer; none if the queue is empty.
+template <WindowQueue Queue>
+void PopTogether(Queue& queue, size_t most, std::vector<uint32_t>& ids) {
+  ids.clear();
+  do {
+    const uint32_t id = queue.Pop();
+    if (id == kNothing) return;
+    ids.push_back(id);
+  } while (ids.size() < most && queue.Upcoming(1) != kNothing);
+}
 
 // What queues and rules may know about the mesh and the caller's wishes
 // (solve_options.h).
