@@ -98,6 +98,33 @@ inline constexpr double kImprovement = 1e-15;
 // own distance), and must not discard it.
 inline constexpr double kDominance = 1e-12;
 
+// Two neighbouring windows are merged only if they end and begin at one place,
+// with one distance, up to this fraction of the least distance of either, and
+// if the merged one is farther nowhere by more than that: some hundred
+// roundings. Where they differ by more a window was lost in between, or is
+// late.
+inline constexpr double kAgreed = 1e-13;
+
+// A merged window lies between two rays, whose directions follow from distances
+// along the edge. These are rounded, so directions are off by a rounding of the
+// distance over the width of the beam, seen along it. Beams narrower than this
+// fraction of the distance (or of the edge) are not merged: that keeps
+// directions good to 1e-9, far below kNearMiss.
+inline constexpr double kLeastBeam = 1e-7;
+
+// The origin of a merged window is no farther away than this many times the
+// distance of the edge: its own rounding is then far below kAgreed, and rays
+// are as good as parallel.
+inline constexpr double kFarthestMerged = 64;
+
+// How far an account is off for each merge, as a fraction of the distances that
+// come in: a dozen roundings.
+inline constexpr double kMergedRounding = 2e-15;
+
+// A merge may spend this part of what an account may hold in all: so the path
+// to a far vertex has something left for each of the edges that it crosses.
+inline constexpr double kPartOfAccount = 1.0 / 16;
+
 // Two rays into an apex whose leans (sines) differ by no more than this may be
 // one ray: unfolded positions carry up to 1e-13 of rounding. Nothing is pruned
 // then, which costs windows on regular grids only.

@@ -30,6 +30,11 @@ void CheckCurveLaws(const Scene& scene, test::Random& random, Report& report);
 void CheckQuestionLaws(const Scene& scene, test::Random& random,
                        Report& report);
 
+// Fields with a tolerance: no distance is farther off than is certified there,
+// and no more is certified than asked for; at a radius and in the end.
+void CheckToleranceLaws(const Scene& scene, test::Random& random,
+                        Report& report);
+
 // Searches for targets, with landmarks and without, one after the other on the
 // same memory, say what fields say, both ways, and their paths are shortest. On
 // the scene and on a variation of it.

@@ -10,11 +10,15 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace geodesic::stress {
 
 class Report {
  public:
+  // `options`: what a violated case is run again with, beside its seed.
+  explicit Report(std::string options = "") : options_(std::move(options)) {}
+
   // The case that follows; `seed` draws it again.
   void StartCase(uint64_t seed, std::string description) {
     seed_ = seed;
@@ -34,7 +38,7 @@ class Report {
     (text << ... << details);
     std::cout << "VIOLATION " << law << ": " << text.str() << "\n  "
               << description_ << "\n  again: stress --cases 1 --seed " << seed_
-              << "\n"
+              << options_ << "\n"
               << std::flush;
     return false;
   }
@@ -57,6 +61,7 @@ class Report {
   }
 
  private:
+  const std::string options_;
   uint64_t seed_ = 0;
   std::string description_;
   uint64_t cases_ = 0;

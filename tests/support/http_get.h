@@ -32,19 +32,24 @@ inline int ConnectAndSend(int port, const std::string& bytes) {
   return connection;
 }
 
-// The whole answer, head and body.
+// The whole answer to a request after which the server closes the connection,
+// head and body.
 // Errors: throws std::runtime_error if nobody answers on the port.
-inline std::string HttpGet(int port, const std::string& path) {
-  const int connection =
-      ConnectAndSend(port, "GET " + path + " HTTP/1.1\r\nHost: test\r\n\r\n");
+inline std::string HttpExchange(int port, const std::string& request) {
+  const int connection = ConnectAndSend(port, request);
   std::string answer;
   char buffer[4096];
   for (ssize_t n = 0; (n = read(connection, buffer, sizeof(buffer))) > 0;) {
     answer.append(buffer, static_cast<size_t>(n));
   }
   close(connection);
-  if (answer.empty()) throw std::runtime_error("no answer to GET " + path);
+  if (answer.empty()) throw std::runtime_error("no answer to " + request);
   return answer;
+}
+
+// The same for a page of /metrics and its neighbours.
+inline std::string HttpGet(int port, const std::string& path) {
+  return HttpExchange(port, "GET " + path + " HTTP/1.1\r\nHost: test\r\n\r\n");
 }
 
 }  // namespace geodesic::test

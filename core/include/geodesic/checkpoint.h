@@ -24,7 +24,9 @@ struct Progress {
   // Bytes the solver holds beyond the mesh.
   uint64_t solver_bytes = 0;
   // The distances so far, one per vertex. Times `unit` they are in file units;
-  // those up to settled_radius are final. Valid during the call of Poll only.
+  // those up to settled_radius are final; with a tolerance they are lower
+  // bounds, twice as far from the truth at the most. Valid during the call of
+  // Poll only.
   std::span<const double> distances = {};
   double unit = 1;
 };

@@ -25,7 +25,8 @@ namespace geodesic {
 
 // A computation may stop as soon as one of these conditions holds.
 struct Reach {
-  // Every distance up to here is certified; in the unit of the mesh's file.
+  // Every distance up to here is certified (with a tolerance, to within it); in
+  // the unit of the mesh's file.
   double radius = std::numeric_limits<double>::infinity();
   // This many of the query's targets (vertices included) are certified.
   // DEFAULT: never stop because of targets.

@@ -57,12 +57,19 @@ struct DistanceField {
   std::vector<double> distances;
   // One per target of the query.
   std::vector<double> target_distances;
+  // One per vertex and one per target, if the query had a tolerance and windows
+  // were merged: the largest relative error that each distance may have; 0
+  // where it is infinite.
+  std::vector<float> certified_errors;
+  std::vector<float> target_certified_errors;
   // One per vertex and one per target, if the query asked for a trace.
   std::vector<Arrival> arrivals;
   std::vector<Arrival> target_arrivals;
-  // Every distance up to here is exact and present. +infinity once the whole
-  // surface is done.
+  // Every distance up to here is present, and exact or certified. +infinity
+  // once the whole surface is done.
   double settled_radius = std::numeric_limits<double>::infinity();
+  // The largest of these; 0 if distances are exact (solve.h, guarantee 1).
+  double certified_error = 0;
   Algorithm algorithm = kDefaultAlgorithm;
   SolveStatistics statistics;
 };

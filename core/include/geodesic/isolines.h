@@ -1,4 +1,4 @@
-// Isolines of the exact distance, as polylines on the surface.
+// Isolines of the distance, as polylines on the surface.
 
 #ifndef GEODESIC_ISOLINES_H_
 #define GEODESIC_ISOLINES_H_
@@ -19,7 +19,8 @@ struct Isoline {
   // Points where the isoline crosses edges, and vertices that it passes
   // through, in order. Each point differs from the one before and shares a face
   // with it. Each lies at exactly `level` from the sources, up to rounding of
-  // distances (relative error below 1e-10) and of `t` (1e-16 of the edge).
+  // distances (relative error below 1e-10) and of `t` (1e-16 of the edge); with
+  // a tolerance in the query, up to that part of the level.
   // Within a face the isoline is made of circular arcs, which the polyline cuts
   // short.
   // Where faces run anticlockwise and agree, the nearer side is on the left.
@@ -39,7 +40,8 @@ struct Isoline {
 //   1. complete: if one of two points of an edge is nearer than the level and
 //      the other is not, there is a crossing between them, and every crossing
 //      is in one isoline. A vertex at the level (within 1e-12 of it) counts as
-//      beyond;
+//      beyond. With a tolerance, distances here and in 2 are some that are
+//      within it;
 //   2. they separate: points of the mesh's edges that no isoline of the level
 //      keeps apart within a face are on the same side of the level. Where more
 //      than two crossings lie around a face, they are joined such that parts of

@@ -36,6 +36,9 @@ inline bool IsCurve(const Source& source) {
   return std::holds_alternative<Curve>(source.place);
 }
 
+inline constexpr double kLeastTolerance = 1e-9;
+inline constexpr double kMostTolerance = 0.1;
+
 // The field is d(x) = min over sources of offset + geodesic distance to x.
 struct Query {
   // At least one. A source's number is its index here.
@@ -47,6 +50,12 @@ struct Query {
   // which paths, nearest sources, gradients and log maps need. Takes 24 bytes a
   // vertex.
   bool trace = false;
+  // The largest relative error that distances may have, 0 or in
+  // [kLeastTolerance, kMostTolerance]. DEFAULT: 0, exact. Otherwise fwp-list
+  // merges windows, which takes less time on large meshes, and the field
+  // certifies the error of every distance (DistanceField::certified_errors). A
+  // trace, and whatever else runs, is exact: ValidQuery then has 0 here.
+  double tolerance = 0;
 
   friend auto operator<=>(const Query&, const Query&) = default;
 };

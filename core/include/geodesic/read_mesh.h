@@ -1,4 +1,5 @@
-// Bounded readers for mesh files (OBJ, PLY, OFF, STL) held in memory.
+// Bounded readers for mesh files (OBJ, PLY, OFF, STL, VTK, glTF) held in
+// memory.
 //
 //   absl::StatusOr<MeshFormat> format = MeshFormatFromPath("horse.ply");
 //   absl::StatusOr<TriangleSoup> soup = ReadMesh(bytes, *format);
@@ -9,8 +10,9 @@
 //   2. allocates nothing because a header says so: memory grows with bytes that
 //      have been read, and stays within a small factor of the input's size;
 //   3. keeps doubles as doubles (correctly rounded) and the file's vertex
-//      order, unused vertices included; STL, which has no indices, is welded
-//      by exact coordinates in order of first appearance;
+//      order, unused vertices included; STL, which has no indices, and glTF,
+//      which repeats vertices, are welded by exact coordinates in order of
+//      first appearance;
 //   4. turns a polygon with k corners into k - 2 triangles fanned from its
 //      first corner;
 //   5. returns only finite coordinates and indices within range.
@@ -30,16 +32,20 @@
 namespace geodesic {
 
 enum class MeshFormat {
-  kObj,  // Wavefront OBJ: v and f statements; negative indices, a/b/c corners.
-  kPly,  // Stanford PLY: ASCII, binary little endian, binary big endian.
-  kOff,  // OFF, COFF, NOFF, STOFF..., ASCII.
-  kStl,  // STL, ASCII or binary, told apart by content.
+  kObj,   // Wavefront OBJ: v and f statements; negative indices, a/b/c corners.
+  kPly,   // Stanford PLY: ASCII, binary little endian, binary big endian.
+  kOff,   // OFF, COFF, NOFF, STOFF..., ASCII.
+  kStl,   // STL, ASCII or binary, told apart by content.
+  kVtk,   // VTK's legacy format: POLYDATA or UNSTRUCTURED_GRID of polygons.
+  kGltf,  // glTF 2.0, binary or with its buffers inside; not compressed.
 };
 
-// "obj", "ply", "off" or "stl".
+// "obj", "ply", "off", "stl", "vtk" or "gltf".
 std::string_view MeshFormatName(MeshFormat format);
 
-// The format a path's ending names, in any case ("a/b.PLY" -> kPly).
+// The format a path's ending names, in any case ("a/b.PLY" -> kPly),
+// whether or not ".gz" follows ("a/b.ply.gz" -> kPly); .glb and .gltf are one
+// format.
 // Errors: INVALID_ARGUMENT naming the path and the endings that are known.
 absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path);
 
@@ -49,6 +55,9 @@ struct ReadLimits {
   // DEFAULT: what 32-bit half-edge indices can address.
   uint64_t max_vertices = uint64_t{1} << 31;
   uint64_t max_triangles = (uint64_t{1} << 32) / 3 - 1;
+  // What a file that is compressed with gzip may hold. DEFAULT: 0, such files
+  // are refused.
+  uint64_t max_gzip_bytes = 0;
   // Polled now and then, and may stop the reader. DEFAULT: nothing stops it.
   Checkpoint* checkpoint = nullptr;
 };

@@ -25,6 +25,8 @@ struct FarthestSample {
 // all samples before it. Among vertices that tie up to rounding it takes the
 // lowest number. There are fewer if every vertex is at distance 0 already.
 // Components without a source come first. Vertices without a face are left out.
+// With a tolerance in the query, both "farthest" and the distances hold within
+// it.
 // The query's targets and trace are not used.
 //
 // One computation goes on with every sample. A sample costs O(V) and the

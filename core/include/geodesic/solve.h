@@ -1,8 +1,13 @@
-// Exact geodesic distances from one or many sources to every vertex and target.
+// Geodesic distances, exact unless a tolerance is named, from one or many
+// sources to every vertex and target.
+//
+//   absl::StatusOr<DistanceField> field =
+//       Solve(*mesh, {.sources = {{VertexPoint{0}}}});
+//
+// To ask more about the same field, or to be asked whether to go on:
 //
 //   absl::StatusOr<ValidQuery> query =
 //       ValidQuery::Make({.sources = {{VertexPoint{0}}}}, *mesh);
-//   NoCheckpoint checkpoint;
 //   absl::StatusOr<DistanceField> field = Solve(*mesh, *query, {}, checkpoint);
 
 #ifndef GEODESIC_SOLVE_H_
@@ -25,7 +30,8 @@ namespace geodesic {
 //      up to rounding. The relative error is below 1e-10, usually about 1e-15.
 //      It is larger only for distances so short that one rounding of the mesh's
 //      coordinates is a larger fraction of them; they are good to that
-//      rounding;
+//      rounding. With a tolerance in the query, the relative error is at most
+//      what the field certifies, and that is at most the tolerance;
 //   2. +infinity exactly where no path leads;
 //   3. deterministic: the same arguments give the same bits;
 //   4. pure and thread-safe: no I/O, no shared state, and no threads unless
@@ -46,6 +52,13 @@ absl::StatusOr<DistanceField> Solve(const Mesh& mesh, const ValidQuery& query,
 absl::StatusOr<DistanceField> Solve(const Mesh& mesh, const Query& query,
                                     const SolveOptions& options,
                                     Checkpoint& checkpoint);
+
+// The same, and nothing stops it.
+inline absl::StatusOr<DistanceField> Solve(const Mesh& mesh, const Query& query,
+                                           const SolveOptions& options = {}) {
+  NoCheckpoint checkpoint;
+  return Solve(mesh, query, options, checkpoint);
+}
 
 }  // namespace geodesic
 

@@ -14,11 +14,13 @@
 #ifndef GEODESIC_TARGET_SEARCH_H_
 #define GEODESIC_TARGET_SEARCH_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "geodesic/algorithm.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/landmarks.h"
@@ -27,6 +29,16 @@
 #include "geodesic/valid_query.h"
 
 namespace geodesic {
+
+// A field costs about as much as so many searches directed at one target, on
+// meshes of 10^4 to 10^6 faces and pairs drawn at random; landmarks make
+// searches cheaper (docs/performance.md, pairs).
+inline constexpr size_t kFieldInSearches = 12;
+inline constexpr size_t kFieldInSearchesWithLandmarks = 30;
+
+// So many searches gain more by landmarks than these cost, which are worth
+// their fields: they break even at about 400.
+inline constexpr size_t kSearchesWorthLandmarks = 1000;
 
 struct TargetDistances {
   // One per target of the query, in the unit of the file; +infinity where no
@@ -56,6 +68,11 @@ class TargetSearch {
   absl::StatusOr<TargetDistances> Run(const ValidQuery& query,
                                       const Landmarks* landmarks,
                                       Checkpoint& checkpoint);
+
+  // Whether searches with this algorithm, the one that runs, are directed.
+  static bool IsDirected(Algorithm algorithm) {
+    return algorithm == Algorithm::kFwpList;
+  }
 
   // Bytes held beside the mesh between searches, and at the start of one.
   uint64_t bytes() const;

@@ -18,8 +18,9 @@ namespace geodesic {
 struct SortedQuery;
 
 // A query in canonical form: its points lie on the lowest elements that hold
-// them (surface_point.h), no offset is -0, and its algorithm is the one that
-// runs. Sources and targets keep their order.
+// them (surface_point.h), no offset is -0, its algorithm is the one that runs,
+// and it has a tolerance only where that algorithm can make use of it. Sources
+// and targets keep their order.
 //
 // The algorithm that runs may differ from the one that was asked for. Chen and
 // Han's rule (one angle, one split) needs windows that end at pseudo-sources
@@ -54,7 +55,10 @@ class ValidQuery {
   ValidQuery WithoutVertexTargets() const;
   // The same without targets and without a trace.
   ValidQuery DistancesAlone() const;
-  // One source alone. The algorithm is the one that runs for that source.
+  // The same without a tolerance, so that it is answered exactly.
+  ValidQuery WithoutTolerance() const;
+  // One source alone. The algorithm is the one that runs for that source, which
+  // decides about the tolerance that was asked for, too.
   // REQUIRES: the mesh of Make.
   ValidQuery OfSource(uint32_t source, const Mesh& mesh) const;
   // One target alone.
@@ -69,10 +73,16 @@ class ValidQuery {
   }
 
  private:
-  ValidQuery(Query query, Algorithm asked);
+  // What was asked for; query_ has what comes of it.
+  struct Asked {
+    Algorithm algorithm;
+    double tolerance;
+  };
+
+  ValidQuery(Query query, Asked asked);
 
   std::shared_ptr<const Query> query_;
-  Algorithm asked_;  // which may give way to query_->algorithm
+  Asked asked_;
 };
 
 struct SortedQuery {

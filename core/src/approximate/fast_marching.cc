@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -258,9 +257,8 @@ ApproximateMethod FastMarching::method() const {
                                         : ApproximateMethod::kFmmUntidy;
 }
 
-absl::StatusOr<ApproximateField> FastMarching::Distances(
+absl::StatusOr<std::vector<double>> FastMarching::Compute(
     const ValidQuery& query, Checkpoint& checkpoint) const {
-  const auto start = std::chrono::steady_clock::now();
   const absl::StatusOr<std::vector<Seed>> seeds =
       SeedsOf(query, mesh_, method());
   if (!seeds.ok()) return seeds.status();
@@ -270,12 +268,7 @@ absl::StatusOr<ApproximateField> FastMarching::Distances(
                             ? march.Run(*seeds, BinaryHeap(tuning), checkpoint)
                             : march.Run(*seeds, FwpBuckets(tuning), checkpoint);
   if (!status.ok()) return status;
-  ApproximateField field{.distances = march.TakeDistances(),
-                         .method = method()};
-  field.solve_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-          .count();
-  return field;
+  return march.TakeDistances();
 }
 
 uint64_t FastMarching::bytes() const {

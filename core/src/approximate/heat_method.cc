@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -91,9 +90,16 @@ class HeatMethod::Systems {
     return (pattern_.column_begin.capacity() + pattern_.rows.capacity()) *
            sizeof(int32_t);
   }
-  absl::Status Poll(Checkpoint& checkpoint) const {
+  absl::Status Poll(Checkpoint& checkpoint, uint64_t bytes) const {
     return checkpoint.Poll(
-        {.vertices = mesh_.vertex_count(), .solver_bytes = bytes()});
+        {.vertices = mesh_.vertex_count(), .solver_bytes = bytes});
+  }
+  absl::Status PollPreparing(Checkpoint& checkpoint) const {
+    return Poll(checkpoint, bytes());
+  }
+  // Heat, the right side, distances, shifts and counts.
+  absl::Status PollSolving(Checkpoint& checkpoint) const {
+    return Poll(checkpoint, mesh_.vertex_count() * 5 * sizeof(double));
   }
   void BuildMatrices();
   // The Laplacian, with the rows and columns of some vertices those of the
@@ -126,7 +132,8 @@ class HeatMethod::Systems {
 
 absl::Status HeatMethod::Systems::Prepare(bool intrinsic_delaunay,
                                           Checkpoint& checkpoint) {
-  if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+  if (absl::Status status = PollPreparing(checkpoint); !status.ok())
+    return status;
   {
     IntrinsicTriangulation triangulation(mesh_);
     if (intrinsic_delaunay) {
@@ -140,11 +147,13 @@ absl::Status HeatMethod::Systems::Prepare(bool intrinsic_delaunay,
     }
   }
   BuildMatrices();
-  if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+  if (absl::Status status = PollPreparing(checkpoint); !status.ok())
+    return status;
   auto order = Cholesky::Analyze(pattern_);
   if (!order.ok()) return order.status();
   order_ = *std::move(order);
-  if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+  if (absl::Status status = PollPreparing(checkpoint); !status.ok())
+    return status;
 
   std::vector<double> values(laplacian_.size());
   std::ranges::transform(laplacian_, values.begin(),
@@ -155,14 +164,15 @@ absl::Status HeatMethod::Systems::Prepare(bool intrinsic_delaunay,
   auto heat = Cholesky::Factorize(pattern_, *order_, values);
   if (!heat.ok()) return heat.status();
   heat_ = *std::move(heat);
-  if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+  if (absl::Status status = PollPreparing(checkpoint); !status.ok())
+    return status;
 
   std::vector<bool> is_lowest(mesh_.vertex_count());
   for (const uint32_t v : components_) is_lowest[v] = true;
   auto poisson = Cholesky::Factorize(pattern_, *order_, Pinned(is_lowest));
   if (!poisson.ok()) return poisson.status();
   poisson_ = *std::move(poisson);
-  return Poll(checkpoint);
+  return PollPreparing(checkpoint);
 }
 
 void HeatMethod::Systems::BuildMatrices() {
@@ -343,11 +353,13 @@ absl::StatusOr<std::vector<double>> HeatMethod::Systems::Distances(
   if (!seeds.ok()) return seeds.status();
   const absl::StatusOr<std::vector<HeatSource>> sources = SourcesOf(query);
   if (!sources.ok()) return sources.status();
-  if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+  if (absl::Status status = PollSolving(checkpoint); !status.ok())
+    return status;
   const absl::StatusOr<std::vector<double>> heat = SpreadHeat(*sources);
   if (!heat.ok()) return heat.status();
   std::vector<double> right = Divergence(*heat);
-  if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+  if (absl::Status status = PollSolving(checkpoint); !status.ok())
+    return status;
 
   // What each component's distances start from.
   std::vector<uint32_t> sources_on(mesh_.vertex_count(), 0);
@@ -398,7 +410,8 @@ absl::StatusOr<std::vector<double>> HeatMethod::Systems::Distances(
             ? kInfinity
             : std::max(ToFileUnit(mesh_, d + shifts[components_[v]]), 0.0);
   }
-  if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+  if (absl::Status status = PollSolving(checkpoint); !status.ok())
+    return status;
   return distances;
 }
 
@@ -406,15 +419,20 @@ HeatMethod::HeatMethod(std::unique_ptr<const Systems> systems)
     : systems_(std::move(systems)) {}
 HeatMethod::~HeatMethod() = default;
 
+absl::Status HeatMethod::Check(const HeatOptions& options) {
+  if (options.lambda > 0 && std::isfinite(options.lambda)) {
+    return absl::OkStatus();
+  }
+  return absl::InvalidArgumentError(absl::StrCat(
+      "heat: lambda ", options.lambda, " is not a finite number > 0"));
+}
+
 absl::StatusOr<std::shared_ptr<const HeatMethod>> HeatMethod::Prepare(
     const Mesh& mesh, const HeatOptions& options, Checkpoint& checkpoint) {
-  if (!(options.lambda > 0) || !std::isfinite(options.lambda)) {
-    return absl::InvalidArgumentError(absl::StrCat(
-        "heat: lambda ", options.lambda, " is not a finite number > 0"));
-  }
+  absl::Status status = Check(options);
+  if (!status.ok()) return status;
   auto systems = std::make_unique<Systems>(mesh, options);
-  absl::Status status =
-      systems->Prepare(options.intrinsic_delaunay, checkpoint);
+  status = systems->Prepare(options.intrinsic_delaunay, checkpoint);
   if (!status.ok()) return status;
   return std::shared_ptr<const HeatMethod>(new HeatMethod(std::move(systems)));
 }
@@ -423,18 +441,9 @@ ApproximateMethod HeatMethod::method() const {
   return ApproximateMethod::kHeat;
 }
 
-absl::StatusOr<ApproximateField> HeatMethod::Distances(
+absl::StatusOr<std::vector<double>> HeatMethod::Compute(
     const ValidQuery& query, Checkpoint& checkpoint) const {
-  const auto start = std::chrono::steady_clock::now();
-  absl::StatusOr<std::vector<double>> distances =
-      systems_->Distances(query, checkpoint);
-  if (!distances.ok()) return distances.status();
-  return ApproximateField{
-      .distances = *std::move(distances),
-      .method = method(),
-      .solve_seconds = std::chrono::duration<double>(
-                           std::chrono::steady_clock::now() - start)
-                           .count()};
+  return systems_->Distances(query, checkpoint);
 }
 
 uint64_t HeatMethod::bytes() const { return systems_->bytes(); }

@@ -23,4 +23,15 @@ absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(
   return absl::InternalError("no such approximate method");
 }
 
+absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(
+    const Mesh& mesh, const MethodChoice& choice, uint32_t threads,
+    Checkpoint& checkpoint) {
+  return PrepareMethod(
+      mesh, choice.method,
+      {.heat = {.lambda = choice.lambda},
+       .svg = {.neighbours = choice.neighbours, .threads = threads},
+       .gtu = {.samples = choice.samples, .threads = threads}},
+      checkpoint);
+}
+
 }  // namespace geodesic

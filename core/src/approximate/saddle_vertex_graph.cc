@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -178,6 +177,25 @@ SaddleVertexGraph::Prepare(const Mesh& mesh, const SaddleGraphOptions& options,
   return graph;
 }
 
+absl::StatusOr<std::shared_ptr<const SaddleVertexGraph>>
+SaddleVertexGraph::FromArcs(const Mesh& mesh, std::vector<uint64_t> offsets,
+                            std::vector<Arc> arcs) {
+  const uint32_t vertices = mesh.vertex_count();
+  const bool has_offsets =
+      offsets.size() == uint64_t{vertices} + 1 && offsets.front() == 0 &&
+      offsets.back() == arcs.size() && std::ranges::is_sorted(offsets);
+  const auto is_arc = [&](const Arc& arc) {
+    return arc.to < vertices && arc.length >= 0 && std::isfinite(arc.length);
+  };
+  if (!has_offsets || !std::ranges::all_of(arcs, is_arc)) {
+    return absl::DataLossError("the arcs are no graph on this mesh");
+  }
+  std::shared_ptr<SaddleVertexGraph> graph(new SaddleVertexGraph(mesh));
+  graph->begin_ = std::move(offsets);
+  graph->arcs_ = std::move(arcs);
+  return graph;
+}
+
 // Every arc at both its ends, and the edges of the mesh, which lead everywhere
 // that paths lead.
 void SaddleVertexGraph::Join(const std::vector<std::vector<Arc>>& found) {
@@ -226,9 +244,8 @@ ApproximateMethod SaddleVertexGraph::method() const {
   return ApproximateMethod::kSvg;
 }
 
-absl::StatusOr<ApproximateField> SaddleVertexGraph::Distances(
+absl::StatusOr<std::vector<double>> SaddleVertexGraph::Compute(
     const ValidQuery& query, Checkpoint& checkpoint) const {
-  const auto start = std::chrono::steady_clock::now();
   const absl::StatusOr<std::vector<Seed>> seeds =
       SeedsOf(query, mesh_, method());
   if (!seeds.ok()) return seeds.status();
@@ -263,12 +280,7 @@ absl::StatusOr<ApproximateField> SaddleVertexGraph::Distances(
     }
   }
   for (double& d : distances) d = ToFileUnit(mesh_, d);
-  return ApproximateField{
-      .distances = std::move(distances),
-      .method = method(),
-      .solve_seconds = std::chrono::duration<double>(
-                           std::chrono::steady_clock::now() - start)
-                           .count()};
+  return distances;
 }
 
 uint64_t SaddleVertexGraph::bytes() const {

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -358,9 +357,8 @@ ApproximateMethod TriangleUnfolding::method() const {
   return ApproximateMethod::kGtu;
 }
 
-absl::StatusOr<ApproximateField> TriangleUnfolding::Distances(
+absl::StatusOr<std::vector<double>> TriangleUnfolding::Compute(
     const ValidQuery& query, Checkpoint& checkpoint) const {
-  const auto start = std::chrono::steady_clock::now();
   const absl::StatusOr<std::vector<Seed>> seeds =
       SeedsOf(query, mesh_, method());
   if (!seeds.ok()) return seeds.status();
@@ -378,12 +376,7 @@ absl::StatusOr<ApproximateField> TriangleUnfolding::Distances(
     }
     distances[v] = ToFileUnit(mesh_, distances[v]);
   }
-  return ApproximateField{
-      .distances = std::move(distances),
-      .method = method(),
-      .solve_seconds = std::chrono::duration<double>(
-                           std::chrono::steady_clock::now() - start)
-                           .count()};
+  return distances;
 }
 
 uint64_t TriangleUnfolding::bytes() const {

@@ -28,6 +28,7 @@
 #include "questions/isolines/face_ways.h"
 #include "questions/isolines/isoline_band.h"
 #include "questions/isolines/way.h"
+#include "solver/accuracy.h"
 #include "solver/curve_segment.h"
 #include "solver/start_computation.h"
 #include "surface/anchors.h"
@@ -449,7 +450,17 @@ class SettlingCheckpoint final : public Checkpoint {
 
   absl::Status Poll(const Progress& progress) override {
     last_ = progress;
-    last_.solver_bytes += band_.bytes() + crossings_.bytes();
+    if (kept_radius_.has_value() &&
+        progress.settled_radius / progress.unit >= *kept_radius_) {
+      kept_.assign(progress.distances.begin(), progress.distances.end());
+      for (double& distance : kept_) {
+        if (distance > *kept_radius_) {
+          distance = std::numeric_limits<double>::infinity();
+        }
+      }
+    }
+    last_.solver_bytes +=
+        band_.bytes() + crossings_.bytes() + kept_.capacity() * sizeof(double);
     if (band_.size() >= next_settling_) {
       if (absl::Status status = crossings_.Settle(
               progress.distances, progress.settled_radius / progress.unit,
@@ -461,6 +472,11 @@ class SettlingCheckpoint final : public Checkpoint {
     }
     return callers_.Poll(last_);
   }
+
+  // Keeps the distances that are final up to `radius`, in the scaled unit, once
+  // they are; others are infinite.
+  void KeepUpTo(double radius) { kept_radius_ = radius; }
+  const std::vector<double>& kept() const { return kept_; }
 
   // The same progress once more, when there are no distances to show.
   absl::Status PollAgain() {
@@ -478,6 +494,8 @@ class SettlingCheckpoint final : public Checkpoint {
   LevelCrossings& crossings_;
   uint64_t next_settling_ = kLeastSettling;
   Progress last_;
+  std::optional<double> kept_radius_;
+  std::vector<double> kept_;
 };
 
 absl::Status CheckLevels(const std::vector<double>& levels) {
@@ -500,13 +518,19 @@ absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
   if (absl::Status status = CheckLevels(levels); !status.ok()) return status;
   std::ranges::sort(levels);
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  const ValidQuery distances_alone = query.Sorted().query.DistancesAlone();
+  const double tolerance = distances_alone->tolerance;
+  // Within a tolerance, windows and the distances that propagate are lower
+  // bounds, and the truth is at most so much above them. The lines are drawn
+  // where that leaves as much on either side of the level.
+  const double share = tolerance > 0 ? WithinTolerance(tolerance).share() : 0;
   std::vector<double> scaled_levels;
   scaled_levels.reserve(levels.size());
   for (double level : levels) {
-    scaled_levels.push_back(std::ldexp(level, -mesh.scale_exponent()));
+    scaled_levels.push_back(std::ldexp(level, -mesh.scale_exponent()) *
+                            (1 - share / 2));
   }
 
-  const ValidQuery distances_alone = query.Sorted().query.DistancesAlone();
   IsolineBand band(mesh, scaled_levels);
   LevelCrossings crossings(mesh, AnchorsOf(distances_alone), scaled_levels,
                            band);
@@ -516,13 +540,23 @@ absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
   if (!computation.ok()) return computation.status();
   // A little further, to know what is at the last level.
   const double radius = levels.back() * (1 + 2 * kAtLevel);
+  if (tolerance > 0) {
+    settling.KeepUpTo(std::ldexp(radius, -mesh.scale_exponent()));
+  }
   if (absl::Status status = (*computation)->Advance({radius}, settling);
       !status.ok()) {
     return status;
   }
-  std::vector<double> distances = (*computation)->Field().distances;
-  for (double& distance : distances) {
-    distance = std::ldexp(distance, -mesh.scale_exponent());
+  std::vector<double> distances;
+  if (tolerance > 0) {
+    // The field would have the middle of the bounds, which is on the other side
+    // of some levels than the windows are.
+    distances = settling.kept();
+  } else {
+    distances = (*computation)->Field().distances;
+    for (double& distance : distances) {
+      distance = std::ldexp(distance, -mesh.scale_exponent());
+    }
   }
   if (absl::Status status =
           crossings.Finish(distances, [&] { return settling.PollAgain(); });

@@ -192,7 +192,7 @@ absl::StatusOr<TargetDistances> TargetSearch::Run(const ValidQuery& query,
   if (query->targets.empty()) {
     return absl::InvalidArgumentError("targets is empty: name at least one");
   }
-  if (query->algorithm == Algorithm::kFwpList) {
+  if (IsDirected(query->algorithm)) {
     return impl_->Run(query, landmarks, checkpoint);
   }
   return impl_->RunAsField(query, checkpoint);

@@ -4,11 +4,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/strings/ascii.h"
+#include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
+#include "geodesic/gzip.h"
 #include "readers/messages.h"
 #include "readers/readers.h"
 #include "readers/text_scanner.h"
@@ -23,11 +26,13 @@ struct Format {
                                        const ReadLimits& limits);
 };
 
-constexpr std::array<Format, 4> kFormats = {{
+constexpr std::array<Format, 6> kFormats = {{
     {MeshFormat::kObj, "obj", ReadObj},
     {MeshFormat::kPly, "ply", ReadPly},
     {MeshFormat::kOff, "off", ReadOff},
     {MeshFormat::kStl, "stl", ReadStl},
+    {MeshFormat::kVtk, "vtk", ReadVtk},
+    {MeshFormat::kGltf, "gltf", ReadGltf},
 }};
 
 const Format* Find(MeshFormat format) {
@@ -45,11 +50,12 @@ struct Signature {
 
 constexpr absl::string_view kDecompress = "decompress first";
 constexpr absl::string_view kUtf8 = "save it as UTF-8 first";
-constexpr absl::string_view kConvert = "convert it to PLY, OFF, OBJ or STL";
+constexpr absl::string_view kConvert =
+    "convert it to PLY, OFF, OBJ, STL, glTF or VTK's legacy format";
 constexpr absl::string_view kDownload =
     "the download was perhaps an error page";
 
-constexpr std::array<Signature, 15> kSignatures = {{
+constexpr std::array<Signature, 13> kSignatures = {{
     {"\x1f\x8b", "gzip", kDecompress},
     {"PK\x03\x04", "zip", kDecompress},
     {"BZh", "bzip2", kDecompress},
@@ -58,8 +64,6 @@ constexpr std::array<Signature, 15> kSignatures = {{
     {"7z\xbc\xaf", "7-Zip", kDecompress},
     {"\xfe\xff", "UTF-16 text", kUtf8},
     {"\xff\xfe", "UTF-16 text", kUtf8},
-    {"glTF", "glTF", kConvert},
-    {"# vtk DataFile", "VTK", kConvert},
     {"\x89PNG", "a PNG picture", "name a mesh file"},
     {"<!DOCTYPE", "HTML", kDownload},
     {"<html", "HTML", kDownload},
@@ -70,6 +74,8 @@ constexpr std::array<Signature, 15> kSignatures = {{
 
 // The mesh format that the first word of a text gives away.
 std::optional<MeshFormat> GuessFormat(std::string_view bytes) {
+  if (bytes.starts_with("# vtk DataFile")) return MeshFormat::kVtk;
+  if (bytes.starts_with("glTF")) return MeshFormat::kGltf;
   LineScanner scanner(bytes);
   std::string_view word;
   while (word.empty() || word.starts_with('#')) {
@@ -130,19 +136,24 @@ std::string_view MeshFormatName(MeshFormat format) {
 }
 
 absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path) {
-  const std::string_view file = path.substr(path.find_last_of('/') + 1);
+  std::string_view file = path.substr(path.find_last_of('/') + 1);
+  if (absl::EndsWithIgnoreCase({file.data(), file.size()}, ".gz")) {
+    file.remove_suffix(3);
+  }
   const size_t dot = file.find_last_of('.');
   if (dot != std::string_view::npos) {
     std::string ending(file.substr(dot + 1));
     absl::AsciiStrToLower(&ending);
+    if (ending == "glb") return MeshFormat::kGltf;
     for (const Format& known : kFormats) {
       if (ending == known.name) return known.format;
     }
   }
   return absl::InvalidArgumentError(
       absl::StrCat("the ending of '", Printable(path, 200),
-                   "' names no mesh format: .obj, .ply, .off and .stl are "
-                   "known"));
+                   "' names no mesh format: .obj, .ply, .off, .stl, "
+                   ".vtk, .glb and .gltf are known, and the same with .gz "
+                   "behind"));
 }
 
 absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes, MeshFormat format,
@@ -150,6 +161,14 @@ absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes, MeshFormat format,
   const Format* const known = Find(format);
   if (known == nullptr) {
     return absl::InvalidArgumentError("unknown mesh format");
+  }
+  if (limits.max_gzip_bytes > 0 && IsGzip(bytes)) {
+    const absl::StatusOr<std::vector<char>> inflated =
+        Gunzip(bytes, limits.max_gzip_bytes, limits.checkpoint);
+    if (!inflated.ok()) return inflated.status();
+    ReadLimits once = limits;
+    once.max_gzip_bytes = 0;
+    return ReadMesh({inflated->data(), inflated->size()}, format, once);
   }
   // The header of a binary STL may begin with any bytes.
   if (format != MeshFormat::kStl || !HasSizeOfBinaryStl(bytes)) {

@@ -11,6 +11,8 @@
 
 namespace geodesic {
 
+absl::StatusOr<TriangleSoup> ReadGltf(std::string_view bytes,
+                                      const ReadLimits& limits);
 absl::StatusOr<TriangleSoup> ReadObj(std::string_view bytes,
                                      const ReadLimits& limits);
 absl::StatusOr<TriangleSoup> ReadOff(std::string_view bytes,
@@ -18,6 +20,9 @@ absl::StatusOr<TriangleSoup> ReadOff(std::string_view bytes,
 absl::StatusOr<TriangleSoup> ReadPly(std::string_view bytes,
                                      const ReadLimits& limits);
 absl::StatusOr<TriangleSoup> ReadStl(std::string_view bytes,
+                                     const ReadLimits& limits);
+
+absl::StatusOr<TriangleSoup> ReadVtk(std::string_view bytes,
                                      const ReadLimits& limits);
 
 // Whether the size is what the facet count at byte 80 asks for, give or take

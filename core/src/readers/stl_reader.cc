@@ -8,36 +8,16 @@
 #include <string_view>
 #include <utility>
 
-#include "absl/container/flat_hash_map.h"
 #include "absl/status/statusor.h"
 #include "absl/strings/match.h"
 #include "absl/strings/string_view.h"
 #include "readers/byte_order.h"
 #include "readers/readers.h"
 #include "readers/text_reader.h"
+#include "readers/vertex_welder.h"
 
 namespace geodesic {
 namespace {
-
-// Gives indices to vertices that a file repeats instead of numbering.
-class VertexWelder {
- public:
-  explicit VertexWelder(SoupBuilder& builder) : builder_(builder) {}
-
-  // Adds a corner to the face at hand: the vertex at `point`, made when no
-  // vertex has equal coordinates (-0 equals 0) yet. REQUIRES: finite.
-  bool AddCorner(const Point& point) {
-    const auto [entry, is_new] =
-        indices_.try_emplace(point, static_cast<uint32_t>(builder_.vertices()));
-    return (!is_new || builder_.AddVertex(point)) &&
-           builder_.AddCorner(entry->second);
-  }
-
- private:
-  SoupBuilder& builder_;
-  // Its hash is seeded, so no file can be made to collide.
-  absl::flat_hash_map<Point, uint32_t> indices_;
-};
 
 bool Is(std::string_view token, absl::string_view keyword) {
   return absl::EqualsIgnoreCase(absl::string_view(token.data(), token.size()),

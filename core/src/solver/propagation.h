@@ -31,9 +31,10 @@
 namespace geodesic {
 
 // Solves the query with windows made by Rule, in the order of Queue.
-// OriginType: MixedOrigin if the query has curves.
+// OriginType: MixedOrigin if the query has curves. Accuracy: WithinTolerance if
+// the query has a tolerance, which takes the list rule.
 template <template <typename> typename Rule, WindowQueue Queue,
-          typename OriginType = Origin>
+          typename OriginType = Origin, typename Accuracy = Exact>
 class Propagation final : public Computation {
  public:
   Propagation(const Mesh& mesh, const ValidQuery& query, const Tuning& tuning,
@@ -43,7 +44,7 @@ class Propagation final : public Computation {
         next_source_(static_cast<uint32_t>(query->sources.size())),
         pending_anchors_(AnchorsOf(query)),
         queue_(tuning),
-        front_(mesh, *query, queue_, observer),
+        front_(mesh, *query, queue_, observer, {}, AccuracyOf(*query)),
         rule_(MakeRule(front_, tuning)) {}
 
   absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) override {
@@ -77,6 +78,7 @@ class Propagation final : public Computation {
       field.target_distances.push_back(
           certified(targets.Distance(t, distances)));
     }
+    if constexpr (Accuracy::kMerges) MoveToMiddle(field);
     if (traces_) {
       field.arrivals.assign(front_.arrivals().begin(), front_.arrivals().end());
       for (size_t v = 0; v < field.arrivals.size(); ++v) {
@@ -133,7 +135,7 @@ class Propagation final : public Computation {
   // takes a whole list of windows.
   static constexpr uint64_t kPollPeriod = 1024;
 
-  using FrontType = Front<Queue, OriginType>;
+  using FrontType = Front<Queue, OriginType, NoGoal, Accuracy>;
   using RuleType = Rule<FrontType>;
   // Whether the rule handles many ids of the queue together.
   static constexpr bool kTogether =
@@ -141,6 +143,38 @@ class Propagation final : public Computation {
     rule.Propagate(ids);
   };
 
+  // Distances are lower bounds so far. Of what they and their accounts leave
+  // open the middle is off by the least.
+  void MoveToMiddle(DistanceField& field) const {
+    const auto move = [&](double& distance, double account) {
+      if (std::isinf(distance) || distance == 0) return 0.0f;
+      const double half = ToFileUnit(mesh(), account / 2);
+      const float error = RoundedUp(half / distance + Accuracy::kMargin);
+      distance += half;
+      field.certified_error =
+          std::max(field.certified_error, static_cast<double>(error));
+      return error;
+    };
+    field.certified_errors.reserve(field.distances.size());
+    for (uint32_t v = 0; v < field.distances.size(); ++v) {
+      field.certified_errors.push_back(
+          move(field.distances[v], front_.AccountOf(v)));
+    }
+    const Targets& targets = front_.targets();
+    for (size_t t = 0; t < targets.size(); ++t) {
+      const uint32_t holder = targets.AccountHolder(t, front_.distances());
+      field.target_certified_errors.push_back(
+          move(field.target_distances[t], front_.AccountOf(holder)));
+    }
+  }
+
+  static Accuracy AccuracyOf(const Query& query) {
+    if constexpr (Accuracy::kMerges) {
+      return Accuracy(query.tolerance);
+    } else {
+      return {};
+    }
+  }
   static RuleType MakeRule(FrontType& front, const Tuning& tuning) {
     if constexpr (kTogether) {
       return RuleType(front, tuning.threads);
@@ -154,7 +188,7 @@ class Propagation final : public Computation {
     Seed();
     const double radius = std::ldexp(reach.radius, -mesh().scale_exponent());
     uint64_t steps = 0;
-    while (queue_.SettledRadius() <= radius) {
+    while (SettledRadius() <= radius) {
       uint64_t taken = 0;
       if constexpr (kTogether) {
         taken = StepTogether();
@@ -198,7 +232,7 @@ class Propagation final : public Computation {
   void CertifyUpTo(double radius) {
     certified_radius_ =
         std::max(certified_radius_,
-                 std::min(radius, ToFileUnit(mesh(), queue_.SettledRadius())));
+                 std::min(radius, ToFileUnit(mesh(), SettledRadius())));
   }
 
   // Propagates what the queue gives next. Returns how many steps that were: 0
@@ -234,9 +268,8 @@ class Propagation final : public Computation {
     wavefront_sum_ += static_cast<double>(rule_.pending());
     ++wavefront_samples_;
     // Before the sources are seeded an empty queue settles nothing.
-    const double settled = pending_anchors_.empty()
-                               ? ToFileUnit(mesh(), queue_.SettledRadius())
-                               : 0;
+    const double settled =
+        pending_anchors_.empty() ? ToFileUnit(mesh(), SettledRadius()) : 0;
     return checkpoint.Poll({
         .settled_radius =
             std::isinf(certified_radius_) ? certified_radius_ : settled,
@@ -266,7 +299,7 @@ class Propagation final : public Computation {
     if (wanted > count || next_target_count_-- > 0) return false;
     // Counting is rare enough to cost little beside the windows in between.
     next_target_count_ = count / kPollPeriod;
-    const double settled = queue_.SettledRadius();
+    const double settled = SettledRadius();
     uint64_t certified = 0;
     for (size_t t = 0; t < count; ++t) {
       certified += front_.targets().Distance(t, front_.distances()) <= settled;
@@ -282,6 +315,15 @@ class Propagation final : public Computation {
   }
 
   const Mesh& mesh() const { return front_.mesh(); }
+  // Every distance up to here is final. What is pending, and all that comes of
+  // it, is no nearer than its label says, less what is spent on merges.
+  double SettledRadius() const {
+    if constexpr (Accuracy::kMerges) {
+      return queue_.SettledRadius() / (1 + front_.accuracy().share());
+    } else {
+      return queue_.SettledRadius();
+    }
+  }
 
   const Algorithm algorithm_;
   const bool traces_;

@@ -7,6 +7,7 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/algorithm.h"
 #include "geodesic/solve.h"
+#include "solver/accuracy.h"
 #include "solver/propagation.h"
 #include "solver/queues/binary_heap.h"
 #include "solver/queues/fifo.h"
@@ -81,6 +82,11 @@ absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
     WindowObserver* observer) {
   absl::StatusOr<Tuning> tuning = TuningFor(mesh, options);
   if (!tuning.ok()) return tuning.status();
+  if (query->tolerance > 0) {
+    return std::make_unique<
+        Propagation<ListRule, FwpBuckets, Origin, WithinTolerance>>(
+        mesh, query, *tuning, observer);
+  }
   return HasCurves(*query) ? Start<MixedOrigin>(mesh, query, *tuning, observer)
                            : Start<Origin>(mesh, query, *tuning, observer);
 }

@@ -44,6 +44,15 @@ double Targets::Distance(size_t t,
                   NearestCorner(target, vertex_distances).distance);
 }
 
+uint32_t Targets::AccountHolder(
+    size_t t, std::span<const double> vertex_distances) const {
+  const Target& target = targets_[t];
+  if (target.vertex != kNone) return target.vertex;
+  const ThroughCorner corner = NearestCorner(target, vertex_distances);
+  return corner.distance < target.distance ? corner.vertex
+                                           : target.arrival.pseudo_source;
+}
+
 Arrival Targets::ArrivalAt(size_t t, std::span<const double> vertex_distances,
                            std::span<const Arrival> vertex_arrivals) const {
   const Target& target = targets_[t];

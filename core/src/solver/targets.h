@@ -55,6 +55,10 @@ class Targets {
 
   // What is known of target t, given the distances of the vertices.
   double Distance(size_t t, std::span<const double> vertex_distances) const;
+  // Whose account is that of the target's distance (Front::AccountOf): a vertex
+  // or what is in the place of a window's pseudo-source.
+  uint32_t AccountHolder(size_t t,
+                         std::span<const double> vertex_distances) const;
   Arrival ArrivalAt(size_t t, std::span<const double> vertex_distances,
                     std::span<const Arrival> vertex_arrivals) const;
 

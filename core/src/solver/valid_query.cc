@@ -112,6 +112,19 @@ Algorithm AlgorithmFor(const Query& query, Algorithm asked, const Mesh& mesh) {
              : WithTrimming(asked);
 }
 
+bool IsTolerance(double tolerance) {
+  return tolerance == 0 ||
+         (tolerance >= kLeastTolerance && tolerance <= kMostTolerance);
+}
+
+// Only lists of windows are merged, and only a merged window's distances can be
+// followed; all else is exact. REQUIRES: query.algorithm is the one that runs.
+double ToleranceFor(const Query& query) {
+  return query.algorithm == Algorithm::kFwpList && !query.trace
+             ? query.tolerance
+             : 0;
+}
+
 }  // namespace
 
 absl::StatusOr<ValidQuery> ValidQuery::Make(Query query, const Mesh& mesh) {
@@ -125,16 +138,23 @@ absl::StatusOr<ValidQuery> ValidQuery::Make(Query query, const Mesh& mesh) {
   }
   absl::Status status = MakeCanonical(query.targets, mesh, "targets");
   if (!status.ok()) return status;
-  const Algorithm asked = query.algorithm;
-  if (std::ranges::find(kAlgorithms, asked, &AlgorithmInfo::algorithm) ==
-      kAlgorithms.end()) {
+  const Asked asked{query.algorithm, query.tolerance};
+  if (std::ranges::find(kAlgorithms, asked.algorithm,
+                        &AlgorithmInfo::algorithm) == kAlgorithms.end()) {
     return InvalidField("algorithm", "algorithm is unknown");
   }
-  query.algorithm = AlgorithmFor(query, asked, mesh);
+  if (!IsTolerance(query.tolerance)) {
+    return InvalidField(
+        "tolerance",
+        absl::StrCat("tolerance ", query.tolerance, " is neither 0 nor in [",
+                     kLeastTolerance, ", ", kMostTolerance, "]"));
+  }
+  query.algorithm = AlgorithmFor(query, asked.algorithm, mesh);
+  query.tolerance = ToleranceFor(query);
   return ValidQuery(std::move(query), asked);
 }
 
-ValidQuery::ValidQuery(Query query, Algorithm asked)
+ValidQuery::ValidQuery(Query query, Asked asked)
     : query_(std::make_shared<const Query>(std::move(query))), asked_(asked) {}
 
 SortedQuery ValidQuery::Sorted() const {
@@ -153,7 +173,8 @@ SortedQuery ValidQuery::Sorted() const {
   numbers.erase(repeated, numbers.end());
   Query sorted{.targets = query_->targets,
                .algorithm = query_->algorithm,
-               .trace = query_->trace};
+               .trace = query_->trace,
+               .tolerance = query_->tolerance};
   for (const uint32_t number : numbers) {
     sorted.sources.push_back(sources[number]);
   }
@@ -163,6 +184,7 @@ SortedQuery ValidQuery::Sorted() const {
 ValidQuery ValidQuery::WithTrace(bool trace) const {
   Query query = *query_;
   query.trace = trace;
+  query.tolerance = ToleranceFor(query);
   return {std::move(query), asked_};
 }
 
@@ -175,14 +197,26 @@ ValidQuery ValidQuery::WithoutVertexTargets() const {
 }
 
 ValidQuery ValidQuery::DistancesAlone() const {
-  return {{.sources = query_->sources, .algorithm = query_->algorithm}, asked_};
+  return {{.sources = query_->sources,
+           .algorithm = query_->algorithm,
+           .tolerance = query_->tolerance},
+          asked_};
+}
+
+ValidQuery ValidQuery::WithoutTolerance() const {
+  if (asked_.tolerance == 0) return *this;
+  Query query = *query_;
+  query.tolerance = 0;
+  return {std::move(query), {asked_.algorithm, 0}};
 }
 
 ValidQuery ValidQuery::OfSource(uint32_t source, const Mesh& mesh) const {
   Query query{.sources = {query_->sources[source]},
               .targets = query_->targets,
-              .trace = query_->trace};
-  query.algorithm = AlgorithmFor(query, asked_, mesh);
+              .trace = query_->trace,
+              .tolerance = asked_.tolerance};
+  query.algorithm = AlgorithmFor(query, asked_.algorithm, mesh);
+  query.tolerance = ToleranceFor(query);
   return {std::move(query), asked_};
 }
 
@@ -190,7 +224,8 @@ ValidQuery ValidQuery::OfTarget(uint32_t target) const {
   Query query{.sources = query_->sources,
               .targets = {query_->targets[target]},
               .algorithm = query_->algorithm,
-              .trace = query_->trace};
+              .trace = query_->trace,
+              .tolerance = query_->tolerance};
   return {std::move(query), asked_};
 }
 

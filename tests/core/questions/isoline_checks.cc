@@ -22,6 +22,7 @@ using Edge = std::pair<uint32_t, uint32_t>;  // the lower vertex first
 std::vector<double> DistancesOrFail(const Mesh& mesh, Query query,
                                     const std::vector<SurfacePoint>& points) {
   query.targets = points;
+  query.tolerance = 0;
   return SolveOrFail(mesh, query).target_distances;
 }
 
@@ -48,7 +49,7 @@ class IsolineCheck {
       ASSERT_EQ(isoline.positions.size(), isoline.points.size());
       for (size_t p = 0; p < isoline.points.size(); ++p, ++i) {
         ASSERT_NEAR(distances[i], isoline.level,
-                    kRelativeTolerance * isoline.level + slack_)
+                    Within(kRelativeTolerance, isoline.level))
             << name_ << " at " << Name(points[i]);
         ASSERT_EQ(isoline.positions[p], PositionOf(points[i], mesh_));
       }
@@ -118,7 +119,7 @@ class IsolineCheck {
 
     for (const double level : levels) {
       const auto is_clear = [&](double distance) {
-        return std::abs(distance - level) > 1e-9 * level + slack_;
+        return std::abs(distance - level) > Within(1e-9, level);
       };
       const auto crossings_before = [&](const Edge& edge, double t) {
         const auto found = crossings.find({level, edge});
@@ -147,6 +148,11 @@ class IsolineCheck {
   }
 
  private:
+  // How far distances may be from a level, for exact isolines this part of it.
+  double Within(double part, double level) const {
+    return std::max(part, query_.tolerance) * level + slack_;
+  }
+
   // At the boundary or where more than two faces meet.
   bool MayEndAt(const SurfacePoint& point) const {
     if (std::holds_alternative<EdgePoint>(point)) {

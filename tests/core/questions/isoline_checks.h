@@ -23,7 +23,8 @@ std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
 //   - along every edge, the points that are nearer than the level are told from
 //     the others by the crossings in between: at both ends, and at `samples`
 //     points of edges drawn at random.
-// `slack` is added to the tolerance of distances.
+// With a tolerance in the query, levels and sides hold within it. `slack` is
+// added to the tolerance of distances.
 void ExpectIsolines(const NamedMesh& named, const Query& query,
                     const std::vector<double>& levels, uint32_t samples,
                     double slack = 0);

@@ -241,6 +241,32 @@ TEST_P(Isolines, SeparateNearFromFar) {
   }
 }
 
+TEST(IsolinesWithinATolerance, SeparateNearFromFar) {
+  const std::vector<NamedMesh> meshes = {
+      {"terrain", Terrain(24, 24, 0.6, 4)},
+      {"rough terrain", Terrain(16, 16, 3, 5)},
+      {"icosphere", Icosphere(3)},
+      {"torus", Torus({.around = 40, .across = 20})},
+      {"grid", MakeGrid({.columns = 24, .rows = 24})},
+      {"plate", MakePlate(WithHole({.columns = 16, .rows = 16}), 0.3)},
+      {"needles", InsertNeedles(Terrain(14, 14, 1, 5), 60, 5)},
+      {"two components", Join(Terrain(9, 9, 0.6, 1), Icosphere(2))}};
+  for (const NamedMesh& named : meshes) {
+    const auto mesh = BuildOrFail(named);
+    for (const double tolerance : {1e-6, 1e-3, 1e-2, 0.1}) {
+      SCOPED_TRACE(tolerance);
+      for (Query query :
+           {Query{.sources = {{VertexPoint{5}}}},
+            Query{.sources = {{FacePoint{2, {0.2, 0.3, 0.5}}}}},
+            Query{.sources = {{VertexPoint{9}, 0.1}, {VertexPoint{14}}}}}) {
+        const std::vector<double> levels = SpreadLevels(*mesh, query, 7);
+        query.tolerance = tolerance;
+        ExpectIsolines(named, query, levels, 150, 1e-14);
+      }
+    }
+  }
+}
+
 // Parallels of polylines in the plane: beside a curve, around its ends and
 // corners, between two curves.
 TEST_P(Isolines, AroundCurves) {

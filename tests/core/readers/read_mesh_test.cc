@@ -68,6 +68,39 @@ Sample BinaryStl() {
   return {"StlBinary", MeshFormat::kStl, file.bytes(), 0};
 }
 
+Sample BinaryVtk() {
+  ByteWriter file(std::endian::big);
+  file.Text("# vtk DataFile Version 5.1\nt\nBINARY\nDATASET POLYDATA\n")
+      .Text("POINTS 4 float\n");
+  for (int i = 0; i < 4; ++i) file.Put<float>(i == 1, i == 2, i == 3);
+  file.Text("\nPOLYGONS 3 7\nOFFSETS vtktypeint64\n")
+      .Put<int64_t>(0, 3, 7)
+      .Text("\nCONNECTIVITY vtktypeint64\n")
+      .Put<int64_t>(0, 1, 2, 3, 2, 1, 0);
+  return {"VtkBinary", MeshFormat::kVtk, file.bytes(), 0};
+}
+
+Sample BinaryGltf() {
+  std::string scene = R"({"asset": {"version": "2.0"},
+    "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0},
+                                "indices": 1}]}],
+    "accessors": [
+      {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+      {"bufferView": 1, "componentType": 5125, "count": 9, "type": "SCALAR"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 48},
+                    {"buffer": 0, "byteOffset": 48, "byteLength": 36}],
+    "buffers": [{"byteLength": 84}]})";
+  scene.resize((scene.size() + 3) / 4 * 4, ' ');
+  ByteWriter file;
+  file.Text("glTF").Put<uint32_t>(2, 112 + scene.size(), scene.size());
+  file.Text("JSON" + scene).Put<uint32_t>(84);
+  file.Text(std::string("BIN\0", 4));
+  for (int i = 0; i < 4; ++i) file.Put<float>(i == 1, i == 2, i == 3);
+  file.Put<uint32_t>(0, 1, 2, 3, 2, 1, 3, 1, 0);
+  return {"GltfBinary", MeshFormat::kGltf, file.bytes(), 0};
+}
+
 // Each has four or five vertices and three triangles.
 std::vector<Sample> Samples() {
   const std::string rows = "0 0 0 9\n1 0 0 9\n0 1 0 9\n0 0 1 9\n";
@@ -88,6 +121,13 @@ std::vector<Sample> Samples() {
        "endsolid s\n",
        3},
       BinaryStl(),
+      {"VtkAscii", MeshFormat::kVtk,
+       "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+       "POINTS 4 float\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+       "CELLS 2 9\n3 0 1 2\n4 3 2 1 0\nCELL_TYPES 2\n5\n9\n",
+       1},
+      BinaryVtk(),
+      BinaryGltf(),
   };
 }
 
@@ -300,7 +340,8 @@ TEST(MeshFormatTest, TheEndingOfAPathNamesTheFormat) {
            {"a/b.PLY", MeshFormat::kPly},
            {"a.b/c.d.obj", MeshFormat::kObj},
            {"x.Off", MeshFormat::kOff},
-           {"x.STL", MeshFormat::kStl}}) {
+           {"x.STL", MeshFormat::kStl},
+           {"x.Glb", MeshFormat::kGltf}}) {
     EXPECT_EQ(MeshFormatFromPath(path).value(), format);
     const std::string name(MeshFormatName(format));
     EXPECT_EQ(MeshFormatFromPath("x." + name).value(), format);
@@ -308,9 +349,10 @@ TEST(MeshFormatTest, TheEndingOfAPathNamesTheFormat) {
 }
 
 TEST(MeshFormatTest, OtherPathsAreRefusedByName) {
-  EXPECT_THAT(MeshFormatFromPath("mesh.gltf"), IsInvalidWith("mesh.gltf"));
-  EXPECT_THAT(MeshFormatFromPath("mesh.gltf"), IsInvalidWith(".obj, .ply"));
-  for (const char* path : {"", "ply", "a.ply/mesh", "mesh.", "mesh.ply.gz"}) {
+  EXPECT_THAT(MeshFormatFromPath("mesh.fbx"), IsInvalidWith("mesh.fbx"));
+  EXPECT_THAT(MeshFormatFromPath("mesh.fbx"), IsInvalidWith(".obj, .ply"));
+  for (const char* path :
+       {"", "ply", "a.ply/mesh", "mesh.", "mesh.gz", "a.ply.xz"}) {
     EXPECT_THAT(MeshFormatFromPath(path), IsInvalidWith("names no mesh format"))
         << path;
   }

@@ -50,12 +50,13 @@ class FastMarching final : public PreparedMethod {
       const Mesh& mesh, MarchingQueue queue, Checkpoint& checkpoint);
 
   ApproximateMethod method() const override;
-  // O(n log n), with the untidy queue O(n).
-  absl::StatusOr<ApproximateField> Distances(
-      const ValidQuery& query, Checkpoint& checkpoint) const override;
   uint64_t bytes() const override;
 
  private:
+  // O(n log n), with the untidy queue O(n).
+  absl::StatusOr<std::vector<double>> Compute(
+      const ValidQuery& query, Checkpoint& checkpoint) const override;
+
   class March;
 
   // A triangle that an obtuse angle was split into: its corner, and two

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/approximate/prepared_method.h"
 #include "geodesic/mesh.h"
@@ -56,21 +57,25 @@ class HeatMethod final : public PreparedMethod {
   static absl::StatusOr<std::shared_ptr<const HeatMethod>> Prepare(
       const Mesh& mesh, const HeatOptions& options, Checkpoint& checkpoint);
 
+  // Errors: INVALID_ARGUMENT as Prepare.
+  static absl::Status Check(const HeatOptions& options);
+
   HeatMethod(const HeatMethod&) = delete;
   HeatMethod& operator=(const HeatMethod&) = delete;
   ~HeatMethod() override;
 
   ApproximateMethod method() const override;
+  uint64_t bytes() const override;
+
+ private:
   // Two back-substitutions, O(n log n). Several sources on one component cost
   // another numeric factorization, and its memory for as long.
   // Errors: also INVALID_ARGUMENT for an offset; FAILED_PRECONDITION if heat
   // vanishes on the way, beyond some 1,300 square roots of its time from the
   // source: a larger lambda reaches farther; RESOURCE_EXHAUSTED.
-  absl::StatusOr<ApproximateField> Distances(
+  absl::StatusOr<std::vector<double>> Compute(
       const ValidQuery& query, Checkpoint& checkpoint) const override;
-  uint64_t bytes() const override;
 
- private:
   class Systems;
   explicit HeatMethod(std::unique_ptr<const Systems> systems);
 

@@ -3,6 +3,8 @@
 #ifndef GEODESIC_APPROXIMATE_PREPARE_H_
 #define GEODESIC_APPROXIMATE_PREPARE_H_
 
+#include <compare>
+#include <cstdint>
 #include <memory>
 
 #include "absl/status/statusor.h"
@@ -22,6 +24,23 @@ struct MethodOptions {
   SaddleGraphOptions svg;
   TriangleUnfoldingOptions gtu;
 };
+
+// A method with the parameters that change its distances; those of other
+// methods have their defaults, so that equal choices prepare the same.
+struct MethodChoice {
+  ApproximateMethod method = ApproximateMethod::kFmm;
+  double lambda = HeatOptions().lambda;
+  uint32_t neighbours = SaddleGraphOptions().neighbours;
+  uint32_t samples = TriangleUnfoldingOptions().samples;
+
+  friend auto operator<=>(const MethodChoice&, const MethodChoice&) = default;
+};
+
+// Prepares the choice, with so many threads where the method takes them.
+// Errors: as the method's own Prepare.
+absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(
+    const Mesh& mesh, const MethodChoice& choice, uint32_t threads,
+    Checkpoint& checkpoint);
 
 // Errors: as the method's own Prepare.
 absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(

@@ -37,11 +37,16 @@ class PreparedMethod {
   // Errors: INVALID_ARGUMENT with the path (field_path.h) of what the method
   // cannot do: curves, targets, a trace; each method names what else. Whatever
   // `checkpoint` returns.
-  virtual absl::StatusOr<ApproximateField> Distances(
-      const ValidQuery& query, Checkpoint& checkpoint) const = 0;
+  absl::StatusOr<ApproximateField> Distances(const ValidQuery& query,
+                                             Checkpoint& checkpoint) const;
 
   // Bytes held beside the mesh.
   virtual uint64_t bytes() const = 0;
+
+ private:
+  // ApproximateField::distances.
+  virtual absl::StatusOr<std::vector<double>> Compute(
+      const ValidQuery& query, Checkpoint& checkpoint) const = 0;
 };
 
 }  // namespace geodesic

@@ -69,10 +69,12 @@ class SaddleVertexGraph final : public PreparedMethod {
       const Mesh& mesh, const SaddleGraphOptions& options,
       Checkpoint& checkpoint);
 
+  // A graph whose offsets() and arcs() were kept, of an equal mesh.
+  // Errors: DATA_LOSS if they are no graph on the mesh's vertices.
+  static absl::StatusOr<std::shared_ptr<const SaddleVertexGraph>> FromArcs(
+      const Mesh& mesh, std::vector<uint64_t> offsets, std::vector<Arc> arcs);
+
   ApproximateMethod method() const override;
-  // Dijkstra. O(arcs + n log n).
-  absl::StatusOr<ApproximateField> Distances(
-      const ValidQuery& query, Checkpoint& checkpoint) const override;
   uint64_t bytes() const override;
 
   const Mesh& mesh() const { return mesh_; }
@@ -81,8 +83,16 @@ class SaddleVertexGraph final : public PreparedMethod {
     return {arcs_.data() + begin_[v], arcs_.data() + begin_[v + 1]};
   }
   uint64_t arc_count() const { return arcs_.size() / 2; }
+  // All arcs, vertex by vertex, and where those of each vertex begin; the last
+  // offset is their number.
+  std::span<const Arc> arcs() const { return arcs_; }
+  std::span<const uint64_t> offsets() const { return begin_; }
 
  private:
+  // Dijkstra. O(arcs + n log n).
+  absl::StatusOr<std::vector<double>> Compute(
+      const ValidQuery& query, Checkpoint& checkpoint) const override;
+
   explicit SaddleVertexGraph(const Mesh& mesh) : mesh_(mesh) {}
   void Join(const std::vector<std::vector<Arc>>& found);
 

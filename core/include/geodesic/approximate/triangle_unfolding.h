@@ -50,9 +50,6 @@ class TriangleUnfolding final : public PreparedMethod {
       Checkpoint& checkpoint);
 
   ApproximateMethod method() const override;
-  // O(n) a source.
-  absl::StatusOr<ApproximateField> Distances(
-      const ValidQuery& query, Checkpoint& checkpoint) const override;
   uint64_t bytes() const override;
 
   // In the unit of the file. O(1). REQUIRES: the vertices are of the mesh.
@@ -61,6 +58,10 @@ class TriangleUnfolding final : public PreparedMethod {
   uint32_t sample_count() const { return sample_count_; }
 
  private:
+  // O(n) a source.
+  absl::StatusOr<std::vector<double>> Compute(
+      const ValidQuery& query, Checkpoint& checkpoint) const override;
+
   class Builder;
 
   static constexpr uint32_t kNone = 0xffffffffu;

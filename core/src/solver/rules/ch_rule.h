@@ -4,12 +4,7 @@
 // Xin, Wang: Improving Chen and Han's algorithm on the discrete geodesic
 // problem. ACM TOG 28(4), 2009: the window filter.
 //
-//   Xin, Wang     here
-//   I, sigma      Entry::origin      the unfolded pseudo-source, its distance
-//   A, B          Entry::interval    begin and end of the window
-//   v1, v2        corners a, b       ends of the window's edge
-//   v3            corner c, apex     the face's third corner
-//   d(v)          front_.distance    what is known of a vertex
+// The geometry of a window is in chen_han_crossing.h.
 //
 // A window is propagated once and then freed. It has two children only if its
 // distance at the apex is the best yet across its half-edge. A worse one keeps
@@ -43,6 +38,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/rules/chen_han_crossing.h"
 #include "solver/rules/front.h"
 #include "solver/windows/window.h"
 #include "solver/windows/window_pool.h"
@@ -111,7 +107,7 @@ class ChenHanRule {
   void Restart() {
     reach_.reset();
     if (std::exchange(holds_anchors_, false)) {
-      std::ranges::fill(best_, Best());
+      std::ranges::fill(best_, BestAtApex());
     }
   }
 
@@ -131,64 +127,47 @@ class ChenHanRule {
   bool Propagate(uint32_t id) {
     const Entry entry = pool_[id];
     pool_.Free(id);
-    const auto& [interval, origin, h, pseudo_source, depth] = entry;
+    const auto& [interval, origin, h, pseudo_source] = entry.window;
     // The pseudo-source has improved since: its newer windows replace this one.
     if (Exceeds(origin.sigma, front_.PseudoSourceDistance(pseudo_source)))
       return false;
-    const HalfEdgeFrame& frame = mesh_.frame(h);
-    const Corners corners{mesh_.From(h), mesh_.To(h), mesh_.Apex(h)};
-    const Window window = Window::Over(interval, origin);
     if constexpr (kFilters) {
       // Distances have improved since the window was made: test it again.
-      if (front_.EndsAreNearer(window, frame.length, corners.a, corners.b)) {
+      if (front_.EndsAreNearer(Window::Over(interval, origin),
+                               mesh_.frame(h).length, mesh_.From(h),
+                               mesh_.To(h))) {
         return false;
       }
     }
     if (!kFilters && !reach_.has_value()) reach_ = EdgeReach(front_);
 
-    const Arrival arrival{pseudo_source, h, origin.x, origin.depth};
-    const PlanePoint apex = ApexOf(frame);
-    const double crossing = CrossingTo(origin, apex);
-    const double near_miss = NearMiss(origin, frame, apex);
-    if (crossing <= interval.begin) {
-      if (crossing > interval.begin - near_miss) {
-        front_.Relax(corners.c,
-                     window.begin_distance + EdgePointTo(interval.begin, apex),
-                     arrival,
-                     RayPast(mesh_, h, origin, interval.begin - crossing));
-      }
-      Leave<kRight>(entry, corners, crossing);
+    const ApexMeeting meeting =
+        MeetApex(front_, entry.window,
+                 [this](uint32_t vertex, double distance,
+                        const Arrival& arrival, const IncomingRay& ray) {
+                   front_.Relax(vertex, distance, arrival, ray);
+                 });
+    if (meeting.crossing <= interval.begin) {
+      Leave<kRight>(entry, meeting.crossing);
       return true;
     }
-    if (crossing >= interval.end) {
-      if (crossing < interval.end + near_miss) {
-        front_.Relax(
-            corners.c, window.end_distance + EdgePointTo(interval.end, apex),
-            arrival, RayPast(mesh_, h, origin, crossing - interval.end));
-      }
-      Leave<kLeft>(entry, corners, crossing);
+    if (meeting.crossing >= interval.end) {
+      Leave<kLeft>(entry, meeting.crossing);
       return true;
     }
-
-    const double to_apex = DistanceToPlace(origin, apex);
-    const double at_apex = origin.sigma + to_apex;
-    front_.Relax(corners.c, at_apex, arrival, RayThrough(h, origin, apex));
-    // The sine of the angle to AB's normal: grows as the ray into the apex
-    // comes from further left.
-    const double lean = (apex.x - origin.x) / to_apex;
-    Best& best = best_[h];
-    const bool is_worse = Exceeds(at_apex, best.distance);
-    const bool goes_left = !is_worse || lean > best.lean - kSameRay;
-    const bool goes_right = !is_worse || lean < best.lean + kSameRay;
-    if (at_apex < best.distance && !front_.MayBePassedBy(pseudo_source)) {
+    BestAtApex& best = best_[h];
+    const bool goes_left = meeting.goes_left(best);
+    const bool goes_right = meeting.goes_right(best);
+    if (meeting.distance < best.distance &&
+        !front_.MayBePassedBy(pseudo_source)) {
       if constexpr (Front::Goal::kDirects) {
         if (std::isinf(best.distance)) touched_.push_back(h);
       }
-      best = {at_apex, lean};
+      best = {meeting.distance, meeting.lean};
       holds_anchors_ |= pseudo_source >= mesh_.vertex_count();
     }
-    if (goes_left) Leave<kLeft>(entry, corners, crossing);
-    if (goes_right) Leave<kRight>(entry, corners, crossing);
+    if (goes_left) Leave<kLeft>(entry, meeting.crossing);
+    if (goes_right) Leave<kRight>(entry, meeting.crossing);
     return true;
   }
 
@@ -201,11 +180,11 @@ class ChenHanRule {
     }
     const Entry& entry = pool_[id];
     if (stage == 1) {
-      front_.PrefetchFace(entry.half_edge);
-      front_.PrefetchDistance(entry.pseudo_source);
-      __builtin_prefetch(&best_[entry.half_edge]);
+      front_.PrefetchFace(entry.window.half_edge);
+      front_.PrefetchDistance(entry.window.pseudo_source);
+      __builtin_prefetch(&best_[entry.window.half_edge]);
     } else {
-      front_.PrefetchCorners(entry.half_edge);
+      front_.PrefetchCorners(entry.window.half_edge);
     }
   }
 
@@ -213,7 +192,7 @@ class ChenHanRule {
   uint64_t pending() const { return pool_.live(); }
   uint64_t peak_windows() const { return pool_.peak(); }
   uint64_t bytes() const {
-    return pool_.bytes() + best_.capacity() * sizeof(Best) +
+    return pool_.bytes() + best_.capacity() * sizeof(BestAtApex) +
            touched_.capacity() * sizeof(HalfEdge);
   }
 
@@ -230,25 +209,10 @@ class ChenHanRule {
 
   // A window of the wavefront.
   struct Entry {
-    Interval interval;
-    Origin origin;
-    HalfEdge half_edge;
-    uint32_t pseudo_source;
+    ChenHanWindow window;
     [[no_unique_address]] Depth depth;
   };
   static_assert(!kFilters || sizeof(Entry) == 48);
-
-  // Of the face that a window crosses, as in its frame.
-  struct Corners {
-    uint32_t a, b, c;
-  };
-
-  // The best window so far to reach the apex across a half-edge, among those
-  // whose ray no other window can go round.
-  struct Best {
-    double distance = std::numeric_limits<double>::infinity();
-    double lean = 0;
-  };
 
   void Add(const Window& window, HalfEdge half_edge, uint32_t pseudo_source,
            Depth depth) {
@@ -258,69 +222,36 @@ class ChenHanRule {
     if constexpr (Front::Goal::kDirects) {
       if (std::isinf(key)) return;
     }
-    front_.queue().Push(pool_.Allocate({window.interval, window.origin,
-                                        half_edge, pseudo_source, depth}),
+    front_.queue().Push(pool_.Allocate({{window.interval, window.origin,
+                                         half_edge, pseudo_source},
+                                        depth}),
                         key);
   }
-  // Adds a child of `parent`, which leaves the face across `side`, in every
-  // face beyond it.
-  void AddChildren(const Window& window, HalfEdge side, Exit exit,
-                   const Entry& parent) {
-    if (exit < kIrregularExit) {
-      AddChild(window, exit, parent);
-      return;
-    }
-    front_.Cross(side, window.origin, window.interval,
-                 [&](HalfEdge half_edge, const Origin& origin,
-                     const Interval& interval) {
-                   AddChild(Window::Over(interval, origin), half_edge, parent);
-                 });
-  }
-
   void AddChild(const Window& window, HalfEdge half_edge, const Entry& parent) {
     if constexpr (kFilters) {
-      Add(window, half_edge, parent.pseudo_source, {});
+      Add(window, half_edge, parent.window.pseudo_source, {});
     } else {
       const Crossed depth{parent.depth.faces + 1};
       if (depth.faces >= mesh_.face_count()) return;
       if (Exceeds(window.Label(), *reach_)) return;
-      Add(window, half_edge, parent.pseudo_source, depth);
+      Add(window, half_edge, parent.window.pseudo_source, depth);
     }
   }
 
   // Makes the child across a side that the parent reaches. `crossing`: of the
   // ray into the apex.
   template <Side kSide>
-  void Leave(const Entry& parent, const Corners& corners, double crossing) {
-    const FaceSide<kSide> side(mesh_, parent.half_edge);
-    if (side.exit == kNoHalfEdge) return;
-    const Interval hit = side.Hit(parent.origin, parent.interval, crossing);
-    const Interval interval = side.InExit(hit);
-    if (interval.width() <= kLeastWidth * side.length) return;
-    const Window child = Window::Over(interval, Unfold(side, parent.origin));
-    if constexpr (kFilters) {
-      const auto [a, b, c] = corners;
-      if (front_.EndsAreNearer(child, side.length, kSide == kLeft ? a : c,
-                               kSide == kLeft ? c : b)) {
-        return;
-      }
-      // Third condition: through the end of the parent's edge that is no end of
-      // the child's.
-      const double dx = hit.begin * side.cosine - side.edge;
-      const double dy = hit.begin * side.sine;
-      if (Exceeds(kSide == kLeft ? child.begin_distance : child.end_distance,
-                  front_.distance(kSide == kLeft ? b : a) +
-                      std::sqrt(dx * dx + dy * dy))) {
-        return;
-      }
-    }
-    AddChildren(child, side.half_edge, side.exit, parent);
+  void Leave(const Entry& parent, double crossing) {
+    LeaveAcross<kSide, kFilters>(front_, parent.window, crossing,
+                                 [&](HalfEdge half_edge, const Window& child) {
+                                   AddChild(child, half_edge, parent);
+                                 });
   }
 
   Front& front_;
   const Mesh& mesh_;
   WindowPool<Entry> pool_;
-  std::vector<Best> best_;         // one per half-edge
+  std::vector<BestAtApex> best_;   // one per half-edge
   std::vector<HalfEdge> touched_;  // those that are known; with a goal only
   // Whether some of them are of sources that are no vertex.
   bool holds_anchors_ = false;

@@ -31,7 +31,8 @@ void Replace(size_t first, size_t last, std::span<const ListedWindow> listed,
 
 }  // namespace
 
-void Envelope::Trim(double length, WindowColumns& windows) {
+template <typename Accuracy>
+void BasicEnvelope<Accuracy>::Trim(double length, WindowColumns& windows) {
   if (windows.size < 2) return;
   length_ = length;
   FindMeetings(windows);
@@ -41,7 +42,8 @@ void Envelope::Trim(double length, WindowColumns& windows) {
   TrimFrom(pairs_[done] + 1, windows);
 }
 
-void Envelope::FindMeetings(WindowColumns& windows) {
+template <typename Accuracy>
+void BasicEnvelope<Accuracy>::FindMeetings(WindowColumns& windows) {
   const size_t room = windows.size + WindowColumns::kPadding;
   if (begins_.size() < room) {
     begins_.resize(2 * room);
@@ -68,7 +70,8 @@ void Envelope::FindMeetings(WindowColumns& windows) {
   if (count > 0) FindCrossovers(older_, newer_, meetings_.data());
 }
 
-size_t Envelope::CutAtMeetings(WindowColumns& windows) const {
+template <typename Accuracy>
+size_t BasicEnvelope<Accuracy>::CutAtMeetings(WindowColumns& windows) const {
   // Two windows that may change over twice do so once where each is nearer on
   // its own side, as here.
   const double least = kLeastWidth * length_;
@@ -88,7 +91,8 @@ size_t Envelope::CutAtMeetings(WindowColumns& windows) const {
   return older_.size;
 }
 
-size_t Envelope::MeetingOf(size_t pair) {
+template <typename Accuracy>
+size_t BasicEnvelope<Accuracy>::MeetingOf(size_t pair) {
   while (next_pair_ < older_.size && pairs_[next_pair_] < pair) {
     ++next_pair_;
   }
@@ -98,7 +102,8 @@ size_t Envelope::MeetingOf(size_t pair) {
   return is_known ? next_pair_ : kNone;
 }
 
-void Envelope::TrimFrom(size_t i, WindowColumns& windows) {
+template <typename Accuracy>
+void BasicEnvelope<Accuracy>::TrimFrom(size_t i, WindowColumns& windows) {
   size_t kept = i;
   // Whether the last of the kept is window i - 1, as it was.
   bool is_neighbour = true;
@@ -127,8 +132,10 @@ void Envelope::TrimFrom(size_t i, WindowColumns& windows) {
   windows.size = kept;
 }
 
-bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
-                              WindowColumns& windows) {
+template <typename Accuracy>
+bool BasicEnvelope<Accuracy>::TrimNeighbours(size_t i, size_t meeting,
+                                             size_t& kept,
+                                             WindowColumns& windows) {
   const size_t top = kept - 1;
   const double begin = windows.begin[i];
   const double top_end = windows.end[top];
@@ -144,6 +151,9 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
     windows.end_distance[top] = older_.end_distance[meeting];
   } else {
     Window older = windows.At(top), newer = windows.At(i);
+    if constexpr (Accuracy::kMerges) {
+      if (SplitBeforeContest(older, newer).has_value()) return false;
+    }
     const Interval won = WonByNewer(older, newer);
     if (won.width() <= 0) {
       newer.CutTo({top_end, newer.interval.end});
@@ -160,7 +170,9 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
   return true;
 }
 
-size_t Envelope::TrimSeveral(size_t i, size_t& kept, WindowColumns& windows) {
+template <typename Accuracy>
+size_t BasicEnvelope<Accuracy>::TrimSeveral(size_t i, size_t& kept,
+                                            WindowColumns& windows) {
   size_t first = kept;
   while (first > 0 && windows.end[first - 1] > windows.begin[i]) --first;
   sorted_.clear();
@@ -179,7 +191,9 @@ size_t Envelope::TrimSeveral(size_t i, size_t& kept, WindowColumns& windows) {
   return std::max(i, kept);
 }
 
-void Envelope::Merge(double length, size_t middle, WindowColumns& windows) {
+template <typename Accuracy>
+void BasicEnvelope<Accuracy>::Merge(double length, size_t middle,
+                                    WindowColumns& windows) {
   if (middle == 0 || middle == windows.size ||
       windows.end[middle - 1] <= windows.begin[middle]) {
     return;
@@ -204,7 +218,8 @@ void Envelope::Merge(double length, size_t middle, WindowColumns& windows) {
   Replace(first, last, sorted_, windows);
 }
 
-void Envelope::Add(const ListedWindow& window) {
+template <typename Accuracy>
+void BasicEnvelope<Accuracy>::Add(const ListedWindow& window) {
   const Interval& interval = window.window.interval;
   if (IsLost(interval, window.window.origin, length_)) return;
   if (sorted_.empty() || sorted_.back().window.interval.end <= interval.begin) {
@@ -216,7 +231,8 @@ void Envelope::Add(const ListedWindow& window) {
   }
 }
 
-void Envelope::AddInside(const ListedWindow& window) {
+template <typename Accuracy>
+void BasicEnvelope<Accuracy>::AddInside(const ListedWindow& window) {
   const size_t below = aside_.size();
   while (!sorted_.empty() &&
          sorted_.back().window.interval.begin > window.window.interval.begin) {
@@ -232,10 +248,22 @@ void Envelope::AddInside(const ListedWindow& window) {
 }
 
 // REQUIRES: the window begins within the last.
-void Envelope::Contest(const ListedWindow& window) {
+template <typename Accuracy>
+void BasicEnvelope<Accuracy>::Contest(const ListedWindow& window) {
   const Window& older = sorted_.back().window;
   const Interval held = older.interval;
   const Interval interval = window.window.interval;
+  if constexpr (Accuracy::kMerges) {
+    if (const auto at = SplitBeforeContest(older, window.window)) {
+      ListedWindow part = window;
+      part.window.CutTo({interval.begin, *at});
+      Contest(part);
+      part = window;
+      part.window.CutTo({*at, interval.end});
+      Add(part);
+      return;
+    }
+  }
   const Interval won = WonByNewer(older, window.window);
   if (won.width() <= 0) {
     Push(window, {held.end, interval.end});
@@ -253,7 +281,8 @@ void Envelope::Contest(const ListedWindow& window) {
   Push(window, {held.end, interval.end});
 }
 
-void Envelope::CutLast(const Interval& part) {
+template <typename Accuracy>
+void BasicEnvelope<Accuracy>::CutLast(const Interval& part) {
   Window& last = sorted_.back().window;
   if (IsLost(part, last.origin, length_)) {
     sorted_.pop_back();
@@ -262,10 +291,15 @@ void Envelope::CutLast(const Interval& part) {
   }
 }
 
-void Envelope::Push(const ListedWindow& window, const Interval& part) {
+template <typename Accuracy>
+void BasicEnvelope<Accuracy>::Push(const ListedWindow& window,
+                                   const Interval& part) {
   if (IsLost(part, window.window.origin, length_)) return;
   sorted_.push_back(window);
   sorted_.back().window.CutTo(part);
 }
+
+template class BasicEnvelope<Exact>;
+template class BasicEnvelope<WithinTolerance>;
 
 }  // namespace geodesic

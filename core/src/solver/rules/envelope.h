@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "solver/accuracy.h"
 #include "solver/rules/list_kernels.h"
 #include "solver/windows/window.h"
 #include "solver/windows/window_columns.h"
@@ -30,7 +31,10 @@ namespace geodesic {
 // share no ray, since they were disjoint before; and lists that are merged have
 // pseudo-sources of which none can be passed by (ListRule runs with one source,
 // or with sources at vertices).
-class Envelope {
+// Not so where Accuracy is WithinTolerance: the origins of windows that stand
+// for several lie anywhere, and there windows are split first.
+template <typename Accuracy>
+class BasicEnvelope {
  public:
   // `length`: of the half-edge.
   void Trim(double length, WindowColumns& windows);
@@ -83,6 +87,8 @@ class Envelope {
   std::vector<ListedWindow> sorted_;
   std::vector<ListedWindow> aside_;  // a stack
 };
+
+using Envelope = BasicEnvelope<Exact>;
 
 }  // namespace geodesic
 

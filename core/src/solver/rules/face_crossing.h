@@ -43,19 +43,33 @@ class FaceCrossing {
   template <typename Relax, typename HandOn>
   void Cross(HalfEdge h, Relax relax, HandOn hand_on) {
     const HalfEdgeFrame& frame = mesh_.frame(h);
+    const Corners corners(mesh_, h);
     Reserve(list_.size);
     CrossingsToApex(frame, list_, crossings_.data(), misses_.data());
-    const double apex_distance = ReachApex(h, frame, relax);
+    const double to_apex = ReachApex(h, corners.apex, frame, relax);
     const FaceSide<kLeft> left(mesh_, h);
-    Leave(left, {left.length, front_.distance(mesh_.From(h)), apex_distance},
-          hand_on);
+    Leave(left, {left.length, front_.UpperBound(corners.from), to_apex},
+          corners.from, corners.apex, hand_on);
     const FaceSide<kRight> right(mesh_, h);
-    Leave(right, {right.length, apex_distance, front_.distance(mesh_.To(h))},
-          hand_on);
+    Leave(right, {right.length, to_apex, front_.UpperBound(corners.to)},
+          corners.apex, corners.to, hand_on);
   }
 
  private:
   static constexpr double kUseless = std::numeric_limits<double>::infinity();
+
+  // Of the face of a half-edge.
+  struct Corners {
+    uint32_t from, to, apex;
+
+    Corners(const Mesh& mesh, HalfEdge h) {
+      const Triangle& corners = mesh.TriangleOf(h);
+      const uint32_t side = h % 3;
+      from = corners[side];
+      to = corners[side == 2 ? 0 : side + 1];
+      apex = corners[side == 0 ? 2 : side - 1];
+    }
+  };
 
   void Reserve(size_t count) {
     children_.Reserve(count);
@@ -67,14 +81,16 @@ class FaceCrossing {
     hits_.resize(2 * room);
   }
 
-  // Returns the distance of the apex that is known then.
+  // Returns the apex's upper bound that is known then.
   template <typename Relax>
-  double ReachApex(HalfEdge h, const HalfEdgeFrame& frame, Relax relax) {
+  double ReachApex(HalfEdge h, uint32_t vertex, const HalfEdgeFrame& frame,
+                   Relax relax) {
     const PlanePoint apex = ApexOf(frame);
-    const uint32_t vertex = mesh_.Apex(h);
     double best = front_.distance(vertex);
     size_t nearest = list_.size;  // none
     double missed_by = 0;
+    double upper = front_.UpperBound(vertex);
+    size_t surest = list_.size;  // whose upper bound is the least; none
     // Gathered without a branch: which windows see the apex cannot be foreseen.
     size_t hits = 0;
     for (size_t i = 0; i < list_.size; ++i) {
@@ -88,6 +104,14 @@ class FaceCrossing {
       const double through =
           std::clamp(crossings_[i], list_.begin[i], list_.end[i]);
       const double distance = PathToPlace(origin, through, crossings_[i], apex);
+      if constexpr (Front::Accuracy::kMerges) {
+        const double bound =
+            distance + front_.AccountOf(list_.pseudo_source[i]);
+        if (Front::Improves(bound, upper)) {
+          upper = bound;
+          surest = i;
+        }
+      }
       if (!Front::Improves(distance, best)) continue;
       best = distance;
       nearest = i;
@@ -99,12 +123,24 @@ class FaceCrossing {
             Arrival{list_.pseudo_source[nearest], h, origin.x, origin.depth},
             RayPast(mesh_, h, origin, missed_by));
     }
-    return best;
+    if constexpr (Front::Accuracy::kMerges) {
+      // Not the nearest, so no ray of it bends at the apex.
+      if (surest < list_.size && surest != nearest) {
+        const Origin origin = list_.OriginAt(surest);
+        relax(vertex, upper - front_.AccountOf(list_.pseudo_source[surest]),
+              Arrival{list_.pseudo_source[surest], h, origin.x, origin.depth},
+              IncomingRay());
+      }
+      return upper;
+    } else {
+      return best;
+    }
   }
 
+  // Seen from beyond, the side runs from -> to.
   template <Side kSide, typename HandOn>
-  void Leave(const FaceSide<kSide>& side, const ExitEdge& edge,
-             HandOn hand_on) {
+  void Leave(const FaceSide<kSide>& side, const ExitEdge& edge, uint32_t from,
+             uint32_t to, HandOn hand_on) {
     if (side.exit == kNoHalfEdge) return;
     size_t first = 0, last = list_.size;
     const auto reaches = [&](size_t i) {
@@ -118,22 +154,13 @@ class FaceCrossing {
     if (first == last) return;
     ChildrenAcross(side, edge, list_, crossings_.data(), first, last, children_,
                    labels_.data());
-    if constexpr (Front::Goal::kDirects) DirectLabels(side);
+    if constexpr (Front::Goal::kDirects) {
+      KeysOf(children_, side.length, front_.goal().At(from, to),
+             labels_.data());
+    }
     const double label = TrimChildren(side.length);
     if (children_.size > 0)
       hand_on(side.half_edge, side.exit, children_, label);
-  }
-
-  // Makes keys of the children's labels (goal.h).
-  template <Side kSide>
-  void DirectLabels(const FaceSide<kSide>& side) {
-    const uint32_t from = mesh_.From(side.half_edge);
-    const uint32_t to = mesh_.To(side.half_edge);
-    // Seen from beyond, the edge runs the other way.
-    const auto goal = front_.goal().At(to, from);
-    for (size_t i = 0; i < children_.size; ++i) {
-      labels_[i] = KeyOf(children_.At(i), labels_[i], side.length, goal);
-    }
   }
 
   // Trims children_, whose edge is this long. Returns a lower bound on their
@@ -156,7 +183,7 @@ class FaceCrossing {
   WindowColumns list_, children_;
   std::vector<double> crossings_, misses_, labels_;
   std::vector<uint32_t> hits_;
-  Envelope envelope_;
+  BasicEnvelope<typename Front::Accuracy> envelope_;
 };
 
 }  // namespace geodesic

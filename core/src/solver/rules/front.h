@@ -17,6 +17,7 @@
 
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
+#include "solver/accuracy.h"
 #include "solver/curve_segment.h"
 #include "solver/goal.h"
 #include "solver/queues/queue.h"
@@ -35,29 +36,33 @@ namespace geodesic {
 // OriginType as for BasicWindow. GoalType: Goal if the computation is directed
 // at its targets; windows and vertices then wait with a lower bound on the
 // whole way (goal.h) in place of their label, those beyond the goal's limit not
-// at all.
+// at all. AccuracyType: WithinTolerance if windows are merged; distances are
+// then lower bounds, and those of vertices have accounts (accuracy.h).
 template <WindowQueue QueueType, typename OriginType,
-          typename GoalType = NoGoal>
+          typename GoalType = NoGoal, typename AccuracyType = Exact>
 class Front {
  public:
   using Queue = QueueType;
   using Origin = OriginType;
   using Goal = GoalType;
+  using Accuracy = AccuracyType;
   using Window = BasicWindow<Origin>;
 
   // `observer`, if any, hears of every window.
   Front(const Mesh& mesh, const Query& query, Queue& queue,
-        WindowObserver* observer, Goal goal = {})
+        WindowObserver* observer, Goal goal = {}, Accuracy accuracy = {})
       : mesh_(mesh),
         queue_(queue),
         observer_(observer),
         goal_(std::move(goal)),
+        accuracy_(accuracy),
         targets_(mesh, query.targets),
         distances_(mesh.vertex_count(),
                    std::numeric_limits<double>::infinity()),
         states_(mesh.vertex_count(), 0) {
     if (query.trace) arrivals_.resize(mesh.vertex_count());
     if (!mesh.HasCollapsedFaces()) incoming_.resize(mesh.vertex_count());
+    if constexpr (Accuracy::kMerges) accounts_.resize(mesh.vertex_count());
   }
 
   // Forgets all, and begins with the targets of another query. O(vertices
@@ -82,15 +87,40 @@ class Front {
   Queue& queue() { return queue_; }
   Goal& goal() { return goal_; }
   const Goal& goal() const { return goal_; }
+  const Accuracy& accuracy() const { return accuracy_; }
   const Targets& targets() const { return targets_; }
   double distance(uint32_t v) const { return distances_[v]; }
+  // No shortest path to v is longer.
+  double UpperBound(uint32_t v) const {
+    if constexpr (Accuracy::kMerges) {
+      return distances_[v] + static_cast<double>(accounts_[v]);
+    } else {
+      return distances_[v];
+    }
+  }
+  // By how much the distances of a window of this pseudo-source may be below
+  // those of real paths.
+  double AccountOf(uint32_t pseudo_source) const {
+    if constexpr (Accuracy::kMerges) {
+      if (IsMerged(pseudo_source)) return AccountOfMerged(pseudo_source);
+      return pseudo_source < accounts_.size() ? accounts_[pseudo_source] : 0;
+    } else {
+      return 0;
+    }
+  }
   std::span<const double> distances() const {
     return std::span(distances_).first(mesh_.vertex_count());
   }
   std::span<const Arrival> arrivals() const { return arrivals_; }
   // What bounds a window of this pseudo-source from below: the distance of a
-  // vertex, the offset of an anchor.
+  // vertex, the offset of an anchor. Infinite of a merged window, which no
+  // better distance of a vertex makes useless.
   double PseudoSourceDistance(uint32_t pseudo_source) const {
+    if constexpr (Accuracy::kMerges) {
+      if (IsMerged(pseudo_source)) {
+        return std::numeric_limits<double>::infinity();
+      }
+    }
     return distances_[pseudo_source];
   }
   // Whether windows of other pseudo-sources may hold points on both sides of
@@ -111,6 +141,7 @@ class Front {
   std::span<const uint32_t> reached_list() const { return reached_list_; }
   uint64_t bytes() const {
     return distances_.capacity() * sizeof(double) + states_.capacity() +
+           accounts_.capacity() * sizeof(float) +
            arrivals_.capacity() * sizeof(Arrival) + targets_.bytes() +
            reached_list_.capacity() * sizeof(uint32_t);
   }
@@ -141,8 +172,8 @@ class Front {
   bool EndsAreNearer(const Window& window, double length, uint32_t from,
                      uint32_t to) const {
     const auto& [begin, end] = window.interval;
-    return Exceeds(window.end_distance, distances_[from] + end) ||
-           Exceeds(window.begin_distance, distances_[to] + (length - begin));
+    return Exceeds(window.end_distance, UpperBound(from) + end) ||
+           Exceeds(window.begin_distance, UpperBound(to) + (length - begin));
   }
 
   // A window on h, unless it is too narrow or useless as above.
@@ -188,6 +219,17 @@ class Front {
     return distance < best * (1 - kImprovement);
   }
 
+  // Whether Relax changes anything.
+  bool Takes(uint32_t v, double distance, const Arrival& arrival) const {
+    if constexpr (Accuracy::kMerges) {
+      if (Improves(distance + AccountOf(arrival.pseudo_source),
+                   UpperBound(v))) {
+        return true;
+      }
+    }
+    return Improves(distance, distances_[v]);
+  }
+
   // Takes `distance` for v if it is better. If paths may bend at v, or the path
   // to v bends already, v is queued with its distance as label. `ray`: where
   // the path comes from, if that is known.
@@ -196,6 +238,7 @@ class Front {
     if constexpr (std::is_same_v<Origin, MixedOrigin>) {
       distance = std::max(distance, 0.0);  // as MixedOrigin::PathTo
     }
+    if constexpr (Accuracy::kMerges) KeepAccount(v, distance, arrival);
     double& best = distances_[v];
     if (!Improves(distance, best)) return;
     if (arrival.entry != kNoHalfEdge) {
@@ -319,9 +362,12 @@ class Front {
           continue;
         }
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
-          const double distance = distances_[from] + length;
-          if (!(distance < distances_[to] * (1 - kAlongEdge))) continue;
-          Relax(to, distance, {.pseudo_source = from}, IncomingRay::Bent());
+          if (!(UpperBound(from) + length <
+                distances_[to] * (1 - kAlongEdge))) {
+            continue;
+          }
+          Relax(to, distances_[from] + length, {.pseudo_source = from},
+                IncomingRay::Bent());
           has_relaxed = true;
         }
       }
@@ -394,6 +440,15 @@ class Front {
 
   size_t anchor_count() const {
     return distances_.size() - mesh_.vertex_count();
+  }
+
+  // What remains between the bounds of v once `distance` is relaxed.
+  void KeepAccount(uint32_t v, double distance, const Arrival& arrival) {
+    const double lower = std::min(distances_[v], distance);
+    const double upper =
+        std::min(UpperBound(v), distance + AccountOf(arrival.pseudo_source));
+    if (std::isinf(upper)) return;
+    accounts_[v] = RoundedUp(std::max(upper - lower, 0.0));
   }
 
   // Whether one can simply turn around v, from face to face.
@@ -526,9 +581,11 @@ class Front {
   Queue& queue_;
   WindowObserver* const observer_;
   Goal goal_;
+  Accuracy accuracy_;
   Targets targets_;
   std::vector<double> distances_;  // of vertices, then offsets of anchors
   std::vector<SpacePoint> anchor_places_;  // of those that are points
+  std::vector<float> accounts_;            // of vertices; empty if exact
   std::vector<Arrival> arrivals_;          // of vertices; empty without a trace
   std::vector<uint8_t> states_;
   // Of pseudo-sources: whence their shortest path comes. Empty where the mesh

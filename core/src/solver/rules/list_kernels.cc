@@ -76,6 +76,18 @@ GEODESIC_INLINE void ChildrenOf(const FaceSide<kSide> side, const ExitEdge exit,
   }
 }
 
+// The goal by value, too.
+template <typename Goal>
+GEODESIC_INLINE void KeysToward(const Goal goal, double length,
+                                const WindowColumns& windows,
+                                double* const label) {
+  const size_t n = Padded(windows.size);
+  GEODESIC_INDEPENDENT
+  for (size_t i = 0; i < n; ++i) {
+    label[i] = KeyOf(windows.At(i), label[i], length, goal);
+  }
+}
+
 }  // namespace
 
 GEODESIC_FOR_EVERY_WIDTH
@@ -108,6 +120,18 @@ void ChildrenAcross(const FaceSide<kRight>& side, const ExitEdge& exit,
                     size_t first, size_t last, WindowColumns& children,
                     double* label) {
   ChildrenOf(side, exit, windows, crossing, first, last, children, label);
+}
+
+GEODESIC_FOR_EVERY_WIDTH
+void KeysOf(const WindowColumns& windows, double length, const EdgeGoal& goal,
+            double* const label) {
+  KeysToward(goal, length, windows, label);
+}
+
+GEODESIC_FOR_EVERY_WIDTH
+void KeysOf(const WindowColumns& windows, double length, const NearEdge& goal,
+            double* const label) {
+  KeysToward(goal, length, windows, label);
 }
 
 GEODESIC_FOR_EVERY_WIDTH

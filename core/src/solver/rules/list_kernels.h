@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include "geodesic/mesh.h"
+#include "solver/goal.h"
 #include "solver/windows/window.h"
 #include "solver/windows/window_columns.h"
 
@@ -38,6 +39,12 @@ void ChildrenAcross(const FaceSide<kRight>& side, const ExitEdge& exit,
                     const WindowColumns& windows, const double* crossing,
                     size_t first, size_t last, WindowColumns& children,
                     double* label);
+
+// Makes keys of the labels of windows on an edge of this length (goal.h).
+void KeysOf(const WindowColumns& windows, double length, const EdgeGoal& goal,
+            double* label);
+void KeysOf(const WindowColumns& windows, double length, const NearEdge& goal,
+            double* label);
 
 // Of a list: where its windows begin, if they give up what they share with the
 // one before by rounding alone: that is no wider than a window may be lost with

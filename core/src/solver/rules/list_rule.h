@@ -103,10 +103,14 @@ class ListRule {
     const uint64_t propagated = FindRuns();
     for (const Run& run : runs_) Relax(run);
     for (const Run& run : runs_) Enqueue(run);
+    // Together: they decide in the same round for any number of threads.
+    uint64_t late = 0, lost = 0;
     for (Worker& worker : workers_) {
-      passed_.Count(worker.late(), worker.lost());
+      late += worker.late();
+      lost += worker.lost();
       worker.Clear();
     }
+    passed_.Count(late, lost);
     return propagated;
   }
 
@@ -125,7 +129,9 @@ class ListRule {
 
   static constexpr uint32_t kNone = 0xffffffffu;
   // Searches are short, and start again on the same arrays.
-  static constexpr bool kKeepsPassed = !Front::Goal::kDirects;
+  // Merged windows are few; what has passed would take more memory than they.
+  static constexpr bool kKeepsPassed =
+      !Front::Goal::kDirects && !Front::Accuracy::kMerges;
   // Rounds of fewer events are not worth a team's start.
   static constexpr size_t kLeastShared = 32;
   // How many events a thread takes at a time.

@@ -19,6 +19,7 @@
 #include "geodesic/mesh.h"
 #include "solver/rules/envelope.h"
 #include "solver/rules/face_crossing.h"
+#include "solver/rules/merging.h"
 #include "solver/rules/passed_windows.h"
 #include "solver/rules/shadow_fan.h"
 #include "solver/rules/trimming.h"
@@ -84,6 +85,9 @@ class alignas(kCacheLine) ListWorker {
   Outcome Cross(HalfEdge h, const WaitingLists& lists, WindowBlock** passed) {
     Outcome outcome{.begin = Here()};
     outcome.waited = Take(lists, mesh_.frame(h).length);
+    if constexpr (Front::Accuracy::kMerges) {
+      MergeNeighbours();
+    }
     if (passed != nullptr) MeetPassed(mesh_.frame(h).length, *passed);
     outcome.propagated = static_cast<uint32_t>(list_.size);
     if (list_.size > 0) CrossFace(h);
@@ -120,7 +124,7 @@ class alignas(kCacheLine) ListWorker {
   // As Front::Expand calls them.
   void Relax(uint32_t vertex, double distance, const Arrival& arrival,
              const IncomingRay& ray = {}) {
-    if (!Front::Improves(distance, front_.distance(vertex))) return;
+    if (!front_.Takes(vertex, distance, arrival)) return;
     relaxations_.push_back({vertex, distance, arrival, ray});
   }
   void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
@@ -174,19 +178,54 @@ class alignas(kCacheLine) ListWorker {
         waited += list->count;
         const size_t middle = list_.size;
         list = blocks_.Take(list, list_);
-        DropStale(middle);
+        DropStale(middle, list_);
         envelope_.Merge(length, middle, list_);
       }
     }
     return waited;
   }
 
+  // Merges neighbours in list_ while their accounts allow it.
+  void MergeNeighbours() {
+    if (list_.size < 2) return;
+    const double share = front_.accuracy().share();
+    const auto window = [this](size_t i) {
+      return Window::Over(list_.IntervalAt(i), list_.OriginAt(i));
+    };
+    size_t kept = 0;
+    Window last = window(0);
+    uint32_t last_source = list_.pseudo_source[0];
+    MergedWindow merged;
+    for (size_t i = 1; i < list_.size; ++i) {
+      const Window next = window(i);
+      const uint32_t source = list_.pseudo_source[i];
+      const double most = share * std::min(last.Label(), next.Label());
+      if (FindMerged(last, next, kPartOfAccount * most, merged)) {
+        const double account =
+            std::max(front_.AccountOf(last_source) + merged.below_first,
+                     front_.AccountOf(source) + merged.below_second);
+        if (account <= most) {
+          last = merged.window;
+          last_source = MergedWithAccount(account);
+          continue;
+        }
+      }
+      list_.Set(kept++, last, last_source);
+      last = next;
+      last_source = source;
+    }
+    list_.Set(kept++, last, last_source);
+    list_.size = kept;
+  }
+
   // Drops windows of list_ that lose all they hold to those in `passed`, and
-  // keeps what is left there, too.
+  // keeps what is left there, too. What came of useless ones is dropped
+  // wherever it has got to, so nothing may lose to these.
   void MeetPassed(double length, WindowBlock*& passed) {
     passed_.size = 0;
     if (passed != nullptr) {
       WindowBlocks::Copy(passed, passed_);
+      DropStale(0, passed_);
       late_ += list_.size;
       const size_t before = list_.size;
       list_.KeepIf(0, [&](size_t i) { return !LosesAll(i, length); });
@@ -210,24 +249,29 @@ class alignas(kCacheLine) ListWorker {
       const Interval overlap{std::max(passed_.begin[k], window.interval.begin),
                              std::min(passed_.end[k], window.interval.end)};
       if (overlap.width() <= 0) continue;
-      if (overlap.begin - reached > kLeastWidth * length) return false;
+      if (!IsLost({reached, overlap.begin}, window.origin, length)) {
+        return false;
+      }
       const Window older =
           Window::Over(passed_.IntervalAt(k), passed_.OriginAt(k));
       if (WonByNewer(older, window).width() > 0) return false;
+      if constexpr (Front::Accuracy::kMerges) {
+        if (SplitBeforeContest(older, window).has_value()) return false;
+      }
       reached = overlap.end;
     }
-    return window.interval.end - reached <= kLeastWidth * length;
+    return IsLost({reached, window.interval.end}, window.origin, length);
   }
 
-  // Drops useless windows of list_ from `first` on.
-  void DropStale(size_t first) {
-    list_.KeepIf(first, [this](size_t i) {
+  // Drops useless windows from `first` on.
+  void DropStale(size_t first, WindowColumns& windows) const {
+    windows.KeepIf(first, [&](size_t i) {
       // If the pseudo-source has improved, a newer window is on its way, or
       // those of a straight path to it are. Any improvement will do: here the
       // older window is dropped before the newer one meets it, so the newer one
       // cannot have given way to it as in MmpRule::IsStale.
-      return list_.sigma[i] <=
-             front_.PseudoSourceDistance(list_.pseudo_source[i]);
+      return windows.sigma[i] <=
+             front_.PseudoSourceDistance(windows.pseudo_source[i]);
     });
   }
 
@@ -263,7 +307,7 @@ class alignas(kCacheLine) ListWorker {
   FaceCrossing<Front> crossing_;
   WindowColumns& list_;  // of crossing_
   WindowColumns opened_, passed_;
-  Envelope envelope_;
+  BasicEnvelope<typename Front::Accuracy> envelope_;
 };
 
 }  // namespace geodesic

@@ -1,0 +1,290 @@
+// glTF 2.0 (".glb", ".gltf"): the triangles of a scene, in its coordinates.
+//
+// glTF repeats vertices where normals or colours jump, so vertices are welded
+// by exact coordinates, in order of first appearance. Skins and morphs are left
+// as they were modelled.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "absl/strings/str_cat.h"
+#include "readers/gltf_file.h"
+#include "readers/messages.h"
+#include "readers/readers.h"
+#include "readers/soup_builder.h"
+#include "readers/vertex_welder.h"
+
+namespace geodesic {
+namespace {
+
+using Json = nlohmann::json;
+
+// Of each vertex, on average, where there are more than a few. Flat shading
+// repeats them six times.
+constexpr uint64_t kMostRepeats = 64;
+constexpr uint64_t kFewVertices = uint64_t{1} << 16;
+
+enum Mode : uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
+
+// x -> columns[0] x[0] + columns[1] x[1] + columns[2] x[2] + columns[3].
+struct Placement {
+  std::array<std::array<double, 3>, 4> columns = {
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
+
+  Point Turn(const Point& x) const {
+    Point y;
+    for (int row = 0; row < 3; ++row) {
+      y[row] = columns[0][row] * x[0] + columns[1][row] * x[1] +
+               columns[2][row] * x[2];
+    }
+    return y;
+  }
+  Point Move(const Point& x) const {
+    Point y = Turn(x);
+    for (int row = 0; row < 3; ++row) y[row] += columns[3][row];
+    return y;
+  }
+  // First `inner`, then this.
+  Placement After(const Placement& inner) const {
+    Placement both;
+    for (int column = 0; column < 3; ++column) {
+      both.columns[column] = Turn(inner.columns[column]);
+    }
+    both.columns[3] = Move(inner.columns[3]);
+    return both;
+  }
+};
+
+// An array of `kCount` numbers; `missing` if it is absent, empty if malformed.
+template <size_t kCount>
+std::optional<std::array<double, kCount>> Numbers(
+    const Json& node, const char* name, std::array<double, kCount> missing) {
+  const Json* const list = GltfMember(node, name);
+  if (list == nullptr) return missing;
+  if (!list->is_array() || list->size() != kCount) return std::nullopt;
+  for (size_t i = 0; i < kCount; ++i) {
+    if (!(*list)[i].is_number()) return std::nullopt;
+    missing[i] = (*list)[i].get<double>();
+  }
+  return missing;
+}
+
+// Where a node puts what is in it; empty if it is malformed.
+std::optional<Placement> PlacementOf(const Json& node) {
+  Placement placement;
+  if (GltfMember(node, "matrix") != nullptr) {
+    const auto matrix = Numbers<16>(node, "matrix", {});
+    if (!matrix.has_value()) return std::nullopt;
+    for (int column = 0; column < 4; ++column) {
+      for (int row = 0; row < 3; ++row) {
+        placement.columns[column][row] = (*matrix)[4 * column + row];
+      }
+    }
+    return placement;
+  }
+  const auto shift = Numbers<3>(node, "translation", {0, 0, 0});
+  const auto turn = Numbers<4>(node, "rotation", {0, 0, 0, 1});
+  const auto scale = Numbers<3>(node, "scale", {1, 1, 1});
+  if (!shift.has_value() || !turn.has_value() || !scale.has_value()) {
+    return std::nullopt;
+  }
+  const auto [x, y, z, w] = *turn;
+  placement.columns = {
+      {{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
+       {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
+       {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)},
+       *shift}};
+  for (int column = 0; column < 3; ++column) {
+    for (double& entry : placement.columns[column]) entry *= (*scale)[column];
+  }
+  return placement;
+}
+
+// Its methods return whether to go on, as SoupBuilder's do.
+class GltfReader {
+ public:
+  GltfReader(const GltfFile& file, const ReadLimits& limits)
+      : file_(file), builder_(limits), welder_(builder_) {}
+
+  absl::StatusOr<TriangleSoup> Read() {
+    const Json* const nodes = GltfMember(file_.scene(), "nodes");
+    is_placed_.resize(nodes == nullptr ? 0 : nodes->size());
+    const uint64_t shown = GltfNumber(file_.scene(), "scene", 0);
+    const Json* const scene = file_.Item("scenes", shown);
+    if (scene == nullptr) {
+      Refuse("there is no scene ", shown);
+    } else if (Push(*scene, "nodes", {})) {
+      while (!to_visit_.empty()) {
+        const auto [node, placement] = to_visit_.back();
+        to_visit_.pop_back();
+        if (!ReadNode(node, placement)) break;
+      }
+    }
+    return std::move(builder_).Take();
+  }
+
+ private:
+  struct Visit {
+    uint64_t node;
+    Placement parent;
+  };
+
+  template <typename... Parts>
+  bool Refuse(const Parts&... parts) {
+    return builder_.Refuse(absl::InvalidArgumentError(absl::StrCat(parts...)));
+  }
+
+  // Puts the nodes that a member lists on the stack, the first on top.
+  bool Push(const Json& parent, const char* member, const Placement& at) {
+    const Json* const list = GltfMember(parent, member);
+    if (list == nullptr || !list->is_array()) return true;
+    for (size_t i = list->size(); i-- > 0;) {
+      const Json& node = (*list)[i];
+      const uint64_t index =
+          node.is_number_unsigned() ? node.get<uint64_t>() : kNoGltfNumber;
+      if (index >= is_placed_.size()) {
+        return Refuse("'", member, "' lists a node that is not there");
+      }
+      // The standard has trees only, which also keeps a scene from growing
+      // beyond its file.
+      if (is_placed_[index]) return Refuse("node ", index, " has two parents");
+      is_placed_[index] = true;
+      to_visit_.push_back({index, at});
+    }
+    return true;
+  }
+
+  bool ReadNode(uint64_t index, const Placement& parent) {
+    const Json& node = *file_.Item("nodes", index);
+    const std::optional<Placement> own = PlacementOf(node);
+    if (!own.has_value()) {
+      return Refuse("node ", index,
+                    " is placed by something else than numbers");
+    }
+    const Placement placement = parent.After(*own);
+    if (GltfMember(node, "mesh") != nullptr) {
+      const uint64_t mesh = GltfNumber(node, "mesh", kNoGltfNumber);
+      const Json* const found = file_.Item("meshes", mesh);
+      if (found == nullptr) {
+        return Refuse("node ", index, " has a mesh that is not there");
+      }
+      if (!ReadMesh(mesh, *found, placement)) return false;
+    }
+    return Push(node, "children", placement);
+  }
+
+  bool ReadMesh(uint64_t index, const Json& mesh, const Placement& placement) {
+    const Json* const primitives = GltfMember(mesh, "primitives");
+    if (primitives == nullptr || !primitives->is_array()) return true;
+    // Parts of a mesh often share their vertices.
+    std::map<uint64_t, std::vector<uint32_t>> vertices;
+    for (const Json& primitive : *primitives) {
+      const uint64_t mode = GltfNumber(primitive, "mode", kTriangles);
+      if (mode < kTriangles) continue;  // points and lines
+      if (mode > kFan) return Refuse("mesh ", index, " has mode ", mode);
+      const Json* const attributes = GltfMember(primitive, "attributes");
+      const uint64_t positions =
+          attributes == nullptr
+              ? kNoGltfNumber
+              : GltfNumber(*attributes, "POSITION", kNoGltfNumber);
+      const auto [entry, is_new] = vertices.try_emplace(positions);
+      if (is_new && !AddVertices(index, positions, placement, entry->second)) {
+        return false;
+      }
+      if (!AddFaces(index, primitive, mode, entry->second)) return false;
+    }
+    return true;
+  }
+
+  bool AddVertices(uint64_t mesh, uint64_t accessor, const Placement& placement,
+                   std::vector<uint32_t>& vertices) {
+    const absl::StatusOr<GltfNumbers> points = file_.Accessor(accessor, "VEC3");
+    if (!points.ok()) return RefuseMesh(mesh, points.status());
+    vertices.reserve(points->count());
+    for (uint64_t i = 0; i < points->count(); ++i) {
+      const Point point = placement.Move(
+          {points->Real(i, 0), points->Real(i, 1), points->Real(i, 2)});
+      if (!std::isfinite(point[0]) || !std::isfinite(point[1]) ||
+          !std::isfinite(point[2])) {
+        return Refuse("mesh ", mesh, ": vertex ", i, " of accessor ", accessor,
+                      " is not finite where its node puts it");
+      }
+      const std::optional<uint32_t> vertex = welder_.Vertex(point);
+      if (!vertex.has_value()) return false;
+      vertices.push_back(*vertex);
+    }
+    // Welded vertices take no memory, but time.
+    vertices_read_ += points->count();
+    return vertices_read_ <=
+               kMostRepeats * builder_.vertices() + kFewVertices ||
+           Refuse("the scene repeats its vertices more than ", kMostRepeats,
+                  " times");
+  }
+
+  bool AddFaces(uint64_t mesh, const Json& primitive, uint64_t mode,
+                const std::vector<uint32_t>& vertices) {
+    std::optional<GltfNumbers> indices;
+    if (GltfMember(primitive, "indices") != nullptr) {
+      absl::StatusOr<GltfNumbers> found = file_.Accessor(
+          GltfNumber(primitive, "indices", kNoGltfNumber), "SCALAR");
+      if (!found.ok()) return RefuseMesh(mesh, found.status());
+      indices = *found;
+    }
+    const uint64_t corners =
+        indices.has_value() ? indices->count() : vertices.size();
+    if (mode == kTriangles && corners % 3 != 0) {
+      return Refuse("mesh ", mesh, ": ", corners,
+                    " corners are no whole number of triangles");
+    }
+    const uint64_t step = mode == kTriangles ? 3 : 1;
+    for (uint64_t first = 0; first + 2 < corners; first += step) {
+      std::array<uint64_t, 3> face = {first, first + 1, first + 2};
+      if (mode == kFan) face[0] = 0;
+      // Every other one of a strip turns the other way.
+      if (mode == kStrip && first % 2 == 1) std::swap(face[1], face[2]);
+      builder_.BeginFace();
+      for (const uint64_t corner : face) {
+        const uint64_t vertex =
+            indices.has_value() ? indices->Index(corner) : corner;
+        if (vertex >= vertices.size()) {
+          return Refuse(
+              "mesh ", mesh, ": corner ", corner,
+              NamesNoVertex(static_cast<int64_t>(vertex), vertices.size()));
+        }
+        if (!builder_.AddCorner(vertices[vertex])) return false;
+      }
+    }
+    return true;
+  }
+
+  bool RefuseMesh(uint64_t mesh, const absl::Status& why) {
+    return Refuse("mesh ", mesh, ": ", why.message());
+  }
+
+  const GltfFile& file_;
+  SoupBuilder builder_;
+  VertexWelder welder_;
+  std::vector<bool> is_placed_;  // by node
+  std::vector<Visit> to_visit_;
+  uint64_t vertices_read_ = 0;
+};
+
+}  // namespace
+
+absl::StatusOr<TriangleSoup> ReadGltf(std::string_view bytes,
+                                      const ReadLimits& limits) {
+  const absl::StatusOr<GltfFile> file = GltfFile::Open(bytes);
+  if (!file.ok()) return file.status();
+  return GltfReader(*file, limits).Read();
+}
+
+}  // namespace geodesic

@@ -1,0 +1,292 @@
+// Fields with a tolerance: the truth, which the exact solver knows, lies within
+// what is certified at every vertex and target.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geodesic/computation.h"
+#include "geodesic/solve.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/field_check.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/surface_points.h"
+#include "tests/support/test_meshes.h"
+
+namespace geodesic::test {
+namespace {
+
+constexpr double kTolerances[] = {1e-9, 1e-7, 1e-5, 1e-3, 1e-2, 0.1};
+
+// A few thousand vertices each: smooth, rough, flat, closed and bounded,
+// needles.
+std::vector<NamedMesh> Scenes() {
+  return {
+      {"terrain", Terrain(50, 50, 0.6, 3)},
+      {"rough terrain", Terrain(40, 40, 3, 4)},
+      {"icosphere", Icosphere(4)},
+      {"sphere", UvSphere(60, 40)},
+      {"torus", Torus({.around = 80, .across = 40})},
+      {"noisy torus", Torus({.around = 60, .across = 40, .noise = 0.05})},
+      {"long faces", Torus({.around = 200, .across = 12})},
+      {"grid", MakeGrid({.columns = 50, .rows = 50})},
+      {"jittered bay",
+       MakeGrid(UShape({.columns = 40, .rows = 40, .jitter = 0.2}))},
+      {"plate", MakePlate(WithHole({.columns = 30, .rows = 30}), 0.3)},
+      {"saddle", HyperbolicGrid(40, 40, 0.01)},
+      {"needles", InsertNeedles(Terrain(40, 40, 1, 5), 300, 5)},
+      {"turned edges", FlipEdges(Torus({.around = 50, .across = 30}), 500, 2)}};
+}
+
+Query Question(const TriangleSoup& soup, Random& random) {
+  Query query;
+  switch (random.Below(3)) {
+    case 0:
+      query.sources = {{RandomVertexPoint(soup, random)}};
+      break;
+    case 1:
+      query.sources = {{RandomFacePoint(soup, random), 0.5}};
+      break;
+    default:
+      query.sources = {{RandomVertexPoint(soup, random)},
+                       {RandomVertexPoint(soup, random), 0.3}};
+  }
+  query.targets = {RandomVertexPoint(soup, random)};
+  for (int i = 0; i < 20; ++i) {
+    query.targets.push_back(RandomFacePoint(soup, random));
+    query.targets.push_back(RandomEdgePoint(soup, random));
+  }
+  return query;
+}
+
+// Up to the settled radius; beyond it nothing may be there.
+void ExpectCertified(const DistanceField& field, double tolerance,
+                     const DistanceField& exact) {
+  EXPECT_LE(field.certified_error, tolerance);
+  std::vector<float> errors = field.certified_errors;
+  errors.insert(errors.end(), field.target_certified_errors.begin(),
+                field.target_certified_errors.end());
+  const std::vector<double> got = AllDistances(field);
+  const std::vector<double> truth = AllDistances(exact);
+  ASSERT_EQ(got.size(), truth.size());
+  // An exact rule runs where faces have no area.
+  if (field.algorithm != Algorithm::kFwpList) errors.resize(got.size(), 0);
+  ASSERT_EQ(got.size(), errors.size());
+  double largest = 0;
+  for (size_t i = 0; i < got.size(); ++i) {
+    if (std::isinf(got[i])) {
+      ASSERT_GE(truth[i], field.settled_radius * (1 - kRelativeTolerance)) << i;
+      continue;
+    }
+    const double error = errors[i];
+    ASSERT_LE(std::abs(got[i] - truth[i]),
+              std::max(error, kRelativeTolerance) * truth[i])
+        << i;
+    largest = std::max(largest, error);
+  }
+  EXPECT_EQ(field.certified_error, largest);
+}
+
+TEST(ToleranceTest, TheTruthIsWithinTheBound) {
+  Random random(11);
+  for (const NamedMesh& scene : Scenes()) {
+    SCOPED_TRACE(scene.name);
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(scene);
+    Query query = Question(scene.soup, random);
+    const DistanceField exact = SolveOrFail(*mesh, query);
+    EXPECT_EQ(exact.certified_error, 0);
+    EXPECT_TRUE(exact.certified_errors.empty());
+    NoCheckpoint checkpoint;
+    for (const double tolerance : kTolerances) {
+      SCOPED_TRACE(tolerance);
+      query.tolerance = tolerance;
+      const auto field = Solve(*mesh, query, {}, checkpoint);
+      ASSERT_TRUE(field.ok()) << field.status();
+      ExpectCertified(*field, tolerance, exact);
+    }
+  }
+}
+
+TEST(ToleranceTest, TheTruthIsWithinTheBoundOnRealMeshes) {
+  int tried = 0;
+  for (const char* name :
+       {"real/cgal_elephant.off", "real/cgal_fandisk_large.off",
+        "real/cgal_turbine.off", "real/of_propellertip_33k.obj",
+        "real/fandisk.obj", "hostile/cgal_elephant-with-holes.off"}) {
+    SCOPED_TRACE(name);
+    const auto soup = LoadTestMesh(name);
+    if (!soup.ok()) continue;
+    ++tried;
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail({name, *soup});
+    Query query{.sources = {{VertexPoint{1}}}};
+    const DistanceField exact = SolveOrFail(*mesh, query);
+    NoCheckpoint checkpoint;
+    for (const double tolerance : kTolerances) {
+      SCOPED_TRACE(tolerance);
+      query.tolerance = tolerance;
+      const auto field = Solve(*mesh, query, {}, checkpoint);
+      ASSERT_TRUE(field.ok()) << field.status();
+      ExpectCertified(*field, tolerance, exact);
+    }
+  }
+  if (tried == 0) GTEST_SKIP() << "no test meshes";
+}
+
+TEST(ToleranceTest, WindowsBecomeFewer) {
+  const std::shared_ptr<const Mesh> mesh =
+      BuildOrFail({"torus", Torus({.around = 120, .across = 80})});
+  Query query{.sources = {{VertexPoint{0}}}};
+  NoCheckpoint checkpoint;
+  const uint64_t exact = SolveOrFail(*mesh, query).statistics.windows_created;
+  uint64_t last = exact;
+  for (const double tolerance : {1e-7, 1e-5, 1e-3}) {
+    query.tolerance = tolerance;
+    const auto field = Solve(*mesh, query, {}, checkpoint);
+    ASSERT_TRUE(field.ok());
+    EXPECT_LT(field->statistics.windows_created, last);
+    last = field->statistics.windows_created;
+  }
+  EXPECT_LT(last, exact / 3);
+}
+
+TEST(ToleranceTest, AnyNumberOfThreadsGivesTheSameBits) {
+  Random random(3);
+  const TriangleSoup soup = Terrain(70, 70, 0.5, 3);
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"terrain", soup});
+  Query query = Question(soup, random);
+  query.tolerance = 1e-4;
+  NoCheckpoint checkpoint;
+  const auto expected = Solve(*mesh, query, {}, checkpoint);
+  ASSERT_TRUE(expected.ok());
+  for (const uint32_t threads : {2u, 5u}) {
+    const auto field = Solve(*mesh, query, {.threads = threads}, checkpoint);
+    ASSERT_TRUE(field.ok());
+    EXPECT_EQ(AllDistances(*field), AllDistances(*expected));
+    EXPECT_EQ(field->certified_errors, expected->certified_errors);
+    EXPECT_EQ(field->target_certified_errors,
+              expected->target_certified_errors);
+  }
+}
+
+// Stops every third poll.
+class Impatient final : public Checkpoint {
+ public:
+  absl::Status Poll(const Progress& progress) override {
+    EXPECT_GE(progress.settled_radius, radius_);
+    radius_ = progress.settled_radius;
+    return ++polls_ % 3 == 0 ? absl::CancelledError("stop") : absl::OkStatus();
+  }
+  double radius() const { return radius_; }
+
+ private:
+  double radius_ = 0;
+  uint64_t polls_ = 0;
+};
+
+TEST(ToleranceTest, WhatStopsEarlyIsCertifiedUpToWhereItStopped) {
+  Random random(13);
+  for (const NamedMesh& scene : Scenes()) {
+    SCOPED_TRACE(scene.name);
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(scene);
+    Query query = Question(scene.soup, random);
+    const DistanceField exact = SolveOrFail(*mesh, query);
+    query.tolerance = std::pow(10, random.Uniform(-8, -1));
+    const auto computation = StartComputation(*mesh, Valid(*mesh, query), {});
+    ASSERT_TRUE(computation.ok());
+    NoCheckpoint patient;
+    const double radius = FarthestOf(exact.distances) * random.Uniform(0.1, 1);
+    ASSERT_TRUE((*computation)->Advance({.radius = radius}, patient).ok());
+    EXPECT_GE((*computation)->Field().settled_radius, radius);
+    ExpectCertified((*computation)->Field(), query.tolerance, exact);
+    Impatient checkpoint;
+    while (!(*computation)->Advance({}, checkpoint).ok()) {
+      const DistanceField field = (*computation)->Field();
+      EXPECT_GE(field.settled_radius, checkpoint.radius());
+      ExpectCertified(field, query.tolerance, exact);
+    }
+    EXPECT_TRUE(std::isinf((*computation)->Field().settled_radius));
+    ExpectCertified((*computation)->Field(), query.tolerance, exact);
+  }
+}
+
+TEST(ToleranceTest, TargetsAreCertifiedWhenASearchStopsAtThem) {
+  Random random(17);
+  const TriangleSoup soup = Torus({.around = 80, .across = 50});
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"torus", soup});
+  for (int i = 0; i < 10; ++i) {
+    Query query{.sources = {{RandomVertexPoint(soup, random)}},
+                .targets = {RandomFacePoint(soup, random),
+                            RandomFacePoint(soup, random)}};
+    const DistanceField exact = SolveOrFail(*mesh, query);
+    query.tolerance = 1e-3;
+    const auto computation = StartComputation(*mesh, Valid(*mesh, query), {});
+    ASSERT_TRUE(computation.ok());
+    NoCheckpoint checkpoint;
+    ASSERT_TRUE((*computation)->Advance({.targets = 1}, checkpoint).ok());
+    const DistanceField field = (*computation)->Field();
+    EXPECT_TRUE(std::isfinite(
+        std::min(field.target_distances[0], field.target_distances[1])));
+    ExpectCertified(field, query.tolerance, exact);
+  }
+}
+
+TEST(ToleranceTest, SourcesCanBeAdded) {
+  Random random(19);
+  const TriangleSoup soup = Terrain(40, 40, 1, 8);
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"terrain", soup});
+  Query query{.sources = {{VertexPoint{7}}}, .tolerance = 1e-3};
+  const auto computation = StartComputation(*mesh, Valid(*mesh, query), {});
+  ASSERT_TRUE(computation.ok());
+  NoCheckpoint checkpoint;
+  for (const uint32_t v : {1200u, 40u, 800u}) {
+    ASSERT_TRUE((*computation)->Advance({}, checkpoint).ok());
+    query.sources.push_back({VertexPoint{v}});
+    ASSERT_TRUE((*computation)->AddSource(query.sources.back()).ok());
+  }
+  ASSERT_TRUE((*computation)->Advance({}, checkpoint).ok());
+  query.tolerance = 0;
+  ExpectCertified((*computation)->Field(), 1e-3, SolveOrFail(*mesh, query));
+}
+
+TEST(ToleranceTest, WhatCannotMergeIsExact) {
+  const TriangleSoup soup = Terrain(12, 12, 1, 8);
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"terrain", soup});
+  const Query plain{.sources = {{VertexPoint{7}}}};
+  Query traced = plain;
+  traced.trace = true;
+  Query by_mmp = plain;
+  by_mmp.algorithm = Algorithm::kMmp;
+  Query from_curve = plain;
+  from_curve.sources = {{Curve{{VertexPoint{7}, VertexPoint{8}}}}};
+  for (Query query : {traced, by_mmp, from_curve}) {
+    const DistanceField exact = SolveOrFail(*mesh, query);
+    query.tolerance = 0.1;
+    EXPECT_EQ(Valid(*mesh, query)->tolerance, 0);
+    NoCheckpoint checkpoint;
+    const auto field = Solve(*mesh, query, {}, checkpoint);
+    ASSERT_TRUE(field.ok());
+    EXPECT_EQ(field->distances, exact.distances);
+    EXPECT_EQ(field->certified_error, 0);
+  }
+}
+
+TEST(ToleranceTest, TolerancesOutOfRangeAreRefused) {
+  const std::shared_ptr<const Mesh> mesh =
+      BuildOrFail({"icosphere", Icosphere(0)});
+  for (const double tolerance : {-1e-3, 1e-10, 0.2, std::nan("")}) {
+    const auto query = ValidQuery::Make(
+        {.sources = {{VertexPoint{0}}}, .tolerance = tolerance}, *mesh);
+    EXPECT_EQ(query.status().code(), absl::StatusCode::kInvalidArgument);
+    EXPECT_NE(query.status().message().find("tolerance"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace geodesic::test
