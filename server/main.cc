@@ -66,6 +66,13 @@ class ProcessSignals {
   std::jthread thread_;
 };
 
+// Writes the file, if one is named.
+bool WriteLine(const std::string& path, const std::string& line) {
+  if (path.empty()) return true;
+  std::ofstream file(path);
+  return static_cast<bool>(file << line << '\n' << std::flush);
+}
+
 int Run(const ServerOptions& options) {
   // Blocked before any thread starts, so every thread inherits it.
   const sigset_t watched = WatchedSignals();
@@ -82,13 +89,16 @@ int Run(const ServerOptions& options) {
     return kCannotStart;
   }
   const std::optional<std::string> socket = SocketPath(options.listen);
-  if (!options.port_file.empty()) {
-    std::ofstream file(options.port_file);
-    const std::string port = socket ? *socket : std::to_string(server.port());
-    if (!(file << port << '\n' << std::flush)) {
-      logger->critical("cannot write --port-file {}", options.port_file);
-      return kCannotStart;
-    }
+  // The other file says that the server serves, so it comes last.
+  if (!options.web_listen.empty() &&
+      !WriteLine(options.web_port_file, std::to_string(server.web_port()))) {
+    logger->critical("cannot write --web-port-file {}", options.web_port_file);
+    return kCannotStart;
+  }
+  const std::string port = socket ? *socket : std::to_string(server.port());
+  if (!WriteLine(options.port_file, port)) {
+    logger->critical("cannot write --port-file {}", options.port_file);
+    return kCannotStart;
   }
   const std::string address =
       socket ? options.listen

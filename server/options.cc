@@ -14,6 +14,7 @@
 #include "geodesic/solve_options.h"
 #include "server/security/tls_files.h"
 #include "server/unix_socket.h"
+#include "server/web/origin_policy.h"
 
 namespace geodesic::server {
 namespace {
@@ -50,21 +51,22 @@ void AddBytes(CLI::App& app, const std::string& flag, uint64_t& value,
       ->type_name("BYTES");
 }
 
-void AddCount(CLI::App& app, const std::string& flag, uint64_t& value,
-              uint64_t most, const std::string& help, uint64_t least = 1) {
-  app.add_option(flag, value, help)
-      ->check(CLI::Range(least, most).description(""))
-      ->capture_default_str()
-      ->type_name("N");
+CLI::Option& AddCount(CLI::App& app, const std::string& flag, uint64_t& value,
+                      uint64_t most, const std::string& help,
+                      uint64_t least = 1) {
+  return *app.add_option(flag, value, help)
+              ->check(CLI::Range(least, most).description(""))
+              ->capture_default_str()
+              ->type_name("N");
 }
 
 void AddSeconds(CLI::App& app, const std::string& flag,
                 std::chrono::seconds& value, int64_t least,
-                const std::string& help) {
+                const std::string& help, int64_t most = 86400) {
   app.add_option_function<int64_t>(
          flag, [&value](int64_t count) { value = std::chrono::seconds(count); },
          help)
-      ->check(CLI::Range(least, int64_t{86400}).description(""))
+      ->check(CLI::Range(least, most).description(""))
       ->default_str(std::to_string(value.count()))
       ->type_name("SECONDS");
 }
@@ -88,6 +90,18 @@ std::string CheckListen(const std::string& address) {
   if (!path) return CheckAddress(address);
   const absl::Status status = CheckSocketPath(*path);
   return absl::IsInvalidArgument(status) ? std::string(status.message()) : "";
+}
+
+// The same for the address of another program.
+std::string CheckShared(const std::string& address) {
+  return SocketPath(address) ? "" : CheckAddress(address);
+}
+
+std::string CheckOrigin(const std::string& origin) {
+  return IsOrigin(origin) ? ""
+                          : absl::StrCat("\"", origin,
+                                         "\" is not https://HOST or "
+                                         "https://HOST:PORT");
 }
 
 CLI::Option& AddText(CLI::App& app, const std::string& flag, std::string& value,
@@ -124,6 +138,20 @@ void AddOptions(CLI::App& app, ServerOptions& options) {
   AddBytes(app, "--max-message-bytes", options.max_message_bytes,
            "Largest gRPC message taken from a client", kMaxMessageBytes);
 
+  app.option_defaults()->group("Browsers");
+  AddText(app, "--web", options.web_listen, "HOST:PORT",
+          "Serve a page for browsers here, and the RPCs over gRPC-Web")
+      .check(&CheckAddress);
+  app.add_option("--web-allow-origin", options.web_origins,
+                 "Pages of this origin may call, too, e.g. "
+                 "https://geo.example.org; name it for a proxy before --web")
+      ->check(&CheckOrigin)
+      ->type_name("ORIGIN");
+  AddText(app, "--web-token-file", options.web_token_file, "FILE",
+          "As --token-file, for those who come to --web, in place of that");
+  AddText(app, "--web-port-file", options.web_port_file, "PATH",
+          "Write the port of --web to this file, for scripts");
+
   app.option_defaults()->group("Security");
   AddText(app, "--tls-cert", options.tls.certificate, "FILE",
           "Serve over TLS with this certificate and its chain, in PEM; "
@@ -139,9 +167,47 @@ void AddOptions(CLI::App& app, ServerOptions& options) {
                "Listen to other machines though there is no TLS: whoever "
                "reaches the port reads and forges everything");
 
+  app.option_defaults()->group("Replicas");
+  app.add_option("--sibling", options.siblings,
+                 "Ask the server there for meshes that this one lacks; may be "
+                 "given several times, also with this server's own address")
+      ->check(&CheckAddress)
+      ->type_name("HOST:PORT");
+  AddText(app, "--sibling-token-file", options.sibling_token_file, "FILE",
+          "Ask siblings with the token in this file; a changed file is taken "
+          "up");
+  AddText(app, "--sibling-ca", options.sibling_authorities, "FILE",
+          "Ask siblings over TLS; their certificates are signed by these "
+          "authorities, in PEM");
+
+  AddText(app, "--shared-tier", options.shared_tier, "HOST:PORT",
+          "Share fields, what is prepared of meshes, and meshes with other "
+          "servers in the Redis there, or at unix:PATH; servers of one version "
+          "alone share fields")
+      .check(&CheckShared);
+  AddText(app, "--shared-tier-password-file", options.shared_tier_password_file,
+          "FILE",
+          "The password of --shared-tier; a changed file is taken up with the "
+          "next connection");
+  AddSeconds(app, "--shared-tier-seconds", options.shared_tier_expiry, 1,
+             "When --shared-tier forgets a value, unless it has to before",
+             /*most=*/2'592'000);
+  AddBytes(app, "--shared-tier-max-value-bytes",
+           options.shared_tier_max_value_bytes,
+           "Largest value put into --shared-tier; as much may wait to be "
+           "written",
+           kMaxMessageBytes / 2);
+  AddCount(app, "--shared-tier-timeout-ms", options.shared_tier_timeout_ms,
+           1000,
+           "Milliseconds a question waits for each 256 KiB of --shared-tier: a "
+           "network of 1 Gbit/s takes 2, computing them a hundred; then it "
+           "computes them");
+
   app.option_defaults()->group("Work");
   AddCount(app, "--threads", limits.max_concurrent_jobs, 4096,
-           "Jobs (solves and mesh builds) that run at once, one thread each");
+           "Jobs (solves and mesh builds) that run at once, one thread each; "
+           "default: as many as there are processors")
+      .default_str("");
   AddCount(app, "--max-threads-per-solve", limits.max_threads_per_solve,
            kMostSolveThreads,
            "Threads that share one solve while they have no job of their own");
@@ -189,6 +255,10 @@ void AddOptions(CLI::App& app, ServerOptions& options) {
            "between points are asked for; the least recently used are evicted; "
            "0 makes none",
            kMaxBytes, /*least=*/0);
+  AddBytes(
+      app, "--prepared-memory", limits.prepared_memory_bytes,
+      "Memory for what approximate algorithms prepare of meshes; the least "
+      "recently used is evicted");
 
   app.option_defaults()->group("Disk");
   AddText(app, "--data-dir", options.data_dir, "DIR",
@@ -277,6 +347,28 @@ std::string CheckTogether(const ServerOptions& options) {
                         " would serve other machines in clear: give --tls-cert "
                         "and --tls-key, or --insecure-listen if that is meant");
   }
+  if (options.shared_tier.empty() &&
+      !options.shared_tier_password_file.empty()) {
+    return "--shared-tier-password-file needs --shared-tier";
+  }
+  if (options.web_listen.empty()) {
+    for (const auto& [flag, is_given] :
+         {std::pair{"--web-allow-origin", !options.web_origins.empty()},
+          {"--web-token-file", !options.web_token_file.empty()},
+          {"--web-port-file", !options.web_port_file.empty()}}) {
+      if (is_given) return absl::StrCat(flag, " needs --web");
+    }
+  } else if (!tls.client_authorities.empty()) {
+    return "--web cannot ask browsers for certificates, so it does not go with "
+           "--tls-client-ca";
+  } else if (!tls.enabled() && !options.insecure_listen &&
+             !IsLoopback(options.web_listen)) {
+    return absl::StrCat("--web ", options.web_listen,
+                        " would serve other machines in clear: give --tls-cert "
+                        "and --tls-key, put a proxy with TLS in front of a "
+                        "loopback address, or give --insecure-listen if that "
+                        "is meant");
+  }
   const Limits& limits = options.limits;
   struct Pair {
     const char* part;
@@ -298,15 +390,11 @@ std::string CheckTogether(const ServerOptions& options) {
   return "";
 }
 
-}  // namespace
-
-CommandLine ParseCommandLine(int argc, const char* const* argv,
-                             const std::string& version) {
-  CommandLine result;
-  ServerOptions& options = result.options;
-
-  CLI::App app("Serves exact geodesic distances on triangle meshes over gRPC.",
-               "geodesicd");
+// Gives `app` all settings, which write into `options`.
+void AddAll(const std::string& version, CLI::App& app, ServerOptions& options) {
+  app.name("geodesicd");
+  app.description(
+      "Serves exact geodesic distances on triangle meshes over gRPC.");
   app.set_version_flag("--version", "geodesicd " + version);
   app.set_config("--config", "", "Read settings from this TOML or INI file")
       ->type_name("FILE");
@@ -323,9 +411,20 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
       "from its flag, else from its environment variable, else from the file,\n"
       "where it has the flag's name without dashes in front:\n"
       "  listen = \"0.0.0.0:50051\"\n"
-      "  field-cache = \"2GiB\"\n"
+      "  field-cache = \"2GiB\"\n\n"
       "Exit codes: 0 stopped in order; 1 could not start; 2 wrong usage;\n"
       "3 stopped, but requests had to be cancelled.");
+}
+
+}  // namespace
+
+CommandLine ParseCommandLine(int argc, const char* const* argv,
+                             const std::string& version) {
+  CommandLine result;
+  ServerOptions& options = result.options;
+
+  CLI::App app;
+  AddAll(version, app, options);
 
   try {
     app.parse(ArgumentsInReverse(argc, argv));
@@ -341,6 +440,13 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
     options.limits.field_disk_bytes = 0;
   }
   return result;
+}
+
+manual::Page ProgramPage() {
+  ServerOptions options;
+  CLI::App app;
+  AddAll("", app, options);
+  return manual::Describe(app);
 }
 
 }  // namespace geodesic::server

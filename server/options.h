@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "manual/pages.h"
 #include "server/engine/base/limits.h"
 #include "server/security/tls_files.h"
 
@@ -26,11 +28,35 @@ struct ServerOptions {
   std::string token_file;
   // HOST:PORT of /metrics, /livez and /readyz; empty: none.
   std::string metrics_listen;
+  // HOST:PORT of the page and of gRPC-Web; empty: none.
+  std::string web_listen;
+  // Other origins whose pages may call there.
+  std::vector<std::string> web_origins;
+  // As token_file, for those who come there; empty: token_file holds for them.
+  std::string web_token_file;
+  // Where to write the port of web_listen that was taken; empty: nowhere.
+  std::string web_port_file;
   // Whether gRPC's channelz service is served, to everybody.
   bool channelz = false;
   // Where to write the port that was taken, or the socket's path; empty:
   // nowhere.
   std::string port_file;
+  // HOST:PORT of servers that are asked for meshes which this one lacks.
+  std::vector<std::string> siblings;
+  // The token that they are asked with; empty: none.
+  std::string sibling_token_file;
+  // Who signs their certificates, in PEM; empty: they are asked in clear.
+  std::string sibling_authorities;
+  // HOST:PORT or unix:PATH of a Redis that several servers share; empty: none.
+  std::string shared_tier;
+  // Its password; empty: none.
+  std::string shared_tier_password_file;
+  // When it forgets a value.
+  std::chrono::seconds shared_tier_expiry{86400};
+  // Of one value, and of all that wait to be written.
+  uint64_t shared_tier_max_value_bytes = uint64_t{32} << 20;
+  // How long it may take over each 256 KiB.
+  uint64_t shared_tier_timeout_ms = 5;
   // The folder of meshes and fields; empty: nothing outlives the server.
   std::string data_dir;
   // Requests at once; further streams are refused.
@@ -64,6 +90,9 @@ struct CommandLine {
 // A flag wins over its environment variable, which wins over the file.
 CommandLine ParseCommandLine(int argc, const char* const* argv,
                              const std::string& version);
+
+// All settings, for the man page and the file that explains them.
+manual::Page ProgramPage();
 
 }  // namespace geodesic::server
 

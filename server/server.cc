@@ -15,11 +15,13 @@
 #include <string>
 #include <utility>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "server/engine/base/status_details.h"
 #include "server/operations/metrics.h"
 #include "server/periodic.h"
 #include "server/rpc/unary_calls.h"
+#include "server/security/file_text.h"
 #include "server/unix_socket.h"
 
 namespace geodesic::server {
@@ -89,6 +91,20 @@ void BoundConnections(const ServerOptions& options,
                              static_cast<int>(options.max_connection_streams));
 }
 
+// What the file at `path` says now; empty if it cannot be read.
+std::string SecretIn(const std::string& path) {
+  if (path.empty()) return "";
+  const absl::StatusOr<std::string> text = ReadFileText(path);
+  return text.ok() ? std::string(absl::StripAsciiWhitespace(*text)) : "";
+}
+
+// The largest upload, framed and as base64.
+uint64_t MaxBodyBytes(const Limits& limits) {
+  constexpr uint64_t kFrames = 1 << 20;
+  return (limits.max_upload_bytes + limits.max_upload_bytes / 16) / 3 * 4 +
+         kFrames;
+}
+
 }  // namespace
 
 std::string_view ServerVersion() { return GEODESIC_VERSION; }
@@ -98,8 +114,11 @@ Server::Server(const ServerOptions& options,
     : options_(options),
       logger_(std::move(logger)),
       access_(options.token_file),
+      web_access_(options.web_token_file.empty() ? options.token_file
+                                                 : options.web_token_file),
       quotas_(clock_),
-      log_(logger_, options.max_requests, access_, quotas_, metrics_),
+      log_(logger_, options.max_requests, access_, web_access_, quotas_,
+           metrics_),
       pool_(options.limits.max_concurrent_jobs),
       engine_(options.limits, clock_, pool_, std::move(start)),
       intake_(
@@ -107,7 +126,7 @@ Server::Server(const ServerOptions& options,
            .patience = options.receive_patience,
            .memory_bytes = options.request_memory_bytes}),
       service_context_{
-          engine_, log_, intake_,
+          engine_, log_, intake_, peers_,
           MakeCapabilities(options.limits, options.max_message_bytes,
                            std::string(ServerVersion()))},
       services_(MakeServices(service_context_)) {
@@ -132,36 +151,96 @@ Server::~Server() {
   Wait();
 }
 
-absl::Status Server::OpenDataFolder() {
+absl::Status Server::OpenStores() {
+  std::unique_ptr<DurableStore> durable;
+  if (!options_.data_dir.empty()) {
+    auto opened = OpenDataFolder();
+    if (!opened.ok()) return opened.status();
+    durable = *std::move(opened);
+  }
+  if (!options_.siblings.empty()) {
+    if (absl::Status status = NameSiblings(); !status.ok()) return status;
+    engine_.meshes().Attach(*siblings_);
+  }
+  if (!options_.shared_tier.empty()) {
+    if (absl::Status status = OpenSharedTier(); !status.ok()) return status;
+    shared_meshes_.emplace(*shared_tier_, siblings_.get());
+    engine_.meshes().Attach(*shared_meshes_);
+  }
+  if (durable != nullptr || shared_tier_ != nullptr) {
+    engine_.Attach(std::move(durable), std::string(ServerVersion()),
+                   shared_tier_.get());
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<std::unique_ptr<DurableStore>> Server::OpenDataFolder() {
   absl::StatusOr<std::unique_ptr<DurableStore>> store =
       DurableStore::Open({.path = options_.data_dir,
                           .mesh_bytes = options_.limits.mesh_disk_bytes,
                           .field_bytes = options_.limits.field_disk_bytes,
-                          .version = std::string(ServerVersion()),
                           .warn = [logger = logger_](const std::string& line) {
                             logger->error("data folder: {}", line);
                           }});
   if (!store.ok()) return store.status();
   const BlobStore& meshes = (*store)->meshes->blobs();
-  const BlobStore& fields = (*store)->fields->blobs();
+  const BlobStore& fields = *(*store)->fields;
   logger_->info("data folder {}: {} meshes ({} bytes), {} fields ({} bytes)",
                 options_.data_dir, meshes.size(), meshes.used_bytes(),
                 fields.size(), fields.used_bytes());
-  engine_.Attach(*std::move(store));
+  return store;
+}
+
+absl::Status Server::OpenSharedTier() {
+  const std::string& file = options_.shared_tier_password_file;
+  if (!file.empty()) {
+    const absl::StatusOr<std::string> password = ReadFileText(file);
+    if (!password.ok()) return password.status();
+  }
+  shared_tier_ = std::make_unique<RedisBlobs>(RedisBlobs::Options{
+      .address = options_.shared_tier,
+      .patience = std::chrono::milliseconds(options_.shared_tier_timeout_ms),
+      .expiry = options_.shared_tier_expiry,
+      .max_bytes = options_.shared_tier_max_value_bytes,
+      .connections = options_.limits.max_concurrent_jobs,
+      // Redis refuses whoever comes without, and its words are logged.
+      .password = [file] { return SecretIn(file); },
+      .tell =
+          [logger = logger_](const std::string& line) {
+            logger->warn("shared tier: {}", line);
+          }});
+  metrics_.Add([this] { return CollectSharedTier(*shared_tier_); });
+  return absl::OkStatus();
+}
+
+absl::Status Server::NameSiblings() {
+  std::shared_ptr<grpc::ChannelCredentials> credentials =
+      grpc::InsecureChannelCredentials();
+  if (!options_.sibling_authorities.empty()) {
+    absl::StatusOr<std::string> authorities =
+        ReadFileText(options_.sibling_authorities);
+    if (!authorities.ok()) return authorities.status();
+    credentials = grpc::SslCredentials({.pem_root_certs = *authorities});
+  }
+  siblings_ = std::make_unique<Siblings>(
+      options_.siblings, credentials,
+      // Siblings refuse whoever comes without, and their words are passed on.
+      [file = options_.sibling_token_file] { return SecretIn(file); });
   return absl::OkStatus();
 }
 
 absl::Status Server::Start() {
   auto credentials = MakeServerCredentials(options_.tls);
   if (!credentials.ok()) return credentials.status();
-  if (absl::Status status = access_.Reload(); !status.ok()) return status;
-  if (!options_.data_dir.empty()) {
-    if (absl::Status status = OpenDataFolder(); !status.ok()) return status;
-  }
+  if (absl::Status status = ReloadTokens(); !status.ok()) return status;
+  if (absl::Status status = OpenStores(); !status.ok()) return status;
   if (absl::Status status = Listen(*std::move(credentials)); !status.ok()) {
     return status;
   }
-  if (absl::Status status = StartOperations(); !status.ok()) {
+  absl::Status status = OpenDoor();
+  if (status.ok()) status = StartOperations();
+  if (!status.ok()) {
+    door_.reset();
     grpc_server_.reset();
     return status;
   }
@@ -209,6 +288,30 @@ absl::Status Server::Listen(
   return absl::OkStatus();
 }
 
+absl::Status Server::OpenDoor() {
+  if (options_.web_listen.empty()) return absl::OkStatus();
+  WebDoorOptions options = {.listen = options_.web_listen,
+                            .origins = options_.web_origins,
+                            .max_message_bytes = options_.max_message_bytes,
+                            .max_body_bytes = MaxBodyBytes(options_.limits),
+                            .patience = options_.receive_patience};
+  if (options_.tls.enabled()) {
+    auto pem = ReadTlsFiles(options_.tls);
+    if (!pem.ok()) return pem.status();
+    options.certificate = std::move(pem->certificate);
+    options.key = std::move(pem->key);
+  }
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(-1);  // the server's own answers
+  door_.emplace(std::move(options), grpc_server_->InProcessChannel(arguments),
+                peers_, intake_);
+  absl::Status status = door_->Start();
+  if (!status.ok()) return status;
+  logger_->info("the page is on port {} of {}", door_->port(),
+                options_.web_listen);
+  return absl::OkStatus();
+}
+
 absl::Status Server::StartOperations() {
   const std::chrono::duration<double> now =
       std::chrono::system_clock::now().time_since_epoch();
@@ -226,6 +329,9 @@ absl::Status Server::StartOperations() {
     }
     token_watch_ = WatchFile(options_.token_file, [this] { Reload(); });
   }
+  if (!options_.web_token_file.empty()) {
+    web_token_watch_ = WatchFile(options_.web_token_file, [this] { Reload(); });
+  }
   if (options_.exit_when_idle.count() > 0) {
     idle_watch_ = Every(std::chrono::seconds(1), [this] {
       if (log_.IdleTime() < options_.exit_when_idle || !IsReady()) return;
@@ -241,9 +347,15 @@ absl::Status Server::StartOperations() {
   return status;
 }
 
+absl::Status Server::ReloadTokens() {
+  absl::Status status = access_.Reload();
+  status.Update(web_access_.Reload());
+  return status;
+}
+
 void Server::Reload() {
-  if (options_.token_file.empty()) return;
-  const absl::Status status = access_.Reload();
+  if (options_.token_file.empty() && options_.web_token_file.empty()) return;
+  const absl::Status status = ReloadTokens();
   metrics_.TokensReloaded(status.ok());
   if (status.ok()) {
     logger_->info("the tokens were read again");
@@ -288,6 +400,7 @@ bool Server::Wait() {
   engine_.scheduler().StopAll();
   grpc_server_->Shutdown(std::chrono::system_clock::now() + kFlushGrace);
   log_.WaitIdle(clock_.Now() + kCancelGrace, std::stop_token());
+  door_.reset();
   grpc_server_.reset();
   logger_->info("stopped");
   return in_order;

@@ -19,18 +19,24 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "absl/status/statusor.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/jobs/thread_pool.h"
+#include "server/engine/meshes/shared_meshes.h"
 #include "server/engine/query_engine.h"
 #include "server/operations/http_server.h"
 #include "server/operations/metrics.h"
 #include "server/options.h"
 #include "server/rpc/calls/call.h"
 #include "server/rpc/calls/intake.h"
+#include "server/rpc/calls/peer.h"
 #include "server/rpc/calls/request_log.h"
 #include "server/rpc/calls/service.h"
+#include "server/rpc/siblings.h"
 #include "server/security/access_control.h"
 #include "server/security/quotas.h"
+#include "server/tier/redis_blobs.h"
+#include "server/web/web_door.h"
 
 namespace grpc {
 class Server;
@@ -78,12 +84,22 @@ class Server {
   // The port of /metrics. REQUIRES: Start succeeded, with metrics_listen.
   int metrics_port() const { return http_->port(); }
 
+  // The port of the page. REQUIRES: Start succeeded, with web_listen.
+  int web_port() const { return door_->port(); }
+
   QueryEngine& engine() { return engine_; }
 
  private:
-  absl::Status OpenDataFolder();
+  // What outlives the server, and what it shares with others.
+  absl::Status OpenStores();
+  absl::StatusOr<std::unique_ptr<DurableStore>> OpenDataFolder();
+  absl::Status OpenSharedTier();
+  absl::Status NameSiblings();
   // Binds the address and serves.
   absl::Status Listen(std::shared_ptr<grpc::ServerCredentials> credentials);
+  absl::Status ReloadTokens();
+  // Serves browsers, if that is asked for.
+  absl::Status OpenDoor();
   // Serves metrics, watches the token file and whether the server is idle.
   absl::Status StartOperations();
   void SetServing(bool serving);
@@ -94,12 +110,17 @@ class Server {
 
   SteadyClock clock_;
   AccessControl access_;
+  AccessControl web_access_;
   Quotas quotas_;
   Metrics metrics_;
   RequestLog log_;
   ThreadPool pool_;
+  std::unique_ptr<Siblings> siblings_;       // null without any
+  std::unique_ptr<RedisBlobs> shared_tier_;  // null without one
+  std::optional<SharedMeshes> shared_meshes_;
   QueryEngine engine_;
   Intake intake_;
+  const Peers peers_;
   const ServiceContext service_context_;
   const std::vector<std::unique_ptr<Service>> services_;
   std::unique_ptr<grpc::Server> grpc_server_;
@@ -114,8 +135,10 @@ class Server {
   TimePoint drain_until_;
 
   // Last, because their threads use the other members.
+  std::optional<WebDoor> door_;
   std::optional<HttpServer> http_;
   std::jthread token_watch_;
+  std::jthread web_token_watch_;
   std::jthread search_watch_;
   std::jthread idle_watch_;
 };

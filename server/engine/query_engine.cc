@@ -15,6 +15,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Bounds the index: each field on disk takes some memory.
+constexpr size_t kMaxFields = 100'000;
+
 // Keeps what lies within the radius, with its columns.
 void MakeSparse(double radius, MatrixRow& row) {
   size_t kept = 0;
@@ -54,6 +57,10 @@ absl::Status CheckMatrix(const MatrixRequest& request, const ValidQuery& query,
   if (!status.ok()) return status;
   const uint64_t rows = query->sources.size();
   const bool has_targets = !query->targets.empty();
+  if (request.method.has_value()) {
+    status = CheckVertexTargets(request.method->choice.method, query->targets);
+    if (!status.ok()) return status;
+  }
   if (request.nearest.has_value()) {
     if (!has_targets) {
       return InvalidField("targets", "targets is empty: name at least one");
@@ -76,7 +83,8 @@ absl::Status CheckMatrix(const MatrixRequest& request, const ValidQuery& query,
 // The most memory that a row takes while it is computed.
 uint64_t RowBytes(const Query& query, const Mesh& mesh) {
   return (mesh.vertex_count() + query.targets.size()) *
-         (sizeof(double) + sizeof(uint32_t));
+         (sizeof(double) + sizeof(uint32_t) +
+          (query.tolerance > 0 ? sizeof(float) : 0));
 }
 
 // What searches for the targets have, if they cost less than a field that stops
@@ -86,13 +94,30 @@ std::optional<SearchMeans> ForRow(const ValidQuery& query, uint64_t wanted,
                                   double radius, const MeshHandle& mesh,
                                   SearchEngine& searches) {
   const uint64_t targets = query->targets.size();
-  if (query->algorithm != kDefaultAlgorithm || wanted == 0 ||
+  if (!TargetSearch::IsDirected(query->algorithm) || wanted == 0 ||
       targets >= kFieldInSearchesWithLandmarks || !std::isinf(radius)) {
     return {};
   }
   SearchMeans means = searches.MeansFor(mesh, query->algorithm);
   if (targets * targets >= wanted * means.field_in_searches) return {};
   return means;
+}
+
+// The distances of the targets, which are vertices, or without targets of all
+// vertices.
+absl::StatusOr<std::vector<double>> ApproximateRow(const MethodHandle& method,
+                                                   const ValidQuery& query,
+                                                   Checkpoint& checkpoint) {
+  absl::StatusOr<ApproximateField> field =
+      method.method->Distances(query.DistancesAlone(), checkpoint);
+  if (!field.ok()) return field.status();
+  if (query->targets.empty()) return std::move(field->distances);
+  std::vector<double> values;
+  values.reserve(query->targets.size());
+  for (const SurfacePoint& target : query->targets) {
+    values.push_back(field->distances[std::get<VertexPoint>(target).vertex]);
+  }
+  return values;
 }
 
 // The function that computes the rows of a checked request. It shrinks a row's
@@ -102,8 +127,9 @@ RowFunction MakeRowFunction(MeshHandle mesh, ValidQuery query,
                             const SolveOptions& options, StartFunction start,
                             SearchEngine& searches) {
   return [mesh = std::move(mesh), query = std::move(query),
-          radius = request.radius, sparse = request.sparse,
-          nearest = request.nearest, options, start = std::move(start),
+          method = request.method, radius = request.radius,
+          sparse = request.sparse, nearest = request.nearest, options,
+          start = std::move(start),
           &searches](uint64_t row, Checkpoint& checkpoint,
                      ByteReservation memory) -> absl::StatusOr<MatrixRow> {
     const uint64_t targets = query->targets.size();
@@ -111,9 +137,15 @@ RowFunction MakeRowFunction(MeshHandle mesh, ValidQuery query,
     MatrixRow result{.memory = std::move(memory)};
     const ValidQuery of_row =
         query.OfSource(static_cast<uint32_t>(row), *mesh->mesh);
-    if (const auto means = ForRow(of_row, wanted, radius, mesh, searches)) {
+    if (method.has_value()) {
+      absl::StatusOr<std::vector<double>> values =
+          ApproximateRow(*method, of_row, checkpoint);
+      if (!values.ok()) return values.status();
+      result.values = *std::move(values);
+    } else if (const auto means =
+                   ForRow(of_row, wanted, radius, mesh, searches)) {
       absl::StatusOr<TargetDistances> found =
-          searches.Run(mesh, of_row, *means, checkpoint);
+          searches.Run(mesh, of_row.WithoutTolerance(), *means, checkpoint);
       if (!found.ok()) return found.status();
       result.values = std::move(found->distances);
     } else {
@@ -124,6 +156,7 @@ RowFunction MakeRowFunction(MeshHandle mesh, ValidQuery query,
       absl::Status status = (*computation)->Advance(reach, checkpoint);
       if (!status.ok()) return status;
       DistanceField field = (*computation)->Field();
+      result.certified_error = field.certified_error;
       result.values = targets > 0 ? std::move(field.target_distances)
                                   : std::move(field.distances);
     }
@@ -155,12 +188,12 @@ absl::StatusOr<std::unique_ptr<DurableStore>> DurableStore::Open(
       MeshFiles::Open(store->folder, options.mesh_bytes, options.warn);
   if (!meshes.ok()) return meshes.status();
   store->meshes = *std::move(meshes);
-  auto fields = FieldFiles::Open(store->folder, options.field_bytes,
-                                 options.version, options.warn);
+  auto fields = BlobStore::Open(store->folder, {.kind = "field",
+                                                .capacity = options.field_bytes,
+                                                .max_count = kMaxFields,
+                                                .warn = options.warn});
   if (!fields.ok()) return fields.status();
   store->fields = *std::move(fields);
-  store->landmarks =
-      std::make_unique<LandmarkFiles>(store->fields->blobs(), options.version);
   return store;
 }
 
@@ -176,9 +209,12 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
               [this](const std::string& digest) {
                 fields_.EraseMesh(digest);
                 searches_.landmarks().EraseMesh(digest);
+                methods_.EraseMesh(digest);
               }),
       searches_(limits_, solve_options_, clock, scheduler_, solver_memory_,
                 start_, meshes_),
+      methods_(limits_, clock, scheduler_, solver_memory_, meshes_,
+               searches_.landmarks()),
       fields_(limits_, solve_options_, clock, scheduler_, solver_memory_,
               start_, meshes_, searches_),
       solo_jobs_(clock, scheduler_, solver_memory_, limits.progress_interval),
@@ -189,11 +225,15 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
 
 QueryEngine::~QueryEngine() { scheduler_.StopAll(); }
 
-void QueryEngine::Attach(std::unique_ptr<DurableStore> durable) {
+void QueryEngine::Attach(std::unique_ptr<DurableStore> durable,
+                         const std::string& version, Blobs* shared) {
   durable_ = std::move(durable);
-  meshes_.Attach(*durable_->meshes);
-  fields_.Attach(*durable_->fields);
-  searches_.landmarks().Attach(*durable_->landmarks);
+  if (durable_ != nullptr) meshes_.Attach(*durable_->meshes);
+  kept_.emplace(durable_ != nullptr ? durable_->fields.get() : nullptr, shared,
+                version);
+  fields_.Attach(kept_->fields);
+  searches_.landmarks().Attach(kept_->landmarks);
+  methods_.Attach(kept_->graphs);
 }
 
 absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
@@ -210,6 +250,7 @@ absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
   QuestionCall call{
       .mesh = *std::move(mesh),
       .algorithm = (*query)->algorithm,
+      .tolerance = (*query)->tolerance,
       .answer_memory = std::make_shared<ByteReservation>(*std::move(memory))};
   SoloJob solo{.priority = SolvePriority(request.requester.is_batch),
                .client = request.requester.client,
@@ -240,12 +281,18 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
   absl::StatusOr<ValidQuery> valid =
       ValidQuery::Make(std::move(request.query), *(*mesh)->mesh);
   if (!valid.ok()) return valid.status();
+  // A method knows the mesh that it was made of, not an equal one.
+  if (request.method.has_value()) *mesh = request.method->mesh;
   const ValidQuery& query = *valid;
   absl::Status status = CheckMatrix(request, query, *(*mesh)->mesh, limits_);
   if (!status.ok()) return status;
   const uint64_t rows = query->sources.size();
   MatrixCall call{.mesh = *std::move(mesh), .row_count = rows};
-  call.algorithm = query.OfSource(0, *call.mesh->mesh)->algorithm;
+  if (request.method.has_value()) {
+    call.algorithm = request.method->choice;
+  } else {
+    call.algorithm = query.OfSource(0, *call.mesh->mesh)->algorithm;
+  }
   call.column_count = query->targets.empty() ? call.mesh->mesh->vertex_count()
                                              : query->targets.size();
   RowJobs plan{.client = request.requester.client,
@@ -270,7 +317,7 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
 
 EngineCounters QueryEngine::counters() const {
   return {fields_.counters(), meshes_.meshes_built(), meshes_.meshes_loaded(),
-          pairs_.counts()};
+          meshes_.meshes_fetched(), pairs_.counts()};
 }
 
 }  // namespace geodesic::server

@@ -36,9 +36,14 @@
 #include "server/engine/jobs/thread_pool.h"
 #include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_library.h"
+#include "server/engine/methods/graph_files.h"
+#include "server/engine/methods/method_engine.h"
 #include "server/engine/pairs/pair_engine.h"
 #include "server/engine/searches/landmark_files.h"
 #include "server/engine/searches/search_engine.h"
+#include "server/store/blob_store.h"
+#include "server/store/blob_tiers.h"
+#include "server/store/blobs.h"
 #include "server/store/data_folder.h"
 
 namespace geodesic::server {
@@ -51,8 +56,6 @@ struct DurableStore {
     // Bytes of disk.
     uint64_t mesh_bytes = 0;
     uint64_t field_bytes = 0;
-    // The program's version; see FieldFiles.
-    std::string version;
     // Is called with a line for people about each damaged file.
     std::function<void(const std::string& line)> warn;
   };
@@ -64,8 +67,7 @@ struct DurableStore {
 
   DataFolder folder;
   std::unique_ptr<MeshFiles> meshes;
-  std::unique_ptr<FieldFiles> fields;
-  std::unique_ptr<LandmarkFiles> landmarks;  // beside the fields
+  std::unique_ptr<BlobStore> fields;  // and landmarks and graphs
 };
 
 // A question that is answered for one client alone.
@@ -88,6 +90,8 @@ struct QuestionCall {
   MeshHandle mesh;
   // The one that runs.
   Algorithm algorithm = kDefaultAlgorithm;
+  // That the answer holds within; 0: exact.
+  double tolerance = 0;
   SoloJobs::Call job;
   // The memory that the work charged; held as long as the answer is.
   std::shared_ptr<ByteReservation> answer_memory;
@@ -99,6 +103,8 @@ struct MatrixRequest {
   // Every source is a row and every target a column, in their order. Without
   // targets every vertex is a column.
   Query query;
+  // If set, rows are computed by this approximate method; targets are vertices.
+  std::optional<MethodHandle> method = {};
   double radius = std::numeric_limits<double>::infinity();
   // Whether rows leave out infinite values and list columns.
   bool sparse = false;
@@ -114,13 +120,14 @@ struct MatrixCall {
   std::shared_ptr<RowPipeline> rows;
   uint64_t row_count = 0;
   uint64_t column_count = 0;
-  Algorithm algorithm = kDefaultAlgorithm;  // of the first row
+  AlgorithmChoice algorithm = kDefaultAlgorithm;  // of the first row
 };
 
 // How often things have happened since the start.
 struct EngineCounters : FieldCounters {
   uint64_t meshes_built = 0;
-  uint64_t meshes_loaded = 0;  // from disk
+  uint64_t meshes_loaded = 0;   // from disk
+  uint64_t meshes_fetched = 0;  // from siblings or the shared tier
   PairCounts pairs;
 };
 
@@ -137,12 +144,16 @@ class QueryEngine {
   // REQUIRES: the executor runs what it has been given.
   ~QueryEngine();
 
-  // From now on meshes and fields are kept in `durable`, too. Call before any
-  // other method.
-  void Attach(std::unique_ptr<DurableStore> durable);
+  // From now on meshes are kept in `durable`, and fields and what is prepared
+  // of meshes there and in `shared`. Either may be null; `shared` outlives the
+  // engine. For `version`, the program's, see FieldFiles. Call at most once,
+  // before any other method.
+  void Attach(std::unique_ptr<DurableStore> durable, const std::string& version,
+              Blobs* shared = nullptr);
 
   MeshLibrary& meshes() { return meshes_; }
   SearchEngine& searches() { return searches_; }
+  MethodEngine& methods() { return methods_; }
   FieldEngine& fields() { return fields_; }
   PairEngine& pairs() { return pairs_; }
   // After its BeginDrain, uploads and queries that need a job fail with
@@ -164,6 +175,7 @@ class QueryEngine {
   const DurableStore* durable() const { return durable_.get(); }  // may be null
   const MeshLibrary& meshes() const { return meshes_; }
   const SearchEngine& searches() const { return searches_; }
+  const MethodEngine& methods() const { return methods_; }
   const FieldEngine& fields() const { return fields_; }
   const PairEngine& pairs() const { return pairs_; }
   const Scheduler& scheduler() const { return scheduler_; }
@@ -171,14 +183,30 @@ class QueryEngine {
   const ByteBudget& solver_memory() const { return *solver_memory_; }
 
  private:
+  // What can be made again, by its kinds.
+  struct KeptResults {
+    KeptResults(BlobStore* disk, Blobs* shared, const std::string& version)
+        : blobs(disk, shared),
+          fields(blobs, version),
+          landmarks(blobs, version),
+          graphs(blobs, version) {}
+
+    BlobTiers blobs;
+    FieldFiles fields;
+    LandmarkFiles landmarks;
+    GraphFiles graphs;
+  };
+
   const Limits limits_;
   const SolveOptions solve_options_;
   const StartFunction start_;
   const std::shared_ptr<ByteBudget> upload_memory_;
   const std::shared_ptr<ByteBudget> solver_memory_;
   std::unique_ptr<DurableStore> durable_;  // may be null
+  std::optional<KeptResults> kept_;
   MeshLibrary meshes_;
   SearchEngine searches_;
+  MethodEngine methods_;
   FieldEngine fields_;
   SoloJobs solo_jobs_;
   PairEngine pairs_;

@@ -1,11 +1,11 @@
 #include "server/operations/http_server.h"
 
 #include <microhttpd.h>
-#include <netdb.h>
 
 #include <string_view>
 
 #include "absl/strings/str_cat.h"
+#include "server/operations/listen_address.h"
 
 namespace geodesic::server {
 namespace {
@@ -51,26 +51,6 @@ MHD_Result Serve(void* data, MHD_Connection* connection, const char* url,
                "there are /metrics, /livez and /readyz\n");
 }
 
-// Resolves "HOST:PORT" or "[HOST]:PORT" by getaddrinfo; null if it cannot.
-std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> Resolve(
-    const std::string& address) {
-  const size_t colon = address.rfind(':');
-  addrinfo* found = nullptr;
-  if (colon != std::string::npos) {
-    std::string host = address.substr(0, colon);
-    if (host.starts_with('[') && host.ends_with(']')) {
-      host = host.substr(1, host.size() - 2);
-    }
-    const addrinfo hints = {.ai_flags = AI_PASSIVE | AI_NUMERICSERV,
-                            .ai_socktype = SOCK_STREAM};
-    if (getaddrinfo(host.empty() ? nullptr : host.c_str(),
-                    address.c_str() + colon + 1, &hints, &found) != 0) {
-      found = nullptr;
-    }
-  }
-  return {found, &freeaddrinfo};
-}
-
 }  // namespace
 
 void HttpServer::Stop::operator()(MHD_Daemon* daemon) const {
@@ -78,7 +58,7 @@ void HttpServer::Stop::operator()(MHD_Daemon* daemon) const {
 }
 
 absl::Status HttpServer::Start(const std::string& address) {
-  const auto resolved = Resolve(address);
+  const auto resolved = ResolveListenAddress(address);
   if (resolved == nullptr) {
     return absl::UnavailableError(
         absl::StrCat("cannot serve metrics on ", address,

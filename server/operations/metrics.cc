@@ -71,7 +71,7 @@ MetricFamily Make(MetricType type, const std::string& family,
 void AppendDisk(const DurableStore& durable,
                 std::vector<MetricFamily>& families) {
   const BlobStore& meshes = durable.meshes->blobs();
-  const BlobStore& fields = durable.fields->blobs();
+  const BlobStore& fields = *durable.fields;
   const BlobCounters of_meshes = meshes.counters();
   const BlobCounters of_fields = fields.counters();
   const Quarantine::Contents aside = durable.folder.quarantine().Count();
@@ -201,6 +201,7 @@ std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
   const Limits& limits = engine.limits();
   const MeshStore& meshes = engine.meshes().store();
   const LandmarkStore& landmarks = engine.meshes().landmarks();
+  const MethodStore& methods = engine.meshes().methods();
   const FieldEngine& fields = engine.fields();
   const Scheduler& scheduler = engine.scheduler();
   std::vector<MetricFamily> families = {
@@ -225,17 +226,28 @@ std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
       Make(MetricType::Counter, "geodesic_meshes_built_total",
            "Meshes that uploads made resident", "",
            {{"", counters.meshes_built}}),
+      Make(MetricType::Counter, "geodesic_meshes_fetched_total",
+           "Meshes that came from siblings or from the shared tier", "",
+           {{"", counters.meshes_fetched}}),
       Make(MetricType::Counter, "geodesic_landmarks_total",
            "Landmarks of meshes, by how they came about: computed, or loaded "
            "from disk",
            "origin",
            {{"computed", engine.searches().landmarks().made()},
             {"loaded", engine.searches().landmarks().loaded()}}),
+      Make(
+          MetricType::Counter, "geodesic_methods_prepared_total",
+          "What approximate algorithms needed of meshes, by how it came about: "
+          "computed, or loaded from disk",
+          "origin",
+          {{"computed", engine.methods().made()},
+           {"loaded", engine.methods().loaded()}}),
       Make(MetricType::Counter, "geodesic_evictions_total",
            "Entries that went to make room", "store",
            {{"meshes", meshes.evictions()},
             {"fields", fields.cache().evictions()},
-            {"landmarks", landmarks.evictions()}}),
+            {"landmarks", landmarks.evictions()},
+            {"methods", methods.evictions()}}),
       Make(MetricType::Gauge, "geodesic_used_bytes",
            "Memory in use or reserved, by budget", "budget",
            {{"meshes", meshes.used_bytes()},
@@ -243,6 +255,7 @@ std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
             {"uploads", engine.upload_memory().used()},
             {"solvers", engine.solver_memory().used()},
             {"landmarks", landmarks.used_bytes()},
+            {"methods", methods.used_bytes()},
             {"requests", requests.used()}}),
       Make(MetricType::Gauge, "geodesic_capacity_bytes",
            "What each budget may hold", "budget",
@@ -251,6 +264,7 @@ std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
             {"uploads", limits.upload_memory_bytes},
             {"solvers", limits.solver_memory_bytes},
             {"landmarks", limits.landmark_memory_bytes},
+            {"methods", limits.prepared_memory_bytes},
             {"requests", requests.capacity()}}),
       Make(MetricType::Gauge, "geodesic_jobs",
            "Jobs that run, and that wait for a thread", "state",
@@ -261,6 +275,40 @@ std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
   };
   if (engine.durable() != nullptr) AppendDisk(*engine.durable(), families);
   return families;
+}
+
+std::vector<MetricFamily> CollectSharedTier(const RedisBlobs& tier) {
+  const RedisCounters counters = tier.counters();
+  return {
+      Make(MetricType::Counter, "geodesic_shared_tier_reads_total",
+           "Values that the shared tier was to give: found (hit), not there "
+           "(miss), not given in time (failure), found to be wrong and deleted "
+           "(wrong), or not asked for, since it is left alone (skipped)",
+           "result",
+           {{"hit", counters.hits},
+            {"miss", counters.misses},
+            {"failure", counters.failures},
+            {"wrong", counters.wrong},
+            {"skipped", counters.skipped}}),
+      Make(MetricType::Counter, "geodesic_shared_tier_writes_total",
+           "Values that it was to take: written, refused or not taken in time "
+           "(failure), or not sent, since they are too large or too many or it "
+           "is left alone (dropped)",
+           "result",
+           {{"written", counters.writes - counters.write_failures},
+            {"failure", counters.write_failures},
+            {"dropped", counters.dropped}}),
+      Make(
+          MetricType::Counter, "geodesic_shared_tier_bytes_total",
+          "Bytes of values that came from it and went to it", "direction",
+          {{"read", counters.bytes_read}, {"written", counters.bytes_written}}),
+      Make(MetricType::Gauge, "geodesic_shared_tier_waiting_bytes",
+           "Bytes of values that wait to be written to it", "",
+           {{"", tier.waiting_bytes()}}),
+      Make(MetricType::Gauge, "geodesic_shared_tier_left_alone",
+           "1 while it is not asked, since it did not answer", "",
+           {{"", tier.is_left_alone() ? uint64_t{1} : uint64_t{0}}}),
+  };
 }
 
 }  // namespace geodesic::server

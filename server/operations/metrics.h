@@ -21,6 +21,7 @@
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/query_engine.h"
+#include "server/tier/redis_blobs.h"
 
 namespace geodesic::server {
 
@@ -74,6 +75,9 @@ class Metrics {
 // requests. Thread-safe.
 std::vector<prometheus::MetricFamily> CollectEngine(const QueryEngine& engine,
                                                     const ByteBudget& requests);
+
+// The figures of the tier that servers share. Thread-safe.
+std::vector<prometheus::MetricFamily> CollectSharedTier(const RedisBlobs& tier);
 
 }  // namespace geodesic::server
 

@@ -7,6 +7,7 @@
 #include "absl/status/statusor.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic/algorithm.h"
+#include "geodesic/approximate/method.h"
 #include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {
@@ -84,6 +85,13 @@ v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,
     algorithm.set_summary(info.summary.data(), info.summary.size());
     algorithm.set_is_default(info.algorithm == kDefaultAlgorithm);
   }
+  for (const ApproximateMethodInfo& info : kApproximateMethods) {
+    v1::AlgorithmCapability& algorithm =
+        *capabilities.add_approximate_algorithms();
+    algorithm.set_algorithm(ToProto(info.method));
+    algorithm.set_name(info.name.data(), info.name.size());
+    algorithm.set_summary(info.summary.data(), info.summary.size());
+  }
   for (const auto& [format, proto] : kMeshFormats) {
     capabilities.add_formats(proto);
   }
@@ -108,6 +116,7 @@ v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,
   published.set_mesh_disk_bytes(limits.mesh_disk_bytes);
   published.set_field_disk_bytes(limits.field_disk_bytes);
   published.set_landmark_memory_bytes(limits.landmark_memory_bytes);
+  published.set_prepared_memory_bytes(limits.prepared_memory_bytes);
   return capabilities;
 }
 

@@ -3,14 +3,11 @@
 #include <openssl/crypto.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <initializer_list>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <type_traits>
 #include <utility>
 
@@ -18,6 +15,7 @@
 #include "absl/strings/str_cat.h"
 #include "digest/sha256.h"
 #include "server/engine/base/status_details.h"
+#include "server/security/file_text.h"
 
 namespace geodesic::server {
 namespace {
@@ -249,15 +247,9 @@ AccessControl::AccessControl(std::string token_file, WallClock now)
 
 absl::Status AccessControl::Reload() {
   if (token_file_.empty()) return absl::OkStatus();
-  std::ifstream file(token_file_);
-  std::ostringstream text;
-  // To insert nothing, as of an empty file, would count as a failure.
-  if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
-  if (!file.is_open() || file.bad() || !text) {
-    return absl::ErrnoToStatus(errno,
-                               absl::StrCat("cannot read ", token_file_));
-  }
-  absl::StatusOr<TokenTable> table = TokenTable::Parse(text.str());
+  const absl::StatusOr<std::string> text = ReadFileText(token_file_);
+  if (!text.ok()) return text.status();
+  absl::StatusOr<TokenTable> table = TokenTable::Parse(*text);
   if (!table.ok()) {
     return absl::InvalidArgumentError(
         absl::StrCat(token_file_, ": ", std::string(table.status().message())));

@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <ctime>
+#include <fstream>
+#include <iterator>
 #include <memory>
 
 #include "absl/strings/str_cat.h"
@@ -41,6 +43,13 @@ absl::Status Read(const std::string& path, const char* kind,
   if (thing != nullptr) return absl::OkStatus();
   return absl::InvalidArgumentError(
       absl::StrCat(path, " holds no ", kind, " in PEM form"));
+}
+
+absl::Status ReadText(const std::string& path, std::string& text) {
+  std::ifstream file(path);
+  text.assign(std::istreambuf_iterator<char>(file), {});
+  if (file.is_open() && !file.bad()) return absl::OkStatus();
+  return absl::ErrnoToStatus(errno, absl::StrCat("cannot read ", path));
 }
 
 }  // namespace
@@ -79,6 +88,14 @@ absl::StatusOr<std::chrono::system_clock::time_point> CertificateEnd(
         absl::StrCat(files.certificate, " has no end"));
   }
   return std::chrono::system_clock::from_time_t(timegm(&end));
+}
+
+absl::StatusOr<TlsTexts> ReadTlsFiles(const TlsFiles& files) {
+  TlsTexts texts;
+  absl::Status status = ReadText(files.certificate, texts.certificate);
+  status.Update(ReadText(files.key, texts.key));
+  if (!status.ok()) return status;
+  return texts;
 }
 
 bool IsLoopback(std::string_view address) {

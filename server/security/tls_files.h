@@ -38,6 +38,16 @@ absl::Status CheckTlsFiles(const TlsFiles& files);
 absl::StatusOr<std::chrono::system_clock::time_point> CertificateEnd(
     const TlsFiles& files);
 
+// What is in the files of a server, in PEM.
+struct TlsTexts {
+  std::string certificate;
+  std::string key;
+};
+
+// REQUIRES: files.enabled(). Errors: NOT_FOUND or PERMISSION_DENIED: a file
+// cannot be read.
+absl::StatusOr<TlsTexts> ReadTlsFiles(const TlsFiles& files);
+
 // Whether "HOST:PORT" or "unix:PATH" can only be reached from this machine:
 // a socket, 127.0.0.0/8, [::1] or localhost. False for all other names.
 bool IsLoopback(std::string_view address);

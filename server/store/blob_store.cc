@@ -25,20 +25,22 @@ std::string Plural(const std::string& kind) {
   return absl::StrCat(kind, absl::EndsWith(kind, "h") ? "es" : "s");
 }
 
-}  // namespace
+class FileBody final : public BlobBody {
+ public:
+  FileBody(int file, uint64_t bytes) : BlobBody(bytes), file_(file) {}
 
-absl::Status BlobBody::Read(std::span<char> bytes) {
-  if (bytes.size() > bytes_left_) {
-    return absl::DataLossError(absl::StrCat("the body has ", bytes_left_,
-                                            " bytes left, not ", bytes.size()));
+ private:
+  absl::Status ReadNext(std::span<char> bytes) override {
+    absl::Status status = ReadAt(file_, offset_, bytes, "the file");
+    offset_ += bytes.size();
+    return status;
   }
-  absl::Status status = ReadAt(file_, offset_, bytes, "the file");
-  if (!status.ok()) return status;
-  hash_.Update({bytes.data(), bytes.size()});
-  offset_ += bytes.size();
-  bytes_left_ -= bytes.size();
-  return absl::OkStatus();
-}
+
+  const int file_;
+  uint64_t offset_ = kBlobHeaderBytes;
+};
+
+}  // namespace
 
 absl::Status BlobSink::Append(std::string_view bytes) {
   hash_.Update(bytes);
@@ -373,23 +375,24 @@ absl::Status BlobStore::Write(
   return Sync(file, path);
 }
 
-absl::Status BlobStore::Read(
-    const std::string& name,
-    absl::FunctionRef<absl::Status(BlobBody& body)> take) {
+absl::Status BlobStore::Read(const std::string& name, TakeBlob take) {
   if (!Find(name).has_value()) {
     return absl::NotFoundError(absl::StrCat("there is no ", PathOf(name)));
   }
-  absl::Status status = Take(name, take);
+  bool is_refused = false;
+  absl::Status status =
+      Take(name, [&](std::string_view metadata, BlobBody& body) {
+        absl::Status taken = take(metadata, body);
+        is_refused = absl::IsNotFound(taken) || absl::IsCancelled(taken);
+        return taken;
+      });
   std::lock_guard lock(mutex_);
   ++counters_.reads;
-  // A cancelled read is not a failure.
-  if (!status.ok() && !absl::IsCancelled(status)) ++counters_.read_failures;
+  if (!status.ok() && !is_refused) ++counters_.read_failures;
   return status;
 }
 
-absl::Status BlobStore::Take(
-    const std::string& name,
-    absl::FunctionRef<absl::Status(BlobBody& body)> take) {
+absl::Status BlobStore::Take(const std::string& name, TakeBlob take) {
   const absl::StatusOr<FileDescriptor> file =
       OpenToRead(folder_.get(), FileName(name), PathOf(name));
   if (!file.ok()) {
@@ -419,16 +422,9 @@ absl::Status BlobStore::Take(
       ReadInfo(file->get(), facts.st_size, name, header);
   absl::Status status = info.status();
   if (status.ok()) {
-    BlobBody body(file->get(), header.body_bytes);
-    status = take(body);
-    if (status.ok() && body.bytes_left() > 0) {
-      return absl::InternalError(absl::StrCat(body.bytes_left(), " bytes of ",
-                                              PathOf(name), " were not read"));
-    }
-    if (status.ok() && body.hash_.FinishHex() != header.body_sha256) {
-      status = absl::DataLossError(
-          "the body does not have the digest the header names");
-    }
+    FileBody body(file->get(), header.body_bytes);
+    status = take(info->metadata, body);
+    if (status.ok()) status = body.Finish(header.body_sha256);
   }
   if (absl::IsDataLoss(status)) {
     SetAside(name, facts.st_ino, status);

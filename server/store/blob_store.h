@@ -2,7 +2,9 @@
 //
 //   auto store = BlobStore::Open(folder, {.kind = "mesh", .capacity = bytes});
 //   absl::Status status = store->Put(name, metadata, {head, body});
-//   status = store->Read(name, [&](BlobBody& b) { return b.Read(into); });
+//   status = store->Read(name, [&](std::string_view, BlobBody& body) {
+//     return body.Read(into);
+//   });
 //
 // Guarantees, even if the process or the machine dies at any moment:
 //   1. a blob for which Put returned OK stays until erased, evicted or damaged;
@@ -43,6 +45,7 @@
 #include "absl/status/statusor.h"
 #include "digest/sha256.h"
 #include "server/store/blob_format.h"
+#include "server/store/blobs.h"
 #include "server/store/data_folder.h"
 #include "server/store/posix_file.h"
 
@@ -66,26 +69,6 @@ struct BlobCounters {
   uint64_t damaged = 0;
 };
 
-// A body that is being read, from its first byte to its last. The bytes may
-// only be used when BlobStore::Read has returned OK.
-class BlobBody {
- public:
-  uint64_t bytes_left() const { return bytes_left_; }
-
-  // Fills `bytes` with the next bytes.
-  // Errors: DATA_LOSS if fewer are left; as DiskError.
-  absl::Status Read(std::span<char> bytes);
-
- private:
-  friend class BlobStore;
-  BlobBody(int file, uint64_t bytes) : file_(file), bytes_left_(bytes) {}
-
-  const int file_;
-  uint64_t bytes_left_;
-  uint64_t offset_ = kBlobHeaderBytes;
-  Sha256 hash_;
-};
-
 // A body that is being written.
 class BlobSink {
  public:
@@ -103,7 +86,7 @@ class BlobSink {
 };
 
 // Thread-safe. Put, Read and Erase wait for the disk; the others do not.
-class BlobStore {
+class BlobStore final : public Blobs {
  public:
   struct Options {
     // The ending of the files and, in plural, the name of their folder ("mesh"
@@ -142,9 +125,9 @@ class BlobStore {
                                       std::string_view metadata)>
                    visit) const;
 
-  // Whether a blob of this size can ever be kept; counts one that cannot as too
-  // large. Errors: RESOURCE_EXHAUSTED with the figures and the server's flag.
-  absl::Status Admit(uint64_t body_bytes, uint64_t metadata_bytes);
+  // Whether a blob of this size can ever be kept. Errors: with the figures and
+  // the server's flag.
+  absl::Status Admit(uint64_t body_bytes, uint64_t metadata_bytes) override;
 
   // Keeps a blob, in place of the one with this name, if there is one. `write`
   // appends its body, `body_bytes` in all.
@@ -158,13 +141,11 @@ class BlobStore {
                    absl::FunctionRef<absl::Status(BlobSink& sink)> write);
   // The same for a body that is given in parts.
   absl::Status Put(const std::string& name, std::string_view metadata,
-                   std::span<const std::string_view> body);
+                   std::span<const std::string_view> body) override;
 
-  // Hands the body to `take`, which must read all of it unless it fails.
-  // Errors: NOT_FOUND; DATA_LOSS (the file was damaged and is in quarantine);
-  // UNAVAILABLE, RESOURCE_EXHAUSTED (it cannot be read now); those of `take`.
-  absl::Status Read(const std::string& name,
-                    absl::FunctionRef<absl::Status(BlobBody& body)> take);
+  // A file that is damaged goes into quarantine. If `take` fails with NOT_FOUND
+  // or CANCELLED, that counts as no failure of the disk.
+  absl::Status Read(const std::string& name, TakeBlob take) override;
 
   // Errors: NOT_FOUND; as Put.
   absl::Status Erase(const std::string& name);
@@ -201,8 +182,7 @@ class BlobStore {
   absl::Status Keep(const std::string& name, std::string_view metadata,
                     uint64_t body_bytes,
                     absl::FunctionRef<absl::Status(BlobSink& sink)> write);
-  absl::Status Take(const std::string& name,
-                    absl::FunctionRef<absl::Status(BlobBody& body)> take);
+  absl::Status Take(const std::string& name, TakeBlob take);
   // Writes and flushes a whole file under a temporary name, which it returns.
   absl::StatusOr<std::string> WriteTemporary(
       const BlobInfo& info,

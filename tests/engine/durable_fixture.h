@@ -54,12 +54,11 @@ class DurableEngineTest : public EngineActions {
     auto store = DurableStore::Open({.path = data_dir(),
                                      .mesh_bytes = limits_.mesh_disk_bytes,
                                      .field_bytes = limits_.field_disk_bytes,
-                                     .version = version_,
                                      .warn = [this](const std::string& line) {
                                        warnings_.push_back(line);
                                      }});
     ASSERT_TRUE(store.ok()) << store.status();
-    engine_->Attach(*std::move(store));
+    engine_->Attach(*std::move(store), version_);
   }
 
   // What a request for the mesh is told, when it is.

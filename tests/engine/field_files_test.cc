@@ -25,13 +25,17 @@ class FieldFilesTest : public ::testing::Test {
 
   void Open(const std::string& version) {
     files_.reset();
+    disk_.reset();
     folder_.reset();
     auto folder = DataFolder::Open(temporary_ / "data");
     ASSERT_TRUE(folder.ok()) << folder.status();
     folder_.emplace(*std::move(folder));
-    auto files = FieldFiles::Open(*folder_, 1 << 20, version, nullptr);
-    ASSERT_TRUE(files.ok()) << files.status();
-    files_ = *std::move(files);
+    auto disk =
+        BlobStore::Open(*folder_, {.kind = "field", .capacity = 1 << 20});
+    ASSERT_TRUE(disk.ok()) << disk.status();
+    disk_ = *std::move(disk);
+    blobs_.emplace(disk_.get(), nullptr);
+    files_.emplace(*blobs_, version);
   }
 
   static FieldKey Key(const std::function<void(Query&)>& change = {}) {
@@ -63,7 +67,9 @@ class FieldFilesTest : public ::testing::Test {
   const std::shared_ptr<const Mesh> mesh_ = OneFace({0, 1, 2});
   geodesic::test::TemporaryFolder temporary_;
   std::optional<DataFolder> folder_;
-  std::unique_ptr<FieldFiles> files_;
+  std::unique_ptr<BlobStore> disk_;
+  std::optional<BlobTiers> blobs_;
+  std::optional<FieldFiles> files_;
 };
 
 TEST_F(FieldFilesTest, AFieldComesBackWhole) {
@@ -73,21 +79,22 @@ TEST_F(FieldFilesTest, AFieldComesBackWhole) {
   field.target_arrivals.resize(1);
   ASSERT_TRUE(files_->Put(Key(), *mesh_, field).ok());
   Open("1");
-  const auto found = files_->Load(Key(), *mesh_);
-  ASSERT_TRUE(found.ok()) << found.status();
-  EXPECT_EQ(found->distances, field.distances);
-  EXPECT_EQ(found->target_distances, field.target_distances);
-  EXPECT_EQ(found->settled_radius, kInfinity);
-  EXPECT_EQ(found->algorithm, Algorithm::kFwpMmp);
-  EXPECT_EQ(found->statistics.windows_created, 7);
-  EXPECT_EQ(found->statistics.solve_seconds, 0.5);
-  ASSERT_EQ(found->arrivals.size(), 3);
-  EXPECT_EQ(found->arrivals[1].pseudo_source, 5);
-  EXPECT_EQ(found->arrivals[1].entry, 6);
-  EXPECT_EQ(found->arrivals[1].x, 0.125);
-  EXPECT_EQ(found->arrivals[1].depth, 2);
-  EXPECT_EQ(found->arrivals[2].pseudo_source, kNoPseudoSource);
-  EXPECT_EQ(found->target_arrivals.size(), 1);
+  const auto stored = files_->Load(Key(), {}, *mesh_);
+  ASSERT_TRUE(stored.ok()) << stored.status();
+  const DistanceField& found = stored->field;
+  EXPECT_EQ(found.distances, field.distances);
+  EXPECT_EQ(found.target_distances, field.target_distances);
+  EXPECT_EQ(found.settled_radius, kInfinity);
+  EXPECT_EQ(found.algorithm, Algorithm::kFwpMmp);
+  EXPECT_EQ(found.statistics.windows_created, 7);
+  EXPECT_EQ(found.statistics.solve_seconds, 0.5);
+  ASSERT_EQ(found.arrivals.size(), 3);
+  EXPECT_EQ(found.arrivals[1].pseudo_source, 5);
+  EXPECT_EQ(found.arrivals[1].entry, 6);
+  EXPECT_EQ(found.arrivals[1].x, 0.125);
+  EXPECT_EQ(found.arrivals[1].depth, 2);
+  EXPECT_EQ(found.arrivals[2].pseudo_source, kNoPseudoSource);
+  EXPECT_EQ(found.target_arrivals.size(), 1);
 }
 
 // Arrivals name half-edges.
@@ -96,14 +103,14 @@ TEST_F(FieldFilesTest, ATracedFieldIsOfOneLayout) {
   field.arrivals.resize(3);
   field.target_arrivals.resize(1);
   ASSERT_TRUE(files_->Put(Key(), *mesh_, field).ok());
-  EXPECT_TRUE(files_->Load(Key(), *mesh_).ok());
+  EXPECT_TRUE(files_->Load(Key(), {}, *mesh_).ok());
   const auto turned = OneFace({1, 2, 0});
-  EXPECT_TRUE(absl::IsNotFound(files_->Load(Key(), *turned).status()));
+  EXPECT_TRUE(absl::IsNotFound(files_->Load(Key(), {}, *turned).status()));
   // Distances alone are the same whatever the numbers.
   FieldKey other = Key();
   other.mesh_digest[0] = 'b';
   ASSERT_TRUE(files_->Put(other, *mesh_, Field()).ok());
-  EXPECT_TRUE(files_->Load(other, *turned).ok());
+  EXPECT_TRUE(files_->Load(other, {}, *turned).ok());
 }
 
 // Every part of a key tells fields apart.
@@ -156,10 +163,11 @@ TEST_F(FieldFilesTest, TheFieldThatReachesFurtherIsKept) {
   ASSERT_TRUE(files_->Put(Key(), *mesh_, Field(1)).ok());
   EXPECT_TRUE(files_->Find(Key(), {.radius = 2}).has_value());
   EXPECT_FALSE(files_->Find(Key(), {.radius = 3}).has_value());
-  EXPECT_EQ(files_->Load(Key(), *mesh_)->settled_radius, 2);
+  EXPECT_EQ(files_->Load(Key(), {.radius = 2}, *mesh_)->field.settled_radius,
+            2);
   ASSERT_TRUE(files_->Put(Key(), *mesh_, Field(4)).ok());
   EXPECT_TRUE(files_->Find(Key(), {.radius = 3}).has_value());
-  EXPECT_EQ(files_->blobs().size(), 1);
+  EXPECT_EQ(disk_->size(), 1);
 }
 
 TEST_F(FieldFilesTest, FieldsAreThoseOfOneVersion) {

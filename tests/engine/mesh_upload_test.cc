@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,10 +13,12 @@
 #include "geodesic/field_path.h"
 #include "tests/engine/uploads.h"
 #include "tests/support/curved_meshes.h"
+#include "tests/support/gzip_file.h"
 
 namespace geodesic::server {
 namespace {
 
+using geodesic::test::Gzip;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -211,6 +214,48 @@ TEST_F(MeshUploadTest, ALimitIsNoLackOfMemory) {
   EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
   EXPECT_THAT(std::string(status.message()), HasSubstr("limit of 10"));
   EXPECT_EQ(memory_->used(), 0);
+}
+
+TEST_F(MeshUploadTest, CompressedFilesAreTheSameMesh) {
+  const std::string off = test::OffFile(geodesic::test::Icosphere(2));
+  auto plain = Received(off);
+  auto compressed = Received(Gzip(off));
+  ASSERT_TRUE(TryToParse(*plain).ok());
+  const auto soup = TryToParse(*compressed);
+  ASSERT_TRUE(soup.ok()) << soup.status();
+  EXPECT_EQ(compressed->digest(), plain->digest());
+}
+
+TEST_F(MeshUploadTest, ABombTakesNoMoreThanAnUploadMay) {
+  // Comments of 8 MiB, in some kilobytes.
+  const std::string bomb =
+      Gzip("OFF\n#" + std::string(8 << 20, ' ') + test::kTetrahedronOff);
+  ASSERT_LT(bomb.size(), 20'000);
+  auto upload = Received(bomb);
+  uint64_t most = 0;
+  for (;;) {
+    ASSERT_TRUE(upload->ReserveForParse().ok());
+    most = std::max(most, memory_->used());
+    const auto parsed = upload->Parse(checkpoint_);
+    if (parsed.ok()) {
+      ASSERT_FALSE(*parsed);
+      continue;
+    }
+    EXPECT_TRUE(absl::IsResourceExhausted(parsed.status())) << parsed.status();
+    break;
+  }
+  // Twice max_upload_bytes, while it is decompressed.
+  EXPECT_LE(most, 2 * limits_.max_upload_bytes + bomb.size());
+  EXPECT_EQ(memory_->used(), 0);
+}
+
+TEST_F(MeshUploadTest, DamagedCompressionIsTheClientsFault) {
+  std::string bytes = Gzip(test::kTetrahedronOff);
+  bytes.resize(bytes.size() - 9);
+  auto upload = Received(bytes);
+  const absl::Status status = TryToParse(*upload).status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_EQ(FieldPathOf(status).value_or(""), "chunk.data");
 }
 
 }  // namespace

@@ -7,8 +7,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
+
+#include "absl/strings/ascii.h"
+#include "manual/settings_file.h"
 
 namespace geodesic::server {
 namespace {
@@ -108,6 +112,25 @@ TEST_F(OptionsTest, DiskIsUsedOnlyIfAFolderIsNamed) {
   EXPECT_EQ(with.options.limits.field_disk_bytes, uint64_t{1} << 30);
 }
 
+TEST_F(OptionsTest, TheSharedTier) {
+  EXPECT_EQ(Parse({}).options.shared_tier, "");
+  const CommandLine tcp = Parse(
+      {"--shared-tier", "redis.example.org:6379", "--shared-tier-seconds",
+       "604800", "--shared-tier-max-value-bytes", "1MiB",
+       "--shared-tier-timeout-ms", "9", "--shared-tier-password-file", "word"});
+  ASSERT_FALSE(tcp.exit_code.has_value()) << err_;
+  EXPECT_EQ(tcp.options.shared_tier, "redis.example.org:6379");
+  EXPECT_EQ(tcp.options.shared_tier_expiry, std::chrono::hours(24 * 7));
+  EXPECT_EQ(tcp.options.shared_tier_max_value_bytes, 1 << 20);
+  EXPECT_EQ(tcp.options.shared_tier_timeout_ms, 9);
+  EXPECT_EQ(tcp.options.shared_tier_password_file, "word");
+  EXPECT_FALSE(
+      Parse({"--shared-tier", "unix:/run/redis.sock"}).exit_code.has_value());
+  ExpectUsageError({"--shared-tier", "redis"}, "--shared-tier");
+  ExpectUsageError({"--shared-tier-password-file", "word"},
+                   "needs --shared-tier");
+}
+
 TEST_F(OptionsTest, FlagsWinOverVariablesAndThoseOverTheFile) {
   WriteConfig("threads = 5\nmax-faces = 50\nfield-cache = \"7KiB\"\n");
   SetVariable("GEODESICD_THREADS", "6");
@@ -190,6 +213,39 @@ TEST_F(OptionsTest, OtherMachinesAreServedInClearOnlyWhenThatIsSaid) {
 TEST_F(OptionsTest, ErrorsInTheFileNameTheSetting) {
   WriteConfig("max-facez = 50\n");
   ExpectUsageError({"--config", config_}, "max-facez");
+}
+
+// The file that the package installs, which explains all settings.
+TEST_F(OptionsTest, TheExplainedFileHoldsTheDefaults) {
+  const std::string explained = manual::SettingsFile(ProgramPage(), {});
+  // Every default comes into force; "#" followed by a name is one.
+  std::istringstream lines(explained);
+  std::string in_force;
+  int settings = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_setting =
+        line.size() > 1 && line[0] == '#' && absl::ascii_islower(line[1]);
+    // What has no default shows the kind of its value, in capitals.
+    const size_t value = line.find(" = \"");
+    if (!is_setting ||
+        (value != std::string::npos && absl::ascii_isupper(line[value + 4]))) {
+      continue;
+    }
+    in_force += line.substr(1) + "\n";
+    ++settings;
+  }
+  EXPECT_GT(settings, 30);
+  WriteConfig(in_force);
+  const CommandLine result = Parse({"--config", config_});
+  ASSERT_FALSE(result.exit_code.has_value()) << err_ << in_force;
+  const ServerOptions defaults = Parse({}).options;
+  EXPECT_EQ(result.options.listen, defaults.listen);
+  EXPECT_EQ(result.options.max_requests, defaults.max_requests);
+  EXPECT_EQ(result.options.drain, defaults.drain);
+  EXPECT_EQ(result.options.limits.mesh_store_bytes,
+            defaults.limits.mesh_store_bytes);
+  EXPECT_EQ(result.options.limits.max_faces, defaults.limits.max_faces);
+  EXPECT_EQ(result.options.channelz, defaults.channelz);
 }
 
 }  // namespace

@@ -47,7 +47,9 @@ class DeployedMetricsTest : public SecureTest {
     std::vector<std::string> flags = TlsFlags(identity_);
     flags.insert(flags.end(),
                  {"--token-file", tokens_, "--data-dir", folder_ / "data",
-                  "--metrics-listen", "127.0.0.1:0"});
+                  "--metrics-listen", "127.0.0.1:0",
+                  // Nobody answers there, which has metrics, too.
+                  "--shared-tier", "unix:" + (folder_ / "redis")});
     const RunningServer server(folder_, flags);
     std::smatch port;
     const std::string log = FileBytes(folder_ / "server.log");

@@ -30,7 +30,7 @@ inline absl::Status Put(BlobStore& store, const std::string& name,
 inline absl::StatusOr<std::string> Read(BlobStore& store,
                                         const std::string& name) {
   std::string bytes;
-  absl::Status status = store.Read(name, [&](BlobBody& body) {
+  absl::Status status = store.Read(name, [&](std::string_view, BlobBody& body) {
     bytes.resize(body.bytes_left());
     return body.Read(bytes);
   });

@@ -269,10 +269,11 @@ TEST_F(BlobStoreTest, ErrorsOfTheReaderAreItsOwn) {
   ASSERT_TRUE(Open().ok());
   ASSERT_TRUE(Put(*store_, Name('a'), "xy").ok());
   const absl::Status failed = store_->Read(
-      Name('a'), [](BlobBody&) { return absl::AbortedError("enough"); });
+      Name('a'),
+      [](std::string_view, BlobBody&) { return absl::AbortedError("enough"); });
   EXPECT_EQ(failed, absl::AbortedError("enough"));
-  const absl::Status partial =
-      store_->Read(Name('a'), [](BlobBody&) { return absl::OkStatus(); });
+  const absl::Status partial = store_->Read(
+      Name('a'), [](std::string_view, BlobBody&) { return absl::OkStatus(); });
   EXPECT_TRUE(absl::IsInternal(partial)) << partial;
   EXPECT_TRUE(Read(*store_, Name('a')).ok());
   EXPECT_EQ(quarantined(), 0);

@@ -75,7 +75,7 @@ TEST_F(BlobCountersTest, EverythingIsCountedOnce) {
   ASSERT_TRUE(test::Read(*store_, Name('b')).ok());
   EXPECT_TRUE(absl::IsNotFound(test::Read(*store_, Name('a')).status()));
   EXPECT_TRUE(absl::IsCancelled(store_->Read(
-      Name('b'), [](auto&) { return absl::CancelledError("enough"); })));
+      Name('b'), [](auto, auto&) { return absl::CancelledError("enough"); })));
   WriteFile(FileOf(Name('c')), "damaged");
   EXPECT_TRUE(absl::IsDataLoss(test::Read(*store_, Name('c')).status()));
   const BlobCounters counters = store_->counters();

@@ -21,8 +21,9 @@ uint64_t CurvePoints(const Query& query) {
 // The bytes a field takes in the cache, which are known before it is computed.
 uint64_t FieldBytes(const FieldKey& key, uint64_t vertices) {
   const Query& query = *key.query;
-  const uint64_t per_value =
-      sizeof(double) + (query.trace ? sizeof(Arrival) : 0);
+  const uint64_t per_value = sizeof(double) +
+                             (query.trace ? sizeof(Arrival) : 0) +
+                             (query.tolerance > 0 ? sizeof(float) : 0);
   return (vertices + query.targets.size()) * per_value +
          query.sources.size() * sizeof(Source) +
          (CurvePoints(query) + query.targets.size()) * sizeof(SurfacePoint) +
@@ -44,18 +45,29 @@ bool Covers(const DistanceField& field, const FieldReach& reach) {
 bool VisitAnsweringKeys(const FieldKey& key,
                         absl::FunctionRef<bool(const FieldKey&)> visit) {
   if (visit(key)) return true;
-  // A traced field holds everything that an untraced one does.
-  const auto visit_traced = [&](FieldKey other) {
-    if (other.query->trace) return false;
-    other.query = other.query.WithTrace(true);
+  FieldKey other = key;
+  const auto visit_other = [&](ValidQuery query) {
+    other.query = std::move(query);
     return visit(other);
   };
-  if (visit_traced(key)) return true;
+  const ValidQuery& asked = key.query;
+  const bool has_vertex_targets_alone =
+      !asked->targets.empty() && asked.WithoutVertexTargets()->targets.empty();
+  const ValidQuery exact = asked.WithoutTolerance();
+  if (asked->tolerance > 0 && ((has_vertex_targets_alone &&
+                                visit_other(asked.WithoutVertexTargets())) ||
+                               visit_other(exact))) {
+    return true;
+  }
+  // A traced field holds everything that an untraced one does, and is exact.
+  const auto visit_traced = [&](const ValidQuery& query) {
+    return !query->trace && visit_other(query.WithTrace(true));
+  };
+  if (visit_traced(exact)) return true;
   // Distances at vertices are in every field that reaches far enough.
-  FieldKey other = key;
-  other.query = key.query.WithoutVertexTargets();
-  if (key.query->targets.empty() || !other.query->targets.empty()) return false;
-  return visit(other) || visit_traced(other);
+  if (!has_vertex_targets_alone) return false;
+  const ValidQuery fewer = exact.WithoutVertexTargets();
+  return visit_other(fewer) || visit_traced(fewer);
 }
 
 std::optional<FieldCache::Found> FieldCache::Find(const FieldKey& key,

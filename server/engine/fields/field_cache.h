@@ -12,6 +12,7 @@
 #include <string>
 
 #include "absl/functional/function_ref.h"
+#include "geodesic/approximate/prepare.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/valid_query.h"
 #include "server/engine/base/lru_store.h"
@@ -25,6 +26,10 @@ struct FieldKey {
   ValidQuery query;  // sorted
   double bucket_width = 0;
   uint32_t max_batch = 0;
+  // Apart from the tolerance of the query, which bounds the field's error.
+  // Set if the field is approximate: no such field ever answers an exact
+  // question, nor the other way round.
+  std::optional<MethodChoice> method = {};
 
   friend auto operator<=>(const FieldKey&, const FieldKey&) = default;
 };
@@ -37,6 +42,9 @@ struct FieldExtras {
   bool paths = false;
   // The vertices in order of distance, sent while the field is computed.
   bool settled_order = false;
+  // What is certified of each distance, which every field has; no job differs
+  // for it.
+  bool certified_errors = false;
 
   bool NeedTrace() const {
     return nearest_sources || gradients || log_map || paths;
@@ -108,7 +116,9 @@ class FieldCache {
 };
 
 // Calls `visit` with the key of each field that may answer a question, the best
-// first, until it returns true. Returns whether it did.
+// first, until it returns true. Returns whether it did. A question with a
+// tolerance is answered by fields within that tolerance and by exact ones; an
+// exact question by exact fields alone.
 bool VisitAnsweringKeys(const FieldKey& key,
                         absl::FunctionRef<bool(const FieldKey&)> visit);
 

@@ -45,6 +45,46 @@ absl::StatusOr<ValidQuery> MakeValid(const FieldRequest& request,
   return ValidQuery::Make(std::move(query), mesh);
 }
 
+// What no approximate field has. Errors: INVALID_ARGUMENT.
+absl::Status CheckApproximate(const FieldRequest& request) {
+  const auto refuse = [&](const char* field, const char* what) {
+    return InvalidField(field, absl::StrCat(field, ": ",
+                                            std::string(ApproximateMethodName(
+                                                request.method->choice.method)),
+                                            " is approximate and ", what));
+  };
+  if (request.extras.settled_order) {
+    return refuse("progressive",
+                  "settles no distance before the others; ask for the field");
+  }
+  if (request.extras.NeedTrace()) {
+    return refuse("quantities", "keeps no paths; ask an exact algorithm");
+  }
+  if (request.extras.certified_errors) {
+    return refuse("quantities", "certifies nothing; ask an exact algorithm");
+  }
+  if (request.reach.LimitsTargets()) {
+    return refuse("stop_after_targets",
+                  "computes whole fields; leave the limit out");
+  }
+  return CheckVertexTargets(request.method->choice.method,
+                            request.query.targets);
+}
+
+// What no field within a tolerance has. Errors: INVALID_ARGUMENT.
+absl::Status CheckWithinTolerance(const FieldExtras& extras) {
+  const auto refuse = [&](const char* field, const char* what) {
+    return InvalidField(
+        field, absl::StrCat(field, ": a field within a tolerance ", what,
+                            "; leave the tolerance out"));
+  };
+  if (extras.settled_order) {
+    return refuse("progressive", "has final distances at its end alone");
+  }
+  if (extras.NeedTrace()) return refuse("quantities", "keeps no paths");
+  return absl::OkStatus();
+}
+
 // The part of the solver's memory that the settled order takes.
 uint64_t SettledBytes(const FieldExtras& extras, uint64_t vertices) {
   return extras.settled_order ? SettledLog::BytesFor(vertices) : 0;
@@ -54,6 +94,18 @@ uint64_t SettledBytes(const FieldExtras& extras, uint64_t vertices) {
 void FinishOrder(const DistanceField& field, double radius, SettledLog& log) {
   log.Append({.settled_radius = std::min(field.settled_radius, radius),
               .distances = field.distances});
+}
+
+// A whole field. That it is approximate is told by its key alone, from which
+// every answer takes it.
+absl::StatusOr<DistanceField> SolveApproximately(const MethodHandle& method,
+                                                 const ValidQuery& query,
+                                                 Checkpoint& checkpoint) {
+  absl::StatusOr<ApproximateField> field =
+      method.method->Distances(query, checkpoint);
+  if (!field.ok()) return field.status();
+  return DistanceField{.distances = std::move(field->distances),
+                       .statistics = {.solve_seconds = field->solve_seconds}};
 }
 
 // Moves the value out, or passes the error on.
@@ -67,7 +119,7 @@ absl::Status Assign(absl::StatusOr<T> from, T& to) {
 // Whether the question is about paths to its targets and nothing else, and can
 // be answered by searches that are directed at them.
 bool MayBeSearched(const FieldJobKey& key) {
-  return key.field.query->algorithm == kDefaultAlgorithm &&
+  return TargetSearch::IsDirected(key.field.query->algorithm) &&
          key.extras == FieldExtras{.paths = true} &&
          key.reach.targets == key.field.query->targets.size() &&
          std::isinf(key.reach.radius);
@@ -137,13 +189,21 @@ FieldEngine::FieldEngine(const Limits& limits, const SolveOptions& options,
 
 absl::StatusOr<FieldCall> FieldEngine::Compute(
     const FieldRequest& request, std::shared_ptr<FieldObserver> observer) {
-  const absl::StatusOr<MeshHandle> resident =
+  absl::StatusOr<MeshHandle> resident =
       meshes_.Get(request.mesh_digest, "mesh_digest");
   if (!resident.ok()) return resident.status();
-  const MeshHandle& mesh = *resident;
+  // A method knows the mesh that it was made of, not an equal one.
+  const MeshHandle mesh =
+      request.method.has_value() ? request.method->mesh : *resident;
   const absl::StatusOr<ValidQuery> query = MakeValid(request, *mesh->mesh);
   if (!query.ok()) return query.status();
   absl::Status status = CheckReach(request.reach, request.query.targets.size());
+  if (status.ok() && request.method.has_value()) {
+    status = CheckApproximate(request);
+  }
+  if (status.ok() && request.query.tolerance > 0) {
+    status = CheckWithinTolerance(request.extras);
+  }
   if (!status.ok()) return status;
 
   SortedQuery sorted = query->Sorted();
@@ -151,6 +211,9 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
                  .query = std::move(sorted.query),
                  .source_numbers = std::move(sorted.numbers),
                  .reach = request.reach};
+  if (request.method.has_value()) call.method = request.method->choice;
+  FieldExtras extras = request.extras;
+  extras.certified_errors = false;
   // The field itself holds distances at vertices. Vertex targets that the
   // solver does not need are left out, so more questions are equal.
   const FieldJobKey key{
@@ -159,9 +222,10 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
                              ? call.query
                              : call.query.WithoutVertexTargets(),
                 .bucket_width = options_.bucket_width,
-                .max_batch = options_.max_batch},
+                .max_batch = options_.max_batch,
+                .method = call.method},
       .reach = request.reach,
-      .extras = request.extras};
+      .extras = extras};
 
   const bool is_cached = [&] {
     std::optional<FieldCache::Found> found = fields_.Find(key.field, key.reach);
@@ -183,6 +247,7 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
   auto job = std::make_shared<FieldJob>(FieldJob{
       .mesh = mesh,
       .key = key,
+      .method = request.method,
       .settled_log =
           key.extras.settled_order ? std::make_shared<SettledLog>() : nullptr,
       .solver_bytes = PlannedSolverBytes(*mesh->mesh, key.field.query)});
@@ -326,23 +391,48 @@ FieldHandle FieldEngine::Keep(const FieldKey& key, DistanceField field,
 std::optional<FieldCache::Found> FieldEngine::LoadStored(FieldJob& job) {
   if (files_ == nullptr) return {};
   const FieldJobKey& key = job.key;
+  std::optional<FieldCache::Found> found;
+  // A field that cannot be read is computed again.
+  const auto load = [&](const FieldKey& stored) {
+    absl::StatusOr<FieldCache::Found> loaded = Load(job, stored);
+    // A tier that does not answer is not asked for the next best field.
+    if (!loaded.ok()) return absl::IsUnavailable(loaded.status());
+    found = *std::move(loaded);
+    return true;
+  };
+  if (const auto on_disk = files_->Find(key.field, key.reach)) {
+    load(*on_disk);
+  } else if (files_->has_shared()) {
+    VisitAnsweringKeys(key.field, load);
+    // When it was asked for, nobody knew.
+    if (found) Count(&FieldCounters::queries_cached);
+  }
+  return found;
+}
+
+absl::StatusOr<FieldCache::Found> FieldEngine::Load(FieldJob& job,
+                                                    const FieldKey& stored) {
   const Mesh& mesh = *job.mesh->mesh;
-  std::optional<FieldKey> stored = files_->Find(key.field, key.reach);
-  if (!stored) return {};
-  const bool is_other = *stored != key.field;
+  const bool is_other = stored != job.key.field;
   ByteReservation other_room;
   if (is_other) {
-    auto taken = fields_.Reserve(*stored, mesh.vertex_count());
-    if (!taken.ok()) return {};
+    auto taken = fields_.Reserve(stored, mesh.vertex_count());
+    if (!taken.ok()) return taken.status();
     other_room = *std::move(taken);
   }
-  absl::StatusOr<DistanceField> field = files_->Load(*stored, mesh);
-  // A field that cannot be read is computed again.
-  if (!field.ok() || !Covers(*field, key.reach)) return {};
+  absl::StatusOr<FieldFiles::Stored> loaded =
+      files_->Load(stored, job.key.reach, mesh);
+  if (!loaded.ok()) return loaded.status();
+  if (!Covers(loaded->field, job.key.reach)) {
+    return absl::NotFoundError("the field ends before its targets");
+  }
   Count(&FieldCounters::fields_loaded);
-  FieldHandle handle = Keep(*stored, *std::move(field),
+  FieldHandle handle = Keep(stored, std::move(loaded->field),
                             std::move(is_other ? other_room : job.room));
-  return FieldCache::Found{*std::move(stored), std::move(handle)};
+  if (loaded->from == BlobTier::kShared && writer_) {
+    writer_->Enqueue(stored, job.mesh, handle);
+  }
+  return FieldCache::Found{stored, std::move(handle)};
 }
 
 absl::StatusOr<FieldAnswer> FieldEngine::Search(FieldJob& job,
@@ -386,28 +476,41 @@ absl::StatusOr<FieldHandle> FieldEngine::Solve(FieldJob& job,
   Checkpoint& checkpoint =
       ordered ? static_cast<Checkpoint&>(*ordered) : job_checkpoint;
 
-  absl::StatusOr<DistanceField> field =
-      Guarded("computed a field", [&]() -> absl::StatusOr<DistanceField> {
-        auto computation =
-            start_(*mesh->mesh, key.field.query,
-                   WithIdleThreads(options_, scheduler_,
-                                   limits_.max_threads_per_solve));
-        if (!computation.ok()) return computation.status();
-        absl::Status status = (*computation)
-                                  ->Advance({.radius = key.reach.radius,
-                                             .targets = key.reach.targets},
-                                            checkpoint);
-        if (!status.ok()) return status;
-        return (*computation)->Field();
-      });
+  absl::StatusOr<DistanceField> field = Guarded("computed a field", [&] {
+    return job.method.has_value()
+               ? SolveApproximately(*job.method, key.field.query, checkpoint)
+               : SolveExactly(job, checkpoint);
+  });
   if (!field.ok()) {
     Count(&FieldCounters::solves_stopped);
     return field.status();
   }
   Count(&FieldCounters::solves_finished);
   FieldHandle handle = Keep(key.field, *std::move(field), std::move(job.room));
+  if (files_ != nullptr) {
+    // What cannot be shared is no fault of the answer.
+    (void)Guarded("shared a field", [&] {
+      files_->Share(key.field, *mesh->mesh, *handle);
+      return absl::OkStatus();
+    });
+  }
   if (writer_) writer_->Enqueue(key.field, mesh, handle);
   return handle;
+}
+
+absl::StatusOr<DistanceField> FieldEngine::SolveExactly(
+    const FieldJob& job, Checkpoint& checkpoint) {
+  const FieldJobKey& key = job.key;
+  auto computation = start_(
+      *job.mesh->mesh, key.field.query,
+      WithIdleThreads(options_, scheduler_, limits_.max_threads_per_solve));
+  if (!computation.ok()) return computation.status();
+  absl::Status status =
+      (*computation)
+          ->Advance({.radius = key.reach.radius, .targets = key.reach.targets},
+                    checkpoint);
+  if (!status.ok()) return status;
+  return (*computation)->Field();
 }
 
 void FieldEngine::EraseMesh(const std::string& digest) {

@@ -32,6 +32,7 @@
 #include "server/engine/jobs/start_function.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/meshes/mesh_store.h"
+#include "server/engine/meshes/method_store.h"
 #include "server/engine/searches/search_engine.h"
 
 namespace geodesic::server {
@@ -39,6 +40,9 @@ namespace geodesic::server {
 struct FieldRequest {
   std::string mesh_digest;
   Query query;
+  // If set, the field is computed by this approximate method. The algorithm of
+  // the query plays no part then.
+  std::optional<MethodHandle> method = {};
   FieldReach reach;
   FieldExtras extras;
   TimePoint deadline = kNoDeadline;
@@ -105,6 +109,8 @@ struct FieldCall {
   // For each source of the query, its number in the request.
   std::vector<uint32_t> source_numbers;
   FieldReach reach;
+  // Set if the field is approximate.
+  std::optional<MethodChoice> method = {};
   // Set if origin is kCached and no job is needed. The observer is then not
   // called.
   std::optional<FieldAnswer> answer;
@@ -122,7 +128,7 @@ struct FieldCounters {
   uint64_t solves_stopped = 0;
   uint64_t queries_joined = 0;
   uint64_t queries_cached = 0;
-  uint64_t fields_loaded = 0;  // from disk
+  uint64_t fields_loaded = 0;  // from disk and from the shared tier
 };
 
 // Thread-safe. No call waits for a job.
@@ -140,7 +146,7 @@ class FieldEngine {
   // before any other method.
   void Attach(FieldFiles& files) {
     files_ = &files;
-    writer_.emplace(files, scheduler_, meshes_);
+    if (files.has_disk()) writer_.emplace(files, scheduler_, meshes_);
   }
 
   // Starts, joins or finds the computation of a field.
@@ -151,9 +157,9 @@ class FieldEngine {
   absl::StatusOr<FieldCall> Compute(const FieldRequest& request,
                                     std::shared_ptr<FieldObserver> observer);
 
-  // The whole field of one source, computed by the default algorithm, if it is
-  // in the cache; otherwise null. Distances at vertices alone are sure to be in
-  // it. REQUIRES: the source is on the mesh.
+  // The whole exact field of one source, computed by the default algorithm, if
+  // it is in the cache; otherwise null. Distances at vertices alone are sure to
+  // be in it. REQUIRES: the source is on the mesh.
   FieldHandle FindWhole(const ResidentMesh& mesh, const SurfacePoint& source);
 
   // Ends the wait for `call`. If it was the last, the solver stops soon.
@@ -171,6 +177,7 @@ class FieldEngine {
   struct FieldJob {
     MeshHandle mesh;
     FieldJobKey key;
+    std::optional<MethodHandle> method;       // for an approximate field
     std::shared_ptr<SettledLog> settled_log;  // null: nobody asks for it
     uint64_t solver_bytes = 0;          // that the solver is planned to take
     std::optional<SearchMeans> search;  // if the targets are searched for
@@ -191,10 +198,16 @@ class FieldEngine {
   // Puts a field into the cache.
   FieldHandle Keep(const FieldKey& key, DistanceField field,
                    ByteReservation room);
-  // A field on disk that answers the question, or nothing.
+  // A field on disk or in the shared tier that answers the question, or
+  // nothing.
   std::optional<FieldCache::Found> LoadStored(FieldJob& job);
+  // The field of this key from there. Errors: as FieldFiles::Load; NOT_FOUND if
+  // it does not reach far enough; RESOURCE_EXHAUSTED.
+  absl::StatusOr<FieldCache::Found> Load(FieldJob& job, const FieldKey& stored);
   absl::StatusOr<FieldAnswer> Search(FieldJob& job, JobCheckpoint& checkpoint);
   absl::StatusOr<FieldHandle> Solve(FieldJob& job, JobCheckpoint& checkpoint);
+  absl::StatusOr<DistanceField> SolveExactly(const FieldJob& job,
+                                             Checkpoint& checkpoint);
 
   const Limits& limits_;
   const SolveOptions options_;
@@ -206,7 +219,7 @@ class FieldEngine {
   FieldCache fields_;
   FieldJobs jobs_;
   FieldFiles* files_ = nullptr;        // null: fields are kept in memory alone
-  std::optional<FieldWriter> writer_;  // of files_
+  std::optional<FieldWriter> writer_;  // of files_, if there is a disk
 
   mutable std::mutex counters_mutex_;
   FieldCounters counters_;  // guarded by counters_mutex_

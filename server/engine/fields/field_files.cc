@@ -15,10 +15,7 @@
 namespace geodesic::server {
 namespace {
 
-constexpr uint32_t kMetadataVersion = 1;
-
-// Bounds the index: each field on disk takes some memory.
-constexpr size_t kMaxFields = 100'000;
+constexpr uint32_t kMetadataVersion = 2;
 
 // At most this many fields wait to be written; more are dropped, because a slow
 // disk must not hold up the solvers.
@@ -70,6 +67,8 @@ struct Metadata {
   bool has_arrivals = false;
   uint64_t layout = 0;  // of the mesh, where arrivals depend on it
   uint64_t targets = 0;
+  // Of a field within a tolerance; 0: all distances are exact.
+  double certified_error = 0;
   double settled_radius = 0;
   std::string algorithm;
   SolveStatistics statistics;
@@ -95,11 +94,22 @@ std::string Encode(const FieldKey& key, const Mesh& mesh,
   writer.Put(!field.arrivals.empty());
   writer.Put(field.arrivals.empty() ? 0 : LayoutOf(mesh));
   writer.Put(uint64_t{field.target_distances.size()});
+  writer.Put(field.certified_error);
   writer.Put(field.settled_radius);
   const std::string_view algorithm = AlgorithmName(field.algorithm);
   writer.PutString(algorithm);
   VisitNumbers(field.statistics, [&](auto number) { writer.Put(number); });
   return writer.bytes();
+}
+
+std::array<std::string_view, 6> Body(const DistanceField& field) {
+  const bool is_exact = field.certified_error == 0;
+  return {AsBytes(field.distances),
+          AsBytes(field.target_distances),
+          AsBytes(field.arrivals),
+          AsBytes(field.target_arrivals),
+          is_exact ? "" : AsBytes(field.certified_errors),
+          is_exact ? "" : AsBytes(field.target_certified_errors)};
 }
 
 // Empty if the metadata has another version.
@@ -110,11 +120,18 @@ std::optional<Metadata> Decode(std::string_view bytes) {
         reader.Get(metadata.has_arrivals);
         reader.Get(metadata.layout);
         reader.Get(metadata.targets);
+        reader.Get(metadata.certified_error);
         reader.Get(metadata.settled_radius);
         reader.GetString(metadata.algorithm);
         VisitNumbers(metadata.statistics,
                      [&](auto& number) { reader.Get(number); });
       });
+}
+
+// Whether the field may hold what is asked for. Only the field itself tells
+// whether its targets are certified.
+bool MayCover(const Metadata& metadata, const FieldReach& reach) {
+  return reach.LimitsTargets() || metadata.settled_radius >= reach.radius;
 }
 
 template <typename T>
@@ -127,18 +144,6 @@ absl::Status ReadArray(BlobBody& body, size_t count, std::vector<T>& values) {
 }
 
 }  // namespace
-
-absl::StatusOr<std::unique_ptr<FieldFiles>> FieldFiles::Open(
-    const DataFolder& folder, uint64_t capacity, std::string version,
-    std::function<void(const std::string&)> warn) {
-  auto blobs = BlobStore::Open(folder, {.kind = "field",
-                                        .capacity = capacity,
-                                        .max_count = kMaxFields,
-                                        .warn = std::move(warn)});
-  if (!blobs.ok()) return blobs.status();
-  return std::unique_ptr<FieldFiles>(
-      new FieldFiles(std::move(version), *std::move(blobs)));
-}
 
 std::string FieldFiles::NameOf(const FieldKey& key) const {
   BinaryWriter writer;
@@ -157,6 +162,16 @@ std::string FieldFiles::NameOf(const FieldKey& key) const {
   writer.Put(query.trace);
   writer.Put(key.bucket_width);
   writer.Put(key.max_batch);
+  if (query.tolerance > 0) {
+    writer.PutString("tolerance");
+    writer.Put(query.tolerance);
+  }
+  if (key.method.has_value()) {
+    writer.PutString(ApproximateMethodName(key.method->method));
+    writer.Put(key.method->lambda);
+    writer.Put(key.method->neighbours);
+    writer.Put(key.method->samples);
+  }
   return Sha256Hex(writer.bytes());
 }
 
@@ -164,14 +179,10 @@ std::optional<FieldKey> FieldFiles::Find(const FieldKey& key,
                                          const FieldReach& reach) {
   std::optional<FieldKey> found;
   VisitAnsweringKeys(key, [&](const FieldKey& candidate) {
-    const std::optional<BlobInfo> info = blobs_->Find(NameOf(candidate));
+    const std::optional<BlobInfo> info = blobs_.Find(NameOf(candidate));
     const std::optional<Metadata> metadata =
         info ? Decode(info->metadata) : std::nullopt;
-    // Only the field itself tells whether its targets are certified.
-    if (metadata &&
-        (reach.LimitsTargets() || metadata->settled_radius >= reach.radius)) {
-      found = candidate;
-    }
+    if (metadata && MayCover(*metadata, reach)) found = candidate;
     return found.has_value();
   });
   return found;
@@ -180,58 +191,72 @@ std::optional<FieldKey> FieldFiles::Find(const FieldKey& key,
 absl::Status FieldFiles::Put(const FieldKey& key, const Mesh& mesh,
                              const DistanceField& field) {
   const std::string name = NameOf(key);
-  if (const std::optional<BlobInfo> present = blobs_->Find(name)) {
+  if (const std::optional<BlobInfo> present = blobs_.Find(name)) {
     const std::optional<Metadata> metadata = Decode(present->metadata);
     if (metadata && metadata->settled_radius >= field.settled_radius) {
       return absl::OkStatus();
     }
   }
-  const std::array<std::string_view, 4> body = {
-      AsBytes(field.distances), AsBytes(field.target_distances),
-      AsBytes(field.arrivals), AsBytes(field.target_arrivals)};
-  return blobs_->Put(name, Encode(key, mesh, field), body);
+  return blobs_.Keep(name, Encode(key, mesh, field), Body(field));
 }
 
-absl::StatusOr<DistanceField> FieldFiles::Load(const FieldKey& key,
-                                               const Mesh& mesh) {
-  const std::string name = NameOf(key);
-  const std::optional<BlobInfo> info = blobs_->Find(name);
-  std::optional<Metadata> metadata =
-      info ? Decode(info->metadata) : std::nullopt;
-  if (!metadata ||
-      (metadata->has_arrivals && metadata->layout != LayoutOf(mesh))) {
-    return absl::NotFoundError("the field is not on disk");
-  }
+void FieldFiles::Share(const FieldKey& key, const Mesh& mesh,
+                       const DistanceField& field) {
+  if (!has_shared()) return;
+  blobs_.Share(NameOf(key), Encode(key, mesh, field), Body(field));
+}
+
+absl::StatusOr<FieldFiles::Stored> FieldFiles::Load(const FieldKey& key,
+                                                    const FieldReach& reach,
+                                                    const Mesh& mesh) {
   const uint64_t vertices = mesh.vertex_count();
-  const absl::StatusOr<Algorithm> algorithm =
-      AlgorithmFromName(metadata->algorithm);
-  if (!algorithm.ok()) return algorithm.status();
-  DistanceField field{.settled_radius = metadata->settled_radius,
-                      .algorithm = *algorithm,
-                      .statistics = metadata->statistics};
-  absl::Status status = blobs_->Read(name, [&](BlobBody& body) {
-    absl::Status read = ReadArray(body, vertices, field.distances);
-    if (read.ok()) {
-      read = ReadArray(body, metadata->targets, field.target_distances);
+  const uint64_t targets = key.query->targets.size();
+  Stored stored;
+  const auto take = [&](std::string_view bytes,
+                        BlobBody& body) -> absl::Status {
+    const std::optional<Metadata> metadata = Decode(bytes);
+    if (!metadata || metadata->targets != targets ||
+        !MayCover(*metadata, reach) ||
+        (metadata->has_arrivals && metadata->layout != LayoutOf(mesh))) {
+      return absl::NotFoundError("the field that is kept is of no use here");
     }
-    if (!metadata->has_arrivals) return read;
-    if (read.ok()) read = ReadArray(body, vertices, field.arrivals);
-    if (read.ok()) {
-      read = ReadArray(body, metadata->targets, field.target_arrivals);
+    const absl::StatusOr<Algorithm> algorithm =
+        AlgorithmFromName(metadata->algorithm);
+    if (!algorithm.ok()) return algorithm.status();
+    stored.field = {.settled_radius = metadata->settled_radius,
+                    .certified_error = metadata->certified_error,
+                    .algorithm = *algorithm,
+                    .statistics = metadata->statistics};
+    DistanceField& field = stored.field;
+    absl::Status read;
+    const auto get = [&](uint64_t count, auto& values) {
+      if (read.ok()) read = ReadArray(body, count, values);
+    };
+    get(vertices, field.distances);
+    get(targets, field.target_distances);
+    if (metadata->has_arrivals) {
+      get(vertices, field.arrivals);
+      get(targets, field.target_arrivals);
+    }
+    if (metadata->certified_error > 0) {
+      get(vertices, field.certified_errors);
+      get(targets, field.target_certified_errors);
     }
     return read;
-  });
-  if (!status.ok()) return status;
-  return field;
+  };
+  const absl::StatusOr<BlobTier> from = blobs_.Read(NameOf(key), take);
+  if (!from.ok()) return from.status();
+  stored.from = *from;
+  return stored;
 }
 
 void FieldFiles::EraseMesh(const std::string& digest) {
   std::vector<std::string> names;
-  blobs_->ForEach([&](const std::string& name, std::string_view metadata) {
+  blobs_.ForEach([&](const std::string& name, std::string_view metadata) {
     const std::optional<Metadata> decoded = Decode(metadata);
     if (decoded && decoded->mesh_digest == digest) names.push_back(name);
   });
-  for (const std::string& name : names) (void)blobs_->Erase(name);
+  for (const std::string& name : names) (void)blobs_.Erase(name);
 }
 
 void FieldWriter::Enqueue(const FieldKey& key, const MeshHandle& mesh,

@@ -1,5 +1,6 @@
-// The finished fields on disk: a second, larger FieldCache that outlives the
-// process. A field that is lost here is computed again.
+// The finished fields on disk and in a tier shared with other servers: a
+// second, larger FieldCache that outlives the process. A field that is lost
+// here is computed again.
 
 #ifndef GEODESIC_SERVER_ENGINE_FIELDS_FIELD_FILES_H_
 #define GEODESIC_SERVER_ENGINE_FIELDS_FIELD_FILES_H_
@@ -19,48 +20,58 @@
 #include "server/engine/fields/field_cache.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/meshes/mesh_library.h"
-#include "server/store/blob_store.h"
+#include "server/store/blob_tiers.h"
 
 namespace geodesic::server {
 
-// Thread-safe. Put, Load and EraseMesh wait for the disk; Find does not.
+// Thread-safe. Put, Load and EraseMesh wait for disk and shared tier; Find does
+// not.
 class FieldFiles {
  public:
-  // Fields that another `version` of the program computed are not found.
-  // REQUIRES: `folder` outlives the object. Errors: as BlobStore::Open.
-  static absl::StatusOr<std::unique_ptr<FieldFiles>> Open(
-      const DataFolder& folder, uint64_t capacity, std::string version,
-      std::function<void(const std::string&)> warn);
+  // A field, and where it was found.
+  struct Stored {
+    DistanceField field;
+    BlobTier from = BlobTier::kDisk;
+  };
 
-  // The key of a field that should answer the question, judged without reading
-  // it; see FieldCache::Find.
+  // Fields that another `version` of the program computed are not found.
+  // REQUIRES: `blobs` outlives the object.
+  FieldFiles(BlobTiers& blobs, std::string version)
+      : blobs_(blobs), version_(std::move(version)) {}
+
+  // The key of a field on disk that should answer the question, judged without
+  // reading it; see FieldCache::Find.
   std::optional<FieldKey> Find(const FieldKey& key, const FieldReach& reach);
 
   // Keeps the field unless the disk has one that reaches as far.
-  // Errors: as BlobStore::Put.
+  // Errors: as BlobTiers::Keep.
   absl::Status Put(const FieldKey& key, const Mesh& mesh,
                    const DistanceField& field);
 
-  // The field of a key that Find returned, on its mesh. A traced field names
-  // half-edges, so it is usable only while they are numbered as they were.
-  // Errors: NOT_FOUND, DATA_LOSS (set aside), UNAVAILABLE, RESOURCE_EXHAUSTED.
-  absl::StatusOr<DistanceField> Load(const FieldKey& key, const Mesh& mesh);
+  // Puts a field that was computed here into the shared tier. Waits for
+  // nothing.
+  void Share(const FieldKey& key, const Mesh& mesh, const DistanceField& field);
 
-  // Drops the fields of a mesh. Fields on a disk that is read-only stay; they
-  // are still right, because meshes are named by their content.
+  // The field of this very key, on its mesh, from the disk or else from the
+  // shared tier. It may yet reach less far than its targets ask. A traced field
+  // names half-edges, so it is usable only while they are numbered as they
+  // were.
+  // Errors: NOT_FOUND, DATA_LOSS (set aside), UNAVAILABLE, RESOURCE_EXHAUSTED.
+  absl::StatusOr<Stored> Load(const FieldKey& key, const FieldReach& reach,
+                              const Mesh& mesh);
+
+  // Drops the fields of a mesh from the disk. On a disk that is read-only they
+  // stay; they are still right, because meshes are named by their content.
   void EraseMesh(const std::string& digest);
 
-  BlobStore& blobs() { return *blobs_; }
-  const BlobStore& blobs() const { return *blobs_; }
+  bool has_disk() const { return blobs_.has_disk(); }
+  bool has_shared() const { return blobs_.has_shared(); }
 
  private:
-  FieldFiles(std::string version, std::unique_ptr<BlobStore> blobs)
-      : version_(std::move(version)), blobs_(std::move(blobs)) {}
-
   std::string NameOf(const FieldKey& key) const;
 
+  BlobTiers& blobs_;
   const std::string version_;
-  const std::unique_ptr<BlobStore> blobs_;
 };
 
 // Writes fields to disk when the scheduler has nothing else to do. Waiting
@@ -68,7 +79,7 @@ class FieldFiles {
 // written. Has at most one job at a time. Thread-safe.
 class FieldWriter {
  public:
-  // A field is removed from disk when its mesh is gone from `meshes`.
+  // A field is removed from disk if its mesh is gone from `meshes`.
   // REQUIRES: the references outlive the object, and `scheduler` has no job
   // left when it is destroyed.
   FieldWriter(FieldFiles& files, Scheduler& scheduler, MeshLibrary& meshes)

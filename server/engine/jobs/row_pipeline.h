@@ -29,6 +29,9 @@ struct MatrixRow {
   // The column of each value; empty in a dense row.
   std::vector<uint32_t> columns;
   std::vector<double> values;
+  // No value is farther from the truth than this part of it; 0 if they are
+  // exact, up to rounding.
+  double certified_error = 0;
   // Of the values, if they were asked for.
   std::vector<GeodesicPath> paths;
 };

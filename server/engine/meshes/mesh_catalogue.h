@@ -16,6 +16,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "geodesic/approximate/prepare.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
@@ -25,7 +26,7 @@ namespace geodesic::server {
 
 // How the bytes of an upload are to be read: the canonical arrays themselves,
 // or a file that geodesic::ReadMesh reads.
-enum class UploadFormat { kArrays, kObj, kPly, kOff, kStl };
+enum class UploadFormat { kArrays, kObj, kPly, kOff, kStl, kVtk, kGltf };
 
 struct UploadHeader {
   UploadFormat format = UploadFormat::kArrays;
@@ -45,12 +46,21 @@ struct FileKey {
   friend auto operator<=>(const FileKey&, const FileKey&) = default;
 };
 
+// Something that an approximate method has made of a mesh.
+struct MethodDescription {
+  MethodChoice choice;
+  uint64_t bytes = 0;
+  // To make it, or to load it from disk.
+  double prepare_seconds = 0;
+};
+
 struct MeshDescription {
   std::string digest;
   MeshSummary summary;
-  uint64_t resident_bytes = 0;  // 0: not in memory
-  uint64_t stored_bytes = 0;    // 0: not on disk
-  uint32_t landmarks = 0;       // in memory
+  uint64_t resident_bytes = 0;                  // 0: not in memory
+  uint64_t stored_bytes = 0;                    // 0: not on disk
+  uint32_t landmarks = 0;                       // in memory
+  std::vector<MethodDescription> methods = {};  // prepared, in memory
 };
 
 struct ResidentMesh {

@@ -1,9 +1,6 @@
 #include "server/engine/meshes/mesh_files.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cstring>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -11,15 +8,12 @@
 #include "server/engine/base/argument_checks.h"
 #include "server/engine/base/binary_codec.h"
 #include "server/engine/base/status_details.h"
-#include "server/engine/meshes/mesh_digest.h"
+#include "server/engine/meshes/mesh_body.h"
 
 namespace geodesic::server {
 namespace {
 
 constexpr uint32_t kMetadataVersion = 1;
-
-// A cancelled read stops within this many bytes, about 10 ms.
-constexpr size_t kPieceBytes = size_t{8} << 20;
 
 // Freeing disk space takes longer than a second.
 constexpr std::chrono::milliseconds kRetryDelay{5000};
@@ -44,12 +38,6 @@ void VisitNumbers(Summary& summary, Visit visit) {
   for (auto& x : summary.bounding_box_max) visit(x);
   visit(summary.mean_edge_length);
   visit(summary.anisotropy);
-}
-
-// Bytes of the body of a mesh's file.
-uint64_t BodyBytes(uint64_t vertices, uint64_t faces) {
-  return MeshDigestHead(vertices, faces).size() + vertices * sizeof(Point) +
-         faces * sizeof(Triangle);
 }
 
 struct Metadata {
@@ -100,36 +88,6 @@ std::optional<MeshDescription> ToDescription(BlobInfo info) {
                          .stored_bytes = info.file_bytes};
 }
 
-// Mesh stores its faces in another order than the file.
-absl::Status AppendTriangles(const Mesh& mesh, BlobSink& sink) {
-  constexpr uint32_t kPiece = 64 << 10;
-  std::vector<Triangle> piece;
-  for (uint32_t face = 0; face < mesh.face_count();) {
-    piece.clear();
-    for (; face < mesh.face_count() && piece.size() < kPiece; ++face) {
-      piece.push_back(mesh.triangle(face));
-    }
-    absl::Status status = sink.Append(AsBytes(piece));
-    if (!status.ok()) return status;
-  }
-  return absl::OkStatus();
-}
-
-template <typename T>
-absl::Status ReadArray(BlobBody& body, Checkpoint& checkpoint,
-                       std::vector<T>& values) {
-  std::span<char> bytes(reinterpret_cast<char*>(values.data()),
-                        values.size() * sizeof(T));
-  while (!bytes.empty()) {
-    const size_t count = std::min(bytes.size(), kPieceBytes);
-    absl::Status status = checkpoint.Poll({});
-    if (status.ok()) status = body.Read(bytes.first(count));
-    if (!status.ok()) return status;
-    bytes = bytes.subspan(count);
-  }
-  return absl::OkStatus();
-}
-
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<MeshFiles>> MeshFiles::Open(
@@ -175,8 +133,8 @@ std::vector<MeshDescription> MeshFiles::List(const std::string& after,
 absl::Status MeshFiles::Admit(uint64_t vertices, uint64_t faces) {
   // Metadata of the largest size.
   const std::string metadata =
-      Encode(MeshSummary(), FileKey{UploadFormat::kStl, std::string(64, '0')});
-  return blobs_->Admit(BodyBytes(vertices, faces), metadata.size());
+      Encode(MeshSummary(), FileKey{UploadFormat::kGltf, std::string(64, '0')});
+  return blobs_->Admit(MeshBodyBytes(vertices, faces), metadata.size());
 }
 
 absl::Status MeshFiles::Put(const ResidentMesh& mesh,
@@ -185,15 +143,12 @@ absl::Status MeshFiles::Put(const ResidentMesh& mesh,
   absl::Status status = Admit(arrays.vertex_count(), arrays.face_count());
   if (!status.ok()) return status;
   const auto write = [&](BlobSink& sink) {
-    absl::Status written =
-        sink.Append(MeshDigestHead(arrays.vertex_count(), arrays.face_count()));
-    if (written.ok()) written = sink.Append(AsBytes(arrays.positions()));
-    if (written.ok()) written = AppendTriangles(arrays, sink);
-    return written;
+    return WriteMeshBody(
+        arrays, [&](std::string_view bytes) { return sink.Append(bytes); });
   };
-  status =
-      blobs_->Put(mesh.digest, Encode(mesh.summary, file),
-                  BodyBytes(arrays.vertex_count(), arrays.face_count()), write);
+  status = blobs_->Put(
+      mesh.digest, Encode(mesh.summary, file),
+      MeshBodyBytes(arrays.vertex_count(), arrays.face_count()), write);
   if (status.ok()) return status;
   return WithRetryAfter(
       absl::Status(status.code(),
@@ -204,27 +159,13 @@ absl::Status MeshFiles::Put(const ResidentMesh& mesh,
 
 absl::StatusOr<TriangleSoup> MeshFiles::Load(const MeshDescription& mesh,
                                              Checkpoint& checkpoint) {
-  TriangleSoup soup;
-  const absl::Status status = blobs_->Read(mesh.digest, [&](BlobBody& body) {
-    const std::string expected =
-        MeshDigestHead(mesh.summary.vertices, mesh.summary.faces);
-    if (body.bytes_left() !=
-        BodyBytes(mesh.summary.vertices, mesh.summary.faces)) {
-      return absl::DataLossError("the body has not the size of the mesh");
-    }
-    // The head holds the counts, which the digest covers.
-    std::string head(expected.size(), '\0');
-    absl::Status read = body.Read(head);
-    if (!read.ok()) return read;
-    if (head != expected) {
-      return absl::DataLossError("the counts are not those of the mesh");
-    }
-    soup.positions.resize(mesh.summary.vertices);
-    soup.triangles.resize(mesh.summary.faces);
-    read = ReadArray(body, checkpoint, soup.positions);
-    if (read.ok()) read = ReadArray(body, checkpoint, soup.triangles);
-    return read;
-  });
+  absl::StatusOr<TriangleSoup> soup = TriangleSoup();
+  const auto take = [&](std::string_view, BlobBody& body) {
+    soup = ReadMeshBody(body, mesh.summary.vertices, mesh.summary.faces,
+                        checkpoint);
+    return soup.status();
+  };
+  const absl::Status status = blobs_->Read(mesh.digest, take);
   if (status.ok()) return soup;
   if (absl::IsDataLoss(status)) {
     return absl::NotFoundError(absl::StrCat(

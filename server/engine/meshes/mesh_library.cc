@@ -9,6 +9,7 @@
 #include "geodesic/field_path.h"
 #include "server/engine/base/argument_checks.h"
 #include "server/engine/base/status_details.h"
+#include "server/engine/meshes/mesh_digest.h"
 
 namespace geodesic::server {
 namespace {
@@ -41,8 +42,12 @@ MeshLibrary::MeshLibrary(const Limits& limits, const Clock& clock,
       upload_memory_(std::move(upload_memory)),
       removed_(std::move(removed)),
       landmarks_(limits.landmark_memory_bytes),
+      methods_(limits.prepared_memory_bytes),
       store_(limits.mesh_store_bytes,
-             [this](const std::string& digest) { landmarks_.Erase(digest); }),
+             [this](const std::string& digest) {
+               landmarks_.Erase(digest);
+               methods_.EraseMesh(digest);
+             }),
       uploads_(scheduler, clock, limits.progress_interval),
       loads_(scheduler, clock, limits.progress_interval) {}
 
@@ -65,10 +70,16 @@ std::optional<MeshDescription> MeshLibrary::Find(const std::string& digest) {
   const MeshHandle resident = store_.Find(digest);
   std::optional<MeshDescription> mesh = catalogue_->Describe(digest);
   if (mesh && resident != nullptr) {
-    mesh->resident_bytes = resident->mesh->resident_bytes();
-    mesh->landmarks = landmarks_.CountOf(digest);
+    DescribeMemory(resident->mesh->resident_bytes(), *mesh);
   }
   return mesh;
+}
+
+void MeshLibrary::DescribeMemory(uint64_t resident_bytes,
+                                 MeshDescription& mesh) const {
+  mesh.resident_bytes = resident_bytes;
+  mesh.landmarks = landmarks_.CountOf(mesh.digest);
+  mesh.methods = methods_.Describe(mesh.digest);
 }
 
 std::optional<std::string> MeshLibrary::FindFile(const FileKey& file) {
@@ -149,8 +160,7 @@ absl::StatusOr<MeshPage> MeshLibrary::List(int page_size,
     const auto mesh = std::ranges::lower_bound(meshes, resident.digest, {},
                                                &MeshDescription::digest);
     if (mesh != meshes.end() && mesh->digest == resident.digest) {
-      mesh->resident_bytes = resident.resident_bytes;
-      mesh->landmarks = landmarks_.CountOf(mesh->digest);
+      DescribeMemory(resident.resident_bytes, *mesh);
     }
   }
   if (meshes.size() > count) {
@@ -326,10 +336,13 @@ absl::StatusOr<UploadResult> MeshLibrary::Build(MeshBuild& build,
   if (const auto stored = catalogue_->Describe(mesh.digest)) {
     description.stored_bytes = stored->stored_bytes;
   }
-  const bool is_new = Keep(std::move(mesh), std::move(build.room)).is_new;
+  const MeshStore::Inserted kept = Keep(std::move(mesh), std::move(build.room));
   AddFile(upload);
   ++meshes_built_;
-  return UploadResult{std::move(description), !is_new};
+  if (siblings_ != nullptr && kept.value != nullptr) {
+    siblings_->Spread(kept.value);
+  }
+  return UploadResult{std::move(description), !kept.is_new};
 }
 
 void MeshLibrary::AddFile(const MeshUpload& upload) {
@@ -342,31 +355,40 @@ absl::StatusOr<MeshLoads::Ticket> MeshLibrary::Await(
     done(std::move(mesh));
     return MeshLoads::Ticket();
   }
-  const std::optional<MeshDescription> mesh = Find(digest);
-  if (!mesh) return NotResident(digest);
-  absl::Status status =
-      CheckMemory(mesh->summary.vertices, mesh->summary.faces);
-  if (!status.ok()) return status;
+  if (const std::optional<MeshDescription> mesh = Find(digest)) {
+    absl::Status status =
+        CheckMemory(mesh->summary.vertices, mesh->summary.faces);
+    if (!status.ok()) return status;
+  } else if (siblings_ == nullptr) {
+    return NotResident(digest);
+  }
   auto load = std::make_shared<MeshLoad>(MeshLoad{.digest = digest});
   return loads_.Join(digest, {.done = std::move(done)}, JobPriority::kBuild,
                      [&] {
                        return SharedWork<MeshHandle>{
                            .client = client,
                            .reserve = [this, load] { return Reserve(*load); },
-                           .run = [this, load](JobCheckpoint& checkpoint)
-                               -> absl::StatusOr<std::optional<MeshHandle>> {
-                             return Run(*load, checkpoint);
-                           }};
+                           .run =
+                               [this, load](JobCheckpoint& checkpoint) {
+                                 return Run(*load, checkpoint);
+                               }};
                      });
 }
 
 absl::Status MeshLibrary::Reserve(MeshLoad& load) {
   load.mesh = FindResident(load.digest);
   if (load.mesh != nullptr) return absl::OkStatus();
-  const std::optional<MeshDescription> mesh = catalogue_->Describe(load.digest);
-  if (!mesh) return NotResident(load.digest);
-  const uint64_t vertices = mesh->summary.vertices;
-  const uint64_t faces = mesh->summary.faces;
+  if (const auto mesh = catalogue_->Describe(load.digest)) {
+    return Reserve(load, mesh->summary.vertices, mesh->summary.faces);
+  }
+  if (siblings_ == nullptr) return NotResident(load.digest);
+  // To ask for it takes no memory.
+  if (!load.found.has_value()) return absl::OkStatus();
+  return Reserve(load, load.found->vertices, load.found->faces);
+}
+
+absl::Status MeshLibrary::Reserve(MeshLoad& load, uint64_t vertices,
+                                  uint64_t faces) {
   absl::StatusOr<ByteReservation> arrays =
       ByteReservation::Make(upload_memory_, BytesFromArrays(vertices, faces));
   if (!arrays.ok()) return arrays.status();
@@ -377,12 +399,53 @@ absl::Status MeshLibrary::Reserve(MeshLoad& load) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<MeshHandle> MeshLibrary::Run(MeshLoad& load,
-                                            Checkpoint& checkpoint) {
+absl::StatusOr<std::optional<MeshHandle>> MeshLibrary::Run(
+    MeshLoad& load, Checkpoint& checkpoint) {
   if (load.mesh != nullptr) return std::move(load.mesh);
-  const std::optional<MeshDescription> mesh = catalogue_->Describe(load.digest);
-  if (!mesh) return NotResident(load.digest);
-  absl::StatusOr<TriangleSoup> soup = catalogue_->Load(*mesh, checkpoint);
+  if (load.found.has_value()) {
+    absl::StatusOr<MeshHandle> mesh = Fetch(load, checkpoint);
+    if (!absl::IsUnavailable(mesh.status())) return mesh;
+    // The next one may have it, too.
+    load.refusal = mesh.status();
+    load.next_sibling = load.found->sibling + 1;
+    load.found.reset();
+    load.arrays = {};
+    load.room = {};
+    return std::nullopt;
+  }
+  if (const auto mesh = catalogue_->Describe(load.digest)) {
+    // It may have come to the disk after Reserve.
+    if (load.arrays.bytes() == 0) return std::nullopt;
+    return LoadFromDisk(load, *mesh, checkpoint);
+  }
+  if (siblings_ == nullptr) return NotResident(load.digest);
+  if (absl::Status s = FindSibling(load, checkpoint); !s.ok()) return s;
+  return std::nullopt;
+}
+
+absl::Status MeshLibrary::FindSibling(MeshLoad& load, Checkpoint& checkpoint) {
+  absl::StatusOr<SiblingMesh> found =
+      siblings_->Find(load.digest, load.next_sibling, checkpoint);
+  if (!found.ok()) {
+    if (!load.refusal.ok()) return load.refusal;
+    return absl::IsNotFound(found.status()) ? NotResident(load.digest)
+                                            : found.status();
+  }
+  const std::string who =
+      absl::StrCat("mesh ", load.digest, " of a sibling has");
+  absl::Status fits = CheckCount("vertices", found->vertices, "max_vertices",
+                                 limits_.max_vertices, who);
+  fits.Update(
+      CheckCount("faces", found->faces, "max_faces", limits_.max_faces, who));
+  // Larger counts would overflow there.
+  if (fits.ok()) fits = CheckCapacity(found->vertices, found->faces);
+  if (fits.ok()) load.found = *std::move(found);
+  return fits;
+}
+
+absl::StatusOr<MeshHandle> MeshLibrary::LoadFromDisk(
+    MeshLoad& load, const MeshDescription& mesh, Checkpoint& checkpoint) {
+  absl::StatusOr<TriangleSoup> soup = catalogue_->Load(mesh, checkpoint);
   if (!soup.ok()) return soup.status();
   absl::StatusOr<std::shared_ptr<const Mesh>> built =
       Mesh::Build(*std::move(soup), checkpoint);
@@ -392,11 +455,33 @@ absl::StatusOr<MeshHandle> MeshLibrary::Run(MeshLoad& load,
         "mesh ", load.digest, " cannot be built: ", built.status().message()));
   }
   if (!built.ok()) return built.status();
-  MeshHandle kept = Keep({load.digest, *std::move(built), mesh->summary},
-                         std::move(load.room))
-                        .value;
+  MeshHandle kept =
+      Keep({load.digest, *std::move(built), mesh.summary}, std::move(load.room))
+          .value;
   if (kept == nullptr) return NotResident(load.digest);
   ++meshes_loaded_;
+  return kept;
+}
+
+absl::StatusOr<MeshHandle> MeshLibrary::Fetch(MeshLoad& load,
+                                              Checkpoint& checkpoint) {
+  absl::StatusOr<TriangleSoup> soup = siblings_->Read(*load.found, checkpoint);
+  if (!soup.ok()) return soup.status();
+  absl::StatusOr<std::shared_ptr<const Mesh>> built =
+      MeshDigest(soup->positions, soup->triangles) == load.digest
+          ? Mesh::Build(*std::move(soup), checkpoint)
+          : absl::InvalidArgumentError("its digest is another one");
+  if (absl::IsInvalidArgument(built.status())) {
+    return absl::UnavailableError(
+        absl::StrCat("a sibling sent something else for mesh ", load.digest,
+                     ": ", built.status().message()));
+  }
+  if (!built.ok()) return built.status();
+  ResidentMesh mesh{load.digest, *built, Summarize(**built)};
+  if (absl::Status s = catalogue_->Put(mesh, std::nullopt); !s.ok()) return s;
+  MeshHandle kept = Keep(std::move(mesh), std::move(load.room)).value;
+  if (kept == nullptr) return NotResident(load.digest);
+  ++meshes_fetched_;
   return kept;
 }
 

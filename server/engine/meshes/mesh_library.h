@@ -4,6 +4,8 @@
 //   1. an upload is answered when its mesh is on disk;
 //   2. a mesh in memory is on disk, except while it is dropped from both;
 //   3. Await loads a mesh that is on disk but not in memory.
+//
+// With siblings, Await fetches a mesh that is not here from one of them.
 
 #ifndef GEODESIC_SERVER_ENGINE_MESHES_MESH_LIBRARY_H_
 #define GEODESIC_SERVER_ENGINE_MESHES_MESH_LIBRARY_H_
@@ -27,8 +29,10 @@
 #include "server/engine/meshes/landmark_store.h"
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_files.h"
+#include "server/engine/meshes/mesh_siblings.h"
 #include "server/engine/meshes/mesh_store.h"
 #include "server/engine/meshes/mesh_upload.h"
+#include "server/engine/meshes/method_store.h"
 
 namespace geodesic::server {
 
@@ -40,7 +44,8 @@ struct UploadResult {
 using UploadCallback = std::function<void(const absl::StatusOr<UploadResult>&)>;
 using UploadJobs = SharedJobs<uint64_t, UploadResult>;  // each of its own key
 
-// Loads of meshes from disk; all who ask for one mesh share one load.
+// Loads of meshes from disk or siblings; all who ask for one mesh share one
+// load.
 using MeshLoads = SharedJobs<std::string, MeshHandle>;
 using MeshCallback = std::function<void(const absl::StatusOr<MeshHandle>&)>;
 
@@ -75,6 +80,10 @@ class MeshLibrary {
   // From now on keeps meshes in `files`, which outlives the object. Call before
   // any other method.
   void Attach(MeshFiles& files);
+
+  // From now on asks `siblings`, which outlive the object, for meshes that are
+  // not here. Call before any other method.
+  void Attach(MeshSiblings& siblings) { siblings_ = &siblings; }
 
   // Errors: INVALID_ARGUMENT naming a malformed digest, or the number of items
   // when there are more than 1000.
@@ -118,12 +127,15 @@ class MeshLibrary {
     return catalogue_->Contains(digest);
   }
 
+  // Whether Await may bring a mesh that is not here.
+  bool has_siblings() const { return siblings_ != nullptr; }
+
   // Calls `done` with the mesh in memory. If it is there already, that happens
   // from here and the ticket is empty; otherwise from the job that loads it,
   // which waits for its memory as Job::reserve says.
   // Errors, here or in `done`: NOT_FOUND; RESOURCE_EXHAUSTED (no memory, at
   // once if it can never be had; the queue is full); UNAVAILABLE (shutting
-  // down; the disk cannot be read).
+  // down; the disk cannot be read; no sibling has it, and some do not answer).
   absl::StatusOr<MeshLoads::Ticket> Await(const std::string& digest,
                                           MeshCallback done,
                                           const std::string& client = {});
@@ -142,11 +154,14 @@ class MeshLibrary {
                       const std::string& client = {});
 
   uint64_t meshes_built() const { return meshes_built_; }
-  uint64_t meshes_loaded() const { return meshes_loaded_; }  // from disk
+  uint64_t meshes_loaded() const { return meshes_loaded_; }    // from disk
+  uint64_t meshes_fetched() const { return meshes_fetched_; }  // by siblings_
   const MeshStore& store() const { return store_; }
   // Of meshes in memory; they go with their meshes.
   LandmarkStore& landmarks() { return landmarks_; }
   const LandmarkStore& landmarks() const { return landmarks_; }
+  MethodStore& methods() { return methods_; }
+  const MethodStore& methods() const { return methods_; }
   const MeshLoads& loads() const { return loads_; }
 
  private:
@@ -162,12 +177,17 @@ class MeshLibrary {
   struct MeshLoad {
     std::string digest;
     MeshHandle mesh;
-    ByteReservation arrays;  // and the build's temporary memory
-    ByteReservation room;    // of the mesh store
+    std::optional<SiblingMesh> found;  // once one is known to have it
+    size_t next_sibling = 0;           // to be asked
+    absl::Status refusal;              // why the one before did not send it
+    ByteReservation arrays;            // and the build's temporary memory
+    ByteReservation room;              // of the mesh store
   };
 
   MeshHandle FindResident(const std::string& digest);
   std::optional<MeshDescription> Find(const std::string& digest);
+  // Adds what the mesh, which is in memory, has there beside it.
+  void DescribeMemory(uint64_t resident_bytes, MeshDescription& mesh) const;
   std::optional<std::string> FindFile(const FileKey& file);
 
   // Whether the memory to build a mesh can ever be had.
@@ -188,7 +208,16 @@ class MeshLibrary {
   void AddFile(const MeshUpload& upload);
 
   absl::Status Reserve(MeshLoad& load);
-  absl::StatusOr<MeshHandle> Run(MeshLoad& load, Checkpoint& checkpoint);
+  absl::Status Reserve(MeshLoad& load, uint64_t vertices, uint64_t faces);
+  // If the result is empty, call Reserve and run it again.
+  absl::StatusOr<std::optional<MeshHandle>> Run(MeshLoad& load,
+                                                Checkpoint& checkpoint);
+  absl::StatusOr<MeshHandle> LoadFromDisk(MeshLoad& load,
+                                          const MeshDescription& mesh,
+                                          Checkpoint& checkpoint);
+  // Looks for a sibling that has the mesh.
+  absl::Status FindSibling(MeshLoad& load, Checkpoint& checkpoint);
+  absl::StatusOr<MeshHandle> Fetch(MeshLoad& load, Checkpoint& checkpoint);
 
   // Keeps the mesh in memory. If the disk has lost the mesh meanwhile, it is
   // dropped and `value` of the result is null.
@@ -200,14 +229,17 @@ class MeshLibrary {
   const std::shared_ptr<ByteBudget> upload_memory_;
   const std::function<void(const std::string&)> removed_;
   LandmarkStore landmarks_;
+  MethodStore methods_;
   MeshStore store_;
   MeshCatalogue* catalogue_ = &store_;
+  MeshSiblings* siblings_ = nullptr;
   UploadJobs uploads_;
   MeshLoads loads_;
 
   std::atomic<uint64_t> next_upload_ = 0;
   std::atomic<uint64_t> meshes_built_ = 0;
   std::atomic<uint64_t> meshes_loaded_ = 0;
+  std::atomic<uint64_t> meshes_fetched_ = 0;
 };
 
 }  // namespace geodesic::server

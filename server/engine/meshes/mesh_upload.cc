@@ -9,6 +9,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/field_path.h"
+#include "geodesic/gzip.h"
 #include "geodesic/read_mesh.h"
 #include "server/engine/base/argument_checks.h"
 #include "server/engine/meshes/mesh_digest.h"
@@ -29,6 +30,9 @@ constexpr uint64_t kFirstCapacity = uint64_t{1} << 20;
 constexpr uint64_t kUsualFactor = 3;
 constexpr uint64_t kNextFactor = 4;
 constexpr uint64_t kLastFactor = 48;
+
+// Gunzip's memory, as a multiple of what comes out.
+constexpr uint64_t kGunzipFactor = 2;
 
 // The subject of CheckCount's messages.
 constexpr char kUpload[] = "the upload announces";
@@ -98,6 +102,10 @@ MeshFormat FileFormat(UploadFormat format) {
       return MeshFormat::kOff;
     case UploadFormat::kStl:
       return MeshFormat::kStl;
+    case UploadFormat::kVtk:
+      return MeshFormat::kVtk;
+    case UploadFormat::kGltf:
+      return MeshFormat::kGltf;
     case UploadFormat::kObj:
     case UploadFormat::kArrays:
       break;
@@ -177,6 +185,10 @@ absl::Status MeshUpload::Finish() {
   }
   if (header_.format != UploadFormat::kArrays) {
     file_ = {header_.format, hash_.FinishHex()};
+    if (const std::string_view file = Bytes(); IsGzip(file)) {
+      inflated_bound_ =
+          std::min(PromisedGzipBytes(file), limits_.max_upload_bytes);
+    }
   }
   return absl::OkStatus();
 }
@@ -186,10 +198,42 @@ uint64_t MeshUpload::BytesToParse(const UploadHeader& header) {
 }
 
 absl::Status MeshUpload::ReserveForParse() {
-  return reservation_.GrowTo(bytes_.capacity() + SoupBound());
+  return reservation_.GrowTo(
+      bytes_.capacity() +
+      (inflated_bound_ > 0 ? kGunzipFactor * inflated_bound_ : SoupBound()));
+}
+
+absl::Status MeshUpload::Inflate(Checkpoint& checkpoint) {
+  absl::StatusOr<std::vector<char>> inflated =
+      Gunzip(Bytes(), inflated_bound_, &checkpoint);
+  if (inflated.ok()) {
+    bytes_ = *std::move(inflated);
+    inflated_bound_ = 0;
+    reservation_.ShrinkTo(bytes_.capacity());
+    return absl::OkStatus();
+  }
+  if (absl::IsResourceExhausted(inflated.status()) &&
+      inflated_bound_ < limits_.max_upload_bytes) {
+    inflated_bound_ =
+        std::min(kNextFactor * inflated_bound_, limits_.max_upload_bytes);
+    return absl::OkStatus();
+  }
+  return FreeAndExplain(inflated.status());
+}
+
+absl::Status MeshUpload::FreeAndExplain(const absl::Status& status) {
+  std::vector<char>().swap(bytes_);
+  reservation_.ShrinkTo(0);
+  return absl::IsInvalidArgument(status) ? WithFieldPath(status, "chunk.data")
+                                         : status;
 }
 
 absl::StatusOr<bool> MeshUpload::Parse(Checkpoint& checkpoint) {
+  if (inflated_bound_ > 0) {
+    const absl::Status status = Inflate(checkpoint);
+    if (!status.ok()) return status;
+    return false;
+  }
   const ReadLimits core_limits;
   const ReadLimits own = {
       .max_vertices = std::min(limits_.max_vertices, core_limits.max_vertices),
@@ -198,22 +242,19 @@ absl::StatusOr<bool> MeshUpload::Parse(Checkpoint& checkpoint) {
   absl::StatusOr<TriangleSoup> soup =
       header_.format == UploadFormat::kArrays
           ? ParseArrays()
-          : ParseFile({std::min(own.max_vertices, within.max_vertices),
-                       std::min(own.max_triangles, within.max_triangles),
-                       &checkpoint});
+          : ParseFile({.max_vertices =
+                           std::min(own.max_vertices, within.max_vertices),
+                       .max_triangles =
+                           std::min(own.max_triangles, within.max_triangles),
+                       .checkpoint = &checkpoint});
   if (absl::IsResourceExhausted(soup.status()) && soup_factor_ < kLastFactor &&
       (within.max_vertices < own.max_vertices ||
        within.max_triangles < own.max_triangles)) {
     soup_factor_ *= kNextFactor;
     return false;
   }
+  if (!soup.ok()) return FreeAndExplain(soup.status());
   std::vector<char>().swap(bytes_);
-  if (!soup.ok()) {
-    reservation_.ShrinkTo(0);
-    return absl::IsInvalidArgument(soup.status())
-               ? WithFieldPath(soup.status(), "chunk.data")
-               : soup.status();
-  }
   reservation_.ShrinkTo(SoupBytes(*soup));
   if (absl::Status s = checkpoint.Poll({}); !s.ok()) return s;
   digest_ = MeshDigest(soup->positions, soup->triangles);
@@ -244,8 +285,7 @@ absl::StatusOr<TriangleSoup> MeshUpload::ParseArrays() const {
 
 absl::StatusOr<TriangleSoup> MeshUpload::ParseFile(
     const ReadLimits& limits) const {
-  return ReadMesh({bytes_.data(), bytes_.size()}, FileFormat(header_.format),
-                  limits);
+  return ReadMesh(Bytes(), FileFormat(header_.format), limits);
 }
 
 }  // namespace geodesic::server

@@ -50,13 +50,16 @@ class MeshUpload {
   // The memory of such an upload's bytes and, for most files, of its triangles.
   static uint64_t BytesToParse(const UploadHeader& header);
 
-  // Takes memory for the triangles. REQUIRES: Finish succeeded.
+  // Takes memory for the triangles, or for what compressed bytes hold.
+  // REQUIRES: Finish succeeded.
   // Errors: as ByteReservation::GrowTo.
   absl::Status ReserveForParse();
 
   // Makes triangles from the bytes and frees them, in linear time. Returns
-  // false and keeps the bytes if the memory taken is too small for the file;
-  // ReserveForParse then takes more. REQUIRES: ReserveForParse succeeded.
+  // false if the bytes were compressed with gzip, which they are no more, or if
+  // the memory taken is too small for the file; ReserveForParse then takes
+  // more. What is compressed may hold `max_upload_bytes`. REQUIRES:
+  // ReserveForParse succeeded.
   // Errors: INVALID_ARGUMENT naming line, byte or element, or when the header
   // expects another mesh; RESOURCE_EXHAUSTED when a limit is passed; what
   // `checkpoint` says.
@@ -76,7 +79,11 @@ class MeshUpload {
   MeshUpload(UploadHeader header, const Limits& limits,
              std::shared_ptr<ByteBudget> budget);
 
-  uint64_t SoupBound() const { return soup_factor_ * header_.size_bytes; }
+  std::string_view Bytes() const { return {bytes_.data(), bytes_.size()}; }
+  uint64_t SoupBound() const { return soup_factor_ * bytes_.size(); }
+  // Decompresses the bytes, or doubts how much they hold.
+  absl::Status Inflate(Checkpoint& checkpoint);
+  absl::Status FreeAndExplain(const absl::Status& status);
   absl::StatusOr<TriangleSoup> ParseArrays() const;
   absl::StatusOr<TriangleSoup> ParseFile(const ReadLimits& limits) const;
 
@@ -85,6 +92,8 @@ class MeshUpload {
   const std::shared_ptr<ByteBudget> budget_;
   ByteReservation reservation_;
   std::vector<char> bytes_;
+  // As long as they are compressed: a bound on what they hold. Otherwise 0.
+  uint64_t inflated_bound_ = 0;
   uint64_t soup_factor_;  // bound: triangles' bytes / upload's bytes
   Sha256 hash_;
   std::optional<FileKey> file_;

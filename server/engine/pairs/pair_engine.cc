@@ -11,12 +11,11 @@ namespace geodesic::server {
 namespace {
 
 constexpr size_t kSearchesPerRow = 32;
+// Each row makes its own search of a graph, which takes some of them in time.
+constexpr size_t kGraphSearchesPerRow = 1024;
 
 // Few searches are spread over the threads, and the faster of these take more.
 constexpr size_t kRowsPerThread = 4;
-
-// Landmarks cost some 200 searches, and save more than half of each.
-constexpr size_t kSearchesWorthLandmarks = 1000;
 
 size_t SearchCount(const std::vector<PairRow>& rows) {
   size_t count = 0;
@@ -50,6 +49,48 @@ absl::Status MakeCanonical(const Mesh& mesh, std::vector<PointPair>& pairs) {
   return absl::OkStatus();
 }
 
+// Errors: INVALID_ARGUMENT naming what no approximate method does.
+absl::Status CheckApproximate(const PairRequest& request) {
+  const std::string name(ApproximateMethodName(request.method->choice.method));
+  if (request.paths) {
+    return InvalidField(
+        "paths", absl::StrCat("paths: ", name,
+                              " is approximate and finds distances alone; ask "
+                              "an exact algorithm for paths"));
+  }
+  for (size_t i = 0; i < request.pairs.size(); ++i) {
+    for (const auto& [end, point] :
+         {std::pair("source", request.pairs[i].source),
+          std::pair("target", request.pairs[i].target)}) {
+      if (std::holds_alternative<VertexPoint>(point)) continue;
+      const std::string field = absl::StrCat("pairs[", i, "].", end);
+      return InvalidField(
+          field, absl::StrCat(field, " is no vertex: ", name,
+                              " is approximate and gives the distances of "
+                              "vertices alone; name a vertex, or ask an exact "
+                              "algorithm"));
+    }
+  }
+  return absl::OkStatus();
+}
+
+// How pairs are planned: what searches is cheap beside a field.
+PairCosts CostsOf(const PairRequest& request, size_t field_in_searches) {
+  if (request.paths) {
+    return {.least_for_field = std::numeric_limits<size_t>::max()};
+  }
+  if (!request.method.has_value()) {
+    return {.least_for_field = field_in_searches};
+  }
+  switch (request.method->choice.method) {
+    case ApproximateMethod::kSvg:
+    case ApproximateMethod::kGtu:
+      return {.least_for_field = std::numeric_limits<size_t>::max()};
+    default:
+      return {.least_for_field = 1};
+  }
+}
+
 }  // namespace
 
 PairEngine::PairEngine(const Limits& limits, const SolveOptions& options,
@@ -70,14 +111,19 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
   absl::StatusOr<MeshHandle> resident =
       meshes_.Get(request.mesh_digest, "mesh_digest");
   if (!resident.ok()) return resident.status();
-  const MeshHandle& mesh = *resident;
+  // A method knows the mesh that it was made of, not an equal one.
+  const MeshHandle mesh =
+      request.method.has_value() ? request.method->mesh : *resident;
   absl::Status status = MakeCanonical(*mesh->mesh, request.pairs);
+  if (status.ok() && request.method.has_value()) {
+    status = CheckApproximate(request);
+  }
   if (!status.ok()) return status;
+  const Algorithm algorithm =
+      DistanceQuery(request.pairs[0].source, {}, *mesh->mesh)->algorithm;
   PairCall call{
-      .mesh = mesh,
-      .algorithm =
-          DistanceQuery(request.pairs[0].source, {}, *mesh->mesh)->algorithm,
-      .pair_count = request.pairs.size()};
+      .mesh = mesh, .algorithm = algorithm, .pair_count = request.pairs.size()};
+  if (request.method.has_value()) call.algorithm = request.method->choice;
   const std::shared_ptr<PairWork> work(
       new PairWork{.start = start_,
                    .options = options_,
@@ -85,18 +131,18 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
                    .searches = searches_,
                    .totals = totals_,
                    .mesh = mesh,
-                   .algorithm = call.algorithm,
+                   .algorithm = algorithm,
+                   .method = request.method,
                    .pairs = std::move(request.pairs),
                    .paths = request.paths});
-  const SearchMeans means = searches_.MeansFor(mesh, call.algorithm);
-  work->rows = PlanPairs(
-      work->pairs,
-      {.least_for_field = request.paths ? std::numeric_limits<size_t>::max()
-                                        : means.field_in_searches,
-       .searches_per_row = std::clamp<size_t>(
-           call.pair_count / (kRowsPerThread * limits_.max_concurrent_jobs), 1,
-           kSearchesPerRow)});
-  work->wants_landmarks = call.algorithm == kDefaultAlgorithm &&
+  const SearchMeans means = searches_.MeansFor(mesh, algorithm);
+  PairCosts costs = CostsOf(request, means.field_in_searches);
+  costs.searches_per_row = std::clamp<size_t>(
+      call.pair_count / (kRowsPerThread * limits_.max_concurrent_jobs), 1,
+      request.method.has_value() ? kGraphSearchesPerRow : kSearchesPerRow);
+  work->rows = PlanPairs(work->pairs, costs);
+  work->wants_landmarks = TargetSearch::IsDirected(algorithm) &&
+                          !request.method.has_value() &&
                           SearchCount(work->rows) >= kSearchesWorthLandmarks;
   call.work = work;
   call.row_count = work->rows.size();

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/solo_job.h"
 #include "server/engine/meshes/mesh_library.h"
+#include "server/engine/meshes/method_store.h"
 #include "server/engine/pairs/pair_plan.h"
 #include "server/engine/pairs/pair_work.h"
 #include "server/engine/searches/search_engine.h"
@@ -29,6 +31,9 @@ struct PairRequest {
   std::vector<PointPair> pairs;
   // Whether rows have paths, too. They are then in order of the pairs.
   bool paths = false;
+  // If set, distances are found by this approximate method; all ends are
+  // vertices, and there are no paths.
+  std::optional<MethodHandle> method = {};
   TimePoint deadline = kNoDeadline;
   Requester requester;
 };
@@ -36,7 +41,7 @@ struct PairRequest {
 struct PairCall {
   MeshHandle mesh;
   // That of the searches.
-  Algorithm algorithm = kDefaultAlgorithm;
+  AlgorithmChoice algorithm = kDefaultAlgorithm;
   uint64_t pair_count = 0;
   // Their columns are numbers of pairs; PairOrder puts these in order.
   std::shared_ptr<RowPipeline> rows;

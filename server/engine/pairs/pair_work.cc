@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "geodesic/approximate/saddle_vertex_graph.h"
+#include "geodesic/approximate/triangle_unfolding.h"
 #include "geodesic/computation.h"
 
 namespace geodesic::server {
@@ -30,6 +32,13 @@ class SumOfSearches final : public Checkpoint {
   uint64_t before_ = 0;
   uint64_t latest_ = 0;
 };
+
+// For each vertex.
+constexpr uint64_t kMethodBytes = 8 * sizeof(double);
+
+uint32_t VertexOf(const SurfacePoint& point) {
+  return std::get<VertexPoint>(point).vertex;
+}
 
 const SurfacePoint& OtherEnd(const PointPair& pair, const SurfacePoint& end) {
   return pair.source == end ? pair.target : pair.source;
@@ -63,6 +72,8 @@ ValidQuery DistanceQuery(const SurfacePoint& source,
 }
 
 uint64_t PairWork::PlannedBytes() const {
+  // A search of a graph, or a field and what it is computed from.
+  if (method.has_value()) return mesh->mesh->vertex_count() * kMethodBytes;
   const ValidQuery query =
       DistanceQuery(pairs[0].source, {pairs[0].target}, *mesh->mesh);
   const uint64_t of_search = SearchEngine::PlannedBytes(*mesh->mesh, query);
@@ -87,9 +98,14 @@ absl::StatusOr<MatrixRow> PairWork::Answer(uint64_t row, Checkpoint& checkpoint,
   const PairRow& plan = rows[row];
   MatrixRow result{.memory = std::move(memory), .columns = plan.pairs};
   result.values.reserve(plan.pairs.size());
-  absl::Status status = plan.shared.has_value()
-                            ? Solve(plan, checkpoint, result.values)
-                            : Search(plan.pairs, checkpoint, result);
+  absl::Status status;
+  if (method.has_value()) {
+    status = Approximate(plan, checkpoint, result.values);
+  } else if (plan.shared.has_value()) {
+    status = Solve(plan, checkpoint, result.values);
+  } else {
+    status = Search(plan.pairs, checkpoint, result);
+  }
   if (!status.ok()) return status;
   result.memory.ShrinkTo(plan.pairs.size() *
                          (sizeof(double) + sizeof(uint32_t)));
@@ -163,6 +179,45 @@ absl::Status PairWork::Solve(const PairRow& row, Checkpoint& checkpoint,
   distances = (*computation)->Field().target_distances;
   answered.from_fields += count;
   totals.from_fields += count;
+  return absl::OkStatus();
+}
+
+absl::Status PairWork::Approximate(const PairRow& row, Checkpoint& checkpoint,
+                                   std::vector<double>& distances) const {
+  const size_t count = row.pairs.size();
+  if (row.shared.has_value()) {
+    const ValidQuery query = DistanceQuery(*row.shared, {}, *mesh->mesh);
+    const absl::StatusOr<ApproximateField> field =
+        method->method->Distances(query, checkpoint);
+    if (!field.ok()) return field.status();
+    for (const uint32_t number : row.pairs) {
+      const SurfacePoint& other = OtherEnd(pairs[number], *row.shared);
+      distances.push_back(field->distances[VertexOf(other)]);
+    }
+    answered.from_fields += count;
+    totals.from_fields += count;
+    return absl::OkStatus();
+  }
+  const auto* graph =
+      dynamic_cast<const SaddleVertexGraph*>(method->method.get());
+  const auto* unfolding =
+      dynamic_cast<const TriangleUnfolding*>(method->method.get());
+  const LandmarksHandle landmarks =
+      graph == nullptr ? nullptr : searches.landmarks().Wanted(mesh);
+  std::optional<SaddleGraphSearch> search;
+  if (graph != nullptr) search.emplace(*graph);
+  for (const uint32_t number : row.pairs) {
+    const uint32_t from = VertexOf(pairs[number].source);
+    const uint32_t to = VertexOf(pairs[number].target);
+    distances.push_back(search ? search->Distance(from, to, landmarks.get())
+                               : unfolding->Distance(from, to));
+    absl::Status status =
+        checkpoint.Poll({.vertices = mesh->mesh->vertex_count(),
+                         .solver_bytes = search ? search->bytes() : 0});
+    if (!status.ok()) return status;
+  }
+  answered.searched += count;
+  totals.searched += count;
   return absl::OkStatus();
 }
 

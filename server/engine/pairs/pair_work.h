@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -15,6 +16,7 @@
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/meshes/mesh_store.h"
+#include "server/engine/meshes/method_store.h"
 #include "server/engine/pairs/pair_plan.h"
 #include "server/engine/searches/search_engine.h"
 
@@ -49,7 +51,8 @@ struct PairWork {
   PairCounter& totals;  // of all questions
 
   MeshHandle mesh;
-  Algorithm algorithm = kDefaultAlgorithm;  // of the searches
+  Algorithm algorithm = kDefaultAlgorithm;  // of exact searches
+  std::optional<MethodHandle> method;       // if distances are approximate
   std::vector<PointPair> pairs;             // canonical
   bool paths = false;                       // wanted, too
   std::vector<PairRow> rows;
@@ -72,6 +75,8 @@ struct PairWork {
                       Checkpoint& checkpoint, MatrixRow& row) const;
   absl::Status Solve(const PairRow& row, Checkpoint& checkpoint,
                      std::vector<double>& distances) const;
+  absl::Status Approximate(const PairRow& row, Checkpoint& checkpoint,
+                           std::vector<double>& distances) const;
 };
 
 // The distance of one point from another, or of one from several, as a query.

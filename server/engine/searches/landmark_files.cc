@@ -44,27 +44,38 @@ std::string LandmarkFiles::NameOf(const std::string& digest) const {
 
 absl::Status LandmarkFiles::Put(const std::string& digest,
                                 const Landmarks& landmarks) {
+  const std::string name = NameOf(digest);
+  const std::string metadata = Encode(landmarks);
   const std::array<std::string_view, 1> body = {AsBytes(landmarks.rows())};
-  return blobs_.Put(NameOf(digest), Encode(landmarks), body);
+  blobs_.Share(name, metadata, body);
+  return blobs_.Keep(name, metadata, body);
 }
 
 absl::StatusOr<Landmarks> LandmarkFiles::Load(const std::string& digest,
                                               const Mesh& mesh) {
-  const std::string name = NameOf(digest);
-  const std::optional<BlobInfo> info = blobs_.Find(name);
-  const std::optional<uint32_t> count =
-      info ? Decode(info->metadata) : std::nullopt;
-  if (!count || *count > Landmarks::kMost ||
-      info->body_bytes != Landmarks::PlannedBytes(mesh)) {
-    return absl::NotFoundError("the landmarks are not on disk");
-  }
-  std::vector<Landmarks::Row> rows(mesh.vertex_count());
-  absl::Status status = blobs_.Read(name, [&](BlobBody& body) {
+  std::optional<uint32_t> count;
+  std::vector<Landmarks::Row> rows;
+  const auto take = [&](std::string_view metadata,
+                        BlobBody& body) -> absl::Status {
+    count = Decode(metadata);
+    if (!count || *count > Landmarks::kMost ||
+        body.bytes_left() != Landmarks::PlannedBytes(mesh)) {
+      return absl::NotFoundError("the landmarks that are kept are of no use");
+    }
+    rows.resize(mesh.vertex_count());
     return body.Read({reinterpret_cast<char*>(rows.data()),
                       rows.size() * sizeof(Landmarks::Row)});
-  });
-  if (!status.ok()) return status;
-  return Landmarks(mesh, *count, std::move(rows));
+  };
+  const std::string name = NameOf(digest);
+  const absl::StatusOr<BlobTier> from = blobs_.Read(name, take);
+  if (!from.ok()) return from.status();
+  Landmarks landmarks(mesh, *count, std::move(rows));
+  if (*from == BlobTier::kShared) {
+    (void)blobs_.Keep(
+        name, Encode(landmarks),
+        std::array<std::string_view, 1>{AsBytes(landmarks.rows())});
+  }
+  return landmarks;
 }
 
 void LandmarkFiles::Erase(const std::string& digest) {

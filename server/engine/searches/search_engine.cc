@@ -3,12 +3,6 @@
 #include "geodesic/computation.h"
 
 namespace geodesic::server {
-namespace {
-
-bool IsDirected(Algorithm algorithm) { return algorithm == kDefaultAlgorithm; }
-
-}  // namespace
-
 SearchEngine::SearchEngine(const Limits& limits, const SolveOptions& options,
                            const Clock& clock, Scheduler& scheduler,
                            const std::shared_ptr<ByteBudget>& solver_memory,
@@ -25,7 +19,7 @@ SearchMeans SearchEngine::MeansFor(const MeshHandle& mesh,
                                    Algorithm algorithm) {
   SearchMeans means;
   // A field makes no use of landmarks.
-  if (!IsDirected(algorithm)) return means;
+  if (!TargetSearch::IsDirected(algorithm)) return means;
   means.landmarks = landmarks_.Wanted(mesh);
   means.field_in_searches = means.landmarks == nullptr
                                 ? kFieldInSearches
@@ -46,7 +40,7 @@ absl::StatusOr<TargetDistances> SearchEngine::Run(const MeshHandle& mesh,
 
 uint64_t SearchEngine::PlannedBytes(const Mesh& mesh, const ValidQuery& query) {
   const uint64_t of_search = TargetSearch::PlannedBytes(mesh);
-  if (IsDirected(query->algorithm)) return of_search;
+  if (TargetSearch::IsDirected(query->algorithm)) return of_search;
   // A search that is not directed is computed as a field, beside its arrays.
   return of_search + PlannedSolverBytes(mesh, query);
 }

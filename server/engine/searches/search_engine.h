@@ -29,12 +29,7 @@
 
 namespace geodesic::server {
 
-// A field costs about as much as so many searches directed at one target, on
-// meshes of 10^4 to 10^6 faces and pairs drawn at random. Landmarks make
-// searches cheaper, and a search that is not directed (see TargetSearch) is a
-// field itself.
-inline constexpr size_t kFieldInSearches = 12;
-inline constexpr size_t kFieldInSearchesWithLandmarks = 30;
+// A search that is not directed (see TargetSearch) is a field itself.
 inline constexpr size_t kFieldInUndirectedSearches = 2;
 
 // What helps the searches of a question.

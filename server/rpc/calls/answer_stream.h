@@ -4,8 +4,8 @@
 //
 // The request is freed once the engine has been asked. A slow reader costs one
 // message and what the answer pins; newer progress replaces progress that was
-// not sent. When the mesh is on disk but not in memory, the stream waits for it
-// and asks again.
+// not sent. When the mesh is on disk but not in memory, or is not prepared for
+// an approximate algorithm, the stream waits for that and asks again.
 
 #ifndef GEODESIC_SERVER_RPC_CALLS_ANSWER_STREAM_H_
 #define GEODESIC_SERVER_RPC_CALLS_ANSWER_STREAM_H_
@@ -13,21 +13,26 @@
 #include <grpcpp/server_context.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "absl/strings/str_cat.h"
+#include "geodesic/field_path.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/status_details.h"
 #include "server/engine/query_engine.h"
 #include "server/rpc/calls/call.h"
 #include "server/rpc/messages/translation.h"
+#include "server/rpc/siblings.h"
 
 namespace geodesic::server {
 
@@ -94,17 +99,17 @@ class AnswerStream : public Call<ResponseType> {
   }
 
   void OnCancel() final {
-    MeshLoads::Ticket ticket;
+    std::function<void()> leave;
     bool begun = false;
     {
       std::lock_guard lock(mutex_);
       cancelled_ = true;
       if (!is_asking_) this->EndCancelled();
-      ticket = std::exchange(ticket_, {});
+      leave = std::exchange(leave_, nullptr);
       begun = begun_;
     }
     // Called without the lock, because the engine has its own.
-    service_.engine.meshes().Leave(ticket);
+    if (leave) leave();
     if (begun) Cancel();
   }
 
@@ -121,7 +126,8 @@ class AnswerStream : public Call<ResponseType> {
   using Call<ResponseType>::service_;
 
   // Asks the engine, which may call back at once. Called without the lock, and
-  // again once the mesh has come from disk if it was not found before. The
+  // again once the mesh has come from disk if it was not found before, or has
+  // been prepared. The
   // request and the context stay valid until it returns, even if the client
   // goes.
   virtual absl::Status Ask() = 0;
@@ -142,7 +148,9 @@ class AnswerStream : public Call<ResponseType> {
   }
 
   // Sets what every question has: the mesh, the deadline, the client, and the
-  // algorithm of one that has a query. Errors: INVALID_ARGUMENT.
+  // algorithm and the tolerance of one that has them; for an approximate
+  // algorithm that is a method which is prepared. Errors: INVALID_ARGUMENT;
+  // others, which Ask passes on.
   template <typename Question>
   absl::Status BeginQuestion(Question& question) {
     question.mesh_digest = mesh_digest_;
@@ -150,13 +158,41 @@ class AnswerStream : public Call<ResponseType> {
     const absl::StatusOr<bool> is_batch = IsBatch(request().priority());
     if (!is_batch.ok()) return is_batch.status();
     question.requester = {.client = entry_->client(), .is_batch = *is_batch};
-    if constexpr (requires { question.query; }) {
-      const absl::StatusOr<Algorithm> algorithm =
-          FromProto(request().algorithm());
-      if (!algorithm.ok()) return algorithm.status();
-      question.query.algorithm = *algorithm;
+    const absl::StatusOr<AlgorithmChoice> choice = ChoiceOf(request());
+    if (!choice.ok()) return choice.status();
+    if constexpr (requires { request().tolerance(); }) {
+      question.query.tolerance = request().tolerance();
+      absl::Status status = CheckTolerance(question.query.tolerance, *choice);
+      if (!status.ok()) return status;
     }
-    return absl::OkStatus();
+    if (const auto* exact = std::get_if<Algorithm>(&*choice)) {
+      if constexpr (requires { question.query; }) {
+        question.query.algorithm = *exact;
+        return absl::OkStatus();
+      } else {
+        return *exact == kDefaultAlgorithm
+                   ? absl::OkStatus()
+                   : InvalidField("algorithm",
+                                  "algorithm: exact distances of pairs are "
+                                  "searched for by the default algorithm; "
+                                  "leave it out or name an approximate one");
+      }
+    }
+    const auto& method = std::get<MethodChoice>(*choice);
+    if constexpr (requires { request().approximation(); }) {
+      absl::Status status = FindMethod(method);
+      if (status.ok()) question.method = method_;
+      return status;
+    } else {
+      return InvalidField(
+          "algorithm",
+          absl::StrCat(
+              "algorithm: ", std::string(ApproximateMethodName(method.method)),
+              " is approximate, and ", std::string(MethodOf<Request>()),
+              " answers exactly: name an exact algorithm or none; "
+              "ComputeField, ComputeMatrix, FindNearest and "
+              "ComputePairs take approximate ones"));
+    }
   }
 
   RequestLog::Entry& entry() { return *entry_; }
@@ -196,7 +232,32 @@ class AnswerStream : public Call<ResponseType> {
     return absl::OkStatus();
   }
 
-  void AwaitMesh() {
+  // The algorithm that the request names, if it has a word for it.
+  static absl::StatusOr<AlgorithmChoice> ChoiceOf(const Request& request) {
+    if constexpr (requires { request.approximation(); }) {
+      return FromProto(request.algorithm(), request.approximation());
+    } else {
+      return FromProto(request.algorithm(), {});
+    }
+  }
+
+  // Sets method_, or else unprepared_ and fails; GoOn then has it prepared.
+  absl::Status FindMethod(const MethodChoice& choice) {
+    if (method_.has_value()) return absl::OkStatus();
+    absl::StatusOr<MeshHandle> mesh =
+        service_.engine.meshes().Get(mesh_digest_, "mesh_digest");
+    if (!mesh.ok()) return mesh.status();
+    method_ = service_.engine.methods().Find(*mesh, choice);
+    if (method_.has_value()) return absl::OkStatus();
+    unprepared_ = {*mesh, choice};
+    return absl::UnavailableError("the mesh is not prepared yet");
+  }
+
+  // Waits for what `start` begins, then asks again. `start` gets a function to
+  // call at the end, with the status and whatever must be pinned meanwhile, and
+  // returns what ends the wait; nothing if it has ended.
+  template <typename Start>
+  void AskAfter(Start start) {
     std::string client;
     {
       std::lock_guard lock(mutex_);
@@ -207,41 +268,90 @@ class AnswerStream : public Call<ResponseType> {
       }
       client = entry_->client();
     }
-    absl::StatusOr<MeshLoads::Ticket> ticket = service_.engine.meshes().Await(
-        mesh_digest_,
-        [self = this->Shared(this)](const absl::StatusOr<MeshHandle>& mesh) {
-          self->OnMesh(mesh);
-        },
-        client);
+    absl::StatusOr<std::function<void()>> leave =
+        start(client, [self = this->Shared(this)](absl::Status status) {
+          self->OnAwaited(std::move(status));
+        });
     {
       std::lock_guard lock(mutex_);
-      if (!ticket.ok()) this->End(ticket.status());
-      if (!ticket.ok() || ticket->entry == nullptr) return;
+      if (!leave.ok()) this->End(leave.status());
+      if (!leave.ok() || !*leave) return;
       if (!finished_) {
-        ticket_ = *ticket;
+        leave_ = *std::move(leave);
         return;
       }
     }
-    service_.engine.meshes().Leave(*ticket);
+    (*leave)();
   }
 
-  // `mesh` pins the mesh until the engine has been asked.
-  void OnMesh(const absl::StatusOr<MeshHandle>& mesh) {
+  void AwaitMesh() {
+    AskAfter([this](const std::string& client,
+                    auto done) -> absl::StatusOr<std::function<void()>> {
+      MeshLibrary& meshes = service_.engine.meshes();
+      // The mesh is pinned while the engine is asked.
+      absl::StatusOr<MeshLoads::Ticket> ticket = meshes.Await(
+          mesh_digest_,
+          [done](const absl::StatusOr<MeshHandle>& mesh) {
+            done(mesh.status());
+          },
+          client);
+      if (!ticket.ok()) return ticket.status();
+      if (ticket->entry == nullptr) return std::function<void()>();
+      return [&meshes, ticket = *ticket] { meshes.Leave(ticket); };
+    });
+  }
+
+  void AwaitMethod(const MeshHandle& mesh, const MethodChoice& choice) {
+    AskAfter([&](const std::string& client,
+                 auto done) -> absl::StatusOr<std::function<void()>> {
+      MethodEngine& methods = service_.engine.methods();
+      absl::StatusOr<MethodJobs::Ticket> ticket =
+          methods.Prepare(mesh, choice,
+                          {.done =
+                               [self = this->Shared(this), done](
+                                   const absl::StatusOr<Prepared>& prepared) {
+                                 if (prepared.ok()) self->SetMethod(*prepared);
+                                 done(prepared.status());
+                               },
+                           .progress = nullptr},
+                          {.client = client});
+      if (!ticket.ok()) return ticket.status();
+      return [&methods, ticket = *ticket] { methods.Leave(ticket); };
+    });
+  }
+
+  void SetMethod(const MethodHandle& method) {
+    std::lock_guard lock(mutex_);
+    method_ = method;
+  }
+
+  void OnAwaited(absl::Status status) {
     {
       std::lock_guard lock(mutex_);
       // After Finish the request may be gone.
       if (finished_) return;
       is_asking_ = true;
     }
-    GoOn(mesh.ok() ? Ask() : mesh.status());
+    GoOn(status.ok() ? Ask() : std::move(status));
+  }
+
+  // Siblings are asked once for a call.
+  bool MayBringMesh() {
+    MeshLibrary& meshes = service_.engine.meshes();
+    if (meshes.Contains(mesh_digest_)) return true;
+    return meshes.has_siblings() && !IsFromSibling(context_) &&
+           !std::exchange(has_asked_siblings_, true);
   }
 
   // `status` is the result of Ask.
   void GoOn(absl::Status status) {
-    // Loading the mesh only helps if the mesh is what was not found.
-    if (MeshAtFault(status).has_value() &&
-        service_.engine.meshes().Contains(mesh_digest_)) {
+    // Bringing the mesh only helps if the mesh is what was not found.
+    if (MeshAtFault(status).has_value() && MayBringMesh()) {
       AwaitMesh();
+      return;
+    }
+    if (const auto unprepared = std::exchange(unprepared_, std::nullopt)) {
+      AwaitMethod(unprepared->first, unprepared->second);
       return;
     }
     bool cancel = false;
@@ -252,7 +362,9 @@ class AnswerStream : public Call<ResponseType> {
         this->End(std::move(status));
         return;
       }
-      request_.reset();  // it is of no more use
+      // They are of no more use.
+      request_.reset();
+      method_.reset();
       Intake::ReleaseRequest(memory_);
       begun_ = true;
       cancel = cancelled_;
@@ -278,11 +390,12 @@ class AnswerStream : public Call<ResponseType> {
   }
 
   // Guarded by mutex_:
-  std::string mesh_digest_;   // set by Receive, then constant
-  ByteReservation memory_;    // of the request and the question
-  bool is_asking_ = false;    // Ask runs, or is about to
-  bool begun_ = false;        // Ask succeeded
-  MeshLoads::Ticket ticket_;  // while the mesh is being loaded
+  std::string mesh_digest_;  // set by Receive, then constant
+  ByteReservation memory_;   // of the request and the question
+  bool is_asking_ = false;   // Ask runs, or is about to
+  bool begun_ = false;       // Ask succeeded
+  bool has_asked_siblings_ = false;
+  std::function<void()> leave_;  // ends a wait for the mesh or for a method
   bool cancelled_ = false;
   bool writing_ = false;   // a message is on its way
   TimePoint write_begin_;  // when it was started
@@ -290,6 +403,10 @@ class AnswerStream : public Call<ResponseType> {
 
   // Set by Receive; Ask's while it runs:
   std::optional<Request> request_;
+  // Of an approximate question; what Ask and its waits set, one after the
+  // other.
+  std::optional<MethodHandle> method_;
+  std::optional<std::pair<MeshHandle, MethodChoice>> unprepared_;
 };
 
 }  // namespace geodesic::server

@@ -30,6 +30,7 @@
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/query_engine.h"
 #include "server/rpc/calls/intake.h"
+#include "server/rpc/calls/peer.h"
 #include "server/rpc/calls/request_log.h"
 
 namespace geodesic::server {
@@ -39,6 +40,7 @@ struct ServiceContext {
   QueryEngine& engine;
   RequestLog& log;
   Intake& intake;
+  const Peers& peers;
   v1::GetCapabilitiesResponse capabilities;
 };
 
@@ -59,8 +61,8 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   // `context` lives until gRPC is done with it.
   Call(const ServiceContext& service, std::string_view method,
        grpc::CallbackServerContext& context)
-      : service_(service), context_(context), peer_(context.peer()) {
-    entry_.emplace(service.log, method, context);
+      : service_(service), context_(context), peer_(service.peers.Of(context)) {
+    entry_.emplace(service.log, method, context, peer_);
   }
 
   // Begins the call. `self` is this; it is held until gRPC is done with it.
@@ -85,7 +87,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
         return;
       }
     }
-    service_.intake.Leave(*this);
+    LeaveIntake();
   }
 
   void OnBrokenOff() final {
@@ -106,7 +108,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
       arrival_.reset();
       ++reads_;
     }
-    service_.intake.Leave(*this);
+    LeaveIntake();
     OnReceived(ok);
   }
 
@@ -143,7 +145,12 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
             if (has_passed) self->OnLate(read);
           });
     }
-    service_.intake.Enter(std::move(self), peer_);
+    // The door for browsers enters itself, since a message is received there.
+    if (peer_.by_door) {
+      OnSlot();
+    } else {
+      service_.intake.Enter(std::move(self), peer_.address);
+    }
   }
 
   // A reference to this call, for callbacks of the engine.
@@ -192,13 +199,17 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   bool finished_ = false;                   // Finish was called
 
  private:
+  void LeaveIntake() {
+    if (!peer_.by_door) service_.intake.Leave(*this);
+  }
+
   void OnLate(uint64_t read) {
     std::lock_guard lock(mutex_);
     // The message may have come in the meantime.
     if (reads_ == read) End(LateError(service_.intake.patience()));
   }
 
-  const std::string peer_;
+  const Peer peer_;
 
   // Guarded by mutex_:
   std::shared_ptr<Call> self_;          // what gRPC holds

@@ -40,6 +40,7 @@ constexpr std::pair<std::string_view, Scope> kRequired[] = {
     {"ComputeMatrix", Scope::kRead},
     {"ComputePairs", Scope::kRead},
     {"FindNearest", Scope::kRead},
+    {"PrepareMethod", Scope::kRead},
     {"GetCapabilities", Scope::kRead},
 };
 
@@ -146,10 +147,12 @@ grpc::Status ToGrpcStatus(const absl::Status& status) {
 
 RequestLog::RequestLog(std::shared_ptr<spdlog::logger> logger,
                        size_t max_active, const AccessControl& access,
-                       Quotas& quotas, Metrics& metrics)
+                       const AccessControl& web_access, Quotas& quotas,
+                       Metrics& metrics)
     : logger_(std::move(logger)),
       max_active_(max_active),
       access_(access),
+      web_access_(web_access),
       quotas_(quotas),
       metrics_(metrics) {}
 
@@ -172,12 +175,12 @@ Duration RequestLog::IdleTime() const {
 }
 
 RequestLog::Entry::Entry(RequestLog& log, std::string_view method,
-                         grpc::CallbackServerContext& context)
+                         grpc::CallbackServerContext& context, Peer peer)
     : log_(log),
       method_(method),
       context_(context),
       start_(std::chrono::steady_clock::now()),
-      peer_(context.peer()),
+      peer_(std::move(peer)),
       request_id_(RequestId(context)),
       trace_parent_(TraceParent(context)) {
   std::lock_guard lock(log_.mutex_);
@@ -193,7 +196,8 @@ absl::Status RequestLog::Entry::Admit() {
   }
   std::optional<std::string_view> authorization;
   if (count == 1) authorization = Header(context_, "authorization");
-  absl::StatusOr<Caller> caller = log_.access_.Identify(authorization);
+  const AccessControl& access = peer_.by_door ? log_.web_access_ : log_.access_;
+  absl::StatusOr<Caller> caller = access.Identify(authorization);
   if (!caller.ok()) return caller.status();
   caller_ = *std::move(caller);
   absl::Status status = CheckScope(caller_, RequiredScope(method_));
@@ -219,7 +223,7 @@ absl::Status RequestLog::Entry::AdmitStream() {
 }
 
 std::string RequestLog::Entry::client() const {
-  return caller_.name.empty() ? PeerHost(peer_)
+  return caller_.name.empty() ? PeerHost(peer_.address)
                               : absl::StrCat("client:", caller_.name);
 }
 
@@ -247,8 +251,8 @@ RequestLog::Entry::~Entry() {
       level,
       "request method={} code={} seconds={:.6f} bytes={}{}{} peer={} id={}{}{}",
       method_, absl::StatusCodeToString(status_.code()), seconds.count(),
-      bytes_, Named("mesh", subject_), Named("client", caller_.name), peer_,
-      request_id_, Named("traceparent", trace_parent_),
+      bytes_, Named("mesh", subject_), Named("client", caller_.name),
+      peer_.address, request_id_, Named("traceparent", trace_parent_),
       status_.ok() ? ""
                    : absl::StrCat(" reason=", ReasonOf(status_), " error=\"",
                                   absl::CHexEscape(status_.message()), "\""));

@@ -20,6 +20,7 @@
 #include "absl/status/status.h"
 #include "server/engine/base/clock.h"
 #include "server/operations/metrics.h"
+#include "server/rpc/calls/peer.h"
 #include "server/security/access_control.h"
 #include "server/security/caller.h"
 #include "server/security/quotas.h"
@@ -44,7 +45,7 @@ class RequestLog {
    public:
     // REQUIRES: `log` outlives the entry, `context` lives until End.
     Entry(RequestLog& log, std::string_view method,
-          grpc::CallbackServerContext& context);
+          grpc::CallbackServerContext& context, Peer peer);
     Entry(const Entry&) = delete;
     Entry& operator=(const Entry&) = delete;
     // Writes the line of the log.
@@ -83,7 +84,7 @@ class RequestLog {
     const std::string_view method_;
     grpc::CallbackServerContext& context_;
     const std::chrono::steady_clock::time_point start_;
-    const std::string peer_;
+    const Peer peer_;
     const std::string request_id_;
     const std::string trace_parent_;
     Caller caller_;
@@ -94,9 +95,11 @@ class RequestLog {
     Duration write_time_{0};
   };
 
+  // `web_access` is asked for callers who come by the door for browsers.
   // REQUIRES: the references outlive the log.
   RequestLog(std::shared_ptr<spdlog::logger> logger, size_t max_active,
-             const AccessControl& access, Quotas& quotas, Metrics& metrics);
+             const AccessControl& access, const AccessControl& web_access,
+             Quotas& quotas, Metrics& metrics);
 
   // Waits until no request is active. False if `until` or `stop` came first.
   bool WaitIdle(std::chrono::steady_clock::time_point until,
@@ -112,6 +115,7 @@ class RequestLog {
   const std::shared_ptr<spdlog::logger> logger_;
   const size_t max_active_;
   const AccessControl& access_;
+  const AccessControl& web_access_;
   Quotas& quotas_;
   Metrics& metrics_;
 

@@ -127,6 +127,9 @@ absl::StatusOr<FieldExtras> ExtrasFrom(const v1::ComputeFieldRequest& request) {
       case v1::FIELD_QUANTITY_GRADIENT:
         extras.gradients = true;
         break;
+      case v1::FIELD_QUANTITY_CERTIFIED_ERROR:
+        extras.certified_errors = true;
+        break;
       default:
         return Unknown(absl::StrCat("quantities[", i, "]"),
                        request.quantities(i));
@@ -138,6 +141,33 @@ absl::StatusOr<FieldExtras> ExtrasFrom(const v1::ComputeFieldRequest& request) {
                         "for them when it is finished");
   }
   return extras;
+}
+
+// ALGORITHM_FWP_CH for "fwp-ch".
+v1::Algorithm AlgorithmNamed(std::string_view algorithm) {
+  std::string name = "ALGORITHM_" + std::string(algorithm);
+  absl::AsciiStrToUpper(&name);
+  std::ranges::replace(name, '-', '_');
+  v1::Algorithm result = v1::ALGORITHM_UNSPECIFIED;
+  v1::Algorithm_Parse(name, &result);
+  return result;
+}
+
+// Refuses parameters that are not among those of the algorithm.
+absl::Status CheckParameters(const v1::Approximation& given,
+                             const v1::Approximation& taken,
+                             const std::string& algorithm) {
+  const auto refuse = [&](const std::string& name) {
+    const std::string field = "approximation." + name;
+    return InvalidField(field, absl::StrCat(field, " is no parameter of ",
+                                            algorithm, "; leave it out"));
+  };
+  if (given.has_lambda() && !taken.has_lambda()) return refuse("lambda");
+  if (given.has_neighbours() && !taken.has_neighbours()) {
+    return refuse("neighbours");
+  }
+  if (given.has_samples() && !taken.has_samples()) return refuse("samples");
+  return absl::OkStatus();
 }
 
 }  // namespace
@@ -247,14 +277,43 @@ absl::Status Unknown(const std::string& field, int number) {
                                           ", which this server does not know"));
 }
 
-// ALGORITHM_FWP_CH for "fwp-ch".
 v1::Algorithm ToProto(Algorithm algorithm) {
-  std::string name = "ALGORITHM_" + std::string(AlgorithmName(algorithm));
-  absl::AsciiStrToUpper(&name);
-  std::ranges::replace(name, '-', '_');
-  v1::Algorithm result = v1::ALGORITHM_UNSPECIFIED;
-  v1::Algorithm_Parse(name, &result);
-  return result;
+  return AlgorithmNamed(AlgorithmName(algorithm));
+}
+
+v1::Algorithm ToProto(ApproximateMethod method) {
+  return AlgorithmNamed(ApproximateMethodName(method));
+}
+
+v1::Algorithm ToProto(const AlgorithmChoice& choice) {
+  const auto* method = std::get_if<MethodChoice>(&choice);
+  return method != nullptr ? ToProto(method->method)
+                           : ToProto(std::get<Algorithm>(choice));
+}
+
+v1::Approximation ToProto(const MethodChoice& choice) {
+  v1::Approximation proto;
+  switch (choice.method) {
+    case ApproximateMethod::kHeat:
+      proto.set_lambda(choice.lambda);
+      break;
+    case ApproximateMethod::kSvg:
+      proto.set_neighbours(choice.neighbours);
+      break;
+    case ApproximateMethod::kGtu:
+      proto.set_samples(choice.samples);
+      break;
+    case ApproximateMethod::kFmm:
+    case ApproximateMethod::kFmmUntidy:
+      break;
+  }
+  return proto;
+}
+
+double RelativeTolerance(const AlgorithmChoice& choice, double tolerance) {
+  return std::holds_alternative<MethodChoice>(choice)
+             ? std::numeric_limits<double>::infinity()
+             : std::max(tolerance, kRelativeTolerance);
 }
 
 v1::FieldOrigin ToProto(FieldOrigin origin) {
@@ -291,18 +350,40 @@ v1::SolveStatistics ToProto(const SolveStatistics& statistics) {
   return proto;
 }
 
-v1::AnswerHeader MakeHeader(const ResidentMesh& mesh, Algorithm algorithm,
-                            const std::string& version) {
+v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
+                            const AlgorithmChoice& algorithm,
+                            const std::string& version, double tolerance) {
   v1::AnswerHeader header;
   header.set_mesh_digest(mesh.digest);
   header.set_vertex_count(mesh.mesh->vertex_count());
   header.set_algorithm(ToProto(algorithm));
-  header.set_relative_tolerance(kRelativeTolerance);
+  header.set_relative_tolerance(RelativeTolerance(algorithm, tolerance));
   header.set_server_version(version);
+  if (const auto* method = std::get_if<MethodChoice>(&algorithm)) {
+    *header.mutable_approximation() = ToProto(*method);
+  }
   return header;
 }
 
-absl::StatusOr<Algorithm> FromProto(v1::Algorithm algorithm) {
+absl::StatusOr<AlgorithmChoice> FromProto(
+    v1::Algorithm algorithm, const v1::Approximation& approximation) {
+  MethodChoice choice;
+  if (approximation.has_lambda()) choice.lambda = approximation.lambda();
+  if (approximation.has_neighbours()) {
+    choice.neighbours = approximation.neighbours();
+  }
+  if (approximation.has_samples()) choice.samples = approximation.samples();
+  for (const ApproximateMethodInfo& info : kApproximateMethods) {
+    if (ToProto(info.method) != algorithm) continue;
+    choice.method = info.method;
+    absl::Status status =
+        CheckParameters(approximation, ToProto(choice), std::string(info.name));
+    if (!status.ok()) return status;
+    return choice;
+  }
+  absl::Status status =
+      CheckParameters(approximation, {}, "an exact algorithm");
+  if (!status.ok()) return status;
   if (algorithm == v1::ALGORITHM_UNSPECIFIED) return kDefaultAlgorithm;
   for (const AlgorithmInfo& info : kAlgorithms) {
     if (ToProto(info.algorithm) == algorithm) return info.algorithm;
@@ -311,6 +392,25 @@ absl::StatusOr<Algorithm> FromProto(v1::Algorithm algorithm) {
                       absl::StrCat("algorithm is ", static_cast<int>(algorithm),
                                    ", which this server does not know; "
                                    "GetCapabilities lists those it does"));
+}
+
+absl::Status CheckTolerance(double tolerance, const AlgorithmChoice& choice) {
+  if (tolerance == 0) return absl::OkStatus();
+  const auto refuse = [](absl::string_view algorithm, const char* what) {
+    return InvalidField(
+        "tolerance",
+        absl::StrCat("tolerance: ", algorithm, what,
+                     "; name no algorithm beside it, or fwp-list"));
+  };
+  if (const auto* method = std::get_if<MethodChoice>(&choice)) {
+    return refuse(std::string(ApproximateMethodName(method->method)),
+                  " is approximate and certifies nothing");
+  }
+  const auto algorithm = std::get<Algorithm>(choice);
+  return algorithm == Algorithm::kFwpList
+             ? absl::OkStatus()
+             : refuse(std::string(AlgorithmName(algorithm)),
+                      " merges no windows and takes no tolerance");
 }
 
 absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type) {
@@ -386,6 +486,13 @@ v1::Mesh ToProto(const MeshDescription& mesh) {
   proto.set_non_manifold_vertex_count(summary.non_manifold_vertices);
   proto.set_inconsistent_edge_count(summary.inconsistent_edges);
   proto.set_orientable(summary.is_orientable);
+  for (const MethodDescription& method : mesh.methods) {
+    v1::PreparedMethod& prepared = *proto.add_prepared_methods();
+    prepared.set_algorithm(ToProto(method.choice.method));
+    *prepared.mutable_approximation() = ToProto(method.choice);
+    prepared.set_prepared_bytes(method.bytes);
+    prepared.set_prepare_seconds(method.prepare_seconds);
+  }
   return proto;
 }
 

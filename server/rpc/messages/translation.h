@@ -30,6 +30,7 @@
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_store.h"
+#include "server/engine/meshes/method_store.h"
 #include "server/engine/pairs/pair_plan.h"
 
 namespace geodesic::server {
@@ -114,18 +115,29 @@ uint64_t SetPiece(std::span<const SurfacePoint> points,
 inline constexpr double kRelativeTolerance = 1e-10;
 
 v1::Algorithm ToProto(Algorithm algorithm);
+v1::Algorithm ToProto(ApproximateMethod method);
+v1::Algorithm ToProto(const AlgorithmChoice& choice);
+// The parameters of the method.
+v1::Approximation ToProto(const MethodChoice& choice);
+// 1e-10 for exact distances, `tolerance` for those within one that is named,
+// infinity for others.
+double RelativeTolerance(const AlgorithmChoice& choice, double tolerance);
 v1::FieldOrigin ToProto(FieldOrigin origin);
 v1::SolveProgress ToProto(const Progress& progress);
 v1::SolveStatistics ToProto(const SolveStatistics& statistics);
-v1::AnswerHeader MakeHeader(const ResidentMesh& mesh, Algorithm algorithm,
-                            const std::string& version);
+v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
+                            const AlgorithmChoice& algorithm,
+                            const std::string& version, double tolerance = 0);
 
 // INVALID_ARGUMENT: this field of a request has a number that its enumeration
 // does not have.
 absl::Status Unknown(const std::string& field, int number);
 
 // Errors of these: INVALID_ARGUMENT naming the part of the request at fault.
-absl::StatusOr<Algorithm> FromProto(v1::Algorithm algorithm);
+absl::StatusOr<AlgorithmChoice> FromProto(
+    v1::Algorithm algorithm, const v1::Approximation& approximation);
+// Whether the algorithm takes a tolerance, which the engine checks.
+absl::Status CheckTolerance(double tolerance, const AlgorithmChoice& choice);
 // Never unspecified.
 absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type);
 absl::StatusOr<bool> IsBatch(v1::Priority priority);
@@ -143,6 +155,8 @@ inline constexpr std::pair<UploadFormat, v1::MeshFormat> kMeshFormats[] = {
     {UploadFormat::kPly, v1::MESH_FORMAT_PLY},
     {UploadFormat::kOff, v1::MESH_FORMAT_OFF},
     {UploadFormat::kStl, v1::MESH_FORMAT_STL},
+    {UploadFormat::kVtk, v1::MESH_FORMAT_VTK},
+    {UploadFormat::kGltf, v1::MESH_FORMAT_GLTF},
 };
 
 v1::Mesh ToProto(const MeshDescription& mesh);

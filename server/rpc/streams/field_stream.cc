@@ -89,6 +89,14 @@ bool FieldChunks::Next(v1::FieldChunk& chunk) {
                   bytes);
     }
   }
+  if (extras_.certified_errors) {
+    const std::vector<float>& errors = answer_.field->certified_errors;
+    std::string& bytes = *chunk.mutable_certified_errors();
+    bytes.clear();
+    for (size_t v = next_vertex_; v < next_vertex_ + part.size(); ++v) {
+      AppendBytes(errors.empty() || all[v] > radius_ ? 0.0f : errors[v], bytes);
+    }
+  }
   if (extras_.gradients) {
     values_.clear();
     for (size_t v = next_vertex_; v < next_vertex_ + part.size(); ++v) {
@@ -219,6 +227,9 @@ std::string FieldStream::MakeFieldId() {
   const double radius =
       std::min(chunks_->answer().field->settled_radius, chunks_->radius());
   question_.Update({reinterpret_cast<const char*>(&radius), sizeof(radius)});
+  // An exact field may answer a question with a tolerance.
+  const double error = chunks_->answer().field->certified_error;
+  question_.Update({reinterpret_cast<const char*>(&error), sizeof(error)});
   return question_.FinishHex();
 }
 
@@ -249,7 +260,7 @@ bool FieldStream::FillChunk(v1::ComputeFieldResponse& message) {
   if (!chunks_->Next(chunk)) return false;
   if (!field_id_.empty()) chunk.set_field_id(std::exchange(field_id_, {}));
   entry().add_bytes(chunk.distances().size() + chunk.nearest_sources().size() +
-                    chunk.gradients().size());
+                    chunk.gradients().size() + chunk.certified_errors().size());
   return true;
 }
 
@@ -260,10 +271,18 @@ bool FieldStream::FillTargets(v1::ComputeFieldResponse& message) {
   return true;
 }
 
+AlgorithmChoice FieldStream::algorithm() const {
+  if (call_->method.has_value()) return *call_->method;
+  return call_->query->algorithm;
+}
+
 void FieldStream::FillHeader(v1::FieldHeader& header) const {
   header.set_mesh_digest(call_->mesh->digest);
   header.set_vertex_count(call_->mesh->mesh->vertex_count());
-  header.set_algorithm(ToProto(call_->query->algorithm));
+  header.set_algorithm(ToProto(algorithm()));
+  if (call_->method.has_value()) {
+    *header.mutable_approximation() = ToProto(*call_->method);
+  }
   header.set_origin(ToProto(call_->origin));
   header.set_value_type(value_type_);
   header.set_target_count(call_->query->targets.size());
@@ -275,9 +294,13 @@ void FieldStream::FillTrailer(v1::FieldTrailer& trailer) const {
                                  ? FieldOrigin::kJoined
                                  : answer.origin));
   *trailer.mutable_statistics() = ToProto(answer.field->statistics);
-  trailer.set_relative_tolerance(kRelativeTolerance);
+  const double error = answer.field->certified_error;
+  trailer.set_relative_tolerance(RelativeTolerance(algorithm(), error));
+  if (error > 0) trailer.set_certified_error(error);
   trailer.set_server_version(version());
-  trailer.set_settled_radius(chunks_->settled_radius());
+  // No approximate distance is exact, however far the field reaches.
+  trailer.set_settled_radius(
+      call_->method.has_value() ? 0 : chunks_->settled_radius());
 }
 
 }  // namespace geodesic::server

@@ -85,6 +85,7 @@ class FieldStream final
   bool FillChunk(v1::ComputeFieldResponse& message);
   bool FillTargets(v1::ComputeFieldResponse& message);
 
+  AlgorithmChoice algorithm() const;
   void FillHeader(v1::FieldHeader& header) const;
   void FillTrailer(v1::FieldTrailer& trailer) const;
 

@@ -43,9 +43,10 @@ class QuestionStream : public AnswerStream<Request, Response> {
   virtual absl::StatusOr<bool> FillPart(Response& message) = 0;
 
   // For Ask:
-  void SetSubject(MeshHandle mesh, Algorithm algorithm) {
+  void SetSubject(MeshHandle mesh, Algorithm algorithm, double tolerance) {
     mesh_ = std::move(mesh);
     algorithm_ = algorithm;
+    tolerance_ = tolerance;
   }
 
   void SetProgress(const Progress& progress) {
@@ -72,7 +73,7 @@ class QuestionStream : public AnswerStream<Request, Response> {
   absl::StatusOr<NextMessage> Fill(Response& message) final {
     if (!std::exchange(has_header_, true)) {
       *message.mutable_header() =
-          MakeHeader(*mesh_, algorithm_, this->version());
+          MakeHeader(*mesh_, algorithm_, this->version(), tolerance_);
       return NextMessage::kSend;
     }
     if (!status_.has_value()) {
@@ -88,11 +89,13 @@ class QuestionStream : public AnswerStream<Request, Response> {
     trailer.set_compute_seconds(cost_.seconds);
     trailer.set_windows_propagated(cost_.windows_propagated);
     trailer.set_item_count(next_item_);
+    if (tolerance_ > 0) trailer.set_certified_error(tolerance_);
     return NextMessage::kSendLast;
   }
 
   MeshHandle mesh_;
   Algorithm algorithm_ = kDefaultAlgorithm;
+  double tolerance_ = 0;
 
   // Guarded by the stream's lock:
   bool has_header_ = false;
@@ -147,7 +150,7 @@ class FieldQuestionStream : public QuestionStream<Request, Response>,
         this->engine().fields().Compute(question, this->Shared(this));
     if (!call.ok()) return call.status();
     call_ = *std::move(call);
-    this->SetSubject(call_->mesh, call_->query->algorithm);
+    this->SetSubject(call_->mesh, call_->query->algorithm, /*tolerance=*/0);
     return absl::OkStatus();
   }
 
@@ -203,7 +206,7 @@ class JobQuestionStream : public QuestionStream<Request, Response> {
         this->engine().StartQuestion(std::move(question));
     if (!call.ok()) return call.status();
     call_ = *std::move(call);
-    this->SetSubject(call_.mesh, call_.algorithm);
+    this->SetSubject(call_.mesh, call_.algorithm, call_.tolerance);
     return absl::OkStatus();
   }
 

@@ -67,6 +67,7 @@ class RowStream final : public AnswerStream<Request, Response> {
     }
     if (!status.ok()) return status;
     if (request.has_radius()) question.radius = request.radius();
+    tolerance_ = question.query.tolerance;
     is_sparse_ = question.sparse || question.nearest.has_value();
     absl::StatusOr<MatrixCall> call = this->engine().ComputeMatrix(
         std::move(question), [self = this->Shared(this)] {
@@ -82,7 +83,7 @@ class RowStream final : public AnswerStream<Request, Response> {
     if (!std::exchange(has_header_, true)) {
       v1::MatrixHeader& header = *message.mutable_header();
       *header.mutable_answer() =
-          MakeHeader(*call_.mesh, call_.algorithm, this->version());
+          MakeHeader(*call_.mesh, call_.algorithm, this->version(), tolerance_);
       header.set_row_count(call_.row_count);
       header.set_column_count(call_.column_count);
       header.set_value_type(value_type_);
@@ -96,6 +97,7 @@ class RowStream final : public AnswerStream<Request, Response> {
         trailer.set_compute_seconds(call_.rows->seconds());
         trailer.set_windows_propagated(call_.rows->windows_propagated());
         trailer.set_item_count(next_row_);
+        if (certified_error_ > 0) trailer.set_certified_error(certified_error_);
         return NextMessage::kSendLast;
       }
       std::optional<absl::StatusOr<MatrixRow>> row = call_.rows->Take();
@@ -107,6 +109,7 @@ class RowStream final : public AnswerStream<Request, Response> {
       }
       if (!row->ok()) return row->status();
       row_ = **std::move(row);
+      certified_error_ = std::max(certified_error_, row_->certified_error);
       next_value_ = 0;
     }
     FillChunk(*message.mutable_chunk());
@@ -138,6 +141,7 @@ class RowStream final : public AnswerStream<Request, Response> {
   MatrixCall call_;
   v1::ValueType value_type_ = v1::VALUE_TYPE_FLOAT64;
   bool is_sparse_ = false;
+  double tolerance_ = 0;
 
   // Guarded by the stream's lock:
   bool has_header_ = false;
@@ -145,6 +149,7 @@ class RowStream final : public AnswerStream<Request, Response> {
   uint64_t next_row_ = 0;
   std::optional<MatrixRow> row_;  // being sent
   uint64_t next_value_ = 0;       // of *row_
+  double certified_error_ = 0;    // of the rows so far
 };
 
 using MatrixStream =

@@ -177,7 +177,7 @@ TEST_F(PairEngineTest, OnABookTwoThatShareAnEndGetAField) {
                               {VertexPoint{9}, VertexPoint{11}},
                               {VertexPoint{8}, VertexPoint{9}}});
   ASSERT_TRUE(distances.ok()) << distances.status();
-  EXPECT_NE(call_.algorithm, Algorithm::kFwpList);
+  EXPECT_NE(call_.algorithm, AlgorithmChoice(Algorithm::kFwpList));
   EXPECT_EQ(counts().from_fields, 2);
   EXPECT_EQ(counts().searched, 1);
   for (const double d : *distances) EXPECT_GT(d, 0);

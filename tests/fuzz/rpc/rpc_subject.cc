@@ -23,6 +23,7 @@
 #include "server/operations/metrics.h"
 #include "server/rpc/calls/call.h"
 #include "server/rpc/calls/intake.h"
+#include "server/rpc/calls/peer.h"
 #include "server/rpc/calls/request_log.h"
 #include "server/rpc/streams/field_stream.h"
 #include "server/rpc/streams/mesh_streams.h"
@@ -342,12 +343,18 @@ class Subject {
   Metrics metrics_;
   RequestLog log_{std::make_shared<spdlog::logger>(
                       "", std::make_shared<spdlog::sinks::null_sink_mt>()),
-                  /*max_active=*/8, access_, quotas_, metrics_};
+                  /*max_active=*/8,
+                  access_,
+                  access_,
+                  quotas_,
+                  metrics_};
   QueryEngine engine_{SmallLimits(), clock_, executor_};
   // Nothing is late here.
   Intake intake_{{.patience = std::chrono::hours(24), .memory_bytes = 1 << 22}};
+  const Peers peers_;
   const ServiceContext service_{
-      engine_, log_, intake_, MakeCapabilities(engine_.limits(), 1 << 22, "1")};
+      engine_, log_, intake_, peers_,
+      MakeCapabilities(engine_.limits(), 1 << 22, "1")};
   std::vector<std::string> digests_;
   std::vector<Call> calls_;
 };

@@ -1,0 +1,86 @@
+#include "server/engine/meshes/method_store.h"
+
+#include <limits>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/field_path.h"
+
+namespace geodesic::server {
+namespace {
+
+constexpr uint64_t kEntryBytes = 256;
+
+// Before all others.
+constexpr MethodChoice kFirst = {.lambda =
+                                     -std::numeric_limits<double>::infinity()};
+
+}  // namespace
+
+absl::Status CheckVertexTargets(ApproximateMethod method,
+                                std::span<const SurfacePoint> targets) {
+  for (size_t t = 0; t < targets.size(); ++t) {
+    if (std::holds_alternative<VertexPoint>(targets[t])) continue;
+    const std::string field = absl::StrCat("targets[", t, "]");
+    return InvalidField(
+        field,
+        absl::StrCat(field, " is no vertex: ",
+                     std::string(ApproximateMethodName(method)),
+                     " is approximate and gives the distances of vertices "
+                     "alone; name a vertex, or ask an exact algorithm"));
+  }
+  return absl::OkStatus();
+}
+
+MethodHandle MethodStore::ToHandle(const MeshHandle& mesh,
+                                   const Methods::Handle& kept) {
+  return {
+      .mesh = mesh,
+      .choice = kept->description.choice,
+      .method = std::shared_ptr<const PreparedMethod>(kept, kept->method.get()),
+      .prepare_seconds = kept->description.prepare_seconds};
+}
+
+std::optional<MethodHandle> MethodStore::Find(const MeshHandle& mesh,
+                                              const MethodChoice& choice) {
+  const Methods::Handle kept = methods_.Find({mesh->digest, choice});
+  // A mesh that went and came back is another object.
+  if (kept == nullptr || kept->mesh.lock() != mesh) return std::nullopt;
+  return ToHandle(mesh, kept);
+}
+
+absl::StatusOr<MethodHandle> MethodStore::Insert(const MethodHandle& made) {
+  const uint64_t bytes = made.method->bytes();
+  absl::StatusOr<ByteReservation> room = methods_.Reserve(bytes + kEntryBytes);
+  if (!room.ok()) return room.status();
+  const Methods::Handle kept =
+      methods_
+          .Insert({made.mesh->digest, made.choice},
+                  {{made.choice, bytes, made.prepare_seconds},
+                   made.mesh,
+                   made.method},
+                  *std::move(room),
+                  [&](const Kept& present) {
+                    return present.mesh.lock() == made.mesh;
+                  })
+          .value;
+  return ToHandle(made.mesh, kept);
+}
+
+void MethodStore::EraseMesh(const std::string& digest) {
+  methods_.EraseIf([&](const Key& key) { return key.mesh_digest == digest; });
+}
+
+std::vector<MethodDescription> MethodStore::Describe(
+    const std::string& digest) const {
+  std::vector<MethodDescription> all;
+  for (const Methods::Handle& kept :
+       methods_.List({digest, kFirst}, methods_.size())) {
+    const MeshHandle mesh = kept->mesh.lock();
+    if (mesh == nullptr || mesh->digest != digest) break;
+    all.push_back(kept->description);
+  }
+  return all;
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,125 @@
+#include "server/engine/methods/method_engine.h"
+
+#include <chrono>
+#include <utility>
+
+#include "geodesic/field_path.h"
+#include "geodesic/solve_options.h"
+
+namespace geodesic::server {
+namespace {
+
+// For the work's arrays before it has told how much it takes.
+uint64_t PlannedBytes(const Mesh& mesh,
+                      const std::optional<MethodChoice>& method) {
+  return method.has_value() ? mesh.resident_bytes() / 4
+                            : LandmarkMaker::PlannedBytes(mesh);
+}
+
+}  // namespace
+
+MethodEngine::MethodEngine(const Limits& limits, const Clock& clock,
+                           Scheduler& scheduler,
+                           std::shared_ptr<ByteBudget> solver_memory,
+                           MeshLibrary& meshes, LandmarkMaker& landmarks)
+    : limits_(limits),
+      clock_(clock),
+      scheduler_(scheduler),
+      solver_memory_(std::move(solver_memory)),
+      meshes_(meshes),
+      landmarks_(landmarks),
+      jobs_(scheduler, clock, limits.progress_interval) {}
+
+absl::StatusOr<MethodJobs::Ticket> MethodEngine::Prepare(
+    const MeshHandle& mesh, const std::optional<MethodChoice>& method,
+    Waiter<Prepared> waiter, const Requester& requester) {
+  // A key must not be NaN.
+  if (method.has_value()) {
+    absl::Status status = HeatMethod::Check({.lambda = method->lambda});
+    if (!status.ok()) return WithFieldPath(status, "approximation.lambda");
+  }
+  const uint64_t planned = PlannedBytes(*mesh->mesh, method);
+  absl::Status fits = solver_memory_->CheckCapacity(planned);
+  if (!fits.ok()) return fits;
+  const auto memory = std::make_shared<ByteReservation>();
+  return jobs_.Join(
+      {mesh->digest, method}, std::move(waiter),
+      SolvePriority(requester.is_batch), [&] {
+        return SharedWork<Prepared>{
+            .client = requester.client,
+            .reserve = [this, memory, planned]() -> absl::Status {
+              auto taken = ByteReservation::Make(solver_memory_, planned);
+              if (!taken.ok()) return taken.status();
+              *memory = *std::move(taken);
+              return absl::OkStatus();
+            },
+            .run = [this, mesh, method, memory](JobCheckpoint& checkpoint)
+                -> absl::StatusOr<std::optional<Prepared>> {
+              checkpoint.Hold(std::move(*memory));
+              return Run(mesh, method, checkpoint);
+            }};
+      });
+}
+
+absl::StatusOr<Prepared> MethodEngine::Run(
+    const MeshHandle& mesh, const std::optional<MethodChoice>& method,
+    Checkpoint& checkpoint) {
+  const TimePoint begin = clock_.Now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(clock_.Now() - begin).count();
+  };
+  if (!method.has_value()) {
+    absl::Status status = landmarks_.MakeNow(mesh, checkpoint);
+    if (!status.ok()) return status;
+    return Prepared{.mesh = mesh, .prepare_seconds = seconds()};
+  }
+  if (std::optional<MethodHandle> found = Find(mesh, *method)) {
+    return *std::move(found);
+  }
+  auto made = Make(*mesh, *method, checkpoint);
+  if (!made.ok()) return made.status();
+  absl::StatusOr<MethodHandle> kept =
+      meshes_.methods().Insert({.mesh = mesh,
+                                .choice = *method,
+                                .method = *std::move(made),
+                                .prepare_seconds = seconds()});
+  // A mesh that went before now found nothing to take along.
+  if (!meshes_.store().Holds(mesh->digest)) {
+    meshes_.methods().EraseMesh(mesh->digest);
+  }
+  return kept;
+}
+
+absl::StatusOr<std::shared_ptr<const PreparedMethod>> MethodEngine::Make(
+    const ResidentMesh& mesh, const MethodChoice& choice,
+    Checkpoint& checkpoint) {
+  const bool is_graph = choice.method == ApproximateMethod::kSvg;
+  if (is_graph && files_ != nullptr) {
+    auto stored = files_->Load(mesh.digest, choice.neighbours, *mesh.mesh);
+    if (stored.ok()) {
+      ++loaded_;
+      return *std::move(stored);
+    }
+  }
+  auto made = PrepareMethod(
+      *mesh.mesh, choice,
+      WithIdleThreads({}, scheduler_, limits_.max_threads_per_solve).threads,
+      checkpoint);
+  if (!made.ok()) return made.status();
+  ++made_;
+  if (is_graph && files_ != nullptr) {
+    // A full disk does not hurt questions; uploads report it.
+    (void)files_->Put(mesh.digest, choice.neighbours,
+                      static_cast<const SaddleVertexGraph&>(**made));
+    // A mesh that was deleted before now had no file.
+    if (!meshes_.Contains(mesh.digest)) files_->EraseMesh(mesh.digest);
+  }
+  return made;
+}
+
+void MethodEngine::EraseMesh(const std::string& digest) {
+  meshes_.methods().EraseMesh(digest);
+  if (files_ != nullptr) files_->EraseMesh(digest);
+}
+
+}  // namespace geodesic::server

@@ -1,0 +1,17 @@
+// The text of a small file: tokens, certificates.
+
+#ifndef GEODESIC_SERVER_SECURITY_FILE_TEXT_H_
+#define GEODESIC_SERVER_SECURITY_FILE_TEXT_H_
+
+#include <string>
+
+#include "absl/status/statusor.h"
+
+namespace geodesic::server {
+
+// Errors: as errno says, naming the path.
+absl::StatusOr<std::string> ReadFileText(const std::string& path);
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_SECURITY_FILE_TEXT_H_
