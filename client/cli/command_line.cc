@@ -221,11 +221,12 @@ void AddConnection(CLI::App* app, ConnectionArguments* arguments) {
 
 // In the order in which --help lists them.
 std::vector<Command> AllCommands() {
-  return {UploadCommand(),       MeshesCommand(),   InfoCommand(),
-          DeleteCommand(),       DistanceCommand(), FieldCommand(),
-          PathCommand(),         IsolinesCommand(), MatrixCommand(),
-          NearestCommand(),      SampleCommand(),   LogMapCommand(),
-          CapabilitiesCommand(), ServerCommand()};
+  return {UploadCommand(),  MeshesCommand(),   InfoCommand(),
+          DeleteCommand(),  DistanceCommand(), FieldCommand(),
+          PathCommand(),    IsolinesCommand(), MatrixCommand(),
+          NearestCommand(), SampleCommand(),   LogMapCommand(),
+          ViewCommand(),    PrepareCommand(),  CapabilitiesCommand(),
+          ServerCommand()};
 }
 
 void AddCommonOptions(CLI::App* app, CommandLine* line) {
@@ -259,6 +260,35 @@ std::vector<std::string> Words(const CLI::App& app, int argc,
   return words;
 }
 
+// Gives `app` the options, which write into `line`, and the commands.
+void AddAll(const std::vector<Command>& commands, CLI::App* app,
+            CommandLine* line) {
+  app->name("geodesic");
+  app->description(
+      "Exact geodesic distances on triangle meshes, from a geodesicd server.");
+  app->require_subcommand(1);
+  app->fallthrough();
+  app->set_version_flag("--version", "geodesic " GEODESIC_VERSION);
+  app->formatter(std::make_shared<HelpFormatter>());
+  app->option_defaults()->always_capture_default();
+  AddCommonOptions(app, line);
+  for (const Command& command : commands) {
+    CLI::App* added = app->add_subcommand(command.name, command.help);
+    added->footer(absl::StrCat(
+        "Examples:\n", command.examples,
+        "\n\n--server with its TLS and token, --json, --quiet and --timeout "
+        "may follow\ntoo: see geodesic --help."));
+    command.add_options(added);
+  }
+  app->footer(absl::StrCat(
+      "Examples:\n"
+      "  geodesic field horse.ply --source 0 -o horse.png -o horse.npy\n"
+      "  geodesic path 3f2a91bc --source 0 --target 77 -o path.obj\n"
+      "  geodesic --server meshes.example:50051 meshes --json\n\n"
+      "geodesic help COMMAND explains one.\n\n",
+      std::string(ExitCodeHelp())));
+}
+
 }  // namespace
 
 std::variant<CommandLine, ExitCode> ParseCommandLine(int argc,
@@ -266,39 +296,17 @@ std::variant<CommandLine, ExitCode> ParseCommandLine(int argc,
                                                      std::ostream& out,
                                                      std::ostream& err) {
   CommandLine line;
-  CLI::App app(
-      "Exact geodesic distances on triangle meshes, from a geodesicd server.",
-      "geodesic");
-  app.require_subcommand(1);
-  app.fallthrough();
-  app.set_version_flag("--version", "geodesic " GEODESIC_VERSION);
-  app.formatter(std::make_shared<HelpFormatter>());
+  CLI::App app;
+  const std::vector<Command> commands = AllCommands();
+  AddAll(commands, &app, &line);
   app.failure_message([&app](const CLI::App*, const CLI::Error& error) {
-    const std::vector<CLI::App*> commands = app.get_subcommands();
-    const CLI::App* given = commands.empty() ? nullptr : commands[0];
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    const CLI::App* given = chosen.empty() ? nullptr : chosen[0];
     return absl::StrCat("geodesic: ", Printable(MessageOf(app, given, error)),
                         "\nRun geodesic ",
                         given == nullptr ? "" : given->get_name() + " ",
                         "--help for more information.\n");
   });
-  app.option_defaults()->always_capture_default();
-  AddCommonOptions(&app, &line);
-  std::vector<Command> commands = AllCommands();
-  for (const Command& command : commands) {
-    CLI::App* added = app.add_subcommand(command.name, command.help);
-    added->footer(absl::StrCat(
-        "Examples:\n", command.examples,
-        "\n\n--server with its TLS and token, --json, --quiet and --timeout "
-        "may follow\ntoo: see geodesic --help."));
-    command.add_options(added);
-  }
-  app.footer(absl::StrCat(
-      "Examples:\n"
-      "  geodesic field horse.ply --source 0 -o horse.png -o horse.npy\n"
-      "  geodesic path 3f2a91bc --source 0 --target 77 -o path.obj\n"
-      "  geodesic --server meshes.example:50051 meshes --json\n\n"
-      "geodesic help COMMAND explains one.\n\n",
-      std::string(ExitCodeHelp())));
   try {
     app.parse(Words(app, argc, argv));
   } catch (const CLI::ParseError& error) {
@@ -307,6 +315,13 @@ std::variant<CommandLine, ExitCode> ParseCommandLine(int argc,
   line.command = *std::ranges::find(
       commands, app.get_subcommands()[0]->get_name(), &Command::name);
   return line;
+}
+
+manual::Page ProgramPage() {
+  CommandLine line;
+  CLI::App app;
+  AddAll(AllCommands(), &app, &line);
+  return manual::Describe(app);
 }
 
 absl::StatusOr<ConnectionOptions> ReadConnection(

@@ -13,6 +13,7 @@
 #include "client/cli/commands/command.h"
 #include "client/cli/terminal/exit_code.h"
 #include "geodesic_client/connection_options.h"
+#include "manual/pages.h"
 
 namespace geodesic::client {
 
@@ -44,6 +45,9 @@ std::variant<CommandLine, ExitCode> ParseCommandLine(int argc,
                                                      const char* const* argv,
                                                      std::ostream& out,
                                                      std::ostream& err);
+
+// All options and commands, for man pages and completions.
+manual::Page ProgramPage();
 
 // Reads the files that the arguments name.
 // Errors, all marked by FileError: those of ReadTlsFiles and ReadTokenFile;

@@ -178,11 +178,14 @@ absl::Status RunCommand(const CommandLine& line, std::string* server,
     *server = own->address();
   }
   if (own.has_value() && !line.command.is_about_own_server) {
-    const absl::StatusOr<pid_t> started = AwaitOwnServer(*own, call);
+    const absl::StatusOr<pid_t> started =
+        AwaitOwnServer(*own, line.command.needs_page, call);
     if (call.stop.stop_requested()) return Interrupted();
     if (!started.ok()) return started.status();
     process = *started;
   }
+  std::optional<PageFiles> page;
+  if (process.has_value() && line.command.needs_page) page = own->page();
   Client client(*server, *std::move(connection));
   absl::Status status =
       line.command.run({.client = client,
@@ -194,7 +197,8 @@ absl::Status RunCommand(const CommandLine& line, std::string* server,
                         .err = std::cerr,
                         .progress_style = ProgressStyle(line.quiet),
                         // Some terminals wrap after the last column.
-                        .terminal_width = TerminalWidth() - 1});
+                        .terminal_width = TerminalWidth() - 1,
+                        .page = page});
   if (absl::IsCancelled(status) && call.stop.stop_requested()) {
     return Interrupted();
   }

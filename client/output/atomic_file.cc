@@ -1,9 +1,11 @@
 #include "client/output/atomic_file.h"
 
 #include <unistd.h>
+#include <zlib.h>
 
 #include <array>
 #include <cerrno>
+#include <filesystem>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -16,7 +18,7 @@ absl::StatusOr<AtomicFile> AtomicFile::Create(const std::string& path) {
   std::string partial_path =
       is_standard ? "" : absl::StrCat(path, ".part-", getpid());
   std::FILE* file =
-      is_standard ? std::tmpfile() : std::fopen(partial_path.c_str(), "wb");
+      is_standard ? std::tmpfile() : std::fopen(partial_path.c_str(), "wb+");
   if (file == nullptr) {
     return absl::ErrnoToStatus(errno, absl::StrCat("cannot write ", path));
   }
@@ -76,6 +78,30 @@ void AtomicFile::CopyToStandardOutput() {
   if (error_ == 0 && std::ferror(file_.get()) != 0) error_ = EIO;
 }
 
+void AtomicFile::Compress() {
+  const std::string packed_path = partial_path_ + ".gz";
+  const gzFile packed = gzopen(packed_path.c_str(), "wb");
+  if (packed == nullptr) {
+    error_ = errno;
+    return;
+  }
+  std::array<char, 1 << 16> buffer;
+  std::rewind(file_.get());
+  size_t count = 0;
+  while (error_ == 0 && (count = std::fread(buffer.data(), 1, buffer.size(),
+                                            file_.get())) > 0) {
+    if (gzwrite(packed, buffer.data(), static_cast<unsigned>(count)) == 0) {
+      error_ = errno != 0 ? errno : EIO;
+    }
+  }
+  if (error_ == 0 && std::ferror(file_.get()) != 0) error_ = EIO;
+  if (gzclose(packed) != Z_OK && error_ == 0) error_ = errno != 0 ? errno : EIO;
+  std::remove(partial_path_.c_str());
+  partial_path_ = packed_path;
+  std::error_code unknown;
+  size_ = std::filesystem::file_size(packed_path, unknown);
+}
+
 absl::Status AtomicFile::Commit() {
   if (path_ == kStandardOutput) {
     if (std::fflush(file_.get()) != 0 && error_ == 0) error_ = errno;
@@ -83,6 +109,7 @@ absl::Status AtomicFile::Commit() {
     file_.reset();
     return status();
   }
+  if (error_ == 0 && IsCompressed(path_)) Compress();
   if (std::fclose(file_.release()) != 0 && error_ == 0) {
     error_ = errno;
   }

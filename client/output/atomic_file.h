@@ -15,9 +15,10 @@
 
 namespace geodesic::client {
 
-// Writes to "<path>.part-<process>" and renames that at the end. What goes to
-// standard output (kStandardOutput) is kept in a temporary file without a name,
-// and copied at the end. Not thread-safe.
+// Writes to "<path>.part-<process>" and renames that at the end, compressed
+// with gzip if the path ends in ".gz". What goes to standard output
+// (kStandardOutput) is kept in a temporary file without a name, and copied at
+// the end. Not thread-safe.
 class AtomicFile {
  public:
   // Errors: those of opening a file for writing, naming the path.
@@ -41,7 +42,7 @@ class AtomicFile {
   // The first error so far.
   absl::Status status() const;
 
-  // Bytes appended so far.
+  // Bytes appended so far; after Commit, those of the file.
   uint64_t size() const { return size_; }
 
   // Puts the file in its place, over an older one; or copies it to standard
@@ -59,8 +60,11 @@ class AtomicFile {
         partial_path_(std::move(partial_path)),
         file_(file) {}
 
-  // Errors of it are in error_.
+  // Errors of these are in error_.
   void CopyToStandardOutput();
+  // Puts what was appended, compressed, into another file of this name, which
+  // takes the place of the partial one.
+  void Compress();
 
   std::string path_;
   std::string partial_path_;  // empty for standard output

@@ -63,7 +63,7 @@ std::string_view NumpyName(NumberType type) {
 }
 
 std::string NpyHeader(std::string_view type, std::span<const uint64_t> shape,
-                      size_t least_size) {
+                      size_t least_size, std::string_view mark) {
   constexpr std::string_view kMagic("\x93NUMPY\x01\x00", 8);
   constexpr size_t kAlignment = 64;
   std::string dimensions;
@@ -75,6 +75,7 @@ std::string NpyHeader(std::string_view type, std::span<const uint64_t> shape,
   std::string text =
       absl::StrCat("{'descr': '", std::string(type),
                    "', 'fortran_order': False, 'shape': (", dimensions, "), }");
+  if (!mark.empty()) absl::StrAppend(&text, "  # ", std::string(mark));
   // Magic, length and text with its newline fill whole blocks.
   const size_t prefix = kMagic.size() + sizeof(uint16_t);
   const size_t unpadded = std::max(prefix + text.size() + 1, least_size);
@@ -88,8 +89,9 @@ std::string NpyHeader(std::string_view type, std::span<const uint64_t> shape,
 }
 
 std::string NpyArray(std::span<const double> values, NumberType type,
-                     const std::vector<uint64_t>& shape) {
-  std::string bytes = NpyHeader(NumpyName(type), shape);
+                     const std::vector<uint64_t>& shape,
+                     std::string_view mark) {
+  std::string bytes = NpyHeader(NumpyName(type), shape, 0, mark);
   AppendNumbers(values, type, &bytes);
   return bytes;
 }

@@ -29,14 +29,16 @@ void AppendNumbers(std::span<const double> values, NumberType type,
 std::string_view NumpyName(NumberType type);
 
 // The part of a file before the values. `type` is NumPy's name. The size is a
-// multiple of 64 bytes and at least `least_size`.
+// multiple of 64 bytes and at least `least_size`. A `mark` stands behind the
+// header's dictionary as a comment, which NumPy skips.
 std::string NpyHeader(std::string_view type, std::span<const uint64_t> shape,
-                      size_t least_size = 0);
+                      size_t least_size = 0, std::string_view mark = "");
 
 // A whole file in memory.
 // REQUIRES: as many values as the shape has.
 std::string NpyArray(std::span<const double> values, NumberType type,
-                     const std::vector<uint64_t>& shape);
+                     const std::vector<uint64_t>& shape,
+                     std::string_view mark = "");
 
 }  // namespace geodesic::client
 

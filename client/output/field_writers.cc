@@ -19,8 +19,8 @@ std::vector<std::string> NamesOf(const Column& column) {
 
 }  // namespace
 
-void WriteNpy(const Column& column, AtomicFile* file) {
-  file->Append(NpyHeader(NumpyName(column.type), column.shape()));
+void WriteNpy(const Column& column, AtomicFile* file, const std::string& mark) {
+  file->Append(NpyHeader(NumpyName(column.type), column.shape(), 0, mark));
   AppendNumbers(column.values, column.type, file);
 }
 
@@ -51,12 +51,12 @@ void WriteCsv(std::span<const Column> columns, AtomicFile* file) {
 }
 
 void WritePly(const MeshArrays& mesh, std::span<const Column> columns,
-              AtomicFile* file) {
+              AtomicFile* file, const std::string& mark) {
   std::string header = absl::StrCat(
       "ply\nformat binary_little_endian 1.0\n"
-      "comment distances in the unit of the coordinates\n"
-      "element vertex ",
-      mesh.positions.size(),
+      "comment distances in the unit of the coordinates\n",
+      mark.empty() ? "" : absl::StrCat("comment ", mark, "\n"),
+      "element vertex ", mesh.positions.size(),
       "\nproperty double x\nproperty double y\nproperty double z\n");
   for (const Column& column : columns) {
     for (const std::string& name : NamesOf(column)) {
@@ -91,11 +91,12 @@ void WritePly(const MeshArrays& mesh, std::span<const Column> columns,
 }
 
 void WriteVtk(const MeshArrays& mesh, std::span<const Column> columns,
-              AtomicFile* file) {
+              AtomicFile* file, const std::string& mark) {
   file->Append(
-      absl::StrCat("# vtk DataFile Version 3.0\ngeodesic distance field\n"
-                   "BINARY\nDATASET POLYDATA\nPOINTS ",
-                   mesh.positions.size(), " double\n"));
+      absl::StrCat("# vtk DataFile Version 3.0\ngeodesic distance field",
+                   mark.empty() ? "" : absl::StrCat(", ", mark),
+                   "\nBINARY\nDATASET POLYDATA\nPOINTS ", mesh.positions.size(),
+                   " double\n"));
   std::string row;
   for (const Point& point : mesh.positions) {
     row.clear();

@@ -1,7 +1,9 @@
 // Writes values at the vertices in the formats that other programs read.
 //
 // Bytes are little endian unless said otherwise. +infinity stays infinity in
-// every format. A writer appends to the file, whose Commit returns errors.
+// every format. A writer appends to the file, whose Commit returns errors. A
+// `mark` (approximation_mark.h) is written as the format's comment; .csv has
+// none, but names of columns.
 
 #ifndef GEODESIC_CLIENT_OUTPUT_FIELD_WRITERS_H_
 #define GEODESIC_CLIENT_OUTPUT_FIELD_WRITERS_H_
@@ -21,6 +23,7 @@ namespace geodesic::client {
 inline constexpr char kDistanceColumn[] = "geodesic_distance";
 inline constexpr char kNearestSourceColumn[] = "nearest_source";
 inline constexpr char kGradientColumn[] = "gradient";
+inline constexpr char kErrorColumn[] = "certified_error";
 
 struct Column {
   std::string name;
@@ -41,7 +44,8 @@ struct Column {
 };
 
 // NumPy format 1.0: shape (V,), or (V, components).
-void WriteNpy(const Column& column, AtomicFile* file);
+void WriteNpy(const Column& column, AtomicFile* file,
+              const std::string& mark = "");
 
 // A header line "vertex,geodesic_distance,...", then a line for each vertex. A
 // vector is three columns: gradient_x, gradient_y, gradient_z.
@@ -52,12 +56,12 @@ void WriteCsv(std::span<const Column> columns, AtomicFile* file);
 // REQUIRES: a value per vertex; fewer than 2^31 vertices. Likewise for
 // WriteVtk.
 void WritePly(const MeshArrays& mesh, std::span<const Column> columns,
-              AtomicFile* file);
+              AtomicFile* file, const std::string& mark = "");
 
 // Legacy VTK polydata with the columns as point scalars and vectors. It is
 // binary, which in that format means big endian.
 void WriteVtk(const MeshArrays& mesh, std::span<const Column> columns,
-              AtomicFile* file);
+              AtomicFile* file, const std::string& mark = "");
 
 }  // namespace geodesic::client
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "client/output/approximation_mark.h"
 #include "client/output/atomic_file.h"
 #include "client/output/number_text.h"
 #include "client/output/place_text.h"
@@ -113,14 +114,18 @@ class GrowingNpy {
 class PlainMatrixWriter final : public MatrixWriter {
  public:
   PlainMatrixWriter(AtomicFile file, OutputFormat format, NumberType type,
-                    const MatrixPlaces& places)
-      : file_(std::move(file)), format_(format), type_(type), places_(places) {}
+                    const MatrixPlaces& places, std::string mark)
+      : file_(std::move(file)),
+        format_(format),
+        type_(type),
+        places_(places),
+        mark_(std::move(mark)) {}
 
   absl::Status Begin(const MatrixShape& shape) override {
     const std::array<uint64_t, 2> sizes = {shape.rows, shape.columns};
     file_.Append(format_ == OutputFormat::kCsv
-                     ? kMatrixCsvHeader
-                     : NpyHeader(NumpyName(type_), sizes));
+                     ? MatrixCsvHeader(mark_)
+                     : NpyHeader(NumpyName(type_), sizes, 0, mark_));
     return file_.status();
   }
 
@@ -143,14 +148,17 @@ class PlainMatrixWriter final : public MatrixWriter {
   const OutputFormat format_;
   const NumberType type_;
   const MatrixPlaces places_;
+  const std::string mark_;
 };
 
 class NpzMatrixWriter final : public MatrixWriter {
  public:
-  NpzMatrixWriter(std::string path, GrowingNpy data, GrowingNpy indices)
+  NpzMatrixWriter(std::string path, GrowingNpy data, GrowingNpy indices,
+                  std::string mark)
       : path_(std::move(path)),
         data_(std::move(data)),
-        indices_(std::move(indices)) {}
+        indices_(std::move(indices)),
+        mark_(std::move(mark)) {}
 
   absl::Status Begin(const MatrixShape& shape) override {
     shape_ = shape;
@@ -190,6 +198,11 @@ class NpzMatrixWriter final : public MatrixWriter {
                                          static_cast<double>(shape_.columns)};
     archive->Add("shape.npy", NpyArray(sizes, NumberType::kInt64, {2}));
     archive->Add("data.npy", data_.Release());
+    if (!mark_.empty()) {
+      archive->Add(
+          IsToleranceMark(mark_) ? "within_tolerance.npy" : "approximate.npy",
+          NpyHeader(absl::StrCat("|S", mark_.size()), {}) + mark_);
+    }
     return archive->Commit();
   }
 
@@ -197,11 +210,16 @@ class NpzMatrixWriter final : public MatrixWriter {
   std::string path_;
   GrowingNpy data_;
   GrowingNpy indices_;
+  std::string mark_;
   std::vector<double> row_ends_ = {0};
   MatrixShape shape_;
 };
 
 }  // namespace
+
+std::string MatrixCsvHeader(const std::string& mark) {
+  return absl::StrCat("source,target,", DistanceName("distance", mark), "\n");
+}
 
 std::string CsvRow(const MatrixPlaces& places, const MatrixRow& row) {
   const std::string source = SourceText(places.sources.at(row.row));
@@ -218,7 +236,7 @@ std::string CsvRow(const MatrixPlaces& places, const MatrixRow& row) {
 
 absl::StatusOr<std::unique_ptr<MatrixWriter>> CreateMatrixWriter(
     const std::string& path, OutputFormat format, NumberType type,
-    const MatrixPlaces& places) {
+    const MatrixPlaces& places, const std::string& mark) {
   if (format == OutputFormat::kNpz) {
     absl::StatusOr<GrowingNpy> data = GrowingNpy::Create(path, type);
     if (!data.ok()) return data.status();
@@ -226,12 +244,12 @@ absl::StatusOr<std::unique_ptr<MatrixWriter>> CreateMatrixWriter(
         GrowingNpy::Create(path, NumberType::kInt32);
     if (!indices.ok()) return indices.status();
     return std::make_unique<NpzMatrixWriter>(path, *std::move(data),
-                                             *std::move(indices));
+                                             *std::move(indices), mark);
   }
   absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
   if (!file.ok()) return file.status();
   return std::make_unique<PlainMatrixWriter>(*std::move(file), format, type,
-                                             places);
+                                             places, mark);
 }
 
 }  // namespace geodesic::client

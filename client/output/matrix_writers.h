@@ -23,7 +23,8 @@ struct MatrixPlaces {
   std::vector<SurfacePoint> targets;
 };
 
-inline constexpr char kMatrixCsvHeader[] = "source,target,distance\n";
+// The line above them.
+std::string MatrixCsvHeader(const std::string& mark);
 
 // A line for each value of the row. It names source and target as the command
 // line does.
@@ -51,11 +52,13 @@ class MatrixWriter {
 //   indices, indptr, shape, format. Of dense rows the finite values are kept.
 //   While it grows, data and indices wait in files without a name beside it.
 // .csv: "source,target,distance", a line for each value, as CsvRow has it.
-// `type` is that of the values in .npy and .npz, a float type. Errors:
-// those of opening files for writing, naming the path.
+// `type` is that of the values in .npy and .npz, a float type. A `mark`
+// (approximation_mark.h) is in the header of .npy, in the member "approximate"
+// or "within_tolerance" of .npz and in the column's name of .csv. Errors: those
+// of opening files for writing, naming the path.
 absl::StatusOr<std::unique_ptr<MatrixWriter>> CreateMatrixWriter(
     const std::string& path, OutputFormat format, NumberType type,
-    const MatrixPlaces& places);
+    const MatrixPlaces& places, const std::string& mark = "");
 
 }  // namespace geodesic::client
 

@@ -6,14 +6,15 @@
 #include <filesystem>
 
 #include "absl/strings/ascii.h"
+#include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 
 namespace geodesic::client {
 
 std::string_view OutputFormatName(OutputFormat format) {
   // Indexed by OutputFormat.
-  constexpr std::array kNames = {"npy", "npz", "csv", "f64",  "f32",
-                                 "ply", "vtk", "obj", "json", "png"};
+  constexpr std::array kNames = {"npy", "npz", "csv",  "f64", "f32", "ply",
+                                 "vtk", "obj", "json", "png", "html"};
   return kNames.at(static_cast<size_t>(format));
 }
 
@@ -30,8 +31,23 @@ std::string OutputEndings(std::span<const OutputFormat> formats) {
   return list;
 }
 
+bool IsCompressed(std::string_view path) {
+  return absl::EndsWithIgnoreCase({path.data(), path.size()}, ".gz");
+}
+
 absl::StatusOr<OutputFormat> OutputFormatFromPath(
     std::string_view path, std::span<const OutputFormat> formats) {
+  if (IsCompressed(path)) {
+    absl::StatusOr<OutputFormat> format =
+        OutputFormatFromPath(path.substr(0, path.size() - 3), formats);
+    if (format.ok() &&
+        (*format == OutputFormat::kNpz || *format == OutputFormat::kPng)) {
+      return absl::InvalidArgumentError(absl::StrCat(
+          std::string(path), ": .", std::string(OutputFormatName(*format)),
+          " is compressed already; leave .gz away"));
+    }
+    return format;
+  }
   const std::string ending =
       path == kStandardOutput
           ? ".csv"

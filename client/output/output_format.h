@@ -23,14 +23,15 @@ enum class OutputFormat {
   kVtk,
   kObj,
   kJson,
-  kPng
+  kPng,
+  kHtml
 };
 
 // The formats in which each kind of answer can be written.
 inline constexpr std::array kFieldFormats = {
     OutputFormat::kNpy, OutputFormat::kNpz, OutputFormat::kCsv,
     OutputFormat::kF64, OutputFormat::kF32, OutputFormat::kPly,
-    OutputFormat::kVtk, OutputFormat::kPng};
+    OutputFormat::kVtk, OutputFormat::kPng, OutputFormat::kHtml};
 inline constexpr std::array kLineFormats = {
     OutputFormat::kObj, OutputFormat::kPly,  OutputFormat::kVtk,
     OutputFormat::kCsv, OutputFormat::kJson, OutputFormat::kPng};
@@ -55,9 +56,13 @@ std::string OutputEndings(std::span<const OutputFormat> formats);
 // The path of an output that goes to standard output.
 inline constexpr char kStandardOutput[] = "-";
 
-// The one of `formats` that the path's ending names, in any case; that of
-// standard output is .csv.
-// Errors: INVALID_ARGUMENT naming the path and the allowed endings.
+// Whether the path ends in ".gz", in any case.
+bool IsCompressed(std::string_view path);
+
+// The one of `formats` that the path's ending names, in any case and with ".gz"
+// behind it or not; that of standard output is .csv.
+// Errors: INVALID_ARGUMENT naming the path and the allowed endings; for ".gz"
+// behind what is compressed already.
 absl::StatusOr<OutputFormat> OutputFormatFromPath(
     std::string_view path, std::span<const OutputFormat> formats);
 

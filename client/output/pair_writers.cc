@@ -10,12 +10,15 @@
 namespace geodesic::client {
 namespace {
 
-// Enough for the header of an array of any length, which is known at the end.
+// Enough for the header of an array of any length, which is known at the end,
+// without a mark and with one.
 constexpr size_t kHeaderSize = 128;
+constexpr size_t kMarkedHeaderSize = 256;
 
-std::string Header(NumberType type, uint64_t count) {
+std::string Header(NumberType type, uint64_t count, const std::string& mark) {
   const std::array<uint64_t, 1> shape = {count};
-  return NpyHeader(NumpyName(type), shape, kHeaderSize);
+  return NpyHeader(NumpyName(type), shape,
+                   mark.empty() ? kHeaderSize : kMarkedHeaderSize, mark);
 }
 
 }  // namespace
@@ -35,12 +38,13 @@ std::string CsvPairs(std::span<const PointPair> pairs,
 
 absl::StatusOr<PairWriter> PairWriter::Create(const std::string& path,
                                               OutputFormat format,
-                                              NumberType type) {
+                                              NumberType type,
+                                              const std::string& mark) {
   absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
   if (!file.ok()) return file.status();
-  file->Append(format == OutputFormat::kCsv ? kMatrixCsvHeader
-                                            : Header(type, 0));
-  return PairWriter(*std::move(file), format, type);
+  file->Append(format == OutputFormat::kCsv ? MatrixCsvHeader(mark)
+                                            : Header(type, 0, mark));
+  return PairWriter(*std::move(file), format, type, mark);
 }
 
 absl::Status PairWriter::Append(std::span<const PointPair> pairs,
@@ -55,7 +59,8 @@ absl::Status PairWriter::Append(std::span<const PointPair> pairs,
 }
 
 absl::StatusOr<uint64_t> PairWriter::Commit() {
-  if (format_ == OutputFormat::kNpy) file_.Replace(Header(type_, count_));
+  if (format_ == OutputFormat::kNpy)
+    file_.Replace(Header(type_, count_, mark_));
   if (absl::Status status = file_.Commit(); !status.ok()) return status;
   return file_.size();
 }

@@ -26,11 +26,11 @@ std::string CsvPairs(std::span<const PointPair> pairs,
 // thread-safe.
 class PairWriter {
  public:
-  // `type` is that of the values in .npy.
+  // `type` is that of the values in .npy. `mark`: as CreateMatrixWriter.
   // Errors: those of opening files for writing, naming the path.
   static absl::StatusOr<PairWriter> Create(const std::string& path,
-                                           OutputFormat format,
-                                           NumberType type);
+                                           OutputFormat format, NumberType type,
+                                           const std::string& mark = "");
 
   // Appends more pairs. REQUIRES: as CsvPairs. Errors: those of writing, naming
   // the path.
@@ -41,12 +41,17 @@ class PairWriter {
   absl::StatusOr<uint64_t> Commit();
 
  private:
-  PairWriter(AtomicFile file, OutputFormat format, NumberType type)
-      : file_(std::move(file)), format_(format), type_(type) {}
+  PairWriter(AtomicFile file, OutputFormat format, NumberType type,
+             std::string mark)
+      : file_(std::move(file)),
+        format_(format),
+        type_(type),
+        mark_(std::move(mark)) {}
 
   AtomicFile file_;
   OutputFormat format_;
   NumberType type_;
+  std::string mark_;
   uint64_t count_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "client/output/place_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -58,14 +59,18 @@ struct PlaceJson {
 
 constexpr std::string_view kPointForms =
     "VERTEX, edge:A-B@T or face:F@W0,W1,W2 (numbers from 0, T from 0 to 1, "
-    "weights >= 0 that sum to 1), nearest:X,Y,Z, or min: or max: with x, y or "
-    "z";
+    "weights >= 0 that sum to 1), nearest:X,Y,Z, min: or max: with x, y or z, "
+    "or name:NAME@FILE";
 
 constexpr std::string_view kEdge = "edge:";
 constexpr std::string_view kFace = "face:";
 constexpr std::string_view kNearest = "nearest:";
 constexpr std::string_view kLeast = "min:";
 constexpr std::string_view kGreatest = "max:";
+constexpr std::string_view kNamed = "name:";
+
+// How many names of a file are told where one is missing.
+constexpr size_t kMostNamesTold = 10;
 
 absl::Status Wrong(std::string_view text, const char* kind,
                    const std::string& problem, std::string_view forms) {
@@ -172,7 +177,51 @@ std::string ParseExtreme(std::string_view text, bool is_greatest,
   return "";
 }
 
+std::string ParsePlace(std::string_view text, WrittenPoint* point);
+
+// Looks the name up in its file.
+std::string ParseNamed(std::string_view text, WrittenPoint* point) {
+  std::string_view name;
+  std::string_view path;
+  if (!Split(text, '@', &name, &path) || name.empty() || path.empty()) {
+    return "a name needs @ and the file that lists it";
+  }
+  std::ifstream file{std::string(path)};
+  std::string names;
+  size_t name_count = 0;
+  std::string line;
+  for (uint64_t number = 1; std::getline(file, line); ++number) {
+    if (line.ends_with('\r')) line.pop_back();
+    const std::string_view entry = Trimmed(line);
+    if (entry.empty() || entry.starts_with('#')) continue;
+    const size_t end = std::min(entry.find_first_of(" \t"), entry.size());
+    const std::string_view known = entry.substr(0, end);
+    const std::string_view place = Trimmed(entry.substr(end));
+    if (known != name) {
+      if (name_count++ < kMostNamesTold) {
+        absl::StrAppend(&names, names.empty() ? "" : ", ", std::string(known));
+      }
+      continue;
+    }
+    const std::string problem = place.starts_with(kNamed)
+                                    ? "a name stands for a place, not a name"
+                                    : ParsePlace(place, point);
+    return problem.empty() ? ""
+                           : absl::StrCat(std::string(path), " line ", number,
+                                          ": ", problem);
+  }
+  if (!file.eof()) {
+    return absl::StrCat("cannot read ", std::string(path));
+  }
+  return absl::StrCat(std::string(path), " does not list ", Quoted(name),
+                      names.empty() ? "" : ", but ", names,
+                      name_count > kMostNamesTold ? ", ..." : "");
+}
+
 std::string ParsePlace(std::string_view text, WrittenPoint* point) {
+  if (text.starts_with(kNamed)) {
+    return ParseNamed(text.substr(kNamed.size()), point);
+  }
   if (text.starts_with(kEdge)) {
     return ParseEdge(text.substr(kEdge.size()), &point->emplace<EdgePoint>());
   }
@@ -196,7 +245,7 @@ std::string TakeOffset(std::string_view* text, double* offset) {
   // The colon after "edge" and the like belongs to the place.
   size_t begin = 0;
   for (const std::string_view kind :
-       {kEdge, kFace, kNearest, kLeast, kGreatest}) {
+       {kEdge, kFace, kNearest, kLeast, kGreatest, kNamed}) {
     if (text->starts_with(kind)) begin = kind.size();
   }
   const size_t colon = text->find(':', begin);

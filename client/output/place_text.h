@@ -4,10 +4,12 @@
 //   17                     vertex 17
 //   edge:3-8@0.25          on the edge from vertex 3 to 8, a quarter of the way
 //   face:5@0.2,0.3,0.5     in face 5, barycentric weights of its corners
-//   nearest:1,-2,0.5       the point of the surface nearest to this one in
-//   space min:x, max:z           the vertex with the least or greatest
-//   coordinate 17:0.5                 a source with an offset; likewise for the
-//   others 3;edge:3-8@0.5;9:0.5   a curve through these points, with an offset
+//   nearest:1,-2,0.5       the point of the surface nearest to this one
+//   min:x, max:z           the vertex with the least or greatest coordinate
+//   name:tip@places.txt    what "tip" stands for in a file, whose lines are a
+//                          name, blanks and a point
+//   17:0.5                 a source with an offset; likewise for the others
+//   3;edge:3-8@0.5;9:0.5   a curve through these points, with an offset
 
 #ifndef GEODESIC_CLIENT_OUTPUT_PLACE_TEXT_H_
 #define GEODESIC_CLIENT_OUTPUT_PLACE_TEXT_H_
@@ -41,9 +43,9 @@ nlohmann::ordered_json SourceToJson(const Source& source);
 // The path of a list that is read from standard input.
 inline constexpr char kStandardInput[] = "-";
 
-// Errors: INVALID_ARGUMENT naming the text and what it should be; ParseSource
-// and ParseCurve have the same. The server checks whether the mesh has the
-// place.
+// Reads the file of a name. Errors: INVALID_ARGUMENT naming the text and what
+// it should be, or the file; ParseSource and ParseCurve have the same. The
+// server checks whether the mesh has the place.
 absl::StatusOr<WrittenPoint> ParsePoint(std::string_view text);
 
 // "POINT" or "POINT:OFFSET".

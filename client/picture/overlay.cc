@@ -187,6 +187,13 @@ void DrawMarkLegend(const std::vector<MarkStyle>& styles, Image* image) {
   }
 }
 
+void DrawPictureTitle(const std::string& title, Image* image) {
+  const double size = TextSize(image->width(), image->height());
+  image->SetInk(kTextInk);
+  image->DrawText(image->Shortened(title, image->width() - 4 * size, size),
+                  2 * size, 1.8 * size, size);
+}
+
 double TextSize(int picture_width, int picture_height) {
   return std::clamp(std::min(picture_width / 64.0, picture_height / 48.0), 9.0,
                     54.0);
@@ -197,7 +204,8 @@ double KeyWidth(int picture_width, int picture_height) {
   return width < 0.4 * picture_width ? width : 0;
 }
 
-void DrawColorBar(const Colormap& colormap, const IsolineScale& isolines,
+void DrawColorBar(const std::string& title, const Colormap& colormap,
+                  const IsolineScale& isolines,
                   const std::vector<double>& levels, double largest,
                   Image* image) {
   const Layout at(*image);
@@ -230,7 +238,7 @@ void DrawColorBar(const Colormap& colormap, const IsolineScale& isolines,
     image->DrawText(label.text, right + 0.6 * at.text, y + 0.36 * at.text,
                     at.text);
   }
-  DrawTitle("geodesic distance", at, image);
+  DrawTitle(title, at, image);
 }
 
 void DrawSourceColors(

@@ -47,6 +47,9 @@ std::vector<MarkStyle> DrawMarks(const std::string& name,
 // Writes the marks' names below the picture.
 void DrawMarkLegend(const std::vector<MarkStyle>& styles, Image* image);
 
+// Writes a title above the picture.
+void DrawPictureTitle(const std::string& title, Image* image);
+
 // The size of letters in a picture of this size, in pixels.
 double TextSize(int picture_width, int picture_height);
 
@@ -54,10 +57,11 @@ double TextSize(int picture_width, int picture_height);
 // one.
 double KeyWidth(int picture_width, int picture_height);
 
-// Draws the colours of 0 to `largest` in a bar, with `isolines` or, if there
-// are none, with lines at `levels`.
+// Draws the colours of 0 to `largest` in a bar under `title`, with `isolines`
+// or, if there are none, with lines at `levels`.
 // REQUIRES: KeyWidth is not 0.
-void DrawColorBar(const Colormap& colormap, const IsolineScale& isolines,
+void DrawColorBar(const std::string& title, const Colormap& colormap,
+                  const IsolineScale& isolines,
                   const std::vector<double>& levels, double largest,
                   Image* image);
 

@@ -246,7 +246,11 @@ Image Render(const MeshArrays& mesh, const PictureContent& content,
   Image image(options.width, options.height);
   surface.Draw(samples, &image);
   if (key > 0 && content.nearest_sources.empty()) {
-    DrawColorBar(surface.colormap(), isolines, content.levels, largest, &image);
+    DrawColorBar(content.approximation.empty() ? "geodesic distance"
+                 : content.approximation.starts_with("within")
+                     ? "within tolerance"
+                     : "approximate",
+                 surface.colormap(), isolines, content.levels, largest, &image);
   } else if (key > 0) {
     DrawSourceColors(content.source_names, ColorOfSource, &image);
   }
@@ -266,6 +270,9 @@ Image Render(const MeshArrays& mesh, const PictureContent& content,
   std::vector<MarkStyle> styles = mark("source", kSourceMark, content.sources);
   styles.insert(styles.end(), targets.begin(), targets.end());
   DrawMarkLegend(styles, &image);
+  if (!content.approximation.empty()) {
+    DrawPictureTitle(content.approximation, &image);
+  }
   return image;
 }
 

@@ -46,6 +46,9 @@ struct PictureLine {
 };
 
 struct PictureContent {
+  // The title of a picture of distances that are not exact, "approximate: heat"
+  // or "within 0.001 (relative error)"; none for exact ones.
+  std::string approximation;
   // One per vertex. Colours run from 0 to the largest finite distance, as a
   // colour bar shows. A triangle is light grey if a corner's distance is
   // infinite. Empty: the mesh has one colour.

@@ -154,11 +154,13 @@ absl::Status FieldAssembler::ConsumeChunk(const v1::FieldChunk& chunk) {
   const ValueType type = query_.value_type;
   if (!AppendValues(chunk.distances(), type, &field_.distances) ||
       !AppendElements(chunk.nearest_sources(), &field_.nearest_sources) ||
-      !AppendValues(chunk.gradients(), type, &field_.gradients)) {
+      !AppendValues(chunk.gradients(), type, &field_.gradients) ||
+      !AppendElements(chunk.certified_errors(), &field_.certified_errors)) {
     return absl::DataLossError("the server sent a part of a number");
   }
   if (std::max({received(), field_.nearest_sources.size(),
-                field_.gradients.size()}) > field_.vertex_count) {
+                field_.gradients.size(), field_.certified_errors.size()}) >
+      field_.vertex_count) {
     return absl::DataLossError(absl::StrCat("the server sent more than the ",
                                             field_.vertex_count,
                                             " distances it had announced"));
@@ -228,6 +230,9 @@ absl::Status FieldAssembler::TakeHeader(const v1::FieldHeader& header) {
   field_.vertex_count = header.vertex_count();
   field_.mesh_digest = header.mesh_digest();
   field_.algorithm = AlgorithmName(header.algorithm());
+  if (header.has_approximation()) {
+    field_.approximation = FromProto(header.approximation());
+  }
   field_.origin = FromProto(header.origin());
   if (on_settled_ == nullptr) {
     field_.distances.reserve(std::min(field_.vertex_count, kMostReserved));
@@ -260,6 +265,9 @@ absl::Status FieldAssembler::Consume(const ComputeFieldResponse& message) {
       field_.relative_tolerance = message.trailer().relative_tolerance();
       field_.server_version = message.trailer().server_version();
       field_.settled_radius = message.trailer().settled_radius();
+      if (message.trailer().has_certified_error()) {
+        field_.certified_error = message.trailer().certified_error();
+      }
       return absl::OkStatus();
     case ComputeFieldResponse::PART_NOT_SET:
       return absl::OkStatus();  // A part that a later server may add.
@@ -284,6 +292,8 @@ absl::StatusOr<Field> FieldAssembler::Finish() && {
                            query_.nearest_sources ? field_.vertex_count : 0));
   status.Update(CheckCount("gradients", field_.gradients.size(),
                            query_.gradients ? field_.vertex_count : 0));
+  status.Update(CheckCount("certified errors", field_.certified_errors.size(),
+                           query_.certified_errors ? field_.vertex_count : 0));
   if (!status.ok()) return status;
   return std::move(field_);
 }

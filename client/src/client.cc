@@ -18,7 +18,7 @@ absl::StatusOr<MeshInfo> Client::GetMesh(const std::string& digest,
   v1::GetMeshRequest request;
   request.set_digest(digest);
   v1::GetMeshResponse response;
-  Call call(options);
+  Call call(options, digest);
   absl::Status status = FromRpcStatus(
       connection_->meshes->GetMesh(call.context(), request, &response));
   if (!status.ok()) return status;
@@ -32,7 +32,7 @@ absl::StatusOr<std::vector<MeshInfo>> Client::ListMeshes(
   request.set_page_size(1000);  // The largest there is.
   v1::ListMeshesResponse response;
   do {
-    Call call(options);
+    Call call(options, "");
     absl::Status status = FromRpcStatus(
         connection_->meshes->ListMeshes(call.context(), request, &response));
     if (!status.ok()) return status;
@@ -53,7 +53,7 @@ absl::StatusOr<MeshArrays> Client::ReadMesh(const std::string& digest,
   v1::ReadMeshRequest request;
   request.set_digest(digest);
   MeshAssembler assembler;
-  Call call(options);
+  Call call(options, digest);
   absl::Status status =
       ReadStream(&call, connection_->meshes->ReadMesh(call.context(), request),
                  [&assembler](const v1::ReadMeshResponse& response) {
@@ -68,7 +68,7 @@ absl::Status Client::DeleteMesh(const std::string& digest,
   v1::DeleteMeshRequest request;
   request.set_digest(digest);
   v1::DeleteMeshResponse response;
-  Call call(options);
+  Call call(options, digest);
   return FromRpcStatus(
       connection_->meshes->DeleteMesh(call.context(), request, &response));
 }
@@ -77,7 +77,7 @@ absl::StatusOr<Capabilities> Client::GetCapabilities(
     const CallOptions& options) {
   v1::GetCapabilitiesRequest request;
   v1::GetCapabilitiesResponse response;
-  Call call(options);
+  Call call(options, "");
   absl::Status status =
       FromRpcStatus(connection_->capabilities->GetCapabilities(
           call.context(), request, &response));

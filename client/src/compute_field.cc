@@ -25,6 +25,9 @@ absl::StatusOr<v1::ComputeFieldRequest> ToRequest(const FieldQuery& query,
     request->add_quantities(v1::FIELD_QUANTITY_NEAREST_SOURCE);
   }
   if (query.gradients) request->add_quantities(v1::FIELD_QUANTITY_GRADIENT);
+  if (query.certified_errors) {
+    request->add_quantities(v1::FIELD_QUANTITY_CERTIFIED_ERROR);
+  }
   request->set_progressive(progressive);
   return request;
 }
@@ -34,7 +37,7 @@ absl::Status ReceiveStream(v1::FieldService::Stub* stub,
                            const v1::ComputeFieldRequest& request,
                            const CallOptions& options,
                            FieldAssembler* assembler) {
-  Call call(options);
+  Call call(options, request.mesh_digest());
   return ReadStream(&call, stub->ComputeField(call.context(), request),
                     [assembler](const v1::ComputeFieldResponse& message) {
                       return assembler->Consume(message);

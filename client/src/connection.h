@@ -17,6 +17,7 @@
 #include "geodesic/v1/field_service.grpc.pb.h"
 #include "geodesic/v1/matrix_service.grpc.pb.h"
 #include "geodesic/v1/mesh_service.grpc.pb.h"
+#include "geodesic/v1/method_service.grpc.pb.h"
 #include "geodesic/v1/pair_service.grpc.pb.h"
 #include "geodesic/v1/path_service.grpc.pb.h"
 #include "geodesic_client/client.h"
@@ -35,13 +36,18 @@ struct Client::Connection {
   std::unique_ptr<v1::PathService::Stub> paths;
   std::unique_ptr<v1::MatrixService::Stub> matrices;
   std::unique_ptr<v1::PairService::Stub> pairs;
+  std::unique_ptr<v1::MethodService::Stub> methods;
 };
 
 // The context of one RPC, which it must outlive.
 class Call {
  public:
-  explicit Call(const CallOptions& options)
+  // `mesh`: the digest that the RPC is about, by which a balancer finds the
+  // replica that has the mesh (protocol.md, "Several servers"): of a mesh, or
+  // of a file whose mesh is not known. Empty for none.
+  Call(const CallOptions& options, const std::string& mesh)
       : on_stop_(options.stop, Cancel{&context_}) {
+    if (!mesh.empty()) context_.AddMetadata("geo-mesh-digest", mesh);
     if (options.timeout.has_value()) {
       // A year is as good as no timeout, and does not overflow.
       constexpr std::chrono::duration<double> kYear(365.0 * 24 * 3600);

@@ -40,12 +40,11 @@ void AddVertex(const SurfacePoint& point, v1::ComputePairsRequest* request) {
       static_cast<uint32_t>(std::get<VertexPoint>(point).vertex));
 }
 
-v1::ComputePairsRequest MakePairRequest(const PairQuery& query,
-                                        std::span<const PointPair> pairs) {
-  v1::ComputePairsRequest request;
-  request.set_mesh_digest(query.mesh_digest);
-  request.set_value_type(ToProto(query.value_type));
-  request.set_priority(ToProto(query.priority));
+absl::StatusOr<v1::ComputePairsRequest> MakePairRequest(
+    const PairQuery& query, std::span<const PointPair> pairs) {
+  auto made = MakeRequest<v1::ComputePairsRequest>(query);
+  if (!made.ok()) return made;
+  v1::ComputePairsRequest& request = *made;
   request.set_paths(query.paths);
   const bool are_vertices = AreVertices(pairs);
   for (const PointPair& pair : pairs) {
@@ -58,7 +57,7 @@ v1::ComputePairsRequest MakePairRequest(const PairQuery& query,
       *message.mutable_target() = ToProto(pair.target);
     }
   }
-  return request;
+  return made;
 }
 
 // How many of the pairs one call takes.
@@ -103,7 +102,9 @@ absl::StatusOr<PairSummary> Client::ComputePairs(const PairQuery& query,
   do {
     const auto some = pairs.subspan(
         first, std::min<uint64_t>(per_call, pairs.size() - first));
-    const v1::ComputePairsRequest request = MakePairRequest(query, some);
+    const absl::StatusOr<v1::ComputePairsRequest> request =
+        MakePairRequest(query, some);
+    if (!request.ok()) return request.status();
     uint64_t received = 0;
     uint64_t paths = 0;
     std::vector<double> distances;
@@ -148,9 +149,9 @@ absl::StatusOr<PairSummary> Client::ComputePairs(const PairQuery& query,
         receiver.on_progress(first + message.pairs_finished(), pairs.size());
       }
     };
-    Call call(options);
+    Call call(options, request->mesh_digest());
     absl::Status status = ReadAnswer(
-        &call, connection_->pairs->ComputePairs(call.context(), request),
+        &call, connection_->pairs->ComputePairs(call.context(), *request),
         progress, take, [&received] { return received; }, &of_call.info);
     status.Update(CheckCount("distances", received, some.size()));
     if (query.paths) status.Update(CheckCount("paths", paths, some.size()));

@@ -70,7 +70,7 @@ absl::StatusOr<PathAnswer> Client::ComputePaths(
     }
     return assembler.Consume(message.piece(), &answer.paths.back().line);
   };
-  Call call(options);
+  Call call(options, request->mesh_digest());
   absl::Status status = ReadAnswer(
       &call, connection_->paths->ComputePaths(call.context(), *request),
       ReportTo(progress), take, [&answer] { return answer.paths.size(); },
@@ -103,7 +103,7 @@ absl::StatusOr<IsolineAnswer> Client::ComputeIsolines(
     }
     return assembler.Consume(message.piece(), &answer.isolines.back().line);
   };
-  Call call(options);
+  Call call(options, request->mesh_digest());
   absl::Status status = ReadAnswer(
       &call, connection_->paths->ComputeIsolines(call.context(), *request),
       ReportTo(progress), take, [&answer] { return answer.isolines.size(); },
@@ -143,7 +143,7 @@ absl::StatusOr<AnswerInfo> Client::ComputeMatrix(const MatrixQuery& query,
     return receiver.on_row(
         {assembler.row(), assembler.numbers(), assembler.values()});
   };
-  Call call(options);
+  Call call(options, request->mesh_digest());
   absl::Status status = ReadAnswer(
       &call, connection_->matrices->ComputeMatrix(call.context(), *request),
       ReportTo(receiver.on_progress, rows), take,
@@ -178,7 +178,7 @@ absl::StatusOr<NearestAnswer> Client::FindNearest(
     }
     return status;
   };
-  Call call(options);
+  Call call(options, request->mesh_digest());
   absl::Status status = ReadAnswer(
       &call, connection_->matrices->FindNearest(call.context(), *request),
       ReportTo(progress, rows), take, [&answer] { return answer.found.size(); },
@@ -205,7 +205,7 @@ absl::StatusOr<SampleAnswer> Client::SampleFarthestPoints(
                : absl::DataLossError(
                      "the server sent more samples than were asked for");
   };
-  Call call(options);
+  Call call(options, request->mesh_digest());
   absl::Status status = ReadAnswer(
       &call,
       connection_->fields->SampleFarthestPoints(call.context(), *request),
@@ -213,6 +213,37 @@ absl::StatusOr<SampleAnswer> Client::SampleFarthestPoints(
       &answer.info);
   if (!status.ok()) return status;
   return answer;
+}
+
+absl::StatusOr<Preparation> Client::Prepare(
+    const PreparationQuery& query, const CallOptions& options,
+    const SolveProgressCallback& progress) {
+  const auto request = MakeRequest<v1::PrepareMethodRequest>(query);
+  if (!request.ok()) return request.status();
+  Preparation preparation;
+  bool has_trailer = false;
+  const auto take =
+      [&](const v1::PrepareMethodResponse& response) -> absl::Status {
+    if (response.has_header()) {
+      ReadHeader(response.header(), &preparation.info);
+    } else if (response.has_progress() && progress != nullptr) {
+      progress(FromProto(response.progress(), preparation.info.vertex_count));
+    } else if (response.has_trailer()) {
+      has_trailer = true;
+      const v1::PrepareMethodTrailer& trailer = response.trailer();
+      preparation.already_prepared = trailer.already_prepared();
+      preparation.bytes = trailer.prepared_bytes();
+      preparation.prepare_seconds = trailer.prepare_seconds();
+    }
+    return absl::OkStatus();
+  };
+  Call call(options, request->mesh_digest());
+  absl::Status status = ReadStream(
+      &call, connection_->methods->PrepareMethod(call.context(), *request),
+      take);
+  if (!status.ok()) return status;
+  if (!has_trailer) return EndedWithin("a preparation");
+  return preparation;
 }
 
 absl::StatusOr<LogMap> Client::ComputeLogMap(
@@ -239,7 +270,7 @@ absl::StatusOr<LogMap> Client::ComputeLogMap(
     }
     return absl::OkStatus();
   };
-  Call call(options);
+  Call call(options, request->mesh_digest());
   absl::Status status = ReadAnswer(
       &call, connection_->fields->ComputeLogMap(call.context(), *request),
       ReportTo(progress), take, [&map] { return map.coordinates.size(); },

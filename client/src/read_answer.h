@@ -33,6 +33,18 @@ const v1::AnswerTrailer& CommonTrailer(const Trailer& trailer) {
   }
 }
 
+// What an answer says about itself before its parts.
+inline void ReadHeader(const v1::AnswerHeader& header, AnswerInfo* info) {
+  info->mesh_digest = header.mesh_digest();
+  info->vertex_count = header.vertex_count();
+  info->algorithm = AlgorithmName(header.algorithm());
+  if (header.has_approximation()) {
+    info->approximation = FromProto(header.approximation());
+  }
+  info->relative_tolerance = header.relative_tolerance();
+  info->server_version = header.server_version();
+}
+
 // Reads an answer to its end. As query.proto defines, it is a header, progress,
 // parts and a trailer. `info` receives what the answer says about itself.
 // `progress` is called with progress messages and `info` as known by then.
@@ -55,12 +67,7 @@ absl::Status ReadAnswer(Call* call,
     }
     if (response.has_header()) {
       has_header = true;
-      const v1::AnswerHeader& header = CommonHeader(response.header());
-      info->mesh_digest = header.mesh_digest();
-      info->vertex_count = header.vertex_count();
-      info->algorithm = AlgorithmName(header.algorithm());
-      info->relative_tolerance = header.relative_tolerance();
-      info->server_version = header.server_version();
+      ReadHeader(CommonHeader(response.header()), info);
     } else if (response.has_progress()) {
       progress(response.progress(), *info);
       return absl::OkStatus();
@@ -69,6 +76,9 @@ absl::Status ReadAnswer(Call* call,
       const v1::AnswerTrailer& trailer = CommonTrailer(response.trailer());
       info->compute_seconds = trailer.compute_seconds();
       info->windows_propagated = trailer.windows_propagated();
+      if (trailer.has_certified_error()) {
+        info->certified_error = trailer.certified_error();
+      }
       item_count = trailer.item_count();
     }
     return take(response);

@@ -23,6 +23,19 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
+// Whether a stream ended without a status: so balancers pass on that the server
+// behind them is gone. HAProxy ends the connection, nginx resets the stream.
+bool IsBroken(const grpc::Status& status) {
+  switch (status.error_code()) {
+    case grpc::StatusCode::UNKNOWN:
+      return status.error_message() == "Stream removed";
+    case grpc::StatusCode::INTERNAL:
+      return status.error_message() == "Received RST_STREAM with error code 2";
+    default:
+      return false;
+  }
+}
+
 Seconds ToSeconds(const google::protobuf::Duration& duration) {
   return Seconds(static_cast<double>(duration.seconds()) +
                  1e-9 * duration.nanos());
@@ -71,7 +84,11 @@ absl::Status FromRpcStatus(const grpc::Status& status, std::string_view file) {
     absl::StrAppend(&message, " [", absl::StrJoin(notes, "; "), "]");
   }
   // gRPC's codes and Abseil's are the same numbers.
-  const auto code = static_cast<absl::StatusCode>(status.error_code());
+  auto code = static_cast<absl::StatusCode>(status.error_code());
+  if (IsBroken(status)) {
+    code = absl::StatusCode::kUnavailable;
+    message = "the connection broke within the answer";
+  }
   if (!file.empty() && (code == absl::StatusCode::kInvalidArgument ||
                         code == absl::StatusCode::kResourceExhausted)) {
     message = absl::StrCat(std::string(file), ": ", message);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "absl/strings/ascii.h"
@@ -29,6 +30,22 @@ std::vector<v1::Algorithm> Algorithms() {
     }
   }
   return algorithms;
+}
+
+// Numbers from here on are those of approximate algorithms (query.proto).
+constexpr int kFirstApproximate = 16;
+
+bool IsApproximate(v1::Algorithm algorithm) {
+  return algorithm >= kFirstApproximate;
+}
+
+std::vector<std::string> NamesOf(bool are_approximate) {
+  std::vector<std::string> names;
+  for (const v1::Algorithm algorithm : Algorithms()) {
+    if (IsApproximate(algorithm) != are_approximate) continue;
+    names.push_back(AlgorithmName(algorithm));
+  }
+  return names;
 }
 
 // Puts a place into a v1::SurfacePoint or a v1::Source, whose fields have the
@@ -69,7 +86,24 @@ Point FromProto(const v1::Point& point) {
   return {point.x(), point.y(), point.z()};
 }
 
+Approximation FromProto(const v1::Approximation& approximation) {
+  Approximation result;
+  if (approximation.has_neighbours()) {
+    result.neighbours = approximation.neighbours();
+  }
+  if (approximation.has_lambda()) result.lambda = approximation.lambda();
+  if (approximation.has_samples()) result.samples = approximation.samples();
+  return result;
+}
+
 MeshInfo FromProto(const v1::Mesh& mesh) {
+  std::vector<PreparedMethod> methods;
+  for (const v1::PreparedMethod& method : mesh.prepared_methods()) {
+    methods.push_back({.algorithm = AlgorithmName(method.algorithm()),
+                       .approximation = FromProto(method.approximation()),
+                       .bytes = method.prepared_bytes(),
+                       .prepare_seconds = method.prepare_seconds()});
+  }
   return {
       .digest = mesh.digest(),
       .vertex_count = mesh.vertex_count(),
@@ -89,6 +123,7 @@ MeshInfo FromProto(const v1::Mesh& mesh) {
       .resident_bytes = mesh.resident_bytes(),
       .stored_bytes = mesh.stored_bytes(),
       .landmark_count = mesh.landmark_count(),
+      .prepared_methods = std::move(methods),
       .non_manifold_edge_count = mesh.non_manifold_edge_count(),
       .non_manifold_vertex_count = mesh.non_manifold_vertex_count(),
       .inconsistent_edge_count = mesh.inconsistent_edge_count(),
@@ -120,11 +155,15 @@ FieldStatistics FromProto(const v1::SolveStatistics& statistics) {
 Capabilities FromProto(const v1::GetCapabilitiesResponse& response) {
   Capabilities capabilities;
   capabilities.version = response.version();
-  for (const v1::AlgorithmCapability& algorithm : response.algorithms()) {
-    capabilities.algorithms.push_back({.name = algorithm.name(),
-                                       .summary = algorithm.summary(),
-                                       .is_default = algorithm.is_default()});
-  }
+  const auto add = [](const auto& from, std::vector<AlgorithmCapability>* to) {
+    for (const v1::AlgorithmCapability& algorithm : from) {
+      to->push_back({.name = algorithm.name(),
+                     .summary = algorithm.summary(),
+                     .is_default = algorithm.is_default()});
+    }
+  };
+  add(response.algorithms(), &capabilities.algorithms);
+  add(response.approximate_algorithms(), &capabilities.approximate_algorithms);
   for (const int format : response.formats()) {
     capabilities.formats.push_back(
         NameWithoutPrefix(v1::MeshFormat_Name(format), "MESH_FORMAT_"));
@@ -150,7 +189,8 @@ Capabilities FromProto(const v1::GetCapabilitiesResponse& response) {
       .mesh_disk_bytes = limits.mesh_disk_bytes(),
       .field_disk_bytes = limits.field_disk_bytes(),
       .max_queued_jobs_per_client = limits.max_queued_jobs_per_client(),
-      .landmark_memory_bytes = limits.landmark_memory_bytes()};
+      .landmark_memory_bytes = limits.landmark_memory_bytes(),
+      .prepared_memory_bytes = limits.prepared_memory_bytes()};
   return capabilities;
 }
 
@@ -197,6 +237,20 @@ v1::Source ToProto(const Source& source) {
   return message;
 }
 
+v1::Approximation ToProto(const Approximation& approximation) {
+  v1::Approximation message;
+  if (approximation.neighbours.has_value()) {
+    message.set_neighbours(*approximation.neighbours);
+  }
+  if (approximation.lambda.has_value()) {
+    message.set_lambda(*approximation.lambda);
+  }
+  if (approximation.samples.has_value()) {
+    message.set_samples(*approximation.samples);
+  }
+  return message;
+}
+
 v1::Priority ToProto(Priority priority) {
   return priority == Priority::kBatch ? v1::PRIORITY_BATCH
                                       : v1::PRIORITY_INTERACTIVE;
@@ -209,7 +263,8 @@ v1::ValueType ToProto(ValueType type) {
 
 v1::MeshFormat ToProto(MeshFormat format) {
   constexpr std::array kFormats = {v1::MESH_FORMAT_OBJ, v1::MESH_FORMAT_PLY,
-                                   v1::MESH_FORMAT_OFF, v1::MESH_FORMAT_STL};
+                                   v1::MESH_FORMAT_OFF, v1::MESH_FORMAT_STL,
+                                   v1::MESH_FORMAT_VTK, v1::MESH_FORMAT_GLTF};
   return kFormats.at(static_cast<size_t>(format));
 }
 
@@ -224,15 +279,21 @@ absl::StatusOr<v1::Algorithm> AlgorithmFromName(std::string_view name) {
   }
   return absl::InvalidArgumentError(
       absl::StrCat("unknown algorithm '", std::string(name), "'; known are ",
-                   absl::StrJoin(AlgorithmNames(), ", ")));
+                   absl::StrJoin(AlgorithmNames(), ", "), ", and approximate ",
+                   absl::StrJoin(ApproximateAlgorithmNames(), ", ")));
 }
 
 std::vector<std::string> AlgorithmNames() {
-  std::vector<std::string> names;
-  for (const v1::Algorithm algorithm : Algorithms()) {
-    names.push_back(AlgorithmName(algorithm));
-  }
-  return names;
+  return NamesOf(/*are_approximate=*/false);
+}
+
+std::vector<std::string> ApproximateAlgorithmNames() {
+  return NamesOf(/*are_approximate=*/true);
+}
+
+bool IsApproximate(std::string_view algorithm) {
+  const absl::StatusOr<v1::Algorithm> known = AlgorithmFromName(algorithm);
+  return known.ok() && IsApproximate(*known);
 }
 
 std::string_view FieldOriginName(FieldOrigin origin) {

@@ -22,6 +22,7 @@
 namespace geodesic::client {
 
 Point FromProto(const v1::Point& point);
+Approximation FromProto(const v1::Approximation& approximation);
 MeshInfo FromProto(const v1::Mesh& mesh);
 FieldOrigin FromProto(v1::FieldOrigin origin);
 FieldStatistics FromProto(const v1::SolveStatistics& statistics);
@@ -34,6 +35,7 @@ absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point);
 
 v1::SurfacePoint ToProto(const SurfacePoint& point);
 v1::Source ToProto(const Source& source);
+v1::Approximation ToProto(const Approximation& approximation);
 v1::ValueType ToProto(ValueType type);
 v1::Priority ToProto(Priority priority);
 
@@ -56,6 +58,14 @@ absl::StatusOr<Request> MakeRequest(const Query& query) {
   request.set_mesh_digest(query.mesh_digest);
   request.set_algorithm(*algorithm);
   request.set_priority(ToProto(query.priority));
+  if constexpr (requires { query.approximation; }) {
+    if (query.approximation != Approximation()) {
+      *request.mutable_approximation() = ToProto(query.approximation);
+    }
+  }
+  if constexpr (requires { query.tolerance; }) {
+    if (query.tolerance != 0) request.set_tolerance(query.tolerance);
+  }
   if constexpr (requires { query.sources; }) {
     for (const Source& source : query.sources) {
       *request.add_sources() = ToProto(source);

@@ -76,17 +76,16 @@ using ChunkSource =
 
 // Sends an upload, and sends it again if the connection breaks or the server is
 // full. That is safe: the server drops an upload that does not end, and finds a
-// mesh resident whose upload did. `path` is the file's, or empty.
-absl::StatusOr<UploadOutcome> Send(v1::MeshService::Stub* stub,
-                                   const std::string& path,
-                                   const v1::UploadHeader& header,
-                                   const ChunkSource& next_chunk,
-                                   const CallOptions& options,
-                                   const CountProgressCallback& progress,
-                                   bool retry) {
+// mesh resident whose upload did. `path` is the file's, or empty. `route`: as
+// `mesh` for Call.
+absl::StatusOr<UploadOutcome> Send(
+    v1::MeshService::Stub* stub, const std::string& path,
+    const v1::UploadHeader& header, const std::string& route,
+    const ChunkSource& next_chunk, const CallOptions& options,
+    const CountProgressCallback& progress, bool retry) {
   const auto send_once = [&]() -> absl::StatusOr<UploadOutcome> {
     v1::CreateMeshResponse response;
-    Call call(options);
+    Call call(options, route);
     auto writer = stub->CreateMesh(call.context(), &response);
     v1::CreateMeshRequest request;
     *request.mutable_header() = header;
@@ -137,6 +136,23 @@ absl::StatusOr<std::string> HashFile(FileReader* file,
   return hash.FinishHex();
 }
 
+// The mesh that was uploaded as this file, if the server has it.
+absl::StatusOr<std::optional<std::string>> FindMeshOf(
+    v1::MeshService::Stub* stub, const std::string& sha256, MeshFormat format,
+    const CallOptions& options) {
+  v1::FindMissingMeshesRequest request;
+  v1::FileDigest* asked = request.add_files();
+  asked->set_format(ToProto(format));
+  asked->set_sha256(sha256);
+  v1::FindMissingMeshesResponse response;
+  Call call(options, sha256);
+  absl::Status status = FromRpcStatus(
+      stub->FindMissingMeshes(call.context(), request, &response));
+  if (!status.ok()) return status;
+  if (response.known_files().empty()) return std::nullopt;
+  return response.known_files(0).mesh_digest();
+}
+
 }  // namespace
 
 absl::StatusOr<std::optional<std::string>> Client::FindFile(
@@ -145,17 +161,7 @@ absl::StatusOr<std::optional<std::string>> Client::FindFile(
   if (!file.ok()) return file.status();
   absl::StatusOr<std::string> sha256 = HashFile(&*file, options);
   if (!sha256.ok()) return sha256.status();
-  v1::FindMissingMeshesRequest request;
-  v1::FileDigest* asked = request.add_files();
-  asked->set_format(ToProto(format));
-  asked->set_sha256(*sha256);
-  v1::FindMissingMeshesResponse response;
-  Call call(options);
-  absl::Status status = FromRpcStatus(connection_->meshes->FindMissingMeshes(
-      call.context(), request, &response));
-  if (!status.ok()) return status;
-  if (response.known_files().empty()) return std::nullopt;
-  return response.known_files(0).mesh_digest();
+  return FindMeshOf(connection_->meshes.get(), *sha256, format, options);
 }
 
 absl::StatusOr<UploadOutcome> Client::UploadFile(
@@ -163,15 +169,17 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
     const CountProgressCallback& progress) {
   absl::StatusOr<FileReader> file = FileReader::Open(path);
   if (!file.ok()) return file.status();
+  absl::StatusOr<std::string> sha256 = HashFile(&*file, options);
+  if (!sha256.ok()) return sha256.status();
   absl::StatusOr<std::optional<std::string>> known =
-      FindFile(path, format, options);
+      FindMeshOf(connection_->meshes.get(), *sha256, format, options);
   if (!known.ok()) return known.status();
   if (known->has_value()) {
     absl::StatusOr<MeshInfo> mesh = GetMesh(**known, options);
     if (mesh.ok()) {
       return UploadOutcome{.mesh = *std::move(mesh), .already_resident = true};
     }
-    // The mesh may have been evicted since FindFile.
+    // The mesh may have been evicted since it was asked for.
     if (!absl::IsNotFound(mesh.status())) return mesh.status();
   }
 
@@ -194,8 +202,8 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
     left -= chunk->size();
     return status;
   };
-  return Send(connection_->meshes.get(), path, header, next_chunk, options,
-              progress, connection_->retry);
+  return Send(connection_->meshes.get(), path, header, *sha256, next_chunk,
+              options, progress, connection_->retry);
 }
 
 absl::StatusOr<UploadOutcome> Client::UploadFile(
@@ -243,8 +251,8 @@ absl::StatusOr<UploadOutcome> Client::UploadArrays(
     offset += chunk->size();
     return absl::OkStatus();
   };
-  return Send(connection_->meshes.get(), /*path=*/"", header, next_chunk,
-              options, progress, connection_->retry);
+  return Send(connection_->meshes.get(), /*path=*/"", header, digest,
+              next_chunk, options, progress, connection_->retry);
 }
 
 }  // namespace geodesic::client

@@ -58,6 +58,7 @@ TEST_F(CommandLineTest, EachCommandTakesItsOptions) {
            {"capabilities"},
            {"server", "status"},
            {"server", "stop"},
+           {"view", "a.obj", "--no-browser", "--page", "https://a.example"},
            {"field",       "--source", "3",      "-s",         "7:0.5",
             "horse.ply",   "-o",       "a.npy",  "-o",         "b.PNG",
             "--algorithm", "ich",      "--view", "-30,20",     "--size",

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <string>
 
 #include "client/output/atomic_file.h"
 #include "client/output/output_format.h"
@@ -55,6 +59,38 @@ TEST(AtomicFileTest, AppearsAtCommit) {
   ASSERT_TRUE(file->Commit().ok());
   EXPECT_EQ(FileBytes(path), "some bytes");
   EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(OutputFormatTest, GzipMayFollow) {
+  EXPECT_EQ(*OutputFormatFromPath("a.ply.GZ", kFieldFormats),
+            OutputFormat::kPly);
+  EXPECT_FALSE(OutputFormatFromPath("a.gz", kFieldFormats).ok());
+  EXPECT_THAT(
+      std::string(
+          OutputFormatFromPath("a.npz.gz", kFieldFormats).status().message()),
+      HasSubstr("compressed already"));
+}
+
+TEST(AtomicFileTest, IsCompressedWhereThePathSaysSo) {
+  TemporaryFolder folder;
+  const std::string path = folder / "out.csv.gz";
+  const std::string text(300'000, 'x');
+  absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
+  ASSERT_TRUE(file.ok()) << file.status();
+  file->Append(text + "end");
+  file->Replace("start");
+  ASSERT_TRUE(file->Commit().ok());
+  EXPECT_EQ(folder.count(), 1);
+  EXPECT_LT(FileBytes(path).size(), 1000);
+  EXPECT_EQ(file->size(), FileBytes(path).size());
+
+  const gzFile packed = gzopen(path.c_str(), "rb");
+  ASSERT_NE(packed, nullptr);
+  std::string found(text.size() + 100, '\0');
+  found.resize(std::max(
+      0, gzread(packed, found.data(), static_cast<unsigned>(found.size()))));
+  gzclose(packed);
+  EXPECT_EQ(found, "start" + text.substr(5) + "end");
 }
 
 TEST(AtomicFileTest, LeavesTheOldFileAloneUnlessCommitted) {

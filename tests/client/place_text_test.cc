@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <string>
+#include <vector>
+
 #include "client/places/place_finder.h"
 #include "tests/client/temporary_folder.h"
 
@@ -146,6 +150,34 @@ TEST(ReadListTest, NamesFileAndLine) {
   const absl::Status status = ReadSources(folder / "s.txt").status();
   EXPECT_THAT(std::string(status.message()), HasSubstr("s.txt line 3: 'x'"));
   EXPECT_TRUE(absl::IsNotFound(ReadPoints(folder / "no.txt").status()));
+}
+
+TEST(NamedPlaceTest, FilesSayWhatNamesStandFor) {
+  TemporaryFolder folder;
+  const std::string path = folder / "places.txt";
+  std::ofstream(path) << "# of the Horse\n\ntip 17\r\n"
+                         " ear\t nearest:1, 2,3 \nmid edge:3-8@0.25\n"
+                         "bad edge:3\nloop name:tip@places.txt\n";
+  EXPECT_EQ(*ParsePoint("name:tip@" + path), WrittenPoint(VertexPoint{17}));
+  EXPECT_EQ(*ParsePoint("name:ear@" + path),
+            WrittenPoint(NearestPoint{{1, 2, 3}}));
+  EXPECT_EQ(*ParseSource("name:tip@" + path + ":0.5"),
+            At(VertexPoint{17}, 0.5));
+  EXPECT_EQ(ParseCurve("name:tip@" + path + ";9")->points,
+            (std::vector<WrittenPoint>{VertexPoint{17}, VertexPoint{9}}));
+
+  const auto refusal = [](const std::string& text) {
+    const absl::Status status = ParsePoint(text).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+    return std::string(status.message());
+  };
+  EXPECT_THAT(refusal("name:tail@" + path),
+              HasSubstr("does not list 'tail', but tip, ear, mid, bad, loop"));
+  EXPECT_THAT(refusal("name:bad@" + path), HasSubstr("line 6: an edge needs"));
+  EXPECT_THAT(refusal("name:loop@" + path), HasSubstr("not a name"));
+  EXPECT_THAT(refusal("name:tip@" + (folder / "none")),
+              HasSubstr("cannot read"));
+  EXPECT_THAT(refusal("name:tip"), HasSubstr("@ and the file"));
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(MeshFormatTest, FollowsFromTheEnding) {
 }
 
 TEST(MeshFormatTest, OtherEndingsAreRefusedByName) {
-  for (const char* path : {"", "obj", "a.obj/b", "a.gltf", "a.obj.", "a.ob"}) {
+  for (const char* path : {"", "obj", "a.obj/b", "a.fbx", "a.obj.", "a.ob"}) {
     absl::Status status = MeshFormatFromPath(path).status();
     EXPECT_TRUE(absl::IsInvalidArgument(status)) << path;
     EXPECT_NE(status.message().find(path), absl::string_view::npos);
@@ -131,6 +131,15 @@ TEST(RpcStatusTest, TheReasonCanBeRead) {
   EXPECT_EQ(ErrorReason(status), "MESH_NOT_RESIDENT");
   EXPECT_EQ(RetryDelay(status), std::nullopt);
   EXPECT_EQ(ErrorReason(absl::OkStatus()), "");
+}
+
+TEST(RpcStatusTest, AStreamWithoutAStatusIsABrokenConnection) {
+  for (const grpc::Status& broken :
+       {grpc::Status(grpc::StatusCode::UNKNOWN, "Stream removed"),
+        grpc::Status(grpc::StatusCode::INTERNAL,
+                     "Received RST_STREAM with error code 2")}) {
+    EXPECT_EQ(FromRpcStatus(broken).code(), absl::StatusCode::kUnavailable);
+  }
 }
 
 TEST(RpcStatusTest, IgnoresDetailsItCannotRead) {

@@ -10,10 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/escaping.h"
 #include "client/output/atomic_file.h"
 #include "client/output/field_writers.h"
 #include "client/output/line_writers.h"
 #include "client/output/matrix_writers.h"
+#include "client/output/viewer_page.h"
 #include "tests/client/temporary_folder.h"
 
 namespace geodesic::client {
@@ -174,6 +176,57 @@ TEST(FieldWritersTest, Vtk) {
   const size_t gradients = after(sources + 16, "\nVECTORS gradient double\n");
   EXPECT_EQ(BigEndianDouble(bytes, gradients + 11 * 8), 0.5);
   EXPECT_EQ(bytes.size(), gradients + 12 * 8 + 1);
+}
+
+// The JSON object that the page holds.
+nlohmann::json AnswerIn(const std::string& page) {
+  constexpr std::string_view kBegin =
+      "<script id=\"answer\" type=\"application/json\">";
+  const size_t begin = page.find(kBegin) + kBegin.size();
+  return nlohmann::json::parse(
+      page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+TEST(ViewerPageTest, HoldsTheMeshAndItsField) {
+  const std::vector<Point> sources = {{0.25, 0.25, 0}};
+  const std::string page = Written([&](AtomicFile* file) {
+    WriteViewerPage(Square(),
+                    {.name = "a</script>\xff",
+                     .mesh_digest = "d1",
+                     .distances = Distances(),
+                     .sources = sources},
+                    file);
+  });
+  const nlohmann::json answer = AnswerIn(page);
+  EXPECT_EQ(answer["name"], "a</script>\uFFFD");
+  EXPECT_EQ(answer["digest"], "d1");
+  std::string bytes;
+  ASSERT_TRUE(
+      absl::Base64Unescape(answer["distances"].get<std::string>(), &bytes));
+  ASSERT_EQ(bytes.size(), Distances().size() * sizeof(double));
+  for (size_t v = 0; v < Distances().size(); ++v) {
+    EXPECT_EQ(At<double>(bytes, v * sizeof(double)), Distances()[v]);
+  }
+  ASSERT_TRUE(
+      absl::Base64Unescape(answer["positions"].get<std::string>(), &bytes));
+  ASSERT_EQ(bytes.size(), 4 * 3 * sizeof(float));
+  for (size_t v = 0; v < 4; ++v) {
+    for (size_t axis = 0; axis < 3; ++axis) {
+      const float offset = At<float>(bytes, (3 * v + axis) * sizeof(float));
+      // An offset is at most half a unit long here.
+      constexpr double kFloatRounding = 0x1p-25;
+      EXPECT_NEAR(answer["center"][axis].get<double>() + offset,
+                  Square().positions[v][axis], kFloatRounding);
+    }
+  }
+  ASSERT_TRUE(absl::Base64Unescape(answer["faces"].get<std::string>(), &bytes));
+  ASSERT_EQ(bytes.size(), 2 * 3 * sizeof(uint32_t));
+  EXPECT_EQ(At<uint32_t>(bytes, 5 * sizeof(uint32_t)), 3);
+  ASSERT_TRUE(
+      absl::Base64Unescape(answer["sources"].get<std::string>(), &bytes));
+  EXPECT_EQ(At<double>(bytes, 0), 0.25);
+  // The program of the page is there, whole, after the answer.
+  EXPECT_TRUE(page.ends_with("</html>\n"));
 }
 
 TEST(FieldWritersTest, FloatsAreHalfAsLong) {

@@ -85,6 +85,10 @@ absl::StatusOr<OutputArgument> ParseOutput(
   if (path != kStandardOutput && !path.starts_with("-.")) {
     return OutputArgument{path, *format};
   }
+  if (IsCompressed(path)) {
+    return absl::InvalidArgumentError(
+        "standard output is not compressed: send it through gzip");
+  }
   if (*format == OutputFormat::kNpy && isatty(STDOUT_FILENO) != 0) {
     return absl::InvalidArgumentError(
         "standard output is a terminal, which cannot show .npy; send it to a "
@@ -174,7 +178,8 @@ void AddFiles(CLI::App* app, const std::string& help,
 void AddFormat(CLI::App* app, std::optional<MeshFormat>* format) {
   AddChoice(app,
             {"--format", "How to read the file, if its ending does not tell"},
-            {"obj", "ply", "off", "stl"}, [format](const std::string& name) {
+            {"obj", "ply", "off", "stl", "vtk", "gltf"},
+            [format](const std::string& name) {
               *format = *MeshFormatFromPath("." + name);
             });
 }
@@ -230,20 +235,83 @@ void AddTargets(CLI::App* app, Need need, const std::string& help,
 void AddQuestion(CLI::App* app, const std::string& output_help,
                  std::span<const OutputFormat> formats,
                  QuestionArguments* question, std::function<void()> check) {
-  AddChoice(app,
-            {"-a,--algorithm",
-             "How windows are propagated; all give the same distances. "
-             "Default: the server's choice"},
-            AlgorithmNames(), [question](const std::string& name) {
-              question->algorithm = name;
-            });
+  std::vector<std::string> names = AlgorithmNames();
+  std::string help =
+      "How windows are propagated; all give the same distances. ";
+  if (question->may_be_approximate) {
+    const std::vector<std::string> more = ApproximateAlgorithmNames();
+    names.insert(names.end(), more.begin(), more.end());
+    help = absl::StrCat(
+        "How distances are found. Exact algorithms all give the same: ",
+        absl::StrJoin(AlgorithmNames(), ", "), ". ", absl::StrJoin(more, ", "),
+        " are approximate, and no bound on their error is known. ");
+    AddApproximation(app, &question->approximation);
+  }
+  AddAlgorithm(app, help + "Default: the server's choice, exact", names,
+               &question->algorithm);
+  // The names are too many for a line.
+  if (question->may_be_approximate) {
+    app->get_option("--algorithm")->type_name("NAME");
+  }
+  if (question->may_have_tolerance) AddTolerance(app, &question->tolerance);
   AddPriority(app, &question->priority);
   AddOutputs(app, output_help, formats, &question->outputs);
   app->callback([app, question, check = std::move(check)] {
     CheckPlaces(*question);
     CheckOutputs(*app, question->outputs);
+    if (question->tolerance != 0 && IsApproximate(question->algorithm)) {
+      Refuse("--tolerance", "is certified, and " + question->algorithm +
+                                " is approximate: leave one of them out");
+    }
     if (check != nullptr) check();
   });
+}
+
+void AddAlgorithm(CLI::App* app, const std::string& help,
+                  const std::vector<std::string>& names,
+                  std::string* algorithm) {
+  AddChoice(app, {"-a,--algorithm", help}, names,
+            [algorithm](const std::string& name) { *algorithm = name; });
+}
+
+void AddApproximation(CLI::App* app, Approximation* approximation) {
+  const auto parse_count = [](const std::string& text) {
+    return ParseIf<uint32_t>(text, "a count: a whole number from 1",
+                             [](uint32_t count) { return count > 0; });
+  };
+  AddValue(app,
+           {"--k",
+            "svg: how many vertices around each one are looked at; default: 50",
+            "K", "Approximate algorithms"},
+           parse_count, &approximation->neighbours);
+  AddValue(app,
+           {"--lambda",
+            "heat: how long it spreads, in squared mean edge lengths; more is "
+            "smoother; default: 1",
+            "L", "Approximate algorithms"},
+           ParseLevel, &approximation->lambda);
+  AddValue(app,
+           {"--samples",
+            "gtu: how many vertices' exact fields are kept; default: 200", "M",
+            "Approximate algorithms"},
+           parse_count, &approximation->samples);
+}
+
+void AddTolerance(CLI::App* app, double* tolerance) {
+  const auto parse = [](const std::string& text) {
+    return ParseIf<double>(text, "a tolerance: 0, or a number from 1e-9 to 0.1",
+                           [](double number) {
+                             return number == 0 ||
+                                    (number >= 1e-9 && number <= 0.1);
+                           });
+  };
+  AddValue(app,
+           {"--tolerance",
+            "Largest relative error that distances may have, from 1e-9 to 0.1. "
+            "Less time on large meshes, and the answer certifies its error; "
+            "default: 0, exact",
+            "E"},
+           parse, tolerance);
 }
 
 void AddPriority(CLI::App* app, Priority* priority) {

@@ -16,6 +16,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "client/output/approximation_mark.h"
 #include "client/output/output_format.h"
 #include "client/picture/picture.h"
 #include "client/places/written_place.h"
@@ -69,9 +70,21 @@ struct QuestionArguments {
   std::optional<double> radius;
   bool float32 = false;
   std::string algorithm;
+  // Whether the algorithm may be an approximate one. DEFAULT: exact ones alone.
+  bool may_be_approximate = false;
+  Approximation approximation;
+  // Whether a tolerance may be named. DEFAULT: exact answers alone.
+  bool may_have_tolerance = false;
+  double tolerance = 0;
   Priority priority = Priority::kInteractive;
   std::vector<OutputArgument> outputs;
   PictureOptions picture;
+
+  // How outputs say that they are not exact; empty if they are.
+  std::string mark() const {
+    return tolerance == 0 ? ApproximationMark(algorithm, approximation)
+                          : ToleranceMark(tolerance);
+  }
 };
 
 // How an option is written and shown.
@@ -143,9 +156,9 @@ void AddFormat(CLI::App* app, std::optional<MeshFormat>* format);
 // How a POINT is written, for help texts.
 inline constexpr char kPointHelp[] =
     "VERTEX, edge:A-B@T, face:F@W0,W1,W2, nearest:X,Y,Z (the point of the "
-    "surface nearest to this one) or min:x, max:z and the like (the vertex "
-    "with "
-    "the least or greatest coordinate)";
+    "surface nearest to this one), min:x, max:z and the like (the vertex with "
+    "the least or greatest coordinate) or name:NAME@FILE (what the file lists, "
+    "NAME POINT a line)";
 
 // Adds --source, --curve and --sources.
 void AddSources(CLI::App* app, Need need, SourceArguments* sources);
@@ -153,7 +166,8 @@ void AddSources(CLI::App* app, Need need, SourceArguments* sources);
 void AddTargets(CLI::App* app, Need need, const std::string& help,
                 TargetArguments* targets);
 
-// Adds --algorithm, --priority and -o, whose help is `output_help` followed by
+// Adds --algorithm, --tolerance where the question may have one, --priority and
+// -o, whose help is `output_help` followed by
 // the endings of `formats`. After parsing it refuses a question that lacks
 // places, reads standard input twice or writes two answers to standard output,
 // and then calls `check` if there is one.
@@ -163,6 +177,15 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
                  std::function<void()> check = nullptr);
 
 // Parts of AddQuestion.
+//
+// Adds --algorithm with these names, which `help` explains.
+void AddAlgorithm(CLI::App* app, const std::string& help,
+                  const std::vector<std::string>& names,
+                  std::string* algorithm);
+// Adds --k, --lambda and --samples.
+void AddApproximation(CLI::App* app, Approximation* approximation);
+// Adds --tolerance.
+void AddTolerance(CLI::App* app, double* tolerance);
 void AddPriority(CLI::App* app, Priority* priority);
 void AddOutputs(CLI::App* app, const std::string& help,
                 std::span<const OutputFormat> formats,

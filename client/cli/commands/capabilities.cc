@@ -48,6 +48,8 @@ constexpr std::array kLimits = {
           ByteCount},
     Limit{"landmark_memory_bytes", "landmark memory",
           &ServerLimits::landmark_memory_bytes, ByteCount},
+    Limit{"prepared_memory_bytes", "prepared memory",
+          &ServerLimits::prepared_memory_bytes, ByteCount},
     Limit{"mesh_disk_bytes", "mesh disk", &ServerLimits::mesh_disk_bytes,
           ByteCount},
     Limit{"field_disk_bytes", "field disk", &ServerLimits::field_disk_bytes,
@@ -60,12 +62,18 @@ Json ToJson(const Capabilities& capabilities) {
                           {"summary", algorithm.summary},
                           {"is_default", algorithm.is_default}});
   }
+  Json approximate = Json::array();
+  for (const auto& algorithm : capabilities.approximate_algorithms) {
+    approximate.push_back(
+        {{"name", algorithm.name}, {"summary", algorithm.summary}});
+  }
   Json limits = Json::object();
   for (const Limit& limit : kLimits) {
     limits[limit.key] = capabilities.limits.*limit.value;
   }
   return {{"version", capabilities.version},
           {"algorithms", algorithms},
+          {"approximate_algorithms", approximate},
           {"formats", capabilities.formats},
           {"limits", limits}};
 }
@@ -86,6 +94,10 @@ absl::Status ShowCapabilities(const NoArguments&, const Session& session) {
     facts.push_back({absl::StrCat("algorithm ", algorithm.name),
                      absl::StrCat(algorithm.summary,
                                   algorithm.is_default ? " (default)" : "")});
+  }
+  for (const auto& algorithm : capabilities->approximate_algorithms) {
+    facts.push_back(
+        {absl::StrCat("approximate ", algorithm.name), algorithm.summary});
   }
   for (const Limit& limit : kLimits) {
     facts.push_back(

@@ -5,12 +5,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
+#include "client/cli/own_server/page_files.h"
 #include "client/cli/terminal/progress_display.h"
 #include "client/cli/terminal/text.h"
 #include "geodesic_client/client.h"
@@ -37,6 +39,8 @@ struct Session {
   std::ostream& err;
   ProgressDisplay::Style progress_style = ProgressDisplay::Style::kNone;
   int terminal_width = 80;
+  // The page of the server that geodesic started, if the command needs it.
+  std::optional<PageFiles> page;
 };
 
 struct Command {
@@ -52,6 +56,8 @@ struct Command {
   // Whether it deals with the server that geodesic starts by itself, and so
   // neither starts one nor reaches another.
   bool is_about_own_server = false;
+  // Whether the server that geodesic starts by itself must serve its page.
+  bool needs_page = false;
 };
 
 // A command whose options write into an `Arguments` that `run` gets.
@@ -86,9 +92,11 @@ Command MatrixCommand();
 Command MeshesCommand();
 Command NearestCommand();
 Command PathCommand();
+Command PrepareCommand();
 Command SampleCommand();
 Command ServerCommand();
 Command UploadCommand();
+Command ViewCommand();
 
 }  // namespace geodesic::client
 

@@ -40,8 +40,14 @@ struct DistanceArguments {
   std::optional<WrittenPair> pair;
   std::string list;
   bool float32 = false;
+  std::string algorithm;
+  Approximation approximation;
   Priority priority = Priority::kInteractive;
   std::vector<OutputArgument> outputs;
+
+  std::string mark() const {
+    return ApproximationMark(algorithm, approximation);
+  }
 };
 
 // Files of other formats hold paths.
@@ -78,6 +84,13 @@ void AddOptions(CLI::App* app, DistanceArguments* arguments) {
                   "or a comma between them, or from standard input (-)")
       ->type_name("FILE");
   AddFloat32(app, &arguments->float32);
+  AddAlgorithm(
+      app,
+      "Find distances between vertices by an approximate algorithm: no "
+      "bound on its error is known. svg searches its graph, gtu looks "
+      "them up, others compute fields. Default: exact distances",
+      ApproximateAlgorithmNames(), &arguments->algorithm);
+  AddApproximation(app, &arguments->approximation);
   AddPriority(app, &arguments->priority);
   AddOutputs(app,
              "Write the distances here as they come (.npy, .csv), or the "
@@ -100,11 +113,12 @@ class Destination {
     for (const OutputArgument& output : arguments_.outputs) {
       if (!HoldsDistances(output.format)) continue;
       absl::StatusOr<PairWriter> writer = PairWriter::Create(
-          output.path, output.format, NumberTypeOf(arguments_.float32));
+          output.path, output.format, NumberTypeOf(arguments_.float32),
+          arguments_.mark());
       if (!writer.ok()) return FileError(writer.status());
       writers_.push_back(*std::move(writer));
     }
-    if (is_text()) session_.out << kMatrixCsvHeader;
+    if (is_text()) session_.out << MatrixCsvHeader(arguments_.mark());
     return absl::OkStatus();
   }
 
@@ -169,16 +183,17 @@ class Destination {
                  {"pairs_searched", summary.searched},
                  {"pairs_from_fields", summary.from_fields},
                  {"pairs_from_cache", summary.from_cache}}};
+    const std::string name = DistanceName("distance", arguments_.mark());
     if (arguments_.pair.has_value()) {
       report.facts.clear();
-      report.header = {"source", "target", "distance"};
+      report.header = {"source", "target", name};
       report.rows = {{PointText(pair_.source), PointText(pair_.target),
                       NumberText(kept_[0])}};
       report.json["source"] = PointToJson(pair_.source);
       report.json["target"] = PointToJson(pair_.target);
-      report.json["distance"] = kept_[0];
+      report.json[name] = kept_[0];
     } else if (keeps()) {
-      report.json["distances"] = kept_;
+      report.json[name + "s"] = kept_;
     }
     return report;
   }
@@ -224,6 +239,9 @@ class PairRun {
 
   // Goes on after the last distance that came, on the mesh with this digest.
   absl::Status GoOn(const std::string& digest) {
+    absl::Status prepared = PrepareMesh(session_, digest, arguments_.algorithm,
+                                        arguments_.approximation);
+    if (!prepared.ok()) return prepared;
     PlaceFinder finder(
         [&] { return session_.client.ReadMesh(digest, session_.call); });
     for (;;) {
@@ -279,7 +297,9 @@ class PairRun {
                              .pairs = std::exchange(pairs_, {}),
                              .value_type = ValueTypeOf(arguments_.float32),
                              .priority = arguments_.priority,
-                             .paths = destination_->has_paths()};
+                             .paths = destination_->has_paths(),
+                             .algorithm = arguments_.algorithm,
+                             .approximation = arguments_.approximation};
     const std::span<const PointPair> pairs = query.pairs;
     uint64_t taken = 0;
     // The latest distances, up to that of pair `come` less one.

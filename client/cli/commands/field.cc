@@ -1,13 +1,16 @@
 // field: computes a distance field and writes it to files, whole or row by row.
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <list>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -17,6 +20,7 @@
 #include "client/output/field_writers.h"
 #include "client/output/number_text.h"
 #include "client/output/place_text.h"
+#include "client/output/viewer_page.h"
 #include "client/output/zip_archive.h"
 
 namespace geodesic::client {
@@ -26,6 +30,7 @@ struct FieldArguments : QuestionArguments {
   std::optional<uint64_t> stop_at_targets;
   bool nearest_sources = false;
   bool gradients = false;
+  bool certified_errors = false;
   bool progressive = false;
 };
 
@@ -38,18 +43,39 @@ void Check(const CLI::App& app, const FieldArguments& arguments) {
       targets.files.empty()) {
     Refuse("--stop-at-targets", "needs --target or --targets");
   }
+  for (const OutputArgument& output : arguments.outputs) {
+    const bool is_raw = output.format == OutputFormat::kF64 ||
+                        output.format == OutputFormat::kF32;
+    if (is_raw && !arguments.mark().empty()) {
+      Refuse("--output",
+             absl::StrCat(
+                 output.path, " has no place to say that its distances are ",
+                 IsApproximate(arguments.algorithm) ? "approximate"
+                                                    : "within a tolerance",
+                 "; write .npy"));
+    }
+  }
+  if (arguments.tolerance != 0 &&
+      (arguments.progressive || arguments.nearest_sources ||
+       arguments.gradients)) {
+    Refuse("--tolerance",
+           "is for distances that are sent when all are known: leave it out "
+           "with --progressive, --nearest-sources and --gradients");
+  }
   if (!arguments.progressive) return;
-  if (arguments.nearest_sources || arguments.gradients) {
+  if (arguments.nearest_sources || arguments.gradients ||
+      arguments.certified_errors) {
     Refuse("--progressive",
-           "gives distances only: leave --nearest-sources "
-           "and --gradients to a run without it");
+           "gives distances only: leave --nearest-sources, --gradients and "
+           "--certified-errors to a run without it");
   }
   for (const OutputArgument& output : arguments.outputs) {
     if (output.path == kStandardOutput) {
       Refuse("--progressive", "prints to standard output without -o -");
     }
-    if (output.format != OutputFormat::kCsv) {
-      Refuse("--progressive", "writes .csv only, not " + output.path);
+    if (output.format != OutputFormat::kCsv || IsCompressed(output.path)) {
+      Refuse("--progressive",
+             "writes .csv only, as it comes, not " + output.path);
     }
   }
   if (arguments.outputs.empty() && WantsJson(app)) {
@@ -58,6 +84,8 @@ void Check(const CLI::App& app, const FieldArguments& arguments) {
 }
 
 void AddOptions(CLI::App* app, FieldArguments* arguments) {
+  arguments->may_be_approximate = true;
+  arguments->may_have_tolerance = true;
   AddMesh(app, kMeshHelp, &arguments->mesh);
   AddSources(app, Need::kRequired, &arguments->sources);
   AddTargets(app, Need::kOptional, "Print the distance to this point too",
@@ -79,6 +107,11 @@ void AddOptions(CLI::App* app, FieldArguments* arguments) {
           {"--gradients",
            "Also the unit vector in which distance grows at each vertex"},
           &arguments->gradients);
+  AddFlag(app,
+          {"--certified-errors",
+           "Also by how much each distance may be off, as a part of it (with "
+           "--tolerance; 0 where it is exact)"},
+          &arguments->certified_errors);
   AddFloat32(app, &arguments->float32);
   AddFlag(app,
           {"--progressive",
@@ -86,8 +119,8 @@ void AddOptions(CLI::App* app, FieldArguments* arguments) {
            "order of distance; or write them to -o FILE.csv"},
           &arguments->progressive);
   AddQuestion(app,
-              "Write the field here (nearest sources and gradients too in "
-              ".npz, .csv, .ply and .vtk)",
+              "Write the field here (nearest sources, gradients and certified "
+              "errors too in .npz, .csv, .ply and .vtk)",
               kFieldFormats, arguments,
               [app, arguments] { Check(*app, *arguments); });
   AddPicture(app, &arguments->picture);
@@ -97,6 +130,7 @@ FieldQuery ToQuery(const FieldArguments& arguments, const Question& question) {
   auto query = MakeQuery<FieldQuery>(arguments, question);
   query.nearest_sources = arguments.nearest_sources;
   query.gradients = arguments.gradients;
+  query.certified_errors = arguments.certified_errors;
   if (arguments.stop_at_targets.has_value()) {
     query.stop_after_targets = *arguments.stop_at_targets == kAllTargets
                                    ? question.targets.size()
@@ -127,7 +161,9 @@ std::vector<Column> ColumnsOf(const FieldArguments& arguments,
                               const Field& field) {
   const NumberType real = NumberTypeOf(arguments.float32);
   std::vector<Column> columns = {
-      {.name = kDistanceColumn, .values = field.distances, .type = real}};
+      {.name = DistanceName(kDistanceColumn, arguments.mark()),
+       .values = field.distances,
+       .type = real}};
   if (arguments.nearest_sources) {
     Column nearest = {.name = kNearestSourceColumn, .type = NumberType::kInt32};
     for (const uint32_t source : field.nearest_sources) {
@@ -143,27 +179,37 @@ std::vector<Column> ColumnsOf(const FieldArguments& arguments,
     }
     columns.push_back(std::move(gradients));
   }
+  if (arguments.certified_errors) {
+    columns.push_back({.name = kErrorColumn,
+                       .values = {field.certified_errors.begin(),
+                                  field.certified_errors.end()},
+                       .type = NumberType::kFloat32});
+  }
   return columns;
 }
 
-// Writes the member distances, and nearest_sources, gradients and
-// target_distances where there are any.
+// Writes the member distances, and nearest_sources, gradients, certified_errors
+// and target_distances where there are any. Distances under a mark have its
+// name.
 absl::StatusOr<uint64_t> WriteNpz(const std::string& path,
                                   const std::vector<Column>& columns,
-                                  const std::vector<double>& target_distances) {
+                                  const std::vector<double>& target_distances,
+                                  const std::string& mark) {
   absl::StatusOr<ZipArchive> archive = ZipArchive::Create(path);
   if (!archive.ok()) return FileError(archive.status());
   for (const Column& column : columns) {
-    const char* name = column.name == kNearestSourceColumn
-                           ? "nearest_sources.npy"
-                       : column.name == kGradientColumn ? "gradients.npy"
-                                                        : "distances.npy";
-    archive->Add(name, NpyArray(column.values, column.type, column.shape()));
+    const std::string name =
+        column.name == kNearestSourceColumn ? "nearest_sources.npy"
+        : column.name == kGradientColumn    ? "gradients.npy"
+        : column.name == kErrorColumn       ? "certified_errors.npy"
+                                      : MarkedName("distances", mark) + ".npy";
+    archive->Add(name,
+                 NpyArray(column.values, column.type, column.shape(), mark));
   }
   if (!target_distances.empty()) {
-    archive->Add(
-        "target_distances.npy",
-        NpyArray(target_distances, columns[0].type, {target_distances.size()}));
+    archive->Add(MarkedName("target_distances", mark) + ".npy",
+                 NpyArray(target_distances, columns[0].type,
+                          {target_distances.size()}, mark));
   }
   absl::StatusOr<uint64_t> size = archive->Commit();
   if (!size.ok()) return FileError(size.status());
@@ -171,8 +217,9 @@ absl::StatusOr<uint64_t> WriteNpz(const std::string& path,
 }
 
 PictureContent ContentOf(const Question& question, const Field& field,
-                         const MeshArrays& mesh) {
-  PictureContent content = {.distances = field.distances,
+                         const std::string& mark, const MeshArrays& mesh) {
+  PictureContent content = {.approximation = mark,
+                            .distances = field.distances,
                             .nearest_sources = field.nearest_sources,
                             .isolines = true};
   for (const Source& source : question.sources) {
@@ -181,6 +228,20 @@ PictureContent ContentOf(const Question& question, const Field& field,
   ShowSources(question.sources, mesh, &content);
   ShowTargets(question.targets, mesh, &content);
   return content;
+}
+
+// Where the viewer measures from: nothing unless all sources are points without
+// an offset.
+std::vector<Point> SourcePoints(const Question& question,
+                                const MeshArrays& mesh) {
+  PictureContent content;
+  ShowSources(question.sources, mesh, &content);
+  const bool only_points =
+      std::ranges::all_of(question.sources, [](const Source& source) {
+        return source.offset == 0 &&
+               !std::holds_alternative<Curve>(source.place);
+      });
+  return only_points ? content.sources : std::vector<Point>();
 }
 
 // Writes to the files of the outputs, or to the terminal if there are none.
@@ -227,23 +288,35 @@ class Rows {
   int error_ = 0;
 };
 
+// What a page is called: the file, and that its distances are not exact.
+std::string PageName(const std::string& mesh, const std::string& mark) {
+  const std::string name = std::filesystem::path(mesh).filename();
+  return mark.empty() ? name : absl::StrCat(name, ", ", mark);
+}
+
 absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
     const Session& session, const FieldArguments& arguments,
     const Question& question, const AnswerInfo& info, const Field& field) {
   const std::vector<Column> columns = ColumnsOf(arguments, field);
+  // With the parameters that were used.
+  const std::string mark =
+      field.approximation.has_value()
+          ? ApproximationMark(field.algorithm, *field.approximation)
+          : arguments.mark();
   const auto write = [&](const OutputArgument& output,
                          const MeshArrays& mesh) -> absl::StatusOr<uint64_t> {
     if (output.format == OutputFormat::kNpz) {
-      return WriteNpz(output.path, columns, field.target_distances);
+      return WriteNpz(output.path, columns, field.target_distances, mark);
     }
     if (output.format == OutputFormat::kPng) {
-      return WritePicture(output.path, mesh, ContentOf(question, field, mesh),
+      return WritePicture(output.path, mesh,
+                          ContentOf(question, field, mark, mesh),
                           arguments.picture);
     }
     return WriteFile(output.path, [&](AtomicFile* file) {
       switch (output.format) {
         case OutputFormat::kNpy:
-          return WriteNpy(columns[0], file);
+          return WriteNpy(columns[0], file, mark);
         case OutputFormat::kCsv:
           return WriteCsv(columns, file);
         case OutputFormat::kF64:
@@ -251,15 +324,23 @@ absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
         case OutputFormat::kF32:
           return AppendNumbers(columns[0].values, NumberType::kFloat32, file);
         case OutputFormat::kPly:
-          return WritePly(mesh, columns, file);
+          return WritePly(mesh, columns, file, mark);
+        case OutputFormat::kHtml:
+          return WriteViewerPage(mesh,
+                                 {.name = PageName(arguments.mesh.text, mark),
+                                  .mesh_digest = info.mesh_digest,
+                                  .distances = field.distances,
+                                  .sources = SourcePoints(question, mesh)},
+                                 file);
         default:
-          return WriteVtk(mesh, columns, file);
+          return WriteVtk(mesh, columns, file, mark);
       }
     });
   };
-  return WriteOutputs(
-      session, arguments.outputs, info,
-      {OutputFormat::kPly, OutputFormat::kVtk, OutputFormat::kPng}, write);
+  return WriteOutputs(session, arguments.outputs, info,
+                      {OutputFormat::kPly, OutputFormat::kVtk,
+                       OutputFormat::kPng, OutputFormat::kHtml},
+                      write);
 }
 
 // Writes lines "vertex,distance" as they come, to the outputs, or to the
@@ -321,8 +402,10 @@ Report ReportOf(const FieldArguments& arguments, const Question& question,
     report.facts.push_back({is_limited ? "not reached" : "unreachable",
                             absl::StrCat(GroupedNumber(missing), " vertices")});
   }
-  if (is_limited) {
-    report.facts.push_back({"exact up to", ShortNumber(field.settled_radius)});
+  if (is_limited && !field.approximation.has_value()) {
+    report.facts.push_back(
+        {field.certified_error.has_value() ? "certified up to" : "exact up to",
+         ShortNumber(field.settled_radius)});
   }
   Json targets = Json::array();
   for (size_t i = 0; i < field.target_distances.size(); ++i) {
@@ -333,11 +416,14 @@ Report ReportOf(const FieldArguments& arguments, const Question& question,
     target["distance"] = distance;
     targets.push_back(std::move(target));
   }
-  report.facts.push_back(
-      {"windows",
-       absl::StrCat(
-           GroupedNumber(field.statistics.windows_created), " created, ",
-           GroupedNumber(field.statistics.windows_propagated), " propagated")});
+  if (!field.approximation.has_value()) {
+    report.facts.push_back(
+        {"windows",
+         absl::StrCat(GroupedNumber(field.statistics.windows_created),
+                      " created, ",
+                      GroupedNumber(field.statistics.windows_propagated),
+                      " propagated")});
+  }
   report.json = {{"origin", std::string(FieldOriginName(field.origin))},
                  {"vertices", field.vertex_count},
                  {"unreachable_vertices", missing},
@@ -359,7 +445,8 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
   absl::StatusOr<Field> field =
       arguments.progressive
           ? StreamRows(session, query, outputs, &watch, &extremes, &*files)
-          : session.client.ComputeField(query, session.call, watch.OnSolve());
+          : session.client.ComputeField(query, session.call,
+                                        watch.OnSolve(query.tolerance == 0));
   if (!field.ok()) return field.status();
   const double seconds = watch.seconds();
   // Nothing was computed for a field from the cache.
@@ -369,7 +456,9 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
       .mesh_digest = field->mesh_digest,
       .vertex_count = field->vertex_count,
       .algorithm = field->algorithm,
+      .approximation = field->approximation,
       .relative_tolerance = field->relative_tolerance,
+      .certified_error = field->certified_error,
       .server_version = field->server_version,
       .compute_seconds = is_cached ? 0 : statistics.solve_seconds,
       .windows_propagated = is_cached ? 0 : statistics.windows_propagated};

@@ -22,6 +22,7 @@ struct IsolinesArguments : QuestionArguments {
 };
 
 void AddOptions(CLI::App* app, IsolinesArguments* arguments) {
+  arguments->may_have_tolerance = true;
   AddMesh(app, kMeshHelp, &arguments->mesh);
   AddSources(app, Need::kRequired, &arguments->sources);
   AddValue(app,
@@ -60,8 +61,8 @@ double LengthOf(const Isoline& isoline) {
   return length;
 }
 
-Lines LinesOf(const IsolineAnswer& answer) {
-  Lines lines = {.attributes = {{"level"}}};
+Lines LinesOf(const IsolineAnswer& answer, const std::string& mark) {
+  Lines lines = {.attributes = {{MarkedName("level", mark)}}};
   for (const Isoline& isoline : answer.isolines) {
     lines.lines.push_back({.polyline = isoline.line,
                            .is_closed = isoline.is_closed,
@@ -101,8 +102,10 @@ absl::Status CheckCount(const Session& session, uint64_t count) {
 
 PictureContent ContentOf(const Question& question, const Field& field,
                          const std::vector<double>& levels,
-                         const IsolineAnswer& answer, const MeshArrays& mesh) {
-  PictureContent content = {.distances = field.distances, .levels = levels};
+                         const IsolineAnswer& answer, const std::string& mark,
+                         const MeshArrays& mesh) {
+  PictureContent content = {
+      .approximation = mark, .distances = field.distances, .levels = levels};
   for (const Isoline& isoline : answer.isolines) {
     content.thin_lines.push_back(
         {.points = isoline.line.positions, .is_closed = isoline.is_closed});
@@ -147,13 +150,14 @@ absl::Status Answer(const IsolinesArguments& arguments, const Session& session,
     if (!status.ok()) return status;
   }
   Stopwatch watch(session);
+  const bool is_exact = arguments.tolerance == 0;
   // The distances, which the picture and --count need.
   std::optional<Field> field;
   const auto need_field = [&]() -> absl::Status {
     if (field.has_value()) return absl::OkStatus();
     absl::StatusOr<Field> computed =
         session.client.ComputeField(MakeQuery<FieldQuery>(arguments, question),
-                                    session.call, watch.OnSolve());
+                                    session.call, watch.OnSolve(is_exact));
     if (computed.ok()) field = *std::move(computed);
     return computed.status();
   };
@@ -166,11 +170,12 @@ absl::Status Answer(const IsolinesArguments& arguments, const Session& session,
     if (!spread.ok()) return spread.status();
     query.levels = *std::move(spread);
   }
-  absl::StatusOr<IsolineAnswer> answer =
-      session.client.ComputeIsolines(query, session.call, watch.OnSolve());
+  absl::StatusOr<IsolineAnswer> answer = session.client.ComputeIsolines(
+      query, session.call, watch.OnSolve(is_exact));
   if (!answer.ok()) return answer.status();
   const double seconds = watch.seconds();
-  const Lines lines = LinesOf(*answer);
+  const std::string mark = arguments.mark();
+  const Lines lines = LinesOf(*answer, mark);
   const auto write = [&](const OutputArgument& output,
                          const MeshArrays& mesh) -> absl::StatusOr<uint64_t> {
     if (output.format != OutputFormat::kPng) {
@@ -184,7 +189,7 @@ absl::Status Answer(const IsolinesArguments& arguments, const Session& session,
     }
     return WritePicture(
         output.path, mesh,
-        ContentOf(question, *field, query.levels, *answer, mesh),
+        ContentOf(question, *field, query.levels, *answer, mark, mesh),
         arguments.picture);
   };
   return PrintReport(session, question, answer->info, seconds,

@@ -16,6 +16,8 @@ namespace geodesic::client {
 namespace {
 
 void AddOptions(CLI::App* app, QuestionArguments* arguments) {
+  arguments->may_be_approximate = true;
+  arguments->may_have_tolerance = true;
   AddMesh(app, kMeshHelp, &arguments->mesh);
   AddSources(app, Need::kRequired, &arguments->sources);
   AddTargets(app, Need::kOptional,
@@ -41,16 +43,17 @@ struct MatrixSummary {
 class Destination {
  public:
   Destination(const Session& session, const Question& question,
-              const std::vector<OutputArgument>& outputs)
+              const QuestionArguments& arguments)
       : session_(session),
-        outputs_(outputs),
+        outputs_(arguments.outputs),
+        mark_(arguments.mark()),
         places_{question.sources, question.targets} {}
 
   // Errors: those of opening files.
   absl::Status Open(NumberType type) {
     for (const OutputArgument& output : outputs_) {
       absl::StatusOr<std::unique_ptr<MatrixWriter>> writer =
-          CreateMatrixWriter(output.path, output.format, type, places_);
+          CreateMatrixWriter(output.path, output.format, type, places_, mark_);
       if (!writer.ok()) return FileError(writer.status());
       writers_.push_back(*std::move(writer));
     }
@@ -84,7 +87,7 @@ class Destination {
 
   absl::Status Begin(const MatrixShape& shape) {
     summary_.shape = shape;
-    if (is_text()) session_.out << kMatrixCsvHeader;
+    if (is_text()) session_.out << MatrixCsvHeader(mark_);
     for (const auto& writer : writers_) {
       absl::Status status = writer->Begin(shape);
       if (!status.ok()) return FileError(status);
@@ -115,6 +118,7 @@ class Destination {
 
   const Session& session_;
   const std::vector<OutputArgument>& outputs_;
+  const std::string mark_;
   const MatrixPlaces places_;
   std::vector<std::unique_ptr<MatrixWriter>> writers_;
   MatrixSummary summary_;
@@ -134,7 +138,7 @@ bool IsSparse(const QuestionArguments& arguments) {
 
 absl::Status Answer(const QuestionArguments& arguments, const Session& session,
                     const Question& question) {
-  Destination destination(session, question, arguments.outputs);
+  Destination destination(session, question, arguments);
   absl::Status opened = destination.Open(NumberTypeOf(arguments.float32));
   if (!opened.ok()) return opened;
   Stopwatch watch(session);

@@ -9,6 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/mesh_argument.h"
+#include "client/cli/commands/question.h"
 #include "client/cli/terminal/text.h"
 
 namespace geodesic::client {
@@ -48,32 +49,52 @@ std::string FirstSource(const MeshInfo& mesh) {
 
 // All that is known of a mesh, one fact a line.
 std::vector<Fact> FactsOf(const MeshInfo& mesh) {
-  return {{"digest", mesh.digest},
-          {"vertices", GroupedNumber(mesh.vertex_count)},
-          {"faces", GroupedNumber(mesh.face_count)},
-          {"edges", GroupedNumber(mesh.edge_count)},
-          {"boundary",
-           absl::StrCat(GroupedNumber(mesh.boundary_edge_count), " edges in ",
-                        GroupedNumber(mesh.boundary_loop_count), " loops")},
-          {"components", GroupedNumber(mesh.component_count)},
-          {"isolated vertices", GroupedNumber(mesh.isolated_vertex_count)},
-          {"non-manifold",
-           absl::StrCat(GroupedNumber(mesh.non_manifold_edge_count), " edges, ",
-                        GroupedNumber(mesh.non_manifold_vertex_count),
-                        " vertices")},
-          {"orientation", Orientation(mesh)},
-          {"genus", Genus(mesh)},
-          {"saddle vertices", GroupedNumber(mesh.saddle_vertex_count)},
-          {"degenerate faces", GroupedNumber(mesh.degenerate_face_count)},
-          {"bounding box",
-           absl::StrCat(ShortNumbers(mesh.bounding_box_min), "  to  ",
-                        ShortNumbers(mesh.bounding_box_max))},
-          {"size", ShortNumbers(Extent(mesh))},
-          {"mean edge length", ShortNumber(mesh.mean_edge_length)},
-          {"anisotropy", ShortNumber(mesh.anisotropy)},
-          {"resident", ByteCount(mesh.resident_bytes)},
-          {"on disk", ByteCount(mesh.stored_bytes)},
-          {"landmarks", GroupedNumber(mesh.landmark_count)}};
+  std::vector<Fact> facts = {
+      {"digest", mesh.digest},
+      {"vertices", GroupedNumber(mesh.vertex_count)},
+      {"faces", GroupedNumber(mesh.face_count)},
+      {"edges", GroupedNumber(mesh.edge_count)},
+      {"boundary",
+       absl::StrCat(GroupedNumber(mesh.boundary_edge_count), " edges in ",
+                    GroupedNumber(mesh.boundary_loop_count), " loops")},
+      {"components", GroupedNumber(mesh.component_count)},
+      {"isolated vertices", GroupedNumber(mesh.isolated_vertex_count)},
+      {"non-manifold",
+       absl::StrCat(GroupedNumber(mesh.non_manifold_edge_count), " edges, ",
+                    GroupedNumber(mesh.non_manifold_vertex_count),
+                    " vertices")},
+      {"orientation", Orientation(mesh)},
+      {"genus", Genus(mesh)},
+      {"saddle vertices", GroupedNumber(mesh.saddle_vertex_count)},
+      {"degenerate faces", GroupedNumber(mesh.degenerate_face_count)},
+      {"bounding box",
+       absl::StrCat(ShortNumbers(mesh.bounding_box_min), "  to  ",
+                    ShortNumbers(mesh.bounding_box_max))},
+      {"size", ShortNumbers(Extent(mesh))},
+      {"mean edge length", ShortNumber(mesh.mean_edge_length)},
+      {"anisotropy", ShortNumber(mesh.anisotropy)},
+      {"resident", ByteCount(mesh.resident_bytes)},
+      {"on disk", ByteCount(mesh.stored_bytes)},
+      {"landmarks", GroupedNumber(mesh.landmark_count)}};
+  for (const PreparedMethod& method : mesh.prepared_methods) {
+    facts.push_back(
+        {"prepared",
+         absl::StrCat(AlgorithmText(method.algorithm, method.approximation),
+                      ": ", ByteCount(method.bytes), ", ",
+                      Seconds(method.prepare_seconds))});
+  }
+  return facts;
+}
+
+Json MethodsJson(const std::vector<PreparedMethod>& methods) {
+  Json list = Json::array();
+  for (const PreparedMethod& method : methods) {
+    list.push_back({{"algorithm", method.algorithm},
+                    {"parameters", ParametersJson(method.approximation)},
+                    {"bytes", method.bytes},
+                    {"prepare_seconds", method.prepare_seconds}});
+  }
+  return list;
 }
 
 Json ToJson(const MeshInfo& mesh) {
@@ -99,7 +120,8 @@ Json ToJson(const MeshInfo& mesh) {
           {"anisotropy", mesh.anisotropy},
           {"resident_bytes", mesh.resident_bytes},
           {"stored_bytes", mesh.stored_bytes},
-          {"landmarks", mesh.landmark_count}};
+          {"landmarks", mesh.landmark_count},
+          {"prepared", MethodsJson(mesh.prepared_methods)}};
 }
 
 struct UploadArguments {
@@ -109,8 +131,9 @@ struct UploadArguments {
 
 void AddUploadOptions(CLI::App* app, UploadArguments* arguments) {
   AddFiles(app,
-           "Meshes in OBJ, PLY, OFF or STL; sent only if the server does not "
-           "know them",
+           "Meshes in OBJ, PLY, OFF, STL, VTK or glTF, or .gz of these; sent "
+           "only if "
+           "the server does not know them",
            &arguments->files);
   AddFormat(app, &arguments->format);
 }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/question.h"
 #include "client/output/number_text.h"
@@ -17,6 +18,8 @@ struct NearestArguments : QuestionArguments {
 };
 
 void AddOptions(CLI::App* app, NearestArguments* arguments) {
+  arguments->may_be_approximate = true;
+  arguments->may_have_tolerance = true;
   AddMesh(app, kMeshHelp, &arguments->mesh);
   AddSources(app, Need::kRequired, &arguments->sources);
   AddTargets(app, Need::kRequired, "A member of the set to search",
@@ -29,7 +32,9 @@ void AddOptions(CLI::App* app, NearestArguments* arguments) {
   AddQuestion(app, "Write what was found here", kTableFormats, arguments);
 }
 
-Json FoundJson(const Question& question, const NearestAnswer& answer) {
+// `name` is that of distances.
+Json FoundJson(const Question& question, const NearestAnswer& answer,
+               const std::string& name) {
   Json rows = Json::array();
   for (size_t source = 0; source < answer.found.size(); ++source) {
     Json found = Json::array();
@@ -37,7 +42,7 @@ Json FoundJson(const Question& question, const NearestAnswer& answer) {
       Json target = PointToJson(question.targets[nearest.target]);
       found.push_back({{"target", nearest.target},
                        {"point", std::move(target)},
-                       {"distance", nearest.distance}});
+                       {name, nearest.distance}});
     }
     rows.push_back({{"source", SourceToJson(question.sources[source])},
                     {"nearest", std::move(found)}});
@@ -57,8 +62,8 @@ void VisitFound(const NearestAnswer& answer, Visit visit) {
 }
 
 void WriteCsv(const Question& question, const NearestAnswer& answer,
-              AtomicFile* file) {
-  file->Append("source,rank,target,point,distance\n");
+              const std::string& name, AtomicFile* file) {
+  file->Append(absl::StrCat("source,rank,target,point,", name, "\n"));
   CsvLine line;
   VisitFound(answer, [&](size_t source, size_t rank, const NearestTarget& t) {
     line.Number(source)
@@ -70,14 +75,15 @@ void WriteCsv(const Question& question, const NearestAnswer& answer,
   });
 }
 
-Report ReportOf(const Question& question, const NearestAnswer& answer) {
-  Report report = {.header = {"source", "rank", "target", "distance"}};
+Report ReportOf(const Question& question, const NearestAnswer& answer,
+                const std::string& name) {
+  Report report = {.header = {"source", "rank", "target", name}};
   VisitFound(answer, [&](size_t source, size_t rank, const NearestTarget& t) {
     report.rows.push_back(
         {SourceText(question.sources[source]), NumberText(rank),
          PointText(question.targets[t.target]), NumberText(t.distance)});
   });
-  report.json["found"] = FoundJson(question, answer);
+  report.json["found"] = FoundJson(question, answer, name);
   return report;
 }
 
@@ -90,19 +96,20 @@ absl::Status Answer(const NearestArguments& arguments, const Session& session,
       session.client.FindNearest(query, session.call, watch.OnCount("sources"));
   if (!answer.ok()) return answer.status();
   const double seconds = watch.seconds();
+  const std::string name = DistanceName("distance", arguments.mark());
   const auto write = [&](const OutputArgument& output, const MeshArrays&) {
     return WriteFile(output.path, [&](AtomicFile* file) {
       if (output.format == OutputFormat::kCsv) {
-        WriteCsv(question, *answer, file);
+        WriteCsv(question, *answer, name, file);
       } else {
-        file->Append(FoundJson(question, *answer).dump(2) + "\n");
+        file->Append(FoundJson(question, *answer, name).dump(2) + "\n");
       }
     });
   };
   return PrintReport(
       session, question, answer->info, seconds,
       WriteOutputs(session, arguments.outputs, answer->info, {}, write),
-      ReportOf(question, *answer));
+      ReportOf(question, *answer, name));
 }
 
 }  // namespace

@@ -112,7 +112,27 @@ Json SourcesJson(const std::vector<Source>& sources) {
   return list;
 }
 
+double PartReached(const SolveProgress& progress) {
+  if (progress.vertex_count == 0) return 0;
+  return static_cast<double>(progress.vertices_reached) /
+         static_cast<double>(progress.vertex_count);
+}
+
 }  // namespace
+
+Json ParametersJson(const Approximation& approximation) {
+  Json parameters = Json::object();
+  if (approximation.lambda.has_value()) {
+    parameters["lambda"] = *approximation.lambda;
+  }
+  if (approximation.neighbours.has_value()) {
+    parameters["k"] = *approximation.neighbours;
+  }
+  if (approximation.samples.has_value()) {
+    parameters["samples"] = *approximation.samples;
+  }
+  return parameters;
+}
 
 absl::Status AskQuestion(
     const Session& session, const QuestionArguments& arguments,
@@ -121,25 +141,46 @@ absl::Status AskQuestion(
   if (!places.ok()) return places.status();
   return AskAboutMesh(session, arguments.mesh, [&](const std::string& digest) {
     absl::StatusOr<Question> question = FindPlaces(session, *places, digest);
-    return question.ok() ? answer(*question) : question.status();
+    if (!question.ok()) return question.status();
+    absl::Status status = PrepareMesh(session, digest, arguments.algorithm,
+                                      arguments.approximation);
+    return status.ok() ? answer(*question) : status;
   });
 }
 
-SolveProgressCallback Stopwatch::OnSolve() {
-  return [this](const SolveProgress& progress) {
+absl::Status PrepareMesh(const Session& session, const std::string& mesh_digest,
+                         const std::string& algorithm,
+                         const Approximation& approximation) {
+  if (!IsApproximate(algorithm)) return absl::OkStatus();
+  Stopwatch watch(session);
+  return session.client
+      .Prepare({.mesh_digest = mesh_digest,
+                .algorithm = algorithm,
+                .approximation = approximation},
+               session.call, watch.OnPrepare("preparing"))
+      .status();
+}
+
+SolveProgressCallback Stopwatch::OnSolve(bool is_exact) {
+  return [this, is_exact](const SolveProgress& progress) {
     const bool waits =
         progress.vertices_reached == 0 && progress.windows_propagated == 0;
-    const double fraction =
-        progress.vertex_count == 0
-            ? 0
-            : static_cast<double>(progress.vertices_reached) /
-                  static_cast<double>(progress.vertex_count);
     display_.Update(
-        Clock::now(), waits ? "waiting" : "solving", fraction,
+        Clock::now(), waits ? "waiting" : "solving", PartReached(progress),
         waits ? "for a free thread"
-              : absl::StrCat(
-                    "exact up to ", ShortNumber(progress.settled_radius), ", ",
-                    GroupedNumber(progress.windows_propagated), " windows"));
+              : absl::StrCat(is_exact ? "exact" : "certified", " up to ",
+                             ShortNumber(progress.settled_radius), ", ",
+                             GroupedNumber(progress.windows_propagated),
+                             " windows"));
+  };
+}
+
+SolveProgressCallback Stopwatch::OnPrepare(const std::string& what) {
+  return [this, what](const SolveProgress& progress) {
+    display_.Update(
+        Clock::now(), what, PartReached(progress),
+        absl::StrCat(GroupedNumber(progress.vertices_reached), " of ",
+                     GroupedNumber(progress.vertex_count), " vertices"));
   };
 }
 
@@ -245,6 +286,14 @@ absl::Status PrintReport(const Session& session, const Question& question,
     if (!question.sources.empty()) {
       (*session.json)["sources"] = SourcesJson(question.sources);
     }
+    session.json->update(Json{{"approximate", info.approximation.has_value()}});
+    if (info.approximation.has_value()) {
+      (*session.json)["parameters"] = ParametersJson(*info.approximation);
+    }
+    // Null where distances are exact, or nothing is certified.
+    (*session.json)["certified_error"] =
+        info.certified_error.has_value() ? Json(*info.certified_error) : Json();
+    // Infinity, where no bound is known, is null.
     session.json->update(Json{{"relative_tolerance", info.relative_tolerance},
                               {"windows_propagated", info.windows_propagated},
                               {"compute_seconds", info.compute_seconds},
@@ -264,12 +313,28 @@ absl::Status PrintReport(const Session& session, const Question& question,
     PrintTable(report.header, report.rows, &out);
     if (!session.quiet) out << '\n';
   }
+  std::optional<Fact> inexact;
+  if (info.approximation.has_value()) {
+    inexact = {"distances", "approximate: no bound on their error"};
+  } else if (info.certified_error.has_value()) {
+    inexact = {"distances", absl::StrCat("certified within ",
+                                         ShortNumber(*info.certified_error),
+                                         " (relative error)")};
+  }
   if (session.quiet) {
-    PrintFacts(report.facts, &out);
+    std::vector<Fact> facts = report.facts;
+    if (inexact.has_value() && !facts.empty()) {
+      facts.insert(facts.begin(), *inexact);
+    }
+    PrintFacts(facts, &out);
     return absl::OkStatus();
   }
   std::vector<Fact> facts = {{"mesh", info.mesh_digest},
                              {"algorithm", info.algorithm}};
+  if (info.approximation.has_value()) {
+    facts.back().second = AlgorithmText(info.algorithm, *info.approximation);
+  }
+  if (inexact.has_value()) facts.push_back(*inexact);
   facts.insert(facts.end(), report.facts.begin(), report.facts.end());
   // Rows of a matrix are computed at the same time.
   facts.push_back({"solver", absl::StrCat(Seconds(info.compute_seconds),

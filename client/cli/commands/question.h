@@ -24,6 +24,12 @@
 
 namespace geodesic::client {
 
+// Prepares the mesh for an approximate algorithm, with progress. Does nothing
+// for an exact one. Errors: those of Client::Prepare.
+absl::Status PrepareMesh(const Session& session, const std::string& mesh_digest,
+                         const std::string& algorithm,
+                         const Approximation& approximation);
+
 // A question about a mesh, before it is sent.
 struct Question {
   std::string mesh_digest;
@@ -34,7 +40,8 @@ struct Question {
 
 // Reads the lists of --sources and --targets, checks that the outputs can be
 // written, makes the mesh resident, finds the places on it that are written by
-// what they are near to, and calls `answer`. It uploads the mesh and does so
+// what they are near to, prepares it for an approximate algorithm, and calls
+// `answer`. It uploads the mesh and does so
 // once more if the mesh was evicted in between.
 // Errors: FileErrors, those of AskAboutMesh, PlaceFinder and `answer`.
 absl::Status AskQuestion(
@@ -70,6 +77,12 @@ Query MakeQuery(const QuestionArguments& arguments, const Question& question) {
   Query query;
   query.mesh_digest = question.mesh_digest;
   query.algorithm = arguments.algorithm;
+  if constexpr (requires { query.approximation; }) {
+    query.approximation = arguments.approximation;
+  }
+  if constexpr (requires { query.tolerance; }) {
+    query.tolerance = arguments.tolerance;
+  }
   query.priority = arguments.priority;
   if constexpr (requires { query.sources; }) query.sources = question.sources;
   if constexpr (requires { query.targets; }) query.targets = question.targets;
@@ -88,8 +101,11 @@ class Stopwatch {
         display_(session.progress_style, session.terminal_width, start_,
                  &session.err) {}
 
-  // The callbacks must not outlive the Stopwatch.
-  SolveProgressCallback OnSolve();
+  // The callbacks must not outlive the Stopwatch. `is_exact`: not within a
+  // tolerance.
+  SolveProgressCallback OnSolve(bool is_exact = true);
+  // The same for what is done before a question: `what`, e.g. "preparing".
+  SolveProgressCallback OnPrepare(const std::string& what);
   // `what` names the counted things, in the plural.
   std::function<void(uint64_t, uint64_t)> OnCount(const std::string& what);
 
@@ -161,6 +177,9 @@ absl::Status PrintReport(const Session& session, const Question& question,
                          const AnswerInfo& info, double call_seconds,
                          const absl::StatusOr<std::vector<WrittenFile>>& files,
                          const Report& report);
+
+// The parameters that are set, by the names of their options.
+Json ParametersJson(const Approximation& approximation);
 
 // The status of a command whose output cannot be written.
 absl::Status OutputFailed();

@@ -18,6 +18,7 @@ struct SampleArguments : QuestionArguments {
 };
 
 void AddOptions(CLI::App* app, SampleArguments* arguments) {
+  arguments->may_have_tolerance = true;
   AddMesh(app, kMeshHelp, &arguments->mesh);
   AddValue(app, {"-n,--count", "How many samples to take; default: 10", "N"},
            ParseCount, &arguments->count);
@@ -45,18 +46,21 @@ absl::StatusOr<std::vector<PlacedSample>> Place(const Session& session,
   return placed;
 }
 
-Json SamplesJson(const std::vector<PlacedSample>& samples) {
+// `name` is that of distances.
+Json SamplesJson(const std::vector<PlacedSample>& samples,
+                 const std::string& name) {
   Json list = Json::array();
   for (const PlacedSample& sample : samples) {
     list.push_back({{"vertex", sample.sample.vertex},
-                    {"distance", sample.sample.distance},
+                    {name, sample.sample.distance},
                     {"position", sample.position}});
   }
   return list;
 }
 
-void WriteCsv(const std::vector<PlacedSample>& samples, AtomicFile* file) {
-  file->Append("vertex,distance,x,y,z\n");
+void WriteCsv(const std::vector<PlacedSample>& samples, const std::string& name,
+              AtomicFile* file) {
+  file->Append(absl::StrCat("vertex,", name, ",x,y,z\n"));
   CsvLine line;
   for (const PlacedSample& sample : samples) {
     line.Number(sample.sample.vertex).Number(sample.sample.distance);
@@ -66,26 +70,28 @@ void WriteCsv(const std::vector<PlacedSample>& samples, AtomicFile* file) {
 }
 
 // Writes the samples as points, without faces.
-void WritePly(const std::vector<PlacedSample>& samples, AtomicFile* file) {
+void WritePly(const std::vector<PlacedSample>& samples, const std::string& mark,
+              AtomicFile* file) {
   MeshArrays points;
   std::vector<Column> columns = {{.name = "vertex", .type = NumberType::kInt32},
-                                 {.name = kDistanceColumn}};
+                                 {.name = DistanceName(kDistanceColumn, mark)}};
   for (const PlacedSample& sample : samples) {
     points.positions.push_back(sample.position);
     columns[0].values.push_back(static_cast<double>(sample.sample.vertex));
     columns[1].values.push_back(sample.sample.distance);
   }
-  WritePly(points, columns, file);
+  WritePly(points, columns, file, mark);
 }
 
 Report ReportOf(const Session& session, const SampleAnswer& answer,
-                const std::vector<PlacedSample>& samples) {
-  Report report = {.header = {"vertex", "distance"}};
+                const std::vector<PlacedSample>& samples,
+                const std::string& name) {
+  Report report = {.header = {"vertex", name}};
   for (const FarthestSample& sample : answer.samples) {
     report.rows.push_back(
         {NumberText(sample.vertex), NumberText(sample.distance)});
   }
-  if (session.json) report.json["samples"] = SamplesJson(samples);
+  if (session.json) report.json["samples"] = SamplesJson(samples, name);
   return report;
 }
 
@@ -98,8 +104,8 @@ absl::Status Answer(const SampleArguments& arguments, const Session& session,
   auto query = MakeQuery<SampleQuery>(arguments, question);
   query.count = arguments.count;
   Stopwatch watch(session);
-  absl::StatusOr<SampleAnswer> answer =
-      session.client.SampleFarthestPoints(query, session.call, watch.OnSolve());
+  absl::StatusOr<SampleAnswer> answer = session.client.SampleFarthestPoints(
+      query, session.call, watch.OnSolve(query.tolerance == 0));
   if (!answer.ok()) return answer.status();
   const double seconds = watch.seconds();
   std::vector<PlacedSample> samples;
@@ -108,21 +114,23 @@ absl::Status Answer(const SampleArguments& arguments, const Session& session,
     if (!placed.ok()) return placed.status();
     samples = *std::move(placed);
   }
+  const std::string mark = arguments.mark();
+  const std::string name = DistanceName("distance", mark);
   const auto write = [&](const OutputArgument& output, const MeshArrays&) {
     return WriteFile(output.path, [&](AtomicFile* file) {
       if (output.format == OutputFormat::kCsv) {
-        WriteCsv(samples, file);
+        WriteCsv(samples, name, file);
       } else if (output.format == OutputFormat::kPly) {
-        WritePly(samples, file);
+        WritePly(samples, mark, file);
       } else {
-        file->Append(SamplesJson(samples).dump(2) + "\n");
+        file->Append(SamplesJson(samples, name).dump(2) + "\n");
       }
     });
   };
   return PrintReport(
       session, question, answer->info, seconds,
       WriteOutputs(session, arguments.outputs, answer->info, {}, write),
-      ReportOf(session, *answer, samples));
+      ReportOf(session, *answer, samples, name));
 }
 
 }  // namespace

@@ -9,11 +9,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/ascii.h"
@@ -39,12 +39,13 @@ constexpr off_t kMostLogBytes = 1 << 20;
 // How often a wait looks whether it is to stop.
 constexpr int kLookMs = 50;
 
-constexpr std::array<std::string_view, 11> kSharedServersSettings = {
-    "CONFIG",         "LISTEN",        "PORT_FILE",  "TLS_CERT",
-    "TLS_KEY",        "TLS_CLIENT_CA", "TOKEN_FILE", "INSECURE_LISTEN",
-    "METRICS_LISTEN", "CHANNELZ",      "DATA_DIR"};
+constexpr std::string_view kSharedServersSettings[] = {
+    "CONFIG",         "LISTEN",         "PORT_FILE",       "TLS_CERT",
+    "TLS_KEY",        "TLS_CLIENT_CA",  "TOKEN_FILE",      "INSECURE_LISTEN",
+    "METRICS_LISTEN", "CHANNELZ",       "DATA_DIR",        "WEB",
+    "WEB_PORT_FILE",  "WEB_TOKEN_FILE", "WEB_ALLOW_ORIGIN"};
 
-std::vector<std::string> ServerEnvironment() {
+std::vector<std::string> ServerEnvironment(std::chrono::seconds idle_time) {
   const std::string kPrefix = "GEODESICD_";
   // The first mention of a variable counts, so defaults come last.
   std::vector<std::string> variables;
@@ -59,7 +60,7 @@ std::vector<std::string> ServerEnvironment() {
   }
   if (getenv("GEODESICD_EXIT_WHEN_IDLE") == nullptr) {
     variables.push_back(
-        absl::StrCat(kPrefix, "EXIT_WHEN_IDLE=", kIdleTime.count()));
+        absl::StrCat(kPrefix, "EXIT_WHEN_IDLE=", idle_time.count()));
   }
   if (getenv("GEODESICD_LOG_LEVEL") == nullptr) {
     variables.push_back(absl::StrCat(kPrefix, "LOG_LEVEL=warn"));
@@ -108,7 +109,13 @@ absl::StatusOr<pid_t> Spawn(const Launch& launch, int log, int ready) {
   std::vector<std::string> words = {
       launch.program, "--listen", absl::StrCat("unix:", launch.socket_path),
       "--port-file", absl::StrCat("/proc/self/fd/", kReady)};
-  std::vector<std::string> variables = ServerEnvironment();
+  if (launch.page) {
+    words.insert(words.end(), {"--web", "127.0.0.1:0", "--web-port-file",
+                               launch.page->port_path(), "--web-token-file",
+                               launch.page->hash_path()});
+  }
+  std::vector<std::string> variables =
+      ServerEnvironment(launch.page ? kIdleTimeWithPage : kIdleTime);
   pid_t process = -1;
   const int error =
       posix_spawn(&process, launch.program.c_str(), &files, &attributes,

@@ -115,7 +115,13 @@ std::optional<pid_t> OwnServer::Running() const {
 }
 
 absl::StatusOr<pid_t> OwnServer::Start(std::optional<pid_t> ending,
+                                       bool needs_page,
                                        const std::stop_token& stop) const {
+  if (needs_page && !page().Url() && Running()) {
+    ending = Running();
+    const absl::StatusOr<bool> stopped = Stop(stop);
+    if (!stopped.ok()) return NoServer(stopped.status());
+  }
   const auto usable = [&]() -> std::optional<pid_t> {
     const std::optional<pid_t> process = Running();
     return process == ending ? std::nullopt : process;
@@ -142,11 +148,16 @@ absl::StatusOr<pid_t> OwnServer::Start(std::optional<pid_t> ending,
           address(), ": `geodesic server stop` ends one that serves")));
     }
   }
-  const absl::Status status = LaunchServer({.program = *program,
-                                            .socket_path = socket_path(),
-                                            .log_path = log_path(),
-                                            .kept_open = alive->get()},
-                                           patience.until(), stop);
+  page().Remove();
+  absl::Status status = needs_page ? page().Prepare() : absl::OkStatus();
+  if (!status.ok()) return NoServer(status);
+  status =
+      LaunchServer({.program = *program,
+                    .socket_path = socket_path(),
+                    .log_path = log_path(),
+                    .kept_open = alive->get(),
+                    .page = needs_page ? std::optional(page()) : std::nullopt},
+                   patience.until(), stop);
   if (!status.ok()) return NoServer(status);
   if (const auto process = Running()) return *process;
   return NoServer(absl::UnavailableError(absl::StrCat(
@@ -176,12 +187,12 @@ absl::StatusOr<bool> OwnServer::Stop(const std::stop_token& stop) const {
   return true;
 }
 
-absl::StatusOr<pid_t> AwaitOwnServer(const OwnServer& server,
+absl::StatusOr<pid_t> AwaitOwnServer(const OwnServer& server, bool needs_page,
                                      const CallOptions& call) {
   std::optional<pid_t> ending;
   absl::Status status;
   for (int i = 0; i < kMostTries; ++i) {
-    absl::StatusOr<pid_t> process = server.Start(ending, call.stop);
+    absl::StatusOr<pid_t> process = server.Start(ending, needs_page, call.stop);
     if (!process.ok()) return process;
     Client client(server.address(), {.retry = false});
     const absl::StatusOr<Capabilities> capabilities =

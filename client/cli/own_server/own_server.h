@@ -20,6 +20,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "client/cli/own_server/page_files.h"
 #include "geodesic_client/client.h"
 
 namespace geodesic::client {
@@ -38,12 +39,15 @@ class OwnServer {
   // The process that takes connections at the socket; nothing if none does.
   std::optional<pid_t> Running() const;
 
+  PageFiles page() const { return PageFiles(stem_); }
+
   // Starts a server unless one takes connections, and waits, at most a minute,
-  // until it does. If the process `ending` does, waits for its end first.
-  // Returns the server's process.
+  // until it does. If the process `ending` does, waits for its end first. With
+  // `needs_page`, a server that does not serve its page is asked to end, and
+  // another takes its place. Returns the server's process.
   // Errors, marked by NoServer: NOT_FOUND if there is no geodesicd; UNAVAILABLE
   // if it does not start or another does not end; CANCELLED if stopped.
-  absl::StatusOr<pid_t> Start(std::optional<pid_t> ending,
+  absl::StatusOr<pid_t> Start(std::optional<pid_t> ending, bool needs_page,
                               const std::stop_token& stop) const;
 
   // Asks the server to end and waits until it has. False if none runs.
@@ -59,11 +63,11 @@ class OwnServer {
 };
 
 // Makes sure that a server of this version runs, starting one if need be, and
-// that it answers. It then stays until it has been idle for its time. Returns
-// its process.
-// Errors: as OwnServer::Start; FAILED_PRECONDITION, marked by NoServer, if the
-// geodesicd there is has another version.
-absl::StatusOr<pid_t> AwaitOwnServer(const OwnServer& server,
+// that it answers and, with `needs_page`, serves its page. It then stays until
+// it has been idle for its time. Returns its process. Errors: as
+// OwnServer::Start; FAILED_PRECONDITION, marked by NoServer, if the geodesicd
+// there is has another version.
+absl::StatusOr<pid_t> AwaitOwnServer(const OwnServer& server, bool needs_page,
                                      const CallOptions& call);
 
 }  // namespace geodesic::client

@@ -5,15 +5,39 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace geodesic::client {
 
-// The algorithms this client can name: "fwp-ch", "fwp-mmp", "ich", "mmp",
+// The exact algorithms this client can name: "fwp-ch", "fwp-mmp", "ich", "mmp",
 // "ch", "lc-mmp", "lc-ch", "fwp-list". All give the same distances. A server
 // may offer fewer; see Client::GetCapabilities.
 std::vector<std::string> AlgorithmNames();
+
+// The approximate ones: "fmm", "fmm-untidy", "heat", "svg", "gtu". No bound on
+// their error is known. They give distances between vertices alone, and only
+// fields, matrices, nearest members and pairs; docs/questions.md says which to
+// choose.
+std::vector<std::string> ApproximateAlgorithmNames();
+bool IsApproximate(std::string_view algorithm);
+
+// Parameters of approximate algorithms. A query sets those that its algorithm
+// takes; the server has defaults for the rest. An answer has all that were
+// used.
+struct Approximation {
+  // svg: how many vertices around each one are looked at. DEFAULT: 50.
+  std::optional<uint32_t> neighbours;
+  // heat: it spreads for lambda times the square of the mean edge length.
+  // DEFAULT: 1.
+  std::optional<double> lambda;
+  // gtu: how many vertices' exact fields are kept. DEFAULT: 200.
+  std::optional<uint32_t> samples;
+
+  friend bool operator==(const Approximation&, const Approximation&) = default;
+};
 
 // How real numbers travel. The client gets doubles in either case.
 enum class ValueType {
@@ -49,8 +73,15 @@ struct AnswerInfo {
   std::string mesh_digest;
   uint64_t vertex_count = 0;
   std::string algorithm;
-  // The relative error of every distance is below this.
+  // Set if distances are approximate.
+  std::optional<Approximation> approximation = {};
+  // The relative error of every distance is below this, which is the tolerance
+  // of the query if it has one; +infinity if they are approximate.
   double relative_tolerance = 0;
+  // Set if the answer was computed within the query's tolerance and is not
+  // exact: no distance is farther from the truth than this part of it. At most
+  // the tolerance.
+  std::optional<double> certified_error = {};
   std::string server_version;
   // Time that the computations took, summed over threads; 0 if nothing had to
   // be computed.

@@ -44,11 +44,15 @@ struct ServerLimits {
   uint64_t max_queued_jobs_per_client = 0;
   // Memory for landmarks of meshes. 0: none are made.
   uint64_t landmark_memory_bytes = 0;
+  // Memory for what approximate algorithms prepare.
+  uint64_t prepared_memory_bytes = 0;
 };
 
 struct Capabilities {
   std::string version;
   std::vector<AlgorithmCapability> algorithms;
+  // No bound on the error of these is known.
+  std::vector<AlgorithmCapability> approximate_algorithms;
   // Names of the mesh formats the server reads, "arrays" among them.
   std::vector<std::string> formats;
   ServerLimits limits;

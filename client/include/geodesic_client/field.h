@@ -23,8 +23,16 @@ struct FieldQuery {
   std::string mesh_digest;
   // At least one. d(x) = min over the sources of offset + distance to x.
   std::vector<Source> sources;
-  // One of AlgorithmNames(). DEFAULT: empty, the server's choice.
+  // One of AlgorithmNames(), or of ApproximateAlgorithmNames(): then targets
+  // are vertices, and neither curves, nearest sources, gradients nor a limit by
+  // targets are to be had. DEFAULT: empty, the server's choice.
   std::string algorithm;
+  Approximation approximation = {};
+  // The largest relative error that distances may have: 0, or from 1e-9 to 0.1.
+  // A field is then found faster, and certifies its error; an exact one that
+  // the server has may answer, too. Takes no algorithm but "fwp-list", no
+  // nearest sources, no gradients, and is not streamed. DEFAULT: 0, exact.
+  double tolerance = 0;
   // Points beside the vertices whose distances are wanted.
   std::vector<SurfacePoint> targets;
   // The search ends here; distances beyond are +infinity. DEFAULT: no limit.
@@ -35,6 +43,7 @@ struct FieldQuery {
   // What to send beside the distances.
   bool nearest_sources = false;
   bool gradients = false;
+  bool certified_errors = false;
   ValueType value_type = ValueType::kFloat64;
   Priority priority = Priority::kInteractive;
 };
@@ -69,6 +78,8 @@ struct Field {
   uint64_t vertex_count = 0;
   // The algorithm that computed the field.
   std::string algorithm;
+  // Set if distances are approximate.
+  std::optional<Approximation> approximation = {};
   // One value per vertex, in the mesh's vertex order; +infinity where no path
   // leads or the search did not get. Empty if the field was streamed.
   std::vector<double> distances;
@@ -80,13 +91,21 @@ struct Field {
   // If asked for: the unit vector along which the shortest path arrives at each
   // vertex; zero at sources and where the distance is infinite.
   std::vector<std::array<double, 3>> gradients;
-  // Every distance up to here is present and exact. Those beyond may be
-  // +infinity.
+  // If asked for: the relative error that each vertex's distance is certified
+  // not to exceed; 0 where it is exact or infinite.
+  std::vector<float> certified_errors;
+  // Every distance up to here is present, and exact or within the tolerance.
+  // Those beyond may be +infinity. 0 if distances are approximate.
   double settled_radius = std::numeric_limits<double>::infinity();
   FieldOrigin origin = FieldOrigin::kComputed;
   FieldStatistics statistics;
-  // The relative error of every distance is below this.
+  // The relative error of every distance is below this; +infinity if they are
+  // approximate.
   double relative_tolerance = 0;
+  // Set if the field was computed within the query's tolerance and is not
+  // exact: no distance is farther from the truth than this part of it. At most
+  // the tolerance.
+  std::optional<double> certified_error = {};
   // Version of the program that computed the field.
   std::string server_version;
 };

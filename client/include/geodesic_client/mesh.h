@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "geodesic_client/answer.h"
 
 namespace geodesic::client {
 
@@ -33,14 +34,24 @@ std::string MeshDigest(const MeshArrays& mesh);
 // Whether `text` has the form of a mesh's name.
 bool IsMeshDigest(std::string_view text);
 
-enum class MeshFormat { kObj, kPly, kOff, kStl };
+enum class MeshFormat { kObj, kPly, kOff, kStl, kVtk, kGltf };
 
-// "obj", "ply", "off" or "stl".
+// "obj", "ply", "off", "stl", "vtk" or "gltf".
 std::string_view MeshFormatName(MeshFormat format);
 
 // The format a path's ending names, in any case ("a/b.PLY" is kPly).
 // Errors: INVALID_ARGUMENT naming the path and the endings that are known.
 absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path);
+
+// What an approximate algorithm has made of a mesh, to answer faster.
+struct PreparedMethod {
+  std::string algorithm;
+  Approximation approximation;
+  // Memory that it takes on the server.
+  uint64_t bytes = 0;
+  // How long it took to make, or to load from disk.
+  double prepare_seconds = 0;
+};
 
 // A mesh that is resident on the server.
 struct MeshInfo {
@@ -70,6 +81,8 @@ struct MeshInfo {
   uint64_t stored_bytes = 0;
   // Vertices whose distances to all others the server keeps, to answer faster.
   uint64_t landmark_count = 0;
+  // What the server keeps in memory for approximate algorithms.
+  std::vector<PreparedMethod> prepared_methods = {};
   // Edges with three faces or more, and vertices around which the faces do not
   // form one disk or half-disk.
   uint64_t non_manifold_edge_count = 0;

@@ -35,6 +35,10 @@ struct PairQuery {
   // Whether a shortest path from source to target comes with each distance. The
   // server then searches each pair by itself.
   bool paths = false;
+  // One of ApproximateAlgorithmNames(), for pairs of vertices without paths.
+  // DEFAULT: empty, exact distances.
+  std::string algorithm = {};
+  Approximation approximation = {};
 };
 
 // Takes the distances of pairs. If `on_distances` returns an error, the call

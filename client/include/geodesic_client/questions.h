@@ -68,6 +68,7 @@ struct IsolineQuery {
   // count once.
   std::vector<double> levels;
   std::string algorithm;
+  double tolerance = 0;
   Priority priority = Priority::kInteractive;
 };
 
@@ -76,7 +77,8 @@ struct Isoline {
   // Whether the last point leads back to the first; open ones end at a
   // boundary.
   bool is_closed = false;
-  // The line's points are exact crossings of edges. Between them the isoline
+  // The line's points are exact crossings of edges, or within the tolerance of
+  // the query. Between them the isoline
   // consists of circular arcs, which the polyline cuts short.
   Polyline line;
 };
@@ -95,6 +97,8 @@ struct MatrixQuery {
   // Each target is a column. DEFAULT: empty, every vertex is a column.
   std::vector<SurfacePoint> targets;
   std::string algorithm;
+  Approximation approximation = {};
+  double tolerance = 0;
   ValueType value_type = ValueType::kFloat64;
   std::optional<double> radius;
   // Whether to send only the finite values, with their columns.
@@ -138,6 +142,8 @@ struct NearestQuery {
   // How many to find for each source; at least 1.
   uint64_t count = 1;
   std::string algorithm;
+  Approximation approximation = {};
+  double tolerance = 0;
   // Targets farther than this are not found. DEFAULT: no limit.
   std::optional<double> radius;
   Priority priority = Priority::kInteractive;
@@ -166,6 +172,7 @@ struct SampleQuery {
   // At least 1.
   uint64_t count = 1;
   std::string algorithm;
+  double tolerance = 0;
   Priority priority = Priority::kInteractive;
 };
 

@@ -1,0 +1,50 @@
+#include "client/output/approximation_mark.h"
+
+#include "absl/strings/str_cat.h"
+#include "client/output/number_text.h"
+
+namespace geodesic::client {
+namespace {
+
+constexpr char kWithin[] = "within ";
+
+}  // namespace
+
+std::string AlgorithmText(const std::string& algorithm,
+                          const Approximation& approximation) {
+  std::string text = algorithm;
+  const auto add = [&](const char* name, const auto& value) {
+    if (value.has_value()) {
+      absl::StrAppend(&text, ", ", name, " ", NumberText(*value));
+    }
+  };
+  add("lambda", approximation.lambda);
+  add("K", approximation.neighbours);
+  add("samples", approximation.samples);
+  return text;
+}
+
+std::string ApproximationMark(const std::string& algorithm,
+                              const Approximation& approximation) {
+  return IsApproximate(algorithm)
+             ? "approximate: " + AlgorithmText(algorithm, approximation)
+             : "";
+}
+
+std::string ToleranceMark(double tolerance) {
+  return tolerance == 0 ? ""
+                        : absl::StrCat(kWithin, NumberText(tolerance),
+                                       " (relative error)");
+}
+
+bool IsToleranceMark(const std::string& mark) {
+  return mark.starts_with(kWithin);
+}
+
+std::string MarkedName(const std::string& exact, const std::string& mark) {
+  if (mark.empty()) return exact;
+  return IsToleranceMark(mark) ? exact + "_within_tolerance"
+                               : "approximate_" + exact;
+}
+
+}  // namespace geodesic::client
