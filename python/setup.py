@@ -1,19 +1,28 @@
-"""Builds the extension `geodesic._core` by CMake, from the repository around.
+"""Builds the extension `geodesic._core` by CMake, from the repository around, or
+from what a source distribution holds of it, in the folder `source`.
 
 Everything else is in pyproject.toml. It wants cmake, ninja, g++, pybind11,
-Abseil and OpenMesh (scripts/install-dependencies python), and no network.
+Abseil, OpenMesh, SuiteSparse and zlib (scripts/install-dependencies python), and
+no network.
 """
 
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import sysconfig
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.sdist import sdist
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+HERE = pathlib.Path(__file__).resolve().parent
+SOURCE = HERE / "source"
+ROOT = SOURCE if SOURCE.exists() else HERE.parent
+# What the extension is built from.
+PARTS = ["CMakeLists.txt", "LICENSE", "cmake", "core", "proto",
+         "python/CMakeLists.txt", "python/src"]
 
 
 def version():
@@ -55,8 +64,22 @@ class CMakeBuild(build_ext):
                 link.resolve().rename(link)
 
 
+class SourceDistribution(sdist):
+    """Holds the parts of the repository, too."""
+
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        for part in PARTS:
+            place = pathlib.Path(base_dir) / SOURCE.name / part
+            place.parent.mkdir(parents=True, exist_ok=True)
+            if (ROOT / part).is_dir():
+                shutil.copytree(ROOT / part, place)
+            else:
+                shutil.copy(ROOT / part, place)
+
+
 setup(
     version=version(),
     ext_modules=[Extension("geodesic._core", sources=[])],
-    cmdclass={"build_ext": CMakeBuild},
+    cmdclass={"build_ext": CMakeBuild, "sdist": SourceDistribution},
 )

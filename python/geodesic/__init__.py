@@ -12,6 +12,7 @@ Everything a mesh can be asked is a method of geodesic.Mesh: help(geodesic.Mesh)
 from typing import TYPE_CHECKING, Any, Dict
 
 from . import _core
+from .approximate import Approximate
 from .errors import (Cancelled, DeadlineExceeded, GeodesicError, InternalError,
                      InvalidArgument, NotAllowed, NotFound, ResourceExhausted,
                      Unavailable)
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 __version__: str = _core.VERSION
 
 __all__ = [
-    "Cancelled", "Curve", "DeadlineExceeded", "EdgePoint", "FacePoint", "Field",
+    "Approximate", "Cancelled", "Curve", "DeadlineExceeded", "EdgePoint", "FacePoint", "Field",
     "GeodesicError", "InternalError", "InvalidArgument", "Isoline", "LogMap",
     "Mesh", "NotAllowed", "NotFound", "Path", "Places", "ResourceExhausted",
     "Unavailable", "algorithms", "connect"

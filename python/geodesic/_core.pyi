@@ -52,7 +52,7 @@ class Mesh:
 class Query:
     """A question that was checked against its mesh."""
     def __init__(self, mesh: Mesh, sources: Sources, targets: Places,
-                 algorithm: str, trace: bool) -> None: ...
+                 algorithm: str, trace: bool, tolerance: float) -> None: ...
 
 class Field:
     """What solve() found."""
@@ -70,6 +70,11 @@ class Field:
     def statistics(self) -> Dict[str, Any]: ...
     def nearest_sources(self) -> NDArray[np.uint32]: ...
     def gradients(self) -> NDArray[np.float64]: ...
+    @property
+    def certified_error(self) -> float:
+        """0 if it is exact."""
+    def certified_errors(self) -> NDArray[np.float32]:
+        """(V,)."""
     def log_map(self, radius: float) -> Tuple[NDArray[np.float64], List[float]]: ...
 
 def solve(query: Query, radius: float, stop_after_targets: int, threads: int,
@@ -100,5 +105,17 @@ def sparse_matrix(query: Query, radius: float, threads: int,
 def nearest(query: Query, count: int, radius: float, threads: int,
             progress: _Progress) -> Tuple[NDArray[np.int64],
                                           NDArray[np.float64]]: ...
+
+class Method:
+    """What an approximate algorithm has prepared of a mesh: any but heat."""
+    def __init__(self, mesh: Mesh, name: str, neighbours: int, samples: int,
+                 threads: int, progress: _Progress) -> None: ...
+    def distances(self, query: Query, progress: _Progress,
+                  ) -> Tuple[NDArray[np.float64], float]:
+        """(V,), and the seconds that it took."""
+    def pairs(self, sources: NDArray[np.uint32], targets: NDArray[np.uint32],
+              progress: _Progress) -> Optional[NDArray[np.float64]]:
+        """(N,), of vertices; None where fields answer pairs."""
+
 def pairs(query: Query, order: NDArray[np.int64], ends: NDArray[np.int64],
           threads: int, progress: _Progress) -> NDArray[np.float64]: ...

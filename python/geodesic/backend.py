@@ -8,10 +8,12 @@ answers their names. `local.LocalBackend` answers in this process,
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Dict, Iterator, List, Optional, Protocol, Tuple
+from typing import (Any, Dict, Iterator, List, Optional, Protocol, Tuple,
+                    Union)
 
 import numpy as np
 
+from .approximate import NAMES, Approximate
 from .errors import InvalidArgument
 from .places import Places, Sources
 from .progress import ProgressCallback
@@ -22,19 +24,58 @@ class Options:
     """What questions have in common.
 
     Attributes:
-        algorithm: a name, or None for the default.
+        algorithm: a name, or None for the default; of an approximate one also
+            an Approximate.
         threads: how many may be used; a service decides that itself.
         progress: called now and then, or None.
+        tolerance: the largest relative error of distances; 0: exact.
     """
 
-    algorithm: Optional[str] = None
+    algorithm: Union[str, Approximate, None] = None
     threads: int = 1
     progress: Optional[ProgressCallback] = None
+    tolerance: float = 0
 
     def __post_init__(self) -> None:
+        if isinstance(self.algorithm, str) and self.algorithm in NAMES:
+            self.algorithm = Approximate(self.algorithm)
+        if self.approximate is not None:
+            if self.tolerance != 0:
+                raise InvalidArgument(
+                    f"tolerance: {self.approximate.name} is approximate and "
+                    "certifies nothing")
+            return
         if self.algorithm is not None and not isinstance(self.algorithm, str):
             raise InvalidArgument(
                 f"algorithm is {self.algorithm!r}, which is no name")
+        if self.tolerance != 0 and self.algorithm not in (None, "fwp-list"):
+            raise InvalidArgument(
+                f"tolerance: {self.algorithm} takes none; name no algorithm "
+                "beside it, or fwp-list")
+
+
+    @property
+    def exact(self) -> Optional[str]:
+        """The exact algorithm that is named; None for the default."""
+        return self.algorithm if isinstance(self.algorithm, str) else None
+
+    @property
+    def approximate(self) -> Optional[Approximate]:
+        """The approximate one; None if the answer is to be exact."""
+        return (self.algorithm if isinstance(self.algorithm, Approximate) else
+                None)
+
+    def exact_alone(self, what: str) -> "Options":
+        """Itself.
+
+        Raises:
+            InvalidArgument: it is approximate, which `what` is not.
+        """
+        if self.approximate is not None:
+            raise InvalidArgument(
+                f"algorithm: {self.approximate.name} is approximate, and {what} "
+                "exact alone: name an exact algorithm or none")
+        return self
 
 
 @dataclasses.dataclass
@@ -48,6 +89,9 @@ class FieldAnswer:
     statistics: Dict[str, Any]
     labels: Optional[np.ndarray] = None
     gradients: Optional[np.ndarray] = None
+    certified_error: Optional[float] = None
+    certified_errors: Optional[np.ndarray] = None
+    approximation: Optional[Approximate] = None
 
 
 @dataclasses.dataclass
@@ -90,7 +134,7 @@ class Backend(Protocol):
 
     def field(self, sources: Sources, targets: Places, radius: float,
               stop_after_targets: Optional[int], labels: bool, gradients: bool,
-              options: Options) -> FieldAnswer: ...
+              certified_errors: bool, options: Options) -> FieldAnswer: ...
 
     def progressive(self, sources: Sources, radius: float, interval: float,
                     options: Options,

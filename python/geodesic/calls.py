@@ -17,7 +17,7 @@ import random
 import threading
 import time
 import weakref
-from typing import Any, Callable, Iterator, Optional, Set, Tuple
+from typing import Any, Callable, Dict, Iterator, Optional, Tuple
 
 import grpc
 
@@ -32,6 +32,8 @@ _PAUSES = (0.2, 0.4, 0.8)
 _JITTER = 0.2
 # Messages that wait for their reader, up to 1 MiB each.
 _ROOM = 8
+# Threads that wait for the next call. To start one costs more than to wake one.
+_IDLE_WORKERS = 4
 # gRPC itself ends calls at their deadline. Should it not, they end so many
 # seconds later, and a process that ends waits so long for its connections.
 _GRACE = 1.0
@@ -85,8 +87,9 @@ class _Call:
         for _ in range(_ROOM):
             self.room.put(None)
 
-    def run(self) -> None:
-        """Makes the call, from the beginning to its end."""
+    def run(self, ending: Callable[[], None]) -> None:
+        """Makes the call, from the beginning to its end. `ending` is called
+        before the reader learns of the end."""
         error: Optional[BaseException] = None
         try:
             running = self._running = self._begin()
@@ -109,6 +112,7 @@ class _Call:
         except BaseException as raised:
             error = raised
         running = self._running = None
+        ending()
         self.arrivals.put((None, error))
 
     def cancel(self) -> None:
@@ -119,10 +123,50 @@ class _Call:
         self.room.put(None)
 
 
-def _serve(channel: grpc.Channel, orders: "queue.SimpleQueue[Any]") -> None:
-    """Follows orders until the last, None: (call, None) runs a call, (call,
-    True) cancels it, (None, done) closes the channel."""
-    workers: Set[threading.Thread] = set()
+_Inbox = queue.SimpleQueue  # of calls; None ends the thread that reads it
+
+
+class _Idle:
+    """The inboxes of threads that wait for a call, of which there are only so
+    many as there are places."""
+
+    def __init__(self) -> None:
+        self.inboxes: "queue.SimpleQueue[_Inbox]" = queue.SimpleQueue()
+        self.places: "queue.SimpleQueue[None]" = queue.SimpleQueue()
+        for _ in range(_IDLE_WORKERS):
+            self.places.put(None)
+
+
+def _work(inbox: _Inbox, idle: _Idle) -> None:
+    """Makes the calls that come in, until there are idle threads enough."""
+    stays = False
+
+    def ending() -> None:
+        # Who learns of the end may ask the next thing at once, and finds this
+        # thread idle.
+        nonlocal stays
+        try:
+            idle.places.get_nowait()
+        except queue.Empty:
+            return
+        stays = True
+        idle.inboxes.put(inbox)
+
+    while (call := inbox.get()) is not None:
+        if stays:
+            idle.places.put(None)
+        stays = False
+        call.run(ending)
+        del call
+        if not stays:
+            return
+
+
+def _serve(channel: grpc.Channel, orders: "queue.SimpleQueue[Any]",
+           idle: _Idle) -> None:
+    """Follows orders until the last, None: (call, None) runs a call in a new
+    thread, (call, True) cancels it, (None, done) closes the channel."""
+    workers: Dict[threading.Thread, _Inbox] = {}
     while (order := orders.get()) is not None:
         call, what = order
         if call is None:
@@ -131,15 +175,20 @@ def _serve(channel: grpc.Channel, orders: "queue.SimpleQueue[Any]") -> None:
         elif what:
             call.cancel()
         else:
-            workers = {worker for worker in workers if worker.is_alive()}
-            worker = threading.Thread(target=call.run, daemon=True)
+            workers = {w: inbox for w, inbox in workers.items() if w.is_alive()}
+            inbox: _Inbox = queue.SimpleQueue()
+            inbox.put(call)
+            worker = threading.Thread(target=_work, args=(inbox, idle),
+                                      name="geodesic.call", daemon=True)
             try:
                 worker.start()
-                workers.add(worker)
+                workers[worker] = inbox
             except RuntimeError as error:  # no more threads
                 call.arrivals.put((None, ResourceExhausted(str(error))))
         del order, call, what
     channel.close()
+    for inbox in workers.values():
+        inbox.put(None)
     for worker in workers:
         worker.join()
 
@@ -159,7 +208,9 @@ class Caller:
         self._metadata = metadata
         self._process = os.getpid()
         self._orders: "queue.SimpleQueue[Any]" = queue.SimpleQueue()
-        thread = threading.Thread(target=_serve, args=(channel, self._orders),
+        self._idle = _Idle()
+        thread = threading.Thread(target=_serve,
+                                  args=(channel, self._orders, self._idle),
                                   name="geodesic.connect", daemon=True)
         thread.start()
         weakref.finalize(self, _end, self._orders, thread)
@@ -176,15 +227,17 @@ class Caller:
         """Of what begins now."""
         return deadline_after(self._timeout)
 
-    def call(self, method: Callable, request: Any, repeat: bool = True) -> Any:
+    def call(self, method: Callable, request: Any, repeat: bool = True,
+             mesh: str = "") -> Any:
         """The response of a call that has one. A `request` in messages is a
-        function that returns their iterator.
+        function that returns their iterator. `mesh` is the digest that the call
+        is about, if the request does not tell.
 
         Raises: the package's errors; Unavailable and ResourceExhausted only
             after some attempts, where calls may be repeated.
         """
         [response] = self._messages(method, request, False, repeat,
-                                    self.deadline())
+                                    self.deadline(), mesh)
         return response
 
     def stream(self, method: Callable, request: Any, repeat: bool = True,
@@ -196,12 +249,14 @@ class Caller:
                               self.deadline() if deadline is None else deadline)
 
     def _messages(self, method: Callable, request: Any, streams: bool,
-                  repeat: bool, deadline: float) -> Iterator[Any]:
+                  repeat: bool, deadline: float,
+                  mesh: str = "") -> Iterator[Any]:
         patience = Patience(deadline)
         while True:
             has_begun = False
             try:
-                for message in self._once(method, request, streams, deadline):
+                for message in self._once(method, request, streams, deadline,
+                                          mesh or _mesh_of(request)):
                     has_begun = True
                     yield message
                 return
@@ -211,28 +266,41 @@ class Caller:
                 patience.pause(error)
 
     def _once(self, method: Callable, request: Any, streams: bool,
-              deadline: float) -> Iterator[Any]:
+              deadline: float, mesh: str) -> Iterator[Any]:
         if self._process != os.getpid():
             raise Unavailable("the connection is another process's, which this "
                               "one was forked from: call geodesic.connect here")
         left = None if deadline == math.inf else deadline - time.monotonic()
         if left is not None and left <= 0:
             raise self._late()
+        metadata = self._metadata
+        if mesh:
+            metadata += (("geo-mesh-digest", mesh),)
         begin = functools.partial(_begin, method, streams, request, left,
-                                  self._metadata)
+                                  metadata)
         call = _Call(begin, streams)
+        has_ended = False
         try:
-            self._orders.put((call, None))
+            self._start(call)
             while True:
                 message, error = self._arrival(call, deadline)
-                if error is not None:
-                    raise error
                 if message is None:
+                    has_ended = True
+                    if error is not None:
+                        raise error
                     return
                 yield message
                 call.room.put(None)
         finally:
-            self._orders.put((call, True))
+            if not has_ended:
+                self._orders.put((call, True))
+
+    def _start(self, call: _Call) -> None:
+        """Has an idle thread make the call, or else a new one."""
+        try:
+            self._idle.inboxes.get_nowait().put(call)
+        except queue.Empty:
+            self._orders.put((call, None))
 
     def _arrival(self, call: _Call, deadline: float) -> Tuple[Any, Any]:
         if deadline == math.inf:
@@ -246,6 +314,19 @@ class Caller:
     def _late(self) -> DeadlineExceeded:
         return DeadlineExceeded(
             f"the answer did not come within {self._timeout:g} seconds")
+
+
+def _mesh_of(request: Any) -> str:
+    """The digest that a request is about, by which a balancer finds the replica
+    that has the mesh (protocol.md, "Several servers"); empty for none."""
+    for name in ("mesh_digest", "digest"):
+        if getattr(request, name, ""):
+            return getattr(request, name)
+    for digest in getattr(request, "mesh_digests", ()):
+        return digest
+    for file in getattr(request, "files", ()):
+        return file.sha256
+    return ""
 
 
 def _begin(method: Any, streams: bool, request: Any, timeout: Optional[float],

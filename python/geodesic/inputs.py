@@ -9,7 +9,7 @@ import numpy as np
 from .arguments import to_array
 from .errors import InvalidArgument
 
-_HINT = ("a mesh is Mesh(vertices, faces), a file (.obj, .ply, .off, .stl), or a "
+_HINT = ("a mesh is Mesh(vertices, faces), a file (.obj, .ply, .off, .stl, .vtk, .glb, .gz), or a "
          "mesh of trimesh, meshio or PyVista")
 
 

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import dataclasses
+import math
+import threading
+from concurrent import futures
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 import numpy as np
 
 from . import _core
+from .approximate import Approximate
 from .backend import FieldAnswer, IsolineAnswer, Options, PathAnswer
 from .digest import mesh_digest
+from .errors import InvalidArgument
 from .places import Places, Sources, empty
 
 _ALL_TARGETS = 2**64 - 1
@@ -28,11 +34,18 @@ def labels_of(numbers: np.ndarray) -> np.ndarray:
     return numbers.view(np.int32)
 
 
+# What approximate algorithms have prepared of a mesh: so many of them are kept.
+_METHODS_OF_A_MESH = 4
+
+
 class LocalBackend:
-    """A mesh in this process. Thread-safe: nothing of it changes."""
+    """A mesh in this process. Thread-safe: nothing of it changes but for what
+    approximate algorithms have prepared."""
 
     def __init__(self, mesh: _core.Mesh) -> None:
         self._mesh = mesh
+        self._lock = threading.Lock()
+        self._methods: Dict[Approximate, _core.Method] = {}  # latest last
         self.vertex_count: int = mesh.vertex_count
         self.face_count: int = mesh.face_count
 
@@ -61,11 +74,77 @@ class LocalBackend:
             _core.Sources(_core_places(sources.places), sources.counts,
                           sources.offsets),
             _core_places(empty(0) if targets is None else targets),
-            options.algorithm or _core.ALGORITHMS[0][0], trace)
+            options.exact or _core.ALGORITHMS[0][0], trace,
+            options.tolerance)
+
+    def _method(self, wanted: Approximate, options: Options) -> _core.Method:
+        """Prepares it if need be. Several threads may do so at once; the last
+        one's is kept."""
+        with self._lock:
+            method = self._methods.pop(wanted, None)
+            if method is not None:
+                self._methods[wanted] = method
+                return method
+        method = _core.Method(self._mesh, wanted.name, wanted.neighbours or 50,
+                              wanted.samples or 200, options.threads,
+                              options.progress)
+        with self._lock:
+            self._methods[wanted] = method
+            while len(self._methods) > _METHODS_OF_A_MESH:
+                del self._methods[next(iter(self._methods))]
+        return method
+
+    def _approximate_field(self, wanted: Approximate, sources: Sources,
+                           targets: Places, radius: float,
+                           options: Options) -> FieldAnswer:
+        distances, seconds = self._method(wanted, options).distances(
+            self._query(sources, None, options), options.progress)
+        distances[distances > radius] = np.inf
+        defaults = {"svg": {"neighbours": 50}, "gtu": {"samples": 200}}
+        used = {name: getattr(wanted, name) or value
+                for name, value in defaults.get(wanted.name, {}).items()}
+        return FieldAnswer(
+            distances=distances,
+            target_distances=distances[targets.numbers[:, 0]],
+            settled_radius=0,
+            algorithm=wanted.name,
+            statistics={"solve_seconds": seconds},
+            approximation=Approximate(wanted.name, **used))
+
+    def _approximate_rows(self, wanted: Approximate, sources: Sources,
+                          targets: Optional[Places], radius: float,
+                          options: Options) -> Iterator[np.ndarray]:
+        """The values of each row."""
+        if np.any(sources.counts >= 0):
+            raise InvalidArgument(
+                f"sources: {wanted.name} is approximate and takes no curves")
+        self._method(wanted, options)
+        report = options.progress
+        quiet = dataclasses.replace(options, progress=None)
+
+        def row(i: int) -> np.ndarray:
+            source = Sources(sources.places[i:i + 1], sources.counts[i:i + 1],
+                             sources.offsets[i:i + 1])
+            distances = self._approximate_field(wanted, source, empty(0),
+                                                radius, quiet).distances
+            return (distances if targets is None else
+                    distances[targets.numbers[:, 0]])
+
+        count = len(sources)
+        # No more at once than there are threads: a row may be long.
+        with futures.ThreadPoolExecutor(options.threads) as pool:
+            for first in range(0, count, options.threads):
+                last = min(first + options.threads, count)
+                yield from pool.map(row, range(first, last))
+                if report is not None:
+                    report(last, count)
 
     def field(self, sources: Sources, targets: Places, radius: float,
               stop_after_targets: Optional[int], labels: bool, gradients: bool,
-              options: Options) -> FieldAnswer:
+              certified_errors: bool, options: Options) -> FieldAnswer:
+        if options.approximate is not None:
+            return self._approximate_field(options.approximate, sources,
+                                           targets, radius, options)
         query = self._query(sources, targets, options, labels or gradients)
         stop = _ALL_TARGETS if stop_after_targets is None else stop_after_targets
         field = _core.solve(query, radius, stop, options.threads,
@@ -77,7 +156,11 @@ class LocalBackend:
             algorithm=field.algorithm,
             statistics=field.statistics(),
             labels=labels_of(field.nearest_sources()) if labels else None,
-            gradients=field.gradients() if gradients else None)
+            gradients=field.gradients() if gradients else None,
+            # 0: exact.
+            certified_error=field.certified_error or None,
+            certified_errors=(field.certified_errors() if certified_errors
+                              else None))
         answer.distances = field.take_distances()
         answer.target_distances = field.take_target_distances()
         return answer
@@ -110,23 +193,52 @@ class LocalBackend:
 
     def fill_matrix(self, sources: Sources, targets: Optional[Places],
                     radius: float, out: np.ndarray, options: Options) -> None:
+        if options.approximate is not None:
+            for i, row in enumerate(self._approximate_rows(
+                    options.approximate, sources, targets, radius, options)):
+                out[i] = row
+            return
         _core.fill_matrix(self._query(sources, targets, options), radius,
                           options.threads, options.progress, out)
 
     def sparse_matrix(self, sources: Sources, targets: Optional[Places],
                       radius: float, options: Options,
                       ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+        if options.approximate is not None:
+            counts, columns, values = [], [], []
+            for row in self._approximate_rows(
+                    options.approximate, sources, targets, radius, options):
+                finite = np.flatnonzero(np.isfinite(row))
+                counts.append(len(finite))
+                columns.append(finite.astype(np.int32))
+                values.append(row[finite])
+            return (np.array(counts, np.int64), np.concatenate(columns),
+                    np.concatenate(values))
         return _core.sparse_matrix(self._query(sources, targets, options),
                                    radius, options.threads, options.progress)
 
     def nearest(self, sources: Sources, targets: Places, count: int,
                 radius: float, options: Options,
                 ) -> Tuple[np.ndarray, np.ndarray]:
+        if options.approximate is not None:
+            numbers = np.full((len(sources), count), -1, np.int64)
+            distances = np.full((len(sources), count), np.inf)
+            for i, row in enumerate(self._approximate_rows(
+                    options.approximate, sources, targets, radius, options)):
+                order = np.argsort(row, kind="stable")[:count]
+                order = order[np.isfinite(row[order])]
+                numbers[i, :len(order)] = order
+                distances[i, :len(order)] = row[order]
+            return numbers, distances
         return _core.nearest(self._query(sources, targets, options), count,
                              radius, options.threads, options.progress)
 
     def pairs(self, sources: Places, targets: Places,
               options: Options) -> np.ndarray:
+        if options.approximate is not None:
+            return self._approximate_pairs(
+                options.approximate, sources.numbers[:, 0],
+                targets.numbers[:, 0], options)
         order, ends = _groups(sources)
         backward, backward_ends = _groups(targets)
         # Distances are the same both ways, so the end that is shared by more
@@ -138,6 +250,25 @@ class LocalBackend:
         points = Sources(sources, np.full(count, -1), np.zeros(count))
         return _core.pairs(self._query(points, targets, options), order, ends,
                            options.threads, options.progress)
+
+    def _approximate_pairs(self, wanted: Approximate, sources: np.ndarray,
+                           targets: np.ndarray,
+                           options: Options) -> np.ndarray:
+        method = self._method(wanted, options)
+        found = method.pairs(sources, targets, options.progress)
+        if found is not None:
+            return found
+        # A field from each source answers all its pairs.
+        starts, number = np.unique(sources, return_inverse=True)
+        points = empty(len(starts))
+        points.numbers[:, 0] = starts
+        rows = self._approximate_rows(
+            wanted, Sources(points, np.full(len(starts), -1), np.zeros(len(starts))),
+            None, math.inf, options)
+        distances = np.empty(len(sources))
+        for i, row in enumerate(rows):
+            distances[number == i] = row[targets[number == i]]
+        return distances
 
     def samples(self, sources: Sources, count: int, options: Options,
                 ) -> Tuple[np.ndarray, np.ndarray]:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, inputs
+from .approximate import Approximate
 from .arguments import to_array, to_count, to_real
 from .asynchronous import AsyncMesh
 from .backend import Backend, Options
@@ -26,6 +27,7 @@ from .surface import FaceFinder, PointFinder
 OneOrManySources = Union[Source, Sequence[Source], NDArray[Any], Places]
 OneOrManyPlaces = Union[SurfacePoint, Sequence[SurfacePoint], NDArray[Any],
                         Places]
+AnyAlgorithm = Union[str, Approximate, None]
 
 
 def _threads(threads: Optional[int]) -> int:
@@ -42,6 +44,23 @@ def _radius(radius: Optional[float]) -> float:
     if not radius >= 0:
         raise InvalidArgument(f"radius is {radius}, which is no distance")
     return radius
+
+
+def _vertices_alone(places: Places, name: str, options: Options) -> None:
+    """Approximate algorithms know no other places' distances."""
+    if options.approximate is not None and np.any(places.kinds):
+        first = int(np.argmax(places.kinds != 0))
+        raise InvalidArgument(
+            f"{name}[{first}] is no vertex: {options.approximate.name} is "
+            "approximate and gives the distances of vertices alone")
+
+
+def _tolerance(tolerance: float) -> float:
+    tolerance = to_real(tolerance, "tolerance")
+    if tolerance != 0 and not 1e-9 <= tolerance <= 0.1:
+        raise InvalidArgument(
+            f"tolerance is {tolerance}, neither 0 nor from 1e-9 to 0.1")
+    return tolerance
 
 
 def _mask(values: Optional[ArrayLike], name: str, count: int) -> np.ndarray:
@@ -80,7 +99,12 @@ class Mesh:
         radius: stop there; what lies beyond is +inf. Costs what lies within.
         offsets: one per source, >= 0, added to the distances from it.
         algorithm: a name from geodesic.algorithms(). All give the same
-            distances.
+            distances. distances, field, matrix, nearest and pairs also take an
+            approximate one (geodesic.Approximate), with no bound on its error.
+        tolerance: the largest relative error that distances may have, from 1e-9
+            to 0.1: less time on large meshes, and a bound that holds
+            (Field.certified_error). 0: exact. An exact answer that is there
+            already may come instead.
         threads: how many may work on the question; None for as many as this
             process may use. The answer has the same bits with any number, up to
             rounding for pairs and paths to few targets.
@@ -94,7 +118,8 @@ class Mesh:
         """Takes arrays, a file, or another library's mesh.
 
         Args:
-            vertices: numbers (V, 3); or a file's path (.obj, .ply, .off, .stl);
+            vertices: numbers (V, 3); or a file's path (.obj, .ply, .off, .stl,
+                .vtk, .glb, .gltf, or .gz of these);
                 or a mesh of trimesh, meshio or PyVista.
             faces: integers (F, 3), the vertices of each triangle; polygons of
                 files and other libraries' meshes become fans of triangles.
@@ -200,14 +225,15 @@ class Mesh:
                   targets: Optional[OneOrManyPlaces] = None,
                   radius: Optional[float] = None,
                   offsets: Optional[ArrayLike] = None,
-                  algorithm: Optional[str] = None,
-                  threads: Optional[int] = 1,
+                  algorithm: AnyAlgorithm = None,
+                  tolerance: float = 0, threads: Optional[int] = 1,
                   progress: ProgressOption = None) -> NDArray[np.float64]:
         """The distance from the nearest source to every vertex.
 
             d = mesh.distances(0)
             d = mesh.distances([0, 5, 9], radius=20)
             d = mesh.distances(0, targets=[7, 99])     # just these two
+            d = mesh.distances(0, tolerance=1e-3)      # within 0.1 %
 
         Returns:
             (V,); with targets (T,), one per target, at the cost of a search that
@@ -217,20 +243,24 @@ class Mesh:
             source, offsets)
         if targets is not None and len(points) == 0:
             return np.empty(0)
-        with reporting(progress, "vertices") as report:
+        options = Options(algorithm, _threads(threads),
+                          tolerance=_tolerance(tolerance))
+        _vertices_alone(points, "targets", options)
+        stops = targets is not None and options.approximate is None
+        with reporting(progress, "vertices") as options.progress:
             field = self._backend.field(
                 sources, points, _radius(radius),
-                None if targets is None else len(points), False, False,
-                Options(algorithm, _threads(threads), report))
+                len(points) if stops else None, False, False, False, options)
         return field.distances if targets is None else field.target_distances
 
     def field(self, source: OneOrManySources = 0, *, labels: bool = False,
-              gradients: bool = False,
+              gradients: bool = False, certified_errors: bool = False,
               targets: Optional[OneOrManyPlaces] = None,
               stop_after_targets: Optional[int] = None,
               radius: Optional[float] = None,
               offsets: Optional[ArrayLike] = None,
-              algorithm: Optional[str] = None, threads: Optional[int] = 1,
+              algorithm: AnyAlgorithm = None, tolerance: float = 0,
+              threads: Optional[int] = 1,
               progress: ProgressOption = None) -> Field:
         """Distances, and what else one search knows.
 
@@ -240,6 +270,8 @@ class Mesh:
         Args:
             labels: also the number of the nearest source of every vertex.
             gradients: also the direction in which the distance grows.
+            certified_errors: also by how much the distance of every vertex may
+                be off, with a tolerance.
             targets: places whose distances are wanted beside the vertices'.
             stop_after_targets: stop when so many targets are known.
         """
@@ -248,10 +280,23 @@ class Mesh:
         if stop_after_targets is not None:
             stop_after_targets = to_count(stop_after_targets,
                                           "stop_after_targets")
-        with reporting(progress, "vertices") as report:
+        tolerance = _tolerance(tolerance)
+        if tolerance != 0 and (labels or gradients):
+            raise InvalidArgument(
+                f"{'labels' if labels else 'gradients'}: a field within a "
+                "tolerance keeps no paths; leave the tolerance out")
+        options = Options(algorithm, _threads(threads), tolerance=tolerance)
+        for is_asked, what in ((labels, "labels are"),
+                               (gradients, "gradients are"),
+                               (certified_errors, "certified errors are"),
+                               (stop_after_targets, "fields that stop are")):
+            if is_asked:
+                options.exact_alone(what)
+        _vertices_alone(points, "targets", options)
+        with reporting(progress, "vertices") as options.progress:
             answer = self._backend.field(
                 sources, points, _radius(radius), stop_after_targets, labels,
-                gradients, Options(algorithm, _threads(threads), report))
+                gradients, certified_errors, options)
         return Field(
             distances=answer.distances,
             target_distances=(None if targets is None else
@@ -260,7 +305,10 @@ class Mesh:
             gradients=answer.gradients,
             settled_radius=answer.settled_radius,
             algorithm=answer.algorithm,
-            statistics=answer.statistics)
+            statistics=answer.statistics,
+            certified_error=answer.certified_error,
+            certified_errors=answer.certified_errors,
+            approximation=answer.approximation)
 
     def labels(self, sources: OneOrManySources, **options: Any,
                ) -> NDArray[np.int32]:
@@ -301,7 +349,8 @@ class Mesh:
             raise InvalidArgument(f"interval is {interval}; seconds are wanted")
         return self._backend.progressive(
             self._sources(source, offsets), _radius(radius), interval,
-            Options(algorithm, _threads(threads)))
+            Options(algorithm, _threads(threads)).exact_alone(
+                "progressive fields are"))
 
     def distance(self, source: SurfacePoint, target: SurfacePoint) -> float:
         """The distance between two places, by a search that is directed at the
@@ -310,12 +359,15 @@ class Mesh:
 
     def pairs(self, sources: OneOrManyPlaces,
               targets: Optional[OneOrManyPlaces] = None, *,
-              threads: Optional[int] = None,
+              algorithm: AnyAlgorithm = None, threads: Optional[int] = None,
               progress: ProgressOption = None) -> NDArray[np.float64]:
         """The distance from each source to the target of the same number.
 
             d = mesh.pairs([0, 1, 2], [7, 8, 9])  # places of any kind
             d = mesh.pairs(vertex_pairs)          # integers (N, 2)
+
+        Args:
+            algorithm: an approximate one, for vertices; None for exact distances.
 
         Returns:
             (N,). Up to rounding the same as those of distances().
@@ -337,9 +389,15 @@ class Mesh:
                                   f"{len(ends)} targets: pairs need as many")
         if len(starts) == 0:
             return np.empty(0)
-        with reporting(progress, "sources") as report:
-            return self._backend.pairs(
-                starts, ends, Options(None, _threads(threads), report))
+        options = Options(algorithm, _threads(threads))
+        if options.exact is not None:
+            raise InvalidArgument(
+                f"algorithm is {options.exact!r}, but exact pairs are searched "
+                "for by the default one; name none, or an approximate one")
+        _vertices_alone(starts, "sources", options)
+        _vertices_alone(ends, "targets", options)
+        with reporting(progress, "sources") as options.progress:
+            return self._backend.pairs(starts, ends, options)
 
     def path(self, source: OneOrManySources, target: SurfacePoint,
              **options: Any) -> Path:
@@ -370,7 +428,8 @@ class Mesh:
         with reporting(progress, "vertices") as report:
             answers = self._backend.paths(
                 sources, points, _radius(radius),
-                Options(algorithm, _threads(threads), report))
+                Options(algorithm, _threads(threads),
+                        report).exact_alone("paths are"))
         return [
             Path(self, a.places, a.points, a.distance, a.length, a.source)
             for a in answers
@@ -380,7 +439,8 @@ class Mesh:
                  levels: Optional[ArrayLike] = None,
                  count: Optional[int] = None,
                  offsets: Optional[ArrayLike] = None,
-                 algorithm: Optional[str] = None, threads: Optional[int] = 1,
+                 algorithm: Optional[str] = None, tolerance: float = 0,
+                 threads: Optional[int] = 1,
                  progress: ProgressOption = None) -> List[Isoline]:
         """Lines of equal distance, as ordered polylines on the surface.
 
@@ -393,12 +453,14 @@ class Mesh:
             In order of level. A level may have many lines.
         """
         sources = self._sources(source, offsets)
-        options = Options(algorithm, _threads(threads))
+        options = Options(
+            algorithm, _threads(threads),
+            tolerance=_tolerance(tolerance)).exact_alone("isolines are")
         if levels is None:
             count = 10 if count is None else to_count(count, "count")
             distances = self._backend.field(
                 sources, self._places(None, "targets"), math.inf, None, False,
-                False, options).distances
+                False, False, options).distances
             largest = distances[np.isfinite(distances)].max(initial=0)
             if largest == 0:
                 return []
@@ -419,7 +481,8 @@ class Mesh:
                radius: Optional[float] = None, dtype: Any = np.float64,
                out: Optional[np.ndarray] = None,
                offsets: Optional[ArrayLike] = None,
-               algorithm: Optional[str] = None, threads: Optional[int] = None,
+               algorithm: AnyAlgorithm = None, tolerance: float = 0,
+               threads: Optional[int] = None,
                progress: ProgressOption = None) -> Any:
         """The distance from every source to every target.
 
@@ -453,7 +516,10 @@ class Mesh:
             raise InvalidArgument("there is no target")
         columns = self.n_vertices if points is None else len(points)
         with reporting(progress, "rows") as report:
-            options = Options(algorithm, _threads(threads), report)
+            options = Options(algorithm, _threads(threads), report,
+                              _tolerance(tolerance))
+            if points is not None:
+                _vertices_alone(points, "targets", options)
             if radius is not None and out is None:
                 return self._sparse(rows, points, columns, _radius(radius),
                                     dtype, options)
@@ -491,7 +557,7 @@ class Mesh:
     def nearest(self, sources: OneOrManySources, targets: OneOrManyPlaces,
                 k: int = 1, *, radius: Optional[float] = None,
                 offsets: Optional[ArrayLike] = None,
-                algorithm: Optional[str] = None,
+                algorithm: AnyAlgorithm = None, tolerance: float = 0,
                 threads: Optional[int] = None,
                 progress: ProgressOption = None,
                 ) -> Tuple[NDArray[np.int64], NDArray[np.float64]]:
@@ -506,13 +572,16 @@ class Mesh:
         if len(points) == 0:
             raise InvalidArgument("there is no target")
         k = to_count(k, "k", "ask for at least one target")
-        with reporting(progress, "rows") as report:
-            return self._backend.nearest(
-                rows, points, k, _radius(radius),
-                Options(algorithm, _threads(threads), report))
+        options = Options(algorithm, _threads(threads),
+                          tolerance=_tolerance(tolerance))
+        _vertices_alone(points, "targets", options)
+        with reporting(progress, "rows") as options.progress:
+            return self._backend.nearest(rows, points, k, _radius(radius),
+                                         options)
 
     def samples(self, count: int, source: OneOrManySources = 0, *,
-                algorithm: Optional[str] = None, threads: Optional[int] = 1,
+                algorithm: Optional[str] = None, tolerance: float = 0,
+                threads: Optional[int] = 1,
                 progress: ProgressOption = None,
                 ) -> Tuple[NDArray[np.int64], NDArray[np.float64]]:
         """Farthest-point samples: vertices, each the farthest from the source
@@ -526,7 +595,8 @@ class Mesh:
         with reporting(progress, "vertices") as report:
             return self._backend.samples(
                 self._sources(source, None), count,
-                Options(algorithm, _threads(threads), report))
+                Options(algorithm, _threads(threads), report,
+                        _tolerance(tolerance)).exact_alone("samples are"))
 
     def log_map(self, source: SurfacePoint = 0, *,
                 radius: Optional[float] = None,
@@ -537,7 +607,8 @@ class Mesh:
         with reporting(progress, "vertices") as report:
             coordinates, zero_direction = self._backend.log_map(
                 self._sources(source, None), _radius(radius),
-                Options(algorithm, _threads(threads), report))
+                Options(algorithm, _threads(threads),
+                        report).exact_alone("log maps are"))
         return LogMap(coordinates, zero_direction)
 
     # Places.

@@ -1,4 +1,4 @@
-"""Pictures of meshes and distances, by PyVista or matplotlib."""
+"""Pictures of meshes and distances, by PyVista or matplotlib, and pages."""
 
 from __future__ import annotations
 
@@ -24,11 +24,13 @@ def plot(mesh: "Mesh", values: Optional[ArrayLike] = None, *,
         lines: Paths and Isolines to draw on it.
         view: which way to look: "xy" along the z axis, likewise "xz", "yz"; a
             "-" in front looks from the other side (matplotlib).
-        file: write a picture there instead of showing it.
-        backend: "pyvista" or "matplotlib"; otherwise the first installed.
+        file: write a picture there instead of showing it, or a page if it ends
+            in .html.
+        backend: "pyvista", "matplotlib" or "page", which a notebook shows and
+            which has no lines; otherwise the first of the two installed.
 
     Returns:
-        PyVista's plotter or matplotlib's axes.
+        PyVista's plotter, matplotlib's axes or a Page.
     """
     if values is not None:
         values = np.asarray(values, np.float64)
@@ -36,6 +38,8 @@ def plot(mesh: "Mesh", values: Optional[ArrayLike] = None, *,
             raise InvalidArgument(
                 f"values have shape {values.shape}; one per vertex is "
                 f"({mesh.n_vertices},)")
+    if backend == "page" or backend is None and str(file).endswith(".html"):
+        return _as_page(mesh, values, lines, file, title)
     if backend in (None, "pyvista"):
         try:
             import pyvista
@@ -46,13 +50,26 @@ def plot(mesh: "Mesh", values: Optional[ArrayLike] = None, *,
             return _with_pyvista(pyvista, mesh, values, lines, file, title, cmap)
     elif backend != "matplotlib":
         raise InvalidArgument(
-            f"backend is {backend!r}; there are 'pyvista' and 'matplotlib'")
+            f"backend is {backend!r}; there are 'pyvista', 'matplotlib' and "
+            "'page'")
     try:
         import matplotlib  # noqa: F401
     except ImportError:
         raise ImportError("mesh.plot draws with PyVista or matplotlib; neither "
                           "is installed") from None
     return _with_matplotlib(mesh, values, lines, view, file, title, cmap)
+
+
+def _as_page(mesh, values, lines, file, title):
+    from .page import page
+    if len(lines):
+        raise InvalidArgument("a page shows no lines: leave them out, or draw "
+                              "with backend='matplotlib'")
+    shown = page(mesh, np.zeros(mesh.n_vertices) if values is None else values,
+                 title)
+    if file is not None:
+        shown.save(file)
+    return shown
 
 
 def _with_pyvista(pyvista, mesh, values, lines, file, title, cmap):

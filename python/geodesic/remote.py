@@ -9,6 +9,7 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 import grpc
 import numpy as np
 
+from .approximate import Approximate
 from .backend import FieldAnswer, IsolineAnswer, Options, PathAnswer
 from .calls import Caller, Patience
 from .errors import (InternalError, InvalidArgument, NotFound,
@@ -60,12 +61,17 @@ class Stubs:
             raise InternalError("the stream ended without a trailer")
 
 
-def _algorithm(name: Optional[str]) -> int:
+def _algorithm(options: Options) -> int:
+    if options.approximate is not None:
+        word = options.approximate.name.upper().replace("-", "_")
+        return query_pb2.Algorithm.Value("ALGORITHM_" + word)
+    name = options.exact
     if name is None:
         return query_pb2.ALGORITHM_UNSPECIFIED
     known = {
         key[len("ALGORITHM_"):].lower().replace("_", "-"): number
-        for key, number in query_pb2.Algorithm.items() if number != 0
+        for key, number in query_pb2.Algorithm.items()
+        if 0 < number < query_pb2.ALGORITHM_FMM  # the exact ones
     }
     if name not in known:
         raise InvalidArgument(f'unknown algorithm "{name}"; known are: ' +
@@ -76,6 +82,29 @@ def _algorithm(name: Optional[str]) -> int:
 def _algorithm_name(number: int) -> str:
     return query_pb2.Algorithm.Name(number)[len("ALGORITHM_"):].lower().replace(
         "_", "-")
+
+
+def _accuracy(options: Options) -> Dict[str, Any]:
+    """The members of a request that say it, if it is to have some."""
+    if options.approximate is not None:
+        return {"approximation": query_pb2.Approximation(
+            neighbours=options.approximate.neighbours,
+            samples=options.approximate.samples,
+            **{"lambda": options.approximate.lambda_})}
+    return {"tolerance": options.tolerance} if options.tolerance != 0 else {}
+
+
+def _approximation(header: Any) -> Optional[Approximate]:
+    """What a header says of it; None where distances are not approximate."""
+    if not header.HasField("approximation"):
+        return None
+
+    def used(name: str) -> Any:
+        told = header.approximation
+        return getattr(told, name) if told.HasField(name) else None
+
+    return Approximate(_algorithm_name(header.algorithm), used("neighbours"),
+                       used("lambda"), used("samples"))
 
 
 def _statistics(message: query_pb2.SolveStatistics) -> Dict[str, Any]:
@@ -98,7 +127,9 @@ class _FieldReader:
         self.distances = np.empty(0)
         self.labels: Optional[np.ndarray] = None
         self.gradients: Optional[np.ndarray] = None
+        self.certified_errors: Optional[np.ndarray] = None
         self.target_distances = np.empty(0)
+        self.approximation: Optional[Approximate] = None
         self.trailer: Any = None
 
     def begin_again(self) -> None:
@@ -111,6 +142,7 @@ class _FieldReader:
                 self.distances = np.full(part.vertex_count, np.inf)
             self.target_distances = np.full(part.target_count, np.inf)
             self.algorithm = part.algorithm
+            self.approximation = _approximation(part)
         elif name == "progress" and self._options.progress is not None:
             self._options.progress(part.vertices_reached, self.vertex_count)
         elif name == "chunk":
@@ -139,6 +171,11 @@ class _FieldReader:
                 self.gradients = np.zeros((self.vertex_count, 3))
             self.gradients[span] = np.frombuffer(chunk.gradients,
                                                  "<f8").reshape(-1, 3)
+        if chunk.certified_errors:
+            if self.certified_errors is None:
+                self.certified_errors = np.zeros(self.vertex_count, np.float32)
+            self.certified_errors[span] = np.frombuffer(chunk.certified_errors,
+                                                        "<f4")
         self.first_missing = span.stop
 
 
@@ -260,14 +297,15 @@ class RemoteBackend:
         request = field_service_pb2.ComputeFieldRequest(
             mesh_digest=self.digest(),
             sources=source_messages(sources),
-            algorithm=_algorithm(options.algorithm))
+            algorithm=_algorithm(options),
+            **_accuracy(options))
         if radius < math.inf:
             request.radius = radius
         return request
 
     def field(self, sources: Sources, targets: Places, radius: float,
               stop_after_targets: Optional[int], labels: bool, gradients: bool,
-              options: Options) -> FieldAnswer:
+              certified_errors: bool, options: Options) -> FieldAnswer:
         request = self._field_request(sources, radius, options)
         request.targets.extend(surface_points(targets))
         if stop_after_targets is not None:
@@ -278,6 +316,9 @@ class RemoteBackend:
         if gradients:
             request.quantities.append(
                 field_service_pb2.FIELD_QUANTITY_GRADIENT)
+        if certified_errors:
+            request.quantities.append(
+                field_service_pb2.FIELD_QUANTITY_CERTIFIED_ERROR)
         reader = _FieldReader(options)
         self._resident(lambda: self._read_field(request, reader))
         return FieldAnswer(
@@ -287,7 +328,12 @@ class RemoteBackend:
             algorithm=_algorithm_name(reader.algorithm),
             statistics=_statistics(reader.trailer.statistics),
             labels=reader.labels,
-            gradients=reader.gradients)
+            gradients=reader.gradients,
+            certified_error=(reader.trailer.certified_error if
+                             reader.trailer.HasField("certified_error") else
+                             None),
+            certified_errors=reader.certified_errors,
+            approximation=reader.approximation)
 
     def _read_field(self, request: Any, reader: _FieldReader) -> None:
         """Reads on where a stream breaks."""
@@ -331,7 +377,7 @@ class RemoteBackend:
             mesh_digest=self.digest(),
             sources=source_messages(sources),
             targets=surface_points(targets),
-            algorithm=_algorithm(options.algorithm))
+            algorithm=_algorithm(options))
         if radius < math.inf:
             request.radius = radius
         answers = []
@@ -351,7 +397,8 @@ class RemoteBackend:
             mesh_digest=self.digest(),
             sources=source_messages(sources),
             levels=levels,
-            algorithm=_algorithm(options.algorithm))
+            algorithm=_algorithm(options),
+            **_accuracy(options))
         answers = []
         polyline = Polyline()
         for name, part in self._answer(self._stubs.paths.ComputeIsolines,
@@ -394,8 +441,8 @@ class RemoteBackend:
         def make(messages):
             request = matrix_service_pb2.ComputeMatrixRequest(
                 mesh_digest=self.digest(), sources=messages, targets=columns,
-                algorithm=_algorithm(options.algorithm),
-                value_type=value_type, layout=layout)
+                algorithm=_algorithm(options),
+                value_type=value_type, layout=layout, **_accuracy(options))
             if radius < math.inf:
                 request.radius = radius
             return request
@@ -443,7 +490,8 @@ class RemoteBackend:
         def make(messages):
             request = matrix_service_pb2.FindNearestRequest(
                 mesh_digest=self.digest(), sources=messages, targets=points,
-                count=count, algorithm=_algorithm(options.algorithm))
+                count=count, algorithm=_algorithm(options),
+                **_accuracy(options))
             if radius < math.inf:
                 request.radius = radius
             return request
@@ -481,7 +529,8 @@ class RemoteBackend:
         for first in range(0, len(sources), at_once):
             some = slice(first, first + at_once)
             request = pair_service_pb2.ComputePairsRequest(
-                mesh_digest=self.digest())
+                mesh_digest=self.digest(), algorithm=_algorithm(options),
+                **_accuracy(options))
             if are_vertices:
                 request.vertex_pairs.extend(
                     np.column_stack([sources.numbers[some, 0],
@@ -500,7 +549,8 @@ class RemoteBackend:
             mesh_digest=self.digest(),
             sources=source_messages(sources),
             count=count,
-            algorithm=_algorithm(options.algorithm))
+            algorithm=_algorithm(options),
+            **_accuracy(options))
         found = [
             (sample.vertex, sample.distance)
             for name, part in self._answer(
@@ -517,7 +567,7 @@ class RemoteBackend:
         request = field_service_pb2.ComputeLogMapRequest(
             mesh_digest=self.digest(),
             source=next(iter(surface_points(sources.places))),
-            algorithm=_algorithm(options.algorithm))
+            algorithm=_algorithm(options))
         if radius < math.inf:
             request.radius = radius
         coordinates = np.full((self.vertex_count, 2), np.nan)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
 
 import numpy as np
 
+from .approximate import Approximate
 from .places import Places
 
 if TYPE_CHECKING:
@@ -27,10 +28,16 @@ class Field:
         gradients: float64 (V, 3): the unit vector in which the distance grows,
             along the shortest path that arrives; 0 at sources and where no path
             leads; None unless asked for.
-        settled_radius: every distance up to here is there and exact; +inf if
-            nothing was left out.
+        settled_radius: every distance up to here is there, exact or within the
+            tolerance; +inf if nothing was left out; 0 if it is approximate.
         algorithm: the name of the one that ran.
         statistics: figures of the computation, such as solve_seconds.
+        certified_error: no distance is farther from the truth than this part of
+            it, which is at most the tolerance; None if distances are exact.
+        certified_errors: float32 (V,), the same for each vertex; 0 where the
+            distance is exact or infinite; None unless asked for.
+        approximation: the approximate algorithm, with the parameters that were
+            used; None if distances are exact or within a tolerance.
     """
 
     distances: np.ndarray
@@ -40,6 +47,9 @@ class Field:
     settled_radius: float
     algorithm: str
     statistics: Dict[str, Any]
+    certified_error: Optional[float] = None
+    certified_errors: Optional[np.ndarray] = None
+    approximation: Optional[Approximate] = None
 
     def __array__(self, dtype=None) -> np.ndarray:
         return np.asarray(self.distances, dtype)
@@ -47,9 +57,13 @@ class Field:
     def __repr__(self) -> str:
         finite = self.distances[np.isfinite(self.distances)]
         largest = f"{finite.max():.6g}" if finite.size else "none"
+        within = ("" if self.certified_error is None else
+                  f", within {self.certified_error:.2g}")
+        if self.approximation is not None:
+            within = ", approximate"
         return (f"<geodesic.Field: {finite.size} of {self.distances.size} "
                 f"vertices reached, largest distance {largest}, "
-                f"{self.algorithm}>")
+                f"{self.algorithm}{within}>")
 
 
 class _Polyline:

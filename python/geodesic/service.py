@@ -11,6 +11,7 @@ import pathlib
 from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
 
 import grpc
+import grpc.experimental
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -30,6 +31,9 @@ _FORMATS = {
     ".ply": mesh_pb2.MESH_FORMAT_PLY,
     ".off": mesh_pb2.MESH_FORMAT_OFF,
     ".stl": mesh_pb2.MESH_FORMAT_STL,
+    ".vtk": mesh_pb2.MESH_FORMAT_VTK,
+    ".glb": mesh_pb2.MESH_FORMAT_GLTF,
+    ".gltf": mesh_pb2.MESH_FORMAT_GLTF,
 }
 
 PemOrPath = Union[str, bytes, os.PathLike]
@@ -154,7 +158,7 @@ class Service:
                 vertex_count=len(kept),
                 face_count=len(numbers),
                 expected_digest=digest)
-            return self._upload(header, (kept, numbers))
+            return self._upload(header, (kept, numbers), digest)
 
         missing = self._stubs.call(
             self._stubs.meshes.FindMissingMeshes,
@@ -167,17 +171,19 @@ class Service:
                              self._arrays)
 
     def _file(self, path: pathlib.Path) -> Mesh:
-        if path.suffix.lower() not in _FORMATS:
+        plain = path.with_suffix("") if path.suffix.lower() == ".gz" else path
+        if plain.suffix.lower() not in _FORMATS:
             raise InvalidArgument(f"{path} is no mesh file; there are " +
-                                  ", ".join(_FORMATS))
+                                  ", ".join(_FORMATS) + ", and .gz of these")
         data = np.frombuffer(path.read_bytes(), np.uint8)
-        file = mesh_pb2.FileDigest(format=_FORMATS[path.suffix.lower()],
+        file = mesh_pb2.FileDigest(format=_FORMATS[plain.suffix.lower()],
                                    sha256=hashlib.sha256(data.data).hexdigest())
 
         def upload() -> mesh_pb2.Mesh:
             return self._upload(
                 mesh_service_pb2.UploadHeader(format=file.format,
-                                              size_bytes=data.nbytes), (data,))
+                                              size_bytes=data.nbytes), (data,),
+                file.sha256)
 
         known = self._stubs.call(
             self._stubs.meshes.FindMissingMeshes,
@@ -190,11 +196,14 @@ class Service:
             RemoteBackend(self._stubs, mesh, None, upload, self._arrays))
 
     def _upload(self, header: mesh_service_pb2.UploadHeader,
-                arrays: Tuple[np.ndarray, ...]) -> mesh_pb2.Mesh:
-        """Sends a mesh's bytes, again where the connection breaks."""
+                arrays: Tuple[np.ndarray, ...],
+                digest: str) -> mesh_pb2.Mesh:
+        """Sends a mesh's bytes, again where the connection breaks. `digest`: the
+        mesh's, or the file's."""
         return self._stubs.call(
             self._stubs.meshes.CreateMesh,
-            functools.partial(_upload_messages, header, arrays)).mesh
+            functools.partial(_upload_messages, header, arrays),
+            mesh=digest).mesh
 
 
 def _upload_messages(header: mesh_service_pb2.UploadHeader,
@@ -275,6 +284,13 @@ def connect(address: str, *, token: Optional[str] = None,
         ("grpc.enable_retries", 0),
         ("grpc.initial_reconnect_backoff_ms", 200),
         ("grpc.max_reconnect_backoff_ms", 3000),
+        # The thread that reads a stream waits for gRPC itself, not for another
+        # thread that does: two switches of threads less for each message.
+        (grpc.experimental.ChannelOptions.SingleThreadedUnaryStream, 1),
+        # Notices who is gone without a word. A server takes pings in silence
+        # every five minutes for abuse if they come more often.
+        ("grpc.keepalive_time_ms", 310_000),
+        ("grpc.keepalive_timeout_ms", 20_000),
         # Parts of answers have their own bounds.
         ("grpc.max_receive_message_length", -1),
     ]

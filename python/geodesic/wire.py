@@ -122,6 +122,13 @@ def _detail_types() -> Any:
 _Status, _ErrorInfo = _detail_types()
 
 
+# What gRPC says of a stream that ends without a status: so balancers pass on
+# that the server behind them is gone. HAProxy ends the connection, nginx resets
+# the stream.
+_BROKEN = ((grpc.StatusCode.UNKNOWN, "Stream removed"),
+           (grpc.StatusCode.INTERNAL, "Received RST_STREAM with error code 2"))
+
+
 def error_of(error: grpc.RpcError) -> GeodesicError:
     """The package's exception for one of gRPC's."""
     reason = None
@@ -134,7 +141,10 @@ def error_of(error: grpc.RpcError) -> GeodesicError:
         for detail in _Status.FromString(value).details:
             if detail.type_url.endswith("/google.rpc.ErrorInfo"):
                 reason = _ErrorInfo.FromString(detail.value).reason
-    made = from_code(error.code().value[0], error.details() or
-                     error.code().name, reason)
+    code, details = error.code(), error.details() or error.code().name
+    if (code, details) in _BROKEN:
+        code = grpc.StatusCode.UNAVAILABLE
+        details = "the connection broke within the answer"
+    made = from_code(code.value[0], details, reason)
     made.retry_after = retry_after
     return made

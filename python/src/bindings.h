@@ -8,8 +8,9 @@
 
 namespace geodesic::python {
 
-void BindMesh(pybind11::module_& module);   // Mesh, Query
-void BindField(pybind11::module_& module);  // Computation, Field
+void BindMesh(pybind11::module_& module);     // Mesh, Query
+void BindField(pybind11::module_& module);    // Computation, Field
+void BindMethods(pybind11::module_& module);  // approximate ones
 void BindPaths(pybind11::module_& module);
 void BindQuestions(pybind11::module_& module);  // isolines, samples
 void BindRows(pybind11::module_& module);       // matrices, nearest, pairs

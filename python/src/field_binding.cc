@@ -79,6 +79,13 @@ py::array_t<double> GradientsOf(const Field& self) {
   return ToArray(AskOf(self, Gradients));
 }
 
+// 0 everywhere if the field is exact.
+py::array_t<float> CertifiedErrorsOf(const Field& self) {
+  std::vector<float> errors = self.field.certified_errors;
+  errors.resize(self.question.mesh().vertex_count());
+  return ToArray(std::move(errors));
+}
+
 py::tuple LogMapOf(const Field& self, double radius) {
   LogMap map = AskOf(self, [radius](const Mesh& mesh, const ValidQuery& query,
                                     const DistanceField& field) {
@@ -187,6 +194,10 @@ void BindField(py::module_& module) {
       .def("statistics", &Statistics)
       .def("nearest_sources", &NearestSourcesOf)
       .def("gradients", &GradientsOf)
+      .def_property_readonly(
+          "certified_error",
+          [](const Field& self) { return self.field.certified_error; })
+      .def("certified_errors", &CertifiedErrorsOf)
       .def("log_map", &LogMapOf);
   module.def("solve", &Solve);
   py::class_<Progression>(module, "Progression")

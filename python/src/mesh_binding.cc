@@ -20,6 +20,9 @@ namespace {
 namespace py = pybind11;
 using DoubleArray = py::array_t<double, py::array::c_style>;
 
+// More than the largest mesh takes in any format.
+constexpr uint64_t kMostGzipBytes = uint64_t{1} << 40;
+
 MeshHandle BuildMesh(const DoubleArray& vertices, const py::array& faces) {
   TriangleSoup soup{ToPoints(vertices), ToTriangles(faces)};
   Watch watch{py::none()};
@@ -34,7 +37,8 @@ MeshHandle ReadFile(const py::bytes& bytes, const std::string& name) {
   return MeshHandle(
       watch.Run([&]() -> absl::StatusOr<std::shared_ptr<const Mesh>> {
         absl::StatusOr<TriangleSoup> soup =
-            ReadMesh(text, format, {.checkpoint = &watch});
+            ReadMesh(text, format,
+                     {.max_gzip_bytes = kMostGzipBytes, .checkpoint = &watch});
         if (!soup.ok()) return soup.status();
         return Mesh::Build(*std::move(soup), watch);
       }));
@@ -81,12 +85,13 @@ py::dict Facts(const MeshHandle& self) {
 
 QueryHandle MakeQuery(const MeshHandle& mesh, const SourceArrays& sources,
                       const PlaceArrays& targets, const std::string& algorithm,
-                      bool trace) {
+                      bool trace, double tolerance) {
   return {mesh, ValueOrThrow(ValidQuery::Make(
                     {.sources = ToSources(sources),
                      .targets = ToSurfacePoints(targets),
                      .algorithm = ValueOrThrow(AlgorithmFromName(algorithm)),
-                     .trace = trace},
+                     .trace = trace,
+                     .tolerance = tolerance},
                     *mesh.mesh))};
 }
 

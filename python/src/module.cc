@@ -25,6 +25,7 @@ PYBIND11_MODULE(_core, module) {
   options.disable_function_signatures();
   BindMesh(module);
   BindField(module);
+  BindMethods(module);
   BindPaths(module);
   BindQuestions(module);
   BindRows(module);

@@ -196,7 +196,7 @@ absl::Status AnswerPairs(const QueryHandle& question,
       ValidQuery::Make(std::move(query), question.mesh());
   if (!valid.ok()) return valid.status();
   std::vector<double> found;
-  if (pairs.size() >= kTargetsWorthAField) {
+  if (pairs.size() >= kFieldInSearches) {
     absl::StatusOr<std::vector<double>> row =
         RowOf({question.on, *valid}, 0, kInfinity, pairs.size(), checkpoint);
     if (!row.ok()) return row.status();
@@ -221,7 +221,7 @@ py::array_t<double> Pairs(const QueryHandle& question,
   const PairGroups groups = ToGroups(order, ends);
   size_t searches = 0;
   for (const std::vector<size_t>& group : groups) {
-    if (group.size() < kTargetsWorthAField) searches += group.size();
+    if (group.size() < kFieldInSearches) searches += group.size();
   }
   std::vector<double> distances(question.query->targets.size());
   Watch watch(std::move(progress));

@@ -3,7 +3,6 @@
 #ifndef GEODESIC_PYTHON_SEARCH_POOL_H_
 #define GEODESIC_PYTHON_SEARCH_POOL_H_
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -18,15 +17,6 @@
 #include "geodesic/valid_query.h"
 
 namespace geodesic::python {
-
-// From so many targets of one source on, a field that stops at the last of them
-// is cheaper than a search for each (docs/questions.md, pairs).
-inline constexpr size_t kTargetsWorthAField = 12;
-
-// So many searches gain more by landmarks than these cost: 16 fields, each as
-// much as 13 searches or 26 with landmarks (docs/performance.md, pairs), break
-// even at 400.
-inline constexpr size_t kSearchesWorthLandmarks = 1000;
 
 // A search takes O(V + F) to set up, and then what it covers. There are as many
 // as ran at once. Thread-safe. The mesh must outlive it.

@@ -118,5 +118,23 @@ TEST_F(OutputFilesTest, WhatIsUnreachableIsInfEverywhere) {
   EXPECT_EQ(Doubles(FileBytes(folder_ / "m.f64"))[9], kInfinity);
 }
 
+// Doubles and the order of vertices are kept, compressed or not.
+TEST_F(OutputFilesTest, AreTheSameMeshAgain) {
+  const json packed =
+      GeodesicJson({"field", grid_, "--source", "0", "-o", folder_ / "d.ply.gz",
+                    "-o", folder_ / "d.vtk.gz"});
+  for (const json& output : packed["outputs"]) {
+    EXPECT_EQ(output["bytes"],
+              FileBytes(output["path"].get<std::string>()).size());
+  }
+  for (const char* name : {"d.ply", "d.vtk", "d.ply.gz", "d.vtk.gz"}) {
+    EXPECT_EQ(GeodesicJson({"distance", folder_ / name, "0", "1"})["mesh"],
+              digest_)
+        << name;
+  }
+  EXPECT_LT(FileBytes(folder_ / "d.vtk.gz").size(),
+            FileBytes(folder_ / "d.vtk").size());
+}
+
 }  // namespace
 }  // namespace geodesic::client

@@ -17,6 +17,7 @@
 
 #include "tests/integration/meshes.h"
 #include "tests/integration/running_server.h"
+#include "tests/support/http_get.h"
 #include "tests/support/until.h"
 
 namespace geodesic::client {
@@ -271,6 +272,70 @@ TEST_F(OwnServerTest, StatusTellsAllAndStopEndsIt) {
   EXPECT_TRUE(NoneLives());
   EXPECT_EQ(FileOf(".sock"), "");
   EXPECT_EQ(Run({"server", "status", "--json"}).exit_code, 1);
+}
+
+// The answer of the page's port to ListMeshes with this token; empty for none.
+std::string ListByPage(const std::string& page, const std::string& token) {
+  const std::string body(5, '\0');
+  std::string request =
+      "POST /geodesic.v1.MeshService/ListMeshes HTTP/1.1\r\n"
+      "Host: 127.0.0.1\r\nConnection: close\r\nContent-Length: 5\r\n"
+      "Content-Type: application/grpc-web+proto\r\n";
+  if (!token.empty()) request += "Authorization: Bearer " + token + "\r\n";
+  const int port = std::stoi(page.substr(page.rfind(':') + 1));
+  return test::HttpExchange(port, request + "\r\n" + body);
+}
+
+TEST_F(OwnServerTest, ViewShowsThePageToItsUserAlone) {
+  // A server without the page gives way to one that has it.
+  ASSERT_EQ(Run({"upload", mesh_}).exit_code, 0);
+  const json before = Status();
+  const ProcessResult view = Run({"view", mesh_, "--no-browser", "--json"});
+  ASSERT_EQ(view.exit_code, 0) << view.err;
+  const json shown = json::parse(view.out);
+  EXPECT_NE(Status()["pid"], before["pid"]);
+  const std::string url = shown["url"];
+  const size_t hash = url.find("/#token=");
+  const size_t end = url.find("&mesh=" + shown["mesh"].get<std::string>());
+  ASSERT_NE(hash, url.npos) << url;
+  ASSERT_NE(end, url.npos) << url;
+  const std::string page = url.substr(0, hash);
+  const std::string token = url.substr(hash + 8, end - hash - 8);
+  EXPECT_EQ(token.size(), 64);
+  EXPECT_THAT(ListByPage(page, ""), HasSubstr("grpc-status: 16"));
+  EXPECT_THAT(ListByPage(page, std::string(64, '0')),
+              HasSubstr("grpc-status: 16"));
+  EXPECT_THAT(ListByPage(page, token), HasSubstr("grpc-status: 0"));
+  // The same page again, and the same server for other commands.
+  const json again =
+      json::parse(Run({"view", mesh_, "--no-browser", "--json"}).out);
+  EXPECT_EQ(again["url"], url);
+  EXPECT_EQ(Run({"info", mesh_}).exit_code, 0);
+  for (const std::string ending : {".web-token", ".json"}) {
+    struct stat file = {};
+    ASSERT_EQ(stat(FileOf(ending).c_str(), &file), 0) << ending;
+    EXPECT_EQ(file.st_mode & 0777, 0600) << ending;
+  }
+}
+
+TEST_F(OwnServerTest, ViewGivesTheBrowserAFileAndNoToken) {
+  const std::string opened = folder_ / "opened";
+  const std::string program = folder_ / "xdg-open";
+  // Renamed when it is whole.
+  WriteFile(program, "#!/bin/sh\nprintf %s \"$1\" >" + opened + ".part\nmv " +
+                         opened + ".part " + opened + "\n");
+  ASSERT_EQ(chmod(program.c_str(), 0700), 0);
+  const Variable path("PATH", folder_.path().string() + ":" + getenv("PATH"));
+  const ProcessResult view = Run({"view", mesh_});
+  ASSERT_EQ(view.exit_code, 0) << view.err;
+  ASSERT_TRUE(test::Until([&] { return fs::exists(opened); }));
+  const std::string link = FileBytes(opened);
+  EXPECT_EQ(link, FileOf(".html"));
+  const std::string token = view.out.substr(view.out.find("token="), 70);
+  EXPECT_THAT(FileBytes(link), HasSubstr(token));
+  struct stat file = {};
+  ASSERT_EQ(stat(link.c_str(), &file), 0);
+  EXPECT_EQ(file.st_mode & 0777, 0600);
 }
 
 TEST_F(OwnServerTest, NamedServersWin) {

@@ -1,5 +1,6 @@
 """What meshes are made of, and what is said of what they cannot be."""
 
+import gzip
 import pathlib
 import pickle
 import tempfile
@@ -105,6 +106,9 @@ class InputsTest(Refusing):
                 "".join("3 %d %d %d\n" % tuple(f) for f in self.faces))
             self.assert_same(geodesic.Mesh(path))
             self.assert_same(geodesic.Mesh(str(path)))
+            packed = pathlib.Path(folder) / "octahedron.off.gz"
+            packed.write_bytes(gzip.compress(path.read_bytes()))
+            self.assert_same(geodesic.Mesh(packed))
             bad = pathlib.Path(folder) / "bad.off"
             bad.write_text("OFF\n1 1 0\n0 0 zero\n3 0 0 0\n")
             self.assert_refused("line 3", geodesic.Mesh, bad)
@@ -208,7 +212,7 @@ class InputsTest(Refusing):
     def test_refused_options(self):
         mesh = self.wanted
         self.assert_refused("known are: fwp-list", mesh.distances, 0,
-                            algorithm="heat")
+                            algorithm="dijkstra")
         self.assert_refused("radius is -1", mesh.distances, 0, radius=-1)
         self.assert_refused("radius is nan", mesh.distances, 0,
                             radius=float("nan"))

@@ -1,5 +1,7 @@
 """Pictures: what is drawn, and what is in front."""
 
+import base64
+import json
 import pathlib
 import sys
 import tempfile
@@ -65,6 +67,35 @@ class PlottingTest(unittest.TestCase):
         np.testing.assert_array_equal(faces.reshape(-1, 4)[:, 1:], mesh.faces)
         plotter.add_lines.assert_called_once()
         plotter.show.assert_called_once()
+
+    def test_page(self):
+        mesh = geodesic.Mesh(*meshes.sphere(2))
+        d = mesh.distances(0)
+        d[5] = np.nan
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "sphere.html"
+            page = mesh.plot(d, file=str(file), title="a</script>")
+            self.assertEqual(file.read_text(encoding="utf-8"), page.html)
+        self.assertIn("srcdoc=", page._repr_html_())
+        begin = '<script id="answer" type="application/json">'
+        answer = json.loads(page.html.split(begin)[1].split("</script>")[0])
+        self.assertEqual(answer["name"], "a</script>")
+        self.assertEqual(answer["digest"], mesh.digest)
+
+        def array(name, dtype):
+            return np.frombuffer(base64.b64decode(answer[name]), dtype)
+
+        d[5] = np.inf
+        np.testing.assert_array_equal(array("distances", "<f8"), d)
+        np.testing.assert_array_equal(array("faces", "<u4"),
+                                      mesh.faces.reshape(-1))
+        positions = array("positions", "<f4").reshape(-1, 3) + answer["center"]
+        # Halves of the last digit of a float32 up to 1.
+        np.testing.assert_allclose(positions, mesh.vertices, rtol=0, atol=2**-25)
+        with self.assertRaisesRegex(geodesic.InvalidArgument, "no lines"):
+            mesh.plot(d, lines=[mesh.path(0, 1)], backend="page")
+        with self.assertRaisesRegex(geodesic.InvalidArgument, "0 or more"):
+            mesh.plot(d - 1, backend="page")
 
 
 if __name__ == "__main__":

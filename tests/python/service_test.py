@@ -13,11 +13,15 @@ import pickle
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
+from concurrent import futures
 from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "support" / "python"))
+import approximate_test  # noqa: E402
 import distances_test  # noqa: E402
 import geodesic_service  # noqa: E402
 import inputs_test  # noqa: E402
@@ -26,10 +30,12 @@ import numpy as np  # noqa: E402
 import parts_test  # noqa: E402
 import questions_test  # noqa: E402
 import relay  # noqa: E402
+import tolerance_test  # noqa: E402
 import tolerances  # noqa: E402
 
 import geodesic  # noqa: E402
 import geodesic.remote  # noqa: E402
+from geodesic import calls  # noqa: E402
 
 ARGUMENTS = None
 TOKEN = "correct-horse-battery-staple"
@@ -73,6 +79,15 @@ class RemotePartsTest(ServedTest, parts_test.PartsTest):
     pass
 
 
+class RemoteApproximateTest(ServedTest, approximate_test.ApproximateTest):
+
+    names = (*approximate_test.ApproximateTest.names, "heat")
+
+
+class RemoteToleranceTest(ServedTest, tolerance_test.ToleranceTest):
+    pass
+
+
 class RemoteInputsTest(ServedTest, inputs_test.RefusedQuestionsTest):
     pass
 
@@ -93,9 +108,34 @@ class ServiceTest(ServedTest):
                     lambda mesh: mesh.isolines(0, levels=[0.5])[0].points,
                     lambda mesh: mesh.matrix([0, 7], [5, 9]),
                     lambda mesh: mesh.matrix([0, 7], radius=0.1).toarray(),
+                    lambda mesh: mesh.distances(9, tolerance=1e-3),
+                    lambda mesh: mesh.isolines(8, levels=[0.5],
+                                               tolerance=1e-2)[0].points,
                     lambda mesh: mesh.log_map(300).coordinates,
                     lambda mesh: mesh.samples(4)[0]):
             np.testing.assert_array_equal(ask(there), ask(here))
+
+    def test_threads_are_few_however_many_ask(self):
+        others = set(threading.enumerate())
+
+        def callers():
+            return sum(thread.name == "geodesic.call"
+                       for thread in set(threading.enumerate()) - others)
+
+        with geodesic.connect(self.server.address) as service:
+            mesh = service.mesh(*meshes.octahedron())
+            with futures.ThreadPoolExecutor(20) as askers:
+                list(askers.map(mesh.distances, [0, 1] * 100))
+            # Those that make calls go until a few wait for the next one.
+            deadline = time.monotonic() + 60
+            while (callers() > calls._IDLE_WORKERS and
+                   time.monotonic() < deadline):
+                time.sleep(0.01)
+            self.assertLessEqual(callers(), calls._IDLE_WORKERS)
+            before = set(threading.enumerate())
+            for _ in range(20):
+                mesh.distances(0)
+            self.assertLessEqual(set(threading.enumerate()), before)
 
     def test_real_meshes(self):
         paths = meshes.real_meshes()
@@ -163,8 +203,8 @@ class ServiceTest(ServedTest):
                                     ) as caught:
             mesh.distances(6)
         self.assertEqual(caught.exception.reason, "INVALID_REQUEST")
-        with self.assertRaisesRegex(geodesic.InvalidArgument, "heat"):
-            mesh.distances(0, algorithm="heat")
+        with self.assertRaisesRegex(geodesic.InvalidArgument, "dijkstra"):
+            mesh.distances(0, algorithm="dijkstra")
         with self.assertRaisesRegex(geodesic.InvalidArgument, "names vertex 9"):
             self.make(meshes.octahedron()[0], [[0, 1, 9]])
         with self.assertRaisesRegex(geodesic.InvalidArgument, "faces.0, 1. is -1"):

@@ -1,0 +1,108 @@
+"""Approximate algorithms, and how answers say that they are."""
+
+import math
+
+import grpc
+from client_fixture import INFINITY, ClientTest, doubles, main
+
+
+class ApproximateTest(ClientTest):
+
+    def field(self, digest, algorithm, **parameters):
+        """The header, the distances from vertex 0, and the trailer."""
+        request = self.field_pb.ComputeFieldRequest(
+            mesh_digest=digest, algorithm=algorithm)
+        request.sources.add(vertex=0)
+        if parameters:
+            request.approximation.CopyFrom(
+                self.query_pb.Approximation(**parameters))
+        parts = self.answer(self.fields.ComputeField(request, timeout=60))
+        distances = [d for chunk in parts["chunk"]
+                     for d in doubles(chunk.distances)]
+        return parts["header"][0], distances, parts["trailer"][0]
+
+    def prepare(self, digest, algorithm, **parameters):
+        return self.answer(self.methods.PrepareMethod(
+            self.method_pb.PrepareMethodRequest(
+                mesh_digest=digest, algorithm=algorithm,
+                approximation=self.query_pb.Approximation(**parameters)),
+            timeout=60))
+
+    def test_approximate_fields_say_so(self):
+        digest, positions, _ = self.grid()
+        for algorithm in (self.query_pb.ALGORITHM_HEAT,
+                          self.query_pb.ALGORITHM_FMM,
+                          self.query_pb.ALGORITHM_FMM_UNTIDY,
+                          self.query_pb.ALGORITHM_SVG,
+                          self.query_pb.ALGORITHM_GTU):
+            header, distances, trailer = self.field(digest, algorithm)
+            self.assertEqual(header.algorithm, algorithm)
+            self.assertTrue(header.HasField("approximation"))
+            self.assertEqual(trailer.relative_tolerance, INFINITY)
+            self.assertEqual(trailer.settled_radius, 0)
+            for distance, position in zip(distances, positions):
+                exact = math.dist(position, positions[0])
+                # Fronts around a source are not straight.
+                self.assertAlmostEqual(distance, exact,
+                                       delta=0.06 * exact + 0.05)
+
+    def test_exact_fields_do_not(self):
+        digest, positions, _ = self.grid()
+        self.field(digest, self.query_pb.ALGORITHM_FMM)
+        header, distances, trailer = self.field(
+            digest, self.query_pb.ALGORITHM_UNSPECIFIED)
+        self.assertFalse(header.HasField("approximation"))
+        self.assertLess(trailer.relative_tolerance, 1e-9)
+        self.assertEqual(trailer.settled_radius, INFINITY)
+        for distance, position in zip(distances, positions):
+            self.assertAlmostEqual(distance, math.dist(position, positions[0]),
+                                   delta=1e-10)
+
+    def test_parameters_come_back(self):
+        digest, _, _ = self.grid()
+        header, _, _ = self.field(digest, self.query_pb.ALGORITHM_HEAT,
+                                  **{"lambda": 3.0})
+        self.assertEqual(getattr(header.approximation, "lambda"), 3.0)
+        self.assertFalse(header.approximation.HasField("neighbours"))
+        self.assert_fails(
+            grpc.StatusCode.INVALID_ARGUMENT, "no parameter of svg",
+            lambda: self.field(digest, self.query_pb.ALGORITHM_SVG,
+                               samples=3))
+
+    def test_what_is_prepared_is_described(self):
+        digest, _, _ = self.grid()
+        svg = self.query_pb.ALGORITHM_SVG
+        made = self.prepare(digest, svg, neighbours=7)
+        self.assertFalse(made["trailer"][0].already_prepared)
+        self.assertEqual(made["header"][0].relative_tolerance, INFINITY)
+        again = self.prepare(digest, svg, neighbours=7)
+        self.assertTrue(again["trailer"][0].already_prepared)
+        mesh = self.meshes.GetMesh(
+            self.mesh_service_pb.GetMeshRequest(digest=digest),
+            timeout=60).mesh
+        self.assertIn((svg, 7, made["trailer"][0].prepared_bytes),
+                      [(m.algorithm, m.approximation.neighbours,
+                        m.prepared_bytes) for m in mesh.prepared_methods])
+
+    def test_the_list_of_algorithms_tells_them_apart(self):
+        listed = self.capabilities.GetCapabilities(
+            self.capabilities_pb.GetCapabilitiesRequest(), timeout=60)
+        approximate = {a.name for a in listed.approximate_algorithms}
+        self.assertEqual(approximate,
+                         {"heat", "fmm", "fmm-untidy", "svg", "gtu"})
+        self.assertFalse(approximate & {a.name for a in listed.algorithms})
+
+    def test_exact_questions_refuse_them(self):
+        digest, _, _ = self.grid()
+        self.assert_fails(
+            grpc.StatusCode.INVALID_ARGUMENT, "heat is approximate",
+            lambda: list(self.paths.ComputePaths(
+                self.path_pb.ComputePathsRequest(
+                    mesh_digest=digest,
+                    sources=[self.surface_pb.Source(vertex=0)],
+                    targets=self.vertices(1),
+                    algorithm=self.query_pb.ALGORITHM_HEAT), timeout=60)))
+
+
+if __name__ == "__main__":
+    main()
