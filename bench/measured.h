@@ -1,4 +1,4 @@
-// What solve measures and how it hands out fields.
+// What solve and reach measure, and how solve hands out fields.
 
 #ifndef GEODESIC_BENCH_MEASURED_H_
 #define GEODESIC_BENCH_MEASURED_H_

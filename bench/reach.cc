@@ -15,10 +15,11 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "bench/load_mesh.h"
+#include "bench/measured.h"
 #include "bench/question_options.h"
 #include "geodesic/computation.h"
 #include "geodesic/mesh.h"
+#include "geodesic/mesh_file.h"
 
 namespace geodesic {
 namespace {
@@ -28,11 +29,6 @@ using Clock = std::chrono::steady_clock;
 double MillisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start)
       .count();
-}
-
-double Median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
 }
 
 // Medians over the repeats.
@@ -166,7 +162,7 @@ absl::Status Run(const QuestionOptions& options) {
   absl::StatusOr<Algorithm> algorithm = AlgorithmFromName(options.algorithm);
   if (!algorithm.ok()) return algorithm.status();
   absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
-      LoadMesh(options.mesh_file);
+      ReadMeshFile(options.mesh_file);
   if (!mesh.ok()) return mesh.status();
   return Bench(options, **mesh, *algorithm).Run();
 }

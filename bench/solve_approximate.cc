@@ -24,12 +24,13 @@ struct OptionTakers {
   std::vector<ApproximateMethod> methods;
 };
 
-std::vector<OptionTakers> AllTakers() {
+std::vector<OptionTakers> AllTakers(const CLI::App& app) {
   using enum ApproximateMethod;
   return {{"--threads", true, {kSvg, kGtu}},
           {"--bucket-width", true, {}},
           {"--max-batch", true, {}},
           {"--fixed-batch", true, {}},
+          {"--tolerance", true, {}},
           {"--target", true, {kSvg}},
           {"--pairs", true, {kSvg}},
           {"--landmarks", true, {kSvg}},
@@ -40,7 +41,9 @@ std::vector<OptionTakers> AllTakers() {
           {"--k", false, {kSvg}},
           {"--build-with", false, {kSvg}},
           {"--samples", false, {kGtu}},
-          {"--errors", false, {kFmm, kFmmUntidy, kHeat, kSvg, kGtu}}};
+          {"--errors",
+           app.count("--tolerance") > 0,
+           {kFmm, kFmmUntidy, kHeat, kSvg, kGtu}}};
 }
 
 }  // namespace
@@ -85,7 +88,7 @@ absl::Status CheckCombination(const CLI::App& app,
                               const std::string& algorithm) {
   const absl::StatusOr<ApproximateMethod> method =
       ApproximateMethodFromName(algorithm);
-  for (const auto& [option, exact, methods] : AllTakers()) {
+  for (const auto& [option, exact, methods] : AllTakers(app)) {
     const bool is_taken =
         method.ok() ? std::ranges::find(methods, *method) != methods.end()
                     : exact;

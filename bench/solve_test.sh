@@ -41,7 +41,7 @@ says() {
 
 parts=('"exact":true' '"certified_error":0' '"prepare_s":0')
 options=()
-for algorithm in fwp-list fwp-ch fwp-mmp ich mmp lc-ch lc-mmp ch; do
+for algorithm in fwp-list fwp-ch fwp-mmp ich mmp lc-ch lc-mmp ch pch; do
   says "$algorithm"
 done
 parts=('"exact":false' '"certified_error":null' '"prepare_s":' '"mean_error":')
@@ -50,6 +50,9 @@ for method in fmm fmm-untidy heat svg gtu; do says "$method"; done
 says svg --pairs 3 --landmarks 2 --k 4 --build-with ich --threads 2
 says gtu --samples 4 --threads 2
 says heat --lambda 2 --no-intrinsic-delaunay
+
+parts=('"tolerance":0.01' '"certified_error":' '"max_error":' '"beyond_bound":0')
+says fwp-list --tolerance 0.01
 
 # refuses OPTION ALGORITHM ARGUMENT...
 refuses() {
@@ -69,4 +72,5 @@ refuses --threads fmm --threads 2
 refuses --bucket-width svg --bucket-width 2
 refuses --compare svg --pairs 3 --compare 1
 refuses --target heat --target 1
+refuses --tolerance fmm --tolerance 0.01
 refuses --errors ich --errors

@@ -9,8 +9,8 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "bench/load_mesh.h"
 #include "geodesic/mesh.h"
+#include "geodesic/mesh_file.h"
 #include "geodesic/open_mesh.h"
 
 namespace geodesic {
@@ -47,7 +47,8 @@ absl::Status Write(const TriangleSoup& soup, const std::string& path) {
 }
 
 absl::Status Run(const Options& options) {
-  absl::StatusOr<std::shared_ptr<const Mesh>> mesh = LoadMesh(options.input);
+  absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
+      ReadMeshFile(options.input);
   if (!mesh.ok()) return mesh.status();
   OpenMesh::TriMesh open_mesh = ToOpenMesh(**mesh);
   OpenMesh::Subdivider::Uniform::LoopT<OpenMesh::TriMesh> subdivider;

@@ -3,9 +3,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "absl/status/status.h"
-#include "absl/strings/str_cat.h"
-#include "bench/load_mesh.h"
+#include "geodesic/mesh_file.h"
 
 namespace geodesic {
 
@@ -17,11 +15,8 @@ absl::StatusOr<std::vector<Subject>> LoadSubjects(
     std::span<const std::string> files) {
   std::vector<Subject> subjects;
   for (const std::string& file : files) {
-    absl::StatusOr<std::shared_ptr<const Mesh>> mesh = LoadMesh(file);
-    if (!mesh.ok()) {
-      return absl::Status(mesh.status().code(),
-                          absl::StrCat(file, ": ", mesh.status().message()));
-    }
+    absl::StatusOr<std::shared_ptr<const Mesh>> mesh = ReadMeshFile(file);
+    if (!mesh.ok()) return mesh.status();
     subjects.push_back(
         {std::filesystem::path(file).stem().string(), *std::move(mesh)});
   }

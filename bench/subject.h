@@ -27,7 +27,7 @@ struct Subject {
 Subject Generated(std::string name, TriangleSoup soup);
 
 // The meshes of files, each named by its file's stem.
-// Errors: as LoadMesh, with the file's name.
+// Errors: as ReadMeshFile.
 absl::StatusOr<std::vector<Subject>> LoadSubjects(
     std::span<const std::string> files);
 

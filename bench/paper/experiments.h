@@ -33,6 +33,16 @@ void RunBucketWidth(const Setting& setting);
 // Distances on polyhedra against those on the smooth surfaces they are made
 // from, and against each other (section 7.2).
 void RunAccuracy(const Setting& setting);
+// Approximate methods beside exact algorithms on models: what they take to
+// prepare and to ask, and their errors (Table 3).
+void RunMethods(const Setting& setting);
+// The saddle vertex graph against K, built by FWP and by ICH (Fig. 8).
+void RunNeighbours(const Setting& setting);
+// Fast marching with a heap and with untidy buckets, against anisotropy
+// (Fig. 13).
+void RunMarching(const Setting& setting);
+// The heat method against the time that heat spreads for (Fig. 14).
+void RunHeatTime(const Setting& setting);
 
 }  // namespace geodesic::paper
 

@@ -19,7 +19,11 @@ int main(int argc, char** argv) {
       {"wavefront", geodesic::paper::RunWavefront},
       {"batch", geodesic::paper::RunBatch},
       {"bucket-width", geodesic::paper::RunBucketWidth},
-      {"accuracy", geodesic::paper::RunAccuracy}};
+      {"accuracy", geodesic::paper::RunAccuracy},
+      {"methods", geodesic::paper::RunMethods},
+      {"neighbours", geodesic::paper::RunNeighbours},
+      {"marching", geodesic::paper::RunMarching},
+      {"heat-time", geodesic::paper::RunHeatTime}};
   std::string experiment;
   std::vector<std::string> files;
   Setting setting;

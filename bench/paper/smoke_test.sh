@@ -14,7 +14,7 @@ fail() {
 }
 
 for experiment in resolution anisotropy models wavefront batch bucket-width \
-  accuracy; do
+  accuracy methods neighbours marching heat-time; do
   "$paper" "$experiment" --quick >"$folder/$experiment.tsv"
 done
 for experiment in resolution anisotropy models; do

@@ -41,6 +41,8 @@ server::UploadFormat UploadFormatOf(MeshFormat format) {
       return server::UploadFormat::kOff;
     case MeshFormat::kStl:
       return server::UploadFormat::kStl;
+    case MeshFormat::kVtk:
+      return server::UploadFormat::kVtk;
   }
   return server::UploadFormat::kObj;
 }

@@ -1,0 +1,163 @@
+// The page in Chromium, and what its pixels show.
+
+import { readFileSync } from "node:fs";
+import { chromium } from "playwright-core";
+
+export function launch() {
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    // WebGL without a graphics processor.
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+  });
+}
+
+/** The page at `url`, which has no mesh yet. Errors of its program are kept. */
+export async function openPage(browser, url, options = {}) {
+  const context = await browser.newContext({
+    viewport: { width: 1000, height: 640 },
+    colorScheme: "light",
+    acceptDownloads: true,
+    ...options,
+  });
+  const page = await context.newPage();
+  const errors = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  await page.goto(url);
+  return new Viewer(page, errors);
+}
+
+export class Viewer {
+  constructor(page, errors) {
+    this.page = page;
+    this.errors = errors;
+  }
+
+  /** Drops a file on the picture. `content` is text or bytes. */
+  async drop(name, content) {
+    const base64 = Buffer.from(content).toString("base64");
+    await this.page.evaluate(async ({ name, base64 }) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([bytes], name));
+      for (const type of ["dragover", "drop"]) {
+        document.getElementById("stage").dispatchEvent(
+          new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
+      }
+    }, { name, base64 });
+  }
+
+  /** Chooses a file of the disk. */
+  choose(path) {
+    return this.page.setInputFiles("#file", path);
+  }
+
+  /** Waits until the mesh of this name is shown. */
+  async shown(name, timeout = 120_000) {
+    await this.page.waitForFunction(
+      (name) => document.getElementById("mesh-name").textContent === name &&
+        document.getElementById("welcome").hidden && document.getElementById("notice").hidden,
+      name, { timeout });
+  }
+
+  /** Waits until a field is there and its front has come to the end. */
+  async solved(timeout = 120_000) {
+    await this.page.waitForSelector("#figures dt", { timeout });
+    await this.page.waitForFunction(() => document.documentElement.dataset.sweep === "done", null, { timeout });
+  }
+
+  /** Of the first that the selector finds. */
+  text(selector) {
+    return this.page.locator(selector).first().textContent();
+  }
+
+  waitForText(selector, part, timeout = 60_000) {
+    return this.page.waitForFunction(
+      ({ selector, part }) => {
+        const element = document.querySelector(selector);
+        return element && !element.closest("[hidden]") && element.textContent.includes(part);
+      },
+      { selector, part }, { timeout });
+  }
+
+  /** The distance under the cursor, once it is exact. */
+  async exactValue() {
+    await this.page.waitForFunction(() => {
+      const value = document.getElementById("value");
+      return !value.hidden && value.dataset.exact === "true";
+    });
+    return Number(await this.text("#value"));
+  }
+
+  /** A point of the window; 0, 0 is the middle of the picture, 1 half its height. */
+  async at(x, y) {
+    const box = await this.page.locator("#picture").boundingBox();
+    return [box.x + box.width / 2 + (x * box.height) / 2, box.y + box.height / 2 - (y * box.height) / 2];
+  }
+
+  async click(x, y) {
+    await this.page.mouse.click(...(await this.at(x, y)));
+  }
+
+  async move(x, y) {
+    await this.page.mouse.move(...(await this.at(x, y)));
+  }
+
+  /** Presses a button that gives a file; returns its bytes. */
+  async save(selector) {
+    const [download] = await Promise.all([
+      this.page.waitForEvent("download"),
+      this.page.locator(selector).evaluate((button) => button.click()),
+    ]);
+    return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  }
+
+  async picture() {
+    return decode(this.page.context().browser(), await this.page.screenshot());
+  }
+
+  async close() {
+    await this.page.context().close();
+  }
+}
+
+// Chromium reads the pictures that Chromium makes.
+async function decode(browser, png) {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  const { width, height, pixels } = await page.evaluate(async (base64) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${base64}`;
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const drawing = canvas.getContext("2d");
+    drawing.drawImage(image, 0, 0);
+    const { data } = drawing.getImageData(0, 0, image.width, image.height);
+    let text = "";
+    for (let i = 0; i < data.length; i += 8192) text += String.fromCharCode(...data.subarray(i, i + 8192));
+    return { width: image.width, height: image.height, pixels: btoa(text) };
+  }, png.toString("base64"));
+  await context.close();
+  return new Picture(width, height, Buffer.from(pixels, "base64"));
+}
+
+export class Picture {
+  constructor(width, height, bytes) {
+    Object.assign(this, { width, height, bytes });
+  }
+
+  /** Red, green and blue at a pixel. */
+  at([x, y]) {
+    const i = 4 * (Math.round(y) * this.width + Math.round(x));
+    return [...this.bytes.subarray(i, i + 3)];
+  }
+}
+
+/** How far apart two colours are, at most 441. */
+export function apart(a, b) {
+  return Math.hypot(...a.map((value, i) => value - b[i]));
+}
+
+/** Whether a colour has no hue to speak of. */
+export function isGrey(color) {
+  return Math.max(...color) - Math.min(...color) < 25;
+}

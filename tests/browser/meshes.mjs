@@ -1,0 +1,52 @@
+// Meshes as files, and where those outside the project are.
+
+import { existsSync } from "node:fs";
+import { join } from "node:path";
+
+/** A sphere of radius 1 in OBJ: an octahedron whose faces are cut into n * n. */
+export function sphereObj(n) {
+  const numbers = new Map();
+  const lines = [];
+  const vertex = (p) => {
+    const length = Math.hypot(...p);
+    const line = `v ${p.map((x) => x / length).join(" ")}`;
+    if (!numbers.has(line)) {
+      lines.push(line);
+      numbers.set(line, numbers.size + 1);
+    }
+    return numbers.get(line);
+  };
+  const faces = [];
+  for (const x of [1, -1]) for (const y of [1, -1]) for (const z of [1, -1]) {
+    const corner = (i, j) => vertex([x * i + 0, y * j + 0, z * (n - i - j) + 0]);
+    const face = (a, b, c) => faces.push(x * y * z > 0 ? `f ${a} ${b} ${c}` : `f ${a} ${c} ${b}`);
+    for (let i = 0; i < n; i++) for (let j = 0; i + j < n; j++) {
+      face(corner(i, j), corner(i + 1, j), corner(i, j + 1));
+      if (i + j + 1 < n) face(corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1));
+    }
+  }
+  return [...lines, ...faces, ""].join("\n");
+}
+
+/** Two squares that do not touch, side by side, in OFF. */
+export const TWO_SQUARES = `OFF
+8 4 0
+-1.2 -0.5 0
+-0.2 -0.5 0
+-0.2 0.5 0
+-1.2 0.5 0
+0.2 -0.5 0
+1.2 -0.5 0
+1.2 0.5 0
+0.2 0.5 0
+3 0 1 2
+3 0 2 3
+3 4 5 6
+3 4 6 7
+`;
+
+/** The path of a mesh outside the project; nothing if it is not there. */
+export function outsideMesh(name) {
+  const path = join(process.env.GEODESIC_TEST_MESHES ?? "", name);
+  return existsSync(path) ? path : undefined;
+}

@@ -1,0 +1,380 @@
+// What a user does on the page, and what must then be seen.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { gzipSync } from "node:zlib";
+
+import { apart, isGrey, launch, openPage } from "./browser.mjs";
+import { sphereObj, TWO_SQUARES } from "./meshes.mjs";
+import { startServer, startServerOn, writeTokens } from "./server.mjs";
+
+const SPHERE = sphereObj(24);
+
+let browser;
+let server;
+before(async () => {
+  browser = await launch();
+  server = await startServer();
+});
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+});
+
+/** A page that shows the sphere. */
+async function sphere(t, options) {
+  const viewer = await openPage(browser, server.url, options);
+  t.after(() => viewer.close());
+  await viewer.drop("sphere.obj", SPHERE);
+  await viewer.shown("sphere.obj");
+  return viewer;
+}
+
+/** What the command says of a question that the page wrote down. */
+function ask(server, t, mesh, commandLine) {
+  const folder = mkdtempSync(join(tmpdir(), "page-"));
+  t.after(() => rmSync(folder, { recursive: true }));
+  writeFileSync(join(folder, "sphere.obj"), mesh);
+  const [, command, ...words] = commandLine.split(" ");
+  return JSON.parse(execFileSync(
+    process.env.GEODESIC,
+    ["--server", `127.0.0.1:${server.grpcPort}`, "--json", command, ...words.slice(0, words.indexOf("-o"))],
+    { cwd: folder, encoding: "utf8" }));
+}
+
+test("a dropped file is sent once, and shown", async (t) => {
+  const viewer = await openPage(browser, server.url);
+  t.after(() => viewer.close());
+  const calls = [];
+  viewer.page.on("request", (request) => calls.push(request.url().split("/").pop()));
+  const mesh = SPHERE.replace("\n", "\n# another file\n");
+  await viewer.drop("first.obj", mesh);
+  await viewer.shown("first.obj");
+  assert.match(await viewer.text("#mesh-size"), /4,608 faces/);
+  const picture = await viewer.picture();
+  assert.ok(isGrey(picture.at(await viewer.at(0, 0))), "the bare mesh is grey");
+  assert.ok(apart(picture.at(await viewer.at(0, 0)), picture.at(await viewer.at(-1, 0.99))) > 40);
+  assert.equal(calls.filter((name) => name === "CreateMesh").length, 1);
+  await viewer.drop("again.obj", mesh);
+  await viewer.shown("again.obj");
+  assert.equal(calls.filter((name) => name === "CreateMesh").length, 1, "known files are not sent again");
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a click sends a front over the surface, up to yellow", async (t) => {
+  const viewer = await sphere(t);
+  const [near, far] = [await viewer.at(0.05, 0), await viewer.at(0.7, 0)];
+  // From here on the page's clock, and with it the front, goes on when told.
+  await viewer.page.clock.install();
+  await viewer.page.clock.pauseAt(Date.now() + 60_000);
+  await viewer.click(0, 0);
+  await viewer.page.waitForSelector("#figures dt", { state: "attached" });
+  await viewer.page.clock.runFor(120);
+  const halfway = await viewer.picture();
+  assert.ok(!isGrey(halfway.at(near)), "the front has passed the source");
+  assert.ok(isGrey(halfway.at(far)), "the front has not come to the limb");
+  await viewer.page.clock.resume();
+  await viewer.solved();
+  let [red, green, blue] = (await viewer.picture()).at(near);
+  assert.ok(blue > green + 20, `near is violet: ${red} ${green} ${blue}`);
+  // Half around, 26 steps of 0.12, and from 16 degrees above to 18 below.
+  for (let i = 0; i < 26; i++) await viewer.page.keyboard.press("ArrowRight");
+  for (let i = 0; i < 5; i++) await viewer.page.keyboard.press("ArrowDown");
+  [red, green, blue] = (await viewer.picture()).at(near);
+  assert.ok(red > 180 && green > 180 && blue < 120, `far is yellow: ${red} ${green} ${blue}`);
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("isolines are round on a sphere", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(0, 0);
+  await viewer.solved();
+  const lined = await viewer.picture();
+  await viewer.page.keyboard.press("i");
+  const bare = await viewer.picture();
+  const middle = await viewer.at(0, 0);
+  // Where the lines are along rays from the source: the first beyond its dot.
+  const radii = [];
+  for (let ray = 0; ray < 24; ray++) {
+    const angle = (ray * Math.PI) / 12 + 0.05;
+    let strongest = 0;
+    let at = 0;
+    let began = false;
+    for (let r = 14; r < 200; r += 0.5) {
+      const pixel = [middle[0] + r * Math.cos(angle), middle[1] + r * Math.sin(angle)];
+      const difference = apart(lined.at(pixel), bare.at(pixel));
+      if (difference > 12) began = true;
+      if (began && difference <= 6) break;
+      if (difference > strongest) [strongest, at] = [difference, r];
+    }
+    assert.ok(began, `a line crosses ray ${ray}`);
+    radii.push(at);
+  }
+  const mean = radii.reduce((sum, r) => sum + r) / radii.length;
+  // Two pixels: half the width of a line, and the rounding of pixels.
+  for (const r of radii) assert.ok(Math.abs(r - mean) <= 2, `${radii}`);
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("the exact path follows the cursor, and a click keeps it", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(0, 0);
+  await viewer.solved();
+  await viewer.move(0.5, 0.25);
+  const value = await viewer.exactValue();
+  // From the middle of a sphere paths are straight on the screen.
+  const between = await viewer.at(0.25, 0.125);
+  let picture = await viewer.picture();
+  assert.ok(Math.min(...picture.at(between)) > 200, `the path is white: ${picture.at(between)}`);
+  await viewer.click(0.5, 0.25);
+  await viewer.page.waitForSelector("#paths li");
+  const length = parseFloat(await viewer.text("#paths li"));
+  assert.ok(Math.abs(length - value) < 1e-6 * value, `${length} ${value}`);
+  await viewer.move(-0.5, 0.4);
+  await viewer.exactValue();
+  picture = await viewer.picture();
+  const [red, green, blue] = picture.at(between);
+  assert.ok(red > 200 && green > 100 && blue < 130, `the kept path is orange: ${red} ${green} ${blue}`);
+
+  // The command finds the same, asked as the page says.
+  await viewer.page.locator("#copy-command").evaluate((button) => button.click());
+  const [, pathCommand] = (await viewer.text("#question-text")).split("\n");
+  const [path] = ask(server, t, SPHERE, pathCommand).paths;
+  assert.ok(Math.abs(path.length - length) < 1e-9 * length, `${path.length} ${length}`);
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a source that is dragged takes its field along", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(0, 0);
+  await viewer.solved();
+  const from = viewer.page.url();
+  await viewer.move(0, 0);
+  await viewer.page.mouse.down();
+  for (let i = 1; i <= 5; i++) await viewer.move(0.1 * i, 0);
+  await viewer.page.mouse.up();
+  await viewer.page.waitForFunction((from) => location.href !== from, from);
+  // The dot is there, and so is the middle of the isolines.
+  await viewer.move(0.5, 0);
+  assert.ok((await viewer.exactValue()) < 0.02);
+  const picture = await viewer.picture();
+  assert.ok(Math.min(...picture.at(await viewer.at(0.5, 0))) > 200, "the dot is at the cursor");
+  const [near, far] = [picture.at(await viewer.at(0.45, 0)), picture.at(await viewer.at(-0.5, 0.02))];
+  assert.ok(near[2] > near[1] + 20, `near is violet: ${near}`);
+  assert.ok(far[1] > far[0] + 40, `far is not: ${far}`);
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("several sources, cells, samples, curves, a radius, comparison", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(-0.5, 0);
+  await viewer.solved();
+  await viewer.page.keyboard.down("Shift");
+  await viewer.click(0.5, 0);
+  await viewer.page.keyboard.up("Shift");
+  await viewer.waitForText("#source-count", "2 sources");
+  await viewer.solved();
+  await viewer.page.check("#cells");
+  await viewer.page.waitForFunction(() => document.getElementById("scale").hidden);
+  const [left, right] = [await viewer.at(-0.35, -0.15), await viewer.at(0.35, -0.15)];
+  let picture = await viewer.picture();
+  assert.ok(picture.at(left)[0] > picture.at(left)[2] + 60, "the first cell is orange");
+  assert.ok(picture.at(right)[2] > picture.at(right)[0] + 60, "the second cell is blue");
+  await viewer.page.uncheck("#cells");
+
+  await viewer.page.locator("#sample-count").evaluate((input) => (input.value = "7"));
+  await viewer.page.locator("#sample").evaluate((button) => button.click());
+  await viewer.waitForText("#figures", "samples7");
+
+  const compare = async (name) => {
+    await viewer.page.locator("#against").evaluate((select, name) => {
+      select.value = [...select.options].find((option) => option.text === name).value;
+    }, name);
+    await viewer.page.locator("#compare").evaluate((button) => button.click());
+    await viewer.waitForText("#difference", "largest difference");
+    return Number(await viewer.text("#difference dd"));
+  };
+  // Exact algorithms differ by rounding, fast marching by more.
+  assert.ok((await compare("mmp")) < 1e-10);
+  const error = await compare("fmm");
+  assert.ok(error > 1e-3 && error < 0.2, `${error}`);
+  assert.match(viewer.page.url(), /source=\d+&source=\d+$/, "sources are at vertices now");
+  assert.ok(!isGrey((await viewer.picture()).at(left)), "the error is coloured");
+
+  await viewer.page.locator("#picture").focus();
+  await viewer.page.keyboard.press("Escape");
+  await viewer.waitForText("#source-count", "no source");
+  await viewer.page.keyboard.press("c");
+  await viewer.page.mouse.move(...(await viewer.at(-0.4, 0.3)));
+  await viewer.page.mouse.down();
+  for (let i = 1; i <= 12; i++) await viewer.page.mouse.move(...(await viewer.at(-0.4 + (0.8 * i) / 12, 0.3)));
+  await viewer.page.mouse.up();
+  await viewer.waitForText("#source-count", "1 source");
+  await viewer.solved();
+  picture = await viewer.picture();
+  const onCurve = picture.at(await viewer.at(0.03, 0.3));
+  assert.ok(onCurve[2] > 180 && onCurve[2] > onCurve[0], `the curve is light blue: ${onCurve}`);
+
+  await viewer.page.fill("#radius", "200");
+  await viewer.page.waitForFunction(() => document.getElementById("radius-value").textContent !== "all");
+  picture = await viewer.picture();
+  assert.ok(isGrey(picture.at(await viewer.at(0.1, -0.6))), "grey beyond the radius");
+  assert.ok(!isGrey(picture.at(await viewer.at(0.1, 0.2))), "coloured within");
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("what no path leads to is grey", async (t) => {
+  const viewer = await openPage(browser, server.url);
+  t.after(() => viewer.close());
+  await viewer.drop("two.off", TWO_SQUARES);
+  await viewer.shown("two.off");
+  await viewer.click(-0.4, 0);
+  await viewer.solved();
+  const picture = await viewer.picture();
+  assert.ok(!isGrey(picture.at(await viewer.at(-0.25, 0.1))));
+  assert.ok(isGrey(picture.at(await viewer.at(0.4, 0))));
+  await viewer.move(0.4, 0);
+  await viewer.waitForText("#value", "not reached");
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("the field, the picture and the paths are saved", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(0.1, 0.1);
+  await viewer.solved();
+  await viewer.move(0.5, 0.3);
+  await viewer.exactValue();
+  await viewer.click(0.5, 0.3);
+  await viewer.page.waitForSelector("#paths li");
+  const vertices = (SPHERE.match(/^v /gm) ?? []).length;
+
+  const npy = await viewer.save("#save-npy");
+  assert.equal(npy.name, "sphere-field.npy");
+  const head = npy.bytes.readUInt16LE(8) + 10;
+  assert.equal(head % 64, 0);
+  assert.ok(npy.bytes.toString("latin1", 10, head).includes(`'shape': (${vertices},)`));
+  const distances = new Float64Array(npy.bytes.buffer.slice(npy.bytes.byteOffset + head, npy.bytes.byteOffset + npy.bytes.length));
+  assert.equal(distances.length, vertices);
+
+  // The same as the command's answer to the question as the page puts it.
+  await viewer.page.locator("#copy-command").evaluate((button) => button.click());
+  const answer = ask(server, t, SPHERE, (await viewer.text("#question-text")).split("\n")[0]);
+  assert.equal(Math.max(...distances), answer.largest_distance);
+  assert.equal(distances[answer.farthest_vertex], answer.largest_distance);
+
+  const csv = (await viewer.save("#save-csv")).bytes.toString().trimEnd().split("\n");
+  assert.equal(csv[0], "vertex,geodesic_distance");
+  assert.equal(csv.length, vertices + 1);
+  assert.equal(Number(csv[18].split(",")[1]), distances[17]);
+
+  const ply = (await viewer.save("#save-ply")).bytes;
+  assert.ok(ply.toString("latin1", 0, 400).includes("property double geodesic_distance"));
+  const body = ply.indexOf("end_header\n") + 11;
+  assert.equal(ply.readDoubleLE(body + 32 * 17 + 24), distances[17]);
+
+  const obj = (await viewer.save("#save-paths")).bytes.toString();
+  assert.match(obj, /^l 1 2/m);
+
+  const png = await viewer.save("#save-picture");
+  assert.equal(png.bytes.toString("latin1", 1, 4), "PNG");
+  assert.ok(png.bytes.length > 20_000);
+
+  await viewer.page.locator("#copy-python").evaluate((button) => button.click());
+  assert.match(await viewer.text("#question-text"), /mesh\.distances\(geodesic\.FacePoint\(/);
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a compressed file is taken, and calls name its mesh for balancers", async (t) => {
+  const viewer = await openPage(browser, server.url);
+  t.after(() => viewer.close());
+  const named = {};
+  viewer.page.on("request", (request) => {
+    named[request.url().split("/").pop()] = request.headers()["geo-mesh-digest"];
+  });
+  await viewer.drop("squares.off.gz", gzipSync(TWO_SQUARES));
+  await viewer.shown("squares.off.gz");
+  await viewer.click(-0.4, 0);
+  await viewer.solved();
+  await viewer.move(-0.6, 0.1);
+  await viewer.exactValue();
+  assert.match(named.ReadMesh, /^[0-9a-f]{64}$/);
+  assert.equal(named.ComputeField, named.ReadMesh);
+  assert.equal(named.ComputePaths, named.ReadMesh);
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a bad file is refused in words", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.drop("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  await viewer.waitForText("#notice-text", "names vertex 9");
+  await viewer.drop("notes.txt", "hello");
+  await viewer.waitForText("#notice-text", "notes.txt is none");
+  // What was there goes on.
+  await viewer.click(0, 0);
+  await viewer.solved();
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("the page goes on when the server is back, without its meshes", async (t) => {
+  let own = await startServer();
+  t.after(() => own.stop());
+  const viewer = await openPage(browser, own.url);
+  t.after(() => viewer.close());
+  await viewer.drop("sphere.obj", SPHERE);
+  await viewer.shown("sphere.obj");
+  const { port } = own;
+  await own.stop();
+  await viewer.click(0, 0);
+  await viewer.waitForText("#notice-text", "The server does not answer");
+  own = await startServerOn(port);
+  await viewer.solved();
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a token is asked for, refused, and taken", async (t) => {
+  const tokens = writeTokens({ ada: ["right-token", ["read", "upload"]] });
+  t.after(() => tokens.remove());
+  const guarded = await startServer("--token-file", tokens.path);
+  t.after(() => guarded.stop());
+  const viewer = await openPage(browser, guarded.url);
+  t.after(() => viewer.close());
+  await viewer.page.waitForSelector("#token-dialog[open]");
+  await viewer.page.fill("#token", "wrong-token");
+  await viewer.page.keyboard.press("Enter");
+  await viewer.waitForText("#token-reason", "not known");
+  await viewer.page.waitForSelector("#token-dialog[open]");
+  await viewer.page.fill("#token", "right-token");
+  await viewer.page.keyboard.press("Enter");
+  await viewer.page.waitForSelector("#token-dialog:not([open])", { state: "attached" });
+  await viewer.drop("sphere.obj", SPHERE);
+  await viewer.shown("sphere.obj");
+
+  const invited = await openPage(browser, `${guarded.url}/#token=right-token`);
+  t.after(() => invited.close());
+  await invited.drop("sphere.obj", SPHERE);
+  await invited.shown("sphere.obj");
+  assert.ok(!invited.page.url().includes("right-token"), "the address does not keep the token");
+  assert.deepEqual([...viewer.errors, ...invited.errors], []);
+});
+
+test("an address with a mesh and a source shows them; keys and themes work", async (t) => {
+  const first = await sphere(t);
+  await first.click(0.2, 0.2);
+  await first.solved();
+  const farthest = await first.text("#figures dd");
+  const second = await openPage(browser, first.page.url(), { colorScheme: "dark" });
+  t.after(() => second.close());
+  await second.solved();
+  assert.equal(await second.text("#figures dd"), farthest);
+  const corner = await second.at(-1.1, 0.95);
+  assert.ok(Math.max(...(await second.picture()).at(corner)) < 60, "dark where the system is");
+  await second.page.keyboard.press("t");
+  assert.ok(Math.min(...(await second.picture()).at(corner)) > 200, "light when wished");
+  await second.page.keyboard.press("Escape");
+  await second.waitForText("#source-count", "no source");
+  assert.deepEqual([...first.errors, ...second.errors], []);
+});

@@ -1,0 +1,4611 @@
+/**
+ * @license
+ * Copyright 2010-2026 Three.js Authors
+ * SPDX-License-Identifier: MIT
+ */const Ds={ROTATE:0,DOLLY:1,PAN:2},Ps={ROTATE:0,PAN:1,DOLLY_PAN:2,DOLLY_ROTATE:3},qm=0,Ku=1,Qm=2,Da=1,eg=2,lr=3,jn=0,jt=1,_n=2,ci=0,Us=1,$u=2,ju=3,Ju=4,tg=5,Hi=100,ng=101,ig=102,sg=103,rg=104,ag=200,og=201,cg=202,lg=203,Pc=204,Lc=205,ug=206,fg=207,hg=208,dg=209,pg=210,mg=211,gg=212,_g=213,vg=214,Dc=0,Xa=1,Uc=2,ji=3,Fc=4,Bc=5,Za=6,Oc=7,Zd=0,xg=1,yg=2,$n=0,Yd=1,Kd=2,$d=3,jd=4,Jd=5,qd=6,Qd=7,ep=300,Ji=301,Os=302,Ao=303,To=304,co=306,Vc=1e3,ai=1001,Gc=1002,zt=1003,bg=1004,Gr=1005,Wt=1006,wo=1007,Zi=1008,vn=1009,tp=1010,np=1011,_r=1012,Wl=1013,Dn=1014,Yn=1015,fi=1016,Hl=1017,Xl=1018,vr=1020,ip=35902,sp=35899,rp=1021,ap=1022,xn=1023,hi=1026,Yi=1027,op=1028,Zl=1029,qi=1030,Yl=1031,Kl=1033,Ua=33776,Fa=33777,Ba=33778,Oa=33779,kc=35840,zc=35841,Wc=35842,Hc=35843,Xc=36196,Zc=37492,Yc=37496,Kc=37488,$c=37489,Ya=37490,jc=37491,Jc=37808,qc=37809,Qc=37810,el=37811,tl=37812,nl=37813,il=37814,sl=37815,rl=37816,al=37817,ol=37818,cl=37819,ll=37820,ul=37821,fl=36492,hl=36494,dl=36495,pl=36283,ml=36284,Ka=36285,gl=36286,Sg=3200,qu=0,Eg=1,wi="",mn="srgb",xr="srgb-linear",$a="linear",Qe="srgb",rs=7680,Qu=519,Mg=512,Ag=513,Tg=514,$l=515,wg=516,Rg=517,jl=518,Ig=519,_l=35044,Ng=35048,ef="300 es",Kn=2e3,ja=2001;function Cg(n){for(let e=n.length-1;e>=0;--e)if(n[e]>=65535)return!0;return!1}function Ja(n){return document.createElementNS("http://www.w3.org/1999/xhtml",n)}function Pg(){const n=Ja("canvas");return n.style.display="block",n}const tf={};function qa(...n){const e="THREE."+n.shift();console.log(e,...n)}function cp(n){const e=n[0];if(typeof e=="string"&&e.startsWith("TSL:")){const t=n[1];t&&t.isStackTrace?n[0]+=" "+t.getLocation():n[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return n}function Re(...n){n=cp(n);const e="THREE."+n.shift();{const t=n[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...n)}}function Ze(...n){n=cp(n);const e="THREE."+n.shift();{const t=n[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...n)}}function vl(...n){const e=n.join(" ");e in tf||(tf[e]=!0,Re(...n))}function Lg(n,e,t){return new Promise(function(i,s){function r(){switch(n.clientWaitSync(e,n.SYNC_FLUSH_COMMANDS_BIT,0)){case n.WAIT_FAILED:s();break;case n.TIMEOUT_EXPIRED:setTimeout(r,t);break;default:i()}}setTimeout(r,t)})}const Dg={[Dc]:Xa,[Uc]:Za,[Fc]:Oc,[ji]:Bc,[Xa]:Dc,[Za]:Uc,[Oc]:Fc,[Bc]:ji};class Li{addEventListener(e,t){this._listeners===void 0&&(this._listeners={});const i=this._listeners;i[e]===void 0&&(i[e]=[]),i[e].indexOf(t)===-1&&i[e].push(t)}hasEventListener(e,t){const i=this._listeners;return i===void 0?!1:i[e]!==void 0&&i[e].indexOf(t)!==-1}removeEventListener(e,t){const i=this._listeners;if(i===void 0)return;const s=i[e];if(s!==void 0){const r=s.indexOf(t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){const t=this._listeners;if(t===void 0)return;const i=t[e.type];if(i!==void 0){e.target=this;const s=i.slice(0);for(let r=0,a=s.length;r<a;r++)s[r].call(this,e);e.target=null}}}const Xt=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];let nf=1234567;const hr=Math.PI/180,yr=180/Math.PI;function li(){const n=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,i=Math.random()*4294967295|0;return(Xt[n&255]+Xt[n>>8&255]+Xt[n>>16&255]+Xt[n>>24&255]+"-"+Xt[e&255]+Xt[e>>8&255]+"-"+Xt[e>>16&15|64]+Xt[e>>24&255]+"-"+Xt[t&63|128]+Xt[t>>8&255]+"-"+Xt[t>>16&255]+Xt[t>>24&255]+Xt[i&255]+Xt[i>>8&255]+Xt[i>>16&255]+Xt[i>>24&255]).toLowerCase()}function Pe(n,e,t){return Math.max(e,Math.min(t,n))}function Jl(n,e){return(n%e+e)%e}function Ug(n,e,t,i,s){return i+(n-e)*(s-i)/(t-e)}function Fg(n,e,t){return n!==e?(t-n)/(e-n):0}function dr(n,e,t){return(1-t)*n+t*e}function Bg(n,e,t,i){return dr(n,e,1-Math.exp(-t*i))}function Og(n,e=1){return e-Math.abs(Jl(n,e*2)-e)}function Vg(n,e,t){return n<=e?0:n>=t?1:(n=(n-e)/(t-e),n*n*(3-2*n))}function Gg(n,e,t){return n<=e?0:n>=t?1:(n=(n-e)/(t-e),n*n*n*(n*(n*6-15)+10))}function kg(n,e){return n+Math.floor(Math.random()*(e-n+1))}function zg(n,e){return n+Math.random()*(e-n)}function Wg(n){return n*(.5-Math.random())}function Hg(n){n!==void 0&&(nf=n);let e=nf+=1831565813;return e=Math.imul(e^e>>>15,e|1),e^=e+Math.imul(e^e>>>7,e|61),((e^e>>>14)>>>0)/4294967296}function Xg(n){return n*hr}function Zg(n){return n*yr}function Yg(n){return(n&n-1)===0&&n!==0}function Kg(n){return Math.pow(2,Math.ceil(Math.log(n)/Math.LN2))}function $g(n){return Math.pow(2,Math.floor(Math.log(n)/Math.LN2))}function jg(n,e,t,i,s){const r=Math.cos,a=Math.sin,o=r(t/2),c=a(t/2),l=r((e+i)/2),h=a((e+i)/2),f=r((e-i)/2),u=a((e-i)/2),d=r((i-e)/2),g=a((i-e)/2);switch(s){case"XYX":n.set(o*h,c*f,c*u,o*l);break;case"YZY":n.set(c*u,o*h,c*f,o*l);break;case"ZXZ":n.set(c*f,c*u,o*h,o*l);break;case"XZX":n.set(o*h,c*g,c*d,o*l);break;case"YXY":n.set(c*d,o*h,c*g,o*l);break;case"ZYZ":n.set(c*g,c*d,o*h,o*l);break;default:Re("MathUtils: .setQuaternionFromProperEuler() encountered an unknown order: "+s)}}function Pn(n,e){switch(e.constructor){case Float32Array:return n;case Uint32Array:return n/4294967295;case Uint16Array:return n/65535;case Uint8Array:return n/255;case Int32Array:return Math.max(n/2147483647,-1);case Int16Array:return Math.max(n/32767,-1);case Int8Array:return Math.max(n/127,-1);default:throw new Error("Invalid component type.")}}function et(n,e){switch(e.constructor){case Float32Array:return n;case Uint32Array:return Math.round(n*4294967295);case Uint16Array:return Math.round(n*65535);case Uint8Array:return Math.round(n*255);case Int32Array:return Math.round(n*2147483647);case Int16Array:return Math.round(n*32767);case Int8Array:return Math.round(n*127);default:throw new Error("Invalid component type.")}}const lp={DEG2RAD:hr,RAD2DEG:yr,generateUUID:li,clamp:Pe,euclideanModulo:Jl,mapLinear:Ug,inverseLerp:Fg,lerp:dr,damp:Bg,pingpong:Og,smoothstep:Vg,smootherstep:Gg,randInt:kg,randFloat:zg,randFloatSpread:Wg,seededRandom:Hg,degToRad:Xg,radToDeg:Zg,isPowerOfTwo:Yg,ceilPowerOfTwo:Kg,floorPowerOfTwo:$g,setQuaternionFromProperEuler:jg,normalize:et,denormalize:Pn};class Ae{static{Ae.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y)}copy(e){return this.x=e.x,this.y=e.y,this}add(e){return this.x+=e.x,this.y+=e.y,this}addScalar(e){return this.x+=e,this.y+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this}subScalar(e){return this.x-=e,this.y-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this}multiply(e){return this.x*=e.x,this.y*=e.y,this}multiplyScalar(e){return this.x*=e,this.y*=e,this}divide(e){return this.x/=e.x,this.y/=e.y,this}divideScalar(e){return this.multiplyScalar(1/e)}applyMatrix3(e){const t=this.x,i=this.y,s=e.elements;return this.x=s[0]*t+s[3]*i+s[6],this.y=s[1]*t+s[4]*i+s[7],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this}clamp(e,t){return this.x=Pe(this.x,e.x,t.x),this.y=Pe(this.y,e.y,t.y),this}clampScalar(e,t){return this.x=Pe(this.x,e,t),this.y=Pe(this.y,e,t),this}clampLength(e,t){const i=this.length();return this.divideScalar(i||1).multiplyScalar(Pe(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(e){return this.x*e.x+this.y*e.y}cross(e){return this.x*e.y-this.y*e.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(e){const t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;const i=this.dot(e)/t;return Math.acos(Pe(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){const t=this.x-e.x,i=this.y-e.y;return t*t+i*i}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){const i=Math.cos(t),s=Math.sin(t),r=this.x-e.x,a=this.y-e.y;return this.x=r*i-a*s+e.x,this.y=r*s+a*i+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}}class Ci{constructor(e=0,t=0,i=0,s=1){this.isQuaternion=!0,this._x=e,this._y=t,this._z=i,this._w=s}static slerpFlat(e,t,i,s,r,a,o){let c=i[s+0],l=i[s+1],h=i[s+2],f=i[s+3],u=r[a+0],d=r[a+1],g=r[a+2],y=r[a+3];if(f!==y||c!==u||l!==d||h!==g){let p=c*u+l*d+h*g+f*y;p<0&&(u=-u,d=-d,g=-g,y=-y,p=-p);let m=1-o;if(p<.9995){const _=Math.acos(p),b=Math.sin(_);m=Math.sin(m*_)/b,o=Math.sin(o*_)/b,c=c*m+u*o,l=l*m+d*o,h=h*m+g*o,f=f*m+y*o}else{c=c*m+u*o,l=l*m+d*o,h=h*m+g*o,f=f*m+y*o;const _=1/Math.sqrt(c*c+l*l+h*h+f*f);c*=_,l*=_,h*=_,f*=_}}e[t]=c,e[t+1]=l,e[t+2]=h,e[t+3]=f}static multiplyQuaternionsFlat(e,t,i,s,r,a){const o=i[s],c=i[s+1],l=i[s+2],h=i[s+3],f=r[a],u=r[a+1],d=r[a+2],g=r[a+3];return e[t]=o*g+h*f+c*d-l*u,e[t+1]=c*g+h*u+l*f-o*d,e[t+2]=l*g+h*d+o*u-c*f,e[t+3]=h*g-o*f-c*u-l*d,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this._w=e,this._onChangeCallback()}set(e,t,i,s){return this._x=e,this._y=t,this._z=i,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){const i=e._x,s=e._y,r=e._z,a=e._order,o=Math.cos,c=Math.sin,l=o(i/2),h=o(s/2),f=o(r/2),u=c(i/2),d=c(s/2),g=c(r/2);switch(a){case"XYZ":this._x=u*h*f+l*d*g,this._y=l*d*f-u*h*g,this._z=l*h*g+u*d*f,this._w=l*h*f-u*d*g;break;case"YXZ":this._x=u*h*f+l*d*g,this._y=l*d*f-u*h*g,this._z=l*h*g-u*d*f,this._w=l*h*f+u*d*g;break;case"ZXY":this._x=u*h*f-l*d*g,this._y=l*d*f+u*h*g,this._z=l*h*g+u*d*f,this._w=l*h*f-u*d*g;break;case"ZYX":this._x=u*h*f-l*d*g,this._y=l*d*f+u*h*g,this._z=l*h*g-u*d*f,this._w=l*h*f+u*d*g;break;case"YZX":this._x=u*h*f+l*d*g,this._y=l*d*f+u*h*g,this._z=l*h*g-u*d*f,this._w=l*h*f-u*d*g;break;case"XZY":this._x=u*h*f-l*d*g,this._y=l*d*f-u*h*g,this._z=l*h*g+u*d*f,this._w=l*h*f+u*d*g;break;default:Re("Quaternion: .setFromEuler() encountered an unknown order: "+a)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){const i=t/2,s=Math.sin(i);return this._x=e.x*s,this._y=e.y*s,this._z=e.z*s,this._w=Math.cos(i),this._onChangeCallback(),this}setFromRotationMatrix(e){const t=e.elements,i=t[0],s=t[4],r=t[8],a=t[1],o=t[5],c=t[9],l=t[2],h=t[6],f=t[10],u=i+o+f;if(u>0){const d=.5/Math.sqrt(u+1);this._w=.25/d,this._x=(h-c)*d,this._y=(r-l)*d,this._z=(a-s)*d}else if(i>o&&i>f){const d=2*Math.sqrt(1+i-o-f);this._w=(h-c)/d,this._x=.25*d,this._y=(s+a)/d,this._z=(r+l)/d}else if(o>f){const d=2*Math.sqrt(1+o-i-f);this._w=(r-l)/d,this._x=(s+a)/d,this._y=.25*d,this._z=(c+h)/d}else{const d=2*Math.sqrt(1+f-i-o);this._w=(a-s)/d,this._x=(r+l)/d,this._y=(c+h)/d,this._z=.25*d}return this._onChangeCallback(),this}setFromUnitVectors(e,t){let i=e.dot(t)+1;return i<1e-8?(i=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=i):(this._x=0,this._y=-e.z,this._z=e.y,this._w=i)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=i),this.normalize()}angleTo(e){return 2*Math.acos(Math.abs(Pe(this.dot(e),-1,1)))}rotateTowards(e,t){const i=this.angleTo(e);if(i===0)return this;const s=Math.min(1,t/i);return this.slerp(e,s),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(e){return this._x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){const i=e._x,s=e._y,r=e._z,a=e._w,o=t._x,c=t._y,l=t._z,h=t._w;return this._x=i*h+a*o+s*l-r*c,this._y=s*h+a*c+r*o-i*l,this._z=r*h+a*l+i*c-s*o,this._w=a*h-i*o-s*c-r*l,this._onChangeCallback(),this}slerp(e,t){let i=e._x,s=e._y,r=e._z,a=e._w,o=this.dot(e);o<0&&(i=-i,s=-s,r=-r,a=-a,o=-o);let c=1-t;if(o<.9995){const l=Math.acos(o),h=Math.sin(l);c=Math.sin(c*l)/h,t=Math.sin(t*l)/h,this._x=this._x*c+i*t,this._y=this._y*c+s*t,this._z=this._z*c+r*t,this._w=this._w*c+a*t,this._onChangeCallback()}else this._x=this._x*c+i*t,this._y=this._y*c+s*t,this._z=this._z*c+r*t,this._w=this._w*c+a*t,this.normalize();return this}slerpQuaternions(e,t,i){return this.copy(e).slerp(t,i)}random(){const e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),i=Math.random(),s=Math.sqrt(1-i),r=Math.sqrt(i);return this.set(s*Math.sin(e),s*Math.cos(e),r*Math.sin(t),r*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._w,e}fromBufferAttribute(e,t){return this._x=e.getX(t),this._y=e.getY(t),this._z=e.getZ(t),this._w=e.getW(t),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}}class P{static{P.prototype.isVector3=!0}constructor(e=0,t=0,i=0){this.x=e,this.y=t,this.z=i}set(e,t,i){return i===void 0&&(i=this.z),this.x=e,this.y=t,this.z=i,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;default:throw new Error("index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(sf.setFromEuler(e))}applyAxisAngle(e,t){return this.applyQuaternion(sf.setFromAxisAngle(e,t))}applyMatrix3(e){const t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*i+r[6]*s,this.y=r[1]*t+r[4]*i+r[7]*s,this.z=r[2]*t+r[5]*i+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){const t=this.x,i=this.y,s=this.z,r=e.elements,a=1/(r[3]*t+r[7]*i+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*i+r[8]*s+r[12])*a,this.y=(r[1]*t+r[5]*i+r[9]*s+r[13])*a,this.z=(r[2]*t+r[6]*i+r[10]*s+r[14])*a,this}applyQuaternion(e){const t=this.x,i=this.y,s=this.z,r=e.x,a=e.y,o=e.z,c=e.w,l=2*(a*s-o*i),h=2*(o*t-r*s),f=2*(r*i-a*t);return this.x=t+c*l+a*f-o*h,this.y=i+c*h+o*l-r*f,this.z=s+c*f+r*h-a*l,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){const t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[4]*i+r[8]*s,this.y=r[1]*t+r[5]*i+r[9]*s,this.z=r[2]*t+r[6]*i+r[10]*s,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this}clamp(e,t){return this.x=Pe(this.x,e.x,t.x),this.y=Pe(this.y,e.y,t.y),this.z=Pe(this.z,e.z,t.z),this}clampScalar(e,t){return this.x=Pe(this.x,e,t),this.y=Pe(this.y,e,t),this.z=Pe(this.z,e,t),this}clampLength(e,t){const i=this.length();return this.divideScalar(i||1).multiplyScalar(Pe(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){const i=e.x,s=e.y,r=e.z,a=t.x,o=t.y,c=t.z;return this.x=s*c-r*o,this.y=r*a-i*c,this.z=i*o-s*a,this}projectOnVector(e){const t=e.lengthSq();if(t===0)return this.set(0,0,0);const i=e.dot(this)/t;return this.copy(e).multiplyScalar(i)}projectOnPlane(e){return Ro.copy(this).projectOnVector(e),this.sub(Ro)}reflect(e){return this.sub(Ro.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){const t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;const i=this.dot(e)/t;return Math.acos(Pe(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){const t=this.x-e.x,i=this.y-e.y,s=this.z-e.z;return t*t+i*i+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,i){const s=Math.sin(t)*e;return this.x=s*Math.sin(i),this.y=Math.cos(t)*e,this.z=s*Math.cos(i),this}setFromCylindrical(e){return this.setFromCylindricalCoords(e.radius,e.theta,e.y)}setFromCylindricalCoords(e,t,i){return this.x=e*Math.sin(t),this.y=i,this.z=e*Math.cos(t),this}setFromMatrixPosition(e){const t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this}setFromMatrixScale(e){const t=this.setFromMatrixColumn(e,0).length(),i=this.setFromMatrixColumn(e,1).length(),s=this.setFromMatrixColumn(e,2).length();return this.x=t,this.y=i,this.z=s,this}setFromMatrixColumn(e,t){return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.fromArray(e.elements,t*3)}setFromEuler(e){return this.x=e._x,this.y=e._y,this.z=e._z,this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){const e=Math.random()*Math.PI*2,t=Math.random()*2-1,i=Math.sqrt(1-t*t);return this.x=i*Math.cos(e),this.y=t,this.z=i*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}}const Ro=new P,sf=new Ci;class Le{static{Le.prototype.isMatrix3=!0}constructor(e,t,i,s,r,a,o,c,l){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,a,o,c,l)}set(e,t,i,s,r,a,o,c,l){const h=this.elements;return h[0]=e,h[1]=s,h[2]=o,h[3]=t,h[4]=r,h[5]=c,h[6]=i,h[7]=a,h[8]=l,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){const t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],this}extractBasis(e,t,i){return e.setFromMatrix3Column(this,0),t.setFromMatrix3Column(this,1),i.setFromMatrix3Column(this,2),this}setFromMatrix4(e){const t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){const i=e.elements,s=t.elements,r=this.elements,a=i[0],o=i[3],c=i[6],l=i[1],h=i[4],f=i[7],u=i[2],d=i[5],g=i[8],y=s[0],p=s[3],m=s[6],_=s[1],b=s[4],x=s[7],E=s[2],A=s[5],w=s[8];return r[0]=a*y+o*_+c*E,r[3]=a*p+o*b+c*A,r[6]=a*m+o*x+c*w,r[1]=l*y+h*_+f*E,r[4]=l*p+h*b+f*A,r[7]=l*m+h*x+f*w,r[2]=u*y+d*_+g*E,r[5]=u*p+d*b+g*A,r[8]=u*m+d*x+g*w,this}multiplyScalar(e){const t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){const e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],a=e[4],o=e[5],c=e[6],l=e[7],h=e[8];return t*a*h-t*o*l-i*r*h+i*o*c+s*r*l-s*a*c}invert(){const e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],a=e[4],o=e[5],c=e[6],l=e[7],h=e[8],f=h*a-o*l,u=o*c-h*r,d=l*r-a*c,g=t*f+i*u+s*d;if(g===0)return this.set(0,0,0,0,0,0,0,0,0);const y=1/g;return e[0]=f*y,e[1]=(s*l-h*i)*y,e[2]=(o*i-s*a)*y,e[3]=u*y,e[4]=(h*t-s*c)*y,e[5]=(s*r-o*t)*y,e[6]=d*y,e[7]=(i*c-l*t)*y,e[8]=(a*t-i*r)*y,this}transpose(){let e;const t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){const t=this.elements;return e[0]=t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,i,s,r,a,o){const c=Math.cos(r),l=Math.sin(r);return this.set(i*c,i*l,-i*(c*a+l*o)+a+e,-s*l,s*c,-s*(-l*a+c*o)+o+t,0,0,1),this}scale(e,t){return this.premultiply(Io.makeScale(e,t)),this}rotate(e){return this.premultiply(Io.makeRotation(-e)),this}translate(e,t){return this.premultiply(Io.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){const t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,i,t,0,0,0,1),this}makeScale(e,t){return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){const t=this.elements,i=e.elements;for(let s=0;s<9;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<9;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){const i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e}clone(){return new this.constructor().fromArray(this.elements)}}const Io=new Le,rf=new Le().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),af=new Le().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function Jg(){const n={enabled:!0,workingColorSpace:xr,spaces:{},convert:function(s,r,a){return this.enabled===!1||r===a||!r||!a||(this.spaces[r].transfer===Qe&&(s.r=ui(s.r),s.g=ui(s.g),s.b=ui(s.b)),this.spaces[r].primaries!==this.spaces[a].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[a].fromXYZ)),this.spaces[a].transfer===Qe&&(s.r=Fs(s.r),s.g=Fs(s.g),s.b=Fs(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===wi?$a:this.spaces[s].transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,a){return s.copy(this.spaces[r].toXYZ).multiply(this.spaces[a].fromXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace},fromWorkingColorSpace:function(s,r){return vl("ColorManagement: .fromWorkingColorSpace() has been renamed to .workingToColorSpace()."),n.workingToColorSpace(s,r)},toWorkingColorSpace:function(s,r){return vl("ColorManagement: .toWorkingColorSpace() has been renamed to .colorSpaceToWorking()."),n.colorSpaceToWorking(s,r)}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],i=[.3127,.329];return n.define({[xr]:{primaries:e,whitePoint:i,transfer:$a,toXYZ:rf,fromXYZ:af,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:mn},outputColorSpaceConfig:{drawingBufferColorSpace:mn}},[mn]:{primaries:e,whitePoint:i,transfer:Qe,toXYZ:rf,fromXYZ:af,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:mn}}}),n}const Xe=Jg();function ui(n){return n<.04045?n*.0773993808:Math.pow(n*.9478672986+.0521327014,2.4)}function Fs(n){return n<.0031308?n*12.92:1.055*Math.pow(n,.41666)-.055}let as;class qg{static getDataURL(e,t="image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let i;if(e instanceof HTMLCanvasElement)i=e;else{as===void 0&&(as=Ja("canvas")),as.width=e.width,as.height=e.height;const s=as.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),i=as}return i.toDataURL(t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&e instanceof ImageBitmap){const t=Ja("canvas");t.width=e.width,t.height=e.height;const i=t.getContext("2d");i.drawImage(e,0,0,e.width,e.height);const s=i.getImageData(0,0,e.width,e.height),r=s.data;for(let a=0;a<r.length;a++)r[a]=ui(r[a]/255)*255;return i.putImageData(s,0,0),t}else if(e.data){const t=e.data.slice(0);for(let i=0;i<t.length;i++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[i]=Math.floor(ui(t[i]/255)*255):t[i]=ui(t[i]);return{data:t,width:e.width,height:e.height}}else return Re("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}}let Qg=0;class ql{constructor(e=null){this.isSource=!0,Object.defineProperty(this,"id",{value:Qg++}),this.uuid=li(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){const t=this.data;return typeof HTMLVideoElement<"u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==null?e.set(t.width,t.height,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){const t=e===void 0||typeof e=="string";if(!t&&e.images[this.uuid]!==void 0)return e.images[this.uuid];const i={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let a=0,o=s.length;a<o;a++)s[a].isDataTexture?r.push(No(s[a].image)):r.push(No(s[a]))}else r=No(s);i.url=r}return t||(e.images[this.uuid]=i),i}}function No(n){return typeof HTMLImageElement<"u"&&n instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&n instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&n instanceof ImageBitmap?qg.getDataURL(n):n.data?{data:Array.from(n.data),width:n.width,height:n.height,type:n.data.constructor.name}:(Re("Texture: Unable to serialize Texture."),{})}let e0=0;const Co=new P;class Jt extends Li{constructor(e=Jt.DEFAULT_IMAGE,t=Jt.DEFAULT_MAPPING,i=ai,s=ai,r=Wt,a=Zi,o=xn,c=vn,l=Jt.DEFAULT_ANISOTROPY,h=wi){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:e0++}),this.uuid=li(),this.name="",this.source=new ql(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.wrapS=i,this.wrapT=s,this.magFilter=r,this.minFilter=a,this.anisotropy=l,this.format=o,this.internalFormat=null,this.type=c,this.offset=new Ae(0,0),this.repeat=new Ae(1,1),this.center=new Ae(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new Le,this.generateMipmaps=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=h,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.normalized=!1}get width(){return this.source.getSize(Co).x}get height(){return this.source.getSize(Co).y}get depth(){return this.source.getSize(Co).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=e.minFilter,this.anisotropy=e.anisotropy,this.format=e.format,this.internalFormat=e.internalFormat,this.type=e.type,this.normalized=e.normalized,this.offset.copy(e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.rotation,this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrix.copy(e.matrix),this.generateMipmaps=e.generateMipmaps,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(const t in e){const i=e[t];if(i===void 0){Re(`Texture.setValues(): parameter '${t}' has value of undefined.`);continue}const s=this[t];if(s===void 0){Re(`Texture.setValues(): property '${t}' does not exist.`);continue}s&&i&&s.isVector2&&i.isVector2||s&&i&&s.isVector3&&i.isVector3||s&&i&&s.isMatrix3&&i.isMatrix3?s.copy(i):this[t]=i}}toJSON(e){const t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];const i={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(i.userData=this.userData),t||(e.textures[this.uuid]=i),i}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==ep)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case Vc:e.x=e.x-Math.floor(e.x);break;case ai:e.x=e.x<0?0:1;break;case Gc:Math.abs(Math.floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case Vc:e.y=e.y-Math.floor(e.y);break;case ai:e.y=e.y<0?0:1;break;case Gc:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}}Jt.DEFAULT_IMAGE=null;Jt.DEFAULT_MAPPING=ep;Jt.DEFAULT_ANISOTROPY=1;class ft{static{ft.prototype.isVector4=!0}constructor(e=0,t=0,i=0,s=1){this.x=e,this.y=t,this.z=i,this.w=s}get width(){return this.z}set width(e){this.z=e}get height(){return this.w}set height(e){this.w=e}set(e,t,i,s){return this.x=e,this.y=t,this.z=i,this.w=s,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;case 3:this.w=t;break;default:throw new Error("index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this.w=e.w!==void 0?e.w:1,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this.w+=e.w,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this.w+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this.w=e.w+t.w,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this.w+=e.w*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this.w-=e.w,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this.w-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this.w*=e.w,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this.w*=e,this}applyMatrix4(e){const t=this.x,i=this.y,s=this.z,r=this.w,a=e.elements;return this.x=a[0]*t+a[4]*i+a[8]*s+a[12]*r,this.y=a[1]*t+a[5]*i+a[9]*s+a[13]*r,this.z=a[2]*t+a[6]*i+a[10]*s+a[14]*r,this.w=a[3]*t+a[7]*i+a[11]*s+a[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);const t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,i,s,r;const c=e.elements,l=c[0],h=c[4],f=c[8],u=c[1],d=c[5],g=c[9],y=c[2],p=c[6],m=c[10];if(Math.abs(h-u)<.01&&Math.abs(f-y)<.01&&Math.abs(g-p)<.01){if(Math.abs(h+u)<.1&&Math.abs(f+y)<.1&&Math.abs(g+p)<.1&&Math.abs(l+d+m-3)<.1)return this.set(1,0,0,0),this;t=Math.PI;const b=(l+1)/2,x=(d+1)/2,E=(m+1)/2,A=(h+u)/4,w=(f+y)/4,v=(g+p)/4;return b>x&&b>E?b<.01?(i=0,s=.707106781,r=.707106781):(i=Math.sqrt(b),s=A/i,r=w/i):x>E?x<.01?(i=.707106781,s=0,r=.707106781):(s=Math.sqrt(x),i=A/s,r=v/s):E<.01?(i=.707106781,s=.707106781,r=0):(r=Math.sqrt(E),i=w/r,s=v/r),this.set(i,s,r,t),this}let _=Math.sqrt((p-g)*(p-g)+(f-y)*(f-y)+(u-h)*(u-h));return Math.abs(_)<.001&&(_=1),this.x=(p-g)/_,this.y=(f-y)/_,this.z=(u-h)/_,this.w=Math.acos((l+d+m-1)/2),this}setFromMatrixPosition(e){const t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(this.w,e.w),this}clamp(e,t){return this.x=Pe(this.x,e.x,t.x),this.y=Pe(this.y,e.y,t.y),this.z=Pe(this.z,e.z,t.z),this.w=Pe(this.w,e.w,t.w),this}clampScalar(e,t){return this.x=Pe(this.x,e,t),this.y=Pe(this.y,e,t),this.z=Pe(this.z,e,t),this.w=Pe(this.w,e,t),this}clampLength(e,t){const i=this.length();return this.divideScalar(i||1).multiplyScalar(Pe(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z+this.w*e.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this.w+=(e.w-this.w)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this.w=e.w+(t.w-e.w)*i,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}}class t0 extends Li{constructor(e=1,t=1,i={}){super(),i=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:Wt,depthBuffer:!0,stencilBuffer:!1,resolveDepthBuffer:!0,resolveStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1},i),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=i.depth,this.scissor=new ft(0,0,e,t),this.scissorTest=!1,this.viewport=new ft(0,0,e,t),this.textures=[];const s={width:e,height:t,depth:i.depth},r=new Jt(s),a=i.count;for(let o=0;o<a;o++)this.textures[o]=r.clone(),this.textures[o].isRenderTargetTexture=!0,this.textures[o].renderTarget=this;this._setTextureOptions(i),this.depthBuffer=i.depthBuffer,this.stencilBuffer=i.stencilBuffer,this.resolveDepthBuffer=i.resolveDepthBuffer,this.resolveStencilBuffer=i.resolveStencilBuffer,this._depthTexture=null,this.depthTexture=i.depthTexture,this.samples=i.samples,this.multiview=i.multiview}_setTextureOptions(e={}){const t={minFilter:Wt,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&(t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.internalFormat!==void 0&&(t.internalFormat=e.internalFormat);for(let i=0;i<this.textures.length;i++)this.textures[i].setValues(t)}get texture(){return this.textures[0]}set texture(e){this.textures[0]=e}set depthTexture(e){this._depthTexture!==null&&(this._depthTexture.renderTarget=null),e!==null&&(e.renderTarget=this),this._depthTexture=e}get depthTexture(){return this._depthTexture}setSize(e,t,i=1){if(this.width!==e||this.height!==t||this.depth!==i){this.width=e,this.height=t,this.depth=i;for(let s=0,r=this.textures.length;s<r;s++)this.textures[s].image.width=e,this.textures[s].image.height=t,this.textures[s].image.depth=i,this.textures[s].isData3DTexture!==!0&&(this.textures[s].isArrayTexture=this.textures[s].image.depth>1);this.dispose()}this.viewport.set(0,0,e,t),this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,i=e.textures.length;t<i;t++){this.textures[t]=e.textures[t].clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;const s=Object.assign({},e.textures[t].image);this.textures[t].source=new ql(s)}return this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,this.resolveStencilBuffer=e.resolveStencilBuffer,e.depthTexture!==null&&(this.depthTexture=e.depthTexture.clone()),this.samples=e.samples,this.multiview=e.multiview,this}dispose(){this.dispatchEvent({type:"dispose"})}}class Ln extends t0{constructor(e=1,t=1,i={}){super(e,t,i),this.isWebGLRenderTarget=!0}}class up extends Jt{constructor(e=null,t=1,i=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=zt,this.minFilter=zt,this.wrapR=ai,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}}class n0 extends Jt{constructor(e=null,t=1,i=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=zt,this.minFilter=zt,this.wrapR=ai,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}}class Je{static{Je.prototype.isMatrix4=!0}constructor(e,t,i,s,r,a,o,c,l,h,f,u,d,g,y,p){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,a,o,c,l,h,f,u,d,g,y,p)}set(e,t,i,s,r,a,o,c,l,h,f,u,d,g,y,p){const m=this.elements;return m[0]=e,m[4]=t,m[8]=i,m[12]=s,m[1]=r,m[5]=a,m[9]=o,m[13]=c,m[2]=l,m[6]=h,m[10]=f,m[14]=u,m[3]=d,m[7]=g,m[11]=y,m[15]=p,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new Je().fromArray(this.elements)}copy(e){const t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],t[9]=i[9],t[10]=i[10],t[11]=i[11],t[12]=i[12],t[13]=i[13],t[14]=i[14],t[15]=i[15],this}copyPosition(e){const t=this.elements,i=e.elements;return t[12]=i[12],t[13]=i[13],t[14]=i[14],this}setFromMatrix3(e){const t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,i){return this.determinant()===0?(e.set(1,0,0),t.set(0,1,0),i.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),i.setFromMatrixColumn(this,2),this)}makeBasis(e,t,i){return this.set(e.x,t.x,i.x,0,e.y,t.y,i.y,0,e.z,t.z,i.z,0,0,0,0,1),this}extractRotation(e){if(e.determinant()===0)return this.identity();const t=this.elements,i=e.elements,s=1/os.setFromMatrixColumn(e,0).length(),r=1/os.setFromMatrixColumn(e,1).length(),a=1/os.setFromMatrixColumn(e,2).length();return t[0]=i[0]*s,t[1]=i[1]*s,t[2]=i[2]*s,t[3]=0,t[4]=i[4]*r,t[5]=i[5]*r,t[6]=i[6]*r,t[7]=0,t[8]=i[8]*a,t[9]=i[9]*a,t[10]=i[10]*a,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){const t=this.elements,i=e.x,s=e.y,r=e.z,a=Math.cos(i),o=Math.sin(i),c=Math.cos(s),l=Math.sin(s),h=Math.cos(r),f=Math.sin(r);if(e.order==="XYZ"){const u=a*h,d=a*f,g=o*h,y=o*f;t[0]=c*h,t[4]=-c*f,t[8]=l,t[1]=d+g*l,t[5]=u-y*l,t[9]=-o*c,t[2]=y-u*l,t[6]=g+d*l,t[10]=a*c}else if(e.order==="YXZ"){const u=c*h,d=c*f,g=l*h,y=l*f;t[0]=u+y*o,t[4]=g*o-d,t[8]=a*l,t[1]=a*f,t[5]=a*h,t[9]=-o,t[2]=d*o-g,t[6]=y+u*o,t[10]=a*c}else if(e.order==="ZXY"){const u=c*h,d=c*f,g=l*h,y=l*f;t[0]=u-y*o,t[4]=-a*f,t[8]=g+d*o,t[1]=d+g*o,t[5]=a*h,t[9]=y-u*o,t[2]=-a*l,t[6]=o,t[10]=a*c}else if(e.order==="ZYX"){const u=a*h,d=a*f,g=o*h,y=o*f;t[0]=c*h,t[4]=g*l-d,t[8]=u*l+y,t[1]=c*f,t[5]=y*l+u,t[9]=d*l-g,t[2]=-l,t[6]=o*c,t[10]=a*c}else if(e.order==="YZX"){const u=a*c,d=a*l,g=o*c,y=o*l;t[0]=c*h,t[4]=y-u*f,t[8]=g*f+d,t[1]=f,t[5]=a*h,t[9]=-o*h,t[2]=-l*h,t[6]=d*f+g,t[10]=u-y*f}else if(e.order==="XZY"){const u=a*c,d=a*l,g=o*c,y=o*l;t[0]=c*h,t[4]=-f,t[8]=l*h,t[1]=u*f+y,t[5]=a*h,t[9]=d*f-g,t[2]=g*f-d,t[6]=o*h,t[10]=y*f+u}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(i0,e,s0)}lookAt(e,t,i){const s=this.elements;return ln.subVectors(e,t),ln.lengthSq()===0&&(ln.z=1),ln.normalize(),_i.crossVectors(i,ln),_i.lengthSq()===0&&(Math.abs(i.z)===1?ln.x+=1e-4:ln.z+=1e-4,ln.normalize(),_i.crossVectors(i,ln)),_i.normalize(),kr.crossVectors(ln,_i),s[0]=_i.x,s[4]=kr.x,s[8]=ln.x,s[1]=_i.y,s[5]=kr.y,s[9]=ln.y,s[2]=_i.z,s[6]=kr.z,s[10]=ln.z,this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){const i=e.elements,s=t.elements,r=this.elements,a=i[0],o=i[4],c=i[8],l=i[12],h=i[1],f=i[5],u=i[9],d=i[13],g=i[2],y=i[6],p=i[10],m=i[14],_=i[3],b=i[7],x=i[11],E=i[15],A=s[0],w=s[4],v=s[8],T=s[12],N=s[1],R=s[5],C=s[9],U=s[13],B=s[2],L=s[6],V=s[10],G=s[14],J=s[3],ee=s[7],le=s[11],xe=s[15];return r[0]=a*A+o*N+c*B+l*J,r[4]=a*w+o*R+c*L+l*ee,r[8]=a*v+o*C+c*V+l*le,r[12]=a*T+o*U+c*G+l*xe,r[1]=h*A+f*N+u*B+d*J,r[5]=h*w+f*R+u*L+d*ee,r[9]=h*v+f*C+u*V+d*le,r[13]=h*T+f*U+u*G+d*xe,r[2]=g*A+y*N+p*B+m*J,r[6]=g*w+y*R+p*L+m*ee,r[10]=g*v+y*C+p*V+m*le,r[14]=g*T+y*U+p*G+m*xe,r[3]=_*A+b*N+x*B+E*J,r[7]=_*w+b*R+x*L+E*ee,r[11]=_*v+b*C+x*V+E*le,r[15]=_*T+b*U+x*G+E*xe,this}multiplyScalar(e){const t=this.elements;return t[0]*=e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){const e=this.elements,t=e[0],i=e[4],s=e[8],r=e[12],a=e[1],o=e[5],c=e[9],l=e[13],h=e[2],f=e[6],u=e[10],d=e[14],g=e[3],y=e[7],p=e[11],m=e[15],_=c*d-l*u,b=o*d-l*f,x=o*u-c*f,E=a*d-l*h,A=a*u-c*h,w=a*f-o*h;return t*(y*_-p*b+m*x)-i*(g*_-p*E+m*A)+s*(g*b-y*E+m*w)-r*(g*x-y*A+p*w)}transpose(){const e=this.elements;let t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,i){const s=this.elements;return e.isVector3?(s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=i),this}invert(){const e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],a=e[4],o=e[5],c=e[6],l=e[7],h=e[8],f=e[9],u=e[10],d=e[11],g=e[12],y=e[13],p=e[14],m=e[15],_=t*o-i*a,b=t*c-s*a,x=t*l-r*a,E=i*c-s*o,A=i*l-r*o,w=s*l-r*c,v=h*y-f*g,T=h*p-u*g,N=h*m-d*g,R=f*p-u*y,C=f*m-d*y,U=u*m-d*p,B=_*U-b*C+x*R+E*N-A*T+w*v;if(B===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);const L=1/B;return e[0]=(o*U-c*C+l*R)*L,e[1]=(s*C-i*U-r*R)*L,e[2]=(y*w-p*A+m*E)*L,e[3]=(u*A-f*w-d*E)*L,e[4]=(c*N-a*U-l*T)*L,e[5]=(t*U-s*N+r*T)*L,e[6]=(p*x-g*w-m*b)*L,e[7]=(h*w-u*x+d*b)*L,e[8]=(a*C-o*N+l*v)*L,e[9]=(i*N-t*C-r*v)*L,e[10]=(g*A-y*x+m*_)*L,e[11]=(f*x-h*A-d*_)*L,e[12]=(o*T-a*R-c*v)*L,e[13]=(t*R-i*T+s*v)*L,e[14]=(y*b-g*E-p*_)*L,e[15]=(h*E-f*b+u*_)*L,this}scale(e){const t=this.elements,i=e.x,s=e.y,r=e.z;return t[0]*=i,t[4]*=s,t[8]*=r,t[1]*=i,t[5]*=s,t[9]*=r,t[2]*=i,t[6]*=s,t[10]*=r,t[3]*=i,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){const e=this.elements,t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],i=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,i,s))}makeTranslation(e,t,i){return e.isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,i,0,0,0,1),this}makeRotationX(e){const t=Math.cos(e),i=Math.sin(e);return this.set(1,0,0,0,0,t,-i,0,0,i,t,0,0,0,0,1),this}makeRotationY(e){const t=Math.cos(e),i=Math.sin(e);return this.set(t,0,i,0,0,1,0,0,-i,0,t,0,0,0,0,1),this}makeRotationZ(e){const t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,0,i,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){const i=Math.cos(t),s=Math.sin(t),r=1-i,a=e.x,o=e.y,c=e.z,l=r*a,h=r*o;return this.set(l*a+i,l*o-s*c,l*c+s*o,0,l*o+s*c,h*o+i,h*c-s*a,0,l*c-s*o,h*c+s*a,r*c*c+i,0,0,0,0,1),this}makeScale(e,t,i){return this.set(e,0,0,0,0,t,0,0,0,0,i,0,0,0,0,1),this}makeShear(e,t,i,s,r,a){return this.set(1,i,r,0,e,1,a,0,t,s,1,0,0,0,0,1),this}compose(e,t,i){const s=this.elements,r=t._x,a=t._y,o=t._z,c=t._w,l=r+r,h=a+a,f=o+o,u=r*l,d=r*h,g=r*f,y=a*h,p=a*f,m=o*f,_=c*l,b=c*h,x=c*f,E=i.x,A=i.y,w=i.z;return s[0]=(1-(y+m))*E,s[1]=(d+x)*E,s[2]=(g-b)*E,s[3]=0,s[4]=(d-x)*A,s[5]=(1-(u+m))*A,s[6]=(p+_)*A,s[7]=0,s[8]=(g+b)*w,s[9]=(p-_)*w,s[10]=(1-(u+y))*w,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,i){const s=this.elements;e.x=s[12],e.y=s[13],e.z=s[14];const r=this.determinant();if(r===0)return i.set(1,1,1),t.identity(),this;let a=os.set(s[0],s[1],s[2]).length();const o=os.set(s[4],s[5],s[6]).length(),c=os.set(s[8],s[9],s[10]).length();r<0&&(a=-a),Tn.copy(this);const l=1/a,h=1/o,f=1/c;return Tn.elements[0]*=l,Tn.elements[1]*=l,Tn.elements[2]*=l,Tn.elements[4]*=h,Tn.elements[5]*=h,Tn.elements[6]*=h,Tn.elements[8]*=f,Tn.elements[9]*=f,Tn.elements[10]*=f,t.setFromRotationMatrix(Tn),i.x=a,i.y=o,i.z=c,this}makePerspective(e,t,i,s,r,a,o=Kn,c=!1){const l=this.elements,h=2*r/(t-e),f=2*r/(i-s),u=(t+e)/(t-e),d=(i+s)/(i-s);let g,y;if(c)g=r/(a-r),y=a*r/(a-r);else if(o===Kn)g=-(a+r)/(a-r),y=-2*a*r/(a-r);else if(o===ja)g=-a/(a-r),y=-a*r/(a-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+o);return l[0]=h,l[4]=0,l[8]=u,l[12]=0,l[1]=0,l[5]=f,l[9]=d,l[13]=0,l[2]=0,l[6]=0,l[10]=g,l[14]=y,l[3]=0,l[7]=0,l[11]=-1,l[15]=0,this}makeOrthographic(e,t,i,s,r,a,o=Kn,c=!1){const l=this.elements,h=2/(t-e),f=2/(i-s),u=-(t+e)/(t-e),d=-(i+s)/(i-s);let g,y;if(c)g=1/(a-r),y=a/(a-r);else if(o===Kn)g=-2/(a-r),y=-(a+r)/(a-r);else if(o===ja)g=-1/(a-r),y=-r/(a-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+o);return l[0]=h,l[4]=0,l[8]=0,l[12]=u,l[1]=0,l[5]=f,l[9]=0,l[13]=d,l[2]=0,l[6]=0,l[10]=g,l[14]=y,l[3]=0,l[7]=0,l[11]=0,l[15]=1,this}equals(e){const t=this.elements,i=e.elements;for(let s=0;s<16;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<16;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){const i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e[t+9]=i[9],e[t+10]=i[10],e[t+11]=i[11],e[t+12]=i[12],e[t+13]=i[13],e[t+14]=i[14],e[t+15]=i[15],e}}const os=new P,Tn=new Je,i0=new P(0,0,0),s0=new P(1,1,1),_i=new P,kr=new P,ln=new P,of=new Je,cf=new Ci;class Qi{constructor(e=0,t=0,i=0,s=Qi.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,this._z=i,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,i,s=this._order){return this._x=e,this._y=t,this._z=i,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,i=!0){const s=e.elements,r=s[0],a=s[4],o=s[8],c=s[1],l=s[5],h=s[9],f=s[2],u=s[6],d=s[10];switch(t){case"XYZ":this._y=Math.asin(Pe(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(-h,d),this._z=Math.atan2(-a,r)):(this._x=Math.atan2(u,l),this._z=0);break;case"YXZ":this._x=Math.asin(-Pe(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(o,d),this._z=Math.atan2(c,l)):(this._y=Math.atan2(-f,r),this._z=0);break;case"ZXY":this._x=Math.asin(Pe(u,-1,1)),Math.abs(u)<.9999999?(this._y=Math.atan2(-f,d),this._z=Math.atan2(-a,l)):(this._y=0,this._z=Math.atan2(c,r));break;case"ZYX":this._y=Math.asin(-Pe(f,-1,1)),Math.abs(f)<.9999999?(this._x=Math.atan2(u,d),this._z=Math.atan2(c,r)):(this._x=0,this._z=Math.atan2(-a,l));break;case"YZX":this._z=Math.asin(Pe(c,-1,1)),Math.abs(c)<.9999999?(this._x=Math.atan2(-h,l),this._y=Math.atan2(-f,r)):(this._x=0,this._y=Math.atan2(o,d));break;case"XZY":this._z=Math.asin(-Pe(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(u,l),this._y=Math.atan2(o,r)):(this._x=Math.atan2(-h,d),this._y=0);break;default:Re("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,i===!0&&this._onChangeCallback(),this}setFromQuaternion(e,t,i){return of.makeRotationFromQuaternion(e),this.setFromRotationMatrix(of,t,i)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,e.z,t)}reorder(e){return cf.setFromEuler(this),this.setFromQuaternion(cf,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}}Qi.DEFAULT_ORDER="XYZ";class Ql{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&(1<<e|0))!==0}}let r0=0;const lf=new P,cs=new Ci,Qn=new Je,zr=new P,$s=new P,a0=new P,o0=new Ci,uf=new P(1,0,0),ff=new P(0,1,0),hf=new P(0,0,1),df={type:"added"},c0={type:"removed"},ls={type:"childadded",child:null},Po={type:"childremoved",child:null};class sn extends Li{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:r0++}),this.uuid=li(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=sn.DEFAULT_UP.clone();const e=new P,t=new Qi,i=new Ci,s=new P(1,1,1);function r(){i.setFromEuler(t,!1)}function a(){t.setFromQuaternion(i,void 0,!1)}t._onChange(r),i._onChange(a),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:i},scale:{configurable:!0,enumerable:!0,value:s},modelViewMatrix:{value:new Je},normalMatrix:{value:new Le}}),this.matrix=new Je,this.matrixWorld=new Je,this.matrixAutoUpdate=sn.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=sn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new Ql,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(e),this.matrix.decompose(this.position,this.quaternion,this.scale)}applyQuaternion(e){return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return cs.setFromAxisAngle(e,t),this.quaternion.multiply(cs),this}rotateOnWorldAxis(e,t){return cs.setFromAxisAngle(e,t),this.quaternion.premultiply(cs),this}rotateX(e){return this.rotateOnAxis(uf,e)}rotateY(e){return this.rotateOnAxis(ff,e)}rotateZ(e){return this.rotateOnAxis(hf,e)}translateOnAxis(e,t){return lf.copy(e).applyQuaternion(this.quaternion),this.position.add(lf.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(uf,e)}translateY(e){return this.translateOnAxis(ff,e)}translateZ(e){return this.translateOnAxis(hf,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(Qn.copy(this.matrixWorld).invert())}lookAt(e,t,i){e.isVector3?zr.copy(e):zr.set(e,t,i);const s=this.parent;this.updateWorldMatrix(!0,!1),$s.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?Qn.lookAt($s,zr,this.up):Qn.lookAt(zr,$s,this.up),this.quaternion.setFromRotationMatrix(Qn),s&&(Qn.extractRotation(s.matrixWorld),cs.setFromRotationMatrix(Qn),this.quaternion.premultiply(cs.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(arguments[t]);return this}return e===this?(Ze("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=this,this.children.push(e),e.dispatchEvent(df),ls.child=e,this.dispatchEvent(ls),ls.child=null):Ze("Object3D.add: object not an instance of THREE.Object3D.",e),this)}remove(e){if(arguments.length>1){for(let i=0;i<arguments.length;i++)this.remove(arguments[i]);return this}const t=this.children.indexOf(e);return t!==-1&&(e.parent=null,this.children.splice(t,1),e.dispatchEvent(c0),Po.child=e,this.dispatchEvent(Po),Po.child=null),this}removeFromParent(){const e=this.parent;return e!==null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),Qn.copy(this.matrixWorld).invert(),e.parent!==null&&(e.parent.updateWorldMatrix(!0,!1),Qn.multiply(e.parent.matrixWorld)),e.applyMatrix4(Qn),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(!1,!0),e.dispatchEvent(df),ls.child=e,this.dispatchEvent(ls),ls.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let i=0,s=this.children.length;i<s;i++){const a=this.children[i].getObjectByProperty(e,t);if(a!==void 0)return a}}getObjectsByProperty(e,t,i=[]){this[e]===t&&i.push(this);const s=this.children;for(let r=0,a=s.length;r<a;r++)s[r].getObjectsByProperty(e,t,i);return i}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose($s,e,a0),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose($s,o0,e),e}getWorldDirection(e){this.updateWorldMatrix(!0,!1);const t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}traverse(e){e(this);const t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);const t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverseVisible(e)}traverseAncestors(e){const t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale);const e=this.pivot;if(e!==null){const t=e.x,i=e.y,s=e.z,r=this.matrix.elements;r[12]+=t-r[0]*t-r[4]*i-r[8]*s,r[13]+=i-r[1]*t-r[5]*i-r[9]*s,r[14]+=s-r[2]*t-r[6]*i-r[10]*s}this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(e){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||e)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,e=!0);const t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].updateMatrixWorld(e)}updateWorldMatrix(e,t){const i=this.parent;if(e===!0&&i!==null&&i.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),t===!0){const s=this.children;for(let r=0,a=s.length;r<a;r++)s[r].updateWorldMatrix(!1,!0)}}toJSON(e){const t=e===void 0||typeof e=="string",i={};t&&(e={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},i.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});const s={};s.uuid=this.uuid,s.type=this.type,this.name!==""&&(s.name=this.name),this.castShadow===!0&&(s.castShadow=!0),this.receiveShadow===!0&&(s.receiveShadow=!0),this.visible===!1&&(s.visible=!1),this.frustumCulled===!1&&(s.frustumCulled=!1),this.renderOrder!==0&&(s.renderOrder=this.renderOrder),this.static!==!1&&(s.static=this.static),Object.keys(this.userData).length>0&&(s.userData=this.userData),s.layers=this.layers.mask,s.matrix=this.matrix.toArray(),s.up=this.up.toArray(),this.pivot!==null&&(s.pivot=this.pivot.toArray()),this.matrixAutoUpdate===!1&&(s.matrixAutoUpdate=!1),this.morphTargetDictionary!==void 0&&(s.morphTargetDictionary=Object.assign({},this.morphTargetDictionary)),this.morphTargetInfluences!==void 0&&(s.morphTargetInfluences=this.morphTargetInfluences.slice()),this.isInstancedMesh&&(s.type="InstancedMesh",s.count=this.count,s.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(s.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(s.type="BatchedMesh",s.perObjectFrustumCulled=this.perObjectFrustumCulled,s.sortObjects=this.sortObjects,s.drawRanges=this._drawRanges,s.reservedRanges=this._reservedRanges,s.geometryInfo=this._geometryInfo.map(o=>({...o,boundingBox:o.boundingBox?o.boundingBox.toJSON():void 0,boundingSphere:o.boundingSphere?o.boundingSphere.toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(o=>({...o})),s.availableInstanceIds=this._availableInstanceIds.slice(),s.availableGeometryIds=this._availableGeometryIds.slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.toJSON(e),s.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(o,c){return o[c.uuid]===void 0&&(o[c.uuid]=c.toJSON(e)),c.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(e).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(e.geometries,this.geometry);const o=this.geometry.parameters;if(o!==void 0&&o.shapes!==void 0){const c=o.shapes;if(Array.isArray(c))for(let l=0,h=c.length;l<h;l++){const f=c[l];r(e.shapes,f)}else r(e.shapes,c)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){const o=[];for(let c=0,l=this.material.length;c<l;c++)o.push(r(e.materials,this.material[c]));s.material=o}else s.material=r(e.materials,this.material);if(this.children.length>0){s.children=[];for(let o=0;o<this.children.length;o++)s.children.push(this.children[o].toJSON(e).object)}if(this.animations.length>0){s.animations=[];for(let o=0;o<this.animations.length;o++){const c=this.animations[o];s.animations.push(r(e.animations,c))}}if(t){const o=a(e.geometries),c=a(e.materials),l=a(e.textures),h=a(e.images),f=a(e.shapes),u=a(e.skeletons),d=a(e.animations),g=a(e.nodes);o.length>0&&(i.geometries=o),c.length>0&&(i.materials=c),l.length>0&&(i.textures=l),h.length>0&&(i.images=h),f.length>0&&(i.shapes=f),u.length>0&&(i.skeletons=u),d.length>0&&(i.animations=d),g.length>0&&(i.nodes=g)}return i.object=s,i;function a(o){const c=[];for(const l in o){const h=o[l];delete h.metadata,c.push(h)}return c}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let i=0;i<e.children.length;i++){const s=e.children[i];this.add(s.clone())}return this}}sn.DEFAULT_UP=new P(0,1,0);sn.DEFAULT_MATRIX_AUTO_UPDATE=!0;sn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;class ur extends sn{constructor(){super(),this.isGroup=!0,this.type="Group"}}const l0={type:"move"};class Lo{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new ur,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new ur,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new P,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new P),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new ur,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new P,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new P,this._grip.eventsEnabled=!1),this._grip}dispatchEvent(e){return this._targetRay!==null&&this._targetRay.dispatchEvent(e),this._grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){const t=this._hand;if(t)for(const i of e.hand.values())this._getHandJoint(t,i)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,i){let s=null,r=null,a=null;const o=this._targetRay,c=this._grip,l=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(l&&e.hand){a=!0;for(const y of e.hand.values()){const p=t.getJointPose(y,i),m=this._getHandJoint(l,y);p!==null&&(m.matrix.fromArray(p.transform.matrix),m.matrix.decompose(m.position,m.rotation,m.scale),m.matrixWorldNeedsUpdate=!0,m.jointRadius=p.radius),m.visible=p!==null}const h=l.joints["index-finger-tip"],f=l.joints["thumb-tip"],u=h.position.distanceTo(f.position),d=.02,g=.005;l.inputState.pinching&&u>d+g?(l.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!l.inputState.pinching&&u<=d-g&&(l.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else c!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,i),r!==null&&(c.matrix.fromArray(r.transform.matrix),c.matrix.decompose(c.position,c.rotation,c.scale),c.matrixWorldNeedsUpdate=!0,r.linearVelocity?(c.hasLinearVelocity=!0,c.linearVelocity.copy(r.linearVelocity)):c.hasLinearVelocity=!1,r.angularVelocity?(c.hasAngularVelocity=!0,c.angularVelocity.copy(r.angularVelocity)):c.hasAngularVelocity=!1,c.eventsEnabled&&c.dispatchEvent({type:"gripUpdated",data:e,target:this})));o!==null&&(s=t.getPose(e.targetRaySpace,i),s===null&&r!==null&&(s=r),s!==null&&(o.matrix.fromArray(s.transform.matrix),o.matrix.decompose(o.position,o.rotation,o.scale),o.matrixWorldNeedsUpdate=!0,s.linearVelocity?(o.hasLinearVelocity=!0,o.linearVelocity.copy(s.linearVelocity)):o.hasLinearVelocity=!1,s.angularVelocity?(o.hasAngularVelocity=!0,o.angularVelocity.copy(s.angularVelocity)):o.hasAngularVelocity=!1,this.dispatchEvent(l0)))}return o!==null&&(o.visible=s!==null),c!==null&&(c.visible=r!==null),l!==null&&(l.visible=a!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){const i=new ur;i.matrixAutoUpdate=!1,i.visible=!1,e.joints[t.jointName]=i,e.add(i)}return e.joints[t.jointName]}}const fp={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},vi={h:0,s:0,l:0},Wr={h:0,s:0,l:0};function Do(n,e,t){return t<0&&(t+=1),t>1&&(t-=1),t<1/6?n+(e-n)*6*t:t<1/2?e:t<2/3?n+(e-n)*6*(2/3-t):n}class Ke{constructor(e,t,i){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(e,t,i)}set(e,t,i){if(t===void 0&&i===void 0){const s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.setRGB(e,t,i);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=mn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,this.b=(e&255)/255,Xe.colorSpaceToWorking(this,t),this}setRGB(e,t,i,s=Xe.workingColorSpace){return this.r=e,this.g=t,this.b=i,Xe.colorSpaceToWorking(this,s),this}setHSL(e,t,i,s=Xe.workingColorSpace){if(e=Jl(e,1),t=Pe(t,0,1),i=Pe(i,0,1),t===0)this.r=this.g=this.b=i;else{const r=i<=.5?i*(1+t):i+t-i*t,a=2*i-r;this.r=Do(a,r,e+1/3),this.g=Do(a,r,e),this.b=Do(a,r,e-1/3)}return Xe.colorSpaceToWorking(this,s),this}setStyle(e,t=mn){function i(r){r!==void 0&&parseFloat(r)<1&&Re("Color: Alpha component of "+e+" will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r;const a=s[1],o=s[2];switch(a){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d*\.?\d+)\s*)?$/.exec(o))return i(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+)\%\s*,\s*(\d+)\%\s*,\s*(\d+)\%\s*(?:,\s*(\d*\.?\d+)\s*)?$/.exec(o))return i(r[4]),this.setRGB(Math.min(100,parseInt(r[1],10))/100,Math.min(100,parseInt(r[2],10))/100,Math.min(100,parseInt(r[3],10))/100,t);break;case"hsl":case"hsla":if(r=/^\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\%\s*,\s*(\d*\.?\d+)\%\s*(?:,\s*(\d*\.?\d+)\s*)?$/.exec(o))return i(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:Re("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.exec(e)){const r=s[1],a=r.length;if(a===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(a===6)return this.setHex(parseInt(r,16),t);Re("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=mn){const i=fp[e.toLowerCase()];return i!==void 0?this.setHex(i,t):Re("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=ui(e.r),this.g=ui(e.g),this.b=ui(e.b),this}copyLinearToSRGB(e){return this.r=Fs(e.r),this.g=Fs(e.g),this.b=Fs(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=mn){return Xe.workingToColorSpace(Zt.copy(this),e),Math.round(Pe(Zt.r*255,0,255))*65536+Math.round(Pe(Zt.g*255,0,255))*256+Math.round(Pe(Zt.b*255,0,255))}getHexString(e=mn){return("000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=Xe.workingColorSpace){Xe.workingToColorSpace(Zt.copy(this),t);const i=Zt.r,s=Zt.g,r=Zt.b,a=Math.max(i,s,r),o=Math.min(i,s,r);let c,l;const h=(o+a)/2;if(o===a)c=0,l=0;else{const f=a-o;switch(l=h<=.5?f/(a+o):f/(2-a-o),a){case i:c=(s-r)/f+(s<r?6:0);break;case s:c=(r-i)/f+2;break;case r:c=(i-s)/f+4;break}c/=6}return e.h=c,e.s=l,e.l=h,e}getRGB(e,t=Xe.workingColorSpace){return Xe.workingToColorSpace(Zt.copy(this),t),e.r=Zt.r,e.g=Zt.g,e.b=Zt.b,e}getStyle(e=mn){Xe.workingToColorSpace(Zt.copy(this),e);const t=Zt.r,i=Zt.g,s=Zt.b;return e!==mn?`color(${e} ${t.toFixed(3)} ${i.toFixed(3)} ${s.toFixed(3)})`:`rgb(${Math.round(t*255)},${Math.round(i*255)},${Math.round(s*255)})`}offsetHSL(e,t,i){return this.getHSL(vi),this.setHSL(vi.h+e,vi.s+t,vi.l+i)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,i){return this.r=e.r+(t.r-e.r)*i,this.g=e.g+(t.g-e.g)*i,this.b=e.b+(t.b-e.b)*i,this}lerpHSL(e,t){this.getHSL(vi),e.getHSL(Wr);const i=dr(vi.h,Wr.h,t),s=dr(vi.s,Wr.s,t),r=dr(vi.l,Wr.l,t);return this.setHSL(i,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=e.z,this}applyMatrix3(e){const t=this.r,i=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*i+r[6]*s,this.g=r[1]*t+r[4]*i+r[7]*s,this.b=r[2]*t+r[5]*i+r[8]*s,this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}}const Zt=new Ke;Ke.NAMES=fp;let Uo=class extends sn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new Qi,this.environmentIntensity=1,this.environmentRotation=new Qi,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),e.background!==null&&(this.background=e.background.clone()),e.environment!==null&&(this.environment=e.environment.clone()),e.fog!==null&&(this.fog=e.fog.clone()),this.backgroundBlurriness=e.backgroundBlurriness,this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.backgroundRotation),this.environmentIntensity=e.environmentIntensity,this.environmentRotation.copy(e.environmentRotation),e.overrideMaterial!==null&&(this.overrideMaterial=e.overrideMaterial.clone()),this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){const t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),this.backgroundBlurriness>0&&(t.object.backgroundBlurriness=this.backgroundBlurriness),this.backgroundIntensity!==1&&(t.object.backgroundIntensity=this.backgroundIntensity),t.object.backgroundRotation=this.backgroundRotation.toArray(),this.environmentIntensity!==1&&(t.object.environmentIntensity=this.environmentIntensity),t.object.environmentRotation=this.environmentRotation.toArray(),t}};const wn=new P,ei=new P,Fo=new P,ti=new P,us=new P,fs=new P,pf=new P,Bo=new P,Oo=new P,Vo=new P,Go=new ft,ko=new ft,zo=new ft;class Ut{constructor(e=new P,t=new P,i=new P){this.a=e,this.b=t,this.c=i}static getNormal(e,t,i,s){s.subVectors(i,t),wn.subVectors(e,t),s.cross(wn);const r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(r)):s.set(0,0,0)}static getBarycoord(e,t,i,s,r){wn.subVectors(s,t),ei.subVectors(i,t),Fo.subVectors(e,t);const a=wn.dot(wn),o=wn.dot(ei),c=wn.dot(Fo),l=ei.dot(ei),h=ei.dot(Fo),f=a*l-o*o;if(f===0)return r.set(0,0,0),null;const u=1/f,d=(l*c-o*h)*u,g=(a*h-o*c)*u;return r.set(1-d-g,g,d)}static containsPoint(e,t,i,s){return this.getBarycoord(e,t,i,s,ti)===null?!1:ti.x>=0&&ti.y>=0&&ti.x+ti.y<=1}static getInterpolation(e,t,i,s,r,a,o,c){return this.getBarycoord(e,t,i,s,ti)===null?(c.x=0,c.y=0,"z"in c&&(c.z=0),"w"in c&&(c.w=0),null):(c.setScalar(0),c.addScaledVector(r,ti.x),c.addScaledVector(a,ti.y),c.addScaledVector(o,ti.z),c)}static getInterpolatedAttribute(e,t,i,s,r,a){return Go.setScalar(0),ko.setScalar(0),zo.setScalar(0),Go.fromBufferAttribute(e,t),ko.fromBufferAttribute(e,i),zo.fromBufferAttribute(e,s),a.setScalar(0),a.addScaledVector(Go,r.x),a.addScaledVector(ko,r.y),a.addScaledVector(zo,r.z),a}static isFrontFacing(e,t,i,s){return wn.subVectors(i,t),ei.subVectors(e,t),wn.cross(ei).dot(s)<0}set(e,t,i){return this.a.copy(e),this.b.copy(t),this.c.copy(i),this}setFromPointsAndIndices(e,t,i,s){return this.a.copy(e[t]),this.b.copy(e[i]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,i,s){return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,i),this.c.fromBufferAttribute(e,s),this}clone(){return new this.constructor().copy(this)}copy(e){return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return wn.subVectors(this.c,this.b),ei.subVectors(this.a,this.b),wn.cross(ei).length()*.5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return Ut.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return Ut.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,i,s,r){return Ut.getInterpolation(e,this.a,this.b,this.c,t,i,s,r)}containsPoint(e){return Ut.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return Ut.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){return e.intersectsTriangle(this)}closestPointToPoint(e,t){const i=this.a,s=this.b,r=this.c;let a,o;us.subVectors(s,i),fs.subVectors(r,i),Bo.subVectors(e,i);const c=us.dot(Bo),l=fs.dot(Bo);if(c<=0&&l<=0)return t.copy(i);Oo.subVectors(e,s);const h=us.dot(Oo),f=fs.dot(Oo);if(h>=0&&f<=h)return t.copy(s);const u=c*f-h*l;if(u<=0&&c>=0&&h<=0)return a=c/(c-h),t.copy(i).addScaledVector(us,a);Vo.subVectors(e,r);const d=us.dot(Vo),g=fs.dot(Vo);if(g>=0&&d<=g)return t.copy(r);const y=d*l-c*g;if(y<=0&&l>=0&&g<=0)return o=l/(l-g),t.copy(i).addScaledVector(fs,o);const p=h*g-d*f;if(p<=0&&f-h>=0&&d-g>=0)return pf.subVectors(r,s),o=(f-h)/(f-h+(d-g)),t.copy(s).addScaledVector(pf,o);const m=1/(p+y+u);return a=y*m,o=u*m,t.copy(i).addScaledVector(us,a).addScaledVector(fs,o)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(this.c)}}class Ot{constructor(e=new P(1/0,1/0,1/0),t=new P(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(t),this}setFromArray(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t+=3)this.expandByPoint(Rn.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();for(let t=0,i=e.count;t<i;t++)this.expandByPoint(Rn.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t++)this.expandByPoint(e[t]);return this}setFromCenterAndSize(e,t){const i=Rn.copy(t).multiplyScalar(.5);return this.min.copy(e).sub(i),this.max.copy(e).add(i),this}setFromObject(e,t=!1){return this.makeEmpty(),this.expandByObject(e,t)}clone(){return new this.constructor().copy(this)}copy(e){return this.min.copy(e.min),this.max.copy(e.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(e){return this.isEmpty()?e.set(0,0,0):e.subVectors(this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);const i=e.geometry;if(i!==void 0){const r=i.getAttribute("position");if(t===!0&&r!==void 0&&e.isInstancedMesh!==!0)for(let a=0,o=r.count;a<o;a++)e.isMesh===!0?e.getVertexPosition(a,Rn):Rn.fromBufferAttribute(r,a),Rn.applyMatrix4(e.matrixWorld),this.expandByPoint(Rn);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),Hr.copy(e.boundingBox)):(i.boundingBox===null&&i.computeBoundingBox(),Hr.copy(i.boundingBox)),Hr.applyMatrix4(e.matrixWorld),this.union(Hr)}const s=e.children;for(let r=0,a=s.length;r<a;r++)this.expandByObject(s[r],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y&&e.max.z>=this.min.z&&e.min.z<=this.max.z}intersectsSphere(e){return this.clampPoint(e.center,Rn),Rn.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,i;return e.normal.x>0?(t=e.normal.x*this.min.x,i=e.normal.x*this.max.x):(t=e.normal.x*this.max.x,i=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,i+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,i+=e.normal.y*this.min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,i+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,i+=e.normal.z*this.min.z),t<=-e.constant&&i>=-e.constant}intersectsTriangle(e){if(this.isEmpty())return!1;this.getCenter(js),Xr.subVectors(this.max,js),hs.subVectors(e.a,js),ds.subVectors(e.b,js),ps.subVectors(e.c,js),xi.subVectors(ds,hs),yi.subVectors(ps,ds),Fi.subVectors(hs,ps);let t=[0,-xi.z,xi.y,0,-yi.z,yi.y,0,-Fi.z,Fi.y,xi.z,0,-xi.x,yi.z,0,-yi.x,Fi.z,0,-Fi.x,-xi.y,xi.x,0,-yi.y,yi.x,0,-Fi.y,Fi.x,0];return!Wo(t,hs,ds,ps,Xr)||(t=[1,0,0,0,1,0,0,0,1],!Wo(t,hs,ds,ps,Xr))?!1:(Zr.crossVectors(xi,yi),t=[Zr.x,Zr.y,Zr.z],Wo(t,hs,ds,ps,Xr))}clampPoint(e,t){return t.copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,Rn).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(e.center),e.radius=this.getSize(Rn).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(ni[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),ni[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(e),ni[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(e),ni[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(e),ni[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),ni[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),ni[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(e),ni[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(ni),this)}translate(e){return this.min.add(e),this.max.add(e),this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.fromArray(e.min),this.max.fromArray(e.max),this}}const ni=[new P,new P,new P,new P,new P,new P,new P,new P],Rn=new P,Hr=new Ot,hs=new P,ds=new P,ps=new P,xi=new P,yi=new P,Fi=new P,js=new P,Xr=new P,Zr=new P,Bi=new P;function Wo(n,e,t,i,s){for(let r=0,a=n.length-3;r<=a;r+=3){Bi.fromArray(n,r);const o=s.x*Math.abs(Bi.x)+s.y*Math.abs(Bi.y)+s.z*Math.abs(Bi.z),c=e.dot(Bi),l=t.dot(Bi),h=i.dot(Bi);if(Math.max(-Math.max(c,l,h),Math.min(c,l,h))>o)return!1}return!0}const Et=new P,Yr=new Ae;let u0=0;class Tt extends Li{constructor(e,t,i=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:u0++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/t:0,this.normalized=i,this.usage=_l,this.updateRanges=[],this.gpuType=Yn,this.version=0}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.usage=e.usage,this.gpuType=e.gpuType,this}copyAt(e,t,i){e*=this.itemSize,i*=t.itemSize;for(let s=0,r=this.itemSize;s<r;s++)this.array[e+s]=t.array[i+s];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,i=this.count;t<i;t++)Yr.fromBufferAttribute(this,t),Yr.applyMatrix3(e),this.setXY(t,Yr.x,Yr.y);else if(this.itemSize===3)for(let t=0,i=this.count;t<i;t++)Et.fromBufferAttribute(this,t),Et.applyMatrix3(e),this.setXYZ(t,Et.x,Et.y,Et.z);return this}applyMatrix4(e){for(let t=0,i=this.count;t<i;t++)Et.fromBufferAttribute(this,t),Et.applyMatrix4(e),this.setXYZ(t,Et.x,Et.y,Et.z);return this}applyNormalMatrix(e){for(let t=0,i=this.count;t<i;t++)Et.fromBufferAttribute(this,t),Et.applyNormalMatrix(e),this.setXYZ(t,Et.x,Et.y,Et.z);return this}transformDirection(e){for(let t=0,i=this.count;t<i;t++)Et.fromBufferAttribute(this,t),Et.transformDirection(e),this.setXYZ(t,Et.x,Et.y,Et.z);return this}set(e,t=0){return this.array.set(e,t),this}getComponent(e,t){let i=this.array[e*this.itemSize+t];return this.normalized&&(i=Pn(i,this.array)),i}setComponent(e,t,i){return this.normalized&&(i=et(i,this.array)),this.array[e*this.itemSize+t]=i,this}getX(e){let t=this.array[e*this.itemSize];return this.normalized&&(t=Pn(t,this.array)),t}setX(e,t){return this.normalized&&(t=et(t,this.array)),this.array[e*this.itemSize]=t,this}getY(e){let t=this.array[e*this.itemSize+1];return this.normalized&&(t=Pn(t,this.array)),t}setY(e,t){return this.normalized&&(t=et(t,this.array)),this.array[e*this.itemSize+1]=t,this}getZ(e){let t=this.array[e*this.itemSize+2];return this.normalized&&(t=Pn(t,this.array)),t}setZ(e,t){return this.normalized&&(t=et(t,this.array)),this.array[e*this.itemSize+2]=t,this}getW(e){let t=this.array[e*this.itemSize+3];return this.normalized&&(t=Pn(t,this.array)),t}setW(e,t){return this.normalized&&(t=et(t,this.array)),this.array[e*this.itemSize+3]=t,this}setXY(e,t,i){return e*=this.itemSize,this.normalized&&(t=et(t,this.array),i=et(i,this.array)),this.array[e+0]=t,this.array[e+1]=i,this}setXYZ(e,t,i,s){return e*=this.itemSize,this.normalized&&(t=et(t,this.array),i=et(i,this.array),s=et(s,this.array)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this}setXYZW(e,t,i,s,r){return e*=this.itemSize,this.normalized&&(t=et(t,this.array),i=et(i,this.array),s=et(s,this.array),r=et(r,this.array)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){const e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return this.name!==""&&(e.name=this.name),this.usage!==_l&&(e.usage=this.usage),e}dispose(){this.dispatchEvent({type:"dispose"})}}class hp extends Tt{constructor(e,t,i){super(new Uint16Array(e),t,i)}}class dp extends Tt{constructor(e,t,i){super(new Uint32Array(e),t,i)}}class bn extends Tt{constructor(e,t,i){super(new Float32Array(e),t,i)}}const f0=new Ot,Js=new P,Ho=new P;class Zs{constructor(e=new P,t=-1){this.isSphere=!0,this.center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){const i=this.center;t!==void 0?i.copy(t):f0.setFromPoints(e).getCenter(i);let s=0;for(let r=0,a=e.length;r<a;r++)s=Math.max(s,i.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){const t=this.radius+e.radius;return e.center.distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(this)}intersectsPlane(e){return Math.abs(e.distanceToPoint(this.center))<=this.radius}clampPoint(e,t){const i=this.center.distanceToSquared(e);return t.copy(e),i>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.copy(e),this.radius=0,this;Js.subVectors(e,this.center);const t=Js.lengthSq();if(t>this.radius*this.radius){const i=Math.sqrt(t),s=(i-this.radius)*.5;this.center.addScaledVector(Js,s/i),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.radius,e.radius):(Ho.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(Js.copy(e.center).add(Ho)),this.expandByPoint(Js.copy(e.center).sub(Ho))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}}let h0=0;const dn=new Je,Xo=new sn,ms=new P,un=new Ot,qs=new Ot,Dt=new P;class qt extends Li{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:h0++}),this.uuid=li(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={}}getIndex(){return this.index}setIndex(e){return Array.isArray(e)?this.index=new(Cg(e)?dp:hp)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){return this.attributes[e]!==void 0}addGroup(e,t,i=0){this.groups.push({start:e,count:t,materialIndex:i})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.start=e,this.drawRange.count=t}applyMatrix4(e){const t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);const i=this.attributes.normal;if(i!==void 0){const r=new Le().getNormalMatrix(e);i.applyNormalMatrix(r),i.needsUpdate=!0}const s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(e),s.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this}applyQuaternion(e){return dn.makeRotationFromQuaternion(e),this.applyMatrix4(dn),this}rotateX(e){return dn.makeRotationX(e),this.applyMatrix4(dn),this}rotateY(e){return dn.makeRotationY(e),this.applyMatrix4(dn),this}rotateZ(e){return dn.makeRotationZ(e),this.applyMatrix4(dn),this}translate(e,t,i){return dn.makeTranslation(e,t,i),this.applyMatrix4(dn),this}scale(e,t,i){return dn.makeScale(e,t,i),this.applyMatrix4(dn),this}lookAt(e){return Xo.lookAt(e),Xo.updateMatrix(),this.applyMatrix4(Xo.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(ms).negate(),this.translate(ms.x,ms.y,ms.z),this}setFromPoints(e){const t=this.getAttribute("position");if(t===void 0){const i=[];for(let s=0,r=e.length;s<r;s++){const a=e[s];i.push(a.x,a.y,a.z||0)}this.setAttribute("position",new bn(i,3))}else{const i=Math.min(e.length,t.count);for(let s=0;s<i;s++){const r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&Re("BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Ot);const e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){Ze("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new P(-1/0,-1/0,-1/0),new P(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let i=0,s=t.length;i<s;i++){const r=t[i];un.setFromBufferAttribute(r),this.morphTargetsRelative?(Dt.addVectors(this.boundingBox.min,un.min),this.boundingBox.expandByPoint(Dt),Dt.addVectors(this.boundingBox.max,un.max),this.boundingBox.expandByPoint(Dt)):(this.boundingBox.expandByPoint(un.min),this.boundingBox.expandByPoint(un.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&Ze('BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new Zs);const e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){Ze("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new P,1/0);return}if(e){const i=this.boundingSphere.center;if(un.setFromBufferAttribute(e),t)for(let r=0,a=t.length;r<a;r++){const o=t[r];qs.setFromBufferAttribute(o),this.morphTargetsRelative?(Dt.addVectors(un.min,qs.min),un.expandByPoint(Dt),Dt.addVectors(un.max,qs.max),un.expandByPoint(Dt)):(un.expandByPoint(qs.min),un.expandByPoint(qs.max))}un.getCenter(i);let s=0;for(let r=0,a=e.count;r<a;r++)Dt.fromBufferAttribute(e,r),s=Math.max(s,i.distanceToSquared(Dt));if(t)for(let r=0,a=t.length;r<a;r++){const o=t[r],c=this.morphTargetsRelative;for(let l=0,h=o.count;l<h;l++)Dt.fromBufferAttribute(o,l),c&&(ms.fromBufferAttribute(e,l),Dt.add(ms)),s=Math.max(s,i.distanceToSquared(Dt))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&Ze('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){const e=this.index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Ze("BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}const i=t.position,s=t.normal,r=t.uv;this.hasAttribute("tangent")===!1&&this.setAttribute("tangent",new Tt(new Float32Array(4*i.count),4));const a=this.getAttribute("tangent"),o=[],c=[];for(let v=0;v<i.count;v++)o[v]=new P,c[v]=new P;const l=new P,h=new P,f=new P,u=new Ae,d=new Ae,g=new Ae,y=new P,p=new P;function m(v,T,N){l.fromBufferAttribute(i,v),h.fromBufferAttribute(i,T),f.fromBufferAttribute(i,N),u.fromBufferAttribute(r,v),d.fromBufferAttribute(r,T),g.fromBufferAttribute(r,N),h.sub(l),f.sub(l),d.sub(u),g.sub(u);const R=1/(d.x*g.y-g.x*d.y);isFinite(R)&&(y.copy(h).multiplyScalar(g.y).addScaledVector(f,-d.y).multiplyScalar(R),p.copy(f).multiplyScalar(d.x).addScaledVector(h,-g.x).multiplyScalar(R),o[v].add(y),o[T].add(y),o[N].add(y),c[v].add(p),c[T].add(p),c[N].add(p))}let _=this.groups;_.length===0&&(_=[{start:0,count:e.count}]);for(let v=0,T=_.length;v<T;++v){const N=_[v],R=N.start,C=N.count;for(let U=R,B=R+C;U<B;U+=3)m(e.getX(U+0),e.getX(U+1),e.getX(U+2))}const b=new P,x=new P,E=new P,A=new P;function w(v){E.fromBufferAttribute(s,v),A.copy(E);const T=o[v];b.copy(T),b.sub(E.multiplyScalar(E.dot(T))).normalize(),x.crossVectors(A,T);const R=x.dot(c[v])<0?-1:1;a.setXYZW(v,b.x,b.y,b.z,R)}for(let v=0,T=_.length;v<T;++v){const N=_[v],R=N.start,C=N.count;for(let U=R,B=R+C;U<B;U+=3)w(e.getX(U+0)),w(e.getX(U+1)),w(e.getX(U+2))}}computeVertexNormals(){const e=this.index,t=this.getAttribute("position");if(t!==void 0){let i=this.getAttribute("normal");if(i===void 0)i=new Tt(new Float32Array(t.count*3),3),this.setAttribute("normal",i);else for(let u=0,d=i.count;u<d;u++)i.setXYZ(u,0,0,0);const s=new P,r=new P,a=new P,o=new P,c=new P,l=new P,h=new P,f=new P;if(e)for(let u=0,d=e.count;u<d;u+=3){const g=e.getX(u+0),y=e.getX(u+1),p=e.getX(u+2);s.fromBufferAttribute(t,g),r.fromBufferAttribute(t,y),a.fromBufferAttribute(t,p),h.subVectors(a,r),f.subVectors(s,r),h.cross(f),o.fromBufferAttribute(i,g),c.fromBufferAttribute(i,y),l.fromBufferAttribute(i,p),o.add(h),c.add(h),l.add(h),i.setXYZ(g,o.x,o.y,o.z),i.setXYZ(y,c.x,c.y,c.z),i.setXYZ(p,l.x,l.y,l.z)}else for(let u=0,d=t.count;u<d;u+=3)s.fromBufferAttribute(t,u+0),r.fromBufferAttribute(t,u+1),a.fromBufferAttribute(t,u+2),h.subVectors(a,r),f.subVectors(s,r),h.cross(f),i.setXYZ(u+0,h.x,h.y,h.z),i.setXYZ(u+1,h.x,h.y,h.z),i.setXYZ(u+2,h.x,h.y,h.z);this.normalizeNormals(),i.needsUpdate=!0}}normalizeNormals(){const e=this.attributes.normal;for(let t=0,i=e.count;t<i;t++)Dt.fromBufferAttribute(e,t),Dt.normalize(),e.setXYZ(t,Dt.x,Dt.y,Dt.z)}toNonIndexed(){function e(o,c){const l=o.array,h=o.itemSize,f=o.normalized,u=new l.constructor(c.length*h);let d=0,g=0;for(let y=0,p=c.length;y<p;y++){o.isInterleavedBufferAttribute?d=c[y]*o.data.stride+o.offset:d=c[y]*h;for(let m=0;m<h;m++)u[g++]=l[d++]}return new Tt(u,h,f)}if(this.index===null)return Re("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;const t=new qt,i=this.index.array,s=this.attributes;for(const o in s){const c=s[o],l=e(c,i);t.setAttribute(o,l)}const r=this.morphAttributes;for(const o in r){const c=[],l=r[o];for(let h=0,f=l.length;h<f;h++){const u=l[h],d=e(u,i);c.push(d)}t.morphAttributes[o]=c}t.morphTargetsRelative=this.morphTargetsRelative;const a=this.groups;for(let o=0,c=a.length;o<c;o++){const l=a[o];t.addGroup(l.start,l.count,l.materialIndex)}return t}toJSON(){const e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=this.type,this.name!==""&&(e.name=this.name),Object.keys(this.userData).length>0&&(e.userData=this.userData),this.parameters!==void 0){const c=this.parameters;for(const l in c)c[l]!==void 0&&(e[l]=c[l]);return e}e.data={attributes:{}};const t=this.index;t!==null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});const i=this.attributes;for(const c in i){const l=i[c];e.data.attributes[c]=l.toJSON(e.data)}const s={};let r=!1;for(const c in this.morphAttributes){const l=this.morphAttributes[c],h=[];for(let f=0,u=l.length;f<u;f++){const d=l[f];h.push(d.toJSON(e.data))}h.length>0&&(s[c]=h,r=!0)}r&&(e.data.morphAttributes=s,e.data.morphTargetsRelative=this.morphTargetsRelative);const a=this.groups;a.length>0&&(e.data.groups=JSON.parse(JSON.stringify(a)));const o=this.boundingSphere;return o!==null&&(e.data.boundingSphere=o.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;const t={};this.name=e.name;const i=e.index;i!==null&&this.setIndex(i.clone());const s=e.attributes;for(const l in s){const h=s[l];this.setAttribute(l,h.clone(t))}const r=e.morphAttributes;for(const l in r){const h=[],f=r[l];for(let u=0,d=f.length;u<d;u++)h.push(f[u].clone(t));this.morphAttributes[l]=h}this.morphTargetsRelative=e.morphTargetsRelative;const a=e.groups;for(let l=0,h=a.length;l<h;l++){const f=a[l];this.addGroup(f.start,f.count,f.materialIndex)}const o=e.boundingBox;o!==null&&(this.boundingBox=o.clone());const c=e.boundingSphere;return c!==null&&(this.boundingSphere=c.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this}dispose(){this.dispatchEvent({type:"dispose"})}}class d0{constructor(e,t){this.isInterleavedBuffer=!0,this.array=e,this.stride=t,this.count=e!==void 0?e.length/t:0,this.usage=_l,this.updateRanges=[],this.version=0,this.uuid=li()}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.array=new e.array.constructor(e.array),this.count=e.count,this.stride=e.stride,this.usage=e.usage,this}copyAt(e,t,i){e*=this.stride,i*=t.stride;for(let s=0,r=this.stride;s<r;s++)this.array[e+s]=t.array[i+s];return this}set(e,t=0){return this.array.set(e,t),this}clone(e){e.arrayBuffers===void 0&&(e.arrayBuffers={}),this.array.buffer._uuid===void 0&&(this.array.buffer._uuid=li()),e.arrayBuffers[this.array.buffer._uuid]===void 0&&(e.arrayBuffers[this.array.buffer._uuid]=this.array.slice(0).buffer);const t=new this.array.constructor(e.arrayBuffers[this.array.buffer._uuid]),i=new this.constructor(t,this.stride);return i.setUsage(this.usage),i}onUpload(e){return this.onUploadCallback=e,this}toJSON(e){return e.arrayBuffers===void 0&&(e.arrayBuffers={}),this.array.buffer._uuid===void 0&&(this.array.buffer._uuid=li()),e.arrayBuffers[this.array.buffer._uuid]===void 0&&(e.arrayBuffers[this.array.buffer._uuid]=Array.from(new Uint32Array(this.array.buffer))),{uuid:this.uuid,buffer:this.array.buffer._uuid,type:this.array.constructor.name,stride:this.stride}}}const Kt=new P;class Ri{constructor(e,t,i,s=!1){this.isInterleavedBufferAttribute=!0,this.name="",this.data=e,this.itemSize=t,this.offset=i,this.normalized=s}get count(){return this.data.count}get array(){return this.data.array}set needsUpdate(e){this.data.needsUpdate=e}applyMatrix4(e){for(let t=0,i=this.data.count;t<i;t++)Kt.fromBufferAttribute(this,t),Kt.applyMatrix4(e),this.setXYZ(t,Kt.x,Kt.y,Kt.z);return this}applyNormalMatrix(e){for(let t=0,i=this.count;t<i;t++)Kt.fromBufferAttribute(this,t),Kt.applyNormalMatrix(e),this.setXYZ(t,Kt.x,Kt.y,Kt.z);return this}transformDirection(e){for(let t=0,i=this.count;t<i;t++)Kt.fromBufferAttribute(this,t),Kt.transformDirection(e),this.setXYZ(t,Kt.x,Kt.y,Kt.z);return this}getComponent(e,t){let i=this.array[e*this.data.stride+this.offset+t];return this.normalized&&(i=Pn(i,this.array)),i}setComponent(e,t,i){return this.normalized&&(i=et(i,this.array)),this.data.array[e*this.data.stride+this.offset+t]=i,this}setX(e,t){return this.normalized&&(t=et(t,this.array)),this.data.array[e*this.data.stride+this.offset]=t,this}setY(e,t){return this.normalized&&(t=et(t,this.array)),this.data.array[e*this.data.stride+this.offset+1]=t,this}setZ(e,t){return this.normalized&&(t=et(t,this.array)),this.data.array[e*this.data.stride+this.offset+2]=t,this}setW(e,t){return this.normalized&&(t=et(t,this.array)),this.data.array[e*this.data.stride+this.offset+3]=t,this}getX(e){let t=this.data.array[e*this.data.stride+this.offset];return this.normalized&&(t=Pn(t,this.array)),t}getY(e){let t=this.data.array[e*this.data.stride+this.offset+1];return this.normalized&&(t=Pn(t,this.array)),t}getZ(e){let t=this.data.array[e*this.data.stride+this.offset+2];return this.normalized&&(t=Pn(t,this.array)),t}getW(e){let t=this.data.array[e*this.data.stride+this.offset+3];return this.normalized&&(t=Pn(t,this.array)),t}setXY(e,t,i){return e=e*this.data.stride+this.offset,this.normalized&&(t=et(t,this.array),i=et(i,this.array)),this.data.array[e+0]=t,this.data.array[e+1]=i,this}setXYZ(e,t,i,s){return e=e*this.data.stride+this.offset,this.normalized&&(t=et(t,this.array),i=et(i,this.array),s=et(s,this.array)),this.data.array[e+0]=t,this.data.array[e+1]=i,this.data.array[e+2]=s,this}setXYZW(e,t,i,s,r){return e=e*this.data.stride+this.offset,this.normalized&&(t=et(t,this.array),i=et(i,this.array),s=et(s,this.array),r=et(r,this.array)),this.data.array[e+0]=t,this.data.array[e+1]=i,this.data.array[e+2]=s,this.data.array[e+3]=r,this}clone(e){if(e===void 0){qa("InterleavedBufferAttribute.clone(): Cloning an interleaved buffer attribute will de-interleave buffer data.");const t=[];for(let i=0;i<this.count;i++){const s=i*this.data.stride+this.offset;for(let r=0;r<this.itemSize;r++)t.push(this.data.array[s+r])}return new Tt(new this.array.constructor(t),this.itemSize,this.normalized)}else return e.interleavedBuffers===void 0&&(e.interleavedBuffers={}),e.interleavedBuffers[this.data.uuid]===void 0&&(e.interleavedBuffers[this.data.uuid]=this.data.clone(e)),new Ri(e.interleavedBuffers[this.data.uuid],this.itemSize,this.offset,this.normalized)}toJSON(e){if(e===void 0){qa("InterleavedBufferAttribute.toJSON(): Serializing an interleaved buffer attribute will de-interleave buffer data.");const t=[];for(let i=0;i<this.count;i++){const s=i*this.data.stride+this.offset;for(let r=0;r<this.itemSize;r++)t.push(this.data.array[s+r])}return{itemSize:this.itemSize,type:this.array.constructor.name,array:t,normalized:this.normalized}}else return e.interleavedBuffers===void 0&&(e.interleavedBuffers={}),e.interleavedBuffers[this.data.uuid]===void 0&&(e.interleavedBuffers[this.data.uuid]=this.data.toJSON(e)),{isInterleavedBufferAttribute:!0,itemSize:this.itemSize,data:this.data.uuid,offset:this.offset,normalized:this.normalized}}}let p0=0;class Ir extends Li{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:p0++}),this.uuid=li(),this.name="",this.type="Material",this.blending=Us,this.side=jn,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Pc,this.blendDst=Lc,this.blendEquation=Hi,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new Ke(0,0,0),this.blendAlpha=0,this.depthFunc=ji,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Qu,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=rs,this.stencilZFail=rs,this.stencilZPass=rs,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){if(e!==void 0)for(const t in e){const i=e[t];if(i===void 0){Re(`Material: parameter '${t}' has value of undefined.`);continue}const s=this[t];if(s===void 0){Re(`Material: '${t}' is not a property of THREE.${this.type}.`);continue}s&&s.isColor?s.set(i):s&&s.isVector3&&i&&i.isVector3?s.copy(i):this[t]=i}}toJSON(e){const t=e===void 0||typeof e=="string";t&&(e={textures:{},images:{}});const i={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};i.uuid=this.uuid,i.type=this.type,this.name!==""&&(i.name=this.name),this.color&&this.color.isColor&&(i.color=this.color.getHex()),this.roughness!==void 0&&(i.roughness=this.roughness),this.metalness!==void 0&&(i.metalness=this.metalness),this.sheen!==void 0&&(i.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(i.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(i.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(i.emissive=this.emissive.getHex()),this.emissiveIntensity!==void 0&&this.emissiveIntensity!==1&&(i.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(i.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(i.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(i.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(i.shininess=this.shininess),this.clearcoat!==void 0&&(i.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(i.clearcoatRoughness=this.clearcoatRoughness),this.clearcoatMap&&this.clearcoatMap.isTexture&&(i.clearcoatMap=this.clearcoatMap.toJSON(e).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(i.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(e).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.isTexture&&(i.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(e).uuid,i.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(i.sheenColorMap=this.sheenColorMap.toJSON(e).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(i.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(e).uuid),this.dispersion!==void 0&&(i.dispersion=this.dispersion),this.iridescence!==void 0&&(i.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(i.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessRange!==void 0&&(i.iridescenceThicknessRange=this.iridescenceThicknessRange),this.iridescenceMap&&this.iridescenceMap.isTexture&&(i.iridescenceMap=this.iridescenceMap.toJSON(e).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&(i.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(e).uuid),this.anisotropy!==void 0&&(i.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(i.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(i.anisotropyMap=this.anisotropyMap.toJSON(e).uuid),this.map&&this.map.isTexture&&(i.map=this.map.toJSON(e).uuid),this.matcap&&this.matcap.isTexture&&(i.matcap=this.matcap.toJSON(e).uuid),this.alphaMap&&this.alphaMap.isTexture&&(i.alphaMap=this.alphaMap.toJSON(e).uuid),this.lightMap&&this.lightMap.isTexture&&(i.lightMap=this.lightMap.toJSON(e).uuid,i.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(i.aoMap=this.aoMap.toJSON(e).uuid,i.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(i.bumpMap=this.bumpMap.toJSON(e).uuid,i.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(i.normalMap=this.normalMap.toJSON(e).uuid,i.normalMapType=this.normalMapType,i.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(i.displacementMap=this.displacementMap.toJSON(e).uuid,i.displacementScale=this.displacementScale,i.displacementBias=this.displacementBias),this.roughnessMap&&this.roughnessMap.isTexture&&(i.roughnessMap=this.roughnessMap.toJSON(e).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(i.metalnessMap=this.metalnessMap.toJSON(e).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(i.emissiveMap=this.emissiveMap.toJSON(e).uuid),this.specularMap&&this.specularMap.isTexture&&(i.specularMap=this.specularMap.toJSON(e).uuid),this.specularIntensityMap&&this.specularIntensityMap.isTexture&&(i.specularIntensityMap=this.specularIntensityMap.toJSON(e).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(i.specularColorMap=this.specularColorMap.toJSON(e).uuid),this.envMap&&this.envMap.isTexture&&(i.envMap=this.envMap.toJSON(e).uuid,this.combine!==void 0&&(i.combine=this.combine)),this.envMapRotation!==void 0&&(i.envMapRotation=this.envMapRotation.toArray()),this.envMapIntensity!==void 0&&(i.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(i.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(i.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(i.gradientMap=this.gradientMap.toJSON(e).uuid),this.transmission!==void 0&&(i.transmission=this.transmission),this.transmissionMap&&this.transmissionMap.isTexture&&(i.transmissionMap=this.transmissionMap.toJSON(e).uuid),this.thickness!==void 0&&(i.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(i.thicknessMap=this.thicknessMap.toJSON(e).uuid),this.attenuationDistance!==void 0&&this.attenuationDistance!==1/0&&(i.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(i.attenuationColor=this.attenuationColor.getHex()),this.size!==void 0&&(i.size=this.size),this.shadowSide!==null&&(i.shadowSide=this.shadowSide),this.sizeAttenuation!==void 0&&(i.sizeAttenuation=this.sizeAttenuation),this.blending!==Us&&(i.blending=this.blending),this.side!==jn&&(i.side=this.side),this.vertexColors===!0&&(i.vertexColors=!0),this.opacity<1&&(i.opacity=this.opacity),this.transparent===!0&&(i.transparent=!0),this.blendSrc!==Pc&&(i.blendSrc=this.blendSrc),this.blendDst!==Lc&&(i.blendDst=this.blendDst),this.blendEquation!==Hi&&(i.blendEquation=this.blendEquation),this.blendSrcAlpha!==null&&(i.blendSrcAlpha=this.blendSrcAlpha),this.blendDstAlpha!==null&&(i.blendDstAlpha=this.blendDstAlpha),this.blendEquationAlpha!==null&&(i.blendEquationAlpha=this.blendEquationAlpha),this.blendColor&&this.blendColor.isColor&&(i.blendColor=this.blendColor.getHex()),this.blendAlpha!==0&&(i.blendAlpha=this.blendAlpha),this.depthFunc!==ji&&(i.depthFunc=this.depthFunc),this.depthTest===!1&&(i.depthTest=this.depthTest),this.depthWrite===!1&&(i.depthWrite=this.depthWrite),this.colorWrite===!1&&(i.colorWrite=this.colorWrite),this.stencilWriteMask!==255&&(i.stencilWriteMask=this.stencilWriteMask),this.stencilFunc!==Qu&&(i.stencilFunc=this.stencilFunc),this.stencilRef!==0&&(i.stencilRef=this.stencilRef),this.stencilFuncMask!==255&&(i.stencilFuncMask=this.stencilFuncMask),this.stencilFail!==rs&&(i.stencilFail=this.stencilFail),this.stencilZFail!==rs&&(i.stencilZFail=this.stencilZFail),this.stencilZPass!==rs&&(i.stencilZPass=this.stencilZPass),this.stencilWrite===!0&&(i.stencilWrite=this.stencilWrite),this.rotation!==void 0&&this.rotation!==0&&(i.rotation=this.rotation),this.polygonOffset===!0&&(i.polygonOffset=!0),this.polygonOffsetFactor!==0&&(i.polygonOffsetFactor=this.polygonOffsetFactor),this.polygonOffsetUnits!==0&&(i.polygonOffsetUnits=this.polygonOffsetUnits),this.linewidth!==void 0&&this.linewidth!==1&&(i.linewidth=this.linewidth),this.dashSize!==void 0&&(i.dashSize=this.dashSize),this.gapSize!==void 0&&(i.gapSize=this.gapSize),this.scale!==void 0&&(i.scale=this.scale),this.dithering===!0&&(i.dithering=!0),this.alphaTest>0&&(i.alphaTest=this.alphaTest),this.alphaHash===!0&&(i.alphaHash=!0),this.alphaToCoverage===!0&&(i.alphaToCoverage=!0),this.premultipliedAlpha===!0&&(i.premultipliedAlpha=!0),this.forceSinglePass===!0&&(i.forceSinglePass=!0),this.allowOverride===!1&&(i.allowOverride=!1),this.wireframe===!0&&(i.wireframe=!0),this.wireframeLinewidth>1&&(i.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!=="round"&&(i.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!=="round"&&(i.wireframeLinejoin=this.wireframeLinejoin),this.flatShading===!0&&(i.flatShading=!0),this.visible===!1&&(i.visible=!1),this.toneMapped===!1&&(i.toneMapped=!1),this.fog===!1&&(i.fog=!1),Object.keys(this.userData).length>0&&(i.userData=this.userData);function s(r){const a=[];for(const o in r){const c=r[o];delete c.metadata,a.push(c)}return a}if(t){const r=s(e.textures),a=s(e.images);r.length>0&&(i.textures=r),a.length>0&&(i.images=a)}return i}clone(){return new this.constructor().copy(this)}copy(e){this.name=e.name,this.blending=e.blending,this.side=e.side,this.vertexColors=e.vertexColors,this.opacity=e.opacity,this.transparent=e.transparent,this.blendSrc=e.blendSrc,this.blendDst=e.blendDst,this.blendEquation=e.blendEquation,this.blendSrcAlpha=e.blendSrcAlpha,this.blendDstAlpha=e.blendDstAlpha,this.blendEquationAlpha=e.blendEquationAlpha,this.blendColor.copy(e.blendColor),this.blendAlpha=e.blendAlpha,this.depthFunc=e.depthFunc,this.depthTest=e.depthTest,this.depthWrite=e.depthWrite,this.stencilWriteMask=e.stencilWriteMask,this.stencilFunc=e.stencilFunc,this.stencilRef=e.stencilRef,this.stencilFuncMask=e.stencilFuncMask,this.stencilFail=e.stencilFail,this.stencilZFail=e.stencilZFail,this.stencilZPass=e.stencilZPass,this.stencilWrite=e.stencilWrite;const t=e.clippingPlanes;let i=null;if(t!==null){const s=t.length;i=new Array(s);for(let r=0;r!==s;++r)i[r]=t[r].clone()}return this.clippingPlanes=i,this.clipIntersection=e.clipIntersection,this.clipShadows=e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.precision=e.precision,this.polygonOffset=e.polygonOffset,this.polygonOffsetFactor=e.polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&this.version++}}const ii=new P,Zo=new P,Kr=new P,bi=new P,Yo=new P,$r=new P,Ko=new P;class Nr{constructor(e=new P,t=new P(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,ii)),this}closestPointToPoint(e,t){t.subVectors(e,this.origin);const i=t.dot(this.direction);return i<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,i)}distanceToPoint(e){return Math.sqrt(this.distanceSqToPoint(e))}distanceSqToPoint(e){const t=ii.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(ii.copy(this.origin).addScaledVector(this.direction,t),ii.distanceToSquared(e))}distanceSqToSegment(e,t,i,s){Zo.copy(e).add(t).multiplyScalar(.5),Kr.copy(t).sub(e).normalize(),bi.copy(this.origin).sub(Zo);const r=e.distanceTo(t)*.5,a=-this.direction.dot(Kr),o=bi.dot(this.direction),c=-bi.dot(Kr),l=bi.lengthSq(),h=Math.abs(1-a*a);let f,u,d,g;if(h>0)if(f=a*c-o,u=a*o-c,g=r*h,f>=0)if(u>=-g)if(u<=g){const y=1/h;f*=y,u*=y,d=f*(f+a*u+2*o)+u*(a*f+u+2*c)+l}else u=r,f=Math.max(0,-(a*u+o)),d=-f*f+u*(u+2*c)+l;else u=-r,f=Math.max(0,-(a*u+o)),d=-f*f+u*(u+2*c)+l;else u<=-g?(f=Math.max(0,-(-a*r+o)),u=f>0?-r:Math.min(Math.max(-r,-c),r),d=-f*f+u*(u+2*c)+l):u<=g?(f=0,u=Math.min(Math.max(-r,-c),r),d=u*(u+2*c)+l):(f=Math.max(0,-(a*r+o)),u=f>0?r:Math.min(Math.max(-r,-c),r),d=-f*f+u*(u+2*c)+l);else u=a>0?-r:r,f=Math.max(0,-(a*u+o)),d=-f*f+u*(u+2*c)+l;return i&&i.copy(this.origin).addScaledVector(this.direction,f),s&&s.copy(Zo).addScaledVector(Kr,u),d}intersectSphere(e,t){ii.subVectors(e.center,this.origin);const i=ii.dot(this.direction),s=ii.dot(ii)-i*i,r=e.radius*e.radius;if(s>r)return null;const a=Math.sqrt(r-s),o=i-a,c=i+a;return c<0?null:o<0?this.at(c,t):this.at(o,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){const t=e.normal.dot(this.direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;const i=-(this.origin.dot(e.normal)+e.constant)/t;return i>=0?i:null}intersectPlane(e,t){const i=this.distanceToPlane(e);return i===null?null:this.at(i,t)}intersectsPlane(e){const t=e.distanceToPoint(this.origin);return t===0||e.normal.dot(this.direction)*t<0}intersectBox(e,t){let i,s,r,a,o,c;const l=1/this.direction.x,h=1/this.direction.y,f=1/this.direction.z,u=this.origin;return l>=0?(i=(e.min.x-u.x)*l,s=(e.max.x-u.x)*l):(i=(e.max.x-u.x)*l,s=(e.min.x-u.x)*l),h>=0?(r=(e.min.y-u.y)*h,a=(e.max.y-u.y)*h):(r=(e.max.y-u.y)*h,a=(e.min.y-u.y)*h),i>a||r>s||((r>i||isNaN(i))&&(i=r),(a<s||isNaN(s))&&(s=a),f>=0?(o=(e.min.z-u.z)*f,c=(e.max.z-u.z)*f):(o=(e.max.z-u.z)*f,c=(e.min.z-u.z)*f),i>c||o>s)||((o>i||i!==i)&&(i=o),(c<s||s!==s)&&(s=c),s<0)?null:this.at(i>=0?i:s,t)}intersectsBox(e){return this.intersectBox(e,ii)!==null}intersectTriangle(e,t,i,s,r){Yo.subVectors(t,e),$r.subVectors(i,e),Ko.crossVectors(Yo,$r);let a=this.direction.dot(Ko),o;if(a>0){if(s)return null;o=1}else if(a<0)o=-1,a=-a;else return null;bi.subVectors(this.origin,e);const c=o*this.direction.dot($r.crossVectors(bi,$r));if(c<0)return null;const l=o*this.direction.dot(Yo.cross(bi));if(l<0||c+l>a)return null;const h=-o*bi.dot(Ko);return h<0?null:this.at(h/a,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}}class pp extends Ir{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new Ke(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Qi,this.combine=Zd,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}}const mf=new Je,Oi=new Nr,jr=new Zs,gf=new P,Jr=new P,qr=new P,Qr=new P,$o=new P,ea=new P,_f=new P,ta=new P;class Sn extends sn{constructor(e=new qt,t=new pp){super(),this.isMesh=!0,this.type="Mesh",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0&&(this.morphTargetInfluences=e.morphTargetInfluences.slice()),e.morphTargetDictionary!==void 0&&(this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary)),this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}updateMorphTargets(){const t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){const s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,a=s.length;r<a;r++){const o=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[o]=r}}}}getVertexPosition(e,t){const i=this.geometry,s=i.attributes.position,r=i.morphAttributes.position,a=i.morphTargetsRelative;t.fromBufferAttribute(s,e);const o=this.morphTargetInfluences;if(r&&o){ea.set(0,0,0);for(let c=0,l=r.length;c<l;c++){const h=o[c],f=r[c];h!==0&&($o.fromBufferAttribute(f,e),a?ea.addScaledVector($o,h):ea.addScaledVector($o.sub(t),h))}t.add(ea)}return t}raycast(e,t){const i=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(i.boundingSphere===null&&i.computeBoundingSphere(),jr.copy(i.boundingSphere),jr.applyMatrix4(r),Oi.copy(e.ray).recast(e.near),!(jr.containsPoint(Oi.origin)===!1&&(Oi.intersectSphere(jr,gf)===null||Oi.origin.distanceToSquared(gf)>(e.far-e.near)**2))&&(mf.copy(r).invert(),Oi.copy(e.ray).applyMatrix4(mf),!(i.boundingBox!==null&&Oi.intersectsBox(i.boundingBox)===!1)&&this._computeIntersections(e,t,Oi)))}_computeIntersections(e,t,i){let s;const r=this.geometry,a=this.material,o=r.index,c=r.attributes.position,l=r.attributes.uv,h=r.attributes.uv1,f=r.attributes.normal,u=r.groups,d=r.drawRange;if(o!==null)if(Array.isArray(a))for(let g=0,y=u.length;g<y;g++){const p=u[g],m=a[p.materialIndex],_=Math.max(p.start,d.start),b=Math.min(o.count,Math.min(p.start+p.count,d.start+d.count));for(let x=_,E=b;x<E;x+=3){const A=o.getX(x),w=o.getX(x+1),v=o.getX(x+2);s=na(this,m,e,i,l,h,f,A,w,v),s&&(s.faceIndex=Math.floor(x/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{const g=Math.max(0,d.start),y=Math.min(o.count,d.start+d.count);for(let p=g,m=y;p<m;p+=3){const _=o.getX(p),b=o.getX(p+1),x=o.getX(p+2);s=na(this,a,e,i,l,h,f,_,b,x),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}else if(c!==void 0)if(Array.isArray(a))for(let g=0,y=u.length;g<y;g++){const p=u[g],m=a[p.materialIndex],_=Math.max(p.start,d.start),b=Math.min(c.count,Math.min(p.start+p.count,d.start+d.count));for(let x=_,E=b;x<E;x+=3){const A=x,w=x+1,v=x+2;s=na(this,m,e,i,l,h,f,A,w,v),s&&(s.faceIndex=Math.floor(x/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{const g=Math.max(0,d.start),y=Math.min(c.count,d.start+d.count);for(let p=g,m=y;p<m;p+=3){const _=p,b=p+1,x=p+2;s=na(this,a,e,i,l,h,f,_,b,x),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}}}function m0(n,e,t,i,s,r,a,o){let c;if(e.side===jt?c=i.intersectTriangle(a,r,s,!0,o):c=i.intersectTriangle(s,r,a,e.side===jn,o),c===null)return null;ta.copy(o),ta.applyMatrix4(n.matrixWorld);const l=t.ray.origin.distanceTo(ta);return l<t.near||l>t.far?null:{distance:l,point:ta.clone(),object:n}}function na(n,e,t,i,s,r,a,o,c,l){n.getVertexPosition(o,Jr),n.getVertexPosition(c,qr),n.getVertexPosition(l,Qr);const h=m0(n,e,t,i,Jr,qr,Qr,_f);if(h){const f=new P;Ut.getBarycoord(_f,Jr,qr,Qr,f),s&&(h.uv=Ut.getInterpolatedAttribute(s,o,c,l,f,new Ae)),r&&(h.uv1=Ut.getInterpolatedAttribute(r,o,c,l,f,new Ae)),a&&(h.normal=Ut.getInterpolatedAttribute(a,o,c,l,f,new P),h.normal.dot(i.direction)>0&&h.normal.multiplyScalar(-1));const u={a:o,b:c,c:l,normal:new P,materialIndex:0};Ut.getNormal(Jr,qr,Qr,u.normal),h.face=u,h.barycoord=f}return h}class mp extends Jt{constructor(e=null,t=1,i=1,s,r,a,o,c,l=zt,h=zt,f,u){super(null,a,o,c,l,h,s,r,f,u),this.isDataTexture=!0,this.image={data:e,width:t,height:i},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}}const jo=new P,g0=new P,_0=new Le;class Xn{constructor(e=new P(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.constant=t,this}setComponents(e,t,i,s){return this.normal.set(e,t,i),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=-t.dot(this.normal),this}setFromCoplanarPoints(e,t,i){const s=jo.subVectors(i,t).cross(g0.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){const e=1/this.normal.length();return this.normal.multiplyScalar(e),this.constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,i=!0){const s=e.delta(jo),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;const a=-(e.start.dot(this.normal)+this.constant)/r;return i===!0&&(a<0||a>1)?null:t.copy(e.start).addScaledVector(s,a)}intersectsLine(e){const t=this.distanceToPoint(e.start),i=this.distanceToPoint(e.end);return t<0&&i>0||i<0&&t>0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(-this.constant)}applyMatrix4(e,t){const i=t||_0.getNormalMatrix(e),s=this.coplanarPoint(jo).applyMatrix4(e),r=this.normal.applyMatrix3(i).normalize();return this.constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){return new this.constructor().copy(this)}}const Vi=new Zs,v0=new Ae(.5,.5),ia=new P;class gp{constructor(e=new Xn,t=new Xn,i=new Xn,s=new Xn,r=new Xn,a=new Xn){this.planes=[e,t,i,s,r,a]}set(e,t,i,s,r,a){const o=this.planes;return o[0].copy(e),o[1].copy(t),o[2].copy(i),o[3].copy(s),o[4].copy(r),o[5].copy(a),this}copy(e){const t=this.planes;for(let i=0;i<6;i++)t[i].copy(e.planes[i]);return this}setFromProjectionMatrix(e,t=Kn,i=!1){const s=this.planes,r=e.elements,a=r[0],o=r[1],c=r[2],l=r[3],h=r[4],f=r[5],u=r[6],d=r[7],g=r[8],y=r[9],p=r[10],m=r[11],_=r[12],b=r[13],x=r[14],E=r[15];if(s[0].setComponents(l-a,d-h,m-g,E-_).normalize(),s[1].setComponents(l+a,d+h,m+g,E+_).normalize(),s[2].setComponents(l+o,d+f,m+y,E+b).normalize(),s[3].setComponents(l-o,d-f,m-y,E-b).normalize(),i)s[4].setComponents(c,u,p,x).normalize(),s[5].setComponents(l-c,d-u,m-p,E-x).normalize();else if(s[4].setComponents(l-c,d-u,m-p,E-x).normalize(),t===Kn)s[5].setComponents(l+c,d+u,m+p,E+x).normalize();else if(t===ja)s[5].setComponents(c,u,p,x).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&e.computeBoundingSphere(),Vi.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{const t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),Vi.copy(t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(Vi)}intersectsSprite(e){Vi.center.set(0,0,0);const t=v0.distanceTo(e.center);return Vi.radius=.7071067811865476+t,Vi.applyMatrix4(e.matrixWorld),this.intersectsSphere(Vi)}intersectsSphere(e){const t=this.planes,i=e.center,s=-e.radius;for(let r=0;r<6;r++)if(t[r].distanceToPoint(i)<s)return!1;return!0}intersectsBox(e){const t=this.planes;for(let i=0;i<6;i++){const s=t[i];if(ia.x=s.normal.x>0?e.max.x:e.min.x,ia.y=s.normal.y>0?e.max.y:e.min.y,ia.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(ia)<0)return!1}return!0}containsPoint(e){const t=this.planes;for(let i=0;i<6;i++)if(t[i].distanceToPoint(e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}}class x0 extends Ir{constructor(e){super(),this.isPointsMaterial=!0,this.type="PointsMaterial",this.color=new Ke(16777215),this.map=null,this.alphaMap=null,this.size=1,this.sizeAttenuation=!0,this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.alphaMap=e.alphaMap,this.size=e.size,this.sizeAttenuation=e.sizeAttenuation,this.fog=e.fog,this}}const vf=new Je,xl=new Nr,sa=new Zs,ra=new P;class y0 extends sn{constructor(e=new qt,t=new x0){super(),this.isPoints=!0,this.type="Points",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}raycast(e,t){const i=this.geometry,s=this.matrixWorld,r=e.params.Points.threshold,a=i.drawRange;if(i.boundingSphere===null&&i.computeBoundingSphere(),sa.copy(i.boundingSphere),sa.applyMatrix4(s),sa.radius+=r,e.ray.intersectsSphere(sa)===!1)return;vf.copy(s).invert(),xl.copy(e.ray).applyMatrix4(vf);const o=r/((this.scale.x+this.scale.y+this.scale.z)/3),c=o*o,l=i.index,f=i.attributes.position;if(l!==null){const u=Math.max(0,a.start),d=Math.min(l.count,a.start+a.count);for(let g=u,y=d;g<y;g++){const p=l.getX(g);ra.fromBufferAttribute(f,p),xf(ra,p,c,s,e,t,this)}}else{const u=Math.max(0,a.start),d=Math.min(f.count,a.start+a.count);for(let g=u,y=d;g<y;g++)ra.fromBufferAttribute(f,g),xf(ra,g,c,s,e,t,this)}}updateMorphTargets(){const t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){const s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,a=s.length;r<a;r++){const o=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[o]=r}}}}}function xf(n,e,t,i,s,r,a){const o=xl.distanceSqToPoint(n);if(o<t){const c=new P;xl.closestPointToPoint(n,c),c.applyMatrix4(i);const l=s.ray.origin.distanceTo(c);if(l<s.near||l>s.far)return;r.push({distance:l,distanceToRay:Math.sqrt(o),point:c,index:e,face:null,faceIndex:null,barycoord:null,object:a})}}class _p extends Jt{constructor(e=[],t=Ji,i,s,r,a,o,c,l,h){super(e,t,i,s,r,a,o,c,l,h),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){this.image=e}}class es extends Jt{constructor(e,t,i=Dn,s,r,a,o=zt,c=zt,l,h=hi,f=1){if(h!==hi&&h!==Yi)throw new Error("DepthTexture format must be either THREE.DepthFormat or THREE.DepthStencilFormat");const u={width:e,height:t,depth:f};super(u,s,r,a,o,c,h,i,l),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(e){return super.copy(e),this.source=new ql(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){const t=super.toJSON(e);return this.compareFunction!==null&&(t.compareFunction=this.compareFunction),t}}class b0 extends es{constructor(e,t=Dn,i=Ji,s,r,a=zt,o=zt,c,l=hi){const h={width:e,height:e,depth:1},f=[h,h,h,h,h,h];super(e,e,t,i,s,r,a,o,c,l),this.image=f,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}}class vp extends Jt{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}}class Cr extends qt{constructor(e=1,t=1,i=1,s=1,r=1,a=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:i,widthSegments:s,heightSegments:r,depthSegments:a};const o=this;s=Math.floor(s),r=Math.floor(r),a=Math.floor(a);const c=[],l=[],h=[],f=[];let u=0,d=0;g("z","y","x",-1,-1,i,t,e,a,r,0),g("z","y","x",1,-1,i,t,-e,a,r,1),g("x","z","y",1,1,e,i,t,s,a,2),g("x","z","y",1,-1,e,i,-t,s,a,3),g("x","y","z",1,-1,e,t,i,s,r,4),g("x","y","z",-1,-1,e,t,-i,s,r,5),this.setIndex(c),this.setAttribute("position",new bn(l,3)),this.setAttribute("normal",new bn(h,3)),this.setAttribute("uv",new bn(f,2));function g(y,p,m,_,b,x,E,A,w,v,T){const N=x/w,R=E/v,C=x/2,U=E/2,B=A/2,L=w+1,V=v+1;let G=0,J=0;const ee=new P;for(let le=0;le<V;le++){const xe=le*R-U;for(let ye=0;ye<L;ye++){const ze=ye*N-C;ee[y]=ze*_,ee[p]=xe*b,ee[m]=B,l.push(ee.x,ee.y,ee.z),ee[y]=0,ee[p]=0,ee[m]=A>0?1:-1,h.push(ee.x,ee.y,ee.z),f.push(ye/w),f.push(1-le/v),G+=1}}for(let le=0;le<v;le++)for(let xe=0;xe<w;xe++){const ye=u+xe+L*le,ze=u+xe+L*(le+1),qe=u+(xe+1)+L*(le+1),Ie=u+(xe+1)+L*le;c.push(ye,ze,Ie),c.push(ze,qe,Ie),J+=6}o.addGroup(d,J,T),d+=J,u+=G}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new Cr(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}}class Pr extends qt{constructor(e=1,t=1,i=1,s=1){super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:i,heightSegments:s};const r=e/2,a=t/2,o=Math.floor(i),c=Math.floor(s),l=o+1,h=c+1,f=e/o,u=t/c,d=[],g=[],y=[],p=[];for(let m=0;m<h;m++){const _=m*u-a;for(let b=0;b<l;b++){const x=b*f-r;g.push(x,-_,0),y.push(0,0,1),p.push(b/o),p.push(1-m/c)}}for(let m=0;m<c;m++)for(let _=0;_<o;_++){const b=_+l*m,x=_+l*(m+1),E=_+1+l*(m+1),A=_+1+l*m;d.push(b,x,A),d.push(x,E,A)}this.setIndex(d),this.setAttribute("position",new bn(g,3)),this.setAttribute("normal",new bn(y,3)),this.setAttribute("uv",new bn(p,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new Pr(e.width,e.height,e.widthSegments,e.heightSegments)}}class S0 extends qt{constructor(e=null){if(super(),this.type="WireframeGeometry",this.parameters={geometry:e},e!==null){const t=[],i=new Set,s=new P,r=new P;if(e.index!==null){const a=e.attributes.position,o=e.index;let c=e.groups;c.length===0&&(c=[{start:0,count:o.count,materialIndex:0}]);for(let l=0,h=c.length;l<h;++l){const f=c[l],u=f.start,d=f.count;for(let g=u,y=u+d;g<y;g+=3)for(let p=0;p<3;p++){const m=o.getX(g+p),_=o.getX(g+(p+1)%3);s.fromBufferAttribute(a,m),r.fromBufferAttribute(a,_),yf(s,r,i)===!0&&(t.push(s.x,s.y,s.z),t.push(r.x,r.y,r.z))}}}else{const a=e.attributes.position;for(let o=0,c=a.count/3;o<c;o++)for(let l=0;l<3;l++){const h=3*o+l,f=3*o+(l+1)%3;s.fromBufferAttribute(a,h),r.fromBufferAttribute(a,f),yf(s,r,i)===!0&&(t.push(s.x,s.y,s.z),t.push(r.x,r.y,r.z))}}this.setAttribute("position",new bn(t,3))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}}function yf(n,e,t){const i=`${n.x},${n.y},${n.z}-${e.x},${e.y},${e.z}`,s=`${e.x},${e.y},${e.z}-${n.x},${n.y},${n.z}`;return t.has(i)===!0||t.has(s)===!0?!1:(t.add(i),t.add(s),!0)}function Vs(n){const e={};for(const t in n){e[t]={};for(const i in n[t]){const s=n[t][i];if(bf(s))s.isRenderTargetTexture?(Re("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][i]=null):e[t][i]=s.clone();else if(Array.isArray(s))if(bf(s[0])){const r=[];for(let a=0,o=s.length;a<o;a++)r[a]=s[a].clone();e[t][i]=r}else e[t][i]=s.slice();else e[t][i]=s}}return e}function $t(n){const e={};for(let t=0;t<n.length;t++){const i=Vs(n[t]);for(const s in i)e[s]=i[s]}return e}function bf(n){return n&&(n.isColor||n.isMatrix3||n.isMatrix4||n.isVector2||n.isVector3||n.isVector4||n.isTexture||n.isQuaternion)}function E0(n){const e=[];for(let t=0;t<n.length;t++)e.push(n[t].clone());return e}function xp(n){const e=n.getRenderTarget();return e===null?n.outputColorSpace:e.isXRRenderTarget===!0?e.texture.colorSpace:Xe.workingColorSpace}const eu={clone:Vs,merge:$t};var M0=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,A0=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`;class an extends Ir{constructor(e){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=M0,this.fragmentShader=A0,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=Vs(e.uniforms),this.uniformsGroups=E0(e.uniformsGroups),this.defines=Object.assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){const t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(const s in this.uniforms){const a=this.uniforms[s].value;a&&a.isTexture?t.uniforms[s]={type:"t",value:a.toJSON(e).uuid}:a&&a.isColor?t.uniforms[s]={type:"c",value:a.getHex()}:a&&a.isVector2?t.uniforms[s]={type:"v2",value:a.toArray()}:a&&a.isVector3?t.uniforms[s]={type:"v3",value:a.toArray()}:a&&a.isVector4?t.uniforms[s]={type:"v4",value:a.toArray()}:a&&a.isMatrix3?t.uniforms[s]={type:"m3",value:a.toArray()}:a&&a.isMatrix4?t.uniforms[s]={type:"m4",value:a.toArray()}:t.uniforms[s]={value:a}}Object.keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.clipping;const i={};for(const s in this.extensions)this.extensions[s]===!0&&(i[s]=!0);return Object.keys(i).length>0&&(t.extensions=i),t}}class T0 extends an{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}}class w0 extends Ir{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=Sg,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}}class R0 extends Ir{constructor(e){super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this}}const aa=new P,oa=new Ci,Vn=new P;class yp extends sn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new Je,this.projectionMatrix=new Je,this.projectionMatrixInverse=new Je,this.coordinateSystem=Kn,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.matrixWorld.decompose(aa,oa,Vn),Vn.x===1&&Vn.y===1&&Vn.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(aa,oa,Vn.set(1,1,1)).invert()}updateWorldMatrix(e,t){super.updateWorldMatrix(e,t),this.matrixWorld.decompose(aa,oa,Vn),Vn.x===1&&Vn.y===1&&Vn.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(aa,oa,Vn.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}}const Si=new P,Sf=new Ae,Ef=new Ae;class gn extends yp{constructor(e=50,t=1,i=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=i,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){const t=.5*this.getFilmHeight()/e;this.fov=yr*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){const e=Math.tan(hr*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return yr*2*Math.atan(Math.tan(hr*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,i){Si.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),t.set(Si.x,Si.y).multiplyScalar(-e/Si.z),Si.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),i.set(Si.x,Si.y).multiplyScalar(-e/Si.z)}getViewSize(e,t){return this.getViewBounds(e,Sf,Ef),t.subVectors(Ef,Sf)}setViewOffset(e,t,i,s,r,a){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=a,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){const e=this.near;let t=e*Math.tan(hr*.5*this.fov)/this.zoom,i=2*t,s=this.aspect*i,r=-.5*s;const a=this.view;if(this.view!==null&&this.view.enabled){const c=a.fullWidth,l=a.fullHeight;r+=a.offsetX*s/c,t-=a.offsetY*i/l,s*=a.width/c,i*=a.height/l}const o=this.filmOffset;o!==0&&(r+=e*o/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,t,t-i,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){const t=super.toJSON(e);return t.object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}}class tu extends yp{constructor(e=-1,t=1,i=1,s=-1,r=.1,a=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=e,this.right=t,this.top=i,this.bottom=s,this.near=r,this.far=a,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.left=e.left,this.right=e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this.zoom=e.zoom,this.view=e.view===null?null:Object.assign({},e.view),this}setViewOffset(e,t,i,s,r,a){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=a,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){const e=(this.right-this.left)/(2*this.zoom),t=(this.top-this.bottom)/(2*this.zoom),i=(this.right+this.left)/2,s=(this.top+this.bottom)/2;let r=i-e,a=i+e,o=s+t,c=s-t;if(this.view!==null&&this.view.enabled){const l=(this.right-this.left)/this.view.fullWidth/this.zoom,h=(this.top-this.bottom)/this.view.fullHeight/this.zoom;r+=l*this.view.offsetX,a=r+l*this.view.width,o-=h*this.view.offsetY,c=o-h*this.view.height}this.projectionMatrix.makeOrthographic(r,a,o,c,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){const t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}}class I0 extends qt{constructor(){super(),this.isInstancedBufferGeometry=!0,this.type="InstancedBufferGeometry",this.instanceCount=1/0}copy(e){return super.copy(e),this.instanceCount=e.instanceCount,this}toJSON(){const e=super.toJSON();return e.instanceCount=this.instanceCount,e.isInstancedBufferGeometry=!0,e}}const gs=-90,_s=1;class N0 extends sn{constructor(e,t,i){super(),this.type="CubeCamera",this.renderTarget=i,this.coordinateSystem=null,this.activeMipmapLevel=0;const s=new gn(gs,_s,e,t);s.layers=this.layers,this.add(s);const r=new gn(gs,_s,e,t);r.layers=this.layers,this.add(r);const a=new gn(gs,_s,e,t);a.layers=this.layers,this.add(a);const o=new gn(gs,_s,e,t);o.layers=this.layers,this.add(o);const c=new gn(gs,_s,e,t);c.layers=this.layers,this.add(c);const l=new gn(gs,_s,e,t);l.layers=this.layers,this.add(l)}updateCoordinateSystem(){const e=this.coordinateSystem,t=this.children.concat(),[i,s,r,a,o,c]=t;for(const l of t)this.remove(l);if(e===Kn)i.up.set(0,1,0),i.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),a.up.set(0,0,1),a.lookAt(0,-1,0),o.up.set(0,1,0),o.lookAt(0,0,1),c.up.set(0,1,0),c.lookAt(0,0,-1);else if(e===ja)i.up.set(0,-1,0),i.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),a.up.set(0,0,-1),a.lookAt(0,-1,0),o.up.set(0,-1,0),o.lookAt(0,0,1),c.up.set(0,-1,0),c.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(const l of t)this.add(l),l.updateMatrixWorld()}update(e,t){this.parent===null&&this.updateMatrixWorld();const{renderTarget:i,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,this.updateCoordinateSystem());const[r,a,o,c,l,h]=this.children,f=e.getRenderTarget(),u=e.getActiveCubeFace(),d=e.getActiveMipmapLevel(),g=e.xr.enabled;e.xr.enabled=!1;const y=i.texture.generateMipmaps;i.texture.generateMipmaps=!1;let p=!1;e.isWebGLRenderer===!0?p=e.state.buffers.depth.getReversed():p=e.reversedDepthBuffer,e.setRenderTarget(i,0,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(i,1,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(i,2,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(i,3,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,c),e.setRenderTarget(i,4,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),i.texture.generateMipmaps=y,e.setRenderTarget(i,5,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,h),e.setRenderTarget(f,u,d),e.xr.enabled=g,i.texture.needsPMREMUpdate=!0}}class C0 extends gn{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=e}}class yl extends d0{constructor(e,t,i=1){super(e,t),this.isInstancedInterleavedBuffer=!0,this.meshPerAttribute=i}copy(e){return super.copy(e),this.meshPerAttribute=e.meshPerAttribute,this}clone(e){const t=super.clone(e);return t.meshPerAttribute=this.meshPerAttribute,t}toJSON(e){const t=super.toJSON(e);return t.isInstancedInterleavedBuffer=!0,t.meshPerAttribute=this.meshPerAttribute,t}}const Mf=new Je;class P0{constructor(e,t,i=0,s=1/0){this.ray=new Nr(e,t),this.near=i,this.far=s,this.camera=null,this.layers=new Ql,this.params={Mesh:{},Line:{threshold:1},LOD:{},Points:{threshold:1},Sprite:{}}}set(e,t){this.ray.set(e,t)}setFromCamera(e,t){t.isPerspectiveCamera?(this.ray.origin.setFromMatrixPosition(t.matrixWorld),this.ray.direction.set(e.x,e.y,.5).unproject(t).sub(this.ray.origin).normalize(),this.camera=t):t.isOrthographicCamera?(this.ray.origin.set(e.x,e.y,(t.near+t.far)/(t.near-t.far)).unproject(t),this.ray.direction.set(0,0,-1).transformDirection(t.matrixWorld),this.camera=t):Ze("Raycaster: Unsupported camera type: "+t.type)}setFromXRController(e){return Mf.identity().extractRotation(e.matrixWorld),this.ray.origin.setFromMatrixPosition(e.matrixWorld),this.ray.direction.set(0,0,-1).applyMatrix4(Mf),this}intersectObject(e,t=!0,i=[]){return bl(e,this,i,t),i.sort(Af),i}intersectObjects(e,t=!0,i=[]){for(let s=0,r=e.length;s<r;s++)bl(e[s],this,i,t);return i.sort(Af),i}}function Af(n,e){return n.distance-e.distance}function bl(n,e,t,i){let s=!0;if(n.layers.test(e.layers)&&n.raycast(e,t)===!1&&(s=!1),s===!0&&i===!0){const r=n.children;for(let a=0,o=r.length;a<o;a++)bl(r[a],e,t,!0)}}class Tf{constructor(e=1,t=0,i=0){this.radius=e,this.phi=t,this.theta=i}set(e,t,i){return this.radius=e,this.phi=t,this.theta=i,this}copy(e){return this.radius=e.radius,this.phi=e.phi,this.theta=e.theta,this}makeSafe(){return this.phi=Pe(this.phi,1e-6,Math.PI-1e-6),this}setFromVector3(e){return this.setFromCartesianCoords(e.x,e.y,e.z)}setFromCartesianCoords(e,t,i){return this.radius=Math.sqrt(e*e+t*t+i*i),this.radius===0?(this.theta=0,this.phi=0):(this.theta=Math.atan2(e,i),this.phi=Math.acos(Pe(t/this.radius,-1,1))),this}clone(){return new this.constructor().copy(this)}}class bp{static{bp.prototype.isMatrix2=!0}constructor(e,t,i,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,i,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){for(let i=0;i<4;i++)this.elements[i]=e[i+t];return this}set(e,t,i,s){const r=this.elements;return r[0]=e,r[2]=t,r[1]=i,r[3]=s,this}}const wf=new P,ca=new P,vs=new P,xs=new P,Jo=new P,L0=new P,D0=new P;class Jn{constructor(e=new P,t=new P){this.start=e,this.end=t}set(e,t){return this.start.copy(e),this.end.copy(t),this}copy(e){return this.start.copy(e.start),this.end.copy(e.end),this}getCenter(e){return e.addVectors(this.start,this.end).multiplyScalar(.5)}delta(e){return e.subVectors(this.end,this.start)}distanceSq(){return this.start.distanceToSquared(this.end)}distance(){return this.start.distanceTo(this.end)}at(e,t){return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParameter(e,t){wf.subVectors(e,this.start),ca.subVectors(this.end,this.start);const i=ca.dot(ca);if(i===0)return 0;let r=ca.dot(wf)/i;return t&&(r=Pe(r,0,1)),r}closestPointToPoint(e,t,i){const s=this.closestPointToPointParameter(e,t);return this.delta(i).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=L0,i=D0){const s=10000000000000001e-32;let r,a;const o=this.start,c=e.start,l=this.end,h=e.end;vs.subVectors(l,o),xs.subVectors(h,c),Jo.subVectors(o,c);const f=vs.dot(vs),u=xs.dot(xs),d=xs.dot(Jo);if(f<=s&&u<=s)return t.copy(o),i.copy(c),t.sub(i),t.dot(t);if(f<=s)r=0,a=d/u,a=Pe(a,0,1);else{const g=vs.dot(Jo);if(u<=s)a=0,r=Pe(-g/f,0,1);else{const y=vs.dot(xs),p=f*u-y*y;p!==0?r=Pe((y*d-g*u)/p,0,1):r=0,a=(y*r+d)/u,a<0?(a=0,r=Pe(-g/f,0,1)):a>1&&(a=1,r=Pe((y-g)/f,0,1))}}return t.copy(o).addScaledVector(vs,r),i.copy(c).addScaledVector(xs,a),t.distanceToSquared(i)}applyMatrix4(e){return this.start.applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}}class U0 extends Li{constructor(e,t=null){super(),this.object=e,this.domElement=t,this.enabled=!0,this.state=-1,this.keys={},this.mouseButtons={LEFT:null,MIDDLE:null,RIGHT:null},this.touches={ONE:null,TWO:null}}connect(e){if(e===void 0){Re("Controls: connect() now requires an element.");return}this.domElement!==null&&this.disconnect(),this.domElement=e}disconnect(){}dispose(){}update(){}}function Rf(n,e,t,i){const s=F0(i);switch(t){case rp:return n*e;case op:return n*e/s.components*s.byteLength;case Zl:return n*e/s.components*s.byteLength;case qi:return n*e*2/s.components*s.byteLength;case Yl:return n*e*2/s.components*s.byteLength;case ap:return n*e*3/s.components*s.byteLength;case xn:return n*e*4/s.components*s.byteLength;case Kl:return n*e*4/s.components*s.byteLength;case Ua:case Fa:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case Ba:case Oa:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case zc:case Hc:return Math.max(n,16)*Math.max(e,8)/4;case kc:case Wc:return Math.max(n,8)*Math.max(e,8)/2;case Xc:case Zc:case Kc:case $c:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case Yc:case Ya:case jc:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case Jc:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case qc:return Math.floor((n+4)/5)*Math.floor((e+3)/4)*16;case Qc:return Math.floor((n+4)/5)*Math.floor((e+4)/5)*16;case el:return Math.floor((n+5)/6)*Math.floor((e+4)/5)*16;case tl:return Math.floor((n+5)/6)*Math.floor((e+5)/6)*16;case nl:return Math.floor((n+7)/8)*Math.floor((e+4)/5)*16;case il:return Math.floor((n+7)/8)*Math.floor((e+5)/6)*16;case sl:return Math.floor((n+7)/8)*Math.floor((e+7)/8)*16;case rl:return Math.floor((n+9)/10)*Math.floor((e+4)/5)*16;case al:return Math.floor((n+9)/10)*Math.floor((e+5)/6)*16;case ol:return Math.floor((n+9)/10)*Math.floor((e+7)/8)*16;case cl:return Math.floor((n+9)/10)*Math.floor((e+9)/10)*16;case ll:return Math.floor((n+11)/12)*Math.floor((e+9)/10)*16;case ul:return Math.floor((n+11)/12)*Math.floor((e+11)/12)*16;case fl:case hl:case dl:return Math.ceil(n/4)*Math.ceil(e/4)*16;case pl:case ml:return Math.ceil(n/4)*Math.ceil(e/4)*8;case Ka:case gl:return Math.ceil(n/4)*Math.ceil(e/4)*16}throw new Error(`Unable to determine texture byte length for ${t} format.`)}function F0(n){switch(n){case vn:case tp:return{byteLength:1,components:1};case _r:case np:case fi:return{byteLength:2,components:1};case Hl:case Xl:return{byteLength:2,components:4};case Dn:case Wl:case Yn:return{byteLength:4,components:1};case ip:case sp:return{byteLength:4,components:3}}throw new Error(`Unknown texture type ${n}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"184"}}));typeof window<"u"&&(window.__THREE__?Re("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="184");/**
+ * @license
+ * Copyright 2010-2026 Three.js Authors
+ * SPDX-License-Identifier: MIT
+ */function Sp(){let n=null,e=!1,t=null,i=null;function s(r,a){t(r,a),i=n.requestAnimationFrame(s)}return{start:function(){e!==!0&&t!==null&&n!==null&&(i=n.requestAnimationFrame(s),e=!0)},stop:function(){n!==null&&n.cancelAnimationFrame(i),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){n=r}}}function B0(n){const e=new WeakMap;function t(o,c){const l=o.array,h=o.usage,f=l.byteLength,u=n.createBuffer();n.bindBuffer(c,u),n.bufferData(c,l,h),o.onUploadCallback();let d;if(l instanceof Float32Array)d=n.FLOAT;else if(typeof Float16Array<"u"&&l instanceof Float16Array)d=n.HALF_FLOAT;else if(l instanceof Uint16Array)o.isFloat16BufferAttribute?d=n.HALF_FLOAT:d=n.UNSIGNED_SHORT;else if(l instanceof Int16Array)d=n.SHORT;else if(l instanceof Uint32Array)d=n.UNSIGNED_INT;else if(l instanceof Int32Array)d=n.INT;else if(l instanceof Int8Array)d=n.BYTE;else if(l instanceof Uint8Array)d=n.UNSIGNED_BYTE;else if(l instanceof Uint8ClampedArray)d=n.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+l);return{buffer:u,type:d,bytesPerElement:l.BYTES_PER_ELEMENT,version:o.version,size:f}}function i(o,c,l){const h=c.array,f=c.updateRanges;if(n.bindBuffer(l,o),f.length===0)n.bufferSubData(l,0,h);else{f.sort((d,g)=>d.start-g.start);let u=0;for(let d=1;d<f.length;d++){const g=f[u],y=f[d];y.start<=g.start+g.count+1?g.count=Math.max(g.count,y.start+y.count-g.start):(++u,f[u]=y)}f.length=u+1;for(let d=0,g=f.length;d<g;d++){const y=f[d];n.bufferSubData(l,y.start*h.BYTES_PER_ELEMENT,h,y.start,y.count)}c.clearUpdateRanges()}c.onUploadCallback()}function s(o){return o.isInterleavedBufferAttribute&&(o=o.data),e.get(o)}function r(o){o.isInterleavedBufferAttribute&&(o=o.data);const c=e.get(o);c&&(n.deleteBuffer(c.buffer),e.delete(o))}function a(o,c){if(o.isInterleavedBufferAttribute&&(o=o.data),o.isGLBufferAttribute){const h=e.get(o);(!h||h.version<o.version)&&e.set(o,{buffer:o.buffer,type:o.type,bytesPerElement:o.elementSize,version:o.version});return}const l=e.get(o);if(l===void 0)e.set(o,t(o,c));else if(l.version<o.version){if(l.size!==o.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");i(l.buffer,o,c),l.version=o.version}}return{get:s,remove:r,update:a}}var O0=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,V0=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,G0=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,k0=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,z0=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,W0=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,H0=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,X0=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,Z0=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec4 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );
+	}
+#endif`,Y0=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,K0=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,$0=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,j0=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,J0=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,q0=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,Q0=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,e_=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,t_=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,n_=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,i_=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#endif`,s_=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#endif`,r_=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec4 vColor;
+#endif`,a_=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec4( 1.0 );
+#endif
+#ifdef USE_COLOR_ALPHA
+	vColor *= color;
+#elif defined( USE_COLOR )
+	vColor.rgb *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.rgb *= instanceColor.rgb;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );
+#endif`,o_=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+vec3 inverseTransformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * matrix ).xyz );
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,c_=`#ifdef ENVMAP_TYPE_CUBE_UV
+	#define cubeUV_minMipLevel 4.0
+	#define cubeUV_minTileSize 16.0
+	float getFace( vec3 direction ) {
+		vec3 absDirection = abs( direction );
+		float face = - 1.0;
+		if ( absDirection.x > absDirection.z ) {
+			if ( absDirection.x > absDirection.y )
+				face = direction.x > 0.0 ? 0.0 : 3.0;
+			else
+				face = direction.y > 0.0 ? 1.0 : 4.0;
+		} else {
+			if ( absDirection.z > absDirection.y )
+				face = direction.z > 0.0 ? 2.0 : 5.0;
+			else
+				face = direction.y > 0.0 ? 1.0 : 4.0;
+		}
+		return face;
+	}
+	vec2 getUV( vec3 direction, float face ) {
+		vec2 uv;
+		if ( face == 0.0 ) {
+			uv = vec2( direction.z, direction.y ) / abs( direction.x );
+		} else if ( face == 1.0 ) {
+			uv = vec2( - direction.x, - direction.z ) / abs( direction.y );
+		} else if ( face == 2.0 ) {
+			uv = vec2( - direction.x, direction.y ) / abs( direction.z );
+		} else if ( face == 3.0 ) {
+			uv = vec2( - direction.z, direction.y ) / abs( direction.x );
+		} else if ( face == 4.0 ) {
+			uv = vec2( - direction.x, direction.z ) / abs( direction.y );
+		} else {
+			uv = vec2( direction.x, direction.y ) / abs( direction.z );
+		}
+		return 0.5 * ( uv + 1.0 );
+	}
+	vec3 bilinearCubeUV( sampler2D envMap, vec3 direction, float mipInt ) {
+		float face = getFace( direction );
+		float filterInt = max( cubeUV_minMipLevel - mipInt, 0.0 );
+		mipInt = max( mipInt, cubeUV_minMipLevel );
+		float faceSize = exp2( mipInt );
+		highp vec2 uv = getUV( direction, face ) * ( faceSize - 2.0 ) + 1.0;
+		if ( face > 2.0 ) {
+			uv.y += faceSize;
+			face -= 3.0;
+		}
+		uv.x += face * faceSize;
+		uv.x += filterInt * 3.0 * cubeUV_minTileSize;
+		uv.y += 4.0 * ( exp2( CUBEUV_MAX_MIP ) - faceSize );
+		uv.x *= CUBEUV_TEXEL_WIDTH;
+		uv.y *= CUBEUV_TEXEL_HEIGHT;
+		#ifdef texture2DGradEXT
+			return texture2DGradEXT( envMap, uv, vec2( 0.0 ), vec2( 0.0 ) ).rgb;
+		#else
+			return texture2D( envMap, uv ).rgb;
+		#endif
+	}
+	#define cubeUV_r0 1.0
+	#define cubeUV_m0 - 2.0
+	#define cubeUV_r1 0.8
+	#define cubeUV_m1 - 1.0
+	#define cubeUV_r4 0.4
+	#define cubeUV_m4 2.0
+	#define cubeUV_r5 0.305
+	#define cubeUV_m5 3.0
+	#define cubeUV_r6 0.21
+	#define cubeUV_m6 4.0
+	float roughnessToMip( float roughness ) {
+		float mip = 0.0;
+		if ( roughness >= cubeUV_r1 ) {
+			mip = ( cubeUV_r0 - roughness ) * ( cubeUV_m1 - cubeUV_m0 ) / ( cubeUV_r0 - cubeUV_r1 ) + cubeUV_m0;
+		} else if ( roughness >= cubeUV_r4 ) {
+			mip = ( cubeUV_r1 - roughness ) * ( cubeUV_m4 - cubeUV_m1 ) / ( cubeUV_r1 - cubeUV_r4 ) + cubeUV_m1;
+		} else if ( roughness >= cubeUV_r5 ) {
+			mip = ( cubeUV_r4 - roughness ) * ( cubeUV_m5 - cubeUV_m4 ) / ( cubeUV_r4 - cubeUV_r5 ) + cubeUV_m4;
+		} else if ( roughness >= cubeUV_r6 ) {
+			mip = ( cubeUV_r5 - roughness ) * ( cubeUV_m6 - cubeUV_m5 ) / ( cubeUV_r5 - cubeUV_r6 ) + cubeUV_m5;
+		} else {
+			mip = - 2.0 * log2( 1.16 * roughness );		}
+		return mip;
+	}
+	vec4 textureCubeUV( sampler2D envMap, vec3 sampleDir, float roughness ) {
+		float mip = clamp( roughnessToMip( roughness ), cubeUV_m0, CUBEUV_MAX_MIP );
+		float mipF = fract( mip );
+		float mipInt = floor( mip );
+		vec3 color0 = bilinearCubeUV( envMap, sampleDir, mipInt );
+		if ( mipF == 0.0 ) {
+			return vec4( color0, 1.0 );
+		} else {
+			vec3 color1 = bilinearCubeUV( envMap, sampleDir, mipInt + 1.0 );
+			return vec4( mix( color0, color1, mipF ), 1.0 );
+		}
+	}
+#endif`,l_=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+	#ifdef FLIP_SIDED
+		transformedTangent = - transformedTangent;
+	#endif
+#endif`,u_=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,f_=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,h_=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,d_=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,p_="gl_FragColor = linearToOutputTexel( gl_FragColor );",m_=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,g_=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = inverseTransformDirection( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );
+		#ifdef ENVMAP_BLENDING_MULTIPLY
+			outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_MIX )
+			outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_ADD )
+			outgoingLight += envColor.xyz * specularStrength * reflectivity;
+		#endif
+	#endif
+#endif`,__=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform mat3 envMapRotation;
+	#ifdef ENVMAP_TYPE_CUBE
+		uniform samplerCube envMap;
+	#else
+		uniform sampler2D envMap;
+	#endif
+#endif`,v_=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,x_=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,y_=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = inverseTransformDirection( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,b_=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,S_=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,E_=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,M_=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,A_=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,T_=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,w_=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,R_=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,I_=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = inverseTransformDirection( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif
+#include <lightprobes_pars_fragment>`,N_=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_CUBE_UV
+			vec3 worldNormal = inverseTransformDirection( normal, viewMatrix );
+			vec4 envMapColor = textureCubeUV( envMap, envMapRotation * worldNormal, 1.0 );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_CUBE_UV
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );
+			reflectVec = inverseTransformDirection( reflectVec, viewMatrix );
+			vec4 envMapColor = textureCubeUV( envMap, envMapRotation * reflectVec, roughness );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_CUBE_UV
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+#endif`,C_=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,P_=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,L_=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,D_=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,U_=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+material.metalness = metalnessFactor;
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.0525 );material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor;
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = vec3( 0.04 );
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.0525 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.0001, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,F_=`uniform sampler2D dfgLUT;
+struct PhysicalMaterial {
+	vec3 diffuseColor;
+	vec3 diffuseContribution;
+	vec3 specularColor;
+	vec3 specularColorBlended;
+	float roughness;
+	float metalness;
+	float specularF90;
+	float dispersion;
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0;
+		vec3 iridescenceFresnelDielectric;
+		vec3 iridescenceFresnelMetallic;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		return 0.5 / max( gv + gl, EPSILON );
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = material.clearcoatRoughness;
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColorBlended;
+	float f90 = material.specularF90;
+	float roughness = material.roughness;
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float V = V_GGX_SmithCorrelated_Anisotropic( material.alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( material.alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transpose( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float rInv = 1.0 / ( roughness + 0.1 );
+	float a = -1.9362 + 1.0678 * roughness + 0.4573 * r2 - 0.8469 * rInv;
+	float b = -0.6014 + 0.5538 * roughness - 0.4670 * r2 - 0.1255 * rInv;
+	float DG = exp( a * dotNV + b );
+	return saturate( DG );
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, const in float roughness, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+vec3 BRDF_GGX_Multiscatter( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 singleScatter = BRDF_GGX( lightDir, viewDir, normal, material );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 dfgV = texture2D( dfgLUT, vec2( material.roughness, dotNV ) ).rg;
+	vec2 dfgL = texture2D( dfgLUT, vec2( material.roughness, dotNL ) ).rg;
+	vec3 FssEss_V = material.specularColorBlended * dfgV.x + material.specularF90 * dfgV.y;
+	vec3 FssEss_L = material.specularColorBlended * dfgL.x + material.specularF90 * dfgL.y;
+	float Ess_V = dfgV.x + dfgV.y;
+	float Ess_L = dfgL.x + dfgL.y;
+	float Ems_V = 1.0 - Ess_V;
+	float Ems_L = 1.0 - Ess_L;
+	vec3 Favg = material.specularColorBlended + ( 1.0 - material.specularColorBlended ) * 0.047619;
+	vec3 Fms = FssEss_V * FssEss_L * Favg / ( 1.0 - Ems_V * Ems_L * Favg + EPSILON );
+	float compensationFactor = Ems_V * Ems_L;
+	vec3 multiScatter = Fms * compensationFactor;
+	return singleScatter + multiScatter;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColorBlended * t2.x + ( material.specularF90 - material.specularColorBlended ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseContribution * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+		#ifdef USE_CLEARCOAT
+			vec3 Ncc = geometryClearcoatNormal;
+			vec2 uvClearcoat = LTC_Uv( Ncc, viewDir, material.clearcoatRoughness );
+			vec4 t1Clearcoat = texture2D( ltc_1, uvClearcoat );
+			vec4 t2Clearcoat = texture2D( ltc_2, uvClearcoat );
+			mat3 mInvClearcoat = mat3(
+				vec3( t1Clearcoat.x, 0, t1Clearcoat.y ),
+				vec3(             0, 1,             0 ),
+				vec3( t1Clearcoat.z, 0, t1Clearcoat.w )
+			);
+			vec3 fresnelClearcoat = material.clearcoatF0 * t2Clearcoat.x + ( material.clearcoatF90 - material.clearcoatF0 ) * t2Clearcoat.y;
+			clearcoatSpecularDirect += lightColor * fresnelClearcoat * LTC_Evaluate( Ncc, viewDir, position, mInvClearcoat, rectCoords );
+		#endif
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+ 
+ 		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+ 
+ 		float sheenAlbedoV = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+ 		float sheenAlbedoL = IBLSheenBRDF( geometryNormal, directLight.direction, material.sheenRoughness );
+ 
+ 		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * max( sheenAlbedoV, sheenAlbedoL );
+ 
+ 		irradiance *= sheenEnergyComp;
+ 
+ 	#endif
+	reflectedLight.directSpecular += irradiance * BRDF_GGX_Multiscatter( directLight.direction, geometryViewDir, geometryNormal, material );
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseContribution );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 diffuse = irradiance * BRDF_Lambert( material.diffuseContribution );
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		diffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectDiffuse += diffuse;
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness ) * RECIPROCAL_PI;
+ 	#endif
+	vec3 singleScatteringDielectric = vec3( 0.0 );
+	vec3 multiScatteringDielectric = vec3( 0.0 );
+	vec3 singleScatteringMetallic = vec3( 0.0 );
+	vec3 multiScatteringMetallic = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( geometryNormal, geometryViewDir, material.specularColor, material.specularF90, material.iridescence, material.iridescenceFresnelDielectric, material.roughness, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscatteringIridescence( geometryNormal, geometryViewDir, material.diffuseColor, material.specularF90, material.iridescence, material.iridescenceFresnelMetallic, material.roughness, singleScatteringMetallic, multiScatteringMetallic );
+	#else
+		computeMultiscattering( geometryNormal, geometryViewDir, material.specularColor, material.specularF90, material.roughness, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscattering( geometryNormal, geometryViewDir, material.diffuseColor, material.specularF90, material.roughness, singleScatteringMetallic, multiScatteringMetallic );
+	#endif
+	vec3 singleScattering = mix( singleScatteringDielectric, singleScatteringMetallic, material.metalness );
+	vec3 multiScattering = mix( multiScatteringDielectric, multiScatteringMetallic, material.metalness );
+	vec3 totalScatteringDielectric = singleScatteringDielectric + multiScatteringDielectric;
+	vec3 diffuse = material.diffuseContribution * ( 1.0 - totalScatteringDielectric );
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	vec3 indirectSpecular = radiance * singleScattering;
+	indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		indirectSpecular *= sheenEnergyComp;
+		indirectDiffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectSpecular += indirectSpecular;
+	reflectedLight.indirectDiffuse += indirectDiffuse;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,B_=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		material.iridescenceFresnelDielectric = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		material.iridescenceFresnelMetallic = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.diffuseColor );
+		material.iridescenceFresnel = mix( material.iridescenceFresnelDielectric, material.iridescenceFresnelMetallic, material.metalness );
+		material.iridescenceF0 = Schlick_to_F0( material.iridescenceFresnel, 1.0, dotNVi );
+	}
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS ) && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+	#ifdef USE_LIGHT_PROBES_GRID
+		vec3 probeWorldPos = ( ( vec4( geometryPosition, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;
+		vec3 probeWorldNormal = inverseTransformDirection( geometryNormal, viewMatrix );
+		irradiance += getLightProbeGridIrradiance( probeWorldPos, probeWorldNormal );
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,O_=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_CUBE_UV )
+		#if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )
+			iblIrradiance += getIBLIrradiance( geometryNormal );
+		#endif
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		radiance += getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		radiance += getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,V_=`#if defined( RE_IndirectDiffuse )
+	#if defined( LAMBERT ) || defined( PHONG )
+		irradiance += iblIrradiance;
+	#endif
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,G_=`#ifdef USE_LIGHT_PROBES_GRID
+uniform highp sampler3D probesSH;
+uniform vec3 probesMin;
+uniform vec3 probesMax;
+uniform vec3 probesResolution;
+vec3 getLightProbeGridIrradiance( vec3 worldPos, vec3 worldNormal ) {
+	vec3 res = probesResolution;
+	vec3 gridRange = probesMax - probesMin;
+	vec3 resMinusOne = res - 1.0;
+	vec3 probeSpacing = gridRange / resMinusOne;
+	vec3 samplePos = worldPos + worldNormal * probeSpacing * 0.5;
+	vec3 uvw = clamp( ( samplePos - probesMin ) / gridRange, 0.0, 1.0 );
+	uvw = uvw * resMinusOne / res + 0.5 / res;
+	float nz          = res.z;
+	float paddedSlices = nz + 2.0;
+	float atlasDepth  = 7.0 * paddedSlices;
+	float uvZBase     = uvw.z * nz + 1.0;
+	vec4 s0 = texture( probesSH, vec3( uvw.xy, ( uvZBase                       ) / atlasDepth ) );
+	vec4 s1 = texture( probesSH, vec3( uvw.xy, ( uvZBase +       paddedSlices   ) / atlasDepth ) );
+	vec4 s2 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 2.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s3 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 3.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s4 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 4.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s5 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 5.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s6 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 6.0 * paddedSlices   ) / atlasDepth ) );
+	vec3 c0 = s0.xyz;
+	vec3 c1 = vec3( s0.w, s1.xy );
+	vec3 c2 = vec3( s1.zw, s2.x );
+	vec3 c3 = s2.yzw;
+	vec3 c4 = s3.xyz;
+	vec3 c5 = vec3( s3.w, s4.xy );
+	vec3 c6 = vec3( s4.zw, s5.x );
+	vec3 c7 = s5.yzw;
+	vec3 c8 = s6.xyz;
+	float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;
+	vec3 result = c0 * 0.886227;
+	result += c1 * 2.0 * 0.511664 * y;
+	result += c2 * 2.0 * 0.511664 * z;
+	result += c3 * 2.0 * 0.511664 * x;
+	result += c4 * 2.0 * 0.429043 * x * y;
+	result += c5 * 2.0 * 0.429043 * y * z;
+	result += c6 * ( 0.743125 * z * z - 0.247708 );
+	result += c7 * 2.0 * 0.429043 * x * z;
+	result += c8 * 0.429043 * ( x * x - y * y );
+	return max( result, vec3( 0.0 ) );
+}
+#endif`,k_=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,z_=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,W_=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,H_=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,X_=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,Z_=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,Y_=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,K_=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,$_=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,j_=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,J_=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,q_=`#if defined( USE_MORPHCOLORS )
+	vColor *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,Q_=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,ev=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,tv=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,nv=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#if defined( DOUBLE_SIDED ) && ! defined( FLAT_SHADED )
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#if defined( DOUBLE_SIDED ) && ! defined( FLAT_SHADED )
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,iv=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#if defined( USE_PACKED_NORMALMAP )
+		mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );
+	#endif
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,sv=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,rv=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,av=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+	#endif
+#endif`,ov=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,cv=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,lv=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,uv=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,fv=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,hv=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,dv=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+	
+		return depth * ( far - near ) - far;
+	#else
+		return depth * ( near - far ) - near;
+	#endif
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		return ( near * far ) / ( ( near - far ) * depth - near );
+	#else
+		return ( near * far ) / ( ( far - near ) * depth - far );
+	#endif
+}`,pv=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,mv=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,gv=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,_v=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,vv=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,xv=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,yv=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#endif
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform samplerCubeShadow pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#elif defined( SHADOWMAP_TYPE_BASIC )
+			uniform samplerCube pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float interleavedGradientNoise( vec2 position ) {
+			return fract( 52.9829189 * fract( dot( position, vec2( 0.06711056, 0.00583715 ) ) ) );
+		}
+		vec2 vogelDiskSample( int sampleIndex, int samplesCount, float phi ) {
+			const float goldenAngle = 2.399963229728653;
+			float r = sqrt( ( float( sampleIndex ) + 0.5 ) / float( samplesCount ) );
+			float theta = float( sampleIndex ) * goldenAngle + phi;
+			return vec2( cos( theta ), sin( theta ) ) * r;
+		}
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float getShadow( sampler2DShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			shadowCoord.z += shadowBias;
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+				float radius = shadowRadius * texelSize.x;
+				float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+				shadow = (
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 0, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 1, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 2, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 3, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 4, 5, phi ) * radius, shadowCoord.z ) )
+				) * 0.2;
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#elif defined( SHADOWMAP_TYPE_VSM )
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 distribution = texture2D( shadowMap, shadowCoord.xy ).rg;
+				float mean = distribution.x;
+				float variance = distribution.y * distribution.y;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					float hard_shadow = step( mean, shadowCoord.z );
+				#else
+					float hard_shadow = step( shadowCoord.z, mean );
+				#endif
+				
+				if ( hard_shadow == 1.0 ) {
+					shadow = 1.0;
+				} else {
+					variance = max( variance, 0.0000001 );
+					float d = shadowCoord.z - mean;
+					float p_max = variance / ( variance + d * d );
+					p_max = clamp( ( p_max - 0.3 ) / 0.65, 0.0, 1.0 );
+					shadow = max( hard_shadow, p_max );
+				}
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#else
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				float depth = texture2D( shadowMap, shadowCoord.xy ).r;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					shadow = step( depth, shadowCoord.z );
+				#else
+					shadow = step( shadowCoord.z, depth );
+				#endif
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	#if defined( SHADOWMAP_TYPE_PCF )
+	float getPointShadow( samplerCubeShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 bd3D = normalize( lightToPosition );
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				float dp = ( shadowCameraNear * ( shadowCameraFar - viewSpaceZ ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+				dp -= shadowBias;
+			#else
+				float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+				dp += shadowBias;
+			#endif
+			float texelSize = shadowRadius / shadowMapSize.x;
+			vec3 absDir = abs( bd3D );
+			vec3 tangent = absDir.x > absDir.z ? vec3( 0.0, 1.0, 0.0 ) : vec3( 1.0, 0.0, 0.0 );
+			tangent = normalize( cross( bd3D, tangent ) );
+			vec3 bitangent = cross( bd3D, tangent );
+			float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+			vec2 sample0 = vogelDiskSample( 0, 5, phi );
+			vec2 sample1 = vogelDiskSample( 1, 5, phi );
+			vec2 sample2 = vogelDiskSample( 2, 5, phi );
+			vec2 sample3 = vogelDiskSample( 3, 5, phi );
+			vec2 sample4 = vogelDiskSample( 4, 5, phi );
+			shadow = (
+				texture( shadowMap, vec4( bd3D + ( tangent * sample0.x + bitangent * sample0.y ) * texelSize, dp ) ) +
+				texture( shadowMap, vec4( bd3D + ( tangent * sample1.x + bitangent * sample1.y ) * texelSize, dp ) ) +
+				texture( shadowMap, vec4( bd3D + ( tangent * sample2.x + bitangent * sample2.y ) * texelSize, dp ) ) +
+				texture( shadowMap, vec4( bd3D + ( tangent * sample3.x + bitangent * sample3.y ) * texelSize, dp ) ) +
+				texture( shadowMap, vec4( bd3D + ( tangent * sample4.x + bitangent * sample4.y ) * texelSize, dp ) )
+			) * 0.2;
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#elif defined( SHADOWMAP_TYPE_BASIC )
+	float getPointShadow( samplerCube shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			float depth = textureCube( shadowMap, bd3D ).r;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				depth = 1.0 - depth;
+			#endif
+			shadow = step( dp, depth );
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#endif
+	#endif
+#endif`,bv=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,Sv=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	#ifdef HAS_NORMAL
+		vec3 shadowWorldNormal = inverseTransformDirection( transformedNormal, viewMatrix );
+	#else
+		vec3 shadowWorldNormal = vec3( 0.0 );
+	#endif
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,Ev=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0 && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,Mv=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,Av=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,Tv=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,wv=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,Rv=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,Iv=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,Nv=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,Cv=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,Pv=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = inverseTransformDirection( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,Lv=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,Dv=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,Uv=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,Fv=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,Bv=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`;const Ov=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,Vv=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,Gv=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,kv=`#ifdef ENVMAP_TYPE_CUBE
+	uniform samplerCube envMap;
+#elif defined( ENVMAP_TYPE_CUBE_UV )
+	uniform sampler2D envMap;
+#endif
+uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <cube_uv_reflection_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 texColor = textureCube( envMap, backgroundRotation * vWorldDirection );
+	#elif defined( ENVMAP_TYPE_CUBE_UV )
+		vec4 texColor = textureCubeUV( envMap, backgroundRotation * vWorldDirection, backgroundBlurriness );
+	#else
+		vec4 texColor = vec4( 0.0, 0.0, 0.0, 1.0 );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,zv=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,Wv=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,Hv=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,Xv=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,Zv=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,Yv=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main () {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );
+}`,Kv=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,$v=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,jv=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,Jv=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,qv=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,Qv=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,ex=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,tx=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <cube_uv_reflection_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,nx=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,ix=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,sx=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,rx=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,ax=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,ox=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <cube_uv_reflection_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,cx=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,lx=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <cube_uv_reflection_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+ 
+		outgoingLight = outgoingLight + sheenSpecularDirect + sheenSpecularIndirect;
+ 
+ 	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,ux=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,fx=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,hx=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,dx=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,px=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,mx=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,gx=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,_x=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,Ve={alphahash_fragment:O0,alphahash_pars_fragment:V0,alphamap_fragment:G0,alphamap_pars_fragment:k0,alphatest_fragment:z0,alphatest_pars_fragment:W0,aomap_fragment:H0,aomap_pars_fragment:X0,batching_pars_vertex:Z0,batching_vertex:Y0,begin_vertex:K0,beginnormal_vertex:$0,bsdfs:j0,iridescence_fragment:J0,bumpmap_pars_fragment:q0,clipping_planes_fragment:Q0,clipping_planes_pars_fragment:e_,clipping_planes_pars_vertex:t_,clipping_planes_vertex:n_,color_fragment:i_,color_pars_fragment:s_,color_pars_vertex:r_,color_vertex:a_,common:o_,cube_uv_reflection_fragment:c_,defaultnormal_vertex:l_,displacementmap_pars_vertex:u_,displacementmap_vertex:f_,emissivemap_fragment:h_,emissivemap_pars_fragment:d_,colorspace_fragment:p_,colorspace_pars_fragment:m_,envmap_fragment:g_,envmap_common_pars_fragment:__,envmap_pars_fragment:v_,envmap_pars_vertex:x_,envmap_physical_pars_fragment:N_,envmap_vertex:y_,fog_vertex:b_,fog_pars_vertex:S_,fog_fragment:E_,fog_pars_fragment:M_,gradientmap_pars_fragment:A_,lightmap_pars_fragment:T_,lights_lambert_fragment:w_,lights_lambert_pars_fragment:R_,lights_pars_begin:I_,lights_toon_fragment:C_,lights_toon_pars_fragment:P_,lights_phong_fragment:L_,lights_phong_pars_fragment:D_,lights_physical_fragment:U_,lights_physical_pars_fragment:F_,lights_fragment_begin:B_,lights_fragment_maps:O_,lights_fragment_end:V_,lightprobes_pars_fragment:G_,logdepthbuf_fragment:k_,logdepthbuf_pars_fragment:z_,logdepthbuf_pars_vertex:W_,logdepthbuf_vertex:H_,map_fragment:X_,map_pars_fragment:Z_,map_particle_fragment:Y_,map_particle_pars_fragment:K_,metalnessmap_fragment:$_,metalnessmap_pars_fragment:j_,morphinstance_vertex:J_,morphcolor_vertex:q_,morphnormal_vertex:Q_,morphtarget_pars_vertex:ev,morphtarget_vertex:tv,normal_fragment_begin:nv,normal_fragment_maps:iv,normal_pars_fragment:sv,normal_pars_vertex:rv,normal_vertex:av,normalmap_pars_fragment:ov,clearcoat_normal_fragment_begin:cv,clearcoat_normal_fragment_maps:lv,clearcoat_pars_fragment:uv,iridescence_pars_fragment:fv,opaque_fragment:hv,packing:dv,premultiplied_alpha_fragment:pv,project_vertex:mv,dithering_fragment:gv,dithering_pars_fragment:_v,roughnessmap_fragment:vv,roughnessmap_pars_fragment:xv,shadowmap_pars_fragment:yv,shadowmap_pars_vertex:bv,shadowmap_vertex:Sv,shadowmask_pars_fragment:Ev,skinbase_vertex:Mv,skinning_pars_vertex:Av,skinning_vertex:Tv,skinnormal_vertex:wv,specularmap_fragment:Rv,specularmap_pars_fragment:Iv,tonemapping_fragment:Nv,tonemapping_pars_fragment:Cv,transmission_fragment:Pv,transmission_pars_fragment:Lv,uv_pars_fragment:Dv,uv_pars_vertex:Uv,uv_vertex:Fv,worldpos_vertex:Bv,background_vert:Ov,background_frag:Vv,backgroundCube_vert:Gv,backgroundCube_frag:kv,cube_vert:zv,cube_frag:Wv,depth_vert:Hv,depth_frag:Xv,distance_vert:Zv,distance_frag:Yv,equirect_vert:Kv,equirect_frag:$v,linedashed_vert:jv,linedashed_frag:Jv,meshbasic_vert:qv,meshbasic_frag:Qv,meshlambert_vert:ex,meshlambert_frag:tx,meshmatcap_vert:nx,meshmatcap_frag:ix,meshnormal_vert:sx,meshnormal_frag:rx,meshphong_vert:ax,meshphong_frag:ox,meshphysical_vert:cx,meshphysical_frag:lx,meshtoon_vert:ux,meshtoon_frag:fx,points_vert:hx,points_frag:dx,shadow_vert:px,shadow_frag:mx,sprite_vert:gx,sprite_frag:_x},ce={common:{diffuse:{value:new Ke(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new Le},alphaMap:{value:null},alphaMapTransform:{value:new Le},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new Le}},envmap:{envMap:{value:null},envMapRotation:{value:new Le},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new Le}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new Le}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new Le},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new Le},normalScale:{value:new Ae(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new Le},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new Le}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new Le}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new Le}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new Ke(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},probesSH:{value:null},probesMin:{value:new P},probesMax:{value:new P},probesResolution:{value:new P}},points:{diffuse:{value:new Ke(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new Le},alphaTest:{value:0},uvTransform:{value:new Le}},sprite:{diffuse:{value:new Ke(16777215)},opacity:{value:1},center:{value:new Ae(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new Le},alphaMap:{value:null},alphaMapTransform:{value:new Le},alphaTest:{value:0}}},nn={basic:{uniforms:$t([ce.common,ce.specularmap,ce.envmap,ce.aomap,ce.lightmap,ce.fog]),vertexShader:Ve.meshbasic_vert,fragmentShader:Ve.meshbasic_frag},lambert:{uniforms:$t([ce.common,ce.specularmap,ce.envmap,ce.aomap,ce.lightmap,ce.emissivemap,ce.bumpmap,ce.normalmap,ce.displacementmap,ce.fog,ce.lights,{emissive:{value:new Ke(0)},envMapIntensity:{value:1}}]),vertexShader:Ve.meshlambert_vert,fragmentShader:Ve.meshlambert_frag},phong:{uniforms:$t([ce.common,ce.specularmap,ce.envmap,ce.aomap,ce.lightmap,ce.emissivemap,ce.bumpmap,ce.normalmap,ce.displacementmap,ce.fog,ce.lights,{emissive:{value:new Ke(0)},specular:{value:new Ke(1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:Ve.meshphong_vert,fragmentShader:Ve.meshphong_frag},standard:{uniforms:$t([ce.common,ce.envmap,ce.aomap,ce.lightmap,ce.emissivemap,ce.bumpmap,ce.normalmap,ce.displacementmap,ce.roughnessmap,ce.metalnessmap,ce.fog,ce.lights,{emissive:{value:new Ke(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:Ve.meshphysical_vert,fragmentShader:Ve.meshphysical_frag},toon:{uniforms:$t([ce.common,ce.aomap,ce.lightmap,ce.emissivemap,ce.bumpmap,ce.normalmap,ce.displacementmap,ce.gradientmap,ce.fog,ce.lights,{emissive:{value:new Ke(0)}}]),vertexShader:Ve.meshtoon_vert,fragmentShader:Ve.meshtoon_frag},matcap:{uniforms:$t([ce.common,ce.bumpmap,ce.normalmap,ce.displacementmap,ce.fog,{matcap:{value:null}}]),vertexShader:Ve.meshmatcap_vert,fragmentShader:Ve.meshmatcap_frag},points:{uniforms:$t([ce.points,ce.fog]),vertexShader:Ve.points_vert,fragmentShader:Ve.points_frag},dashed:{uniforms:$t([ce.common,ce.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:Ve.linedashed_vert,fragmentShader:Ve.linedashed_frag},depth:{uniforms:$t([ce.common,ce.displacementmap]),vertexShader:Ve.depth_vert,fragmentShader:Ve.depth_frag},normal:{uniforms:$t([ce.common,ce.bumpmap,ce.normalmap,ce.displacementmap,{opacity:{value:1}}]),vertexShader:Ve.meshnormal_vert,fragmentShader:Ve.meshnormal_frag},sprite:{uniforms:$t([ce.sprite,ce.fog]),vertexShader:Ve.sprite_vert,fragmentShader:Ve.sprite_frag},background:{uniforms:{uvTransform:{value:new Le},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:Ve.background_vert,fragmentShader:Ve.background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new Le}},vertexShader:Ve.backgroundCube_vert,fragmentShader:Ve.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:Ve.cube_vert,fragmentShader:Ve.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:Ve.equirect_vert,fragmentShader:Ve.equirect_frag},distance:{uniforms:$t([ce.common,ce.displacementmap,{referencePosition:{value:new P},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:Ve.distance_vert,fragmentShader:Ve.distance_frag},shadow:{uniforms:$t([ce.lights,ce.fog,{color:{value:new Ke(0)},opacity:{value:1}}]),vertexShader:Ve.shadow_vert,fragmentShader:Ve.shadow_frag}};nn.physical={uniforms:$t([nn.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new Le},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new Le},clearcoatNormalScale:{value:new Ae(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new Le},dispersion:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new Le},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new Le},sheen:{value:0},sheenColor:{value:new Ke(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new Le},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new Le},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new Le},transmissionSamplerSize:{value:new Ae},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new Le},attenuationDistance:{value:0},attenuationColor:{value:new Ke(0)},specularColor:{value:new Ke(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Le},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Le},anisotropyVector:{value:new Ae},anisotropyMap:{value:null},anisotropyMapTransform:{value:new Le}}]),vertexShader:Ve.meshphysical_vert,fragmentShader:Ve.meshphysical_frag};const la={r:0,b:0,g:0},vx=new Je,Ep=new Le;Ep.set(-1,0,0,0,1,0,0,0,1);function xx(n,e,t,i,s,r){const a=new Ke(0);let o=s===!0?0:1,c,l,h=null,f=0,u=null;function d(_){let b=_.isScene===!0?_.background:null;if(b&&b.isTexture){const x=_.backgroundBlurriness>0;b=e.get(b,x)}return b}function g(_){let b=!1;const x=d(_);x===null?p(a,o):x&&x.isColor&&(p(x,1),b=!0);const E=n.xr.getEnvironmentBlendMode();E==="additive"?t.buffers.color.setClear(0,0,0,1,r):E==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(n.autoClear||b)&&(t.buffers.depth.setTest(!0),t.buffers.depth.setMask(!0),t.buffers.color.setMask(!0),n.clear(n.autoClearColor,n.autoClearDepth,n.autoClearStencil))}function y(_,b){const x=d(b);x&&(x.isCubeTexture||x.mapping===co)?(l===void 0&&(l=new Sn(new Cr(1,1,1),new an({name:"BackgroundCubeMaterial",uniforms:Vs(nn.backgroundCube.uniforms),vertexShader:nn.backgroundCube.vertexShader,fragmentShader:nn.backgroundCube.fragmentShader,side:jt,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),l.geometry.deleteAttribute("uv"),l.onBeforeRender=function(E,A,w){this.matrixWorld.copyPosition(w.matrixWorld)},Object.defineProperty(l.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),i.update(l)),l.material.uniforms.envMap.value=x,l.material.uniforms.backgroundBlurriness.value=b.backgroundBlurriness,l.material.uniforms.backgroundIntensity.value=b.backgroundIntensity,l.material.uniforms.backgroundRotation.value.setFromMatrix4(vx.makeRotationFromEuler(b.backgroundRotation)).transpose(),x.isCubeTexture&&x.isRenderTargetTexture===!1&&l.material.uniforms.backgroundRotation.value.premultiply(Ep),l.material.toneMapped=Xe.getTransfer(x.colorSpace)!==Qe,(h!==x||f!==x.version||u!==n.toneMapping)&&(l.material.needsUpdate=!0,h=x,f=x.version,u=n.toneMapping),l.layers.enableAll(),_.unshift(l,l.geometry,l.material,0,0,null)):x&&x.isTexture&&(c===void 0&&(c=new Sn(new Pr(2,2),new an({name:"BackgroundMaterial",uniforms:Vs(nn.background.uniforms),vertexShader:nn.background.vertexShader,fragmentShader:nn.background.fragmentShader,side:jn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),Object.defineProperty(c.material,"map",{get:function(){return this.uniforms.t2D.value}}),i.update(c)),c.material.uniforms.t2D.value=x,c.material.uniforms.backgroundIntensity.value=b.backgroundIntensity,c.material.toneMapped=Xe.getTransfer(x.colorSpace)!==Qe,x.matrixAutoUpdate===!0&&x.updateMatrix(),c.material.uniforms.uvTransform.value.copy(x.matrix),(h!==x||f!==x.version||u!==n.toneMapping)&&(c.material.needsUpdate=!0,h=x,f=x.version,u=n.toneMapping),c.layers.enableAll(),_.unshift(c,c.geometry,c.material,0,0,null))}function p(_,b){_.getRGB(la,xp(n)),t.buffers.color.setClear(la.r,la.g,la.b,b,r)}function m(){l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0),c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0)}return{getClearColor:function(){return a},setClearColor:function(_,b=1){a.set(_),o=b,p(a,o)},getClearAlpha:function(){return o},setClearAlpha:function(_){o=_,p(a,o)},render:g,addToRenderList:y,dispose:m}}function yx(n,e){const t=n.getParameter(n.MAX_VERTEX_ATTRIBS),i={},s=u(null);let r=s,a=!1;function o(R,C,U,B,L){let V=!1;const G=f(R,B,U,C);r!==G&&(r=G,l(r.object)),V=d(R,B,U,L),V&&g(R,B,U,L),L!==null&&e.update(L,n.ELEMENT_ARRAY_BUFFER),(V||a)&&(a=!1,x(R,C,U,B),L!==null&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,e.get(L).buffer))}function c(){return n.createVertexArray()}function l(R){return n.bindVertexArray(R)}function h(R){return n.deleteVertexArray(R)}function f(R,C,U,B){const L=B.wireframe===!0;let V=i[C.id];V===void 0&&(V={},i[C.id]=V);const G=R.isInstancedMesh===!0?R.id:0;let J=V[G];J===void 0&&(J={},V[G]=J);let ee=J[U.id];ee===void 0&&(ee={},J[U.id]=ee);let le=ee[L];return le===void 0&&(le=u(c()),ee[L]=le),le}function u(R){const C=[],U=[],B=[];for(let L=0;L<t;L++)C[L]=0,U[L]=0,B[L]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:C,enabledAttributes:U,attributeDivisors:B,object:R,attributes:{},index:null}}function d(R,C,U,B){const L=r.attributes,V=C.attributes;let G=0;const J=U.getAttributes();for(const ee in J)if(J[ee].location>=0){const xe=L[ee];let ye=V[ee];if(ye===void 0&&(ee==="instanceMatrix"&&R.instanceMatrix&&(ye=R.instanceMatrix),ee==="instanceColor"&&R.instanceColor&&(ye=R.instanceColor)),xe===void 0||xe.attribute!==ye||ye&&xe.data!==ye.data)return!0;G++}return r.attributesNum!==G||r.index!==B}function g(R,C,U,B){const L={},V=C.attributes;let G=0;const J=U.getAttributes();for(const ee in J)if(J[ee].location>=0){let xe=V[ee];xe===void 0&&(ee==="instanceMatrix"&&R.instanceMatrix&&(xe=R.instanceMatrix),ee==="instanceColor"&&R.instanceColor&&(xe=R.instanceColor));const ye={};ye.attribute=xe,xe&&xe.data&&(ye.data=xe.data),L[ee]=ye,G++}r.attributes=L,r.attributesNum=G,r.index=B}function y(){const R=r.newAttributes;for(let C=0,U=R.length;C<U;C++)R[C]=0}function p(R){m(R,0)}function m(R,C){const U=r.newAttributes,B=r.enabledAttributes,L=r.attributeDivisors;U[R]=1,B[R]===0&&(n.enableVertexAttribArray(R),B[R]=1),L[R]!==C&&(n.vertexAttribDivisor(R,C),L[R]=C)}function _(){const R=r.newAttributes,C=r.enabledAttributes;for(let U=0,B=C.length;U<B;U++)C[U]!==R[U]&&(n.disableVertexAttribArray(U),C[U]=0)}function b(R,C,U,B,L,V,G){G===!0?n.vertexAttribIPointer(R,C,U,L,V):n.vertexAttribPointer(R,C,U,B,L,V)}function x(R,C,U,B){y();const L=B.attributes,V=U.getAttributes(),G=C.defaultAttributeValues;for(const J in V){const ee=V[J];if(ee.location>=0){let le=L[J];if(le===void 0&&(J==="instanceMatrix"&&R.instanceMatrix&&(le=R.instanceMatrix),J==="instanceColor"&&R.instanceColor&&(le=R.instanceColor)),le!==void 0){const xe=le.normalized,ye=le.itemSize,ze=e.get(le);if(ze===void 0)continue;const qe=ze.buffer,Ie=ze.type,j=ze.bytesPerElement,fe=Ie===n.INT||Ie===n.UNSIGNED_INT||le.gpuType===Wl;if(le.isInterleavedBufferAttribute){const se=le.data,Te=se.stride,Ne=le.offset;if(se.isInstancedInterleavedBuffer){for(let we=0;we<ee.locationSize;we++)m(ee.location+we,se.meshPerAttribute);R.isInstancedMesh!==!0&&B._maxInstanceCount===void 0&&(B._maxInstanceCount=se.meshPerAttribute*se.count)}else for(let we=0;we<ee.locationSize;we++)p(ee.location+we);n.bindBuffer(n.ARRAY_BUFFER,qe);for(let we=0;we<ee.locationSize;we++)b(ee.location+we,ye/ee.locationSize,Ie,xe,Te*j,(Ne+ye/ee.locationSize*we)*j,fe)}else{if(le.isInstancedBufferAttribute){for(let se=0;se<ee.locationSize;se++)m(ee.location+se,le.meshPerAttribute);R.isInstancedMesh!==!0&&B._maxInstanceCount===void 0&&(B._maxInstanceCount=le.meshPerAttribute*le.count)}else for(let se=0;se<ee.locationSize;se++)p(ee.location+se);n.bindBuffer(n.ARRAY_BUFFER,qe);for(let se=0;se<ee.locationSize;se++)b(ee.location+se,ye/ee.locationSize,Ie,xe,ye*j,ye/ee.locationSize*se*j,fe)}}else if(G!==void 0){const xe=G[J];if(xe!==void 0)switch(xe.length){case 2:n.vertexAttrib2fv(ee.location,xe);break;case 3:n.vertexAttrib3fv(ee.location,xe);break;case 4:n.vertexAttrib4fv(ee.location,xe);break;default:n.vertexAttrib1fv(ee.location,xe)}}}}_()}function E(){T();for(const R in i){const C=i[R];for(const U in C){const B=C[U];for(const L in B){const V=B[L];for(const G in V)h(V[G].object),delete V[G];delete B[L]}}delete i[R]}}function A(R){if(i[R.id]===void 0)return;const C=i[R.id];for(const U in C){const B=C[U];for(const L in B){const V=B[L];for(const G in V)h(V[G].object),delete V[G];delete B[L]}}delete i[R.id]}function w(R){for(const C in i){const U=i[C];for(const B in U){const L=U[B];if(L[R.id]===void 0)continue;const V=L[R.id];for(const G in V)h(V[G].object),delete V[G];delete L[R.id]}}}function v(R){for(const C in i){const U=i[C],B=R.isInstancedMesh===!0?R.id:0,L=U[B];if(L!==void 0){for(const V in L){const G=L[V];for(const J in G)h(G[J].object),delete G[J];delete L[V]}delete U[B],Object.keys(U).length===0&&delete i[C]}}}function T(){N(),a=!0,r!==s&&(r=s,l(r.object))}function N(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:o,reset:T,resetDefaultState:N,dispose:E,releaseStatesOfGeometry:A,releaseStatesOfObject:v,releaseStatesOfProgram:w,initAttributes:y,enableAttribute:p,disableUnusedAttributes:_}}function bx(n,e,t){let i;function s(c){i=c}function r(c,l){n.drawArrays(i,c,l),t.update(l,i,1)}function a(c,l,h){h!==0&&(n.drawArraysInstanced(i,c,l,h),t.update(l,i,h))}function o(c,l,h){if(h===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(i,c,0,l,0,h);let u=0;for(let d=0;d<h;d++)u+=l[d];t.update(u,i,1)}this.setMode=s,this.render=r,this.renderInstances=a,this.renderMultiDraw=o}function Sx(n,e,t,i){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){const w=e.get("EXT_texture_filter_anisotropic");s=n.getParameter(w.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function a(w){return!(w!==xn&&i.convert(w)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_FORMAT))}function o(w){const v=w===fi&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(w!==vn&&i.convert(w)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_TYPE)&&w!==Yn&&!v)}function c(w){if(w==="highp"){if(n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.HIGH_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.HIGH_FLOAT).precision>0)return"highp";w="mediump"}return w==="mediump"&&n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.MEDIUM_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let l=t.precision!==void 0?t.precision:"highp";const h=c(l);h!==l&&(Re("WebGLRenderer:",l,"not supported, using",h,"instead."),l=h);const f=t.logarithmicDepthBuffer===!0,u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control");t.reversedDepthBuffer===!0&&u===!1&&Re("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to default depth buffer.");const d=n.getParameter(n.MAX_TEXTURE_IMAGE_UNITS),g=n.getParameter(n.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=n.getParameter(n.MAX_TEXTURE_SIZE),p=n.getParameter(n.MAX_CUBE_MAP_TEXTURE_SIZE),m=n.getParameter(n.MAX_VERTEX_ATTRIBS),_=n.getParameter(n.MAX_VERTEX_UNIFORM_VECTORS),b=n.getParameter(n.MAX_VARYING_VECTORS),x=n.getParameter(n.MAX_FRAGMENT_UNIFORM_VECTORS),E=n.getParameter(n.MAX_SAMPLES),A=n.getParameter(n.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:c,textureFormatReadable:a,textureTypeReadable:o,precision:l,logarithmicDepthBuffer:f,reversedDepthBuffer:u,maxTextures:d,maxVertexTextures:g,maxTextureSize:y,maxCubemapSize:p,maxAttributes:m,maxVertexUniforms:_,maxVaryings:b,maxFragmentUniforms:x,maxSamples:E,samples:A}}function Ex(n){const e=this;let t=null,i=0,s=!1,r=!1;const a=new Xn,o=new Le,c={value:null,needsUpdate:!1};this.uniform=c,this.numPlanes=0,this.numIntersection=0,this.init=function(f,u){const d=f.length!==0||u||i!==0||s;return s=u,i=f.length,d},this.beginShadows=function(){r=!0,h(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(f,u){t=h(f,u,0)},this.setState=function(f,u,d){const g=f.clippingPlanes,y=f.clipIntersection,p=f.clipShadows,m=n.get(f);if(!s||g===null||g.length===0||r&&!p)r?h(null):l();else{const _=r?0:i,b=_*4;let x=m.clippingState||null;c.value=x,x=h(g,u,b,d);for(let E=0;E!==b;++E)x[E]=t[E];m.clippingState=x,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=_}};function l(){c.value!==t&&(c.value=t,c.needsUpdate=i>0),e.numPlanes=i,e.numIntersection=0}function h(f,u,d,g){const y=f!==null?f.length:0;let p=null;if(y!==0){if(p=c.value,g!==!0||p===null){const m=d+y*4,_=u.matrixWorldInverse;o.getNormalMatrix(_),(p===null||p.length<m)&&(p=new Float32Array(m));for(let b=0,x=d;b!==y;++b,x+=4)a.copy(f[b]).applyMatrix4(_,o),a.normal.toArray(p,x),p[x+3]=a.constant}c.value=p,c.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,p}}const Ii=4,If=[.125,.215,.35,.446,.526,.582],Xi=20,Mx=256,Qs=new tu,Nf=new Ke;let qo=null,Qo=0,ec=0,tc=!1;const Ax=new P;class Cf{constructor(e){this._renderer=e,this._pingPongRenderTarget=null,this._lodMax=0,this._cubeSize=0,this._sizeLods=[],this._sigmas=[],this._lodMeshes=[],this._backgroundBox=null,this._cubemapMaterial=null,this._equirectMaterial=null,this._blurMaterial=null,this._ggxMaterial=null}fromScene(e,t=0,i=.1,s=100,r={}){const{size:a=256,position:o=Ax}=r;qo=this._renderer.getRenderTarget(),Qo=this._renderer.getActiveCubeFace(),ec=this._renderer.getActiveMipmapLevel(),tc=this._renderer.xr.enabled,this._renderer.xr.enabled=!1,this._setSize(a);const c=this._allocateTargets();return c.depthBuffer=!0,this._sceneToCubeUV(e,i,s,c,o),t>0&&this._blur(c,0,0,t),this._applyPMREM(c),this._cleanup(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){this._cubemapMaterial===null&&(this._cubemapMaterial=Df(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=Lf(),this._compileMaterial(this._equirectMaterial))}dispose(){this._dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._backgroundBox!==null&&(this._backgroundBox.geometry.dispose(),this._backgroundBox.material.dispose())}_setSize(e){this._lodMax=Math.floor(Math.log2(e)),this._cubeSize=Math.pow(2,this._lodMax)}_dispose(){this._blurMaterial!==null&&this._blurMaterial.dispose(),this._ggxMaterial!==null&&this._ggxMaterial.dispose(),this._pingPongRenderTarget!==null&&this._pingPongRenderTarget.dispose();for(let e=0;e<this._lodMeshes.length;e++)this._lodMeshes[e].geometry.dispose()}_cleanup(e){this._renderer.setRenderTarget(qo,Qo,ec),this._renderer.xr.enabled=tc,e.scissorTest=!1,ys(e,0,0,e.width,e.height)}_fromTexture(e,t){e.mapping===Ji||e.mapping===Os?this._setSize(e.image.length===0?16:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4),qo=this._renderer.getRenderTarget(),Qo=this._renderer.getActiveCubeFace(),ec=this._renderer.getActiveMipmapLevel(),tc=this._renderer.xr.enabled,this._renderer.xr.enabled=!1;const i=t||this._allocateTargets();return this._textureToCubeUV(e,i),this._applyPMREM(i),this._cleanup(i),i}_allocateTargets(){const e=3*Math.max(this._cubeSize,112),t=4*this._cubeSize,i={magFilter:Wt,minFilter:Wt,generateMipmaps:!1,type:fi,format:xn,colorSpace:xr,depthBuffer:!1},s=Pf(e,t,i);if(this._pingPongRenderTarget===null||this._pingPongRenderTarget.width!==e||this._pingPongRenderTarget.height!==t){this._pingPongRenderTarget!==null&&this._dispose(),this._pingPongRenderTarget=Pf(e,t,i);const{_lodMax:r}=this;({lodMeshes:this._lodMeshes,sizeLods:this._sizeLods,sigmas:this._sigmas}=Tx(r)),this._blurMaterial=Rx(r,e,t),this._ggxMaterial=wx(r,e,t)}return s}_compileMaterial(e){const t=new Sn(new qt,e);this._renderer.compile(t,Qs)}_sceneToCubeUV(e,t,i,s,r){const c=new gn(90,1,t,i),l=[1,-1,1,1,1,1],h=[1,1,1,-1,-1,-1],f=this._renderer,u=f.autoClear,d=f.toneMapping;f.getClearColor(Nf),f.toneMapping=$n,f.autoClear=!1,f.state.buffers.depth.getReversed()&&(f.setRenderTarget(s),f.clearDepth(),f.setRenderTarget(null)),this._backgroundBox===null&&(this._backgroundBox=new Sn(new Cr,new pp({name:"PMREM.Background",side:jt,depthWrite:!1,depthTest:!1})));const y=this._backgroundBox,p=y.material;let m=!1;const _=e.background;_?_.isColor&&(p.color.copy(_),e.background=null,m=!0):(p.color.copy(Nf),m=!0);for(let b=0;b<6;b++){const x=b%3;x===0?(c.up.set(0,l[b],0),c.position.set(r.x,r.y,r.z),c.lookAt(r.x+h[b],r.y,r.z)):x===1?(c.up.set(0,0,l[b]),c.position.set(r.x,r.y,r.z),c.lookAt(r.x,r.y+h[b],r.z)):(c.up.set(0,l[b],0),c.position.set(r.x,r.y,r.z),c.lookAt(r.x,r.y,r.z+h[b]));const E=this._cubeSize;ys(s,x*E,b>2?E:0,E,E),f.setRenderTarget(s),m&&f.render(y,c),f.render(e,c)}f.toneMapping=d,f.autoClear=u,e.background=_}_textureToCubeUV(e,t){const i=this._renderer,s=e.mapping===Ji||e.mapping===Os;s?(this._cubemapMaterial===null&&(this._cubemapMaterial=Df()),this._cubemapMaterial.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):this._equirectMaterial===null&&(this._equirectMaterial=Lf());const r=s?this._cubemapMaterial:this._equirectMaterial,a=this._lodMeshes[0];a.material=r;const o=r.uniforms;o.envMap.value=e;const c=this._cubeSize;ys(t,0,0,3*c,2*c),i.setRenderTarget(t),i.render(a,Qs)}_applyPMREM(e){const t=this._renderer,i=t.autoClear;t.autoClear=!1;const s=this._lodMeshes.length;for(let r=1;r<s;r++)this._applyGGXFilter(e,r-1,r);t.autoClear=i}_applyGGXFilter(e,t,i){const s=this._renderer,r=this._pingPongRenderTarget,a=this._ggxMaterial,o=this._lodMeshes[i];o.material=a;const c=a.uniforms,l=i/(this._lodMeshes.length-1),h=t/(this._lodMeshes.length-1),f=Math.sqrt(l*l-h*h),u=0+l*1.25,d=f*u,{_lodMax:g}=this,y=this._sizeLods[i],p=3*y*(i>g-Ii?i-g+Ii:0),m=4*(this._cubeSize-y);c.envMap.value=e.texture,c.roughness.value=d,c.mipInt.value=g-t,ys(r,p,m,3*y,2*y),s.setRenderTarget(r),s.render(o,Qs),c.envMap.value=r.texture,c.roughness.value=0,c.mipInt.value=g-i,ys(e,p,m,3*y,2*y),s.setRenderTarget(e),s.render(o,Qs)}_blur(e,t,i,s,r){const a=this._pingPongRenderTarget;this._halfBlur(e,a,t,i,s,"latitudinal",r),this._halfBlur(a,e,i,i,s,"longitudinal",r)}_halfBlur(e,t,i,s,r,a,o){const c=this._renderer,l=this._blurMaterial;a!=="latitudinal"&&a!=="longitudinal"&&Ze("blur direction must be either latitudinal or longitudinal!");const h=3,f=this._lodMeshes[s];f.material=l;const u=l.uniforms,d=this._sizeLods[i]-1,g=isFinite(r)?Math.PI/(2*d):2*Math.PI/(2*Xi-1),y=r/g,p=isFinite(r)?1+Math.floor(h*y):Xi;p>Xi&&Re(`sigmaRadians, ${r}, is too large and will clip, as it requested ${p} samples when the maximum is set to ${Xi}`);const m=[];let _=0;for(let w=0;w<Xi;++w){const v=w/y,T=Math.exp(-v*v/2);m.push(T),w===0?_+=T:w<p&&(_+=2*T)}for(let w=0;w<m.length;w++)m[w]=m[w]/_;u.envMap.value=e.texture,u.samples.value=p,u.weights.value=m,u.latitudinal.value=a==="latitudinal",o&&(u.poleAxis.value=o);const{_lodMax:b}=this;u.dTheta.value=g,u.mipInt.value=b-i;const x=this._sizeLods[s],E=3*x*(s>b-Ii?s-b+Ii:0),A=4*(this._cubeSize-x);ys(t,E,A,3*x,2*x),c.setRenderTarget(t),c.render(f,Qs)}}function Tx(n){const e=[],t=[],i=[];let s=n;const r=n-Ii+1+If.length;for(let a=0;a<r;a++){const o=Math.pow(2,s);e.push(o);let c=1/o;a>n-Ii?c=If[a-n+Ii-1]:a===0&&(c=0),t.push(c);const l=1/(o-2),h=-l,f=1+l,u=[h,h,f,h,f,f,h,h,f,f,h,f],d=6,g=6,y=3,p=2,m=1,_=new Float32Array(y*g*d),b=new Float32Array(p*g*d),x=new Float32Array(m*g*d);for(let A=0;A<d;A++){const w=A%3*2/3-1,v=A>2?0:-1,T=[w,v,0,w+2/3,v,0,w+2/3,v+1,0,w,v,0,w+2/3,v+1,0,w,v+1,0];_.set(T,y*g*A),b.set(u,p*g*A);const N=[A,A,A,A,A,A];x.set(N,m*g*A)}const E=new qt;E.setAttribute("position",new Tt(_,y)),E.setAttribute("uv",new Tt(b,p)),E.setAttribute("faceIndex",new Tt(x,m)),i.push(new Sn(E,null)),s>Ii&&s--}return{lodMeshes:i,sizeLods:e,sigmas:t}}function Pf(n,e,t){const i=new Ln(n,e,t);return i.texture.mapping=co,i.texture.name="PMREM.cubeUv",i.scissorTest=!0,i}function ys(n,e,t,i,s){n.viewport.set(e,t,i,s),n.scissor.set(e,t,i,s)}function wx(n,e,t){return new an({name:"PMREMGGXConvolution",defines:{GGX_SAMPLES:Mx,CUBEUV_TEXEL_WIDTH:1/e,CUBEUV_TEXEL_HEIGHT:1/t,CUBEUV_MAX_MIP:`${n}.0`},uniforms:{envMap:{value:null},roughness:{value:0},mipInt:{value:0}},vertexShader:lo(),fragmentShader:`
+
+			precision highp float;
+			precision highp int;
+
+			varying vec3 vOutputDirection;
+
+			uniform sampler2D envMap;
+			uniform float roughness;
+			uniform float mipInt;
+
+			#define ENVMAP_TYPE_CUBE_UV
+			#include <cube_uv_reflection_fragment>
+
+			#define PI 3.14159265359
+
+			// Van der Corput radical inverse
+			float radicalInverse_VdC(uint bits) {
+				bits = (bits << 16u) | (bits >> 16u);
+				bits = ((bits & 0x55555555u) << 1u) | ((bits & 0xAAAAAAAAu) >> 1u);
+				bits = ((bits & 0x33333333u) << 2u) | ((bits & 0xCCCCCCCCu) >> 2u);
+				bits = ((bits & 0x0F0F0F0Fu) << 4u) | ((bits & 0xF0F0F0F0u) >> 4u);
+				bits = ((bits & 0x00FF00FFu) << 8u) | ((bits & 0xFF00FF00u) >> 8u);
+				return float(bits) * 2.3283064365386963e-10; // / 0x100000000
+			}
+
+			// Hammersley sequence
+			vec2 hammersley(uint i, uint N) {
+				return vec2(float(i) / float(N), radicalInverse_VdC(i));
+			}
+
+			// GGX VNDF importance sampling (Eric Heitz 2018)
+			// "Sampling the GGX Distribution of Visible Normals"
+			// https://jcgt.org/published/0007/04/01/
+			vec3 importanceSampleGGX_VNDF(vec2 Xi, vec3 V, float roughness) {
+				float alpha = roughness * roughness;
+
+				// Section 4.1: Orthonormal basis
+				vec3 T1 = vec3(1.0, 0.0, 0.0);
+				vec3 T2 = cross(V, T1);
+
+				// Section 4.2: Parameterization of projected area
+				float r = sqrt(Xi.x);
+				float phi = 2.0 * PI * Xi.y;
+				float t1 = r * cos(phi);
+				float t2 = r * sin(phi);
+				float s = 0.5 * (1.0 + V.z);
+				t2 = (1.0 - s) * sqrt(1.0 - t1 * t1) + s * t2;
+
+				// Section 4.3: Reprojection onto hemisphere
+				vec3 Nh = t1 * T1 + t2 * T2 + sqrt(max(0.0, 1.0 - t1 * t1 - t2 * t2)) * V;
+
+				// Section 3.4: Transform back to ellipsoid configuration
+				return normalize(vec3(alpha * Nh.x, alpha * Nh.y, max(0.0, Nh.z)));
+			}
+
+			void main() {
+				vec3 N = normalize(vOutputDirection);
+				vec3 V = N; // Assume view direction equals normal for pre-filtering
+
+				vec3 prefilteredColor = vec3(0.0);
+				float totalWeight = 0.0;
+
+				// For very low roughness, just sample the environment directly
+				if (roughness < 0.001) {
+					gl_FragColor = vec4(bilinearCubeUV(envMap, N, mipInt), 1.0);
+					return;
+				}
+
+				// Tangent space basis for VNDF sampling
+				vec3 up = abs(N.z) < 0.999 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+				vec3 tangent = normalize(cross(up, N));
+				vec3 bitangent = cross(N, tangent);
+
+				for(uint i = 0u; i < uint(GGX_SAMPLES); i++) {
+					vec2 Xi = hammersley(i, uint(GGX_SAMPLES));
+
+					// For PMREM, V = N, so in tangent space V is always (0, 0, 1)
+					vec3 H_tangent = importanceSampleGGX_VNDF(Xi, vec3(0.0, 0.0, 1.0), roughness);
+
+					// Transform H back to world space
+					vec3 H = normalize(tangent * H_tangent.x + bitangent * H_tangent.y + N * H_tangent.z);
+					vec3 L = normalize(2.0 * dot(V, H) * H - V);
+
+					float NdotL = max(dot(N, L), 0.0);
+
+					if(NdotL > 0.0) {
+						// Sample environment at fixed mip level
+						// VNDF importance sampling handles the distribution filtering
+						vec3 sampleColor = bilinearCubeUV(envMap, L, mipInt);
+
+						// Weight by NdotL for the split-sum approximation
+						// VNDF PDF naturally accounts for the visible microfacet distribution
+						prefilteredColor += sampleColor * NdotL;
+						totalWeight += NdotL;
+					}
+				}
+
+				if (totalWeight > 0.0) {
+					prefilteredColor = prefilteredColor / totalWeight;
+				}
+
+				gl_FragColor = vec4(prefilteredColor, 1.0);
+			}
+		`,blending:ci,depthTest:!1,depthWrite:!1})}function Rx(n,e,t){const i=new Float32Array(Xi),s=new P(0,1,0);return new an({name:"SphericalGaussianBlur",defines:{n:Xi,CUBEUV_TEXEL_WIDTH:1/e,CUBEUV_TEXEL_HEIGHT:1/t,CUBEUV_MAX_MIP:`${n}.0`},uniforms:{envMap:{value:null},samples:{value:1},weights:{value:i},latitudinal:{value:!1},dTheta:{value:0},mipInt:{value:0},poleAxis:{value:s}},vertexShader:lo(),fragmentShader:`
+
+			precision mediump float;
+			precision mediump int;
+
+			varying vec3 vOutputDirection;
+
+			uniform sampler2D envMap;
+			uniform int samples;
+			uniform float weights[ n ];
+			uniform bool latitudinal;
+			uniform float dTheta;
+			uniform float mipInt;
+			uniform vec3 poleAxis;
+
+			#define ENVMAP_TYPE_CUBE_UV
+			#include <cube_uv_reflection_fragment>
+
+			vec3 getSample( float theta, vec3 axis ) {
+
+				float cosTheta = cos( theta );
+				// Rodrigues' axis-angle rotation
+				vec3 sampleDirection = vOutputDirection * cosTheta
+					+ cross( axis, vOutputDirection ) * sin( theta )
+					+ axis * dot( axis, vOutputDirection ) * ( 1.0 - cosTheta );
+
+				return bilinearCubeUV( envMap, sampleDirection, mipInt );
+
+			}
+
+			void main() {
+
+				vec3 axis = latitudinal ? poleAxis : cross( poleAxis, vOutputDirection );
+
+				if ( all( equal( axis, vec3( 0.0 ) ) ) ) {
+
+					axis = vec3( vOutputDirection.z, 0.0, - vOutputDirection.x );
+
+				}
+
+				axis = normalize( axis );
+
+				gl_FragColor = vec4( 0.0, 0.0, 0.0, 1.0 );
+				gl_FragColor.rgb += weights[ 0 ] * getSample( 0.0, axis );
+
+				for ( int i = 1; i < n; i++ ) {
+
+					if ( i >= samples ) {
+
+						break;
+
+					}
+
+					float theta = dTheta * float( i );
+					gl_FragColor.rgb += weights[ i ] * getSample( -1.0 * theta, axis );
+					gl_FragColor.rgb += weights[ i ] * getSample( theta, axis );
+
+				}
+
+			}
+		`,blending:ci,depthTest:!1,depthWrite:!1})}function Lf(){return new an({name:"EquirectangularToCubeUV",uniforms:{envMap:{value:null}},vertexShader:lo(),fragmentShader:`
+
+			precision mediump float;
+			precision mediump int;
+
+			varying vec3 vOutputDirection;
+
+			uniform sampler2D envMap;
+
+			#include <common>
+
+			void main() {
+
+				vec3 outputDirection = normalize( vOutputDirection );
+				vec2 uv = equirectUv( outputDirection );
+
+				gl_FragColor = vec4( texture2D ( envMap, uv ).rgb, 1.0 );
+
+			}
+		`,blending:ci,depthTest:!1,depthWrite:!1})}function Df(){return new an({name:"CubemapToCubeUV",uniforms:{envMap:{value:null},flipEnvMap:{value:-1}},vertexShader:lo(),fragmentShader:`
+
+			precision mediump float;
+			precision mediump int;
+
+			uniform float flipEnvMap;
+
+			varying vec3 vOutputDirection;
+
+			uniform samplerCube envMap;
+
+			void main() {
+
+				gl_FragColor = textureCube( envMap, vec3( flipEnvMap * vOutputDirection.x, vOutputDirection.yz ) );
+
+			}
+		`,blending:ci,depthTest:!1,depthWrite:!1})}function lo(){return`
+
+		precision mediump float;
+		precision mediump int;
+
+		attribute float faceIndex;
+
+		varying vec3 vOutputDirection;
+
+		// RH coordinate system; PMREM face-indexing convention
+		vec3 getDirection( vec2 uv, float face ) {
+
+			uv = 2.0 * uv - 1.0;
+
+			vec3 direction = vec3( uv, 1.0 );
+
+			if ( face == 0.0 ) {
+
+				direction = direction.zyx; // ( 1, v, u ) pos x
+
+			} else if ( face == 1.0 ) {
+
+				direction = direction.xzy;
+				direction.xz *= -1.0; // ( -u, 1, -v ) pos y
+
+			} else if ( face == 2.0 ) {
+
+				direction.x *= -1.0; // ( -u, v, 1 ) pos z
+
+			} else if ( face == 3.0 ) {
+
+				direction = direction.zyx;
+				direction.xz *= -1.0; // ( -1, v, -u ) neg x
+
+			} else if ( face == 4.0 ) {
+
+				direction = direction.xzy;
+				direction.xy *= -1.0; // ( -u, -1, v ) neg y
+
+			} else if ( face == 5.0 ) {
+
+				direction.z *= -1.0; // ( u, v, -1 ) neg z
+
+			}
+
+			return direction;
+
+		}
+
+		void main() {
+
+			vOutputDirection = getDirection( uv, faceIndex );
+			gl_Position = vec4( position, 1.0 );
+
+		}
+	`}class Mp extends Ln{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;const i={width:e,height:e,depth:1},s=[i,i,i,i,i,i];this.texture=new _p(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=t.magFilter;const i={uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},s=new Cr(5,5,5),r=new an({name:"CubemapFromEquirect",uniforms:Vs(i.uniforms),vertexShader:i.vertexShader,fragmentShader:i.fragmentShader,side:jt,blending:ci});r.uniforms.tEquirect.value=t;const a=new Sn(s,r),o=t.minFilter;return t.minFilter===Zi&&(t.minFilter=Wt),new N0(1,10,this).update(e,a),t.minFilter=o,a.geometry.dispose(),a.material.dispose(),this}clear(e,t=!0,i=!0,s=!0){const r=e.getRenderTarget();for(let a=0;a<6;a++)e.setRenderTarget(this,a),e.clear(t,i,s);e.setRenderTarget(r)}}function Ix(n){let e=new WeakMap,t=new WeakMap,i=null;function s(u,d=!1){return u==null?null:d?a(u):r(u)}function r(u){if(u&&u.isTexture){const d=u.mapping;if(d===Ao||d===To)if(e.has(u)){const g=e.get(u).texture;return o(g,u.mapping)}else{const g=u.image;if(g&&g.height>0){const y=new Mp(g.height);return y.fromEquirectangularTexture(n,u),e.set(u,y),u.addEventListener("dispose",l),o(y.texture,u.mapping)}else return null}}return u}function a(u){if(u&&u.isTexture){const d=u.mapping,g=d===Ao||d===To,y=d===Ji||d===Os;if(g||y){let p=t.get(u);const m=p!==void 0?p.texture.pmremVersion:0;if(u.isRenderTargetTexture&&u.pmremVersion!==m)return i===null&&(i=new Cf(n)),p=g?i.fromEquirectangular(u,p):i.fromCubemap(u,p),p.texture.pmremVersion=u.pmremVersion,t.set(u,p),p.texture;if(p!==void 0)return p.texture;{const _=u.image;return g&&_&&_.height>0||y&&_&&c(_)?(i===null&&(i=new Cf(n)),p=g?i.fromEquirectangular(u):i.fromCubemap(u),p.texture.pmremVersion=u.pmremVersion,t.set(u,p),u.addEventListener("dispose",h),p.texture):null}}}return u}function o(u,d){return d===Ao?u.mapping=Ji:d===To&&(u.mapping=Os),u}function c(u){let d=0;const g=6;for(let y=0;y<g;y++)u[y]!==void 0&&d++;return d===g}function l(u){const d=u.target;d.removeEventListener("dispose",l);const g=e.get(d);g!==void 0&&(e.delete(d),g.dispose())}function h(u){const d=u.target;d.removeEventListener("dispose",h);const g=t.get(d);g!==void 0&&(t.delete(d),g.dispose())}function f(){e=new WeakMap,t=new WeakMap,i!==null&&(i.dispose(),i=null)}return{get:s,dispose:f}}function Nx(n){const e={};function t(i){if(e[i]!==void 0)return e[i];const s=n.getExtension(i);return e[i]=s,s}return{has:function(i){return t(i)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_color_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(i){const s=t(i);return s===null&&vl("WebGLRenderer: "+i+" extension not supported."),s}}}function Cx(n,e,t,i){const s={},r=new WeakMap;function a(f){const u=f.target;u.index!==null&&e.remove(u.index);for(const g in u.attributes)e.remove(u.attributes[g]);u.removeEventListener("dispose",a),delete s[u.id];const d=r.get(u);d&&(e.remove(d),r.delete(u)),i.releaseStatesOfGeometry(u),u.isInstancedBufferGeometry===!0&&delete u._maxInstanceCount,t.memory.geometries--}function o(f,u){return s[u.id]===!0||(u.addEventListener("dispose",a),s[u.id]=!0,t.memory.geometries++),u}function c(f){const u=f.attributes;for(const d in u)e.update(u[d],n.ARRAY_BUFFER)}function l(f){const u=[],d=f.index,g=f.attributes.position;let y=0;if(g===void 0)return;if(d!==null){const _=d.array;y=d.version;for(let b=0,x=_.length;b<x;b+=3){const E=_[b+0],A=_[b+1],w=_[b+2];u.push(E,A,A,w,w,E)}}else{const _=g.array;y=g.version;for(let b=0,x=_.length/3-1;b<x;b+=3){const E=b+0,A=b+1,w=b+2;u.push(E,A,A,w,w,E)}}const p=new(g.count>=65535?dp:hp)(u,1);p.version=y;const m=r.get(f);m&&e.remove(m),r.set(f,p)}function h(f){const u=r.get(f);if(u){const d=f.index;d!==null&&u.version<d.version&&l(f)}else l(f);return r.get(f)}return{get:o,update:c,getWireframeAttribute:h}}function Px(n,e,t){let i;function s(f){i=f}let r,a;function o(f){r=f.type,a=f.bytesPerElement}function c(f,u){n.drawElements(i,u,r,f*a),t.update(u,i,1)}function l(f,u,d){d!==0&&(n.drawElementsInstanced(i,u,r,f*a,d),t.update(u,i,d))}function h(f,u,d){if(d===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(i,u,0,r,f,0,d);let y=0;for(let p=0;p<d;p++)y+=u[p];t.update(y,i,1)}this.setMode=s,this.setIndex=o,this.render=c,this.renderInstances=l,this.renderMultiDraw=h}function Lx(n){const e={geometries:0,textures:0},t={frame:0,calls:0,triangles:0,points:0,lines:0};function i(r,a,o){switch(t.calls++,a){case n.TRIANGLES:t.triangles+=o*(r/3);break;case n.LINES:t.lines+=o*(r/2);break;case n.LINE_STRIP:t.lines+=o*(r-1);break;case n.LINE_LOOP:t.lines+=o*r;break;case n.POINTS:t.points+=o*r;break;default:Ze("WebGLInfo: Unknown draw mode:",a);break}}function s(){t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:i}}function Dx(n,e,t){const i=new WeakMap,s=new ft;function r(a,o,c){const l=a.morphTargetInfluences,h=o.morphAttributes.position||o.morphAttributes.normal||o.morphAttributes.color,f=h!==void 0?h.length:0;let u=i.get(o);if(u===void 0||u.count!==f){let N=function(){v.dispose(),i.delete(o),o.removeEventListener("dispose",N)};var d=N;u!==void 0&&u.texture.dispose();const g=o.morphAttributes.position!==void 0,y=o.morphAttributes.normal!==void 0,p=o.morphAttributes.color!==void 0,m=o.morphAttributes.position||[],_=o.morphAttributes.normal||[],b=o.morphAttributes.color||[];let x=0;g===!0&&(x=1),y===!0&&(x=2),p===!0&&(x=3);let E=o.attributes.position.count*x,A=1;E>e.maxTextureSize&&(A=Math.ceil(E/e.maxTextureSize),E=e.maxTextureSize);const w=new Float32Array(E*A*4*f),v=new up(w,E,A,f);v.type=Yn,v.needsUpdate=!0;const T=x*4;for(let R=0;R<f;R++){const C=m[R],U=_[R],B=b[R],L=E*A*4*R;for(let V=0;V<C.count;V++){const G=V*T;g===!0&&(s.fromBufferAttribute(C,V),w[L+G+0]=s.x,w[L+G+1]=s.y,w[L+G+2]=s.z,w[L+G+3]=0),y===!0&&(s.fromBufferAttribute(U,V),w[L+G+4]=s.x,w[L+G+5]=s.y,w[L+G+6]=s.z,w[L+G+7]=0),p===!0&&(s.fromBufferAttribute(B,V),w[L+G+8]=s.x,w[L+G+9]=s.y,w[L+G+10]=s.z,w[L+G+11]=B.itemSize===4?s.w:1)}}u={count:f,texture:v,size:new Ae(E,A)},i.set(o,u),o.addEventListener("dispose",N)}if(a.isInstancedMesh===!0&&a.morphTexture!==null)c.getUniforms().setValue(n,"morphTexture",a.morphTexture,t);else{let g=0;for(let p=0;p<l.length;p++)g+=l[p];const y=o.morphTargetsRelative?1:1-g;c.getUniforms().setValue(n,"morphTargetBaseInfluence",y),c.getUniforms().setValue(n,"morphTargetInfluences",l)}c.getUniforms().setValue(n,"morphTargetsTexture",u.texture,t),c.getUniforms().setValue(n,"morphTargetsTextureSize",u.size)}return{update:r}}function Ux(n,e,t,i,s){let r=new WeakMap;function a(l){const h=s.render.frame,f=l.geometry,u=e.get(l,f);if(r.get(u)!==h&&(e.update(u),r.set(u,h)),l.isInstancedMesh&&(l.hasEventListener("dispose",c)===!1&&l.addEventListener("dispose",c),r.get(l)!==h&&(t.update(l.instanceMatrix,n.ARRAY_BUFFER),l.instanceColor!==null&&t.update(l.instanceColor,n.ARRAY_BUFFER),r.set(l,h))),l.isSkinnedMesh){const d=l.skeleton;r.get(d)!==h&&(d.update(),r.set(d,h))}return u}function o(){r=new WeakMap}function c(l){const h=l.target;h.removeEventListener("dispose",c),i.releaseStatesOfObject(h),t.remove(h.instanceMatrix),h.instanceColor!==null&&t.remove(h.instanceColor)}return{update:a,dispose:o}}const Fx={[Yd]:"LINEAR_TONE_MAPPING",[Kd]:"REINHARD_TONE_MAPPING",[$d]:"CINEON_TONE_MAPPING",[jd]:"ACES_FILMIC_TONE_MAPPING",[qd]:"AGX_TONE_MAPPING",[Qd]:"NEUTRAL_TONE_MAPPING",[Jd]:"CUSTOM_TONE_MAPPING"};function Bx(n,e,t,i,s){const r=new Ln(e,t,{type:n,depthBuffer:i,stencilBuffer:s,depthTexture:i?new es(e,t):void 0}),a=new Ln(e,t,{type:fi,depthBuffer:!1,stencilBuffer:!1}),o=new qt;o.setAttribute("position",new bn([-1,3,0,-1,-1,0,3,-1,0],3)),o.setAttribute("uv",new bn([0,2,0,0,2,0],2));const c=new T0({uniforms:{tDiffuse:{value:null}},vertexShader:`
+			precision highp float;
+
+			uniform mat4 modelViewMatrix;
+			uniform mat4 projectionMatrix;
+
+			attribute vec3 position;
+			attribute vec2 uv;
+
+			varying vec2 vUv;
+
+			void main() {
+				vUv = uv;
+				gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+			}`,fragmentShader:`
+			precision highp float;
+
+			uniform sampler2D tDiffuse;
+
+			varying vec2 vUv;
+
+			#include <tonemapping_pars_fragment>
+			#include <colorspace_pars_fragment>
+
+			void main() {
+				gl_FragColor = texture2D( tDiffuse, vUv );
+
+				#ifdef LINEAR_TONE_MAPPING
+					gl_FragColor.rgb = LinearToneMapping( gl_FragColor.rgb );
+				#elif defined( REINHARD_TONE_MAPPING )
+					gl_FragColor.rgb = ReinhardToneMapping( gl_FragColor.rgb );
+				#elif defined( CINEON_TONE_MAPPING )
+					gl_FragColor.rgb = CineonToneMapping( gl_FragColor.rgb );
+				#elif defined( ACES_FILMIC_TONE_MAPPING )
+					gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );
+				#elif defined( AGX_TONE_MAPPING )
+					gl_FragColor.rgb = AgXToneMapping( gl_FragColor.rgb );
+				#elif defined( NEUTRAL_TONE_MAPPING )
+					gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );
+				#elif defined( CUSTOM_TONE_MAPPING )
+					gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );
+				#endif
+
+				#ifdef SRGB_TRANSFER
+					gl_FragColor = sRGBTransferOETF( gl_FragColor );
+				#endif
+			}`,depthTest:!1,depthWrite:!1}),l=new Sn(o,c),h=new tu(-1,1,1,-1,0,1);let f=null,u=null,d=!1,g,y=null,p=[],m=!1;this.setSize=function(_,b){r.setSize(_,b),a.setSize(_,b);for(let x=0;x<p.length;x++){const E=p[x];E.setSize&&E.setSize(_,b)}},this.setEffects=function(_){p=_,m=p.length>0&&p[0].isRenderPass===!0;const b=r.width,x=r.height;for(let E=0;E<p.length;E++){const A=p[E];A.setSize&&A.setSize(b,x)}},this.begin=function(_,b){if(d||_.toneMapping===$n&&p.length===0)return!1;if(y=b,b!==null){const x=b.width,E=b.height;(r.width!==x||r.height!==E)&&this.setSize(x,E)}return m===!1&&_.setRenderTarget(r),g=_.toneMapping,_.toneMapping=$n,!0},this.hasRenderPass=function(){return m},this.end=function(_,b){_.toneMapping=g,d=!0;let x=r,E=a;for(let A=0;A<p.length;A++){const w=p[A];if(w.enabled!==!1&&(w.render(_,E,x,b),w.needsSwap!==!1)){const v=x;x=E,E=v}}if(f!==_.outputColorSpace||u!==_.toneMapping){f=_.outputColorSpace,u=_.toneMapping,c.defines={},Xe.getTransfer(f)===Qe&&(c.defines.SRGB_TRANSFER="");const A=Fx[u];A&&(c.defines[A]=""),c.needsUpdate=!0}c.uniforms.tDiffuse.value=x.texture,_.setRenderTarget(y),_.render(l,h),y=null,d=!1},this.isCompositing=function(){return d},this.dispose=function(){r.depthTexture&&r.depthTexture.dispose(),r.dispose(),a.dispose(),o.dispose(),c.dispose()}}const Ap=new Jt,Sl=new es(1,1),Tp=new up,wp=new n0,Rp=new _p,Uf=[],Ff=[],Bf=new Float32Array(16),Of=new Float32Array(9),Vf=new Float32Array(4);function Ys(n,e,t){const i=n[0];if(i<=0||i>0)return n;const s=e*t;let r=Uf[s];if(r===void 0&&(r=new Float32Array(s),Uf[s]=r),e!==0){i.toArray(r,0);for(let a=1,o=0;a!==e;++a)o+=t,n[a].toArray(r,o)}return r}function Pt(n,e){if(n.length!==e.length)return!1;for(let t=0,i=n.length;t<i;t++)if(n[t]!==e[t])return!1;return!0}function Lt(n,e){for(let t=0,i=e.length;t<i;t++)n[t]=e[t]}function uo(n,e){let t=Ff[e];t===void 0&&(t=new Int32Array(e),Ff[e]=t);for(let i=0;i!==e;++i)t[i]=n.allocateTextureUnit();return t}function Ox(n,e){const t=this.cache;t[0]!==e&&(n.uniform1f(this.addr,e),t[0]=e)}function Vx(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2f(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(Pt(t,e))return;n.uniform2fv(this.addr,e),Lt(t,e)}}function Gx(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(n.uniform3f(this.addr,e.r,e.g,e.b),t[0]=e.r,t[1]=e.g,t[2]=e.b);else{if(Pt(t,e))return;n.uniform3fv(this.addr,e),Lt(t,e)}}function kx(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(Pt(t,e))return;n.uniform4fv(this.addr,e),Lt(t,e)}}function zx(n,e){const t=this.cache,i=e.elements;if(i===void 0){if(Pt(t,e))return;n.uniformMatrix2fv(this.addr,!1,e),Lt(t,e)}else{if(Pt(t,i))return;Vf.set(i),n.uniformMatrix2fv(this.addr,!1,Vf),Lt(t,i)}}function Wx(n,e){const t=this.cache,i=e.elements;if(i===void 0){if(Pt(t,e))return;n.uniformMatrix3fv(this.addr,!1,e),Lt(t,e)}else{if(Pt(t,i))return;Of.set(i),n.uniformMatrix3fv(this.addr,!1,Of),Lt(t,i)}}function Hx(n,e){const t=this.cache,i=e.elements;if(i===void 0){if(Pt(t,e))return;n.uniformMatrix4fv(this.addr,!1,e),Lt(t,e)}else{if(Pt(t,i))return;Bf.set(i),n.uniformMatrix4fv(this.addr,!1,Bf),Lt(t,i)}}function Xx(n,e){const t=this.cache;t[0]!==e&&(n.uniform1i(this.addr,e),t[0]=e)}function Zx(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(Pt(t,e))return;n.uniform2iv(this.addr,e),Lt(t,e)}}function Yx(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3i(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(Pt(t,e))return;n.uniform3iv(this.addr,e),Lt(t,e)}}function Kx(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(Pt(t,e))return;n.uniform4iv(this.addr,e),Lt(t,e)}}function $x(n,e){const t=this.cache;t[0]!==e&&(n.uniform1ui(this.addr,e),t[0]=e)}function jx(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2ui(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(Pt(t,e))return;n.uniform2uiv(this.addr,e),Lt(t,e)}}function Jx(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(Pt(t,e))return;n.uniform3uiv(this.addr,e),Lt(t,e)}}function qx(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(Pt(t,e))return;n.uniform4uiv(this.addr,e),Lt(t,e)}}function Qx(n,e,t){const i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_2D_SHADOW?(Sl.compareFunction=t.isReversedDepthBuffer()?jl:$l,r=Sl):r=Ap,t.setTexture2D(e||r,s)}function ey(n,e,t){const i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture3D(e||wp,s)}function ty(n,e,t){const i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTextureCube(e||Rp,s)}function ny(n,e,t){const i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture2DArray(e||Tp,s)}function iy(n){switch(n){case 5126:return Ox;case 35664:return Vx;case 35665:return Gx;case 35666:return kx;case 35674:return zx;case 35675:return Wx;case 35676:return Hx;case 5124:case 35670:return Xx;case 35667:case 35671:return Zx;case 35668:case 35672:return Yx;case 35669:case 35673:return Kx;case 5125:return $x;case 36294:return jx;case 36295:return Jx;case 36296:return qx;case 35678:case 36198:case 36298:case 36306:case 35682:return Qx;case 35679:case 36299:case 36307:return ey;case 35680:case 36300:case 36308:case 36293:return ty;case 36289:case 36303:case 36311:case 36292:return ny}}function sy(n,e){n.uniform1fv(this.addr,e)}function ry(n,e){const t=Ys(e,this.size,2);n.uniform2fv(this.addr,t)}function ay(n,e){const t=Ys(e,this.size,3);n.uniform3fv(this.addr,t)}function oy(n,e){const t=Ys(e,this.size,4);n.uniform4fv(this.addr,t)}function cy(n,e){const t=Ys(e,this.size,4);n.uniformMatrix2fv(this.addr,!1,t)}function ly(n,e){const t=Ys(e,this.size,9);n.uniformMatrix3fv(this.addr,!1,t)}function uy(n,e){const t=Ys(e,this.size,16);n.uniformMatrix4fv(this.addr,!1,t)}function fy(n,e){n.uniform1iv(this.addr,e)}function hy(n,e){n.uniform2iv(this.addr,e)}function dy(n,e){n.uniform3iv(this.addr,e)}function py(n,e){n.uniform4iv(this.addr,e)}function my(n,e){n.uniform1uiv(this.addr,e)}function gy(n,e){n.uniform2uiv(this.addr,e)}function _y(n,e){n.uniform3uiv(this.addr,e)}function vy(n,e){n.uniform4uiv(this.addr,e)}function xy(n,e,t){const i=this.cache,s=e.length,r=uo(t,s);Pt(i,r)||(n.uniform1iv(this.addr,r),Lt(i,r));let a;this.type===n.SAMPLER_2D_SHADOW?a=Sl:a=Ap;for(let o=0;o!==s;++o)t.setTexture2D(e[o]||a,r[o])}function yy(n,e,t){const i=this.cache,s=e.length,r=uo(t,s);Pt(i,r)||(n.uniform1iv(this.addr,r),Lt(i,r));for(let a=0;a!==s;++a)t.setTexture3D(e[a]||wp,r[a])}function by(n,e,t){const i=this.cache,s=e.length,r=uo(t,s);Pt(i,r)||(n.uniform1iv(this.addr,r),Lt(i,r));for(let a=0;a!==s;++a)t.setTextureCube(e[a]||Rp,r[a])}function Sy(n,e,t){const i=this.cache,s=e.length,r=uo(t,s);Pt(i,r)||(n.uniform1iv(this.addr,r),Lt(i,r));for(let a=0;a!==s;++a)t.setTexture2DArray(e[a]||Tp,r[a])}function Ey(n){switch(n){case 5126:return sy;case 35664:return ry;case 35665:return ay;case 35666:return oy;case 35674:return cy;case 35675:return ly;case 35676:return uy;case 5124:case 35670:return fy;case 35667:case 35671:return hy;case 35668:case 35672:return dy;case 35669:case 35673:return py;case 5125:return my;case 36294:return gy;case 36295:return _y;case 36296:return vy;case 35678:case 36198:case 36298:case 36306:case 35682:return xy;case 35679:case 36299:case 36307:return yy;case 35680:case 36300:case 36308:case 36293:return by;case 36289:case 36303:case 36311:case 36292:return Sy}}class My{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.setValue=iy(t.type)}}class Ay{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.size=t.size,this.setValue=Ey(t.type)}}class Ty{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,i){const s=this.seq;for(let r=0,a=s.length;r!==a;++r){const o=s[r];o.setValue(e,t[o.id],i)}}}const nc=/(\w+)(\])?(\[|\.)?/g;function Gf(n,e){n.seq.push(e),n.map[e.id]=e}function wy(n,e,t){const i=n.name,s=i.length;for(nc.lastIndex=0;;){const r=nc.exec(i),a=nc.lastIndex;let o=r[1];const c=r[2]==="]",l=r[3];if(c&&(o=o|0),l===void 0||l==="["&&a+2===s){Gf(t,l===void 0?new My(o,n,e):new Ay(o,n,e));break}else{let f=t.map[o];f===void 0&&(f=new Ty(o),Gf(t,f)),t=f}}}class Va{constructor(e,t){this.seq=[],this.map={};const i=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let a=0;a<i;++a){const o=e.getActiveUniform(t,a),c=e.getUniformLocation(t,o.name);wy(o,c,this)}const s=[],r=[];for(const a of this.seq)a.type===e.SAMPLER_2D_SHADOW||a.type===e.SAMPLER_CUBE_SHADOW||a.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(a):r.push(a);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,i,s){const r=this.map[t];r!==void 0&&r.setValue(e,i,s)}setOptional(e,t,i){const s=t[i];s!==void 0&&this.setValue(e,i,s)}static upload(e,t,i,s){for(let r=0,a=t.length;r!==a;++r){const o=t[r],c=i[o.id];c.needsUpdate!==!1&&o.setValue(e,c.value,s)}}static seqWithValue(e,t){const i=[];for(let s=0,r=e.length;s!==r;++s){const a=e[s];a.id in t&&i.push(a)}return i}}function kf(n,e,t){const i=n.createShader(e);return n.shaderSource(i,t),n.compileShader(i),i}const Ry=37297;let Iy=0;function Ny(n,e){const t=n.split(`
+`),i=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);for(let a=s;a<r;a++){const o=a+1;i.push(`${o===e?">":" "} ${o}: ${t[a]}`)}return i.join(`
+`)}const zf=new Le;function Cy(n){Xe._getMatrix(zf,Xe.workingColorSpace,n);const e=`mat3( ${zf.elements.map(t=>t.toFixed(4))} )`;switch(Xe.getTransfer(n)){case $a:return[e,"LinearTransferOETF"];case Qe:return[e,"sRGBTransferOETF"];default:return Re("WebGLProgram: Unsupported color space: ",n),[e,"LinearTransferOETF"]}}function Wf(n,e,t){const i=n.getShaderParameter(e,n.COMPILE_STATUS),r=(n.getShaderInfoLog(e)||"").trim();if(i&&r==="")return"";const a=/ERROR: 0:(\d+)/.exec(r);if(a){const o=parseInt(a[1]);return t.toUpperCase()+`
+
+`+r+`
+
+`+Ny(n.getShaderSource(e),o)}else return r}function Py(n,e){const t=Cy(e);return[`vec4 ${n}( vec4 value ) {`,`	return ${t[1]}( vec4( value.rgb * ${t[0]}, value.a ) );`,"}"].join(`
+`)}const Ly={[Yd]:"Linear",[Kd]:"Reinhard",[$d]:"Cineon",[jd]:"ACESFilmic",[qd]:"AgX",[Qd]:"Neutral",[Jd]:"Custom"};function Dy(n,e){const t=Ly[e];return t===void 0?(Re("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+n+"( vec3 color ) { return LinearToneMapping( color ); }"):"vec3 "+n+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}const ua=new P;function Uy(){Xe.getLuminanceCoefficients(ua);const n=ua.x.toFixed(4),e=ua.y.toFixed(4),t=ua.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${n}, ${e}, ${t} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function Fy(n){return[n.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",n.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter(fr).join(`
+`)}function By(n){const e=[];for(const t in n){const i=n[t];i!==!1&&e.push("#define "+t+" "+i)}return e.join(`
+`)}function Oy(n,e){const t={},i=n.getProgramParameter(e,n.ACTIVE_ATTRIBUTES);for(let s=0;s<i;s++){const r=n.getActiveAttrib(e,s),a=r.name;let o=1;r.type===n.FLOAT_MAT2&&(o=2),r.type===n.FLOAT_MAT3&&(o=3),r.type===n.FLOAT_MAT4&&(o=4),t[a]={type:r.type,location:n.getAttribLocation(e,a),locationSize:o}}return t}function fr(n){return n!==""}function Hf(n,e){const t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return n.replace(/NUM_DIR_LIGHTS/g,e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows)}function Xf(n,e){return n.replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}const Vy=/^[ \t]*#include +<([\w\d./]+)>/gm;function El(n){return n.replace(Vy,ky)}const Gy=new Map;function ky(n,e){let t=Ve[e];if(t===void 0){const i=Gy.get(e);if(i!==void 0)t=Ve[i],Re('WebGLRenderer: Shader chunk "%s" has been deprecated. Use "%s" instead.',e,i);else throw new Error("Can not resolve #include <"+e+">")}return El(t)}const zy=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function Zf(n){return n.replace(zy,Wy)}function Wy(n,e,t,i){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=i.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,r);return s}function Yf(n){let e=`precision ${n.precision} float;
+	precision ${n.precision} int;
+	precision ${n.precision} sampler2D;
+	precision ${n.precision} samplerCube;
+	precision ${n.precision} sampler3D;
+	precision ${n.precision} sampler2DArray;
+	precision ${n.precision} sampler2DShadow;
+	precision ${n.precision} samplerCubeShadow;
+	precision ${n.precision} sampler2DArrayShadow;
+	precision ${n.precision} isampler2D;
+	precision ${n.precision} isampler3D;
+	precision ${n.precision} isamplerCube;
+	precision ${n.precision} isampler2DArray;
+	precision ${n.precision} usampler2D;
+	precision ${n.precision} usampler3D;
+	precision ${n.precision} usamplerCube;
+	precision ${n.precision} usampler2DArray;
+	`;return n.precision==="highp"?e+=`
+#define HIGH_PRECISION`:n.precision==="mediump"?e+=`
+#define MEDIUM_PRECISION`:n.precision==="lowp"&&(e+=`
+#define LOW_PRECISION`),e}const Hy={[Da]:"SHADOWMAP_TYPE_PCF",[lr]:"SHADOWMAP_TYPE_VSM"};function Xy(n){return Hy[n.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}const Zy={[Ji]:"ENVMAP_TYPE_CUBE",[Os]:"ENVMAP_TYPE_CUBE",[co]:"ENVMAP_TYPE_CUBE_UV"};function Yy(n){return n.envMap===!1?"ENVMAP_TYPE_CUBE":Zy[n.envMapMode]||"ENVMAP_TYPE_CUBE"}const Ky={[Os]:"ENVMAP_MODE_REFRACTION"};function $y(n){return n.envMap===!1?"ENVMAP_MODE_REFLECTION":Ky[n.envMapMode]||"ENVMAP_MODE_REFLECTION"}const jy={[Zd]:"ENVMAP_BLENDING_MULTIPLY",[xg]:"ENVMAP_BLENDING_MIX",[yg]:"ENVMAP_BLENDING_ADD"};function Jy(n){return n.envMap===!1?"ENVMAP_BLENDING_NONE":jy[n.combine]||"ENVMAP_BLENDING_NONE"}function qy(n){const e=n.envMapCubeUVHeight;if(e===null)return null;const t=Math.log2(e)-2,i=1/e;return{texelWidth:1/(3*Math.max(Math.pow(2,t),112)),texelHeight:i,maxMip:t}}function Qy(n,e,t,i){const s=n.getContext(),r=t.defines;let a=t.vertexShader,o=t.fragmentShader;const c=Xy(t),l=Yy(t),h=$y(t),f=Jy(t),u=qy(t),d=Fy(t),g=By(r),y=s.createProgram();let p,m,_=t.glslVersion?"#version "+t.glslVersion+`
+`:"";t.isRawShaderMaterial?(p=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,g].filter(fr).join(`
+`),p.length>0&&(p+=`
+`),m=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,g].filter(fr).join(`
+`),m.length>0&&(m+=`
+`)):(p=[Yf(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,g,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"#define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+h:"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.displacementMap?"#define USE_DISPLACEMENTMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.mapUv?"#define MAP_UV "+t.mapUv:"",t.alphaMapUv?"#define ALPHAMAP_UV "+t.alphaMapUv:"",t.lightMapUv?"#define LIGHTMAP_UV "+t.lightMapUv:"",t.aoMapUv?"#define AOMAP_UV "+t.aoMapUv:"",t.emissiveMapUv?"#define EMISSIVEMAP_UV "+t.emissiveMapUv:"",t.bumpMapUv?"#define BUMPMAP_UV "+t.bumpMapUv:"",t.normalMapUv?"#define NORMALMAP_UV "+t.normalMapUv:"",t.displacementMapUv?"#define DISPLACEMENTMAP_UV "+t.displacementMapUv:"",t.metalnessMapUv?"#define METALNESSMAP_UV "+t.metalnessMapUv:"",t.roughnessMapUv?"#define ROUGHNESSMAP_UV "+t.roughnessMapUv:"",t.anisotropyMapUv?"#define ANISOTROPYMAP_UV "+t.anisotropyMapUv:"",t.clearcoatMapUv?"#define CLEARCOATMAP_UV "+t.clearcoatMapUv:"",t.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+t.clearcoatNormalMapUv:"",t.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+t.clearcoatRoughnessMapUv:"",t.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+t.iridescenceMapUv:"",t.iridescenceThicknessMapUv?"#define IRIDESCENCE_THICKNESSMAP_UV "+t.iridescenceThicknessMapUv:"",t.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+t.sheenColorMapUv:"",t.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+t.sheenRoughnessMapUv:"",t.specularMapUv?"#define SPECULARMAP_UV "+t.specularMapUv:"",t.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+t.specularColorMapUv:"",t.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV "+t.specularIntensityMapUv:"",t.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+t.transmissionMapUv:"",t.thicknessMapUv?"#define THICKNESSMAP_UV "+t.thicknessMapUv:"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexNormals?"#define HAS_NORMAL":"",t.vertexColors?"#define USE_COLOR":"",t.vertexAlphas?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.flatShading?"#define FLAT_SHADED":"",t.skinning?"#define USE_SKINNING":"",t.morphTargets?"#define USE_MORPHTARGETS":"",t.morphNormals&&t.flatShading===!1?"#define USE_MORPHNORMALS":"",t.morphColors?"#define USE_MORPHCOLORS":"",t.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+t.morphTextureStride:"",t.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+t.morphTargetsCount:"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+c:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter(fr).join(`
+`),m=[Yf(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,g,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+l:"",t.envMap?"#define "+h:"",t.envMap?"#define "+f:"",u?"#define CUBEUV_TEXEL_WIDTH "+u.texelWidth:"",u?"#define CUBEUV_TEXEL_HEIGHT "+u.texelHeight:"",u?"#define CUBEUV_MAX_MIP "+u.maxMip+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.packedNormalMap?"#define USE_PACKED_NORMALMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoat?"#define USE_CLEARCOAT":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.dispersion?"#define USE_DISPERSION":"",t.iridescence?"#define USE_IRIDESCENCE":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaTest?"#define USE_ALPHATEST":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.sheen?"#define USE_SHEEN":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors||t.instancingColor?"#define USE_COLOR":"",t.vertexAlphas||t.batchingColor?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT_SHADED":"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+c:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.numLightProbeGrids>0?"#define USE_LIGHT_PROBES_GRID":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==$n?"#define TONE_MAPPING":"",t.toneMapping!==$n?Ve.tonemapping_pars_fragment:"",t.toneMapping!==$n?Dy("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",Ve.colorspace_pars_fragment,Py("linearToOutputTexel",t.outputColorSpace),Uy(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"",`
+`].filter(fr).join(`
+`)),a=El(a),a=Hf(a,t),a=Xf(a,t),o=El(o),o=Hf(o,t),o=Xf(o,t),a=Zf(a),o=Zf(o),t.isRawShaderMaterial!==!0&&(_=`#version 300 es
+`,p=[d,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+p,m=["#define varying in",t.glslVersion===ef?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===ef?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+m);const b=_+p+a,x=_+m+o,E=kf(s,s.VERTEX_SHADER,b),A=kf(s,s.FRAGMENT_SHADER,x);s.attachShader(y,E),s.attachShader(y,A),t.index0AttributeName!==void 0?s.bindAttribLocation(y,0,t.index0AttributeName):t.morphTargets===!0&&s.bindAttribLocation(y,0,"position"),s.linkProgram(y);function w(R){if(n.debug.checkShaderErrors){const C=s.getProgramInfoLog(y)||"",U=s.getShaderInfoLog(E)||"",B=s.getShaderInfoLog(A)||"",L=C.trim(),V=U.trim(),G=B.trim();let J=!0,ee=!0;if(s.getProgramParameter(y,s.LINK_STATUS)===!1)if(J=!1,typeof n.debug.onShaderError=="function")n.debug.onShaderError(s,y,E,A);else{const le=Wf(s,E,"vertex"),xe=Wf(s,A,"fragment");Ze("THREE.WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(y,s.VALIDATE_STATUS)+`
+
+Material Name: `+R.name+`
+Material Type: `+R.type+`
+
+Program Info Log: `+L+`
+`+le+`
+`+xe)}else L!==""?Re("WebGLProgram: Program Info Log:",L):(V===""||G==="")&&(ee=!1);ee&&(R.diagnostics={runnable:J,programLog:L,vertexShader:{log:V,prefix:p},fragmentShader:{log:G,prefix:m}})}s.deleteShader(E),s.deleteShader(A),v=new Va(s,y),T=Oy(s,y)}let v;this.getUniforms=function(){return v===void 0&&w(this),v};let T;this.getAttributes=function(){return T===void 0&&w(this),T};let N=t.rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return N===!1&&(N=s.getProgramParameter(y,Ry)),N},this.destroy=function(){i.releaseStatesOfProgram(this),s.deleteProgram(y),this.program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=Iy++,this.cacheKey=e,this.usedTimes=1,this.program=y,this.vertexShader=E,this.fragmentShader=A,this}let eb=0;class tb{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e){const t=e.vertexShader,i=e.fragmentShader,s=this._getShaderStage(t),r=this._getShaderStage(i),a=this._getShaderCacheForMaterial(e);return a.has(s)===!1&&(a.add(s),s.usedTimes++),a.has(r)===!1&&(a.add(r),r.usedTimes++),this}remove(e){const t=this.materialCache.get(e);for(const i of t)i.usedTimes--,i.usedTimes===0&&this.shaderCache.delete(i.code);return this.materialCache.delete(e),this}getVertexShaderID(e){return this._getShaderStage(e.vertexShader).id}getFragmentShaderID(e){return this._getShaderStage(e.fragmentShader).id}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){const t=this.materialCache;let i=t.get(e);return i===void 0&&(i=new Set,t.set(e,i)),i}_getShaderStage(e){const t=this.shaderCache;let i=t.get(e);return i===void 0&&(i=new nb(e),t.set(e,i)),i}}class nb{constructor(e){this.id=eb++,this.code=e,this.usedTimes=0}}function ib(n){return n===qi||n===Ya||n===Ka}function sb(n,e,t,i,s,r){const a=new Ql,o=new tb,c=new Set,l=[],h=new Map,f=i.logarithmicDepthBuffer;let u=i.precision;const d={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function g(v){return c.add(v),v===0?"uv":`uv${v}`}function y(v,T,N,R,C,U){const B=R.fog,L=C.geometry,V=v.isMeshStandardMaterial||v.isMeshLambertMaterial||v.isMeshPhongMaterial?R.environment:null,G=v.isMeshStandardMaterial||v.isMeshLambertMaterial&&!v.envMap||v.isMeshPhongMaterial&&!v.envMap,J=e.get(v.envMap||V,G),ee=J&&J.mapping===co?J.image.height:null,le=d[v.type];v.precision!==null&&(u=i.getMaxPrecision(v.precision),u!==v.precision&&Re("WebGLProgram.getParameters:",v.precision,"not supported, using",u,"instead."));const xe=L.morphAttributes.position||L.morphAttributes.normal||L.morphAttributes.color,ye=xe!==void 0?xe.length:0;let ze=0;L.morphAttributes.position!==void 0&&(ze=1),L.morphAttributes.normal!==void 0&&(ze=2),L.morphAttributes.color!==void 0&&(ze=3);let qe,Ie,j,fe;if(le){const Ue=nn[le];qe=Ue.vertexShader,Ie=Ue.fragmentShader}else qe=v.vertexShader,Ie=v.fragmentShader,o.update(v),j=o.getVertexShaderID(v),fe=o.getFragmentShaderID(v);const se=n.getRenderTarget(),Te=n.state.buffers.depth.getReversed(),Ne=C.isInstancedMesh===!0,we=C.isBatchedMesh===!0,at=!!v.map,We=!!v.matcap,nt=!!J,ht=!!v.aoMap,ke=!!v.lightMap,wt=!!v.bumpMap,pt=!!v.normalMap,on=!!v.displacementMap,F=!!v.emissiveMap,Rt=!!v.metalnessMap,He=!!v.roughnessMap,lt=v.anisotropy>0,ue=v.clearcoat>0,mt=v.dispersion>0,I=v.iridescence>0,S=v.sheen>0,z=v.transmission>0,K=lt&&!!v.anisotropyMap,Q=ue&&!!v.clearcoatMap,te=ue&&!!v.clearcoatNormalMap,oe=ue&&!!v.clearcoatRoughnessMap,Z=I&&!!v.iridescenceMap,$=I&&!!v.iridescenceThicknessMap,pe=S&&!!v.sheenColorMap,_e=S&&!!v.sheenRoughnessMap,re=!!v.specularMap,ne=!!v.specularColorMap,Ce=!!v.specularIntensityMap,Oe=z&&!!v.transmissionMap,$e=z&&!!v.thicknessMap,D=!!v.gradientMap,ie=!!v.alphaMap,Y=v.alphaTest>0,me=!!v.alphaHash,ae=!!v.extensions;let q=$n;v.toneMapped&&(se===null||se.isXRRenderTarget===!0)&&(q=n.toneMapping);const Se={shaderID:le,shaderType:v.type,shaderName:v.name,vertexShader:qe,fragmentShader:Ie,defines:v.defines,customVertexShaderID:j,customFragmentShaderID:fe,isRawShaderMaterial:v.isRawShaderMaterial===!0,glslVersion:v.glslVersion,precision:u,batching:we,batchingColor:we&&C._colorsTexture!==null,instancing:Ne,instancingColor:Ne&&C.instanceColor!==null,instancingMorph:Ne&&C.morphTexture!==null,outputColorSpace:se===null?n.outputColorSpace:se.isXRRenderTarget===!0?se.texture.colorSpace:Xe.workingColorSpace,alphaToCoverage:!!v.alphaToCoverage,map:at,matcap:We,envMap:nt,envMapMode:nt&&J.mapping,envMapCubeUVHeight:ee,aoMap:ht,lightMap:ke,bumpMap:wt,normalMap:pt,displacementMap:on,emissiveMap:F,normalMapObjectSpace:pt&&v.normalMapType===Eg,normalMapTangentSpace:pt&&v.normalMapType===qu,packedNormalMap:pt&&v.normalMapType===qu&&ib(v.normalMap.format),metalnessMap:Rt,roughnessMap:He,anisotropy:lt,anisotropyMap:K,clearcoat:ue,clearcoatMap:Q,clearcoatNormalMap:te,clearcoatRoughnessMap:oe,dispersion:mt,iridescence:I,iridescenceMap:Z,iridescenceThicknessMap:$,sheen:S,sheenColorMap:pe,sheenRoughnessMap:_e,specularMap:re,specularColorMap:ne,specularIntensityMap:Ce,transmission:z,transmissionMap:Oe,thicknessMap:$e,gradientMap:D,opaque:v.transparent===!1&&v.blending===Us&&v.alphaToCoverage===!1,alphaMap:ie,alphaTest:Y,alphaHash:me,combine:v.combine,mapUv:at&&g(v.map.channel),aoMapUv:ht&&g(v.aoMap.channel),lightMapUv:ke&&g(v.lightMap.channel),bumpMapUv:wt&&g(v.bumpMap.channel),normalMapUv:pt&&g(v.normalMap.channel),displacementMapUv:on&&g(v.displacementMap.channel),emissiveMapUv:F&&g(v.emissiveMap.channel),metalnessMapUv:Rt&&g(v.metalnessMap.channel),roughnessMapUv:He&&g(v.roughnessMap.channel),anisotropyMapUv:K&&g(v.anisotropyMap.channel),clearcoatMapUv:Q&&g(v.clearcoatMap.channel),clearcoatNormalMapUv:te&&g(v.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:oe&&g(v.clearcoatRoughnessMap.channel),iridescenceMapUv:Z&&g(v.iridescenceMap.channel),iridescenceThicknessMapUv:$&&g(v.iridescenceThicknessMap.channel),sheenColorMapUv:pe&&g(v.sheenColorMap.channel),sheenRoughnessMapUv:_e&&g(v.sheenRoughnessMap.channel),specularMapUv:re&&g(v.specularMap.channel),specularColorMapUv:ne&&g(v.specularColorMap.channel),specularIntensityMapUv:Ce&&g(v.specularIntensityMap.channel),transmissionMapUv:Oe&&g(v.transmissionMap.channel),thicknessMapUv:$e&&g(v.thicknessMap.channel),alphaMapUv:ie&&g(v.alphaMap.channel),vertexTangents:!!L.attributes.tangent&&(pt||lt),vertexNormals:!!L.attributes.normal,vertexColors:v.vertexColors,vertexAlphas:v.vertexColors===!0&&!!L.attributes.color&&L.attributes.color.itemSize===4,pointsUvs:C.isPoints===!0&&!!L.attributes.uv&&(at||ie),fog:!!B,useFog:v.fog===!0,fogExp2:!!B&&B.isFogExp2,flatShading:v.wireframe===!1&&(v.flatShading===!0||L.attributes.normal===void 0&&pt===!1&&(v.isMeshLambertMaterial||v.isMeshPhongMaterial||v.isMeshStandardMaterial||v.isMeshPhysicalMaterial)),sizeAttenuation:v.sizeAttenuation===!0,logarithmicDepthBuffer:f,reversedDepthBuffer:Te,skinning:C.isSkinnedMesh===!0,morphTargets:L.morphAttributes.position!==void 0,morphNormals:L.morphAttributes.normal!==void 0,morphColors:L.morphAttributes.color!==void 0,morphTargetsCount:ye,morphTextureStride:ze,numDirLights:T.directional.length,numPointLights:T.point.length,numSpotLights:T.spot.length,numSpotLightMaps:T.spotLightMap.length,numRectAreaLights:T.rectArea.length,numHemiLights:T.hemi.length,numDirLightShadows:T.directionalShadowMap.length,numPointLightShadows:T.pointShadowMap.length,numSpotLightShadows:T.spotShadowMap.length,numSpotLightShadowsWithMaps:T.numSpotLightShadowsWithMaps,numLightProbes:T.numLightProbes,numLightProbeGrids:U.length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:v.dithering,shadowMapEnabled:n.shadowMap.enabled&&N.length>0,shadowMapType:n.shadowMap.type,toneMapping:q,decodeVideoTexture:at&&v.map.isVideoTexture===!0&&Xe.getTransfer(v.map.colorSpace)===Qe,decodeVideoTextureEmissive:F&&v.emissiveMap.isVideoTexture===!0&&Xe.getTransfer(v.emissiveMap.colorSpace)===Qe,premultipliedAlpha:v.premultipliedAlpha,doubleSided:v.side===_n,flipSided:v.side===jt,useDepthPacking:v.depthPacking>=0,depthPacking:v.depthPacking||0,index0AttributeName:v.index0AttributeName,extensionClipCullDistance:ae&&v.extensions.clipCullDistance===!0&&t.has("WEBGL_clip_cull_distance"),extensionMultiDraw:(ae&&v.extensions.multiDraw===!0||we)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KHR_parallel_shader_compile"),customProgramCacheKey:v.customProgramCacheKey()};return Se.vertexUv1s=c.has(1),Se.vertexUv2s=c.has(2),Se.vertexUv3s=c.has(3),c.clear(),Se}function p(v){const T=[];if(v.shaderID?T.push(v.shaderID):(T.push(v.customVertexShaderID),T.push(v.customFragmentShaderID)),v.defines!==void 0)for(const N in v.defines)T.push(N),T.push(v.defines[N]);return v.isRawShaderMaterial===!1&&(m(T,v),_(T,v),T.push(n.outputColorSpace)),T.push(v.customProgramCacheKey),T.join()}function m(v,T){v.push(T.precision),v.push(T.outputColorSpace),v.push(T.envMapMode),v.push(T.envMapCubeUVHeight),v.push(T.mapUv),v.push(T.alphaMapUv),v.push(T.lightMapUv),v.push(T.aoMapUv),v.push(T.bumpMapUv),v.push(T.normalMapUv),v.push(T.displacementMapUv),v.push(T.emissiveMapUv),v.push(T.metalnessMapUv),v.push(T.roughnessMapUv),v.push(T.anisotropyMapUv),v.push(T.clearcoatMapUv),v.push(T.clearcoatNormalMapUv),v.push(T.clearcoatRoughnessMapUv),v.push(T.iridescenceMapUv),v.push(T.iridescenceThicknessMapUv),v.push(T.sheenColorMapUv),v.push(T.sheenRoughnessMapUv),v.push(T.specularMapUv),v.push(T.specularColorMapUv),v.push(T.specularIntensityMapUv),v.push(T.transmissionMapUv),v.push(T.thicknessMapUv),v.push(T.combine),v.push(T.fogExp2),v.push(T.sizeAttenuation),v.push(T.morphTargetsCount),v.push(T.morphAttributeCount),v.push(T.numDirLights),v.push(T.numPointLights),v.push(T.numSpotLights),v.push(T.numSpotLightMaps),v.push(T.numHemiLights),v.push(T.numRectAreaLights),v.push(T.numDirLightShadows),v.push(T.numPointLightShadows),v.push(T.numSpotLightShadows),v.push(T.numSpotLightShadowsWithMaps),v.push(T.numLightProbes),v.push(T.shadowMapType),v.push(T.toneMapping),v.push(T.numClippingPlanes),v.push(T.numClipIntersection),v.push(T.depthPacking)}function _(v,T){a.disableAll(),T.instancing&&a.enable(0),T.instancingColor&&a.enable(1),T.instancingMorph&&a.enable(2),T.matcap&&a.enable(3),T.envMap&&a.enable(4),T.normalMapObjectSpace&&a.enable(5),T.normalMapTangentSpace&&a.enable(6),T.clearcoat&&a.enable(7),T.iridescence&&a.enable(8),T.alphaTest&&a.enable(9),T.vertexColors&&a.enable(10),T.vertexAlphas&&a.enable(11),T.vertexUv1s&&a.enable(12),T.vertexUv2s&&a.enable(13),T.vertexUv3s&&a.enable(14),T.vertexTangents&&a.enable(15),T.anisotropy&&a.enable(16),T.alphaHash&&a.enable(17),T.batching&&a.enable(18),T.dispersion&&a.enable(19),T.batchingColor&&a.enable(20),T.gradientMap&&a.enable(21),T.packedNormalMap&&a.enable(22),T.vertexNormals&&a.enable(23),v.push(a.mask),a.disableAll(),T.fog&&a.enable(0),T.useFog&&a.enable(1),T.flatShading&&a.enable(2),T.logarithmicDepthBuffer&&a.enable(3),T.reversedDepthBuffer&&a.enable(4),T.skinning&&a.enable(5),T.morphTargets&&a.enable(6),T.morphNormals&&a.enable(7),T.morphColors&&a.enable(8),T.premultipliedAlpha&&a.enable(9),T.shadowMapEnabled&&a.enable(10),T.doubleSided&&a.enable(11),T.flipSided&&a.enable(12),T.useDepthPacking&&a.enable(13),T.dithering&&a.enable(14),T.transmission&&a.enable(15),T.sheen&&a.enable(16),T.opaque&&a.enable(17),T.pointsUvs&&a.enable(18),T.decodeVideoTexture&&a.enable(19),T.decodeVideoTextureEmissive&&a.enable(20),T.alphaToCoverage&&a.enable(21),T.numLightProbeGrids>0&&a.enable(22),v.push(a.mask)}function b(v){const T=d[v.type];let N;if(T){const R=nn[T];N=eu.clone(R.uniforms)}else N=v.uniforms;return N}function x(v,T){let N=h.get(T);return N!==void 0?++N.usedTimes:(N=new Qy(n,T,v,s),l.push(N),h.set(T,N)),N}function E(v){if(--v.usedTimes===0){const T=l.indexOf(v);l[T]=l[l.length-1],l.pop(),h.delete(v.cacheKey),v.destroy()}}function A(v){o.remove(v)}function w(){o.dispose()}return{getParameters:y,getProgramCacheKey:p,getUniforms:b,acquireProgram:x,releaseProgram:E,releaseShaderCache:A,programs:l,dispose:w}}function rb(){let n=new WeakMap;function e(a){return n.has(a)}function t(a){let o=n.get(a);return o===void 0&&(o={},n.set(a,o)),o}function i(a){n.delete(a)}function s(a,o,c){n.get(a)[o]=c}function r(){n=new WeakMap}return{has:e,get:t,remove:i,update:s,dispose:r}}function ab(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.material.id!==e.material.id?n.material.id-e.material.id:n.materialVariant!==e.materialVariant?n.materialVariant-e.materialVariant:n.z!==e.z?n.z-e.z:n.id-e.id}function Kf(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.z!==e.z?e.z-n.z:n.id-e.id}function $f(){const n=[];let e=0;const t=[],i=[],s=[];function r(){e=0,t.length=0,i.length=0,s.length=0}function a(u){let d=0;return u.isInstancedMesh&&(d+=2),u.isSkinnedMesh&&(d+=1),d}function o(u,d,g,y,p,m){let _=n[e];return _===void 0?(_={id:u.id,object:u,geometry:d,material:g,materialVariant:a(u),groupOrder:y,renderOrder:u.renderOrder,z:p,group:m},n[e]=_):(_.id=u.id,_.object=u,_.geometry=d,_.material=g,_.materialVariant=a(u),_.groupOrder=y,_.renderOrder=u.renderOrder,_.z=p,_.group=m),e++,_}function c(u,d,g,y,p,m){const _=o(u,d,g,y,p,m);g.transmission>0?i.push(_):g.transparent===!0?s.push(_):t.push(_)}function l(u,d,g,y,p,m){const _=o(u,d,g,y,p,m);g.transmission>0?i.unshift(_):g.transparent===!0?s.unshift(_):t.unshift(_)}function h(u,d){t.length>1&&t.sort(u||ab),i.length>1&&i.sort(d||Kf),s.length>1&&s.sort(d||Kf)}function f(){for(let u=e,d=n.length;u<d;u++){const g=n[u];if(g.id===null)break;g.id=null,g.object=null,g.geometry=null,g.material=null,g.group=null}}return{opaque:t,transmissive:i,transparent:s,init:r,push:c,unshift:l,finish:f,sort:h}}function ob(){let n=new WeakMap;function e(i,s){const r=n.get(i);let a;return r===void 0?(a=new $f,n.set(i,[a])):s>=r.length?(a=new $f,r.push(a)):a=r[s],a}function t(){n=new WeakMap}return{get:e,dispose:t}}function cb(){const n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"DirectionalLight":t={direction:new P,color:new Ke};break;case"SpotLight":t={position:new P,direction:new P,color:new Ke,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new P,color:new Ke,distance:0,decay:0};break;case"HemisphereLight":t={direction:new P,skyColor:new Ke,groundColor:new Ke};break;case"RectAreaLight":t={color:new Ke,position:new P,halfWidth:new P,halfHeight:new P};break}return n[e.id]=t,t}}}function lb(){const n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Ae};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Ae};break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Ae,shadowCameraNear:1,shadowCameraFar:1e3};break}return n[e.id]=t,t}}}let ub=0;function fb(n,e){return(e.castShadow?2:0)-(n.castShadow?2:0)+(e.map?1:0)-(n.map?1:0)}function hb(n){const e=new cb,t=lb(),i={version:0,hash:{directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let l=0;l<9;l++)i.probe.push(new P);const s=new P,r=new Je,a=new Je;function o(l){let h=0,f=0,u=0;for(let T=0;T<9;T++)i.probe[T].set(0,0,0);let d=0,g=0,y=0,p=0,m=0,_=0,b=0,x=0,E=0,A=0,w=0;l.sort(fb);for(let T=0,N=l.length;T<N;T++){const R=l[T],C=R.color,U=R.intensity,B=R.distance;let L=null;if(R.shadow&&R.shadow.map&&(R.shadow.map.texture.format===qi?L=R.shadow.map.texture:L=R.shadow.map.depthTexture||R.shadow.map.texture),R.isAmbientLight)h+=C.r*U,f+=C.g*U,u+=C.b*U;else if(R.isLightProbe){for(let V=0;V<9;V++)i.probe[V].addScaledVector(R.sh.coefficients[V],U);w++}else if(R.isDirectionalLight){const V=e.get(R);if(V.color.copy(R.color).multiplyScalar(R.intensity),R.castShadow){const G=R.shadow,J=t.get(R);J.shadowIntensity=G.intensity,J.shadowBias=G.bias,J.shadowNormalBias=G.normalBias,J.shadowRadius=G.radius,J.shadowMapSize=G.mapSize,i.directionalShadow[d]=J,i.directionalShadowMap[d]=L,i.directionalShadowMatrix[d]=R.shadow.matrix,_++}i.directional[d]=V,d++}else if(R.isSpotLight){const V=e.get(R);V.position.setFromMatrixPosition(R.matrixWorld),V.color.copy(C).multiplyScalar(U),V.distance=B,V.coneCos=Math.cos(R.angle),V.penumbraCos=Math.cos(R.angle*(1-R.penumbra)),V.decay=R.decay,i.spot[y]=V;const G=R.shadow;if(R.map&&(i.spotLightMap[E]=R.map,E++,G.updateMatrices(R),R.castShadow&&A++),i.spotLightMatrix[y]=G.matrix,R.castShadow){const J=t.get(R);J.shadowIntensity=G.intensity,J.shadowBias=G.bias,J.shadowNormalBias=G.normalBias,J.shadowRadius=G.radius,J.shadowMapSize=G.mapSize,i.spotShadow[y]=J,i.spotShadowMap[y]=L,x++}y++}else if(R.isRectAreaLight){const V=e.get(R);V.color.copy(C).multiplyScalar(U),V.halfWidth.set(R.width*.5,0,0),V.halfHeight.set(0,R.height*.5,0),i.rectArea[p]=V,p++}else if(R.isPointLight){const V=e.get(R);if(V.color.copy(R.color).multiplyScalar(R.intensity),V.distance=R.distance,V.decay=R.decay,R.castShadow){const G=R.shadow,J=t.get(R);J.shadowIntensity=G.intensity,J.shadowBias=G.bias,J.shadowNormalBias=G.normalBias,J.shadowRadius=G.radius,J.shadowMapSize=G.mapSize,J.shadowCameraNear=G.camera.near,J.shadowCameraFar=G.camera.far,i.pointShadow[g]=J,i.pointShadowMap[g]=L,i.pointShadowMatrix[g]=R.shadow.matrix,b++}i.point[g]=V,g++}else if(R.isHemisphereLight){const V=e.get(R);V.skyColor.copy(R.color).multiplyScalar(U),V.groundColor.copy(R.groundColor).multiplyScalar(U),i.hemi[m]=V,m++}}p>0&&(n.has("OES_texture_float_linear")===!0?(i.rectAreaLTC1=ce.LTC_FLOAT_1,i.rectAreaLTC2=ce.LTC_FLOAT_2):(i.rectAreaLTC1=ce.LTC_HALF_1,i.rectAreaLTC2=ce.LTC_HALF_2)),i.ambient[0]=h,i.ambient[1]=f,i.ambient[2]=u;const v=i.hash;(v.directionalLength!==d||v.pointLength!==g||v.spotLength!==y||v.rectAreaLength!==p||v.hemiLength!==m||v.numDirectionalShadows!==_||v.numPointShadows!==b||v.numSpotShadows!==x||v.numSpotMaps!==E||v.numLightProbes!==w)&&(i.directional.length=d,i.spot.length=y,i.rectArea.length=p,i.point.length=g,i.hemi.length=m,i.directionalShadow.length=_,i.directionalShadowMap.length=_,i.pointShadow.length=b,i.pointShadowMap.length=b,i.spotShadow.length=x,i.spotShadowMap.length=x,i.directionalShadowMatrix.length=_,i.pointShadowMatrix.length=b,i.spotLightMatrix.length=x+E-A,i.spotLightMap.length=E,i.numSpotLightShadowsWithMaps=A,i.numLightProbes=w,v.directionalLength=d,v.pointLength=g,v.spotLength=y,v.rectAreaLength=p,v.hemiLength=m,v.numDirectionalShadows=_,v.numPointShadows=b,v.numSpotShadows=x,v.numSpotMaps=E,v.numLightProbes=w,i.version=ub++)}function c(l,h){let f=0,u=0,d=0,g=0,y=0;const p=h.matrixWorldInverse;for(let m=0,_=l.length;m<_;m++){const b=l[m];if(b.isDirectionalLight){const x=i.directional[f];x.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),x.direction.sub(s),x.direction.transformDirection(p),f++}else if(b.isSpotLight){const x=i.spot[d];x.position.setFromMatrixPosition(b.matrixWorld),x.position.applyMatrix4(p),x.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),x.direction.sub(s),x.direction.transformDirection(p),d++}else if(b.isRectAreaLight){const x=i.rectArea[g];x.position.setFromMatrixPosition(b.matrixWorld),x.position.applyMatrix4(p),a.identity(),r.copy(b.matrixWorld),r.premultiply(p),a.extractRotation(r),x.halfWidth.set(b.width*.5,0,0),x.halfHeight.set(0,b.height*.5,0),x.halfWidth.applyMatrix4(a),x.halfHeight.applyMatrix4(a),g++}else if(b.isPointLight){const x=i.point[u];x.position.setFromMatrixPosition(b.matrixWorld),x.position.applyMatrix4(p),u++}else if(b.isHemisphereLight){const x=i.hemi[y];x.direction.setFromMatrixPosition(b.matrixWorld),x.direction.transformDirection(p),y++}}}return{setup:o,setupView:c,state:i}}function jf(n){const e=new hb(n),t=[],i=[],s=[];function r(u){f.camera=u,t.length=0,i.length=0,s.length=0}function a(u){t.push(u)}function o(u){i.push(u)}function c(u){s.push(u)}function l(){e.setup(t)}function h(u){e.setupView(t,u)}const f={lightsArray:t,shadowsArray:i,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};return{init:r,state:f,setupLights:l,setupLightsView:h,pushLight:a,pushShadow:o,pushLightProbeGrid:c}}function db(n){let e=new WeakMap;function t(s,r=0){const a=e.get(s);let o;return a===void 0?(o=new jf(n),e.set(s,[o])):r>=a.length?(o=new jf(n),a.push(o)):o=a[r],o}function i(){e=new WeakMap}return{get:t,dispose:i}}const pb=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,mb=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( max( 0.0, squared_mean - mean * mean ) );
+	gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );
+}`,gb=[new P(1,0,0),new P(-1,0,0),new P(0,1,0),new P(0,-1,0),new P(0,0,1),new P(0,0,-1)],_b=[new P(0,-1,0),new P(0,-1,0),new P(0,0,1),new P(0,0,-1),new P(0,-1,0),new P(0,-1,0)],Jf=new Je,er=new P,ic=new P;function vb(n,e,t){let i=new gp;const s=new Ae,r=new Ae,a=new ft,o=new w0,c=new R0,l={},h=t.maxTextureSize,f={[jn]:jt,[jt]:jn,[_n]:_n},u=new an({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new Ae},radius:{value:4}},vertexShader:pb,fragmentShader:mb}),d=u.clone();d.defines.HORIZONTAL_PASS=1;const g=new qt;g.setAttribute("position",new Tt(new Float32Array([-1,-1,.5,3,-1,.5,-1,3,.5]),3));const y=new Sn(g,u),p=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=Da;let m=this.type;this.render=function(A,w,v){if(p.enabled===!1||p.autoUpdate===!1&&p.needsUpdate===!1||A.length===0)return;this.type===eg&&(Re("WebGLShadowMap: PCFSoftShadowMap has been deprecated. Using PCFShadowMap instead."),this.type=Da);const T=n.getRenderTarget(),N=n.getActiveCubeFace(),R=n.getActiveMipmapLevel(),C=n.state;C.setBlending(ci),C.buffers.depth.getReversed()===!0?C.buffers.color.setClear(0,0,0,0):C.buffers.color.setClear(1,1,1,1),C.buffers.depth.setTest(!0),C.setScissorTest(!1);const U=m!==this.type;U&&w.traverse(function(B){B.material&&(Array.isArray(B.material)?B.material.forEach(L=>L.needsUpdate=!0):B.material.needsUpdate=!0)});for(let B=0,L=A.length;B<L;B++){const V=A[B],G=V.shadow;if(G===void 0){Re("WebGLShadowMap:",V,"has no shadow.");continue}if(G.autoUpdate===!1&&G.needsUpdate===!1)continue;s.copy(G.mapSize);const J=G.getFrameExtents();s.multiply(J),r.copy(G.mapSize),(s.x>h||s.y>h)&&(s.x>h&&(r.x=Math.floor(h/J.x),s.x=r.x*J.x,G.mapSize.x=r.x),s.y>h&&(r.y=Math.floor(h/J.y),s.y=r.y*J.y,G.mapSize.y=r.y));const ee=n.state.buffers.depth.getReversed();if(G.camera._reversedDepth=ee,G.map===null||U===!0){if(G.map!==null&&(G.map.depthTexture!==null&&(G.map.depthTexture.dispose(),G.map.depthTexture=null),G.map.dispose()),this.type===lr){if(V.isPointLight){Re("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Use PCF or BasicShadowMap instead.");continue}G.map=new Ln(s.x,s.y,{format:qi,type:fi,minFilter:Wt,magFilter:Wt,generateMipmaps:!1}),G.map.texture.name=V.name+".shadowMap",G.map.depthTexture=new es(s.x,s.y,Yn),G.map.depthTexture.name=V.name+".shadowMapDepth",G.map.depthTexture.format=hi,G.map.depthTexture.compareFunction=null,G.map.depthTexture.minFilter=zt,G.map.depthTexture.magFilter=zt}else V.isPointLight?(G.map=new Mp(s.x),G.map.depthTexture=new b0(s.x,Dn)):(G.map=new Ln(s.x,s.y),G.map.depthTexture=new es(s.x,s.y,Dn)),G.map.depthTexture.name=V.name+".shadowMap",G.map.depthTexture.format=hi,this.type===Da?(G.map.depthTexture.compareFunction=ee?jl:$l,G.map.depthTexture.minFilter=Wt,G.map.depthTexture.magFilter=Wt):(G.map.depthTexture.compareFunction=null,G.map.depthTexture.minFilter=zt,G.map.depthTexture.magFilter=zt);G.camera.updateProjectionMatrix()}const le=G.map.isWebGLCubeRenderTarget?6:1;for(let xe=0;xe<le;xe++){if(G.map.isWebGLCubeRenderTarget)n.setRenderTarget(G.map,xe),n.clear();else{xe===0&&(n.setRenderTarget(G.map),n.clear());const ye=G.getViewport(xe);a.set(r.x*ye.x,r.y*ye.y,r.x*ye.z,r.y*ye.w),C.viewport(a)}if(V.isPointLight){const ye=G.camera,ze=G.matrix,qe=V.distance||ye.far;qe!==ye.far&&(ye.far=qe,ye.updateProjectionMatrix()),er.setFromMatrixPosition(V.matrixWorld),ye.position.copy(er),ic.copy(ye.position),ic.add(gb[xe]),ye.up.copy(_b[xe]),ye.lookAt(ic),ye.updateMatrixWorld(),ze.makeTranslation(-er.x,-er.y,-er.z),Jf.multiplyMatrices(ye.projectionMatrix,ye.matrixWorldInverse),G._frustum.setFromProjectionMatrix(Jf,ye.coordinateSystem,ye.reversedDepth)}else G.updateMatrices(V);i=G.getFrustum(),x(w,v,G.camera,V,this.type)}G.isPointLightShadow!==!0&&this.type===lr&&_(G,v),G.needsUpdate=!1}m=this.type,p.needsUpdate=!1,n.setRenderTarget(T,N,R)};function _(A,w){const v=e.update(y);u.defines.VSM_SAMPLES!==A.blurSamples&&(u.defines.VSM_SAMPLES=A.blurSamples,d.defines.VSM_SAMPLES=A.blurSamples,u.needsUpdate=!0,d.needsUpdate=!0),A.mapPass===null&&(A.mapPass=new Ln(s.x,s.y,{format:qi,type:fi})),u.uniforms.shadow_pass.value=A.map.depthTexture,u.uniforms.resolution.value=A.mapSize,u.uniforms.radius.value=A.radius,n.setRenderTarget(A.mapPass),n.clear(),n.renderBufferDirect(w,null,v,u,y,null),d.uniforms.shadow_pass.value=A.mapPass.texture,d.uniforms.resolution.value=A.mapSize,d.uniforms.radius.value=A.radius,n.setRenderTarget(A.map),n.clear(),n.renderBufferDirect(w,null,v,d,y,null)}function b(A,w,v,T){let N=null;const R=v.isPointLight===!0?A.customDistanceMaterial:A.customDepthMaterial;if(R!==void 0)N=R;else if(N=v.isPointLight===!0?c:o,n.localClippingEnabled&&w.clipShadows===!0&&Array.isArray(w.clippingPlanes)&&w.clippingPlanes.length!==0||w.displacementMap&&w.displacementScale!==0||w.alphaMap&&w.alphaTest>0||w.map&&w.alphaTest>0||w.alphaToCoverage===!0){const C=N.uuid,U=w.uuid;let B=l[C];B===void 0&&(B={},l[C]=B);let L=B[U];L===void 0&&(L=N.clone(),B[U]=L,w.addEventListener("dispose",E)),N=L}if(N.visible=w.visible,N.wireframe=w.wireframe,T===lr?N.side=w.shadowSide!==null?w.shadowSide:w.side:N.side=w.shadowSide!==null?w.shadowSide:f[w.side],N.alphaMap=w.alphaMap,N.alphaTest=w.alphaToCoverage===!0?.5:w.alphaTest,N.map=w.map,N.clipShadows=w.clipShadows,N.clippingPlanes=w.clippingPlanes,N.clipIntersection=w.clipIntersection,N.displacementMap=w.displacementMap,N.displacementScale=w.displacementScale,N.displacementBias=w.displacementBias,N.wireframeLinewidth=w.wireframeLinewidth,N.linewidth=w.linewidth,v.isPointLight===!0&&N.isMeshDistanceMaterial===!0){const C=n.properties.get(N);C.light=v}return N}function x(A,w,v,T,N){if(A.visible===!1)return;if(A.layers.test(w.layers)&&(A.isMesh||A.isLine||A.isPoints)&&(A.castShadow||A.receiveShadow&&N===lr)&&(!A.frustumCulled||i.intersectsObject(A))){A.modelViewMatrix.multiplyMatrices(v.matrixWorldInverse,A.matrixWorld);const U=e.update(A),B=A.material;if(Array.isArray(B)){const L=U.groups;for(let V=0,G=L.length;V<G;V++){const J=L[V],ee=B[J.materialIndex];if(ee&&ee.visible){const le=b(A,ee,T,N);A.onBeforeShadow(n,A,w,v,U,le,J),n.renderBufferDirect(v,null,U,le,A,J),A.onAfterShadow(n,A,w,v,U,le,J)}}}else if(B.visible){const L=b(A,B,T,N);A.onBeforeShadow(n,A,w,v,U,L,null),n.renderBufferDirect(v,null,U,L,A,null),A.onAfterShadow(n,A,w,v,U,L,null)}}const C=A.children;for(let U=0,B=C.length;U<B;U++)x(C[U],w,v,T,N)}function E(A){A.target.removeEventListener("dispose",E);for(const v in l){const T=l[v],N=A.target.uuid;N in T&&(T[N].dispose(),delete T[N])}}}function xb(n,e){function t(){let D=!1;const ie=new ft;let Y=null;const me=new ft(0,0,0,0);return{setMask:function(ae){Y!==ae&&!D&&(n.colorMask(ae,ae,ae,ae),Y=ae)},setLocked:function(ae){D=ae},setClear:function(ae,q,Se,Ue,vt){vt===!0&&(ae*=Ue,q*=Ue,Se*=Ue),ie.set(ae,q,Se,Ue),me.equals(ie)===!1&&(n.clearColor(ae,q,Se,Ue),me.copy(ie))},reset:function(){D=!1,Y=null,me.set(-1,0,0,0)}}}function i(){let D=!1,ie=!1,Y=null,me=null,ae=null;return{setReversed:function(q){if(ie!==q){const Se=e.get("EXT_clip_control");q?Se.clipControlEXT(Se.LOWER_LEFT_EXT,Se.ZERO_TO_ONE_EXT):Se.clipControlEXT(Se.LOWER_LEFT_EXT,Se.NEGATIVE_ONE_TO_ONE_EXT),ie=q;const Ue=ae;ae=null,this.setClear(Ue)}},getReversed:function(){return ie},setTest:function(q){q?se(n.DEPTH_TEST):Te(n.DEPTH_TEST)},setMask:function(q){Y!==q&&!D&&(n.depthMask(q),Y=q)},setFunc:function(q){if(ie&&(q=Dg[q]),me!==q){switch(q){case Dc:n.depthFunc(n.NEVER);break;case Xa:n.depthFunc(n.ALWAYS);break;case Uc:n.depthFunc(n.LESS);break;case ji:n.depthFunc(n.LEQUAL);break;case Fc:n.depthFunc(n.EQUAL);break;case Bc:n.depthFunc(n.GEQUAL);break;case Za:n.depthFunc(n.GREATER);break;case Oc:n.depthFunc(n.NOTEQUAL);break;default:n.depthFunc(n.LEQUAL)}me=q}},setLocked:function(q){D=q},setClear:function(q){ae!==q&&(ae=q,ie&&(q=1-q),n.clearDepth(q))},reset:function(){D=!1,Y=null,me=null,ae=null,ie=!1}}}function s(){let D=!1,ie=null,Y=null,me=null,ae=null,q=null,Se=null,Ue=null,vt=null;return{setTest:function(it){D||(it?se(n.STENCIL_TEST):Te(n.STENCIL_TEST))},setMask:function(it){ie!==it&&!D&&(n.stencilMask(it),ie=it)},setFunc:function(it,qn,Bn){(Y!==it||me!==qn||ae!==Bn)&&(n.stencilFunc(it,qn,Bn),Y=it,me=qn,ae=Bn)},setOp:function(it,qn,Bn){(q!==it||Se!==qn||Ue!==Bn)&&(n.stencilOp(it,qn,Bn),q=it,Se=qn,Ue=Bn)},setLocked:function(it){D=it},setClear:function(it){vt!==it&&(n.clearStencil(it),vt=it)},reset:function(){D=!1,ie=null,Y=null,me=null,ae=null,q=null,Se=null,Ue=null,vt=null}}}const r=new t,a=new i,o=new s,c=new WeakMap,l=new WeakMap;let h={},f={},u={},d=new WeakMap,g=[],y=null,p=!1,m=null,_=null,b=null,x=null,E=null,A=null,w=null,v=new Ke(0,0,0),T=0,N=!1,R=null,C=null,U=null,B=null,L=null;const V=n.getParameter(n.MAX_COMBINED_TEXTURE_IMAGE_UNITS);let G=!1,J=0;const ee=n.getParameter(n.VERSION);ee.indexOf("WebGL")!==-1?(J=parseFloat(/^WebGL (\d)/.exec(ee)[1]),G=J>=1):ee.indexOf("OpenGL ES")!==-1&&(J=parseFloat(/^OpenGL ES (\d)/.exec(ee)[1]),G=J>=2);let le=null,xe={};const ye=n.getParameter(n.SCISSOR_BOX),ze=n.getParameter(n.VIEWPORT),qe=new ft().fromArray(ye),Ie=new ft().fromArray(ze);function j(D,ie,Y,me){const ae=new Uint8Array(4),q=n.createTexture();n.bindTexture(D,q),n.texParameteri(D,n.TEXTURE_MIN_FILTER,n.NEAREST),n.texParameteri(D,n.TEXTURE_MAG_FILTER,n.NEAREST);for(let Se=0;Se<Y;Se++)D===n.TEXTURE_3D||D===n.TEXTURE_2D_ARRAY?n.texImage3D(ie,0,n.RGBA,1,1,me,0,n.RGBA,n.UNSIGNED_BYTE,ae):n.texImage2D(ie+Se,0,n.RGBA,1,1,0,n.RGBA,n.UNSIGNED_BYTE,ae);return q}const fe={};fe[n.TEXTURE_2D]=j(n.TEXTURE_2D,n.TEXTURE_2D,1),fe[n.TEXTURE_CUBE_MAP]=j(n.TEXTURE_CUBE_MAP,n.TEXTURE_CUBE_MAP_POSITIVE_X,6),fe[n.TEXTURE_2D_ARRAY]=j(n.TEXTURE_2D_ARRAY,n.TEXTURE_2D_ARRAY,1,1),fe[n.TEXTURE_3D]=j(n.TEXTURE_3D,n.TEXTURE_3D,1,1),r.setClear(0,0,0,1),a.setClear(1),o.setClear(0),se(n.DEPTH_TEST),a.setFunc(ji),wt(!1),pt(Ku),se(n.CULL_FACE),ht(ci);function se(D){h[D]!==!0&&(n.enable(D),h[D]=!0)}function Te(D){h[D]!==!1&&(n.disable(D),h[D]=!1)}function Ne(D,ie){return u[D]!==ie?(n.bindFramebuffer(D,ie),u[D]=ie,D===n.DRAW_FRAMEBUFFER&&(u[n.FRAMEBUFFER]=ie),D===n.FRAMEBUFFER&&(u[n.DRAW_FRAMEBUFFER]=ie),!0):!1}function we(D,ie){let Y=g,me=!1;if(D){Y=d.get(ie),Y===void 0&&(Y=[],d.set(ie,Y));const ae=D.textures;if(Y.length!==ae.length||Y[0]!==n.COLOR_ATTACHMENT0){for(let q=0,Se=ae.length;q<Se;q++)Y[q]=n.COLOR_ATTACHMENT0+q;Y.length=ae.length,me=!0}}else Y[0]!==n.BACK&&(Y[0]=n.BACK,me=!0);me&&n.drawBuffers(Y)}function at(D){return y!==D?(n.useProgram(D),y=D,!0):!1}const We={[Hi]:n.FUNC_ADD,[ng]:n.FUNC_SUBTRACT,[ig]:n.FUNC_REVERSE_SUBTRACT};We[sg]=n.MIN,We[rg]=n.MAX;const nt={[ag]:n.ZERO,[og]:n.ONE,[cg]:n.SRC_COLOR,[Pc]:n.SRC_ALPHA,[pg]:n.SRC_ALPHA_SATURATE,[hg]:n.DST_COLOR,[ug]:n.DST_ALPHA,[lg]:n.ONE_MINUS_SRC_COLOR,[Lc]:n.ONE_MINUS_SRC_ALPHA,[dg]:n.ONE_MINUS_DST_COLOR,[fg]:n.ONE_MINUS_DST_ALPHA,[mg]:n.CONSTANT_COLOR,[gg]:n.ONE_MINUS_CONSTANT_COLOR,[_g]:n.CONSTANT_ALPHA,[vg]:n.ONE_MINUS_CONSTANT_ALPHA};function ht(D,ie,Y,me,ae,q,Se,Ue,vt,it){if(D===ci){p===!0&&(Te(n.BLEND),p=!1);return}if(p===!1&&(se(n.BLEND),p=!0),D!==tg){if(D!==m||it!==N){if((_!==Hi||E!==Hi)&&(n.blendEquation(n.FUNC_ADD),_=Hi,E=Hi),it)switch(D){case Us:n.blendFuncSeparate(n.ONE,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case $u:n.blendFunc(n.ONE,n.ONE);break;case ju:n.blendFuncSeparate(n.ZERO,n.ONE_MINUS_SRC_COLOR,n.ZERO,n.ONE);break;case Ju:n.blendFuncSeparate(n.DST_COLOR,n.ONE_MINUS_SRC_ALPHA,n.ZERO,n.ONE);break;default:Ze("WebGLState: Invalid blending: ",D);break}else switch(D){case Us:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case $u:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE,n.ONE,n.ONE);break;case ju:Ze("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Ju:Ze("WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:Ze("WebGLState: Invalid blending: ",D);break}b=null,x=null,A=null,w=null,v.set(0,0,0),T=0,m=D,N=it}return}ae=ae||ie,q=q||Y,Se=Se||me,(ie!==_||ae!==E)&&(n.blendEquationSeparate(We[ie],We[ae]),_=ie,E=ae),(Y!==b||me!==x||q!==A||Se!==w)&&(n.blendFuncSeparate(nt[Y],nt[me],nt[q],nt[Se]),b=Y,x=me,A=q,w=Se),(Ue.equals(v)===!1||vt!==T)&&(n.blendColor(Ue.r,Ue.g,Ue.b,vt),v.copy(Ue),T=vt),m=D,N=!1}function ke(D,ie){D.side===_n?Te(n.CULL_FACE):se(n.CULL_FACE);let Y=D.side===jt;ie&&(Y=!Y),wt(Y),D.blending===Us&&D.transparent===!1?ht(ci):ht(D.blending,D.blendEquation,D.blendSrc,D.blendDst,D.blendEquationAlpha,D.blendSrcAlpha,D.blendDstAlpha,D.blendColor,D.blendAlpha,D.premultipliedAlpha),a.setFunc(D.depthFunc),a.setTest(D.depthTest),a.setMask(D.depthWrite),r.setMask(D.colorWrite);const me=D.stencilWrite;o.setTest(me),me&&(o.setMask(D.stencilWriteMask),o.setFunc(D.stencilFunc,D.stencilRef,D.stencilFuncMask),o.setOp(D.stencilFail,D.stencilZFail,D.stencilZPass)),F(D.polygonOffset,D.polygonOffsetFactor,D.polygonOffsetUnits),D.alphaToCoverage===!0?se(n.SAMPLE_ALPHA_TO_COVERAGE):Te(n.SAMPLE_ALPHA_TO_COVERAGE)}function wt(D){R!==D&&(D?n.frontFace(n.CW):n.frontFace(n.CCW),R=D)}function pt(D){D!==qm?(se(n.CULL_FACE),D!==C&&(D===Ku?n.cullFace(n.BACK):D===Qm?n.cullFace(n.FRONT):n.cullFace(n.FRONT_AND_BACK))):Te(n.CULL_FACE),C=D}function on(D){D!==U&&(G&&n.lineWidth(D),U=D)}function F(D,ie,Y){D?(se(n.POLYGON_OFFSET_FILL),(B!==ie||L!==Y)&&(B=ie,L=Y,a.getReversed()&&(ie=-ie),n.polygonOffset(ie,Y))):Te(n.POLYGON_OFFSET_FILL)}function Rt(D){D?se(n.SCISSOR_TEST):Te(n.SCISSOR_TEST)}function He(D){D===void 0&&(D=n.TEXTURE0+V-1),le!==D&&(n.activeTexture(D),le=D)}function lt(D,ie,Y){Y===void 0&&(le===null?Y=n.TEXTURE0+V-1:Y=le);let me=xe[Y];me===void 0&&(me={type:void 0,texture:void 0},xe[Y]=me),(me.type!==D||me.texture!==ie)&&(le!==Y&&(n.activeTexture(Y),le=Y),n.bindTexture(D,ie||fe[D]),me.type=D,me.texture=ie)}function ue(){const D=xe[le];D!==void 0&&D.type!==void 0&&(n.bindTexture(D.type,null),D.type=void 0,D.texture=void 0)}function mt(){try{n.compressedTexImage2D(...arguments)}catch(D){Ze("WebGLState:",D)}}function I(){try{n.compressedTexImage3D(...arguments)}catch(D){Ze("WebGLState:",D)}}function S(){try{n.texSubImage2D(...arguments)}catch(D){Ze("WebGLState:",D)}}function z(){try{n.texSubImage3D(...arguments)}catch(D){Ze("WebGLState:",D)}}function K(){try{n.compressedTexSubImage2D(...arguments)}catch(D){Ze("WebGLState:",D)}}function Q(){try{n.compressedTexSubImage3D(...arguments)}catch(D){Ze("WebGLState:",D)}}function te(){try{n.texStorage2D(...arguments)}catch(D){Ze("WebGLState:",D)}}function oe(){try{n.texStorage3D(...arguments)}catch(D){Ze("WebGLState:",D)}}function Z(){try{n.texImage2D(...arguments)}catch(D){Ze("WebGLState:",D)}}function $(){try{n.texImage3D(...arguments)}catch(D){Ze("WebGLState:",D)}}function pe(D){return f[D]!==void 0?f[D]:n.getParameter(D)}function _e(D,ie){f[D]!==ie&&(n.pixelStorei(D,ie),f[D]=ie)}function re(D){qe.equals(D)===!1&&(n.scissor(D.x,D.y,D.z,D.w),qe.copy(D))}function ne(D){Ie.equals(D)===!1&&(n.viewport(D.x,D.y,D.z,D.w),Ie.copy(D))}function Ce(D,ie){let Y=l.get(ie);Y===void 0&&(Y=new WeakMap,l.set(ie,Y));let me=Y.get(D);me===void 0&&(me=n.getUniformBlockIndex(ie,D.name),Y.set(D,me))}function Oe(D,ie){const me=l.get(ie).get(D);c.get(ie)!==me&&(n.uniformBlockBinding(ie,me,D.__bindingPointIndex),c.set(ie,me))}function $e(){n.disable(n.BLEND),n.disable(n.CULL_FACE),n.disable(n.DEPTH_TEST),n.disable(n.POLYGON_OFFSET_FILL),n.disable(n.SCISSOR_TEST),n.disable(n.STENCIL_TEST),n.disable(n.SAMPLE_ALPHA_TO_COVERAGE),n.blendEquation(n.FUNC_ADD),n.blendFunc(n.ONE,n.ZERO),n.blendFuncSeparate(n.ONE,n.ZERO,n.ONE,n.ZERO),n.blendColor(0,0,0,0),n.colorMask(!0,!0,!0,!0),n.clearColor(0,0,0,0),n.depthMask(!0),n.depthFunc(n.LESS),a.setReversed(!1),n.clearDepth(1),n.stencilMask(4294967295),n.stencilFunc(n.ALWAYS,0,4294967295),n.stencilOp(n.KEEP,n.KEEP,n.KEEP),n.clearStencil(0),n.cullFace(n.BACK),n.frontFace(n.CCW),n.polygonOffset(0,0),n.activeTexture(n.TEXTURE0),n.bindFramebuffer(n.FRAMEBUFFER,null),n.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),n.bindFramebuffer(n.READ_FRAMEBUFFER,null),n.useProgram(null),n.lineWidth(1),n.scissor(0,0,n.canvas.width,n.canvas.height),n.viewport(0,0,n.canvas.width,n.canvas.height),n.pixelStorei(n.PACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,!1),n.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),n.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,n.BROWSER_DEFAULT_WEBGL),n.pixelStorei(n.PACK_ROW_LENGTH,0),n.pixelStorei(n.PACK_SKIP_PIXELS,0),n.pixelStorei(n.PACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_ROW_LENGTH,0),n.pixelStorei(n.UNPACK_IMAGE_HEIGHT,0),n.pixelStorei(n.UNPACK_SKIP_PIXELS,0),n.pixelStorei(n.UNPACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_SKIP_IMAGES,0),h={},f={},le=null,xe={},u={},d=new WeakMap,g=[],y=null,p=!1,m=null,_=null,b=null,x=null,E=null,A=null,w=null,v=new Ke(0,0,0),T=0,N=!1,R=null,C=null,U=null,B=null,L=null,qe.set(0,0,n.canvas.width,n.canvas.height),Ie.set(0,0,n.canvas.width,n.canvas.height),r.reset(),a.reset(),o.reset()}return{buffers:{color:r,depth:a,stencil:o},enable:se,disable:Te,bindFramebuffer:Ne,drawBuffers:we,useProgram:at,setBlending:ht,setMaterial:ke,setFlipSided:wt,setCullFace:pt,setLineWidth:on,setPolygonOffset:F,setScissorTest:Rt,activeTexture:He,bindTexture:lt,unbindTexture:ue,compressedTexImage2D:mt,compressedTexImage3D:I,texImage2D:Z,texImage3D:$,pixelStorei:_e,getParameter:pe,updateUBOMapping:Ce,uniformBlockBinding:Oe,texStorage2D:te,texStorage3D:oe,texSubImage2D:S,texSubImage3D:z,compressedTexSubImage2D:K,compressedTexSubImage3D:Q,scissor:re,viewport:ne,reset:$e}}function yb(n,e,t,i,s,r,a){const o=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,c=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),l=new Ae,h=new WeakMap,f=new Set;let u;const d=new WeakMap;let g=!1;try{g=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function y(I,S){return g?new OffscreenCanvas(I,S):Ja("canvas")}function p(I,S,z){let K=1;const Q=mt(I);if((Q.width>z||Q.height>z)&&(K=z/Math.max(Q.width,Q.height)),K<1)if(typeof HTMLImageElement<"u"&&I instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&I instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&I instanceof ImageBitmap||typeof VideoFrame<"u"&&I instanceof VideoFrame){const te=Math.floor(K*Q.width),oe=Math.floor(K*Q.height);u===void 0&&(u=y(te,oe));const Z=S?y(te,oe):u;return Z.width=te,Z.height=oe,Z.getContext("2d").drawImage(I,0,0,te,oe),Re("WebGLRenderer: Texture has been resized from ("+Q.width+"x"+Q.height+") to ("+te+"x"+oe+")."),Z}else return"data"in I&&Re("WebGLRenderer: Image in DataTexture is too big ("+Q.width+"x"+Q.height+")."),I;return I}function m(I){return I.generateMipmaps}function _(I){n.generateMipmap(I)}function b(I){return I.isWebGLCubeRenderTarget?n.TEXTURE_CUBE_MAP:I.isWebGL3DRenderTarget?n.TEXTURE_3D:I.isWebGLArrayRenderTarget||I.isCompressedArrayTexture?n.TEXTURE_2D_ARRAY:n.TEXTURE_2D}function x(I,S,z,K,Q,te=!1){if(I!==null){if(n[I]!==void 0)return n[I];Re("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+I+"'")}let oe;K&&(oe=e.get("EXT_texture_norm16"),oe||Re("WebGLRenderer: Unable to use normalized textures without EXT_texture_norm16 extension"));let Z=S;if(S===n.RED&&(z===n.FLOAT&&(Z=n.R32F),z===n.HALF_FLOAT&&(Z=n.R16F),z===n.UNSIGNED_BYTE&&(Z=n.R8),z===n.UNSIGNED_SHORT&&oe&&(Z=oe.R16_EXT),z===n.SHORT&&oe&&(Z=oe.R16_SNORM_EXT)),S===n.RED_INTEGER&&(z===n.UNSIGNED_BYTE&&(Z=n.R8UI),z===n.UNSIGNED_SHORT&&(Z=n.R16UI),z===n.UNSIGNED_INT&&(Z=n.R32UI),z===n.BYTE&&(Z=n.R8I),z===n.SHORT&&(Z=n.R16I),z===n.INT&&(Z=n.R32I)),S===n.RG&&(z===n.FLOAT&&(Z=n.RG32F),z===n.HALF_FLOAT&&(Z=n.RG16F),z===n.UNSIGNED_BYTE&&(Z=n.RG8),z===n.UNSIGNED_SHORT&&oe&&(Z=oe.RG16_EXT),z===n.SHORT&&oe&&(Z=oe.RG16_SNORM_EXT)),S===n.RG_INTEGER&&(z===n.UNSIGNED_BYTE&&(Z=n.RG8UI),z===n.UNSIGNED_SHORT&&(Z=n.RG16UI),z===n.UNSIGNED_INT&&(Z=n.RG32UI),z===n.BYTE&&(Z=n.RG8I),z===n.SHORT&&(Z=n.RG16I),z===n.INT&&(Z=n.RG32I)),S===n.RGB_INTEGER&&(z===n.UNSIGNED_BYTE&&(Z=n.RGB8UI),z===n.UNSIGNED_SHORT&&(Z=n.RGB16UI),z===n.UNSIGNED_INT&&(Z=n.RGB32UI),z===n.BYTE&&(Z=n.RGB8I),z===n.SHORT&&(Z=n.RGB16I),z===n.INT&&(Z=n.RGB32I)),S===n.RGBA_INTEGER&&(z===n.UNSIGNED_BYTE&&(Z=n.RGBA8UI),z===n.UNSIGNED_SHORT&&(Z=n.RGBA16UI),z===n.UNSIGNED_INT&&(Z=n.RGBA32UI),z===n.BYTE&&(Z=n.RGBA8I),z===n.SHORT&&(Z=n.RGBA16I),z===n.INT&&(Z=n.RGBA32I)),S===n.RGB&&(z===n.UNSIGNED_SHORT&&oe&&(Z=oe.RGB16_EXT),z===n.SHORT&&oe&&(Z=oe.RGB16_SNORM_EXT),z===n.UNSIGNED_INT_5_9_9_9_REV&&(Z=n.RGB9_E5),z===n.UNSIGNED_INT_10F_11F_11F_REV&&(Z=n.R11F_G11F_B10F)),S===n.RGBA){const $=te?$a:Xe.getTransfer(Q);z===n.FLOAT&&(Z=n.RGBA32F),z===n.HALF_FLOAT&&(Z=n.RGBA16F),z===n.UNSIGNED_BYTE&&(Z=$===Qe?n.SRGB8_ALPHA8:n.RGBA8),z===n.UNSIGNED_SHORT&&oe&&(Z=oe.RGBA16_EXT),z===n.SHORT&&oe&&(Z=oe.RGBA16_SNORM_EXT),z===n.UNSIGNED_SHORT_4_4_4_4&&(Z=n.RGBA4),z===n.UNSIGNED_SHORT_5_5_5_1&&(Z=n.RGB5_A1)}return(Z===n.R16F||Z===n.R32F||Z===n.RG16F||Z===n.RG32F||Z===n.RGBA16F||Z===n.RGBA32F)&&e.get("EXT_color_buffer_float"),Z}function E(I,S){let z;return I?S===null||S===Dn||S===vr?z=n.DEPTH24_STENCIL8:S===Yn?z=n.DEPTH32F_STENCIL8:S===_r&&(z=n.DEPTH24_STENCIL8,Re("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):S===null||S===Dn||S===vr?z=n.DEPTH_COMPONENT24:S===Yn?z=n.DEPTH_COMPONENT32F:S===_r&&(z=n.DEPTH_COMPONENT16),z}function A(I,S){return m(I)===!0||I.isFramebufferTexture&&I.minFilter!==zt&&I.minFilter!==Wt?Math.log2(Math.max(S.width,S.height))+1:I.mipmaps!==void 0&&I.mipmaps.length>0?I.mipmaps.length:I.isCompressedTexture&&Array.isArray(I.image)?S.mipmaps.length:1}function w(I){const S=I.target;S.removeEventListener("dispose",w),T(S),S.isVideoTexture&&h.delete(S),S.isHTMLTexture&&f.delete(S)}function v(I){const S=I.target;S.removeEventListener("dispose",v),R(S)}function T(I){const S=i.get(I);if(S.__webglInit===void 0)return;const z=I.source,K=d.get(z);if(K){const Q=K[S.__cacheKey];Q.usedTimes--,Q.usedTimes===0&&N(I),Object.keys(K).length===0&&d.delete(z)}i.remove(I)}function N(I){const S=i.get(I);n.deleteTexture(S.__webglTexture);const z=I.source,K=d.get(z);delete K[S.__cacheKey],a.memory.textures--}function R(I){const S=i.get(I);if(I.depthTexture&&(I.depthTexture.dispose(),i.remove(I.depthTexture)),I.isWebGLCubeRenderTarget)for(let K=0;K<6;K++){if(Array.isArray(S.__webglFramebuffer[K]))for(let Q=0;Q<S.__webglFramebuffer[K].length;Q++)n.deleteFramebuffer(S.__webglFramebuffer[K][Q]);else n.deleteFramebuffer(S.__webglFramebuffer[K]);S.__webglDepthbuffer&&n.deleteRenderbuffer(S.__webglDepthbuffer[K])}else{if(Array.isArray(S.__webglFramebuffer))for(let K=0;K<S.__webglFramebuffer.length;K++)n.deleteFramebuffer(S.__webglFramebuffer[K]);else n.deleteFramebuffer(S.__webglFramebuffer);if(S.__webglDepthbuffer&&n.deleteRenderbuffer(S.__webglDepthbuffer),S.__webglMultisampledFramebuffer&&n.deleteFramebuffer(S.__webglMultisampledFramebuffer),S.__webglColorRenderbuffer)for(let K=0;K<S.__webglColorRenderbuffer.length;K++)S.__webglColorRenderbuffer[K]&&n.deleteRenderbuffer(S.__webglColorRenderbuffer[K]);S.__webglDepthRenderbuffer&&n.deleteRenderbuffer(S.__webglDepthRenderbuffer)}const z=I.textures;for(let K=0,Q=z.length;K<Q;K++){const te=i.get(z[K]);te.__webglTexture&&(n.deleteTexture(te.__webglTexture),a.memory.textures--),i.remove(z[K])}i.remove(I)}let C=0;function U(){C=0}function B(){return C}function L(I){C=I}function V(){const I=C;return I>=s.maxTextures&&Re("WebGLTextures: Trying to use "+I+" texture units while this GPU supports only "+s.maxTextures),C+=1,I}function G(I){const S=[];return S.push(I.wrapS),S.push(I.wrapT),S.push(I.wrapR||0),S.push(I.magFilter),S.push(I.minFilter),S.push(I.anisotropy),S.push(I.internalFormat),S.push(I.format),S.push(I.type),S.push(I.generateMipmaps),S.push(I.premultiplyAlpha),S.push(I.flipY),S.push(I.unpackAlignment),S.push(I.colorSpace),S.join()}function J(I,S){const z=i.get(I);if(I.isVideoTexture&&lt(I),I.isRenderTargetTexture===!1&&I.isExternalTexture!==!0&&I.version>0&&z.__version!==I.version){const K=I.image;if(K===null)Re("WebGLRenderer: Texture marked for update but no image data found.");else if(K.complete===!1)Re("WebGLRenderer: Texture marked for update but image is incomplete");else{Te(z,I,S);return}}else I.isExternalTexture&&(z.__webglTexture=I.sourceTexture?I.sourceTexture:null);t.bindTexture(n.TEXTURE_2D,z.__webglTexture,n.TEXTURE0+S)}function ee(I,S){const z=i.get(I);if(I.isRenderTargetTexture===!1&&I.version>0&&z.__version!==I.version){Te(z,I,S);return}else I.isExternalTexture&&(z.__webglTexture=I.sourceTexture?I.sourceTexture:null);t.bindTexture(n.TEXTURE_2D_ARRAY,z.__webglTexture,n.TEXTURE0+S)}function le(I,S){const z=i.get(I);if(I.isRenderTargetTexture===!1&&I.version>0&&z.__version!==I.version){Te(z,I,S);return}t.bindTexture(n.TEXTURE_3D,z.__webglTexture,n.TEXTURE0+S)}function xe(I,S){const z=i.get(I);if(I.isCubeDepthTexture!==!0&&I.version>0&&z.__version!==I.version){Ne(z,I,S);return}t.bindTexture(n.TEXTURE_CUBE_MAP,z.__webglTexture,n.TEXTURE0+S)}const ye={[Vc]:n.REPEAT,[ai]:n.CLAMP_TO_EDGE,[Gc]:n.MIRRORED_REPEAT},ze={[zt]:n.NEAREST,[bg]:n.NEAREST_MIPMAP_NEAREST,[Gr]:n.NEAREST_MIPMAP_LINEAR,[Wt]:n.LINEAR,[wo]:n.LINEAR_MIPMAP_NEAREST,[Zi]:n.LINEAR_MIPMAP_LINEAR},qe={[Mg]:n.NEVER,[Ig]:n.ALWAYS,[Ag]:n.LESS,[$l]:n.LEQUAL,[Tg]:n.EQUAL,[jl]:n.GEQUAL,[wg]:n.GREATER,[Rg]:n.NOTEQUAL};function Ie(I,S){if(S.type===Yn&&e.has("OES_texture_float_linear")===!1&&(S.magFilter===Wt||S.magFilter===wo||S.magFilter===Gr||S.magFilter===Zi||S.minFilter===Wt||S.minFilter===wo||S.minFilter===Gr||S.minFilter===Zi)&&Re("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),n.texParameteri(I,n.TEXTURE_WRAP_S,ye[S.wrapS]),n.texParameteri(I,n.TEXTURE_WRAP_T,ye[S.wrapT]),(I===n.TEXTURE_3D||I===n.TEXTURE_2D_ARRAY)&&n.texParameteri(I,n.TEXTURE_WRAP_R,ye[S.wrapR]),n.texParameteri(I,n.TEXTURE_MAG_FILTER,ze[S.magFilter]),n.texParameteri(I,n.TEXTURE_MIN_FILTER,ze[S.minFilter]),S.compareFunction&&(n.texParameteri(I,n.TEXTURE_COMPARE_MODE,n.COMPARE_REF_TO_TEXTURE),n.texParameteri(I,n.TEXTURE_COMPARE_FUNC,qe[S.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(S.magFilter===zt||S.minFilter!==Gr&&S.minFilter!==Zi||S.type===Yn&&e.has("OES_texture_float_linear")===!1)return;if(S.anisotropy>1||i.get(S).__currentAnisotropy){const z=e.get("EXT_texture_filter_anisotropic");n.texParameterf(I,z.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(S.anisotropy,s.getMaxAnisotropy())),i.get(S).__currentAnisotropy=S.anisotropy}}}function j(I,S){let z=!1;I.__webglInit===void 0&&(I.__webglInit=!0,S.addEventListener("dispose",w));const K=S.source;let Q=d.get(K);Q===void 0&&(Q={},d.set(K,Q));const te=G(S);if(te!==I.__cacheKey){Q[te]===void 0&&(Q[te]={texture:n.createTexture(),usedTimes:0},a.memory.textures++,z=!0),Q[te].usedTimes++;const oe=Q[I.__cacheKey];oe!==void 0&&(Q[I.__cacheKey].usedTimes--,oe.usedTimes===0&&N(S)),I.__cacheKey=te,I.__webglTexture=Q[te].texture}return z}function fe(I,S,z){return Math.floor(Math.floor(I/z)/S)}function se(I,S,z,K){const te=I.updateRanges;if(te.length===0)t.texSubImage2D(n.TEXTURE_2D,0,0,0,S.width,S.height,z,K,S.data);else{te.sort((_e,re)=>_e.start-re.start);let oe=0;for(let _e=1;_e<te.length;_e++){const re=te[oe],ne=te[_e],Ce=re.start+re.count,Oe=fe(ne.start,S.width,4),$e=fe(re.start,S.width,4);ne.start<=Ce+1&&Oe===$e&&fe(ne.start+ne.count-1,S.width,4)===Oe?re.count=Math.max(re.count,ne.start+ne.count-re.start):(++oe,te[oe]=ne)}te.length=oe+1;const Z=t.getParameter(n.UNPACK_ROW_LENGTH),$=t.getParameter(n.UNPACK_SKIP_PIXELS),pe=t.getParameter(n.UNPACK_SKIP_ROWS);t.pixelStorei(n.UNPACK_ROW_LENGTH,S.width);for(let _e=0,re=te.length;_e<re;_e++){const ne=te[_e],Ce=Math.floor(ne.start/4),Oe=Math.ceil(ne.count/4),$e=Ce%S.width,D=Math.floor(Ce/S.width),ie=Oe,Y=1;t.pixelStorei(n.UNPACK_SKIP_PIXELS,$e),t.pixelStorei(n.UNPACK_SKIP_ROWS,D),t.texSubImage2D(n.TEXTURE_2D,0,$e,D,ie,Y,z,K,S.data)}I.clearUpdateRanges(),t.pixelStorei(n.UNPACK_ROW_LENGTH,Z),t.pixelStorei(n.UNPACK_SKIP_PIXELS,$),t.pixelStorei(n.UNPACK_SKIP_ROWS,pe)}}function Te(I,S,z){let K=n.TEXTURE_2D;(S.isDataArrayTexture||S.isCompressedArrayTexture)&&(K=n.TEXTURE_2D_ARRAY),S.isData3DTexture&&(K=n.TEXTURE_3D);const Q=j(I,S),te=S.source;t.bindTexture(K,I.__webglTexture,n.TEXTURE0+z);const oe=i.get(te);if(te.version!==oe.__version||Q===!0){if(t.activeTexture(n.TEXTURE0+z),(typeof ImageBitmap<"u"&&S.image instanceof ImageBitmap)===!1){const Y=Xe.getPrimaries(Xe.workingColorSpace),me=S.colorSpace===wi?null:Xe.getPrimaries(S.colorSpace),ae=S.colorSpace===wi||Y===me?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,S.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,S.premultiplyAlpha),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,ae)}t.pixelStorei(n.UNPACK_ALIGNMENT,S.unpackAlignment);let $=p(S.image,!1,s.maxTextureSize);$=ue(S,$);const pe=r.convert(S.format,S.colorSpace),_e=r.convert(S.type);let re=x(S.internalFormat,pe,_e,S.normalized,S.colorSpace,S.isVideoTexture);Ie(K,S);let ne;const Ce=S.mipmaps,Oe=S.isVideoTexture!==!0,$e=oe.__version===void 0||Q===!0,D=te.dataReady,ie=A(S,$);if(S.isDepthTexture)re=E(S.format===Yi,S.type),$e&&(Oe?t.texStorage2D(n.TEXTURE_2D,1,re,$.width,$.height):t.texImage2D(n.TEXTURE_2D,0,re,$.width,$.height,0,pe,_e,null));else if(S.isDataTexture)if(Ce.length>0){Oe&&$e&&t.texStorage2D(n.TEXTURE_2D,ie,re,Ce[0].width,Ce[0].height);for(let Y=0,me=Ce.length;Y<me;Y++)ne=Ce[Y],Oe?D&&t.texSubImage2D(n.TEXTURE_2D,Y,0,0,ne.width,ne.height,pe,_e,ne.data):t.texImage2D(n.TEXTURE_2D,Y,re,ne.width,ne.height,0,pe,_e,ne.data);S.generateMipmaps=!1}else Oe?($e&&t.texStorage2D(n.TEXTURE_2D,ie,re,$.width,$.height),D&&se(S,$,pe,_e)):t.texImage2D(n.TEXTURE_2D,0,re,$.width,$.height,0,pe,_e,$.data);else if(S.isCompressedTexture)if(S.isCompressedArrayTexture){Oe&&$e&&t.texStorage3D(n.TEXTURE_2D_ARRAY,ie,re,Ce[0].width,Ce[0].height,$.depth);for(let Y=0,me=Ce.length;Y<me;Y++)if(ne=Ce[Y],S.format!==xn)if(pe!==null)if(Oe){if(D)if(S.layerUpdates.size>0){const ae=Rf(ne.width,ne.height,S.format,S.type);for(const q of S.layerUpdates){const Se=ne.data.subarray(q*ae/ne.data.BYTES_PER_ELEMENT,(q+1)*ae/ne.data.BYTES_PER_ELEMENT);t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,Y,0,0,q,ne.width,ne.height,1,pe,Se)}S.clearLayerUpdates()}else t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,Y,0,0,0,ne.width,ne.height,$.depth,pe,ne.data)}else t.compressedTexImage3D(n.TEXTURE_2D_ARRAY,Y,re,ne.width,ne.height,$.depth,0,ne.data,0,0);else Re("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()");else Oe?D&&t.texSubImage3D(n.TEXTURE_2D_ARRAY,Y,0,0,0,ne.width,ne.height,$.depth,pe,_e,ne.data):t.texImage3D(n.TEXTURE_2D_ARRAY,Y,re,ne.width,ne.height,$.depth,0,pe,_e,ne.data)}else{Oe&&$e&&t.texStorage2D(n.TEXTURE_2D,ie,re,Ce[0].width,Ce[0].height);for(let Y=0,me=Ce.length;Y<me;Y++)ne=Ce[Y],S.format!==xn?pe!==null?Oe?D&&t.compressedTexSubImage2D(n.TEXTURE_2D,Y,0,0,ne.width,ne.height,pe,ne.data):t.compressedTexImage2D(n.TEXTURE_2D,Y,re,ne.width,ne.height,0,ne.data):Re("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):Oe?D&&t.texSubImage2D(n.TEXTURE_2D,Y,0,0,ne.width,ne.height,pe,_e,ne.data):t.texImage2D(n.TEXTURE_2D,Y,re,ne.width,ne.height,0,pe,_e,ne.data)}else if(S.isDataArrayTexture)if(Oe){if($e&&t.texStorage3D(n.TEXTURE_2D_ARRAY,ie,re,$.width,$.height,$.depth),D)if(S.layerUpdates.size>0){const Y=Rf($.width,$.height,S.format,S.type);for(const me of S.layerUpdates){const ae=$.data.subarray(me*Y/$.data.BYTES_PER_ELEMENT,(me+1)*Y/$.data.BYTES_PER_ELEMENT);t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,me,$.width,$.height,1,pe,_e,ae)}S.clearLayerUpdates()}else t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,0,$.width,$.height,$.depth,pe,_e,$.data)}else t.texImage3D(n.TEXTURE_2D_ARRAY,0,re,$.width,$.height,$.depth,0,pe,_e,$.data);else if(S.isData3DTexture)Oe?($e&&t.texStorage3D(n.TEXTURE_3D,ie,re,$.width,$.height,$.depth),D&&t.texSubImage3D(n.TEXTURE_3D,0,0,0,0,$.width,$.height,$.depth,pe,_e,$.data)):t.texImage3D(n.TEXTURE_3D,0,re,$.width,$.height,$.depth,0,pe,_e,$.data);else if(S.isFramebufferTexture){if($e)if(Oe)t.texStorage2D(n.TEXTURE_2D,ie,re,$.width,$.height);else{let Y=$.width,me=$.height;for(let ae=0;ae<ie;ae++)t.texImage2D(n.TEXTURE_2D,ae,re,Y,me,0,pe,_e,null),Y>>=1,me>>=1}}else if(S.isHTMLTexture){if("texElementImage2D"in n){const Y=n.canvas;if(Y.hasAttribute("layoutsubtree")||Y.setAttribute("layoutsubtree","true"),$.parentNode!==Y){Y.appendChild($),f.add(S),Y.onpaint=Ue=>{const vt=Ue.changedElements;for(const it of f)vt.includes(it.image)&&(it.needsUpdate=!0)},Y.requestPaint();return}const me=0,ae=n.RGBA,q=n.RGBA,Se=n.UNSIGNED_BYTE;n.texElementImage2D(n.TEXTURE_2D,me,ae,q,Se,$),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_MIN_FILTER,n.LINEAR),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_S,n.CLAMP_TO_EDGE),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_T,n.CLAMP_TO_EDGE)}}else if(Ce.length>0){if(Oe&&$e){const Y=mt(Ce[0]);t.texStorage2D(n.TEXTURE_2D,ie,re,Y.width,Y.height)}for(let Y=0,me=Ce.length;Y<me;Y++)ne=Ce[Y],Oe?D&&t.texSubImage2D(n.TEXTURE_2D,Y,0,0,pe,_e,ne):t.texImage2D(n.TEXTURE_2D,Y,re,pe,_e,ne);S.generateMipmaps=!1}else if(Oe){if($e){const Y=mt($);t.texStorage2D(n.TEXTURE_2D,ie,re,Y.width,Y.height)}D&&t.texSubImage2D(n.TEXTURE_2D,0,0,0,pe,_e,$)}else t.texImage2D(n.TEXTURE_2D,0,re,pe,_e,$);m(S)&&_(K),oe.__version=te.version,S.onUpdate&&S.onUpdate(S)}I.__version=S.version}function Ne(I,S,z){if(S.image.length!==6)return;const K=j(I,S),Q=S.source;t.bindTexture(n.TEXTURE_CUBE_MAP,I.__webglTexture,n.TEXTURE0+z);const te=i.get(Q);if(Q.version!==te.__version||K===!0){t.activeTexture(n.TEXTURE0+z);const oe=Xe.getPrimaries(Xe.workingColorSpace),Z=S.colorSpace===wi?null:Xe.getPrimaries(S.colorSpace),$=S.colorSpace===wi||oe===Z?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,S.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,S.premultiplyAlpha),t.pixelStorei(n.UNPACK_ALIGNMENT,S.unpackAlignment),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,$);const pe=S.isCompressedTexture||S.image[0].isCompressedTexture,_e=S.image[0]&&S.image[0].isDataTexture,re=[];for(let q=0;q<6;q++)!pe&&!_e?re[q]=p(S.image[q],!0,s.maxCubemapSize):re[q]=_e?S.image[q].image:S.image[q],re[q]=ue(S,re[q]);const ne=re[0],Ce=r.convert(S.format,S.colorSpace),Oe=r.convert(S.type),$e=x(S.internalFormat,Ce,Oe,S.normalized,S.colorSpace),D=S.isVideoTexture!==!0,ie=te.__version===void 0||K===!0,Y=Q.dataReady;let me=A(S,ne);Ie(n.TEXTURE_CUBE_MAP,S);let ae;if(pe){D&&ie&&t.texStorage2D(n.TEXTURE_CUBE_MAP,me,$e,ne.width,ne.height);for(let q=0;q<6;q++){ae=re[q].mipmaps;for(let Se=0;Se<ae.length;Se++){const Ue=ae[Se];S.format!==xn?Ce!==null?D?Y&&t.compressedTexSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,Se,0,0,Ue.width,Ue.height,Ce,Ue.data):t.compressedTexImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,Se,$e,Ue.width,Ue.height,0,Ue.data):Re("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):D?Y&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,Se,0,0,Ue.width,Ue.height,Ce,Oe,Ue.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,Se,$e,Ue.width,Ue.height,0,Ce,Oe,Ue.data)}}}else{if(ae=S.mipmaps,D&&ie){ae.length>0&&me++;const q=mt(re[0]);t.texStorage2D(n.TEXTURE_CUBE_MAP,me,$e,q.width,q.height)}for(let q=0;q<6;q++)if(_e){D?Y&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,0,0,0,re[q].width,re[q].height,Ce,Oe,re[q].data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,0,$e,re[q].width,re[q].height,0,Ce,Oe,re[q].data);for(let Se=0;Se<ae.length;Se++){const vt=ae[Se].image[q].image;D?Y&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,Se+1,0,0,vt.width,vt.height,Ce,Oe,vt.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,Se+1,$e,vt.width,vt.height,0,Ce,Oe,vt.data)}}else{D?Y&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,0,0,0,Ce,Oe,re[q]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,0,$e,Ce,Oe,re[q]);for(let Se=0;Se<ae.length;Se++){const Ue=ae[Se];D?Y&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,Se+1,0,0,Ce,Oe,Ue.image[q]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+q,Se+1,$e,Ce,Oe,Ue.image[q])}}}m(S)&&_(n.TEXTURE_CUBE_MAP),te.__version=Q.version,S.onUpdate&&S.onUpdate(S)}I.__version=S.version}function we(I,S,z,K,Q,te){const oe=r.convert(z.format,z.colorSpace),Z=r.convert(z.type),$=x(z.internalFormat,oe,Z,z.normalized,z.colorSpace),pe=i.get(S),_e=i.get(z);if(_e.__renderTarget=S,!pe.__hasExternalTextures){const re=Math.max(1,S.width>>te),ne=Math.max(1,S.height>>te);Q===n.TEXTURE_3D||Q===n.TEXTURE_2D_ARRAY?t.texImage3D(Q,te,$,re,ne,S.depth,0,oe,Z,null):t.texImage2D(Q,te,$,re,ne,0,oe,Z,null)}t.bindFramebuffer(n.FRAMEBUFFER,I),He(S)?o.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,K,Q,_e.__webglTexture,0,Rt(S)):(Q===n.TEXTURE_2D||Q>=n.TEXTURE_CUBE_MAP_POSITIVE_X&&Q<=n.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&n.framebufferTexture2D(n.FRAMEBUFFER,K,Q,_e.__webglTexture,te),t.bindFramebuffer(n.FRAMEBUFFER,null)}function at(I,S,z){if(n.bindRenderbuffer(n.RENDERBUFFER,I),S.depthBuffer){const K=S.depthTexture,Q=K&&K.isDepthTexture?K.type:null,te=E(S.stencilBuffer,Q),oe=S.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;He(S)?o.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,Rt(S),te,S.width,S.height):z?n.renderbufferStorageMultisample(n.RENDERBUFFER,Rt(S),te,S.width,S.height):n.renderbufferStorage(n.RENDERBUFFER,te,S.width,S.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,oe,n.RENDERBUFFER,I)}else{const K=S.textures;for(let Q=0;Q<K.length;Q++){const te=K[Q],oe=r.convert(te.format,te.colorSpace),Z=r.convert(te.type),$=x(te.internalFormat,oe,Z,te.normalized,te.colorSpace);He(S)?o.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,Rt(S),$,S.width,S.height):z?n.renderbufferStorageMultisample(n.RENDERBUFFER,Rt(S),$,S.width,S.height):n.renderbufferStorage(n.RENDERBUFFER,$,S.width,S.height)}}n.bindRenderbuffer(n.RENDERBUFFER,null)}function We(I,S,z){const K=S.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(n.FRAMEBUFFER,I),!(S.depthTexture&&S.depthTexture.isDepthTexture))throw new Error("renderTarget.depthTexture must be an instance of THREE.DepthTexture");const Q=i.get(S.depthTexture);if(Q.__renderTarget=S,(!Q.__webglTexture||S.depthTexture.image.width!==S.width||S.depthTexture.image.height!==S.height)&&(S.depthTexture.image.width=S.width,S.depthTexture.image.height=S.height,S.depthTexture.needsUpdate=!0),K){if(Q.__webglInit===void 0&&(Q.__webglInit=!0,S.depthTexture.addEventListener("dispose",w)),Q.__webglTexture===void 0){Q.__webglTexture=n.createTexture(),t.bindTexture(n.TEXTURE_CUBE_MAP,Q.__webglTexture),Ie(n.TEXTURE_CUBE_MAP,S.depthTexture);const pe=r.convert(S.depthTexture.format),_e=r.convert(S.depthTexture.type);let re;S.depthTexture.format===hi?re=n.DEPTH_COMPONENT24:S.depthTexture.format===Yi&&(re=n.DEPTH24_STENCIL8);for(let ne=0;ne<6;ne++)n.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+ne,0,re,S.width,S.height,0,pe,_e,null)}}else J(S.depthTexture,0);const te=Q.__webglTexture,oe=Rt(S),Z=K?n.TEXTURE_CUBE_MAP_POSITIVE_X+z:n.TEXTURE_2D,$=S.depthTexture.format===Yi?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;if(S.depthTexture.format===hi)He(S)?o.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,$,Z,te,0,oe):n.framebufferTexture2D(n.FRAMEBUFFER,$,Z,te,0);else if(S.depthTexture.format===Yi)He(S)?o.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,$,Z,te,0,oe):n.framebufferTexture2D(n.FRAMEBUFFER,$,Z,te,0);else throw new Error("Unknown depthTexture format")}function nt(I){const S=i.get(I),z=I.isWebGLCubeRenderTarget===!0;if(S.__boundDepthTexture!==I.depthTexture){const K=I.depthTexture;if(S.__depthDisposeCallback&&S.__depthDisposeCallback(),K){const Q=()=>{delete S.__boundDepthTexture,delete S.__depthDisposeCallback,K.removeEventListener("dispose",Q)};K.addEventListener("dispose",Q),S.__depthDisposeCallback=Q}S.__boundDepthTexture=K}if(I.depthTexture&&!S.__autoAllocateDepthBuffer)if(z)for(let K=0;K<6;K++)We(S.__webglFramebuffer[K],I,K);else{const K=I.texture.mipmaps;K&&K.length>0?We(S.__webglFramebuffer[0],I,0):We(S.__webglFramebuffer,I,0)}else if(z){S.__webglDepthbuffer=[];for(let K=0;K<6;K++)if(t.bindFramebuffer(n.FRAMEBUFFER,S.__webglFramebuffer[K]),S.__webglDepthbuffer[K]===void 0)S.__webglDepthbuffer[K]=n.createRenderbuffer(),at(S.__webglDepthbuffer[K],I,!1);else{const Q=I.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,te=S.__webglDepthbuffer[K];n.bindRenderbuffer(n.RENDERBUFFER,te),n.framebufferRenderbuffer(n.FRAMEBUFFER,Q,n.RENDERBUFFER,te)}}else{const K=I.texture.mipmaps;if(K&&K.length>0?t.bindFramebuffer(n.FRAMEBUFFER,S.__webglFramebuffer[0]):t.bindFramebuffer(n.FRAMEBUFFER,S.__webglFramebuffer),S.__webglDepthbuffer===void 0)S.__webglDepthbuffer=n.createRenderbuffer(),at(S.__webglDepthbuffer,I,!1);else{const Q=I.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,te=S.__webglDepthbuffer;n.bindRenderbuffer(n.RENDERBUFFER,te),n.framebufferRenderbuffer(n.FRAMEBUFFER,Q,n.RENDERBUFFER,te)}}t.bindFramebuffer(n.FRAMEBUFFER,null)}function ht(I,S,z){const K=i.get(I);S!==void 0&&we(K.__webglFramebuffer,I,I.texture,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,0),z!==void 0&&nt(I)}function ke(I){const S=I.texture,z=i.get(I),K=i.get(S);I.addEventListener("dispose",v);const Q=I.textures,te=I.isWebGLCubeRenderTarget===!0,oe=Q.length>1;if(oe||(K.__webglTexture===void 0&&(K.__webglTexture=n.createTexture()),K.__version=S.version,a.memory.textures++),te){z.__webglFramebuffer=[];for(let Z=0;Z<6;Z++)if(S.mipmaps&&S.mipmaps.length>0){z.__webglFramebuffer[Z]=[];for(let $=0;$<S.mipmaps.length;$++)z.__webglFramebuffer[Z][$]=n.createFramebuffer()}else z.__webglFramebuffer[Z]=n.createFramebuffer()}else{if(S.mipmaps&&S.mipmaps.length>0){z.__webglFramebuffer=[];for(let Z=0;Z<S.mipmaps.length;Z++)z.__webglFramebuffer[Z]=n.createFramebuffer()}else z.__webglFramebuffer=n.createFramebuffer();if(oe)for(let Z=0,$=Q.length;Z<$;Z++){const pe=i.get(Q[Z]);pe.__webglTexture===void 0&&(pe.__webglTexture=n.createTexture(),a.memory.textures++)}if(I.samples>0&&He(I)===!1){z.__webglMultisampledFramebuffer=n.createFramebuffer(),z.__webglColorRenderbuffer=[],t.bindFramebuffer(n.FRAMEBUFFER,z.__webglMultisampledFramebuffer);for(let Z=0;Z<Q.length;Z++){const $=Q[Z];z.__webglColorRenderbuffer[Z]=n.createRenderbuffer(),n.bindRenderbuffer(n.RENDERBUFFER,z.__webglColorRenderbuffer[Z]);const pe=r.convert($.format,$.colorSpace),_e=r.convert($.type),re=x($.internalFormat,pe,_e,$.normalized,$.colorSpace,I.isXRRenderTarget===!0),ne=Rt(I);n.renderbufferStorageMultisample(n.RENDERBUFFER,ne,re,I.width,I.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+Z,n.RENDERBUFFER,z.__webglColorRenderbuffer[Z])}n.bindRenderbuffer(n.RENDERBUFFER,null),I.depthBuffer&&(z.__webglDepthRenderbuffer=n.createRenderbuffer(),at(z.__webglDepthRenderbuffer,I,!0)),t.bindFramebuffer(n.FRAMEBUFFER,null)}}if(te){t.bindTexture(n.TEXTURE_CUBE_MAP,K.__webglTexture),Ie(n.TEXTURE_CUBE_MAP,S);for(let Z=0;Z<6;Z++)if(S.mipmaps&&S.mipmaps.length>0)for(let $=0;$<S.mipmaps.length;$++)we(z.__webglFramebuffer[Z][$],I,S,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+Z,$);else we(z.__webglFramebuffer[Z],I,S,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+Z,0);m(S)&&_(n.TEXTURE_CUBE_MAP),t.unbindTexture()}else if(oe){for(let Z=0,$=Q.length;Z<$;Z++){const pe=Q[Z],_e=i.get(pe);let re=n.TEXTURE_2D;(I.isWebGL3DRenderTarget||I.isWebGLArrayRenderTarget)&&(re=I.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(re,_e.__webglTexture),Ie(re,pe),we(z.__webglFramebuffer,I,pe,n.COLOR_ATTACHMENT0+Z,re,0),m(pe)&&_(re)}t.unbindTexture()}else{let Z=n.TEXTURE_2D;if((I.isWebGL3DRenderTarget||I.isWebGLArrayRenderTarget)&&(Z=I.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(Z,K.__webglTexture),Ie(Z,S),S.mipmaps&&S.mipmaps.length>0)for(let $=0;$<S.mipmaps.length;$++)we(z.__webglFramebuffer[$],I,S,n.COLOR_ATTACHMENT0,Z,$);else we(z.__webglFramebuffer,I,S,n.COLOR_ATTACHMENT0,Z,0);m(S)&&_(Z),t.unbindTexture()}I.depthBuffer&&nt(I)}function wt(I){const S=I.textures;for(let z=0,K=S.length;z<K;z++){const Q=S[z];if(m(Q)){const te=b(I),oe=i.get(Q).__webglTexture;t.bindTexture(te,oe),_(te),t.unbindTexture()}}}const pt=[],on=[];function F(I){if(I.samples>0){if(He(I)===!1){const S=I.textures,z=I.width,K=I.height;let Q=n.COLOR_BUFFER_BIT;const te=I.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,oe=i.get(I),Z=S.length>1;if(Z)for(let pe=0;pe<S.length;pe++)t.bindFramebuffer(n.FRAMEBUFFER,oe.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.RENDERBUFFER,null),t.bindFramebuffer(n.FRAMEBUFFER,oe.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.TEXTURE_2D,null,0);t.bindFramebuffer(n.READ_FRAMEBUFFER,oe.__webglMultisampledFramebuffer);const $=I.texture.mipmaps;$&&$.length>0?t.bindFramebuffer(n.DRAW_FRAMEBUFFER,oe.__webglFramebuffer[0]):t.bindFramebuffer(n.DRAW_FRAMEBUFFER,oe.__webglFramebuffer);for(let pe=0;pe<S.length;pe++){if(I.resolveDepthBuffer&&(I.depthBuffer&&(Q|=n.DEPTH_BUFFER_BIT),I.stencilBuffer&&I.resolveStencilBuffer&&(Q|=n.STENCIL_BUFFER_BIT)),Z){n.framebufferRenderbuffer(n.READ_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.RENDERBUFFER,oe.__webglColorRenderbuffer[pe]);const _e=i.get(S[pe]).__webglTexture;n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,_e,0)}n.blitFramebuffer(0,0,z,K,0,0,z,K,Q,n.NEAREST),c===!0&&(pt.length=0,on.length=0,pt.push(n.COLOR_ATTACHMENT0+pe),I.depthBuffer&&I.resolveDepthBuffer===!1&&(pt.push(te),on.push(te),n.invalidateFramebuffer(n.DRAW_FRAMEBUFFER,on)),n.invalidateFramebuffer(n.READ_FRAMEBUFFER,pt))}if(t.bindFramebuffer(n.READ_FRAMEBUFFER,null),t.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),Z)for(let pe=0;pe<S.length;pe++){t.bindFramebuffer(n.FRAMEBUFFER,oe.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.RENDERBUFFER,oe.__webglColorRenderbuffer[pe]);const _e=i.get(S[pe]).__webglTexture;t.bindFramebuffer(n.FRAMEBUFFER,oe.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.TEXTURE_2D,_e,0)}t.bindFramebuffer(n.DRAW_FRAMEBUFFER,oe.__webglMultisampledFramebuffer)}else if(I.depthBuffer&&I.resolveDepthBuffer===!1&&c){const S=I.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;n.invalidateFramebuffer(n.DRAW_FRAMEBUFFER,[S])}}}function Rt(I){return Math.min(s.maxSamples,I.samples)}function He(I){const S=i.get(I);return I.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&S.__useRenderToTexture!==!1}function lt(I){const S=a.render.frame;h.get(I)!==S&&(h.set(I,S),I.update())}function ue(I,S){const z=I.colorSpace,K=I.format,Q=I.type;return I.isCompressedTexture===!0||I.isVideoTexture===!0||z!==xr&&z!==wi&&(Xe.getTransfer(z)===Qe?(K!==xn||Q!==vn)&&Re("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):Ze("WebGLTextures: Unsupported texture color space:",z)),S}function mt(I){return typeof HTMLImageElement<"u"&&I instanceof HTMLImageElement?(l.width=I.naturalWidth||I.width,l.height=I.naturalHeight||I.height):typeof VideoFrame<"u"&&I instanceof VideoFrame?(l.width=I.displayWidth,l.height=I.displayHeight):(l.width=I.width,l.height=I.height),l}this.allocateTextureUnit=V,this.resetTextureUnits=U,this.getTextureUnits=B,this.setTextureUnits=L,this.setTexture2D=J,this.setTexture2DArray=ee,this.setTexture3D=le,this.setTextureCube=xe,this.rebindTextures=ht,this.setupRenderTarget=ke,this.updateRenderTargetMipmap=wt,this.updateMultisampleRenderTarget=F,this.setupDepthRenderbuffer=nt,this.setupFrameBufferTexture=we,this.useMultisampledRTT=He,this.isReversedDepthBuffer=function(){return t.buffers.depth.getReversed()}}function bb(n,e){function t(i,s=wi){let r;const a=Xe.getTransfer(s);if(i===vn)return n.UNSIGNED_BYTE;if(i===Hl)return n.UNSIGNED_SHORT_4_4_4_4;if(i===Xl)return n.UNSIGNED_SHORT_5_5_5_1;if(i===ip)return n.UNSIGNED_INT_5_9_9_9_REV;if(i===sp)return n.UNSIGNED_INT_10F_11F_11F_REV;if(i===tp)return n.BYTE;if(i===np)return n.SHORT;if(i===_r)return n.UNSIGNED_SHORT;if(i===Wl)return n.INT;if(i===Dn)return n.UNSIGNED_INT;if(i===Yn)return n.FLOAT;if(i===fi)return n.HALF_FLOAT;if(i===rp)return n.ALPHA;if(i===ap)return n.RGB;if(i===xn)return n.RGBA;if(i===hi)return n.DEPTH_COMPONENT;if(i===Yi)return n.DEPTH_STENCIL;if(i===op)return n.RED;if(i===Zl)return n.RED_INTEGER;if(i===qi)return n.RG;if(i===Yl)return n.RG_INTEGER;if(i===Kl)return n.RGBA_INTEGER;if(i===Ua||i===Fa||i===Ba||i===Oa)if(a===Qe)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(i===Ua)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(i===Fa)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(i===Ba)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(i===Oa)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(i===Ua)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(i===Fa)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(i===Ba)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(i===Oa)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(i===kc||i===zc||i===Wc||i===Hc)if(r=e.get("WEBGL_compressed_texture_pvrtc"),r!==null){if(i===kc)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(i===zc)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(i===Wc)return r.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(i===Hc)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(i===Xc||i===Zc||i===Yc||i===Kc||i===$c||i===Ya||i===jc)if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(i===Xc||i===Zc)return a===Qe?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(i===Yc)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:r.COMPRESSED_RGBA8_ETC2_EAC;if(i===Kc)return r.COMPRESSED_R11_EAC;if(i===$c)return r.COMPRESSED_SIGNED_R11_EAC;if(i===Ya)return r.COMPRESSED_RG11_EAC;if(i===jc)return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(i===Jc||i===qc||i===Qc||i===el||i===tl||i===nl||i===il||i===sl||i===rl||i===al||i===ol||i===cl||i===ll||i===ul)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(i===Jc)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(i===qc)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(i===Qc)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;if(i===el)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(i===tl)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;if(i===nl)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(i===il)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;if(i===sl)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(i===rl)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.COMPRESSED_RGBA_ASTC_10x5_KHR;if(i===al)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(i===ol)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(i===cl)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(i===ll)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(i===ul)return a===Qe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(i===fl||i===hl||i===dl)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(i===fl)return a===Qe?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(i===hl)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(i===dl)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(i===pl||i===ml||i===Ka||i===gl)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(i===pl)return r.COMPRESSED_RED_RGTC1_EXT;if(i===ml)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(i===Ka)return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(i===gl)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return i===vr?n.UNSIGNED_INT_24_8:n[i]!==void 0?n[i]:null}return{convert:t}}const Sb=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,Eb=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`;class Mb{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){const i=new vp(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=i}}getMesh(e){if(this.texture!==null&&this.mesh===null){const t=e.cameras[0].viewport,i=new an({vertexShader:Sb,fragmentShader:Eb,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new Sn(new Pr(20,20),i)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}}class Ab extends Li{constructor(e,t){super();const i=this;let s=null,r=1,a=null,o="local-floor",c=1,l=null,h=null,f=null,u=null,d=null,g=null;const y=typeof XRWebGLBinding<"u",p=new Mb,m={},_=t.getContextAttributes();let b=null,x=null;const E=[],A=[],w=new Ae;let v=null;const T=new gn;T.viewport=new ft;const N=new gn;N.viewport=new ft;const R=[T,N],C=new C0;let U=null,B=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(j){let fe=E[j];return fe===void 0&&(fe=new Lo,E[j]=fe),fe.getTargetRaySpace()},this.getControllerGrip=function(j){let fe=E[j];return fe===void 0&&(fe=new Lo,E[j]=fe),fe.getGripSpace()},this.getHand=function(j){let fe=E[j];return fe===void 0&&(fe=new Lo,E[j]=fe),fe.getHandSpace()};function L(j){const fe=A.indexOf(j.inputSource);if(fe===-1)return;const se=E[fe];se!==void 0&&(se.update(j.inputSource,j.frame,l||a),se.dispatchEvent({type:j.type,data:j.inputSource}))}function V(){s.removeEventListener("select",L),s.removeEventListener("selectstart",L),s.removeEventListener("selectend",L),s.removeEventListener("squeeze",L),s.removeEventListener("squeezestart",L),s.removeEventListener("squeezeend",L),s.removeEventListener("end",V),s.removeEventListener("inputsourceschange",G);for(let j=0;j<E.length;j++){const fe=A[j];fe!==null&&(A[j]=null,E[j].disconnect(fe))}U=null,B=null,p.reset();for(const j in m)delete m[j];e.setRenderTarget(b),d=null,u=null,f=null,s=null,x=null,Ie.stop(),i.isPresenting=!1,e.setPixelRatio(v),e.setSize(w.width,w.height,!1),i.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(j){r=j,i.isPresenting===!0&&Re("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(j){o=j,i.isPresenting===!0&&Re("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return l||a},this.setReferenceSpace=function(j){l=j},this.getBaseLayer=function(){return u!==null?u:d},this.getBinding=function(){return f===null&&y&&(f=new XRWebGLBinding(s,t)),f},this.getFrame=function(){return g},this.getSession=function(){return s},this.setSession=async function(j){if(s=j,s!==null){if(b=e.getRenderTarget(),s.addEventListener("select",L),s.addEventListener("selectstart",L),s.addEventListener("selectend",L),s.addEventListener("squeeze",L),s.addEventListener("squeezestart",L),s.addEventListener("squeezeend",L),s.addEventListener("end",V),s.addEventListener("inputsourceschange",G),_.xrCompatible!==!0&&await t.makeXRCompatible(),v=e.getPixelRatio(),e.getSize(w),y&&"createProjectionLayer"in XRWebGLBinding.prototype){let se=null,Te=null,Ne=null;_.depth&&(Ne=_.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,se=_.stencil?Yi:hi,Te=_.stencil?vr:Dn);const we={colorFormat:t.RGBA8,depthFormat:Ne,scaleFactor:r};f=this.getBinding(),u=f.createProjectionLayer(we),s.updateRenderState({layers:[u]}),e.setPixelRatio(1),e.setSize(u.textureWidth,u.textureHeight,!1),x=new Ln(u.textureWidth,u.textureHeight,{format:xn,type:vn,depthTexture:new es(u.textureWidth,u.textureHeight,Te,void 0,void 0,void 0,void 0,void 0,void 0,se),stencilBuffer:_.stencil,colorSpace:e.outputColorSpace,samples:_.antialias?4:0,resolveDepthBuffer:u.ignoreDepthValues===!1,resolveStencilBuffer:u.ignoreDepthValues===!1})}else{const se={antialias:_.antialias,alpha:!0,depth:_.depth,stencil:_.stencil,framebufferScaleFactor:r};d=new XRWebGLLayer(s,t,se),s.updateRenderState({baseLayer:d}),e.setPixelRatio(1),e.setSize(d.framebufferWidth,d.framebufferHeight,!1),x=new Ln(d.framebufferWidth,d.framebufferHeight,{format:xn,type:vn,colorSpace:e.outputColorSpace,stencilBuffer:_.stencil,resolveDepthBuffer:d.ignoreDepthValues===!1,resolveStencilBuffer:d.ignoreDepthValues===!1})}x.isXRRenderTarget=!0,this.setFoveation(c),l=null,a=await s.requestReferenceSpace(o),Ie.setContext(s),Ie.start(),i.isPresenting=!0,i.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return p.getDepthTexture()};function G(j){for(let fe=0;fe<j.removed.length;fe++){const se=j.removed[fe],Te=A.indexOf(se);Te>=0&&(A[Te]=null,E[Te].disconnect(se))}for(let fe=0;fe<j.added.length;fe++){const se=j.added[fe];let Te=A.indexOf(se);if(Te===-1){for(let we=0;we<E.length;we++)if(we>=A.length){A.push(se),Te=we;break}else if(A[we]===null){A[we]=se,Te=we;break}if(Te===-1)break}const Ne=E[Te];Ne&&Ne.connect(se)}}const J=new P,ee=new P;function le(j,fe,se){J.setFromMatrixPosition(fe.matrixWorld),ee.setFromMatrixPosition(se.matrixWorld);const Te=J.distanceTo(ee),Ne=fe.projectionMatrix.elements,we=se.projectionMatrix.elements,at=Ne[14]/(Ne[10]-1),We=Ne[14]/(Ne[10]+1),nt=(Ne[9]+1)/Ne[5],ht=(Ne[9]-1)/Ne[5],ke=(Ne[8]-1)/Ne[0],wt=(we[8]+1)/we[0],pt=at*ke,on=at*wt,F=Te/(-ke+wt),Rt=F*-ke;if(fe.matrixWorld.decompose(j.position,j.quaternion,j.scale),j.translateX(Rt),j.translateZ(F),j.matrixWorld.compose(j.position,j.quaternion,j.scale),j.matrixWorldInverse.copy(j.matrixWorld).invert(),Ne[10]===-1)j.projectionMatrix.copy(fe.projectionMatrix),j.projectionMatrixInverse.copy(fe.projectionMatrixInverse);else{const He=at+F,lt=We+F,ue=pt-Rt,mt=on+(Te-Rt),I=nt*We/lt*He,S=ht*We/lt*He;j.projectionMatrix.makePerspective(ue,mt,I,S,He,lt),j.projectionMatrixInverse.copy(j.projectionMatrix).invert()}}function xe(j,fe){fe===null?j.matrixWorld.copy(j.matrix):j.matrixWorld.multiplyMatrices(fe.matrixWorld,j.matrix),j.matrixWorldInverse.copy(j.matrixWorld).invert()}this.updateCamera=function(j){if(s===null)return;let fe=j.near,se=j.far;p.texture!==null&&(p.depthNear>0&&(fe=p.depthNear),p.depthFar>0&&(se=p.depthFar)),C.near=N.near=T.near=fe,C.far=N.far=T.far=se,(U!==C.near||B!==C.far)&&(s.updateRenderState({depthNear:C.near,depthFar:C.far}),U=C.near,B=C.far),C.layers.mask=j.layers.mask|6,T.layers.mask=C.layers.mask&-5,N.layers.mask=C.layers.mask&-3;const Te=j.parent,Ne=C.cameras;xe(C,Te);for(let we=0;we<Ne.length;we++)xe(Ne[we],Te);Ne.length===2?le(C,T,N):C.projectionMatrix.copy(T.projectionMatrix),ye(j,C,Te)};function ye(j,fe,se){se===null?j.matrix.copy(fe.matrixWorld):(j.matrix.copy(se.matrixWorld),j.matrix.invert(),j.matrix.multiply(fe.matrixWorld)),j.matrix.decompose(j.position,j.quaternion,j.scale),j.updateMatrixWorld(!0),j.projectionMatrix.copy(fe.projectionMatrix),j.projectionMatrixInverse.copy(fe.projectionMatrixInverse),j.isPerspectiveCamera&&(j.fov=yr*2*Math.atan(1/j.projectionMatrix.elements[5]),j.zoom=1)}this.getCamera=function(){return C},this.getFoveation=function(){if(!(u===null&&d===null))return c},this.setFoveation=function(j){c=j,u!==null&&(u.fixedFoveation=j),d!==null&&d.fixedFoveation!==void 0&&(d.fixedFoveation=j)},this.hasDepthSensing=function(){return p.texture!==null},this.getDepthSensingMesh=function(){return p.getMesh(C)},this.getCameraTexture=function(j){return m[j]};let ze=null;function qe(j,fe){if(h=fe.getViewerPose(l||a),g=fe,h!==null){const se=h.views;d!==null&&(e.setRenderTargetFramebuffer(x,d.framebuffer),e.setRenderTarget(x));let Te=!1;se.length!==C.cameras.length&&(C.cameras.length=0,Te=!0);for(let We=0;We<se.length;We++){const nt=se[We];let ht=null;if(d!==null)ht=d.getViewport(nt);else{const wt=f.getViewSubImage(u,nt);ht=wt.viewport,We===0&&(e.setRenderTargetTextures(x,wt.colorTexture,wt.depthStencilTexture),e.setRenderTarget(x))}let ke=R[We];ke===void 0&&(ke=new gn,ke.layers.enable(We),ke.viewport=new ft,R[We]=ke),ke.matrix.fromArray(nt.transform.matrix),ke.matrix.decompose(ke.position,ke.quaternion,ke.scale),ke.projectionMatrix.fromArray(nt.projectionMatrix),ke.projectionMatrixInverse.copy(ke.projectionMatrix).invert(),ke.viewport.set(ht.x,ht.y,ht.width,ht.height),We===0&&(C.matrix.copy(ke.matrix),C.matrix.decompose(C.position,C.quaternion,C.scale)),Te===!0&&C.cameras.push(ke)}const Ne=s.enabledFeatures;if(Ne&&Ne.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){f=i.getBinding();const We=f.getDepthInformation(se[0]);We&&We.isValid&&We.texture&&p.init(We,s.renderState)}if(Ne&&Ne.includes("camera-access")&&y){e.state.unbindTexture(),f=i.getBinding();for(let We=0;We<se.length;We++){const nt=se[We].camera;if(nt){let ht=m[nt];ht||(ht=new vp,m[nt]=ht);const ke=f.getCameraImage(nt);ht.sourceTexture=ke}}}}for(let se=0;se<E.length;se++){const Te=A[se],Ne=E[se];Te!==null&&Ne!==void 0&&Ne.update(Te,fe,l||a)}ze&&ze(j,fe),fe.detectedPlanes&&i.dispatchEvent({type:"planesdetected",data:fe}),g=null}const Ie=new Sp;Ie.setAnimationLoop(qe),this.setAnimationLoop=function(j){ze=j},this.dispose=function(){}}}const Tb=new Je,Ip=new Le;Ip.set(-1,0,0,0,1,0,0,0,1);function wb(n,e){function t(p,m){p.matrixAutoUpdate===!0&&p.updateMatrix(),m.value.copy(p.matrix)}function i(p,m){m.color.getRGB(p.fogColor.value,xp(n)),m.isFog?(p.fogNear.value=m.near,p.fogFar.value=m.far):m.isFogExp2&&(p.fogDensity.value=m.density)}function s(p,m,_,b,x){m.isNodeMaterial?m.uniformsNeedUpdate=!1:m.isMeshBasicMaterial?r(p,m):m.isMeshLambertMaterial?(r(p,m),m.envMap&&(p.envMapIntensity.value=m.envMapIntensity)):m.isMeshToonMaterial?(r(p,m),f(p,m)):m.isMeshPhongMaterial?(r(p,m),h(p,m),m.envMap&&(p.envMapIntensity.value=m.envMapIntensity)):m.isMeshStandardMaterial?(r(p,m),u(p,m),m.isMeshPhysicalMaterial&&d(p,m,x)):m.isMeshMatcapMaterial?(r(p,m),g(p,m)):m.isMeshDepthMaterial?r(p,m):m.isMeshDistanceMaterial?(r(p,m),y(p,m)):m.isMeshNormalMaterial?r(p,m):m.isLineBasicMaterial?(a(p,m),m.isLineDashedMaterial&&o(p,m)):m.isPointsMaterial?c(p,m,_,b):m.isSpriteMaterial?l(p,m):m.isShadowMaterial?(p.color.value.copy(m.color),p.opacity.value=m.opacity):m.isShaderMaterial&&(m.uniformsNeedUpdate=!1)}function r(p,m){p.opacity.value=m.opacity,m.color&&p.diffuse.value.copy(m.color),m.emissive&&p.emissive.value.copy(m.emissive).multiplyScalar(m.emissiveIntensity),m.map&&(p.map.value=m.map,t(m.map,p.mapTransform)),m.alphaMap&&(p.alphaMap.value=m.alphaMap,t(m.alphaMap,p.alphaMapTransform)),m.bumpMap&&(p.bumpMap.value=m.bumpMap,t(m.bumpMap,p.bumpMapTransform),p.bumpScale.value=m.bumpScale,m.side===jt&&(p.bumpScale.value*=-1)),m.normalMap&&(p.normalMap.value=m.normalMap,t(m.normalMap,p.normalMapTransform),p.normalScale.value.copy(m.normalScale),m.side===jt&&p.normalScale.value.negate()),m.displacementMap&&(p.displacementMap.value=m.displacementMap,t(m.displacementMap,p.displacementMapTransform),p.displacementScale.value=m.displacementScale,p.displacementBias.value=m.displacementBias),m.emissiveMap&&(p.emissiveMap.value=m.emissiveMap,t(m.emissiveMap,p.emissiveMapTransform)),m.specularMap&&(p.specularMap.value=m.specularMap,t(m.specularMap,p.specularMapTransform)),m.alphaTest>0&&(p.alphaTest.value=m.alphaTest);const _=e.get(m),b=_.envMap,x=_.envMapRotation;b&&(p.envMap.value=b,p.envMapRotation.value.setFromMatrix4(Tb.makeRotationFromEuler(x)).transpose(),b.isCubeTexture&&b.isRenderTargetTexture===!1&&p.envMapRotation.value.premultiply(Ip),p.reflectivity.value=m.reflectivity,p.ior.value=m.ior,p.refractionRatio.value=m.refractionRatio),m.lightMap&&(p.lightMap.value=m.lightMap,p.lightMapIntensity.value=m.lightMapIntensity,t(m.lightMap,p.lightMapTransform)),m.aoMap&&(p.aoMap.value=m.aoMap,p.aoMapIntensity.value=m.aoMapIntensity,t(m.aoMap,p.aoMapTransform))}function a(p,m){p.diffuse.value.copy(m.color),p.opacity.value=m.opacity,m.map&&(p.map.value=m.map,t(m.map,p.mapTransform))}function o(p,m){p.dashSize.value=m.dashSize,p.totalSize.value=m.dashSize+m.gapSize,p.scale.value=m.scale}function c(p,m,_,b){p.diffuse.value.copy(m.color),p.opacity.value=m.opacity,p.size.value=m.size*_,p.scale.value=b*.5,m.map&&(p.map.value=m.map,t(m.map,p.uvTransform)),m.alphaMap&&(p.alphaMap.value=m.alphaMap,t(m.alphaMap,p.alphaMapTransform)),m.alphaTest>0&&(p.alphaTest.value=m.alphaTest)}function l(p,m){p.diffuse.value.copy(m.color),p.opacity.value=m.opacity,p.rotation.value=m.rotation,m.map&&(p.map.value=m.map,t(m.map,p.mapTransform)),m.alphaMap&&(p.alphaMap.value=m.alphaMap,t(m.alphaMap,p.alphaMapTransform)),m.alphaTest>0&&(p.alphaTest.value=m.alphaTest)}function h(p,m){p.specular.value.copy(m.specular),p.shininess.value=Math.max(m.shininess,1e-4)}function f(p,m){m.gradientMap&&(p.gradientMap.value=m.gradientMap)}function u(p,m){p.metalness.value=m.metalness,m.metalnessMap&&(p.metalnessMap.value=m.metalnessMap,t(m.metalnessMap,p.metalnessMapTransform)),p.roughness.value=m.roughness,m.roughnessMap&&(p.roughnessMap.value=m.roughnessMap,t(m.roughnessMap,p.roughnessMapTransform)),m.envMap&&(p.envMapIntensity.value=m.envMapIntensity)}function d(p,m,_){p.ior.value=m.ior,m.sheen>0&&(p.sheenColor.value.copy(m.sheenColor).multiplyScalar(m.sheen),p.sheenRoughness.value=m.sheenRoughness,m.sheenColorMap&&(p.sheenColorMap.value=m.sheenColorMap,t(m.sheenColorMap,p.sheenColorMapTransform)),m.sheenRoughnessMap&&(p.sheenRoughnessMap.value=m.sheenRoughnessMap,t(m.sheenRoughnessMap,p.sheenRoughnessMapTransform))),m.clearcoat>0&&(p.clearcoat.value=m.clearcoat,p.clearcoatRoughness.value=m.clearcoatRoughness,m.clearcoatMap&&(p.clearcoatMap.value=m.clearcoatMap,t(m.clearcoatMap,p.clearcoatMapTransform)),m.clearcoatRoughnessMap&&(p.clearcoatRoughnessMap.value=m.clearcoatRoughnessMap,t(m.clearcoatRoughnessMap,p.clearcoatRoughnessMapTransform)),m.clearcoatNormalMap&&(p.clearcoatNormalMap.value=m.clearcoatNormalMap,t(m.clearcoatNormalMap,p.clearcoatNormalMapTransform),p.clearcoatNormalScale.value.copy(m.clearcoatNormalScale),m.side===jt&&p.clearcoatNormalScale.value.negate())),m.dispersion>0&&(p.dispersion.value=m.dispersion),m.iridescence>0&&(p.iridescence.value=m.iridescence,p.iridescenceIOR.value=m.iridescenceIOR,p.iridescenceThicknessMinimum.value=m.iridescenceThicknessRange[0],p.iridescenceThicknessMaximum.value=m.iridescenceThicknessRange[1],m.iridescenceMap&&(p.iridescenceMap.value=m.iridescenceMap,t(m.iridescenceMap,p.iridescenceMapTransform)),m.iridescenceThicknessMap&&(p.iridescenceThicknessMap.value=m.iridescenceThicknessMap,t(m.iridescenceThicknessMap,p.iridescenceThicknessMapTransform))),m.transmission>0&&(p.transmission.value=m.transmission,p.transmissionSamplerMap.value=_.texture,p.transmissionSamplerSize.value.set(_.width,_.height),m.transmissionMap&&(p.transmissionMap.value=m.transmissionMap,t(m.transmissionMap,p.transmissionMapTransform)),p.thickness.value=m.thickness,m.thicknessMap&&(p.thicknessMap.value=m.thicknessMap,t(m.thicknessMap,p.thicknessMapTransform)),p.attenuationDistance.value=m.attenuationDistance,p.attenuationColor.value.copy(m.attenuationColor)),m.anisotropy>0&&(p.anisotropyVector.value.set(m.anisotropy*Math.cos(m.anisotropyRotation),m.anisotropy*Math.sin(m.anisotropyRotation)),m.anisotropyMap&&(p.anisotropyMap.value=m.anisotropyMap,t(m.anisotropyMap,p.anisotropyMapTransform))),p.specularIntensity.value=m.specularIntensity,p.specularColor.value.copy(m.specularColor),m.specularColorMap&&(p.specularColorMap.value=m.specularColorMap,t(m.specularColorMap,p.specularColorMapTransform)),m.specularIntensityMap&&(p.specularIntensityMap.value=m.specularIntensityMap,t(m.specularIntensityMap,p.specularIntensityMapTransform))}function g(p,m){m.matcap&&(p.matcap.value=m.matcap)}function y(p,m){const _=e.get(m).light;p.referencePosition.value.setFromMatrixPosition(_.matrixWorld),p.nearDistance.value=_.shadow.camera.near,p.farDistance.value=_.shadow.camera.far}return{refreshFogUniforms:i,refreshMaterialUniforms:s}}function Rb(n,e,t,i){let s={},r={},a=[];const o=n.getParameter(n.MAX_UNIFORM_BUFFER_BINDINGS);function c(_,b){const x=b.program;i.uniformBlockBinding(_,x)}function l(_,b){let x=s[_.id];x===void 0&&(g(_),x=h(_),s[_.id]=x,_.addEventListener("dispose",p));const E=b.program;i.updateUBOMapping(_,E);const A=e.render.frame;r[_.id]!==A&&(u(_),r[_.id]=A)}function h(_){const b=f();_.__bindingPointIndex=b;const x=n.createBuffer(),E=_.__size,A=_.usage;return n.bindBuffer(n.UNIFORM_BUFFER,x),n.bufferData(n.UNIFORM_BUFFER,E,A),n.bindBuffer(n.UNIFORM_BUFFER,null),n.bindBufferBase(n.UNIFORM_BUFFER,b,x),x}function f(){for(let _=0;_<o;_++)if(a.indexOf(_)===-1)return a.push(_),_;return Ze("WebGLRenderer: Maximum number of simultaneously usable uniforms groups reached."),0}function u(_){const b=s[_.id],x=_.uniforms,E=_.__cache;n.bindBuffer(n.UNIFORM_BUFFER,b);for(let A=0,w=x.length;A<w;A++){const v=Array.isArray(x[A])?x[A]:[x[A]];for(let T=0,N=v.length;T<N;T++){const R=v[T];if(d(R,A,T,E)===!0){const C=R.__offset,U=Array.isArray(R.value)?R.value:[R.value];let B=0;for(let L=0;L<U.length;L++){const V=U[L],G=y(V);typeof V=="number"||typeof V=="boolean"?(R.__data[0]=V,n.bufferSubData(n.UNIFORM_BUFFER,C+B,R.__data)):V.isMatrix3?(R.__data[0]=V.elements[0],R.__data[1]=V.elements[1],R.__data[2]=V.elements[2],R.__data[3]=0,R.__data[4]=V.elements[3],R.__data[5]=V.elements[4],R.__data[6]=V.elements[5],R.__data[7]=0,R.__data[8]=V.elements[6],R.__data[9]=V.elements[7],R.__data[10]=V.elements[8],R.__data[11]=0):ArrayBuffer.isView(V)?R.__data.set(new V.constructor(V.buffer,V.byteOffset,R.__data.length)):(V.toArray(R.__data,B),B+=G.storage/Float32Array.BYTES_PER_ELEMENT)}n.bufferSubData(n.UNIFORM_BUFFER,C,R.__data)}}}n.bindBuffer(n.UNIFORM_BUFFER,null)}function d(_,b,x,E){const A=_.value,w=b+"_"+x;if(E[w]===void 0)return typeof A=="number"||typeof A=="boolean"?E[w]=A:ArrayBuffer.isView(A)?E[w]=A.slice():E[w]=A.clone(),!0;{const v=E[w];if(typeof A=="number"||typeof A=="boolean"){if(v!==A)return E[w]=A,!0}else{if(ArrayBuffer.isView(A))return!0;if(v.equals(A)===!1)return v.copy(A),!0}}return!1}function g(_){const b=_.uniforms;let x=0;const E=16;for(let w=0,v=b.length;w<v;w++){const T=Array.isArray(b[w])?b[w]:[b[w]];for(let N=0,R=T.length;N<R;N++){const C=T[N],U=Array.isArray(C.value)?C.value:[C.value];for(let B=0,L=U.length;B<L;B++){const V=U[B],G=y(V),J=x%E,ee=J%G.boundary,le=J+ee;x+=ee,le!==0&&E-le<G.storage&&(x+=E-le),C.__data=new Float32Array(G.storage/Float32Array.BYTES_PER_ELEMENT),C.__offset=x,x+=G.storage}}}const A=x%E;return A>0&&(x+=E-A),_.__size=x,_.__cache={},this}function y(_){const b={boundary:0,storage:0};return typeof _=="number"||typeof _=="boolean"?(b.boundary=4,b.storage=4):_.isVector2?(b.boundary=8,b.storage=8):_.isVector3||_.isColor?(b.boundary=16,b.storage=12):_.isVector4?(b.boundary=16,b.storage=16):_.isMatrix3?(b.boundary=48,b.storage=48):_.isMatrix4?(b.boundary=64,b.storage=64):_.isTexture?Re("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(_)?(b.boundary=16,b.storage=_.byteLength):Re("WebGLRenderer: Unsupported uniform value type.",_),b}function p(_){const b=_.target;b.removeEventListener("dispose",p);const x=a.indexOf(b.__bindingPointIndex);a.splice(x,1),n.deleteBuffer(s[b.id]),delete s[b.id],delete r[b.id]}function m(){for(const _ in s)n.deleteBuffer(s[_]);a=[],s={},r={}}return{bind:c,update:l,dispose:m}}const Ib=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]);let Gn=null;function Nb(){return Gn===null&&(Gn=new mp(Ib,16,16,qi,fi),Gn.name="DFG_LUT",Gn.minFilter=Wt,Gn.magFilter=Wt,Gn.wrapS=ai,Gn.wrapT=ai,Gn.generateMipmaps=!1,Gn.needsUpdate=!0),Gn}class Cb{constructor(e={}){const{canvas:t=Pg(),context:i=null,depth:s=!0,stencil:r=!1,alpha:a=!1,antialias:o=!1,premultipliedAlpha:c=!0,preserveDrawingBuffer:l=!1,powerPreference:h="default",failIfMajorPerformanceCaveat:f=!1,reversedDepthBuffer:u=!1,outputBufferType:d=vn}=e;this.isWebGLRenderer=!0;let g;if(i!==null){if(typeof WebGLRenderingContext<"u"&&i instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");g=i.getContextAttributes().alpha}else g=a;const y=d,p=new Set([Kl,Yl,Zl]),m=new Set([vn,Dn,_r,vr,Hl,Xl]),_=new Uint32Array(4),b=new Int32Array(4),x=new P;let E=null,A=null;const w=[],v=[];let T=null;this.domElement=t,this.debug={checkShaderErrors:!0,onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=$n,this.toneMappingExposure=1,this.transmissionResolutionScale=1;const N=this;let R=!1,C=null;this._outputColorSpace=mn;let U=0,B=0,L=null,V=-1,G=null;const J=new ft,ee=new ft;let le=null;const xe=new Ke(0);let ye=0,ze=t.width,qe=t.height,Ie=1,j=null,fe=null;const se=new ft(0,0,ze,qe),Te=new ft(0,0,ze,qe);let Ne=!1;const we=new gp;let at=!1,We=!1;const nt=new Je,ht=new P,ke=new ft,wt={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0};let pt=!1;function on(){return L===null?Ie:1}let F=i;function Rt(M,O){return t.getContext(M,O)}try{const M={alpha:!0,depth:s,stencil:r,antialias:o,premultipliedAlpha:c,preserveDrawingBuffer:l,powerPreference:h,failIfMajorPerformanceCaveat:f};if("setAttribute"in t&&t.setAttribute("data-engine","three.js r184"),t.addEventListener("webglcontextlost",q,!1),t.addEventListener("webglcontextrestored",Se,!1),t.addEventListener("webglcontextcreationerror",Ue,!1),F===null){const O="webgl2";if(F=Rt(O,M),F===null)throw Rt(O)?new Error("Error creating WebGL context with your selected attributes."):new Error("Error creating WebGL context.")}}catch(M){throw Ze("WebGLRenderer: "+M.message),M}let He,lt,ue,mt,I,S,z,K,Q,te,oe,Z,$,pe,_e,re,ne,Ce,Oe,$e,D,ie,Y;function me(){He=new Nx(F),He.init(),D=new bb(F,He),lt=new Sx(F,He,e,D),ue=new xb(F,He),lt.reversedDepthBuffer&&u&&ue.buffers.depth.setReversed(!0),mt=new Lx(F),I=new rb,S=new yb(F,He,ue,I,lt,D,mt),z=new Ix(N),K=new B0(F),ie=new yx(F,K),Q=new Cx(F,K,mt,ie),te=new Ux(F,Q,K,ie,mt),Ce=new Dx(F,lt,S),_e=new Ex(I),oe=new sb(N,z,He,lt,ie,_e),Z=new wb(N,I),$=new ob,pe=new db(He),ne=new xx(N,z,ue,te,g,c),re=new vb(N,te,lt),Y=new Rb(F,mt,lt,ue),Oe=new bx(F,He,mt),$e=new Px(F,He,mt),mt.programs=oe.programs,N.capabilities=lt,N.extensions=He,N.properties=I,N.renderLists=$,N.shadowMap=re,N.state=ue,N.info=mt}me(),y!==vn&&(T=new Bx(y,t.width,t.height,s,r));const ae=new Ab(N,F);this.xr=ae,this.getContext=function(){return F},this.getContextAttributes=function(){return F.getContextAttributes()},this.forceContextLoss=function(){const M=He.get("WEBGL_lose_context");M&&M.loseContext()},this.forceContextRestore=function(){const M=He.get("WEBGL_lose_context");M&&M.restoreContext()},this.getPixelRatio=function(){return Ie},this.setPixelRatio=function(M){M!==void 0&&(Ie=M,this.setSize(ze,qe,!1))},this.getSize=function(M){return M.set(ze,qe)},this.setSize=function(M,O,X=!0){if(ae.isPresenting){Re("WebGLRenderer: Can't change size while VR device is presenting.");return}ze=M,qe=O,t.width=Math.floor(M*Ie),t.height=Math.floor(O*Ie),X===!0&&(t.style.width=M+"px",t.style.height=O+"px"),T!==null&&T.setSize(t.width,t.height),this.setViewport(0,0,M,O)},this.getDrawingBufferSize=function(M){return M.set(ze*Ie,qe*Ie).floor()},this.setDrawingBufferSize=function(M,O,X){ze=M,qe=O,Ie=X,t.width=Math.floor(M*X),t.height=Math.floor(O*X),this.setViewport(0,0,M,O)},this.setEffects=function(M){if(y===vn){Ze("THREE.WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(M){for(let O=0;O<M.length;O++)if(M[O].isOutputPass===!0){Re("THREE.WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}T.setEffects(M||[])},this.getCurrentViewport=function(M){return M.copy(J)},this.getViewport=function(M){return M.copy(se)},this.setViewport=function(M,O,X,W){M.isVector4?se.set(M.x,M.y,M.z,M.w):se.set(M,O,X,W),ue.viewport(J.copy(se).multiplyScalar(Ie).round())},this.getScissor=function(M){return M.copy(Te)},this.setScissor=function(M,O,X,W){M.isVector4?Te.set(M.x,M.y,M.z,M.w):Te.set(M,O,X,W),ue.scissor(ee.copy(Te).multiplyScalar(Ie).round())},this.getScissorTest=function(){return Ne},this.setScissorTest=function(M){ue.setScissorTest(Ne=M)},this.setOpaqueSort=function(M){j=M},this.setTransparentSort=function(M){fe=M},this.getClearColor=function(M){return M.copy(ne.getClearColor())},this.setClearColor=function(){ne.setClearColor(...arguments)},this.getClearAlpha=function(){return ne.getClearAlpha()},this.setClearAlpha=function(){ne.setClearAlpha(...arguments)},this.clear=function(M=!0,O=!0,X=!0){let W=0;if(M){let H=!1;if(L!==null){const de=L.texture.format;H=p.has(de)}if(H){const de=L.texture.type,ve=m.has(de),he=ne.getClearColor(),be=ne.getClearAlpha(),Ee=he.r,Fe=he.g,Ge=he.b;ve?(_[0]=Ee,_[1]=Fe,_[2]=Ge,_[3]=be,F.clearBufferuiv(F.COLOR,0,_)):(b[0]=Ee,b[1]=Fe,b[2]=Ge,b[3]=be,F.clearBufferiv(F.COLOR,0,b))}else W|=F.COLOR_BUFFER_BIT}O&&(W|=F.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),X&&(W|=F.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),W!==0&&F.clear(W)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(M){M.setRenderer(this),C=M},this.dispose=function(){t.removeEventListener("webglcontextlost",q,!1),t.removeEventListener("webglcontextrestored",Se,!1),t.removeEventListener("webglcontextcreationerror",Ue,!1),ne.dispose(),$.dispose(),pe.dispose(),I.dispose(),z.dispose(),te.dispose(),ie.dispose(),Y.dispose(),oe.dispose(),ae.dispose(),ae.removeEventListener("sessionstart",Gu),ae.removeEventListener("sessionend",ku),Ui.stop()};function q(M){M.preventDefault(),qa("WebGLRenderer: Context Lost."),R=!0}function Se(){qa("WebGLRenderer: Context Restored."),R=!1;const M=mt.autoReset,O=re.enabled,X=re.autoUpdate,W=re.needsUpdate,H=re.type;me(),mt.autoReset=M,re.enabled=O,re.autoUpdate=X,re.needsUpdate=W,re.type=H}function Ue(M){Ze("WebGLRenderer: A WebGL context could not be created. Reason: ",M.statusMessage)}function vt(M){const O=M.target;O.removeEventListener("dispose",vt),it(O)}function it(M){qn(M),I.remove(M)}function qn(M){const O=I.get(M).programs;O!==void 0&&(O.forEach(function(X){oe.releaseProgram(X)}),M.isShaderMaterial&&oe.releaseShaderCache(M))}this.renderBufferDirect=function(M,O,X,W,H,de){O===null&&(O=wt);const ve=H.isMesh&&H.matrixWorld.determinant()<0,he=Zm(M,O,X,W,H);ue.setMaterial(W,ve);let be=X.index,Ee=1;if(W.wireframe===!0){if(be=Q.getWireframeAttribute(X),be===void 0)return;Ee=2}const Fe=X.drawRange,Ge=X.attributes.position;let Me=Fe.start*Ee,st=(Fe.start+Fe.count)*Ee;de!==null&&(Me=Math.max(Me,de.start*Ee),st=Math.min(st,(de.start+de.count)*Ee)),be!==null?(Me=Math.max(Me,0),st=Math.min(st,be.count)):Ge!=null&&(Me=Math.max(Me,0),st=Math.min(st,Ge.count));const xt=st-Me;if(xt<0||xt===1/0)return;ie.setup(H,W,he,X,be);let gt,ot=Oe;if(be!==null&&(gt=K.get(be),ot=$e,ot.setIndex(gt)),H.isMesh)W.wireframe===!0?(ue.setLineWidth(W.wireframeLinewidth*on()),ot.setMode(F.LINES)):ot.setMode(F.TRIANGLES);else if(H.isLine){let Ht=W.linewidth;Ht===void 0&&(Ht=1),ue.setLineWidth(Ht*on()),H.isLineSegments?ot.setMode(F.LINES):H.isLineLoop?ot.setMode(F.LINE_LOOP):ot.setMode(F.LINE_STRIP)}else H.isPoints?ot.setMode(F.POINTS):H.isSprite&&ot.setMode(F.TRIANGLES);if(H.isBatchedMesh)if(He.get("WEBGL_multi_draw"))ot.renderMultiDraw(H._multiDrawStarts,H._multiDrawCounts,H._multiDrawCount);else{const Ht=H._multiDrawStarts,ge=H._multiDrawCounts,cn=H._multiDrawCount,Ye=be?K.get(be).bytesPerElement:1,hn=I.get(W).currentProgram.getUniforms();for(let On=0;On<cn;On++)hn.setValue(F,"_gl_DrawID",On),ot.render(Ht[On]/Ye,ge[On])}else if(H.isInstancedMesh)ot.renderInstances(Me,xt,H.count);else if(X.isInstancedBufferGeometry){const Ht=X._maxInstanceCount!==void 0?X._maxInstanceCount:1/0,ge=Math.min(X.instanceCount,Ht);ot.renderInstances(Me,xt,ge)}else ot.render(Me,xt)};function Bn(M,O,X){M.transparent===!0&&M.side===_n&&M.forceSinglePass===!1?(M.side=jt,M.needsUpdate=!0,Vr(M,O,X),M.side=jn,M.needsUpdate=!0,Vr(M,O,X),M.side=_n):Vr(M,O,X)}this.compile=function(M,O,X=null){X===null&&(X=M),A=pe.get(X),A.init(O),v.push(A),X.traverseVisible(function(H){H.isLight&&H.layers.test(O.layers)&&(A.pushLight(H),H.castShadow&&A.pushShadow(H))}),M!==X&&M.traverseVisible(function(H){H.isLight&&H.layers.test(O.layers)&&(A.pushLight(H),H.castShadow&&A.pushShadow(H))}),A.setupLights();const W=new Set;return M.traverse(function(H){if(!(H.isMesh||H.isPoints||H.isLine||H.isSprite))return;const de=H.material;if(de)if(Array.isArray(de))for(let ve=0;ve<de.length;ve++){const he=de[ve];Bn(he,X,H),W.add(he)}else Bn(de,X,H),W.add(de)}),A=v.pop(),W},this.compileAsync=function(M,O,X=null){const W=this.compile(M,O,X);return new Promise(H=>{function de(){if(W.forEach(function(ve){I.get(ve).currentProgram.isReady()&&W.delete(ve)}),W.size===0){H(M);return}setTimeout(de,10)}He.get("KHR_parallel_shader_compile")!==null?de():setTimeout(de,10)})};let Eo=null;function Hm(M){Eo&&Eo(M)}function Gu(){Ui.stop()}function ku(){Ui.start()}const Ui=new Sp;Ui.setAnimationLoop(Hm),typeof self<"u"&&Ui.setContext(self),this.setAnimationLoop=function(M){Eo=M,ae.setAnimationLoop(M),M===null?Ui.stop():Ui.start()},ae.addEventListener("sessionstart",Gu),ae.addEventListener("sessionend",ku),this.render=function(M,O){if(O!==void 0&&O.isCamera!==!0){Ze("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(R===!0)return;C!==null&&C.renderStart(M,O);const X=ae.enabled===!0&&ae.isPresenting===!0,W=T!==null&&(L===null||X)&&T.begin(N,L);if(M.matrixWorldAutoUpdate===!0&&M.updateMatrixWorld(),O.parent===null&&O.matrixWorldAutoUpdate===!0&&O.updateMatrixWorld(),ae.enabled===!0&&ae.isPresenting===!0&&(T===null||T.isCompositing()===!1)&&(ae.cameraAutoUpdate===!0&&ae.updateCamera(O),O=ae.getCamera()),M.isScene===!0&&M.onBeforeRender(N,M,O,L),A=pe.get(M,v.length),A.init(O),A.state.textureUnits=S.getTextureUnits(),v.push(A),nt.multiplyMatrices(O.projectionMatrix,O.matrixWorldInverse),we.setFromProjectionMatrix(nt,Kn,O.reversedDepth),We=this.localClippingEnabled,at=_e.init(this.clippingPlanes,We),E=$.get(M,w.length),E.init(),w.push(E),ae.enabled===!0&&ae.isPresenting===!0){const ve=N.xr.getDepthSensingMesh();ve!==null&&Mo(ve,O,-1/0,N.sortObjects)}Mo(M,O,0,N.sortObjects),E.finish(),N.sortObjects===!0&&E.sort(j,fe),pt=ae.enabled===!1||ae.isPresenting===!1||ae.hasDepthSensing()===!1,pt&&ne.addToRenderList(E,M),this.info.render.frame++,at===!0&&_e.beginShadows();const H=A.state.shadowsArray;if(re.render(H,M,O),at===!0&&_e.endShadows(),this.info.autoReset===!0&&this.info.reset(),(W&&T.hasRenderPass())===!1){const ve=E.opaque,he=E.transmissive;if(A.setupLights(),O.isArrayCamera){const be=O.cameras;if(he.length>0)for(let Ee=0,Fe=be.length;Ee<Fe;Ee++){const Ge=be[Ee];Wu(ve,he,M,Ge)}pt&&ne.render(M);for(let Ee=0,Fe=be.length;Ee<Fe;Ee++){const Ge=be[Ee];zu(E,M,Ge,Ge.viewport)}}else he.length>0&&Wu(ve,he,M,O),pt&&ne.render(M),zu(E,M,O)}L!==null&&B===0&&(S.updateMultisampleRenderTarget(L),S.updateRenderTargetMipmap(L)),W&&T.end(N),M.isScene===!0&&M.onAfterRender(N,M,O),ie.resetDefaultState(),V=-1,G=null,v.pop(),v.length>0?(A=v[v.length-1],S.setTextureUnits(A.state.textureUnits),at===!0&&_e.setGlobalState(N.clippingPlanes,A.state.camera)):A=null,w.pop(),w.length>0?E=w[w.length-1]:E=null,C!==null&&C.renderEnd()};function Mo(M,O,X,W){if(M.visible===!1)return;if(M.layers.test(O.layers)){if(M.isGroup)X=M.renderOrder;else if(M.isLOD)M.autoUpdate===!0&&M.update(O);else if(M.isLightProbeGrid)A.pushLightProbeGrid(M);else if(M.isLight)A.pushLight(M),M.castShadow&&A.pushShadow(M);else if(M.isSprite){if(!M.frustumCulled||we.intersectsSprite(M)){W&&ke.setFromMatrixPosition(M.matrixWorld).applyMatrix4(nt);const ve=te.update(M),he=M.material;he.visible&&E.push(M,ve,he,X,ke.z,null)}}else if((M.isMesh||M.isLine||M.isPoints)&&(!M.frustumCulled||we.intersectsObject(M))){const ve=te.update(M),he=M.material;if(W&&(M.boundingSphere!==void 0?(M.boundingSphere===null&&M.computeBoundingSphere(),ke.copy(M.boundingSphere.center)):(ve.boundingSphere===null&&ve.computeBoundingSphere(),ke.copy(ve.boundingSphere.center)),ke.applyMatrix4(M.matrixWorld).applyMatrix4(nt)),Array.isArray(he)){const be=ve.groups;for(let Ee=0,Fe=be.length;Ee<Fe;Ee++){const Ge=be[Ee],Me=he[Ge.materialIndex];Me&&Me.visible&&E.push(M,ve,Me,X,ke.z,Ge)}}else he.visible&&E.push(M,ve,he,X,ke.z,null)}}const de=M.children;for(let ve=0,he=de.length;ve<he;ve++)Mo(de[ve],O,X,W)}function zu(M,O,X,W){const{opaque:H,transmissive:de,transparent:ve}=M;A.setupLightsView(X),at===!0&&_e.setGlobalState(N.clippingPlanes,X),W&&ue.viewport(J.copy(W)),H.length>0&&Or(H,O,X),de.length>0&&Or(de,O,X),ve.length>0&&Or(ve,O,X),ue.buffers.depth.setTest(!0),ue.buffers.depth.setMask(!0),ue.buffers.color.setMask(!0),ue.setPolygonOffset(!1)}function Wu(M,O,X,W){if((X.isScene===!0?X.overrideMaterial:null)!==null)return;if(A.state.transmissionRenderTarget[W.id]===void 0){const Me=He.has("EXT_color_buffer_half_float")||He.has("EXT_color_buffer_float");A.state.transmissionRenderTarget[W.id]=new Ln(1,1,{generateMipmaps:!0,type:Me?fi:vn,minFilter:Zi,samples:Math.max(4,lt.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,colorSpace:Xe.workingColorSpace})}const de=A.state.transmissionRenderTarget[W.id],ve=W.viewport||J;de.setSize(ve.z*N.transmissionResolutionScale,ve.w*N.transmissionResolutionScale);const he=N.getRenderTarget(),be=N.getActiveCubeFace(),Ee=N.getActiveMipmapLevel();N.setRenderTarget(de),N.getClearColor(xe),ye=N.getClearAlpha(),ye<1&&N.setClearColor(16777215,.5),N.clear(),pt&&ne.render(X);const Fe=N.toneMapping;N.toneMapping=$n;const Ge=W.viewport;if(W.viewport!==void 0&&(W.viewport=void 0),A.setupLightsView(W),at===!0&&_e.setGlobalState(N.clippingPlanes,W),Or(M,X,W),S.updateMultisampleRenderTarget(de),S.updateRenderTargetMipmap(de),He.has("WEBGL_multisampled_render_to_texture")===!1){let Me=!1;for(let st=0,xt=O.length;st<xt;st++){const gt=O[st],{object:ot,geometry:Ht,material:ge,group:cn}=gt;if(ge.side===_n&&ot.layers.test(W.layers)){const Ye=ge.side;ge.side=jt,ge.needsUpdate=!0,Hu(ot,X,W,Ht,ge,cn),ge.side=Ye,ge.needsUpdate=!0,Me=!0}}Me===!0&&(S.updateMultisampleRenderTarget(de),S.updateRenderTargetMipmap(de))}N.setRenderTarget(he,be,Ee),N.setClearColor(xe,ye),Ge!==void 0&&(W.viewport=Ge),N.toneMapping=Fe}function Or(M,O,X){const W=O.isScene===!0?O.overrideMaterial:null;for(let H=0,de=M.length;H<de;H++){const ve=M[H],{object:he,geometry:be,group:Ee}=ve;let Fe=ve.material;Fe.allowOverride===!0&&W!==null&&(Fe=W),he.layers.test(X.layers)&&Hu(he,O,X,be,Fe,Ee)}}function Hu(M,O,X,W,H,de){M.onBeforeRender(N,O,X,W,H,de),M.modelViewMatrix.multiplyMatrices(X.matrixWorldInverse,M.matrixWorld),M.normalMatrix.getNormalMatrix(M.modelViewMatrix),H.onBeforeRender(N,O,X,W,M,de),H.transparent===!0&&H.side===_n&&H.forceSinglePass===!1?(H.side=jt,H.needsUpdate=!0,N.renderBufferDirect(X,O,W,H,M,de),H.side=jn,H.needsUpdate=!0,N.renderBufferDirect(X,O,W,H,M,de),H.side=_n):N.renderBufferDirect(X,O,W,H,M,de),M.onAfterRender(N,O,X,W,H,de)}function Vr(M,O,X){O.isScene!==!0&&(O=wt);const W=I.get(M),H=A.state.lights,de=A.state.shadowsArray,ve=H.state.version,he=oe.getParameters(M,H.state,de,O,X,A.state.lightProbeGridArray),be=oe.getProgramCacheKey(he);let Ee=W.programs;W.environment=M.isMeshStandardMaterial||M.isMeshLambertMaterial||M.isMeshPhongMaterial?O.environment:null,W.fog=O.fog;const Fe=M.isMeshStandardMaterial||M.isMeshLambertMaterial&&!M.envMap||M.isMeshPhongMaterial&&!M.envMap;W.envMap=z.get(M.envMap||W.environment,Fe),W.envMapRotation=W.environment!==null&&M.envMap===null?O.environmentRotation:M.envMapRotation,Ee===void 0&&(M.addEventListener("dispose",vt),Ee=new Map,W.programs=Ee);let Ge=Ee.get(be);if(Ge!==void 0){if(W.currentProgram===Ge&&W.lightsStateVersion===ve)return Zu(M,he),Ge}else he.uniforms=oe.getUniforms(M),C!==null&&M.isNodeMaterial&&C.build(M,X,he),M.onBeforeCompile(he,N),Ge=oe.acquireProgram(he,be),Ee.set(be,Ge),W.uniforms=he.uniforms;const Me=W.uniforms;return(!M.isShaderMaterial&&!M.isRawShaderMaterial||M.clipping===!0)&&(Me.clippingPlanes=_e.uniform),Zu(M,he),W.needsLights=Km(M),W.lightsStateVersion=ve,W.needsLights&&(Me.ambientLightColor.value=H.state.ambient,Me.lightProbe.value=H.state.probe,Me.directionalLights.value=H.state.directional,Me.directionalLightShadows.value=H.state.directionalShadow,Me.spotLights.value=H.state.spot,Me.spotLightShadows.value=H.state.spotShadow,Me.rectAreaLights.value=H.state.rectArea,Me.ltc_1.value=H.state.rectAreaLTC1,Me.ltc_2.value=H.state.rectAreaLTC2,Me.pointLights.value=H.state.point,Me.pointLightShadows.value=H.state.pointShadow,Me.hemisphereLights.value=H.state.hemi,Me.directionalShadowMatrix.value=H.state.directionalShadowMatrix,Me.spotLightMatrix.value=H.state.spotLightMatrix,Me.spotLightMap.value=H.state.spotLightMap,Me.pointShadowMatrix.value=H.state.pointShadowMatrix),W.lightProbeGrid=A.state.lightProbeGridArray.length>0,W.currentProgram=Ge,W.uniformsList=null,Ge}function Xu(M){if(M.uniformsList===null){const O=M.currentProgram.getUniforms();M.uniformsList=Va.seqWithValue(O.seq,M.uniforms)}return M.uniformsList}function Zu(M,O){const X=I.get(M);X.outputColorSpace=O.outputColorSpace,X.batching=O.batching,X.batchingColor=O.batchingColor,X.instancing=O.instancing,X.instancingColor=O.instancingColor,X.instancingMorph=O.instancingMorph,X.skinning=O.skinning,X.morphTargets=O.morphTargets,X.morphNormals=O.morphNormals,X.morphColors=O.morphColors,X.morphTargetsCount=O.morphTargetsCount,X.numClippingPlanes=O.numClippingPlanes,X.numIntersection=O.numClipIntersection,X.vertexAlphas=O.vertexAlphas,X.vertexTangents=O.vertexTangents,X.toneMapping=O.toneMapping}function Xm(M,O){if(M.length===0)return null;if(M.length===1)return M[0].texture!==null?M[0]:null;x.setFromMatrixPosition(O.matrixWorld);for(let X=0,W=M.length;X<W;X++){const H=M[X];if(H.texture!==null&&H.boundingBox.containsPoint(x))return H}return null}function Zm(M,O,X,W,H){O.isScene!==!0&&(O=wt),S.resetTextureUnits();const de=O.fog,ve=W.isMeshStandardMaterial||W.isMeshLambertMaterial||W.isMeshPhongMaterial?O.environment:null,he=L===null?N.outputColorSpace:L.isXRRenderTarget===!0?L.texture.colorSpace:Xe.workingColorSpace,be=W.isMeshStandardMaterial||W.isMeshLambertMaterial&&!W.envMap||W.isMeshPhongMaterial&&!W.envMap,Ee=z.get(W.envMap||ve,be),Fe=W.vertexColors===!0&&!!X.attributes.color&&X.attributes.color.itemSize===4,Ge=!!X.attributes.tangent&&(!!W.normalMap||W.anisotropy>0),Me=!!X.morphAttributes.position,st=!!X.morphAttributes.normal,xt=!!X.morphAttributes.color;let gt=$n;W.toneMapped&&(L===null||L.isXRRenderTarget===!0)&&(gt=N.toneMapping);const ot=X.morphAttributes.position||X.morphAttributes.normal||X.morphAttributes.color,Ht=ot!==void 0?ot.length:0,ge=I.get(W),cn=A.state.lights;if(at===!0&&(We===!0||M!==G)){const ut=M===G&&W.id===V;_e.setState(W,M,ut)}let Ye=!1;W.version===ge.__version?(ge.needsLights&&ge.lightsStateVersion!==cn.state.version||ge.outputColorSpace!==he||H.isBatchedMesh&&ge.batching===!1||!H.isBatchedMesh&&ge.batching===!0||H.isBatchedMesh&&ge.batchingColor===!0&&H.colorTexture===null||H.isBatchedMesh&&ge.batchingColor===!1&&H.colorTexture!==null||H.isInstancedMesh&&ge.instancing===!1||!H.isInstancedMesh&&ge.instancing===!0||H.isSkinnedMesh&&ge.skinning===!1||!H.isSkinnedMesh&&ge.skinning===!0||H.isInstancedMesh&&ge.instancingColor===!0&&H.instanceColor===null||H.isInstancedMesh&&ge.instancingColor===!1&&H.instanceColor!==null||H.isInstancedMesh&&ge.instancingMorph===!0&&H.morphTexture===null||H.isInstancedMesh&&ge.instancingMorph===!1&&H.morphTexture!==null||ge.envMap!==Ee||W.fog===!0&&ge.fog!==de||ge.numClippingPlanes!==void 0&&(ge.numClippingPlanes!==_e.numPlanes||ge.numIntersection!==_e.numIntersection)||ge.vertexAlphas!==Fe||ge.vertexTangents!==Ge||ge.morphTargets!==Me||ge.morphNormals!==st||ge.morphColors!==xt||ge.toneMapping!==gt||ge.morphTargetsCount!==Ht||!!ge.lightProbeGrid!=A.state.lightProbeGridArray.length>0)&&(Ye=!0):(Ye=!0,ge.__version=W.version);let hn=ge.currentProgram;Ye===!0&&(hn=Vr(W,O,H),C&&W.isNodeMaterial&&C.onUpdateProgram(W,hn,ge));let On=!1,pi=!1,is=!1;const ct=hn.getUniforms(),yt=ge.uniforms;if(ue.useProgram(hn.program)&&(On=!0,pi=!0,is=!0),W.id!==V&&(V=W.id,pi=!0),ge.needsLights){const ut=Xm(A.state.lightProbeGridArray,H);ge.lightProbeGrid!==ut&&(ge.lightProbeGrid=ut,pi=!0)}if(On||G!==M){ue.buffers.depth.getReversed()&&M.reversedDepth!==!0&&(M._reversedDepth=!0,M.updateProjectionMatrix()),ct.setValue(F,"projectionMatrix",M.projectionMatrix),ct.setValue(F,"viewMatrix",M.matrixWorldInverse);const gi=ct.map.cameraPosition;gi!==void 0&&gi.setValue(F,ht.setFromMatrixPosition(M.matrixWorld)),lt.logarithmicDepthBuffer&&ct.setValue(F,"logDepthBufFC",2/(Math.log(M.far+1)/Math.LN2)),(W.isMeshPhongMaterial||W.isMeshToonMaterial||W.isMeshLambertMaterial||W.isMeshBasicMaterial||W.isMeshStandardMaterial||W.isShaderMaterial)&&ct.setValue(F,"isOrthographic",M.isOrthographicCamera===!0),G!==M&&(G=M,pi=!0,is=!0)}if(ge.needsLights&&(cn.state.directionalShadowMap.length>0&&ct.setValue(F,"directionalShadowMap",cn.state.directionalShadowMap,S),cn.state.spotShadowMap.length>0&&ct.setValue(F,"spotShadowMap",cn.state.spotShadowMap,S),cn.state.pointShadowMap.length>0&&ct.setValue(F,"pointShadowMap",cn.state.pointShadowMap,S)),H.isSkinnedMesh){ct.setOptional(F,H,"bindMatrix"),ct.setOptional(F,H,"bindMatrixInverse");const ut=H.skeleton;ut&&(ut.boneTexture===null&&ut.computeBoneTexture(),ct.setValue(F,"boneTexture",ut.boneTexture,S))}H.isBatchedMesh&&(ct.setOptional(F,H,"batchingTexture"),ct.setValue(F,"batchingTexture",H._matricesTexture,S),ct.setOptional(F,H,"batchingIdTexture"),ct.setValue(F,"batchingIdTexture",H._indirectTexture,S),ct.setOptional(F,H,"batchingColorTexture"),H._colorsTexture!==null&&ct.setValue(F,"batchingColorTexture",H._colorsTexture,S));const mi=X.morphAttributes;if((mi.position!==void 0||mi.normal!==void 0||mi.color!==void 0)&&Ce.update(H,X,hn),(pi||ge.receiveShadow!==H.receiveShadow)&&(ge.receiveShadow=H.receiveShadow,ct.setValue(F,"receiveShadow",H.receiveShadow)),(W.isMeshStandardMaterial||W.isMeshLambertMaterial||W.isMeshPhongMaterial)&&W.envMap===null&&O.environment!==null&&(yt.envMapIntensity.value=O.environmentIntensity),yt.dfgLUT!==void 0&&(yt.dfgLUT.value=Nb()),pi){if(ct.setValue(F,"toneMappingExposure",N.toneMappingExposure),ge.needsLights&&Ym(yt,is),de&&W.fog===!0&&Z.refreshFogUniforms(yt,de),Z.refreshMaterialUniforms(yt,W,Ie,qe,A.state.transmissionRenderTarget[M.id]),ge.needsLights&&ge.lightProbeGrid){const ut=ge.lightProbeGrid;yt.probesSH.value=ut.texture,yt.probesMin.value.copy(ut.boundingBox.min),yt.probesMax.value.copy(ut.boundingBox.max),yt.probesResolution.value.copy(ut.resolution)}Va.upload(F,Xu(ge),yt,S)}if(W.isShaderMaterial&&W.uniformsNeedUpdate===!0&&(Va.upload(F,Xu(ge),yt,S),W.uniformsNeedUpdate=!1),W.isSpriteMaterial&&ct.setValue(F,"center",H.center),ct.setValue(F,"modelViewMatrix",H.modelViewMatrix),ct.setValue(F,"normalMatrix",H.normalMatrix),ct.setValue(F,"modelMatrix",H.matrixWorld),W.uniformsGroups!==void 0){const ut=W.uniformsGroups;for(let gi=0,ss=ut.length;gi<ss;gi++){const Yu=ut[gi];Y.update(Yu,hn),Y.bind(Yu,hn)}}return hn}function Ym(M,O){M.ambientLightColor.needsUpdate=O,M.lightProbe.needsUpdate=O,M.directionalLights.needsUpdate=O,M.directionalLightShadows.needsUpdate=O,M.pointLights.needsUpdate=O,M.pointLightShadows.needsUpdate=O,M.spotLights.needsUpdate=O,M.spotLightShadows.needsUpdate=O,M.rectAreaLights.needsUpdate=O,M.hemisphereLights.needsUpdate=O}function Km(M){return M.isMeshLambertMaterial||M.isMeshToonMaterial||M.isMeshPhongMaterial||M.isMeshStandardMaterial||M.isShadowMaterial||M.isShaderMaterial&&M.lights===!0}this.getActiveCubeFace=function(){return U},this.getActiveMipmapLevel=function(){return B},this.getRenderTarget=function(){return L},this.setRenderTargetTextures=function(M,O,X){const W=I.get(M);W.__autoAllocateDepthBuffer=M.resolveDepthBuffer===!1,W.__autoAllocateDepthBuffer===!1&&(W.__useRenderToTexture=!1),I.get(M.texture).__webglTexture=O,I.get(M.depthTexture).__webglTexture=W.__autoAllocateDepthBuffer?void 0:X,W.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(M,O){const X=I.get(M);X.__webglFramebuffer=O,X.__useDefaultFramebuffer=O===void 0};const $m=F.createFramebuffer();this.setRenderTarget=function(M,O=0,X=0){L=M,U=O,B=X;let W=null,H=!1,de=!1;if(M){const he=I.get(M);if(he.__useDefaultFramebuffer!==void 0){ue.bindFramebuffer(F.FRAMEBUFFER,he.__webglFramebuffer),J.copy(M.viewport),ee.copy(M.scissor),le=M.scissorTest,ue.viewport(J),ue.scissor(ee),ue.setScissorTest(le),V=-1;return}else if(he.__webglFramebuffer===void 0)S.setupRenderTarget(M);else if(he.__hasExternalTextures)S.rebindTextures(M,I.get(M.texture).__webglTexture,I.get(M.depthTexture).__webglTexture);else if(M.depthBuffer){const Fe=M.depthTexture;if(he.__boundDepthTexture!==Fe){if(Fe!==null&&I.has(Fe)&&(M.width!==Fe.image.width||M.height!==Fe.image.height))throw new Error("WebGLRenderTarget: Attached DepthTexture is initialized to the incorrect size.");S.setupDepthRenderbuffer(M)}}const be=M.texture;(be.isData3DTexture||be.isDataArrayTexture||be.isCompressedArrayTexture)&&(de=!0);const Ee=I.get(M).__webglFramebuffer;M.isWebGLCubeRenderTarget?(Array.isArray(Ee[O])?W=Ee[O][X]:W=Ee[O],H=!0):M.samples>0&&S.useMultisampledRTT(M)===!1?W=I.get(M).__webglMultisampledFramebuffer:Array.isArray(Ee)?W=Ee[X]:W=Ee,J.copy(M.viewport),ee.copy(M.scissor),le=M.scissorTest}else J.copy(se).multiplyScalar(Ie).floor(),ee.copy(Te).multiplyScalar(Ie).floor(),le=Ne;if(X!==0&&(W=$m),ue.bindFramebuffer(F.FRAMEBUFFER,W)&&ue.drawBuffers(M,W),ue.viewport(J),ue.scissor(ee),ue.setScissorTest(le),H){const he=I.get(M.texture);F.framebufferTexture2D(F.FRAMEBUFFER,F.COLOR_ATTACHMENT0,F.TEXTURE_CUBE_MAP_POSITIVE_X+O,he.__webglTexture,X)}else if(de){const he=O;for(let be=0;be<M.textures.length;be++){const Ee=I.get(M.textures[be]);F.framebufferTextureLayer(F.FRAMEBUFFER,F.COLOR_ATTACHMENT0+be,Ee.__webglTexture,X,he)}}else if(M!==null&&X!==0){const he=I.get(M.texture);F.framebufferTexture2D(F.FRAMEBUFFER,F.COLOR_ATTACHMENT0,F.TEXTURE_2D,he.__webglTexture,X)}V=-1},this.readRenderTargetPixels=function(M,O,X,W,H,de,ve,he=0){if(!(M&&M.isWebGLRenderTarget)){Ze("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let be=I.get(M).__webglFramebuffer;if(M.isWebGLCubeRenderTarget&&ve!==void 0&&(be=be[ve]),be){ue.bindFramebuffer(F.FRAMEBUFFER,be);try{const Ee=M.textures[he],Fe=Ee.format,Ge=Ee.type;if(M.textures.length>1&&F.readBuffer(F.COLOR_ATTACHMENT0+he),!lt.textureFormatReadable(Fe)){Ze("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(!lt.textureTypeReadable(Ge)){Ze("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}O>=0&&O<=M.width-W&&X>=0&&X<=M.height-H&&F.readPixels(O,X,W,H,D.convert(Fe),D.convert(Ge),de)}finally{const Ee=L!==null?I.get(L).__webglFramebuffer:null;ue.bindFramebuffer(F.FRAMEBUFFER,Ee)}}},this.readRenderTargetPixelsAsync=async function(M,O,X,W,H,de,ve,he=0){if(!(M&&M.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let be=I.get(M).__webglFramebuffer;if(M.isWebGLCubeRenderTarget&&ve!==void 0&&(be=be[ve]),be)if(O>=0&&O<=M.width-W&&X>=0&&X<=M.height-H){ue.bindFramebuffer(F.FRAMEBUFFER,be);const Ee=M.textures[he],Fe=Ee.format,Ge=Ee.type;if(M.textures.length>1&&F.readBuffer(F.COLOR_ATTACHMENT0+he),!lt.textureFormatReadable(Fe))throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(!lt.textureTypeReadable(Ge))throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");const Me=F.createBuffer();F.bindBuffer(F.PIXEL_PACK_BUFFER,Me),F.bufferData(F.PIXEL_PACK_BUFFER,de.byteLength,F.STREAM_READ),F.readPixels(O,X,W,H,D.convert(Fe),D.convert(Ge),0);const st=L!==null?I.get(L).__webglFramebuffer:null;ue.bindFramebuffer(F.FRAMEBUFFER,st);const xt=F.fenceSync(F.SYNC_GPU_COMMANDS_COMPLETE,0);return F.flush(),await Lg(F,xt,4),F.bindBuffer(F.PIXEL_PACK_BUFFER,Me),F.getBufferSubData(F.PIXEL_PACK_BUFFER,0,de),F.deleteBuffer(Me),F.deleteSync(xt),de}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(M,O=null,X=0){const W=Math.pow(2,-X),H=Math.floor(M.image.width*W),de=Math.floor(M.image.height*W),ve=O!==null?O.x:0,he=O!==null?O.y:0;S.setTexture2D(M,0),F.copyTexSubImage2D(F.TEXTURE_2D,X,0,0,ve,he,H,de),ue.unbindTexture()};const jm=F.createFramebuffer(),Jm=F.createFramebuffer();this.copyTextureToTexture=function(M,O,X=null,W=null,H=0,de=0){let ve,he,be,Ee,Fe,Ge,Me,st,xt;const gt=M.isCompressedTexture?M.mipmaps[de]:M.image;if(X!==null)ve=X.max.x-X.min.x,he=X.max.y-X.min.y,be=X.isBox3?X.max.z-X.min.z:1,Ee=X.min.x,Fe=X.min.y,Ge=X.isBox3?X.min.z:0;else{const yt=Math.pow(2,-H);ve=Math.floor(gt.width*yt),he=Math.floor(gt.height*yt),M.isDataArrayTexture?be=gt.depth:M.isData3DTexture?be=Math.floor(gt.depth*yt):be=1,Ee=0,Fe=0,Ge=0}W!==null?(Me=W.x,st=W.y,xt=W.z):(Me=0,st=0,xt=0);const ot=D.convert(O.format),Ht=D.convert(O.type);let ge;O.isData3DTexture?(S.setTexture3D(O,0),ge=F.TEXTURE_3D):O.isDataArrayTexture||O.isCompressedArrayTexture?(S.setTexture2DArray(O,0),ge=F.TEXTURE_2D_ARRAY):(S.setTexture2D(O,0),ge=F.TEXTURE_2D),ue.activeTexture(F.TEXTURE0),ue.pixelStorei(F.UNPACK_FLIP_Y_WEBGL,O.flipY),ue.pixelStorei(F.UNPACK_PREMULTIPLY_ALPHA_WEBGL,O.premultiplyAlpha),ue.pixelStorei(F.UNPACK_ALIGNMENT,O.unpackAlignment);const cn=ue.getParameter(F.UNPACK_ROW_LENGTH),Ye=ue.getParameter(F.UNPACK_IMAGE_HEIGHT),hn=ue.getParameter(F.UNPACK_SKIP_PIXELS),On=ue.getParameter(F.UNPACK_SKIP_ROWS),pi=ue.getParameter(F.UNPACK_SKIP_IMAGES);ue.pixelStorei(F.UNPACK_ROW_LENGTH,gt.width),ue.pixelStorei(F.UNPACK_IMAGE_HEIGHT,gt.height),ue.pixelStorei(F.UNPACK_SKIP_PIXELS,Ee),ue.pixelStorei(F.UNPACK_SKIP_ROWS,Fe),ue.pixelStorei(F.UNPACK_SKIP_IMAGES,Ge);const is=M.isDataArrayTexture||M.isData3DTexture,ct=O.isDataArrayTexture||O.isData3DTexture;if(M.isDepthTexture){const yt=I.get(M),mi=I.get(O),ut=I.get(yt.__renderTarget),gi=I.get(mi.__renderTarget);ue.bindFramebuffer(F.READ_FRAMEBUFFER,ut.__webglFramebuffer),ue.bindFramebuffer(F.DRAW_FRAMEBUFFER,gi.__webglFramebuffer);for(let ss=0;ss<be;ss++)is&&(F.framebufferTextureLayer(F.READ_FRAMEBUFFER,F.COLOR_ATTACHMENT0,I.get(M).__webglTexture,H,Ge+ss),F.framebufferTextureLayer(F.DRAW_FRAMEBUFFER,F.COLOR_ATTACHMENT0,I.get(O).__webglTexture,de,xt+ss)),F.blitFramebuffer(Ee,Fe,ve,he,Me,st,ve,he,F.DEPTH_BUFFER_BIT,F.NEAREST);ue.bindFramebuffer(F.READ_FRAMEBUFFER,null),ue.bindFramebuffer(F.DRAW_FRAMEBUFFER,null)}else if(H!==0||M.isRenderTargetTexture||I.has(M)){const yt=I.get(M),mi=I.get(O);ue.bindFramebuffer(F.READ_FRAMEBUFFER,jm),ue.bindFramebuffer(F.DRAW_FRAMEBUFFER,Jm);for(let ut=0;ut<be;ut++)is?F.framebufferTextureLayer(F.READ_FRAMEBUFFER,F.COLOR_ATTACHMENT0,yt.__webglTexture,H,Ge+ut):F.framebufferTexture2D(F.READ_FRAMEBUFFER,F.COLOR_ATTACHMENT0,F.TEXTURE_2D,yt.__webglTexture,H),ct?F.framebufferTextureLayer(F.DRAW_FRAMEBUFFER,F.COLOR_ATTACHMENT0,mi.__webglTexture,de,xt+ut):F.framebufferTexture2D(F.DRAW_FRAMEBUFFER,F.COLOR_ATTACHMENT0,F.TEXTURE_2D,mi.__webglTexture,de),H!==0?F.blitFramebuffer(Ee,Fe,ve,he,Me,st,ve,he,F.COLOR_BUFFER_BIT,F.NEAREST):ct?F.copyTexSubImage3D(ge,de,Me,st,xt+ut,Ee,Fe,ve,he):F.copyTexSubImage2D(ge,de,Me,st,Ee,Fe,ve,he);ue.bindFramebuffer(F.READ_FRAMEBUFFER,null),ue.bindFramebuffer(F.DRAW_FRAMEBUFFER,null)}else ct?M.isDataTexture||M.isData3DTexture?F.texSubImage3D(ge,de,Me,st,xt,ve,he,be,ot,Ht,gt.data):O.isCompressedArrayTexture?F.compressedTexSubImage3D(ge,de,Me,st,xt,ve,he,be,ot,gt.data):F.texSubImage3D(ge,de,Me,st,xt,ve,he,be,ot,Ht,gt):M.isDataTexture?F.texSubImage2D(F.TEXTURE_2D,de,Me,st,ve,he,ot,Ht,gt.data):M.isCompressedTexture?F.compressedTexSubImage2D(F.TEXTURE_2D,de,Me,st,gt.width,gt.height,ot,gt.data):F.texSubImage2D(F.TEXTURE_2D,de,Me,st,ve,he,ot,Ht,gt);ue.pixelStorei(F.UNPACK_ROW_LENGTH,cn),ue.pixelStorei(F.UNPACK_IMAGE_HEIGHT,Ye),ue.pixelStorei(F.UNPACK_SKIP_PIXELS,hn),ue.pixelStorei(F.UNPACK_SKIP_ROWS,On),ue.pixelStorei(F.UNPACK_SKIP_IMAGES,pi),de===0&&O.generateMipmaps&&F.generateMipmap(ge),ue.unbindTexture()},this.initRenderTarget=function(M){I.get(M).__webglFramebuffer===void 0&&S.setupRenderTarget(M)},this.initTexture=function(M){M.isCubeTexture?S.setTextureCube(M,0):M.isData3DTexture?S.setTexture3D(M,0):M.isDataArrayTexture||M.isCompressedArrayTexture?S.setTexture2DArray(M,0):S.setTexture2D(M,0),ue.unbindTexture()},this.resetState=function(){U=0,B=0,L=null,ue.reset(),ie.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return Kn}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;const t=this.getContext();t.drawingBufferColorSpace=Xe._getDrawingBufferColorSpace(e),t.unpackColorSpace=Xe._getUnpackColorSpace()}}function br(n){let e=!1;const t=[];for(let i=0;i<n.length;i++){let s=n.charAt(i);switch(s){case"_":e=!0;break;case"0":case"1":case"2":case"3":case"4":case"5":case"6":case"7":case"8":case"9":t.push(s),e=!1;break;default:e&&(e=!1,s=s.toUpperCase()),t.push(s);break}}return t.join("")}const Pb=new Set(["constructor","toString","toJSON","valueOf"]);function Sr(n){return Pb.has(n)?n+"$":n}function Lb(){let n=0,e=0;for(let i=0;i<28;i+=7){let s=this.buf[this.pos++];if(n|=(s&127)<<i,(s&128)==0)return this.assertBounds(),[n,e]}let t=this.buf[this.pos++];if(n|=(t&15)<<28,e=(t&112)>>4,(t&128)==0)return this.assertBounds(),[n,e];for(let i=3;i<=31;i+=7){let s=this.buf[this.pos++];if(e|=(s&127)<<i,(s&128)==0)return this.assertBounds(),[n,e]}throw new Error("invalid varint")}function sc(n,e,t){for(let r=0;r<28;r=r+7){const a=n>>>r,o=!(!(a>>>7)&&e==0),c=(o?a|128:a)&255;if(t.push(c),!o)return}const i=n>>>28&15|(e&7)<<4,s=e>>3!=0;if(t.push((s?i|128:i)&255),!!s){for(let r=3;r<31;r=r+7){const a=e>>>r,o=!!(a>>>7),c=(o?a|128:a)&255;if(t.push(c),!o)return}t.push(e>>>31&1)}}const Ga=4294967296;function qf(n){const e=n[0]==="-";e&&(n=n.slice(1));const t=1e6;let i=0,s=0;function r(a,o){const c=Number(n.slice(a,o));s*=t,i=i*t+c,i>=Ga&&(s=s+(i/Ga|0),i=i%Ga)}return r(-24,-18),r(-18,-12),r(-12,-6),r(-6),e?Cp(i,s):nu(i,s)}function Db(n,e){let t=nu(n,e);const i=t.hi&2147483648;i&&(t=Cp(t.lo,t.hi));const s=Np(t.lo,t.hi);return i?"-"+s:s}function Np(n,e){if({lo:n,hi:e}=Ub(n,e),e<=2097151)return String(Ga*e+n);const t=n&16777215,i=(n>>>24|e<<8)&16777215,s=e>>16&65535;let r=t+i*6777216+s*6710656,a=i+s*8147497,o=s*2;const c=1e7;return r>=c&&(a+=Math.floor(r/c),r%=c),a>=c&&(o+=Math.floor(a/c),a%=c),o.toString()+Qf(a)+Qf(r)}function Ub(n,e){return{lo:n>>>0,hi:e>>>0}}function nu(n,e){return{lo:n|0,hi:e|0}}function Cp(n,e){return e=~e,n?n=~n+1:e+=1,nu(n,e)}const Qf=n=>{const e=String(n);return"0000000".slice(e.length)+e};function eh(n,e){if(n>=0){for(;n>127;)e.push(n&127|128),n=n>>>7;e.push(n)}else{for(let t=0;t<9;t++)e.push(n&127|128),n=n>>7;e.push(1)}}function Fb(){let n=this.buf[this.pos++],e=n&127;if((n&128)==0)return this.assertBounds(),e;if(n=this.buf[this.pos++],e|=(n&127)<<7,(n&128)==0)return this.assertBounds(),e;if(n=this.buf[this.pos++],e|=(n&127)<<14,(n&128)==0)return this.assertBounds(),e;if(n=this.buf[this.pos++],e|=(n&127)<<21,(n&128)==0)return this.assertBounds(),e;n=this.buf[this.pos++],e|=(n&15)<<28;for(let t=5;(n&128)!==0&&t<10;t++)n=this.buf[this.pos++];if((n&128)!=0)throw new Error("invalid varint");return this.assertBounds(),e>>>0}var th={};const dt=Bb();function Bb(){const n=new DataView(new ArrayBuffer(8));if(typeof BigInt=="function"&&typeof n.getBigInt64=="function"&&typeof n.getBigUint64=="function"&&typeof n.setBigInt64=="function"&&typeof n.setBigUint64=="function"&&(typeof process!="object"||typeof th!="object"||th.BUF_BIGINT_DISABLE!=="1")){const t=BigInt("-9223372036854775808"),i=BigInt("9223372036854775807"),s=BigInt("0"),r=BigInt("18446744073709551615");return{zero:BigInt(0),supported:!0,parse(a){const o=typeof a=="bigint"?a:BigInt(a);if(o>i||o<t)throw new Error(`invalid int64: ${a}`);return o},uParse(a){const o=typeof a=="bigint"?a:BigInt(a);if(o>r||o<s)throw new Error(`invalid uint64: ${a}`);return o},enc(a){return n.setBigInt64(0,this.parse(a),!0),{lo:n.getInt32(0,!0),hi:n.getInt32(4,!0)}},uEnc(a){return n.setBigInt64(0,this.uParse(a),!0),{lo:n.getInt32(0,!0),hi:n.getInt32(4,!0)}},dec(a,o){return n.setInt32(0,a,!0),n.setInt32(4,o,!0),n.getBigInt64(0,!0)},uDec(a,o){return n.setInt32(0,a,!0),n.setInt32(4,o,!0),n.getBigUint64(0,!0)}}}return{zero:"0",supported:!1,parse(t){return typeof t!="string"&&(t=t.toString()),nh(t),t},uParse(t){return typeof t!="string"&&(t=t.toString()),ih(t),t},enc(t){return typeof t!="string"&&(t=t.toString()),nh(t),qf(t)},uEnc(t){return typeof t!="string"&&(t=t.toString()),ih(t),qf(t)},dec(t,i){return Db(t,i)},uDec(t,i){return Np(t,i)}}}function nh(n){if(!/^-?[0-9]+$/.test(n))throw new Error("invalid int64: "+n)}function ih(n){if(!/^[0-9]+$/.test(n))throw new Error("invalid uint64: "+n)}var k;(function(n){n[n.DOUBLE=1]="DOUBLE",n[n.FLOAT=2]="FLOAT",n[n.INT64=3]="INT64",n[n.UINT64=4]="UINT64",n[n.INT32=5]="INT32",n[n.FIXED64=6]="FIXED64",n[n.FIXED32=7]="FIXED32",n[n.BOOL=8]="BOOL",n[n.STRING=9]="STRING",n[n.BYTES=12]="BYTES",n[n.UINT32=13]="UINT32",n[n.SFIXED32=15]="SFIXED32",n[n.SFIXED64=16]="SFIXED64",n[n.SINT32=17]="SINT32",n[n.SINT64=18]="SINT64"})(k||(k={}));function ts(n,e){switch(n){case k.STRING:return"";case k.BOOL:return!1;case k.DOUBLE:case k.FLOAT:return 0;case k.INT64:case k.UINT64:case k.SFIXED64:case k.FIXED64:case k.SINT64:return e?"0":dt.zero;case k.BYTES:return new Uint8Array(0);default:return 0}}function Ob(n,e){switch(n){case k.BOOL:return e===!1;case k.STRING:return e==="";case k.BYTES:return e instanceof Uint8Array&&!e.byteLength;default:return e==0}}const Pp=2,oi=Symbol.for("reflect unsafe local");function Lp(n,e){const t=n[e.localName].case;return t===void 0?t:e.fields.find(i=>i.localName===t)}function Vb(n,e){const t=e.localName;if(e.oneof)return n[e.oneof.localName].case===t;if(e.presence!=Pp)return n[t]!==void 0&&Object.prototype.hasOwnProperty.call(n,t);switch(e.fieldKind){case"list":return n[t].length>0;case"map":return Object.keys(n[t]).length>0;case"scalar":return!Ob(e.scalar,n[t]);case"enum":return n[t]!==e.enum.values[0].number}throw new Error("message field with implicit presence")}function Er(n,e){return Object.prototype.hasOwnProperty.call(n,e)&&n[e]!==void 0}function Dp(n,e){if(e.oneof){const t=n[e.oneof.localName];return t.case===e.localName?t.value:void 0}return n[e.localName]}function Up(n,e,t){e.oneof?n[e.oneof.localName]={case:e.localName,value:t}:n[e.localName]=t}function Gb(n,e){const t=e.localName;if(e.oneof){const i=e.oneof.localName;n[i].case===t&&(n[i]={case:void 0})}else if(e.presence!=Pp)delete n[t];else switch(e.fieldKind){case"map":n[t]={};break;case"list":n[t]=[];break;case"enum":n[t]=e.enum.values[0].number;break;case"scalar":n[t]=ts(e.scalar,e.longAsString);break}}function iu(n){for(const e of n.field)Er(e,"jsonName")||(e.jsonName=br(e.name));n.nestedType.forEach(iu)}function kb(n,e){const t=n.values.find(i=>i.name===e);if(!t)throw new Error(`cannot parse ${n} default value: ${e}`);return t.number}function zb(n,e){switch(n){case k.STRING:return e;case k.BYTES:{const t=Wb(e);if(t===!1)throw new Error(`cannot parse ${k[n]} default value: ${e}`);return t}case k.INT64:case k.SFIXED64:case k.SINT64:return dt.parse(e);case k.UINT64:case k.FIXED64:return dt.uParse(e);case k.DOUBLE:case k.FLOAT:switch(e){case"inf":return Number.POSITIVE_INFINITY;case"-inf":return Number.NEGATIVE_INFINITY;case"nan":return Number.NaN;default:return parseFloat(e)}case k.BOOL:return e==="true";case k.INT32:case k.UINT32:case k.SINT32:case k.FIXED32:case k.SFIXED32:return parseInt(e,10)}}function Wb(n){const e=[],t={tail:n,c:"",next(){return this.tail.length==0?!1:(this.c=this.tail[0],this.tail=this.tail.substring(1),!0)},take(i){if(this.tail.length>=i){const s=this.tail.substring(0,i);return this.tail=this.tail.substring(i),s}return!1}};for(;t.next();)switch(t.c){case"\\":if(t.next())switch(t.c){case"\\":e.push(t.c.charCodeAt(0));break;case"b":e.push(8);break;case"f":e.push(12);break;case"n":e.push(10);break;case"r":e.push(13);break;case"t":e.push(9);break;case"v":e.push(11);break;case"0":case"1":case"2":case"3":case"4":case"5":case"6":case"7":{const i=t.c,s=t.take(2);if(s===!1)return!1;const r=parseInt(i+s,8);if(Number.isNaN(r))return!1;e.push(r);break}case"x":{const i=t.c,s=t.take(2);if(s===!1)return!1;const r=parseInt(i+s,16);if(Number.isNaN(r))return!1;e.push(r);break}case"u":{const i=t.c,s=t.take(4);if(s===!1)return!1;const r=parseInt(i+s,16);if(Number.isNaN(r))return!1;const a=new Uint8Array(4);new DataView(a.buffer).setInt32(0,r,!0),e.push(a[0],a[1],a[2],a[3]);break}case"U":{const i=t.c,s=t.take(8);if(s===!1)return!1;const r=dt.uEnc(i+s),a=new Uint8Array(8),o=new DataView(a.buffer);o.setInt32(0,r.lo,!0),o.setInt32(4,r.hi,!0),e.push(a[0],a[1],a[2],a[3],a[4],a[5],a[6],a[7]);break}}break;default:e.push(t.c.charCodeAt(0))}return new Uint8Array(e)}function*Ml(n){switch(n.kind){case"file":for(const e of n.messages)yield e,yield*Ml(e);yield*n.enums,yield*n.services,yield*n.extensions;break;case"message":for(const e of n.nestedMessages)yield e,yield*Ml(e);yield*n.nestedEnums,yield*n.nestedExtensions;break}}function Fp(...n){const e=Hb();if(!n.length)return e;if("$typeName"in n[0]&&n[0].$typeName=="google.protobuf.FileDescriptorSet"){for(const i of n[0].file)oh(i,e);return e}if("$typeName"in n[0]){let a=function(o){const c=[];for(const l of o.dependency){if(e.getFile(l)!=null||r.has(l))continue;const h=s(l);if(!h)throw new Error(`Unable to resolve ${l}, imported by ${o.name}`);"kind"in h?e.addFile(h,!1,!0):(r.add(h.name),c.push(h))}return c.concat(...c.map(a))};var t=a;const i=n[0],s=n[1],r=new Set;for(const o of[i,...a(i)].reverse())oh(o,e)}else for(const i of n)for(const s of i.files)e.addFile(s);return e}function Hb(){const n=new Map,e=new Map,t=new Map;return{kind:"registry",types:n,extendees:e,[Symbol.iterator](){return n.values()},get files(){return t.values()},addFile(i,s,r){if(t.set(i.proto.name,i),!s)for(const a of Ml(i))this.add(a);if(r)for(const a of i.dependencies)this.addFile(a,s,r)},add(i){if(i.kind=="extension"){let s=e.get(i.extendee.typeName);s||e.set(i.extendee.typeName,s=new Map),s.set(i.number,i)}n.set(i.typeName,i)},get(i){return n.get(i)},getFile(i){return t.get(i)},getMessage(i){const s=n.get(i);return s?.kind=="message"?s:void 0},getEnum(i){const s=n.get(i);return s?.kind=="enum"?s:void 0},getExtension(i){const s=n.get(i);return s?.kind=="extension"?s:void 0},getExtensionFor(i,s){var r;return(r=e.get(i.typeName))===null||r===void 0?void 0:r.get(s)},getService(i){const s=n.get(i);return s?.kind=="service"?s:void 0}}}const Xb=998,Zb=999,Yb=9,Mr=10,pr=11,Kb=12,sh=14,su=3,$b=2,rh=1,jb=0,rc=1,ah=2,Jb=3,qb=1,Qb=2,eS=1,Bp={998:{fieldPresence:1,enumType:2,repeatedFieldEncoding:2,utf8Validation:3,messageEncoding:1,jsonFormat:2,enforceNamingStyle:2,defaultSymbolVisibility:1},999:{fieldPresence:2,enumType:1,repeatedFieldEncoding:1,utf8Validation:2,messageEncoding:1,jsonFormat:1,enforceNamingStyle:2,defaultSymbolVisibility:1},1e3:{fieldPresence:1,enumType:1,repeatedFieldEncoding:1,utf8Validation:2,messageEncoding:1,jsonFormat:1,enforceNamingStyle:2,defaultSymbolVisibility:1}};function oh(n,e){var t,i;const s={kind:"file",proto:n,deprecated:(i=(t=n.options)===null||t===void 0?void 0:t.deprecated)!==null&&i!==void 0?i:!1,edition:sS(n),name:n.name.replace(/\.proto$/,""),dependencies:rS(n,e),enums:[],messages:[],extensions:[],services:[],toString(){return`file ${n.name}`}},r=new Map,a={get(o){return r.get(o)},add(o){var c;Cn(((c=o.proto.options)===null||c===void 0?void 0:c.mapEntry)===!0),r.set(o.typeName,o)}};for(const o of n.enumType)Op(o,s,void 0,e);for(const o of n.messageType)Vp(o,s,void 0,e,a);for(const o of n.service)tS(o,s,e);Al(s,e);for(const o of r.values())Tl(o,e,a);for(const o of s.messages)Tl(o,e,a),Al(o,e);e.addFile(s,!0)}function Al(n,e){switch(n.kind){case"file":for(const t of n.proto.extension){const i=wl(t,n,e);n.extensions.push(i),e.add(i)}break;case"message":for(const t of n.proto.extension){const i=wl(t,n,e);n.nestedExtensions.push(i),e.add(i)}for(const t of n.nestedMessages)Al(t,e);break}}function Tl(n,e,t){const i=n.proto.oneofDecl.map(r=>iS(r,n)),s=new Set;for(const r of n.proto.field){const a=cS(r,i),o=wl(r,n,e,a,t);n.fields.push(o),n.field[o.localName]=o,a===void 0?n.members.push(o):(a.fields.push(o),s.has(a)||(s.add(a),n.members.push(a)))}for(const r of i.filter(a=>s.has(a)))n.oneofs.push(r);for(const r of n.nestedMessages)Tl(r,e,t)}function Op(n,e,t,i){var s,r,a,o,c;const l=aS(n.name,n.value),h={kind:"enum",proto:n,deprecated:(r=(s=n.options)===null||s===void 0?void 0:s.deprecated)!==null&&r!==void 0?r:!1,file:e,parent:t,open:!0,name:n.name,typeName:fo(n,t,e),value:{},values:[],sharedPrefix:l,toString(){return`enum ${this.typeName}`}};h.open=hS(h),i.add(h);for(const f of n.value){const u=f.name;h.values.push(h.value[f.number]={kind:"enum_value",proto:f,deprecated:(o=(a=f.options)===null||a===void 0?void 0:a.deprecated)!==null&&o!==void 0?o:!1,parent:h,name:u,localName:Sr(l==null?u:u.substring(l.length)),number:f.number,toString(){return`enum value ${h.typeName}.${u}`}})}((c=t?.nestedEnums)!==null&&c!==void 0?c:e.enums).push(h)}function Vp(n,e,t,i,s){var r,a,o,c;const l={kind:"message",proto:n,deprecated:(a=(r=n.options)===null||r===void 0?void 0:r.deprecated)!==null&&a!==void 0?a:!1,file:e,parent:t,name:n.name,typeName:fo(n,t,e),fields:[],field:{},oneofs:[],members:[],nestedEnums:[],nestedMessages:[],nestedExtensions:[],toString(){return`message ${this.typeName}`}};((o=n.options)===null||o===void 0?void 0:o.mapEntry)===!0?s.add(l):(((c=t?.nestedMessages)!==null&&c!==void 0?c:e.messages).push(l),i.add(l));for(const h of n.enumType)Op(h,e,l,i);for(const h of n.nestedType)Vp(h,e,l,i,s)}function tS(n,e,t){var i,s;const r={kind:"service",proto:n,deprecated:(s=(i=n.options)===null||i===void 0?void 0:i.deprecated)!==null&&s!==void 0?s:!1,file:e,name:n.name,typeName:fo(n,void 0,e),methods:[],method:{},toString(){return`service ${this.typeName}`}};e.services.push(r),t.add(r);for(const a of n.method){const o=nS(a,r,t);r.methods.push(o),r.method[o.localName]=o}}function nS(n,e,t){var i,s,r,a;let o;n.clientStreaming&&n.serverStreaming?o="bidi_streaming":n.clientStreaming?o="client_streaming":n.serverStreaming?o="server_streaming":o="unary";const c=t.getMessage(si(n.inputType)),l=t.getMessage(si(n.outputType));Cn(c,`invalid MethodDescriptorProto: input_type ${n.inputType} not found`),Cn(l,`invalid MethodDescriptorProto: output_type ${n.inputType} not found`);const h=n.name;return{kind:"rpc",proto:n,deprecated:(s=(i=n.options)===null||i===void 0?void 0:i.deprecated)!==null&&s!==void 0?s:!1,parent:e,name:h,localName:Sr(h.length?Sr(h[0].toLowerCase()+h.substring(1)):h),methodKind:o,input:c,output:l,idempotency:(a=(r=n.options)===null||r===void 0?void 0:r.idempotencyLevel)!==null&&a!==void 0?a:jb,toString(){return`rpc ${e.typeName}.${h}`}}}function iS(n,e){return{kind:"oneof",proto:n,deprecated:!1,parent:e,fields:[],name:n.name,localName:Sr(br(n.name)),toString(){return`oneof ${e.typeName}.${this.name}`}}}function wl(n,e,t,i,s){var r,a,o;const c=s===void 0,l={kind:"field",proto:n,deprecated:(a=(r=n.options)===null||r===void 0?void 0:r.deprecated)!==null&&a!==void 0?a:!1,name:n.name,number:n.number,scalar:void 0,message:void 0,enum:void 0,presence:lS(n,i,c,e),listKind:void 0,mapKind:void 0,mapKey:void 0,delimitedEncoding:void 0,packed:void 0,longAsString:!1,getDefaultValue:void 0};if(c){const d=e.kind=="file"?e:e.file,g=e.kind=="file"?void 0:e,y=fo(n,g,d);l.kind="extension",l.file=d,l.parent=g,l.oneof=void 0,l.typeName=y,l.jsonName=`[${y}]`,l.toString=()=>`extension ${y}`;const p=t.getMessage(si(n.extendee));Cn(p,`invalid FieldDescriptorProto: extendee ${n.extendee} not found`),l.extendee=p}else{const d=e;Cn(d.kind=="message"),l.parent=d,l.oneof=i,l.localName=i?br(n.name):Sr(br(n.name)),l.jsonName=n.jsonName,l.toString=()=>`field ${d.typeName}.${n.name}`}const h=n.label,f=n.type,u=(o=n.options)===null||o===void 0?void 0:o.jstype;if(h===su){const d=f==pr?s?.get(si(n.typeName)):void 0;if(d){l.fieldKind="map";const{key:g,value:y}=fS(d);return l.mapKey=g.scalar,l.mapKind=y.fieldKind,l.message=y.message,l.delimitedEncoding=!1,l.enum=y.enum,l.scalar=y.scalar,l}switch(l.fieldKind="list",f){case pr:case Mr:l.listKind="message",l.message=t.getMessage(si(n.typeName)),Cn(l.message),l.delimitedEncoding=ch(n,e);break;case sh:l.listKind="enum",l.enum=t.getEnum(si(n.typeName)),Cn(l.enum);break;default:l.listKind="scalar",l.scalar=f,l.longAsString=u==rh;break}return l.packed=uS(n,e),l}switch(f){case pr:case Mr:l.fieldKind="message",l.message=t.getMessage(si(n.typeName)),Cn(l.message,`invalid FieldDescriptorProto: type_name ${n.typeName} not found`),l.delimitedEncoding=ch(n,e),l.getDefaultValue=()=>{};break;case sh:{const d=t.getEnum(si(n.typeName));Cn(d!==void 0,`invalid FieldDescriptorProto: type_name ${n.typeName} not found`),l.fieldKind="enum",l.enum=t.getEnum(si(n.typeName)),l.getDefaultValue=()=>Er(n,"defaultValue")?kb(d,n.defaultValue):void 0;break}default:{l.fieldKind="scalar",l.scalar=f,l.longAsString=u==rh,l.getDefaultValue=()=>Er(n,"defaultValue")?zb(f,n.defaultValue):void 0;break}}return l}function sS(n){switch(n.syntax){case"":case"proto2":return Xb;case"proto3":return Zb;case"editions":if(n.edition in Bp)return n.edition;throw new Error(`${n.name}: unsupported edition`);default:throw new Error(`${n.name}: unsupported syntax "${n.syntax}"`)}}function rS(n,e){return n.dependency.map(t=>{const i=e.getFile(t);if(!i)throw new Error(`Cannot find ${t}, imported by ${n.name}`);return i})}function aS(n,e){const t=oS(n)+"_";for(const i of e){if(!i.name.toLowerCase().startsWith(t))return;const s=i.name.substring(t.length);if(s.length==0||/^\d/.test(s))return}return t}function oS(n){return(n.substring(0,1)+n.substring(1).replace(/[A-Z]/g,e=>"_"+e)).toLowerCase()}function fo(n,e,t){let i;return e?i=`${e.typeName}.${n.name}`:t.proto.package.length>0?i=`${t.proto.package}.${n.name}`:i=`${n.name}`,i}function si(n){return n.startsWith(".")?n.substring(1):n}function cS(n,e){if(!Er(n,"oneofIndex")||n.proto3Optional)return;const t=e[n.oneofIndex];return Cn(t,`invalid FieldDescriptorProto: oneof #${n.oneofIndex} for field #${n.number} not found`),t}function lS(n,e,t,i){if(n.label==$b)return Jb;if(n.label==su)return ah;if(e||n.proto3Optional||t)return rc;const s=Gs("fieldPresence",{proto:n,parent:i});return s==ah&&(n.type==pr||n.type==Mr)?rc:s}function uS(n,e){if(n.label!=su)return!1;switch(n.type){case Yb:case Kb:case Mr:case pr:return!1}const t=n.options;return t&&Er(t,"packed")?t.packed:qb==Gs("repeatedFieldEncoding",{proto:n,parent:e})}function fS(n){const e=n.fields.find(i=>i.number===1),t=n.fields.find(i=>i.number===2);return Cn(e&&e.fieldKind=="scalar"&&e.scalar!=k.BYTES&&e.scalar!=k.FLOAT&&e.scalar!=k.DOUBLE&&t&&t.fieldKind!="list"&&t.fieldKind!="map"),{key:e,value:t}}function hS(n){var e;return eS==Gs("enumType",{proto:n.proto,parent:(e=n.parent)!==null&&e!==void 0?e:n.file})}function ch(n,e){return n.type==Mr?!0:Qb==Gs("messageEncoding",{proto:n,parent:e})}function Gs(n,e){var t,i;const s=(t=e.proto.options)===null||t===void 0?void 0:t.features;if(s){const r=s[n];if(r!=0)return r}if("kind"in e){if(e.kind=="message")return Gs(n,(i=e.parent)!==null&&i!==void 0?i:e.file);const r=Bp[e.edition];if(!r)throw new Error(`feature default for edition ${e.edition} not found`);return r[n]}return Gs(n,e.parent)}function Cn(n,e){if(!n)throw new Error(e)}function dS(n){const e=pS(n);return e.messageType.forEach(iu),Fp(e,()=>{}).getFile(e.name)}function pS(n){return Object.assign(Object.create({syntax:"",edition:0}),Object.assign(Object.assign({$typeName:"google.protobuf.FileDescriptorProto",dependency:[],publicDependency:[],weakDependency:[],optionDependency:[],service:[],extension:[]},n),{messageType:n.messageType.map(Gp),enumType:n.enumType.map(kp)}))}function Gp(n){var e,t,i,s,r,a,o,c;return Object.assign(Object.create({visibility:0}),{$typeName:"google.protobuf.DescriptorProto",name:n.name,field:(t=(e=n.field)===null||e===void 0?void 0:e.map(mS))!==null&&t!==void 0?t:[],extension:[],nestedType:(s=(i=n.nestedType)===null||i===void 0?void 0:i.map(Gp))!==null&&s!==void 0?s:[],enumType:(a=(r=n.enumType)===null||r===void 0?void 0:r.map(kp))!==null&&a!==void 0?a:[],extensionRange:(c=(o=n.extensionRange)===null||o===void 0?void 0:o.map(h=>Object.assign({$typeName:"google.protobuf.DescriptorProto.ExtensionRange"},h)))!==null&&c!==void 0?c:[],oneofDecl:[],reservedRange:[],reservedName:[]})}function mS(n){return Object.assign(Object.create({label:1,typeName:"",extendee:"",defaultValue:"",oneofIndex:0,jsonName:"",proto3Optional:!1}),Object.assign(Object.assign({$typeName:"google.protobuf.FieldDescriptorProto"},n),{options:n.options?gS(n.options):void 0}))}function gS(n){var e,t,i;return Object.assign(Object.create({ctype:0,packed:!1,jstype:0,lazy:!1,unverifiedLazy:!1,deprecated:!1,weak:!1,debugRedact:!1,retention:0}),Object.assign(Object.assign({$typeName:"google.protobuf.FieldOptions"},n),{targets:(e=n.targets)!==null&&e!==void 0?e:[],editionDefaults:(i=(t=n.editionDefaults)===null||t===void 0?void 0:t.map(r=>Object.assign({$typeName:"google.protobuf.FieldOptions.EditionDefault"},r)))!==null&&i!==void 0?i:[],uninterpretedOption:[]}))}function kp(n){return Object.assign(Object.create({visibility:0}),{$typeName:"google.protobuf.EnumDescriptorProto",name:n.name,reservedName:[],reservedRange:[],value:n.value.map(t=>Object.assign({$typeName:"google.protobuf.EnumValueDescriptorProto"},t))})}function ru(n){const e=vS();let t=n.length*3/4;n[n.length-2]=="="?t-=2:n[n.length-1]=="="&&(t-=1);let i=new Uint8Array(t),s=0,r=0,a,o=0;for(let c=0;c<n.length;c++){if(a=e[n.charCodeAt(c)],a===void 0)switch(n[c]){case"=":r=0;case`
+`:case"\r":case"	":case" ":continue;default:throw Error("invalid base64 string")}switch(r){case 0:o=a,r=1;break;case 1:i[s++]=o<<2|(a&48)>>4,o=a,r=2;break;case 2:i[s++]=(o&15)<<4|(a&60)>>2,o=a,r=3;break;case 3:i[s++]=(o&3)<<6|a,r=0;break}}if(r==1)throw Error("invalid base64 string");return i.subarray(0,s)}function _S(n,e="std"){const t=zp(e),i=e=="std";let s="",r=0,a,o=0;for(let c=0;c<n.length;c++)switch(a=n[c],r){case 0:s+=t[a>>2],o=(a&3)<<4,r=1;break;case 1:s+=t[o|a>>4],o=(a&15)<<2,r=2;break;case 2:s+=t[o|a>>6],s+=t[a&63],r=0;break}return r&&(s+=t[o],i&&(s+="=",r==1&&(s+="="))),s}let fa,lh,bs;function zp(n){return fa||(fa="ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/".split(""),lh=fa.slice(0,-2).concat("-","_")),n=="url"?lh:fa}function vS(){if(!bs){bs=[];const n=zp("std");for(let e=0;e<n.length;e++)bs[n[e].charCodeAt(0)]=e;bs[45]=n.indexOf("+"),bs[95]=n.indexOf("/")}return bs}function au(n,e){return n!==null&&typeof n=="object"&&"$typeName"in n&&typeof n.$typeName=="string"?e===void 0?!0:e.typeName===n.$typeName:!1}const xS=["FieldValueInvalidError","FieldListRangeError","ForeignFieldError"];class rn extends Error{constructor(e,t,i="FieldValueInvalidError"){super(t),this.name=i,this.field=()=>e}}function yS(n){return n instanceof Error&&xS.includes(n.name)&&"field"in n&&typeof n.field=="function"}function Pi(n){return n!==null&&typeof n=="object"&&!Array.isArray(n)}function ou(n,e){var t,i,s,r;if(Pi(n)&&oi in n&&"add"in n&&"field"in n&&typeof n.field=="function"){if(e!==void 0){const a=e,o=n.field();return a.listKind==o.listKind&&a.scalar===o.scalar&&((t=a.message)===null||t===void 0?void 0:t.typeName)===((i=o.message)===null||i===void 0?void 0:i.typeName)&&((s=a.enum)===null||s===void 0?void 0:s.typeName)===((r=o.enum)===null||r===void 0?void 0:r.typeName)}return!0}return!1}function cu(n,e){var t,i,s,r;if(Pi(n)&&oi in n&&"has"in n&&"field"in n&&typeof n.field=="function"){if(e!==void 0){const a=e,o=n.field();return a.mapKey===o.mapKey&&a.mapKind==o.mapKind&&a.scalar===o.scalar&&((t=a.message)===null||t===void 0?void 0:t.typeName)===((i=o.message)===null||i===void 0?void 0:i.typeName)&&((s=a.enum)===null||s===void 0?void 0:s.typeName)===((r=o.enum)===null||r===void 0?void 0:r.typeName)}return!0}return!1}function lu(n,e){return Pi(n)&&oi in n&&"desc"in n&&Pi(n.desc)&&n.desc.kind==="message"&&(e===void 0||n.desc.typeName==e.typeName)}const ac=Symbol.for("@bufbuild/protobuf/text-encoding");function uu(){if(globalThis[ac]==null){const n=new globalThis.TextEncoder,e=new globalThis.TextDecoder;globalThis[ac]={encodeUtf8(t){return n.encode(t)},decodeUtf8(t){return e.decode(t)},checkUtf8(t){try{return encodeURIComponent(t),!0}catch{return!1}}}}return globalThis[ac]}var bt;(function(n){n[n.Varint=0]="Varint",n[n.Bit64=1]="Bit64",n[n.LengthDelimited=2]="LengthDelimited",n[n.StartGroup=3]="StartGroup",n[n.EndGroup=4]="EndGroup",n[n.Bit32=5]="Bit32"})(bt||(bt={}));const Wp=34028234663852886e22,Hp=-34028234663852886e22,Xp=4294967295,Zp=2147483647,Yp=-2147483648;class fu{constructor(e=uu().encodeUtf8){this.encodeUtf8=e,this.stack=[],this.chunks=[],this.buf=[]}finish(){this.buf.length&&(this.chunks.push(new Uint8Array(this.buf)),this.buf=[]);let e=0;for(let s=0;s<this.chunks.length;s++)e+=this.chunks[s].length;let t=new Uint8Array(e),i=0;for(let s=0;s<this.chunks.length;s++)t.set(this.chunks[s],i),i+=this.chunks[s].length;return this.chunks=[],t}fork(){return this.stack.push({chunks:this.chunks,buf:this.buf}),this.chunks=[],this.buf=[],this}join(){let e=this.finish(),t=this.stack.pop();if(!t)throw new Error("invalid state, fork stack empty");return this.chunks=t.chunks,this.buf=t.buf,this.uint32(e.byteLength),this.raw(e)}tag(e,t){return this.uint32((e<<3|t)>>>0)}raw(e){return this.buf.length&&(this.chunks.push(new Uint8Array(this.buf)),this.buf=[]),this.chunks.push(e),this}uint32(e){for(uh(e);e>127;)this.buf.push(e&127|128),e=e>>>7;return this.buf.push(e),this}int32(e){return oc(e),eh(e,this.buf),this}bool(e){return this.buf.push(e?1:0),this}bytes(e){return this.uint32(e.byteLength),this.raw(e)}string(e){let t=this.encodeUtf8(e);return this.uint32(t.byteLength),this.raw(t)}float(e){bS(e);let t=new Uint8Array(4);return new DataView(t.buffer).setFloat32(0,e,!0),this.raw(t)}double(e){let t=new Uint8Array(8);return new DataView(t.buffer).setFloat64(0,e,!0),this.raw(t)}fixed32(e){uh(e);let t=new Uint8Array(4);return new DataView(t.buffer).setUint32(0,e,!0),this.raw(t)}sfixed32(e){oc(e);let t=new Uint8Array(4);return new DataView(t.buffer).setInt32(0,e,!0),this.raw(t)}sint32(e){return oc(e),e=(e<<1^e>>31)>>>0,eh(e,this.buf),this}sfixed64(e){let t=new Uint8Array(8),i=new DataView(t.buffer),s=dt.enc(e);return i.setInt32(0,s.lo,!0),i.setInt32(4,s.hi,!0),this.raw(t)}fixed64(e){let t=new Uint8Array(8),i=new DataView(t.buffer),s=dt.uEnc(e);return i.setInt32(0,s.lo,!0),i.setInt32(4,s.hi,!0),this.raw(t)}int64(e){let t=dt.enc(e);return sc(t.lo,t.hi,this.buf),this}sint64(e){const t=dt.enc(e),i=t.hi>>31,s=t.lo<<1^i,r=(t.hi<<1|t.lo>>>31)^i;return sc(s,r,this.buf),this}uint64(e){const t=dt.uEnc(e);return sc(t.lo,t.hi,this.buf),this}}class hu{constructor(e,t=uu().decodeUtf8){this.decodeUtf8=t,this.varint64=Lb,this.uint32=Fb,this.buf=e,this.len=e.length,this.pos=0,this.view=new DataView(e.buffer,e.byteOffset,e.byteLength)}tag(){let e=this.uint32(),t=e>>>3,i=e&7;if(t<=0||i<0||i>5)throw new Error("illegal tag: field no "+t+" wire type "+i);return[t,i]}skip(e,t){let i=this.pos;switch(e){case bt.Varint:for(;this.buf[this.pos++]&128;);break;case bt.Bit64:this.pos+=4;case bt.Bit32:this.pos+=4;break;case bt.LengthDelimited:let s=this.uint32();this.pos+=s;break;case bt.StartGroup:for(;;){const[r,a]=this.tag();if(a===bt.EndGroup){if(t!==void 0&&r!==t)throw new Error("invalid end group tag");break}this.skip(a,r)}break;default:throw new Error("cant skip wire type "+e)}return this.assertBounds(),this.buf.subarray(i,this.pos)}assertBounds(){if(this.pos>this.len)throw new RangeError("premature EOF")}int32(){return this.uint32()|0}sint32(){let e=this.uint32();return e>>>1^-(e&1)}int64(){return dt.dec(...this.varint64())}uint64(){return dt.uDec(...this.varint64())}sint64(){let[e,t]=this.varint64(),i=-(e&1);return e=(e>>>1|(t&1)<<31)^i,t=t>>>1^i,dt.dec(e,t)}bool(){let[e,t]=this.varint64();return e!==0||t!==0}fixed32(){return this.view.getUint32((this.pos+=4)-4,!0)}sfixed32(){return this.view.getInt32((this.pos+=4)-4,!0)}fixed64(){return dt.uDec(this.sfixed32(),this.sfixed32())}sfixed64(){return dt.dec(this.sfixed32(),this.sfixed32())}float(){return this.view.getFloat32((this.pos+=4)-4,!0)}double(){return this.view.getFloat64((this.pos+=8)-8,!0)}bytes(){let e=this.uint32(),t=this.pos;return this.pos+=e,this.assertBounds(),this.buf.subarray(t,t+e)}string(){return this.decodeUtf8(this.bytes())}}function oc(n){if(typeof n=="string")n=Number(n);else if(typeof n!="number")throw new Error("invalid int32: "+typeof n);if(!Number.isInteger(n)||n>Zp||n<Yp)throw new Error("invalid int32: "+n)}function uh(n){if(typeof n=="string")n=Number(n);else if(typeof n!="number")throw new Error("invalid uint32: "+typeof n);if(!Number.isInteger(n)||n>Xp||n<0)throw new Error("invalid uint32: "+n)}function bS(n){if(typeof n=="string"){const e=n;if(n=Number(n),Number.isNaN(n)&&e!=="NaN")throw new Error("invalid float32: "+e)}else if(typeof n!="number")throw new Error("invalid float32: "+typeof n);if(Number.isFinite(n)&&(n>Wp||n<Hp))throw new Error("invalid float32: "+n)}function Wi(n,e){const t=n.fieldKind=="list"?ou(e,n):n.fieldKind=="map"?cu(e,n):du(n,e);if(t===!0)return;let i;switch(n.fieldKind){case"list":i=`expected ${jp(n)}, got ${Bt(e)}`;break;case"map":i=`expected ${Jp(n)}, got ${Bt(e)}`;break;default:i=Qa(n,e,t)}return new rn(n,i)}function fh(n,e,t){const i=du(n,t);if(i!==!0)return new rn(n,`list item #${e+1}: ${Qa(n,t,i)}`)}function SS(n,e,t){const i=Kp(e,n.mapKey);if(i!==!0)return new rn(n,`invalid map key: ${Qa({scalar:n.mapKey},e,i)}`);const s=du(n,t);if(s!==!0)return new rn(n,`map entry ${Bt(e)}: ${Qa(n,t,s)}`)}function du(n,e){return n.scalar!==void 0?Kp(e,n.scalar):n.enum!==void 0?n.enum.open?Number.isInteger(e):n.enum.values.some(t=>t.number===e):lu(e,n.message)}function Kp(n,e){switch(e){case k.DOUBLE:return typeof n=="number";case k.FLOAT:return typeof n!="number"?!1:Number.isNaN(n)||!Number.isFinite(n)?!0:n>Wp||n<Hp?`${n.toFixed()} out of range`:!0;case k.INT32:case k.SFIXED32:case k.SINT32:return typeof n!="number"||!Number.isInteger(n)?!1:n>Zp||n<Yp?`${n.toFixed()} out of range`:!0;case k.FIXED32:case k.UINT32:return typeof n!="number"||!Number.isInteger(n)?!1:n>Xp||n<0?`${n.toFixed()} out of range`:!0;case k.BOOL:return typeof n=="boolean";case k.STRING:return typeof n!="string"?!1:uu().checkUtf8(n)||"invalid UTF8";case k.BYTES:return n instanceof Uint8Array;case k.INT64:case k.SFIXED64:case k.SINT64:if(typeof n=="bigint"||typeof n=="number"||typeof n=="string"&&n.length>0)try{return dt.parse(n),!0}catch{return`${n} out of range`}return!1;case k.FIXED64:case k.UINT64:if(typeof n=="bigint"||typeof n=="number"||typeof n=="string"&&n.length>0)try{return dt.uParse(n),!0}catch{return`${n} out of range`}return!1}}function Qa(n,e,t){return t=typeof t=="string"?`: ${t}`:`, got ${Bt(e)}`,n.scalar!==void 0?`expected ${ES(n.scalar)}`+t:n.enum!==void 0?`expected ${n.enum.toString()}`+t:`expected ${$p(n.message)}`+t}function Bt(n){switch(typeof n){case"object":return n===null?"null":n instanceof Uint8Array?`Uint8Array(${n.length})`:Array.isArray(n)?`Array(${n.length})`:ou(n)?jp(n.field()):cu(n)?Jp(n.field()):lu(n)?$p(n.desc):au(n)?`message ${n.$typeName}`:"object";case"string":return n.length>30?"string":`"${n.split('"').join('\\"')}"`;case"boolean":return String(n);case"number":return String(n);case"bigint":return String(n)+"n";default:return typeof n}}function $p(n){return`ReflectMessage (${n.typeName})`}function jp(n){switch(n.listKind){case"message":return`ReflectList (${n.message.toString()})`;case"enum":return`ReflectList (${n.enum.toString()})`;case"scalar":return`ReflectList (${k[n.scalar]})`}}function Jp(n){switch(n.mapKind){case"message":return`ReflectMap (${k[n.mapKey]}, ${n.message.toString()})`;case"enum":return`ReflectMap (${k[n.mapKey]}, ${n.enum.toString()})`;case"scalar":return`ReflectMap (${k[n.mapKey]}, ${k[n.scalar]})`}}function ES(n){switch(n){case k.STRING:return"string";case k.BOOL:return"boolean";case k.INT64:case k.SINT64:case k.SFIXED64:return"bigint (int64)";case k.UINT64:case k.FIXED64:return"bigint (uint64)";case k.BYTES:return"Uint8Array";case k.DOUBLE:return"number (float64)";case k.FLOAT:return"number (float32)";case k.FIXED32:case k.UINT32:return"number (uint32)";case k.INT32:case k.SFIXED32:case k.SINT32:return"number (int32)"}}function MS(n){return qp(n.$typeName)}function Lr(n){const e=n.fields[0];return qp(n.typeName)&&e!==void 0&&e.fieldKind=="scalar"&&e.name=="value"&&e.number==1}function qp(n){return n.startsWith("google.protobuf.")&&["DoubleValue","FloatValue","Int64Value","UInt64Value","Int32Value","UInt32Value","BoolValue","StringValue","BytesValue"].includes(n.substring(16))}const AS=999,TS=998,ka=2;function En(n,e){if(au(e,n))return e;const t=CS(n);return e!==void 0&&wS(n,t,e),t}function wS(n,e,t){for(const i of n.members){let s=t[i.localName];if(s==null)continue;let r;if(i.kind=="oneof"){const a=Lp(t,i);if(!a)continue;r=a,s=Dp(t,a)}else r=i;switch(r.fieldKind){case"message":s=pu(r,s);break;case"scalar":s=Qp(r,s);break;case"list":s=IS(r,s);break;case"map":s=RS(r,s);break}Up(e,r,s)}return e}function Qp(n,e){return n.scalar==k.BYTES?mu(e):e}function RS(n,e){if(Pi(e)){if(n.scalar==k.BYTES)return hh(e,mu);if(n.mapKind=="message")return hh(e,t=>pu(n,t))}return e}function IS(n,e){if(Array.isArray(e)){if(n.scalar==k.BYTES)return e.map(mu);if(n.listKind=="message")return e.map(t=>pu(n,t))}return e}function pu(n,e){if(n.fieldKind=="message"&&!n.oneof&&Lr(n.message))return Qp(n.message.fields[0],e);if(Pi(e)){if(n.message.typeName=="google.protobuf.Struct"&&n.parent.typeName!=="google.protobuf.Value")return e;if(!au(e,n.message))return En(n.message,e)}return e}function mu(n){return Array.isArray(n)?new Uint8Array(n):n}function hh(n,e){const t={};for(const i of Object.entries(n))t[i[0]]=e(i[1]);return t}const NS=Symbol(),dh=new WeakMap;function CS(n){let e;if(PS(n)){const t=dh.get(n);let i,s;if(t)({prototype:i,members:s}=t);else{i={},s=new Set;for(const r of n.members)r.kind!="oneof"&&(r.fieldKind!="scalar"&&r.fieldKind!="enum"||r.presence!=ka&&(s.add(r),i[r.localName]=cc(r)));dh.set(n,{prototype:i,members:s})}e=Object.create(i),e.$typeName=n.typeName;for(const r of n.members)s.has(r)||r.kind=="field"&&(r.fieldKind=="message"||(r.fieldKind=="scalar"||r.fieldKind=="enum")&&r.presence!=ka)||(e[r.localName]=cc(r))}else{e={$typeName:n.typeName};for(const t of n.members)(t.kind=="oneof"||t.presence==ka)&&(e[t.localName]=cc(t))}return e}function PS(n){switch(n.file.edition){case AS:return!1;case TS:return!0;default:return n.fields.some(e=>e.presence!=ka&&e.fieldKind!="message"&&!e.oneof)}}function cc(n){if(n.kind=="oneof")return{case:void 0};if(n.fieldKind=="list")return[];if(n.fieldKind=="map")return{};if(n.fieldKind=="message")return NS;const e=n.getDefaultValue();return e!==void 0?n.fieldKind=="scalar"&&n.longAsString?e.toString():e:n.fieldKind=="scalar"?ts(n.scalar,n.longAsString):n.enum.values[0].number}function An(n,e,t=!0){return new em(n,e,t)}class em{get sortedFields(){var e;return(e=this._sortedFields)!==null&&e!==void 0?e:this._sortedFields=this.desc.fields.concat().sort((t,i)=>t.number-i.number)}constructor(e,t,i=!0){this.lists=new Map,this.maps=new Map,this.check=i,this.desc=e,this.message=this[oi]=t??En(e),this.fields=e.fields,this.oneofs=e.oneofs,this.members=e.members}findNumber(e){return this._fieldsByNumber||(this._fieldsByNumber=new Map(this.desc.fields.map(t=>[t.number,t]))),this._fieldsByNumber.get(e)}oneofCase(e){return tr(this.message,e),Lp(this.message,e)}isSet(e){return tr(this.message,e),Vb(this.message,e)}clear(e){tr(this.message,e),Gb(this.message,e)}get(e){tr(this.message,e);const t=Dp(this.message,e);switch(e.fieldKind){case"list":let i=this.lists.get(e);return(!i||i[oi]!==t)&&this.lists.set(e,i=new LS(e,t,this.check)),i;case"map":let s=this.maps.get(e);return(!s||s[oi]!==t)&&this.maps.set(e,s=new DS(e,t,this.check)),s;case"message":return _u(e,t,this.check);case"scalar":return t===void 0?ts(e.scalar,!1):vu(e,t);case"enum":return t??e.enum.values[0].number}}set(e,t){if(tr(this.message,e),this.check){const s=Wi(e,t);if(s)throw s}let i;e.fieldKind=="message"?i=gu(e,t):cu(t)||ou(t)?i=t[oi]:i=xu(e,t),Up(this.message,e,i)}getUnknown(){return this.message.$unknown}setUnknown(e){this.message.$unknown=e}}function tr(n,e){if(e.parent.typeName!==n.$typeName)throw new rn(e,`cannot use ${e.toString()} with message ${n.$typeName}`,"ForeignFieldError")}class LS{field(){return this._field}get size(){return this._arr.length}constructor(e,t,i){this._field=e,this._arr=this[oi]=t,this.check=i}get(e){const t=this._arr[e];return t===void 0?void 0:lc(this._field,t,this.check)}set(e,t){if(e<0||e>=this._arr.length)throw new rn(this._field,`list item #${e+1}: out of range`);if(this.check){const i=fh(this._field,e,t);if(i)throw i}this._arr[e]=ph(this._field,t)}add(e){if(this.check){const t=fh(this._field,this._arr.length,e);if(t)throw t}this._arr.push(ph(this._field,e))}clear(){this._arr.splice(0,this._arr.length)}[Symbol.iterator](){return this.values()}keys(){return this._arr.keys()}*values(){for(const e of this._arr)yield lc(this._field,e,this.check)}*entries(){for(let e=0;e<this._arr.length;e++)yield[e,lc(this._field,this._arr[e],this.check)]}}class DS{constructor(e,t,i=!0){this.obj=this[oi]=t??{},this.check=i,this._field=e}field(){return this._field}set(e,t){if(this.check){const i=SS(this._field,e,t);if(i)throw i}return this.obj[ha(e)]=US(this._field,t),this}delete(e){const t=ha(e),i=Object.prototype.hasOwnProperty.call(this.obj,t);return i&&delete this.obj[t],i}clear(){for(const e of Object.keys(this.obj))delete this.obj[e]}get(e){let t=this.obj[ha(e)];return t!==void 0&&(t=uc(this._field,t,this.check)),t}has(e){return Object.prototype.hasOwnProperty.call(this.obj,ha(e))}*keys(){for(const e of Object.keys(this.obj))yield mh(e,this._field.mapKey)}*entries(){for(const e of Object.entries(this.obj))yield[mh(e[0],this._field.mapKey),uc(this._field,e[1],this.check)]}[Symbol.iterator](){return this.entries()}get size(){return Object.keys(this.obj).length}*values(){for(const e of Object.values(this.obj))yield uc(this._field,e,this.check)}forEach(e,t){for(const i of this.entries())e.call(t,i[1],i[0],this)}}function gu(n,e){return lu(e)?MS(e.message)&&!n.oneof&&n.fieldKind=="message"?e.message.value:e.desc.typeName=="google.protobuf.Struct"&&n.parent.typeName!="google.protobuf.Value"?nm(e.message):e.message:e}function _u(n,e,t){return e!==void 0&&(Lr(n.message)&&!n.oneof&&n.fieldKind=="message"?e={$typeName:n.message.typeName,value:vu(n.message.fields[0],e)}:n.message.typeName=="google.protobuf.Struct"&&n.parent.typeName!="google.protobuf.Value"&&Pi(e)&&(e=tm(e))),new em(n.message,e,t)}function ph(n,e){return n.listKind=="message"?gu(n,e):xu(n,e)}function lc(n,e,t){return n.listKind=="message"?_u(n,e,t):vu(n,e)}function US(n,e){return n.mapKind=="message"?gu(n,e):xu(n,e)}function uc(n,e,t){return n.mapKind=="message"?_u(n,e,t):e}function ha(n){return typeof n=="string"||typeof n=="number"?n:String(n)}function mh(n,e){switch(e){case k.STRING:return n;case k.INT32:case k.FIXED32:case k.UINT32:case k.SFIXED32:case k.SINT32:{const t=Number.parseInt(n);if(Number.isFinite(t))return t;break}case k.BOOL:switch(n){case"true":return!0;case"false":return!1}break;case k.UINT64:case k.FIXED64:try{return dt.uParse(n)}catch{}break;default:try{return dt.parse(n)}catch{}break}return n}function vu(n,e){switch(n.scalar){case k.INT64:case k.SFIXED64:case k.SINT64:"longAsString"in n&&n.longAsString&&typeof e=="string"&&(e=dt.parse(e));break;case k.FIXED64:case k.UINT64:"longAsString"in n&&n.longAsString&&typeof e=="string"&&(e=dt.uParse(e));break}return e}function xu(n,e){switch(n.scalar){case k.INT64:case k.SFIXED64:case k.SINT64:"longAsString"in n&&n.longAsString?e=String(e):(typeof e=="string"||typeof e=="number")&&(e=dt.parse(e));break;case k.FIXED64:case k.UINT64:"longAsString"in n&&n.longAsString?e=String(e):(typeof e=="string"||typeof e=="number")&&(e=dt.uParse(e));break}return e}function tm(n){const e={$typeName:"google.protobuf.Struct",fields:{}};if(Pi(n))for(const[t,i]of Object.entries(n))e.fields[t]=sm(i);return e}function nm(n){const e={};for(const[t,i]of Object.entries(n.fields))e[t]=im(i);return e}function im(n){switch(n.kind.case){case"structValue":return nm(n.kind.value);case"listValue":return n.kind.value.values.map(im);case"nullValue":case void 0:return null;default:return n.kind.value}}function sm(n){const e={$typeName:"google.protobuf.Value",kind:{case:void 0}};switch(typeof n){case"number":e.kind={case:"numberValue",value:n};break;case"string":e.kind={case:"stringValue",value:n};break;case"boolean":e.kind={case:"boolValue",value:n};break;case"object":if(n===null)e.kind={case:"nullValue",value:0};else if(Array.isArray(n)){const t={$typeName:"google.protobuf.ListValue",values:[]};if(Array.isArray(n))for(const i of n)t.values.push(sm(i));e.kind={case:"listValue",value:t}}else e.kind={case:"structValue",value:tm(n)};break}return e}const FS=3,gh={writeUnknownFields:!0};function BS(n){return n?Object.assign(Object.assign({},gh),n):gh}function yu(n,e,t){return eo(new fu,BS(t),An(n,e)).finish()}function eo(n,e,t){var i;for(const s of t.sortedFields){if(!t.isSet(s)){if(s.presence==FS)throw new Error(`cannot encode ${s} to binary: required field not set`);continue}rm(n,e,t,s)}if(e.writeUnknownFields)for(const{no:s,wireType:r,data:a}of(i=t.getUnknown())!==null&&i!==void 0?i:[])n.tag(s,r).raw(a);return n}function rm(n,e,t,i){var s;switch(i.fieldKind){case"scalar":case"enum":to(n,t.desc.typeName,i.name,(s=i.scalar)!==null&&s!==void 0?s:k.INT32,i.number,t.get(i));break;case"list":OS(n,e,i,t.get(i));break;case"message":am(n,e,i,t.get(i));break;case"map":for(const[r,a]of t.get(i))VS(n,e,i,r,a);break}}function to(n,e,t,i,s,r){om(n.tag(s,GS(i)),e,t,i,r)}function am(n,e,t,i){t.delimitedEncoding?eo(n.tag(t.number,bt.StartGroup),e,i).tag(t.number,bt.EndGroup):eo(n.tag(t.number,bt.LengthDelimited).fork(),e,i).join()}function OS(n,e,t,i){var s;if(t.listKind=="message"){for(const a of i)am(n,e,t,a);return}const r=(s=t.scalar)!==null&&s!==void 0?s:k.INT32;if(t.packed){if(!i.size)return;n.tag(t.number,bt.LengthDelimited).fork();for(const a of i)om(n,t.parent.typeName,t.name,r,a);n.join();return}for(const a of i)to(n,t.parent.typeName,t.name,r,t.number,a)}function VS(n,e,t,i,s){var r;switch(n.tag(t.number,bt.LengthDelimited).fork(),to(n,t.parent.typeName,t.name,t.mapKey,1,i),t.mapKind){case"scalar":case"enum":to(n,t.parent.typeName,t.name,(r=t.scalar)!==null&&r!==void 0?r:k.INT32,2,s);break;case"message":eo(n.tag(2,bt.LengthDelimited).fork(),e,s).join();break}n.join()}function om(n,e,t,i,s){try{switch(i){case k.STRING:n.string(s);break;case k.BOOL:n.bool(s);break;case k.DOUBLE:n.double(s);break;case k.FLOAT:n.float(s);break;case k.INT32:n.int32(s);break;case k.INT64:n.int64(s);break;case k.UINT64:n.uint64(s);break;case k.FIXED64:n.fixed64(s);break;case k.BYTES:n.bytes(s);break;case k.FIXED32:n.fixed32(s);break;case k.SFIXED32:n.sfixed32(s);break;case k.SFIXED64:n.sfixed64(s);break;case k.SINT64:n.sint64(s);break;case k.UINT32:n.uint32(s);break;case k.SINT32:n.sint32(s);break}}catch(r){throw r instanceof Error?new Error(`cannot encode field ${e}.${t} to binary: ${r.message}`):r}}function GS(n){switch(n){case k.BYTES:case k.STRING:return bt.LengthDelimited;case k.DOUBLE:case k.FIXED64:case k.SFIXED64:return bt.Bit64;case k.FIXED32:case k.SFIXED32:case k.FLOAT:return bt.Bit32;default:return bt.Varint}}function Di(n,e,...t){return t.reduce((i,s)=>i.nestedMessages[s],n.messages[e])}const kS=dS({name:"google/protobuf/descriptor.proto",package:"google.protobuf",messageType:[{name:"FileDescriptorSet",field:[{name:"file",number:1,type:11,label:3,typeName:".google.protobuf.FileDescriptorProto"}],extensionRange:[{start:536e6,end:536000001}]},{name:"FileDescriptorProto",field:[{name:"name",number:1,type:9,label:1},{name:"package",number:2,type:9,label:1},{name:"dependency",number:3,type:9,label:3},{name:"public_dependency",number:10,type:5,label:3},{name:"weak_dependency",number:11,type:5,label:3},{name:"option_dependency",number:15,type:9,label:3},{name:"message_type",number:4,type:11,label:3,typeName:".google.protobuf.DescriptorProto"},{name:"enum_type",number:5,type:11,label:3,typeName:".google.protobuf.EnumDescriptorProto"},{name:"service",number:6,type:11,label:3,typeName:".google.protobuf.ServiceDescriptorProto"},{name:"extension",number:7,type:11,label:3,typeName:".google.protobuf.FieldDescriptorProto"},{name:"options",number:8,type:11,label:1,typeName:".google.protobuf.FileOptions"},{name:"source_code_info",number:9,type:11,label:1,typeName:".google.protobuf.SourceCodeInfo"},{name:"syntax",number:12,type:9,label:1},{name:"edition",number:14,type:14,label:1,typeName:".google.protobuf.Edition"}]},{name:"DescriptorProto",field:[{name:"name",number:1,type:9,label:1},{name:"field",number:2,type:11,label:3,typeName:".google.protobuf.FieldDescriptorProto"},{name:"extension",number:6,type:11,label:3,typeName:".google.protobuf.FieldDescriptorProto"},{name:"nested_type",number:3,type:11,label:3,typeName:".google.protobuf.DescriptorProto"},{name:"enum_type",number:4,type:11,label:3,typeName:".google.protobuf.EnumDescriptorProto"},{name:"extension_range",number:5,type:11,label:3,typeName:".google.protobuf.DescriptorProto.ExtensionRange"},{name:"oneof_decl",number:8,type:11,label:3,typeName:".google.protobuf.OneofDescriptorProto"},{name:"options",number:7,type:11,label:1,typeName:".google.protobuf.MessageOptions"},{name:"reserved_range",number:9,type:11,label:3,typeName:".google.protobuf.DescriptorProto.ReservedRange"},{name:"reserved_name",number:10,type:9,label:3},{name:"visibility",number:11,type:14,label:1,typeName:".google.protobuf.SymbolVisibility"}],nestedType:[{name:"ExtensionRange",field:[{name:"start",number:1,type:5,label:1},{name:"end",number:2,type:5,label:1},{name:"options",number:3,type:11,label:1,typeName:".google.protobuf.ExtensionRangeOptions"}]},{name:"ReservedRange",field:[{name:"start",number:1,type:5,label:1},{name:"end",number:2,type:5,label:1}]}]},{name:"ExtensionRangeOptions",field:[{name:"uninterpreted_option",number:999,type:11,label:3,typeName:".google.protobuf.UninterpretedOption"},{name:"declaration",number:2,type:11,label:3,typeName:".google.protobuf.ExtensionRangeOptions.Declaration",options:{retention:2}},{name:"features",number:50,type:11,label:1,typeName:".google.protobuf.FeatureSet"},{name:"verification",number:3,type:14,label:1,typeName:".google.protobuf.ExtensionRangeOptions.VerificationState",defaultValue:"UNVERIFIED",options:{retention:2}}],nestedType:[{name:"Declaration",field:[{name:"number",number:1,type:5,label:1},{name:"full_name",number:2,type:9,label:1},{name:"type",number:3,type:9,label:1},{name:"reserved",number:5,type:8,label:1},{name:"repeated",number:6,type:8,label:1}]}],enumType:[{name:"VerificationState",value:[{name:"DECLARATION",number:0},{name:"UNVERIFIED",number:1}]}],extensionRange:[{start:1e3,end:536870912}]},{name:"FieldDescriptorProto",field:[{name:"name",number:1,type:9,label:1},{name:"number",number:3,type:5,label:1},{name:"label",number:4,type:14,label:1,typeName:".google.protobuf.FieldDescriptorProto.Label"},{name:"type",number:5,type:14,label:1,typeName:".google.protobuf.FieldDescriptorProto.Type"},{name:"type_name",number:6,type:9,label:1},{name:"extendee",number:2,type:9,label:1},{name:"default_value",number:7,type:9,label:1},{name:"oneof_index",number:9,type:5,label:1},{name:"json_name",number:10,type:9,label:1},{name:"options",number:8,type:11,label:1,typeName:".google.protobuf.FieldOptions"},{name:"proto3_optional",number:17,type:8,label:1}],enumType:[{name:"Type",value:[{name:"TYPE_DOUBLE",number:1},{name:"TYPE_FLOAT",number:2},{name:"TYPE_INT64",number:3},{name:"TYPE_UINT64",number:4},{name:"TYPE_INT32",number:5},{name:"TYPE_FIXED64",number:6},{name:"TYPE_FIXED32",number:7},{name:"TYPE_BOOL",number:8},{name:"TYPE_STRING",number:9},{name:"TYPE_GROUP",number:10},{name:"TYPE_MESSAGE",number:11},{name:"TYPE_BYTES",number:12},{name:"TYPE_UINT32",number:13},{name:"TYPE_ENUM",number:14},{name:"TYPE_SFIXED32",number:15},{name:"TYPE_SFIXED64",number:16},{name:"TYPE_SINT32",number:17},{name:"TYPE_SINT64",number:18}]},{name:"Label",value:[{name:"LABEL_OPTIONAL",number:1},{name:"LABEL_REPEATED",number:3},{name:"LABEL_REQUIRED",number:2}]}]},{name:"OneofDescriptorProto",field:[{name:"name",number:1,type:9,label:1},{name:"options",number:2,type:11,label:1,typeName:".google.protobuf.OneofOptions"}]},{name:"EnumDescriptorProto",field:[{name:"name",number:1,type:9,label:1},{name:"value",number:2,type:11,label:3,typeName:".google.protobuf.EnumValueDescriptorProto"},{name:"options",number:3,type:11,label:1,typeName:".google.protobuf.EnumOptions"},{name:"reserved_range",number:4,type:11,label:3,typeName:".google.protobuf.EnumDescriptorProto.EnumReservedRange"},{name:"reserved_name",number:5,type:9,label:3},{name:"visibility",number:6,type:14,label:1,typeName:".google.protobuf.SymbolVisibility"}],nestedType:[{name:"EnumReservedRange",field:[{name:"start",number:1,type:5,label:1},{name:"end",number:2,type:5,label:1}]}]},{name:"EnumValueDescriptorProto",field:[{name:"name",number:1,type:9,label:1},{name:"number",number:2,type:5,label:1},{name:"options",number:3,type:11,label:1,typeName:".google.protobuf.EnumValueOptions"}]},{name:"ServiceDescriptorProto",field:[{name:"name",number:1,type:9,label:1},{name:"method",number:2,type:11,label:3,typeName:".google.protobuf.MethodDescriptorProto"},{name:"options",number:3,type:11,label:1,typeName:".google.protobuf.ServiceOptions"}]},{name:"MethodDescriptorProto",field:[{name:"name",number:1,type:9,label:1},{name:"input_type",number:2,type:9,label:1},{name:"output_type",number:3,type:9,label:1},{name:"options",number:4,type:11,label:1,typeName:".google.protobuf.MethodOptions"},{name:"client_streaming",number:5,type:8,label:1,defaultValue:"false"},{name:"server_streaming",number:6,type:8,label:1,defaultValue:"false"}]},{name:"FileOptions",field:[{name:"java_package",number:1,type:9,label:1},{name:"java_outer_classname",number:8,type:9,label:1},{name:"java_multiple_files",number:10,type:8,label:1,defaultValue:"false"},{name:"java_generate_equals_and_hash",number:20,type:8,label:1,options:{deprecated:!0}},{name:"java_string_check_utf8",number:27,type:8,label:1,defaultValue:"false"},{name:"optimize_for",number:9,type:14,label:1,typeName:".google.protobuf.FileOptions.OptimizeMode",defaultValue:"SPEED"},{name:"go_package",number:11,type:9,label:1},{name:"cc_generic_services",number:16,type:8,label:1,defaultValue:"false"},{name:"java_generic_services",number:17,type:8,label:1,defaultValue:"false"},{name:"py_generic_services",number:18,type:8,label:1,defaultValue:"false"},{name:"deprecated",number:23,type:8,label:1,defaultValue:"false"},{name:"cc_enable_arenas",number:31,type:8,label:1,defaultValue:"true"},{name:"objc_class_prefix",number:36,type:9,label:1},{name:"csharp_namespace",number:37,type:9,label:1},{name:"swift_prefix",number:39,type:9,label:1},{name:"php_class_prefix",number:40,type:9,label:1},{name:"php_namespace",number:41,type:9,label:1},{name:"php_metadata_namespace",number:44,type:9,label:1},{name:"ruby_package",number:45,type:9,label:1},{name:"features",number:50,type:11,label:1,typeName:".google.protobuf.FeatureSet"},{name:"uninterpreted_option",number:999,type:11,label:3,typeName:".google.protobuf.UninterpretedOption"}],enumType:[{name:"OptimizeMode",value:[{name:"SPEED",number:1},{name:"CODE_SIZE",number:2},{name:"LITE_RUNTIME",number:3}]}],extensionRange:[{start:1e3,end:536870912}]},{name:"MessageOptions",field:[{name:"message_set_wire_format",number:1,type:8,label:1,defaultValue:"false"},{name:"no_standard_descriptor_accessor",number:2,type:8,label:1,defaultValue:"false"},{name:"deprecated",number:3,type:8,label:1,defaultValue:"false"},{name:"map_entry",number:7,type:8,label:1},{name:"deprecated_legacy_json_field_conflicts",number:11,type:8,label:1,options:{deprecated:!0}},{name:"features",number:12,type:11,label:1,typeName:".google.protobuf.FeatureSet"},{name:"uninterpreted_option",number:999,type:11,label:3,typeName:".google.protobuf.UninterpretedOption"}],extensionRange:[{start:1e3,end:536870912}]},{name:"FieldOptions",field:[{name:"ctype",number:1,type:14,label:1,typeName:".google.protobuf.FieldOptions.CType",defaultValue:"STRING"},{name:"packed",number:2,type:8,label:1},{name:"jstype",number:6,type:14,label:1,typeName:".google.protobuf.FieldOptions.JSType",defaultValue:"JS_NORMAL"},{name:"lazy",number:5,type:8,label:1,defaultValue:"false"},{name:"unverified_lazy",number:15,type:8,label:1,defaultValue:"false"},{name:"deprecated",number:3,type:8,label:1,defaultValue:"false"},{name:"weak",number:10,type:8,label:1,defaultValue:"false"},{name:"debug_redact",number:16,type:8,label:1,defaultValue:"false"},{name:"retention",number:17,type:14,label:1,typeName:".google.protobuf.FieldOptions.OptionRetention"},{name:"targets",number:19,type:14,label:3,typeName:".google.protobuf.FieldOptions.OptionTargetType"},{name:"edition_defaults",number:20,type:11,label:3,typeName:".google.protobuf.FieldOptions.EditionDefault"},{name:"features",number:21,type:11,label:1,typeName:".google.protobuf.FeatureSet"},{name:"feature_support",number:22,type:11,label:1,typeName:".google.protobuf.FieldOptions.FeatureSupport"},{name:"uninterpreted_option",number:999,type:11,label:3,typeName:".google.protobuf.UninterpretedOption"}],nestedType:[{name:"EditionDefault",field:[{name:"edition",number:3,type:14,label:1,typeName:".google.protobuf.Edition"},{name:"value",number:2,type:9,label:1}]},{name:"FeatureSupport",field:[{name:"edition_introduced",number:1,type:14,label:1,typeName:".google.protobuf.Edition"},{name:"edition_deprecated",number:2,type:14,label:1,typeName:".google.protobuf.Edition"},{name:"deprecation_warning",number:3,type:9,label:1},{name:"edition_removed",number:4,type:14,label:1,typeName:".google.protobuf.Edition"}]}],enumType:[{name:"CType",value:[{name:"STRING",number:0},{name:"CORD",number:1},{name:"STRING_PIECE",number:2}]},{name:"JSType",value:[{name:"JS_NORMAL",number:0},{name:"JS_STRING",number:1},{name:"JS_NUMBER",number:2}]},{name:"OptionRetention",value:[{name:"RETENTION_UNKNOWN",number:0},{name:"RETENTION_RUNTIME",number:1},{name:"RETENTION_SOURCE",number:2}]},{name:"OptionTargetType",value:[{name:"TARGET_TYPE_UNKNOWN",number:0},{name:"TARGET_TYPE_FILE",number:1},{name:"TARGET_TYPE_EXTENSION_RANGE",number:2},{name:"TARGET_TYPE_MESSAGE",number:3},{name:"TARGET_TYPE_FIELD",number:4},{name:"TARGET_TYPE_ONEOF",number:5},{name:"TARGET_TYPE_ENUM",number:6},{name:"TARGET_TYPE_ENUM_ENTRY",number:7},{name:"TARGET_TYPE_SERVICE",number:8},{name:"TARGET_TYPE_METHOD",number:9}]}],extensionRange:[{start:1e3,end:536870912}]},{name:"OneofOptions",field:[{name:"features",number:1,type:11,label:1,typeName:".google.protobuf.FeatureSet"},{name:"uninterpreted_option",number:999,type:11,label:3,typeName:".google.protobuf.UninterpretedOption"}],extensionRange:[{start:1e3,end:536870912}]},{name:"EnumOptions",field:[{name:"allow_alias",number:2,type:8,label:1},{name:"deprecated",number:3,type:8,label:1,defaultValue:"false"},{name:"deprecated_legacy_json_field_conflicts",number:6,type:8,label:1,options:{deprecated:!0}},{name:"features",number:7,type:11,label:1,typeName:".google.protobuf.FeatureSet"},{name:"uninterpreted_option",number:999,type:11,label:3,typeName:".google.protobuf.UninterpretedOption"}],extensionRange:[{start:1e3,end:536870912}]},{name:"EnumValueOptions",field:[{name:"deprecated",number:1,type:8,label:1,defaultValue:"false"},{name:"features",number:2,type:11,label:1,typeName:".google.protobuf.FeatureSet"},{name:"debug_redact",number:3,type:8,label:1,defaultValue:"false"},{name:"feature_support",number:4,type:11,label:1,typeName:".google.protobuf.FieldOptions.FeatureSupport"},{name:"uninterpreted_option",number:999,type:11,label:3,typeName:".google.protobuf.UninterpretedOption"}],extensionRange:[{start:1e3,end:536870912}]},{name:"ServiceOptions",field:[{name:"features",number:34,type:11,label:1,typeName:".google.protobuf.FeatureSet"},{name:"deprecated",number:33,type:8,label:1,defaultValue:"false"},{name:"uninterpreted_option",number:999,type:11,label:3,typeName:".google.protobuf.UninterpretedOption"}],extensionRange:[{start:1e3,end:536870912}]},{name:"MethodOptions",field:[{name:"deprecated",number:33,type:8,label:1,defaultValue:"false"},{name:"idempotency_level",number:34,type:14,label:1,typeName:".google.protobuf.MethodOptions.IdempotencyLevel",defaultValue:"IDEMPOTENCY_UNKNOWN"},{name:"features",number:35,type:11,label:1,typeName:".google.protobuf.FeatureSet"},{name:"uninterpreted_option",number:999,type:11,label:3,typeName:".google.protobuf.UninterpretedOption"}],enumType:[{name:"IdempotencyLevel",value:[{name:"IDEMPOTENCY_UNKNOWN",number:0},{name:"NO_SIDE_EFFECTS",number:1},{name:"IDEMPOTENT",number:2}]}],extensionRange:[{start:1e3,end:536870912}]},{name:"UninterpretedOption",field:[{name:"name",number:2,type:11,label:3,typeName:".google.protobuf.UninterpretedOption.NamePart"},{name:"identifier_value",number:3,type:9,label:1},{name:"positive_int_value",number:4,type:4,label:1},{name:"negative_int_value",number:5,type:3,label:1},{name:"double_value",number:6,type:1,label:1},{name:"string_value",number:7,type:12,label:1},{name:"aggregate_value",number:8,type:9,label:1}],nestedType:[{name:"NamePart",field:[{name:"name_part",number:1,type:9,label:2},{name:"is_extension",number:2,type:8,label:2}]}]},{name:"FeatureSet",field:[{name:"field_presence",number:1,type:14,label:1,typeName:".google.protobuf.FeatureSet.FieldPresence",options:{retention:1,targets:[4,1],editionDefaults:[{value:"EXPLICIT",edition:900},{value:"IMPLICIT",edition:999},{value:"EXPLICIT",edition:1e3}]}},{name:"enum_type",number:2,type:14,label:1,typeName:".google.protobuf.FeatureSet.EnumType",options:{retention:1,targets:[6,1],editionDefaults:[{value:"CLOSED",edition:900},{value:"OPEN",edition:999}]}},{name:"repeated_field_encoding",number:3,type:14,label:1,typeName:".google.protobuf.FeatureSet.RepeatedFieldEncoding",options:{retention:1,targets:[4,1],editionDefaults:[{value:"EXPANDED",edition:900},{value:"PACKED",edition:999}]}},{name:"utf8_validation",number:4,type:14,label:1,typeName:".google.protobuf.FeatureSet.Utf8Validation",options:{retention:1,targets:[4,1],editionDefaults:[{value:"NONE",edition:900},{value:"VERIFY",edition:999}]}},{name:"message_encoding",number:5,type:14,label:1,typeName:".google.protobuf.FeatureSet.MessageEncoding",options:{retention:1,targets:[4,1],editionDefaults:[{value:"LENGTH_PREFIXED",edition:900}]}},{name:"json_format",number:6,type:14,label:1,typeName:".google.protobuf.FeatureSet.JsonFormat",options:{retention:1,targets:[3,6,1],editionDefaults:[{value:"LEGACY_BEST_EFFORT",edition:900},{value:"ALLOW",edition:999}]}},{name:"enforce_naming_style",number:7,type:14,label:1,typeName:".google.protobuf.FeatureSet.EnforceNamingStyle",options:{retention:2,targets:[1,2,3,4,5,6,7,8,9],editionDefaults:[{value:"STYLE_LEGACY",edition:900},{value:"STYLE2024",edition:1001}]}},{name:"default_symbol_visibility",number:8,type:14,label:1,typeName:".google.protobuf.FeatureSet.VisibilityFeature.DefaultSymbolVisibility",options:{retention:2,targets:[1],editionDefaults:[{value:"EXPORT_ALL",edition:900},{value:"EXPORT_TOP_LEVEL",edition:1001}]}}],nestedType:[{name:"VisibilityFeature",enumType:[{name:"DefaultSymbolVisibility",value:[{name:"DEFAULT_SYMBOL_VISIBILITY_UNKNOWN",number:0},{name:"EXPORT_ALL",number:1},{name:"EXPORT_TOP_LEVEL",number:2},{name:"LOCAL_ALL",number:3},{name:"STRICT",number:4}]}]}],enumType:[{name:"FieldPresence",value:[{name:"FIELD_PRESENCE_UNKNOWN",number:0},{name:"EXPLICIT",number:1},{name:"IMPLICIT",number:2},{name:"LEGACY_REQUIRED",number:3}]},{name:"EnumType",value:[{name:"ENUM_TYPE_UNKNOWN",number:0},{name:"OPEN",number:1},{name:"CLOSED",number:2}]},{name:"RepeatedFieldEncoding",value:[{name:"REPEATED_FIELD_ENCODING_UNKNOWN",number:0},{name:"PACKED",number:1},{name:"EXPANDED",number:2}]},{name:"Utf8Validation",value:[{name:"UTF8_VALIDATION_UNKNOWN",number:0},{name:"VERIFY",number:2},{name:"NONE",number:3}]},{name:"MessageEncoding",value:[{name:"MESSAGE_ENCODING_UNKNOWN",number:0},{name:"LENGTH_PREFIXED",number:1},{name:"DELIMITED",number:2}]},{name:"JsonFormat",value:[{name:"JSON_FORMAT_UNKNOWN",number:0},{name:"ALLOW",number:1},{name:"LEGACY_BEST_EFFORT",number:2}]},{name:"EnforceNamingStyle",value:[{name:"ENFORCE_NAMING_STYLE_UNKNOWN",number:0},{name:"STYLE2024",number:1},{name:"STYLE_LEGACY",number:2}]}],extensionRange:[{start:1e3,end:9995},{start:9995,end:1e4},{start:1e4,end:10001}]},{name:"FeatureSetDefaults",field:[{name:"defaults",number:1,type:11,label:3,typeName:".google.protobuf.FeatureSetDefaults.FeatureSetEditionDefault"},{name:"minimum_edition",number:4,type:14,label:1,typeName:".google.protobuf.Edition"},{name:"maximum_edition",number:5,type:14,label:1,typeName:".google.protobuf.Edition"}],nestedType:[{name:"FeatureSetEditionDefault",field:[{name:"edition",number:3,type:14,label:1,typeName:".google.protobuf.Edition"},{name:"overridable_features",number:4,type:11,label:1,typeName:".google.protobuf.FeatureSet"},{name:"fixed_features",number:5,type:11,label:1,typeName:".google.protobuf.FeatureSet"}]}]},{name:"SourceCodeInfo",field:[{name:"location",number:1,type:11,label:3,typeName:".google.protobuf.SourceCodeInfo.Location"}],nestedType:[{name:"Location",field:[{name:"path",number:1,type:5,label:3,options:{packed:!0}},{name:"span",number:2,type:5,label:3,options:{packed:!0}},{name:"leading_comments",number:3,type:9,label:1},{name:"trailing_comments",number:4,type:9,label:1},{name:"leading_detached_comments",number:6,type:9,label:3}]}],extensionRange:[{start:536e6,end:536000001}]},{name:"GeneratedCodeInfo",field:[{name:"annotation",number:1,type:11,label:3,typeName:".google.protobuf.GeneratedCodeInfo.Annotation"}],nestedType:[{name:"Annotation",field:[{name:"path",number:1,type:5,label:3,options:{packed:!0}},{name:"source_file",number:2,type:9,label:1},{name:"begin",number:3,type:5,label:1},{name:"end",number:4,type:5,label:1},{name:"semantic",number:5,type:14,label:1,typeName:".google.protobuf.GeneratedCodeInfo.Annotation.Semantic"}],enumType:[{name:"Semantic",value:[{name:"NONE",number:0},{name:"SET",number:1},{name:"ALIAS",number:2}]}]}]}],enumType:[{name:"Edition",value:[{name:"EDITION_UNKNOWN",number:0},{name:"EDITION_LEGACY",number:900},{name:"EDITION_PROTO2",number:998},{name:"EDITION_PROTO3",number:999},{name:"EDITION_2023",number:1e3},{name:"EDITION_2024",number:1001},{name:"EDITION_1_TEST_ONLY",number:1},{name:"EDITION_2_TEST_ONLY",number:2},{name:"EDITION_99997_TEST_ONLY",number:99997},{name:"EDITION_99998_TEST_ONLY",number:99998},{name:"EDITION_99999_TEST_ONLY",number:99999},{name:"EDITION_MAX",number:2147483647}]},{name:"SymbolVisibility",value:[{name:"VISIBILITY_UNSET",number:0},{name:"VISIBILITY_LOCAL",number:1},{name:"VISIBILITY_EXPORT",number:2}]}]}),zS=Di(kS,1);var _h;(function(n){n[n.DECLARATION=0]="DECLARATION",n[n.UNVERIFIED=1]="UNVERIFIED"})(_h||(_h={}));var vh;(function(n){n[n.DOUBLE=1]="DOUBLE",n[n.FLOAT=2]="FLOAT",n[n.INT64=3]="INT64",n[n.UINT64=4]="UINT64",n[n.INT32=5]="INT32",n[n.FIXED64=6]="FIXED64",n[n.FIXED32=7]="FIXED32",n[n.BOOL=8]="BOOL",n[n.STRING=9]="STRING",n[n.GROUP=10]="GROUP",n[n.MESSAGE=11]="MESSAGE",n[n.BYTES=12]="BYTES",n[n.UINT32=13]="UINT32",n[n.ENUM=14]="ENUM",n[n.SFIXED32=15]="SFIXED32",n[n.SFIXED64=16]="SFIXED64",n[n.SINT32=17]="SINT32",n[n.SINT64=18]="SINT64"})(vh||(vh={}));var xh;(function(n){n[n.OPTIONAL=1]="OPTIONAL",n[n.REPEATED=3]="REPEATED",n[n.REQUIRED=2]="REQUIRED"})(xh||(xh={}));var yh;(function(n){n[n.SPEED=1]="SPEED",n[n.CODE_SIZE=2]="CODE_SIZE",n[n.LITE_RUNTIME=3]="LITE_RUNTIME"})(yh||(yh={}));var bh;(function(n){n[n.STRING=0]="STRING",n[n.CORD=1]="CORD",n[n.STRING_PIECE=2]="STRING_PIECE"})(bh||(bh={}));var Sh;(function(n){n[n.JS_NORMAL=0]="JS_NORMAL",n[n.JS_STRING=1]="JS_STRING",n[n.JS_NUMBER=2]="JS_NUMBER"})(Sh||(Sh={}));var Eh;(function(n){n[n.RETENTION_UNKNOWN=0]="RETENTION_UNKNOWN",n[n.RETENTION_RUNTIME=1]="RETENTION_RUNTIME",n[n.RETENTION_SOURCE=2]="RETENTION_SOURCE"})(Eh||(Eh={}));var Mh;(function(n){n[n.TARGET_TYPE_UNKNOWN=0]="TARGET_TYPE_UNKNOWN",n[n.TARGET_TYPE_FILE=1]="TARGET_TYPE_FILE",n[n.TARGET_TYPE_EXTENSION_RANGE=2]="TARGET_TYPE_EXTENSION_RANGE",n[n.TARGET_TYPE_MESSAGE=3]="TARGET_TYPE_MESSAGE",n[n.TARGET_TYPE_FIELD=4]="TARGET_TYPE_FIELD",n[n.TARGET_TYPE_ONEOF=5]="TARGET_TYPE_ONEOF",n[n.TARGET_TYPE_ENUM=6]="TARGET_TYPE_ENUM",n[n.TARGET_TYPE_ENUM_ENTRY=7]="TARGET_TYPE_ENUM_ENTRY",n[n.TARGET_TYPE_SERVICE=8]="TARGET_TYPE_SERVICE",n[n.TARGET_TYPE_METHOD=9]="TARGET_TYPE_METHOD"})(Mh||(Mh={}));var Ah;(function(n){n[n.IDEMPOTENCY_UNKNOWN=0]="IDEMPOTENCY_UNKNOWN",n[n.NO_SIDE_EFFECTS=1]="NO_SIDE_EFFECTS",n[n.IDEMPOTENT=2]="IDEMPOTENT"})(Ah||(Ah={}));var Th;(function(n){n[n.DEFAULT_SYMBOL_VISIBILITY_UNKNOWN=0]="DEFAULT_SYMBOL_VISIBILITY_UNKNOWN",n[n.EXPORT_ALL=1]="EXPORT_ALL",n[n.EXPORT_TOP_LEVEL=2]="EXPORT_TOP_LEVEL",n[n.LOCAL_ALL=3]="LOCAL_ALL",n[n.STRICT=4]="STRICT"})(Th||(Th={}));var wh;(function(n){n[n.FIELD_PRESENCE_UNKNOWN=0]="FIELD_PRESENCE_UNKNOWN",n[n.EXPLICIT=1]="EXPLICIT",n[n.IMPLICIT=2]="IMPLICIT",n[n.LEGACY_REQUIRED=3]="LEGACY_REQUIRED"})(wh||(wh={}));var Rh;(function(n){n[n.ENUM_TYPE_UNKNOWN=0]="ENUM_TYPE_UNKNOWN",n[n.OPEN=1]="OPEN",n[n.CLOSED=2]="CLOSED"})(Rh||(Rh={}));var Ih;(function(n){n[n.REPEATED_FIELD_ENCODING_UNKNOWN=0]="REPEATED_FIELD_ENCODING_UNKNOWN",n[n.PACKED=1]="PACKED",n[n.EXPANDED=2]="EXPANDED"})(Ih||(Ih={}));var Nh;(function(n){n[n.UTF8_VALIDATION_UNKNOWN=0]="UTF8_VALIDATION_UNKNOWN",n[n.VERIFY=2]="VERIFY",n[n.NONE=3]="NONE"})(Nh||(Nh={}));var Ch;(function(n){n[n.MESSAGE_ENCODING_UNKNOWN=0]="MESSAGE_ENCODING_UNKNOWN",n[n.LENGTH_PREFIXED=1]="LENGTH_PREFIXED",n[n.DELIMITED=2]="DELIMITED"})(Ch||(Ch={}));var Ph;(function(n){n[n.JSON_FORMAT_UNKNOWN=0]="JSON_FORMAT_UNKNOWN",n[n.ALLOW=1]="ALLOW",n[n.LEGACY_BEST_EFFORT=2]="LEGACY_BEST_EFFORT"})(Ph||(Ph={}));var Lh;(function(n){n[n.ENFORCE_NAMING_STYLE_UNKNOWN=0]="ENFORCE_NAMING_STYLE_UNKNOWN",n[n.STYLE2024=1]="STYLE2024",n[n.STYLE_LEGACY=2]="STYLE_LEGACY"})(Lh||(Lh={}));var Dh;(function(n){n[n.NONE=0]="NONE",n[n.SET=1]="SET",n[n.ALIAS=2]="ALIAS"})(Dh||(Dh={}));var Uh;(function(n){n[n.EDITION_UNKNOWN=0]="EDITION_UNKNOWN",n[n.EDITION_LEGACY=900]="EDITION_LEGACY",n[n.EDITION_PROTO2=998]="EDITION_PROTO2",n[n.EDITION_PROTO3=999]="EDITION_PROTO3",n[n.EDITION_2023=1e3]="EDITION_2023",n[n.EDITION_2024=1001]="EDITION_2024",n[n.EDITION_1_TEST_ONLY=1]="EDITION_1_TEST_ONLY",n[n.EDITION_2_TEST_ONLY=2]="EDITION_2_TEST_ONLY",n[n.EDITION_99997_TEST_ONLY=99997]="EDITION_99997_TEST_ONLY",n[n.EDITION_99998_TEST_ONLY=99998]="EDITION_99998_TEST_ONLY",n[n.EDITION_99999_TEST_ONLY=99999]="EDITION_99999_TEST_ONLY",n[n.EDITION_MAX=2147483647]="EDITION_MAX"})(Uh||(Uh={}));var Fh;(function(n){n[n.VISIBILITY_UNSET=0]="VISIBILITY_UNSET",n[n.VISIBILITY_LOCAL=1]="VISIBILITY_LOCAL",n[n.VISIBILITY_EXPORT=2]="VISIBILITY_EXPORT"})(Fh||(Fh={}));const Bh={readUnknownFields:!0};function WS(n){return n?Object.assign(Object.assign({},Bh),n):Bh}function Ks(n,e,t){const i=An(n,void 0,!1);return cm(i,new hu(e),WS(t),!1,e.byteLength),i.message}function cm(n,e,t,i,s){var r;const a=i?e.len:e.pos+s;let o,c;const l=(r=n.getUnknown())!==null&&r!==void 0?r:[];for(;e.pos<a&&([o,c]=e.tag(),!(i&&c==bt.EndGroup));){const h=n.findNumber(o);if(!h){const f=e.skip(c,o);t.readUnknownFields&&l.push({no:o,wireType:c,data:f});continue}lm(n,e,h,c,t)}if(i&&(c!=bt.EndGroup||o!==s))throw new Error("invalid end group tag");l.length>0&&n.setUnknown(l)}function lm(n,e,t,i,s){var r;switch(t.fieldKind){case"scalar":n.set(t,ks(e,t.scalar));break;case"enum":const a=ks(e,k.INT32);if(t.enum.open)n.set(t,a);else if(t.enum.values.some(c=>c.number===a))n.set(t,a);else if(s.readUnknownFields){const c=new fu().int32(a).finish(),l=(r=n.getUnknown())!==null&&r!==void 0?r:[];l.push({no:t.number,wireType:i,data:c}),n.setUnknown(l)}break;case"message":n.set(t,bu(e,s,t,n.get(t)));break;case"list":XS(e,i,n.get(t),s);break;case"map":HS(e,n.get(t),s);break}}function HS(n,e,t){const i=e.field();let s,r;const a=n.uint32(),o=n.pos+a;for(;n.pos<o;){const[c]=n.tag();switch(c){case 1:s=ks(n,i.mapKey);break;case 2:switch(i.mapKind){case"scalar":r=ks(n,i.scalar);break;case"enum":r=n.int32();break;case"message":r=bu(n,t,i);break}break}}if(s===void 0&&(s=ts(i.mapKey,!1)),r===void 0)switch(i.mapKind){case"scalar":r=ts(i.scalar,!1);break;case"enum":r=i.enum.values[0].number;break;case"message":r=An(i.message,void 0,!1);break}e.set(s,r)}function XS(n,e,t,i){var s;const r=t.field();if(r.listKind==="message"){t.add(bu(n,i,r));return}const a=(s=r.scalar)!==null&&s!==void 0?s:k.INT32;if(!(e==bt.LengthDelimited&&a!=k.STRING&&a!=k.BYTES)){t.add(ks(n,a));return}const c=n.uint32()+n.pos;for(;n.pos<c;)t.add(ks(n,a))}function bu(n,e,t,i){const s=t.delimitedEncoding,r=i??An(t.message,void 0,!1);return cm(r,n,e,s,s?t.number:n.uint32()),r}function ks(n,e){switch(e){case k.STRING:return n.string();case k.BOOL:return n.bool();case k.DOUBLE:return n.double();case k.FLOAT:return n.float();case k.INT32:return n.int32();case k.INT64:return n.int64();case k.UINT64:return n.uint64();case k.FIXED64:return n.fixed64();case k.BYTES:return n.bytes();case k.FIXED32:return n.fixed32();case k.SFIXED32:return n.sfixed32();case k.SFIXED64:return n.sfixed64();case k.SINT64:return n.sint64();case k.UINT32:return n.uint32();case k.SINT32:return n.sint32()}}function Fn(n,e){var t;const i=Ks(zS,ru(n));return i.messageType.forEach(iu),i.dependency=(t=e?.map(r=>r.proto.name))!==null&&t!==void 0?t:[],Fp(i,r=>e?.find(a=>a.proto.name===r)).getFile(i.name)}function Dr(n,e,...t){if(t.length>0)throw new Error;return n.services[e]}const Ur=Fn("ChdnZW9kZXNpYy92MS9xdWVyeS5wcm90bxILZ2VvZGVzaWMudjEieQoNQXBwcm94aW1hdGlvbhIXCgpuZWlnaGJvdXJzGAEgASgNSACIAQESEwoGbGFtYmRhGAIgASgBSAGIAQESFAoHc2FtcGxlcxgDIAEoDUgCiAEBQg0KC19uZWlnaGJvdXJzQgkKB19sYW1iZGFCCgoIX3NhbXBsZXMiywEKDEFuc3dlckhlYWRlchITCgttZXNoX2RpZ2VzdBgBIAEoCRIUCgx2ZXJ0ZXhfY291bnQYAiABKAQSKQoJYWxnb3JpdGhtGAMgASgOMhYuZ2VvZGVzaWMudjEuQWxnb3JpdGhtEhoKEnJlbGF0aXZlX3RvbGVyYW5jZRgEIAEoARIWCg5zZXJ2ZXJfdmVyc2lvbhgFIAEoCRIxCg1hcHByb3hpbWF0aW9uGAYgASgLMhouZ2VvZGVzaWMudjEuQXBwcm94aW1hdGlvbiJzCg1Tb2x2ZVByb2dyZXNzEhYKDnNldHRsZWRfcmFkaXVzGAEgASgBEhgKEHZlcnRpY2VzX3JlYWNoZWQYAiABKAQSFAoMbGl2ZV93aW5kb3dzGAMgASgEEhoKEndpbmRvd3NfcHJvcGFnYXRlZBgEIAEoBCJYCg1BbnN3ZXJUcmFpbGVyEhcKD2NvbXB1dGVfc2Vjb25kcxgBIAEoARIaChJ3aW5kb3dzX3Byb3BhZ2F0ZWQYAiABKAQSEgoKaXRlbV9jb3VudBgDIAEoBCLSAQoPU29sdmVTdGF0aXN0aWNzEhIKCml0ZXJhdGlvbnMYASABKAQSFwoPd2luZG93c19jcmVhdGVkGAIgASgEEhoKEndpbmRvd3NfcHJvcGFnYXRlZBgDIAEoBBIWCg5wZWFrX3dhdmVmcm9udBgEIAEoBBIWCg5tZWFuX3dhdmVmcm9udBgFIAEoARIUCgxwZWFrX3dpbmRvd3MYBiABKAQSGQoRcGVha19zb2x2ZXJfYnl0ZXMYByABKAQSFQoNc29sdmVfc2Vjb25kcxgIIAEoASq1AgoJQWxnb3JpdGhtEhkKFUFMR09SSVRITV9VTlNQRUNJRklFRBAAEhQKEEFMR09SSVRITV9GV1BfQ0gQARIVChFBTEdPUklUSE1fRldQX01NUBACEhEKDUFMR09SSVRITV9JQ0gQAxIRCg1BTEdPUklUSE1fTU1QEAQSEAoMQUxHT1JJVEhNX0NIEAUSFAoQQUxHT1JJVEhNX0xDX01NUBAGEhMKD0FMR09SSVRITV9MQ19DSBAHEhYKEkFMR09SSVRITV9GV1BfTElTVBAIEhEKDUFMR09SSVRITV9GTU0QEBIYChRBTEdPUklUSE1fRk1NX1VOVElEWRAREhIKDkFMR09SSVRITV9IRUFUEBISEQoNQUxHT1JJVEhNX1NWRxATEhEKDUFMR09SSVRITV9HVFUQFCpXCglWYWx1ZVR5cGUSGgoWVkFMVUVfVFlQRV9VTlNQRUNJRklFRBAAEhYKElZBTFVFX1RZUEVfRkxPQVQ2NBABEhYKElZBTFVFX1RZUEVfRkxPQVQzMhACKlIKCFByaW9yaXR5EhgKFFBSSU9SSVRZX1VOU1BFQ0lGSUVEEAASGAoUUFJJT1JJVFlfSU5URVJBQ1RJVkUQARISCg5QUklPUklUWV9CQVRDSBACYgZwcm90bzM");var um=(n=>(n[n.UNSPECIFIED=0]="UNSPECIFIED",n[n.FWP_CH=1]="FWP_CH",n[n.FWP_MMP=2]="FWP_MMP",n[n.ICH=3]="ICH",n[n.MMP=4]="MMP",n[n.CH=5]="CH",n[n.LC_MMP=6]="LC_MMP",n[n.LC_CH=7]="LC_CH",n[n.FWP_LIST=8]="FWP_LIST",n[n.FMM=16]="FMM",n[n.FMM_UNTIDY=17]="FMM_UNTIDY",n[n.HEAT=18]="HEAT",n[n.SVG=19]="SVG",n[n.GTU=20]="GTU",n))(um||{});const Oh=[[.36,.15,298],[.5,.125,258],[.65,.105,200],[.8,.165,146],[.94,.175,106]],Bs=256,mr=ZS(),no=[[230,159,0],[86,180,233],[0,158,115],[240,228,66],[0,114,178],[213,94,0],[204,121,167]];function fm(n){const e=4*Math.round(Math.min(Math.max(n,0),1)*(Bs-1));return`rgb(${mr[e]}, ${mr[e+1]}, ${mr[e+2]})`}function ZS(){const e=Array.from({length:2049},(r,a)=>YS(a/2048)),t=[0];for(let r=1;r<=2048;r++)t.push(t[r-1]+Math.hypot(...e[r].map((a,o)=>a-e[r-1][o])));const i=new Uint8Array(4*Bs);let s=0;for(let r=0;r<Bs;r++){const a=t[2048]*r/(Bs-1);for(;s<2048&&t[s]<a;)s++;i.set([...$S(e[s]),255],4*r)}return i}function YS(n){const e=Oh.length-1,t=Math.min(Math.floor(n*e),e-1),i=n*e-t,s=d=>Oh[Math.min(Math.max(d,0),e)],[r,a,o,c]=[s(t-1),s(t),s(t+1),s(t+2)],[l,h,f]=a.map((d,g)=>KS(r[g],a[g],o[g],c[g],i)),u=f*Math.PI/180;return[l,h*Math.cos(u),h*Math.sin(u)]}function KS(n,e,t,i,s){return e+.5*s*(t-n+s*(2*n-5*e+4*t-i+s*(3*(e-t)+i-n)))}function $S([n,e,t]){const i=(n+.3963377774*e+.2158037573*t)**3,s=(n-.1055613458*e-.0638541728*t)**3,r=(n-.0894841775*e-1.291485548*t)**3;return[4.0767416621*i-3.3077115913*s+.2309699292*r,-1.2684380046*i+2.6097574011*s-.3413193965*r,-.0041960863*i-.7034186147*s+1.707614701*r].map(a=>{const o=Math.min(Math.max(a,0),1);return Math.round(255*(o<=.0031308?12.92*o:1.055*o**(1/2.4)-.055))})}const jS=`
+attribute vec3 fill;
+uniform sampler2D depths;
+uniform float size;
+uniform float pixelRatio;
+varying vec3 vFill;
+varying float vSeen;
+const float kDepthError = 2e-3;
+void main() {
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  vec3 screen = 0.5 * gl_Position.xyz / gl_Position.w + 0.5;
+  vSeen = screen.z <= texture2D(depths, screen.xy).r + kDepthError ? 1.0 : 0.0;
+  vFill = fill;
+  gl_PointSize = size * pixelRatio;
+}`,JS=`
+uniform float size;
+uniform float pixelRatio;
+varying vec3 vFill;
+varying float vSeen;
+void main() {
+  float r = length(2.0 * gl_PointCoord - 1.0);
+  float soft = 2.5 / (size * pixelRatio);
+  float disk = 1.0 - smoothstep(1.0 - soft, 1.0, r);
+  float inner = 1.0 - smoothstep(0.66 - soft, 0.66, r);
+  bool seen = vSeen > 0.5;
+  float alpha = seen ? disk : 0.45 * (disk - inner);
+  if (alpha < 0.02) discard;
+  gl_FragColor = vec4(seen ? mix(vec3(0.06, 0.06, 0.09), vFill, inner) : vFill, alpha);
+}`;class Vh extends y0{constructor(e,t){super(new qt,new an({vertexShader:jS,fragmentShader:JS,transparent:!0,depthTest:!1,depthWrite:!1,uniforms:{size:{value:e},depths:t.depths,pixelRatio:t.pixelRatio}})),this.frustumCulled=!1,this.renderOrder=20,this.visible=!1}setDots(e){this.geometry.dispose(),this.geometry=new qt;const t=new Float32Array(e.flatMap(s=>Array.from(s.point))),i=new Float32Array(e.flatMap(s=>[...s.fill]));this.geometry.setAttribute("position",new Tt(t,3)),this.geometry.setAttribute("fill",new Tt(i,3)),this.visible=e.length>0}}function qS(n){if(!(n>0)||!Number.isFinite(n))return{step:0,perLabel:1};const e=10**Math.floor(Math.log10(n)),t=n/e;return t<2?{step:e/20,perLabel:4}:t<4.5?{step:e/10,perLabel:5}:{step:e/5,perLabel:5}}function hm(n,e){const t=[],i=n.step*n.perLabel;if(!(i>0))return t;for(let s=0;s*i<=e*(1+1e-12);s++)t.push({at:s*i,text:String(Number((s*i).toPrecision(6)))});return t}const QS=700;class Gh{constructor(e,t,i,s){this.mesh=e,this.material=t,this.quadratic=s,this.distances=new Float64Array(e.vertexCount).fill(1/0),this.drawn=new Float32Array(e.vertexCount).fill(-1),this.attribute=new Tt(this.drawn,1).setUsage(Ng),e.geometry.setAttribute("geodesic",this.attribute),t.uniforms.reference.value=i,t.uniforms.quadratic.value=s,this.paintDistances(),this.setFront(0)}distances;painted="distances";largest=0;drawn;attribute;complete=!1;arrived=!1;front=0;lastFrame=0;add(e,t){for(let i=0;i<e.length;i++)this.distances[e[i]]=t[i],this.drawn[e[i]]=t[i]/this.mesh.radius;t.length&&(this.largest=Math.max(this.largest,t[t.length-1])),this.attribute.needsUpdate=!0,this.setScale()}setAll(e){this.distances.set(e);for(let t=0;t<e.length;t++)Number.isFinite(e[t])&&(this.drawn[t]=e[t]/this.mesh.radius,this.largest=Math.max(this.largest,e[t]));this.arrived=!0,this.attribute.needsUpdate=!0,this.setScale(),this.setFront(1/0)}finish(){this.complete=!0}get hasArrived(){return this.arrived}advance(e,t){if(this.arrived)return!1;const i=this.largest/this.mesh.radius,s=this.lastFrame?Math.min(e-this.lastFrame,100):16;return this.lastFrame=e,t&&(this.front=i),this.front=Math.min(this.front+i*s/QS,i),this.complete&&this.front>=i?(this.arrived=!0,this.setFront(1/0),!0):(this.setFront(this.front),!0)}paintCells(e){const t=new Uint8Array(3*e.length).fill(128);for(let i=0;i<e.length;i++)e[i]!==4294967295&&t.set(no[e[i]%no.length],3*i);this.paint("cells",t,.45)}paintShares(e){const t=new Uint8Array(3*e.length);for(let i=0;i<e.length;i++){const s=4*Math.round(e[i]*(Bs-1));t.set(mr.subarray(s,s+3),3*i)}this.paint("difference",t,0)}paintDistances(){this.painted="distances",this.material.uniforms.painted.value=!1,this.mesh.geometry.deleteAttribute("paint")}paint(e,t,i){this.painted=e,this.material.uniforms.painted.value=!0,this.material.uniforms.shade.value=i,this.mesh.geometry.setAttribute("paint",new Tt(t,3,!0))}at(e,t){const i=this.mesh.cornersOf(e),s=i.map(o=>this.distances[o]);let r=0;for(let o=0;o<3;o++)r+=t[o]*(this.quadratic?s[o]*s[o]:s[o]);if(!this.quadratic||!Number.isFinite(r))return r;const a=i.map(o=>this.mesh.vertexPosition(o));for(let o=0;o<3;o++){const c=(o+1)%3,l=Math.hypot(a[o][0]-a[c][0],a[o][1]-a[c][1],a[o][2]-a[c][2]);r-=t[o]*t[c]*l*l}return Math.sqrt(Math.max(r,0))}get isolines(){return qS(this.largest)}setScale(){const{step:e,perLabel:t}=this.isolines;this.material.uniforms.largest.value=Math.max(this.largest/this.mesh.radius,1e-30),this.material.uniforms.lineStep.value=e/this.mesh.radius,this.material.uniforms.linesPerLabel.value=t}setFront(e){this.material.uniforms.front.value=Number.isFinite(e)?e:1e10,this.material.uniforms.glow.value=Number.isFinite(e)?.8:0}}const kh=new Ot,da=new P;class dm extends I0{constructor(){super(),this.isLineSegmentsGeometry=!0,this.type="LineSegmentsGeometry";const e=[-1,2,0,1,2,0,-1,1,0,1,1,0,-1,0,0,1,0,0,-1,-1,0,1,-1,0],t=[-1,2,1,2,-1,1,1,1,-1,-1,1,-1,-1,-2,1,-2],i=[0,2,1,2,3,1,2,4,3,4,5,3,4,6,5,6,7,5];this.setIndex(i),this.setAttribute("position",new bn(e,3)),this.setAttribute("uv",new bn(t,2))}applyMatrix4(e){const t=this.attributes.instanceStart,i=this.attributes.instanceEnd;return t!==void 0&&(t.applyMatrix4(e),i.applyMatrix4(e),t.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this}setPositions(e){let t;e instanceof Float32Array?t=e:Array.isArray(e)&&(t=new Float32Array(e));const i=new yl(t,6,1);return this.setAttribute("instanceStart",new Ri(i,3,0)),this.setAttribute("instanceEnd",new Ri(i,3,3)),this.instanceCount=this.attributes.instanceStart.count,this.computeBoundingBox(),this.computeBoundingSphere(),this}setColors(e){let t;e instanceof Float32Array?t=e:Array.isArray(e)&&(t=new Float32Array(e));const i=new yl(t,6,1);return this.setAttribute("instanceColorStart",new Ri(i,3,0)),this.setAttribute("instanceColorEnd",new Ri(i,3,3)),this}fromWireframeGeometry(e){return this.setPositions(e.attributes.position.array),this}fromEdgesGeometry(e){return this.setPositions(e.attributes.position.array),this}fromMesh(e){return this.fromWireframeGeometry(new S0(e.geometry)),this}fromLineSegments(e){const t=e.geometry;return this.setPositions(t.attributes.position.array),this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Ot);const e=this.attributes.instanceStart,t=this.attributes.instanceEnd;e!==void 0&&t!==void 0&&(this.boundingBox.setFromBufferAttribute(e),kh.setFromBufferAttribute(t),this.boundingBox.union(kh))}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new Zs),this.boundingBox===null&&this.computeBoundingBox();const e=this.attributes.instanceStart,t=this.attributes.instanceEnd;if(e!==void 0&&t!==void 0){const i=this.boundingSphere.center;this.boundingBox.getCenter(i);let s=0;for(let r=0,a=e.count;r<a;r++)da.fromBufferAttribute(e,r),s=Math.max(s,i.distanceToSquared(da)),da.fromBufferAttribute(t,r),s=Math.max(s,i.distanceToSquared(da));this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&console.error("THREE.LineSegmentsGeometry.computeBoundingSphere(): Computed radius is NaN. The instanced position data is likely to have NaN values.",this)}}toJSON(){}}ce.line={worldUnits:{value:1},linewidth:{value:1},resolution:{value:new Ae(1,1)},dashOffset:{value:0},dashScale:{value:1},dashSize:{value:1},gapSize:{value:1}};nn.line={uniforms:eu.merge([ce.common,ce.fog,ce.line]),vertexShader:`
+		#include <common>
+		#include <color_pars_vertex>
+		#include <fog_pars_vertex>
+		#include <logdepthbuf_pars_vertex>
+		#include <clipping_planes_pars_vertex>
+
+		uniform float linewidth;
+		uniform vec2 resolution;
+
+		attribute vec3 instanceStart;
+		attribute vec3 instanceEnd;
+
+		attribute vec3 instanceColorStart;
+		attribute vec3 instanceColorEnd;
+
+		#ifdef WORLD_UNITS
+
+			varying vec4 worldPos;
+			varying vec3 worldStart;
+			varying vec3 worldEnd;
+
+			#ifdef USE_DASH
+
+				varying vec2 vUv;
+
+			#endif
+
+		#else
+
+			varying vec2 vUv;
+
+		#endif
+
+		#ifdef USE_DASH
+
+			uniform float dashScale;
+			attribute float instanceDistanceStart;
+			attribute float instanceDistanceEnd;
+			varying float vLineDistance;
+
+		#endif
+
+		void trimSegment( const in vec4 start, inout vec4 end ) {
+
+			// trim end segment so it terminates between the camera plane and the near plane
+
+			// conservative estimate of the near plane
+			float a = projectionMatrix[ 2 ][ 2 ]; // 3nd entry in 3th column
+			float b = projectionMatrix[ 3 ][ 2 ]; // 3nd entry in 4th column
+			float nearEstimate = - 0.5 * b / a;
+
+			float alpha = ( nearEstimate - start.z ) / ( end.z - start.z );
+
+			end.xyz = mix( start.xyz, end.xyz, alpha );
+
+		}
+
+		void main() {
+
+			#ifdef USE_COLOR
+
+				vColor.xyz = ( position.y < 0.5 ) ? instanceColorStart : instanceColorEnd;
+
+			#endif
+
+			#ifdef USE_DASH
+
+				vLineDistance = ( position.y < 0.5 ) ? dashScale * instanceDistanceStart : dashScale * instanceDistanceEnd;
+				vUv = uv;
+
+			#endif
+
+			float aspect = resolution.x / resolution.y;
+
+			// camera space
+			vec4 start = modelViewMatrix * vec4( instanceStart, 1.0 );
+			vec4 end = modelViewMatrix * vec4( instanceEnd, 1.0 );
+
+			#ifdef WORLD_UNITS
+
+				worldStart = start.xyz;
+				worldEnd = end.xyz;
+
+			#else
+
+				vUv = uv;
+
+			#endif
+
+			// special case for perspective projection, and segments that terminate either in, or behind, the camera plane
+			// clearly the gpu firmware has a way of addressing this issue when projecting into ndc space
+			// but we need to perform ndc-space calculations in the shader, so we must address this issue directly
+			// perhaps there is a more elegant solution -- WestLangley
+
+			bool perspective = ( projectionMatrix[ 2 ][ 3 ] == - 1.0 ); // 4th entry in the 3rd column
+
+			if ( perspective ) {
+
+				if ( start.z < 0.0 && end.z >= 0.0 ) {
+
+					trimSegment( start, end );
+
+				} else if ( end.z < 0.0 && start.z >= 0.0 ) {
+
+					trimSegment( end, start );
+
+				}
+
+			}
+
+			// clip space
+			vec4 clipStart = projectionMatrix * start;
+			vec4 clipEnd = projectionMatrix * end;
+
+			// ndc space
+			vec3 ndcStart = clipStart.xyz / clipStart.w;
+			vec3 ndcEnd = clipEnd.xyz / clipEnd.w;
+
+			// direction
+			vec2 dir = ndcEnd.xy - ndcStart.xy;
+
+			// account for clip-space aspect ratio
+			dir.x *= aspect;
+			dir = normalize( dir );
+
+			#ifdef WORLD_UNITS
+
+				vec3 worldDir = normalize( end.xyz - start.xyz );
+				vec3 tmpFwd = normalize( mix( start.xyz, end.xyz, 0.5 ) );
+				vec3 worldUp = normalize( cross( worldDir, tmpFwd ) );
+				vec3 worldFwd = cross( worldDir, worldUp );
+				worldPos = position.y < 0.5 ? start: end;
+
+				// height offset
+				float hw = linewidth * 0.5;
+				worldPos.xyz += position.x < 0.0 ? hw * worldUp : - hw * worldUp;
+
+				// don't extend the line if we're rendering dashes because we
+				// won't be rendering the endcaps
+				#ifndef USE_DASH
+
+					// cap extension
+					worldPos.xyz += position.y < 0.5 ? - hw * worldDir : hw * worldDir;
+
+					// add width to the box
+					worldPos.xyz += worldFwd * hw;
+
+					// endcaps
+					if ( position.y > 1.0 || position.y < 0.0 ) {
+
+						worldPos.xyz -= worldFwd * 2.0 * hw;
+
+					}
+
+				#endif
+
+				// project the worldpos
+				vec4 clip = projectionMatrix * worldPos;
+
+				// shift the depth of the projected points so the line
+				// segments overlap neatly
+				vec3 clipPose = ( position.y < 0.5 ) ? ndcStart : ndcEnd;
+				clip.z = clipPose.z * clip.w;
+
+			#else
+
+				vec2 offset = vec2( dir.y, - dir.x );
+				// undo aspect ratio adjustment
+				dir.x /= aspect;
+				offset.x /= aspect;
+
+				// sign flip
+				if ( position.x < 0.0 ) offset *= - 1.0;
+
+				// endcaps
+				if ( position.y < 0.0 ) {
+
+					offset += - dir;
+
+				} else if ( position.y > 1.0 ) {
+
+					offset += dir;
+
+				}
+
+				// adjust for linewidth
+				offset *= linewidth;
+
+				// adjust for clip-space to screen-space conversion // maybe resolution should be based on viewport ...
+				offset /= resolution.y;
+
+				// select end
+				vec4 clip = ( position.y < 0.5 ) ? clipStart : clipEnd;
+
+				// back to clip space
+				offset *= clip.w;
+
+				clip.xy += offset;
+
+			#endif
+
+			gl_Position = clip;
+
+			vec4 mvPosition = ( position.y < 0.5 ) ? start : end; // this is an approximation
+
+			#include <logdepthbuf_vertex>
+			#include <clipping_planes_vertex>
+			#include <fog_vertex>
+
+		}
+		`,fragmentShader:`
+		uniform vec3 diffuse;
+		uniform float opacity;
+		uniform float linewidth;
+
+		#ifdef USE_DASH
+
+			uniform float dashOffset;
+			uniform float dashSize;
+			uniform float gapSize;
+
+		#endif
+
+		varying float vLineDistance;
+
+		#ifdef WORLD_UNITS
+
+			varying vec4 worldPos;
+			varying vec3 worldStart;
+			varying vec3 worldEnd;
+
+			#ifdef USE_DASH
+
+				varying vec2 vUv;
+
+			#endif
+
+		#else
+
+			varying vec2 vUv;
+
+		#endif
+
+		#include <common>
+		#include <color_pars_fragment>
+		#include <fog_pars_fragment>
+		#include <logdepthbuf_pars_fragment>
+		#include <clipping_planes_pars_fragment>
+
+		vec2 closestLineToLine(vec3 p1, vec3 p2, vec3 p3, vec3 p4) {
+
+			float mua;
+			float mub;
+
+			vec3 p13 = p1 - p3;
+			vec3 p43 = p4 - p3;
+
+			vec3 p21 = p2 - p1;
+
+			float d1343 = dot( p13, p43 );
+			float d4321 = dot( p43, p21 );
+			float d1321 = dot( p13, p21 );
+			float d4343 = dot( p43, p43 );
+			float d2121 = dot( p21, p21 );
+
+			float denom = d2121 * d4343 - d4321 * d4321;
+
+			float numer = d1343 * d4321 - d1321 * d4343;
+
+			mua = numer / denom;
+			mua = clamp( mua, 0.0, 1.0 );
+			mub = ( d1343 + d4321 * ( mua ) ) / d4343;
+			mub = clamp( mub, 0.0, 1.0 );
+
+			return vec2( mua, mub );
+
+		}
+
+		void main() {
+
+			float alpha = opacity;
+			vec4 diffuseColor = vec4( diffuse, alpha );
+
+			#include <clipping_planes_fragment>
+
+			#ifdef USE_DASH
+
+				if ( vUv.y < - 1.0 || vUv.y > 1.0 ) discard; // discard endcaps
+
+				if ( mod( vLineDistance + dashOffset, dashSize + gapSize ) > dashSize ) discard; // todo - FIX
+
+			#endif
+
+			#ifdef WORLD_UNITS
+
+				// Find the closest points on the view ray and the line segment
+				vec3 rayEnd = normalize( worldPos.xyz ) * 1e5;
+				vec3 lineDir = worldEnd - worldStart;
+				vec2 params = closestLineToLine( worldStart, worldEnd, vec3( 0.0, 0.0, 0.0 ), rayEnd );
+
+				vec3 p1 = worldStart + lineDir * params.x;
+				vec3 p2 = rayEnd * params.y;
+				vec3 delta = p1 - p2;
+				float len = length( delta );
+				float norm = len / linewidth;
+
+				#ifndef USE_DASH
+
+					#ifdef USE_ALPHA_TO_COVERAGE
+
+						float dnorm = fwidth( norm );
+						alpha = 1.0 - smoothstep( 0.5 - dnorm, 0.5 + dnorm, norm );
+
+					#else
+
+						if ( norm > 0.5 ) {
+
+							discard;
+
+						}
+
+					#endif
+
+				#endif
+
+			#else
+
+				#ifdef USE_ALPHA_TO_COVERAGE
+
+					// artifacts appear on some hardware if a derivative is taken within a conditional
+					float a = vUv.x;
+					float b = ( vUv.y > 0.0 ) ? vUv.y - 1.0 : vUv.y + 1.0;
+					float len2 = a * a + b * b;
+					float dlen = fwidth( len2 );
+
+					if ( abs( vUv.y ) > 1.0 ) {
+
+						alpha = 1.0 - smoothstep( 1.0 - dlen, 1.0 + dlen, len2 );
+
+					}
+
+				#else
+
+					if ( abs( vUv.y ) > 1.0 ) {
+
+						float a = vUv.x;
+						float b = ( vUv.y > 0.0 ) ? vUv.y - 1.0 : vUv.y + 1.0;
+						float len2 = a * a + b * b;
+
+						if ( len2 > 1.0 ) discard;
+
+					}
+
+				#endif
+
+			#endif
+
+			#include <logdepthbuf_fragment>
+			#include <color_fragment>
+
+			gl_FragColor = vec4( diffuseColor.rgb, alpha );
+
+			#include <tonemapping_fragment>
+			#include <colorspace_fragment>
+			#include <fog_fragment>
+			#include <premultiplied_alpha_fragment>
+
+		}
+		`};class Su extends an{constructor(e){super({type:"LineMaterial",uniforms:eu.clone(nn.line.uniforms),vertexShader:nn.line.vertexShader,fragmentShader:nn.line.fragmentShader,clipping:!0}),this.isLineMaterial=!0,this.setValues(e)}get color(){return this.uniforms.diffuse.value}set color(e){this.uniforms.diffuse.value=e}get worldUnits(){return"WORLD_UNITS"in this.defines}set worldUnits(e){e===!0!==this.worldUnits&&(this.needsUpdate=!0),e===!0?this.defines.WORLD_UNITS="":delete this.defines.WORLD_UNITS}get linewidth(){return this.uniforms.linewidth.value}set linewidth(e){this.uniforms.linewidth&&(this.uniforms.linewidth.value=e)}get dashed(){return"USE_DASH"in this.defines}set dashed(e){e===!0!==this.dashed&&(this.needsUpdate=!0),e===!0?this.defines.USE_DASH="":delete this.defines.USE_DASH}get dashScale(){return this.uniforms.dashScale.value}set dashScale(e){this.uniforms.dashScale.value=e}get dashSize(){return this.uniforms.dashSize.value}set dashSize(e){this.uniforms.dashSize.value=e}get dashOffset(){return this.uniforms.dashOffset.value}set dashOffset(e){this.uniforms.dashOffset.value=e}get gapSize(){return this.uniforms.gapSize.value}set gapSize(e){this.uniforms.gapSize.value=e}get opacity(){return this.uniforms.opacity.value}set opacity(e){this.uniforms&&(this.uniforms.opacity.value=e)}get resolution(){return this.uniforms.resolution.value}set resolution(e){this.uniforms.resolution.value.copy(e)}get alphaToCoverage(){return"USE_ALPHA_TO_COVERAGE"in this.defines}set alphaToCoverage(e){this.defines&&(e===!0!==this.alphaToCoverage&&(this.needsUpdate=!0),e===!0?this.defines.USE_ALPHA_TO_COVERAGE="":delete this.defines.USE_ALPHA_TO_COVERAGE)}}const fc=new ft,zh=new P,Wh=new P,Vt=new ft,Gt=new ft,kn=new ft,hc=new P,dc=new Je,kt=new Jn,Hh=new P,pa=new Ot,ma=new Zs,zn=new ft;let Zn,$i;function Xh(n,e,t){return zn.set(0,0,-e,1).applyMatrix4(n.projectionMatrix),zn.multiplyScalar(1/zn.w),zn.x=$i/t.width,zn.y=$i/t.height,zn.applyMatrix4(n.projectionMatrixInverse),zn.multiplyScalar(1/zn.w),Math.abs(Math.max(zn.x,zn.y))}function eE(n,e){const t=n.matrixWorld,i=n.geometry,s=i.attributes.instanceStart,r=i.attributes.instanceEnd,a=Math.min(i.instanceCount,s.count);for(let o=0,c=a;o<c;o++){kt.start.fromBufferAttribute(s,o),kt.end.fromBufferAttribute(r,o),kt.applyMatrix4(t);const l=new P,h=new P;Zn.distanceSqToSegment(kt.start,kt.end,h,l),h.distanceTo(l)<$i*.5&&e.push({point:h,pointOnLine:l,distance:Zn.origin.distanceTo(h),object:n,face:null,faceIndex:o,uv:null,uv1:null})}}function tE(n,e,t){const i=e.projectionMatrix,r=n.material.resolution,a=n.matrixWorld,o=n.geometry,c=o.attributes.instanceStart,l=o.attributes.instanceEnd,h=Math.min(o.instanceCount,c.count),f=-e.near;Zn.at(1,kn),kn.w=1,kn.applyMatrix4(e.matrixWorldInverse),kn.applyMatrix4(i),kn.multiplyScalar(1/kn.w),kn.x*=r.x/2,kn.y*=r.y/2,kn.z=0,hc.copy(kn),dc.multiplyMatrices(e.matrixWorldInverse,a);for(let u=0,d=h;u<d;u++){if(Vt.fromBufferAttribute(c,u),Gt.fromBufferAttribute(l,u),Vt.w=1,Gt.w=1,Vt.applyMatrix4(dc),Gt.applyMatrix4(dc),Vt.z>f&&Gt.z>f)continue;if(Vt.z>f){const b=Vt.z-Gt.z,x=(Vt.z-f)/b;Vt.lerp(Gt,x)}else if(Gt.z>f){const b=Gt.z-Vt.z,x=(Gt.z-f)/b;Gt.lerp(Vt,x)}Vt.applyMatrix4(i),Gt.applyMatrix4(i),Vt.multiplyScalar(1/Vt.w),Gt.multiplyScalar(1/Gt.w),Vt.x*=r.x/2,Vt.y*=r.y/2,Gt.x*=r.x/2,Gt.y*=r.y/2,kt.start.copy(Vt),kt.start.z=0,kt.end.copy(Gt),kt.end.z=0;const y=kt.closestPointToPointParameter(hc,!0);kt.at(y,Hh);const p=lp.lerp(Vt.z,Gt.z,y),m=p>=-1&&p<=1,_=hc.distanceTo(Hh)<$i*.5;if(m&&_){kt.start.fromBufferAttribute(c,u),kt.end.fromBufferAttribute(l,u),kt.start.applyMatrix4(a),kt.end.applyMatrix4(a);const b=new P,x=new P;Zn.distanceSqToSegment(kt.start,kt.end,x,b),t.push({point:x,pointOnLine:b,distance:Zn.origin.distanceTo(x),object:n,face:null,faceIndex:u,uv:null,uv1:null})}}}class nE extends Sn{constructor(e=new dm,t=new Su({color:Math.random()*16777215})){super(e,t),this.isLineSegments2=!0,this.type="LineSegments2"}computeLineDistances(){const e=this.geometry,t=e.attributes.instanceStart,i=e.attributes.instanceEnd,s=new Float32Array(2*t.count);for(let a=0,o=0,c=t.count;a<c;a++,o+=2)zh.fromBufferAttribute(t,a),Wh.fromBufferAttribute(i,a),s[o]=o===0?0:s[o-1],s[o+1]=s[o]+zh.distanceTo(Wh);const r=new yl(s,2,1);return e.setAttribute("instanceDistanceStart",new Ri(r,1,0)),e.setAttribute("instanceDistanceEnd",new Ri(r,1,1)),this}raycast(e,t){const i=this.material.worldUnits,s=e.camera;s===null&&!i&&console.error('LineSegments2: "Raycaster.camera" needs to be set in order to raycast against LineSegments2 while worldUnits is set to false.');const r=e.params.Line2!==void 0&&e.params.Line2.threshold||0;Zn=e.ray;const a=this.matrixWorld,o=this.geometry,c=this.material;$i=c.linewidth+r,o.boundingSphere===null&&o.computeBoundingSphere(),ma.copy(o.boundingSphere).applyMatrix4(a);let l;if(i)l=$i*.5;else{const f=Math.max(s.near,ma.distanceToPoint(Zn.origin));l=Xh(s,f,c.resolution)}if(ma.radius+=l,Zn.intersectsSphere(ma)===!1)return;o.boundingBox===null&&o.computeBoundingBox(),pa.copy(o.boundingBox).applyMatrix4(a);let h;if(i)h=$i*.5;else{const f=Math.max(s.near,pa.distanceToPoint(Zn.origin));h=Xh(s,f,c.resolution)}pa.expandByScalar(h),Zn.intersectsBox(pa)!==!1&&(i?eE(this,t):tE(this,s,t))}onBeforeRender(e){const t=this.material.uniforms;t&&t.resolution&&(e.getViewport(fc),this.material.uniforms.resolution.value.set(fc.z,fc.w))}}class Rl extends dm{constructor(){super(),this.isLineGeometry=!0,this.type="LineGeometry"}setPositions(e){const t=e.length-3,i=new Float32Array(2*t);for(let s=0;s<t;s+=3)i[2*s]=e[s],i[2*s+1]=e[s+1],i[2*s+2]=e[s+2],i[2*s+3]=e[s+3],i[2*s+4]=e[s+4],i[2*s+5]=e[s+5];return super.setPositions(i),this}setColors(e){const t=e.length-3,i=new Float32Array(2*t);for(let s=0;s<t;s+=3)i[2*s]=e[s],i[2*s+1]=e[s+1],i[2*s+2]=e[s+2],i[2*s+3]=e[s+3],i[2*s+4]=e[s+4],i[2*s+5]=e[s+5];return super.setColors(i),this}setFromPoints(e){const t=e.length-1,i=new Float32Array(6*t);for(let s=0;s<t;s++)i[6*s]=e[s].x,i[6*s+1]=e[s].y,i[6*s+2]=e[s].z||0,i[6*s+3]=e[s+1].x,i[6*s+4]=e[s+1].y,i[6*s+5]=e[s+1].z||0;return super.setPositions(i),this}fromLine(e){const t=e.geometry;return this.setPositions(t.attributes.position.array),this}}class iE extends nE{constructor(e=new Rl,t=new Su({color:Math.random()*16777215})){super(e,t),this.isLine2=!0,this.type="Line2"}}class pc extends ur{geometry=new Rl;passes;constructor(e,t,i){super();const s=[{color:e,width:.75*t,opacity:.32,hidden:!0},{color:1052696,width:1.9*t,opacity:.85,hidden:!1},{color:e,width:t,opacity:1,hidden:!1}];this.passes=s.map((r,a)=>{const o=new Su({color:new Ke(r.color),linewidth:r.width,transparent:!0,opacity:r.opacity,depthWrite:!1,depthFunc:r.hidden?Za:ji});o.resolution=i;const c=new iE(this.geometry,o);return c.renderOrder=10+a,c.frustumCulled=!1,c}),this.add(...this.passes),this.visible=!1}setPoints(e){this.geometry.dispose(),this.geometry=new Rl,this.visible=e.length>=6,this.visible&&this.geometry.setPositions(e);for(const t of this.passes)t.geometry=this.geometry}dispose(){this.geometry.dispose();for(const e of this.passes)e.material.dispose()}}var De;(function(n){n[n.Canceled=1]="Canceled",n[n.Unknown=2]="Unknown",n[n.InvalidArgument=3]="InvalidArgument",n[n.DeadlineExceeded=4]="DeadlineExceeded",n[n.NotFound=5]="NotFound",n[n.AlreadyExists=6]="AlreadyExists",n[n.PermissionDenied=7]="PermissionDenied",n[n.ResourceExhausted=8]="ResourceExhausted",n[n.FailedPrecondition=9]="FailedPrecondition",n[n.Aborted=10]="Aborted",n[n.OutOfRange=11]="OutOfRange",n[n.Unimplemented=12]="Unimplemented",n[n.Internal=13]="Internal",n[n.Unavailable=14]="Unavailable",n[n.DataLoss=15]="DataLoss",n[n.Unauthenticated=16]="Unauthenticated"})(De||(De={}));const pm=Fn("Chlnb29nbGUvcHJvdG9idWYvYW55LnByb3RvEg9nb29nbGUucHJvdG9idWYiJgoDQW55EhAKCHR5cGVfdXJsGAEgASgJEg0KBXZhbHVlGAIgASgMQnYKE2NvbS5nb29nbGUucHJvdG9idWZCCEFueVByb3RvUAFaLGdvb2dsZS5nb2xhbmcub3JnL3Byb3RvYnVmL3R5cGVzL2tub3duL2FueXBiogIDR1BCqgIeR29vZ2xlLlByb3RvYnVmLldlbGxLbm93blR5cGVzYgZwcm90bzM"),sE=Di(pm,0);function rE(n,e,t){let i=!1;return t||(t=En(sE),i=!0),t.value=yu(n,e),t.typeUrl=cE(e.$typeName),i?t:void 0}function aE(n,e){if(n.typeUrl==="")return!1;const t=typeof e=="string"?e:e.typeName,i=mm(n.typeUrl);return t===i}function oE(n,e){if(n.typeUrl==="")return;const t=e.kind=="message"?e:e.getMessage(mm(n.typeUrl));if(!(!t||!aE(n,t)))return Ks(t,n.value)}function cE(n){return`type.googleapis.com/${n}`}function mm(n){const e=n.lastIndexOf("/"),t=e>=0?n.substring(e+1):n;if(!t.length)throw new Error(`invalid type url: ${n}`);return t}const Eu=Fn("Chxnb29nbGUvcHJvdG9idWYvc3RydWN0LnByb3RvEg9nb29nbGUucHJvdG9idWYihAEKBlN0cnVjdBIzCgZmaWVsZHMYASADKAsyIy5nb29nbGUucHJvdG9idWYuU3RydWN0LkZpZWxkc0VudHJ5GkUKC0ZpZWxkc0VudHJ5EgsKA2tleRgBIAEoCRIlCgV2YWx1ZRgCIAEoCzIWLmdvb2dsZS5wcm90b2J1Zi5WYWx1ZToCOAEi6gEKBVZhbHVlEjAKCm51bGxfdmFsdWUYASABKA4yGi5nb29nbGUucHJvdG9idWYuTnVsbFZhbHVlSAASFgoMbnVtYmVyX3ZhbHVlGAIgASgBSAASFgoMc3RyaW5nX3ZhbHVlGAMgASgJSAASFAoKYm9vbF92YWx1ZRgEIAEoCEgAEi8KDHN0cnVjdF92YWx1ZRgFIAEoCzIXLmdvb2dsZS5wcm90b2J1Zi5TdHJ1Y3RIABIwCgpsaXN0X3ZhbHVlGAYgASgLMhouZ29vZ2xlLnByb3RvYnVmLkxpc3RWYWx1ZUgAQgYKBGtpbmQiMwoJTGlzdFZhbHVlEiYKBnZhbHVlcxgBIAMoCzIWLmdvb2dsZS5wcm90b2J1Zi5WYWx1ZSobCglOdWxsVmFsdWUSDgoKTlVMTF9WQUxVRRAAQn8KE2NvbS5nb29nbGUucHJvdG9idWZCC1N0cnVjdFByb3RvUAFaL2dvb2dsZS5nb2xhbmcub3JnL3Byb3RvYnVmL3R5cGVzL2tub3duL3N0cnVjdHBi+AEBogIDR1BCqgIeR29vZ2xlLlByb3RvYnVmLldlbGxLbm93blR5cGVzYgZwcm90bzM"),lE=Di(Eu,0),gm=Di(Eu,1),uE=Di(Eu,2);var Il;(function(n){n[n.NULL_VALUE=0]="NULL_VALUE"})(Il||(Il={}));function fE(n,e){_m(e,n);const t=dE(n.$unknown,e),[i,s,r]=ho(e);for(const a of t)lm(i,new hu(a.data),s,a.wireType,{readUnknownFields:!0});return r()}function hE(n,e,t){var i;_m(e,n);const s=((i=n.$unknown)!==null&&i!==void 0?i:[]).filter(l=>l.no!==e.number),[r,a]=ho(e,t),o=new fu;rm(o,{writeUnknownFields:!0},r,a);const c=new hu(o.finish());for(;c.pos<c.len;){const[l,h]=c.tag(),f=c.skip(h,l);s.push({no:l,wireType:h,data:f})}n.$unknown=s}function dE(n,e){if(n===void 0)return[];if(e.fieldKind==="enum"||e.fieldKind==="scalar"){for(let t=n.length-1;t>=0;--t)if(n[t].no==e.number)return[n[t]];return[]}return n.filter(t=>t.no===e.number)}function ho(n,e){const t=n.typeName,i=Object.assign(Object.assign({},n),{kind:"field",parent:n.extendee,localName:t}),s=Object.assign(Object.assign({},n.extendee),{fields:[i],members:[i],oneofs:[]}),r=En(s,e!==void 0?{[t]:e}:void 0);return[An(s,r),i,()=>{const a=r[t];if(a===void 0){const o=n.message;return Lr(o)?ts(o.fields[0].scalar,o.fields[0].longAsString):En(o)}return a}]}function _m(n,e){if(n.extendee.typeName!=e.$typeName)throw new Error(`extension ${n.typeName} can only be applied to message ${n.extendee.typeName}`)}const pE=3,mE=2,Zh={alwaysEmitImplicit:!1,enumAsInteger:!1,useProtoFieldName:!1};function gE(n){return n?Object.assign(Object.assign({},Zh),n):Zh}function _E(n,e,t){return Fr(An(n,e),gE(t))}function vE(n,e,t){var i;const s=_E(n,e,t);return JSON.stringify(s,null,(i=t?.prettySpaces)!==null&&i!==void 0?i:0)}function Fr(n,e){var t;const i=SE(n,e);if(i!==void 0)return i;const s={};for(const r of n.sortedFields){if(!n.isSet(r)){if(r.presence==pE)throw new Error(`cannot encode ${r} to JSON: required field not set`);if(!e.alwaysEmitImplicit||r.presence!==mE)continue}const a=Yh(r,n.get(r),e);a!==void 0&&(s[bE(r,e)]=a)}if(e.registry){const r=new Set;for(const{no:a}of(t=n.getUnknown())!==null&&t!==void 0?t:[])if(!r.has(a)){r.add(a);const o=e.registry.getExtensionFor(n.desc,a);if(!o)continue;const c=fE(n.message,o),[l,h]=ho(o,c),f=Yh(h,l.get(h),e);f!==void 0&&(s[o.jsonName]=f)}}return s}function Yh(n,e,t){switch(n.fieldKind){case"scalar":return po(n,e);case"message":return Fr(e,t);case"enum":return Mu(n.enum,e,t.enumAsInteger);case"list":return yE(e,t);case"map":return xE(e,t)}}function xE(n,e){const t=n.field(),i={};switch(t.mapKind){case"scalar":for(const[s,r]of n)i[s]=po(t,r);break;case"message":for(const[s,r]of n)i[s]=Fr(r,e);break;case"enum":for(const[s,r]of n)i[s]=Mu(t.enum,r,e.enumAsInteger);break}return e.alwaysEmitImplicit||n.size>0?i:void 0}function yE(n,e){const t=n.field(),i=[];switch(t.listKind){case"scalar":for(const s of n)i.push(po(t,s));break;case"enum":for(const s of n)i.push(Mu(t.enum,s,e.enumAsInteger));break;case"message":for(const s of n)i.push(Fr(s,e));break}return e.alwaysEmitImplicit||i.length>0?i:void 0}function Mu(n,e,t){var i;if(typeof e!="number")throw new Error(`cannot encode ${n} to JSON: expected number, got ${Bt(e)}`);if(n.typeName=="google.protobuf.NullValue")return null;if(t)return e;const s=n.value[e];return(i=s?.name)!==null&&i!==void 0?i:e}function po(n,e){var t,i,s,r,a,o;switch(n.scalar){case k.INT32:case k.SFIXED32:case k.SINT32:case k.FIXED32:case k.UINT32:if(typeof e!="number")throw new Error(`cannot encode ${n} to JSON: ${(t=Wi(n,e))===null||t===void 0?void 0:t.message}`);return e;case k.FLOAT:case k.DOUBLE:if(typeof e!="number")throw new Error(`cannot encode ${n} to JSON: ${(i=Wi(n,e))===null||i===void 0?void 0:i.message}`);return Number.isNaN(e)?"NaN":e===Number.POSITIVE_INFINITY?"Infinity":e===Number.NEGATIVE_INFINITY?"-Infinity":e;case k.STRING:if(typeof e!="string")throw new Error(`cannot encode ${n} to JSON: ${(s=Wi(n,e))===null||s===void 0?void 0:s.message}`);return e;case k.BOOL:if(typeof e!="boolean")throw new Error(`cannot encode ${n} to JSON: ${(r=Wi(n,e))===null||r===void 0?void 0:r.message}`);return e;case k.UINT64:case k.FIXED64:case k.INT64:case k.SFIXED64:case k.SINT64:if(typeof e!="bigint"&&typeof e!="string")throw new Error(`cannot encode ${n} to JSON: ${(a=Wi(n,e))===null||a===void 0?void 0:a.message}`);return e.toString();case k.BYTES:if(e instanceof Uint8Array)return _S(e);throw new Error(`cannot encode ${n} to JSON: ${(o=Wi(n,e))===null||o===void 0?void 0:o.message}`)}}function bE(n,e){return e.useProtoFieldName?n.name:n.jsonName}function SE(n,e){if(n.desc.typeName.startsWith("google.protobuf."))switch(n.desc.typeName){case"google.protobuf.Any":return EE(n.message,e);case"google.protobuf.Timestamp":return TE(n.message);case"google.protobuf.Duration":return ME(n.message);case"google.protobuf.FieldMask":return AE(n.message);case"google.protobuf.Struct":return vm(n.message);case"google.protobuf.Value":return Au(n.message);case"google.protobuf.ListValue":return xm(n.message);default:if(Lr(n.desc)){const t=n.desc.fields[0];return po(t,n.get(t))}return}}function EE(n,e){if(n.typeUrl==="")return{};const{registry:t}=e;let i,s;if(t&&(i=oE(n,t),i&&(s=t.getMessage(i.$typeName))),!s||!i)throw new Error(`cannot encode message ${n.$typeName} to JSON: "${n.typeUrl}" is not in the type registry`);let r=Fr(An(s,i),e);return(s.typeName.startsWith("google.protobuf.")||r===null||Array.isArray(r)||typeof r!="object")&&(r={value:r}),r["@type"]=n.typeUrl,r}function ME(n){if(Number(n.seconds)>315576e6||Number(n.seconds)<-315576e6)throw new Error(`cannot encode message ${n.$typeName} to JSON: value out of range`);let e=n.seconds.toString();if(n.nanos!==0){let t=Math.abs(n.nanos).toString();t="0".repeat(9-t.length)+t,t.substring(3)==="000000"?t=t.substring(0,3):t.substring(6)==="000"&&(t=t.substring(0,6)),e+="."+t,n.nanos<0&&Number(n.seconds)==0&&(e="-"+e)}return e+"s"}function AE(n){return n.paths.map(e=>{if(e.match(/_[0-9]?_/g)||e.match(/[A-Z]/g))throw new Error(`cannot encode message ${n.$typeName} to JSON: lowerCamelCase of path name "`+e+'" is irreversible');return br(e)}).join(",")}function vm(n){const e={};for(const[t,i]of Object.entries(n.fields))e[t]=Au(i);return e}function Au(n){switch(n.kind.case){case"nullValue":return null;case"numberValue":if(!Number.isFinite(n.kind.value))throw new Error(`${n.$typeName} cannot be NaN or Infinity`);return n.kind.value;case"boolValue":return n.kind.value;case"stringValue":return n.kind.value;case"structValue":return vm(n.kind.value);case"listValue":return xm(n.kind.value);default:throw new Error(`${n.$typeName} must have a value`)}}function xm(n){return n.values.map(Au)}function TE(n){const e=Number(n.seconds)*1e3;if(e<Date.parse("0001-01-01T00:00:00Z")||e>Date.parse("9999-12-31T23:59:59Z"))throw new Error(`cannot encode message ${n.$typeName} to JSON: must be from 0001-01-01T00:00:00Z to 9999-12-31T23:59:59Z inclusive`);if(n.nanos<0)throw new Error(`cannot encode message ${n.$typeName} to JSON: nanos must not be negative`);let t="Z";if(n.nanos>0){const i=(n.nanos+1e9).toString().substring(1);i.substring(3)==="000000"?t="."+i.substring(0,3)+"Z":i.substring(6)==="000"?t="."+i.substring(0,6)+"Z":t="."+i+"Z"}return new Date(e).toISOString().replace(".000Z",t)}const Kh={ignoreUnknownFields:!1};function wE(n){return n?Object.assign(Object.assign({},Kh),n):Kh}function RE(n,e,t){return IE(n,FE(e,n.typeName),t)}function IE(n,e,t){const i=An(n);try{zs(i,e,wE(t))}catch(s){throw yS(s)?new Error(`cannot decode ${s.field()} from JSON: ${s.message}`,{cause:s}):s}return i.message}function zs(n,e,t){var i;if(BE(n,e,t))return;if(e==null||Array.isArray(e)||typeof e!="object")throw new Error(`cannot decode ${n.desc} from JSON: ${Bt(e)}`);const s=new Map,r=new Map;for(const a of n.desc.fields)r.set(a.name,a).set(a.jsonName,a);for(const[a,o]of Object.entries(e)){const c=r.get(a);if(c){if(c.oneof){if(o===null&&c.fieldKind=="scalar")continue;const l=s.get(c.oneof);if(l!==void 0)throw new rn(c.oneof,`oneof set multiple times by ${l.name} and ${c.name}`);s.set(c.oneof,c)}$h(n,c,o,t)}else{let l;if(a.startsWith("[")&&a.endsWith("]")&&(l=(i=t.registry)===null||i===void 0?void 0:i.getExtension(a.substring(1,a.length-1)))&&l.extendee.typeName===n.desc.typeName){const[h,f,u]=ho(l);$h(h,f,o,t),hE(n.message,l,u())}if(!l&&!t.ignoreUnknownFields)throw new Error(`cannot decode ${n.desc} from JSON: key "${a}" is unknown`)}}}function $h(n,e,t,i){switch(e.fieldKind){case"scalar":DE(n,e,t);break;case"enum":LE(n,e,t,i);break;case"message":PE(n,e,t,i);break;case"list":CE(n.get(e),t,i);break;case"map":NE(n.get(e),t,i);break}}function NE(n,e,t){if(e===null)return;const i=n.field();if(typeof e!="object"||Array.isArray(e))throw new rn(i,"expected object, got "+Bt(e));for(const[s,r]of Object.entries(e)){if(r===null)throw new rn(i,"map value must not be null");let a;switch(i.mapKind){case"message":const c=An(i.message);zs(c,r,t),a=c;break;case"enum":if(a=Tu(i.enum,r,t.ignoreUnknownFields,!0),a===mo)return;break;case"scalar":a=_o(i,r,!0);break}const o=UE(i.mapKey,s);n.set(o,a)}}function CE(n,e,t){if(e===null)return;const i=n.field();if(!Array.isArray(e))throw new rn(i,"expected Array, got "+Bt(e));for(const s of e){if(s===null)throw new rn(i,"list item must not be null");switch(i.listKind){case"message":const r=An(i.message);zs(r,s,t),n.add(r);break;case"enum":const a=Tu(i.enum,s,t.ignoreUnknownFields,!0);a!==mo&&n.add(a);break;case"scalar":n.add(_o(i,s,!0));break}}}function PE(n,e,t,i){if(t===null&&e.message.typeName!="google.protobuf.Value"){n.clear(e);return}const s=n.isSet(e)?n.get(e):An(e.message);zs(s,t,i),n.set(e,s)}function LE(n,e,t,i){const s=Tu(e.enum,t,i.ignoreUnknownFields,!1);s===go?n.clear(e):s!==mo&&n.set(e,s)}function DE(n,e,t){const i=_o(e,t,!1);i===go?n.clear(e):n.set(e,i)}const mo=Symbol();function Tu(n,e,t,i){if(e===null)return n.typeName=="google.protobuf.NullValue"?0:i?n.values[0].number:go;switch(typeof e){case"number":if(Number.isInteger(e))return e;break;case"string":const s=n.values.find(r=>r.name===e);if(s!==void 0)return s.number;if(t)return mo;break}throw new Error(`cannot decode ${n} from JSON: ${Bt(e)}`)}const go=Symbol();function _o(n,e,t){if(e===null)return t?ts(n.scalar,!1):go;switch(n.scalar){case k.DOUBLE:case k.FLOAT:if(e==="NaN")return NaN;if(e==="Infinity")return Number.POSITIVE_INFINITY;if(e==="-Infinity")return Number.NEGATIVE_INFINITY;if(typeof e=="number"){if(Number.isNaN(e))throw new rn(n,"unexpected NaN number");if(!Number.isFinite(e))throw new rn(n,"unexpected infinite number");break}if(typeof e=="string"){if(e===""||e.trim().length!==e.length)break;const i=Number(e);if(!Number.isFinite(i))break;return i}break;case k.INT32:case k.FIXED32:case k.SFIXED32:case k.SINT32:case k.UINT32:return ym(e);case k.BYTES:if(typeof e=="string"){if(e==="")return new Uint8Array(0);try{return ru(e)}catch(i){const s=i instanceof Error?i.message:String(i);throw new rn(n,s)}}break}return e}function UE(n,e){switch(n){case k.BOOL:switch(e){case"true":return!0;case"false":return!1}return e;case k.INT32:case k.FIXED32:case k.UINT32:case k.SFIXED32:case k.SINT32:return ym(e);default:return e}}function ym(n){if(typeof n=="string"){if(n===""||n.trim().length!==n.length)return n;const e=Number(n);return Number.isNaN(e)?n:e}return n}function FE(n,e){try{return JSON.parse(n)}catch(t){const i=t instanceof Error?t.message:String(t);throw new Error(`cannot decode message ${e} from JSON: ${i}`,{cause:t})}}function BE(n,e,t){if(!n.desc.typeName.startsWith("google.protobuf."))return!1;switch(n.desc.typeName){case"google.protobuf.Any":return OE(n.message,e,t),!0;case"google.protobuf.Timestamp":return VE(n.message,e),!0;case"google.protobuf.Duration":return GE(n.message,e),!0;case"google.protobuf.FieldMask":return kE(n.message,e),!0;case"google.protobuf.Struct":return bm(n.message,e),!0;case"google.protobuf.Value":return wu(n.message,e),!0;case"google.protobuf.ListValue":return Sm(n.message,e),!0;default:if(Lr(n.desc)){const i=n.desc.fields[0];return e===null?n.clear(i):n.set(i,_o(i,e,!0)),!0}return!1}}function OE(n,e,t){var i;if(e===null||Array.isArray(e)||typeof e!="object")throw new Error(`cannot decode message ${n.$typeName} from JSON: expected object but got ${Bt(e)}`);if(Object.keys(e).length==0)return;const s=e["@type"];if(typeof s!="string"||s=="")throw new Error(`cannot decode message ${n.$typeName} from JSON: "@type" is empty`);const r=s.includes("/")?s.substring(s.lastIndexOf("/")+1):s;if(!r.length)throw new Error(`cannot decode message ${n.$typeName} from JSON: "@type" is invalid`);const a=(i=t.registry)===null||i===void 0?void 0:i.getMessage(r);if(!a)throw new Error(`cannot decode message ${n.$typeName} from JSON: ${s} is not in the type registry`);const o=An(a);if(r.startsWith("google.protobuf.")&&Object.prototype.hasOwnProperty.call(e,"value")){const c=e.value;zs(o,c,t)}else{const c=Object.assign({},e);delete c["@type"],zs(o,c,t)}rE(o.desc,o.message,n)}function VE(n,e){if(typeof e!="string")throw new Error(`cannot decode message ${n.$typeName} from JSON: ${Bt(e)}`);const t=e.match(/^([0-9]{4})-([0-9]{2})-([0-9]{2})T([0-9]{2}):([0-9]{2}):([0-9]{2})(?:\.([0-9]{1,9}))?(?:Z|([+-][0-9][0-9]:[0-9][0-9]))$/);if(!t)throw new Error(`cannot decode message ${n.$typeName} from JSON: invalid RFC 3339 string`);const i=Date.parse(t[1]+"-"+t[2]+"-"+t[3]+"T"+t[4]+":"+t[5]+":"+t[6]+(t[8]?t[8]:"Z"));if(Number.isNaN(i))throw new Error(`cannot decode message ${n.$typeName} from JSON: invalid RFC 3339 string`);if(i<Date.parse("0001-01-01T00:00:00Z")||i>Date.parse("9999-12-31T23:59:59Z"))throw new Error(`cannot decode message ${n.$typeName} from JSON: must be from 0001-01-01T00:00:00Z to 9999-12-31T23:59:59Z inclusive`);n.seconds=dt.parse(i/1e3),n.nanos=0,t[7]&&(n.nanos=parseInt("1"+t[7]+"0".repeat(9-t[7].length))-1e9)}function GE(n,e){if(typeof e!="string")throw new Error(`cannot decode message ${n.$typeName} from JSON: ${Bt(e)}`);const t=e.match(/^(-?[0-9]+)(?:\.([0-9]+))?s/);if(t===null)throw new Error(`cannot decode message ${n.$typeName} from JSON: ${Bt(e)}`);const i=Number(t[1]);if(i>315576e6||i<-315576e6)throw new Error(`cannot decode message ${n.$typeName} from JSON: ${Bt(e)}`);if(n.seconds=dt.parse(i),typeof t[2]!="string")return;const s=t[2]+"0".repeat(9-t[2].length);n.nanos=parseInt(s),(i<0||Object.is(i,-0))&&(n.nanos=-n.nanos)}function kE(n,e){if(typeof e!="string")throw new Error(`cannot decode message ${n.$typeName} from JSON: ${Bt(e)}`);if(e==="")return;function t(i){if(i.includes("_"))throw new Error(`cannot decode message ${n.$typeName} from JSON: path names must be lowerCamelCase`);const s=i.replace(/[A-Z]/g,r=>"_"+r.toLowerCase());return s[0]==="_"?s.substring(1):s}n.paths=e.split(",").map(t)}function bm(n,e){if(typeof e!="object"||e==null||Array.isArray(e))throw new Error(`cannot decode message ${n.$typeName} from JSON ${Bt(e)}`);for(const[t,i]of Object.entries(e)){const s=En(gm);wu(s,i),n.fields[t]=s}}function wu(n,e){switch(typeof e){case"number":n.kind={case:"numberValue",value:e};break;case"string":n.kind={case:"stringValue",value:e};break;case"boolean":n.kind={case:"boolValue",value:e};break;case"object":if(e===null)n.kind={case:"nullValue",value:Il.NULL_VALUE};else if(Array.isArray(e)){const t=En(uE);Sm(t,e),n.kind={case:"listValue",value:t}}else{const t=En(lE);bm(t,e),n.kind={case:"structValue",value:t}}break;default:throw new Error(`cannot decode message ${n.$typeName} from JSON ${Bt(e)}`)}return n}function Sm(n,e){if(!Array.isArray(e))throw new Error(`cannot decode message ${n.$typeName} from JSON ${Bt(e)}`);for(const t of e){const i=En(gm);wu(i,t),n.values.push(i)}}function jh(n){const e=De[n];return typeof e!="string"?n.toString():e[0].toLowerCase()+e.substring(1).replace(/[A-Z]/g,t=>"_"+t.toLowerCase())}class je extends Error{constructor(e,t=De.Unknown,i,s,r){super(zE(e,t)),this.name="ConnectError",Object.setPrototypeOf(this,new.target.prototype),this.rawMessage=e,this.code=t,this.metadata=new Headers(i??{}),this.details=s??[],this.cause=r}static from(e,t=De.Unknown){return e instanceof je?e:e instanceof Error?e.name=="AbortError"||e.name=="TimeoutError"?new je(e.message,De.Canceled):new je(e.message,t,void 0,void 0,e):new je(String(e),t,void 0,void 0,e)}static[Symbol.hasInstance](e){return e instanceof Error?Object.getPrototypeOf(e)===je.prototype?!0:e.name==="ConnectError"&&"code"in e&&typeof e.code=="number"&&"metadata"in e&&"details"in e&&Array.isArray(e.details)&&"rawMessage"in e&&typeof e.rawMessage=="string"&&"cause"in e:!1}findDetails(e){const t=e.kind==="message"?{getMessage:s=>s===e.typeName?e:void 0}:e,i=[];for(const s of this.details){if("desc"in s){t.getMessage(s.desc.typeName)&&i.push(En(s.desc,s.value));continue}const r=t.getMessage(s.type);if(r)try{i.push(Ks(r,s.value))}catch{}}return i}}function zE(n,e){return n.length?`[${jh(e)}] ${n}`:`[${jh(e)}]`}function WE(n,e,t){try{const i=ru(n);return e?Ks(e,i,t):i}catch(i){throw je.from(i,De.DataLoss)}}function HE(n,e){const t={};for(const i of n.methods){const s=e(i);s!=null&&(t[i.localName]=s)}return t}const Jh=1;function XE(n,e,t=!1){if(e>n){let i=`message size is larger than configured readMaxBytes ${n}`;throw t&&(i=`message size ${e} is larger than configured readMaxBytes ${n}`),new je(i,De.ResourceExhausted)}}function ZE(n){return new YE(n)}class YE{constructor(e){this.readMaxBytes=e,this.header=new Uint8Array(5),this.headerView=new DataView(this.header.buffer),this.buf=[]}get byteLength(){return this.buf.reduce((e,t)=>e+t.byteLength,0)}decode(e){this.buf.push(e);const t=[];for(;;){let i=this.pop();if(!i)break;t.push(i)}return t}pop(){if(!(!this.env&&(this.env=this.head(),!this.env))&&this.cons(this.env.data)){const e=this.env;return this.env=void 0,e}}head(){if(!this.cons(this.header))return;const e=this.headerView.getUint8(0),t=this.headerView.getUint32(1);return XE(this.readMaxBytes,t,!0),{flags:e,data:new Uint8Array(t)}}cons(e){const t=e.byteLength;if(this.byteLength<t)return!1;let i=0;for(;i<t;){const s=this.buf.shift();s.byteLength>t-i?(e.set(s.subarray(0,t-i),i),this.buf.unshift(s.subarray(t-i)),i+=t-i):(e.set(s,i),i+=s.byteLength)}return!0}}function qh(n){let e;const t=ZE(4294967295);return new ReadableStream({start(){e=n.getReader()},async pull(i){let s=!1;for(;!s;){const r=await e.read();if(r.done)t.byteLength>0&&i.error(new je("protocol error: incomplete envelope",De.InvalidArgument)),i.close();else for(const a of t.decode(r.value))i.enqueue(a),s=!0}}})}function Nl(n,e){const t=new Uint8Array(e.length+5);t.set(e,5);const i=new DataView(t.buffer,t.byteOffset,t.byteLength);return i.setUint8(0,n),i.setUint32(1,e.length),t}var KE=function(n){if(!Symbol.asyncIterator)throw new TypeError("Symbol.asyncIterator is not defined.");var e=n[Symbol.asyncIterator],t;return e?e.call(n):(n=typeof __values=="function"?__values(n):n[Symbol.iterator](),t={},i("next"),i("throw"),i("return"),t[Symbol.asyncIterator]=function(){return this},t);function i(r){t[r]=n[r]&&function(a){return new Promise(function(o,c){a=n[r](a),s(o,c,a.done,a.value)})}}function s(r,a,o,c){Promise.resolve(c).then(function(l){r({value:l,done:o})},a)}},Ar=function(n){return this instanceof Ar?(this.v=n,this):new Ar(n)},$E=function(n,e,t){if(!Symbol.asyncIterator)throw new TypeError("Symbol.asyncIterator is not defined.");var i=t.apply(n,e||[]),s,r=[];return s=Object.create((typeof AsyncIterator=="function"?AsyncIterator:Object).prototype),o("next"),o("throw"),o("return",a),s[Symbol.asyncIterator]=function(){return this},s;function a(d){return function(g){return Promise.resolve(g).then(d,f)}}function o(d,g){i[d]&&(s[d]=function(y){return new Promise(function(p,m){r.push([d,y,p,m])>1||c(d,y)})},g&&(s[d]=g(s[d])))}function c(d,g){try{l(i[d](g))}catch(y){u(r[0][3],y)}}function l(d){d.value instanceof Ar?Promise.resolve(d.value.v).then(h,f):u(r[0][2],d)}function h(d){c("next",d)}function f(d){c("throw",d)}function u(d,g){d(g),r.shift(),r.length&&c(r[0][0],r[0][1])}},jE=function(n){var e,t;return e={},i("next"),i("throw",function(s){throw s}),i("return"),e[Symbol.iterator]=function(){return this},e;function i(s,r){e[s]=n[s]?function(a){return(t=!t)?{value:Ar(n[s](a)),done:!1}:r?r(a):a}:r}};function JE(n){return $E(this,arguments,function*(){yield Ar(yield*jE(KE(n)))})}var Em=function(n){if(!Symbol.asyncIterator)throw new TypeError("Symbol.asyncIterator is not defined.");var e=n[Symbol.asyncIterator],t;return e?e.call(n):(n=typeof __values=="function"?__values(n):n[Symbol.iterator](),t={},i("next"),i("throw"),i("return"),t[Symbol.asyncIterator]=function(){return this},t);function i(r){t[r]=n[r]&&function(a){return new Promise(function(o,c){a=n[r](a),s(o,c,a.done,a.value)})}}function s(r,a,o,c){Promise.resolve(c).then(function(l){r({value:l,done:o})},a)}},Ws=function(n){return this instanceof Ws?(this.v=n,this):new Ws(n)},qE=function(n){var e,t;return e={},i("next"),i("throw",function(s){throw s}),i("return"),e[Symbol.iterator]=function(){return this},e;function i(s,r){e[s]=n[s]?function(a){return(t=!t)?{value:Ws(n[s](a)),done:!1}:r?r(a):a}:r}},QE=function(n,e,t){if(!Symbol.asyncIterator)throw new TypeError("Symbol.asyncIterator is not defined.");var i=t.apply(n,e||[]),s,r=[];return s=Object.create((typeof AsyncIterator=="function"?AsyncIterator:Object).prototype),o("next"),o("throw"),o("return",a),s[Symbol.asyncIterator]=function(){return this},s;function a(d){return function(g){return Promise.resolve(g).then(d,f)}}function o(d,g){i[d]&&(s[d]=function(y){return new Promise(function(p,m){r.push([d,y,p,m])>1||c(d,y)})},g&&(s[d]=g(s[d])))}function c(d,g){try{l(i[d](g))}catch(y){u(r[0][3],y)}}function l(d){d.value instanceof Ws?Promise.resolve(d.value.v).then(h,f):u(r[0][2],d)}function h(d){c("next",d)}function f(d){c("throw",d)}function u(d,g){d(g),r.shift(),r.length&&c(r[0][0],r[0][1])}};function nr(n,e){return HE(n,t=>{switch(t.methodKind){case"unary":return eM(e,t);case"server_streaming":return tM(e,t);case"client_streaming":return nM(e,t);case"bidi_streaming":return iM(e,t);default:return null}})}function eM(n,e){return async(t,i)=>{var s,r;const a=await n.unary(e,i?.signal,i?.timeoutMs,i?.headers,t,i?.contextValues);return(s=i?.onHeader)===null||s===void 0||s.call(i,a.header),(r=i?.onTrailer)===null||r===void 0||r.call(i,a.trailer),a.message}}function tM(n,e){return(t,i)=>Mm(n.stream(e,i?.signal,i?.timeoutMs,i?.headers,JE([t]),i?.contextValues),i)}function nM(n,e){return async(t,i)=>{var s,r,a,o,c,l;const h=await n.stream(e,i?.signal,i?.timeoutMs,i?.headers,t,i?.contextValues);(c=i?.onHeader)===null||c===void 0||c.call(i,h.header);let f,u=0;try{for(var d=!0,g=Em(h.message),y;y=await g.next(),s=y.done,!s;d=!0)o=y.value,d=!1,f=o,u++}catch(p){r={error:p}}finally{try{!d&&!s&&(a=g.return)&&await a.call(g)}finally{if(r)throw r.error}}if(!f)throw new je("protocol error: missing response message",De.Unimplemented);if(u>1)throw new je("protocol error: received extra messages for client streaming method",De.Unimplemented);return(l=i?.onTrailer)===null||l===void 0||l.call(i,h.trailer),f}}function iM(n,e){return(t,i)=>Mm(n.stream(e,i?.signal,i?.timeoutMs,i?.headers,t,i?.contextValues),i)}function Mm(n,e){const t=(function(){return QE(this,arguments,function*(){var i,s;const r=yield Ws(n);(i=e?.onHeader)===null||i===void 0||i.call(e,r.header),yield Ws(yield*qE(Em(r.message))),(s=e?.onTrailer)===null||s===void 0||s.call(e,r.trailer)})})()[Symbol.asyncIterator]();return{[Symbol.asyncIterator]:()=>({next:()=>t.next()})}}function sM(...n){const e=new AbortController,t=n.filter(s=>s!==void 0).concat(e.signal);for(const s of t){if(s.aborted){i.apply(s);break}s.addEventListener("abort",i)}function i(){e.signal.aborted||e.abort(Am(this));for(const s of t)s.removeEventListener("abort",i)}return e}function rM(n){const e=new AbortController,t=()=>{e.abort(new je("the operation timed out",De.DeadlineExceeded))};let i;return n!==void 0&&(n<=0?t():i=setTimeout(t,n)),{signal:e.signal,cleanup:()=>clearTimeout(i)}}function Am(n){if(!n.aborted)return;if(n.reason!==void 0)return n.reason;const e=new Error("This operation was aborted");return e.name="AbortError",e}function Qh(){return{get(n){return n.id in this?this[n.id]:n.defaultValue},set(n,e){return this[n.id]=e,this},delete(n){return delete this[n.id],this}}}const za=128;function Cl(n){const e=new Headers,t=new TextDecoder().decode(n).split(`\r
+`);for(const i of t){if(i==="")continue;const s=i.indexOf(":");if(s>0){const r=i.substring(0,s).trim(),a=i.substring(s+1).trim();e.append(r,a)}}return e}const aM="Content-Type",oM="Grpc-Timeout",Hs="Grpc-Status",Tm="Grpc-Message",cM="Grpc-Status-Details-Bin",lM="User-Agent",ed="X-User-Agent",uM="X-Grpc-Web",fM="application/grpc-web+proto",hM="application/grpc-web+json",dM=Fn("CgxzdGF0dXMucHJvdG8SCmdvb2dsZS5ycGMiTgoGU3RhdHVzEgwKBGNvZGUYASABKAUSDwoHbWVzc2FnZRgCIAEoCRIlCgdkZXRhaWxzGAMgAygLMhQuZ29vZ2xlLnByb3RvYnVmLkFueUJeCg5jb20uZ29vZ2xlLnJwY0ILU3RhdHVzUHJvdG9QAVo3Z29vZ2xlLmdvbGFuZy5vcmcvZ2VucHJvdG8vZ29vZ2xlYXBpcy9ycGMvc3RhdHVzO3N0YXR1c6ICA1JQQ2IGcHJvdG8z",[pm]),pM=Di(dM,0),mM="0";function wm(n){var e;const t=n.get(cM);if(t!=null){const s=WE(t,pM);if(s.code==0)return;const r=new je(s.message,s.code,n);return r.details=s.details.map(a=>({type:a.typeUrl.substring(a.typeUrl.lastIndexOf("/")+1),value:a.value})),r}const i=n.get(Hs);if(i!=null){if(i===mM)return;const s=parseInt(i,10);return s in De?new je(decodeURIComponent((e=n.get(Tm))!==null&&e!==void 0?e:""),s,n):new je(`invalid grpc-status: ${i}`,De.Internal,n)}}function td(n,e){return n.toString().replace(/\/?$/,`/${e.parent.typeName}/${e.name}`)}function Rm(n,e){return En(n,e)}function gM(n,e){function t(i){return i.done===!0?i:{done:i.done,value:Rm(n,i.value)}}return{[Symbol.asyncIterator](){const i=e[Symbol.asyncIterator](),s={next:()=>i.next().then(t)};return i.throw!==void 0&&(s.throw=r=>i.throw(r).then(t)),i.return!==void 0&&(s.return=r=>i.return(r).then(t)),s}}}function Im(n,e){if(!e)return n;for(const t of e.concat().reverse())n=t(n);return n}function _M(n){var e;const t=Object.assign({},n);return(e=t.ignoreUnknownFields)!==null&&e!==void 0||(t.ignoreUnknownFields=!0),t}function nd(n,e,t,i){const s=e?id(n.input,i):sd(n.input,t);return{parse:(e?id(n.output,i):sd(n.output,t)).parse,serialize:s.serialize}}function id(n,e){return{parse(t){try{return Ks(n,t,e)}catch(i){const s=i instanceof Error?i.message:String(i);throw new je(`parse binary: ${s}`,De.Internal)}},serialize(t){try{return yu(n,t,e)}catch(i){const s=i instanceof Error?i.message:String(i);throw new je(`serialize binary: ${s}`,De.Internal)}}}}function sd(n,e){var t,i;const s=(t=e?.textEncoder)!==null&&t!==void 0?t:new TextEncoder,r=(i=e?.textDecoder)!==null&&i!==void 0?i:new TextDecoder,a=_M(e);return{parse(o){try{const c=r.decode(o);return RE(n,c,a)}catch(c){throw je.from(c,De.InvalidArgument)}},serialize(o){try{const c=vE(n,o,a);return s.encode(c)}catch(c){throw je.from(c,De.Internal)}}}}function vM(n){const e=Im(n.next,n.interceptors),[t,i,s]=Nm(n),r=Object.assign(Object.assign({},n.req),{message:Rm(n.req.method.input,n.req.message),signal:t});return e(r).then(a=>(s(),a),i)}function xM(n){const e=Im(n.next,n.interceptors),[t,i,s]=Nm(n),r=Object.assign(Object.assign({},n.req),{message:gM(n.req.method.input,n.req.message),signal:t});let a=!1;return t.addEventListener("abort",function(){var o,c;const l=n.req.message[Symbol.asyncIterator]();a||(o=l.throw)===null||o===void 0||o.call(l,this.reason).catch(()=>{}),(c=l.return)===null||c===void 0||c.call(l).catch(()=>{})}),e(r).then(o=>Object.assign(Object.assign({},o),{message:{[Symbol.asyncIterator](){const c=o.message[Symbol.asyncIterator]();return{next(){return c.next().then(l=>(l.done==!0&&(a=!0,s()),l),i)}}}}}),i)}function Nm(n){const{signal:e,cleanup:t}=rM(n.timeoutMs),i=sM(n.signal,e);return[i.signal,function(r){const a=je.from(e.aborted?Am(e):r);return i.abort(a),t(),Promise.reject(a)},function(){t(),i.abort()}]}function io(n){if(n instanceof DOMException&&n.name==="AbortError")return"cancelled";if(n instanceof TypeError)return"gone";if(!(n instanceof je))return"refused";switch(n.code){case De.Canceled:return"cancelled";case De.Unauthenticated:case De.PermissionDenied:return"token";case De.Unavailable:return"gone";case De.NotFound:return"forgotten";default:return n.code===De.Unknown?"gone":"refused"}}function ga(n){switch(io(n)){case"cancelled":return"Stopped.";case"gone":return"The server does not answer.";case"forgotten":return"The server no longer has this mesh.";default:return n instanceof je?rd(n.rawMessage):rd(n instanceof Error?n.message:String(n))}}function rd(n){const e=n.trim()||"It failed for an unknown reason";return e[0].toUpperCase()+e.slice(1)+(/[.!?]$/.test(e)?"":".")}class ad{constructor(e){this.patienceMs=e}running;waiting;timer;ask(e){if(this.waiting=e,!this.running){this.run();return}const t=performance.now()-this.running.since;this.timer??=setTimeout(()=>this.running?.abort.abort(),Math.max(this.patienceMs-t,0))}stop(){this.waiting=void 0,this.running?.abort.abort()}async run(){for(;this.waiting;){const e=this.waiting;this.waiting=void 0,this.running={abort:new AbortController,since:performance.now()},await e(this.running.abort.signal),clearTimeout(this.timer),this.timer=void 0,this.running=void 0}}}const Ru=Fn("ChZnZW9kZXNpYy92MS9tZXNoLnByb3RvEgtnZW9kZXNpYy52MSJFCgpGaWxlRGlnZXN0EicKBmZvcm1hdBgBIAEoDjIXLmdlb2Rlc2ljLnYxLk1lc2hGb3JtYXQSDgoGc2hhMjU2GAIgASgJIigKBVBvaW50EgkKAXgYASABKAESCQoBeRgCIAEoARIJCgF6GAMgASgBIqAFCgRNZXNoEg4KBmRpZ2VzdBgBIAEoCRIUCgx2ZXJ0ZXhfY291bnQYAiABKAQSEgoKZmFjZV9jb3VudBgDIAEoBBISCgplZGdlX2NvdW50GAQgASgEEhsKE2JvdW5kYXJ5X2VkZ2VfY291bnQYBSABKAQSGwoTYm91bmRhcnlfbG9vcF9jb3VudBgGIAEoBBIXCg9jb21wb25lbnRfY291bnQYByABKAQSHQoVaXNvbGF0ZWRfdmVydGV4X2NvdW50GAggASgEEhIKBWdlbnVzGAkgASgDSACIAQESGwoTc2FkZGxlX3ZlcnRleF9jb3VudBgKIAEoBBIdChVkZWdlbmVyYXRlX2ZhY2VfY291bnQYCyABKAQSLAoQYm91bmRpbmdfYm94X21pbhgMIAEoCzISLmdlb2Rlc2ljLnYxLlBvaW50EiwKEGJvdW5kaW5nX2JveF9tYXgYDSABKAsyEi5nZW9kZXNpYy52MS5Qb2ludBIYChBtZWFuX2VkZ2VfbGVuZ3RoGA4gASgBEhIKCmFuaXNvdHJvcHkYDyABKAESFgoOcmVzaWRlbnRfYnl0ZXMYECABKAQSHwoXbm9uX21hbmlmb2xkX2VkZ2VfY291bnQYESABKAQSIQoZbm9uX21hbmlmb2xkX3ZlcnRleF9jb3VudBgSIAEoBBIfChdpbmNvbnNpc3RlbnRfZWRnZV9jb3VudBgTIAEoBBISCgpvcmllbnRhYmxlGBQgASgIEhQKDHN0b3JlZF9ieXRlcxgVIAEoBBIWCg5sYW5kbWFya19jb3VudBgWIAEoDRI1ChBwcmVwYXJlZF9tZXRob2RzGBcgAygLMhsuZ2VvZGVzaWMudjEuUHJlcGFyZWRNZXRob2RCCAoGX2dlbnVzIp8BCg5QcmVwYXJlZE1ldGhvZBIpCglhbGdvcml0aG0YASABKA4yFi5nZW9kZXNpYy52MS5BbGdvcml0aG0SMQoNYXBwcm94aW1hdGlvbhgCIAEoCzIaLmdlb2Rlc2ljLnYxLkFwcHJveGltYXRpb24SFgoOcHJlcGFyZWRfYnl0ZXMYAyABKAQSFwoPcHJlcGFyZV9zZWNvbmRzGAQgASgBKsABCgpNZXNoRm9ybWF0EhsKF01FU0hfRk9STUFUX1VOU1BFQ0lGSUVEEAASFgoSTUVTSF9GT1JNQVRfQVJSQVlTEAESEwoPTUVTSF9GT1JNQVRfT0JKEAISEwoPTUVTSF9GT1JNQVRfUExZEAMSEwoPTUVTSF9GT1JNQVRfT0ZGEAQSEwoPTUVTSF9GT1JNQVRfU1RMEAUSEwoPTUVTSF9GT1JNQVRfVlRLEAYSFAoQTUVTSF9GT1JNQVRfR0xURhAHYgZwcm90bzM",[Ur]);var Ai=(n=>(n[n.UNSPECIFIED=0]="UNSPECIFIED",n[n.ARRAYS=1]="ARRAYS",n[n.OBJ=2]="OBJ",n[n.PLY=3]="PLY",n[n.OFF=4]="OFF",n[n.STL=5]="STL",n[n.VTK=6]="VTK",n[n.GLTF=7]="GLTF",n))(Ai||{});const Iu=Fn("ChlnZW9kZXNpYy92MS9zdXJmYWNlLnByb3RvEgtnZW9kZXNpYy52MSJ5CgxTdXJmYWNlUG9pbnQSEAoGdmVydGV4GAEgASgESAASJgoEZWRnZRgCIAEoCzIWLmdlb2Rlc2ljLnYxLkVkZ2VQb2ludEgAEiYKBGZhY2UYAyABKAsyFi5nZW9kZXNpYy52MS5GYWNlUG9pbnRIAEIHCgVwbGFjZSIwCglFZGdlUG9pbnQSDAoEZnJvbRgBIAEoBBIKCgJ0bxgCIAEoBBIJCgF0GAMgASgBIioKCUZhY2VQb2ludBIMCgRmYWNlGAEgASgEEg8KB3dlaWdodHMYAiADKAEiMgoFQ3VydmUSKQoGcG9pbnRzGAEgAygLMhkuZ2VvZGVzaWMudjEuU3VyZmFjZVBvaW50IqgBCgZTb3VyY2USEAoGdmVydGV4GAEgASgESAASJgoEZWRnZRgDIAEoCzIWLmdlb2Rlc2ljLnYxLkVkZ2VQb2ludEgAEiYKBGZhY2UYBCABKAsyFi5nZW9kZXNpYy52MS5GYWNlUG9pbnRIABIjCgVjdXJ2ZRgFIAEoCzISLmdlb2Rlc2ljLnYxLkN1cnZlSAASDgoGb2Zmc2V0GAIgASgBQgcKBXBsYWNlIncKDVBvbHlsaW5lUGllY2USEwoLcG9pbnRfY291bnQYASABKAQSEwoLZmlyc3RfcG9pbnQYAiABKAQSKQoGcG9pbnRzGAMgAygLMhkuZ2VvZGVzaWMudjEuU3VyZmFjZVBvaW50EhEKCXBvc2l0aW9ucxgEIAEoDGIGcHJvdG8z"),yM=Fn("Ch9nZW9kZXNpYy92MS9maWVsZF9zZXJ2aWNlLnByb3RvEgtnZW9kZXNpYy52MSL+AwoTQ29tcHV0ZUZpZWxkUmVxdWVzdBITCgttZXNoX2RpZ2VzdBgBIAEoCRIkCgdzb3VyY2VzGAIgAygLMhMuZ2VvZGVzaWMudjEuU291cmNlEikKCWFsZ29yaXRobRgDIAEoDjIWLmdlb2Rlc2ljLnYxLkFsZ29yaXRobRIqCgp2YWx1ZV90eXBlGAQgASgOMhYuZ2VvZGVzaWMudjEuVmFsdWVUeXBlEioKB3RhcmdldHMYBSADKAsyGS5nZW9kZXNpYy52MS5TdXJmYWNlUG9pbnQSEwoGcmFkaXVzGAYgASgBSACIAQESHwoSc3RvcF9hZnRlcl90YXJnZXRzGAcgASgESAGIAQESLgoKcXVhbnRpdGllcxgIIAMoDjIaLmdlb2Rlc2ljLnYxLkZpZWxkUXVhbnRpdHkSEwoLcHJvZ3Jlc3NpdmUYCSABKAgSJwoIcHJpb3JpdHkYCiABKA4yFS5nZW9kZXNpYy52MS5Qcmlvcml0eRIwCgpyZXN1bXB0aW9uGAsgASgLMhwuZ2VvZGVzaWMudjEuRmllbGRSZXN1bXB0aW9uEjEKDWFwcHJveGltYXRpb24YDCABKAsyGi5nZW9kZXNpYy52MS5BcHByb3hpbWF0aW9uQgkKB19yYWRpdXNCFQoTX3N0b3BfYWZ0ZXJfdGFyZ2V0cyI5Cg9GaWVsZFJlc3VtcHRpb24SEAoIZmllbGRfaWQYASABKAkSFAoMZmlyc3RfdmVydGV4GAIgASgEIq0CChRDb21wdXRlRmllbGRSZXNwb25zZRIqCgZoZWFkZXIYASABKAsyGC5nZW9kZXNpYy52MS5GaWVsZEhlYWRlckgAEi4KCHByb2dyZXNzGAIgASgLMhouZ2VvZGVzaWMudjEuU29sdmVQcm9ncmVzc0gAEigKBWNodW5rGAMgASgLMhcuZ2VvZGVzaWMudjEuRmllbGRDaHVua0gAEiwKB3RyYWlsZXIYBCABKAsyGS5nZW9kZXNpYy52MS5GaWVsZFRyYWlsZXJIABIrCgd0YXJnZXRzGAUgASgLMhguZ2VvZGVzaWMudjEuVGFyZ2V0Q2h1bmtIABIsCgdzZXR0bGVkGAYgASgLMhkuZ2VvZGVzaWMudjEuU2V0dGxlZENodW5rSABCBgoEcGFydCKCAgoLRmllbGRIZWFkZXISEwoLbWVzaF9kaWdlc3QYASABKAkSFAoMdmVydGV4X2NvdW50GAIgASgEEikKCWFsZ29yaXRobRgDIAEoDjIWLmdlb2Rlc2ljLnYxLkFsZ29yaXRobRIoCgZvcmlnaW4YBCABKA4yGC5nZW9kZXNpYy52MS5GaWVsZE9yaWdpbhIqCgp2YWx1ZV90eXBlGAUgASgOMhYuZ2VvZGVzaWMudjEuVmFsdWVUeXBlEhQKDHRhcmdldF9jb3VudBgGIAEoBBIxCg1hcHByb3hpbWF0aW9uGAcgASgLMhouZ2VvZGVzaWMudjEuQXBwcm94aW1hdGlvbiJtCgpGaWVsZENodW5rEg4KBm9mZnNldBgBIAEoBBIRCglkaXN0YW5jZXMYAiABKAwSFwoPbmVhcmVzdF9zb3VyY2VzGAMgASgMEhEKCWdyYWRpZW50cxgEIAEoDBIQCghmaWVsZF9pZBgFIAEoCSIwCgtUYXJnZXRDaHVuaxIOCgZvZmZzZXQYASABKAQSEQoJZGlzdGFuY2VzGAIgASgMIkMKDFNldHRsZWRDaHVuaxIQCgh2ZXJ0aWNlcxgBIAEoDBIRCglkaXN0YW5jZXMYAiABKAwSDgoGb2Zmc2V0GAMgASgEIrYBCgxGaWVsZFRyYWlsZXISKAoGb3JpZ2luGAEgASgOMhguZ2VvZGVzaWMudjEuRmllbGRPcmlnaW4SMAoKc3RhdGlzdGljcxgCIAEoCzIcLmdlb2Rlc2ljLnYxLlNvbHZlU3RhdGlzdGljcxIaChJyZWxhdGl2ZV90b2xlcmFuY2UYAyABKAESFgoOc2VydmVyX3ZlcnNpb24YBCABKAkSFgoOc2V0dGxlZF9yYWRpdXMYBSABKAEi9gEKFENvbXB1dGVMb2dNYXBSZXF1ZXN0EhMKC21lc2hfZGlnZXN0GAEgASgJEikKBnNvdXJjZRgCIAEoCzIZLmdlb2Rlc2ljLnYxLlN1cmZhY2VQb2ludBIpCglhbGdvcml0aG0YAyABKA4yFi5nZW9kZXNpYy52MS5BbGdvcml0aG0SKgoKdmFsdWVfdHlwZRgEIAEoDjIWLmdlb2Rlc2ljLnYxLlZhbHVlVHlwZRITCgZyYWRpdXMYBSABKAFIAIgBARInCghwcmlvcml0eRgGIAEoDjIVLmdlb2Rlc2ljLnYxLlByaW9yaXR5QgkKB19yYWRpdXMigQIKFUNvbXB1dGVMb2dNYXBSZXNwb25zZRIrCgZoZWFkZXIYASABKAsyGS5nZW9kZXNpYy52MS5BbnN3ZXJIZWFkZXJIABIuCghwcm9ncmVzcxgCIAEoCzIaLmdlb2Rlc2ljLnYxLlNvbHZlUHJvZ3Jlc3NIABIpCgVmcmFtZRgDIAEoCzIYLmdlb2Rlc2ljLnYxLkxvZ01hcEZyYW1lSAASKQoFY2h1bmsYBCABKAsyGC5nZW9kZXNpYy52MS5Mb2dNYXBDaHVua0gAEi0KB3RyYWlsZXIYBSABKAsyGi5nZW9kZXNpYy52MS5BbnN3ZXJUcmFpbGVySABCBgoEcGFydCI5CgtMb2dNYXBGcmFtZRIqCg56ZXJvX2RpcmVjdGlvbhgBIAEoCzISLmdlb2Rlc2ljLnYxLlBvaW50IjIKC0xvZ01hcENodW5rEg4KBm9mZnNldBgBIAEoBBITCgtjb29yZGluYXRlcxgCIAEoDCK7AQobU2FtcGxlRmFydGhlc3RQb2ludHNSZXF1ZXN0EhMKC21lc2hfZGlnZXN0GAEgASgJEiQKB3NvdXJjZXMYAiADKAsyEy5nZW9kZXNpYy52MS5Tb3VyY2USDQoFY291bnQYAyABKAQSKQoJYWxnb3JpdGhtGAQgASgOMhYuZ2VvZGVzaWMudjEuQWxnb3JpdGhtEicKCHByaW9yaXR5GAUgASgOMhUuZ2VvZGVzaWMudjEuUHJpb3JpdHki3wEKHFNhbXBsZUZhcnRoZXN0UG9pbnRzUmVzcG9uc2USKwoGaGVhZGVyGAEgASgLMhkuZ2VvZGVzaWMudjEuQW5zd2VySGVhZGVySAASLgoIcHJvZ3Jlc3MYAiABKAsyGi5nZW9kZXNpYy52MS5Tb2x2ZVByb2dyZXNzSAASKwoHc2FtcGxlcxgDIAEoCzIYLmdlb2Rlc2ljLnYxLlNhbXBsZUNodW5rSAASLQoHdHJhaWxlchgEIAEoCzIaLmdlb2Rlc2ljLnYxLkFuc3dlclRyYWlsZXJIAEIGCgRwYXJ0IjsKC1NhbXBsZUNodW5rEiwKB3NhbXBsZXMYASADKAsyGy5nZW9kZXNpYy52MS5GYXJ0aGVzdFNhbXBsZSIyCg5GYXJ0aGVzdFNhbXBsZRIOCgZ2ZXJ0ZXgYASABKAQSEAoIZGlzdGFuY2UYAiABKAEqbwoNRmllbGRRdWFudGl0eRIeChpGSUVMRF9RVUFOVElUWV9VTlNQRUNJRklFRBAAEiEKHUZJRUxEX1FVQU5USVRZX05FQVJFU1RfU09VUkNFEAESGwoXRklFTERfUVVBTlRJVFlfR1JBRElFTlQQAip+CgtGaWVsZE9yaWdpbhIcChhGSUVMRF9PUklHSU5fVU5TUEVDSUZJRUQQABIZChVGSUVMRF9PUklHSU5fQ09NUFVURUQQARIXChNGSUVMRF9PUklHSU5fSk9JTkVEEAISFwoTRklFTERfT1JJR0lOX0NBQ0hFRBADIgQIBBAEMq4CCgxGaWVsZFNlcnZpY2USVQoMQ29tcHV0ZUZpZWxkEiAuZ2VvZGVzaWMudjEuQ29tcHV0ZUZpZWxkUmVxdWVzdBohLmdlb2Rlc2ljLnYxLkNvbXB1dGVGaWVsZFJlc3BvbnNlMAESWAoNQ29tcHV0ZUxvZ01hcBIhLmdlb2Rlc2ljLnYxLkNvbXB1dGVMb2dNYXBSZXF1ZXN0GiIuZ2VvZGVzaWMudjEuQ29tcHV0ZUxvZ01hcFJlc3BvbnNlMAESbQoUU2FtcGxlRmFydGhlc3RQb2ludHMSKC5nZW9kZXNpYy52MS5TYW1wbGVGYXJ0aGVzdFBvaW50c1JlcXVlc3QaKS5nZW9kZXNpYy52MS5TYW1wbGVGYXJ0aGVzdFBvaW50c1Jlc3BvbnNlMAFiBnByb3RvMw",[Ru,Ur,Iu]);var Cm=(n=>(n[n.UNSPECIFIED=0]="UNSPECIFIED",n[n.NEAREST_SOURCE=1]="NEAREST_SOURCE",n[n.GRADIENT=2]="GRADIENT",n))(Cm||{});const bM=Dr(yM,0);function SM(){try{new Headers}catch{throw new Error("connect-web requires the fetch API. Are you running on an old version of Node.js? Node.js is not supported in Connect for Web - please stay tuned for Connect for Node.")}}function Pl(n,e){const t=wm(n);if(t)throw e.forEach((i,s)=>{t.metadata.append(s,i)}),t;if(!e.has(Hs)&&!n.has(Hs))throw new je("protocol error: missing status",De.Internal)}function od(n,e,t,i){var s,r;const a=new Headers(t??{});a.set(aM,n?fM:hM),a.set(uM,"1");const o=(r=(s=a.get(lM))!==null&&s!==void 0?s:a.get(ed))!==null&&r!==void 0?r:"connect-es/2.0.4";return a.set(ed,o),e!==void 0&&a.set(oM,`${e}m`),a}function EM(n){switch(n){case 400:return De.Internal;case 401:return De.Unauthenticated;case 403:return De.PermissionDenied;case 404:return De.Unimplemented;case 429:return De.Unavailable;case 502:return De.Unavailable;case 503:return De.Unavailable;case 504:return De.Unavailable;default:return De.Unknown}}function Ll(n,e){var t;if(n>=200&&n<300)return{foundStatus:e.has(Hs),headerError:wm(e)};throw new je(decodeURIComponent((t=e.get(Tm))!==null&&t!==void 0?t:`HTTP ${n}`),EM(n),e)}var Ki=function(n){return this instanceof Ki?(this.v=n,this):new Ki(n)},MM=function(n,e,t){if(!Symbol.asyncIterator)throw new TypeError("Symbol.asyncIterator is not defined.");var i=t.apply(n,e||[]),s,r=[];return s=Object.create((typeof AsyncIterator=="function"?AsyncIterator:Object).prototype),o("next"),o("throw"),o("return",a),s[Symbol.asyncIterator]=function(){return this},s;function a(d){return function(g){return Promise.resolve(g).then(d,f)}}function o(d,g){i[d]&&(s[d]=function(y){return new Promise(function(p,m){r.push([d,y,p,m])>1||c(d,y)})},g&&(s[d]=g(s[d])))}function c(d,g){try{l(i[d](g))}catch(y){u(r[0][3],y)}}function l(d){d.value instanceof Ki?Promise.resolve(d.value.v).then(h,f):u(r[0][2],d)}function h(d){c("next",d)}function f(d){c("throw",d)}function u(d,g){d(g),r.shift(),r.length&&c(r[0][0],r[0][1])}};const cd={redirect:"error"};function AM(n){var e;SM();const t=(e=n.useBinaryFormat)!==null&&e!==void 0?e:!0;return{async unary(i,s,r,a,o,c){const{serialize:l,parse:h}=nd(i,t,n.jsonOptions,n.binaryOptions);return r=r===void 0?n.defaultTimeoutMs:r<=0?void 0:r,await vM({interceptors:n.interceptors,signal:s,timeoutMs:r,req:{stream:!1,service:i.parent,method:i,requestMethod:"POST",url:td(n.baseUrl,i),header:od(t,r,a),contextValues:c??Qh(),message:o},next:async f=>{var u;const g=await((u=n.fetch)!==null&&u!==void 0?u:globalThis.fetch)(f.url,Object.assign(Object.assign({},cd),{method:f.requestMethod,headers:f.header,signal:f.signal,body:Nl(0,l(f.message))})),{headerError:y}=Ll(g.status,g.headers);if(!g.body)throw y!==void 0?y:"missing response body";const p=qh(g.body).getReader();let m,_;for(;;){const b=await p.read();if(b.done)break;const{flags:x,data:E}=b.value;if((x&Jh)===Jh)throw new je("protocol error: received unsupported compressed output",De.Internal);if(x===za){if(m!==void 0)throw"extra trailer";m=Cl(E);continue}if(_!==void 0)throw new je("extra message",De.Unimplemented);_=h(E)}if(m===void 0)throw y!==void 0?y:new je("missing trailer",g.headers.has(Hs)?De.Unimplemented:De.Unknown);if(Pl(m,g.headers),_===void 0)throw new je("missing message",m.has(Hs)?De.Unimplemented:De.Unknown);return{stream:!1,service:i.parent,method:i,header:g.headers,message:_,trailer:m}}})},async stream(i,s,r,a,o,c){const{serialize:l,parse:h}=nd(i,t,n.jsonOptions,n.binaryOptions);function f(d,g,y,p,m){return MM(this,arguments,function*(){const b=qh(d).getReader();if(g){if(!(yield Ki(b.read())).done)throw"extra data for trailers-only";return yield Ki(void 0)}let x=!1;for(;;){const E=yield Ki(b.read());if(E.done)break;const{flags:A,data:w}=E.value;if((A&za)===za){if(x)throw"extra trailer";x=!0;const v=Cl(w);Pl(v,p),v.forEach((T,N)=>y.set(N,T));continue}if(x)throw"extra message";yield yield Ki(h(w))}if("throwIfAborted"in m&&m.throwIfAborted(),!x)throw"missing trailer"})}async function u(d){if(i.methodKind!="server_streaming")throw"The fetch API does not support streaming request bodies";const g=await d[Symbol.asyncIterator]().next();if(g.done==!0)throw"missing request message";return Nl(0,l(g.value))}return r=r===void 0?n.defaultTimeoutMs:r<=0?void 0:r,xM({interceptors:n.interceptors,signal:s,timeoutMs:r,req:{stream:!0,service:i.parent,method:i,requestMethod:"POST",url:td(n.baseUrl,i),header:od(t,r,a),contextValues:c??Qh(),message:o},next:async d=>{var g;const p=await((g=n.fetch)!==null&&g!==void 0?g:globalThis.fetch)(d.url,Object.assign(Object.assign({},cd),{method:d.requestMethod,headers:d.header,signal:d.signal,body:await u(d.message)})),{foundStatus:m,headerError:_}=Ll(p.status,p.headers);if(_!=null)throw _;if(!p.body)throw"missing response body";const b=new Headers;return Object.assign(Object.assign({},d),{header:p.headers,trailer:b,message:f(p.body,m,b,p.headers,d.signal)})}})}}}const TM=Fn("CiZnZW9kZXNpYy92MS9jYXBhYmlsaXRpZXNfc2VydmljZS5wcm90bxILZ2VvZGVzaWMudjEiGAoWR2V0Q2FwYWJpbGl0aWVzUmVxdWVzdCLxAQoXR2V0Q2FwYWJpbGl0aWVzUmVzcG9uc2USDwoHdmVyc2lvbhgBIAEoCRI0CgphbGdvcml0aG1zGAIgAygLMiAuZ2VvZGVzaWMudjEuQWxnb3JpdGhtQ2FwYWJpbGl0eRIoCgdmb3JtYXRzGAMgAygOMhcuZ2VvZGVzaWMudjEuTWVzaEZvcm1hdBIjCgZsaW1pdHMYBCABKAsyEy5nZW9kZXNpYy52MS5MaW1pdHMSQAoWYXBwcm94aW1hdGVfYWxnb3JpdGhtcxgFIAMoCzIgLmdlb2Rlc2ljLnYxLkFsZ29yaXRobUNhcGFiaWxpdHkicwoTQWxnb3JpdGhtQ2FwYWJpbGl0eRIpCglhbGdvcml0aG0YASABKA4yFi5nZW9kZXNpYy52MS5BbGdvcml0aG0SDAoEbmFtZRgCIAEoCRIPCgdzdW1tYXJ5GAMgASgJEhIKCmlzX2RlZmF1bHQYBCABKAgioAQKBkxpbWl0cxIYChBtYXhfdXBsb2FkX2J5dGVzGAEgASgEEhQKDG1heF92ZXJ0aWNlcxgCIAEoBBIRCgltYXhfZmFjZXMYAyABKAQSEwoLbWF4X3NvdXJjZXMYBCABKAQSGQoRbWF4X21lc3NhZ2VfYnl0ZXMYBSABKAQSGwoTbWF4X2NvbmN1cnJlbnRfam9icxgGIAEoBBIXCg9tYXhfcXVldWVkX2pvYnMYByABKAQSGAoQbWVzaF9zdG9yZV9ieXRlcxgIIAEoBBIZChFmaWVsZF9jYWNoZV9ieXRlcxgJIAEoBBIYChBtYXhfY3VydmVfcG9pbnRzGAogASgEEhMKC21heF90YXJnZXRzGAsgASgEEhIKCm1heF9sZXZlbHMYDCABKAQSEwoLbWF4X3NhbXBsZXMYDSABKAQSFwoPbWF4X21hdHJpeF9yb3dzGA4gASgEEhkKEW1heF9tYXRyaXhfdmFsdWVzGA8gASgEEhcKD21lc2hfZGlza19ieXRlcxgRIAEoBBIYChBmaWVsZF9kaXNrX2J5dGVzGBIgASgEEiIKGm1heF9xdWV1ZWRfam9ic19wZXJfY2xpZW50GBMgASgEEhEKCW1heF9wYWlycxgUIAEoBBIdChVsYW5kbWFya19tZW1vcnlfYnl0ZXMYFSABKAQSHQoVcHJlcGFyZWRfbWVtb3J5X2J5dGVzGBYgASgESgQIEBARMnMKE0NhcGFiaWxpdGllc1NlcnZpY2USXAoPR2V0Q2FwYWJpbGl0aWVzEiMuZ2VvZGVzaWMudjEuR2V0Q2FwYWJpbGl0aWVzUmVxdWVzdBokLmdlb2Rlc2ljLnYxLkdldENhcGFiaWxpdGllc1Jlc3BvbnNlYgZwcm90bzM",[Ru,Ur]),wM=Dr(TM,0),Nu=Fn("Ch5nZW9kZXNpYy92MS9tZXNoX3NlcnZpY2UucHJvdG8SC2dlb2Rlc2ljLnYxIlgKGEZpbmRNaXNzaW5nTWVzaGVzUmVxdWVzdBIUCgxtZXNoX2RpZ2VzdHMYASADKAkSJgoFZmlsZXMYAiADKAsyFy5nZW9kZXNpYy52MS5GaWxlRGlnZXN0IpYBChlGaW5kTWlzc2luZ01lc2hlc1Jlc3BvbnNlEhwKFG1pc3NpbmdfbWVzaF9kaWdlc3RzGAEgAygJEi4KDW1pc3NpbmdfZmlsZXMYAiADKAsyFy5nZW9kZXNpYy52MS5GaWxlRGlnZXN0EisKC2tub3duX2ZpbGVzGAMgAygLMhYuZ2VvZGVzaWMudjEuS25vd25GaWxlIkcKCUtub3duRmlsZRIlCgRmaWxlGAEgASgLMhcuZ2VvZGVzaWMudjEuRmlsZURpZ2VzdBITCgttZXNoX2RpZ2VzdBgCIAEoCSJzChFDcmVhdGVNZXNoUmVxdWVzdBIrCgZoZWFkZXIYASABKAsyGS5nZW9kZXNpYy52MS5VcGxvYWRIZWFkZXJIABIpCgVjaHVuaxgCIAEoCzIYLmdlb2Rlc2ljLnYxLlVwbG9hZENodW5rSABCBgoEcGFydCKOAQoMVXBsb2FkSGVhZGVyEicKBmZvcm1hdBgBIAEoDjIXLmdlb2Rlc2ljLnYxLk1lc2hGb3JtYXQSEgoKc2l6ZV9ieXRlcxgCIAEoBBIUCgx2ZXJ0ZXhfY291bnQYAyABKAQSEgoKZmFjZV9jb3VudBgEIAEoBBIXCg9leHBlY3RlZF9kaWdlc3QYBSABKAkiKwoLVXBsb2FkQ2h1bmsSDgoGb2Zmc2V0GAEgASgEEgwKBGRhdGEYAiABKAwiTwoSQ3JlYXRlTWVzaFJlc3BvbnNlEh8KBG1lc2gYASABKAsyES5nZW9kZXNpYy52MS5NZXNoEhgKEGFscmVhZHlfcmVzaWRlbnQYAiABKAgiIAoOR2V0TWVzaFJlcXVlc3QSDgoGZGlnZXN0GAEgASgJIjIKD0dldE1lc2hSZXNwb25zZRIfCgRtZXNoGAEgASgLMhEuZ2VvZGVzaWMudjEuTWVzaCIhCg9SZWFkTWVzaFJlcXVlc3QSDgoGZGlnZXN0GAEgASgJIqABChBSZWFkTWVzaFJlc3BvbnNlEi0KBmhlYWRlchgBIAEoCzIbLmdlb2Rlc2ljLnYxLlJlYWRNZXNoSGVhZGVySAASLAoIdmVydGljZXMYAiABKAsyGC5nZW9kZXNpYy52MS5WZXJ0ZXhDaHVua0gAEicKBWZhY2VzGAMgASgLMhYuZ2VvZGVzaWMudjEuRmFjZUNodW5rSABCBgoEcGFydCJKCg5SZWFkTWVzaEhlYWRlchIOCgZkaWdlc3QYASABKAkSFAoMdmVydGV4X2NvdW50GAIgASgEEhIKCmZhY2VfY291bnQYAyABKAQiNgoLVmVydGV4Q2h1bmsSFAoMZmlyc3RfdmVydGV4GAEgASgEEhEKCXBvc2l0aW9ucxgCIAEoDCIwCglGYWNlQ2h1bmsSEgoKZmlyc3RfZmFjZRgBIAEoBBIPCgdpbmRpY2VzGAIgASgMIjoKEUxpc3RNZXNoZXNSZXF1ZXN0EhEKCXBhZ2Vfc2l6ZRgBIAEoBRISCgpwYWdlX3Rva2VuGAIgASgJIlAKEkxpc3RNZXNoZXNSZXNwb25zZRIhCgZtZXNoZXMYASADKAsyES5nZW9kZXNpYy52MS5NZXNoEhcKD25leHRfcGFnZV90b2tlbhgCIAEoCSIjChFEZWxldGVNZXNoUmVxdWVzdBIOCgZkaWdlc3QYASABKAkiFAoSRGVsZXRlTWVzaFJlc3BvbnNlMvEDCgtNZXNoU2VydmljZRJiChFGaW5kTWlzc2luZ01lc2hlcxIlLmdlb2Rlc2ljLnYxLkZpbmRNaXNzaW5nTWVzaGVzUmVxdWVzdBomLmdlb2Rlc2ljLnYxLkZpbmRNaXNzaW5nTWVzaGVzUmVzcG9uc2USTwoKQ3JlYXRlTWVzaBIeLmdlb2Rlc2ljLnYxLkNyZWF0ZU1lc2hSZXF1ZXN0Gh8uZ2VvZGVzaWMudjEuQ3JlYXRlTWVzaFJlc3BvbnNlKAESRAoHR2V0TWVzaBIbLmdlb2Rlc2ljLnYxLkdldE1lc2hSZXF1ZXN0GhwuZ2VvZGVzaWMudjEuR2V0TWVzaFJlc3BvbnNlEkkKCFJlYWRNZXNoEhwuZ2VvZGVzaWMudjEuUmVhZE1lc2hSZXF1ZXN0Gh0uZ2VvZGVzaWMudjEuUmVhZE1lc2hSZXNwb25zZTABEk0KCkxpc3RNZXNoZXMSHi5nZW9kZXNpYy52MS5MaXN0TWVzaGVzUmVxdWVzdBofLmdlb2Rlc2ljLnYxLkxpc3RNZXNoZXNSZXNwb25zZRJNCgpEZWxldGVNZXNoEh4uZ2VvZGVzaWMudjEuRGVsZXRlTWVzaFJlcXVlc3QaHy5nZW9kZXNpYy52MS5EZWxldGVNZXNoUmVzcG9uc2ViBnByb3RvMw",[Ru]),ld=Di(Nu,3),RM=Di(Nu,6),Pm=Dr(Nu,0),IM=Fn("Ch5nZW9kZXNpYy92MS9wYWlyX3NlcnZpY2UucHJvdG8SC2dlb2Rlc2ljLnYxImEKCVBvaW50UGFpchIpCgZzb3VyY2UYASABKAsyGS5nZW9kZXNpYy52MS5TdXJmYWNlUG9pbnQSKQoGdGFyZ2V0GAIgASgLMhkuZ2VvZGVzaWMudjEuU3VyZmFjZVBvaW50IqkCChNDb21wdXRlUGFpcnNSZXF1ZXN0EhMKC21lc2hfZGlnZXN0GAEgASgJEiUKBXBhaXJzGAIgAygLMhYuZ2VvZGVzaWMudjEuUG9pbnRQYWlyEhQKDHZlcnRleF9wYWlycxgDIAMoBxIqCgp2YWx1ZV90eXBlGAQgASgOMhYuZ2VvZGVzaWMudjEuVmFsdWVUeXBlEicKCHByaW9yaXR5GAUgASgOMhUuZ2VvZGVzaWMudjEuUHJpb3JpdHkSDQoFcGF0aHMYBiABKAgSKQoJYWxnb3JpdGhtGAcgASgOMhYuZ2VvZGVzaWMudjEuQWxnb3JpdGhtEjEKDWFwcHJveGltYXRpb24YCCABKAsyGi5nZW9kZXNpYy52MS5BcHByb3hpbWF0aW9uIvkBChRDb21wdXRlUGFpcnNSZXNwb25zZRIqCgZoZWFkZXIYASABKAsyGC5nZW9kZXNpYy52MS5QYWlyc0hlYWRlckgAEi4KCHByb2dyZXNzGAIgASgLMhouZ2VvZGVzaWMudjEuUGFpcnNQcm9ncmVzc0gAEigKBWNodW5rGAMgASgLMhcuZ2VvZGVzaWMudjEuUGFpcnNDaHVua0gAEiwKB3RyYWlsZXIYBCABKAsyGS5nZW9kZXNpYy52MS5QYWlyc1RyYWlsZXJIABIlCgRwYXRoGAUgASgLMhUuZ2VvZGVzaWMudjEuUGFpclBhdGhIAEIGCgRwYXJ0IngKC1BhaXJzSGVhZGVyEikKBmFuc3dlchgBIAEoCzIZLmdlb2Rlc2ljLnYxLkFuc3dlckhlYWRlchISCgpwYWlyX2NvdW50GAIgASgEEioKCnZhbHVlX3R5cGUYAyABKA4yFi5nZW9kZXNpYy52MS5WYWx1ZVR5cGUiJwoNUGFpcnNQcm9ncmVzcxIWCg5wYWlyc19maW5pc2hlZBgBIAEoBCIvCgpQYWlyc0NodW5rEg4KBm9mZnNldBgBIAEoBBIRCglkaXN0YW5jZXMYAiABKAwiQwoIUGFpclBhdGgSDAoEcGFpchgBIAEoBBIpCgVwaWVjZRgCIAEoCzIaLmdlb2Rlc2ljLnYxLlBvbHlsaW5lUGllY2UihwEKDFBhaXJzVHJhaWxlchIqCgZhbnN3ZXIYASABKAsyGi5nZW9kZXNpYy52MS5BbnN3ZXJUcmFpbGVyEhYKDnBhaXJzX3NlYXJjaGVkGAIgASgEEhkKEXBhaXJzX2Zyb21fZmllbGRzGAMgASgEEhgKEHBhaXJzX2Zyb21fY2FjaGUYBCABKAQyZAoLUGFpclNlcnZpY2USVQoMQ29tcHV0ZVBhaXJzEiAuZ2VvZGVzaWMudjEuQ29tcHV0ZVBhaXJzUmVxdWVzdBohLmdlb2Rlc2ljLnYxLkNvbXB1dGVQYWlyc1Jlc3BvbnNlMAFiBnByb3RvMw",[Ur,Iu]),NM=Dr(IM,0),CM=Fn("Ch5nZW9kZXNpYy92MS9wYXRoX3NlcnZpY2UucHJvdG8SC2dlb2Rlc2ljLnYxIvABChNDb21wdXRlUGF0aHNSZXF1ZXN0EhMKC21lc2hfZGlnZXN0GAEgASgJEiQKB3NvdXJjZXMYAiADKAsyEy5nZW9kZXNpYy52MS5Tb3VyY2USKgoHdGFyZ2V0cxgDIAMoCzIZLmdlb2Rlc2ljLnYxLlN1cmZhY2VQb2ludBIpCglhbGdvcml0aG0YBCABKA4yFi5nZW9kZXNpYy52MS5BbGdvcml0aG0SEwoGcmFkaXVzGAUgASgBSACIAQESJwoIcHJpb3JpdHkYBiABKA4yFS5nZW9kZXNpYy52MS5Qcmlvcml0eUIJCgdfcmFkaXVzItUBChRDb21wdXRlUGF0aHNSZXNwb25zZRIrCgZoZWFkZXIYASABKAsyGS5nZW9kZXNpYy52MS5BbnN3ZXJIZWFkZXJIABIuCghwcm9ncmVzcxgCIAEoCzIaLmdlb2Rlc2ljLnYxLlNvbHZlUHJvZ3Jlc3NIABIpCgRwYXRoGAMgASgLMhkuZ2VvZGVzaWMudjEuR2VvZGVzaWNQYXRoSAASLQoHdHJhaWxlchgEIAEoCzIaLmdlb2Rlc2ljLnYxLkFuc3dlclRyYWlsZXJIAEIGCgRwYXJ0IosBCgxHZW9kZXNpY1BhdGgSDgoGdGFyZ2V0GAEgASgEEhMKBnNvdXJjZRgCIAEoBEgAiAEBEhAKCGRpc3RhbmNlGAMgASgBEg4KBmxlbmd0aBgEIAEoARIpCgVwaWVjZRgFIAEoCzIaLmdlb2Rlc2ljLnYxLlBvbHlsaW5lUGllY2VCCQoHX3NvdXJjZSK3AQoWQ29tcHV0ZUlzb2xpbmVzUmVxdWVzdBITCgttZXNoX2RpZ2VzdBgBIAEoCRIkCgdzb3VyY2VzGAIgAygLMhMuZ2VvZGVzaWMudjEuU291cmNlEg4KBmxldmVscxgDIAMoARIpCglhbGdvcml0aG0YBCABKA4yFi5nZW9kZXNpYy52MS5BbGdvcml0aG0SJwoIcHJpb3JpdHkYBSABKA4yFS5nZW9kZXNpYy52MS5Qcmlvcml0eSLWAQoXQ29tcHV0ZUlzb2xpbmVzUmVzcG9uc2USKwoGaGVhZGVyGAEgASgLMhkuZ2VvZGVzaWMudjEuQW5zd2VySGVhZGVySAASLgoIcHJvZ3Jlc3MYAiABKAsyGi5nZW9kZXNpYy52MS5Tb2x2ZVByb2dyZXNzSAASJwoHaXNvbGluZRgDIAEoCzIULmdlb2Rlc2ljLnYxLklzb2xpbmVIABItCgd0cmFpbGVyGAQgASgLMhouZ2VvZGVzaWMudjEuQW5zd2VyVHJhaWxlckgAQgYKBHBhcnQiZgoHSXNvbGluZRIOCgZudW1iZXIYASABKAQSDQoFbGV2ZWwYAiABKAESEQoJaXNfY2xvc2VkGAMgASgIEikKBXBpZWNlGAQgASgLMhouZ2VvZGVzaWMudjEuUG9seWxpbmVQaWVjZTLEAQoLUGF0aFNlcnZpY2USVQoMQ29tcHV0ZVBhdGhzEiAuZ2VvZGVzaWMudjEuQ29tcHV0ZVBhdGhzUmVxdWVzdBohLmdlb2Rlc2ljLnYxLkNvbXB1dGVQYXRoc1Jlc3BvbnNlMAESXgoPQ29tcHV0ZUlzb2xpbmVzEiMuZ2VvZGVzaWMudjEuQ29tcHV0ZUlzb2xpbmVzUmVxdWVzdBokLmdlb2Rlc2ljLnYxLkNvbXB1dGVJc29saW5lc1Jlc3BvbnNlMAFiBnByb3RvMw",[Ur,Iu]),PM=Dr(CM,0);class LM{constructor(e,t){this.baseUrl=e,this.token=t;const s=AM({baseUrl:e,interceptors:[r=>a=>(this.token&&a.header.set("authorization",`Bearer ${this.token}`),r(a))]});this.capabilities=nr(wM,s),this.meshes=nr(Pm,s),this.fields=nr(bM,s),this.pairs=nr(NM,s),this.paths=nr(PM,s)}capabilities;meshes;fields;pairs;paths}function ns(n,e){return{signal:e,headers:{"geo-mesh-digest":n}}}function vo(n){return new Float64Array(n.slice().buffer)}function Lm(n){return new Uint32Array(n.slice().buffer)}async function DM(n,e,t,i){const s=n.fields.computeField({...Br(e),radius:e.radius,progressive:!0},ns(e.digest,i));let r;for await(const{part:a}of s)a.case==="settled"?t({vertices:Lm(a.value.vertices),distances:vo(a.value.distances)}):a.case==="trailer"&&(r=Dm(a.value));if(!r)throw new Error("The answer broke off.");return r}async function ud(n,e,t,i){const s=new Float64Array(t);let r;const a=n.fields.computeField({...Br(e),radius:e.radius},ns(e.digest,i));for await(const{part:o}of a)o.case==="chunk"&&s.set(vo(o.value.distances),Number(o.value.offset)),o.case==="trailer"&&(r=Dm(o.value));if(!r)throw new Error("The answer broke off.");return{distances:s,summary:r}}async function UM(n,e,t,i){const s=new Uint32Array(t),r=n.fields.computeField({...Br(e),radius:e.radius,quantities:[Cm.NEAREST_SOURCE]},ns(e.digest,i));for await(const{part:a}of r)a.case==="chunk"&&s.set(Lm(a.value.nearestSources),Number(a.value.offset));return s}async function fd(n,e,t,i){const s=n.paths.computePaths({...Br(e),targets:[Tr(t)]},ns(e.digest,i));let r;for await(const{part:a}of s){if(a.case!=="path"||!a.value.piece||a.value.piece.pointCount===0n)continue;const{piece:o,distance:c,length:l,source:h}=a.value;r??={positions:new Float64Array(3*Number(o.pointCount)),places:[],distance:c,length:l,source:Number(h??0n)},r.positions.set(vo(o.positions),3*Number(o.firstPoint));for(const f of o.points)r.places.push(Um(f))}return r}async function FM(n,e,t,i){const s=[],r=n.fields.sampleFarthestPoints({...Br(e),count:BigInt(t)},ns(e.digest,i));for await(const{part:a}of r)if(a.case==="samples")for(const{vertex:o,distance:c}of a.value.samples)s.push({vertex:Number(o),distance:c});return s}async function BM(n,e,t,i){const s=t.slice(1).map((c,l)=>({source:Tr(t[l]),target:Tr(c)})),r=[],a=[],o=n.pairs.computePairs({meshDigest:e,pairs:s,paths:!0},ns(e,i));for await(const{part:c}of o){if(c.case!=="path"||!c.value.piece)continue;const{piece:l}=c.value;if(l.pointCount===0n)throw new Error("No path leads along this curve.");const h=r.length>0&&l.firstPoint===0n?1:0;for(const f of l.points.slice(h))r.push(Um(f));a.push(...vo(l.positions).subarray(3*h))}return{places:r,positions:new Float64Array(a)}}function Dm(n){return{settledRadius:n.settledRadius,solveSeconds:n.statistics?.solveSeconds??0}}function Br(n){return{meshDigest:n.digest,algorithm:n.algorithm,sources:n.sources.map(OM)}}function OM(n){return"curve"in n?{place:{case:"curve",value:{points:n.curve.map(Tr)}}}:{place:Tr(n).place}}function Tr(n){switch(n.kind){case"vertex":return{place:{case:"vertex",value:BigInt(n.vertex)}};case"edge":return{place:{case:"edge",value:{from:BigInt(n.from),to:BigInt(n.to),t:n.t}}};case"face":return{place:{case:"face",value:{face:BigInt(n.face),weights:[...n.weights]}}}}}function Um(n){const e=n.place;if(e?.case==="edge"){const{from:t,to:i,t:s}=e.value;return{kind:"edge",from:Number(t),to:Number(i),t:s??0}}if(e?.case==="face"){const[t,i,s]=e.value.weights??[];return{kind:"face",face:Number(e.value.face),weights:[t,i,s]}}return{kind:"vertex",vertex:Number(e?.value??0)}}function VM(n,e){const t=new Float32Array(n.length);let i=0,s=0,r=0;for(let a=0;a<n.length;a++){const o=Math.abs(n[a]-e[a]);Number.isFinite(o)&&(t[a]=o,i=Math.max(i,o),n[a]>0&&(s+=o/n[a],r++))}if(i>0)for(let a=0;a<t.length;a++)t[a]/=i;return{shares:t,largest:i,meanRelative:s/Math.max(r,1)}}const GM=16777215,kM=16747586,hd=9425919,zM=[1,1,1],WM=[.55,.83,1],HM=[1,.55,.26],XM=250,ZM=2e3;class YM{constructor(e,t,i){this.scene=e,this.connection=t,this.events=i,this.live=new pc(GM,3,e.resolution),this.dots=new Vh(15,e),this.sampleDots=new Vh(10,e),this.sketch=new pc(hd,3,e.resolution),e.overlay.add(this.live,this.sketch,this.sampleDots,this.dots),e.onFrame=s=>{const r=this.field?.advance(s,this.still.matches)??!1;return document.documentElement.dataset.sweep=this.field?.hasArrived?"done":"",r}}mesh;field;summary;samples=[];algorithm=um.UNSPECIFIED;radius;sources=[];paths=[];live;sketch;lines=new Map;dots;sampleDots;underCursor=new ad(XM);dragged=new ad(ZM);fieldQuestion=new AbortController;cursor;livePath;still=matchMedia("(prefers-reduced-motion: reduce)");show(e){this.clear(),this.mesh?.dispose(),this.mesh=e,this.radius=void 0,this.bareSurface(e),this.scene.show(e)}clear(){this.fieldQuestion.abort(),this.underCursor.stop(),this.dragged.stop(),this.sources.length=0,this.dropPaths();for(const e of this.lines.values())this.removeLine(e);this.lines.clear(),this.field=void 0,this.summary=void 0,this.samples=[],this.live.setPoints(new Float32Array),this.livePath=void 0,this.mesh&&this.bareSurface(this.mesh),this.drawDots(),this.events.value(void 0,!1),this.events.changed(),this.scene.redrawSurface()}async setSources(e){this.dropPaths(),this.sources.splice(0,this.sources.length,...e),this.samples=[],this.drawCurves(),this.drawDots(),e.length?await this.askField():this.clear()}moveSource(e,t){const{mesh:i}=this;i&&(this.fieldQuestion.abort(),this.fieldQuestion=new AbortController,this.hideLive(),this.dropPaths(),this.samples=[],this.sources[e]=t,this.drawDots(),this.scene.redraw(),this.dragged.ask(s=>this.follow(i,s)))}async askField(){const{mesh:e}=this;if(!e||!this.sources.length)return;this.fieldQuestion.abort(),this.underCursor.stop(),this.dragged.stop(),this.live.setPoints(new Float32Array);const t=this.fieldQuestion=new AbortController,i=this.field=this.newField(e);document.documentElement.dataset.sweep="",this.summary=void 0,this.events.changed(),this.scene.redrawSurface();try{const s=this.question(e),r=await DM(this.connection,s,a=>{i.add(a.vertices,a.distances),this.scene.redrawSurface()},t.signal);if(t.signal.aborted)return;this.summary=r,i.finish(),this.events.changed(),this.scene.redrawSurface()}catch(s){this.report(s,()=>void this.askField())}}async showCells(e){const{mesh:t,field:i}=this;if(!(!t||!i))try{if(e){const s=await UM(this.connection,this.question(t),t.vertexCount,this.fieldQuestion.signal);if(i!==this.field)return;i.paintCells(s)}else i.paintDistances();this.repainted()}catch(s){this.report(s,()=>void this.showCells(e))}}async compare(e,t){const{mesh:i}=this;if(!(!i||!this.summary))try{t&&await this.moveToVertices(i);const{field:s}=this,r={...this.question(i),algorithm:e},{distances:a}=await ud(this.connection,r,i.vertexCount,this.fieldQuestion.signal);if(!s||s!==this.field)return;const o=VM(s.distances,a);return s.paintShares(o.shares),this.repainted(),o}catch(s){this.report(s,()=>{});return}}hover(e,t){if(this.cursor=e,!e||!this.field||!this.mesh){this.hideLive();return}const i=this.field.at(e.face,e.weights);if(this.events.value(i,!1),this.summary&&i===1/0&&this.summary.settledRadius===1/0){this.hideLive(),this.events.value(1/0,!0);return}const{mesh:s}=this;this.underCursor.ask(r=>this.lead(s,e,t,r))}async keepPath(e){const{mesh:t}=this;if(!(!t||!this.sources.length))try{const i=this.livePath?.target===e?this.livePath:await fd(this.connection,this.question(t),e,this.fieldQuestion.signal);i&&t===this.mesh&&this.addPath({...i,target:e})}catch(i){this.report(i,()=>void this.keepPath(e))}}removePath(e){const t=this.lines.get(e);t&&this.removeLine(t),this.lines.delete(e),this.paths.splice(this.paths.indexOf(e),1),this.drawDots(),this.events.changed(),this.scene.redraw()}undo(){const e=this.paths.at(-1);e?this.removePath(e):this.setSources(this.sources.slice(0,-1))}drawSketch(e){this.sketch.setPoints(new Float32Array(e.flatMap(t=>t.toArray()))),this.scene.redraw()}async addCurve(e,t){const{mesh:i}=this;if(this.drawSketch([]),!(!i||e.length<2))try{const s=await BM(this.connection,i.digest,e,new AbortController().signal);if(i!==this.mesh)return;await this.setSources([...t?[]:this.sources,{curve:s.places}])}catch(s){this.report(s,()=>void this.addCurve(e,t))}}async sample(e){const{mesh:t}=this;if(!(!t||!this.sources.length))try{this.samples=await FM(this.connection,this.question(t),e,this.fieldQuestion.signal),this.drawDots(),this.events.changed(),this.scene.redraw()}catch(i){this.report(i,()=>void this.sample(e))}}setRadius(e){if(this.radius=e,!this.mesh)return;this.scene.material.uniforms.radius.value=e===void 0?1e10:e/this.mesh.radius,this.scene.redrawSurface();const t=this.summary?.settledRadius??1/0;(e??1/0)>t&&this.askField()}async moveToVertices(e){const t=this.sources.map(i=>{if("curve"in i)throw new Error("Approximate algorithms take points, no curves.");return i});t.every(i=>i.kind==="vertex")||await this.setSources(t.map(i=>({kind:"vertex",vertex:e.nearestCorner(i)})))}repainted(){this.drawDots(),this.events.changed(),this.scene.redrawSurface()}question(e){return{digest:e.digest,sources:this.sources,algorithm:this.algorithm,radius:this.radius}}async follow(e,t){try{const{distances:i,summary:s}=await ud(this.connection,this.question(e),e.vertexCount,t);if(e!==this.mesh||t.aborted)return;this.field=this.newField(e),this.field.setAll(i),this.summary=s,this.events.changed(),this.scene.redrawSurface()}catch(i){this.report(i,()=>void this.askField())}}newField(e){const t=this.sources[0],i="curve"in t?t.curve[0]:t,[s]=this.onScreen(e,[i]),r=this.sources.every(a=>!("curve"in a));return new Gh(e,this.scene.material,s,r)}async lead(e,t,i,s){try{const r=await fd(this.connection,{...this.question(e),radius:void 0},t,s);if(e!==this.mesh||!this.cursor||s.aborted)return;this.livePath=r&&{...r,target:t},this.live.setPoints(r?e.toScreen(r.positions):new Float32Array),this.events.value(r?.distance??1/0,!0),this.scene.draw(),performance.measure("path under the cursor",{start:i,end:performance.now()})}catch(r){this.report(r,()=>{})}}hideLive(){this.underCursor.stop(),this.events.value(void 0,!1),this.live.visible&&(this.live.setPoints(new Float32Array),this.livePath=void 0,this.scene.redraw())}addPath(e){this.paths.push(e),this.addLine(e,kM,e.positions),this.drawDots(),this.events.changed(),this.scene.redraw()}addLine(e,t,i){if(!this.mesh)return;const s=new pc(t,3,this.scene.resolution);s.setPoints(this.mesh.toScreen(i)),this.lines.set(e,s),this.scene.overlay.add(s)}removeLine(e){this.scene.overlay.remove(e),e.dispose()}dropPaths(){for(const e of[...this.paths])this.removePath(e)}drawCurves(){const{mesh:e}=this;if(e){for(const[t,i]of this.lines)this.removeLine(i),this.lines.delete(t);for(const t of this.sources){if(!("curve"in t))continue;const i=new Float64Array(t.curve.flatMap(s=>e.positionOf(s)));this.addLine(t,hd,i)}}}drawDots(){const{mesh:e}=this;if(!e)return;const t=[];this.sources.forEach((s,r)=>{if("curve"in s)return;const a=no[r%no.length].map(o=>o/255);t.push({point:this.onScreen(e,[s])[0].toArray(),fill:this.field?.painted==="cells"?a:zM})});for(const s of this.paths)t.push({point:this.onScreen(e,[s.target])[0].toArray(),fill:HM});this.dots.setDots(t);const i=this.samples.map(({vertex:s})=>({kind:"vertex",vertex:s}));this.sampleDots.setDots(this.onScreen(e,i).map(s=>({point:s.toArray(),fill:WM})))}sourcesOnScreen(){const{mesh:e}=this;return this.sources.map(t=>e&&!("curve"in t)?this.onScreen(e,[t])[0]:void 0)}onScreen(e,t){return t.map(i=>new P(...e.toScreen(new Float64Array(e.positionOf(i)))))}bareSurface(e){new Gh(e,this.scene.material,new P,!0)}report(e,t){io(e)!=="cancelled"&&this.events.failed(e,t)}}function Ei(n,e=6){if(n===1/0)return"∞";const t=Number(n.toPrecision(e)),i=Math.abs(t);return i!==0&&(i<1e-4||i>=1e7)?t.toExponential():String(t)}function so(n){return n.toLocaleString("en")}function Be(n){const e=document.getElementById(n);if(!e)throw new Error(`The page has no element "${n}".`);return e}function tn(n,e){Be(n).addEventListener("click",e)}async function KM(n,e,t,i){let s=new Float64Array(0),r=new Uint32Array(0),a=0;for await(const{part:o}of n.meshes.readMesh({digest:e},ns(e,i)))o.case==="header"?(s=new Float64Array(3*Number(o.value.vertexCount)),r=new Uint32Array(3*Number(o.value.faceCount))):o.case==="vertices"?a+=dd(o.value.positions,s,3*Number(o.value.firstVertex)):o.case==="faces"&&(a+=dd(o.value.indices,r,3*Number(o.value.firstFace))),t(a/Math.max(s.byteLength+r.byteLength,1));return{positions:s,indices:r}}function dd(n,e,t){return new Uint8Array(e.buffer).set(n,t*e.BYTES_PER_ELEMENT),n.length}const $M={obj:Ai.OBJ,ply:Ai.PLY,off:Ai.OFF,stl:Ai.STL,vtk:Ai.VTK,glb:Ai.GLTF,gltf:Ai.GLTF},pd=512*1024;function Fm(n){const e=n.toLowerCase().replace(/\.gz$/,"").split(".").pop()??"",t=$M[e];if(t===void 0)throw new Error(`Meshes are files in .obj, .ply, .off, .stl, .vtk, .glb or .gltf, or these with .gz; ${n} is none.`);return t}async function jM(n,e,t,i){const s=Fm(e.name),r=new Uint8Array(await e.arrayBuffer());return await JM(n,s,r,i)??qM(n,s,r,t,i)}async function JM(n,e,t,i){if(!globalThis.crypto?.subtle)return;const s=new Uint8Array(await crypto.subtle.digest("SHA-256",t)),r=Array.from(s,o=>o.toString(16).padStart(2,"0")).join("");return(await n.meshes.findMissingMeshes({files:[{format:e,sha256:r}]},{signal:i})).knownFiles[0]?.meshDigest}async function qM(n,e,t,i,s){const r=new Blob([...QM(e,t)],{type:"application/grpc-web+proto"}),a=await eA(n,r,i,s),o=tA(a);return Ks(RM,o).mesh?.digest??""}function*QM(n,e){const t=i=>Nl(0,yu(ld,En(ld,{part:i})));yield t({case:"header",value:{$typeName:"geodesic.v1.UploadHeader",format:n,sizeBytes:BigInt(e.length),vertexCount:0n,faceCount:0n,expectedDigest:""}});for(let i=0;i<e.length;i+=pd){const s=e.subarray(i,i+pd);yield t({case:"chunk",value:{$typeName:"geodesic.v1.UploadChunk",offset:BigInt(i),data:s}})}}function eA(n,e,t,i){return new Promise((s,r)=>{const a=new XMLHttpRequest;a.open("POST",`${n.baseUrl}/${Pm.typeName}/CreateMesh`),a.responseType="arraybuffer",a.setRequestHeader("content-type","application/grpc-web+proto"),a.setRequestHeader("x-grpc-web","1"),n.token&&a.setRequestHeader("authorization",`Bearer ${n.token}`),a.upload.onprogress=o=>t(o.loaded/Math.max(o.total,1)),a.onload=()=>s(a),a.onerror=()=>r(new je("the upload broke off",De.Unavailable)),a.onabort=()=>r(new je("stopped",De.Canceled)),i.addEventListener("abort",()=>a.abort()),a.send(e)})}function tA(n){const e=new Headers;for(const o of n.getAllResponseHeaders().trim().split(/[\r\n]+/)){const c=o.indexOf(":");c>0&&e.append(o.slice(0,c),o.slice(c+1).trim())}const{headerError:t}=Ll(n.status,e);if(t)throw t;const i=new Uint8Array(n.response),s=new DataView(i.buffer);let r,a=!1;for(let o=0;o+5<=i.length;){const c=i[o],l=s.getUint32(o+1),h=i.subarray(o+5,o+5+l);o+=5+l,c&za?(Pl(Cl(h),e),a=!0):r=h}if(!a||!r)throw new je("the answer broke off",De.Unavailable);return r}function nA(n,e){const t=new Float32Array(n.length);for(let i=0;i<e.length;i+=3){const s=3*e[i],r=3*e[i+1],a=3*e[i+2],o=n[r]-n[s],c=n[r+1]-n[s+1],l=n[r+2]-n[s+2],h=n[a]-n[s],f=n[a+1]-n[s+1],u=n[a+2]-n[s+2],d=c*u-l*f,g=l*h-o*u,y=o*f-c*h;for(const p of[s,r,a])t[p]+=d,t[p+1]+=g,t[p+2]+=y}for(let i=0;i<t.length;i+=3){const s=Math.hypot(t[i],t[i+1],t[i+2])||1;for(let r=0;r<3;r++)t[i+r]/=s}return t}class iA{constructor(e,t,i){this.arrays=e,this.digest=t,this.name=i,this.vertexCount=e.positions.length/3,this.faceCount=e.indices.length/3;const{low:s,high:r}=sA(e.positions);this.center=[0,1,2].map(o=>(s[o]+r[o])/2),this.radius=Math.hypot(...[0,1,2].map(o=>(r[o]-s[o])/2))||1;const a=this.toScreen(e.positions);this.geometry=new qt,this.geometry.setAttribute("position",new Tt(a,3)),this.geometry.setAttribute("normal",new Tt(nA(a,e.indices),3)),this.geometry.setIndex(new Tt(e.indices,1))}vertexCount;faceCount;geometry;center;radius;toScreen(e){const t=new Float32Array(e.length);for(let i=0;i<e.length;i+=3)for(let s=0;s<3;s++)t[i+s]=(e[i+s]-this.center[s])/this.radius;return t}cornersOf(e){const{indices:t}=this.arrays;return[t[3*e],t[3*e+1],t[3*e+2]]}vertexPosition(e){const{positions:t}=this.arrays;return[t[3*e],t[3*e+1],t[3*e+2]]}positionOf(e){return this.weighted(e).reduce((t,[i,s])=>{const r=this.vertexPosition(i);return[t[0]+s*r[0],t[1]+s*r[1],t[2]+s*r[2]]},[0,0,0])}nearestCorner(e){return this.weighted(e).reduce((t,i)=>i[1]>t[1]?i:t)[0]}holds(e){return e.kind==="face"?e.face<this.faceCount:this.weighted(e).every(([t])=>t<this.vertexCount)}holdsSource(e){return"curve"in e?e.curve.every(t=>this.holds(t)):this.holds(e)}weighted(e){return e.kind==="vertex"?[[e.vertex,1]]:e.kind==="edge"?[[e.from,1-e.t],[e.to,e.t]]:this.cornersOf(e.face).map((t,i)=>[t,e.weights[i]])}dispose(){this.geometry.dispose()}}function sA(n){const e=[1/0,1/0,1/0],t=[-1/0,-1/0,-1/0];for(let i=0;i<n.length;i+=3)for(let s=0;s<3;s++){const r=n[i+s];r<e[s]&&(e[s]=r),r>t[s]&&(t[s]=r)}return n.length?{low:e,high:t}:{low:[0,0,0],high:[0,0,0]}}class rA{constructor(e,t,i,s){this.connection=e,this.notice=t,this.recovery=i,this.opened=s,tn("open",()=>this.input.click()),tn("welcome-open",()=>this.input.click()),this.input.addEventListener("change",()=>{this.input.files?.[0]&&this.openFile(this.input.files[0]),this.input.value=""}),this.select.addEventListener("change",()=>{this.file=void 0,this.recovery.attempt(()=>this.openDigest(this.select.value))}),this.listenToDrops(Be("stage"))}input=Be("file");select=Be("meshes");names=new Map;file;shown="";opening=new AbortController;openFile(e){this.recovery.attempt(async()=>{Fm(e.name),this.file=e;const t=await this.upload(e);this.names.set(t,e.name),await this.openDigest(t),await this.list()})}uploadAgain(){const{file:e}=this;return e&&(()=>this.upload(e).then(()=>this.notice.clear()))}async openDigest(e){const t=this.begin(),i=a=>this.notice.busy("Reading the mesh",a),s=await KM(this.connection,e,i,t.signal),r=this.names.get(e)??e.slice(0,8);this.notice.busy("Preparing the picture"),await new Promise(a=>requestAnimationFrame(()=>setTimeout(a))),this.opened(new iA(s,e,r)),this.notice.clear(),Be("welcome").hidden=!0,this.shown=this.select.value=e}async list(){const{meshes:e}=await this.connection.meshes.listMeshes({pageSize:1e3}),t=e.map(i=>{const s=this.names.get(i.digest)??i.digest.slice(0,8);return{digest:i.digest,text:`${s} (${so(Number(i.faceCount))} faces)`}});this.select.replaceChildren(new Option(t.length?"on the server…":"no mesh on the server",""),...t.map(({digest:i,text:s})=>new Option(s,i))),this.select.value=this.shown,Be("welcome-meshes").replaceChildren(...t.slice(0,12).map(({digest:i,text:s})=>{const r=document.createElement("button");return r.textContent=s,r.addEventListener("click",()=>void this.recovery.attempt(()=>this.openDigest(i))),r}))}upload(e){const t=this.begin(),i=s=>this.notice.busy(s<1?`Sending ${e.name}`:`The server reads ${e.name}`,s<1?s:void 0);return i(0),jM(this.connection,e,i,t.signal)}begin(){return this.opening.abort(),this.opening=new AbortController}listenToDrops(e){const t=document.body;t.addEventListener("dragover",i=>{i.preventDefault(),e.classList.add("over")}),t.addEventListener("dragleave",()=>e.classList.remove("over")),t.addEventListener("drop",i=>{i.preventDefault(),e.classList.remove("over");const s=i.dataTransfer?.files[0];s&&this.openFile(s)})}}class aA{element=Be("notice");text=Be("notice-text");bar=Be("notice-progress");timer;constructor(){Be("notice-close").addEventListener("click",()=>this.clear())}busy(e,t){this.put(e,"busy"),this.bar.hidden=t===void 0,t!==void 0&&(this.bar.value=t)}error(e){this.put(e,"error")}hint(e,t=4e3){this.put(e,"hint"),this.timer=setTimeout(()=>this.clear(),t)}clear(){this.element.hidden=!0}put(e,t){clearTimeout(this.timer),this.text.textContent=e,this.element.dataset.kind=t,this.element.hidden=!1,this.bar.hidden=!0}}function mc(n,e){const t=e instanceof Blob?e:new Blob(e),i=document.createElement("a");i.href=URL.createObjectURL(t),i.download=n,i.click(),setTimeout(()=>URL.revokeObjectURL(i.href),6e4)}function gc(n){return n.replace(/\.[^.]*$/,"")||"mesh"}function oA(n){const e=`{'descr': '<f8', 'fortran_order': False, 'shape': (${n.length},), }`,t=e.padEnd(Math.ceil((e.length+11)/64)*64-11)+`
+`,i=new Uint8Array(10+t.length);return i.set([147,...md("NUMPY"),1,0,t.length&255,t.length>>8]),i.set(md(t),10),[i,n]}function cA(n){const e=["vertex,geodesic_distance"];return n.forEach((t,i)=>e.push(`${i},${uA(t)}`)),[e.join(`
+`),`
+`]}function lA(n,e){const t=n.indices.length/3,i=["ply","format binary_little_endian 1.0",`element vertex ${e.length}`,...["x","y","z","geodesic_distance"].map(a=>`property double ${a}`),`element face ${t}`,"property list uchar int vertex_indices","end_header"],s=new Float64Array(4*e.length);for(let a=0;a<e.length;a++)s.set(n.positions.subarray(3*a,3*a+3),4*a),s[4*a+3]=e[a];const r=new DataView(new ArrayBuffer(13*t));for(let a=0;a<t;a++){r.setUint8(13*a,3);for(let o=0;o<3;o++)r.setUint32(13*a+1+4*o,n.indices[3*a+o],!0)}return[i.join(`
+`)+`
+`,s,r]}function uA(n){return n===1/0?"inf":String(n)}function md(n){return new TextEncoder().encode(n)}function fA(n){const e=[];let t=1;return n.forEach((i,s)=>{const r=i.positions.length/3;e.push(`g path_${s}`);for(let a=0;a<r;a++)e.push(`v ${i.positions.subarray(3*a,3*a+3).join(" ")}`);e.push(`l ${Array.from({length:r},(a,o)=>t+o).join(" ")}`),t+=r}),[e.join(`
+`),`
+`]}function hA(n,e){const t=n.takePicture(),i=t.getContext("2d");return i&&e&&dA(i,e,t.height),new Promise((s,r)=>t.toBlob(a=>a?s(a):r(new Error("The picture could not be made.")),"image/png"))}function dA(n,e,t){const i=t/700,s={left:24*i,top:.28*t,width:14*i,height:.44*t};for(let r=0;r<s.height;r++)n.fillStyle=fm(1-r/s.height),n.fillRect(s.left,s.top+r,s.width,1);n.font=`${13*i}px system-ui, sans-serif`,n.textBaseline="middle",n.fillStyle=getComputedStyle(document.documentElement).getPropertyValue("--text");for(const{at:r,text:a}of hm(e.isolines,e.largest)){const o=s.top+s.height*(1-r/e.largest);n.fillText(a,s.left+s.width+8*i,o)}}function Wa(n){switch(n.kind){case"vertex":return`${n.vertex}`;case"edge":return`edge:${n.from}-${n.to}@${n.t}`;case"face":return`face:${n.face}@${n.weights.join(",")}`}}function _c(n){switch(n.kind){case"vertex":return`${n.vertex}`;case"edge":return`geodesic.EdgePoint(${n.from}, ${n.to}, ${n.t})`;case"face":return`geodesic.FacePoint(${n.face}, (${n.weights.join(", ")}))`}}function pA(n){if(/^\d+$/.test(n))return{kind:"vertex",vertex:Number(n)};const e=/^edge:(\d+)-(\d+)@([\d.e+-]+)$/.exec(n);if(e)return{kind:"edge",from:Number(e[1]),to:Number(e[2]),t:Number(e[3])};const t=/^face:(\d+)@([\d.e+-]+),([\d.e+-]+),([\d.e+-]+)$/.exec(n);if(t)return{kind:"face",face:Number(t[1]),weights:[Number(t[2]),Number(t[3]),Number(t[4])]}}function mA(n){const e=n.sources.map(a=>"curve"in a?`--curve '${a.curve.map(Wa).join(";")}'`:`--source ${Wa(a)}`),t=_A(n.mesh),i=n.algorithm?[`--algorithm ${n.algorithm}`]:[],s=n.radius===void 0?[]:[`--radius ${n.radius}`],r=[["geodesic field",t,...e,...s,...i,"-o field.npy"]];if(n.targets.length){const a=n.targets.map(o=>`--target ${Wa(o)}`);r.push(["geodesic path",t,...e,...a,...i,"-o paths.obj"])}return r.map(a=>a.join(" ")).join(`
+`)}function gA(n){const e=n.sources.map(a=>"curve"in a?`geodesic.Curve([${a.curve.map(_c).join(", ")}])`:_c(a)),t=e.length===1?e[0]:`[${e.join(", ")}]`,i=n.radius===void 0?"":`, radius=${n.radius}`,s=n.algorithm?`, algorithm="${n.algorithm}"`:"",r=["import geodesic","",`mesh = geodesic.Mesh(${JSON.stringify(n.mesh)})`,`d = mesh.distances(${t}${i}${s})`];for(const a of n.targets)r.push(`path = mesh.path(${t}, ${_c(a)}${s})`);return r.join(`
+`)}function _A(n){return/^[\w./-]+$/.test(n)?n:`'${n.replaceAll("'","'\\''")}'`}class vA{constructor(e,t,i,s){this.explorer=e,this.scene=t,this.notice=i,this.algorithmName=s,tn("save-picture",()=>void this.savePicture()),tn("save-npy",()=>this.saveField("npy",oA)),tn("save-csv",()=>this.saveField("csv",cA)),tn("save-ply",()=>this.saveField("ply",r=>e.mesh?lA(e.mesh.arrays,r):[])),tn("save-paths",()=>this.savePaths()),tn("copy-command",()=>this.copy(mA)),tn("copy-python",()=>this.copy(gA))}async savePicture(){const{mesh:e,field:t}=this.explorer;e&&mc(`${gc(e.name)}.png`,await hA(this.scene,t))}saveField(e,t){const{mesh:i,field:s,summary:r,radius:a}=this.explorer;if(!i||!s||!r){this.notice.hint("There is no field yet: click a point of the surface.");return}const o=a??1/0,c=s.distances.map(l=>l<=o?l:1/0);mc(`${gc(i.name)}-field.${e}`,t(c))}savePaths(){const{mesh:e,paths:t}=this.explorer;if(!e||!t.length){this.notice.hint("There is no path yet: click where one should end.");return}mc(`${gc(e.name)}-paths.obj`,fA(t))}copy(e){const{mesh:t,sources:i,radius:s,paths:r}=this.explorer;if(!t||!i.length){this.notice.hint("There is no question yet: click a point of the surface.");return}const a=e({mesh:t.name.includes(".")?t.name:t.digest,sources:i,radius:s,algorithm:this.algorithmName(),targets:r.map(c=>c.target)}),o=Be("question-text");o.textContent=a,o.hidden=!1,navigator.clipboard?.writeText(a).then(()=>this.notice.hint("Copied."),()=>this.notice.hint("Select the text and copy it."))}}class xA{constructor(e){this.element=e;const t=document.createElement("canvas");t.className="scale-colors",t.width=1,t.height=128;const i=t.getContext("2d");for(let s=0;i&&s<128;s++)i.fillStyle=fm(1-s/127),i.fillRect(0,s,1,1);this.ticks.className="scale-ticks",this.mark.className="scale-mark",this.mark.hidden=!0,this.element.append(t,this.ticks,this.mark)}ticks=document.createElement("div");mark=document.createElement("div");largest=0;show(e,t){this.largest=t,this.element.hidden=!(t>0),this.ticks.replaceChildren(...hm(e,t).map(({at:i,text:s})=>{const r=document.createElement("span");return r.textContent=s,r.style.bottom=`${100*i/t}%`,r}))}point(e){const t=e!==void 0&&Number.isFinite(e)&&this.largest>0;this.mark.hidden=!t,t&&(this.mark.style.bottom=`${Math.min(100*e/this.largest,100)}%`)}}const gd=1e3;class yA{constructor(e,t,i,s,r){this.explorer=e,this.scene=t,this.connection=i,this.theme=r,new vA(e,t,s,()=>this.algorithmName()),tn("theme",()=>r.toggle()),tn("help",()=>this.help()),tn("clear",()=>this.clear()),tn("sample",()=>void e.sample(Number(Be("sample-count").value))),tn("compare",()=>void this.compare()),this.isolines.addEventListener("change",()=>this.showIsolines()),this.cells.addEventListener("change",()=>void e.showCells(this.cells.checked)),this.radius.addEventListener("input",()=>{const a=this.radius.valueAsNumber/gd;this.setRadius(a<1?a*(e.field?.largest??0):1/0)}),this.algorithm.addEventListener("change",()=>{e.algorithm=Number(this.algorithm.value),e.askField()});for(const a of this.tools())a.addEventListener("change",()=>this.update())}scale=new xA(Be("scale"));valueBox=Be("value");radius=Be("radius");isolines=Be("isolines");cells=Be("cells");algorithm=Be("algorithm");against=Be("against");approximate=new Set;get tool(){return this.tools().find(e=>e.checked)?.value}choose(e){for(const t of this.tools())t.checked=t.value===e;this.update()}async showCapabilities(){const{algorithms:e,approximateAlgorithms:t}=await this.connection.capabilities.getCapabilities({});this.algorithm.replaceChildren(new Option("the server's choice","0"),...e.map(Bm)),this.against.replaceChildren(_d("exact",e),_d("approximate",t)),this.approximate=new Set(t.map(({algorithm:s})=>s));const i=t[0]??e[1];i&&(this.against.value=String(i.algorithm)),Be("compare-row").hidden=e.length+t.length<2}show(e){Be("mesh-name").textContent=e.name,Be("mesh-name").title=e.digest,Be("mesh-size").textContent=`${so(e.faceCount)} faces`,Be("questions").hidden=!1,document.title=`${e.name} - geodesic`,this.choose("source")}update(){const{field:e,sources:t,summary:i,paths:s,samples:r}=this.explorer;Be("source-count").textContent=bA(t.length,"source"),Be("next-step").textContent=this.nextStep(),Be("cells-choice").hidden=t.length<2,this.cells.checked=e?.painted==="cells",e?.painted!=="difference"&&Be("difference").replaceChildren();const a=e?.painted==="distances"?e.largest:0;this.scale.show(e?.isolines??{step:0,perLabel:1},a);const o=[];e&&i&&(o.push(["farthest",Ei(e.largest,10)]),o.push(["solved in",`${Ei(1e3*i.solveSeconds,3)} ms`]),r.length&&o.push(["samples",so(r.length)])),vd(Be("figures"),o),Be("paths-section").hidden=s.length===0,Be("paths").replaceChildren(...s.map(c=>{const l=ro("li",Ei(c.length,10)),h=document.createElement("button");return h.textContent="×",h.setAttribute("aria-label","Remove this path"),h.addEventListener("click",()=>this.explorer.removePath(c)),l.append(h),l})),this.showRadius()}pointer(e){const t=Be("stage").getBoundingClientRect();this.valueBox.style.left=`${Math.min(e.x-t.left,t.width-150)}px`,this.valueBox.style.top=`${Math.min(e.y-t.top,t.height-50)}px`}value(e,t){this.valueBox.hidden=e===void 0,this.scale.point(e),e!==void 0&&(this.valueBox.textContent=e===1/0?"not reached":t?Ei(e,8):`≈ ${Ei(e,4)}`,this.valueBox.dataset.exact=String(t))}setRadius(e){const t=this.explorer.field?.largest??0;this.explorer.setRadius(e<t?Math.max(e,0):void 0),this.showRadius()}clear(){this.explorer.setRadius(void 0),this.explorer.clear(),this.choose("source")}toggleIsolines(){this.isolines.checked=!this.isolines.checked,this.showIsolines()}toggleTheme(){this.theme.toggle()}help(){Be("help-dialog").showModal()}async compare(){const e=Number(this.against.value);Be("difference").replaceChildren(ro("dt","Comparing…"));const t=await this.explorer.compare(e,this.approximate.has(e));if(!t){Be("difference").replaceChildren();return}vd(Be("difference"),[["largest difference",Ei(t.largest,3)],["mean, relative",Ei(t.meanRelative,3)]])}showIsolines(){this.scene.material.uniforms.showLines.value=this.isolines.checked,this.scene.redrawSurface()}showRadius(){const{radius:e,field:t}=this.explorer,i=t?.largest??0;Be("radius-value").textContent=e===void 0?"all":Ei(e,4);const s=e===void 0||!i?1:e/i;this.radius.value=String(Math.round(s*gd))}nextStep(){return this.tool==="curve"?"Drag on the surface: every point of the curve is a source.":this.explorer.sources.length?this.tool==="source"?"Click to move the source; Shift and click for one more.":"Move: the shortest path follows. Click to keep it; Shift and click for one more source.":"Click a point of the surface."}algorithmName(){return this.explorer.algorithm===0?void 0:this.algorithm.selectedOptions[0].text}tools(){return[...document.querySelectorAll('input[name="tool"]')]}}function bA(n,e){return n===0?`no ${e}`:n===1?`1 ${e}`:`${so(n)} ${e}s`}function _d(n,e){const t=document.createElement("optgroup");return t.label=n,t.hidden=e.length===0,t.append(...e.map(Bm)),t}function Bm({algorithm:n,name:e,summary:t}){const i=new Option(e,String(n));return i.title=t,i}function vd(n,e){n.replaceChildren(...e.flatMap(([t,i])=>[ro("dt",t),ro("dd",i)]))}function ro(n,e){const t=document.createElement(n);return t.textContent=e,t}class SA{dialog=Be("token-dialog");input=Be("token");constructor(e){this.dialog.addEventListener("close",()=>{this.dialog.returnValue==="ok"&&this.input.value&&e(this.input.value.trim())})}open(e){Be("token-reason").textContent=e,this.input.value="",this.dialog.returnValue="",this.dialog.open||this.dialog.showModal()}}const EA=500,MA=5e3;class AA{constructor(e,t,i){this.connection=e,this.notice=t,this.dialog=new SA(s=>{e.token=s,i(s),this.resume()})}again;waiting=!1;dialog;async attempt(e){try{await e()}catch(t){this.handle(t,()=>void this.attempt(e))}}handle(e,t,i){switch(io(e)){case"cancelled":return;case"token":this.again=t,this.notice.error(ga(e)),this.dialog.open(ga(e));return;case"gone":this.again=t,this.waitForServer();return;case"forgotten":if(i){this.attempt(()=>i().then(t));return}this.notice.error(`${ga(e)} Open its file again.`);return;default:this.notice.error(ga(e))}}async waitForServer(){if(!this.waiting){this.waiting=!0,this.notice.error("The server does not answer. This page goes on when it is back.");for(let e=EA;;e=Math.min(2*e,MA)){await new Promise(t=>setTimeout(t,e));try{await this.connection.capabilities.getCapabilities({});break}catch(t){if(io(t)!=="gone")break}}this.waiting=!1,this.notice.hint("The server is back.",2e3),this.resume()}}resume(){const e=this.again;this.again=void 0,this.notice.clear(),e?.()}}const Om="geodesic.theme";class TA{constructor(e){this.changed=e,this.system.addEventListener("change",()=>this.apply()),this.apply()}system=matchMedia("(prefers-color-scheme: dark)");chosen=wA();toggle(){this.chosen=this.isDark()?"light":"dark";try{localStorage.setItem(Om,this.chosen)}catch{}this.apply()}isDark(){return this.chosen?this.chosen==="dark":this.system.matches}apply(){const e=this.isDark();document.documentElement.dataset.theme=e?"dark":"light";const t=getComputedStyle(document.documentElement).getPropertyValue("--background").trim();this.changed(e,t)}}function wA(){try{return localStorage.getItem(Om)}catch{return null}}const xd={type:"change"},Cu={type:"start"},Vm={type:"end"},_a=new Nr,yd=new Xn,RA=Math.cos(70*lp.DEG2RAD),It=new P,en=2*Math.PI,rt={NONE:-1,ROTATE:0,DOLLY:1,PAN:2,TOUCH_ROTATE:3,TOUCH_PAN:4,TOUCH_DOLLY_PAN:5,TOUCH_DOLLY_ROTATE:6},vc=1e-6;class IA extends U0{constructor(e,t=null){super(e,t),this.state=rt.NONE,this.target=new P,this.cursor=new P,this.minDistance=0,this.maxDistance=1/0,this.minZoom=0,this.maxZoom=1/0,this.minTargetRadius=0,this.maxTargetRadius=1/0,this.minPolarAngle=0,this.maxPolarAngle=Math.PI,this.minAzimuthAngle=-1/0,this.maxAzimuthAngle=1/0,this.enableDamping=!1,this.dampingFactor=.05,this.enableZoom=!0,this.zoomSpeed=1,this.enableRotate=!0,this.rotateSpeed=1,this.keyRotateSpeed=1,this.enablePan=!0,this.panSpeed=1,this.screenSpacePanning=!0,this.keyPanSpeed=7,this.zoomToCursor=!1,this.autoRotate=!1,this.autoRotateSpeed=2,this.keys={LEFT:"ArrowLeft",UP:"ArrowUp",RIGHT:"ArrowRight",BOTTOM:"ArrowDown"},this.mouseButtons={LEFT:Ds.ROTATE,MIDDLE:Ds.DOLLY,RIGHT:Ds.PAN},this.touches={ONE:Ps.ROTATE,TWO:Ps.DOLLY_PAN},this.target0=this.target.clone(),this.position0=this.object.position.clone(),this.zoom0=this.object.zoom,this._cursorStyle="auto",this._domElementKeyEvents=null,this._lastPosition=new P,this._lastQuaternion=new Ci,this._lastTargetPosition=new P,this._quat=new Ci().setFromUnitVectors(e.up,new P(0,1,0)),this._quatInverse=this._quat.clone().invert(),this._spherical=new Tf,this._sphericalDelta=new Tf,this._scale=1,this._panOffset=new P,this._rotateStart=new Ae,this._rotateEnd=new Ae,this._rotateDelta=new Ae,this._panStart=new Ae,this._panEnd=new Ae,this._panDelta=new Ae,this._dollyStart=new Ae,this._dollyEnd=new Ae,this._dollyDelta=new Ae,this._dollyDirection=new P,this._mouse=new Ae,this._performCursorZoom=!1,this._pointers=[],this._pointerPositions={},this._controlActive=!1,this._onPointerMove=CA.bind(this),this._onPointerDown=NA.bind(this),this._onPointerUp=PA.bind(this),this._onContextMenu=VA.bind(this),this._onMouseWheel=UA.bind(this),this._onKeyDown=FA.bind(this),this._onTouchStart=BA.bind(this),this._onTouchMove=OA.bind(this),this._onMouseDown=LA.bind(this),this._onMouseMove=DA.bind(this),this._interceptControlDown=GA.bind(this),this._interceptControlUp=kA.bind(this),this.domElement!==null&&this.connect(this.domElement),this.update()}set cursorStyle(e){this._cursorStyle=e,e==="grab"?this.domElement.style.cursor="grab":this.domElement.style.cursor="auto"}get cursorStyle(){return this._cursorStyle}connect(e){super.connect(e),this.domElement.addEventListener("pointerdown",this._onPointerDown),this.domElement.addEventListener("pointercancel",this._onPointerUp),this.domElement.addEventListener("contextmenu",this._onContextMenu),this.domElement.addEventListener("wheel",this._onMouseWheel,{passive:!1}),this.domElement.getRootNode().addEventListener("keydown",this._interceptControlDown,{passive:!0,capture:!0}),this.domElement.style.touchAction="none"}disconnect(){this.domElement.removeEventListener("pointerdown",this._onPointerDown),this.domElement.ownerDocument.removeEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.removeEventListener("pointerup",this._onPointerUp),this.domElement.removeEventListener("pointercancel",this._onPointerUp),this.domElement.removeEventListener("wheel",this._onMouseWheel),this.domElement.removeEventListener("contextmenu",this._onContextMenu),this.stopListenToKeyEvents(),this.domElement.getRootNode().removeEventListener("keydown",this._interceptControlDown,{capture:!0}),this.domElement.style.touchAction=""}dispose(){this.disconnect()}getPolarAngle(){return this._spherical.phi}getAzimuthalAngle(){return this._spherical.theta}getDistance(){return this.object.position.distanceTo(this.target)}listenToKeyEvents(e){e.addEventListener("keydown",this._onKeyDown),this._domElementKeyEvents=e}stopListenToKeyEvents(){this._domElementKeyEvents!==null&&(this._domElementKeyEvents.removeEventListener("keydown",this._onKeyDown),this._domElementKeyEvents=null)}saveState(){this.target0.copy(this.target),this.position0.copy(this.object.position),this.zoom0=this.object.zoom}reset(){this.target.copy(this.target0),this.object.position.copy(this.position0),this.object.zoom=this.zoom0,this.object.updateProjectionMatrix(),this.dispatchEvent(xd),this.update(),this.state=rt.NONE}pan(e,t){this._pan(e,t),this.update()}dollyIn(e){this._dollyIn(e),this.update()}dollyOut(e){this._dollyOut(e),this.update()}rotateLeft(e){this._rotateLeft(e),this.update()}rotateUp(e){this._rotateUp(e),this.update()}update(e=null){const t=this.object.position;It.copy(t).sub(this.target),It.applyQuaternion(this._quat),this._spherical.setFromVector3(It),this.autoRotate&&this.state===rt.NONE&&this._rotateLeft(this._getAutoRotationAngle(e)),this.enableDamping?(this._spherical.theta+=this._sphericalDelta.theta*this.dampingFactor,this._spherical.phi+=this._sphericalDelta.phi*this.dampingFactor):(this._spherical.theta+=this._sphericalDelta.theta,this._spherical.phi+=this._sphericalDelta.phi);let i=this.minAzimuthAngle,s=this.maxAzimuthAngle;isFinite(i)&&isFinite(s)&&(i<-Math.PI?i+=en:i>Math.PI&&(i-=en),s<-Math.PI?s+=en:s>Math.PI&&(s-=en),i<=s?this._spherical.theta=Math.max(i,Math.min(s,this._spherical.theta)):this._spherical.theta=this._spherical.theta>(i+s)/2?Math.max(i,this._spherical.theta):Math.min(s,this._spherical.theta)),this._spherical.phi=Math.max(this.minPolarAngle,Math.min(this.maxPolarAngle,this._spherical.phi)),this._spherical.makeSafe(),this.enableDamping===!0?this.target.addScaledVector(this._panOffset,this.dampingFactor):this.target.add(this._panOffset),this.target.sub(this.cursor),this.target.clampLength(this.minTargetRadius,this.maxTargetRadius),this.target.add(this.cursor);let r=!1;if(this.zoomToCursor&&this._performCursorZoom||this.object.isOrthographicCamera)this._spherical.radius=this._clampDistance(this._spherical.radius);else{const a=this._spherical.radius;this._spherical.radius=this._clampDistance(this._spherical.radius*this._scale),r=a!=this._spherical.radius}if(It.setFromSpherical(this._spherical),It.applyQuaternion(this._quatInverse),t.copy(this.target).add(It),this.object.lookAt(this.target),this.enableDamping===!0?(this._sphericalDelta.theta*=1-this.dampingFactor,this._sphericalDelta.phi*=1-this.dampingFactor,this._panOffset.multiplyScalar(1-this.dampingFactor)):(this._sphericalDelta.set(0,0,0),this._panOffset.set(0,0,0)),this.zoomToCursor&&this._performCursorZoom){let a=null;if(this.object.isPerspectiveCamera){const o=It.length();a=this._clampDistance(o*this._scale);const c=o-a;this.object.position.addScaledVector(this._dollyDirection,c),this.object.updateMatrixWorld(),r=!!c}else if(this.object.isOrthographicCamera){const o=new P(this._mouse.x,this._mouse.y,0);o.unproject(this.object);const c=this.object.zoom;this.object.zoom=Math.max(this.minZoom,Math.min(this.maxZoom,this.object.zoom/this._scale)),this.object.updateProjectionMatrix(),r=c!==this.object.zoom;const l=new P(this._mouse.x,this._mouse.y,0);l.unproject(this.object),this.object.position.sub(l).add(o),this.object.updateMatrixWorld(),a=It.length()}else console.warn("WARNING: OrbitControls.js encountered an unknown camera type - zoom to cursor disabled."),this.zoomToCursor=!1;a!==null&&(this.screenSpacePanning?this.target.set(0,0,-1).transformDirection(this.object.matrix).multiplyScalar(a).add(this.object.position):(_a.origin.copy(this.object.position),_a.direction.set(0,0,-1).transformDirection(this.object.matrix),Math.abs(this.object.up.dot(_a.direction))<RA?this.object.lookAt(this.target):(yd.setFromNormalAndCoplanarPoint(this.object.up,this.target),_a.intersectPlane(yd,this.target))))}else if(this.object.isOrthographicCamera){const a=this.object.zoom;this.object.zoom=Math.max(this.minZoom,Math.min(this.maxZoom,this.object.zoom/this._scale)),a!==this.object.zoom&&(this.object.updateProjectionMatrix(),r=!0)}return this._scale=1,this._performCursorZoom=!1,r||this._lastPosition.distanceToSquared(this.object.position)>vc||8*(1-this._lastQuaternion.dot(this.object.quaternion))>vc||this._lastTargetPosition.distanceToSquared(this.target)>vc?(this.dispatchEvent(xd),this._lastPosition.copy(this.object.position),this._lastQuaternion.copy(this.object.quaternion),this._lastTargetPosition.copy(this.target),!0):!1}_getAutoRotationAngle(e){return e!==null?en/60*this.autoRotateSpeed*e:en/60/60*this.autoRotateSpeed}_getZoomScale(e){const t=Math.abs(e*.01);return Math.pow(.95,this.zoomSpeed*t)}_rotateLeft(e){this._sphericalDelta.theta-=e}_rotateUp(e){this._sphericalDelta.phi-=e}_panLeft(e,t){It.setFromMatrixColumn(t,0),It.multiplyScalar(-e),this._panOffset.add(It)}_panUp(e,t){this.screenSpacePanning===!0?It.setFromMatrixColumn(t,1):(It.setFromMatrixColumn(t,0),It.crossVectors(this.object.up,It)),It.multiplyScalar(e),this._panOffset.add(It)}_pan(e,t){const i=this.domElement;if(this.object.isPerspectiveCamera){const s=this.object.position;It.copy(s).sub(this.target);let r=It.length();r*=Math.tan(this.object.fov/2*Math.PI/180),this._panLeft(2*e*r/i.clientHeight,this.object.matrix),this._panUp(2*t*r/i.clientHeight,this.object.matrix)}else this.object.isOrthographicCamera?(this._panLeft(e*(this.object.right-this.object.left)/this.object.zoom/i.clientWidth,this.object.matrix),this._panUp(t*(this.object.top-this.object.bottom)/this.object.zoom/i.clientHeight,this.object.matrix)):(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - pan disabled."),this.enablePan=!1)}_dollyOut(e){this.object.isPerspectiveCamera||this.object.isOrthographicCamera?this._scale/=e:(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - dolly/zoom disabled."),this.enableZoom=!1)}_dollyIn(e){this.object.isPerspectiveCamera||this.object.isOrthographicCamera?this._scale*=e:(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - dolly/zoom disabled."),this.enableZoom=!1)}_updateZoomParameters(e,t){if(!this.zoomToCursor)return;this._performCursorZoom=!0;const i=this.domElement.getBoundingClientRect(),s=e-i.left,r=t-i.top,a=i.width,o=i.height;this._mouse.x=s/a*2-1,this._mouse.y=-(r/o)*2+1,this._dollyDirection.set(this._mouse.x,this._mouse.y,1).unproject(this.object).sub(this.object.position).normalize()}_clampDistance(e){return Math.max(this.minDistance,Math.min(this.maxDistance,e))}_handleMouseDownRotate(e){this._rotateStart.set(e.clientX,e.clientY)}_handleMouseDownDolly(e){this._updateZoomParameters(e.clientX,e.clientX),this._dollyStart.set(e.clientX,e.clientY)}_handleMouseDownPan(e){this._panStart.set(e.clientX,e.clientY)}_handleMouseMoveRotate(e){this._rotateEnd.set(e.clientX,e.clientY),this._rotateDelta.subVectors(this._rotateEnd,this._rotateStart).multiplyScalar(this.rotateSpeed);const t=this.domElement;this._rotateLeft(en*this._rotateDelta.x/t.clientHeight),this._rotateUp(en*this._rotateDelta.y/t.clientHeight),this._rotateStart.copy(this._rotateEnd),this.update()}_handleMouseMoveDolly(e){this._dollyEnd.set(e.clientX,e.clientY),this._dollyDelta.subVectors(this._dollyEnd,this._dollyStart),this._dollyDelta.y>0?this._dollyOut(this._getZoomScale(this._dollyDelta.y)):this._dollyDelta.y<0&&this._dollyIn(this._getZoomScale(this._dollyDelta.y)),this._dollyStart.copy(this._dollyEnd),this.update()}_handleMouseMovePan(e){this._panEnd.set(e.clientX,e.clientY),this._panDelta.subVectors(this._panEnd,this._panStart).multiplyScalar(this.panSpeed),this._pan(this._panDelta.x,this._panDelta.y),this._panStart.copy(this._panEnd),this.update()}_handleMouseWheel(e){this._updateZoomParameters(e.clientX,e.clientY),e.deltaY<0?this._dollyIn(this._getZoomScale(e.deltaY)):e.deltaY>0&&this._dollyOut(this._getZoomScale(e.deltaY)),this.update()}_handleKeyDown(e){let t=!1;switch(e.code){case this.keys.UP:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateUp(en*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(0,this.keyPanSpeed),t=!0;break;case this.keys.BOTTOM:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateUp(-en*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(0,-this.keyPanSpeed),t=!0;break;case this.keys.LEFT:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateLeft(en*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(this.keyPanSpeed,0),t=!0;break;case this.keys.RIGHT:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateLeft(-en*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(-this.keyPanSpeed,0),t=!0;break}t&&(e.preventDefault(),this.update())}_handleTouchStartRotate(e){if(this._pointers.length===1)this._rotateStart.set(e.pageX,e.pageY);else{const t=this._getSecondPointerPosition(e),i=.5*(e.pageX+t.x),s=.5*(e.pageY+t.y);this._rotateStart.set(i,s)}}_handleTouchStartPan(e){if(this._pointers.length===1)this._panStart.set(e.pageX,e.pageY);else{const t=this._getSecondPointerPosition(e),i=.5*(e.pageX+t.x),s=.5*(e.pageY+t.y);this._panStart.set(i,s)}}_handleTouchStartDolly(e){const t=this._getSecondPointerPosition(e),i=e.pageX-t.x,s=e.pageY-t.y,r=Math.sqrt(i*i+s*s);this._dollyStart.set(0,r)}_handleTouchStartDollyPan(e){this.enableZoom&&this._handleTouchStartDolly(e),this.enablePan&&this._handleTouchStartPan(e)}_handleTouchStartDollyRotate(e){this.enableZoom&&this._handleTouchStartDolly(e),this.enableRotate&&this._handleTouchStartRotate(e)}_handleTouchMoveRotate(e){if(this._pointers.length==1)this._rotateEnd.set(e.pageX,e.pageY);else{const i=this._getSecondPointerPosition(e),s=.5*(e.pageX+i.x),r=.5*(e.pageY+i.y);this._rotateEnd.set(s,r)}this._rotateDelta.subVectors(this._rotateEnd,this._rotateStart).multiplyScalar(this.rotateSpeed);const t=this.domElement;this._rotateLeft(en*this._rotateDelta.x/t.clientHeight),this._rotateUp(en*this._rotateDelta.y/t.clientHeight),this._rotateStart.copy(this._rotateEnd)}_handleTouchMovePan(e){if(this._pointers.length===1)this._panEnd.set(e.pageX,e.pageY);else{const t=this._getSecondPointerPosition(e),i=.5*(e.pageX+t.x),s=.5*(e.pageY+t.y);this._panEnd.set(i,s)}this._panDelta.subVectors(this._panEnd,this._panStart).multiplyScalar(this.panSpeed),this._pan(this._panDelta.x,this._panDelta.y),this._panStart.copy(this._panEnd)}_handleTouchMoveDolly(e){const t=this._getSecondPointerPosition(e),i=e.pageX-t.x,s=e.pageY-t.y,r=Math.sqrt(i*i+s*s);this._dollyEnd.set(0,r),this._dollyDelta.set(0,Math.pow(this._dollyEnd.y/this._dollyStart.y,this.zoomSpeed)),this._dollyOut(this._dollyDelta.y),this._dollyStart.copy(this._dollyEnd);const a=(e.pageX+t.x)*.5,o=(e.pageY+t.y)*.5;this._updateZoomParameters(a,o)}_handleTouchMoveDollyPan(e){this.enableZoom&&this._handleTouchMoveDolly(e),this.enablePan&&this._handleTouchMovePan(e)}_handleTouchMoveDollyRotate(e){this.enableZoom&&this._handleTouchMoveDolly(e),this.enableRotate&&this._handleTouchMoveRotate(e)}_addPointer(e){this._pointers.push(e.pointerId)}_removePointer(e){delete this._pointerPositions[e.pointerId];for(let t=0;t<this._pointers.length;t++)if(this._pointers[t]==e.pointerId){this._pointers.splice(t,1);return}}_isTrackingPointer(e){for(let t=0;t<this._pointers.length;t++)if(this._pointers[t]==e.pointerId)return!0;return!1}_trackPointer(e){let t=this._pointerPositions[e.pointerId];t===void 0&&(t=new Ae,this._pointerPositions[e.pointerId]=t),t.set(e.pageX,e.pageY)}_getSecondPointerPosition(e){const t=e.pointerId===this._pointers[0]?this._pointers[1]:this._pointers[0];return this._pointerPositions[t]}_customWheelEvent(e){const t=e.deltaMode,i={clientX:e.clientX,clientY:e.clientY,deltaY:e.deltaY};switch(t){case 1:i.deltaY*=16;break;case 2:i.deltaY*=100;break}return e.ctrlKey&&!this._controlActive&&(i.deltaY*=10),i}}function NA(n){this.enabled!==!1&&(this._pointers.length===0&&(this.domElement.setPointerCapture(n.pointerId),this.domElement.ownerDocument.addEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.addEventListener("pointerup",this._onPointerUp)),!this._isTrackingPointer(n)&&(this._addPointer(n),n.pointerType==="touch"?this._onTouchStart(n):this._onMouseDown(n),this._cursorStyle==="grab"&&(this.domElement.style.cursor="grabbing")))}function CA(n){this.enabled!==!1&&(n.pointerType==="touch"?this._onTouchMove(n):this._onMouseMove(n))}function PA(n){switch(this._removePointer(n),this._pointers.length){case 0:this.domElement.releasePointerCapture(n.pointerId),this.domElement.ownerDocument.removeEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.removeEventListener("pointerup",this._onPointerUp),this.dispatchEvent(Vm),this.state=rt.NONE,this._cursorStyle==="grab"&&(this.domElement.style.cursor="grab");break;case 1:const e=this._pointers[0],t=this._pointerPositions[e];this._onTouchStart({pointerId:e,pageX:t.x,pageY:t.y});break}}function LA(n){let e;switch(n.button){case 0:e=this.mouseButtons.LEFT;break;case 1:e=this.mouseButtons.MIDDLE;break;case 2:e=this.mouseButtons.RIGHT;break;default:e=-1}switch(e){case Ds.DOLLY:if(this.enableZoom===!1)return;this._handleMouseDownDolly(n),this.state=rt.DOLLY;break;case Ds.ROTATE:if(n.ctrlKey||n.metaKey||n.shiftKey){if(this.enablePan===!1)return;this._handleMouseDownPan(n),this.state=rt.PAN}else{if(this.enableRotate===!1)return;this._handleMouseDownRotate(n),this.state=rt.ROTATE}break;case Ds.PAN:if(n.ctrlKey||n.metaKey||n.shiftKey){if(this.enableRotate===!1)return;this._handleMouseDownRotate(n),this.state=rt.ROTATE}else{if(this.enablePan===!1)return;this._handleMouseDownPan(n),this.state=rt.PAN}break;default:this.state=rt.NONE}this.state!==rt.NONE&&this.dispatchEvent(Cu)}function DA(n){switch(this.state){case rt.ROTATE:if(this.enableRotate===!1)return;this._handleMouseMoveRotate(n);break;case rt.DOLLY:if(this.enableZoom===!1)return;this._handleMouseMoveDolly(n);break;case rt.PAN:if(this.enablePan===!1)return;this._handleMouseMovePan(n);break}}function UA(n){this.enabled===!1||this.enableZoom===!1||this.state!==rt.NONE||(n.preventDefault(),this.dispatchEvent(Cu),this._handleMouseWheel(this._customWheelEvent(n)),this.dispatchEvent(Vm))}function FA(n){this.enabled!==!1&&this._handleKeyDown(n)}function BA(n){switch(this._trackPointer(n),this._pointers.length){case 1:switch(this.touches.ONE){case Ps.ROTATE:if(this.enableRotate===!1)return;this._handleTouchStartRotate(n),this.state=rt.TOUCH_ROTATE;break;case Ps.PAN:if(this.enablePan===!1)return;this._handleTouchStartPan(n),this.state=rt.TOUCH_PAN;break;default:this.state=rt.NONE}break;case 2:switch(this.touches.TWO){case Ps.DOLLY_PAN:if(this.enableZoom===!1&&this.enablePan===!1)return;this._handleTouchStartDollyPan(n),this.state=rt.TOUCH_DOLLY_PAN;break;case Ps.DOLLY_ROTATE:if(this.enableZoom===!1&&this.enableRotate===!1)return;this._handleTouchStartDollyRotate(n),this.state=rt.TOUCH_DOLLY_ROTATE;break;default:this.state=rt.NONE}break;default:this.state=rt.NONE}this.state!==rt.NONE&&this.dispatchEvent(Cu)}function OA(n){switch(this._trackPointer(n),this.state){case rt.TOUCH_ROTATE:if(this.enableRotate===!1)return;this._handleTouchMoveRotate(n),this.update();break;case rt.TOUCH_PAN:if(this.enablePan===!1)return;this._handleTouchMovePan(n),this.update();break;case rt.TOUCH_DOLLY_PAN:if(this.enableZoom===!1&&this.enablePan===!1)return;this._handleTouchMoveDollyPan(n),this.update();break;case rt.TOUCH_DOLLY_ROTATE:if(this.enableZoom===!1&&this.enableRotate===!1)return;this._handleTouchMoveDollyRotate(n),this.update();break;default:this.state=rt.NONE}}function VA(n){this.enabled!==!1&&n.preventDefault()}function GA(n){n.key==="Control"&&(this._controlActive=!0,this.domElement.getRootNode().addEventListener("keyup",this._interceptControlUp,{passive:!0,capture:!0}))}function kA(n){n.key==="Control"&&(this._controlActive=!1,this.domElement.getRootNode().removeEventListener("keyup",this._interceptControlUp,{passive:!0,capture:!0}))}const zA=`
+attribute float geodesic;  // Below 0 where it is not known or no path leads.
+attribute vec3 paint;
+uniform vec3 reference;
+varying vec3 vPoint;
+varying vec3 vView;
+varying vec3 vNormal;
+varying vec3 vPaint;
+varying float vDistance;
+varying float vSquare;
+varying float vReached;
+void main() {
+  vec4 view = modelViewMatrix * vec4(position, 1.0);
+  float d = max(geodesic, 0.0);
+  vPoint = position - reference;
+  vView = view.xyz;
+  vNormal = normalMatrix * normal;
+  vPaint = paint;
+  vDistance = d;
+  vSquare = d * d - dot(vPoint, vPoint);
+  vReached = geodesic < 0.0 ? 0.0 : 1.0;
+  gl_Position = projectionMatrix * view;
+}`,WA=`
+uniform sampler2D colors;
+uniform bool quadratic;
+uniform bool painted;
+uniform float shade;
+uniform bool showLines;
+uniform float largest;
+uniform float lineStep;
+uniform float linesPerLabel;
+uniform float lineWidth;
+uniform float front;
+uniform float glow;
+uniform float radius;
+uniform vec3 bare;
+varying vec3 vPoint;
+varying vec3 vView;
+varying vec3 vNormal;
+varying vec3 vPaint;
+varying float vDistance;
+varying float vSquare;
+varying float vReached;
+
+// Coverage by the lines at multiples of a step; t is the distance in steps.
+float lines(float t, float perPixel, float width) {
+  float off = abs(t - max(round(t), 1.0)) / perPixel;
+  float inside = clamp(0.5 * width - off + 0.5, 0.0, 1.0);
+  return inside * smoothstep(2.0 * width, 4.0 * width, 1.0 / perPixel);
+}
+
+void main() {
+  vec3 flatNormal = normalize(cross(dFdx(vView), dFdy(vView)));
+  vec3 smoothNormal = normalize(vNormal + 1e-6 * flatNormal);
+  // Faces may be turned either way: what is seen is lit.
+  if (dot(smoothNormal, flatNormal) < 0.0) smoothNormal = -smoothNormal;
+  vec3 n = normalize(mix(flatNormal, smoothNormal,
+                         smoothstep(0.75, 0.9, dot(smoothNormal, flatNormal))));
+  float light = 0.58 + 0.42 * max(dot(n, normalize(vec3(-0.35, 0.5, 0.8))), 0.0)
+      + 0.08 * max(dot(n, vec3(0.0, 0.0, 1.0)), 0.0);
+
+  float d = vDistance;
+  if (quadratic) d = sqrt(max(vSquare + dot(vPoint, vPoint), 0.0));
+  float perPixel = max(fwidth(d), 1e-9);
+  bool reached = vReached > 0.9999;
+  vec3 color = bare;
+  if (reached && d <= front && d <= radius) {
+    float share = clamp(d / largest, 0.0, 1.0);
+    color = texture2D(colors, vec2((share * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+    if (painted) color = vPaint * (1.0 - shade * share);
+    if (showLines && lineStep > 0.0) {
+      float t = d / lineStep;
+      float coverage = max(0.7 * lines(t, perPixel / lineStep, lineWidth),
+          lines(t / linesPerLabel, perPixel / (lineStep * linesPerLabel), 1.6 * lineWidth));
+      float luminance = dot(color, vec3(0.299, 0.587, 0.114));
+      vec3 ink = luminance > 0.36 ? color * 0.22 : mix(color, vec3(1.0), 0.62);
+      color = mix(color, ink, coverage);
+    }
+    color = mix(color, vec3(1.0), glow * exp((d - front) / (0.025 * largest)));
+  }
+  if (reached && radius < 1e9 && abs(d - radius) < 1.2 * lineWidth * perPixel) color *= 0.35;
+  gl_FragColor = vec4(color * light, 1.0);
+}`,xc={light:new Ke(.74,.75,.77),dark:new Ke(.5,.51,.54)};class HA extends an{constructor(){const e=new mp(mr,Bs,1,xn);e.minFilter=e.magFilter=Wt,e.needsUpdate=!0,super({vertexShader:zA,fragmentShader:WA,side:_n,polygonOffset:!0,polygonOffsetFactor:1.5,polygonOffsetUnits:8,uniforms:{colors:{value:e},reference:{value:new P},quadratic:{value:!0},painted:{value:!1},shade:{value:0},showLines:{value:!0},largest:{value:1},lineStep:{value:0},linesPerLabel:{value:5},lineWidth:{value:1},front:{value:1/0},glow:{value:0},radius:{value:1e10},bare:{value:xc.light}}})}setDark(e){this.uniforms.bare.value=e?xc.dark:xc.light}}function XA(n){const[e,t,i]=[0,1,2].map(s=>Gm(n,s));return i.size<.4*Math.min(e.size,t.size)||Ed(2,n)&&!Ed(1,n)?"z":"y"}function ZA(n){const e=XA(n),t=(e==="z"?38:16)*Math.PI/180;return Array.from({length:8},(s,r)=>{const a=(30+45*r)*Math.PI/180,o=new P(Math.sin(a),0,Math.cos(a)).multiplyScalar(Math.cos(t));return e==="y"?Sd(o.setY(Math.sin(t)),new P(0,1,0),n):Sd(new P(o.x,-o.z,Math.sin(t)),new P(0,0,1),n)}).reduce((s,r)=>bd(r)>1.01*bd(s)?r:s)}function bd({halfSize:n}){return n.x*n.y}function Sd(n,e,t){const i=e.clone().cross(n).normalize(),s=n.clone().cross(i),r=new Ae,a=3*Math.ceil(t.length/15e3);for(let o=0;o<t.length;o+=a){const c=new P(t[o],t[o+1],t[o+2]);r.x=Math.max(r.x,Math.abs(c.dot(i))),r.y=Math.max(r.y,Math.abs(c.dot(s)))}return{up:e,direction:n,halfSize:r}}function Gm(n,e){let t=1/0,i=-1/0;for(let s=e;s<n.length;s+=3)t=Math.min(t,n[s]),i=Math.max(i,n[s]);return{low:t,size:i-t}}function Ed(n,e){const{low:t,size:i}=Gm(e,n),s=t+.03*i;return[(n+1)%3,(n+2)%3].every(r=>{let a=0,o=1/0,c=-1/0;for(let h=0;h<e.length;h+=3)a+=e[h+r],!(e[h+n]>s)&&(o=Math.min(o,e[h+r]),c=Math.max(c,e[h+r]));const l=3*a/e.length;return l>=o&&l<=c})}const YA=`
+varying vec2 vUv;
+void main() { vUv = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }`,KA=`
+uniform sampler2D colors;
+uniform sampler2D depths;
+varying vec2 vUv;
+void main() {
+  gl_FragColor = vec4(texture2D(colors, vUv).rgb, 1.0);
+  gl_FragDepth = texture2D(depths, vUv).r;
+}`,Md=32,$A=1.08;class jA{constructor(e){this.canvas=e,Xe.enabled=!1,this.renderer=new Cb({canvas:e,antialias:!0}),this.renderer.outputColorSpace=xr,this.renderer.autoClear=!1,this.target=this.newTarget(1,1),this.copyMaterial=new an({vertexShader:YA,fragmentShader:KA,depthFunc:Xa,uniforms:{colors:{value:null},depths:{value:null}}});const t=new Sn(new Pr(2,2),this.copyMaterial);t.frustumCulled=!1,this.copy.add(t),this.controls=new IA(this.camera,e),this.controls.enableDamping=!1,this.controls.zoomToCursor=!0,this.controls.minDistance=.02,this.controls.maxDistance=12,this.controls.addEventListener("change",()=>this.redrawSurface()),new ResizeObserver(()=>this.resize()).observe(e),this.resize()}material=new HA;overlay=new Uo;resolution=new Ae(1,1);pixelRatio={value:1};depths={value:null};camera=new gn(Md);onFrame=()=>!1;renderer;controls;surface=new Uo;copy=new Uo;copyMaterial;screen=new tu;target;home;surfaceIsStale=!0;frame=0;show(e){this.surface.clear();const t=new Sn(e.geometry,this.material);t.frustumCulled=!1,this.surface.add(t),this.home=ZA(e.geometry.getAttribute("position").array),this.camera.up.copy(this.home.up),this.lookAtAll()}lookAtAll(){if(!this.home)return;this.controls.target.set(0,0,0);const{direction:e,halfSize:t}=this.home,i=Math.max(t.x/this.camera.aspect,t.y),s=$A*i/Math.tan(Md*Math.PI/360)+.3;this.camera.position.copy(e).multiplyScalar(s),this.controls.update(),this.redrawSurface()}turn(e,t,i){const s=this.camera.position.clone().sub(this.controls.target);s.applyAxisAngle(this.camera.up,e);const r=s.clone().cross(this.camera.up).normalize(),a=s.clone().applyAxisAngle(r,t);Math.abs(a.clone().normalize().dot(this.camera.up))<.995&&s.copy(a),this.camera.position.copy(this.controls.target).addScaledVector(s,i),this.controls.update(),this.redrawSurface()}setTurning(e){this.controls.enabled=e}setBackground(e,t){this.renderer.setClearColor(new Ke(e)),this.material.setDark(t),this.redrawSurface()}pointerAt(e,t){const i=this.canvas.getBoundingClientRect();return new Ae(2*(e-i.left)/i.width-1,1-2*(t-i.top)/i.height)}pixelOf(e){const t=e.clone().project(this.camera);return new Ae((t.x+1)/2*this.canvas.clientWidth,(1-t.y)/2*this.canvas.clientHeight)}redrawSurface(){this.surfaceIsStale=!0,this.redraw()}redraw(){this.frame||=requestAnimationFrame(e=>{this.frame=0,this.onFrame(e)&&this.redrawSurface(),this.draw()})}draw(){this.surfaceIsStale&&this.drawSurface(),this.copyMaterial.uniforms.colors.value=this.target.texture,this.copyMaterial.uniforms.depths.value=this.target.depthTexture,this.renderer.setRenderTarget(null),this.renderer.render(this.copy,this.screen),this.depths.value=this.target.depthTexture,this.renderer.render(this.overlay,this.camera)}takePicture(){const e=document.createElement("canvas");return e.width=this.canvas.width,e.height=this.canvas.height,this.draw(),e.getContext("2d")?.drawImage(this.canvas,0,0),e}drawSurface(){const e=this.camera.position.length();this.camera.near=Math.max(e-1.1,.004),this.camera.far=e+1.1,this.camera.updateProjectionMatrix(),this.renderer.setRenderTarget(this.target),this.renderer.clear(),this.renderer.render(this.surface,this.camera),this.surfaceIsStale=!1}resize(){const e=Math.max(this.canvas.clientWidth,1),t=Math.max(this.canvas.clientHeight,1),i=Math.min(devicePixelRatio,2);this.renderer.setPixelRatio(i),this.renderer.setSize(e,t,!1),this.resolution.set(e,t),this.material.uniforms.lineWidth.value=i,this.camera.aspect=e/t,this.camera.updateProjectionMatrix(),this.target.dispose(),this.target.depthTexture?.dispose(),this.target=this.newTarget(Math.round(e*i),Math.round(t*i)),this.pixelRatio.value=i,this.surfaceIsStale=!0,this.draw()}newTarget(e,t){return new Ln(e,t,{samples:4,depthTexture:new es(e,t,Dn)})}}const JA=5;function qA(n,e){let t,i=0;n.addEventListener("pointerdown",a=>{if(i++,a.button!==0||i>1){t?.draws&&e.drawn(),t=void 0;return}const o=e.drawsCurve(a.altKey),c={x:a.clientX,y:a.clientY},l=!o&&e.grabs(c);e.setTurning(!o&&!l),t={...c,moved:!1,draws:o,grabs:l,id:a.pointerId},(o||l)&&n.setPointerCapture(a.pointerId),o&&e.draw(c)},{capture:!0});const s="onpointerrawupdate"in window?"pointerrawupdate":"pointermove";n.addEventListener(s,a=>{const o={x:a.clientX,y:a.clientY};if(t&&a.pointerId===t.id){Math.hypot(o.x-t.x,o.y-t.y)>JA&&(t.moved=!0),t.draws&&t.moved&&e.draw(o),t.grabs&&t.moved&&e.drag(o);return}i===0&&e.move({...o,since:a.timeStamp})});const r=a=>{if(i=Math.max(i-1,0),!t||a.pointerId!==t.id)return;const{moved:o,draws:c}=t;t=void 0,e.setTurning(!0),c&&o?e.drawn():!o&&a.type==="pointerup"&&e.click({x:a.clientX,y:a.clientY,shift:a.shiftKey})};n.addEventListener("pointerup",r),n.addEventListener("pointercancel",r),n.addEventListener("pointerleave",()=>e.leave()),n.addEventListener("wheel",a=>{a.altKey&&(a.preventDefault(),a.stopImmediatePropagation(),e.wheel(Math.sign(a.deltaY||a.deltaX)))},{capture:!0,passive:!1})}function QA(n){if(n.ctrlKey||n.metaKey)return!0;const e=n.target;return e.matches("input:is([type=radio], [type=checkbox], [type=range])")?n.key.startsWith("Arrow"):e.matches("input, select, textarea")}const km=0,eT=1,tT=2,Ad=2,yc=1.25,Td=1,fn=32,Mt=fn/4,zm=65535,Ha=Math.pow(2,-24),Pu=Symbol("SKIP_GENERATION"),Wm={strategy:km,maxDepth:40,targetLeafSize:10,useSharedArrayBuffer:!1,setBoundingBox:!0,onProgress:null,indirect:!1,verbose:!0,range:null,[Pu]:!1};function _t(n,e,t){return t.min.x=e[n],t.min.y=e[n+1],t.min.z=e[n+2],t.max.x=e[n+3],t.max.y=e[n+4],t.max.z=e[n+5],t}function Dl(n){let e=-1,t=-1/0;for(let i=0;i<3;i++){const s=n[i+3]-n[i];s>t&&(t=s,e=i)}return e}function wd(n,e,t){for(let i=0;i<3;i++){const s=e[n+2*i],r=e[n+2*i+1],a=s-r,o=s+r;a<t[i]&&(t[i]=a),o>t[i+3]&&(t[i+3]=o)}}function bc(n){const e=n[3]-n[0],t=n[4]-n[1],i=n[5]-n[2];return 2*(e*t+t*i+i*e)}function St(n,e){return e[n+15]===zm}function Ft(n,e){return e[n+6]}function Yt(n,e){return e[n+14]}function Nt(n){return n+Mt}function Ct(n,e){const t=e[n+6];return n+t*Mt}function Lu(n,e){return e[n+7]}function Sc(n,e,t,i,s){let r=1/0,a=1/0,o=1/0,c=-1/0,l=-1/0,h=-1/0,f=1/0,u=1/0,d=1/0,g=-1/0,y=-1/0,p=-1/0;const m=n.offset||0;for(let _=(e-m)*6,b=(e+t-m)*6;_<b;_+=6){const x=n[_+0],E=n[_+1],A=x-E,w=x+E;A<r&&(r=A),w>c&&(c=w),x<f&&(f=x),x>g&&(g=x);const v=n[_+2],T=n[_+3],N=v-T,R=v+T;N<a&&(a=N),R>l&&(l=R),v<u&&(u=v),v>y&&(y=v);const C=n[_+4],U=n[_+5],B=C-U,L=C+U;B<o&&(o=B),L>h&&(h=L),C<d&&(d=C),C>p&&(p=C)}i[0]=r,i[1]=a,i[2]=o,i[3]=c,i[4]=l,i[5]=h,s[0]=f,s[1]=u,s[2]=d,s[3]=g,s[4]=y,s[5]=p}const Hn=8,Du=8,Ec=new Int32Array(Hn),Wn=new Float32Array(Hn*6),Ss=new Float32Array(Hn*6),In=new Float32Array(6),va=new Float32Array(6),Mi=new Int32Array(Du),Rd=new Float32Array(Du*6);function nT(n,e,t,i){for(let s=0;s<3;s++){const r=e[n+2*s],a=e[n+2*s+1],o=r-a,c=r+a;o<t[i+s]&&(t[i+s]=o),c>t[i+s+3]&&(t[i+s+3]=c)}}function Id(n,e){const t=n[e+3]-n[e],i=n[e+4]-n[e+1],s=n[e+5]-n[e+2];return 2*(t*i+i*s+s*t)}function iT(n,e,t,i,s,r){let a=-1,o=0;if(r===km)a=Dl(e),a!==-1&&(o=(e[a]+e[a+3])/2);else if(r===eT)a=Dl(n),a!==-1&&(o=sT(t,i,s,a));else if(r===tT){const c=bc(n);let l=yc*s;const h=t.offset||0,f=(i-h)*6,u=(i+s-h)*6;for(let d=0;d<3;d++){const g=e[d],m=(e[d+3]-g)/Hn;if(s<Du){for(let _=0;_<s;_++){const b=f+_*6,x=t[b+2*d];let E=_;for(;E>0&&t[Mi[E-1]+2*d]>x;)Mi[E]=Mi[E-1],E--;Mi[E]=b}for(let _=0;_<3;_++)In[_]=1/0,In[_+3]=-1/0,va[_]=1/0,va[_+3]=-1/0;for(let _=s-1;_>=0;_--)wd(Mi[_],t,va),Rd.set(va,_*6);for(let _=0;_<s-1;_++){wd(Mi[_],t,In);const b=t[Mi[_+1]+2*d];if(t[Mi[_]+2*d]===b)continue;const x=_+1,E=s-x,A=bc(In)/c,w=Id(Rd,x*6)/c,v=Td+yc*(A*x+w*E);v<l&&(a=d,l=v,o=b)}}else{for(let x=0;x<Hn;x++){Ec[x]=0;for(let E=0;E<3;E++)Wn[x*6+E]=1/0,Wn[x*6+E+3]=-1/0}for(let x=f;x<u;x+=6){let w=~~((t[x+2*d]-g)/m);w>=Hn&&(w=Hn-1),Ec[w]++,nT(x,t,Wn,w*6)}const _=(Hn-1)*6;for(let x=0;x<6;x++)Ss[_+x]=Wn[_+x];for(let x=Hn-2;x>=0;x--){const E=x*6,A=E+6;for(let w=0;w<3;w++)Ss[E+w]=Math.min(Wn[E+w],Ss[A+w]),Ss[E+w+3]=Math.max(Wn[E+w+3],Ss[A+w+3])}let b=0;for(let x=0;x<Hn-1;x++){const E=x*6,A=Ec[x];if(A!==0)for(let R=0;R<3;R++)b===0?(In[R]=Wn[E+R],In[R+3]=Wn[E+R+3]):(In[R]=Math.min(In[R],Wn[E+R]),In[R+3]=Math.max(In[R+3],Wn[E+R+3]));b+=A;let w=0,v=0;b!==0&&(w=bc(In)/c);const T=s-b;T!==0&&(v=Id(Ss,E+6)/c);const N=Td+yc*(w*b+v*T);N<l&&(a=d,l=N,o=g+m+x*m)}}}}else console.warn(`BVH: Invalid build strategy value ${r} used.`);return{axis:a,pos:o}}function sT(n,e,t,i){let s=0;const r=n.offset;for(let a=e,o=e+t;a<o;a++)s+=n[(a-r)*6+i*2];return s/t}function rT(n,e,t,i,s,r){let a=i,o=i+s-1;const c=r.pos,l=r.axis*2,h=t.offset||0;for(;;){for(;a<=o&&t[(a-h)*6+l]<c;)a++;for(;a<=o&&t[(o-h)*6+l]>=c;)o--;if(a<o){for(let f=0;f<e;f++){let u=n[a*e+f];n[a*e+f]=n[o*e+f],n[o*e+f]=u}for(let f=0;f<6;f++){const u=a-h,d=o-h,g=t[u*6+f];t[u*6+f]=t[d*6+f],t[d*6+f]=g}a++,o--}else return a}}const aT=Math.pow(2,32),Es=new Float32Array(6),xa=new Float32Array(6);function oT(n,e,t,i,s,r){const{maxDepth:a,verbose:o,targetLeafSize:c,_strictLeafSize:l=1/0,strategy:h,onProgress:f,useSharedArrayBuffer:u=!1}=s,d=n.primitiveBuffer,g=n.primitiveBufferStride,y=u?SharedArrayBuffer:ArrayBuffer,p=new y(fn*Math.max(1,2*Math.ceil(i)-1)),m=new Float32Array(p),_=new Uint32Array(p),b=new Uint16Array(p);let x=0,E=!1;return Sc(e,t,i,Es,xa),v(t,i,0),p.slice(0,x*fn);function A(T){f&&f((T-r.offset)/r.count)}function w(T,N,R){const C=T*2;_[T+6]=N,b[C+14]=R,b[C+15]=zm,A(N+R)}function v(T,N,R){const C=x++,U=C*Mt;m.set(Es,U),!E&&R>=a&&(E=!0,o&&console.warn(`BVH: Max depth of ${a} reached when generating BVH. Consider increasing maxDepth.`));const B=N>l;if(N<=c&&!B||R>=a){w(U,T,N);return}const L=iT(Es,xa,e,T,N,h);let V=L.axis===-1?-1:rT(d,g,e,T,N,L);if(L.axis===-1||V===T||V===T+N){if(!B){w(U,T,N);return}L.axis=Math.max(0,Dl(Es)),V=T+Math.max(1,Math.floor(N/2))}_[U+7]=L.axis;const G=V-T;Sc(e,T,G,Es,xa),v(T,G,R+1);const J=x-C;if(J>aT)throw new Error("MeshBVH: Cannot store relative child node offset greater than 32 bits.");_[U+6]=J;const ee=N-G;Sc(e,V,ee,Es,xa),v(V,ee,R+1)}}function cT(n,e){const t=n.getRootRanges(e.range),i=t[0],s=t[t.length-1],r={offset:i.offset,count:s.offset+s.count-i.offset},a=new Float32Array(6*r.count);a.offset=r.offset,n.computePrimitiveBounds(r.offset,r.count,a),n._roots=t.map(o=>oT(n,a,o.offset,o.count,e,r))}class Uu{constructor(e){this._getNewPrimitive=e,this._primitives=[]}getPrimitive(){const e=this._primitives;return e.length===0?this._getNewPrimitive():e.pop()}releasePrimitive(e){this._primitives.push(e)}}class lT{constructor(){this.float32Array=null,this.uint16Array=null,this.uint32Array=null;const e=[];let t=null;this.setBuffer=i=>{t&&e.push(t),t=i,this.float32Array=new Float32Array(i),this.uint16Array=new Uint16Array(i),this.uint32Array=new Uint32Array(i)},this.clearBuffer=()=>{t=null,this.float32Array=null,this.uint16Array=null,this.uint32Array=null,e.length!==0&&this.setBuffer(e.pop())}}}const tt=new lT;let Ni,Ls;const Ms=[],ya=new Uu(()=>new Ot);function uT(n,e,t,i,s,r){Ni=ya.getPrimitive(),Ls=ya.getPrimitive(),Ms.push(Ni,Ls),tt.setBuffer(n._roots[e]);const a=Ul(0,n.geometry,t,i,s,r);tt.clearBuffer(),ya.releasePrimitive(Ni),ya.releasePrimitive(Ls),Ms.pop(),Ms.pop();const o=Ms.length;return o>0&&(Ls=Ms[o-1],Ni=Ms[o-2]),a}function Ul(n,e,t,i,s=null,r=0,a=0){const{float32Array:o,uint16Array:c,uint32Array:l}=tt;let h=n*2;if(St(h,c)){const g=Ft(n,l),y=Yt(h,c);return _t(n,o,Ni),i(g,y,!1,a,r+n/Mt,Ni)}else{let C=function(B){const{uint16Array:L,uint32Array:V}=tt;let G=B*2;for(;!St(G,L);)B=Nt(B),G=B*2;return Ft(B,V)},U=function(B){const{uint16Array:L,uint32Array:V}=tt;let G=B*2;for(;!St(G,L);)B=Ct(B,V),G=B*2;return Ft(B,V)+Yt(G,L)};var u=C,d=U;const g=Nt(n),y=Ct(n,l);let p=g,m=y,_,b,x,E;if(s&&(x=Ni,E=Ls,_t(p,o,x),_t(m,o,E),_=s(x),b=s(E),b<_)){p=y,m=g;const B=_;_=b,b=B,x=E}x||(x=Ni,_t(p,o,x));const A=St(p*2,c),w=t(x,A,_,a+1,r+p/Mt);let v;if(w===Ad){const B=C(p),V=U(p)-B;v=i(B,V,!0,a+1,r+p/Mt,x)}else v=w&&Ul(p,e,t,i,s,r,a+1);if(v)return!0;E=Ls,_t(m,o,E);const T=St(m*2,c),N=t(E,T,b,a+1,r+m/Mt);let R;if(N===Ad){const B=C(m),V=U(m)-B;R=i(B,V,!0,a+1,r+m/Mt,E)}else R=N&&Ul(m,e,t,i,s,r,a+1);return!!R}}const gr=new tt.constructor,ao=new tt.constructor,Ti=new Uu(()=>new Ot),As=new Ot,Ts=new Ot,Mc=new Ot,Ac=new Ot;let Tc=!1;function fT(n,e,t,i){if(Tc)throw new Error("MeshBVH: Recursive calls to bvhcast not supported.");Tc=!0;const s=n._roots,r=e._roots;let a,o=0,c=0;const l=new Je().copy(t).invert();for(let h=0,f=s.length;h<f;h++){gr.setBuffer(s[h]),c=0;const u=Ti.getPrimitive();_t(0,gr.float32Array,u),u.applyMatrix4(l);for(let d=0,g=r.length;d<g&&(ao.setBuffer(r[d]),a=Nn(0,0,t,l,i,o,c,0,0,u),ao.clearBuffer(),c+=r[d].byteLength/fn,!a);d++);if(Ti.releasePrimitive(u),gr.clearBuffer(),o+=s[h].byteLength/fn,a)break}return Tc=!1,a}function Nn(n,e,t,i,s,r=0,a=0,o=0,c=0,l=null,h=!1){let f,u;h?(f=ao,u=gr):(f=gr,u=ao);const d=f.float32Array,g=f.uint32Array,y=f.uint16Array,p=u.float32Array,m=u.uint32Array,_=u.uint16Array,b=n*2,x=e*2,E=St(b,y),A=St(x,_);let w=!1;if(A&&E)h?w=s(Ft(e,m),Yt(e*2,_),Ft(n,g),Yt(n*2,y),c,a+e/Mt,o,r+n/Mt):w=s(Ft(n,g),Yt(n*2,y),Ft(e,m),Yt(e*2,_),o,r+n/Mt,c,a+e/Mt);else if(A){const v=Ti.getPrimitive();_t(e,p,v),v.applyMatrix4(t);const T=Nt(n),N=Ct(n,g);_t(T,d,As),_t(N,d,Ts);const R=v.intersectsBox(As),C=v.intersectsBox(Ts);w=R&&Nn(e,T,i,t,s,a,r,c,o+1,v,!h)||C&&Nn(e,N,i,t,s,a,r,c,o+1,v,!h),Ti.releasePrimitive(v)}else{const v=Nt(e),T=Ct(e,m);_t(v,p,Mc),_t(T,p,Ac);const N=l.intersectsBox(Mc),R=l.intersectsBox(Ac);if(N&&R)w=Nn(n,v,t,i,s,r,a,o,c+1,l,h)||Nn(n,T,t,i,s,r,a,o,c+1,l,h);else if(N)if(E)w=Nn(n,v,t,i,s,r,a,o,c+1,l,h);else{const C=Ti.getPrimitive();C.copy(Mc).applyMatrix4(t);const U=Nt(n),B=Ct(n,g);_t(U,d,As),_t(B,d,Ts);const L=C.intersectsBox(As),V=C.intersectsBox(Ts);w=L&&Nn(v,U,i,t,s,a,r,c,o+1,C,!h)||V&&Nn(v,B,i,t,s,a,r,c,o+1,C,!h),Ti.releasePrimitive(C)}else if(R)if(E)w=Nn(n,T,t,i,s,r,a,o,c+1,l,h);else{const C=Ti.getPrimitive();C.copy(Ac).applyMatrix4(t);const U=Nt(n),B=Ct(n,g);_t(U,d,As),_t(B,d,Ts);const L=C.intersectsBox(As),V=C.intersectsBox(Ts);w=L&&Nn(T,U,i,t,s,a,r,c,o+1,C,!h)||V&&Nn(T,B,i,t,s,a,r,c,o+1,C,!h),Ti.releasePrimitive(C)}}return w}const wc=new class{constructor(){let n=null,e=null,t=null,i=!1;this.root=null,this.buffer=null,this.uint32Array=null,this.uint16Array=null,this.setBVH=(r,a)=>{if(i)throw new Error("BVHTraversalHelper: cannot call setBVH during an active traversal.");this.root=a,this.buffer=n=r._roots[a],this.uint16Array=t=new Uint16Array(n),this.uint32Array=e=new Uint32Array(n)},this.reset=()=>{this.root=null,this.buffer=n=null,this.uint16Array=t=null,this.uint32Array=e=null},this.getRangeStart=r=>{let a=r*2;for(;!St(a,t);)r=Nt(r),a=r*2;return Ft(r,e)},this.getRangeEnd=r=>{let a=r*2;for(;!St(a,t);)r=Ct(r,e),a=r*2;return Ft(r,e)+Yt(a,t)};const s=(r,a,o)=>{const c=a*2,l=St(c,t);if(!r(o,l,a)&&!l){const f=Nt(a),u=Ct(a,e);s(r,f,o+1),s(r,u,o+1)}};this.traverseBuffer=r=>{if(i)throw new Error("BVHTraversalHelper: cannot start a traversal during an active traversal.");i=!0;try{s(r,0,0)}finally{i=!1}},this.traverse=r=>{this.traverseBuffer((a,o,c)=>{if(o){const l=c*2,h=e[c+6],f=t[l+14];return r(a,o,new Float32Array(n,c*4,6),h,f)}else{const l=Lu(c,e);return r(a,o,new Float32Array(n,c*4,6),l)}})}}},Nd=new Ot,ws=new Float32Array(6);class hT{constructor(){this._roots=null,this.primitiveBuffer=null,this.primitiveBufferStride=null}init(e){e={...Wm,...e},"maxLeafSize"in e&&(console.warn('BVH: "maxLeafSize" option has been deprecated. Use "targetLeafSize", instead.'),e={...e,targetLeafSize:e.maxLeafSize}),cT(this,e)}getRootRanges(){throw new Error("BVH: getRootRanges() not implemented")}writePrimitiveBounds(){throw new Error("BVH: writePrimitiveBounds() not implemented")}writePrimitiveRangeBounds(e,t,i,s){let r=1/0,a=1/0,o=1/0,c=-1/0,l=-1/0,h=-1/0;for(let f=e,u=e+t;f<u;f++){this.writePrimitiveBounds(f,ws,0);const[d,g,y,p,m,_]=ws;d<r&&(r=d),p>c&&(c=p),g<a&&(a=g),m>l&&(l=m),y<o&&(o=y),_>h&&(h=_)}return i[s+0]=r,i[s+1]=a,i[s+2]=o,i[s+3]=c,i[s+4]=l,i[s+5]=h,i}computePrimitiveBounds(e,t,i){const s=i.offset||0;for(let r=e,a=e+t;r<a;r++){this.writePrimitiveBounds(r,ws,0);const[o,c,l,h,f,u]=ws,d=(o+h)/2,g=(c+f)/2,y=(l+u)/2,p=(h-o)/2,m=(f-c)/2,_=(u-l)/2,b=(r-s)*6;i[b+0]=d,i[b+1]=p+(Math.abs(d)+p)*Ha,i[b+2]=g,i[b+3]=m+(Math.abs(g)+m)*Ha,i[b+4]=y,i[b+5]=_+(Math.abs(y)+_)*Ha}return i}shiftPrimitiveOffsets(e){const t=this._indirectBuffer;if(t)for(let i=0,s=t.length;i<s;i++)t[i]+=e;else{const i=this._roots;for(let s=0;s<i.length;s++){const r=i[s],a=new Uint32Array(r),o=new Uint16Array(r),c=r.byteLength/fn;for(let l=0;l<c;l++){const h=Mt*l,f=2*h;St(f,o)&&(a[h+6]+=e)}}}}traverse(e,t=0){wc.setBVH(this,t),wc.traverse(e),wc.reset()}refit(){const e=this._roots;for(let t=0,i=e.length;t<i;t++){const s=e[t],r=new Uint32Array(s),a=new Uint16Array(s),o=new Float32Array(s),c=s.byteLength/fn;for(let l=c-1;l>=0;l--){const h=l*Mt,f=h*2;if(St(f,a)){const d=Ft(h,r),g=Yt(f,a);this.writePrimitiveRangeBounds(d,g,ws,0),o.set(ws,h)}else{const d=Nt(h),g=Ct(h,r);for(let y=0;y<3;y++){const p=o[d+y],m=o[d+y+3],_=o[g+y],b=o[g+y+3];o[h+y]=p<_?p:_,o[h+y+3]=m>b?m:b}}}}}getBoundingBox(e){return e.makeEmpty(),this._roots.forEach(i=>{_t(0,new Float32Array(i),Nd),e.union(Nd)}),e}shapecast(e){let{boundsTraverseOrder:t,intersectsBounds:i,intersectsRange:s,intersectsPrimitive:r,scratchPrimitive:a,iterate:o}=e;if(s&&r){const f=s;s=(u,d,g,y,p)=>f(u,d,g,y,p)?!0:o(u,d,this,r,g,y,a)}else s||(r?s=(f,u,d,g)=>o(f,u,this,r,d,g,a):s=(f,u,d)=>d);let c=!1,l=0;const h=this._roots;for(let f=0,u=h.length;f<u;f++){const d=h[f];if(c=uT(this,f,i,s,t,l),c)break;l+=d.byteLength/fn}return c}bvhcast(e,t,i){let{intersectsRanges:s}=i;return fT(this,e,t,s)}}function dT(){return typeof SharedArrayBuffer<"u"}function Fu(n){return n.index?n.index.count:n.attributes.position.count}function xo(n){return Fu(n)/3}function pT(n,e=ArrayBuffer){return n>65535?new Uint32Array(new e(4*n)):new Uint16Array(new e(2*n))}function mT(n,e){if(!n.index){const t=n.attributes.position.count,i=e.useSharedArrayBuffer?SharedArrayBuffer:ArrayBuffer,s=pT(t,i);n.setIndex(new Tt(s,1));for(let r=0;r<t;r++)s[r]=r}}function gT(n,e,t){const i=Fu(n)/t,s=e||n.drawRange,r=s.start/t,a=(s.start+s.count)/t,o=Math.max(0,r),c=Math.min(i,a)-o;return{offset:Math.floor(o),count:Math.floor(c)}}function _T(n,e){return n.groups.map(t=>({offset:t.start/e,count:t.count/e}))}function Cd(n,e,t){const i=gT(n,e,t),s=_T(n,t);if(!s.length)return[i];const r=[],a=i.offset,o=i.offset+i.count,c=Fu(n)/t,l=[];for(const u of s){const{offset:d,count:g}=u,y=d,p=isFinite(g)?g:c-d,m=d+p;y<o&&m>a&&(l.push({pos:Math.max(a,y),isStart:!0}),l.push({pos:Math.min(o,m),isStart:!1}))}l.sort((u,d)=>u.pos!==d.pos?u.pos-d.pos:u.type==="end"?-1:1);let h=0,f=null;for(const u of l){const d=u.pos;h!==0&&d!==f&&r.push({offset:f,count:d-f}),h+=u.isStart?1:-1,f=d}return r}function vT(n,e){const t=n[n.length-1],i=t.offset+t.count>2**16,s=n.reduce((l,h)=>l+h.count,0),r=i?4:2,a=e?new SharedArrayBuffer(s*r):new ArrayBuffer(s*r),o=i?new Uint32Array(a):new Uint16Array(a);let c=0;for(let l=0;l<n.length;l++){const{offset:h,count:f}=n[l];for(let u=0;u<f;u++)o[c+u]=h+u;c+=f}return o}class xT extends hT{get indirect(){return!!this._indirectBuffer}get primitiveStride(){return null}get primitiveBufferStride(){return this.indirect?1:this.primitiveStride}set primitiveBufferStride(e){}get primitiveBuffer(){return this.indirect?this._indirectBuffer:this.geometry.index.array}set primitiveBuffer(e){}constructor(e,t={}){if(e.isBufferGeometry){if(e.index&&e.index.isInterleavedBufferAttribute)throw new Error("BVH: InterleavedBufferAttribute is not supported for the index attribute.")}else throw new Error("BVH: Only BufferGeometries are supported.");if(t.useSharedArrayBuffer&&!dT())throw new Error("BVH: SharedArrayBuffer is not available.");super(),this.geometry=e,this.resolvePrimitiveIndex=t.indirect?i=>this._indirectBuffer[i]:i=>i,this.primitiveBuffer=null,this.primitiveBufferStride=null,this._indirectBuffer=null,t={...Wm,...t},t[Pu]||this.init(t)}init(e){const{geometry:t,primitiveStride:i}=this;if(e.indirect){const s=Cd(t,e.range,i),r=vT(s,e.useSharedArrayBuffer);this._indirectBuffer=r}else mT(t,e);super.init(e),!t.boundingBox&&e.setBoundingBox&&(t.boundingBox=this.getBoundingBox(new Ot))}getRootRanges(e){return this.indirect?[{offset:0,count:this._indirectBuffer.length}]:Cd(this.geometry,e,this.primitiveStride)}raycastObject3D(){throw new Error("BVH: raycastObject3D() not implemented")}}class di{constructor(){this.min=1/0,this.max=-1/0}setFromPointsField(e,t){let i=1/0,s=-1/0;for(let r=0,a=e.length;r<a;r++){const c=e[r][t];i=c<i?c:i,s=c>s?c:s}this.min=i,this.max=s}setFromPoints(e,t){let i=1/0,s=-1/0;for(let r=0,a=t.length;r<a;r++){const o=t[r],c=e.dot(o);i=c<i?c:i,s=c>s?c:s}this.min=i,this.max=s}isSeparated(e){return this.min>e.max||e.min>this.max}}di.prototype.setFromBox=(function(){const n=new P;return function(t,i){const s=i.min,r=i.max;let a=1/0,o=-1/0;for(let c=0;c<=1;c++)for(let l=0;l<=1;l++)for(let h=0;h<=1;h++){n.x=s.x*c+r.x*(1-c),n.y=s.y*l+r.y*(1-l),n.z=s.z*h+r.z*(1-h);const f=t.dot(n);a=Math.min(f,a),o=Math.max(f,o)}this.min=a,this.max=o}})();const yT=(function(){const n=new P,e=new P,t=new P;return function(s,r,a){const o=s.start,c=n,l=r.start,h=e;t.subVectors(o,l),n.subVectors(s.end,s.start),e.subVectors(r.end,r.start);const f=t.dot(h),u=h.dot(c),d=h.dot(h),g=t.dot(c),p=c.dot(c)*d-u*u;let m,_;p!==0?m=(f*u-g*d)/p:m=0,_=(f+m*u)/d,a.x=m,a.y=_}})(),Bu=(function(){const n=new Ae,e=new P,t=new P;return function(s,r,a,o){yT(s,r,n);let c=n.x,l=n.y;if(c>=0&&c<=1&&l>=0&&l<=1){s.at(c,a),r.at(l,o);return}else if(c>=0&&c<=1){l<0?r.at(0,o):r.at(1,o),s.closestPointToPoint(o,!0,a);return}else if(l>=0&&l<=1){c<0?s.at(0,a):s.at(1,a),r.closestPointToPoint(a,!0,o);return}else{let h;c<0?h=s.start:h=s.end;let f;l<0?f=r.start:f=r.end;const u=e,d=t;if(s.closestPointToPoint(f,!0,e),r.closestPointToPoint(h,!0,t),u.distanceToSquared(f)<=d.distanceToSquared(h)){a.copy(u),o.copy(f);return}else{a.copy(h),o.copy(d);return}}}})(),bT=(function(){const n=new P,e=new P,t=new Xn,i=new Jn;return function(r,a){const{radius:o,center:c}=r,{a:l,b:h,c:f}=a;if(i.start=l,i.end=h,i.closestPointToPoint(c,!0,n).distanceTo(c)<=o||(i.start=l,i.end=f,i.closestPointToPoint(c,!0,n).distanceTo(c)<=o)||(i.start=h,i.end=f,i.closestPointToPoint(c,!0,n).distanceTo(c)<=o))return!0;const y=a.getPlane(t);if(Math.abs(y.distanceToPoint(c))<=o){const m=y.projectPoint(c,e);if(a.containsPoint(m))return!0}return!1}})(),ST=["x","y","z"],ri=1e-15,Pd=ri*ri;function pn(n){return Math.abs(n)<ri}class Un extends Ut{constructor(...e){super(...e),this.isExtendedTriangle=!0,this.satAxes=new Array(4).fill().map(()=>new P),this.satBounds=new Array(4).fill().map(()=>new di),this.points=[this.a,this.b,this.c],this.plane=new Xn,this.isDegenerateIntoSegment=!1,this.isDegenerateIntoPoint=!1,this.degenerateSegment=new Jn,this.needsUpdate=!0}intersectsSphere(e){return bT(e,this)}update(){const e=this.a,t=this.b,i=this.c,s=this.points,r=this.satAxes,a=this.satBounds,o=r[0],c=a[0];this.getNormal(o),c.setFromPoints(o,s);const l=r[1],h=a[1];l.subVectors(e,t),h.setFromPoints(l,s);const f=r[2],u=a[2];f.subVectors(t,i),u.setFromPoints(f,s);const d=r[3],g=a[3];d.subVectors(i,e),g.setFromPoints(d,s);const y=l.length(),p=f.length(),m=d.length();this.isDegenerateIntoPoint=!1,this.isDegenerateIntoSegment=!1,y<ri?p<ri||m<ri?this.isDegenerateIntoPoint=!0:(this.isDegenerateIntoSegment=!0,this.degenerateSegment.start.copy(e),this.degenerateSegment.end.copy(i)):p<ri?m<ri?this.isDegenerateIntoPoint=!0:(this.isDegenerateIntoSegment=!0,this.degenerateSegment.start.copy(t),this.degenerateSegment.end.copy(e)):m<ri&&(this.isDegenerateIntoSegment=!0,this.degenerateSegment.start.copy(i),this.degenerateSegment.end.copy(t)),this.plane.setFromNormalAndCoplanarPoint(o,e),this.needsUpdate=!1}}Un.prototype.closestPointToSegment=(function(){const n=new P,e=new P,t=new Jn;return function(s,r=null,a=null){this.needsUpdate&&this.update();const{start:o,end:c}=s,l=this.points;let h,f=1/0;const u=this.plane.distanceToPoint(o),d=this.plane.distanceToPoint(c);if(u*d<0&&this.plane.intersectLine(s,n)!==null&&this.containsPoint(n))return r&&r.copy(n),a&&a.copy(n),0;for(let g=0;g<3;g++){const y=(g+1)%3;t.start.copy(l[g]),t.end.copy(l[y]),Bu(t,s,n,e),h=n.distanceToSquared(e),h<f&&(f=h,r&&r.copy(n),a&&a.copy(e))}return this.closestPointToPoint(o,n),h=o.distanceToSquared(n),h<f&&(f=h,r&&r.copy(n),a&&a.copy(o)),this.closestPointToPoint(c,n),h=c.distanceToSquared(n),h<f&&(f=h,r&&r.copy(n),a&&a.copy(c)),Math.sqrt(f)}})();Un.prototype.intersectsTriangle=(function(){const n=new Un,e=new di,t=new di,i=new P,s=new P,r=new P,a=new P,o=new Jn,c=new Jn,l=new P,h=new Ae,f=new Ae;function u(b,x,E,A){const w=i;!b.isDegenerateIntoPoint&&!b.isDegenerateIntoSegment?w.copy(b.plane.normal):w.copy(x.plane.normal);const v=b.satBounds,T=b.satAxes;for(let C=1;C<4;C++){const U=v[C],B=T[C];if(e.setFromPoints(B,x.points),U.isSeparated(e)||(a.copy(w).cross(B),e.setFromPoints(a,b.points),t.setFromPoints(a,x.points),e.isSeparated(t)))return!1}const N=x.satBounds,R=x.satAxes;for(let C=1;C<4;C++){const U=N[C],B=R[C];if(e.setFromPoints(B,b.points),U.isSeparated(e)||(a.crossVectors(w,B),e.setFromPoints(a,b.points),t.setFromPoints(a,x.points),e.isSeparated(t)))return!1}return E&&(A||console.warn("ExtendedTriangle.intersectsTriangle: Triangles are coplanar which does not support an output edge. Setting edge to 0, 0, 0."),E.start.set(0,0,0),E.end.set(0,0,0)),!0}function d(b,x,E,A,w,v,T,N,R,C,U){let B=T/(T-N);C.x=A+(w-A)*B,U.start.subVectors(x,b).multiplyScalar(B).add(b),B=T/(T-R),C.y=A+(v-A)*B,U.end.subVectors(E,b).multiplyScalar(B).add(b)}function g(b,x,E,A,w,v,T,N,R,C,U){if(w>0)d(b.c,b.a,b.b,A,x,E,R,T,N,C,U);else if(v>0)d(b.b,b.a,b.c,E,x,A,N,T,R,C,U);else if(N*R>0||T!=0)d(b.a,b.b,b.c,x,E,A,T,N,R,C,U);else if(N!=0)d(b.b,b.a,b.c,E,x,A,N,T,R,C,U);else if(R!=0)d(b.c,b.a,b.b,A,x,E,R,T,N,C,U);else return!0;return!1}function y(b,x,E,A){const w=x.degenerateSegment,v=b.plane.distanceToPoint(w.start),T=b.plane.distanceToPoint(w.end);return pn(v)?pn(T)?u(b,x,E,A):(E&&(E.start.copy(w.start),E.end.copy(w.start)),b.containsPoint(w.start)):pn(T)?(E&&(E.start.copy(w.end),E.end.copy(w.end)),b.containsPoint(w.end)):b.plane.intersectLine(w,i)!=null?(E&&(E.start.copy(i),E.end.copy(i)),b.containsPoint(i)):!1}function p(b,x,E){const A=x.a;return pn(b.plane.distanceToPoint(A))&&b.containsPoint(A)?(E&&(E.start.copy(A),E.end.copy(A)),!0):!1}function m(b,x,E){const A=b.degenerateSegment,w=x.a;return A.closestPointToPoint(w,!0,i),w.distanceToSquared(i)<Pd?(E&&(E.start.copy(w),E.end.copy(w)),!0):!1}function _(b,x,E,A){if(b.isDegenerateIntoSegment)if(x.isDegenerateIntoSegment){const w=b.degenerateSegment,v=x.degenerateSegment,T=s,N=r;w.delta(T),v.delta(N);const R=i.subVectors(v.start,w.start),C=T.x*N.y-T.y*N.x;if(pn(C))return!1;const U=(R.x*N.y-R.y*N.x)/C,B=-(T.x*R.y-T.y*R.x)/C;if(U<0||U>1||B<0||B>1)return!1;const L=w.start.z+T.z*U,V=v.start.z+N.z*B;return pn(L-V)?(E&&(E.start.copy(w.start).addScaledVector(T,U),E.end.copy(w.start).addScaledVector(T,U)),!0):!1}else return x.isDegenerateIntoPoint?m(b,x,E):y(x,b,E,A);else{if(b.isDegenerateIntoPoint)return x.isDegenerateIntoPoint?x.a.distanceToSquared(b.a)<Pd?(E&&(E.start.copy(b.a),E.end.copy(b.a)),!0):!1:x.isDegenerateIntoSegment?m(x,b,E):p(x,b,E);if(x.isDegenerateIntoPoint)return p(b,x,E);if(x.isDegenerateIntoSegment)return y(b,x,E,A)}}return function(x,E=null,A=!1){this.needsUpdate&&this.update(),x.isExtendedTriangle?x.needsUpdate&&x.update():(n.copy(x),n.update(),x=n);const w=_(this,x,E,A);if(w!==void 0)return w;const v=this.plane,T=x.plane;let N=T.distanceToPoint(this.a),R=T.distanceToPoint(this.b),C=T.distanceToPoint(this.c);pn(N)&&(N=0),pn(R)&&(R=0),pn(C)&&(C=0);const U=N*R,B=N*C;if(U>0&&B>0)return!1;let L=v.distanceToPoint(x.a),V=v.distanceToPoint(x.b),G=v.distanceToPoint(x.c);pn(L)&&(L=0),pn(V)&&(V=0),pn(G)&&(G=0);const J=L*V,ee=L*G;if(J>0&&ee>0)return!1;s.copy(v.normal),r.copy(T.normal);const le=s.cross(r);let xe=0,ye=Math.abs(le.x);const ze=Math.abs(le.y);ze>ye&&(ye=ze,xe=1),Math.abs(le.z)>ye&&(xe=2);const Ie=ST[xe],j=this.a[Ie],fe=this.b[Ie],se=this.c[Ie],Te=x.a[Ie],Ne=x.b[Ie],we=x.c[Ie];if(g(this,j,fe,se,U,B,N,R,C,h,o))return u(this,x,E,A);if(g(x,Te,Ne,we,J,ee,L,V,G,f,c))return u(this,x,E,A);if(h.y<h.x){const at=h.y;h.y=h.x,h.x=at,l.copy(o.start),o.start.copy(o.end),o.end.copy(l)}if(f.y<f.x){const at=f.y;f.y=f.x,f.x=at,l.copy(c.start),c.start.copy(c.end),c.end.copy(l)}return h.y<f.x||f.y<h.x?!1:(E&&(f.x>h.x?E.start.copy(c.start):E.start.copy(o.start),f.y<h.y?E.end.copy(c.end):E.end.copy(o.end)),!0)}})();Un.prototype.distanceToPoint=(function(){const n=new P;return function(t){return this.closestPointToPoint(t,n),t.distanceTo(n)}})();Un.prototype.distanceToTriangle=(function(){const n=new P,e=new P,t=["a","b","c"],i=new Jn,s=new Jn;return function(a,o=null,c=null){const l=o||c?i:null;if(this.intersectsTriangle(a,l,!0))return(o||c)&&(o&&l.getCenter(o),c&&l.getCenter(c)),0;let h=1/0;for(let f=0;f<3;f++){let u;const d=t[f],g=a[d];this.closestPointToPoint(g,n),u=g.distanceToSquared(n),u<h&&(h=u,o&&o.copy(n),c&&c.copy(g));const y=this[d];a.closestPointToPoint(y,n),u=y.distanceToSquared(n),u<h&&(h=u,o&&o.copy(y),c&&c.copy(n))}for(let f=0;f<3;f++){const u=t[f],d=t[(f+1)%3];i.set(this[u],this[d]);for(let g=0;g<3;g++){const y=t[g],p=t[(g+1)%3];s.set(a[y],a[p]),Bu(i,s,n,e);const m=n.distanceToSquared(e);m<h&&(h=m,o&&o.copy(n),c&&c.copy(e))}}return Math.sqrt(h)}})();class Qt{constructor(e,t,i){this.isOrientedBox=!0,this.min=new P,this.max=new P,this.matrix=new Je,this.invMatrix=new Je,this.points=new Array(8).fill().map(()=>new P),this.satAxes=new Array(3).fill().map(()=>new P),this.satBounds=new Array(3).fill().map(()=>new di),this.alignedSatBounds=new Array(3).fill().map(()=>new di),this.needsUpdate=!1,e&&this.min.copy(e),t&&this.max.copy(t),i&&this.matrix.copy(i)}set(e,t,i){this.min.copy(e),this.max.copy(t),this.matrix.copy(i),this.needsUpdate=!0}copy(e){this.min.copy(e.min),this.max.copy(e.max),this.matrix.copy(e.matrix),this.needsUpdate=!0}}Qt.prototype.update=(function(){return function(){const e=this.matrix,t=this.min,i=this.max,s=this.points;for(let l=0;l<=1;l++)for(let h=0;h<=1;h++)for(let f=0;f<=1;f++){const u=1*l|2*h|4*f,d=s[u];d.x=l?i.x:t.x,d.y=h?i.y:t.y,d.z=f?i.z:t.z,d.applyMatrix4(e)}const r=this.satBounds,a=this.satAxes,o=s[0];for(let l=0;l<3;l++){const h=a[l],f=r[l],u=1<<l,d=s[u];h.subVectors(o,d),f.setFromPoints(h,s)}const c=this.alignedSatBounds;c[0].setFromPointsField(s,"x"),c[1].setFromPointsField(s,"y"),c[2].setFromPointsField(s,"z"),this.invMatrix.copy(this.matrix).invert(),this.needsUpdate=!1}})();Qt.prototype.intersectsBox=(function(){const n=new di;return function(t){this.needsUpdate&&this.update();const i=t.min,s=t.max,r=this.satBounds,a=this.satAxes,o=this.alignedSatBounds;if(n.min=i.x,n.max=s.x,o[0].isSeparated(n)||(n.min=i.y,n.max=s.y,o[1].isSeparated(n))||(n.min=i.z,n.max=s.z,o[2].isSeparated(n)))return!1;for(let c=0;c<3;c++){const l=a[c],h=r[c];if(n.setFromBox(l,t),h.isSeparated(n))return!1}return!0}})();Qt.prototype.intersectsTriangle=(function(){const n=new Un,e=new Array(3),t=new di,i=new di,s=new P;return function(a){this.needsUpdate&&this.update(),a.isExtendedTriangle?a.needsUpdate&&a.update():(n.copy(a),n.update(),a=n);const o=this.satBounds,c=this.satAxes;e[0]=a.a,e[1]=a.b,e[2]=a.c;for(let u=0;u<3;u++){const d=o[u],g=c[u];if(t.setFromPoints(g,e),d.isSeparated(t))return!1}const l=a.satBounds,h=a.satAxes,f=this.points;for(let u=0;u<3;u++){const d=l[u],g=h[u];if(t.setFromPoints(g,f),d.isSeparated(t))return!1}for(let u=0;u<3;u++){const d=c[u];for(let g=0;g<4;g++){const y=h[g];if(s.crossVectors(d,y),t.setFromPoints(s,e),i.setFromPoints(s,f),t.isSeparated(i))return!1}}return!0}})();Qt.prototype.closestPointToPoint=(function(){return function(e,t){return this.needsUpdate&&this.update(),t.copy(e).applyMatrix4(this.invMatrix).clamp(this.min,this.max).applyMatrix4(this.matrix),t}})();Qt.prototype.distanceToPoint=(function(){const n=new P;return function(t){return this.closestPointToPoint(t,n),t.distanceTo(n)}})();Qt.prototype.distanceToBox=(function(){const n=["x","y","z"],e=new Array(12).fill().map(()=>new Jn),t=new Array(12).fill().map(()=>new Jn),i=new P,s=new P;return function(a,o=0,c=null,l=null){if(this.needsUpdate&&this.update(),this.intersectsBox(a))return(c||l)&&(a.getCenter(s),this.closestPointToPoint(s,i),a.closestPointToPoint(i,s),c&&c.copy(i),l&&l.copy(s)),0;const h=o*o,f=a.min,u=a.max,d=this.points;let g=1/0;for(let p=0;p<8;p++){const m=d[p];s.copy(m).clamp(f,u);const _=m.distanceToSquared(s);if(_<g&&(g=_,c&&c.copy(m),l&&l.copy(s),_<h))return Math.sqrt(_)}let y=0;for(let p=0;p<3;p++)for(let m=0;m<=1;m++)for(let _=0;_<=1;_++){const b=(p+1)%3,x=(p+2)%3,E=m<<b|_<<x,A=1<<p|m<<b|_<<x,w=d[E],v=d[A];e[y].set(w,v);const N=n[p],R=n[b],C=n[x],U=t[y],B=U.start,L=U.end;B[N]=f[N],B[R]=m?f[R]:u[R],B[C]=_?f[C]:u[C],L[N]=u[N],L[R]=m?f[R]:u[R],L[C]=_?f[C]:u[C],y++}for(let p=0;p<=1;p++)for(let m=0;m<=1;m++)for(let _=0;_<=1;_++){s.x=p?u.x:f.x,s.y=m?u.y:f.y,s.z=_?u.z:f.z,this.closestPointToPoint(s,i);const b=s.distanceToSquared(i);if(b<g&&(g=b,c&&c.copy(i),l&&l.copy(s),b<h))return Math.sqrt(b)}for(let p=0;p<12;p++){const m=e[p];for(let _=0;_<12;_++){const b=t[_];Bu(m,b,i,s);const x=i.distanceToSquared(s);if(x<g&&(g=x,c&&c.copy(i),l&&l.copy(s),x<h))return Math.sqrt(x)}}return Math.sqrt(g)}})();class ET extends Uu{constructor(){super(()=>new Un)}}const yn=new ET,ir=new P,Rc=new P;function MT(n,e,t={},i=0,s=1/0){const r=i*i,a=s*s;let o=1/0,c=null;if(n.shapecast({boundsTraverseOrder:h=>(ir.copy(e).clamp(h.min,h.max),ir.distanceToSquared(e)),intersectsBounds:(h,f,u)=>u<o&&u<a,intersectsTriangle:(h,f)=>{h.closestPointToPoint(e,ir);const u=e.distanceToSquared(ir);return u<o&&(Rc.copy(ir),o=u,c=f),u<r}}),o===1/0)return null;const l=Math.sqrt(o);return t.point?t.point.copy(Rc):t.point=Rc.clone(),t.distance=l,t.faceIndex=c,t}const ba=parseInt("184")>=169,AT=parseInt("184")<=161,Gi=new P,ki=new P,zi=new P,Sa=new Ae,Ea=new Ae,Ma=new Ae,Ld=new P,Dd=new P,Ud=new P,sr=new P;function TT(n,e,t,i,s,r,a,o){let c;if(r===jt?c=n.intersectTriangle(i,t,e,!0,s):c=n.intersectTriangle(e,t,i,r!==_n,s),c===null)return null;const l=n.origin.distanceTo(s);return l<a||l>o?null:{distance:l,point:s.clone()}}function Fd(n,e,t,i,s,r,a,o,c,l,h){Gi.fromBufferAttribute(e,r),ki.fromBufferAttribute(e,a),zi.fromBufferAttribute(e,o);const f=TT(n,Gi,ki,zi,sr,c,l,h);if(f){if(i){Sa.fromBufferAttribute(i,r),Ea.fromBufferAttribute(i,a),Ma.fromBufferAttribute(i,o),f.uv=new Ae;const d=Ut.getInterpolation(sr,Gi,ki,zi,Sa,Ea,Ma,f.uv);ba||(f.uv=d)}if(s){Sa.fromBufferAttribute(s,r),Ea.fromBufferAttribute(s,a),Ma.fromBufferAttribute(s,o),f.uv1=new Ae;const d=Ut.getInterpolation(sr,Gi,ki,zi,Sa,Ea,Ma,f.uv1);ba||(f.uv1=d),AT&&(f.uv2=f.uv1)}if(t){Ld.fromBufferAttribute(t,r),Dd.fromBufferAttribute(t,a),Ud.fromBufferAttribute(t,o),f.normal=new P;const d=Ut.getInterpolation(sr,Gi,ki,zi,Ld,Dd,Ud,f.normal);f.normal.dot(n.direction)>0&&f.normal.multiplyScalar(-1),ba||(f.normal=d)}const u={a:r,b:a,c:o,normal:new P,materialIndex:0};if(Ut.getNormal(Gi,ki,zi,u.normal),f.face=u,f.faceIndex=r,ba){const d=new P;Ut.getBarycoord(sr,Gi,ki,zi,d),f.barycoord=d}}return f}function Bd(n){return n&&n.isMaterial?n.side:n}function yo(n,e,t,i,s,r,a){const o=i*3;let c=o+0,l=o+1,h=o+2;const{index:f,groups:u}=n;n.index&&(c=f.getX(c),l=f.getX(l),h=f.getX(h));const{position:d,normal:g,uv:y,uv1:p}=n.attributes;if(Array.isArray(e)){const m=i*3;for(let _=0,b=u.length;_<b;_++){const{start:x,count:E,materialIndex:A}=u[_];if(m>=x&&m<x+E){const w=Bd(e[A]),v=Fd(t,d,g,y,p,c,l,h,w,r,a);if(v)if(v.faceIndex=i,v.face.materialIndex=A,s)s.push(v);else return v}}}else{const m=Bd(e),_=Fd(t,d,g,y,p,c,l,h,m,r,a);if(_)if(_.faceIndex=i,_.face.materialIndex=0,s)s.push(_);else return _}return null}function At(n,e,t,i){const s=n.a,r=n.b,a=n.c;let o=e,c=e+1,l=e+2;t&&(o=t.getX(o),c=t.getX(c),l=t.getX(l)),s.x=i.getX(o),s.y=i.getY(o),s.z=i.getZ(o),r.x=i.getX(c),r.y=i.getY(c),r.z=i.getZ(c),a.x=i.getX(l),a.y=i.getY(l),a.z=i.getZ(l)}function wT(n,e,t,i,s,r,a,o){const{geometry:c,_indirectBuffer:l}=n;for(let h=i,f=i+s;h<f;h++)yo(c,e,t,h,r,a,o)}function RT(n,e,t,i,s,r,a){const{geometry:o,_indirectBuffer:c}=n;let l=1/0,h=null;for(let f=i,u=i+s;f<u;f++){let d;d=yo(o,e,t,f,null,r,a),d&&d.distance<l&&(h=d,l=d.distance)}return h}function IT(n,e,t,i,s,r,a){const{geometry:o}=t,{index:c}=o,l=o.attributes.position;for(let h=n,f=e+n;h<f;h++){let u;if(u=h,At(a,u*3,c,l),a.needsUpdate=!0,i(a,u,s,r))return!0}return!1}function NT(n,e=null){e&&Array.isArray(e)&&(e=new Set(e));const t=n.geometry,i=t.index?t.index.array:null,s=t.attributes.position;let r,a,o,c,l=0;const h=n._roots;for(let u=0,d=h.length;u<d;u++)r=h[u],a=new Uint32Array(r),o=new Uint16Array(r),c=new Float32Array(r),f(0,l),l+=r.byteLength;function f(u,d,g=!1){const y=u*2;if(St(y,o)){const p=Ft(u,a),m=Yt(y,o);let _=1/0,b=1/0,x=1/0,E=-1/0,A=-1/0,w=-1/0;for(let v=3*p,T=3*(p+m);v<T;v++){let N=i[v];const R=s.getX(N),C=s.getY(N),U=s.getZ(N);R<_&&(_=R),R>E&&(E=R),C<b&&(b=C),C>A&&(A=C),U<x&&(x=U),U>w&&(w=U)}return c[u+0]!==_||c[u+1]!==b||c[u+2]!==x||c[u+3]!==E||c[u+4]!==A||c[u+5]!==w?(c[u+0]=_,c[u+1]=b,c[u+2]=x,c[u+3]=E,c[u+4]=A,c[u+5]=w,!0):!1}else{const p=Nt(u),m=Ct(u,a);let _=g,b=!1,x=!1;if(e){if(!_){const N=p/Mt+d/fn,R=m/Mt+d/fn;b=e.has(N),x=e.has(R),_=!b&&!x}}else b=!0,x=!0;const E=_||b,A=_||x;let w=!1;E&&(w=f(p,d,_));let v=!1;A&&(v=f(m,d,_));const T=w||v;if(T)for(let N=0;N<3;N++){const R=p+N,C=m+N,U=c[R],B=c[R+3],L=c[C],V=c[C+3];c[u+N]=U<L?U:L,c[u+N+3]=B>V?B:V}return T}}}function Mn(n,e,t,i,s){let r,a,o,c,l,h;const f=1/t.direction.x,u=1/t.direction.y,d=1/t.direction.z,g=t.origin.x,y=t.origin.y,p=t.origin.z;let m=e[n],_=e[n+3],b=e[n+1],x=e[n+3+1],E=e[n+2],A=e[n+3+2];return f>=0?(r=(m-g)*f,a=(_-g)*f):(r=(_-g)*f,a=(m-g)*f),u>=0?(o=(b-y)*u,c=(x-y)*u):(o=(x-y)*u,c=(b-y)*u),r>c||o>a||((o>r||isNaN(r))&&(r=o),(c<a||isNaN(a))&&(a=c),d>=0?(l=(E-p)*d,h=(A-p)*d):(l=(A-p)*d,h=(E-p)*d),r>h||l>a)?!1:((l>r||r!==r)&&(r=l),(h<a||a!==a)&&(a=h),r<=s&&a>=i)}function CT(n,e,t,i,s,r,a,o){const{geometry:c,_indirectBuffer:l}=n;for(let h=i,f=i+s;h<f;h++){let u=l?l[h]:h;yo(c,e,t,u,r,a,o)}}function PT(n,e,t,i,s,r,a){const{geometry:o,_indirectBuffer:c}=n;let l=1/0,h=null;for(let f=i,u=i+s;f<u;f++){let d;d=yo(o,e,t,c?c[f]:f,null,r,a),d&&d.distance<l&&(h=d,l=d.distance)}return h}function LT(n,e,t,i,s,r,a){const{geometry:o}=t,{index:c}=o,l=o.attributes.position;for(let h=n,f=e+n;h<f;h++){let u;if(u=t.resolveTriangleIndex(h),At(a,u*3,c,l),a.needsUpdate=!0,i(a,u,s,r))return!0}return!1}function DT(n,e,t,i,s,r,a){tt.setBuffer(n._roots[e]),Mn(0,tt.float32Array,i,r,a)&&Fl(0,n,t,i,s,r,a),tt.clearBuffer()}function Fl(n,e,t,i,s,r,a){const{float32Array:o,uint16Array:c,uint32Array:l}=tt,h=n*2;if(St(h,c)){const u=Ft(n,l),d=Yt(h,c);wT(e,t,i,u,d,s,r,a)}else{const u=Nt(n);Mn(u,o,i,r,a)&&Fl(u,e,t,i,s,r,a);const d=Ct(n,l);Mn(d,o,i,r,a)&&Fl(d,e,t,i,s,r,a)}}const UT=["x","y","z"];function FT(n,e,t,i,s,r){tt.setBuffer(n._roots[e]);let a=null;return Mn(0,tt.float32Array,i,s,r)&&(a=Bl(0,n,t,i,s,r)),tt.clearBuffer(),a}function Bl(n,e,t,i,s,r){const{float32Array:a,uint16Array:o,uint32Array:c}=tt;let l=n*2;if(St(l,o)){const f=Ft(n,c),u=Yt(l,o);return RT(e,t,i,f,u,s,r)}else{const f=Lu(n,c),u=UT[f],g=i.direction[u]>=0;let y,p;g?(y=Nt(n),p=Ct(n,c)):(y=Ct(n,c),p=Nt(n));const _=Mn(y,a,i,s,r)?Bl(y,e,t,i,s,r):null;if(_){const E=_.point[u];if(g?E<=a[p+f]:E>=a[p+f+3])return _}const x=Mn(p,a,i,s,r)?Bl(p,e,t,i,s,r):null;return _&&x?_.distance<=x.distance?_:x:_||x||null}}const Aa=new Ot,Rs=new Un,Is=new Un,rr=new Je,Od=new Qt,Ta=new Qt;function BT(n,e,t,i){tt.setBuffer(n._roots[e]);const s=Ol(0,n,t,i);return tt.clearBuffer(),s}function Ol(n,e,t,i,s=null){const{float32Array:r,uint16Array:a,uint32Array:o}=tt;let c=n*2;if(s===null&&(t.boundingBox||t.computeBoundingBox(),Od.set(t.boundingBox.min,t.boundingBox.max,i),s=Od),St(c,a)){const h=e.geometry,f=h.index,u=h.attributes.position,d=t.index,g=t.attributes.position,y=Ft(n,o),p=Yt(c,a);if(rr.copy(i).invert(),t.boundsTree)return _t(n,r,Ta),Ta.matrix.copy(rr),Ta.needsUpdate=!0,t.boundsTree.shapecast({intersectsBounds:_=>Ta.intersectsBox(_),intersectsTriangle:_=>{_.a.applyMatrix4(i),_.b.applyMatrix4(i),_.c.applyMatrix4(i),_.needsUpdate=!0;for(let b=y*3,x=(p+y)*3;b<x;b+=3)if(At(Is,b,f,u),Is.needsUpdate=!0,_.intersectsTriangle(Is))return!0;return!1}});{const m=xo(t);for(let _=y*3,b=(p+y)*3;_<b;_+=3){At(Rs,_,f,u),Rs.a.applyMatrix4(rr),Rs.b.applyMatrix4(rr),Rs.c.applyMatrix4(rr),Rs.needsUpdate=!0;for(let x=0,E=m*3;x<E;x+=3)if(At(Is,x,d,g),Is.needsUpdate=!0,Rs.intersectsTriangle(Is))return!0}}}else{const h=Nt(n),f=Ct(n,o);return _t(h,r,Aa),!!(s.intersectsBox(Aa)&&Ol(h,e,t,i,s)||(_t(f,r,Aa),s.intersectsBox(Aa)&&Ol(f,e,t,i,s)))}}const wa=new Je,Ic=new Qt,ar=new Qt,OT=new P,VT=new P,GT=new P,kT=new P;function zT(n,e,t,i={},s={},r=0,a=1/0){e.boundingBox||e.computeBoundingBox(),Ic.set(e.boundingBox.min,e.boundingBox.max,t),Ic.needsUpdate=!0;const o=n.geometry,c=o.attributes.position,l=o.index,h=e.attributes.position,f=e.index,u=yn.getPrimitive(),d=yn.getPrimitive();let g=OT,y=VT,p=null,m=null;s&&(p=GT,m=kT);let _=1/0,b=null,x=null;return wa.copy(t).invert(),ar.matrix.copy(wa),n.shapecast({boundsTraverseOrder:E=>Ic.distanceToBox(E),intersectsBounds:(E,A,w)=>w<_&&w<a?(A&&(ar.min.copy(E.min),ar.max.copy(E.max),ar.needsUpdate=!0),!0):!1,intersectsRange:(E,A)=>{if(e.boundsTree)return e.boundsTree.shapecast({boundsTraverseOrder:v=>ar.distanceToBox(v),intersectsBounds:(v,T,N)=>N<_&&N<a,intersectsRange:(v,T)=>{for(let N=v,R=v+T;N<R;N++){At(d,3*N,f,h),d.a.applyMatrix4(t),d.b.applyMatrix4(t),d.c.applyMatrix4(t),d.needsUpdate=!0;for(let C=E,U=E+A;C<U;C++){At(u,3*C,l,c),u.needsUpdate=!0;const B=u.distanceToTriangle(d,g,p);if(B<_&&(y.copy(g),m&&m.copy(p),_=B,b=C,x=N),B<r)return!0}}}});{const w=xo(e);for(let v=0,T=w;v<T;v++){At(d,3*v,f,h),d.a.applyMatrix4(t),d.b.applyMatrix4(t),d.c.applyMatrix4(t),d.needsUpdate=!0;for(let N=E,R=E+A;N<R;N++){At(u,3*N,l,c),u.needsUpdate=!0;const C=u.distanceToTriangle(d,g,p);if(C<_&&(y.copy(g),m&&m.copy(p),_=C,b=N,x=v),C<r)return!0}}}}}),yn.releasePrimitive(u),yn.releasePrimitive(d),_===1/0?null:(i.point?i.point.copy(y):i.point=y.clone(),i.distance=_,i.faceIndex=b,s&&(s.point?s.point.copy(m):s.point=m.clone(),s.point.applyMatrix4(wa),y.applyMatrix4(wa),s.distance=y.sub(s.point).length(),s.faceIndex=x),i)}function WT(n,e=null){e&&Array.isArray(e)&&(e=new Set(e));const t=n.geometry,i=t.index?t.index.array:null,s=t.attributes.position;let r,a,o,c,l=0;const h=n._roots;for(let u=0,d=h.length;u<d;u++)r=h[u],a=new Uint32Array(r),o=new Uint16Array(r),c=new Float32Array(r),f(0,l),l+=r.byteLength;function f(u,d,g=!1){const y=u*2;if(St(y,o)){const p=Ft(u,a),m=Yt(y,o);let _=1/0,b=1/0,x=1/0,E=-1/0,A=-1/0,w=-1/0;for(let v=p,T=p+m;v<T;v++){const N=3*n.resolveTriangleIndex(v);for(let R=0;R<3;R++){let C=N+R;C=i?i[C]:C;const U=s.getX(C),B=s.getY(C),L=s.getZ(C);U<_&&(_=U),U>E&&(E=U),B<b&&(b=B),B>A&&(A=B),L<x&&(x=L),L>w&&(w=L)}}return c[u+0]!==_||c[u+1]!==b||c[u+2]!==x||c[u+3]!==E||c[u+4]!==A||c[u+5]!==w?(c[u+0]=_,c[u+1]=b,c[u+2]=x,c[u+3]=E,c[u+4]=A,c[u+5]=w,!0):!1}else{const p=Nt(u),m=Ct(u,a);let _=g,b=!1,x=!1;if(e){if(!_){const N=p/Mt+d/fn,R=m/Mt+d/fn;b=e.has(N),x=e.has(R),_=!b&&!x}}else b=!0,x=!0;const E=_||b,A=_||x;let w=!1;E&&(w=f(p,d,_));let v=!1;A&&(v=f(m,d,_));const T=w||v;if(T)for(let N=0;N<3;N++){const R=p+N,C=m+N,U=c[R],B=c[R+3],L=c[C],V=c[C+3];c[u+N]=U<L?U:L,c[u+N+3]=B>V?B:V}return T}}}function HT(n,e,t,i,s,r,a){tt.setBuffer(n._roots[e]),Mn(0,tt.float32Array,i,r,a)&&Vl(0,n,t,i,s,r,a),tt.clearBuffer()}function Vl(n,e,t,i,s,r,a){const{float32Array:o,uint16Array:c,uint32Array:l}=tt,h=n*2;if(St(h,c)){const u=Ft(n,l),d=Yt(h,c);CT(e,t,i,u,d,s,r,a)}else{const u=Nt(n);Mn(u,o,i,r,a)&&Vl(u,e,t,i,s,r,a);const d=Ct(n,l);Mn(d,o,i,r,a)&&Vl(d,e,t,i,s,r,a)}}const XT=["x","y","z"];function ZT(n,e,t,i,s,r){tt.setBuffer(n._roots[e]);let a=null;return Mn(0,tt.float32Array,i,s,r)&&(a=Gl(0,n,t,i,s,r)),tt.clearBuffer(),a}function Gl(n,e,t,i,s,r){const{float32Array:a,uint16Array:o,uint32Array:c}=tt;let l=n*2;if(St(l,o)){const f=Ft(n,c),u=Yt(l,o);return PT(e,t,i,f,u,s,r)}else{const f=Lu(n,c),u=XT[f],g=i.direction[u]>=0;let y,p;g?(y=Nt(n),p=Ct(n,c)):(y=Ct(n,c),p=Nt(n));const _=Mn(y,a,i,s,r)?Gl(y,e,t,i,s,r):null;if(_){const E=_.point[u];if(g?E<=a[p+f]:E>=a[p+f+3])return _}const x=Mn(p,a,i,s,r)?Gl(p,e,t,i,s,r):null;return _&&x?_.distance<=x.distance?_:x:_||x||null}}const Ra=new Ot,Ns=new Un,Cs=new Un,or=new Je,Vd=new Qt,Ia=new Qt;function YT(n,e,t,i){tt.setBuffer(n._roots[e]);const s=kl(0,n,t,i);return tt.clearBuffer(),s}function kl(n,e,t,i,s=null){const{float32Array:r,uint16Array:a,uint32Array:o}=tt;let c=n*2;if(s===null&&(t.boundingBox||t.computeBoundingBox(),Vd.set(t.boundingBox.min,t.boundingBox.max,i),s=Vd),St(c,a)){const h=e.geometry,f=h.index,u=h.attributes.position,d=t.index,g=t.attributes.position,y=Ft(n,o),p=Yt(c,a);if(or.copy(i).invert(),t.boundsTree)return _t(n,r,Ia),Ia.matrix.copy(or),Ia.needsUpdate=!0,t.boundsTree.shapecast({intersectsBounds:_=>Ia.intersectsBox(_),intersectsTriangle:_=>{_.a.applyMatrix4(i),_.b.applyMatrix4(i),_.c.applyMatrix4(i),_.needsUpdate=!0;for(let b=y,x=p+y;b<x;b++)if(At(Cs,3*e.resolveTriangleIndex(b),f,u),Cs.needsUpdate=!0,_.intersectsTriangle(Cs))return!0;return!1}});{const m=xo(t);for(let _=y,b=p+y;_<b;_++){const x=e.resolveTriangleIndex(_);At(Ns,3*x,f,u),Ns.a.applyMatrix4(or),Ns.b.applyMatrix4(or),Ns.c.applyMatrix4(or),Ns.needsUpdate=!0;for(let E=0,A=m*3;E<A;E+=3)if(At(Cs,E,d,g),Cs.needsUpdate=!0,Ns.intersectsTriangle(Cs))return!0}}}else{const h=Nt(n),f=Ct(n,o);return _t(h,r,Ra),!!(s.intersectsBox(Ra)&&kl(h,e,t,i,s)||(_t(f,r,Ra),s.intersectsBox(Ra)&&kl(f,e,t,i,s)))}}const Na=new Je,Nc=new Qt,cr=new Qt,KT=new P,$T=new P,jT=new P,JT=new P;function qT(n,e,t,i={},s={},r=0,a=1/0){e.boundingBox||e.computeBoundingBox(),Nc.set(e.boundingBox.min,e.boundingBox.max,t),Nc.needsUpdate=!0;const o=n.geometry,c=o.attributes.position,l=o.index,h=e.attributes.position,f=e.index,u=yn.getPrimitive(),d=yn.getPrimitive();let g=KT,y=$T,p=null,m=null;s&&(p=jT,m=JT);let _=1/0,b=null,x=null;return Na.copy(t).invert(),cr.matrix.copy(Na),n.shapecast({boundsTraverseOrder:E=>Nc.distanceToBox(E),intersectsBounds:(E,A,w)=>w<_&&w<a?(A&&(cr.min.copy(E.min),cr.max.copy(E.max),cr.needsUpdate=!0),!0):!1,intersectsRange:(E,A)=>{if(e.boundsTree){const w=e.boundsTree;return w.shapecast({boundsTraverseOrder:v=>cr.distanceToBox(v),intersectsBounds:(v,T,N)=>N<_&&N<a,intersectsRange:(v,T)=>{for(let N=v,R=v+T;N<R;N++){const C=w.resolveTriangleIndex(N);At(d,3*C,f,h),d.a.applyMatrix4(t),d.b.applyMatrix4(t),d.c.applyMatrix4(t),d.needsUpdate=!0;for(let U=E,B=E+A;U<B;U++){const L=n.resolveTriangleIndex(U);At(u,3*L,l,c),u.needsUpdate=!0;const V=u.distanceToTriangle(d,g,p);if(V<_&&(y.copy(g),m&&m.copy(p),_=V,b=U,x=N),V<r)return!0}}}})}else{const w=xo(e);for(let v=0,T=w;v<T;v++){At(d,3*v,f,h),d.a.applyMatrix4(t),d.b.applyMatrix4(t),d.c.applyMatrix4(t),d.needsUpdate=!0;for(let N=E,R=E+A;N<R;N++){const C=n.resolveTriangleIndex(N);At(u,3*C,l,c),u.needsUpdate=!0;const U=u.distanceToTriangle(d,g,p);if(U<_&&(y.copy(g),m&&m.copy(p),_=U,b=N,x=v),U<r)return!0}}}}}),yn.releasePrimitive(u),yn.releasePrimitive(d),_===1/0?null:(i.point?i.point.copy(y):i.point=y.clone(),i.distance=_,i.faceIndex=b,s&&(s.point?s.point.copy(m):s.point=m.clone(),s.point.applyMatrix4(Na),y.applyMatrix4(Na),s.distance=y.sub(s.point).length(),s.faceIndex=x),i)}function Gd(n,e,t){return n===null?null:(n.point.applyMatrix4(e.matrixWorld),n.distance=n.point.distanceTo(t.ray.origin),n.object=e,n)}const Ca=new Qt,Pa=new Nr,kd=new P,zd=new Je,Wd=new P,Cc=["getX","getY","getZ"];class oo extends xT{static serialize(e,t={}){t={cloneBuffers:!0,...t};const i=e.geometry,s=e._roots,r=e._indirectBuffer,a=i.getIndex(),o={version:1,roots:null,index:null,indirectBuffer:null};return t.cloneBuffers?(o.roots=s.map(c=>c.slice()),o.index=a?a.array.slice():null,o.indirectBuffer=r?r.slice():null):(o.roots=s,o.index=a?a.array:null,o.indirectBuffer=r),o}static deserialize(e,t,i={}){i={setIndex:!0,indirect:!!e.indirectBuffer,...i};const{index:s,roots:r,indirectBuffer:a}=e;e.version||(console.warn("MeshBVH.deserialize: Serialization format has been changed and will be fixed up. It is recommended to regenerate any stored serialized data."),c(r));const o=new oo(t,{...i,[Pu]:!0});if(o._roots=r,o._indirectBuffer=a||null,i.setIndex){const l=t.getIndex();if(l===null){const h=new Tt(e.index,1,!1);t.setIndex(h)}else l.array!==s&&(l.array.set(s),l.needsUpdate=!0)}return o;function c(l){for(let h=0;h<l.length;h++){const f=l[h],u=new Uint32Array(f),d=new Uint16Array(f);for(let g=0,y=f.byteLength/fn;g<y;g++){const p=Mt*g,m=2*p;St(m,d)||(u[p+6]=u[p+6]/Mt-g)}}}}get primitiveStride(){return 3}get resolveTriangleIndex(){return this.resolvePrimitiveIndex}constructor(e,t={}){t.maxLeafTris&&(console.warn('MeshBVH: "maxLeafTris" option has been deprecated. Use "targetLeafSize", instead.'),t={...t,targetLeafSize:t.maxLeafTris}),super(e,t)}shiftTriangleOffsets(e){return super.shiftPrimitiveOffsets(e)}writePrimitiveBounds(e,t,i){const s=this.geometry,r=this._indirectBuffer,a=s.attributes.position,o=s.index?s.index.array:null,l=(r?r[e]:e)*3;let h=l+0,f=l+1,u=l+2;o&&(h=o[h],f=o[f],u=o[u]);for(let d=0;d<3;d++){const g=a[Cc[d]](h),y=a[Cc[d]](f),p=a[Cc[d]](u);let m=g;y<m&&(m=y),p<m&&(m=p);let _=g;y>_&&(_=y),p>_&&(_=p),t[i+d]=m,t[i+d+3]=_}return t}computePrimitiveBounds(e,t,i){const s=this.geometry,r=this._indirectBuffer,a=s.attributes.position,o=s.index?s.index.array:null,c=a.normalized;if(e<0||t+e-i.offset>i.length/6)throw new Error("MeshBVH: compute triangle bounds range is invalid.");const l=a.array,h=a.offset||0;let f=3;a.isInterleavedBufferAttribute&&(f=a.data.stride);const u=["getX","getY","getZ"],d=i.offset;for(let g=e,y=e+t;g<y;g++){const m=(r?r[g]:g)*3,_=(g-d)*6;let b=m+0,x=m+1,E=m+2;o&&(b=o[b],x=o[x],E=o[E]),c||(b=b*f+h,x=x*f+h,E=E*f+h);for(let A=0;A<3;A++){let w,v,T;c?(w=a[u[A]](b),v=a[u[A]](x),T=a[u[A]](E)):(w=l[b+A],v=l[x+A],T=l[E+A]);let N=w;v<N&&(N=v),T<N&&(N=T);let R=w;v>R&&(R=v),T>R&&(R=T);const C=(R-N)/2,U=A*2;i[_+U+0]=N+C,i[_+U+1]=C+(Math.abs(N)+C)*Ha}}return i}raycastObject3D(e,t,i=[]){const{material:s}=e;if(s===void 0)return;zd.copy(e.matrixWorld).invert(),Pa.copy(t.ray).applyMatrix4(zd),Wd.setFromMatrixScale(e.matrixWorld),kd.copy(Pa.direction).multiply(Wd);const r=kd.length(),a=t.near/r,o=t.far/r;if(t.firstHitOnly===!0){let c=this.raycastFirst(Pa,s,a,o);c=Gd(c,e,t),c&&i.push(c)}else{const c=this.raycast(Pa,s,a,o);for(let l=0,h=c.length;l<h;l++){const f=Gd(c[l],e,t);f&&i.push(f)}}return i}refit(e=null){return(this.indirect?WT:NT)(this,e)}raycast(e,t=jn,i=0,s=1/0){const r=this._roots,a=[],o=this.indirect?HT:DT;for(let c=0,l=r.length;c<l;c++)o(this,c,t,e,a,i,s);return a}raycastFirst(e,t=jn,i=0,s=1/0){const r=this._roots;let a=null;const o=this.indirect?ZT:FT;for(let c=0,l=r.length;c<l;c++){const h=o(this,c,t,e,i,s);h!=null&&(a==null||h.distance<a.distance)&&(a=h)}return a}intersectsGeometry(e,t){let i=!1;const s=this._roots,r=this.indirect?YT:BT;for(let a=0,o=s.length;a<o&&(i=r(this,a,e,t),!i);a++);return i}shapecast(e){const t=yn.getPrimitive(),i=super.shapecast({...e,intersectsPrimitive:e.intersectsTriangle,scratchPrimitive:t,iterate:this.indirect?LT:IT});return yn.releasePrimitive(t),i}bvhcast(e,t,i){let{intersectsRanges:s,intersectsTriangles:r}=i;const a=yn.getPrimitive(),o=this.geometry.index,c=this.geometry.attributes.position,l=this.indirect?g=>{const y=this.resolveTriangleIndex(g);At(a,y*3,o,c)}:g=>{At(a,g*3,o,c)},h=yn.getPrimitive(),f=e.geometry.index,u=e.geometry.attributes.position,d=e.indirect?g=>{const y=e.resolveTriangleIndex(g);At(h,y*3,f,u)}:g=>{At(h,g*3,f,u)};if(r){if(!(e instanceof oo))throw new Error('MeshBVH: "intersectsTriangles" callback can only be used with another MeshBVH.');const g=(y,p,m,_,b,x,E,A)=>{for(let w=m,v=m+_;w<v;w++){d(w),h.a.applyMatrix4(t),h.b.applyMatrix4(t),h.c.applyMatrix4(t),h.needsUpdate=!0;for(let T=y,N=y+p;T<N;T++)if(l(T),a.needsUpdate=!0,r(a,h,T,w,b,x,E,A))return!0}return!1};if(s){const y=s;s=function(p,m,_,b,x,E,A,w){return y(p,m,_,b,x,E,A,w)?!0:g(p,m,_,b,x,E,A,w)}}else s=g}return super.bvhcast(e,t,{intersectsRanges:s})}intersectsBox(e,t){return Ca.set(e.min,e.max,t),Ca.needsUpdate=!0,this.shapecast({intersectsBounds:i=>Ca.intersectsBox(i),intersectsTriangle:i=>Ca.intersectsTriangle(i)})}intersectsSphere(e){return this.shapecast({intersectsBounds:t=>e.intersectsBox(t),intersectsTriangle:t=>t.intersectsSphere(e)})}closestPointToGeometry(e,t,i={},s={},r=0,a=1/0){return(this.indirect?qT:zT)(this,e,t,i,s,r,a)}closestPointToPoint(e,t={},i=0,s=1/0){return MT(this,e,t,i,s)}}class QT{constructor(e){this.mesh=e,this.tree=new oo(e.geometry,{indirect:!0})}tree;caster=new P0;pick(e,t){this.caster.setFromCamera(e,t);const i=this.tree.raycastFirst(this.caster.ray,_n);if(i?.faceIndex==null)return;const s=i.faceIndex;return{place:{kind:"face",face:s,weights:this.weightsAt(s,i.point)},point:i.point}}weightsAt(e,t){const i=this.mesh.geometry.getAttribute("position"),s=this.mesh.cornersOf(e).map(c=>new P().fromBufferAttribute(i,c)),r=new P;if(!Ut.getBarycoord(t,s[0],s[1],s[2],r))return[1,0,0];const a=r.toArray().map(c=>Math.max(c,0)),o=a[0]+a[1]+a[2];return[a[0]/o,a[1]/o,a[2]/o]}}const La=.12,Hd=1.15,ew=8,tw=12,nw=.03;function iw(n,e,t){const i=Be("picture");let s,r=[],a={x:0,y:0},o=-1;const c=f=>s?.pick(n.pointerAt(f.x,f.y),n.camera),l=f=>{const u=i.getBoundingClientRect();return e.sourcesOnScreen().findIndex(d=>{const g=d&&n.pixelOf(d);return g&&Math.hypot(u.left+g.x-f.x,u.top+g.y-f.y)<tw})};qA(i,{move:f=>{t.pointer(f),i.classList.toggle("grab",l(f)>=0),e.hover(c(f)?.place,f.since)},leave:()=>e.hover(void 0,0),click:f=>{const u=c(f)?.place;u&&(f.shift?e.setSources([...e.sources,u]):t.tool==="path"&&e.sources.length?e.keepPath(u):e.setSources([u]),e.sources.length===1&&t.tool==="source"&&t.choose("path"))},drawsCurve:f=>e.mesh!==void 0&&(f||t.tool==="curve"),grabs:f=>(o=l(f))>=0,drag:f=>{const u=c(f)?.place;u&&e.moveSource(o,u)},draw:f=>{if(r.length&&Math.hypot(f.x-a.x,f.y-a.y)<ew)return;const u=c(f);u&&(a=f,r.push(u),e.drawSketch(r.map(({point:d})=>d)))},drawn:()=>{e.addCurve(r.map(({place:f})=>f),t.tool==="curve"),r=[]},wheel:f=>{const u=e.field?.largest??0;u>0&&t.setRadius((e.radius??u)-f*nw*u)},setTurning:f=>n.setTurning(f)});const h={ArrowLeft:()=>n.turn(La,0,1),ArrowRight:()=>n.turn(-La,0,1),ArrowUp:()=>n.turn(0,La,1),ArrowDown:()=>n.turn(0,-La,1),"+":()=>n.turn(0,0,1/Hd),"-":()=>n.turn(0,0,Hd),Backspace:()=>e.undo(),Escape:()=>t.clear(),s:()=>t.choose("source"),p:()=>t.choose("path"),c:()=>t.choose("curve"),i:()=>t.toggleIsolines(),t:()=>t.toggleTheme(),l:()=>n.lookAtAll(),"?":()=>t.help()};return document.addEventListener("keydown",f=>{if(QA(f)||document.querySelector("dialog[open]"))return;const u=h[f.key.length===1?f.key.toLowerCase():f.key];u&&(f.preventDefault(),u())}),{show:f=>s=new QT(f)}}const Xd="geodesic.token";class sw{mesh;token;sources;constructor(){const e=new URLSearchParams(location.hash.slice(1));this.mesh=e.get("mesh")??"",this.sources=e.getAll("source");const t=e.get("token");t&&this.keepToken(t),this.token=sessionStorage.getItem(Xd)??"",t&&(e.delete("token"),history.replaceState(null,"",`#${e}`))}keepToken(e){sessionStorage.setItem(Xd,e)}sourcesOn(e){return e.digest!==this.mesh?[]:this.sources.splice(0).map(pA).filter(i=>i!==void 0).filter(i=>e.holds(i))}show(e){if(!e.mesh)return;const t=new URLSearchParams({mesh:e.mesh.digest});for(const i of e.sources)"curve"in i||t.append("source",Wa(i));history.replaceState(null,"",`#${t}`)}}const Xs=new sw,bo=new jA(Be("picture")),rw=new TA((n,e)=>bo.setBackground(e,n)),So=new LM(location.origin,Xs.token),Ou=new aA,Vu=new AA(So,Ou,n=>Xs.keepToken(n)),wr=new YM(bo,So,{changed:()=>{Rr.update(),Xs.show(wr)},value:(n,e)=>Rr.value(n,e),failed:(n,e)=>Vu.handle(n,e,zl.uploadAgain())}),Rr=new yA(wr,bo,So,Ou,rw),zl=new rA(So,Ou,Vu,n=>{wr.show(n),aw.show(n),Rr.show(n),wr.setSources(Xs.sourcesOn(n))}),aw=iw(bo,wr,Rr);Vu.attempt(async()=>{await Rr.showCapabilities(),await zl.list(),Xs.mesh&&await zl.openDigest(Xs.mesh)});

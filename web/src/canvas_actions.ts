@@ -1,0 +1,104 @@
+// What clicks, moves, drags and keys on the picture do.
+
+import type { Vector3 } from "three";
+import type { Explorer } from "./explorer";
+import { byId } from "./panel/elements";
+import type { Panel } from "./panel/panel";
+import { isMeantForField, listenToPointer } from "./pointer";
+import type { Scene } from "./scene/scene";
+import type { SurfaceMesh } from "./surface/mesh";
+import { Picker, type Hit } from "./surface/picking";
+import type { Place } from "./surface/place";
+
+const TURN_RADIANS = 0.12;
+const ZOOM = 1.15;
+/** Points of a drawn curve are at least so far apart. */
+const CURVE_PIXELS = 8;
+/** A press so near to a source takes hold of it. */
+const GRAB_PIXELS = 12;
+/** A turn of the wheel changes the radius by this share of the largest distance. */
+const WHEEL_SHARE = 0.03;
+
+export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): { show(mesh: SurfaceMesh): void } {
+  const canvas = byId<HTMLCanvasElement>("picture");
+  let picker: Picker | undefined;
+  let sketch: { place: Place; point: Vector3 }[] = [];
+  let lastDrawn = { x: 0, y: 0 };
+  let grabbed = -1;
+  const pick = (at: { x: number; y: number }): Hit | undefined =>
+    picker?.pick(scene.pointerAt(at.x, at.y), scene.camera);
+
+  const sourceAt = (at: { x: number; y: number }): number => {
+    const box = canvas.getBoundingClientRect();
+    return explorer.sourcesOnScreen().findIndex((point) => {
+      const pixel = point && scene.pixelOf(point);
+      return pixel && Math.hypot(box.left + pixel.x - at.x, box.top + pixel.y - at.y) < GRAB_PIXELS;
+    });
+  };
+
+  listenToPointer(canvas, {
+    move: (at) => {
+      panel.pointer(at);
+      canvas.classList.toggle("grab", sourceAt(at) >= 0);
+      explorer.hover(pick(at)?.place, at.since);
+    },
+    leave: () => explorer.hover(undefined, 0),
+    click: (at) => {
+      const place = pick(at)?.place;
+      if (!place) return;
+      if (at.shift) void explorer.setSources([...explorer.sources, place]);
+      else if (panel.tool === "path" && explorer.sources.length) void explorer.keepPath(place);
+      else void explorer.setSources([place]);
+      if (explorer.sources.length === 1 && panel.tool === "source") panel.choose("path");
+    },
+    drawsCurve: (alt) => explorer.mesh !== undefined && (alt || panel.tool === "curve"),
+    grabs: (at) => (grabbed = sourceAt(at)) >= 0,
+    drag: (at) => {
+      const place = pick(at)?.place;
+      if (place) explorer.moveSource(grabbed, place);
+    },
+    draw: (at) => {
+      if (sketch.length && Math.hypot(at.x - lastDrawn.x, at.y - lastDrawn.y) < CURVE_PIXELS) return;
+      const hit = pick(at);
+      if (!hit) return;
+      lastDrawn = at;
+      sketch.push(hit);
+      explorer.drawSketch(sketch.map(({ point }) => point));
+    },
+    drawn: () => {
+      void explorer.addCurve(sketch.map(({ place }) => place), panel.tool === "curve");
+      sketch = [];
+    },
+    wheel: (steps) => {
+      const largest = explorer.field?.largest ?? 0;
+      if (largest > 0) panel.setRadius((explorer.radius ?? largest) - steps * WHEEL_SHARE * largest);
+    },
+    setTurning: (enabled) => scene.setTurning(enabled),
+  });
+
+  const keys: Record<string, () => void> = {
+    ArrowLeft: () => scene.turn(TURN_RADIANS, 0, 1),
+    ArrowRight: () => scene.turn(-TURN_RADIANS, 0, 1),
+    ArrowUp: () => scene.turn(0, TURN_RADIANS, 1),
+    ArrowDown: () => scene.turn(0, -TURN_RADIANS, 1),
+    "+": () => scene.turn(0, 0, 1 / ZOOM),
+    "-": () => scene.turn(0, 0, ZOOM),
+    Backspace: () => explorer.undo(),
+    Escape: () => panel.clear(),
+    s: () => panel.choose("source"),
+    p: () => panel.choose("path"),
+    c: () => panel.choose("curve"),
+    i: () => panel.toggleIsolines(),
+    t: () => panel.toggleTheme(),
+    l: () => scene.lookAtAll(),
+    "?": () => panel.help(),
+  };
+  document.addEventListener("keydown", (event) => {
+    if (isMeantForField(event) || document.querySelector("dialog[open]")) return;
+    const action = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+  return { show: (mesh) => (picker = new Picker(mesh)) };
+}

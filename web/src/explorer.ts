@@ -1,0 +1,455 @@
+// What is explored: one mesh, the sources on it, their field, and paths. Asks
+// the questions and draws the answers.
+
+import { Vector3 } from "three";
+import { Algorithm } from "../generated/geodesic/v1/query_pb";
+import { CELL_COLORS } from "./scene/colormap";
+import { Dots, type Dot } from "./scene/dots";
+import { FieldView } from "./scene/field_view";
+import { PathLine } from "./scene/path_line";
+import type { Scene } from "./scene/scene";
+import type { Connection } from "./service/connection";
+import { kindOf } from "./service/errors";
+import { NewestOnly } from "./service/newest_only";
+import {
+  askCells,
+  askCurve,
+  askDistances,
+  askField,
+  askPath,
+  askSamples,
+  type FieldQuestion,
+  type FieldSummary,
+  type SurfacePath,
+} from "./service/questions";
+import { differenceOf, type Difference } from "./surface/difference";
+import type { SurfaceMesh } from "./surface/mesh";
+import type { Place, Source } from "./surface/place";
+
+const LIVE_COLOR = 0xffffff;
+const KEPT_COLOR = 0xff8c42;
+const CURVE_COLOR = 0x8fd3ff;
+const WHITE = [1, 1, 1];
+const SAMPLE_FILL = [0.55, 0.83, 1];
+const KEPT_FILL = [1, 0.55, 0.26];
+
+/** A path request that takes longer gives way to a newer cursor. */
+const PATH_PATIENCE_MS = 250;
+
+/** Fields are worth waiting for, even if the source has moved on. */
+const FIELD_PATIENCE_MS = 2000;
+
+export interface KeptPath extends SurfacePath {
+  target: Place;
+}
+
+export interface ExplorerEvents {
+  /** Sources, field, paths or samples are others now. */
+  changed(): void;
+  /** The distance under the cursor; exact once its path has come. */
+  value(distance: number | undefined, exact: boolean): void;
+  /** A question failed; `again` asks it anew. */
+  failed(error: unknown, again: () => void): void;
+}
+
+export class Explorer {
+  mesh: SurfaceMesh | undefined;
+  field: FieldView | undefined;
+  summary: FieldSummary | undefined;
+  samples: { vertex: number; distance: number }[] = [];
+  algorithm = Algorithm.UNSPECIFIED;
+  /** In the unit of the file. */
+  radius: number | undefined;
+  readonly sources: Source[] = [];
+  readonly paths: KeptPath[] = [];
+
+  private readonly live: PathLine;
+  private readonly sketch: PathLine;
+  private readonly lines = new Map<object, PathLine>();
+  private readonly dots: Dots;
+  private readonly sampleDots: Dots;
+  private readonly underCursor = new NewestOnly(PATH_PATIENCE_MS);
+  private readonly dragged = new NewestOnly(FIELD_PATIENCE_MS);
+  private fieldQuestion = new AbortController();
+  private cursor: Place | undefined;
+  private livePath: KeptPath | undefined;
+  private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
+
+  constructor(
+    private readonly scene: Scene,
+    private readonly connection: Connection,
+    private readonly events: ExplorerEvents,
+  ) {
+    this.live = new PathLine(LIVE_COLOR, 3, scene.resolution);
+    this.dots = new Dots(15, scene);
+    this.sampleDots = new Dots(10, scene);
+    this.sketch = new PathLine(CURVE_COLOR, 3, scene.resolution);
+    scene.overlay.add(this.live, this.sketch, this.sampleDots, this.dots);
+    scene.onFrame = (now) => {
+      const moved = this.field?.advance(now, this.still.matches) ?? false;
+      document.documentElement.dataset.sweep = this.field?.hasArrived ? "done" : "";
+      return moved;
+    };
+  }
+
+  show(mesh: SurfaceMesh): void {
+    this.clear();
+    this.mesh?.dispose();
+    this.mesh = mesh;
+    this.radius = undefined;
+    this.bareSurface(mesh);
+    this.scene.show(mesh);
+  }
+
+  /** Takes everything off the mesh. */
+  clear(): void {
+    this.fieldQuestion.abort();
+    this.underCursor.stop();
+    this.dragged.stop();
+    this.sources.length = 0;
+    this.dropPaths();
+    for (const line of this.lines.values()) this.removeLine(line);
+    this.lines.clear();
+    this.field = undefined;
+    this.summary = undefined;
+    this.samples = [];
+    this.live.setPoints(new Float32Array());
+    this.livePath = undefined;
+    if (this.mesh) this.bareSurface(this.mesh);
+    this.drawDots();
+    this.events.value(undefined, false);
+    this.events.changed();
+    this.scene.redrawSurface();
+  }
+
+  /** Resolves when the field is there, or could not be had. */
+  async setSources(sources: readonly Source[]): Promise<void> {
+    this.dropPaths();
+    this.sources.splice(0, this.sources.length, ...sources);
+    this.samples = [];
+    this.drawCurves();
+    this.drawDots();
+    if (sources.length) await this.askField();
+    else this.clear();
+  }
+
+  /** Puts a source elsewhere while it is dragged; the field follows. */
+  moveSource(number: number, place: Place): void {
+    const { mesh } = this;
+    if (!mesh) return;
+    this.fieldQuestion.abort();
+    this.fieldQuestion = new AbortController();
+    this.hideLive();
+    this.dropPaths();
+    this.samples = [];
+    this.sources[number] = place;
+    this.drawDots();
+    this.scene.redraw();
+    this.dragged.ask((signal) => this.follow(mesh, signal));
+  }
+
+  /** Asks for the field again, as after a change of radius or method. */
+  async askField(): Promise<void> {
+    const { mesh } = this;
+    if (!mesh || !this.sources.length) return;
+    this.fieldQuestion.abort();
+    this.underCursor.stop();
+    this.dragged.stop();
+    this.live.setPoints(new Float32Array());
+    const abort = (this.fieldQuestion = new AbortController());
+    const field = (this.field = this.newField(mesh));
+    document.documentElement.dataset.sweep = "";
+    this.summary = undefined;
+    this.events.changed();
+    this.scene.redrawSurface();
+    try {
+      const question = this.question(mesh);
+      const summary = await askField(this.connection, question, (part) => {
+        field.add(part.vertices, part.distances);
+        this.scene.redrawSurface();
+      }, abort.signal);
+      if (abort.signal.aborted) return;
+      this.summary = summary;
+      field.finish();
+      this.events.changed();
+      this.scene.redrawSurface();
+    } catch (error) {
+      this.report(error, () => void this.askField());
+    }
+  }
+
+  /** Shows cells by colour, or distances again. */
+  async showCells(shown: boolean): Promise<void> {
+    const { mesh, field } = this;
+    if (!mesh || !field) return;
+    try {
+      if (shown) {
+        const cells = await askCells(
+          this.connection, this.question(mesh), mesh.vertexCount, this.fieldQuestion.signal);
+        if (field !== this.field) return;
+        field.paintCells(cells);
+      } else {
+        field.paintDistances();
+      }
+      this.repainted();
+    } catch (error) {
+      this.report(error, () => void this.showCells(shown));
+    }
+  }
+
+  /**
+   * Shows how far the field is from that of another algorithm. Approximate ones
+   * measure between vertices, so sources move to the nearest ones for them.
+   */
+  async compare(algorithm: Algorithm, isApproximate: boolean): Promise<Difference | undefined> {
+    const { mesh } = this;
+    if (!mesh || !this.summary) return undefined;
+    try {
+      if (isApproximate) await this.moveToVertices(mesh);
+      const { field } = this;
+      const question = { ...this.question(mesh), algorithm };
+      const { distances } = await askDistances(this.connection, question, mesh.vertexCount, this.fieldQuestion.signal);
+      if (!field || field !== this.field) return undefined;
+      const difference = differenceOf(field.distances, distances);
+      field.paintShares(difference.shares);
+      this.repainted();
+      return difference;
+    } catch (error) {
+      this.report(error, () => undefined);
+      return undefined;
+    }
+  }
+
+  /** Leads the path to `place`; `since` is when the cursor came there. */
+  hover(place: Extract<Place, { kind: "face" }> | undefined, since: number): void {
+    this.cursor = place;
+    if (!place || !this.field || !this.mesh) {
+      this.hideLive();
+      return;
+    }
+    const drawn = this.field.at(place.face, place.weights);
+    this.events.value(drawn, false);
+    if (this.summary && drawn === Infinity && this.summary.settledRadius === Infinity) {
+      this.hideLive();
+      this.events.value(Infinity, true);
+      return;
+    }
+    const { mesh } = this;
+    this.underCursor.ask((signal) => this.lead(mesh, place, since, signal));
+  }
+
+  /** Keeps the path to `place`. */
+  async keepPath(place: Place): Promise<void> {
+    const { mesh } = this;
+    if (!mesh || !this.sources.length) return;
+    try {
+      const path = this.livePath?.target === place
+        ? this.livePath
+        : await askPath(this.connection, this.question(mesh), place, this.fieldQuestion.signal);
+      if (path && mesh === this.mesh) this.addPath({ ...path, target: place });
+    } catch (error) {
+      this.report(error, () => void this.keepPath(place));
+    }
+  }
+
+  removePath(path: KeptPath): void {
+    const line = this.lines.get(path);
+    if (line) this.removeLine(line);
+    this.lines.delete(path);
+    this.paths.splice(this.paths.indexOf(path), 1);
+    this.drawDots();
+    this.events.changed();
+    this.scene.redraw();
+  }
+
+  /** Takes the last path away, or else the last source. */
+  undo(): void {
+    const path = this.paths.at(-1);
+    if (path) this.removePath(path);
+    else void this.setSources(this.sources.slice(0, -1));
+  }
+
+  /** A curve while it is drawn: points on the screen's scale. */
+  drawSketch(points: readonly Vector3[]): void {
+    this.sketch.setPoints(new Float32Array(points.flatMap((point) => point.toArray())));
+    this.scene.redraw();
+  }
+
+  /** Makes sources of every point of the curve that runs through `places`. */
+  async addCurve(places: readonly Place[], alone: boolean): Promise<void> {
+    const { mesh } = this;
+    this.drawSketch([]);
+    if (!mesh || places.length < 2) return;
+    try {
+      const curve = await askCurve(this.connection, mesh.digest, places, new AbortController().signal);
+      if (mesh !== this.mesh) return;
+      await this.setSources([...(alone ? [] : this.sources), { curve: curve.places }]);
+    } catch (error) {
+      this.report(error, () => void this.addCurve(places, alone));
+    }
+  }
+
+  async sample(count: number): Promise<void> {
+    const { mesh } = this;
+    if (!mesh || !this.sources.length) return;
+    try {
+      this.samples = await askSamples(this.connection, this.question(mesh), count, this.fieldQuestion.signal);
+      this.drawDots();
+      this.events.changed();
+      this.scene.redraw();
+    } catch (error) {
+      this.report(error, () => void this.sample(count));
+    }
+  }
+
+  /** Shows distances up to here only; asks for what is not there. */
+  setRadius(radius: number | undefined): void {
+    this.radius = radius;
+    if (!this.mesh) return;
+    this.scene.material.uniforms.radius.value = radius === undefined ? 1e10 : radius / this.mesh.radius;
+    this.scene.redrawSurface();
+    const reaches = this.summary?.settledRadius ?? Infinity;
+    if ((radius ?? Infinity) > reaches) void this.askField();
+  }
+
+  private async moveToVertices(mesh: SurfaceMesh): Promise<void> {
+    const places = this.sources.map((source) => {
+      if ("curve" in source) throw new Error("Approximate algorithms take points, no curves.");
+      return source;
+    });
+    if (places.every((place) => place.kind === "vertex")) return;
+    await this.setSources(places.map((place) => ({ kind: "vertex", vertex: mesh.nearestCorner(place) })));
+  }
+
+  private repainted(): void {
+    this.drawDots();
+    this.events.changed();
+    this.scene.redrawSurface();
+  }
+
+  private question(mesh: SurfaceMesh): FieldQuestion {
+    return { digest: mesh.digest, sources: this.sources, algorithm: this.algorithm, radius: this.radius };
+  }
+
+  // Shows the field of the sources as they are, all at once.
+  private async follow(mesh: SurfaceMesh, signal: AbortSignal): Promise<void> {
+    try {
+      const { distances, summary } = await askDistances(
+        this.connection, this.question(mesh), mesh.vertexCount, signal);
+      if (mesh !== this.mesh || signal.aborted) return;
+      this.field = this.newField(mesh);
+      this.field.setAll(distances);
+      this.summary = summary;
+      this.events.changed();
+      this.scene.redrawSurface();
+    } catch (error) {
+      this.report(error, () => void this.askField());
+    }
+  }
+
+  private newField(mesh: SurfaceMesh): FieldView {
+    const first = this.sources[0];
+    const place = "curve" in first ? first.curve[0] : first;
+    const [reference] = this.onScreen(mesh, [place]);
+    const allPoints = this.sources.every((source) => !("curve" in source));
+    return new FieldView(mesh, this.scene.material, reference, allPoints);
+  }
+
+  // Asks for the path under the cursor and draws it.
+  private async lead(mesh: SurfaceMesh, target: Place, since: number, signal: AbortSignal): Promise<void> {
+    try {
+      const path = await askPath(this.connection, { ...this.question(mesh), radius: undefined }, target, signal);
+      if (mesh !== this.mesh || !this.cursor || signal.aborted) return;
+      this.livePath = path && { ...path, target };
+      this.live.setPoints(path ? mesh.toScreen(path.positions) : new Float32Array());
+      this.events.value(path?.distance ?? Infinity, true);
+      this.scene.draw();
+      performance.measure("path under the cursor", { start: since, end: performance.now() });
+    } catch (error) {
+      this.report(error, () => undefined);
+    }
+  }
+
+  private hideLive(): void {
+    this.underCursor.stop();
+    this.events.value(undefined, false);
+    if (!this.live.visible) return;
+    this.live.setPoints(new Float32Array());
+    this.livePath = undefined;
+    this.scene.redraw();
+  }
+
+  private addPath(path: KeptPath): void {
+    this.paths.push(path);
+    this.addLine(path, KEPT_COLOR, path.positions);
+    this.drawDots();
+    this.events.changed();
+    this.scene.redraw();
+  }
+
+  private addLine(owner: object, color: number, positions: Float64Array): void {
+    if (!this.mesh) return;
+    const line = new PathLine(color, 3, this.scene.resolution);
+    line.setPoints(this.mesh.toScreen(positions));
+    this.lines.set(owner, line);
+    this.scene.overlay.add(line);
+  }
+
+  private removeLine(line: PathLine): void {
+    this.scene.overlay.remove(line);
+    line.dispose();
+  }
+
+  private dropPaths(): void {
+    for (const path of [...this.paths]) this.removePath(path);
+  }
+
+  private drawCurves(): void {
+    const { mesh } = this;
+    if (!mesh) return;
+    for (const [owner, line] of this.lines) {
+      this.removeLine(line);
+      this.lines.delete(owner);
+    }
+    for (const source of this.sources) {
+      if (!("curve" in source)) continue;
+      const positions = new Float64Array(source.curve.flatMap((place) => mesh.positionOf(place)));
+      this.addLine(source, CURVE_COLOR, positions);
+    }
+  }
+
+  private drawDots(): void {
+    const { mesh } = this;
+    if (!mesh) return;
+    const dots: Dot[] = [];
+    this.sources.forEach((source, i) => {
+      if ("curve" in source) return;
+      const cell = CELL_COLORS[i % CELL_COLORS.length].map((byte) => byte / 255);
+      dots.push({ point: this.onScreen(mesh, [source])[0].toArray(), fill: this.field?.painted === "cells" ? cell : WHITE });
+    });
+    for (const path of this.paths) {
+      dots.push({ point: this.onScreen(mesh, [path.target])[0].toArray(), fill: KEPT_FILL });
+    }
+    this.dots.setDots(dots);
+    const samples = this.samples.map(({ vertex }): Place => ({ kind: "vertex", vertex }));
+    this.sampleDots.setDots(this.onScreen(mesh, samples).map((p) => ({ point: p.toArray(), fill: SAMPLE_FILL })));
+  }
+
+  /** Where the sources are on the screen's scale; nothing for curves. */
+  sourcesOnScreen(): (Vector3 | undefined)[] {
+    const { mesh } = this;
+    return this.sources.map((source) => (mesh && !("curve" in source) ? this.onScreen(mesh, [source])[0] : undefined));
+  }
+
+  private onScreen(mesh: SurfaceMesh, places: readonly Place[]): Vector3[] {
+    return places.map((place) => new Vector3(...mesh.toScreen(new Float64Array(mesh.positionOf(place)))));
+  }
+
+  private bareSurface(mesh: SurfaceMesh): void {
+    new FieldView(mesh, this.scene.material, new Vector3(), true);
+  }
+
+  private report(error: unknown, again: () => void): void {
+    if (kindOf(error) !== "cancelled") this.events.failed(error, again);
+  }
+}

@@ -1,0 +1,42 @@
+// The page: wires the explorer, the server and the panel together.
+
+import { Explorer } from "./explorer";
+import { MeshChooser } from "./panel/mesh_chooser";
+import { Notice } from "./panel/notice";
+import { Panel } from "./panel/panel";
+import { Recovery } from "./panel/recovery";
+import { Theme } from "./panel/theme";
+import { byId } from "./panel/elements";
+import { Scene } from "./scene/scene";
+import { Connection } from "./service/connection";
+import { wireCanvas } from "./canvas_actions";
+import { Address } from "./address";
+
+const address = new Address();
+const scene = new Scene(byId<HTMLCanvasElement>("picture"));
+const theme = new Theme((dark, background) => scene.setBackground(background, dark));
+const connection = new Connection(location.origin, address.token);
+const notice = new Notice();
+const recovery = new Recovery(connection, notice, (token) => address.keepToken(token));
+const explorer: Explorer = new Explorer(scene, connection, {
+  changed: () => {
+    panel.update();
+    address.show(explorer);
+  },
+  value: (distance, exact) => panel.value(distance, exact),
+  failed: (error, again) => recovery.handle(error, again, chooser.uploadAgain()),
+});
+const panel = new Panel(explorer, scene, connection, notice, theme);
+const chooser = new MeshChooser(connection, notice, recovery, (mesh) => {
+  explorer.show(mesh);
+  canvas.show(mesh);
+  panel.show(mesh);
+  void explorer.setSources(address.sourcesOn(mesh));
+});
+const canvas = wireCanvas(scene, explorer, panel);
+
+void recovery.attempt(async () => {
+  await panel.showCapabilities();
+  await chooser.list();
+  if (address.mesh) await chooser.openDigest(address.mesh);
+});

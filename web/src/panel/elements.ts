@@ -1,0 +1,10 @@
+/** The element of the page with this id. */
+export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
+  const element = document.getElementById(id);
+  if (!element) throw new Error(`The page has no element "${id}".`);
+  return element as T;
+}
+
+export function onClick(id: string, action: () => void): void {
+  byId(id).addEventListener("click", action);
+}

@@ -1,0 +1,227 @@
+// The panel beside the picture: shows what is asked and answered, and passes on
+// what the user chooses.
+
+import type { AlgorithmCapability } from "../../generated/geodesic/v1/capabilities_service_pb";
+import type { Algorithm } from "../../generated/geodesic/v1/query_pb";
+import type { Explorer } from "../explorer";
+import { byId, onClick } from "./elements";
+import { formatCount, formatNumber } from "./format";
+import type { Notice } from "./notice";
+import { SavePanel } from "./save_panel";
+import { ScaleBar } from "./scale_bar";
+import type { Theme } from "./theme";
+import type { Scene } from "../scene/scene";
+import type { Connection } from "../service/connection";
+import type { SurfaceMesh } from "../surface/mesh";
+
+export type Tool = "source" | "path" | "curve";
+
+const RADIUS_STEPS = 1000;
+
+export class Panel {
+  private readonly scale = new ScaleBar(byId("scale"));
+  private readonly valueBox = byId<HTMLOutputElement>("value");
+  private readonly radius = byId<HTMLInputElement>("radius");
+  private readonly isolines = byId<HTMLInputElement>("isolines");
+  private readonly cells = byId<HTMLInputElement>("cells");
+  private readonly algorithm = byId<HTMLSelectElement>("algorithm");
+  private readonly against = byId<HTMLSelectElement>("against");
+  private approximate = new Set<Algorithm>();
+
+  constructor(
+    private readonly explorer: Explorer,
+    private readonly scene: Scene,
+    private readonly connection: Connection,
+    notice: Notice,
+    private readonly theme: Theme,
+  ) {
+    new SavePanel(explorer, scene, notice, () => this.algorithmName());
+    onClick("theme", () => theme.toggle());
+    onClick("help", () => this.help());
+    onClick("clear", () => this.clear());
+    onClick("sample", () => void explorer.sample(Number(byId<HTMLInputElement>("sample-count").value)));
+    onClick("compare", () => void this.compare());
+    this.isolines.addEventListener("change", () => this.showIsolines());
+    this.cells.addEventListener("change", () => void explorer.showCells(this.cells.checked));
+    this.radius.addEventListener("input", () => {
+      const share = this.radius.valueAsNumber / RADIUS_STEPS;
+      this.setRadius(share < 1 ? share * (explorer.field?.largest ?? 0) : Infinity);
+    });
+    this.algorithm.addEventListener("change", () => {
+      explorer.algorithm = Number(this.algorithm.value);
+      void explorer.askField();
+    });
+    for (const input of this.tools()) input.addEventListener("change", () => this.update());
+  }
+
+  get tool(): Tool {
+    return this.tools().find((input) => input.checked)?.value as Tool;
+  }
+
+  choose(tool: Tool): void {
+    for (const input of this.tools()) input.checked = input.value === tool;
+    this.update();
+  }
+
+  async showCapabilities(): Promise<void> {
+    const { algorithms, approximateAlgorithms } = await this.connection.capabilities.getCapabilities({});
+    this.algorithm.replaceChildren(new Option("the server's choice", "0"), ...algorithms.map(choice));
+    this.against.replaceChildren(choices("exact", algorithms), choices("approximate", approximateAlgorithms));
+    this.approximate = new Set(approximateAlgorithms.map(({ algorithm }) => algorithm));
+    const interesting = approximateAlgorithms[0] ?? algorithms[1];
+    if (interesting) this.against.value = String(interesting.algorithm);
+    byId("compare-row").hidden = algorithms.length + approximateAlgorithms.length < 2;
+  }
+
+  show(mesh: SurfaceMesh): void {
+    byId("mesh-name").textContent = mesh.name;
+    byId("mesh-name").title = mesh.digest;
+    byId("mesh-size").textContent = `${formatCount(mesh.faceCount)} faces`;
+    byId("questions").hidden = false;
+    document.title = `${mesh.name} - geodesic`;
+    this.choose("source");
+  }
+
+  update(): void {
+    const { field, sources, summary, paths, samples } = this.explorer;
+    byId("source-count").textContent = countText(sources.length, "source");
+    byId("next-step").textContent = this.nextStep();
+    byId("cells-choice").hidden = sources.length < 2;
+    this.cells.checked = field?.painted === "cells";
+    if (field?.painted !== "difference") byId("difference").replaceChildren();
+    const coloured = field?.painted === "distances" ? field.largest : 0;
+    this.scale.show(field?.isolines ?? { step: 0, perLabel: 1 }, coloured);
+    const figures: [string, string][] = [];
+    if (field && summary) {
+      figures.push(["farthest", formatNumber(field.largest, 10)]);
+      figures.push(["solved in", `${formatNumber(1000 * summary.solveSeconds, 3)} ms`]);
+      if (samples.length) figures.push(["samples", formatCount(samples.length)]);
+    }
+    showTerms(byId("figures"), figures);
+    byId("paths-section").hidden = paths.length === 0;
+    byId("paths").replaceChildren(
+      ...paths.map((path) => {
+        const item = term("li", formatNumber(path.length, 10));
+        const remove = document.createElement("button");
+        remove.textContent = "×";
+        remove.setAttribute("aria-label", "Remove this path");
+        remove.addEventListener("click", () => this.explorer.removePath(path));
+        item.append(remove);
+        return item;
+      }),
+    );
+    this.showRadius();
+  }
+
+  /** Where the cursor is, from the left and top of the window. */
+  pointer(at: { x: number; y: number }): void {
+    const stage = byId("stage").getBoundingClientRect();
+    this.valueBox.style.left = `${Math.min(at.x - stage.left, stage.width - 150)}px`;
+    this.valueBox.style.top = `${Math.min(at.y - stage.top, stage.height - 50)}px`;
+  }
+
+  value(distance: number | undefined, exact: boolean): void {
+    this.valueBox.hidden = distance === undefined;
+    this.scale.point(distance);
+    if (distance === undefined) return;
+    this.valueBox.textContent =
+      distance === Infinity ? "not reached" : exact ? formatNumber(distance, 8) : `≈ ${formatNumber(distance, 4)}`;
+    this.valueBox.dataset.exact = String(exact);
+  }
+
+  setRadius(radius: number): void {
+    const largest = this.explorer.field?.largest ?? 0;
+    this.explorer.setRadius(radius < largest ? Math.max(radius, 0) : undefined);
+    this.showRadius();
+  }
+
+  clear(): void {
+    this.explorer.setRadius(undefined);
+    this.explorer.clear();
+    this.choose("source");
+  }
+
+  toggleIsolines(): void {
+    this.isolines.checked = !this.isolines.checked;
+    this.showIsolines();
+  }
+
+  toggleTheme(): void {
+    this.theme.toggle();
+  }
+
+  help(): void {
+    byId<HTMLDialogElement>("help-dialog").showModal();
+  }
+
+  private async compare(): Promise<void> {
+    const algorithm = Number(this.against.value);
+    byId("difference").replaceChildren(term("dt", "Comparing…"));
+    const difference = await this.explorer.compare(algorithm, this.approximate.has(algorithm));
+    if (!difference) {
+      byId("difference").replaceChildren();
+      return;
+    }
+    showTerms(byId("difference"), [
+      ["largest difference", formatNumber(difference.largest, 3)],
+      ["mean, relative", formatNumber(difference.meanRelative, 3)],
+    ]);
+  }
+
+  private showIsolines(): void {
+    this.scene.material.uniforms.showLines.value = this.isolines.checked;
+    this.scene.redrawSurface();
+  }
+
+  private showRadius(): void {
+    const { radius, field } = this.explorer;
+    const largest = field?.largest ?? 0;
+    byId("radius-value").textContent = radius === undefined ? "all" : formatNumber(radius, 4);
+    const share = radius === undefined || !largest ? 1 : radius / largest;
+    this.radius.value = String(Math.round(share * RADIUS_STEPS));
+  }
+
+  private nextStep(): string {
+    if (this.tool === "curve") return "Drag on the surface: every point of the curve is a source.";
+    if (!this.explorer.sources.length) return "Click a point of the surface.";
+    if (this.tool === "source") return "Click to move the source; Shift and click for one more.";
+    return "Move: the shortest path follows. Click to keep it; Shift and click for one more source.";
+  }
+
+  /** As the command spells it; nothing for the server's choice. */
+  private algorithmName(): string | undefined {
+    return this.explorer.algorithm === 0 ? undefined : this.algorithm.selectedOptions[0].text;
+  }
+
+  private tools(): HTMLInputElement[] {
+    return [...document.querySelectorAll<HTMLInputElement>('input[name="tool"]')];
+  }
+}
+
+function countText(count: number, noun: string): string {
+  return count === 0 ? `no ${noun}` : count === 1 ? `1 ${noun}` : `${formatCount(count)} ${noun}s`;
+}
+
+function choices(label: string, offered: AlgorithmCapability[]): HTMLOptGroupElement {
+  const group = document.createElement("optgroup");
+  group.label = label;
+  group.hidden = offered.length === 0;
+  group.append(...offered.map(choice));
+  return group;
+}
+
+function choice({ algorithm, name, summary }: AlgorithmCapability): HTMLOptionElement {
+  const option = new Option(name, String(algorithm));
+  option.title = summary;
+  return option;
+}
+
+function showTerms(list: HTMLElement, terms: [string, string][]): void {
+  list.replaceChildren(...terms.flatMap(([name, value]) => [term("dt", name), term("dd", value)]));
+}
+
+function term(tag: string, text: string): HTMLElement {
+  const element = document.createElement(tag);
+  element.textContent = text;
+  return element;
+}

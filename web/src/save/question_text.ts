@@ -1,0 +1,54 @@
+// The question on the screen, for the command `geodesic` and for Python.
+
+import { commandText, pythonText, type Place, type Source } from "../surface/place";
+
+export interface AskedQuestion {
+  /** The mesh's file or digest. */
+  mesh: string;
+  sources: readonly Source[];
+  radius?: number;
+  /** As the command spells it; nothing for the server's choice. */
+  algorithm?: string;
+  /** Ends of the paths that were kept. */
+  targets: readonly Place[];
+}
+
+export function commandLines(question: AskedQuestion): string {
+  const from = question.sources.map((source) =>
+    "curve" in source
+      ? `--curve '${source.curve.map(commandText).join(";")}'`
+      : `--source ${commandText(source)}`,
+  );
+  const mesh = quoted(question.mesh);
+  const method = question.algorithm ? [`--algorithm ${question.algorithm}`] : [];
+  const radius = question.radius === undefined ? [] : [`--radius ${question.radius}`];
+  const lines = [["geodesic field", mesh, ...from, ...radius, ...method, "-o field.npy"]];
+  if (question.targets.length) {
+    const to = question.targets.map((target) => `--target ${commandText(target)}`);
+    lines.push(["geodesic path", mesh, ...from, ...to, ...method, "-o paths.obj"]);
+  }
+  return lines.map((words) => words.join(" ")).join("\n");
+}
+
+export function pythonLines(question: AskedQuestion): string {
+  const sources = question.sources.map((source) =>
+    "curve" in source ? `geodesic.Curve([${source.curve.map(pythonText).join(", ")}])` : pythonText(source),
+  );
+  const from = sources.length === 1 ? sources[0] : `[${sources.join(", ")}]`;
+  const radius = question.radius === undefined ? "" : `, radius=${question.radius}`;
+  const method = question.algorithm ? `, algorithm="${question.algorithm}"` : "";
+  const lines = [
+    "import geodesic",
+    "",
+    `mesh = geodesic.Mesh(${JSON.stringify(question.mesh)})`,
+    `d = mesh.distances(${from}${radius}${method})`,
+  ];
+  for (const target of question.targets) {
+    lines.push(`path = mesh.path(${from}, ${pythonText(target)}${method})`);
+  }
+  return lines.join("\n");
+}
+
+function quoted(text: string): string {
+  return /^[\w./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
+}

@@ -1,0 +1,230 @@
+// The picture: the surface, drawn when it or the view changes, and over it the
+// lines and dots, drawn as often as they change.
+//
+// The surface goes into a buffer of colours and depths. While a line follows
+// the cursor, that buffer is copied and only the line is drawn anew: so it keeps
+// up on meshes of any size and on machines without a graphics processor.
+
+import {
+  AlwaysDepth,
+  Camera,
+  Color,
+  ColorManagement,
+  DepthTexture,
+  LinearSRGBColorSpace,
+  Mesh,
+  OrthographicCamera,
+  PerspectiveCamera,
+  PlaneGeometry,
+  Scene as Graph,
+  ShaderMaterial,
+  UnsignedIntType,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+  WebGLRenderTarget,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { SurfaceMesh } from "../surface/mesh";
+import { SurfaceMaterial } from "./surface_material";
+import { firstView, type View } from "./view";
+
+const COPY_VERTEX = /* glsl */ `
+varying vec2 vUv;
+void main() { vUv = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }`;
+
+const COPY_FRAGMENT = /* glsl */ `
+uniform sampler2D colors;
+uniform sampler2D depths;
+varying vec2 vUv;
+void main() {
+  gl_FragColor = vec4(texture2D(colors, vUv).rgb, 1.0);
+  gl_FragDepth = texture2D(depths, vUv).r;
+}`;
+
+const FIELD_OF_VIEW_DEGREES = 32;
+/** Room around the mesh. */
+const MARGIN = 1.08;
+
+export class Scene {
+  readonly material = new SurfaceMaterial();
+  /** What is drawn over the surface: lines and dots. */
+  readonly overlay = new Graph();
+  readonly resolution = new Vector2(1, 1);
+  /** Pixels of the picture in one of CSS, for shaders. */
+  readonly pixelRatio = { value: 1 };
+  /** The depth of the surface at each pixel, for shaders. */
+  readonly depths: { value: DepthTexture | null } = { value: null };
+  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW_DEGREES);
+  /** Called before a frame; returns whether the surface changes, and goes on. */
+  onFrame: (milliseconds: number) => boolean = () => false;
+
+  private readonly renderer: WebGLRenderer;
+  private readonly controls: OrbitControls;
+  private readonly surface = new Graph();
+  private readonly copy = new Graph();
+  private readonly copyMaterial: ShaderMaterial;
+  private readonly screen: Camera = new OrthographicCamera();
+  private target: WebGLRenderTarget;
+  private home: View | undefined;
+  private surfaceIsStale = true;
+  private frame = 0;
+
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    // All colours here are those of the screen already.
+    ColorManagement.enabled = false;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.renderer.autoClear = false;
+    this.target = this.newTarget(1, 1);
+    this.copyMaterial = new ShaderMaterial({
+      vertexShader: COPY_VERTEX,
+      fragmentShader: COPY_FRAGMENT,
+      depthFunc: AlwaysDepth,
+      uniforms: { colors: { value: null }, depths: { value: null } },
+    });
+    const sheet = new Mesh(new PlaneGeometry(2, 2), this.copyMaterial);
+    sheet.frustumCulled = false;
+    this.copy.add(sheet);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = false;
+    this.controls.zoomToCursor = true;
+    this.controls.minDistance = 0.02;
+    this.controls.maxDistance = 12;
+    this.controls.addEventListener("change", () => this.redrawSurface());
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    this.resize();
+  }
+
+  show(mesh: SurfaceMesh): void {
+    this.surface.clear();
+    const drawn = new Mesh(mesh.geometry, this.material);
+    drawn.frustumCulled = false;
+    this.surface.add(drawn);
+    this.home = firstView(mesh.geometry.getAttribute("position").array as Float32Array);
+    this.camera.up.copy(this.home.up);
+    this.lookAtAll();
+  }
+
+  /** Looks at the whole mesh, as at first. */
+  lookAtAll(): void {
+    if (!this.home) return;
+    this.controls.target.set(0, 0, 0);
+    const { direction, halfSize } = this.home;
+    const half = Math.max(halfSize.x / this.camera.aspect, halfSize.y);
+    // What is nearer looks larger: a third of the ball is a fair guess.
+    const distance = (MARGIN * half) / Math.tan((FIELD_OF_VIEW_DEGREES * Math.PI) / 360) + 0.3;
+    this.camera.position.copy(direction).multiplyScalar(distance);
+    this.controls.update();
+    this.redrawSurface();
+  }
+
+  /** Turns the view, in radians, or zooms it. */
+  turn(right: number, up: number, zoom: number): void {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    offset.applyAxisAngle(this.camera.up, right);
+    const side = offset.clone().cross(this.camera.up).normalize();
+    const raised = offset.clone().applyAxisAngle(side, up);
+    if (Math.abs(raised.clone().normalize().dot(this.camera.up)) < 0.995) offset.copy(raised);
+    this.camera.position.copy(this.controls.target).addScaledVector(offset, zoom);
+    this.controls.update();
+    this.redrawSurface();
+  }
+
+  setTurning(enabled: boolean): void {
+    this.controls.enabled = enabled;
+  }
+
+  setBackground(color: string, dark: boolean): void {
+    this.renderer.setClearColor(new Color(color));
+    this.material.setDark(dark);
+    this.redrawSurface();
+  }
+
+  /** From the pixels of a pointer event to what a ray is cast through. */
+  pointerAt(clientX: number, clientY: number): Vector2 {
+    const box = this.canvas.getBoundingClientRect();
+    return new Vector2(
+      (2 * (clientX - box.left)) / box.width - 1,
+      1 - (2 * (clientY - box.top)) / box.height,
+    );
+  }
+
+  /** The pixel, from the left and top of the canvas, at which a point is drawn. */
+  pixelOf(point: Vector3): Vector2 {
+    const p = point.clone().project(this.camera);
+    return new Vector2(((p.x + 1) / 2) * this.canvas.clientWidth, ((1 - p.y) / 2) * this.canvas.clientHeight);
+  }
+
+  redrawSurface(): void {
+    this.surfaceIsStale = true;
+    this.redraw();
+  }
+
+  redraw(): void {
+    this.frame ||= requestAnimationFrame((now) => {
+      this.frame = 0;
+      if (this.onFrame(now)) this.redrawSurface();
+      this.draw();
+    });
+  }
+
+  /** Draws at once. What changed since is then on the screen's next picture. */
+  draw(): void {
+    if (this.surfaceIsStale) this.drawSurface();
+    this.copyMaterial.uniforms.colors.value = this.target.texture;
+    this.copyMaterial.uniforms.depths.value = this.target.depthTexture;
+    this.renderer.setRenderTarget(null);
+    this.renderer.render(this.copy, this.screen);
+    this.depths.value = this.target.depthTexture;
+    this.renderer.render(this.overlay, this.camera);
+  }
+
+  /** A copy of what is drawn. */
+  takePicture(): HTMLCanvasElement {
+    const copy = document.createElement("canvas");
+    copy.width = this.canvas.width;
+    copy.height = this.canvas.height;
+    // The canvas keeps its content only until the screen has shown it.
+    this.draw();
+    copy.getContext("2d")?.drawImage(this.canvas, 0, 0);
+    return copy;
+  }
+
+  private drawSurface(): void {
+    const distance = this.camera.position.length();
+    this.camera.near = Math.max(distance - 1.1, 0.004);
+    this.camera.far = distance + 1.1;
+    this.camera.updateProjectionMatrix();
+    this.renderer.setRenderTarget(this.target);
+    this.renderer.clear();
+    this.renderer.render(this.surface, this.camera);
+    this.surfaceIsStale = false;
+  }
+
+  private resize(): void {
+    const width = Math.max(this.canvas.clientWidth, 1);
+    const height = Math.max(this.canvas.clientHeight, 1);
+    const ratio = Math.min(devicePixelRatio, 2);
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.resolution.set(width, height);
+    this.material.uniforms.lineWidth.value = ratio;
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.target.dispose();
+    this.target.depthTexture?.dispose();
+    this.target = this.newTarget(Math.round(width * ratio), Math.round(height * ratio));
+    this.pixelRatio.value = ratio;
+    this.surfaceIsStale = true;
+    // Resizing has emptied the canvas.
+    this.draw();
+  }
+
+  private newTarget(width: number, height: number): WebGLRenderTarget {
+    return new WebGLRenderTarget(width, height, {
+      samples: 4,
+      depthTexture: new DepthTexture(width, height, UnsignedIntType),
+    });
+  }
+}

@@ -1,0 +1,150 @@
+// Sends a mesh file, unless the server knows it.
+
+import { create, fromBinary, toBinary } from "@bufbuild/protobuf";
+import { Code, ConnectError } from "@connectrpc/connect";
+import { encodeEnvelope } from "@connectrpc/connect/protocol";
+import {
+  trailerFlag,
+  trailerParse,
+  validateResponse,
+  validateTrailer,
+} from "@connectrpc/connect/protocol-grpc-web";
+import { MeshFormat } from "../../generated/geodesic/v1/mesh_pb";
+import {
+  CreateMeshRequestSchema,
+  CreateMeshResponseSchema,
+  MeshService,
+  type CreateMeshRequest,
+} from "../../generated/geodesic/v1/mesh_service_pb";
+import type { Connection } from "./connection";
+
+const FORMATS: Record<string, MeshFormat> = {
+  obj: MeshFormat.OBJ,
+  ply: MeshFormat.PLY,
+  off: MeshFormat.OFF,
+  stl: MeshFormat.STL,
+  vtk: MeshFormat.VTK,
+  glb: MeshFormat.GLTF,
+  gltf: MeshFormat.GLTF,
+};
+
+const CHUNK_BYTES = 512 * 1024;
+
+/** The format that a file's name tells; throws if it is none of the server's. */
+export function formatOf(name: string): MeshFormat {
+  const ending = name.toLowerCase().replace(/\.gz$/, "").split(".").pop() ?? "";
+  const format = FORMATS[ending];
+  if (format === undefined) {
+    throw new Error(`Meshes are files in .obj, .ply, .off, .stl, .vtk, .glb or .gltf, or these with .gz; ${name} is none.`);
+  }
+  return format;
+}
+
+/** The digest of the file's mesh. `progress` gets shares from 0 to 1. */
+export async function uploadMesh(
+  connection: Connection,
+  file: File,
+  progress: (share: number) => void,
+  signal: AbortSignal,
+): Promise<string> {
+  const format = formatOf(file.name);
+  const data = new Uint8Array(await file.arrayBuffer());
+  const known = await knownMesh(connection, format, data, signal);
+  return known ?? send(connection, format, data, progress, signal);
+}
+
+async function knownMesh(
+  connection: Connection,
+  format: MeshFormat,
+  data: Uint8Array<ArrayBuffer>,
+  signal: AbortSignal,
+): Promise<string | undefined> {
+  // Browsers hash on secure pages only: https and this machine.
+  if (!globalThis.crypto?.subtle) return undefined;
+  const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", data));
+  const sha256 = Array.from(hash, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  const answer = await connection.meshes.findMissingMeshes({ files: [{ format, sha256 }] }, { signal });
+  return answer.knownFiles[0]?.meshDigest;
+}
+
+// Browsers' fetch has neither client streams nor the progress of an upload, so
+// all messages go as the frames of one XMLHttpRequest.
+async function send(
+  connection: Connection,
+  format: MeshFormat,
+  data: Uint8Array<ArrayBuffer>,
+  progress: (share: number) => void,
+  signal: AbortSignal,
+): Promise<string> {
+  const body = new Blob([...frames(format, data)] as BlobPart[], { type: "application/grpc-web+proto" });
+  const answer = await post(connection, body, progress, signal);
+  const message = readAnswer(answer);
+  return fromBinary(CreateMeshResponseSchema, message).mesh?.digest ?? "";
+}
+
+function* frames(format: MeshFormat, data: Uint8Array): Generator<Uint8Array> {
+  const frame = (part: CreateMeshRequest["part"]) =>
+    encodeEnvelope(0, toBinary(CreateMeshRequestSchema, create(CreateMeshRequestSchema, { part })));
+  yield frame({
+    case: "header",
+    value: { $typeName: "geodesic.v1.UploadHeader", format, sizeBytes: BigInt(data.length), vertexCount: 0n, faceCount: 0n, expectedDigest: "" },
+  });
+  for (let offset = 0; offset < data.length; offset += CHUNK_BYTES) {
+    const chunk = data.subarray(offset, offset + CHUNK_BYTES);
+    yield frame({
+      case: "chunk",
+      value: { $typeName: "geodesic.v1.UploadChunk", offset: BigInt(offset), data: chunk },
+    });
+  }
+}
+
+function post(
+  connection: Connection,
+  body: Blob,
+  progress: (share: number) => void,
+  signal: AbortSignal,
+): Promise<XMLHttpRequest> {
+  return new Promise((resolve, reject) => {
+    const request = new XMLHttpRequest();
+    request.open("POST", `${connection.baseUrl}/${MeshService.typeName}/CreateMesh`);
+    request.responseType = "arraybuffer";
+    request.setRequestHeader("content-type", "application/grpc-web+proto");
+    request.setRequestHeader("x-grpc-web", "1");
+    if (connection.token) request.setRequestHeader("authorization", `Bearer ${connection.token}`);
+    request.upload.onprogress = (event) => progress(event.loaded / Math.max(event.total, 1));
+    request.onload = () => resolve(request);
+    request.onerror = () => reject(new ConnectError("the upload broke off", Code.Unavailable));
+    request.onabort = () => reject(new ConnectError("stopped", Code.Canceled));
+    signal.addEventListener("abort", () => request.abort());
+    request.send(body);
+  });
+}
+
+// The one message of the answer; throws what its trailer says.
+function readAnswer(request: XMLHttpRequest): Uint8Array {
+  const headers = new Headers();
+  for (const line of request.getAllResponseHeaders().trim().split(/[\r\n]+/)) {
+    const colon = line.indexOf(":");
+    if (colon > 0) headers.append(line.slice(0, colon), line.slice(colon + 1).trim());
+  }
+  const { headerError } = validateResponse(request.status, headers);
+  if (headerError) throw headerError;
+  const bytes = new Uint8Array(request.response as ArrayBuffer);
+  const view = new DataView(bytes.buffer);
+  let message: Uint8Array | undefined;
+  let ended = false;
+  for (let at = 0; at + 5 <= bytes.length; ) {
+    const flags = bytes[at];
+    const size = view.getUint32(at + 1);
+    const data = bytes.subarray(at + 5, at + 5 + size);
+    at += 5 + size;
+    if (flags & trailerFlag) {
+      validateTrailer(trailerParse(data), headers);
+      ended = true;
+    } else {
+      message = data;
+    }
+  }
+  if (!ended || !message) throw new ConnectError("the answer broke off", Code.Unavailable);
+  return message;
+}

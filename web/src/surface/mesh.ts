@@ -1,0 +1,110 @@
+// A mesh as it is drawn and picked: the file's exact coordinates beside those
+// of the screen, which are moved to the origin and scaled to a ball of radius 1.
+
+import { BufferAttribute, BufferGeometry } from "three";
+import type { Place, Source } from "./place";
+import { vertexNormals } from "./vertex_normals";
+
+export interface MeshArrays {
+  /** x y z of each vertex, in the unit of the file. */
+  positions: Float64Array;
+  /** Three vertices of each face. */
+  indices: Uint32Array;
+}
+
+export type Vector = [number, number, number];
+
+export class SurfaceMesh {
+  readonly vertexCount: number;
+  readonly faceCount: number;
+  readonly geometry: BufferGeometry;
+  readonly center: Vector;
+  /** Half the diagonal of the bounding box, in the unit of the file. */
+  readonly radius: number;
+
+  constructor(
+    readonly arrays: MeshArrays,
+    readonly digest: string,
+    readonly name: string,
+  ) {
+    this.vertexCount = arrays.positions.length / 3;
+    this.faceCount = arrays.indices.length / 3;
+    const { low, high } = boundingBox(arrays.positions);
+    this.center = [0, 1, 2].map((i) => (low[i] + high[i]) / 2) as Vector;
+    this.radius = Math.hypot(...[0, 1, 2].map((i) => (high[i] - low[i]) / 2)) || 1;
+    const drawn = this.toScreen(arrays.positions);
+    this.geometry = new BufferGeometry();
+    this.geometry.setAttribute("position", new BufferAttribute(drawn, 3));
+    this.geometry.setAttribute("normal", new BufferAttribute(vertexNormals(drawn, arrays.indices), 3));
+    this.geometry.setIndex(new BufferAttribute(arrays.indices, 1));
+  }
+
+  /** Points of the file as they are drawn. */
+  toScreen(points: Float64Array): Float32Array {
+    const drawn = new Float32Array(points.length);
+    for (let i = 0; i < points.length; i += 3) {
+      for (let k = 0; k < 3; k++) drawn[i + k] = (points[i + k] - this.center[k]) / this.radius;
+    }
+    return drawn;
+  }
+
+  cornersOf(face: number): Vector {
+    const { indices } = this.arrays;
+    return [indices[3 * face], indices[3 * face + 1], indices[3 * face + 2]];
+  }
+
+  vertexPosition(vertex: number): Vector {
+    const { positions } = this.arrays;
+    return [positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]];
+  }
+
+  /** In the unit of the file. */
+  positionOf(place: Place): Vector {
+    return this.weighted(place).reduce<Vector>(
+      (sum, [vertex, weight]) => {
+        const p = this.vertexPosition(vertex);
+        return [sum[0] + weight * p[0], sum[1] + weight * p[1], sum[2] + weight * p[2]];
+      },
+      [0, 0, 0],
+    );
+  }
+
+  /** The vertex with the greatest weight in a place. */
+  nearestCorner(place: Place): number {
+    return this.weighted(place).reduce((best, corner) => (corner[1] > best[1] ? corner : best))[0];
+  }
+
+  /** Whether the mesh has this place. */
+  holds(place: Place): boolean {
+    if (place.kind === "face") return place.face < this.faceCount;
+    return this.weighted(place).every(([vertex]) => vertex < this.vertexCount);
+  }
+
+  /** Whether the mesh has every place of a source. */
+  holdsSource(source: Source): boolean {
+    return "curve" in source ? source.curve.every((place) => this.holds(place)) : this.holds(source);
+  }
+
+  private weighted(place: Place): [number, number][] {
+    if (place.kind === "vertex") return [[place.vertex, 1]];
+    if (place.kind === "edge") return [[place.from, 1 - place.t], [place.to, place.t]];
+    return this.cornersOf(place.face).map((vertex, i) => [vertex, place.weights[i]]);
+  }
+
+  dispose(): void {
+    this.geometry.dispose();
+  }
+}
+
+function boundingBox(positions: Float64Array): { low: Vector; high: Vector } {
+  const low: Vector = [Infinity, Infinity, Infinity];
+  const high: Vector = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; i += 3) {
+    for (let k = 0; k < 3; k++) {
+      const value = positions[i + k];
+      if (value < low[k]) low[k] = value;
+      if (value > high[k]) high[k] = value;
+    }
+  }
+  return positions.length ? { low, high } : { low: [0, 0, 0], high: [0, 0, 0] };
+}
