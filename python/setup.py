@@ -32,12 +32,12 @@ def version():
 
 
 class CMakeBuild(build_ext):
-    """Builds with CMake into build/python/ABI, where later builds for the same
+    """Builds with CMake into build/python-ABI, where later builds for the same
     Python go on."""
 
     def build_extension(self, ext):
         abi = sysconfig.get_config_var("SOABI")
-        folder = ROOT / "build" / "python" / abi
+        folder = ROOT / "build" / f"python-{abi}"
         subprocess.run(
             [
                 "cmake", "-S", ROOT, "-B", folder, "-G", "Ninja",

@@ -18,6 +18,7 @@ _PARAMETERS = {
     "gtu": "samples",
 }
 NAMES: Tuple[str, ...] = tuple(_PARAMETERS)
+_DEFAULTS = {"lambda_": 1.0, "neighbours": 50, "samples": 200}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -51,7 +52,7 @@ class Approximate:
             raise InvalidArgument(
                 f"{self.name!r} is no approximate algorithm; these are: " +
                 ", ".join(NAMES))
-        for parameter in ("neighbours", "lambda_", "samples"):
+        for parameter in _DEFAULTS:
             value = getattr(self, parameter)
             if value is None:
                 continue
@@ -62,3 +63,10 @@ class Approximate:
                 to_count(value, parameter)
             elif not 0 < to_real(value, parameter) < math.inf:
                 raise InvalidArgument(f"lambda_ is {value}, not above 0")
+
+    def complete(self) -> "Approximate":
+        """The same, with its parameter's default where nothing was said."""
+        parameter = _PARAMETERS[self.name]
+        if parameter is None or getattr(self, parameter) is not None:
+            return self
+        return dataclasses.replace(self, **{parameter: _DEFAULTS[parameter]})

@@ -53,7 +53,6 @@ class Options:
                 f"tolerance: {self.algorithm} takes none; name no algorithm "
                 "beside it, or fwp-list")
 
-
     @property
     def exact(self) -> Optional[str]:
         """The exact algorithm that is named; None for the default."""

@@ -80,16 +80,17 @@ class LocalBackend:
     def _method(self, wanted: Approximate, options: Options) -> _core.Method:
         """Prepares it if need be. Several threads may do so at once; the last
         one's is kept."""
+        key = wanted.complete()
         with self._lock:
-            method = self._methods.pop(wanted, None)
+            method = self._methods.pop(key, None)
             if method is not None:
-                self._methods[wanted] = method
+                self._methods[key] = method
                 return method
-        method = _core.Method(self._mesh, wanted.name, wanted.neighbours or 50,
-                              wanted.samples or 200, options.threads,
+        method = _core.Method(self._mesh, key.name, key.neighbours or 0,
+                              key.samples or 0, options.threads,
                               options.progress)
         with self._lock:
-            self._methods[wanted] = method
+            self._methods[key] = method
             while len(self._methods) > _METHODS_OF_A_MESH:
                 del self._methods[next(iter(self._methods))]
         return method
@@ -100,16 +101,13 @@ class LocalBackend:
         distances, seconds = self._method(wanted, options).distances(
             self._query(sources, None, options), options.progress)
         distances[distances > radius] = np.inf
-        defaults = {"svg": {"neighbours": 50}, "gtu": {"samples": 200}}
-        used = {name: getattr(wanted, name) or value
-                for name, value in defaults.get(wanted.name, {}).items()}
         return FieldAnswer(
             distances=distances,
             target_distances=distances[targets.numbers[:, 0]],
             settled_radius=0,
             algorithm=wanted.name,
             statistics={"solve_seconds": seconds},
-            approximation=Approximate(wanted.name, **used))
+            approximation=wanted.complete())
 
     def _approximate_rows(self, wanted: Approximate, sources: Sources,
                           targets: Optional[Places], radius: float,
@@ -236,9 +234,8 @@ class LocalBackend:
     def pairs(self, sources: Places, targets: Places,
               options: Options) -> np.ndarray:
         if options.approximate is not None:
-            return self._approximate_pairs(
-                options.approximate, sources.numbers[:, 0],
-                targets.numbers[:, 0], options)
+            return self._approximate_pairs(options.approximate, sources,
+                                           targets, options)
         order, ends = _groups(sources)
         backward, backward_ends = _groups(targets)
         # Distances are the same both ways, so the end that is shared by more
@@ -251,23 +248,26 @@ class LocalBackend:
         return _core.pairs(self._query(points, targets, options), order, ends,
                            options.threads, options.progress)
 
-    def _approximate_pairs(self, wanted: Approximate, sources: np.ndarray,
-                           targets: np.ndarray,
-                           options: Options) -> np.ndarray:
-        method = self._method(wanted, options)
-        found = method.pairs(sources, targets, options.progress)
+    def _approximate_pairs(self, wanted: Approximate, sources: Places,
+                           targets: Places, options: Options) -> np.ndarray:
+        ends = targets.numbers[:, 0]
+        found = self._method(wanted, options).pairs(
+            sources.numbers[:, 0], ends, options.progress)
         if found is not None:
             return found
         # A field from each source answers all its pairs.
-        starts, number = np.unique(sources, return_inverse=True)
-        points = empty(len(starts))
-        points.numbers[:, 0] = starts
+        order, groups = _groups(sources)
+        pairs_of_source = np.split(order, groups[:-1])
+        count = len(pairs_of_source)
+        points = empty(count)
+        points.numbers[:, 0] = [sources.numbers[pairs[0], 0]
+                                for pairs in pairs_of_source]
         rows = self._approximate_rows(
-            wanted, Sources(points, np.full(len(starts), -1), np.zeros(len(starts))),
-            None, math.inf, options)
+            wanted, Sources(points, np.full(count, -1), np.zeros(count)), None,
+            math.inf, options)
         distances = np.empty(len(sources))
-        for i, row in enumerate(rows):
-            distances[number == i] = row[targets[number == i]]
+        for pairs, row in zip(pairs_of_source, rows):
+            distances[pairs] = row[ends[pairs]]
         return distances
 
     def samples(self, sources: Sources, count: int, options: Options,

@@ -251,6 +251,7 @@ void WebCall::OnRead(bool ok) {
     has_response_ = ok;
     has_metadata_ |= ok;
     if (!ok || has_left_ || failure_) Close();
+    Forward();
     Wake();
     Done();
   }
@@ -309,7 +310,11 @@ void WebCall::Wake() {
 }
 
 void WebCall::Forward() {
-  if (is_closed_ || failure_ || is_writing_) return;
+  if (is_closed_ || failure_) return;
+  // Who answers reads no more: browsers' calls do not go both ways. The answer
+  // is read when the request has ended, so what comes of that must not wait.
+  if (has_metadata_ && reader_.has_message()) reader_.TakeMessage();
+  if (is_writing_) return;
   if (reader_.has_message()) {
     is_writing_ = true;
     ++messages_;

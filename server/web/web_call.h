@@ -131,7 +131,7 @@ class WebCall final : public Receiver,
 
   void Suspend();
   void Wake();
-  // Hands on what came of the request.
+  // Hands on what came of the request, or drops it once an answer has come.
   void Forward();
   // Asks for the call's status. No other operation is begun after this.
   void Close();

@@ -40,7 +40,8 @@ function send(text, port = server.port) {
 
 const head = (method, headers = {}, type = "application/grpc-web+proto") => {
   const all = { host: "127.0.0.1", "content-type": type, ...headers };
-  return `POST /geodesic.v1.${method} HTTP/1.1\r\n` +
+  const path = method.includes(".") ? method : `geodesic.v1.${method}`;
+  return `POST /${path} HTTP/1.1\r\n` +
       Object.entries(all).map(([name, value]) => `${name}: ${value}\r\n`).join("") + "\r\n";
 };
 
@@ -88,6 +89,22 @@ test("malformed bodies are refused in words", async () => {
     assert.match(text, new RegExp(`grpc-status: ${status}\\r\\n`), JSON.stringify(body));
     assert.match(decodeURIComponent(text.replace(/%(?![0-9A-F]{2})/g, "%25")), words);
   }
+  await isServing();
+});
+
+test("messages after the one that is asked for keep nobody waiting", async () => {
+  const many = frame(Buffer.alloc(0)).toString("latin1").repeat(1000);
+  const started = Date.now();
+  for (const path of ["grpc.health.v1.Health/Check",
+    "geodesic.v1.CapabilitiesService/GetCapabilities",
+    "geodesic.v1.MeshService/GetMesh", "geodesic.v1.MeshService/ReadMesh",
+    "geodesic.v1.MeshService/FindMissingMeshes"]) {
+    for (const type of ["application/grpc-web+proto", "application/grpc-web-text"]) {
+      const body = type.endsWith("text") ? Buffer.from(many, "latin1").toString("base64") : many;
+      assert.match(await call(path, body, type), /^HTTP\/1\.1 200 [^]*\r\n0\r\n/, path);
+    }
+  }
+  assert.ok(Date.now() - started < 1000 * PATIENCE, "some waited until their time was up");
   await isServing();
 });
 
