@@ -69,7 +69,7 @@ TEST(TriangleUnfolding, IsExactBetweenSamples) {
 }
 
 TEST(TriangleUnfolding, ErrorsShrinkWithMoreSamples) {
-  const auto mesh = BuildOrFail({"icosphere", Icosphere(4)});
+  const auto mesh = BuildOrFail({"icosphere", Icosphere(3)});
   const std::vector<Source> sources = {{VertexPoint{100}}};
   double before = 1;
   for (const uint32_t samples : {20u, 80u, 320u}) {

@@ -51,9 +51,11 @@ class GentleSaddles : public EveryAlgorithm {
 // The last are hidden from the solver by kFlatAngle, one by one.
 TEST_P(GentleSaddles, HundredsInARow) {
   if (!IsQuickEnough()) GTEST_SKIP() << "too many windows";
+  // Windows of mmp are many there.
+  const uint32_t count = GetParam().algorithm == Algorithm::kMmp ? 150 : 450;
   for (const double excess : {1e-6, 0.97e-9, 1e-11, 0.9e-13, 1e-15}) {
     ExpectStraightRows(
-        {absl::StrCat("row of excess ", excess), SaddleRow(450, excess, 16)});
+        {absl::StrCat("row of excess ", excess), SaddleRow(count, excess, 16)});
   }
 }
 
