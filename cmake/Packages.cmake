@@ -62,7 +62,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME libgeodesic-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-  "libabsl-dev, libopenmesh-dev, libsuitesparse-dev, zlib1g-dev")
+  "libabsl-dev, libopenmesh-dev, libsuitesparse-dev, zlib1g-dev, libpugixml-dev")
 # For the component client.
 set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS
   "libgrpc++-dev, libprotobuf-dev, libssl-dev, protobuf-compiler, protobuf-compiler-grpc")

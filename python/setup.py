@@ -2,7 +2,7 @@
 from what a source distribution holds of it, in the folder `source`.
 
 Everything else is in pyproject.toml. It wants cmake, ninja, g++, pybind11,
-Abseil, OpenMesh, SuiteSparse and zlib (scripts/install-dependencies python), and
+Abseil, OpenMesh, SuiteSparse, pugixml and zlib (scripts/install-dependencies python), and
 no network.
 """
 

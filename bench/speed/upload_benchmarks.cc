@@ -43,6 +43,10 @@ server::UploadFormat UploadFormatOf(MeshFormat format) {
       return server::UploadFormat::kStl;
     case MeshFormat::kVtk:
       return server::UploadFormat::kVtk;
+    case MeshFormat::kGltf:
+      return server::UploadFormat::kGltf;
+    case MeshFormat::kVtp:
+      return server::UploadFormat::kVtp;
   }
   return server::UploadFormat::kObj;
 }

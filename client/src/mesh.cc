@@ -20,8 +20,8 @@ static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12);
 constexpr std::string_view kDigestPreamble = "geodesic.mesh.v1\n";
 
 // Indexed by MeshFormat.
-constexpr std::array<std::string_view, 6> kFormatNames = {"obj", "ply", "off",
-                                                          "stl", "vtk", "gltf"};
+constexpr std::array<std::string_view, 7> kFormatNames = {
+    "obj", "ply", "off", "stl", "vtk", "gltf", "vtp"};
 
 template <typename Items>
 std::string_view BytesOf(const Items& items) {
@@ -65,8 +65,8 @@ absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view whole_path) {
   }
   return absl::InvalidArgumentError(absl::StrCat(
       "cannot tell the format of ", std::string(whole_path),
-      " by its ending; known are .obj, .ply, .off, .stl, .vtk, .glb "
-      "and .gltf, and the same with .gz behind"));
+      " by its ending; known are .obj, .ply, .off, .stl, .vtk, .vtp, "
+      ".glb and .gltf, and the same with .gz behind"));
 }
 
 }  // namespace geodesic::client

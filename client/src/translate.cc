@@ -264,7 +264,8 @@ v1::ValueType ToProto(ValueType type) {
 v1::MeshFormat ToProto(MeshFormat format) {
   constexpr std::array kFormats = {v1::MESH_FORMAT_OBJ, v1::MESH_FORMAT_PLY,
                                    v1::MESH_FORMAT_OFF, v1::MESH_FORMAT_STL,
-                                   v1::MESH_FORMAT_VTK, v1::MESH_FORMAT_GLTF};
+                                   v1::MESH_FORMAT_VTK, v1::MESH_FORMAT_GLTF,
+                                   v1::MESH_FORMAT_VTP};
   return kFormats.at(static_cast<size_t>(format));
 }
 

@@ -53,7 +53,7 @@ class Door:
 _ANSWERS_FORMAT = "geodesic.answers.v1"
 # Questions of Mesh that one array answers.
 _QUESTIONS = ("distances", "labels", "gradients", "matrix", "pairs")
-_ENDINGS = (".obj", ".ply", ".off", ".stl", ".vtk")
+_ENDINGS = (".obj", ".ply", ".off", ".stl", ".vtk", ".vtp", ".glb", ".gltf")
 _INPUTS = ("vertices", "faces", "sources", "targets")
 
 

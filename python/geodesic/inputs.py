@@ -9,8 +9,8 @@ import numpy as np
 from .arguments import to_array
 from .errors import InvalidArgument
 
-_HINT = ("a mesh is Mesh(vertices, faces), a file (.obj, .ply, .off, .stl, .vtk, .glb, .gz), or a "
-         "mesh of trimesh, meshio or PyVista")
+_HINT = ("a mesh is Mesh(vertices, faces), a file (.obj, .ply, .off, .stl, .vtk, .vtp, .glb, .gz), or "
+         "a mesh of trimesh, meshio or PyVista")
 
 
 def to_vertices(vertices: Any) -> np.ndarray:

@@ -119,7 +119,7 @@ class Mesh:
 
         Args:
             vertices: numbers (V, 3); or a file's path (.obj, .ply, .off, .stl,
-                .vtk, .glb, .gltf, or .gz of these);
+                .vtk, .vtp, .glb, .gltf, or .gz of these);
                 or a mesh of trimesh, meshio or PyVista.
             faces: integers (F, 3), the vertices of each triangle; polygons of
                 files and other libraries' meshes become fans of triangles.

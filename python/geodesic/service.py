@@ -32,6 +32,7 @@ _FORMATS = {
     ".off": mesh_pb2.MESH_FORMAT_OFF,
     ".stl": mesh_pb2.MESH_FORMAT_STL,
     ".vtk": mesh_pb2.MESH_FORMAT_VTK,
+    ".vtp": mesh_pb2.MESH_FORMAT_VTP,
     ".glb": mesh_pb2.MESH_FORMAT_GLTF,
     ".gltf": mesh_pb2.MESH_FORMAT_GLTF,
 }

@@ -8,9 +8,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/field_path.h"
+#include "tests/core/readers/vtp_writer.h"
 #include "tests/engine/uploads.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/gzip_file.h"
@@ -224,6 +226,25 @@ TEST_F(MeshUploadTest, CompressedFilesAreTheSameMesh) {
   const auto soup = TryToParse(*compressed);
   ASSERT_TRUE(soup.ok()) << soup.status();
   EXPECT_EQ(compressed->digest(), plain->digest());
+}
+
+// Its arrays are compressed, so the usual bounds do not hold.
+TEST_F(MeshUploadTest, AVtpMayHoldMuchMoreThanItsBytes) {
+  std::vector<int64_t> polygon(2002);
+  for (size_t i = 0; i < polygon.size(); ++i) polygon[i] = i % 3;
+  const std::string file =
+      geodesic::test::VtpWriter({.format = geodesic::test::VtpFormat::kBinary,
+                                 .is_compressed = true,
+                                 .block_bytes = 1 << 15})
+          .Write({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {polygon}}});
+  auto upload =
+      *Start({.format = UploadFormat::kVtp, .size_bytes = file.size()});
+  ASSERT_TRUE(upload->Append(0, file).ok());
+  ASSERT_TRUE(upload->Finish().ok());
+  const auto parsed = TryToParse(*upload);
+  ASSERT_TRUE(parsed.ok()) << parsed.status();
+  ASSERT_EQ(parsed->triangles.size(), 2000u);
+  EXPECT_GT(4 * 2000 * sizeof(Triangle), 48 * file.size());
 }
 
 TEST_F(MeshUploadTest, ABombTakesNoMoreThanAnUploadMay) {

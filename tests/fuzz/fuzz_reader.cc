@@ -21,12 +21,14 @@ namespace {
 // Memory may grow with the bytes read: 24 bytes for a vertex of three bytes,
 // 12 for a corner of one, and twice that where arrays grow by doubling.
 constexpr size_t kMostBytesPerByte = 32;
+// What zlib makes of a byte, where a format has arrays that it compresses.
+constexpr size_t kMostInflation = 1032;
 
 void Require(bool promise) {
   if (!promise) std::abort();
 }
 
-void RequireSound(const TriangleSoup& soup, size_t size) {
+void RequireSound(const TriangleSoup& soup, size_t size, MeshFormat format) {
   for (const Point& point : soup.positions) {
     for (const double coordinate : point) Require(std::isfinite(coordinate));
   }
@@ -37,7 +39,8 @@ void RequireSound(const TriangleSoup& soup, size_t size) {
   }
   Require(soup.positions.capacity() * sizeof(Point) +
               soup.triangles.capacity() * sizeof(Triangle) <=
-          kMostBytesPerByte * size);
+          (format == MeshFormat::kVtp ? kMostInflation : 1) *
+              kMostBytesPerByte * size);
 }
 
 void CheckReader(const uint8_t* data, size_t size, MeshFormat format) {
@@ -48,7 +51,7 @@ void CheckReader(const uint8_t* data, size_t size, MeshFormat format) {
     Require(!soup.status().message().empty());
     return;
   }
-  RequireSound(*soup, size);
+  RequireSound(*soup, size, format);
   const absl::StatusOr<std::shared_ptr<const Mesh>> mesh =
       Mesh::Build(*std::move(soup));
   Require(mesh.ok() || absl::IsInvalidArgument(mesh.status()));

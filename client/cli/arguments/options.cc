@@ -178,7 +178,7 @@ void AddFiles(CLI::App* app, const std::string& help,
 void AddFormat(CLI::App* app, std::optional<MeshFormat>* format) {
   AddChoice(app,
             {"--format", "How to read the file, if its ending does not tell"},
-            {"obj", "ply", "off", "stl", "vtk", "gltf"},
+            {"obj", "ply", "off", "stl", "vtk", "vtp", "gltf"},
             [format](const std::string& name) {
               *format = *MeshFormatFromPath("." + name);
             });

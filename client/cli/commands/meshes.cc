@@ -131,9 +131,8 @@ struct UploadArguments {
 
 void AddUploadOptions(CLI::App* app, UploadArguments* arguments) {
   AddFiles(app,
-           "Meshes in OBJ, PLY, OFF, STL, VTK or glTF, or .gz of these; sent "
-           "only if "
-           "the server does not know them",
+           "Meshes in OBJ, PLY, OFF, STL, VTK, VTP or glTF, or .gz of these; "
+           "sent only if the server does not know them",
            &arguments->files);
   AddFormat(app, &arguments->format);
 }

@@ -34,9 +34,9 @@ std::string MeshDigest(const MeshArrays& mesh);
 // Whether `text` has the form of a mesh's name.
 bool IsMeshDigest(std::string_view text);
 
-enum class MeshFormat { kObj, kPly, kOff, kStl, kVtk, kGltf };
+enum class MeshFormat { kObj, kPly, kOff, kStl, kVtk, kGltf, kVtp };
 
-// "obj", "ply", "off", "stl", "vtk" or "gltf".
+// "obj", "ply", "off", "stl", "vtk", "gltf" or "vtp".
 std::string_view MeshFormatName(MeshFormat format);
 
 // The format a path's ending names, in any case ("a/b.PLY" is kPly).

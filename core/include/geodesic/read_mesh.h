@@ -1,5 +1,5 @@
-// Bounded readers for mesh files (OBJ, PLY, OFF, STL, VTK, glTF) held in
-// memory.
+// Bounded readers for mesh files (OBJ, PLY, OFF, STL, VTK, VTP, glTF) held
+// in memory.
 //
 //   absl::StatusOr<MeshFormat> format = MeshFormatFromPath("horse.ply");
 //   absl::StatusOr<TriangleSoup> soup = ReadMesh(bytes, *format);
@@ -8,7 +8,9 @@
 // The bytes may be hostile. A reader
 //   1. opens no file and follows no reference (an OBJ's mtllib is ignored);
 //   2. allocates nothing because a header says so: memory grows with bytes that
-//      have been read, and stays within a small factor of the input's size;
+//      have been read, and stays within a small factor of the input's size, or
+//      of what it holds where it is compressed (1032 times as much at the
+//      most);
 //   3. keeps doubles as doubles (correctly rounded) and the file's vertex
 //      order, unused vertices included; STL, which has no indices, and glTF,
 //      which repeats vertices, are welded by exact coordinates in order of
@@ -38,9 +40,10 @@ enum class MeshFormat {
   kStl,   // STL, ASCII or binary, told apart by content.
   kVtk,   // VTK's legacy format: POLYDATA or UNSTRUCTURED_GRID of polygons.
   kGltf,  // glTF 2.0, binary or with its buffers inside; not compressed.
+  kVtp,   // VTK's XML format of PolyData; arrays as they are or within zlib.
 };
 
-// "obj", "ply", "off", "stl", "vtk" or "gltf".
+// "obj", "ply", "off", "stl", "vtk", "gltf" or "vtp".
 std::string_view MeshFormatName(MeshFormat format);
 
 // The format a path's ending names, in any case ("a/b.PLY" -> kPly),

@@ -1,7 +1,5 @@
 #include "geodesic/gzip.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,6 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/checkpoint.h"
 #include "readers/byte_order.h"
+#include "readers/inflater.h"
 #include "readers/messages.h"
 
 namespace geodesic {
@@ -21,26 +20,7 @@ constexpr int kWindowBits = 15 + 16;
 constexpr std::string_view kMagic = "\x1f\x8b\x08";
 // The shortest file: header, an empty block, trailer.
 constexpr size_t kLeastBytes = 20;
-// Deflate turns no byte into more than these.
-constexpr uint64_t kMostFactor = 1032;
 constexpr size_t kBlockBytes = 1 << 16;
-
-class Inflater {
- public:
-  Inflater() { is_ready_ = inflateInit2(&stream_, kWindowBits) == Z_OK; }
-  ~Inflater() {
-    if (is_ready_) inflateEnd(&stream_);
-  }
-  Inflater(const Inflater&) = delete;
-  Inflater& operator=(const Inflater&) = delete;
-
-  bool is_ready() const { return is_ready_; }
-  z_stream& stream() { return stream_; }
-
- private:
-  z_stream stream_{};
-  bool is_ready_ = false;
-};
 
 bool IsPadding(std::string_view bytes) {
   return std::ranges::all_of(bytes, [](char c) { return c == '\0'; });
@@ -51,7 +31,7 @@ bool IsPadding(std::string_view bytes) {
 bool IsGzip(std::string_view bytes) { return bytes.starts_with(kMagic); }
 
 uint64_t PromisedGzipBytes(std::string_view bytes) {
-  const uint64_t most = std::max<uint64_t>(1, bytes.size() * kMostFactor);
+  const uint64_t most = std::max<uint64_t>(1, bytes.size() * kMostInflation);
   if (bytes.size() < kLeastBytes) return most;
   // The last piece's size, modulo 2^32.
   const uint64_t promised = Load<uint32_t, std::endian::little>(
@@ -61,7 +41,7 @@ uint64_t PromisedGzipBytes(std::string_view bytes) {
 
 absl::StatusOr<std::vector<char>> Gunzip(std::string_view bytes, uint64_t most,
                                          Checkpoint* checkpoint) {
-  Inflater inflater;
+  Inflater inflater(kWindowBits);
   if (!inflater.is_ready()) {
     return absl::ResourceExhaustedError("there is no memory to decompress");
   }

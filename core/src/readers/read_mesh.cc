@@ -26,13 +26,14 @@ struct Format {
                                        const ReadLimits& limits);
 };
 
-constexpr std::array<Format, 6> kFormats = {{
+constexpr std::array<Format, 7> kFormats = {{
     {MeshFormat::kObj, "obj", ReadObj},
     {MeshFormat::kPly, "ply", ReadPly},
     {MeshFormat::kOff, "off", ReadOff},
     {MeshFormat::kStl, "stl", ReadStl},
     {MeshFormat::kVtk, "vtk", ReadVtk},
     {MeshFormat::kGltf, "gltf", ReadGltf},
+    {MeshFormat::kVtp, "vtp", ReadVtp},
 }};
 
 const Format* Find(MeshFormat format) {
@@ -51,7 +52,7 @@ struct Signature {
 constexpr absl::string_view kDecompress = "decompress first";
 constexpr absl::string_view kUtf8 = "save it as UTF-8 first";
 constexpr absl::string_view kConvert =
-    "convert it to PLY, OFF, OBJ, STL, glTF or VTK's legacy format";
+    "convert it to PLY, OFF, OBJ, STL, glTF or VTP";
 constexpr absl::string_view kDownload =
     "the download was perhaps an error page";
 
@@ -72,10 +73,17 @@ constexpr std::array<Signature, 13> kSignatures = {{
      "fetch the file that it stands for"},
 }};
 
+// How far into a file its first element may stand.
+constexpr size_t kXmlProlog = 4096;
+
 // The mesh format that the first word of a text gives away.
 std::optional<MeshFormat> GuessFormat(std::string_view bytes) {
   if (bytes.starts_with("# vtk DataFile")) return MeshFormat::kVtk;
   if (bytes.starts_with("glTF")) return MeshFormat::kGltf;
+  if ((bytes.starts_with("<") || bytes.starts_with("\xef\xbb\xbf<")) &&
+      bytes.substr(0, kXmlProlog).find("<VTKFile") != std::string_view::npos) {
+    return MeshFormat::kVtp;
+  }
   LineScanner scanner(bytes);
   std::string_view word;
   while (word.empty() || word.starts_with('#')) {
@@ -106,14 +114,14 @@ std::string Upper(MeshFormat format) {
 // Errors: INVALID_ARGUMENT that says what they look like and what to do.
 absl::Status CheckContent(std::string_view bytes, MeshFormat format) {
   if (bytes.empty()) return absl::InvalidArgumentError("the file is empty");
+  const std::optional<MeshFormat> guess = GuessFormat(bytes);
   for (const Signature& signature : kSignatures) {
-    if (bytes.starts_with(signature.prefix)) {
+    if (!guess.has_value() && bytes.starts_with(signature.prefix)) {
       return absl::InvalidArgumentError(
           absl::StrCat("the bytes look like ", signature.name, ", not ",
                        Upper(format), ": ", signature.advice));
     }
   }
-  const std::optional<MeshFormat> guess = GuessFormat(bytes);
   if (guess.has_value() && *guess != format) {
     return absl::InvalidArgumentError(absl::StrCat(
         "the bytes look like ", Upper(*guess), ", not ", Upper(format)));
@@ -152,8 +160,8 @@ absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path) {
   return absl::InvalidArgumentError(
       absl::StrCat("the ending of '", Printable(path, 200),
                    "' names no mesh format: .obj, .ply, .off, .stl, "
-                   ".vtk, .glb and .gltf are known, and the same with .gz "
-                   "behind"));
+                   ".vtk, .vtp, .glb and .gltf are known, and the same with "
+                   ".gz behind"));
 }
 
 absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes, MeshFormat format,

@@ -21,8 +21,9 @@ absl::StatusOr<TriangleSoup> ReadPly(std::string_view bytes,
                                      const ReadLimits& limits);
 absl::StatusOr<TriangleSoup> ReadStl(std::string_view bytes,
                                      const ReadLimits& limits);
-
 absl::StatusOr<TriangleSoup> ReadVtk(std::string_view bytes,
+                                     const ReadLimits& limits);
+absl::StatusOr<TriangleSoup> ReadVtp(std::string_view bytes,
                                      const ReadLimits& limits);
 
 // Whether the size is what the facet count at byte 80 asks for, give or take

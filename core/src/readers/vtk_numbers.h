@@ -1,4 +1,4 @@
-// Numbers and lines of VTK's legacy format.
+// Numbers and lines of VTK's formats.
 
 #ifndef GEODESIC_READERS_VTK_NUMBERS_H_
 #define GEODESIC_READERS_VTK_NUMBERS_H_
@@ -10,37 +10,47 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
+#include <type_traits>
 
 #include "readers/byte_order.h"
 #include "readers/text_scanner.h"
 
 namespace geodesic {
 
-// Numbers of VTK's own types, which binary files store with the most
-// significant byte first.
-template <typename T>
+template <typename T, std::endian kOrder>
 double LoadVtkReal(const char* address) {
-  return static_cast<double>(Load<T, std::endian::big>(address));
+  return static_cast<double>(Load<T, kOrder>(address));
 }
-template <typename T>
+template <typename T, std::endian kOrder>
 int64_t LoadVtkInteger(const char* address) {
-  return static_cast<int64_t>(Load<T, std::endian::big>(address));
+  return static_cast<int64_t>(Load<T, kOrder>(address));
 }
 
+// A type of numbers, as a format names it.
 struct VtkType {
   std::string_view name;
   size_t bytes;
-  double (*load_real)(const char*);
-  int64_t (*load_integer)(const char*);
+  bool is_whole;
+  // By whether the most significant byte comes first.
+  std::array<double (*)(const char*), 2> load_real;
+  std::array<int64_t (*)(const char*), 2> load_integer;
 };
 
 template <typename T>
 constexpr VtkType VtkTypeOf(std::string_view name) {
-  return {name, sizeof(T), &LoadVtkReal<T>, &LoadVtkInteger<T>};
+  return {
+      name,
+      sizeof(T),
+      std::is_integral_v<T>,
+      {&LoadVtkReal<T, std::endian::little>, &LoadVtkReal<T, std::endian::big>},
+      {&LoadVtkInteger<T, std::endian::little>,
+       &LoadVtkInteger<T, std::endian::big>}};
 }
 
 inline constexpr VtkType kVtkInt = VtkTypeOf<int32_t>("int");
+// Those of the legacy format.
 inline constexpr std::array kVtkTypes = {VtkTypeOf<float>("float"),
                                          VtkTypeOf<double>("double"),
                                          kVtkInt,
@@ -56,9 +66,10 @@ inline constexpr std::array kVtkTypes = {VtkTypeOf<float>("float"),
                                          VtkTypeOf<int8_t>("char"),
                                          VtkTypeOf<uint8_t>("unsigned_char")};
 
-// Null where there is no such type.
-inline const VtkType* VtkTypeNamed(std::string_view name) {
-  for (const VtkType& type : kVtkTypes) {
+// Null where there is no such type among `types`.
+inline const VtkType* VtkTypeNamed(std::span<const VtkType> types,
+                                   std::string_view name) {
+  for (const VtkType& type : types) {
     if (type.name == name) return &type;
   }
   return nullptr;
@@ -75,7 +86,10 @@ class VtkCursor {
 
   size_t offset() const { return offset_; }
   size_t remaining() const { return bytes_.size() - offset_; }
-  void set_binary() { is_binary_ = true; }
+  void set_binary(std::endian order) {
+    is_binary_ = true;
+    is_big_ = order == std::endian::big;
+  }
 
   // The next line without its end; none at the end of the file.
   std::optional<std::string_view> Line() {
@@ -88,28 +102,27 @@ class VtkCursor {
     return line;
   }
 
-  // Whether so many numbers may follow.
-  bool HasRoom(uint64_t count, const VtkType& type) const {
+  // How many numbers may follow at the most.
+  uint64_t MostNumbers(const VtkType& type) const {
     // The last number of a text may lack its end.
-    return is_binary_ ? count <= remaining() / type.bytes
-                      : count <= (remaining() + 1) / 2;
+    return is_binary_ ? remaining() / type.bytes : (remaining() + 1) / 2;
   }
 
   std::optional<double> Real(const VtkType& type) {
     if (!is_binary_) return ParseFinite(Word());
     const char* const number = Take(type.bytes);
     if (number == nullptr) return std::nullopt;
-    const double value = type.load_real(number);
+    const double value = type.load_real[is_big_](number);
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
   }
   std::optional<int64_t> Integer(const VtkType& type) {
     if (!is_binary_) return ParseInteger(Word());
     const char* const number = Take(type.bytes);
     if (number == nullptr) return std::nullopt;
-    return type.load_integer(number);
+    return type.load_integer[is_big_](number);
   }
 
-  // Moves past numbers. REQUIRES: HasRoom(count, type).
+  // Moves past numbers. REQUIRES: count <= MostNumbers(type).
   bool Skip(uint64_t count, const VtkType& type) {
     if (is_binary_) return Take(count * type.bytes) != nullptr;
     for (; count > 0; --count) {
@@ -135,6 +148,7 @@ class VtkCursor {
   std::string_view bytes_;
   size_t offset_ = 0;
   bool is_binary_ = false;
+  bool is_big_ = false;
 };
 
 }  // namespace geodesic

@@ -5,6 +5,7 @@
 // Data behind the cells, such as scalars, go unread.
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 #include "readers/readers.h"
 #include "readers/soup_builder.h"
 #include "readers/text_scanner.h"
+#include "readers/vtk_cells.h"
 #include "readers/vtk_numbers.h"
 
 namespace geodesic {
@@ -80,7 +82,7 @@ class VtkReader {
     cursor_.Line();  // the title
     const Section encoding = Words(cursor_.Line().value_or(""));
     if (encoding.name == "BINARY") {
-      cursor_.set_binary();
+      cursor_.set_binary(std::endian::big);
     } else if (encoding.name != "ASCII") {
       return Refuse("'", Printable(encoding.name),
                     "' is neither ASCII nor BINARY");
@@ -121,7 +123,7 @@ class VtkReader {
     }
     if (section_.name == "FIELD") return SkipField();
     if (section_.name == "TRIANGLE_STRIPS") {
-      return Refuse("triangle strips are not supported: save plain triangles");
+      return Refuse(kVtkStripsAreNotRead);
     }
     if (section_.name == "POINT_DATA" || section_.name == "CELL_DATA" ||
         section_.name == "CELL_TYPES") {
@@ -142,7 +144,7 @@ class VtkReader {
   }
 
   const VtkType* FindType(std::string_view name) {
-    const VtkType* const type = VtkTypeNamed(name);
+    const VtkType* const type = VtkTypeNamed(kVtkTypes, name);
     if (type != nullptr) return type;
     Refuse(std::string(section_.name), ": '", Printable(name),
            "' is no known type");
@@ -152,7 +154,9 @@ class VtkReader {
   // Moves past `count` numbers; a cursor at them, if they are there.
   std::optional<VtkCursor> Pass(uint64_t count, const VtkType& type) {
     const VtkCursor begin = cursor_;
-    if (cursor_.HasRoom(count, type) && cursor_.Skip(count, type)) return begin;
+    if (count <= cursor_.MostNumbers(type) && cursor_.Skip(count, type)) {
+      return begin;
+    }
     Refuse(std::string(section_.name), ": ", count, " numbers do not fit the ",
            begin.remaining(), " bytes that follow");
     return std::nullopt;
@@ -164,7 +168,7 @@ class VtkReader {
     const VtkType* const type = FindType(section_.rest[1]);
     if (type == nullptr) return false;
     if (builder_.vertices() > 0) return Refuse("POINTS come twice");
-    if (count > cursor_.remaining() || !cursor_.HasRoom(3 * count, *type)) {
+    if (count > cursor_.MostNumbers(*type) / 3) {
       return Refuse(count, " points do not fit the ", cursor_.remaining(),
                     " bytes that follow");
     }
@@ -259,7 +263,11 @@ class VtkReader {
       Refuse("'", std::string(name), "' was expected");
       return nullptr;
     }
-    return FindType(section_.rest[0]);
+    const VtkType* const type = FindType(section_.rest[0]);
+    if (type == nullptr || type->is_whole) return type;
+    Refuse(std::string(name), ": '", std::string(type->name),
+           "' is no type of whole numbers");
+    return nullptr;
   }
 
   bool ReadCells() {
@@ -283,14 +291,13 @@ class VtkReader {
     for (uint64_t cell = 0; cell < cells->count; ++cell) {
       int64_t corners = 0;
       if (cells->offsets.has_value()) {
-        const std::optional<int64_t> end =
-            cells->offsets->Integer(*cells->offset_type);
-        if (!end.has_value() || *end < static_cast<int64_t>(begin) ||
-            static_cast<uint64_t>(*end) > cells->corner_count) {
+        const std::optional<int64_t> count =
+            VtkCornersUpTo(cells->offsets->Integer(*cells->offset_type), begin,
+                           cells->corner_count);
+        if (!count.has_value()) {
           return Refuse("cell ", cell, ": its end in OFFSETS is out of range");
         }
-        corners = *end - static_cast<int64_t>(begin);
-        begin = *end;
+        corners = *count;
       } else {
         const std::optional<int64_t> count =
             cells->corners.Integer(*cells->type);
@@ -300,8 +307,8 @@ class VtkReader {
                         "beyond the section");
         }
         corners = *count;
-        begin += *count;
       }
+      begin += corners;
       const std::optional<int64_t> kind =
           kinds.has_value() ? kinds->Integer(kVtkInt) : kPolygonCell;
       if (!kind.has_value()) return Refuse("cell ", cell, " has no type");
@@ -318,25 +325,14 @@ class VtkReader {
       return Refuse("cell ", cell, " has type ", kind,
                     "; triangles (5), polygons (7) and quads (9) are read");
     }
-    if (is_face && corners < 3) {
-      return Refuse("cell ", cell, TooFewCorners(corners));
-    }
-    builder_.BeginFace();
-    for (int64_t corner = 0; corner < corners; ++corner) {
-      const std::optional<int64_t> vertex = cells.corners.Integer(*cells.type);
-      if (!vertex.has_value()) {
-        return Refuse("cell ", cell, ": corner ", corner, " is no number");
-      }
-      if (*vertex < 0 ||
-          static_cast<uint64_t>(*vertex) >= builder_.vertices()) {
-        return Refuse("cell ", cell,
-                      NamesNoVertex(*vertex, builder_.vertices()));
-      }
-      if (is_face && !builder_.AddCorner(static_cast<uint32_t>(*vertex))) {
-        return false;
-      }
-    }
-    return true;
+    return AddVtkCell(
+        builder_,
+        {.number = cell,
+         .corners = corners,
+         .is_face = is_face,
+         .vertices = builder_.vertices()},
+        [&] { return cells.corners.Integer(*cells.type); },
+        [&](const auto&... parts) { return Refuse(parts...); });
   }
 
   VtkCursor cursor_;

@@ -26,7 +26,7 @@ namespace geodesic::server {
 
 // How the bytes of an upload are to be read: the canonical arrays themselves,
 // or a file that geodesic::ReadMesh reads.
-enum class UploadFormat { kArrays, kObj, kPly, kOff, kStl, kVtk, kGltf };
+enum class UploadFormat { kArrays, kObj, kPly, kOff, kStl, kVtk, kGltf, kVtp };
 
 struct UploadHeader {
   UploadFormat format = UploadFormat::kArrays;

@@ -26,10 +26,11 @@ constexpr uint64_t kFirstCapacity = uint64_t{1} << 20;
 // Bounds on the triangles' memory, as multiples of the file's size. Most files
 // keep to the first: "f 1001 1002 1003\n" is 17 bytes and makes 12. A file that
 // does not is read again with a larger bound. Every file keeps to the last: a
-// byte may be a corner, and add a triangle.
+// byte may be a corner, and add a triangle; in a .vtp it may be compressed.
 constexpr uint64_t kUsualFactor = 3;
 constexpr uint64_t kNextFactor = 4;
 constexpr uint64_t kLastFactor = 48;
+constexpr uint64_t kMostInflation = 1032;
 
 // Gunzip's memory, as a multiple of what comes out.
 constexpr uint64_t kGunzipFactor = 2;
@@ -39,6 +40,11 @@ constexpr char kUpload[] = "the upload announces";
 
 uint64_t FirstFactor(const UploadHeader& header) {
   return header.format == UploadFormat::kArrays ? 1 : kUsualFactor;
+}
+
+uint64_t LastFactor(const UploadHeader& header) {
+  return header.format == UploadFormat::kVtp ? kLastFactor * kMostInflation
+                                             : kLastFactor;
 }
 
 // Half of the bytes is for vertices and half for triangles. An array that grows
@@ -106,6 +112,8 @@ MeshFormat FileFormat(UploadFormat format) {
       return MeshFormat::kVtk;
     case UploadFormat::kGltf:
       return MeshFormat::kGltf;
+    case UploadFormat::kVtp:
+      return MeshFormat::kVtp;
     case UploadFormat::kObj:
     case UploadFormat::kArrays:
       break;
@@ -247,7 +255,8 @@ absl::StatusOr<bool> MeshUpload::Parse(Checkpoint& checkpoint) {
                        .max_triangles =
                            std::min(own.max_triangles, within.max_triangles),
                        .checkpoint = &checkpoint});
-  if (absl::IsResourceExhausted(soup.status()) && soup_factor_ < kLastFactor &&
+  if (absl::IsResourceExhausted(soup.status()) &&
+      soup_factor_ < LastFactor(header_) &&
       (within.max_vertices < own.max_vertices ||
        within.max_triangles < own.max_triangles)) {
     soup_factor_ *= kNextFactor;

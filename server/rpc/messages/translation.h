@@ -157,6 +157,7 @@ inline constexpr std::pair<UploadFormat, v1::MeshFormat> kMeshFormats[] = {
     {UploadFormat::kStl, v1::MESH_FORMAT_STL},
     {UploadFormat::kVtk, v1::MESH_FORMAT_VTK},
     {UploadFormat::kGltf, v1::MESH_FORMAT_GLTF},
+    {UploadFormat::kVtp, v1::MESH_FORMAT_VTP},
 };
 
 v1::Mesh ToProto(const MeshDescription& mesh);

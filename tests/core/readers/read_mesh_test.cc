@@ -19,6 +19,7 @@
 #include "absl/strings/str_replace.h"
 #include "tests/core/readers/byte_writer.h"
 #include "tests/core/readers/soup_checks.h"
+#include "tests/core/readers/vtp_writer.h"
 
 namespace geodesic {
 namespace {
@@ -28,6 +29,9 @@ using test::ExpectRead;
 using test::ExpectSound;
 using test::IsInvalid;
 using test::IsInvalidWith;
+using test::VtpFormat;
+using test::VtpPiece;
+using test::VtpWriter;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -101,6 +105,11 @@ Sample BinaryGltf() {
   return {"GltfBinary", MeshFormat::kGltf, file.bytes(), 0};
 }
 
+VtpPiece VtpTriangles() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+          {{0, 1, 2}, {3, 2, 1, 0}}};
+}
+
 // Each has four or five vertices and three triangles.
 std::vector<Sample> Samples() {
   const std::string rows = "0 0 0 9\n1 0 0 9\n0 1 0 9\n0 0 1 9\n";
@@ -128,6 +137,11 @@ std::vector<Sample> Samples() {
        1},
       BinaryVtk(),
       BinaryGltf(),
+      {"VtpAscii", MeshFormat::kVtp, VtpWriter({}).Write({VtpTriangles()}), 1},
+      {"VtpZlib", MeshFormat::kVtp,
+       VtpWriter({.format = VtpFormat::kBinary, .is_compressed = true})
+           .Write({VtpTriangles()}),
+       1},
   };
 }
 
@@ -341,7 +355,8 @@ TEST(MeshFormatTest, TheEndingOfAPathNamesTheFormat) {
            {"a.b/c.d.obj", MeshFormat::kObj},
            {"x.Off", MeshFormat::kOff},
            {"x.STL", MeshFormat::kStl},
-           {"x.Glb", MeshFormat::kGltf}}) {
+           {"x.Glb", MeshFormat::kGltf},
+           {"x.vtp.gz", MeshFormat::kVtp}}) {
     EXPECT_EQ(MeshFormatFromPath(path).value(), format);
     const std::string name(MeshFormatName(format));
     EXPECT_EQ(MeshFormatFromPath("x." + name).value(), format);
