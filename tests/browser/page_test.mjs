@@ -203,6 +203,7 @@ test("several sources, cells, samples, curves, a radius, comparison", async (t) 
   const error = await compare("fmm");
   assert.ok(error > 1e-3 && error < 0.2, `${error}`);
   assert.match(viewer.page.url(), /source=\d+&source=\d+$/, "sources are at vertices now");
+  await viewer.solved();
   assert.ok(!isGrey((await viewer.picture()).at(left)), "the error is coloured");
 
   await viewer.page.locator("#picture").focus();
