@@ -63,7 +63,9 @@ TEST_F(OperationsTest, CapabilitiesTellTheLimits) {
   EXPECT_TRUE(response.algorithms(0).is_default());
   EXPECT_FALSE(response.algorithms(1).is_default());
   EXPECT_FALSE(response.algorithms(3).summary().empty());
-  EXPECT_EQ(response.formats_size(), 7);
+  // All but MESH_FORMAT_UNSPECIFIED.
+  EXPECT_EQ(response.formats_size(),
+            v1::MeshFormat_descriptor()->value_count() - 1);
   const ServerOptions options = SmallServer();
   const v1::Limits& limits = response.limits();
   EXPECT_EQ(limits.max_upload_bytes(), options.limits.max_upload_bytes);
