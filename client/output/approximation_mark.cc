@@ -6,7 +6,9 @@
 namespace geodesic::client {
 namespace {
 
+constexpr char kApproximate[] = "approximate: ";
 constexpr char kWithin[] = "within ";
+constexpr char kRelative[] = " (relative error)";
 
 }  // namespace
 
@@ -27,18 +29,23 @@ std::string AlgorithmText(const std::string& algorithm,
 std::string ApproximationMark(const std::string& algorithm,
                               const Approximation& approximation) {
   return IsApproximate(algorithm)
-             ? "approximate: " + AlgorithmText(algorithm, approximation)
+             ? kApproximate + AlgorithmText(algorithm, approximation)
              : "";
 }
 
 std::string ToleranceMark(double tolerance) {
-  return tolerance == 0 ? ""
-                        : absl::StrCat(kWithin, NumberText(tolerance),
-                                       " (relative error)");
+  return tolerance == 0
+             ? ""
+             : absl::StrCat(kWithin, NumberText(tolerance), kRelative);
 }
 
 bool IsToleranceMark(const std::string& mark) {
   return mark.starts_with(kWithin);
+}
+
+bool IsMark(const std::string& text) {
+  return text.starts_with(kApproximate) ||
+         (IsToleranceMark(text) && text.ends_with(kRelative));
 }
 
 std::string MarkedName(const std::string& exact, const std::string& mark) {

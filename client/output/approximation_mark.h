@@ -22,6 +22,9 @@ std::string ApproximationMark(const std::string& algorithm,
 std::string ToleranceMark(double tolerance);
 bool IsToleranceMark(const std::string& mark);
 
+// Whether it is one of the two.
+bool IsMark(const std::string& text);
+
 // The name of values, such as "distances", under this mark:
 // "approximate_distances", or "distances_within_tolerance".
 std::string MarkedName(const std::string& exact, const std::string& mark);

@@ -1,5 +1,6 @@
 #include "client/output/atomic_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -13,16 +14,51 @@
 
 namespace geodesic::client {
 
+namespace {
+
+// Where a link leads in the end, though nothing may be there yet; or `path`.
+absl::StatusOr<std::string> BehindLinks(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the kernel follows
+  std::filesystem::path place = path;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks; ++i) {
+    if (!std::filesystem::is_symlink(place, error)) return place.string();
+    place = place.parent_path() / std::filesystem::read_symlink(place, error);
+  }
+  return absl::ErrnoToStatus(ELOOP, absl::StrCat("cannot write ", path));
+}
+
+// Those of the file that is replaced, if there is one.
+void KeepPermissions(const std::string& of, const std::string& by) {
+  std::error_code error;
+  const std::filesystem::file_status status =
+      std::filesystem::status(of, error);
+  if (!std::filesystem::is_regular_file(status)) return;
+  std::filesystem::permissions(by, status.permissions(), error);
+}
+
+}  // namespace
+
 absl::StatusOr<AtomicFile> AtomicFile::Create(const std::string& path) {
-  const bool is_standard = path == kStandardOutput;
+  const bool is_copied = path == kStandardOutput || IsPipeOrDevice(path);
+  if (is_copied && IsCompressed(path)) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("cannot write ", path,
+                     ": what goes into a pipe or a device is not compressed; "
+                     "give it a name without .gz"));
+  }
+  absl::StatusOr<std::string> behind_links = BehindLinks(path);
+  if (!behind_links.ok()) return behind_links.status();
+  std::string place = is_copied ? path : *std::move(behind_links);
   std::string partial_path =
-      is_standard ? "" : absl::StrCat(path, ".part-", getpid());
+      is_copied ? "" : absl::StrCat(place, ".part-", getpid());
   std::FILE* file =
-      is_standard ? std::tmpfile() : std::fopen(partial_path.c_str(), "wb+");
+      is_copied ? std::tmpfile() : std::fopen(partial_path.c_str(), "wb+");
   if (file == nullptr) {
     return absl::ErrnoToStatus(errno, absl::StrCat("cannot write ", path));
   }
-  return AtomicFile(path, std::move(partial_path), file);
+  KeepPermissions(place, partial_path);
+  return AtomicFile(path, std::move(place), std::move(partial_path), file);
 }
 
 AtomicFile::~AtomicFile() {
@@ -59,14 +95,29 @@ absl::Status AtomicFile::status() const {
                                                             : path_));
 }
 
-void AtomicFile::CopyToStandardOutput() {
+void AtomicFile::CopyToPlace() {
+  if (std::fflush(file_.get()) != 0 && error_ == 0) error_ = errno;
+  if (place_ == kStandardOutput) return CopyTo(STDOUT_FILENO);
+  // A pipe that nobody reads is not waited for.
+  const int descriptor =
+      open(place_.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) {
+    if (error_ == 0) error_ = errno;
+    return;
+  }
+  fcntl(descriptor, F_SETFL, O_WRONLY);
+  CopyTo(descriptor);
+  if (close(descriptor) != 0 && error_ == 0) error_ = errno;
+}
+
+void AtomicFile::CopyTo(int descriptor) {
   std::array<char, 1 << 16> buffer;
   std::rewind(file_.get());
   size_t count = 0;
   while (error_ == 0 && (count = std::fread(buffer.data(), 1, buffer.size(),
                                             file_.get())) > 0) {
     for (const char* next = buffer.data(); error_ == 0 && count > 0;) {
-      const ssize_t written = write(STDOUT_FILENO, next, count);
+      const ssize_t written = write(descriptor, next, count);
       if (written >= 0) {
         next += written;
         count -= static_cast<size_t>(written);
@@ -98,14 +149,14 @@ void AtomicFile::Compress() {
   if (gzclose(packed) != Z_OK && error_ == 0) error_ = errno != 0 ? errno : EIO;
   std::remove(partial_path_.c_str());
   partial_path_ = packed_path;
+  KeepPermissions(place_, partial_path_);
   std::error_code unknown;
   size_ = std::filesystem::file_size(packed_path, unknown);
 }
 
 absl::Status AtomicFile::Commit() {
-  if (path_ == kStandardOutput) {
-    if (std::fflush(file_.get()) != 0 && error_ == 0) error_ = errno;
-    CopyToStandardOutput();
+  if (partial_path_.empty()) {
+    CopyToPlace();
     file_.reset();
     return status();
   }
@@ -113,7 +164,7 @@ absl::Status AtomicFile::Commit() {
   if (std::fclose(file_.release()) != 0 && error_ == 0) {
     error_ = errno;
   }
-  if (error_ == 0 && std::rename(partial_path_.c_str(), path_.c_str()) != 0) {
+  if (error_ == 0 && std::rename(partial_path_.c_str(), place_.c_str()) != 0) {
     error_ = errno;
   }
   if (error_ != 0) std::remove(partial_path_.c_str());

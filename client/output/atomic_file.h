@@ -16,12 +16,14 @@
 namespace geodesic::client {
 
 // Writes to "<path>.part-<process>" and renames that at the end, compressed
-// with gzip if the path ends in ".gz". What goes to standard output
-// (kStandardOutput) is kept in a temporary file without a name, and copied at
-// the end. Not thread-safe.
+// with gzip if the path ends in ".gz"; a link stays, and what it leads to is
+// replaced. What goes to standard output (kStandardOutput), a pipe or a device
+// is kept in a temporary file without a name, and copied at the end. Not
+// thread-safe.
 class AtomicFile {
  public:
-  // Errors: those of opening a file for writing, naming the path.
+  // Errors: those of opening a file for writing, naming the path;
+  // INVALID_ARGUMENT for a pipe or device that ends in ".gz".
   static absl::StatusOr<AtomicFile> Create(const std::string& path);
 
   AtomicFile(AtomicFile&&) = default;
@@ -46,7 +48,8 @@ class AtomicFile {
   uint64_t size() const { return size_; }
 
   // Puts the file in its place, over an older one; or copies it to standard
-  // output, past the buffers of streams.
+  // output, past the buffers of streams, or to the pipe, which must have a
+  // reader.
   // Errors: the first one, naming the path.
   absl::Status Commit();
 
@@ -55,19 +58,23 @@ class AtomicFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  AtomicFile(std::string path, std::string partial_path, std::FILE* file)
+  AtomicFile(std::string path, std::string place, std::string partial_path,
+             std::FILE* file)
       : path_(std::move(path)),
+        place_(std::move(place)),
         partial_path_(std::move(partial_path)),
         file_(file) {}
 
   // Errors of these are in error_.
-  void CopyToStandardOutput();
+  void CopyToPlace();
+  void CopyTo(int descriptor);
   // Puts what was appended, compressed, into another file of this name, which
   // takes the place of the partial one.
   void Compress();
 
   std::string path_;
-  std::string partial_path_;  // empty for standard output
+  std::string place_;         // where it goes in the end
+  std::string partial_path_;  // empty if it is copied there
   std::unique_ptr<std::FILE, Close> file_;
   uint64_t size_ = 0;
   // errno of the first write that failed.

@@ -8,17 +8,6 @@
 #include "client/output/number_text.h"
 
 namespace geodesic::client {
-namespace {
-
-// "gradient_x", "gradient_y" and "gradient_z", or the name as it is.
-std::vector<std::string> NamesOf(const Column& column) {
-  const std::string& name = column.name;
-  if (column.components == 1) return {name};
-  return {name + "_x", name + "_y", name + "_z"};
-}
-
-}  // namespace
-
 void WriteNpy(const Column& column, AtomicFile* file, const std::string& mark) {
   file->Append(NpyHeader(NumpyName(column.type), column.shape(), 0, mark));
   AppendNumbers(column.values, column.type, file);
@@ -28,7 +17,7 @@ void WriteCsv(std::span<const Column> columns, AtomicFile* file) {
   CsvLine line;
   line.Text("vertex");
   for (const Column& column : columns) {
-    for (const std::string& name : NamesOf(column)) line.Text(name);
+    for (const std::string& name : column.names()) line.Text(name);
   }
   file->Append(line.End());
   const size_t count = columns.empty() ? 0 : columns[0].count();
@@ -53,15 +42,14 @@ void WriteCsv(std::span<const Column> columns, AtomicFile* file) {
 void WritePly(const MeshArrays& mesh, std::span<const Column> columns,
               AtomicFile* file, const std::string& mark) {
   std::string header = absl::StrCat(
-      "ply\nformat binary_little_endian 1.0\n"
-      "comment distances in the unit of the coordinates\n",
+      "ply\nformat binary_little_endian 1.0\n", kUnitComment, "\n",
       mark.empty() ? "" : absl::StrCat("comment ", mark, "\n"),
       "element vertex ", mesh.positions.size(),
       "\nproperty double x\nproperty double y\nproperty double z\n");
   for (const Column& column : columns) {
-    for (const std::string& name : NamesOf(column)) {
-      absl::StrAppend(&header, "property ",
-                      column.is_integer() ? "int " : "double ", name, "\n");
+    for (const std::string& name : column.names()) {
+      header.append("property ").append(column.ply_type());
+      header.append(" ").append(name).append("\n");
     }
   }
   if (!mesh.triangles.empty()) {

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "client/output/atomic_file.h"
@@ -25,6 +26,10 @@ inline constexpr char kNearestSourceColumn[] = "nearest_source";
 inline constexpr char kGradientColumn[] = "gradient";
 inline constexpr char kErrorColumn[] = "certified_error";
 
+// In the header of .ply.
+inline constexpr char kUnitComment[] =
+    "comment distances in the unit of the coordinates";
+
 struct Column {
   std::string name;
   // `components` values for each vertex, vertex by vertex.
@@ -35,6 +40,13 @@ struct Column {
   bool is_integer() const {
     return type == NumberType::kInt64 || type == NumberType::kInt32;
   }
+  // "gradient_x", "gradient_y" and "gradient_z", or the name as it is.
+  std::vector<std::string> names() const {
+    if (components == 1) return {name};
+    return {name + "_x", name + "_y", name + "_z"};
+  }
+  // What .ply calls the type of its values.
+  std::string_view ply_type() const { return is_integer() ? "int" : "double"; }
   size_t count() const { return values.size() / components; }
   // NumPy's shape: (count), or (count, components).
   std::vector<uint64_t> shape() const {

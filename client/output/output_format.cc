@@ -63,8 +63,23 @@ absl::StatusOr<OutputFormat> OutputFormatFromPath(
       ": the endings this command knows are ", OutputEndings(formats)));
 }
 
+bool IsPipeOrDevice(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::file_status status =
+      std::filesystem::status(path, error);
+  return std::filesystem::exists(status) &&
+         !std::filesystem::is_regular_file(status) &&
+         !std::filesystem::is_directory(status);
+}
+
 absl::Status CheckWritable(const std::string& path) {
   if (path == kStandardOutput) return absl::OkStatus();
+  if (IsPipeOrDevice(path)) {
+    return access(path.c_str(), W_OK) == 0
+               ? absl::OkStatus()
+               : absl::ErrnoToStatus(errno,
+                                     absl::StrCat("cannot write ", path));
+  }
   std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (folder.empty()) folder = ".";
   if (access(folder.c_str(), W_OK | X_OK) != 0) {

@@ -56,6 +56,9 @@ std::string OutputEndings(std::span<const OutputFormat> formats);
 // The path of an output that goes to standard output.
 inline constexpr char kStandardOutput[] = "-";
 
+// Whether there is something at the path that is neither a file nor a folder.
+bool IsPipeOrDevice(const std::string& path);
+
 // Whether the path ends in ".gz", in any case.
 bool IsCompressed(std::string_view path);
 

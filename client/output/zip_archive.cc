@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "absl/strings/str_cat.h"
+#include "client/output/output_format.h"
 
 namespace geodesic::client {
 namespace {
@@ -20,6 +21,10 @@ void ZipArchive::Discard::operator()(zip* archive) const {
 }
 
 absl::StatusOr<ZipArchive> ZipArchive::Create(const std::string& path) {
+  if (IsPipeOrDevice(path)) {
+    return absl::InvalidArgumentError(absl::StrCat(
+        "cannot write ", path, ": .npz goes into files, and this is none"));
+  }
   int code = 0;
   zip* archive = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code);
   if (archive == nullptr) {

@@ -1,20 +1,26 @@
 // Output files: what their endings ask for, and how they appear.
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 
 #include "client/output/atomic_file.h"
 #include "client/output/output_format.h"
+#include "client/output/zip_archive.h"
 #include "tests/client/temporary_folder.h"
 
 namespace geodesic::client {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 TEST(OutputFormatTest, FollowsFromTheEnding) {
   EXPECT_EQ(*OutputFormatFromPath("a.npy", kFieldFormats), OutputFormat::kNpy);
@@ -59,6 +65,74 @@ TEST(AtomicFileTest, AppearsAtCommit) {
   ASSERT_TRUE(file->Commit().ok());
   EXPECT_EQ(FileBytes(path), "some bytes");
   EXPECT_EQ(folder.count(), 1);
+}
+
+// Writes "new" there.
+absl::Status WriteNew(const std::string& path) {
+  absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
+  if (!file.ok()) return file.status();
+  file->Append("new");
+  return file->Commit();
+}
+
+TEST(AtomicFileTest, LinksStayAndLeadToTheNewFile) {
+  TemporaryFolder folder;
+  ASSERT_TRUE(WriteNew(folder / "file").ok());
+  std::filesystem::create_symlink("file", folder / "link");
+  absl::StatusOr<AtomicFile> file = AtomicFile::Create(folder / "link");
+  ASSERT_TRUE(file.ok()) << file.status();
+  file->Append("newer");
+  ASSERT_TRUE(file->Commit().ok());
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(FileBytes(folder / "file"), "newer");
+  EXPECT_EQ(folder.count(), 2);
+}
+
+TEST(AtomicFileTest, LinksMayLeadToWhatIsNotThereYet) {
+  TemporaryFolder folder;
+  std::filesystem::create_symlink("next", folder / "link");
+  std::filesystem::create_symlink("file", folder / "next");
+  EXPECT_TRUE(WriteNew(folder / "link").ok());
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "next"));
+  EXPECT_EQ(FileBytes(folder / "file"), "new");
+  std::filesystem::create_symlink("loop", folder / "loop");
+  EXPECT_FALSE(WriteNew(folder / "loop").ok());
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "loop"));
+}
+
+TEST(AtomicFileTest, PermissionsOfTheOldFileStay) {
+  TemporaryFolder folder;
+  for (const char* name : {"file", "file.gz"}) {
+    ASSERT_TRUE(WriteNew(folder / name).ok());
+    const auto mine = std::filesystem::perms::owner_read |
+                      std::filesystem::perms::owner_write;
+    std::filesystem::permissions(folder / name, mine);
+    ASSERT_TRUE(WriteNew(folder / name).ok());
+    EXPECT_EQ(std::filesystem::status(folder / name).permissions(), mine);
+  }
+}
+
+TEST(AtomicFileTest, PipesAreWrittenInto) {
+  TemporaryFolder folder;
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR), 0);
+  EXPECT_TRUE(CheckWritable(pipe).ok());
+  // Nobody reads: that is told, not waited for.
+  EXPECT_THAT(std::string(WriteNew(pipe).message()), HasSubstr(pipe));
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  EXPECT_TRUE(WriteNew(pipe).ok());
+  std::string read_bytes(10, ' ');
+  EXPECT_EQ(read(reader, read_bytes.data(), read_bytes.size()), 3);
+  EXPECT_THAT(read_bytes, StartsWith("new"));
+  close(reader);
+  EXPECT_TRUE(IsPipeOrDevice(pipe)) << "it is no file now";
+
+  EXPECT_TRUE(WriteNew("/dev/null").ok());
+  EXPECT_FALSE(WriteNew("/dev/full").ok());
+  std::filesystem::create_symlink(pipe, folder / "pipe.gz");
+  EXPECT_TRUE(absl::IsInvalidArgument(WriteNew(folder / "pipe.gz")));
+  EXPECT_FALSE(ZipArchive::Create(pipe).ok());
 }
 
 TEST(OutputFormatTest, GzipMayFollow) {

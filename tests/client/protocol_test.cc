@@ -194,7 +194,7 @@ TEST(ServiceConfig, NamesServicesAndMethodsThatExist) {
     }
     ++checked;
   }
-  EXPECT_EQ(checked, 9);
+  EXPECT_EQ(checked, 10);
 }
 
 }  // namespace

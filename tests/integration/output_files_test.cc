@@ -13,7 +13,10 @@ namespace geodesic::client {
 namespace {
 
 using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 std::vector<double> Doubles(const std::string& bytes) {
@@ -134,6 +137,52 @@ TEST_F(OutputFilesTest, AreTheSameMeshAgain) {
   }
   EXPECT_LT(FileBytes(folder_ / "d.vtk.gz").size(),
             FileBytes(folder_ / "d.vtk").size());
+}
+
+// A square of two triangles, as one polygon, with colours.
+TEST_F(OutputFilesTest, PlyKeepsWhatTheFileHeld) {
+  WriteFile(folder_ / "square.ply",
+            "ply\nformat ascii 1.0\ncomment mine\nelement vertex 4\n"
+            "property float x\nproperty float y\nproperty float z\n"
+            "property uchar red\nelement face 1\n"
+            "property list uchar int vertex_indices\nend_header\n"
+            "0 0 0 10\n1 0 0 20\n1 1 0 30\n0 1.0 0 40\n4 0 1 2 3\n");
+  GeodesicJson({"field", folder_ / "square.ply", "--source", "0", "-o",
+                folder_ / "result.ply"});
+  EXPECT_THAT(
+      FileBytes(folder_ / "result.ply"),
+      AllOf(
+          HasSubstr("comment mine\nelement vertex 4\n"),
+          HasSubstr("property uchar red\nproperty double geodesic_distance\n"),
+          EndsWith("end_header\n0 0 0 10 0\n1 0 0 20 1\n"
+                   "1 1 0 30 1.4142135623730951\n0 1.0 0 40 1\n"
+                   "4 0 1 2 3\n")));
+  // What came from elsewhere, or is another file by now, has nothing to keep.
+  const json upload = GeodesicJson({"upload", folder_ / "square.ply"});
+  const std::string digest = upload["mesh"]["digest"];
+  GeodesicJson({"field", digest, "--source", "0", "-o", folder_ / "plain.ply"});
+  EXPECT_THAT(FileBytes(folder_ / "plain.ply"),
+              AllOf(HasSubstr("property double x"), Not(HasSubstr("red"))));
+}
+
+// Lines that end as they did on old Macs are read, but not written.
+TEST_F(OutputFilesTest, PlyThatCannotBeKeptIsNotWrittenOver) {
+  const std::string old_mac =
+      "ply\rformat ascii 1.0\relement vertex 3\rproperty float x\r"
+      "property float y\rproperty float z\relement face 1\r"
+      "property list uchar int vertex_indices\rend_header\r"
+      "0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r";
+  WriteFile(folder_ / "mac.ply", old_mac);
+  const ProcessResult over = Geodesic({"field", folder_ / "mac.ply", "--source",
+                                       "0", "-o", folder_ / "mac.ply"});
+  EXPECT_EQ(over.exit_code, 3) << over.err;
+  EXPECT_THAT(over.err, HasSubstr("write to another file"));
+  EXPECT_EQ(FileBytes(folder_ / "mac.ply"), old_mac);
+  const ProcessResult beside =
+      Geodesic({"field", folder_ / "mac.ply", "--source", "0", "-o",
+                folder_ / "plain.ply", "--quiet"});
+  EXPECT_EQ(beside.exit_code, 0) << beside.err;
+  EXPECT_THAT(beside.err, HasSubstr("cannot be kept"));
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/file.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -202,6 +204,36 @@ TEST_F(OwnServerTest, OneThatDrainsIsWaitedFor) {
   EXPECT_EQ(next.exit_code, 0) << next.err;
   EXPECT_NE(Status()["pid"].get<pid_t>(), first);
   field.Wait();
+}
+
+// As one under a debugger is. Its queue of connections is filled, too, as far
+// as this process may open sockets.
+TEST_F(OwnServerTest, OneThatIsStoppedIsNotWaitedForWithoutBound) {
+  ASSERT_EQ(Run({"meshes"}).exit_code, 0);
+  const auto process = Status()["pid"].get<pid_t>();
+  ASSERT_EQ(kill(process, SIGSTOP), 0);
+  const ProcessResult unanswered = Run({"--timeout", "1", "meshes"});
+  EXPECT_EQ(unanswered.exit_code, 4) << unanswered.err;
+  EXPECT_THAT(unanswered.err, HasSubstr("does not answer"));
+
+  sockaddr_un address = {.sun_family = AF_UNIX};
+  FileOf(".sock").copy(address.sun_path, sizeof(address.sun_path) - 1);
+  std::vector<int> waiting;
+  int error = 0;
+  while (error == 0) {
+    waiting.push_back(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0));
+    error = waiting.back() < 0 ||
+            connect(waiting.back(), reinterpret_cast<sockaddr*>(&address),
+                    sizeof(address));
+  }
+  for (const auto& words : std::vector<std::vector<std::string>>{
+           {"--timeout", "1", "meshes"},
+           {"--timeout", "1", "server", "status"},
+           {"--timeout", "1", "server", "stop"}}) {
+    EXPECT_NE(Run(words).exit_code, 0) << words.back();
+  }
+  for (const int descriptor : waiting) close(descriptor);
+  ASSERT_EQ(kill(process, SIGCONT), 0);
 }
 
 TEST_F(OwnServerTest, AFolderThatOthersOpenIsRefused) {

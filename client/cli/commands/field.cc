@@ -313,6 +313,10 @@ absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
                           ContentOf(question, field, mark, mesh),
                           arguments.picture);
     }
+    if (output.format == OutputFormat::kPly) {
+      return WriteAnswerAsPly(session, arguments.mesh, info, mesh, columns,
+                              mark, output.path);
+    }
     return WriteFile(output.path, [&](AtomicFile* file) {
       switch (output.format) {
         case OutputFormat::kNpy:
@@ -323,8 +327,6 @@ absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
           return AppendNumbers(columns[0].values, NumberType::kFloat64, file);
         case OutputFormat::kF32:
           return AppendNumbers(columns[0].values, NumberType::kFloat32, file);
-        case OutputFormat::kPly:
-          return WritePly(mesh, columns, file, mark);
         case OutputFormat::kHtml:
           return WriteViewerPage(mesh,
                                  {.name = PageName(arguments.mesh.text, mark),

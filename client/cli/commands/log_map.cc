@@ -97,13 +97,15 @@ absl::Status Answer(const QuestionArguments& arguments, const Session& session,
   const double seconds = watch.seconds();
   const NumberType type = NumberTypeOf(arguments.float32);
   const auto write = [&](const OutputArgument& output, const MeshArrays& mesh) {
+    if (output.format == OutputFormat::kPly) {
+      return WriteAnswerAsPly(session, arguments.mesh, map->info, mesh,
+                              UAndV(*map, type), /*mark=*/"", output.path);
+    }
     return WriteFile(output.path, [&](AtomicFile* file) {
       if (output.format == OutputFormat::kNpy) {
         WriteNpy(Pairs(*map, type), file);
-      } else if (output.format == OutputFormat::kCsv) {
-        WriteCsv(UAndV(*map, type), file);
       } else {
-        WritePly(mesh, UAndV(*map, type), file);
+        WriteCsv(UAndV(*map, type), file);
       }
     });
   };

@@ -135,4 +135,18 @@ absl::StatusOr<std::string> FindMesh(const Session& session,
   return **std::move(digest);
 }
 
+bool IsPlyFile(const MeshArgument& mesh) {
+  if (!IsFile(mesh.text) && IsDigestOrPrefix(mesh.text)) return false;
+  if (mesh.format.has_value()) return *mesh.format == MeshFormat::kPly;
+  const absl::StatusOr<MeshFormat> format = MeshFormatFromPath(mesh.text);
+  return format.ok() && *format == MeshFormat::kPly;
+}
+
+bool IsPlyFileOf(const Session& session, const MeshArgument& mesh,
+                 const std::string& digest) {
+  if (!IsPlyFile(mesh) || !IsFile(mesh.text)) return false;
+  const absl::StatusOr<std::string> found = FindMesh(session, mesh);
+  return found.ok() && *found == digest;
+}
+
 }  // namespace geodesic::client

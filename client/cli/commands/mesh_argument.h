@@ -32,6 +32,14 @@ absl::Status AskAboutMesh(
 absl::StatusOr<std::string> FindMesh(const Session& session,
                                      const MeshArgument& mesh);
 
+// Whether `mesh` is the name of a .ply file (.ply.gz), there or not.
+bool IsPlyFile(const MeshArgument& mesh);
+
+// Whether it is there and holds the mesh of this digest, as far as the server
+// knows.
+bool IsPlyFileOf(const Session& session, const MeshArgument& mesh,
+                 const std::string& digest);
+
 }  // namespace geodesic::client
 
 #endif  // GEODESIC_CLIENT_CLI_COMMANDS_MESH_ARGUMENT_H_

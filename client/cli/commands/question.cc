@@ -1,11 +1,13 @@
 #include "client/cli/commands/question.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <type_traits>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/mesh_argument.h"
+#include "client/output/extended_ply.h"
 #include "client/output/place_text.h"
 #include "client/places/place_finder.h"
 
@@ -217,6 +219,35 @@ absl::StatusOr<uint64_t> WriteFile(
     return FileError(status);
   }
   return file->size();
+}
+
+absl::StatusOr<uint64_t> WriteAnswerAsPly(const Session& session,
+                                          const MeshArgument& argument,
+                                          const AnswerInfo& info,
+                                          const MeshArrays& mesh,
+                                          std::span<const Column> columns,
+                                          const std::string& mark,
+                                          const std::string& path) {
+  std::optional<std::string> extended;
+  if (IsPlyFileOf(session, argument, info.mesh_digest)) {
+    extended = ExtendedPlyFile(argument.text, columns, mark);
+  }
+  if (!extended.has_value() && IsPlyFile(argument)) {
+    const std::string lost = absl::StrCat(
+        "what else ", argument.text,
+        " holds, such as colours, cannot be kept: it has changed meanwhile, or "
+        "values cannot be added to it");
+    std::error_code error;
+    if (std::filesystem::equivalent(path, argument.text, error)) {
+      return FileError(absl::FailedPreconditionError(
+          absl::StrCat(lost, "; write to another file")));
+    }
+    session.err << "geodesic: " << Printable(lost) << '\n';
+  }
+  return WriteFile(path, [&](AtomicFile* file) {
+    if (extended.has_value()) return file->Append(*extended);
+    WritePly(mesh, columns, file, mark);
+  });
 }
 
 void ShowSources(const std::vector<Source>& sources, const MeshArrays& mesh,

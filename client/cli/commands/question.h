@@ -7,6 +7,7 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "client/cli/terminal/text.h"
 #include "client/output/atomic_file.h"
 #include "client/output/binary_numbers.h"
+#include "client/output/field_writers.h"
 #include "geodesic_client/answer.h"
 
 namespace geodesic::client {
@@ -134,6 +136,19 @@ struct WrittenFile {
 // Writes the whole file or nothing. Returns its size in bytes.
 absl::StatusOr<uint64_t> WriteFile(
     const std::string& path, const std::function<void(AtomicFile*)>& write);
+
+// Writes values at the vertices of the mesh that was asked about to `path` as
+// .ply, and returns the size in bytes. Where MESH is itself such a file, all
+// that it holds stays (extended_ply.h). If it cannot, for the file has changed
+// meanwhile perhaps, `mesh` is written, and standard error says so; to write it
+// over that file is an error.
+absl::StatusOr<uint64_t> WriteAnswerAsPly(const Session& session,
+                                          const MeshArgument& argument,
+                                          const AnswerInfo& info,
+                                          const MeshArrays& mesh,
+                                          std::span<const Column> columns,
+                                          const std::string& mark,
+                                          const std::string& path);
 
 // Draws the picture and writes it. Returns its size in bytes.
 absl::StatusOr<uint64_t> WritePicture(const std::string& path,

@@ -96,7 +96,7 @@ absl::Status ShowStatus(const OwnServer& server, const Session& session) {
 }
 
 absl::Status StopServer(const OwnServer& server, const Session& session) {
-  const absl::StatusOr<bool> stopped = server.Stop(session.call.stop);
+  const absl::StatusOr<bool> stopped = server.Stop(session.call);
   if (!stopped.ok()) return stopped.status();
   if (session.json) {
     *session.json = {{"stopped", *stopped}, {"address", server.address()}};

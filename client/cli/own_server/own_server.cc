@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/time.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -31,11 +32,25 @@ using std::chrono::steady_clock;
 // How long to wait for a server to start, or to end its requests.
 constexpr std::chrono::seconds kPatience{60};
 
+// How long a server may take to accept a connection. One that is stopped, by a
+// signal or a debugger, accepts none.
+constexpr timeval kAccept = {.tv_sec = 1, .tv_usec = 0};
+
 // How often files that cannot be waited for are looked at.
 constexpr std::chrono::milliseconds kLook{10};
 
 // How long a server that takes connections may take to answer.
 constexpr std::chrono::seconds kAnswer{20};
+
+// Of `most` and the call's timeout the shorter.
+steady_clock::duration Within(steady_clock::duration most,
+                              const CallOptions& call) {
+  const auto timeout =
+      call.timeout.value_or(std::chrono::duration<double>(most));
+  return timeout < most
+             ? std::chrono::duration_cast<steady_clock::duration>(timeout)
+             : most;
+}
 
 // Servers that end while they are asked, one after the other.
 constexpr int kMostTries = 3;
@@ -43,7 +58,9 @@ constexpr int kMostTries = 3;
 // A wait of a few looks that ends when it is stopped or takes too long.
 class Patience {
  public:
-  explicit Patience(std::stop_token stop) : stop_(std::move(stop)) {}
+  explicit Patience(const CallOptions& call)
+      : stop_(call.stop),
+        until_(steady_clock::now() + Within(kPatience, call)) {}
 
   steady_clock::time_point until() const { return until_; }
 
@@ -60,7 +77,7 @@ class Patience {
 
  private:
   const std::stop_token stop_;
-  const steady_clock::time_point until_ = steady_clock::now() + kPatience;
+  const steady_clock::time_point until_;
   std::mutex mutex_;
   std::condition_variable_any never_;
 };
@@ -102,6 +119,7 @@ std::optional<pid_t> OwnServer::Running() const {
   address.sun_family = AF_UNIX;
   std::ranges::copy(socket_path(), address.sun_path);
   const Descriptor probe(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  setsockopt(probe.get(), SOL_SOCKET, SO_SNDTIMEO, &kAccept, sizeof(kAccept));
   if (connect(probe.get(), reinterpret_cast<const sockaddr*>(&address),
               sizeof(address)) != 0) {
     return std::nullopt;
@@ -116,10 +134,10 @@ std::optional<pid_t> OwnServer::Running() const {
 
 absl::StatusOr<pid_t> OwnServer::Start(std::optional<pid_t> ending,
                                        bool needs_page,
-                                       const std::stop_token& stop) const {
+                                       const CallOptions& call) const {
   if (needs_page && !page().Url() && Running()) {
     ending = Running();
-    const absl::StatusOr<bool> stopped = Stop(stop);
+    const absl::StatusOr<bool> stopped = Stop(call);
     if (!stopped.ok()) return NoServer(stopped.status());
   }
   const auto usable = [&]() -> std::optional<pid_t> {
@@ -133,7 +151,7 @@ absl::StatusOr<pid_t> OwnServer::Start(std::optional<pid_t> ending,
   if (!starting.ok()) return NoServer(starting.status());
   const absl::StatusOr<Descriptor> alive = OpenLock(stem_ + ".alive");
   if (!alive.ok()) return NoServer(alive.status());
-  Patience patience(stop);
+  Patience patience(call);
   bool is_starter = false;
   for (;;) {
     is_starter = is_starter || TryLock(*starting);
@@ -157,16 +175,22 @@ absl::StatusOr<pid_t> OwnServer::Start(std::optional<pid_t> ending,
                     .log_path = log_path(),
                     .kept_open = alive->get(),
                     .page = needs_page ? std::optional(page()) : std::nullopt},
-                   patience.until(), stop);
+                   patience.until(), call.stop);
   if (!status.ok()) return NoServer(status);
   if (const auto process = Running()) return *process;
   return NoServer(absl::UnavailableError(absl::StrCat(
       "the server that was started has ended (its log: ", log_path(), ")")));
 }
 
-absl::StatusOr<bool> OwnServer::Stop(const std::stop_token& stop) const {
+absl::StatusOr<bool> OwnServer::Stop(const CallOptions& call) const {
   const std::optional<pid_t> process = Running();
-  if (!process) return false;
+  if (!process) {
+    const absl::StatusOr<Descriptor> alive = OpenLock(stem_ + ".alive");
+    if (!alive.ok() || TryLock(*alive)) return false;
+    return absl::UnavailableError(absl::StrCat(
+        "a process holds ", stem_, ".alive, but takes no connections: `fuser ",
+        stem_, ".alive` says which"));
+  }
   const Descriptor handle(
       static_cast<int>(syscall(SYS_pidfd_open, *process, 0)));
   // The number may have become another process's before it was opened.
@@ -175,7 +199,7 @@ absl::StatusOr<bool> OwnServer::Stop(const std::stop_token& stop) const {
     return absl::ErrnoToStatus(errno,
                                absl::StrCat("cannot stop process ", *process));
   }
-  Patience patience(stop);
+  Patience patience(call);
   while (!HasEnded(handle)) {
     const absl::Status status = patience.Wait();
     if (absl::IsDeadlineExceeded(status)) {
@@ -192,13 +216,13 @@ absl::StatusOr<pid_t> AwaitOwnServer(const OwnServer& server, bool needs_page,
   std::optional<pid_t> ending;
   absl::Status status;
   for (int i = 0; i < kMostTries; ++i) {
-    absl::StatusOr<pid_t> process = server.Start(ending, needs_page, call.stop);
+    absl::StatusOr<pid_t> process = server.Start(ending, needs_page, call);
     if (!process.ok()) return process;
     Client client(server.address(), {.retry = false});
-    const absl::StatusOr<Capabilities> capabilities =
-        client.GetCapabilities({.timeout = kAnswer, .stop = call.stop});
+    const absl::StatusOr<Capabilities> capabilities = client.GetCapabilities(
+        {.timeout = Within(kAnswer, call), .stop = call.stop});
     if (capabilities.ok() && capabilities->version != GEODESIC_VERSION) {
-      (void)server.Stop(call.stop);
+      (void)server.Stop(call);
       return NoServer(absl::FailedPreconditionError(absl::StrCat(
           "this is geodesic " GEODESIC_VERSION
           ", but the geodesicd found has "

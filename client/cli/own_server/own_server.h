@@ -15,7 +15,6 @@
 
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <string>
 
 #include "absl/status/status.h"
@@ -36,24 +35,26 @@ class OwnServer {
   std::string socket_path() const { return stem_ + ".sock"; }
   std::string log_path() const { return stem_ + ".log"; }
 
-  // The process that takes connections at the socket; nothing if none does.
+  // The process that takes connections at the socket; nothing if none does
+  // within a second.
   std::optional<pid_t> Running() const;
 
   PageFiles page() const { return PageFiles(stem_); }
 
-  // Starts a server unless one takes connections, and waits, at most a minute,
-  // until it does. If the process `ending` does, waits for its end first. With
-  // `needs_page`, a server that does not serve its page is asked to end, and
-  // another takes its place. Returns the server's process.
+  // Starts a server unless one takes connections, and waits, at most a minute
+  // or the call's timeout, until it does. If the process `ending` does, waits
+  // for its end first. With `needs_page`, a server that does not serve its page
+  // is asked to end, and another takes its place. Returns the server's process.
   // Errors, marked by NoServer: NOT_FOUND if there is no geodesicd; UNAVAILABLE
   // if it does not start or another does not end; CANCELLED if stopped.
   absl::StatusOr<pid_t> Start(std::optional<pid_t> ending, bool needs_page,
-                              const std::stop_token& stop) const;
+                              const CallOptions& call) const;
 
   // Asks the server to end and waits until it has. False if none runs.
-  // Errors: DEADLINE_EXCEEDED if it goes on with its requests for a minute;
+  // Errors: DEADLINE_EXCEEDED if it goes on with its requests for a minute or
+  // the call's timeout; UNAVAILABLE if one is there that takes no connections;
   // CANCELLED if stopped.
-  absl::StatusOr<bool> Stop(const std::stop_token& stop) const;
+  absl::StatusOr<bool> Stop(const CallOptions& call) const;
 
  private:
   explicit OwnServer(std::string stem) : stem_(std::move(stem)) {}
