@@ -259,6 +259,9 @@ void AddOptions(CLI::App& app, ServerOptions& options) {
       app, "--prepared-memory", limits.prepared_memory_bytes,
       "Memory for what approximate algorithms prepare of meshes; the least "
       "recently used is evicted");
+  AddBytes(app, "--decimated-memory", limits.decimated_memory_bytes,
+           "Memory for decimated meshes, 12 bytes a face, for those who draw "
+           "them; the least recently used are evicted");
 
   app.option_defaults()->group("Disk");
   AddText(app, "--data-dir", options.data_dir, "DIR",

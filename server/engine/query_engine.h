@@ -36,6 +36,7 @@
 #include "server/engine/jobs/thread_pool.h"
 #include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_library.h"
+#include "server/engine/methods/decimation_engine.h"
 #include "server/engine/methods/graph_files.h"
 #include "server/engine/methods/method_engine.h"
 #include "server/engine/pairs/pair_engine.h"
@@ -154,6 +155,7 @@ class QueryEngine {
   MeshLibrary& meshes() { return meshes_; }
   SearchEngine& searches() { return searches_; }
   MethodEngine& methods() { return methods_; }
+  DecimationEngine& decimations() { return decimations_; }
   FieldEngine& fields() { return fields_; }
   PairEngine& pairs() { return pairs_; }
   // After its BeginDrain, uploads and queries that need a job fail with
@@ -176,6 +178,7 @@ class QueryEngine {
   const MeshLibrary& meshes() const { return meshes_; }
   const SearchEngine& searches() const { return searches_; }
   const MethodEngine& methods() const { return methods_; }
+  const DecimationEngine& decimations() const { return decimations_; }
   const FieldEngine& fields() const { return fields_; }
   const PairEngine& pairs() const { return pairs_; }
   const Scheduler& scheduler() const { return scheduler_; }
@@ -207,6 +210,7 @@ class QueryEngine {
   MeshLibrary meshes_;
   SearchEngine searches_;
   MethodEngine methods_;
+  DecimationEngine decimations_;
   FieldEngine fields_;
   SoloJobs solo_jobs_;
   PairEngine pairs_;

@@ -1,4 +1,5 @@
 #include "server/rpc/calls/service.h"
+#include "server/rpc/streams/decimate_stream.h"
 #include "server/rpc/streams/field_stream.h"
 #include "server/rpc/streams/mesh_streams.h"
 #include "server/rpc/streams/pair_stream.h"
@@ -24,7 +25,8 @@ std::vector<std::unique_ptr<Service>> MakeServices(
   std::vector<std::unique_ptr<Service>> services;
   services.push_back(
       Make<FindMissingCall, UploadStream, GetMeshCall, MeshStream,
-           ListMeshesCall, DeleteMeshCall>("geodesic.v1.MeshService", context));
+           DecimateStream, ListMeshesCall, DeleteMeshCall>(
+          "geodesic.v1.MeshService", context));
   services.push_back(Make<FieldStream, LogMapStream, SampleStream>(
       "geodesic.v1.FieldService", context));
   services.push_back(

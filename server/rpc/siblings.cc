@@ -109,8 +109,10 @@ Siblings::Siblings(const std::vector<std::string>& addresses,
                    std::function<std::string()> token)
     : token_(std::move(token)), silent_until_(addresses.size()) {
   for (const std::string& address : addresses) {
-    siblings_.push_back({address, v1::MeshService::NewStub(grpc::CreateChannel(
-                                      address, credentials))});
+    std::shared_ptr<grpc::Channel> channel =
+        grpc::CreateChannel(address, credentials);
+    auto meshes = v1::MeshService::NewStub(channel);
+    siblings_.push_back({address, std::move(channel), std::move(meshes)});
   }
   spreader_ =
       std::jthread([this](const std::stop_token& stop) { SpreadAll(stop); });
@@ -131,6 +133,12 @@ grpc::Status Siblings::GetMesh(size_t i, const std::string& digest,
                                v1::GetMeshResponse& response) const {
   Prepare(context, digest);
   context.set_deadline(std::chrono::system_clock::now() + patience);
+  // gRPC's own pause before it connects again is up to two minutes, and may be
+  // longer if the clock is set back meanwhile.
+  grpc::Channel& channel = *siblings_[i].channel;
+  if (channel.GetState(false) == GRPC_CHANNEL_TRANSIENT_FAILURE) {
+    grpc::experimental::ChannelResetConnectionBackoff(&channel);
+  }
   v1::GetMeshRequest request;
   request.set_digest(digest);
   return siblings_[i].meshes->GetMesh(&context, request, &response);

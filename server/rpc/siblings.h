@@ -3,6 +3,7 @@
 #ifndef GEODESIC_SERVER_RPC_SIBLINGS_H_
 #define GEODESIC_SERVER_RPC_SIBLINGS_H_
 
+#include <grpcpp/channel.h>
 #include <grpcpp/client_context.h>
 #include <grpcpp/security/credentials.h>
 #include <grpcpp/server_context.h>
@@ -49,6 +50,7 @@ class Siblings final : public MeshSiblings {
  private:
   struct Sibling {
     std::string address;
+    std::shared_ptr<grpc::Channel> channel;
     std::unique_ptr<v1::MeshService::Stub> meshes;
   };
 

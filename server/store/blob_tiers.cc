@@ -1,5 +1,7 @@
 #include "server/store/blob_tiers.h"
 
+#include <vector>
+
 #include "absl/strings/str_cat.h"
 
 namespace geodesic::server {
@@ -14,9 +16,14 @@ absl::Status BlobTiers::Erase(const std::string& name) {
              : absl::NotFoundError(absl::StrCat("there is no ", name));
 }
 
-void BlobTiers::ForEach(
-    absl::FunctionRef<void(const std::string&, std::string_view)> visit) const {
-  if (disk_ != nullptr) disk_->ForEach(visit);
+void BlobTiers::EraseIf(
+    absl::FunctionRef<bool(std::string_view metadata)> is_erased) {
+  if (disk_ == nullptr) return;
+  std::vector<std::string> names;
+  disk_->ForEach([&](const std::string& name, std::string_view metadata) {
+    if (is_erased(metadata)) names.push_back(name);
+  });
+  for (const std::string& name : names) (void)disk_->Erase(name);
 }
 
 absl::StatusOr<BlobTier> BlobTiers::Read(const std::string& name,

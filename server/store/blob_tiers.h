@@ -22,7 +22,7 @@ enum class BlobTier {
   kShared,
 };
 
-// Find, Erase and ForEach are about the disk alone: they say and do what needs
+// Find, Erase and EraseIf are about the disk alone: they say and do what needs
 // no other server. What is in the shared tier stays there until it expires,
 // since a mesh that goes here may well be asked about elsewhere. Thread-safe.
 class BlobTiers {
@@ -33,9 +33,8 @@ class BlobTiers {
   // See BlobStore.
   std::optional<BlobInfo> Find(const std::string& name);
   absl::Status Erase(const std::string& name);
-  void ForEach(absl::FunctionRef<void(const std::string& name,
-                                      std::string_view metadata)>
-                   visit) const;
+  // Erases what has such metadata; what cannot be erased stays.
+  void EraseIf(absl::FunctionRef<bool(std::string_view metadata)> is_erased);
 
   // Hands `take` the blob on disk and, if it is not there or `take` refuses it,
   // the one in the shared tier. Returns which it was that `take` accepted.

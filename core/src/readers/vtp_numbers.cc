@@ -4,7 +4,6 @@
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
-#include "readers/byte_order.h"
 
 namespace geodesic {
 namespace {
@@ -32,6 +31,14 @@ absl::Status Invalid(const Parts&... parts) {
 }
 
 absl::Status CutOff() { return Invalid("its header is cut off"); }
+
+// Of the numbers in the headers of arrays.
+constexpr VtkType kShortHeader = VtkTypeOf<uint32_t>("UInt32");
+constexpr VtkType kLongHeader = VtkTypeOf<uint64_t>("UInt64");
+
+const VtkType& HeaderType(const VtpStyle& style) {
+  return style.has_long_headers ? kLongHeader : kShortHeader;
+}
 
 }  // namespace
 
@@ -109,17 +116,11 @@ absl::StatusOr<VtpNumbers> VtpNumbers::OfBytes(const VtpBytes& bytes,
 }
 
 std::optional<uint64_t> VtpNumbers::HeaderNumber(VtpBytes& bytes) const {
-  std::array<char, sizeof(uint64_t)> number;
-  const size_t size =
-      style_.has_long_headers ? sizeof(uint64_t) : sizeof(uint32_t);
-  if (bytes.Take(number.data(), size) < size) return std::nullopt;
+  const VtkType& type = HeaderType(style_);
+  std::array<char, kWidestNumber> number;
+  if (bytes.Take(number.data(), type.bytes) < type.bytes) return std::nullopt;
   const bool is_big = style_.order == std::endian::big;
-  if (style_.has_long_headers) {
-    return is_big ? Load<uint64_t, std::endian::big>(number.data())
-                  : Load<uint64_t, std::endian::little>(number.data());
-  }
-  return is_big ? Load<uint32_t, std::endian::big>(number.data())
-                : Load<uint32_t, std::endian::little>(number.data());
+  return static_cast<uint64_t>(type.load_integer[is_big](number.data()));
 }
 
 absl::Status VtpNumbers::ReadHeader() {
@@ -143,8 +144,7 @@ absl::Status VtpNumbers::ReadBlockSizes() {
     return absl::ResourceExhaustedError("there is no memory to decompress");
   }
   sizes_ = bytes_;
-  const uint64_t size =
-      style_.has_long_headers ? sizeof(uint64_t) : sizeof(uint32_t);
+  const uint64_t size = HeaderType(style_).bytes;
   if (*blocks > bytes_->most() / size || !bytes_->Skip(*blocks * size)) {
     return Invalid("its header promises ", *blocks,
                    " compressed blocks, more than can follow");

@@ -9,9 +9,11 @@
 #include <cstring>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace geodesic::server {
 
@@ -22,6 +24,12 @@ template <typename Array>
 std::string_view AsBytes(const Array& values) {
   return {reinterpret_cast<const char*>(std::data(values)),
           std::size(values) * sizeof(*std::data(values))};
+}
+
+// The same, to be read into.
+template <typename T>
+std::span<char> AsWritableBytes(std::vector<T>& values) {
+  return {reinterpret_cast<char*>(values.data()), values.size() * sizeof(T)};
 }
 
 class BinaryWriter {

@@ -140,7 +140,7 @@ absl::Status ReadArray(BlobBody& body, size_t count, std::vector<T>& values) {
     return absl::DataLossError("the arrays are shorter than the mesh");
   }
   values.resize(count);
-  return body.Read({reinterpret_cast<char*>(values.data()), count * sizeof(T)});
+  return body.Read(AsWritableBytes(values));
 }
 
 }  // namespace
@@ -251,12 +251,10 @@ absl::StatusOr<FieldFiles::Stored> FieldFiles::Load(const FieldKey& key,
 }
 
 void FieldFiles::EraseMesh(const std::string& digest) {
-  std::vector<std::string> names;
-  blobs_.ForEach([&](const std::string& name, std::string_view metadata) {
+  blobs_.EraseIf([&](std::string_view metadata) {
     const std::optional<Metadata> decoded = Decode(metadata);
-    if (decoded && decoded->mesh_digest == digest) names.push_back(name);
+    return decoded && decoded->mesh_digest == digest;
   });
-  for (const std::string& name : names) (void)blobs_.Erase(name);
 }
 
 void FieldWriter::Enqueue(const FieldKey& key, const MeshHandle& mesh,

@@ -17,8 +17,7 @@ constexpr size_t kPieceBytes = size_t{8} << 20;
 template <typename T>
 absl::Status ReadArray(BlobBody& body, Checkpoint& checkpoint,
                        std::vector<T>& values) {
-  std::span<char> bytes(reinterpret_cast<char*>(values.data()),
-                        values.size() * sizeof(T));
+  std::span<char> bytes = AsWritableBytes(values);
   while (!bytes.empty()) {
     const size_t count = std::min(bytes.size(), kPieceBytes);
     absl::Status status = checkpoint.Poll({});

@@ -44,12 +44,6 @@ std::optional<Metadata> Decode(std::string_view bytes) {
                                 });
 }
 
-template <typename T>
-absl::Status ReadArray(BlobBody& body, std::vector<T>& values) {
-  return body.Read(
-      {reinterpret_cast<char*>(values.data()), values.size() * sizeof(T)});
-}
-
 }  // namespace
 
 std::string GraphFiles::NameOf(const std::string& digest,
@@ -85,8 +79,8 @@ absl::StatusOr<std::shared_ptr<const SaddleVertexGraph>> GraphFiles::Load(
     }
     offsets.resize(offset_count);
     arcs.resize(metadata->arcs);
-    absl::Status read = ReadArray(body, offsets);
-    return read.ok() ? ReadArray(body, arcs) : read;
+    absl::Status read = body.Read(AsWritableBytes(offsets));
+    return read.ok() ? body.Read(AsWritableBytes(arcs)) : read;
   };
   const std::string name = NameOf(digest, neighbours);
   const absl::StatusOr<BlobTier> from = blobs_.Read(name, take);
@@ -100,12 +94,10 @@ absl::StatusOr<std::shared_ptr<const SaddleVertexGraph>> GraphFiles::Load(
 }
 
 void GraphFiles::EraseMesh(const std::string& digest) {
-  std::vector<std::string> names;
-  blobs_.ForEach([&](const std::string& name, std::string_view metadata) {
+  blobs_.EraseIf([&](std::string_view metadata) {
     const std::optional<Metadata> decoded = Decode(metadata);
-    if (decoded && decoded->mesh_digest == digest) names.push_back(name);
+    return decoded && decoded->mesh_digest == digest;
   });
-  for (const std::string& name : names) (void)blobs_.Erase(name);
 }
 
 }  // namespace geodesic::server

@@ -63,8 +63,7 @@ absl::StatusOr<Landmarks> LandmarkFiles::Load(const std::string& digest,
       return absl::NotFoundError("the landmarks that are kept are of no use");
     }
     rows.resize(mesh.vertex_count());
-    return body.Read({reinterpret_cast<char*>(rows.data()),
-                      rows.size() * sizeof(Landmarks::Row)});
+    return body.Read(AsWritableBytes(rows));
   };
   const std::string name = NameOf(digest);
   const absl::StatusOr<BlobTier> from = blobs_.Read(name, take);

@@ -25,6 +25,7 @@
 #include "server/rpc/calls/intake.h"
 #include "server/rpc/calls/peer.h"
 #include "server/rpc/calls/request_log.h"
+#include "server/rpc/streams/decimate_stream.h"
 #include "server/rpc/streams/field_stream.h"
 #include "server/rpc/streams/mesh_streams.h"
 #include "server/rpc/streams/pair_stream.h"
@@ -148,7 +149,8 @@ class AnswerCheck {
     Require(is_header == !has_begun_ && !has_trailer_);
     has_begun_ = true;
     has_trailer_ = part->name() == "trailer";
-    promises_trailer_ = type->name() != "ReadMeshResponse";
+    promises_trailer_ = type->name() != "ReadMeshResponse" &&
+                        type->name() != "DecimateMeshResponse";
     if (type->name() == "ComputeFieldResponse") {
       CheckField(static_cast<const v1::ComputeFieldResponse&>(message));
     }
@@ -276,7 +278,8 @@ class Subject {
         &Subject::BeginStream<IsolineStream>,
         &Subject::BeginStream<MatrixStream>,
         &Subject::BeginStream<NearestStream>,
-        &Subject::BeginStream<PairStream>};
+        &Subject::BeginStream<PairStream>,
+        &Subject::BeginStream<DecimateStream>};
     const RpcFrame& frame = script[begin];
     if (frame.method != RpcMethod::kCreateMesh) {
       (this->*kBegin[static_cast<size_t>(frame.method)])(frame);
