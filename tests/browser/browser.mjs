@@ -65,6 +65,11 @@ export class Viewer {
     await this.page.waitForFunction(() => document.documentElement.dataset.sweep === "done", null, { timeout });
   }
 
+  /** Waits until the picture is still, and drawn as finely as it will be. */
+  settled(timeout = 120_000) {
+    return this.page.waitForFunction(() => ["whole", "always coarse"].includes(document.documentElement.dataset.detail), null, { timeout });
+  }
+
   /** Of the first that the selector finds. */
   text(selector) {
     return this.page.locator(selector).first().textContent();

@@ -3,13 +3,20 @@
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 
-/** A sphere of radius 1 in OBJ: an octahedron whose faces are cut into n * n. */
-export function sphereObj(n) {
+/** How far the surface of a rough ball is from the middle, in a direction. */
+export function roughRadius(x, y, z) {
+  return 1 + 0.02 * Math.sin(37 * x) * Math.cos(41 * y) * Math.sin(29 * z) +
+    0.003 * Math.sin(311 * x + 173 * y + 97 * z);
+}
+
+/** A sphere in OBJ: an octahedron whose faces are cut into n * n. */
+export function sphereObj(n, radius = () => 1) {
   const numbers = new Map();
   const lines = [];
   const vertex = (p) => {
     const length = Math.hypot(...p);
-    const line = `v ${p.map((x) => x / length).join(" ")}`;
+    const direction = p.map((x) => x / length);
+    const line = `v ${direction.map((x) => x * radius(...direction)).join(" ")}`;
     if (!numbers.has(line)) {
       lines.push(line);
       numbers.set(line, numbers.size + 1);
@@ -43,6 +50,19 @@ export const TWO_SQUARES = `OFF
 3 0 2 3
 3 4 5 6
 3 4 6 7
+`;
+
+/** The same in VTK's XML format. */
+export const TWO_SQUARES_VTP = `<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian">
+<PolyData><Piece NumberOfPoints="8" NumberOfPolys="4">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+${TWO_SQUARES.split("\n").slice(2, 10).join("\n")}
+</DataArray></Points>
+<Polys>
+<DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 0 2 3 4 5 6 4 6 7</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">3 6 9 12</DataArray>
+</Polys>
+</Piece></PolyData></VTKFile>
 `;
 
 /** The path of a mesh outside the project; nothing if it is not there. */

@@ -9,7 +9,7 @@ import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
 
 import { apart, isGrey, launch, openPage } from "./browser.mjs";
-import { sphereObj, TWO_SQUARES } from "./meshes.mjs";
+import { sphereObj, TWO_SQUARES, TWO_SQUARES_VTP } from "./meshes.mjs";
 import { startServer, startServerOn, writeTokens } from "./server.mjs";
 
 const SPHERE = sphereObj(24);
@@ -305,6 +305,71 @@ test("a compressed file is taken, and calls name its mesh for balancers", async 
   assert.match(named.ReadMesh, /^[0-9a-f]{64}$/);
   assert.equal(named.ComputeField, named.ReadMesh);
   assert.equal(named.ComputePaths, named.ReadMesh);
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a file of VTK's XML format is taken", async (t) => {
+  const viewer = await openPage(browser, server.url);
+  t.after(() => viewer.close());
+  await viewer.drop("squares.vtp", TWO_SQUARES_VTP);
+  await viewer.shown("squares.vtp");
+  assert.match(await viewer.text("#mesh-size"), /^4 faces$/);
+  assert.ok((await viewer.page.getAttribute("#file", "accept")).includes(".vtp"));
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a large mesh is drawn decimated while it moves, and asked whole", async (t) => {
+  const viewer = await openPage(browser, server.url);
+  t.after(() => viewer.close());
+  const folder = mkdtempSync(join(tmpdir(), "page-"));
+  t.after(() => rmSync(folder, { recursive: true }));
+  const large = sphereObj(200);
+  writeFileSync(join(folder, "sphere.obj"), large);
+  await viewer.choose(join(folder, "sphere.obj"));
+  await viewer.shown("sphere.obj");
+  await viewer.settled();
+  const [all, drawn] = (await viewer.text("#mesh-size")).match(/\d[\d,]*/g).map((text) => Number(text.replaceAll(",", "")));
+  assert.equal(all, 320_000);
+  assert.ok(drawn <= 150_000 && drawn >= 149_998, `${drawn} faces are drawn`);
+
+  await viewer.click(0.3, 0.2);
+  await viewer.solved();
+  await viewer.settled();
+  await viewer.move(-0.3, 0.1);
+  const value = await viewer.exactValue();
+  const dot = await viewer.at(0.3, 0.2);
+  // Between the source and the cursor, where the path is straight on the screen
+  // but for what perspective and the ball do: its whole width is looked at.
+  const column = await Promise.all(Array.from({ length: 41 }, (_, i) => viewer.at(0, 0.1 + 0.01 * i)));
+  const isWhite = (color) => Math.min(...color) > 200;
+  const places = await Promise.all([[0.6, 0.1], [-0.6, -0.3], [0.1, -0.6]].map(([x, y]) => viewer.at(x, y)));
+  const whole = await viewer.picture();
+  assert.ok(isWhite(whole.at(dot)), "the source is where the click was: its face is one of all faces");
+  assert.ok(column.some((pixel) => isWhite(whole.at(pixel))), "the path is seen");
+
+  // Time stands still, and with it the picture that changed last.
+  await viewer.page.clock.install();
+  await viewer.page.clock.pauseAt(Date.now() + 60_000);
+  for (let i = 0; i < 2; i++) {
+    await viewer.page.keyboard.press("i");
+    await viewer.page.clock.runFor(50);
+  }
+  assert.equal(await viewer.page.evaluate(() => document.documentElement.dataset.detail), "coarse");
+  const coarse = await viewer.picture();
+  assert.ok(isWhite(coarse.at(dot)) && column.some((pixel) => isWhite(coarse.at(pixel))),
+    "source and path are seen over the coarse faces");
+  for (const pixel of places) {
+    assert.ok(!isGrey(coarse.at(pixel)), "coarse faces are coloured");
+    assert.ok(apart(coarse.at(pixel), whole.at(pixel)) < 30, `${coarse.at(pixel)} ${whole.at(pixel)}`);
+  }
+  await viewer.page.clock.resume();
+  await viewer.settled();
+  const again = await viewer.picture();
+  for (const pixel of places) assert.deepEqual(again.at(pixel), whole.at(pixel), "all faces are drawn again");
+
+  await viewer.click(-0.3, 0.1);
+  await viewer.page.waitForSelector("#paths li");
+  assert.ok(Math.abs(parseFloat(await viewer.text("#paths li")) - value) < 1e-6 * value);
   assert.deepEqual(viewer.errors, []);
 });
 

@@ -71,6 +71,8 @@ export class Explorer {
   private readonly underCursor = new NewestOnly(PATH_PATIENCE_MS);
   private readonly dragged = new NewestOnly(FIELD_PATIENCE_MS);
   private fieldQuestion = new AbortController();
+  /** Whether a field is on its way. */
+  private waiting = false;
   private cursor: Place | undefined;
   private livePath: KeptPath | undefined;
   private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
@@ -90,6 +92,9 @@ export class Explorer {
       document.documentElement.dataset.sweep = this.field?.hasArrived ? "done" : "";
       return moved;
     };
+    // Until the whole field is there and swept, or could not be had.
+    scene.isWaiting = () => this.waiting;
+    scene.isBusy = () => this.waiting || (this.summary !== undefined && this.field?.hasArrived === false);
   }
 
   show(mesh: SurfaceMesh): void {
@@ -99,6 +104,15 @@ export class Explorer {
     this.radius = undefined;
     this.bareSurface(mesh);
     this.scene.show(mesh);
+  }
+
+  /** Draws these faces while the picture changes; without them, all. */
+  showCoarse(mesh: SurfaceMesh, indices: Uint32Array | undefined): void {
+    if (mesh !== this.mesh) return;
+    mesh.awaitsCoarse = false;
+    if (indices) mesh.setCoarse(indices);
+    this.events.changed();
+    this.scene.redrawSurface();
   }
 
   /** Takes everything off the mesh. */
@@ -112,6 +126,7 @@ export class Explorer {
     this.lines.clear();
     this.field = undefined;
     this.summary = undefined;
+    this.waiting = false;
     this.samples = [];
     this.live.setPoints(new Float32Array());
     this.livePath = undefined;
@@ -139,6 +154,7 @@ export class Explorer {
     if (!mesh) return;
     this.fieldQuestion.abort();
     this.fieldQuestion = new AbortController();
+    this.waiting = false;
     this.hideLive();
     this.dropPaths();
     this.samples = [];
@@ -160,6 +176,7 @@ export class Explorer {
     const field = (this.field = this.newField(mesh));
     document.documentElement.dataset.sweep = "";
     this.summary = undefined;
+    this.waiting = true;
     this.events.changed();
     this.scene.redrawSurface();
     try {
@@ -175,6 +192,9 @@ export class Explorer {
       this.scene.redrawSurface();
     } catch (error) {
       this.report(error, () => void this.askField());
+    } finally {
+      if (abort === this.fieldQuestion) this.waiting = false;
+      this.scene.redrawSurface();
     }
   }
 

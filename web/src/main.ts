@@ -8,6 +8,7 @@ import { Recovery } from "./panel/recovery";
 import { Theme } from "./panel/theme";
 import { byId } from "./panel/elements";
 import { Scene } from "./scene/scene";
+import type { SurfaceMesh } from "./surface/mesh";
 import { Connection } from "./service/connection";
 import { wireCanvas } from "./canvas_actions";
 import { Address } from "./address";
@@ -27,12 +28,13 @@ const explorer: Explorer = new Explorer(scene, connection, {
   failed: (error, again) => recovery.handle(error, again, chooser.uploadAgain()),
 });
 const panel = new Panel(explorer, scene, connection, notice, theme);
-const chooser = new MeshChooser(connection, notice, recovery, (mesh) => {
+const open = (mesh: SurfaceMesh) => {
   explorer.show(mesh);
   canvas.show(mesh);
   panel.show(mesh);
   void explorer.setSources(address.sourcesOn(mesh));
-});
+};
+const chooser = new MeshChooser(connection, notice, recovery, open, (mesh, indices) => explorer.showCoarse(mesh, indices));
 const canvas = wireCanvas(scene, explorer, panel);
 
 void recovery.attempt(async () => {

@@ -5,6 +5,8 @@ import { byId, onClick } from "./elements";
 import type { Notice } from "./notice";
 import type { Recovery } from "./recovery";
 import type { Connection } from "../service/connection";
+import { COARSE_FACES, DRAWN_WHOLE } from "../scene/detail";
+import { decimateMesh } from "../service/decimate_mesh";
 import { readMesh } from "../service/read_mesh";
 import { formatOf, uploadMesh } from "../service/upload";
 import { SurfaceMesh } from "../surface/mesh";
@@ -22,6 +24,7 @@ export class MeshChooser {
     private readonly notice: Notice,
     private readonly recovery: Recovery,
     private readonly opened: (mesh: SurfaceMesh) => void,
+    private readonly decimated: (mesh: SurfaceMesh, indices: Uint32Array | undefined) => void,
   ) {
     onClick("open", () => this.input.click());
     onClick("welcome-open", () => this.input.click());
@@ -56,12 +59,21 @@ export class MeshChooser {
   async openDigest(digest: string): Promise<void> {
     const abort = this.begin();
     const show = (share: number) => this.notice.busy("Reading the mesh", share);
-    const arrays = await readMesh(this.connection, digest, show, abort.signal);
+    // The server works on it while the mesh comes. Without it all is drawn.
+    let coarse: Promise<Uint32Array | undefined> | undefined;
+    const counted = (faceCount: number) => {
+      if (faceCount <= DRAWN_WHOLE) return;
+      coarse = decimateMesh(this.connection, digest, COARSE_FACES, abort.signal).catch(() => undefined);
+    };
+    const arrays = await readMesh(this.connection, digest, counted, show, abort.signal);
     const name = this.names.get(digest) ?? digest.slice(0, 8);
     this.notice.busy("Preparing the picture");
     // The line above is on the screen before the work begins.
     await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
-    this.opened(new SurfaceMesh(arrays, digest, name));
+    const mesh = new SurfaceMesh(arrays, digest, name);
+    mesh.awaitsCoarse = coarse !== undefined;
+    this.opened(mesh);
+    void coarse?.then((indices) => this.decimated(mesh, indices));
     this.notice.clear();
     byId("welcome").hidden = true;
     this.shown = this.select.value = digest;

@@ -10,6 +10,7 @@ import type { Notice } from "./notice";
 import { SavePanel } from "./save_panel";
 import { ScaleBar } from "./scale_bar";
 import type { Theme } from "./theme";
+import { mayBeWhole } from "../scene/detail";
 import type { Scene } from "../scene/scene";
 import type { Connection } from "../service/connection";
 import type { SurfaceMesh } from "../surface/mesh";
@@ -76,7 +77,6 @@ export class Panel {
   show(mesh: SurfaceMesh): void {
     byId("mesh-name").textContent = mesh.name;
     byId("mesh-name").title = mesh.digest;
-    byId("mesh-size").textContent = `${formatCount(mesh.faceCount)} faces`;
     byId("questions").hidden = false;
     document.title = `${mesh.name} - geodesic`;
     this.choose("source");
@@ -84,6 +84,7 @@ export class Panel {
 
   update(): void {
     const { field, sources, summary, paths, samples } = this.explorer;
+    this.showSize();
     byId("source-count").textContent = countText(sources.length, "source");
     byId("next-step").textContent = this.nextStep();
     byId("cells-choice").hidden = sources.length < 2;
@@ -171,6 +172,16 @@ export class Panel {
   private showIsolines(): void {
     this.scene.material.uniforms.showLines.value = this.isolines.checked;
     this.scene.redrawSurface();
+  }
+
+  private showSize(): void {
+    const { mesh } = this.explorer;
+    if (!mesh) return;
+    const faces = `${formatCount(mesh.faceCount)} faces`;
+    const coarse = mesh.coarse?.index ? formatCount(mesh.coarse.index.count / 3) : undefined;
+    const when = mayBeWhole(mesh) ? " while it moves" : "";
+    byId("mesh-size").textContent = coarse ? `${faces}, ${coarse} drawn${when}` : faces;
+    byId("mesh-size").title = coarse ? "Drawn with fewer faces over the same vertices. All answers are the whole mesh's." : "";
   }
 
   private showRadius(): void {

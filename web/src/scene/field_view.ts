@@ -33,7 +33,7 @@ export class FieldView {
     this.distances = new Float64Array(mesh.vertexCount).fill(Infinity);
     this.drawn = new Float32Array(mesh.vertexCount).fill(-1);
     this.attribute = new BufferAttribute(this.drawn, 1).setUsage(DynamicDrawUsage);
-    mesh.geometry.setAttribute("geodesic", this.attribute);
+    mesh.setAttribute("geodesic", this.attribute);
     material.uniforms.reference.value = reference;
     material.uniforms.quadratic.value = quadratic;
     this.paintDistances();
@@ -79,7 +79,8 @@ export class FieldView {
   advance(now: number, hasten: boolean): boolean {
     if (this.arrived) return false;
     const end = this.largest / this.mesh.radius;
-    const passed = this.lastFrame ? Math.min(now - this.lastFrame, 100) : 16;
+    // Slow pictures make no slower front.
+    const passed = this.lastFrame ? Math.min(now - this.lastFrame, SWEEP_MS) : 16;
     this.lastFrame = now;
     if (hasten) this.front = end;
     this.front = Math.min(this.front + (end * passed) / SWEEP_MS, end);
@@ -115,14 +116,14 @@ export class FieldView {
   paintDistances(): void {
     this.painted = "distances";
     this.material.uniforms.painted.value = false;
-    this.mesh.geometry.deleteAttribute("paint");
+    this.mesh.setAttribute("paint", undefined);
   }
 
   private paint(what: "cells" | "difference", colors: Uint8Array, shade: number): void {
     this.painted = what;
     this.material.uniforms.painted.value = true;
     this.material.uniforms.shade.value = shade;
-    this.mesh.geometry.setAttribute("paint", new BufferAttribute(colors, 3, true));
+    this.mesh.setAttribute("paint", new BufferAttribute(colors, 3, true));
   }
 
   /** The distance at a point in a face, as it is drawn; in the file's unit. */

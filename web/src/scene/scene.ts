@@ -26,6 +26,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { SurfaceMesh } from "../surface/mesh";
+import { Detail } from "./detail";
 import { SurfaceMaterial } from "./surface_material";
 import { firstView, type View } from "./view";
 
@@ -43,6 +44,14 @@ void main() {
 }`;
 
 const FIELD_OF_VIEW_DEGREES = 32;
+/** Lines that are so far inside coarse faces are seen all the same. */
+const COARSE_ERROR = 0.004;
+/** Pictures that take longer are slow; after more time it was not the picture. */
+const SLOW_FRAME_MS = 50;
+const LONGEST_FRAME_MS = 2000;
+/** For so many times as long as a slow picture took nothing is drawn, but no longer than this. */
+const WAITING_SHARE = 3;
+const LONGEST_PAUSE_MS = 600;
 /** Room around the mesh. */
 const MARGIN = 1.08;
 
@@ -58,6 +67,10 @@ export class Scene {
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW_DEGREES);
   /** Called before a frame; returns whether the surface changes, and goes on. */
   onFrame: (milliseconds: number) => boolean = () => false;
+  /** Whether the surface is about to change, even if it has not for a while. */
+  isBusy: () => boolean = () => false;
+  /** Whether somebody else, on the same machine perhaps, works on what comes next. */
+  isWaiting: () => boolean = () => false;
 
   private readonly renderer: WebGLRenderer;
   private readonly controls: OrbitControls;
@@ -67,8 +80,16 @@ export class Scene {
   private readonly screen: Camera = new OrthographicCamera();
   private target: WebGLRenderTarget;
   private home: View | undefined;
+  private mesh: SurfaceMesh | undefined;
+  private drawn: Mesh | undefined;
+  private readonly detail = new Detail(() => {
+    this.surfaceIsStale = true;
+    this.redraw();
+  });
   private surfaceIsStale = true;
   private frame = 0;
+  private lastFrame = 0;
+  private pause: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     // All colours here are those of the screen already.
@@ -98,9 +119,10 @@ export class Scene {
 
   show(mesh: SurfaceMesh): void {
     this.surface.clear();
-    const drawn = new Mesh(mesh.geometry, this.material);
-    drawn.frustumCulled = false;
-    this.surface.add(drawn);
+    this.mesh = mesh;
+    this.drawn = new Mesh(mesh.geometry, this.material);
+    this.drawn.frustumCulled = false;
+    this.surface.add(this.drawn);
     this.home = firstView(mesh.geometry.getAttribute("position").array as Float32Array);
     this.camera.up.copy(this.home.up);
     this.lookAtAll();
@@ -157,13 +179,30 @@ export class Scene {
   }
 
   redrawSurface(): void {
+    this.detail.change();
     this.surfaceIsStale = true;
     this.redraw();
   }
 
   redraw(): void {
-    this.frame ||= requestAnimationFrame((now) => {
+    if (this.pause && !this.isWaiting()) {
+      clearTimeout(this.pause);
+      this.pause = undefined;
+    }
+    if (this.frame || this.pause) return;
+    this.frame = requestAnimationFrame((now) => {
+      const took = now - this.lastFrame;
       this.frame = 0;
+      this.lastFrame = now;
+      // A browser without a graphics processor draws on those that also compute
+      // what is waited for: more slow pictures would only keep that back.
+      if (this.isWaiting() && took > SLOW_FRAME_MS && took < LONGEST_FRAME_MS) {
+        this.pause = setTimeout(() => {
+          this.pause = undefined;
+          this.lastFrame = performance.now();
+          this.redraw();
+        }, Math.min(WAITING_SHARE * took, LONGEST_PAUSE_MS));
+      }
       if (this.onFrame(now)) this.redrawSurface();
       this.draw();
     });
@@ -180,11 +219,13 @@ export class Scene {
     this.renderer.render(this.overlay, this.camera);
   }
 
-  /** A copy of what is drawn. */
+  /** A copy of what is drawn, as finely as can be. */
   takePicture(): HTMLCanvasElement {
     const copy = document.createElement("canvas");
     copy.width = this.canvas.width;
     copy.height = this.canvas.height;
+    this.detail.settle();
+    this.surfaceIsStale = true;
     // The canvas keeps its content only until the screen has shown it.
     this.draw();
     copy.getContext("2d")?.drawImage(this.canvas, 0, 0);
@@ -196,10 +237,15 @@ export class Scene {
     this.camera.near = Math.max(distance - 1.1, 0.004);
     this.camera.far = distance + 1.1;
     this.camera.updateProjectionMatrix();
+    const coarse = this.mesh && this.detail.isCoarse(this.mesh) ? this.mesh.coarse : undefined;
+    if (this.mesh && this.drawn) this.drawn.geometry = coarse ?? this.mesh.geometry;
+    this.material.uniforms.setBack.value = coarse ? COARSE_ERROR : 0;
     this.renderer.setRenderTarget(this.target);
     this.renderer.clear();
     this.renderer.render(this.surface, this.camera);
     this.surfaceIsStale = false;
+    if (this.mesh) this.detail.drawn(this.mesh, this.isBusy());
+    document.documentElement.dataset.detail = this.mesh ? this.detail.name(this.mesh) : "";
   }
 
   private resize(): void {

@@ -14,6 +14,7 @@ const VERTEX = /* glsl */ `
 attribute float geodesic;  // Below 0 where it is not known or no path leads.
 attribute vec3 paint;
 uniform vec3 reference;
+uniform float setBack;
 varying vec3 vPoint;
 varying vec3 vView;
 varying vec3 vNormal;
@@ -32,6 +33,9 @@ void main() {
   vSquare = d * d - dot(vPoint, vPoint);
   vReached = geodesic < 0.0 ? 0.0 : 1.0;
   gl_Position = projectionMatrix * view;
+  // Depths are those of a surface a little farther away.
+  vec4 back = projectionMatrix * (view - vec4(0.0, 0.0, setBack, 0.0));
+  gl_Position.z = back.z / back.w * gl_Position.w;
 }`;
 
 const FRAGMENT = /* glsl */ `
@@ -116,6 +120,7 @@ export class SurfaceMaterial extends ShaderMaterial {
       uniforms: {
         colors: { value: colors },
         reference: { value: new Vector3() },
+        setBack: { value: 0 },
         quadratic: { value: true },
         painted: { value: false },
         shade: { value: 0 },

@@ -24,6 +24,7 @@ const FORMATS: Record<string, MeshFormat> = {
   off: MeshFormat.OFF,
   stl: MeshFormat.STL,
   vtk: MeshFormat.VTK,
+  vtp: MeshFormat.VTP,
   glb: MeshFormat.GLTF,
   gltf: MeshFormat.GLTF,
 };
@@ -35,7 +36,7 @@ export function formatOf(name: string): MeshFormat {
   const ending = name.toLowerCase().replace(/\.gz$/, "").split(".").pop() ?? "";
   const format = FORMATS[ending];
   if (format === undefined) {
-    throw new Error(`Meshes are files in .obj, .ply, .off, .stl, .vtk, .glb or .gltf, or these with .gz; ${name} is none.`);
+    throw new Error(`Meshes are files in .obj, .ply, .off, .stl, .vtk, .vtp, .glb or .gltf, or these with .gz; ${name} is none.`);
   }
   return format;
 }

@@ -1,5 +1,7 @@
 // A mesh as it is drawn and picked: the file's exact coordinates beside those
 // of the screen, which are moved to the origin and scaled to a ball of radius 1.
+// A large one also has a coarse list of faces over the same vertices, which is
+// drawn while the picture changes; all else is about the faces of the file.
 
 import { BufferAttribute, BufferGeometry } from "three";
 import type { Place, Source } from "./place";
@@ -18,6 +20,10 @@ export class SurfaceMesh {
   readonly vertexCount: number;
   readonly faceCount: number;
   readonly geometry: BufferGeometry;
+  /** Fewer faces, with the attributes of `geometry`; nothing if there are none. */
+  coarse: BufferGeometry | undefined;
+  /** Whether a coarse list is on its way. */
+  awaitsCoarse = false;
   readonly center: Vector;
   /** Half the diagonal of the bounding box, in the unit of the file. */
   readonly radius: number;
@@ -37,6 +43,22 @@ export class SurfaceMesh {
     this.geometry.setAttribute("position", new BufferAttribute(drawn, 3));
     this.geometry.setAttribute("normal", new BufferAttribute(vertexNormals(drawn, arrays.indices), 3));
     this.geometry.setIndex(new BufferAttribute(arrays.indices, 1));
+  }
+
+  /** Three vertices of each face of a coarse list. */
+  setCoarse(indices: Uint32Array): void {
+    this.coarse?.dispose();
+    this.coarse = new BufferGeometry();
+    for (const [name, attribute] of Object.entries(this.geometry.attributes)) this.coarse.setAttribute(name, attribute);
+    this.coarse.setIndex(new BufferAttribute(indices, 1));
+  }
+
+  /** Sets what is drawn of each vertex; nothing takes it away. */
+  setAttribute(name: string, attribute: BufferAttribute | undefined): void {
+    for (const geometry of [this.geometry, this.coarse]) {
+      if (attribute) geometry?.setAttribute(name, attribute);
+      else geometry?.deleteAttribute(name);
+    }
   }
 
   /** Points of the file as they are drawn. */
@@ -93,6 +115,7 @@ export class SurfaceMesh {
 
   dispose(): void {
     this.geometry.dispose();
+    this.coarse?.dispose();
   }
 }
 

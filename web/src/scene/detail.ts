@@ -1,0 +1,62 @@
+// How finely the surface is drawn: coarsely while the picture changes, as a
+// browser without a fast graphics processor needs it, and with all faces when it
+// is still.
+
+import type { SurfaceMesh } from "../surface/mesh";
+
+/** Meshes of more faces have a coarse list. */
+export const DRAWN_WHOLE = 300_000;
+
+/** The coarse list has about so many faces. */
+export const COARSE_FACES = 150_000;
+
+/** Meshes of more faces are not drawn whole even when the picture is still. */
+const STILL_FACES = 4_000_000;
+
+/** The picture is still when it has not changed for so long. */
+const STILL_MS = 300;
+
+export class Detail {
+  private changing = true;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** `still` is called when the picture should be drawn again, finely. */
+  constructor(private readonly still: () => void) {}
+
+  /** The picture changes. */
+  change(): void {
+    this.changing = true;
+    clearTimeout(this.timer);
+  }
+
+  /** Whether to draw the coarse list, now that the picture is drawn. */
+  isCoarse(mesh: SurfaceMesh): boolean {
+    return mesh.coarse !== undefined && (this.changing || !mayBeWhole(mesh));
+  }
+
+  /** For tests, which wait for "whole" or "always coarse". */
+  name(mesh: SurfaceMesh): string {
+    if (mesh.awaitsCoarse) return "coming";
+    return !this.isCoarse(mesh) ? "whole" : mayBeWhole(mesh) ? "coarse" : "always coarse";
+  }
+
+  /** The picture was drawn; `more` says whether it is about to change again. */
+  drawn(mesh: SurfaceMesh, more: boolean): void {
+    clearTimeout(this.timer);
+    if (!this.isCoarse(mesh) || !mayBeWhole(mesh) || more) return;
+    this.timer = setTimeout(() => {
+      this.settle();
+      this.still();
+    }, STILL_MS);
+  }
+
+  /** The next picture is drawn finely. */
+  settle(): void {
+    clearTimeout(this.timer);
+    this.changing = false;
+  }
+}
+
+export function mayBeWhole(mesh: SurfaceMesh): boolean {
+  return mesh.faceCount <= STILL_FACES;
+}
