@@ -7,7 +7,9 @@ ValueError`` works. The message names what is wrong, e.g. ``sources[0].vertex
 
 from __future__ import annotations
 
-from typing import Optional
+import contextlib
+import os
+from typing import Iterator, Optional, Union
 
 
 class GeodesicError(Exception):
@@ -75,3 +77,13 @@ def from_code(code: int, message: str,
     error = _BY_CODE.get(code, InternalError)(message)
     error.reason = reason
     return error
+
+
+@contextlib.contextmanager
+def naming(path: Union[str, "os.PathLike[str]"]) -> Iterator[None]:
+    """Errors about what is in a file name the file."""
+    try:
+        yield
+    except GeodesicError as error:
+        error.args = (f"{os.fspath(path)}: {error}",)
+        raise

@@ -68,6 +68,10 @@ def _of_flat(flat: np.ndarray) -> np.ndarray:
     at = 0
     while at < flat.size:
         corners = int(flat[at])
+        if corners < 3 or corners >= flat.size - at:
+            raise InvalidArgument(
+                f"faces[{at}] says that a face has {corners} corners, and "
+                f"{flat.size - at - 1} numbers follow")
         triangles.append(_fan(flat[None, at + 1:at + 1 + corners]))
         at += corners + 1
     return np.concatenate(triangles) if triangles else np.empty((0, 3), int)

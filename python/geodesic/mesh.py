@@ -16,7 +16,7 @@ from .approximate import Approximate
 from .arguments import to_array, to_count, to_real
 from .asynchronous import AsyncMesh
 from .backend import Backend, Options
-from .errors import InvalidArgument
+from .errors import InvalidArgument, naming
 from .local import LocalBackend
 from .places import (Curve, FacePoint, Places, Source, SurfacePoint,
                      to_numbers, to_places, to_sources)
@@ -63,17 +63,29 @@ def _tolerance(tolerance: float) -> float:
     return tolerance
 
 
+# Values in rows of k for fewer targets: a slip of the pen must not take all memory.
+_MOST_PADDED = 10**8
+
+
 def _mask(values: Optional[ArrayLike], name: str, count: int) -> np.ndarray:
     """Which of `count` are named, by numbers or by a mask; bool (count,)."""
     mask = np.zeros(count, bool)
     if values is not None and to_array(values, name).size:
         numbers = to_numbers(to_array(values, name), name, count)
-        if numbers.max() >= count:
+        if numbers.size and numbers.max() >= count:
             first = int(np.argmax(numbers >= count))
             raise InvalidArgument(f"{name}[{first}] is {numbers[first]}, but the "
                                   f"mesh has {count}, numbered from 0")
         mask[numbers] = True
     return mask
+
+
+def _restored(vertices: np.ndarray, faces: np.ndarray,
+              kept_faces: Optional[np.ndarray]) -> "Mesh":
+    """What a pickled mesh becomes."""
+    mesh = Mesh(vertices, faces)
+    mesh.kept_faces = kept_faces
+    return mesh
 
 
 class Mesh:
@@ -134,7 +146,8 @@ class Mesh:
                 raise InvalidArgument("faces come from the file, too: "
                                       f"Mesh({os.fspath(vertices)!r})")
             path = pathlib.Path(vertices)
-            mesh = _core.Mesh.read(path.read_bytes(), path.name)
+            with naming(path):
+                mesh = _core.Mesh.read(path.read_bytes(), path.name)
         elif faces is None:
             mesh = _core.Mesh(*inputs.arrays_of(vertices))
         else:
@@ -160,7 +173,7 @@ class Mesh:
         if not isinstance(self._backend, LocalBackend):
             raise TypeError("a mesh of a service cannot be pickled; the other "
                             "process can open it by its digest")
-        return Mesh, (np.array(self.vertices), self.faces)
+        return _restored, (np.array(self.vertices), self.faces, self.kept_faces)
 
     @property
     def n_vertices(self) -> int:
@@ -572,6 +585,9 @@ class Mesh:
         if len(points) == 0:
             raise InvalidArgument("there is no target")
         k = to_count(k, "k", "ask for at least one target")
+        if k > len(points) and k * len(rows) > _MOST_PADDED:
+            raise InvalidArgument(f"k is {k}, but there are only {len(points)} "
+                                  "targets")
         options = Options(algorithm, _threads(threads),
                           tolerance=_tolerance(tolerance))
         _vertices_alone(points, "targets", options)
@@ -660,6 +676,12 @@ class Mesh:
         result = np.empty((len(points), 3))
         for i, kind in enumerate(points.kinds):
             first, second = points.numbers[i]
+            count, what = ((self.n_faces, "faces") if kind == 2 else
+                           (self.n_vertices, "vertices"))
+            if max(first, second) >= count:
+                raise InvalidArgument(
+                    f"places[{i}] is on number {max(first, second)}, but the "
+                    f"mesh has {count} {what}, numbered from 0")
             if kind == 0:
                 result[i] = self.vertices[first]
             elif kind == 1:

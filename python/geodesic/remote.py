@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import itertools
 import math
 from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 
@@ -246,25 +247,28 @@ class RemoteBackend:
     def _read(self) -> Tuple[np.ndarray, np.ndarray]:
         """The arrays, from the service where they came as a file."""
         if self._arrays is None:
-            positions = np.empty((self.vertex_count, 3))
-            faces = np.empty((self.face_count, 3), np.int32)
-            request = mesh_service_pb2.ReadMeshRequest(digest=self.digest())
-            for response in self._stubs.stream(self._stubs.meshes.ReadMesh,
-                                               request):
-                kind = response.WhichOneof("part")
-                if kind == "vertices":
-                    rows = np.frombuffer(response.vertices.positions,
-                                         "<f8").reshape(-1, 3)
-                    first = response.vertices.first_vertex
-                    positions[first:first + len(rows)] = rows
-                elif kind == "faces":
-                    rows = np.frombuffer(response.faces.indices,
-                                         "<i4").reshape(-1, 3)
-                    first = response.faces.first_face
-                    faces[first:first + len(rows)] = rows
-            positions.setflags(write=False)
-            self._arrays = positions, faces
+            self._arrays = self._resident(self._download)
         return self._arrays
+
+    def _download(self) -> Tuple[np.ndarray, np.ndarray]:
+        positions = np.empty((self.vertex_count, 3))
+        faces = np.empty((self.face_count, 3), np.int32)
+        request = mesh_service_pb2.ReadMeshRequest(digest=self.digest())
+        for response in self._stubs.stream(self._stubs.meshes.ReadMesh,
+                                           request):
+            kind = response.WhichOneof("part")
+            if kind == "vertices":
+                rows = np.frombuffer(response.vertices.positions,
+                                     "<f8").reshape(-1, 3)
+                first = response.vertices.first_vertex
+                positions[first:first + len(rows)] = rows
+            elif kind == "faces":
+                rows = np.frombuffer(response.faces.indices,
+                                     "<i4").reshape(-1, 3)
+                first = response.faces.first_face
+                faces[first:first + len(rows)] = rows
+        positions.setflags(write=False)
+        return positions, faces
 
     def _resident(self, ask: Callable[[], Any]) -> Any:
         """What `ask` returns, which is asked again when the service had dropped
@@ -365,8 +369,13 @@ class RemoteBackend:
                     ) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
         request = self._field_request(sources, radius, options)
         request.progressive = True
-        for name, part in self._stubs.parts(self._stubs.fields.ComputeField,
-                                            request):
+
+        def begin():
+            parts = self._stubs.parts(self._stubs.fields.ComputeField, request)
+            return next(parts), parts
+
+        first, rest = self._resident(begin)
+        for name, part in itertools.chain([first], rest):
             if name == "settled":
                 yield (np.frombuffer(part.vertices, "<u4").astype(np.int64),
                        np.frombuffer(part.distances, "<f8"))

@@ -24,9 +24,12 @@ namespace {
 
 namespace py = pybind11;
 
-// A field and what it was asked of. Immutable but for TakeDistances.
+// A field and what it was asked of, with its sources in the order in which a
+// service takes them: where sources are equally near, both say the same one.
+// Immutable but for TakeDistances.
 struct Field {
   QueryHandle question;
+  std::vector<uint32_t> numbers;  // of the sources, as the caller has them
   DistanceField field;
 };
 
@@ -34,12 +37,16 @@ std::unique_ptr<Field> Solve(const QueryHandle& question, double radius,
                              uint64_t stop_after_targets, uint32_t threads,
                              py::object progress) {
   Watch watch(std::move(progress));
+  SortedQuery sorted = question.query.Sorted();
   DistanceField field = watch.Run([&] {
-    return SolveWithin(question.mesh(), question.query,
+    return SolveWithin(question.mesh(), sorted.query,
                        {.radius = radius, .targets = stop_after_targets},
                        threads, watch);
   });
-  return std::unique_ptr<Field>(new Field{question, std::move(field)});
+  return std::unique_ptr<Field>(
+      new Field{{question.on, std::move(sorted.query)},
+                std::move(sorted.numbers),
+                std::move(field)});
 }
 
 py::array_t<double> Distances(const py::object& self) {
@@ -72,7 +79,11 @@ auto AskOf(const Field& self, Question question) {
 }
 
 py::array_t<uint32_t> NearestSourcesOf(const Field& self) {
-  return ToArray(AskOf(self, NearestSources));
+  std::vector<uint32_t> labels = AskOf(self, NearestSources);
+  for (uint32_t& label : labels) {
+    if (label != kNoSource) label = self.numbers[label];
+  }
+  return ToArray(std::move(labels));
 }
 
 py::array_t<double> GradientsOf(const Field& self) {

@@ -54,14 +54,18 @@ absl::StatusOr<PathList> FindPaths(const QueryHandle& question, double radius,
 py::list Paths(const QueryHandle& question, double radius, uint32_t threads,
                py::object progress) {
   Watch watch(std::move(progress));
-  PathList paths =
-      watch.Run([&] { return FindPaths(question, radius, threads, watch); });
+  // As a service orders the sources, so that equally near ones are told alike.
+  const SortedQuery sorted = question.query.Sorted();
+  PathList paths = watch.Run([&] {
+    return FindPaths({question.on, sorted.query}, radius, threads, watch);
+  });
   py::list result;
   for (GeodesicPath& path : paths) {
     Watch::CheckSignals();
-    result.append(py::make_tuple(ToPlaceArrays(path.points),
-                                 ToArray(std::move(path.positions)),
-                                 path.distance, path.length, path.source));
+    result.append(py::make_tuple(
+        ToPlaceArrays(path.points), ToArray(std::move(path.positions)),
+        path.distance, path.length,
+        std::isinf(path.distance) ? path.source : sorted.numbers[path.source]));
   }
   return result;
 }

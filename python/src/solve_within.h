@@ -14,9 +14,10 @@
 
 namespace geodesic::python {
 
-// Distances beyond reach.radius are +infinity, also with algorithms that know
-// nothing for certain before their end and so do not stop there.
-// Errors: as Solve and Computation::Advance.
+// Distances beyond reach.radius, or beyond the last target that was waited for,
+// are +infinity, as in a service's answer: also with algorithms that know
+// nothing for certain before their end and so do not stop there. Errors: as
+// Solve and Computation::Advance.
 absl::StatusOr<DistanceField> SolveWithin(const Mesh& mesh,
                                           const ValidQuery& query,
                                           const Reach& reach, uint32_t threads,

@@ -1,5 +1,6 @@
 """What meshes are made of, and what is said of what they cannot be."""
 
+import copy
 import gzip
 import pathlib
 import pickle
@@ -37,6 +38,11 @@ class RefusedQuestionsTest(Refusing):
             shown = {"samples": "count"}.get(name, name)
             for value in (0, -1, 1.5, True, "x", 2**70):
                 self.assert_refused(f"{shown} is {value!r}", ask, value)
+        self.assert_refused("k is 2147483647", mesh.nearest, 0, [1], 2**31 - 1)
+        for place in (geodesic.FacePoint(8, (0.2, 0.3, 0.5)),
+                      geodesic.EdgePoint(0, 6, 0.5), 6):
+            self.assert_refused("places[1] is on number", mesh.positions,
+                                [0, place])
         self.assert_refused("count is 0", mesh.isolines, 0, count=0)
         self.assert_refused("levels and count", mesh.isolines, 0, count=2,
                             levels=[1])
@@ -246,6 +252,26 @@ class InputsTest(Refusing):
 
     def test_pickles(self):
         self.assert_same(pickle.loads(pickle.dumps(self.wanted)))
+        rest = self.wanted.without(faces=[1, 4])
+        for again in (pickle.loads(pickle.dumps(rest)), copy.copy(rest),
+                      copy.deepcopy(rest)):
+            np.testing.assert_array_equal(again.kept_faces, rest.kept_faces)
+
+    def test_errors_name_the_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "twice.off"
+            path.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n")
+            self.assert_refused(f"{path}: ", geodesic.Mesh, path)
+
+    def test_faces_of_pyvista_that_are_cut_off(self):
+        vertices, _ = meshes.octahedron()
+        for faces, words in (([5, 0, 1, 2], "faces[0] says that a face has 5"),
+                             ([3, 0, 1, 2, 3, 0], "faces[4]"),
+                             ([3, 0, 1, 2, 2, 0, 1], "faces[4]"),
+                             ([-1, 3, 0, 1, 2], "faces[0]"),
+                             ([0], "faces[0]"), ([10**9, 0, 1, 2], "faces[0]")):
+            self.assert_refused(words, geodesic.Mesh, types.SimpleNamespace(
+                points=vertices, faces=np.array(faces)))
 
 
 if __name__ == "__main__":

@@ -6,6 +6,13 @@ import pathlib
 import numpy as np
 
 
+def off_text(vertices, faces):
+    """A file of the mesh, with every digit."""
+    return (f"OFF\n{len(vertices)} {len(faces)} 0\n" +
+            "".join("%r %r %r\n" % tuple(v) for v in np.asarray(vertices).tolist()) +
+            "".join("3 %d %d %d\n" % tuple(f) for f in faces))
+
+
 def grid(n, size=1.0, heights=None):
     """A square of (n + 1)^2 vertices in the plane, or a terrain over it."""
     steps = np.linspace(0, size, n + 1)

@@ -44,6 +44,14 @@ class PartsTest(unittest.TestCase):
         self.assert_refused("no path leads from places[1]", mesh.curve,
                             [0, 1, 7])
 
+    def test_without_nothing(self):
+        vertices, faces = meshes.grid(4)
+        mesh = self.make(vertices, faces)
+        for rest in (mesh.without(np.zeros(len(vertices), bool)),
+                     mesh.without(faces=np.zeros(len(faces), bool)),
+                     mesh.without([])):
+            np.testing.assert_array_equal(rest.faces, faces)
+
     def test_without_vertices(self):
         vertices, faces = meshes.grid(10)
         mesh = self.make(vertices, faces)

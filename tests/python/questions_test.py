@@ -17,6 +17,23 @@ class QuestionsTest(unittest.TestCase):
     def setUpClass(cls):
         cls.mesh = cls.make(*meshes.terrain(24))
 
+    def test_nothing_beyond_the_radius_is_told(self):
+        mesh = self.make([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]],
+                         [[0, 1, 2], [0, 2, 3]])
+        field = mesh.field(0, radius=0.1, labels=True, gradients=True)
+        np.testing.assert_array_equal(field.distances, [0] + 3 * [np.inf])
+        np.testing.assert_array_equal(field.labels, [0, -1, -1, -1])
+        np.testing.assert_array_equal(field.gradients, np.zeros((4, 3)))
+        self.assertEqual(field.settled_radius, 0.1)
+        for target in (2, geodesic.FacePoint(0, (0.2, 0.3, 0.5))):
+            path = mesh.path(0, target, radius=0.1)
+            self.assertEqual((path.length, len(path.points)), (np.inf, 0))
+        # Nor beyond the last target that was waited for.
+        field = mesh.field(0, targets=[2, 1], stop_after_targets=1, labels=True)
+        np.testing.assert_array_equal(field.distances, [0, 1, np.inf, 1])
+        np.testing.assert_array_equal(field.target_distances, [np.inf, 1])
+        np.testing.assert_array_equal(field.labels, [0, 0, -1, 0])
+
     def assert_close(self, got, wanted, relative=tolerances.EXACT):
         np.testing.assert_allclose(got, wanted, rtol=relative,
                                    atol=relative * np.max(wanted))

@@ -163,10 +163,7 @@ class ServiceTest(ServedTest):
         vertices, faces = meshes.octahedron()
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "octahedron.off"
-            path.write_text(
-                "OFF\n6 8 0\n" +
-                "".join("%r %r %r\n" % tuple(v) for v in vertices) +
-                "".join("3 %d %d %d\n" % tuple(f) for f in faces))
+            path.write_text(meshes.off_text(vertices, faces))
             mesh = self.make(path)
             self.assertEqual(self.make(path).digest, mesh.digest)
         opened = self.service.open(mesh.digest)
@@ -188,7 +185,9 @@ class ServiceTest(ServedTest):
         wanted = mesh.distances(0)
         opened = self.service.open(mesh.digest)
         for ask in (lambda: mesh.distances(0), lambda: mesh.path(0, 9),
-                    lambda: mesh.matrix([0]), lambda: mesh.pairs([[0, 1]])):
+                    lambda: mesh.matrix([0]), lambda: mesh.pairs([[0, 1]]),
+                    lambda: list(mesh.progressive(0)), lambda: mesh.info(),
+                    lambda: mesh.without([0]).distances(5)):
             self.service.delete(mesh)
             ask()
         np.testing.assert_array_equal(mesh.distances(0), wanted)
@@ -196,6 +195,31 @@ class ServiceTest(ServedTest):
         with self.assertRaises(geodesic.NotFound) as caught:
             opened.distances(0)
         self.assertEqual(caught.exception.reason, "MESH_NOT_RESIDENT")
+
+    def test_the_arrays_of_a_file_that_was_dropped(self):
+        vertices, faces = meshes.octahedron()
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "octahedron.off"
+            path.write_text(meshes.off_text(vertices, faces))
+            mesh = self.make(path)
+            self.service.delete(mesh)
+            np.testing.assert_array_equal(mesh.vertices, vertices)
+
+    def test_equally_near_sources_are_told_alike(self):
+        for name, (vertices, faces), sources in (
+                ("octahedron", meshes.octahedron(), [5, 0, 3, 1]),
+                ("grid", meshes.grid(6), [48, 6, 0, 42, 0])):
+            here, there = geodesic.Mesh(vertices, faces), self.make(vertices,
+                                                                    faces)
+            fields = [mesh.field(sources, labels=True, gradients=True)
+                      for mesh in (here, there)]
+            with self.subTest(mesh=name):
+                np.testing.assert_array_equal(*(f.labels for f in fields))
+                np.testing.assert_array_equal(*(f.gradients for f in fields))
+                self.assertEqual(
+                    *([path.source for path in
+                       mesh.paths(sources, range(len(vertices)))]
+                      for mesh in (here, there)))
 
     def test_errors(self):
         mesh = self.make(*meshes.octahedron())

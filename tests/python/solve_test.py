@@ -37,10 +37,7 @@ class SolveTest(unittest.TestCase):
         vertices, faces = meshes.terrain(50)
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "terrain.off"
-            path.write_text(
-                f"OFF\n{len(vertices)} {len(faces)} 0\n" +
-                "".join("%r %r %r\n" % tuple(v) for v in vertices.tolist()) +
-                "".join("3 %d %d %d\n" % tuple(f) for f in faces))
+            path.write_text(meshes.off_text(vertices, faces))
             self.assert_same_bits(path)
 
     def test_real_meshes(self):
