@@ -17,8 +17,11 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "cluster"))
-import cluster_test  # noqa: E402
+sys.path[:0] = [str(ROOT / "tests" / "cluster"),
+                str(ROOT / "tests" / "support" / "python")]
+from balancers import Haproxy, Nginx  # noqa: E402
+from load import Client, bumpy_grid  # noqa: E402
+from replica import Replica, free_port  # noqa: E402
 import geodesic_service  # noqa: E402
 
 _AT_ONCE = 16
@@ -38,20 +41,19 @@ def processor_seconds(pid):
 
 
 def measure(balancer_type, arguments, stubs, folder):
-    ports = [(cluster_test.free_port(), cluster_test.free_port())
-             for _ in range(3)]
-    replicas = [cluster_test.Replica(arguments.server, folder, name, pair,
-                                     [port for port, _ in ports])
+    ports = [(free_port(), free_port()) for _ in range(3)]
+    replicas = [Replica(arguments.server, folder, name, pair,
+                        [port for port, _ in ports])
                 for name, pair in zip("abc", ports)]
     for replica in replicas:
         replica.start()
-    port = cluster_test.free_port()
+    port = free_port()
     balancer = balancer_type(folder, port, replicas)
-    client = cluster_test.Client(stubs, "127.0.0.1:%d" % port)
+    client = Client(stubs, "127.0.0.1:%d" % port)
     costs = []
     try:
         for side, calls in ((12, arguments.calls), (250, arguments.calls // 5)):
-            digest = client.upload(*cluster_test.bumpy_grid(0, side))
+            digest = client.upload(*bumpy_grid(0, side))
             with concurrent.futures.ThreadPoolExecutor(_AT_ONCE) as pool:
                 # Wherever it is asked, it is cached.
                 sizes = [len(field[0]) for field in pool.map(
@@ -87,7 +89,7 @@ def main():
     os.environ["PATH"] += ":/usr/sbin"
     with tempfile.TemporaryDirectory() as folder:
         stubs = geodesic_service.generate_stubs(arguments, folder)
-        for balancer in (cluster_test.Haproxy, cluster_test.Nginx):
+        for balancer in (Haproxy, Nginx):
             place = os.path.join(folder, balancer.__name__)
             os.mkdir(place)
             measure(balancer, arguments, stubs, place)

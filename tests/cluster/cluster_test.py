@@ -9,335 +9,27 @@ answer is compared, bit for bit, with that of a server which nobody disturbs.
 
 import collections
 import concurrent.futures
-import hashlib
 import http.client
-import itertools
 import os
 import random
-import signal
 import socket
-import struct
-import subprocess
 import sys
 import tempfile
-import threading
 import time
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "support",
                                 "python"))
 import faults  # noqa: E402
+import memory  # noqa: E402
 import geodesic_service  # noqa: E402
 import grpc  # noqa: E402
+from balancers import DEPLOY, Haproxy, Nginx  # noqa: E402
+from load import Client, Load, Uploads, bumpy_grid  # noqa: E402
 from redis_server import Redis  # noqa: E402
+from replica import Replica, await_that, free_port  # noqa: E402
 
 MESHES = 24
-CLIENTS = 6
-HERE = os.path.dirname(os.path.abspath(__file__))
-DEPLOY = os.path.join(HERE, "..", "..", "deploy", "cluster")
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
-def await_that(condition, seconds=20.0):
-    end = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() > end:
-            raise AssertionError("did not come about within %g s" % seconds)
-        time.sleep(0.02)
-
-
-def bumpy_grid(seed, side=12):
-    """Canonical arrays of a mesh of its own for every seed."""
-    values = random.Random(seed)
-    positions = b"".join(
-        struct.pack("<3d", i, j, values.random())
-        for j in range(side + 1) for i in range(side + 1))
-    faces = bytearray()
-    for j in range(side):
-        for i in range(side):
-            a = i + j * (side + 1)
-            b = a + side + 1
-            faces += struct.pack("<6I", a, a + 1, b + 1, a, b + 1, b)
-    return (side + 1) ** 2, 2 * side * side, positions + bytes(faces)
-
-
-class Replica:
-    """A geodesicd with fixed ports, which may be killed and started again."""
-
-    def __init__(self, server, folder, name, ports, siblings, tier):
-        self.name = name
-        self.port, self.ready_port = ports
-        self.folder = os.path.join(folder, name)
-        self._command = [
-            server, "--listen", "127.0.0.1:%d" % self.port,
-            "--metrics-listen", "127.0.0.1:%d" % self.ready_port,
-            "--data-dir", self.folder, "--threads", "1",
-            "--drain-seconds", "5", "--log-level", "error",
-            "--shared-tier", tier.address,
-        ] + [flag for port in siblings
-             for flag in ("--sibling", "127.0.0.1:%d" % port)]
-        self._process = None
-
-    def start(self):
-        self._process = subprocess.Popen(self._command,
-                                         stdout=subprocess.DEVNULL)
-        await_that(self.is_ready, 60)
-
-    def is_ready(self):
-        try:
-            connection = http.client.HTTPConnection(
-                "127.0.0.1", self.ready_port, timeout=1)
-            connection.request("GET", "/readyz")
-            return connection.getresponse().status == 200
-        except OSError:
-            return False
-
-    def kill(self):
-        self._process.kill()
-        self._process.wait()
-
-    def signal(self, number):
-        self._process.send_signal(number)
-
-    def drain(self):
-        """Ends in order, as an upgrade does. Returns the exit status."""
-        self._process.send_signal(signal.SIGTERM)
-        return self._process.wait(timeout=60)
-
-
-class Haproxy:
-    def __init__(self, folder, port, replicas):
-        environment = dict(os.environ,
-                           GEODESIC_LISTEN="127.0.0.1:%d" % port)
-        for replica in replicas:
-            prefix = "GEODESIC_" + replica.name.upper()
-            environment[prefix] = "127.0.0.1:%d" % replica.port
-            environment[prefix + "_READY"] = str(replica.ready_port)
-        self._process = subprocess.Popen(
-            ["haproxy", "-W", "-db", "-q", "-f",
-             os.path.join(DEPLOY, "haproxy.cfg")], env=environment)
-
-    def reload(self):
-        """New processes take over; connections to replicas are made anew."""
-        self._process.send_signal(signal.SIGUSR2)
-
-    def stop(self):
-        self._process.terminate()
-        self._process.wait()
-
-
-class Nginx:
-    """nginx.conf as shipped, with this test's ports."""
-
-    def __init__(self, folder, port, replicas):
-        with open(os.path.join(DEPLOY, "nginx.conf")) as shipped:
-            text = shipped.read()
-        text = text.replace("/tmp/geodesic-nginx.pid",
-                            os.path.join(folder, "nginx.pid"))
-        text = text.replace("127.0.0.1:50060", "127.0.0.1:%d" % port)
-        for number, replica in enumerate(replicas):
-            text = text.replace("127.0.0.1:%d" % (50061 + number),
-                                "127.0.0.1:%d" % replica.port)
-        path = os.path.join(folder, "nginx.conf")
-        with open(path, "w") as written:
-            written.write(text)
-        self._process = subprocess.Popen(
-            ["nginx", "-p", folder, "-g", "daemon off;", "-c", path])
-
-    def reload(self):
-        self._process.send_signal(signal.SIGHUP)
-
-    def stop(self):
-        self._process.terminate()
-        self._process.wait()
-
-
-def is_broken(error):
-    """Whether the way to the replica broke: the connection to the balancer, or
-    the one behind it, which haproxy passes on as a stream without a status and
-    nginx as one that is cancelled or reset."""
-    return (error.code() == grpc.StatusCode.UNAVAILABLE or
-            (error.code(), error.details()) in (
-                (grpc.StatusCode.UNKNOWN, "Stream removed"),
-                (grpc.StatusCode.INTERNAL,
-                 "Received RST_STREAM with error code 2"),
-                (grpc.StatusCode.CANCELLED, "CANCELLED")))
-
-
-class Client:
-    """Uploads, and asks for fields. Repeats what is broken off, as clients of a
-    service in several replicas do."""
-
-    OPTIONS = [("grpc.use_local_subchannel_pool", 1)]
-
-    def __init__(self, stubs, address, repeats=True, awaits_room=False):
-        self._stubs = stubs
-        self._repeats = repeats
-        # Whether to ask a question again that a replica has no room for: one
-        # whose disk is full does not take a mesh from a sibling.
-        self._awaits_room = awaits_room
-        self.channel = grpc.insecure_channel(address, options=self.OPTIONS)
-        self._meshes = stubs.mesh_service_pb2_grpc.MeshServiceStub(self.channel)
-        self._fields = stubs.field_service_pb2_grpc.FieldServiceStub(
-            self.channel)
-        self.repeated = 0
-
-    def _repeat(self, call, awaits_room=False):
-        end = time.monotonic() + 20
-        while True:
-            try:
-                return call()
-            except grpc.RpcError as error:
-                is_full = (error.code() == grpc.StatusCode.RESOURCE_EXHAUSTED and
-                           awaits_room)
-                if (not self._repeats or not (is_broken(error) or is_full) or
-                        time.monotonic() > end):
-                    raise
-                self.repeated += 1
-                time.sleep(0.05)
-
-    @staticmethod
-    def digest_of(vertices, faces, arrays):
-        return hashlib.sha256(b"geodesic.mesh.v1\n" +
-                              struct.pack("<QQ", vertices, faces) +
-                              arrays).hexdigest()
-
-    def upload(self, vertices, faces, arrays):
-        digest = self.digest_of(vertices, faces, arrays)
-        service = self._stubs.mesh_service_pb2
-
-        def messages():
-            yield service.CreateMeshRequest(header=service.UploadHeader(
-                format=self._stubs.mesh_pb2.MESH_FORMAT_ARRAYS,
-                size_bytes=len(arrays), vertex_count=vertices,
-                face_count=faces, expected_digest=digest))
-            yield service.CreateMeshRequest(
-                chunk=service.UploadChunk(offset=0, data=arrays))
-
-        self._repeat(lambda: self._meshes.CreateMesh(
-            messages(), timeout=30, metadata=(("geo-mesh-digest", digest),)))
-        return digest
-
-    def meshes(self):
-        """The digests of the meshes that the server has; at most 1000."""
-        request = self._stubs.mesh_service_pb2.ListMeshesRequest(page_size=1000)
-        return [mesh.digest
-                for mesh in self._meshes.ListMeshes(request, timeout=5).meshes]
-
-    def field(self, digest, vertex):
-        """The distances' bytes, and the replica that answered."""
-        request = self._stubs.field_service_pb2.ComputeFieldRequest(
-            mesh_digest=digest,
-            sources=[self._stubs.surface_pb2.Source(vertex=vertex)])
-
-        def call():
-            stream = self._fields.ComputeField(
-                request, timeout=30,
-                metadata=(("geo-mesh-digest", digest),))
-            replica = dict(stream.initial_metadata()).get("geo-replica", "")
-            return (b"".join(message.chunk.distances for message in stream
-                             if message.WhichOneof("part") == "chunk"), replica)
-
-        return self._repeat(call, self._awaits_room)
-
-
-class Load:
-    """Clients that ask without pause, until stop."""
-
-    def __init__(self, make_client, truth):
-        self._truth = truth
-        self._stop = threading.Event()
-        self._lock = threading.Lock()
-        self.answers = 0
-        self.repeated = 0
-        self.errors = []
-        self.wrong = []
-        self.asked = []  # (end, seconds, digest, replica)
-        self._threads = [
-            threading.Thread(target=self._ask, args=(make_client(), seed))
-            for seed in range(CLIENTS)
-        ]
-        for thread in self._threads:
-            thread.start()
-
-    def _ask(self, client, seed):
-        values = random.Random(seed)
-        digests = sorted(self._truth)
-        while not self._stop.is_set():
-            digest = values.choice(digests)
-            vertex = values.randrange(len(self._truth[digest]))
-            begin = time.monotonic()
-            try:
-                distances, replica = client.field(digest, vertex)
-            except grpc.RpcError as error:
-                with self._lock:
-                    self.errors.append(str(error))
-                continue
-            end = time.monotonic()
-            with self._lock:
-                self.answers += 1
-                self.asked.append((end, end - begin, digest, replica))
-                if distances != self._truth[digest][vertex]:
-                    self.wrong.append((digest, vertex))
-        with self._lock:
-            self.repeated += client.repeated
-        client.channel.close()
-
-    def stop(self):
-        self._stop.set()
-        for thread in self._threads:
-            thread.join()
-
-    def p99(self, begin, end):
-        """Seconds a call took, of those that ended in this time."""
-        times = sorted(seconds for ended, seconds, _, _ in list(self.asked)
-                       if begin <= ended < end)
-        return times[int(0.99 * (len(times) - 1))] if times else float("nan")
-
-    def homes(self, begin, end):
-        """The replica that answered for each mesh most often in this time."""
-        counts = collections.defaultdict(collections.Counter)
-        for ended, _, digest, replica in list(self.asked):
-            if begin <= ended < end:
-                counts[digest][replica] += 1
-        return {digest: count.most_common(1)[0][0]
-                for digest, count in counts.items()}
-
-
-class Uploads:
-    """A client that uploads new meshes without pause, until stop, and remembers
-    those whose upload was acknowledged."""
-
-    def __init__(self, client, first_seed):
-        self._client = client
-        self._seeds = itertools.count(first_seed)
-        self._stop = threading.Event()
-        self.acknowledged = {}  # digest to seed
-        self.refused = 0
-        self.errors = []
-        self._thread = threading.Thread(target=self._upload)
-        self._thread.start()
-
-    def _upload(self):
-        while not self._stop.wait(0.1):  # so that disks hold them
-            seed = next(self._seeds)
-            try:
-                self.acknowledged[self._client.upload(*bumpy_grid(seed))] = seed
-            except grpc.RpcError as error:
-                if error.code() == grpc.StatusCode.RESOURCE_EXHAUSTED:
-                    self.refused += 1
-                else:
-                    self.errors.append(str(error))
-        self._client.channel.close()
-
-    def stop(self):
-        self._stop.set()
-        self._thread.join()
 
 
 class ClusterTest(unittest.TestCase):
@@ -354,7 +46,8 @@ class ClusterTest(unittest.TestCase):
         self.addCleanup(self.tier.kill)
         self.replicas = [
             Replica(self.arguments.server, folder, name, pair,
-                    [port for port, _ in ports], self.tier)
+                    [port for port, _ in ports],
+                    ["--shared-tier", self.tier.address] + memory.FLAGS)
             for name, pair in zip("abc", ports)
         ]
         for replica in self.replicas:
@@ -456,27 +149,35 @@ class ClusterTest(unittest.TestCase):
             self.load = Load(
                 lambda: Client(self.stubs, self.address, awaits_room=True),
                 self.truth(digests))
-            uploads = Uploads(self.client(), 10_000)
-            breaker = faults.Faults(self.replicas, with_disks, seed)
+            # So few that the disks hold them.
+            uploads = Uploads(self.client(), 10_000,
+                              pause=max(0.1, self.arguments.faults / 1000))
+            watch = memory.MemoryWatch(self.replicas)
+            breaker = faults.Faults(self.replicas, self.tier, with_disks,
+                                    self.arguments.set_clock, seed)
             begin = time.monotonic()
             try:
                 breaker.run(self.arguments.faults)
             finally:
                 uploads.stop()
                 self.load.stop()
+                watch.stop()
             print("  %s" % ", ".join("%d %s" % (count, name) for name, count in
                                      sorted(breaker.done.items())))
             print("  %d answers, %.1f ms p99, %d calls repeated; %d meshes "
-                  "acknowledged, %d refused" % (
+                  "acknowledged, %d refused; %.0f MiB at the most, of %.0f" % (
                       self.load.answers,
                       1000 * self.load.p99(begin, time.monotonic()),
                       self.load.repeated, len(uploads.acknowledged),
-                      uploads.refused))
+                      uploads.refused, watch.most_mib, memory.ALLOWED_MIB))
+            for replica in self.replicas:
+                self.assertTrue(replica.is_ready(), replica.name)
             self.assertEqual(self.load.errors, [])
             self.assertEqual(self.load.wrong, [])
             self.assertEqual(uploads.errors, [])
             self.assertGreater(self.load.answers, 100)
             self.assertGreater(len(uploads.acknowledged), 0)
+            self.assertLess(watch.most_mib, memory.ALLOWED_MIB)
             truth = self.truth(uploads.acknowledged, [
                 bumpy_grid(number) for number in uploads.acknowledged.values()], 1)
             for digest in uploads.acknowledged:
@@ -677,6 +378,8 @@ if __name__ == "__main__":
     parser.add_argument("--seconds", type=float, default=21)
     parser.add_argument("--faults", type=float, default=10,
                         help="seconds of faults at random")
+    parser.add_argument("--set-clock", action="store_true",
+                        help="let the machine's clock jump, too (as root)")
     parser.add_argument("--seed", type=int, default=0,
                         help="of these; 0: another each time")
     parser.add_argument("tests", nargs="*", help="all, if none is named")

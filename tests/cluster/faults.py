@@ -1,4 +1,4 @@
-"""Faults at random, one at a time, for replicas of cluster_test.py.
+"""Faults at random, one at a time, for replicas of cluster_test.py and their tier.
 
 One at a time, since a mesh is promised to outlive one replica, not two.
 """
@@ -14,6 +14,9 @@ import time
 
 # Of a replica's disk, where it has one of its own.
 DISK_BYTES = 24 * 2**20
+
+# How far the clock jumps, in seconds; backwards and forwards.
+JUMPS = (-3600, -30, -1, 1, 30, 3600)
 
 
 @contextlib.contextmanager
@@ -42,16 +45,22 @@ class Faults:
 
     Args:
         replicas: of cluster_test.
+        tier: the Redis that they share.
         with_disks: whether they are within small_disks().
+        with_clock: whether to set the clock, which is the whole machine's.
         seed: of the order and the times.
     """
 
-    def __init__(self, replicas, with_disks, seed):
+    def __init__(self, replicas, tier, with_disks, with_clock, seed):
         self._replicas = replicas
+        self._tier = tier
         self._values = random.Random(seed)
-        self._kinds = [self.kill, self.stop_and_continue, self.drain]
+        self._kinds = [self.kill, self.stop_and_continue, self.drain,
+                       self.silence_tier, self.falsify_tier]
         if with_disks:
             self._kinds.append(self.fill_disk)
+        if with_clock:
+            self._kinds.append(self.set_clock)
         self.done = collections.Counter()
 
     def run(self, seconds):
@@ -103,6 +112,45 @@ class Faults:
             self._pause(0.5, 3)
         finally:
             os.unlink(filler)
+
+    def silence_tier(self, _):
+        """It takes connections and answers when the fault is over."""
+        self._tier.stop()
+        try:
+            self._pause(0.2, 3)
+        finally:
+            self._tier.go_on()
+
+    def falsify_tier(self, _):
+        """Every value becomes another: bytes in it, its length, or all of it, which
+        is then that of another key."""
+        values = {key: self._tier.ask("GET", key)
+                  for key in self._tier.ask("KEYS", "*")}
+        for key, value in values.items():
+            false = self._values.choice([self._corrupted, self._shortened, bytes])(
+                value or b"") or self._values.choice(list(values.values()))
+            self._tier.ask("SET", key, false or b"", "KEEPTTL")
+
+    def _corrupted(self, value):
+        corrupted = bytearray(value)
+        for _ in range(1 + len(value) // 500):
+            corrupted[self._values.randrange(len(value))] ^= (
+                1 << self._values.randrange(8))
+        return bytes(corrupted)
+
+    def _shortened(self, value):
+        return value[:self._values.randrange(len(value))]
+
+    def set_clock(self, _):
+        """The time of day jumps, and comes back. Files get times that lie."""
+        jump = self._values.choice(JUMPS)
+        before, since = time.time(), time.monotonic()
+        time.clock_settime(time.CLOCK_REALTIME, before + jump)
+        try:
+            self._pause(0.5, 3)
+        finally:
+            time.clock_settime(time.CLOCK_REALTIME,
+                               before + time.monotonic() - since)
 
     @staticmethod
     def _check_full(replica):

@@ -1,0 +1,79 @@
+"""A geodesicd of the cluster, on ports of its own."""
+
+import http.client
+import os
+import signal
+import socket
+import subprocess
+import time
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def await_that(condition, seconds=20.0):
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            raise AssertionError("did not come about within %g s" % seconds)
+        time.sleep(0.02)
+
+
+class Replica:
+    """A geodesicd with fixed ports, which may be killed and started again.
+
+    `siblings` are ports; `flags` go to geodesicd as they are.
+    """
+
+    def __init__(self, server, folder, name, ports, siblings, flags=()):
+        self.name = name
+        self.port, self.ready_port = ports
+        self.folder = os.path.join(folder, name)
+        self._command = [
+            server, "--listen", "127.0.0.1:%d" % self.port,
+            "--metrics-listen", "127.0.0.1:%d" % self.ready_port,
+            "--data-dir", self.folder, "--threads", "1",
+            "--drain-seconds", "5", "--log-level", "error",
+        ] + [flag for port in siblings
+             for flag in ("--sibling", "127.0.0.1:%d" % port)] + list(flags)
+        self._process = None
+
+    def start(self):
+        self._process = subprocess.Popen(self._command,
+                                         stdout=subprocess.DEVNULL)
+        await_that(self.is_ready, 60)
+
+    def is_ready(self):
+        if self._process.poll() is not None:
+            raise AssertionError("%s ended with %d" % (
+                self.name, self._process.returncode))
+        try:
+            connection = http.client.HTTPConnection(
+                "127.0.0.1", self.ready_port, timeout=1)
+            connection.request("GET", "/readyz")
+            return connection.getresponse().status == 200
+        except OSError:
+            return False
+
+    def resident_bytes(self):
+        """What the kernel counts; 0 while it does not run."""
+        try:
+            with open("/proc/%d/statm" % self._process.pid) as file:
+                return int(file.read().split()[1]) * os.sysconf("SC_PAGESIZE")
+        except (OSError, IndexError):
+            return 0
+
+    def kill(self):
+        self._process.kill()
+        self._process.wait()
+
+    def signal(self, number):
+        self._process.send_signal(number)
+
+    def drain(self):
+        """Ends in order, as an upgrade does. Returns the exit status."""
+        self._process.send_signal(signal.SIGTERM)
+        return self._process.wait(timeout=60)
