@@ -6,17 +6,19 @@ export class TokenDialog {
   private readonly dialog = byId<HTMLDialogElement>("token-dialog");
   private readonly input = byId<HTMLInputElement>("token");
 
-  /** `entered` gets the token; a dialog that is closed asks again later. */
+  /** `entered` gets the token; a dialog that is cancelled asks again later. */
   constructor(entered: (token: string) => void) {
-    this.dialog.addEventListener("close", () => {
-      if (this.dialog.returnValue === "ok" && this.input.value) entered(this.input.value.trim());
+    // Not when the dialog has closed, which browsers tell some time after: until
+    // then work that begins would still show the old token.
+    this.dialog.addEventListener("submit", (event) => {
+      const isGiven = (event.submitter as HTMLButtonElement | null)?.value === "ok";
+      if (isGiven && this.input.value) entered(this.input.value.trim());
     });
   }
 
   open(reason: string): void {
     byId("token-reason").textContent = reason;
     this.input.value = "";
-    this.dialog.returnValue = "";
     if (!this.dialog.open) this.dialog.showModal();
   }
 }
