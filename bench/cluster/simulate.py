@@ -240,7 +240,7 @@ def simulate(ring, name, options, seed=1):
 def balancers(count):
     """(name, ring) of every way to balance that is compared: HAProxy with a weight
     and a balance factor."""
-    for weight, factor in ((1, 150), (100, 150), (100, 125), (100, 0)):
+    for weight, factor in ((1, 125), (100, 125), (100, 150), (100, 0)):
         yield f"haproxy {weight}, {factor}", rings.HaproxyRing(count, weight,
                                                                factor)
     yield "nginx", rings.NginxRing(

@@ -25,7 +25,7 @@ import memory  # noqa: E402
 import geodesic_service  # noqa: E402
 import grpc  # noqa: E402
 from balancers import DEPLOY, Haproxy, Nginx  # noqa: E402
-from load import Client, Load, Uploads, bumpy_grid  # noqa: E402
+from load import Client, Load, Uploads, bumpy_grid, p99  # noqa: E402
 from redis_server import Redis  # noqa: E402
 from replica import Replica, await_that, free_port  # noqa: E402
 
@@ -89,15 +89,16 @@ class ClusterTest(unittest.TestCase):
         server.stop()
         return fields
 
-    def phase(self, name):
-        """Waits for a share of the seconds. Returns when it began and ended."""
+    def phase(self, name, usual=float("inf")):
+        """Waits for a share of the seconds, and says how slow the calls were, and
+        for how long slower than twice as `usual`. Returns when it began and ended."""
         begin = time.monotonic()
         time.sleep(self.arguments.seconds / 7)  # the load goes on meanwhile
         end = time.monotonic()
-        print("  %-34s %6.1f ms p99, %d answers" % (
-            name, 1000 * self.load.p99(begin, end),
-            sum(begin <= asked[0] < end for asked in list(self.load.asked))),
-            flush=True)
+        calls = self.load.calls(begin, end)
+        print("  %-28s %6.1f ms p99 of %5d answers, above twice the first for %.1f s"
+              % (name, 1000 * p99(calls), len(calls),
+                 self.load.slow_until(begin, end, 2 * usual)), flush=True)
         return begin, end
 
     def test_no_error_and_no_wrong_bit_while_replicas_come_and_go(self):
@@ -108,26 +109,27 @@ class ClusterTest(unittest.TestCase):
         self.load = Load(self.client, self.truth(digests))
         try:
             quiet = self.phase("three replicas")
+            usual = p99(self.load.calls(*quiet))
             killed = self.replicas[0]
             killed.kill()
-            after = self.phase("one killed")
+            after = self.phase("one killed", usual)
             self.check_moves(self.load.homes(*quiet), self.load.homes(*after),
                              killed.name)
             killed.start()
-            self.phase("it is back")
+            self.phase("it is back", usual)
             for replica in self.replicas:
                 self.assertEqual(replica.drain(), 0)
                 replica.start()
-            self.phase("all three upgraded in turn")
+            self.phase("all three upgraded in turn", usual)
             self.balancer.reload()
-            self.phase("the balancer reloaded")
+            self.phase("the balancer reloaded", usual)
             hits = 'geodesic_shared_tier_reads_total{result="hit"}'
             self.assertGreater(
                 sum(self.metric(r, hits) for r in self.replicas), 0)
             self.tier.kill()
-            self.phase("the tier killed")
+            self.phase("the tier killed", usual)
             self.tier.start()
-            self.phase("the tier is back")
+            self.phase("the tier is back", usual)
         finally:
             self.load.stop()
         print("  %d answers, %d calls repeated" % (self.load.answers,
@@ -167,7 +169,7 @@ class ClusterTest(unittest.TestCase):
             print("  %d answers, %.1f ms p99, %d calls repeated; %d meshes "
                   "acknowledged, %d refused; %.0f MiB at the most, of %.0f" % (
                       self.load.answers,
-                      1000 * self.load.p99(begin, time.monotonic()),
+                      1000 * p99(self.load.calls(begin, time.monotonic())),
                       self.load.repeated, len(uploads.acknowledged),
                       uploads.refused, watch.most_mib, memory.ALLOWED_MIB))
             for replica in self.replicas:

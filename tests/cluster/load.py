@@ -1,6 +1,7 @@
 """Clients that share nothing with ours but the protocol: those that ask and those
 that upload without pause, and the meshes that they upload."""
 
+import bisect
 import collections
 import hashlib
 import itertools
@@ -118,6 +119,12 @@ class Client:
         return self._repeat(call, self._awaits_room)
 
 
+def p99(calls):
+    """Seconds that the slowest but one in a hundred took; nan if there are none."""
+    seconds = sorted(seconds for _, seconds in calls)
+    return seconds[int(0.99 * (len(seconds) - 1))] if seconds else float("nan")
+
+
 class Load:
     """Clients that ask without pause, until stop."""
 
@@ -165,11 +172,23 @@ class Load:
         for thread in self._threads:
             thread.join()
 
-    def p99(self, begin, end):
-        """Seconds a call took, of those that ended in this time."""
-        times = sorted(seconds for ended, seconds, _, _ in list(self.asked)
-                       if begin <= ended < end)
-        return times[int(0.99 * (len(times) - 1))] if times else float("nan")
+    def calls(self, begin, end):
+        """When each call that ended in this time ended, and the seconds it took."""
+        return sorted((ended, seconds) for ended, seconds, _, _ in list(self.asked)
+                      if begin <= ended < end)
+
+    def slow_until(self, begin, end, limit):
+        """For how many seconds from `begin` on the calls of some second, told ten
+        times a second, had a 99th percentile above the limit."""
+        calls = self.calls(begin, end)
+        last = 0
+        for tenth in range(int(10 * (end - begin)) - 9):
+            start = begin + tenth / 10
+            first, after = (bisect.bisect_left(calls, (time,))
+                            for time in (start, start + 1))
+            if not p99(calls[first:after]) <= limit:
+                last = tenth / 10 + 1
+        return last
 
     def homes(self, begin, end):
         """The replica that answered for each mesh most often in this time."""
