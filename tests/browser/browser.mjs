@@ -107,6 +107,24 @@ export class Viewer {
     await this.page.mouse.move(...(await this.at(x, y)));
   }
 
+  /**
+   * Fingers that go down, move and leave: `paths` has the places of each, as many for
+   * every finger. The page is one with `hasTouch`.
+   */
+  async touch(...paths) {
+    const session = await this.page.context().newCDPSession(this.page);
+    const send = async (type, step) => {
+      const places = await Promise.all(paths.map((path) => this.at(...path[step])));
+      const touchPoints = type === "touchEnd" ? [] : places.map(([x, y], id) => ({ x, y, id }));
+      await session.send("Input.dispatchTouchEvent", { type, touchPoints });
+    };
+    const last = paths[0].length - 1;
+    await send("touchStart", 0);
+    for (let step = 1; step <= last; step++) await send("touchMove", step);
+    await send("touchEnd", last);
+    await session.detach();
+  }
+
   /** Presses a button that gives a file; returns its bytes. */
   async save(selector) {
     const [download] = await Promise.all([

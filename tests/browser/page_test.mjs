@@ -228,6 +228,31 @@ test("several sources, cells, samples, curves, a radius, comparison", async (t) 
   assert.deepEqual(viewer.errors, []);
 });
 
+test("fingers: a tap is a click, one turns, two zoom", async (t) => {
+  const viewer = await sphere(t, { hasTouch: true });
+  const line = (from, to) => Array.from({ length: 11 }, (_, i) => from.map((x, k) => x + ((to[k] - x) * i) / 10));
+  await viewer.touch([[0.2, 0.1]]);
+  await viewer.waitForText("#source-count", "1 source");
+  await viewer.solved();
+  await viewer.touch([[-0.4, 0.3]]);
+  await viewer.page.waitForSelector("#paths li");
+  const address = viewer.page.url();
+  const dot = await viewer.at(0.2, 0.1);
+  assert.ok(Math.min(...(await viewer.picture()).at(dot)) > 200, "the source is where the finger was");
+
+  await viewer.touch(line([-0.3, -0.5], [0.3, -0.5]));
+  await viewer.settled();
+  assert.ok(Math.min(...(await viewer.picture()).at(dot)) < 200, "the view has turned");
+  const beside = await viewer.at(1.1, 0);
+  const background = (await viewer.picture()).at(beside);
+  await viewer.touch(line([-0.2, -0.5], [-0.7, -0.5]), line([0.2, -0.5], [0.7, -0.5]));
+  await viewer.settled();
+  assert.ok(apart((await viewer.picture()).at(beside), background) > 40, "the view is nearer");
+  assert.equal(viewer.page.url(), address, "nothing else was asked");
+  assert.equal(await viewer.page.locator("#paths li").count(), 1);
+  assert.deepEqual(viewer.errors, []);
+});
+
 test("what no path leads to is grey", async (t) => {
   const viewer = await openPage(browser, server.url);
   t.after(() => viewer.close());

@@ -12,6 +12,7 @@ import concurrent.futures
 import http.client
 import os
 import random
+import resource
 import socket
 import sys
 import tempfile
@@ -148,9 +149,7 @@ class ClusterTest(unittest.TestCase):
             client = self.client()
             digests = [client.upload(*mesh) for mesh in self.meshes]
             await_that(lambda: min(self.copies(digests).values()) >= 2)
-            self.load = Load(
-                lambda: Client(self.stubs, self.address, awaits_room=True),
-                self.truth(digests))
+            self.load = Load(self.client, self.truth(digests))
             # So few that the disks hold them.
             uploads = Uploads(self.client(), 10_000,
                               pause=max(0.1, self.arguments.faults / 1000))
@@ -298,6 +297,30 @@ class ClusterTest(unittest.TestCase):
         honest.channel.close()
         self.assertEqual(server.stop(), 0)
         liar.stop(None)
+
+    def test_full_disk_keeps_nobody_from_an_answer(self):
+        honest = Client(self.stubs, "127.0.0.1:%d" % self.replicas[0].port)
+        digest = honest.upload(*self.meshes[0])
+        full = Replica(self.arguments.server, self._folder.name, "full",
+                       (free_port(), free_port()), [self.replicas[0].port])
+        full.start()
+        self.addCleanup(full.kill)
+        # No file may grow from here on.
+        resource.prlimit(full.pid, resource.RLIMIT_FSIZE, (0, 0))
+        client = Client(self.stubs, "127.0.0.1:%d" % full.port, repeats=False)
+        for vertex in range(3):
+            self.assertEqual(client.field(digest, vertex)[0],
+                             honest.field(digest, vertex)[0])
+        self.assertEqual(self.fetched(full), 1)
+        # What it could not keep is not acknowledged.
+        for mesh in (self.meshes[0], self.meshes[1]):
+            with self.assertRaises(grpc.RpcError) as refused:
+                client.upload(*mesh)
+            self.assertIn(refused.exception.code(),
+                          (grpc.StatusCode.RESOURCE_EXHAUSTED,
+                           grpc.StatusCode.UNAVAILABLE))
+        client.channel.close()
+        honest.channel.close()
 
     def test_mesh_beyond_the_own_limits_is_not_fetched(self):
         vertices, faces, arrays = self.meshes[0]

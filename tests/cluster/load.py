@@ -48,27 +48,22 @@ class Client:
 
     OPTIONS = [("grpc.use_local_subchannel_pool", 1)]
 
-    def __init__(self, stubs, address, repeats=True, awaits_room=False):
+    def __init__(self, stubs, address, repeats=True):
         self._stubs = stubs
         self._repeats = repeats
-        # Whether to ask a question again that a replica has no room for: one
-        # whose disk is full does not take a mesh from a sibling.
-        self._awaits_room = awaits_room
         self.channel = grpc.insecure_channel(address, options=self.OPTIONS)
         self._meshes = stubs.mesh_service_pb2_grpc.MeshServiceStub(self.channel)
         self._fields = stubs.field_service_pb2_grpc.FieldServiceStub(
             self.channel)
         self.repeated = 0
 
-    def _repeat(self, call, awaits_room=False):
+    def _repeat(self, call):
         end = time.monotonic() + 20
         while True:
             try:
                 return call()
             except grpc.RpcError as error:
-                is_full = (error.code() == grpc.StatusCode.RESOURCE_EXHAUSTED and
-                           awaits_room)
-                if (not self._repeats or not (is_broken(error) or is_full) or
+                if (not self._repeats or not is_broken(error) or
                         time.monotonic() > end):
                     raise
                 self.repeated += 1
@@ -116,7 +111,7 @@ class Client:
             return (b"".join(message.chunk.distances for message in stream
                              if message.WhichOneof("part") == "chunk"), replica)
 
-        return self._repeat(call, self._awaits_room)
+        return self._repeat(call)
 
 
 def p99(calls):

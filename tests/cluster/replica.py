@@ -58,10 +58,14 @@ class Replica:
         except OSError:
             return False
 
+    @property
+    def pid(self):
+        return self._process.pid
+
     def resident_bytes(self):
         """What the kernel counts; 0 while it does not run."""
         try:
-            with open("/proc/%d/statm" % self._process.pid) as file:
+            with open("/proc/%d/statm" % self.pid) as file:
                 return int(file.read().split()[1]) * os.sysconf("SC_PAGESIZE")
         except (OSError, IndexError):
             return 0

@@ -86,7 +86,7 @@ void MeshLibrary::DescribeMemory(uint64_t resident_bytes,
 
 std::optional<std::string> MeshLibrary::FindFile(const FileKey& file) {
   std::optional<std::string> digest = catalogue_->FindFile(file);
-  return digest && Contains(*digest) ? digest : std::nullopt;
+  return digest && catalogue_->Contains(*digest) ? digest : std::nullopt;
 }
 
 absl::StatusOr<MissingMeshes> MeshLibrary::FindMissing(
@@ -106,7 +106,7 @@ absl::StatusOr<MissingMeshes> MeshLibrary::FindMissing(
         CheckDigest(absl::StrCat("mesh_digests[", i, "]"), mesh_digests[i]);
     if (!status.ok()) return status;
     // Marks the mesh as used: the client's next request is likely to find it.
-    if (!Contains(mesh_digests[i])) {
+    if (!catalogue_->Contains(mesh_digests[i])) {
       missing.mesh_digests.push_back(mesh_digests[i]);
     }
   }
@@ -203,7 +203,7 @@ MeshStore::Inserted MeshLibrary::Keep(ResidentMesh mesh, ByteReservation room) {
   const std::string digest = mesh.digest;
   MeshStore::Inserted kept = store_.Insert(std::move(mesh), std::move(room));
   // An Erase before this moment found nothing in memory; a later one will.
-  if (!Contains(digest)) {
+  if (!catalogue_->Contains(digest)) {
     (void)store_.Erase(digest);
     kept.value = nullptr;
   }
@@ -480,8 +480,12 @@ absl::StatusOr<MeshHandle> MeshLibrary::Fetch(MeshLoad& load,
   }
   if (!built.ok()) return built.status();
   ResidentMesh mesh{load.digest, *built, Summarize(**built)};
-  if (absl::Status s = catalogue_->Put(mesh, std::nullopt); !s.ok()) return s;
-  MeshHandle kept = Keep(std::move(mesh), std::move(load.room)).value;
+  // A disk that is full or fails keeps nobody from an answer: siblings have the
+  // mesh, and here it stays in memory alone.
+  const bool is_stored = catalogue_->Put(mesh, std::nullopt).ok();
+  MeshHandle kept =
+      is_stored ? Keep(std::move(mesh), std::move(load.room)).value
+                : store_.Insert(std::move(mesh), std::move(load.room)).value;
   if (kept == nullptr) return NotResident(load.digest);
   ++meshes_fetched_;
   return kept;

@@ -124,8 +124,10 @@ class MeshLibrary {
   // Describes a mesh in memory or on disk and marks it as used.
   // Errors: INVALID_ARGUMENT: malformed digest; NOT_FOUND: in neither.
   absl::StatusOr<MeshDescription> Describe(const std::string& digest);
+  // Whether it is in either, also if it came from a sibling and the disk could
+  // not take it.
   bool Contains(const std::string& digest) {
-    return catalogue_->Contains(digest);
+    return catalogue_->Contains(digest) || store_.Holds(digest);
   }
 
   // Whether Await may bring a mesh that is not here.

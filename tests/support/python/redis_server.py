@@ -52,6 +52,10 @@ class Redis:
                     raise
                 time.sleep(0.02)
 
+    @property
+    def pid(self):
+        return self._process.pid
+
     def kill(self):
         if self._process is not None:
             self._process.kill()

@@ -1,0 +1,209 @@
+#!/usr/bin/python3
+"""Answers a second of servers on this machine, and the processor time of each.
+
+    bench/cluster/throughput.py --server GEODESICD [--seconds N]
+
+One geodesicd, then three behind deploy/cluster/haproxy.cfg, then behind nginx.conf.
+h2load asks each without pause for fields that are cached in memory, small ones (1.3
+KiB) and large ones (0.5 MiB), and for the distance of two corners of a mesh of 20,000
+faces, computed each time by one thread a server.
+
+If nothing but processors bounds them, the machine is busy and an answer of three
+servers takes no more processor time of geodesicd than one of a single server.
+"""
+
+import argparse
+import contextlib
+import os
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+
+import psutil
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tests" / "cluster"),
+                str(ROOT / "tests" / "support" / "python")]
+from balancers import Haproxy, Nginx  # noqa: E402
+from load import Client, bumpy_grid  # noqa: E402
+from replica import Replica, free_port  # noqa: E402
+import geodesic_service  # noqa: E402
+
+_MESHES = 12
+
+
+class Question:
+    """What all clients ask, of a grid each.
+
+    Args:
+        name: printed.
+        side: of the grids, in squares.
+        at_once: questions of each client that wait for an answer.
+    """
+
+    def __init__(self, name, side, at_once):
+        self.name, self.side, self.at_once = name, side, at_once
+
+
+class Field(Question):
+    """The distances from vertex 0."""
+
+    method = "/geodesic.v1.FieldService/ComputeField"
+
+    def request(self, stubs, digest):
+        return stubs.field_service_pb2.ComputeFieldRequest(
+            mesh_digest=digest, sources=[stubs.surface_pb2.Source(vertex=0)])
+
+    def least_bytes(self):
+        """Of the answer."""
+        return 8 * (self.side + 1) ** 2
+
+
+class Pair(Question):
+    """The distance of two opposite corners."""
+
+    method = "/geodesic.v1.PairService/ComputePairs"
+
+    def request(self, stubs, digest):
+        return stubs.pair_service_pb2.ComputePairsRequest(
+            mesh_digest=digest, vertex_pairs=[0, (self.side + 1) ** 2 - 1])
+
+    def least_bytes(self):
+        return 8
+
+
+QUESTIONS = [Field("cached, 1.3 KiB", 12, 4), Field("cached, 0.5 MiB", 250, 2),
+             Pair("pair", 100, 1)]
+
+
+def processor_seconds(pid):
+    """Of a process and those it has started, so far."""
+    process = psutil.Process(pid)
+    return sum(p.cpu_times().user + p.cpu_times().system
+               for p in [process, *process.children(recursive=True)])
+
+
+def busy_seconds():
+    """Of all processors, so far."""
+    times = psutil.cpu_times()
+    return sum(times) - times.idle - times.iowait - times.guest - times.guest_nice
+
+
+def start_clients(address, question, requests, seconds):
+    return [
+        subprocess.Popen(
+            ["h2load", "-D", str(seconds), "-c", "1", "-m", str(question.at_once),
+             "-t", "1", "-d", path, "-H", "geo-mesh-digest: " + digest,
+             "-H", "content-type: application/grpc", "-H", "te: trailers",
+             "http://" + address + question.method],
+            stdout=subprocess.PIPE, text=True)
+        for digest, path in requests.items()
+    ]
+
+
+def count_answers(clients, question):
+    """Of clients that have ended. All must have been answers, not errors."""
+    answers = 0
+    for client in clients:
+        report = client.stdout.read()
+        client.wait()
+        failed, wrong = map(int, re.search(r"(\d+) failed, (\d+) errored",
+                                           report).groups())
+        done = int(re.search(r"(\d+) succeeded", report)[1])
+        data = int(re.search(r"\((\d+)\) data", report)[1])
+        # Not all of the last ones has come when h2load counts.
+        if failed or wrong or data < 0.9 * done * question.least_bytes():
+            raise AssertionError(report)
+        answers += done
+    return answers
+
+
+@contextlib.contextmanager
+def running(count, balancer_type, server, folder):
+    """Servers and what is in front of them: the address to ask, and the processes'
+    numbers by what they are."""
+    with contextlib.ExitStack() as stack:
+        pids = {"geodesicd": [], "balancer": []}
+        ports = [(free_port(), free_port()) for _ in range(count)]
+        replicas = [Replica(server, folder, name, pair,
+                            [port for port, _ in ports if port != pair[0]])
+                    for name, pair in zip("abc", ports)]
+        for replica in replicas:
+            replica.start()
+            stack.callback(replica.kill)
+            pids["geodesicd"].append(replica.pid)
+        port = ports[0][0]
+        if balancer_type is not None:
+            port = free_port()
+            balancer = balancer_type(folder, port, replicas)
+            stack.callback(balancer.stop)
+            pids["balancer"].append(balancer.pid)
+        yield "127.0.0.1:%d" % port, pids
+
+
+def measure(name, count, balancer_type, question, arguments, stubs, folder):
+    """Prints one row."""
+    with running(count, balancer_type, arguments.server, folder) as (address, pids):
+        client = Client(stubs, address)
+        requests = {}
+        for seed in range(_MESHES):
+            digest = client.upload(*bumpy_grid(seed, question.side))
+            message = question.request(stubs, digest).SerializeToString()
+            requests[digest] = os.path.join(folder, digest)
+            pathlib.Path(requests[digest]).write_bytes(
+                struct.pack(">BI", 0, len(message)) + message)
+        client.channel.close()
+        # Meshes are fetched where bounded load sends their questions.
+        count_answers(start_clients(address, question, requests, 2), question)
+
+        def spent():
+            return {what: sum(map(processor_seconds, of))
+                    for what, of in pids.items()}
+
+        before, busy, began = spent(), busy_seconds(), time.monotonic()
+        clients = start_clients(address, question, requests, arguments.seconds)
+        for process in clients:
+            process.wait()
+        took, busy = time.monotonic() - began, busy_seconds() - busy
+        after = spent()
+        answers = count_answers(clients, question)
+    print("%-16s  %-20s %9.0f %7.2f" % (
+        question.name, name, answers / took, busy / took / psutil.cpu_count()) +
+        "".join(" %10.0f" % (1e6 * (after[what] - before[what]) / answers)
+                for what in pids), flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--server", required=True)
+    parser.add_argument("--protos", default=str(ROOT / "proto"))
+    parser.add_argument("--protoc", default="/usr/bin/protoc")
+    parser.add_argument("--plugin", default="/usr/bin/grpc_python_plugin")
+    parser.add_argument("--seconds", type=int, default=5,
+                        help="of load, for each row")
+    parser.add_argument("--only", default="",
+                        help="rows whose names have this in them")
+    arguments = parser.parse_args()
+    os.environ["PATH"] += ":/usr/sbin"
+    setups = [("one server", 1, None), ("three, HAProxy", 3, Haproxy),
+              ("three, nginx", 3, Nginx)]
+    print("                                        answers   share   processor time "
+          "of an answer, us\n                                       a second    busy"
+          "  geodesicd   balancer")
+    with tempfile.TemporaryDirectory() as folder:
+        stubs = geodesic_service.generate_stubs(arguments, folder)
+        for question in QUESTIONS:
+            for name, count, balancer in setups:
+                if arguments.only not in question.name + ", " + name:
+                    continue
+                with tempfile.TemporaryDirectory(dir=folder) as place:
+                    measure(name, count, balancer, question, arguments, stubs,
+                            place)
+
+
+if __name__ == "__main__":
+    main()
