@@ -243,7 +243,7 @@ test("fingers: a tap is a click, one turns, two zoom", async (t) => {
   await viewer.touch(line([-0.3, -0.5], [0.3, -0.5]));
   await viewer.settled();
   assert.ok(Math.min(...(await viewer.picture()).at(dot)) < 200, "the view has turned");
-  const beside = await viewer.at(1.1, 0);
+  const beside = await viewer.at(1.05, 0);
   const background = (await viewer.picture()).at(beside);
   await viewer.touch(line([-0.2, -0.5], [-0.7, -0.5]), line([0.2, -0.5], [0.7, -0.5]));
   await viewer.settled();

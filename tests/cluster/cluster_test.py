@@ -312,6 +312,10 @@ class ClusterTest(unittest.TestCase):
             self.assertEqual(client.field(digest, vertex)[0],
                              honest.field(digest, vertex)[0])
         self.assertEqual(self.fetched(full), 1)
+        service = self.stubs.mesh_service_pb2
+        described = self.stubs.mesh_service_pb2_grpc.MeshServiceStub(
+            client.channel).GetMesh(service.GetMeshRequest(digest=digest))
+        self.assertEqual(described.mesh.face_count, self.meshes[0][1])
         # What it could not keep is not acknowledged.
         for mesh in (self.meshes[0], self.meshes[1]):
             with self.assertRaises(grpc.RpcError) as refused:

@@ -138,9 +138,15 @@ absl::StatusOr<MeshDescription> MeshLibrary::Describe(
   if (absl::Status status = CheckDigest("digest", digest); !status.ok()) {
     return status;
   }
-  std::optional<MeshDescription> mesh = Find(digest);
-  if (!mesh) return NotResident(digest);
-  return *std::move(mesh);
+  if (std::optional<MeshDescription> mesh = Find(digest)) {
+    return *std::move(mesh);
+  }
+  // The disk could not take it (Fetch).
+  const MeshHandle resident = store_.Find(digest);
+  if (resident == nullptr) return NotResident(digest);
+  MeshDescription mesh = resident->Describe();
+  DescribeMemory(mesh.resident_bytes, mesh);
+  return mesh;
 }
 
 absl::StatusOr<MeshPage> MeshLibrary::List(int page_size,
