@@ -12,26 +12,20 @@ If nothing but processors bounds them, the machine is busy and an answer of thre
 servers takes no more processor time of geodesicd than one of a single server.
 """
 
-import argparse
-import contextlib
 import os
 import pathlib
 import re
 import struct
 import subprocess
-import sys
 import tempfile
 import time
 
 import psutil
+from servers import parser, processor_seconds, running
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tests" / "cluster"),
-                str(ROOT / "tests" / "support" / "python")]
-from balancers import Haproxy, Nginx  # noqa: E402
-from load import Client, bumpy_grid  # noqa: E402
-from replica import Replica, free_port  # noqa: E402
-import geodesic_service  # noqa: E402
+from balancers import Haproxy, Nginx
+from load import Client, bumpy_grid
+import geodesic_service
 
 _MESHES = 12
 
@@ -80,13 +74,6 @@ QUESTIONS = [Field("cached, 1.3 KiB", 12, 4), Field("cached, 0.5 MiB", 250, 2),
              Pair("pair", 100, 1)]
 
 
-def processor_seconds(pid):
-    """Of a process and those it has started, so far."""
-    process = psutil.Process(pid)
-    return sum(p.cpu_times().user + p.cpu_times().system
-               for p in [process, *process.children(recursive=True)])
-
-
 def busy_seconds():
     """Of all processors, so far."""
     times = psutil.cpu_times()
@@ -122,32 +109,10 @@ def count_answers(clients, question):
     return answers
 
 
-@contextlib.contextmanager
-def running(count, balancer_type, server, folder):
-    """Servers and what is in front of them: the address to ask, and the processes'
-    numbers by what they are."""
-    with contextlib.ExitStack() as stack:
-        pids = {"geodesicd": [], "balancer": []}
-        ports = [(free_port(), free_port()) for _ in range(count)]
-        replicas = [Replica(server, folder, name, pair,
-                            [port for port, _ in ports if port != pair[0]])
-                    for name, pair in zip("abc", ports)]
-        for replica in replicas:
-            replica.start()
-            stack.callback(replica.kill)
-            pids["geodesicd"].append(replica.pid)
-        port = ports[0][0]
-        if balancer_type is not None:
-            port = free_port()
-            balancer = balancer_type(folder, port, replicas)
-            stack.callback(balancer.stop)
-            pids["balancer"].append(balancer.pid)
-        yield "127.0.0.1:%d" % port, pids
-
-
 def measure(name, count, balancer_type, question, arguments, stubs, folder):
     """Prints one row."""
-    with running(count, balancer_type, arguments.server, folder) as (address, pids):
+    with running(arguments.server, folder, count,
+                 balancer_type) as (address, pids):
         client = Client(stubs, address)
         requests = {}
         for seed in range(_MESHES):
@@ -178,17 +143,12 @@ def measure(name, count, balancer_type, question, arguments, stubs, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--server", required=True)
-    parser.add_argument("--protos", default=str(ROOT / "proto"))
-    parser.add_argument("--protoc", default="/usr/bin/protoc")
-    parser.add_argument("--plugin", default="/usr/bin/grpc_python_plugin")
-    parser.add_argument("--seconds", type=int, default=5,
-                        help="of load, for each row")
-    parser.add_argument("--only", default="",
-                        help="rows whose names have this in them")
-    arguments = parser.parse_args()
-    os.environ["PATH"] += ":/usr/sbin"
+    options = parser(__doc__)
+    options.add_argument("--seconds", type=int, default=5,
+                         help="of load, for each row")
+    options.add_argument("--only", default="",
+                         help="rows whose names have this in them")
+    arguments = options.parse_args()
     setups = [("one server", 1, None), ("three, HAProxy", 3, Haproxy),
               ("three, nginx", 3, Nginx)]
     print("                                        answers   share   processor time "

@@ -28,7 +28,8 @@ import grpc  # noqa: E402
 from balancers import DEPLOY, Haproxy, Nginx  # noqa: E402
 from load import Client, Load, Uploads, bumpy_grid, p99  # noqa: E402
 from redis_server import Redis  # noqa: E402
-from replica import Replica, await_that, free_port  # noqa: E402
+from replica import Replica  # noqa: E402
+from waiting import await_that, free_port  # noqa: E402
 
 MESHES = 24
 

@@ -3,23 +3,9 @@
 import http.client
 import os
 import signal
-import socket
 import subprocess
-import time
 
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
-def await_that(condition, seconds=20.0):
-    end = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() > end:
-            raise AssertionError("did not come about within %g s" % seconds)
-        time.sleep(0.02)
+from waiting import await_that
 
 
 class Replica:

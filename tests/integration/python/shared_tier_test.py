@@ -16,7 +16,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..",
 import geodesic_service  # noqa: E402
 import grpc  # noqa: E402
 from client_fixture import canonical_arrays, mesh_digest  # noqa: E402
-from redis_server import Redis, free_port  # noqa: E402
+from redis_server import Redis  # noqa: E402
+from waiting import await_that, free_port  # noqa: E402
 
 SIDE = 24
 # Where a hit is expected, other programs on the machine must not prevent it.
@@ -35,14 +36,6 @@ def bumpy_grid(side=SIDE):
             b = a + side + 1
             faces += [(a, a + 1, b + 1), (a, b + 1, b)]
     return positions, faces
-
-
-def await_that(condition, seconds=30.0):
-    end = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() > end:
-            raise AssertionError("did not come about within %g s" % seconds)
-        time.sleep(0.02)
 
 
 class Silent:

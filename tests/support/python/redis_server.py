@@ -13,15 +13,11 @@ import subprocess
 import sys
 import time
 
+from waiting import free_port
+
 if shutil.which("redis-server") is None:
     print("redis-server is not installed: skipped")
     sys.exit(77)
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
 
 
 class Redis:
