@@ -141,7 +141,11 @@ Metrics::Metrics()
                      "end")
               .Add({})),
       reloads_(AddCounter(registry_, "geodesic_token_reloads_total",
-                          "Times the tokens were read again, by result")) {}
+                          "Times the tokens were read again, by result")) {
+  // Alarms see the first of these only if there was a 0 before.
+  errors_.Add({{"reason", "INTERNAL"}});
+  reloads_.Add({{"result", "failed"}});
+}
 
 void Metrics::RequestEnded(const RequestReport& report) {
   const std::string method(report.method);

@@ -398,6 +398,21 @@ test("a large mesh is drawn decimated while it moves, and asked whole", async (t
   assert.deepEqual(viewer.errors, []);
 });
 
+test("huge coordinates have values under the cursor, and names that look like options are files", async (t) => {
+  const viewer = await openPage(browser, server.url);
+  t.after(() => viewer.close());
+  await viewer.drop("-o.off", TWO_SQUARES.replaceAll(/^(-?[\d.]+) (-?0\.5) 0$/gm, "$1e200 $2e200 0"));
+  await viewer.shown("-o.off");
+  await viewer.click(-0.4, 0);
+  await viewer.solved();
+  await viewer.move(-0.3, 0.1);
+  const value = await viewer.exactValue();
+  assert.ok(value > 1e198 && value < 1e201, `${value}`);
+  await viewer.page.locator("#copy-command").evaluate((button) => button.click());
+  assert.match(await viewer.text("#question-text"), /^geodesic field \.\/-o\.off /);
+  assert.deepEqual(viewer.errors, []);
+});
+
 test("a bad file is refused in words", async (t) => {
   const viewer = await sphere(t);
   await viewer.drop("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
@@ -444,12 +459,28 @@ test("a token is asked for, refused, and taken", async (t) => {
   await viewer.drop("sphere.obj", SPHERE);
   await viewer.shown("sphere.obj");
 
+  const pasted = await openPage(browser, guarded.url);
+  t.after(() => pasted.close());
+  await pasted.page.waitForSelector("#token-dialog[open]");
+  for (const token of ["", "right tok\u00e9n", "\u2019right-token"]) {
+    await pasted.page.fill("#token", token);
+    await pasted.page.keyboard.press("Enter");
+    assert.ok(await pasted.page.locator("#token-dialog[open]").isVisible(), `"${token}" is no token`);
+  }
+  await pasted.page.evaluate(() => (location.hash = "token=%C3%A9"));
+  await pasted.waitForText("#notice-text", "The token in the address is none");
+  await pasted.page.evaluate(() => (location.hash = "token=right-token"));
+  await pasted.page.waitForSelector("#token-dialog:not([open])", { state: "attached" });
+  assert.ok(!pasted.page.url().includes("right-token"), "the address does not keep the token");
+  await pasted.drop("sphere.obj", SPHERE);
+  await pasted.shown("sphere.obj");
+
   const invited = await openPage(browser, `${guarded.url}/#token=right-token`);
   t.after(() => invited.close());
   await invited.drop("sphere.obj", SPHERE);
   await invited.shown("sphere.obj");
   assert.ok(!invited.page.url().includes("right-token"), "the address does not keep the token");
-  assert.deepEqual([...viewer.errors, ...invited.errors], []);
+  assert.deepEqual([...viewer.errors, ...pasted.errors, ...invited.errors], []);
 });
 
 test("an address with a mesh and a source shows them; keys and themes work", async (t) => {
@@ -461,6 +492,20 @@ test("an address with a mesh and a source shows them; keys and themes work", asy
   t.after(() => second.close());
   await second.solved();
   assert.equal(await second.text("#figures dd"), farthest);
+  // An address that is pasted into an open page, one that says nothing, and back.
+  const sphereAddress = first.page.url();
+  await first.drop("two.off", TWO_SQUARES);
+  await first.shown("two.off");
+  await first.page.evaluate((url) => (location.href = url), sphereAddress);
+  await first.shown("sphere.obj");
+  await first.solved();
+  assert.equal(await first.text("#figures dd"), farthest);
+  await first.page.evaluate(() => (location.hash = "mesh=nonsense"));
+  await first.waitForText("#notice-text", "names no mesh");
+  await first.page.goBack();
+  await first.solved();
+  assert.equal(await first.text("#figures dd"), farthest);
+
   const corner = await second.at(-1.1, 0.95);
   assert.ok(Math.max(...(await second.picture()).at(corner)) < 60, "dark where the system is");
   await second.page.keyboard.press("t");

@@ -7,20 +7,35 @@ import { commandText, parsePlace, type Source } from "./surface/place";
 
 const TOKEN_KEY = "geodesic.token";
 
+/** What can stand in the header that shows it. */
+const TOKEN = /^[!-~]{1,4096}$/;
+const DIGEST = /^[0-9a-f]{64}$/;
+
 export class Address {
   /** The mesh's digest, or empty. */
-  readonly mesh: string;
-  readonly token: string;
-  private readonly sources: string[];
+  mesh = "";
+  token = "";
+  /** What is wrong with it, in words. */
+  problem: string | undefined;
+  private sources: string[] = [];
 
   constructor() {
+    this.read();
+  }
+
+  /** Takes over what the address says now. */
+  read(): void {
     const parts = new URLSearchParams(location.hash.slice(1));
-    this.mesh = parts.get("mesh") ?? "";
-    this.sources = parts.getAll("source");
+    const mesh = parts.get("mesh") ?? "";
     const token = parts.get("token");
-    if (token) this.keepToken(token);
+    this.mesh = DIGEST.test(mesh) ? mesh : "";
+    this.sources = parts.getAll("source");
+    this.problem = undefined;
+    if (mesh && !this.mesh) this.problem = "The address names no mesh: a mesh has 64 digits and letters from a to f.";
+    if (token && TOKEN.test(token)) this.keepToken(token);
+    else if (token) this.problem = "The token in the address is none: it has letters, digits and signs only.";
     this.token = sessionStorage.getItem(TOKEN_KEY) ?? "";
-    if (token) {
+    if (token !== null) {
       // Addresses are shown, kept and passed on; tokens should not be.
       parts.delete("token");
       history.replaceState(null, "", `#${parts}`);

@@ -104,6 +104,11 @@ export class Explorer {
     this.radius = undefined;
     this.bareSurface(mesh);
     this.scene.show(mesh);
+    // The first line that a browser draws may take it a tenth of a second.
+    this.live.setPoints(new Float32Array([-2, 0, 0, 2, 0, 0]));
+    this.scene.draw();
+    this.live.setPoints(new Float32Array());
+    this.scene.redraw();
   }
 
   /** Draws these faces while the picture changes; without them, all. */
@@ -248,7 +253,8 @@ export class Explorer {
       return;
     }
     const drawn = this.field.at(place.face, place.weights);
-    this.events.value(drawn, false);
+    // What is grey may be reached all the same: its path will tell.
+    this.events.value(drawn === Infinity ? undefined : drawn, false);
     if (this.summary && drawn === Infinity && this.summary.settledRadius === Infinity) {
       this.hideLive();
       this.events.value(Infinity, true);

@@ -41,4 +41,16 @@ void recovery.attempt(async () => {
   await panel.showCapabilities();
   await chooser.list();
   if (address.mesh) await chooser.openDigest(address.mesh);
+  if (address.problem) notice.error(address.problem);
+});
+
+// An address that is typed or pasted into the tab, or gone back to.
+addEventListener("hashchange", () => {
+  const { token } = connection;
+  address.read();
+  if (address.token !== token) recovery.goOnWith(address.token);
+  const { mesh } = explorer;
+  if (address.problem) notice.error(address.problem);
+  else if (mesh && mesh.digest === address.mesh) void explorer.setSources(address.sourcesOn(mesh));
+  else if (address.mesh) void recovery.attempt(() => chooser.openDigest(address.mesh));
 });

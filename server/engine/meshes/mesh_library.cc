@@ -199,8 +199,10 @@ absl::Status MeshLibrary::Erase(const std::string& digest) {
   // The disk goes first, so the mesh cannot be loaded again from there.
   absl::Status status = catalogue_->Erase(digest);
   if (status.ok() || absl::IsNotFound(status)) {
-    (void)store_.Erase(digest);
+    // Memory may have one that the disk could not take (Fetch).
+    const bool was_resident = store_.Erase(digest).ok();
     removed_(digest);
+    if (was_resident) return absl::OkStatus();
   }
   return status;
 }
@@ -447,8 +449,14 @@ absl::Status MeshLibrary::FindSibling(MeshLoad& load, Checkpoint& checkpoint) {
       CheckCount("faces", found->faces, "max_faces", limits_.max_faces, who));
   // Larger counts would overflow there.
   if (fits.ok()) fits = CheckCapacity(found->vertices, found->faces);
-  if (fits.ok()) load.found = *std::move(found);
-  return fits;
+  if (fits.ok()) {
+    load.found = *std::move(found);
+  } else {
+    // Perhaps it lies: the next one may have it, too.
+    load.refusal = fits;
+    load.next_sibling = found->sibling + 1;
+  }
+  return absl::OkStatus();
 }
 
 absl::StatusOr<MeshHandle> MeshLibrary::LoadFromDisk(

@@ -42,6 +42,7 @@ export class MeshChooser {
   openFile(file: File): void {
     void this.recovery.attempt(async () => {
       formatOf(file.name);
+      this.notice.clear();
       this.file = file;
       const digest = await this.upload(file);
       this.names.set(digest, file.name);
@@ -53,7 +54,7 @@ export class MeshChooser {
   /** Uploads the file again that is shown; nothing if it came from the server. */
   uploadAgain(): (() => Promise<void>) | undefined {
     const { file } = this;
-    return file && (() => this.upload(file).then(() => this.notice.clear()));
+    return file && (() => this.upload(file).then(() => this.notice.done()));
   }
 
   async openDigest(digest: string): Promise<void> {
@@ -74,7 +75,7 @@ export class MeshChooser {
     mesh.awaitsCoarse = coarse !== undefined;
     this.opened(mesh);
     void coarse?.then((indices) => this.decimated(mesh, indices));
-    this.notice.clear();
+    this.notice.done();
     byId("welcome").hidden = true;
     this.shown = this.select.value = digest;
   }

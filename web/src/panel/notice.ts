@@ -2,10 +2,14 @@
 
 import { byId } from "./elements";
 
+/** For so long nothing that goes on takes an error away. */
+const ERROR_STAYS_MS = 6000;
+
 export class Notice {
   private readonly element = byId("notice");
   private readonly text = byId("notice-text");
   private readonly bar = byId<HTMLProgressElement>("notice-progress");
+  private errorStaysUntil = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
@@ -14,12 +18,19 @@ export class Notice {
 
   /** `share` from 0 to 1 shows how far it is. */
   busy(text: string, share?: number): void {
+    if (performance.now() < this.errorStaysUntil) return;
     this.put(text, "busy");
     this.bar.hidden = share === undefined;
     if (share !== undefined) this.bar.value = share;
   }
 
+  /** What was busy has ended. */
+  done(): void {
+    if (this.element.dataset.kind === "busy") this.clear();
+  }
+
   error(text: string): void {
+    this.errorStaysUntil = performance.now() + ERROR_STAYS_MS;
     this.put(text, "error");
   }
 
@@ -29,6 +40,7 @@ export class Notice {
   }
 
   clear(): void {
+    this.errorStaysUntil = 0;
     this.element.hidden = true;
   }
 

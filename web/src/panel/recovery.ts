@@ -21,10 +21,16 @@ export class Recovery {
     keepToken: (token: string) => void,
   ) {
     this.dialog = new TokenDialog((token) => {
-      connection.token = token;
       keepToken(token);
-      this.resume();
+      this.goOnWith(token);
     });
+  }
+
+  /** Shows this token from now on, and asks again what was refused without it. */
+  goOnWith(token: string): void {
+    this.connection.token = token;
+    this.dialog.close();
+    this.resume();
   }
 
   /** Does the work, again and again if something can be done about its errors. */

@@ -16,6 +16,10 @@ export class TokenDialog {
     });
   }
 
+  close(): void {
+    this.dialog.close();
+  }
+
   open(reason: string): void {
     byId("token-reason").textContent = reason;
     this.input.value = "";

@@ -49,6 +49,8 @@ export function pythonLines(question: AskedQuestion): string {
   return lines.join("\n");
 }
 
-function quoted(text: string): string {
+function quoted(name: string): string {
+  // Not an option.
+  const text = name.startsWith("-") ? `./${name}` : name;
   return /^[\w./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
 }

@@ -129,17 +129,19 @@ export class FieldView {
   /** The distance at a point in a face, as it is drawn; in the file's unit. */
   at(face: number, weights: Weights): number {
     const corners = this.mesh.cornersOf(face);
-    const d = corners.map((vertex) => this.distances[vertex]);
+    // Squares of lengths in the file's unit may overflow.
+    const unit = this.mesh.radius;
+    const d = corners.map((vertex) => this.distances[vertex] / unit);
     let mean = 0;
     for (let i = 0; i < 3; i++) mean += weights[i] * (this.quadratic ? d[i] * d[i] : d[i]);
-    if (!this.quadratic || !Number.isFinite(mean)) return mean;
+    if (!this.quadratic || !Number.isFinite(mean)) return mean * unit;
     const p = corners.map((vertex) => this.mesh.vertexPosition(vertex));
     for (let i = 0; i < 3; i++) {
       const j = (i + 1) % 3;
-      const side = Math.hypot(p[i][0] - p[j][0], p[i][1] - p[j][1], p[i][2] - p[j][2]);
+      const side = Math.hypot(p[i][0] - p[j][0], p[i][1] - p[j][1], p[i][2] - p[j][2]) / unit;
       mean -= weights[i] * weights[j] * side * side;
     }
-    return Math.sqrt(Math.max(mean, 0));
+    return Math.sqrt(Math.max(mean, 0)) * unit;
   }
 
   get isolines(): IsolineScale {
