@@ -13,6 +13,7 @@ import http.client
 import os
 import random
 import resource
+import signal
 import socket
 import sys
 import tempfile
@@ -231,6 +232,33 @@ class ClusterTest(unittest.TestCase):
         for client in direct:
             client.channel.close()
 
+    def test_answer_under_way_ends_whole_while_its_replica_drains(self):
+        mesh = bumpy_grid(3000, 60)
+        client = self.client()
+        digest = client.upload(*mesh)
+        _, home = client.field(digest, 0)
+        replica = next(iter(r for r in self.replicas if r.name == home),
+                       self.replicas[0])
+        # Some seconds of work.
+        rows = list(range(400))
+        stubs = self.stubs
+        stream = stubs.matrix_service_pb2_grpc.MatrixServiceStub(
+            client.channel).ComputeMatrix(
+                stubs.matrix_service_pb2.ComputeMatrixRequest(
+                    mesh_digest=digest, sources=[
+                        stubs.surface_pb2.Source(vertex=row) for row in rows]),
+                timeout=60, metadata=(("geo-mesh-digest", digest),))
+        parts = collections.Counter()
+        for message in stream:
+            if not parts["chunk"] and message.WhichOneof("part") == "chunk":
+                replica.signal(signal.SIGTERM)
+            parts[message.WhichOneof("part")] += 1
+        self.assertEqual(parts["trailer"], 1)
+        self.assertGreaterEqual(parts["chunk"], 2)
+        self.assertEqual(replica.wait(), 0)
+        client.channel.close()
+        replica.start()
+
     def test_sibling_that_lies_is_not_believed(self):
         vertices, faces, arrays = self.meshes[0]
         digest = Client.digest_of(vertices, faces, arrays)
@@ -240,9 +268,11 @@ class ClusterTest(unittest.TestCase):
         class Liar(stubs.mesh_service_pb2_grpc.MeshServiceServicer):
             """Sends another mesh of that size, or more than it announced."""
 
+            claimed_vertices = vertices
+
             def GetMesh(self, request, context):
                 return service.GetMeshResponse(mesh=stubs.mesh_pb2.Mesh(
-                    digest=request.digest, vertex_count=vertices,
+                    digest=request.digest, vertex_count=self.claimed_vertices,
                     face_count=faces))
 
             def ReadMesh(self, request, context):
@@ -260,8 +290,9 @@ class ClusterTest(unittest.TestCase):
                     first_face=0, indices=other[24 * vertices:]))
 
         liar = grpc.server(concurrent.futures.ThreadPoolExecutor(4))
+        servicer = Liar()
         stubs.mesh_service_pb2_grpc.add_MeshServiceServicer_to_server(
-            Liar(), liar)
+            servicer, liar)
         port = liar.add_insecure_port("127.0.0.1:0")
         liar.start()
         folder = os.path.join(self._folder.name, "deceived")
@@ -282,7 +313,8 @@ class ClusterTest(unittest.TestCase):
         client.channel.close()
         self.assertEqual(server.stop(), 0)
 
-        # One that tells the truth is asked after it.
+        # One that tells the truth is asked after it, whatever the lie.
+        servicer.claimed_vertices = 2**63
         honest = Client(stubs, "127.0.0.1:%d" % self.replicas[0].port)
         honest.upload(vertices, faces, arrays)
         folder = os.path.join(self._folder.name, "consoled")

@@ -65,5 +65,9 @@ class Replica:
 
     def drain(self):
         """Ends in order, as an upgrade does. Returns the exit status."""
-        self._process.send_signal(signal.SIGTERM)
+        self.signal(signal.SIGTERM)
+        return self.wait()
+
+    def wait(self):
+        """Until it has ended. Returns the exit status."""
         return self._process.wait(timeout=60)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <string>
@@ -123,6 +124,39 @@ TEST_F(StoredMeshTest, AServerThatStopsSaysSo) {
   server_->Wait();
   EXPECT_EQ(call->End().error_code(), grpc::StatusCode::UNAVAILABLE);
   EXPECT_FALSE(busy_->End().ok());
+}
+
+TEST_F(StoredMeshTest, MeshesComeAndGoWhileTheyAreDescribed) {
+  constexpr int kTimes = 300;
+  ServerOptions options = OneThread();
+  options.limits.max_concurrent_jobs = 2;
+  Start(options);
+  const TriangleSoup soup = geodesic::test::Icosphere(2);
+  const std::string digest = Upload(soup);
+  std::atomic<bool> is_over = false;
+  // Between disk and memory a mesh is in one of the two only.
+  std::jthread describer([&] {
+    while (!is_over) {
+      grpc::ClientContext context;
+      v1::GetMeshRequest request;
+      request.set_digest(digest);
+      v1::GetMeshResponse response;
+      const grpc::Status status =
+          meshes_->GetMesh(&context, request, &response);
+      EXPECT_TRUE(status.ok() ||
+                  status.error_code() == grpc::StatusCode::NOT_FOUND)
+          << status.error_message();
+    }
+  });
+  for (int i = 0; i < kTimes; ++i) {
+    grpc::ClientContext context;
+    v1::DeleteMeshRequest request;
+    request.set_digest(digest);
+    v1::DeleteMeshResponse response;
+    EXPECT_TRUE(meshes_->DeleteMesh(&context, request, &response).ok());
+    EXPECT_EQ(Upload(soup), digest);
+  }
+  is_over = true;
 }
 
 }  // namespace
