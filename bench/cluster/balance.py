@@ -40,7 +40,8 @@ def ask(clients, digests, weights, stop, asker, answers):
 
 def main():
     options = parser(__doc__)
-    options.add_argument("--replicas", type=int, default=16)
+    options.add_argument("--replicas", type=int, default=16,
+                         help="three or more")
     options.add_argument("--seconds", type=float, default=30)
     options.add_argument("--tier", action="store_true", help="with Redis")
     options.add_argument("--zipf", type=float, default=0.9,
@@ -51,7 +52,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder, running(
             arguments.server, folder, count, Haproxy,
             ["--field-cache", "256KiB", "--field-disk", "1"],
-            arguments.tier) as (address, pids):
+            arguments.tier) as (address, replicas, _):
         stubs = geodesic_service.generate_stubs(arguments, folder)
         clients = [Client(stubs, address) for _ in range(_CHANNELS)]
         digests = [clients[0].upload(*bumpy_grid(seed, _SIDE))
@@ -67,13 +68,13 @@ def main():
         try:
             # Until meshes are where bounded load sends their questions.
             time.sleep(arguments.seconds / 3)
-            before = list(map(processor_seconds, pids["geodesicd"]))
+            before = list(map(processor_seconds, replicas))
             answered = sum(answers)
             psutil.cpu_percent()
             time.sleep(arguments.seconds)
             busy = psutil.cpu_percent()
             spent = [after - begun for after, begun in zip(
-                map(processor_seconds, pids["geodesicd"]), before)]
+                map(processor_seconds, replicas), before)]
             answered = sum(answers) - answered
         finally:
             stop.set()

@@ -30,11 +30,8 @@ def parser(doc):
 
 @contextlib.contextmanager
 def running(server, folder, count, balancer_type=None, flags=(), has_tier=False):
-    """Servers, what is in front of them and behind them.
-
-    Gives the address to ask, and the numbers of the processes: "geodesicd", and
-    "balancer" if there is one.
-    """
+    """Servers, what is in front of them and behind them: gives the address to ask,
+    the servers, and the balancer, which may be None."""
     with contextlib.ExitStack() as stack:
         flags = list(flags)
         if has_tier:
@@ -49,18 +46,16 @@ def running(server, folder, count, balancer_type=None, flags=(), has_tier=False)
         for replica in replicas:
             replica.start()
             stack.callback(replica.kill)
-        pids = {"geodesicd": [replica.pid for replica in replicas], "balancer": []}
-        port = ports[0][0]
+        port, balancer = ports[0][0], None
         if balancer_type is not None:
             port = free_port()
             balancer = balancer_type(folder, port, replicas)
             stack.callback(balancer.stop)
-            pids["balancer"].append(balancer.pid)
-        yield "127.0.0.1:%d" % port, pids
+        yield "127.0.0.1:%d" % port, replicas, balancer
 
 
-def processor_seconds(pid):
-    """Of a process and those it has started, so far."""
-    process = psutil.Process(pid)
+def processor_seconds(process):
+    """Of a replica or a balancer, and what it has started, so far."""
+    parent = psutil.Process(process.pid)
     return sum(p.cpu_times().user + p.cpu_times().system
-               for p in [process, *process.children(recursive=True)])
+               for p in [parent, *parent.children(recursive=True)])

@@ -112,7 +112,7 @@ def count_answers(clients, question):
 def measure(name, count, balancer_type, question, arguments, stubs, folder):
     """Prints one row."""
     with running(arguments.server, folder, count,
-                 balancer_type) as (address, pids):
+                 balancer_type) as (address, replicas, balancer):
         client = Client(stubs, address)
         requests = {}
         for seed in range(_MESHES):
@@ -122,24 +122,27 @@ def measure(name, count, balancer_type, question, arguments, stubs, folder):
             pathlib.Path(requests[digest]).write_bytes(
                 struct.pack(">BI", 0, len(message)) + message)
         client.channel.close()
-        # Meshes are fetched where bounded load sends their questions.
-        count_answers(start_clients(address, question, requests, 2), question)
-
-        def spent():
-            return {what: sum(map(processor_seconds, of))
-                    for what, of in pids.items()}
-
-        before, busy, began = spent(), busy_seconds(), time.monotonic()
+        # Every server has every mesh and its field: bounded load may send the
+        # question to any.
+        for replica in replicas:
+            client = Client(stubs, "127.0.0.1:%d" % replica.port)
+            for digest in requests:
+                client.field(digest, 0)
+            client.channel.close()
+        processes = [replicas, [balancer] if balancer else []]
+        before = [sum(map(processor_seconds, of)) for of in processes]
+        busy, began = busy_seconds(), time.monotonic()
         clients = start_clients(address, question, requests, arguments.seconds)
         for process in clients:
             process.wait()
         took, busy = time.monotonic() - began, busy_seconds() - busy
-        after = spent()
+        spent = [sum(map(processor_seconds, of)) - begun
+                 for of, begun in zip(processes, before)]
         answers = count_answers(clients, question)
     print("%-16s  %-20s %9.0f %7.2f" % (
         question.name, name, answers / took, busy / took / psutil.cpu_count()) +
-        "".join(" %10.0f" % (1e6 * (after[what] - before[what]) / answers)
-                for what in pids), flush=True)
+        "".join(" %10.0f" % (1e6 * seconds / answers) for seconds in spent),
+        flush=True)
 
 
 def main():
