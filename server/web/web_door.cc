@@ -401,9 +401,8 @@ absl::Status WebDoor::Start() {
           watch.Close(reinterpret_cast<uintptr_t>(*context));
         }
       };
-  // One thread serves all connections. With epoll it would not see that a
-  // browser has gone whose last bytes came together with the end.
-  unsigned flags = MHD_USE_POLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME;
+  // One thread serves all connections by epoll.
+  unsigned flags = MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME;
   if (resolved->ai_family == AF_INET6) flags |= MHD_USE_IPv6;
   std::array<MHD_OptionItem, 3> tls = {{{MHD_OPTION_END, 0, nullptr}}};
   if (!options_.key.empty()) {

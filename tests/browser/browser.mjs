@@ -138,6 +138,13 @@ export class Viewer {
     return decode(this.page.context().browser(), await this.page.screenshot());
   }
 
+  /** A picture of which the condition holds; the last of many if there is none. */
+  async pictureOnce(condition) {
+    let picture = await this.picture();
+    for (let tries = 0; tries < 40 && !condition(picture); tries++) picture = await this.picture();
+    return picture;
+  }
+
   async close() {
     await this.page.context().close();
   }

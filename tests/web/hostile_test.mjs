@@ -3,7 +3,7 @@
 // others, bounded in memory.
 
 import assert from "node:assert/strict";
-import { readdirSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { connect as openSocket } from "node:net";
 import { after, before, test } from "node:test";
 
@@ -56,23 +56,6 @@ async function call(method, body, type) {
 
 const isServing = async () =>
   assert.ok((await connect(server.url).CapabilitiesService.getCapabilities({})).version);
-
-test("connections whose browser has gone within a request are free at once", async () => {
-  const gone = await startServer();  // with the usual patience, a minute
-  try {
-    const descriptors = () => readdirSync(`/proc/${gone.process.pid}/fd`).length;
-    await (await fetch(gone.url)).arrayBuffer();
-    const before = descriptors();
-    for (let i = 0; i < 200; i++) {
-      const { socket, closed } = send("POST /geo", gone.port);
-      socket.end();
-      await closed;
-    }
-    await until(() => descriptors() <= before + 20);
-  } finally {
-    await gone.stop();
-  }
-});
 
 test("a header named by nothing but the ending of binary ones is text", async () => {
   const body = "\0\0\0\0\0";

@@ -4,11 +4,19 @@ import socket
 import time
 
 
+_given = set()
+
+
 def free_port():
-    """Of this machine's loopback; nobody keeps it from others."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    """Of this machine's loopback, never the same twice; nobody keeps it from
+    others."""
+    while True:
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            port = probe.getsockname()[1]
+        if port not in _given:
+            _given.add(port)
+            return port
 
 
 def await_that(condition, seconds=30.0):
