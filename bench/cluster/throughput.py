@@ -46,6 +46,7 @@ class Question:
 class Field(Question):
     """The distances from vertex 0."""
 
+    known_vertex = 0
     method = "/geodesic.v1.FieldService/ComputeField"
 
     def request(self, stubs, digest):
@@ -58,8 +59,9 @@ class Field(Question):
 
 
 class Pair(Question):
-    """The distance of two opposite corners."""
+    """The distance of two opposite corners, of which no field is known."""
 
+    known_vertex = 1
     method = "/geodesic.v1.PairService/ComputePairs"
 
     def request(self, stubs, digest):
@@ -122,12 +124,12 @@ def measure(name, count, balancer_type, question, arguments, stubs, folder):
             pathlib.Path(requests[digest]).write_bytes(
                 struct.pack(">BI", 0, len(message)) + message)
         client.channel.close()
-        # Every server has every mesh and its field: bounded load may send the
-        # question to any.
+        # Every server has every mesh, and a field of it: bounded load may send
+        # the question to any.
         for replica in replicas:
             client = Client(stubs, "127.0.0.1:%d" % replica.port)
             for digest in requests:
-                client.field(digest, 0)
+                client.field(digest, question.known_vertex)
             client.channel.close()
         processes = [replicas, [balancer] if balancer else []]
         before = [sum(map(processor_seconds, of)) for of in processes]
