@@ -128,17 +128,24 @@ absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
 
 absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
                                         const ExtremeVertex& wanted) {
-  const std::vector<Point>& positions = mesh.positions;
-  if (positions.empty()) {
+  if (mesh.triangles.empty()) {
     return absl::InvalidArgumentError(
-        "min, max: the mesh has no vertices to choose from");
+        "min, max: the mesh has no faces, so no vertex of its surface is "
+        "outermost; name a vertex");
   }
-  const auto is_before = [&wanted](const Point& a, const Point& b) {
-    return wanted.is_greatest ? a[wanted.axis] > b[wanted.axis]
-                              : a[wanted.axis] < b[wanted.axis];
+  const auto is_before = [&](uint64_t a, uint64_t b) {
+    const double at_a = mesh.positions[a][wanted.axis];
+    const double at_b = mesh.positions[b][wanted.axis];
+    if (at_a == at_b) return a < b;
+    return wanted.is_greatest ? at_a > at_b : at_a < at_b;
   };
-  const auto first = std::ranges::min_element(positions, is_before);
-  return VertexPoint{static_cast<uint64_t>(first - positions.begin())};
+  uint64_t first = mesh.triangles[0][0];
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const uint64_t vertex : triangle) {
+      if (is_before(vertex, first)) first = vertex;
+    }
+  }
+  return VertexPoint{first};
 }
 
 }  // namespace geodesic::client

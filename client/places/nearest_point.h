@@ -1,4 +1,4 @@
-// Looks for places on a mesh, by trying every face or vertex.
+// Looks for places on a mesh, by trying every face.
 
 #ifndef GEODESIC_CLIENT_PLACES_NEAREST_POINT_H_
 #define GEODESIC_CLIENT_PLACES_NEAREST_POINT_H_
@@ -20,10 +20,10 @@ namespace geodesic::client {
 absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
                                         const NearestPoint& wanted);
 
-// The vertex with the least or greatest coordinate, of several the one with the
-// lowest number. Vertices of no face count too. Linear in the vertices.
+// The vertex with the least or greatest coordinate of those that a face has, of
+// several the one with the lowest number. Linear in the faces.
 //
-// Errors: INVALID_ARGUMENT if the mesh has no vertices. Thread-safe.
+// Errors: INVALID_ARGUMENT if the mesh has no faces. Thread-safe.
 absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
                                         const ExtremeVertex& wanted);
 
