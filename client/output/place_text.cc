@@ -189,6 +189,8 @@ std::string ParseNamed(std::string_view text, WrittenPoint* point) {
   std::ifstream file{std::string(path)};
   std::string names;
   size_t name_count = 0;
+  uint64_t found = 0;  // the line
+  std::string problem;
   std::string line;
   for (uint64_t number = 1; std::getline(file, line); ++number) {
     if (line.ends_with('\r')) line.pop_back();
@@ -203,15 +205,22 @@ std::string ParseNamed(std::string_view text, WrittenPoint* point) {
       }
       continue;
     }
-    const std::string problem = place.starts_with(kNamed)
-                                    ? "a name stands for a place, not a name"
-                                    : ParsePlace(place, point);
-    return problem.empty() ? ""
-                           : absl::StrCat(std::string(path), " line ", number,
-                                          ": ", problem);
+    if (found != 0) {
+      return absl::StrCat(std::string(path), " lists ", Quoted(name),
+                          " twice, in lines ", found, " and ", number);
+    }
+    found = number;
+    problem = place.starts_with(kNamed)
+                  ? "a name stands for a place, not a name"
+                  : ParsePlace(place, point);
   }
   if (!file.eof()) {
     return absl::StrCat("cannot read ", std::string(path));
+  }
+  if (found != 0) {
+    return problem.empty() ? ""
+                           : absl::StrCat(std::string(path), " line ", found,
+                                          ": ", problem);
   }
   return absl::StrCat(std::string(path), " does not list ", Quoted(name),
                       names.empty() ? "" : ", but ", names,

@@ -178,6 +178,9 @@ TEST(NamedPlaceTest, FilesSayWhatNamesStandFor) {
   EXPECT_THAT(refusal("name:tip@" + (folder / "none")),
               HasSubstr("cannot read"));
   EXPECT_THAT(refusal("name:tip"), HasSubstr("@ and the file"));
+  std::ofstream(path) << "tip 17\near 5\ntip 18\n";
+  EXPECT_THAT(refusal("name:tip@" + path),
+              HasSubstr("lists 'tip' twice, in lines 1 and 3"));
 }
 
 }  // namespace
