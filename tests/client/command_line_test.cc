@@ -151,7 +151,8 @@ TEST_F(CommandLineTest, WrongValuesAreNamed) {
        {std::tuple{"--view", "1", "view: AZIMUTH,ELEVATION"},
         {"--view", "0,91", "view: AZIMUTH,ELEVATION"},
         {"--size", "63x100", "size: WIDTHxHEIGHT"},
-        {"--size", "100x99999", "size: WIDTHxHEIGHT"}}) {
+        {"--size", "100x99999", "size: WIDTHxHEIGHT"},
+        {"--lambda", "0", "time to spread: a number above 0"}}) {
     EXPECT_THAT(Refused({"field", "m", "-s", "1", option, value}),
                 HasSubstr(std::string("'") + value + "' is not a " + kind));
   }

@@ -279,6 +279,12 @@ void AddApproximation(CLI::App* app, Approximation* approximation) {
     return ParseIf<uint32_t>(text, "a count: a whole number from 1",
                              [](uint32_t count) { return count > 0; });
   };
+  const auto parse_lambda = [](const std::string& text) {
+    return ParseIf<double>(
+        text,
+        "a time to spread: a number above 0, in squared mean edge lengths",
+        [](double time) { return time > 0 && std::isfinite(time); });
+  };
   AddValue(app,
            {"--k",
             "svg: how many vertices around each one are looked at; default: 50",
@@ -289,7 +295,7 @@ void AddApproximation(CLI::App* app, Approximation* approximation) {
             "heat: how long it spreads, in squared mean edge lengths; more is "
             "smoother; default: 1",
             "L", "Approximate algorithms"},
-           ParseLevel, &approximation->lambda);
+           parse_lambda, &approximation->lambda);
   AddValue(app,
            {"--samples",
             "gtu: how many vertices' exact fields are kept; default: 200", "M",
