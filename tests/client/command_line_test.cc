@@ -132,6 +132,14 @@ TEST_F(CommandLineTest, StandardInputIsReadOnce) {
   }
 }
 
+TEST_F(CommandLineTest, AFileTakesOneAnswer) {
+  for (const char* again : {"a.npy", "./a.npy", "b/../a.npy"}) {
+    EXPECT_THAT(Refused({"field", "m", "-s", "1", "-o", "a.npy", "-o", again}),
+                HasSubstr(std::string(again) + " is named twice"));
+  }
+  Accepted({"field", "m", "-s", "1", "-o", "a.npy", "-o", "b/a.npy"});
+}
+
 TEST_F(CommandLineTest, CommonOptionsMayComeBeforeOrAfterTheCommand) {
   EXPECT_EQ(Accepted({"--server", "a:1", "meshes"}).connection.server, "a:1");
   EXPECT_EQ(Accepted({"meshes", "--server", "a:1"}).connection.server, "a:1");

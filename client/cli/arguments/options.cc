@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <set>
 #include <utility>
 
 #include "absl/strings/ascii.h"
@@ -351,6 +353,15 @@ void CheckOutputs(const CLI::App& app,
   const auto count =
       std::ranges::count(outputs, kStandardOutput, &OutputArgument::path);
   if (count > 1) Refuse("--output", "standard output (-) takes one answer");
+  std::set<std::filesystem::path> files;
+  for (const OutputArgument& output : outputs) {
+    std::error_code error;
+    auto place = std::filesystem::absolute(output.path, error);
+    if (error) place = output.path;  // the working folder is gone
+    if (!files.insert(place.lexically_normal()).second) {
+      Refuse("--output", output.path + " is named twice, but takes one answer");
+    }
+  }
   if (count > 0 && WantsJson(app)) {
     Refuse("--json", "prints to standard output, which -o - takes");
   }

@@ -190,7 +190,8 @@ void AddPriority(CLI::App* app, Priority* priority);
 void AddOutputs(CLI::App* app, const std::string& help,
                 std::span<const OutputFormat> formats,
                 std::vector<OutputArgument>* outputs);
-// Refuses two answers on standard output. To be called in checks.
+// Refuses two answers for one file or for standard output. To be called in
+// checks.
 void CheckOutputs(const CLI::App& app,
                   const std::vector<OutputArgument>& outputs);
 
