@@ -94,7 +94,7 @@ bool Split(std::string_view text, char separator, std::string_view* before,
 }
 
 std::string_view Trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t";
+  constexpr std::string_view kBlanks = " \t\r";
   const size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
@@ -193,7 +193,6 @@ std::string ParseNamed(std::string_view text, WrittenPoint* point) {
   std::string problem;
   std::string line;
   for (uint64_t number = 1; std::getline(file, line); ++number) {
-    if (line.ends_with('\r')) line.pop_back();
     const std::string_view entry = Trimmed(line);
     if (entry.empty() || entry.starts_with('#')) continue;
     const size_t end = std::min(entry.find_first_of(" \t"), entry.size());
@@ -274,28 +273,33 @@ absl::StatusOr<std::vector<Item>> ReadList(const std::string& path,
   std::ifstream file;
   if (path != kStandardInput) file.open(path);
   std::istream& lines = path == kStandardInput ? std::cin : file;
-  if (!lines) {
-    return absl::ErrnoToStatus(errno, absl::StrCat("cannot read ", path));
-  }
+  const auto cannot_read = [&path] {
+    return absl::ErrnoToStatus(errno,
+                               absl::StrCat("cannot read ", ListName(path)));
+  };
+  if (!lines) return cannot_read();
   std::vector<Item> items;
   std::string line;
   for (uint64_t number = 1; std::getline(lines, line); ++number) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (line.empty() || line.starts_with('#')) continue;
-    absl::StatusOr<Item> item = parse(line);
+    const std::string_view entry = Trimmed(line);
+    if (entry.empty() || entry.starts_with('#')) continue;
+    absl::StatusOr<Item> item = parse(entry);
     if (!item.ok()) {
-      return absl::InvalidArgumentError(absl::StrCat(
-          path, " line ", number, ": ", std::string(item.status().message())));
+      return absl::InvalidArgumentError(
+          absl::StrCat(ListName(path), " line ", number, ": ",
+                       std::string(item.status().message())));
     }
     items.push_back(*std::move(item));
   }
-  if (lines.bad()) {
-    return absl::ErrnoToStatus(errno, absl::StrCat("cannot read ", path));
-  }
+  if (lines.bad()) return cannot_read();
   return items;
 }
 
 }  // namespace
+
+std::string ListName(const std::string& path) {
+  return path == kStandardInput ? "standard input" : path;
+}
 
 std::string PointText(const SurfacePoint& point) {
   return std::visit(PlaceText(), point);

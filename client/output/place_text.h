@@ -42,6 +42,8 @@ nlohmann::ordered_json SourceToJson(const Source& source);
 
 // The path of a list that is read from standard input.
 inline constexpr char kStandardInput[] = "-";
+// What messages call a list: its path, or "standard input".
+std::string ListName(const std::string& path);
 
 // Reads the file of a name. Errors: INVALID_ARGUMENT naming the text and what
 // it should be, or the file; ParseSource and ParseCurve have the same. The
@@ -54,8 +56,9 @@ absl::StatusOr<WrittenSource> ParseSource(std::string_view text);
 // "POINT;POINT;..." or "POINT;POINT;...:OFFSET".
 absl::StatusOr<WrittenSource> ParseCurve(std::string_view text);
 
-// The sources of a file, one a line. A line with a ';' is a curve. Empty lines
-// and those that begin with '#' are skipped. "-" is standard input.
+// The sources of a file, one a line, around which there may be blanks. A line
+// with a ';' is a curve. Empty lines and those that begin with '#' are skipped.
+// "-" is standard input.
 // Errors: those of opening and reading the file; INVALID_ARGUMENT naming the
 // line.
 absl::StatusOr<std::vector<WrittenSource>> ReadSources(const std::string& path);

@@ -131,7 +131,7 @@ TEST(PlaceTextTest, AsJson) {
 TEST(ReadListTest, OneALine) {
   TemporaryFolder folder;
   WriteFile(folder / "s.txt",
-            "# rows\n1\n\n2:0.5\r\n3;4\nedge:0-1@0.5\n"
+            "# rows\n 1\n\n2:0.5\t\r\n  \n3;4\nedge:0-1@0.5\n"
             "max:z\nnearest:0, -1, 2:0.5\n");
   EXPECT_THAT(*ReadSources(folder / "s.txt"),
               ElementsAre(At(VertexPoint{1}), At(VertexPoint{2}, 0.5),
@@ -145,6 +145,8 @@ TEST(ReadListTest, OneALine) {
 }
 
 TEST(ReadListTest, NamesFileAndLine) {
+  EXPECT_EQ(ListName("-"), "standard input");
+  EXPECT_EQ(ListName("-.txt"), "-.txt");
   TemporaryFolder folder;
   WriteFile(folder / "s.txt", "1\n# fine\nx\n");
   const absl::Status status = ReadSources(folder / "s.txt").status();

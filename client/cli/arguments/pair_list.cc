@@ -93,7 +93,8 @@ absl::StatusOr<PairList> PairList::Open(const std::string& path) {
     file->open(path, std::ios::in);
   }
   if (!file->is_open()) {
-    return absl::ErrnoToStatus(errno, absl::StrCat("cannot read ", path));
+    return absl::ErrnoToStatus(errno,
+                               absl::StrCat("cannot read ", ListName(path)));
   }
   return PairList(path, std::move(file));
 }
@@ -118,14 +119,15 @@ absl::StatusOr<PairList::Piece> PairList::Read(size_t most) {
     piece.lines.push_back(lines_);
   }
   if (from.bad()) {
-    return absl::ErrnoToStatus(errno, absl::StrCat("cannot read ", path_));
+    return absl::ErrnoToStatus(errno,
+                               absl::StrCat("cannot read ", ListName(path_)));
   }
   return piece;
 }
 
 absl::Status PairList::AtLine(const absl::Status& status) const {
   return absl::InvalidArgumentError(absl::StrCat(
-      path_, " line ", lines_, ": ", std::string(status.message())));
+      ListName(path_), " line ", lines_, ": ", std::string(status.message())));
 }
 
 }  // namespace geodesic::client

@@ -272,7 +272,7 @@ class PairRun {
       return absl::OkStatus();
     }
     return FileError(absl::InvalidArgumentError(absl::StrCat(
-        list_->path(), " lists nothing: write two places a line")));
+        ListName(list_->path()), " lists nothing: write two places a line")));
   }
 
   // Moves the pairs of the piece to those that can be asked for.
@@ -362,7 +362,7 @@ class PairRun {
     absl::Status result(
         status.code(),
         absl::StrCat(
-            list_->path(), " line ", piece_.lines[number], ": ",
+            ListName(list_->path()), " line ", piece_.lines[number], ": ",
             absl::StrReplaceAll(
                 std::string(status.message()),
                 {{name, absl::StrCat("pairs[", before + number, "]")}})));

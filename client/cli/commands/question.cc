@@ -25,8 +25,8 @@ absl::Status AppendLists(const std::vector<std::string>& files, Read read,
     items->insert(items->end(), list->begin(), list->end());
   }
   if (!items->empty() || files.empty()) return absl::OkStatus();
-  return FileError(absl::InvalidArgumentError(
-      absl::StrCat(files[0], " lists nothing: write one place a line")));
+  return FileError(absl::InvalidArgumentError(absl::StrCat(
+      ListName(files[0]), " lists nothing: write one place a line")));
 }
 
 // The places of a question, in the order in which the server numbers them.
