@@ -85,9 +85,10 @@ class StandardOutput : private std::streambuf {
   std::ostream stream_{this};
 };
 
-// While it lives, SIGINT and SIGTERM request a stop instead of ending the
-// process; the second signal ends it at once with exit code 130. It must be
-// made before any other thread, since that would otherwise take the signals.
+// While it lives, SIGINT, SIGTERM and SIGHUP request a stop instead of ending
+// the process; the second signal ends it at once with exit code 130. Those that
+// are ignored stay so, as nohup and a shell's background want. It must be made
+// before any other thread, since that would otherwise take the signals.
 class InterruptListener {
  public:
   InterruptListener() {
@@ -95,8 +96,11 @@ class InterruptListener {
     // for sigwait.
     sigset_t signals;
     sigemptyset(&signals);
-    for (const int signal : {SIGINT, SIGTERM, kWake}) {
-      sigaddset(&signals, signal);
+    sigaddset(&signals, kWake);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction before = {};
+      sigaction(signal, nullptr, &before);
+      if (before.sa_handler != SIG_IGN) sigaddset(&signals, signal);
     }
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     thread_ = std::thread([this, signals] {

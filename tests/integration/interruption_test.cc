@@ -43,6 +43,37 @@ TEST_F(InterruptionTest, CtrlCEndsTheCommand) {
               HasSubstr("method=ComputeField code=CANCELLED"));
 }
 
+TEST_F(InterruptionTest, ATerminalThatClosesLeavesNoPartOfAFile) {
+  // Its rows are written as they come.
+  std::string rows;
+  for (int i = 0; i < 200; ++i) rows += std::to_string(i) + "\n";
+  WriteFile(folder_ / "rows.txt", rows);
+  Process matrix(CommandLine({"matrix", digest_, "--sources",
+                              folder_ / "rows.txt", "-o", folder_ / "d.npy"}));
+  ASSERT_TRUE(matrix.AwaitError("solving"));
+  const std::string part =
+      folder_ / ("d.npy.part-" + std::to_string(matrix.id()));
+  EXPECT_TRUE(std::filesystem::exists(part));
+  matrix.Signal(SIGHUP);
+  EXPECT_EQ(matrix.Wait().exit_code, 130);
+  EXPECT_FALSE(std::filesystem::exists(part));
+}
+
+TEST_F(InterruptionTest, SignalsThatAreIgnoredStayIgnored) {
+  std::vector<std::string> words = {"/bin/sh", "-c",
+                                    "trap '' HUP INT; exec \"$@\"", "sh"};
+  for (const std::string& word :
+       CommandLine({"field", digest_, "-s", "0", "--algorithm", "ich",
+                    "--timeout", "3"})) {
+    words.push_back(word);
+  }
+  Process field(words);
+  ASSERT_TRUE(field.AwaitError("solving"));
+  field.Signal(SIGHUP);
+  field.Signal(SIGINT);
+  EXPECT_EQ(field.Wait().exit_code, 6);
+}
+
 TEST_F(InterruptionTest, CtrlCLeavesWhatHadSettled) {
   Process field(CommandLine({"field", digest_, "-s", "0", "--algorithm", "ich",
                              "--progressive", "-o", folder_ / "d.csv"}));
