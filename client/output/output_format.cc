@@ -72,8 +72,17 @@ bool IsPipeOrDevice(const std::string& path) {
          !std::filesystem::is_directory(status);
 }
 
-absl::Status CheckWritable(const std::string& path) {
+absl::Status CheckWritable(const std::string& path,
+                           std::span<const std::string> inputs) {
   if (path == kStandardOutput) return absl::OkStatus();
+  for (const std::string& input : inputs) {
+    std::error_code error;
+    if (!std::filesystem::equivalent(path, input, error)) continue;
+    return absl::InvalidArgumentError(
+        absl::StrCat("cannot write ", path,
+                     ": it is read by this command, and the answer would "
+                     "replace it; write to another file"));
+  }
   if (IsPipeOrDevice(path)) {
     return access(path.c_str(), W_OK) == 0
                ? absl::OkStatus()

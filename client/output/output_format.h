@@ -69,10 +69,11 @@ bool IsCompressed(std::string_view path);
 absl::StatusOr<OutputFormat> OutputFormatFromPath(
     std::string_view path, std::span<const OutputFormat> formats);
 
-// Errors: the path's folder does not exist or cannot be written to. Standard
-// output is taken for writable. To be
-// called before a long computation.
-absl::Status CheckWritable(const std::string& path);
+// Errors: the path's folder does not exist or cannot be written to; the file is
+// one of `inputs`, which the answer would replace. Standard output is taken for
+// writable. To be called before a long computation.
+absl::Status CheckWritable(const std::string& path,
+                           std::span<const std::string> inputs);
 
 }  // namespace geodesic::client
 

@@ -47,10 +47,14 @@ TEST(OutputFormatTest, OtherEndingsAreRefused) {
 
 TEST(CheckWritableTest, FindsOutEarly) {
   TemporaryFolder folder;
-  EXPECT_TRUE(CheckWritable(folder / "new.npy").ok());
-  EXPECT_TRUE(CheckWritable("new.npy").ok());
-  EXPECT_FALSE(CheckWritable(folder / "missing/new.npy").ok());
-  EXPECT_FALSE(CheckWritable(folder.path().string()).ok());
+  EXPECT_TRUE(CheckWritable(folder / "new.npy", {}).ok());
+  EXPECT_TRUE(CheckWritable("new.npy", {}).ok());
+  EXPECT_FALSE(CheckWritable(folder / "missing/new.npy", {}).ok());
+  EXPECT_FALSE(CheckWritable(folder.path().string(), {}).ok());
+  const std::string inputs[] = {folder / "none", folder / "read.npy"};
+  WriteFile(inputs[1], "");
+  EXPECT_TRUE(CheckWritable(folder / "new.npy", inputs).ok());
+  EXPECT_FALSE(CheckWritable(folder / "./read.npy", inputs).ok());
 }
 
 TEST(AtomicFileTest, AppearsAtCommit) {
@@ -116,7 +120,7 @@ TEST(AtomicFileTest, PipesAreWrittenInto) {
   TemporaryFolder folder;
   const std::string pipe = folder / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR), 0);
-  EXPECT_TRUE(CheckWritable(pipe).ok());
+  EXPECT_TRUE(CheckWritable(pipe, {}).ok());
   // Nobody reads: that is told, not waited for.
   EXPECT_THAT(std::string(WriteNew(pipe).message()), HasSubstr(pipe));
   const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);

@@ -185,5 +185,32 @@ TEST_F(OutputFilesTest, PlyThatCannotBeKeptIsNotWrittenOver) {
   EXPECT_THAT(beside.err, HasSubstr("cannot be kept"));
 }
 
+TEST_F(OutputFilesTest, WhatACommandReadsIsNotWrittenOver) {
+  const std::string mesh = folder_ / "square.obj";
+  WriteFile(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
+  const std::string ply = folder_ / "d.ply";
+  const std::string list = folder_ / "list.csv";
+  WriteFile(list, "1\n");
+  const std::string pairs = folder_ / "pairs.csv";
+  WriteFile(pairs, "1,2\n");
+  const std::vector<std::pair<std::string, std::vector<std::string>>> table = {
+      {mesh, {"path", mesh, "-s", "0", "-t", "3", "-o", mesh}},
+      {mesh, {"isolines", mesh, "-s", "0", "-n", "2", "-o", mesh}},
+      {mesh, {"distance", mesh, "0", "1", "-o", folder_ / "./square.obj"}},
+      {ply, {"isolines", ply, "-s", "0", "-n", "2", "-o", ply}},
+      {ply, {"sample", ply, "-n", "2", "-o", ply}},
+      {list, {"matrix", mesh, "--sources", list, "-o", list}},
+      {list, {"nearest", mesh, "-s", "0", "--targets", list, "-o", list}},
+      {pairs, {"distance", mesh, "--pairs", pairs, "-o", pairs}}};
+  for (const auto& [file, words] : table) {
+    const std::string before = FileBytes(file);
+    EXPECT_THAT(Refusal(words, 3),
+                AllOf(HasSubstr("it is read by this command"),
+                      HasSubstr("write to another file")))
+        << words[0];
+    EXPECT_EQ(FileBytes(file), before) << words[0];
+  }
+}
+
 }  // namespace
 }  // namespace geodesic::client

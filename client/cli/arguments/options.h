@@ -76,6 +76,9 @@ struct QuestionArguments {
   // Whether a tolerance may be named. DEFAULT: exact answers alone.
   bool may_have_tolerance = false;
   double tolerance = 0;
+  // Whether .ply of a .ply is that mesh with the answer added, which may take
+  // its place. DEFAULT: outputs replace no file that is read.
+  bool adds_to_ply = false;
   Priority priority = Priority::kInteractive;
   std::vector<OutputArgument> outputs;
   PictureOptions picture;

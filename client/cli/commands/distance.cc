@@ -384,8 +384,9 @@ class PairRun {
 };
 
 absl::Status Run(const DistanceArguments& arguments, const Session& session) {
+  const std::string inputs[] = {arguments.mesh.text, arguments.list};
   for (const OutputArgument& output : arguments.outputs) {
-    absl::Status status = CheckWritable(output.path);
+    absl::Status status = CheckWritable(output.path, inputs);
     if (!status.ok()) return FileError(status);
   }
   std::optional<PairList> list;

@@ -86,6 +86,7 @@ void Check(const CLI::App& app, const FieldArguments& arguments) {
 void AddOptions(CLI::App* app, FieldArguments* arguments) {
   arguments->may_be_approximate = true;
   arguments->may_have_tolerance = true;
+  arguments->adds_to_ply = true;
   AddMesh(app, kMeshHelp, &arguments->mesh);
   AddSources(app, Need::kRequired, &arguments->sources);
   AddTargets(app, Need::kOptional, "Print the distance to this point too",

@@ -16,6 +16,7 @@ namespace geodesic::client {
 namespace {
 
 void AddOptions(CLI::App* app, QuestionArguments* arguments) {
+  arguments->adds_to_ply = true;
   AddMesh(app, kMeshHelp, &arguments->mesh);
   AddText(app,
           {.name = "-s,--source",

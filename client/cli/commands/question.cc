@@ -37,12 +37,19 @@ struct WrittenPlaces {
 
 // Checks that the outputs can be written, and reads the lists.
 absl::StatusOr<WrittenPlaces> Prepare(const QuestionArguments& arguments) {
-  for (const OutputArgument& output : arguments.outputs) {
-    absl::Status status = CheckWritable(output.path);
-    if (!status.ok()) return FileError(status);
-  }
   const SourceArguments& sources = arguments.sources;
   const TargetArguments& targets = arguments.targets;
+  std::vector<std::string> inputs = sources.files;
+  inputs.insert(inputs.end(), targets.files.begin(), targets.files.end());
+  std::vector<std::string> inputs_and_mesh = inputs;
+  inputs_and_mesh.push_back(arguments.mesh.text);
+  for (const OutputArgument& output : arguments.outputs) {
+    const bool keeps_mesh =
+        arguments.adds_to_ply && output.format == OutputFormat::kPly;
+    absl::Status status =
+        CheckWritable(output.path, keeps_mesh ? inputs : inputs_and_mesh);
+    if (!status.ok()) return FileError(status);
+  }
   WrittenPlaces places = {.sources = sources.points, .targets = targets.points};
   places.sources.insert(places.sources.end(), sources.curves.begin(),
                         sources.curves.end());
