@@ -13,6 +13,7 @@ from typing import (Any, Dict, Iterator, List, Optional, Protocol, Tuple,
 
 import numpy as np
 
+from . import _core
 from .approximate import NAMES, Approximate
 from .errors import InvalidArgument
 from .places import Places, Sources
@@ -48,6 +49,11 @@ class Options:
         if self.algorithm is not None and not isinstance(self.algorithm, str):
             raise InvalidArgument(
                 f"algorithm is {self.algorithm!r}, which is no name")
+        exact = dict(_core.ALGORITHMS)
+        if self.algorithm is not None and self.algorithm not in exact:
+            raise InvalidArgument(
+                f'unknown algorithm "{self.algorithm}"; known are: ' +
+                ", ".join(exact) + "; and, approximate: " + ", ".join(NAMES))
         if self.tolerance != 0 and self.algorithm not in (None, "fwp-list"):
             raise InvalidArgument(
                 f"tolerance: {self.algorithm} takes none; name no algorithm "

@@ -63,21 +63,12 @@ class Stubs:
 
 
 def _algorithm(options: Options) -> int:
-    if options.approximate is not None:
-        word = options.approximate.name.upper().replace("-", "_")
-        return query_pb2.Algorithm.Value("ALGORITHM_" + word)
-    name = options.exact
+    name = (options.exact if options.approximate is None else
+            options.approximate.name)
     if name is None:
         return query_pb2.ALGORITHM_UNSPECIFIED
-    known = {
-        key[len("ALGORITHM_"):].lower().replace("_", "-"): number
-        for key, number in query_pb2.Algorithm.items()
-        if 0 < number < query_pb2.ALGORITHM_FMM  # the exact ones
-    }
-    if name not in known:
-        raise InvalidArgument(f'unknown algorithm "{name}"; known are: ' +
-                              ", ".join(known))
-    return known[name]
+    return query_pb2.Algorithm.Value("ALGORITHM_" +
+                                     name.upper().replace("-", "_"))
 
 
 def _algorithm_name(number: int) -> str:

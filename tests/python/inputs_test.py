@@ -217,8 +217,8 @@ class InputsTest(Refusing):
 
     def test_refused_options(self):
         mesh = self.wanted
-        self.assert_refused("known are: fwp-list", mesh.distances, 0,
-                            algorithm="dijkstra")
+        for words in ("known are: fwp-list", "approximate: fmm"):
+            self.assert_refused(words, mesh.distances, 0, algorithm="dijkstra")
         self.assert_refused("radius is -1", mesh.distances, 0, radius=-1)
         self.assert_refused("radius is nan", mesh.distances, 0,
                             radius=float("nan"))
