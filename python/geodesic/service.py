@@ -37,6 +37,10 @@ _FORMATS = {
     ".gltf": mesh_pb2.MESH_FORMAT_GLTF,
 }
 
+# Of gRPC's names of servers that are more than HOST:PORT.
+_LOCAL_SCHEMES = ("unix", "unix-abstract")
+_SCHEMES = _LOCAL_SCHEMES + ("dns", "ipv4", "ipv6")
+
 PemOrPath = Union[str, bytes, os.PathLike]
 
 
@@ -224,11 +228,21 @@ def _upload_messages(header: mesh_service_pb2.UploadHeader,
 def _stays_here(address: str) -> bool:
     """Whether what is sent to an address in clear stays on this machine."""
     scheme, colon, rest = address.partition(":")
-    if colon and scheme in ("unix", "unix-abstract"):
+    if colon and scheme in _LOCAL_SCHEMES:
         return True
-    if colon and scheme in ("dns", "ipv4", "ipv6"):
+    if colon and scheme in _SCHEMES:
         address = rest.rpartition("/")[2]
     return all(_is_loopback(one) for one in address.split(","))
+
+
+def _is_complete(address: str) -> bool:
+    """Whether it is HOST:PORT or [HOST]:PORT, or has one of gRPC's schemes."""
+    host, colon, port = address.rpartition(":")
+    if address.partition(":")[0] in _SCHEMES:
+        return True
+    if ":" in host and not (host.startswith("[") and host.endswith("]")):
+        return False
+    return bool(host and port.isdecimal() and 0 < int(port) < 2**16)
 
 
 def _is_loopback(address: str) -> bool:
@@ -256,7 +270,7 @@ def connect(address: str, *, token: Optional[str] = None,
             d = service.mesh(V, F).distances(0)
 
     Args:
-        address: host:port.
+        address: host:port, or unix:/path.
         token: sent with each call, and to other machines by TLS only.
         insecure_token: lets the token go to another machine in clear, where
             whoever is on the way can read it.
@@ -271,8 +285,10 @@ def connect(address: str, *, token: Optional[str] = None,
     service is not there or is full are repeated up to three times, within the
     timeout.
     """
-    if not isinstance(address, str) or not address.strip():
-        raise InvalidArgument(f"address is {address!r}, not HOST:PORT")
+    if not isinstance(address, str) or not _is_complete(address):
+        raise InvalidArgument(
+            f"address is {address!r}, not HOST:PORT, such as 127.0.0.1:50051 or "
+            "[::1]:50051, with a port from 1 to 65535")
     if timeout is not None:
         timeout = to_real(timeout, "timeout")
         if not 0 < timeout < math.inf:

@@ -374,7 +374,7 @@ class SecuredTest(unittest.TestCase):
         for address in ("meshes.test:50051", "10.0.0.1:50051", "127.evil.test:1",
                         "localhost.evil.test:1", "[2001:db8::1]:1",
                         "dns:///meshes.test:1", "dns://10.0.0.1/meshes.test:1",
-                        "ipv4:127.0.0.1:1,10.0.0.1:1", "127.0.0.1.evil.test"):
+                        "ipv4:127.0.0.1:1,10.0.0.1:1", "127.0.0.1.evil.test:1"):
             with self.assertRaisesRegex(geodesic.InvalidArgument, "in clear"):
                 geodesic.connect(address, token=TOKEN)
             with self.assertRaisesRegex(geodesic.InvalidArgument, "in clear"):
@@ -390,6 +390,14 @@ class SecuredTest(unittest.TestCase):
         for words, options in (
             ("address is None", dict(address=None)),
             ("address is ''", dict(address="")),
+            ("address is '127.0.0.1', not HOST:PORT",
+             dict(address="127.0.0.1")),
+            ("with a port from 1 to 65535", dict(address="[::1]:70000")),
+            ("address is", dict(address="localhost:0")),
+            ("address is", dict(address="localhost:")),
+            ("address is", dict(address=":50051")),
+            ("address is", dict(address="::1:50051")),
+            ("address is", dict(address="http://localhost:50051")),
             ("timeout is -1", dict(timeout=-1)),
             ("timeout is 0", dict(timeout=0)),
             ("timeout is nan", dict(timeout=float("nan"))),
