@@ -63,6 +63,8 @@ def _tolerance(tolerance: float) -> float:
     return tolerance
 
 
+# How far the sum of barycentric weights may be from 1, as in the core.
+_MOST_BESIDE_ONE = 1e-6
 # Values in rows of k for fewer targets: a slip of the pen must not take all memory.
 _MOST_PADDED = 10**8
 
@@ -671,7 +673,11 @@ class Mesh:
         return Curve(points)
 
     def positions(self, places: OneOrManyPlaces) -> NDArray[np.float64]:
-        """Where places lie in space, (N, 3)."""
+        """Where places lie in space, (N, 3).
+
+        Raises:
+            InvalidArgument: naming a place that is not on the mesh.
+        """
         points = to_places(places, "places", self.n_vertices)
         result = np.empty((len(points), 3))
         for i, kind in enumerate(points.kinds):
@@ -686,10 +692,22 @@ class Mesh:
                 result[i] = self.vertices[first]
             elif kind == 1:
                 t = points.weights[i, 0]
+                if not 0 <= t <= 1:
+                    raise InvalidArgument(f"places[{i}].t is {t}, not from 0 to 1")
+                if (first == second or self._face_finder.face_with(
+                        {int(first), int(second)}) < 0):
+                    raise InvalidArgument(f"places[{i}]: vertices {first} and "
+                                          f"{second} share no face")
                 result[i] = ((1 - t) * self.vertices[first] +
                              t * self.vertices[second])
             else:
-                result[i] = points.weights[i] @ self.vertices[self.faces[first]]
+                weights = points.weights[i]
+                if not (np.all(weights >= 0) and
+                        abs(weights.sum() - 1) <= _MOST_BESIDE_ONE):
+                    raise InvalidArgument(
+                        f"places[{i}].weights are {weights.tolist()}, not three "
+                        "numbers >= 0 whose sum is 1")
+                result[i] = weights @ self.vertices[self.faces[first]]
         return result
 
     def plot(self, values: Optional[ArrayLike] = None, **options: Any) -> Any:

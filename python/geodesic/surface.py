@@ -32,7 +32,7 @@ class FaceFinder:
             return {int(numbers[0]), int(numbers[1])}
         return set(self._faces[numbers[0]].tolist())
 
-    def _face_with(self, corners: set) -> int:
+    def face_with(self, corners: set) -> int:
         """The first face that has all these vertices, -1 if there is none."""
         if len(corners) == 1:
             [vertex] = corners
@@ -59,13 +59,13 @@ class FaceFinder:
         for i in range(count - 1):
             in_face = next((int(places.numbers[j, 0])
                             for j in (i, i + 1) if places.kinds[j] == 2), None)
-            faces[i] = (self._face_with(corners[i] | corners[i + 1])
+            faces[i] = (self.face_with(corners[i] | corners[i + 1])
                         if in_face is None else in_face)
         if count > 1:
             faces[-1] = faces[-2]
         elif count == 1:
             faces[0] = (places.numbers[0, 0] if places.kinds[0] == 2 else
-                        self._face_with(corners[0]))
+                        self.face_with(corners[0]))
         for i in range(count):
             if faces[i] < 0:
                 continue

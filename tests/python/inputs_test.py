@@ -43,6 +43,15 @@ class RefusedQuestionsTest(Refusing):
                       geodesic.EdgePoint(0, 6, 0.5), 6):
             self.assert_refused("places[1] is on number", mesh.positions,
                                 [0, place])
+        for words, place in (
+            ("places[1].t is 1.5", geodesic.EdgePoint(0, 2, 1.5)),
+            ("places[1].t is nan", geodesic.EdgePoint(0, 2, np.nan)),
+            ("places[1]: vertices 0 and 1 share no face",
+             geodesic.EdgePoint(0, 1, 0.5)),
+            ("places[1].weights", geodesic.FacePoint(0, (0.5, 0.5, 0.5))),
+            ("places[1].weights", geodesic.FacePoint(0, (1.5, -0.5, 0))),
+            ("places[1].weights", geodesic.FacePoint(0, (np.nan, 0, 1)))):
+            self.assert_refused(words, mesh.positions, [0, place])
         self.assert_refused("count is 0", mesh.isolines, 0, count=0)
         self.assert_refused("levels and count", mesh.isolines, 0, count=2,
                             levels=[1])
