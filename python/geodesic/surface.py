@@ -135,8 +135,33 @@ _FARTHEST = 1e150
 _ROUNDING = 1e-12
 
 
+# Faces that share a box: searches try as many boxes as there are such groups.
+_GROUP = 64
+
+
+def _along_curve(points: np.ndarray) -> np.ndarray:
+    """An order in which points that follow each other are near each other: that
+    of a curve through the cells of a grid, of 1024 along each side."""
+    low = points.min(axis=0)
+    extent = max(np.ptp(points, axis=0).max(), 1e-300)  # 1 over it is a number
+    cells = ((points - low) * (1023 / extent)).astype(np.int64)
+    code = np.zeros(len(points), np.int64)
+    for bit in range(10):
+        for axis in range(3):
+            code |= (cells[:, axis] >> bit & 1) << (3 * bit + axis)
+    return np.argsort(code, kind="stable")
+
+
+def _to_boxes(point: np.ndarray, low: np.ndarray, high: np.ndarray,
+              ) -> np.ndarray:
+    """The squared distance to each box, (N,)."""
+    gap = np.maximum(np.maximum(low - point, point - high), 0)
+    return np.sum(gap**2, axis=1)
+
+
 class PointFinder:
-    """Nearest points of a surface to points in space. O(F) once and for each."""
+    """Nearest points of a surface to points in space. O(F log F) once, and for
+    each a look at the boxes of groups of faces, and at the faces of a few."""
 
     def __init__(self, vertices: np.ndarray, faces: np.ndarray) -> None:
         # Coordinates of at most 1, by a power of two, which rounds nothing.
@@ -144,8 +169,16 @@ class PointFinder:
         self._vertices = np.ldexp(vertices, -self._exponent)
         self._faces = faces
         corners = self._vertices[faces]
+        order = _along_curve(corners.mean(axis=1))
+        # The last group is filled up with its last face.
+        groups = np.resize(order, (-(-len(order) // _GROUP), _GROUP))
+        groups.reshape(-1)[len(order):] = order[-1]
+        self._groups = groups
         self._low = corners.min(axis=1)
         self._high = corners.max(axis=1)
+        self._middles = corners[groups[:, _GROUP // 2], 0]
+        self._group_low = self._low[groups].min(axis=1)
+        self._group_high = self._high[groups].max(axis=1)
 
     def nearest(self, point: np.ndarray) -> FacePoint:
         """A nearest point."""
@@ -154,18 +187,23 @@ class PointFinder:
             point = np.ldexp(point, -exponent) * _FARTHEST
         else:
             point = np.ldexp(point, -self._exponent)
-        # Only faces whose boxes come as near as the nearest corner can win.
-        gap = np.maximum(np.maximum(self._low - point, point - self._high), 0)
-        box = np.sum(gap**2, axis=1)
-        first = self._faces[np.argmin(box)]
-        bound = np.min(np.sum((self._vertices[first] - point)**2, axis=1))
-        candidates = np.flatnonzero(box <= bound * (1 + _ROUNDING))
+        # Only what lies in boxes that come as near as a corner of the group whose
+        # middle seems nearest can win.
+        near = np.argmin(np.sum((self._middles - point)**2, axis=1))
+        corners = self._vertices[self._faces[self._groups[near]]].reshape(-1, 3)
+        to_corners = np.sum((corners - point)**2, axis=1)
+        reference = corners[np.argmin(to_corners)]
+        bound = to_corners.min() * (1 + _ROUNDING)
+        box = _to_boxes(point, self._group_low, self._group_high)
+        candidates = np.sort(self._groups[box <= bound].reshape(-1))
+        box = _to_boxes(point, self._low[candidates], self._high[candidates])
+        candidates = candidates[box <= bound]
         # From far away all squared distances would be the same up to rounding:
         # a vertex is what they are compared with.
         is_far = np.abs(point).max() > 2
         weights, squared = nearest_on_faces(
             point, self._vertices[self._faces[candidates]],
-            self._vertices[first[0]] if is_far else point)
+            reference if is_far else point)
         best = int(np.argmin(squared))
         one, two, three = weights[best].tolist()
         return FacePoint(int(candidates[best]), (one, two, three))
