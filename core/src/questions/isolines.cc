@@ -146,7 +146,7 @@ class LevelCrossings {
     }
   }
 
-  // Called after every few faces.
+  // Called after every few faces, and every few levels in a face.
   using Poll = std::function<absl::Status()>;
 
   // Deals with the faces that have windows and lie wholly within `settled`,
@@ -340,12 +340,27 @@ class LevelCrossings {
       first = std::min(first, crossings_[begin].level);
       last = std::max(last, crossings_[end - 1].level);
     }
+    constexpr uint64_t kStepsBetweenPolls = 64;
+    const auto step = [&] {
+      return ++steps_ % kStepsBetweenPolls == 0 ? poll() : absl::OkStatus();
+    };
     for (uint32_t level = first; level <= last; ++level) {
       JoinCrossings(face, level, ranges, distances);
+      if (absl::Status status = step(); !status.ok()) return status;
     }
     band_.Close(face);
-    constexpr uint64_t kFacesBetweenPolls = 64;
-    return ++dealt_with_ % kFacesBetweenPolls == 0 ? poll() : absl::OkStatus();
+    return step();
+  }
+
+  // Those of a range of crossings_ that are at the level.
+  Range AtLevel(const Range& range, uint32_t level) const {
+    const auto all =
+        std::span(crossings_).subspan(range.begin, range.end - range.begin);
+    const auto at_level =
+        std::ranges::equal_range(all, level, {}, &Crossing::level);
+    const size_t begin =
+        range.begin + static_cast<size_t>(at_level.begin() - all.begin());
+    return {begin, begin + at_level.size()};
   }
 
   void JoinCrossings(uint32_t face, uint32_t level,
@@ -354,11 +369,10 @@ class LevelCrossings {
     std::vector<PerimeterCrossing> perimeter;
     for (uint32_t side = 0; side < 3; ++side) {
       const HalfEdge h = mesh_.FirstSide(face) + side;
-      const auto& [begin, end] = ranges[side];
+      const auto [begin, end] = AtLevel(ranges[side], level);
       const bool is_forward = mesh_.From(h) < mesh_.To(h);
       for (size_t i = 0; i < end - begin; ++i) {
         const size_t c = is_forward ? begin + i : end - 1 - i;
-        if (crossings_[c].level != level) continue;
         const double along = crossings_[c].x / mesh_.frame(h).length;
         perimeter.push_back({side + (is_forward ? along : 1 - along),
                              static_cast<uint32_t>(c)});
@@ -436,7 +450,7 @@ class LevelCrossings {
   absl::flat_hash_map<uint32_t, Within> within_;
   absl::flat_hash_map<HalfEdge, Range> edges_;
   std::vector<Crossing> crossings_;
-  uint64_t dealt_with_ = 0;                     // faces
+  uint64_t steps_ = 0;                          // faces, and levels in them
   std::vector<std::vector<Segment>> segments_;  // of each level
 };
 

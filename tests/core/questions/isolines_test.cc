@@ -472,6 +472,17 @@ TEST(IsolinesErrors, CancelAtAnyPoll) {
   }
 }
 
+// However few the faces are.
+TEST(IsolinesErrors, AskBetweenManyLevelsOfAFace) {
+  const auto mesh = BuildOrFail({"icosphere", Icosphere(0)});
+  const Query query{.sources = {{VertexPoint{0}}}};
+  const std::vector<double> levels = SpreadLevels(*mesh, query, 5000);
+  RecordingCheckpoint never;
+  ASSERT_TRUE(
+      ComputeIsolines(*mesh, Valid(*mesh, query), levels, {}, never).ok());
+  EXPECT_GT(never.polls().size(), levels.size() / 64);
+}
+
 class RealMeshIsolines : public RealMesh {};
 
 TEST_P(RealMeshIsolines, SeparateNearFromFar) {
