@@ -35,8 +35,16 @@ def to_real(value: Any, name: str) -> float:
 
 def to_array(value: Any, name: str, dtype: Optional[Any] = None) -> np.ndarray:
     """An array, not copied where it is one of that type."""
+    if np.ma.is_masked(value):
+        raise InvalidArgument(f"{name} has masked elements, which are no numbers: "
+                              "leave them out")
     try:
-        return np.asarray(value, dtype)
+        array = np.asarray(value)
+        if dtype is None:
+            return array
+        if array.dtype.kind == "c":
+            raise TypeError("complex numbers are not real")
+        return np.asarray(array, dtype)
     except (TypeError, ValueError, OverflowError) as error:
         raise InvalidArgument(f"{name} cannot be an array of numbers: "
                               f"{error}") from None

@@ -243,8 +243,10 @@ def to_sources(value: Any, offsets: Any, vertex_count: int) -> Sources:
         points: List[Any] = []
         for i, item in enumerate(items):
             if isinstance(item, Curve):
-                counts[i] = len(item.points)
-                points += item.points
+                on_curve = _as_list(item.points, f"{name}[{i}].points",
+                                    vertex_count)
+                counts[i] = len(on_curve)
+                points += list(on_curve)
             else:
                 points.append(item)
         items = points

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Optional, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .arguments import to_array
 from .errors import InvalidArgument
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ def plot(mesh: "Mesh", values: Optional[ArrayLike] = None, *,
         PyVista's plotter, matplotlib's axes or a Page.
     """
     if values is not None:
-        values = np.asarray(values, np.float64)
+        values = to_array(values, "values", np.float64)
         if values.shape != (mesh.n_vertices,):
             raise InvalidArgument(
                 f"values have shape {values.shape}; one per vertex is "

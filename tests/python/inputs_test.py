@@ -180,6 +180,8 @@ class InputsTest(Refusing):
         self.assert_refused("third coordinate", geodesic.Mesh, v[:, :2], f)
         self.assert_refused("(6,), not (V, 3)", geodesic.Mesh, v[:, 0], f)
         self.assert_refused("complex128", geodesic.Mesh, v * 1j, f)
+        self.assert_refused("vertices has masked", geodesic.Mesh,
+                            np.ma.masked_greater(v, 0.5), f)
         self.assert_refused("<U", geodesic.Mesh, [["a", "b", "c"]], f)
         self.assert_refused(".astype(int)", geodesic.Mesh, v, f * 1.0)
         self.assert_refused("tetrahedra", geodesic.Mesh, v, f[:, [0, 1, 2, 0]])
@@ -220,6 +222,8 @@ class InputsTest(Refusing):
                             targets=geodesic.Curve([0, 2]))
         self.assert_refused("targets[1].vertex 9", ask, 0, targets=[0, 9])
         self.assert_refused("curve", ask, geodesic.Curve([0, 1]))
+        self.assert_refused("sources[0].points is None", ask,
+                            geodesic.Curve(None))
         self.assert_refused("offsets have shape (2,)", ask, 0, offsets=[0, 1])
         self.assert_refused("sources[0].offset", ask, 0, offsets=[-1])
         self.assert_refused("sources[0].offset", ask, 0, offsets=np.nan)
@@ -243,6 +247,8 @@ class InputsTest(Refusing):
         self.assert_refused("2 targets", mesh.path, 0, [1, 2])
         self.assert_refused("values have shape",
                             mesh.plot, np.zeros(5))
+        self.assert_refused("complex numbers are not real", mesh.plot, np.zeros(6) * 1j)
+        self.assert_refused("values cannot be", mesh.plot, ["a"] * 6)
         self.assert_refused("not finite", mesh.nearest_point, [0, 0, np.inf])
         self.assert_refused("(2,), not (3,)", mesh.nearest_point, [0, 0])
 
