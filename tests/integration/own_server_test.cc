@@ -416,6 +416,23 @@ TEST_F(OwnServerTest, IsFoundInThePathOrMissed) {
   EXPECT_EQ(found.exit_code, 0) << found.err;
 }
 
+TEST_F(OwnServerTest, OneOfAnotherVersionIsRefused) {
+  ASSERT_EQ(Run({"meshes"}).exit_code, 0);
+  const Variable path("PATH",
+                      fs::path(GEODESICD_BINARY).parent_path().string());
+  const ProcessResult other =
+      RunProgram({GEODESIC_OF_ANOTHER_VERSION, "meshes"});
+  EXPECT_EQ(other.exit_code, 4);
+  EXPECT_THAT(other.err, AllOf(HasSubstr("this is geodesic 0.0.0, but the "
+                                         "geodesicd found has version"),
+                               HasSubstr("name a server with --server")));
+  // The one that it had started is gone, and this version's is still there.
+  EXPECT_EQ(
+      RunProgram({GEODESIC_OF_ANOTHER_VERSION, "server", "status"}).exit_code,
+      1);
+  EXPECT_TRUE(Status()["running"].get<bool>());
+}
+
 TEST_F(OwnServerTest, TlsIsForServersElsewhere) {
   const ProcessResult result = Run({"--tls", "meshes"});
   EXPECT_EQ(result.exit_code, 3);
