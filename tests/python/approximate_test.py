@@ -83,6 +83,19 @@ class ApproximateTest(unittest.TestCase):
         self.assertTrue(np.all((d <= 0.4) | np.isinf(d)))
         self.assertTrue(np.any(np.isinf(d)))
 
+    def test_edges_of_three_faces(self):
+        # Three pages; any two opened flat.
+        mesh = self.make(
+            [[0, 0, 0], [1, 0, 0], [0.5, 1, 0], [0.5, -1, 0], [0.5, 0, 1]],
+            [[0, 1, 2], [0, 1, 3], [1, 0, 4]])
+        gtu = geodesic.Approximate("gtu", samples=5)  # all; single precision
+        np.testing.assert_allclose(mesh.distances(2, algorithm=gtu)[[3, 4]],
+                                   [2, 2], rtol=1e-6)
+        self.assert_near(mesh.distances(2, algorithm="fmm")[[3, 4]], [2, 2])
+        with self.assertRaisesRegex(geodesic.InvalidArgument,
+                                    "edges of three faces"):
+            mesh.distances(2, algorithm="svg")
+
     def test_what_they_cannot_do_is_named(self):
         mesh, invalid = self.mesh, geodesic.InvalidArgument
         for ask in (lambda: mesh.field(0, labels=True, algorithm="svg"),
