@@ -28,6 +28,7 @@
 #include <span>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/triangle_soup.h"
 
@@ -70,7 +71,7 @@ class Mesh {
   // that is not finite, an index out of range, or a face that repeats a vertex;
   // RESOURCE_EXHAUSTED for more faces or vertices than 32-bit numbers can name.
   static absl::StatusOr<std::shared_ptr<const Mesh>> Build(TriangleSoup soup);
-  // The same, but asks `checkpoint` between its steps. Errors: also whatever
+  // The same, but asks `checkpoint` now and then. Errors: also whatever
   // `checkpoint` returns.
   static absl::StatusOr<std::shared_ptr<const Mesh>> Build(
       TriangleSoup soup, Checkpoint& checkpoint);
@@ -194,7 +195,9 @@ class Mesh {
     return {irregular_half_edges_.data() + irregular_begin_[i],
             irregular_half_edges_.data() + irregular_begin_[i + 1]};
   }
-  void BuildFrames(std::span<const Exit> exits, ConeAngles& angles);
+  // Errors: whatever `checkpoint` returns.
+  absl::Status BuildFrames(std::span<const Exit> exits, ConeAngles& angles,
+                           Checkpoint& checkpoint);
   void BuildOutgoing(const TriangleSoup& soup);
   // Whether the faces around v form one fan, closed or open.
   bool IsDisk(uint32_t v) const;

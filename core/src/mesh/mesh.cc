@@ -216,7 +216,11 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(
   mesh->irregular_half_edges_ = std::move(connectivity.irregular_half_edges);
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
   ConeAngles angles(mesh->vertex_count());
-  mesh->BuildFrames(connectivity.exits, angles);
+  if (absl::Status status =
+          mesh->BuildFrames(connectivity.exits, angles, checkpoint);
+      !status.ok()) {
+    return status;
+  }
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
   mesh->ClassifyVertices(connectivity.is_closed_fan, angles);
   return mesh;
@@ -264,14 +268,21 @@ Mesh::Mesh(TriangleSoup soup)
   positions_.shrink_to_fit();
 }
 
-void Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles) {
+absl::Status Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles,
+                               Checkpoint& checkpoint) {
   constexpr HalfEdge kAhead = 3 * 8;
+  // Some 20 ms.
+  constexpr HalfEdge kBetweenPolls = 3 * 50'000;
   const ScaledDifference difference(scale_exponent_);
   frames_ = MakeLargeArray<HalfEdgeFrame>(half_edge_count());
   kinds_.assign(vertex_count(), 0);
   double sum = 0;
   uint64_t edges = 0;
   for (HalfEdge first = 0; first < half_edge_count(); first += 3) {
+    if (first % kBetweenPolls == 0 && first > 0) {
+      absl::Status status = checkpoint.Poll({});
+      if (!status.ok()) return status;
+    }
     const Triangle& corners = TriangleOf(first);
     // Vertices lie in the caller's order: far apart.
     if (first + kAhead < half_edge_count()) {
@@ -309,6 +320,7 @@ void Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles) {
     }
   }
   mean_edge_length_ = sum / static_cast<double>(edges);
+  return absl::OkStatus();
 }
 
 void Mesh::BuildOutgoing(const TriangleSoup& soup) {

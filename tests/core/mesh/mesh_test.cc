@@ -16,6 +16,7 @@
 #include "geodesic/open_mesh.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
+#include "tests/support/checkpoints.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/planar_meshes.h"
 
@@ -50,6 +51,21 @@ TEST(MeshTest, KeepsTheCallersNumbersAndBits) {
     EXPECT_EQ(mesh->triangle(f), soup.triangles[f]);
   }
   EXPECT_TRUE(std::signbit(mesh->positions()[4][2]));
+}
+
+// Whoever cancels is heard at every poll, those while faces are laid out among
+// them.
+TEST(MeshTest, CancelAtAnyPoll) {
+  const TriangleSoup grid = test::MakeGrid({.columns = 400, .rows = 400});
+  test::RecordingCheckpoint never;
+  ASSERT_TRUE(Mesh::Build(grid, never).ok());
+  EXPECT_GE(never.polls().size(), 4 + grid.triangles.size() / 50'000);
+  for (uint64_t poll = 0; poll < never.polls().size(); ++poll) {
+    test::RecordingCheckpoint checkpoint(poll);
+    EXPECT_EQ(Mesh::Build(grid, checkpoint).status(),
+              test::RecordingCheckpoint::Stopped());
+    EXPECT_EQ(checkpoint.polls().size(), poll + 1);
+  }
 }
 
 TEST(MeshTest, FacesLieInMemoryAsTheyDoInSpace) {
