@@ -62,6 +62,27 @@ class Comparison {
     return cost;
   }
 
+  // Of an exact algorithm, or of fwp-list within a tolerance.
+  MethodCost Measure(Algorithm algorithm, double tolerance) {
+    const ValidQuery query = *ValidQuery::Make(
+        {.sources = query_->sources,
+         .algorithm = algorithm,
+         .tolerance = tolerance},
+        *subject_.mesh);
+    MethodCost cost;
+    for (int run = 0; run < most_runs_; ++run) {
+      const double before = ProcessorSeconds();
+      const DistanceField field =
+          Solve(*subject_.mesh, query, {}, checkpoint_).value();
+      const double seconds = ProcessorSeconds() - before;
+      if (run == 0 || seconds < cost.solve_seconds) {
+        cost.solve_seconds = seconds;
+        cost.errors = CompareDistances(field.distances, exact_);
+      }
+    }
+    return cost;
+  }
+
   // Of parallel Chen-Han in one thread; the fastest run.
   double SecondsByLevels() {
     double fastest = 0;
@@ -193,6 +214,51 @@ void RunHeatTime(const Setting& setting) {
   add(Generated("sphere", test::UvSphere(meridians, bands)),
       1 + (bands / 2 - 1) * meridians);
   for (const Subject& model : setting.models) add(model, model.source());
+}
+
+void RunTradeOff(const Setting& setting) {
+  Table table{"mesh",   "faces",   "program", "method", "setting",
+              "prepare s", "field s", "mean",    "max"};
+  for (const Subject& subject : Models(setting)) {
+    const uint64_t faces = subject.mesh->face_count();
+    Comparison comparison(subject, subject.source(), setting.most_runs());
+    const auto add = [&](std::string_view method, std::string_view with,
+                         const MethodCost& cost) {
+      table.Add(subject.name, faces, "geodesic", method, with,
+                cost.prepare_seconds, cost.solve_seconds, cost.errors.mean,
+                cost.errors.largest);
+    };
+    for (const AlgorithmInfo& info : kAlgorithms) {
+      if (!IsFeasible(info.algorithm, faces)) continue;
+      add("exact", info.name, comparison.Measure(info.algorithm, 0));
+    }
+    for (const char* tolerance : {"1e-7", "1e-6", "1e-5", "1e-4", "1e-3",
+                                  "1e-2", "1e-1"}) {
+      add("tolerance", tolerance,
+          comparison.Measure(Algorithm::kFwpList, std::stod(tolerance)));
+    }
+    for (const char* lambda : {"1", "10", "80"}) {
+      add("heat", lambda,
+          comparison.Measure(ApproximateMethod::kHeat,
+                             {.heat = {.lambda = std::stod(lambda)}}));
+    }
+    add("fmm", "", comparison.Measure(ApproximateMethod::kFmm, {}));
+    add("fmm-untidy", "",
+        comparison.Measure(ApproximateMethod::kFmmUntidy, {}));
+    for (const char* neighbours : {"10", "25", "50", "100", "200"}) {
+      const auto k = static_cast<uint32_t>(std::stoul(neighbours));
+      if (setting.quick && k > 50) break;
+      add("svg", neighbours,
+          comparison.Measure(ApproximateMethod::kSvg,
+                             {.svg = {.neighbours = k}}));
+    }
+    for (const char* samples : {"100", "200", "400"}) {
+      const auto m = static_cast<uint32_t>(std::stoul(samples));
+      if (setting.quick && m > 100) break;
+      add("gtu", samples,
+          comparison.Measure(ApproximateMethod::kGtu, {.gtu = {.samples = m}}));
+    }
+  }
 }
 
 }  // namespace geodesic::paper

@@ -43,6 +43,8 @@ void RunNeighbours(const Setting& setting);
 void RunMarching(const Setting& setting);
 // The heat method against the time that heat spreads for (Fig. 14).
 void RunHeatTime(const Setting& setting);
+// Error against time for everything that computes a field.
+void RunTradeOff(const Setting& setting);
 
 }  // namespace geodesic::paper
 

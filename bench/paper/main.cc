@@ -23,7 +23,8 @@ int main(int argc, char** argv) {
       {"methods", geodesic::paper::RunMethods},
       {"neighbours", geodesic::paper::RunNeighbours},
       {"marching", geodesic::paper::RunMarching},
-      {"heat-time", geodesic::paper::RunHeatTime}};
+      {"heat-time", geodesic::paper::RunHeatTime},
+      {"trade-off", geodesic::paper::RunTradeOff}};
   std::string experiment;
   std::vector<std::string> files;
   Setting setting;

@@ -14,7 +14,7 @@ fail() {
 }
 
 for experiment in resolution anisotropy models wavefront batch bucket-width \
-  accuracy methods neighbours marching heat-time; do
+  accuracy methods neighbours marching heat-time trade-off; do
   "$paper" "$experiment" --quick >"$folder/$experiment.tsv"
 done
 for experiment in resolution anisotropy models; do
@@ -31,7 +31,8 @@ awk -F'\t' '$5 ~ / to fwp-mmp$/ { ++rows; if (!($7 <= 1e-8)) exit 1 }
 
 command -v gnuplot >/dev/null || exit 0
 for figure in "$plots"/fig*.gp; do
-  complaint=$(gnuplot -e "data = '$folder'; out = '$folder'" \
+  complaint=$(gnuplot \
+    -e "data = '$folder'; out = '$folder'; peers = '$folder/trade-off.tsv'" \
     "$plots/style.gp" "$figure" 2>&1) || fail "$figure: $complaint"
   [ -z "$complaint" ] || fail "$figure: $complaint"
   [ -s "$folder/$(basename "$figure" .gp).png" ] || fail "$figure drew nothing"
