@@ -169,14 +169,18 @@ bool WebCall::Refill() {
   }
   if (is_finished_ && !trailers_sent_) {
     trailers_sent_ = true;
-    outgoing_.emplace_back(TrailerFrame(
-        failure_.value_or(status_),
-        failure_ ? HttpHeaders()
-                 : ToHeaders(context_.GetServerTrailingMetadata())));
+    outgoing_.emplace_back(
+        TrailerFrame(failure_.value_or(status_), Trailers()));
     return true;
   }
   if (!is_reading_ && !is_closed_) ReadNext();
   return false;
+}
+
+HttpHeaders WebCall::Trailers() const {
+  if (!failure_) return ToHeaders(context_.GetServerTrailingMetadata());
+  return {{"grpc-status-details-bin",
+           absl::Base64Escape(failure_->error_details())}};
 }
 
 size_t WebCall::CopyOut(char* out, size_t room) {

@@ -140,6 +140,8 @@ class WebCall final : public Receiver,
   // Moves the message that came, or the trailers, to outgoing_. False if there
   // is nothing to send yet.
   bool Refill();
+  // What follows the status, in the same form whoever found the failure.
+  HttpHeaders Trailers() const;
   size_t CopyOut(char* out, size_t room);
 
   const Context& door_;

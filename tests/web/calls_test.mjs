@@ -104,6 +104,20 @@ test("errors carry their details", async () => {
   assert.equal(absent.findDetails(detail("ResourceInfo"))[0].resourceName, "0".repeat(64));
 });
 
+test("errors that the door finds carry theirs, too", async () => {
+  for (const [body, code, reason] of [
+    [frame(Buffer.alloc(0), 1), Code.Unimplemented, "UNIMPLEMENTED"],
+    [frame(Buffer.alloc(9)).subarray(0, 7), Code.InvalidArgument, "INVALID_REQUEST"],
+    [Buffer.from([0, 255, 255, 255, 255]), Code.ResourceExhausted, "LIMIT_EXCEEDED"],
+  ]) {
+    const clients = connect(server.url, { fetch: (url, init) => fetch(url, { ...init, body }) });
+    const error = await failure(clients.MeshService.getMesh({}));
+    assert.equal(error.code, code);
+    const [info] = error.findDetails(detail("ErrorInfo"));
+    assert.deepEqual([info?.domain, info?.reason], ["geodesic.v1", reason]);
+  }
+});
+
 test("a message beyond ASCII comes through", async () => {
   const error = await failure(connect(server.url).MeshService.getMesh({ digest: "Größe 100 %" }));
   assert.match(error.rawMessage, /Gr/);
