@@ -10,9 +10,10 @@ import { gzipSync } from "node:zlib";
 
 import { apart, isGrey, launch, openPage } from "./browser.mjs";
 import { sphereObj, TWO_SQUARES, TWO_SQUARES_VTP } from "./meshes.mjs";
-import { startServer, startServerOn, writeTokens } from "./server.mjs";
+import { startServer, startServerOn, until, writeTokens } from "./server.mjs";
 
 const SPHERE = sphereObj(24);
+const LARGE_SPHERE = sphereObj(200);
 
 let browser;
 let server;
@@ -344,15 +345,20 @@ test("a file of VTK's XML format is taken", async (t) => {
   assert.deepEqual(viewer.errors, []);
 });
 
-test("a large mesh is drawn decimated while it moves, and asked whole", async (t) => {
+/** A page that shows a sphere of 320,000 faces. */
+async function largeSphere(t) {
   const viewer = await openPage(browser, server.url);
   t.after(() => viewer.close());
   const folder = mkdtempSync(join(tmpdir(), "page-"));
   t.after(() => rmSync(folder, { recursive: true }));
-  const large = sphereObj(200);
-  writeFileSync(join(folder, "sphere.obj"), large);
+  writeFileSync(join(folder, "sphere.obj"), LARGE_SPHERE);
   await viewer.choose(join(folder, "sphere.obj"));
   await viewer.shown("sphere.obj");
+  return viewer;
+}
+
+test("a large mesh is drawn decimated while it moves, and asked whole", async (t) => {
+  const viewer = await largeSphere(t);
   await viewer.settled();
   const [all, drawn] = (await viewer.text("#mesh-size")).match(/\d[\d,]*/g).map((text) => Number(text.replaceAll(",", "")));
   assert.equal(all, 320_000);
@@ -396,6 +402,52 @@ test("a large mesh is drawn decimated while it moves, and asked whole", async (t
   await viewer.click(-0.3, 0.1);
   await viewer.page.waitForSelector("#paths li");
   assert.ok(Math.abs(parseFloat(await viewer.text("#paths li")) - value) < 1e-6 * value);
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a large field is shown nearly right until it is there exactly", async (t) => {
+  const viewer = await largeSphere(t);
+  const asked = [];
+  await viewer.page.route("**/ComputeField", (route) => {
+    // The exact field is the first that is asked for. It has to wait.
+    if (asked.push(route) > 1) void route.continue();
+  });
+  await viewer.click(0.3, 0.2);
+  await viewer.waitForText("#figures", "within 0.1 %");
+  const far = await viewer.at(-0.8, -0.2);
+  assert.ok(!isGrey((await viewer.pictureOnce((picture) => !isGrey(picture.at(far)))).at(far)), "all is coloured");
+  await viewer.move(-0.3, 0.1);
+  assert.ok((await viewer.exactValue()) > 0.5, "paths are exact meanwhile");
+  await viewer.page.locator("#save-npy").evaluate((button) => button.click());
+  await viewer.waitForText("#notice-text", "exact field is still on its way");
+
+  await asked[0].continue();
+  await viewer.solved();
+  assert.doesNotMatch(await viewer.text("#figures"), /within|≈/);
+  const npy = (await viewer.save("#save-npy")).bytes;
+  const head = npy.readUInt16LE(8) + 10;
+  const distances = new Float64Array(npy.buffer.slice(npy.byteOffset + head, npy.byteOffset + npy.length));
+  await viewer.page.locator("#copy-command").evaluate((button) => button.click());
+  const answer = ask(server, t, LARGE_SPHERE, (await viewer.text("#question-text")).split("\n")[0]);
+  assert.equal(answer.certified_error, null);
+  assert.equal(distances.reduce((most, distance) => Math.max(most, distance)), answer.largest_distance);
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("who clicks elsewhere waits for neither of the fields before", async (t) => {
+  const viewer = await largeSphere(t);
+  const asked = [];
+  const stopped = [];
+  viewer.page.on("requestfailed", (request) => stopped.push(request));
+  await viewer.page.route("**/ComputeField", (route) => {
+    if (asked.push(route) > 2) void route.continue();
+  });
+  await viewer.click(0.3, 0.2);
+  await until(() => asked.length === 2);
+  await viewer.page.keyboard.press("s");
+  await viewer.click(-0.3, 0.2);
+  await viewer.solved();
+  for (const route of asked.slice(0, 2)) assert.ok(stopped.includes(route.request()), "it was cancelled");
   assert.deepEqual(viewer.errors, []);
 });
 

@@ -23,6 +23,7 @@ import {
   type SurfacePath,
 } from "./service/questions";
 import { differenceOf, type Difference } from "./surface/difference";
+import { PREVIEW_TOLERANCE, takesPreview } from "./surface/preview";
 import type { SurfaceMesh } from "./surface/mesh";
 import type { Place, Source } from "./surface/place";
 
@@ -35,6 +36,9 @@ const KEPT_FILL = [1, 0.55, 0.26];
 
 /** A path request that takes longer gives way to a newer cursor. */
 const PATH_PATIENCE_MS = 250;
+
+/** An exact field that takes longer is shown nearly right until it is there. */
+const EXACT_PATIENCE_MS = 500;
 
 /** Fields are worth waiting for, even if the source has moved on. */
 const FIELD_PATIENCE_MS = 2000;
@@ -71,7 +75,6 @@ export class Explorer {
   private readonly underCursor = new NewestOnly(PATH_PATIENCE_MS);
   private readonly dragged = new NewestOnly(FIELD_PATIENCE_MS);
   private fieldQuestion = new AbortController();
-  /** Whether a field is on its way. */
   private waiting = false;
   private cursor: Place | undefined;
   private livePath: KeptPath | undefined;
@@ -95,6 +98,11 @@ export class Explorer {
     // Until the whole field is there and swept, or could not be had.
     scene.isWaiting = () => this.waiting;
     scene.isBusy = () => this.waiting || (this.summary !== undefined && this.field?.hasArrived === false);
+  }
+
+  /** Whether an exact field is on its way. */
+  get isWaiting(): boolean {
+    return this.waiting;
   }
 
   show(mesh: SurfaceMesh): void {
@@ -184,22 +192,40 @@ export class Explorer {
     this.waiting = true;
     this.events.changed();
     this.scene.redrawSurface();
+    const question = this.question(mesh);
+    const preview = new AbortController();
+    const timer = setTimeout(() => void this.preview(mesh, question, field, preview.signal), EXACT_PATIENCE_MS);
     try {
-      const question = this.question(mesh);
       const summary = await askField(this.connection, question, (part) => {
         field.add(part.vertices, part.distances);
-        this.scene.redrawSurface();
+        if (!field.isPreview) this.scene.redrawSurface();
       }, abort.signal);
       if (abort.signal.aborted) return;
       this.summary = summary;
       field.finish();
-      this.events.changed();
-      this.scene.redrawSurface();
     } catch (error) {
       this.report(error, () => void this.askField());
     } finally {
+      clearTimeout(timer);
+      preview.abort();
       if (abort === this.fieldQuestion) this.waiting = false;
+      this.events.changed();
       this.scene.redrawSurface();
+    }
+  }
+
+  // Shows the field nearly right, unless the exact one comes first.
+  private async preview(mesh: SurfaceMesh, question: FieldQuestion, field: FieldView, signal: AbortSignal): Promise<void> {
+    if (!takesPreview(mesh, question)) return;
+    try {
+      const { distances } = await askDistances(
+        this.connection, { ...question, tolerance: PREVIEW_TOLERANCE }, mesh.vertexCount, signal);
+      if (signal.aborted) return;
+      field.showPreview(distances);
+      this.events.changed();
+      this.scene.redrawSurface();
+    } catch {
+      // The exact field tells what is wrong.
     }
   }
 

@@ -14,6 +14,7 @@ import { mayBeWhole } from "../scene/detail";
 import type { Scene } from "../scene/scene";
 import type { Connection } from "../service/connection";
 import type { SurfaceMesh } from "../surface/mesh";
+import { PREVIEW_WORDS } from "../surface/preview";
 
 export type Tool = "source" | "path" | "curve";
 
@@ -83,7 +84,7 @@ export class Panel {
   }
 
   update(): void {
-    const { field, sources, summary, paths, samples } = this.explorer;
+    const { field, isWaiting, sources, summary, paths, samples } = this.explorer;
     this.showSize();
     byId("source-count").textContent = countText(sources.length, "source");
     byId("next-step").textContent = this.nextStep();
@@ -93,6 +94,10 @@ export class Panel {
     const coloured = field?.painted === "distances" ? field.largest : 0;
     this.scale.show(field?.isolines ?? { step: 0, perLabel: 1 }, coloured);
     const figures: [string, string][] = [];
+    if (field?.isPreview) {
+      figures.push(["farthest", `≈ ${formatNumber(field.largest, 4)}`]);
+      figures.push(["for now", PREVIEW_WORDS + (isWaiting ? "; the exact field is on its way" : "")]);
+    }
     if (field && summary) {
       figures.push(["farthest", formatNumber(field.largest, 10)]);
       figures.push(["solved in", `${formatNumber(1000 * summary.solveSeconds, 3)} ms`]);

@@ -32,9 +32,10 @@ export class SavePanel {
   }
 
   private saveField(ending: string, write: (distances: Float64Array) => BlobPart[]): void {
-    const { mesh, field, summary, radius } = this.explorer;
+    const { mesh, field, summary, isWaiting, radius } = this.explorer;
     if (!mesh || !field || !summary) {
-      this.notice.hint("There is no field yet: click a point of the surface.");
+      this.notice.hint(
+        isWaiting ? "The exact field is still on its way." : "There is no field yet: click a point of the surface.");
       return;
     }
     const limit = radius ?? Infinity;

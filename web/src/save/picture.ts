@@ -4,6 +4,7 @@ import { cssColor } from "../scene/colormap";
 import type { FieldView } from "../scene/field_view";
 import { scaleLabels } from "../scene/isoline_scale";
 import type { Scene } from "../scene/scene";
+import { PREVIEW_WORDS } from "../surface/preview";
 
 export function drawPicture(scene: Scene, field: FieldView | undefined): Promise<Blob> {
   const picture = scene.takePicture();
@@ -28,4 +29,5 @@ function drawScale(context: CanvasRenderingContext2D, field: FieldView, height: 
     const y = bar.top + bar.height * (1 - at / field.largest);
     context.fillText(text, bar.left + bar.width + 8 * unit, y);
   }
+  if (field.isPreview) context.fillText(PREVIEW_WORDS, bar.left, bar.top + bar.height + 20 * unit);
 }

@@ -18,6 +18,7 @@ export class FieldView {
   largest = 0;
   private readonly drawn: Float32Array;
   private readonly attribute: BufferAttribute;
+  private preview: Float64Array | undefined;
   private complete = false;
   private arrived = false;
   private front = 0;
@@ -65,9 +66,36 @@ export class FieldView {
     this.setFront(Infinity);
   }
 
+  /** Shows these distances where final ones have not come, until all have. */
+  showPreview(distances: Float64Array): void {
+    if (this.complete) return;
+    this.preview = distances;
+    for (let v = 0; v < distances.length; v++) {
+      if (!Number.isFinite(distances[v]) || Number.isFinite(this.distances[v])) continue;
+      this.drawn[v] = distances[v] / this.mesh.radius;
+      this.largest = Math.max(this.largest, distances[v]);
+    }
+    this.attribute.needsUpdate = true;
+    this.setScale();
+  }
+
+  /** Whether some of what is shown is not final. */
+  get isPreview(): boolean {
+    return this.preview !== undefined;
+  }
+
   /** All has come. */
   finish(): void {
     this.complete = true;
+    if (!this.preview) return;
+    this.preview = undefined;
+    this.largest = 0;
+    for (let v = 0; v < this.distances.length; v++) {
+      if (Number.isFinite(this.distances[v])) this.largest = Math.max(this.largest, this.distances[v]);
+      else this.drawn[v] = -1;
+    }
+    this.attribute.needsUpdate = true;
+    this.setScale();
   }
 
   /** Whether the front has come to the end of what there is. */
@@ -82,15 +110,14 @@ export class FieldView {
     // Slow pictures make no slower front.
     const passed = this.lastFrame ? Math.min(now - this.lastFrame, SWEEP_MS) : 16;
     this.lastFrame = now;
+    const before = this.front;
     if (hasten) this.front = end;
     this.front = Math.min(this.front + (end * passed) / SWEEP_MS, end);
-    if (this.complete && this.front >= end) {
-      this.arrived = true;
-      this.setFront(Infinity);
-      return true;
-    }
-    this.setFront(this.front);
-    return true;
+    const hasSwept = this.front >= end;
+    this.arrived = this.complete && hasSwept;
+    // Where a preview has been swept over, final distances change no picture to see.
+    this.setFront(hasSwept && (this.arrived || this.preview) ? Infinity : this.front);
+    return this.preview === undefined || this.front !== before;
   }
 
   /** Colours the cell of each source, by the number of the nearest one. */
@@ -131,7 +158,7 @@ export class FieldView {
     const corners = this.mesh.cornersOf(face);
     // Squares of lengths in the file's unit may overflow.
     const unit = this.mesh.radius;
-    const d = corners.map((vertex) => this.distances[vertex] / unit);
+    const d = corners.map((vertex) => this.shownAt(vertex) / unit);
     let mean = 0;
     for (let i = 0; i < 3; i++) mean += weights[i] * (this.quadratic ? d[i] * d[i] : d[i]);
     if (!this.quadratic || !Number.isFinite(mean)) return mean * unit;
@@ -142,6 +169,11 @@ export class FieldView {
       mean -= weights[i] * weights[j] * side * side;
     }
     return Math.sqrt(Math.max(mean, 0)) * unit;
+  }
+
+  private shownAt(vertex: number): number {
+    const distance = this.distances[vertex];
+    return distance === Infinity && this.preview ? this.preview[vertex] : distance;
   }
 
   get isolines(): IsolineScale {

@@ -13,6 +13,8 @@ export interface FieldQuestion {
   sources: readonly Source[];
   algorithm: Algorithm;
   radius?: number;
+  /** The largest relative error that distances may have; nothing for exact ones. */
+  tolerance?: number;
 }
 
 /** Vertices whose distances are final. */
@@ -69,7 +71,7 @@ export async function askDistances(
   const distances = new Float64Array(vertexCount);
   let summary: FieldSummary | undefined;
   const stream = connection.fields.computeField(
-    { ...shared(question), radius: question.radius },
+    { ...shared(question), radius: question.radius, tolerance: question.tolerance },
     about(question.digest, signal),
   );
   for await (const { part } of stream) {
