@@ -3,11 +3,14 @@
 import { readFileSync } from "node:fs";
 import { chromium } from "playwright-core";
 
-export function launch() {
+/** WebGL without a graphics processor. */
+const DRAWS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+export const DRAWS_NOTHING = ["--disable-3d-apis"];
+
+export function launch(drawing = DRAWS) {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    // WebGL without a graphics processor.
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+    args: ["--no-sandbox", ...drawing],
   });
 }
 

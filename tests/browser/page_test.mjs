@@ -1,14 +1,14 @@
 // What a user does on the page, and what must then be seen.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
 
-import { apart, isGrey, launch, openPage } from "./browser.mjs";
+import { apart, DRAWS_NOTHING, isGrey, launch, openPage } from "./browser.mjs";
 import { sphereObj, TWO_SQUARES, TWO_SQUARES_VTP } from "./meshes.mjs";
 import { startServer, startServerOn, until, writeTokens } from "./server.mjs";
 
@@ -136,11 +136,20 @@ test("the exact path follows the cursor, and a click keeps it", async (t) => {
   await viewer.page.waitForSelector("#paths li");
   const length = parseFloat(await viewer.text("#paths li"));
   assert.ok(Math.abs(length - value) < 1e-6 * value, `${length} ${value}`);
+  const label = viewer.page.locator("#labels span");
+  assert.equal(parseFloat(await label.textContent()), Number(length.toPrecision(6)));
+  const [box, end] = [await label.boundingBox(), await viewer.at(0.5, 0.25)];
+  assert.ok(Math.hypot(box.x - end[0], box.y + box.height / 2 - end[1]) < 30, "the length stands beside the end");
   await viewer.move(-0.5, 0.4);
   await viewer.exactValue();
   picture = await viewer.picture();
   const [red, green, blue] = picture.at(between);
   assert.ok(red > 200 && green > 100 && blue < 130, `the kept path is orange: ${red} ${green} ${blue}`);
+
+  for (let i = 0; i < 26; i++) await viewer.page.keyboard.press("ArrowLeft");
+  await label.waitFor({ state: "detached" });  // The ball hides it.
+  for (let i = 0; i < 26; i++) await viewer.page.keyboard.press("ArrowRight");
+  await label.waitFor();
 
   // The command finds the same, asked as the page says.
   await viewer.page.locator("#copy-command").evaluate((button) => button.click());
@@ -475,6 +484,85 @@ test("a bad file is refused in words", async (t) => {
   // What was there goes on.
   await viewer.click(0, 0);
   await viewer.solved();
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a choice that is none, and counts and places that are none, are no questions", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(0, 0);
+  await viewer.solved();
+  const calls = [];
+  viewer.page.on("request", (request) => calls.push(request.url().split("/").pop()));
+  const digest = await viewer.page.locator("#meshes").inputValue();
+  await viewer.page.selectOption("#meshes", "");
+  assert.equal(await viewer.page.locator("#meshes").inputValue(), digest);
+  await viewer.page.locator("#sample-count").evaluate((input) => input.closest("details").open = true);
+  for (const count of ["-5", "0", "2.5", ""]) {
+    await viewer.page.fill("#sample-count", count);
+    await viewer.page.click("#sample");
+  }
+  assert.ok(await viewer.page.locator("#notice").isHidden());
+  await viewer.page.evaluate(() => (location.hash += "&source=99999999"));
+  await viewer.waitForText("#notice-text", "no place of this mesh");
+  // The source that is one is asked for.
+  await viewer.solved();
+  assert.deepEqual(new Set(calls), new Set(["ComputeField"]));
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a server that is full is asked again", async (t) => {
+  const full = await startServer("--threads", "1", "--max-queued-jobs", "0");
+  t.after(() => full.stop());
+  const viewer = await openPage(browser, full.url);
+  t.after(() => viewer.close());
+  await viewer.drop("sphere.obj", SPHERE);
+  await viewer.shown("sphere.obj");
+  // Thousands of rows: work for minutes, until it is stopped.
+  const folder = mkdtempSync(join(tmpdir(), "page-"));
+  t.after(() => rmSync(folder, { recursive: true }));
+  writeFileSync(join(folder, "other.obj"), sphereObj(50));
+  writeFileSync(join(folder, "rows.txt"), Array.from({ length: 10_000 }, (_, i) => `${i}\n`).join(""));
+  const matrix = spawn(process.env.GEODESIC, ["--server", `127.0.0.1:${full.grpcPort}`, "matrix", "other.obj",
+    "--sources", "rows.txt", "-o", "m.npy"], { cwd: folder, stdio: "ignore" });
+  const ended = new Promise((resolve) => matrix.on("exit", resolve));
+  t.after(() => matrix.kill());
+  await until(async () => {
+    await viewer.page.keyboard.press("s");
+    await viewer.click(0, 0);
+    return full.log.some((line) => line.includes("method=ComputeField") && line.includes("reason=QUEUE_FULL"));
+  });
+  await viewer.waitForText("#notice-text", "asks again");
+  matrix.kill();
+  await ended;
+  await viewer.solved();
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a browser that cannot draw says so", async (t) => {
+  const blind = await launch(DRAWS_NOTHING);
+  t.after(() => blind.close());
+  const viewer = await openPage(blind, server.url);
+  await viewer.waitForText("#notice-text", "no WebGL 2");
+});
+
+test("a picture that the graphics processor lost comes back", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(0, 0);
+  await viewer.solved();
+  await viewer.settled();
+  const places = await Promise.all([[0.3, 0.3], [-0.6, 0.2], [0, 0]].map(([x, y]) => viewer.at(x, y)));
+  const colours = (picture) => JSON.stringify(places.map((place) => picture.at(place)));
+  const before = colours(await viewer.picture());
+  const whenLost = viewer.page.evaluate(() => {
+    const canvas = document.getElementById("picture");
+    window.context = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+    const lost = new Promise((resolve) => canvas.addEventListener("webglcontextlost", resolve, { once: true }));
+    window.context.loseContext();
+    return lost.then(() => undefined);
+  });
+  await whenLost;
+  await viewer.page.evaluate(() => window.context.restoreContext());
+  assert.equal(colours(await viewer.pictureOnce((picture) => colours(picture) === before)), before);
   assert.deepEqual(viewer.errors, []);
 });
 

@@ -3,7 +3,7 @@
 
 import type { Explorer } from "./explorer";
 import type { SurfaceMesh } from "./surface/mesh";
-import { commandText, parsePlace, type Source } from "./surface/place";
+import { commandText, parsePlace, type Place, type Source } from "./surface/place";
 
 const TOKEN_KEY = "geodesic.token";
 
@@ -15,31 +15,32 @@ export class Address {
   /** The mesh's digest, or empty. */
   mesh = "";
   token = "";
-  /** What is wrong with it, in words. */
-  problem: string | undefined;
   private sources: string[] = [];
 
-  constructor() {
+  /** `wrong` is told what is wrong with it, in words. */
+  constructor(private readonly wrong: (problem: string) => void) {
     this.read();
   }
 
-  /** Takes over what the address says now. */
-  read(): void {
+  /** Takes over what the address says now; whether nothing is wrong with it. */
+  read(): boolean {
     const parts = new URLSearchParams(location.hash.slice(1));
     const mesh = parts.get("mesh") ?? "";
     const token = parts.get("token");
     this.mesh = DIGEST.test(mesh) ? mesh : "";
     this.sources = parts.getAll("source");
-    this.problem = undefined;
-    if (mesh && !this.mesh) this.problem = "The address names no mesh: a mesh has 64 digits and letters from a to f.";
+    let problem: string | undefined;
+    if (mesh && !this.mesh) problem = "The address names no mesh: a mesh has 64 digits and letters from a to f.";
     if (token && TOKEN.test(token)) this.keepToken(token);
-    else if (token) this.problem = "The token in the address is none: it has letters, digits and signs only.";
+    else if (token) problem = "The token in the address is none: it has letters, digits and signs only.";
     this.token = sessionStorage.getItem(TOKEN_KEY) ?? "";
     if (token !== null) {
       // Addresses are shown, kept and passed on; tokens should not be.
       parts.delete("token");
       history.replaceState(null, "", `#${parts}`);
     }
+    if (problem) this.wrong(problem);
+    return !problem;
   }
 
   /** Until this tab is closed. */
@@ -50,8 +51,10 @@ export class Address {
   /** The sources that the address named, if it named this mesh. */
   sourcesOn(mesh: SurfaceMesh): Source[] {
     if (mesh.digest !== this.mesh) return [];
-    const places = this.sources.splice(0).map(parsePlace);
-    return places.filter((place) => place !== undefined).filter((place) => mesh.holds(place));
+    const named = this.sources.splice(0);
+    const places = named.map(parsePlace).filter((place) => place !== undefined && mesh.holds(place)) as Place[];
+    if (places.length < named.length) this.wrong("The address names a source that is no place of this mesh.");
+    return places;
   }
 
   show(explorer: Explorer): void {

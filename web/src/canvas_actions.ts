@@ -1,6 +1,6 @@
 // What clicks, moves, drags and keys on the picture do.
 
-import type { Vector3 } from "three";
+import { Vector2, type Vector3 } from "three";
 import type { Explorer } from "./explorer";
 import { byId } from "./panel/elements";
 import type { Panel } from "./panel/panel";
@@ -19,7 +19,16 @@ const GRAB_PIXELS = 12;
 /** A turn of the wheel changes the radius by this share of the largest distance. */
 const WHEEL_SHARE = 0.03;
 
-export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): { show(mesh: SurfaceMesh): void } {
+/** Points that are so far behind what is picked are seen, on the screen's scale. */
+const PICK_ERROR = 2e-3;
+
+export interface WiredCanvas {
+  show(mesh: SurfaceMesh): void;
+  /** Whether nothing hides a point of the surface. */
+  isSeen(point: Vector3): boolean;
+}
+
+export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): WiredCanvas {
   const canvas = byId<HTMLCanvasElement>("picture");
   let picker: Picker | undefined;
   let sketch: { place: Place; point: Vector3 }[] = [];
@@ -100,5 +109,14 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): { sh
     event.preventDefault();
     action();
   });
-  return { show: (mesh) => (picker = new Picker(mesh)) };
+  return {
+    show: (mesh) => (picker = new Picker(mesh)),
+    isSeen: (point) => {
+      const { camera } = scene;
+      const { x, y } = point.clone().project(camera);
+      const hit = picker?.pick(new Vector2(x, y), camera);
+      const isBefore = hit && hit.point.distanceTo(camera.position) < point.distanceTo(camera.position) - PICK_ERROR;
+      return !isBefore;
+    },
+  };
 }

@@ -52,7 +52,7 @@ export interface ExplorerEvents {
   changed(): void;
   /** The distance under the cursor; exact once its path has come. */
   value(distance: number | undefined, exact: boolean): void;
-  /** A question failed; `again` asks it anew. */
+  /** A question failed; `again` asks it anew, if nothing else is asked by then. */
   failed(error: unknown, again: () => void): void;
 }
 
@@ -204,7 +204,9 @@ export class Explorer {
       this.summary = summary;
       field.finish();
     } catch (error) {
-      this.report(error, () => void this.askField());
+      this.report(error, () => {
+        if (abort === this.fieldQuestion) void this.askField();
+      });
     } finally {
       clearTimeout(timer);
       preview.abort();
@@ -418,7 +420,11 @@ export class Explorer {
       this.scene.draw();
       performance.measure("path under the cursor", { start: since, end: performance.now() });
     } catch (error) {
-      this.report(error, () => undefined);
+      this.report(error, () => {
+        if (mesh === this.mesh && target === this.cursor) {
+          this.underCursor.ask((again) => this.lead(mesh, target, since, again));
+        }
+      });
     }
   }
 
@@ -491,6 +497,13 @@ export class Explorer {
   sourcesOnScreen(): (Vector3 | undefined)[] {
     const { mesh } = this;
     return this.sources.map((source) => (mesh && !("curve" in source) ? this.onScreen(mesh, [source])[0] : undefined));
+  }
+
+  /** Where kept paths end, on the screen's scale, and how long they are. */
+  pathEnds(): { point: Vector3; length: number }[] {
+    const { mesh } = this;
+    if (!mesh) return [];
+    return this.paths.map(({ target, length }) => ({ point: this.onScreen(mesh, [target])[0], length }));
   }
 
   private onScreen(mesh: SurfaceMesh, places: readonly Place[]): Vector3[] {

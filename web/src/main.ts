@@ -4,30 +4,34 @@ import { Explorer } from "./explorer";
 import { MeshChooser } from "./panel/mesh_chooser";
 import { Notice } from "./panel/notice";
 import { Panel } from "./panel/panel";
+import { PathLabels } from "./panel/path_labels";
 import { Recovery } from "./panel/recovery";
 import { Theme } from "./panel/theme";
 import { byId } from "./panel/elements";
-import { Scene } from "./scene/scene";
+import { NO_WEBGL, Scene } from "./scene/scene";
 import type { SurfaceMesh } from "./surface/mesh";
 import { Connection } from "./service/connection";
 import { wireCanvas } from "./canvas_actions";
 import { Address } from "./address";
 
-const address = new Address();
-const scene = new Scene(byId<HTMLCanvasElement>("picture"));
+const notice = new Notice();
+const address = new Address((problem) => notice.error(problem));
+const scene = openScene();
 const theme = new Theme((dark, background) => scene.setBackground(background, dark));
 const connection = new Connection(location.origin, address.token);
-const notice = new Notice();
 const recovery = new Recovery(connection, notice, (token) => address.keepToken(token));
 const explorer: Explorer = new Explorer(scene, connection, {
   changed: () => {
     panel.update();
+    labels.update();
     address.show(explorer);
   },
   value: (distance, exact) => panel.value(distance, exact),
   failed: (error, again) => recovery.handle(error, again, chooser.uploadAgain()),
 });
-const panel = new Panel(explorer, scene, connection, notice, theme);
+const labels = new PathLabels(explorer, scene, (point) => canvas.isSeen(point));
+scene.onSurface = () => labels.update();
+const panel = new Panel(explorer, scene, connection, notice, theme, labels);
 const open = (mesh: SurfaceMesh) => {
   explorer.show(mesh);
   canvas.show(mesh);
@@ -41,16 +45,25 @@ void recovery.attempt(async () => {
   await panel.showCapabilities();
   await chooser.list();
   if (address.mesh) await chooser.openDigest(address.mesh);
-  if (address.problem) notice.error(address.problem);
 });
 
 // An address that is typed or pasted into the tab, or gone back to.
 addEventListener("hashchange", () => {
   const { token } = connection;
-  address.read();
+  const isGood = address.read();
   if (address.token !== token) recovery.goOnWith(address.token);
   const { mesh } = explorer;
-  if (address.problem) notice.error(address.problem);
-  else if (mesh && mesh.digest === address.mesh) void explorer.setSources(address.sourcesOn(mesh));
+  if (!isGood) return;
+  if (mesh && mesh.digest === address.mesh) void explorer.setSources(address.sourcesOn(mesh));
   else if (address.mesh) void recovery.attempt(() => chooser.openDigest(address.mesh));
 });
+
+function openScene(): Scene {
+  try {
+    return new Scene(byId<HTMLCanvasElement>("picture"));
+  } catch (error) {
+    byId("welcome").hidden = true;
+    notice.error(NO_WEBGL);
+    throw error;
+  }
+}

@@ -10,14 +10,14 @@ import { Theme } from "./panel/theme";
 import { listenToPointer } from "./pointer";
 import { Dots } from "./scene/dots";
 import { FieldView } from "./scene/field_view";
-import { Scene } from "./scene/scene";
+import { NO_WEBGL, Scene } from "./scene/scene";
 import { SurfaceMesh } from "./surface/mesh";
 import { Picker } from "./surface/picking";
 
 function show(): void {
   const answer = readEmbedded(byId("answer").textContent ?? "");
   const canvas = byId<HTMLCanvasElement>("picture");
-  const scene = new Scene(canvas);
+  const scene = openScene(canvas);
   const theme = new Theme((dark, background) => scene.setBackground(background, dark));
   onClick("theme", () => theme.toggle());
   const mesh = new SurfaceMesh(answer.arrays, answer.digest, answer.name);
@@ -77,6 +77,15 @@ function show(): void {
     if (event.key === "t") theme.toggle();
     if (event.key === "l") scene.lookAtAll();
   });
+}
+
+function openScene(canvas: HTMLCanvasElement): Scene {
+  try {
+    return new Scene(canvas);
+  } catch (error) {
+    byId("mesh-size").textContent = NO_WEBGL;
+    throw error;
+  }
 }
 
 show();

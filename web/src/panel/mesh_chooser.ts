@@ -33,6 +33,10 @@ export class MeshChooser {
       this.input.value = "";
     });
     this.select.addEventListener("change", () => {
+      if (!this.select.value) {
+        this.select.value = this.shown;
+        return;
+      }
       this.file = undefined;
       void this.recovery.attempt(() => this.openDigest(this.select.value));
     });

@@ -7,6 +7,7 @@ import type { Explorer } from "../explorer";
 import { byId, onClick } from "./elements";
 import { formatCount, formatNumber } from "./format";
 import type { Notice } from "./notice";
+import type { PathLabels } from "./path_labels";
 import { SavePanel } from "./save_panel";
 import { ScaleBar } from "./scale_bar";
 import type { Theme } from "./theme";
@@ -36,12 +37,16 @@ export class Panel {
     private readonly connection: Connection,
     notice: Notice,
     private readonly theme: Theme,
+    labels: PathLabels,
   ) {
-    new SavePanel(explorer, scene, notice, () => this.algorithmName());
+    new SavePanel(explorer, scene, notice, labels, () => this.algorithmName());
     onClick("theme", () => theme.toggle());
     onClick("help", () => this.help());
     onClick("clear", () => this.clear());
-    onClick("sample", () => void explorer.sample(Number(byId<HTMLInputElement>("sample-count").value)));
+    onClick("sample", () => {
+      const count = byId<HTMLInputElement>("sample-count");
+      if (count.reportValidity()) void explorer.sample(count.valueAsNumber);
+    });
     onClick("compare", () => void this.compare());
     this.isolines.addEventListener("change", () => this.showIsolines());
     this.cells.addEventListener("change", () => void explorer.showCells(this.cells.checked));
@@ -182,7 +187,7 @@ export class Panel {
   private showSize(): void {
     const { mesh } = this.explorer;
     if (!mesh) return;
-    const faces = `${formatCount(mesh.faceCount)} faces`;
+    const faces = countText(mesh.faceCount, "face");
     const coarse = mesh.coarse?.index ? formatCount(mesh.coarse.index.count / 3) : undefined;
     const when = mayBeWhole(mesh) ? " while it moves" : "";
     byId("mesh-size").textContent = coarse ? `${faces}, ${coarse} drawn${when}` : faces;

@@ -1,14 +1,18 @@
 // What is done when the server refuses or does not answer: says so, asks for a
-// token, waits until the server is back, or uploads the mesh again; and then
-// asks the question again.
+// token, waits until the server is back or less busy, or uploads the mesh again;
+// and then asks the question again.
 
 import type { Connection } from "../service/connection";
-import { explain, kindOf } from "../service/errors";
+import { explain, kindOf, retryAfter } from "../service/errors";
 import type { Notice } from "./notice";
 import { TokenDialog } from "./token_dialog";
 
 const FIRST_PAUSE_MS = 500;
 const LONGEST_PAUSE_MS = 5000;
+/** A server that is full is asked again after what it says, and no sooner than this. */
+const FULL_PAUSE_MS = 250;
+/** Nobody waits longer for that without being told the reason. */
+const LONGEST_FULL_MS = 10_000;
 
 export class Recovery {
   private again: (() => void) | undefined;
@@ -38,7 +42,9 @@ export class Recovery {
     try {
       await work();
     } catch (error) {
-      this.handle(error, () => void this.attempt(work));
+      // Who is told that a file has no room knows when to send it again.
+      if (kindOf(error) === "full") this.notice.error(explain(error));
+      else this.handle(error, () => void this.attempt(work));
     }
   }
 
@@ -63,9 +69,22 @@ export class Recovery {
         }
         this.notice.error(`${explain(error)} Open its file again.`);
         return;
+      case "full":
+        this.waitForRoom(error, again);
+        return;
       default:
         this.notice.error(explain(error));
     }
+  }
+
+  private waitForRoom(error: unknown, again: () => void): void {
+    const pause = Math.max(retryAfter(error) ?? 0, FULL_PAUSE_MS);
+    if (pause > LONGEST_FULL_MS) {
+      this.notice.error(explain(error));
+      return;
+    }
+    this.notice.hint("The server has much to do. This page asks again.", 2 * pause);
+    setTimeout(again, pause);
   }
 
   private async waitForServer(): Promise<void> {

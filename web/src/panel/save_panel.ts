@@ -3,6 +3,7 @@
 import type { Explorer } from "../explorer";
 import { byId, onClick } from "./elements";
 import type { Notice } from "./notice";
+import type { PathLabels } from "./path_labels";
 import { download, stem } from "../save/download";
 import { csv, npy, ply } from "../save/field_files";
 import { pathsObj } from "../save/path_files";
@@ -15,6 +16,7 @@ export class SavePanel {
     private readonly explorer: Explorer,
     private readonly scene: Scene,
     private readonly notice: Notice,
+    private readonly labels: PathLabels,
     private readonly algorithmName: () => string | undefined,
   ) {
     onClick("save-picture", () => void this.savePicture());
@@ -28,7 +30,7 @@ export class SavePanel {
 
   private async savePicture(): Promise<void> {
     const { mesh, field } = this.explorer;
-    if (mesh) download(`${stem(mesh.name)}.png`, await drawPicture(this.scene, field));
+    if (mesh) download(`${stem(mesh.name)}.png`, await drawPicture(this.scene, field, this.labels));
   }
 
   private saveField(ending: string, write: (distances: Float64Array) => BlobPart[]): void {

@@ -1,15 +1,17 @@
-// The picture as it is on the screen, with its scale.
+// The picture as it is on the screen, with its scale and the lengths of paths.
 
 import { cssColor } from "../scene/colormap";
+import type { PathLabels } from "../panel/path_labels";
 import type { FieldView } from "../scene/field_view";
 import { scaleLabels } from "../scene/isoline_scale";
 import type { Scene } from "../scene/scene";
 import { PREVIEW_WORDS } from "../surface/preview";
 
-export function drawPicture(scene: Scene, field: FieldView | undefined): Promise<Blob> {
+export function drawPicture(scene: Scene, field: FieldView | undefined, labels: PathLabels): Promise<Blob> {
   const picture = scene.takePicture();
   const context = picture.getContext("2d");
   if (context && field) drawScale(context, field, picture.height);
+  if (context) labels.drawOn(context, scene.pixelRatio.value);
   return new Promise((resolve, reject) =>
     picture.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The picture could not be made."))), "image/png"),
   );

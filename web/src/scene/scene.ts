@@ -52,6 +52,9 @@ const LONGEST_FRAME_MS = 2000;
 /** For so many times as long as a slow picture took nothing is drawn, but no longer than this. */
 const WAITING_SHARE = 3;
 const LONGEST_PAUSE_MS = 600;
+/** Said where no picture can be made. */
+export const NO_WEBGL =
+  "This browser cannot draw meshes: it has no WebGL 2. Turn its hardware acceleration on, or take another browser.";
 /** Room around the mesh. */
 const MARGIN = 1.08;
 
@@ -69,6 +72,8 @@ export class Scene {
   onFrame: (milliseconds: number) => boolean = () => false;
   /** Whether the surface is about to change, even if it has not for a while. */
   isBusy: () => boolean = () => false;
+  /** The surface was drawn, perhaps from elsewhere. */
+  onSurface: () => void = () => undefined;
   /** Whether somebody else, on the same machine perhaps, works on what comes next. */
   isWaiting: () => boolean = () => false;
 
@@ -91,6 +96,7 @@ export class Scene {
   private lastFrame = 0;
   private pause: ReturnType<typeof setTimeout> | undefined;
 
+  /** Throws if the browser has no WebGL 2. */
   constructor(private readonly canvas: HTMLCanvasElement) {
     // All colours here are those of the screen already.
     ColorManagement.enabled = false;
@@ -113,6 +119,8 @@ export class Scene {
     this.controls.minDistance = 0.02;
     this.controls.maxDistance = 12;
     this.controls.addEventListener("change", () => this.redrawSurface());
+    // A graphics processor that was away comes back empty.
+    canvas.addEventListener("webglcontextrestored", () => this.redrawSurface());
     new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
   }
@@ -246,6 +254,7 @@ export class Scene {
     this.surfaceIsStale = false;
     if (this.mesh) this.detail.drawn(this.mesh, this.isBusy());
     document.documentElement.dataset.detail = this.mesh ? this.detail.name(this.mesh) : "";
+    this.onSurface();
   }
 
   private resize(): void {

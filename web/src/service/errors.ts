@@ -2,7 +2,7 @@
 
 import { Code, ConnectError } from "@connectrpc/connect";
 
-export type ErrorKind = "cancelled" | "token" | "gone" | "forgotten" | "refused";
+export type ErrorKind = "cancelled" | "token" | "gone" | "forgotten" | "full" | "refused";
 
 export function kindOf(error: unknown): ErrorKind {
   if (error instanceof DOMException && error.name === "AbortError") return "cancelled";
@@ -19,10 +19,18 @@ export function kindOf(error: unknown): ErrorKind {
       return "gone";
     case Code.NotFound:
       return "forgotten";
+    case Code.ResourceExhausted:
+      return retryAfter(error) === undefined ? "refused" : "full";
     default:
       // A fetch that failed, or a stream that broke off.
       return error.code === Code.Unknown ? "gone" : "refused";
   }
+}
+
+/** In how many milliseconds a server that is full may be asked again; nothing if that is no use. */
+export function retryAfter(error: unknown): number | undefined {
+  const text = error instanceof ConnectError ? error.metadata.get("grpc-retry-pushback-ms") : null;
+  return text !== null && /^\d+$/.test(text) ? Number(text) : undefined;
 }
 
 export function explain(error: unknown): string {
