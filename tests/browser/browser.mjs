@@ -68,6 +68,11 @@ export class Viewer {
     await this.page.waitForFunction(() => document.documentElement.dataset.sweep === "done", null, { timeout });
   }
 
+  /** Waits until a front has come over all of the surface, be the field exact yet or not. */
+  swept(timeout = 120_000) {
+    return this.page.waitForFunction(() => document.documentElement.dataset.sweep, null, { timeout });
+  }
+
   /** Waits until the picture is still, and drawn as finely as it will be. */
   settled(timeout = 120_000) {
     return this.page.waitForFunction(() => ["whole", "always coarse"].includes(document.documentElement.dataset.detail), null, { timeout });

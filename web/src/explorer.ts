@@ -92,7 +92,7 @@ export class Explorer {
     scene.overlay.add(this.live, this.sketch, this.sampleDots, this.dots);
     scene.onFrame = (now) => {
       const moved = this.field?.advance(now, this.still.matches) ?? false;
-      document.documentElement.dataset.sweep = this.field?.hasArrived ? "done" : "";
+      document.documentElement.dataset.sweep = this.field?.hasArrived ? "done" : this.field?.hasSwept ? "preview" : "";
       return moved;
     };
     // Until the whole field is there and swept, or could not be had.

@@ -21,6 +21,7 @@ export class FieldView {
   private preview: Float64Array | undefined;
   private complete = false;
   private arrived = false;
+  private swept = false;
   private front = 0;
   private lastFrame = 0;
 
@@ -103,6 +104,11 @@ export class FieldView {
     return this.arrived;
   }
 
+  /** Whether it has come over all of the surface, be it over what is not final. */
+  get hasSwept(): boolean {
+    return this.swept;
+  }
+
   /** Moves the front; returns whether the picture is another one now. */
   advance(now: number, hasten: boolean): boolean {
     if (this.arrived) return false;
@@ -113,10 +119,10 @@ export class FieldView {
     const before = this.front;
     if (hasten) this.front = end;
     this.front = Math.min(this.front + (end * passed) / SWEEP_MS, end);
-    const hasSwept = this.front >= end;
-    this.arrived = this.complete && hasSwept;
+    this.swept = this.front >= end && (this.complete || this.preview !== undefined);
+    this.arrived = this.complete && this.swept;
     // Where a preview has been swept over, final distances change no picture to see.
-    this.setFront(hasSwept && (this.arrived || this.preview) ? Infinity : this.front);
+    this.setFront(this.swept ? Infinity : this.front);
     return this.preview === undefined || this.front !== before;
   }
 
