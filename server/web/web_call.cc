@@ -10,6 +10,7 @@
 #include "absl/strings/escaping.h"
 #include "absl/strings/string_view.h"
 #include "server/rpc/calls/request_log.h"
+#include "server/rpc/calls/streams_requests.h"
 
 namespace geodesic::server {
 namespace {
@@ -29,6 +30,7 @@ WebCall::~WebCall() {
 void WebCall::Start(const std::string& method) {
   std::lock_guard lock(mutex_);
   self_ = shared_from_this();
+  streams_requests_ = StreamsRequests(method);
   stream_ = door_.queue.Enter(context_, method);
   stream_->StartCall(Begin(started_));
 }
@@ -286,6 +288,11 @@ void WebCall::OnFinished(bool) {
   const auto self = shared_from_this();
   std::lock_guard lock(mutex_);
   is_finished_ = true;
+  // gRPC 1.51 keeps both ends of a call in a process (26 KB) as long as the
+  // channel lives if the server's status comes before the end of the request.
+  // Of two ends that are open yet, a late cancellation closes both; so the end
+  // of a request is told only if the server waits for it.
+  context_.TryCancel();
   Wake();
   Done();
 }
@@ -324,7 +331,8 @@ void WebCall::Forward() {
     ++messages_;
     request_ = reader_.TakeMessage();
     stream_->Write(request_, Begin(written_));
-  } else if (body_ended_ && !ended_writes_) {
+  } else if (body_ended_ && !ended_writes_ &&
+             (streams_requests_ || messages_ == 0)) {
     ended_writes_ = true;
     stream_->WritesDone(Begin(writes_ended_));
   }

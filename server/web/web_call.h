@@ -172,6 +172,7 @@ class WebCall final : public Receiver,
   grpc::ByteBuffer request_;  // while it is written
   bool is_writing_ = true;    // or not started yet
   bool body_ended_ = false;
+  bool streams_requests_ = false;
   bool ended_writes_ = false;
 
   grpc::ByteBuffer response_;

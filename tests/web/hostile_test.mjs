@@ -11,7 +11,7 @@ import { create, toBinary } from "@bufbuild/protobuf";
 
 import { connect, frame, message, upload, uploadFrames } from "./client.mjs";
 import { asArrays, bumpyGrid, planarGrid } from "./grid.mjs";
-import { startServer, until } from "./server.mjs";
+import { startServer, until, writeTokens } from "./server.mjs";
 
 // Short, so that what is late is late soon.
 const PATIENCE = 2;
@@ -193,6 +193,46 @@ function residentBytes(of = server) {
   const status = readFileSync(`/proc/${of.process.pid}/status`, "latin1");
   return 1024 * Number(status.match(/VmRSS:\s+(\d+) kB/)[1]);
 }
+
+test("calls leave nothing behind, however they end", { timeout: 240_000 }, async () => {
+  const tokens = writeTokens({ ada: ["right-token", ["read", "upload"]] });
+  const guarded = await startServer("--token-file", tokens.path);
+  try {
+    const small = asArrays(bumpyGrid(4));
+    const uploaded = Buffer.concat(uploadFrames(small.header, small.bytes));
+    const right = { authorization: "Bearer right-token" };
+    const none = frame(Buffer.alloc(0));
+    const kinds = {
+      served: ["geodesic.v1.CapabilitiesService/GetCapabilities", none, right],
+      "with a message too many": ["geodesic.v1.CapabilitiesService/GetCapabilities", Buffer.concat([none, none]), right],
+      "without a token": ["geodesic.v1.CapabilitiesService/GetCapabilities", none, {}],
+      "of no method": ["geodesic.v1.Nothing/Nothing", none, right],
+      "without a message": ["geodesic.v1.MeshService/GetMesh", Buffer.alloc(0), right],
+      malformed: ["geodesic.v1.MeshService/GetMesh", Buffer.from([0, 0, 0, 0, 9]), right],
+      late: ["geodesic.v1.CapabilitiesService/GetCapabilities", none, { ...right, "grpc-timeout": "1n" }],
+      uploaded: ["geodesic.v1.MeshService/CreateMesh", uploaded, right],
+      "uploaded without a token": ["geodesic.v1.MeshService/CreateMesh", uploaded, {}],
+    };
+    for (const [kind, [path, body, headers]] of Object.entries(kinds)) {
+      const ask = async (count) => {
+        for (let i = 0; i < count; ++i) {
+          const answer = await fetch(`${guarded.url}/${path}`, { method: "POST", body,
+            headers: { "content-type": "application/grpc-web+proto", ...headers } });
+          assert.equal(answer.status, 200);
+          await answer.arrayBuffer();
+        }
+      };
+      await ask(200);
+      const before = residentBytes(guarded);
+      await ask(1000);
+      const more = residentBytes(guarded) - before;
+      assert.ok(more < 10e6, `calls ${kind}: ${more} bytes more after 1000`);
+    }
+  } finally {
+    await guarded.stop();
+    tokens.remove();
+  }
+});
 
 test("500 browsers that do not read harm nobody", { timeout: 240_000 }, async () => {
   const patient = await startServer();
