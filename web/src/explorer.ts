@@ -37,9 +37,6 @@ const KEPT_FILL = [1, 0.55, 0.26];
 /** A path request that takes longer gives way to a newer cursor. */
 const PATH_PATIENCE_MS = 250;
 
-/** An exact field that takes longer is shown nearly right until it is there. */
-const EXACT_PATIENCE_MS = 500;
-
 /** Fields are worth waiting for, even if the source has moved on. */
 const FIELD_PATIENCE_MS = 2000;
 
@@ -193,9 +190,9 @@ export class Explorer {
     this.events.changed();
     this.scene.redrawSurface();
     const question = this.question(mesh);
-    const preview = new AbortController();
-    const timer = setTimeout(() => void this.preview(mesh, question, field, preview.signal), EXACT_PATIENCE_MS);
     try {
+      // Not both at once: they would share the server's processors.
+      if (takesPreview(mesh, question)) await this.preview(mesh, question, field, abort.signal);
       const summary = await askField(this.connection, question, (part) => {
         field.add(part.vertices, part.distances);
         if (!field.isPreview) this.scene.redrawSurface();
@@ -208,17 +205,14 @@ export class Explorer {
         if (abort === this.fieldQuestion) void this.askField();
       });
     } finally {
-      clearTimeout(timer);
-      preview.abort();
       if (abort === this.fieldQuestion) this.waiting = false;
       this.events.changed();
       this.scene.redrawSurface();
     }
   }
 
-  // Shows the field nearly right, unless the exact one comes first.
+  // Shows the field nearly right.
   private async preview(mesh: SurfaceMesh, question: FieldQuestion, field: FieldView, signal: AbortSignal): Promise<void> {
-    if (!takesPreview(mesh, question)) return;
     try {
       const { distances } = await askDistances(
         this.connection, { ...question, tolerance: PREVIEW_TOLERANCE }, mesh.vertexCount, signal);
