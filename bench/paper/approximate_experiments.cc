@@ -64,11 +64,10 @@ class Comparison {
 
   // Of an exact algorithm, or of fwp-list within a tolerance.
   MethodCost Measure(Algorithm algorithm, double tolerance) {
-    const ValidQuery query = *ValidQuery::Make(
-        {.sources = query_->sources,
-         .algorithm = algorithm,
-         .tolerance = tolerance},
-        *subject_.mesh);
+    const ValidQuery query = *ValidQuery::Make({.sources = query_->sources,
+                                                .algorithm = algorithm,
+                                                .tolerance = tolerance},
+                                               *subject_.mesh);
     MethodCost cost;
     for (int run = 0; run < most_runs_; ++run) {
       const double before = ProcessorSeconds();
@@ -217,7 +216,7 @@ void RunHeatTime(const Setting& setting) {
 }
 
 void RunTradeOff(const Setting& setting) {
-  Table table{"mesh",   "faces",   "program", "method", "setting",
+  Table table{"mesh",      "faces",   "program", "method", "setting",
               "prepare s", "field s", "mean",    "max"};
   for (const Subject& subject : Models(setting)) {
     const uint64_t faces = subject.mesh->face_count();
@@ -232,8 +231,8 @@ void RunTradeOff(const Setting& setting) {
       if (!IsFeasible(info.algorithm, faces)) continue;
       add("exact", info.name, comparison.Measure(info.algorithm, 0));
     }
-    for (const char* tolerance : {"1e-7", "1e-6", "1e-5", "1e-4", "1e-3",
-                                  "1e-2", "1e-1"}) {
+    for (const char* tolerance :
+         {"1e-7", "1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "1e-1"}) {
       add("tolerance", tolerance,
           comparison.Measure(Algorithm::kFwpList, std::stod(tolerance)));
     }
