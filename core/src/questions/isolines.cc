@@ -356,11 +356,14 @@ class LevelCrossings {
   Range AtLevel(const Range& range, uint32_t level) const {
     const auto all =
         std::span(crossings_).subspan(range.begin, range.end - range.begin);
-    const auto at_level =
-        std::ranges::equal_range(all, level, {}, &Crossing::level);
-    const size_t begin =
-        range.begin + static_cast<size_t>(at_level.begin() - all.begin());
-    return {begin, begin + at_level.size()};
+    const auto first = std::partition_point(
+        all.begin(), all.end(),
+        [level](const Crossing& crossing) { return crossing.level < level; });
+    const auto last = std::partition_point(
+        first, all.end(),
+        [level](const Crossing& crossing) { return crossing.level == level; });
+    return {range.begin + static_cast<size_t>(first - all.begin()),
+            range.begin + static_cast<size_t>(last - all.begin())};
   }
 
   void JoinCrossings(uint32_t face, uint32_t level,
