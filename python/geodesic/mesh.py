@@ -86,7 +86,7 @@ def _restored(vertices: np.ndarray, faces: np.ndarray,
               kept_faces: Optional[np.ndarray]) -> "Mesh":
     """What a pickled mesh becomes."""
     mesh = Mesh(vertices, faces)
-    mesh.kept_faces = kept_faces
+    mesh._kept_faces = kept_faces
     return mesh
 
 
@@ -156,14 +156,14 @@ class Mesh:
             mesh = _core.Mesh(inputs.to_vertices(vertices),
                               inputs.to_faces(faces))
         self._backend: Backend = LocalBackend(mesh)
-        self.kept_faces: Optional[NDArray[np.int64]] = None
+        self._kept_faces: Optional[NDArray[np.int64]] = None
 
     @classmethod
     def _on(cls, backend: Backend) -> "Mesh":
         """A mesh whose questions another place answers."""
         mesh = cls.__new__(cls)
         mesh._backend = backend
-        mesh.kept_faces = None
+        mesh._kept_faces = None
         return mesh
 
     def __repr__(self) -> str:
@@ -187,22 +187,25 @@ class Mesh:
         """F."""
         return self._backend.face_count
 
-    @functools.cached_property
+    @property
     def vertices(self) -> NDArray[np.float64]:
         """(V, 3), read only."""
-        return self._backend.vertices()
+        return self._vertices
 
-    @functools.cached_property
+    @property
     def faces(self) -> NDArray[np.int32]:
         """(F, 3), read only."""
-        faces = self._backend.faces()
-        faces.setflags(write=False)
-        return faces
+        return self._faces
 
-    @functools.cached_property
+    @property
+    def kept_faces(self) -> Optional[NDArray[np.int64]]:
+        """Of a mesh made by without(): the numbers of its faces in the whole."""
+        return self._kept_faces
+
+    @property
     def digest(self) -> str:
         """The mesh's name on every server: a sha-256 of its arrays."""
-        return self._backend.digest()
+        return self._digest
 
     def info(self) -> Dict[str, Any]:
         """What there is to know of the mesh: numbers of edges, boundary_loops,
@@ -231,7 +234,7 @@ class Mesh:
         if gone.all():
             raise InvalidArgument("no face is left")
         rest = Mesh._on(self._backend.with_faces(self.faces[~gone]))
-        rest.kept_faces = np.flatnonzero(~gone)
+        rest._kept_faces = np.flatnonzero(~gone)
         return rest
 
     # Questions.
@@ -720,6 +723,22 @@ class Mesh:
     def aio(self) -> "AsyncMesh":
         """The same methods to await: d = await mesh.aio.distances(0)."""
         return AsyncMesh(self)
+
+    # A cached_property alone could be assigned: these have properties above.
+
+    @functools.cached_property
+    def _vertices(self) -> NDArray[np.float64]:
+        return self._backend.vertices()
+
+    @functools.cached_property
+    def _faces(self) -> NDArray[np.int32]:
+        faces = self._backend.faces()
+        faces.setflags(write=False)
+        return faces
+
+    @functools.cached_property
+    def _digest(self) -> str:
+        return self._backend.digest()
 
     @functools.cached_property
     def _face_finder(self) -> FaceFinder:

@@ -28,6 +28,24 @@ class RefusedQuestionsTest(Refusing):
 
     make = geodesic.Mesh
 
+    def test_a_mesh_never_changes(self):
+        vertices, faces = meshes.octahedron()
+        mesh = self.make(vertices, faces)
+        digest, wanted = mesh.digest, mesh.distances(0)
+        for name, other in (("vertices", 2 * vertices), ("faces", faces[1:]),
+                            ("kept_faces", np.arange(8)), ("digest", "other"),
+                            ("n_vertices", 7), ("n_faces", 7)):
+            with self.subTest(name=name):
+                with self.assertRaises(AttributeError):
+                    setattr(mesh, name, other)
+                with self.assertRaises(AttributeError):
+                    delattr(mesh, name)
+        np.testing.assert_array_equal(mesh.vertices, vertices)
+        np.testing.assert_array_equal(mesh.faces, faces)
+        self.assertIsNone(mesh.kept_faces)
+        self.assertEqual(mesh.digest, digest)
+        np.testing.assert_array_equal(mesh.distances(0), wanted)
+
     def test_refused_types(self):
         vertices, faces = meshes.octahedron()
         mesh = self.make(vertices, faces)
