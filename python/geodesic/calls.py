@@ -30,6 +30,11 @@ from .wire import error_of
 # at once.
 _PAUSES = (0.2, 0.4, 0.8)
 _JITTER = 0.2
+# A call that waits for a connection during these pauses, and no longer than the
+# longest. gRPC comes forward with a connection only while some call waits for it,
+# and else every five seconds: repetitions would fail with what is long over.
+_LOOK = "/geodesic.v1.CapabilitiesService/GetCapabilities"
+_LOOK_SECONDS = _PAUSES[-1] * (1 + _JITTER)
 # Messages that wait for their reader, up to 1 MiB each.
 _ROOM = 8
 # Threads that wait for the next call. To start one costs more than to wake one.
@@ -204,6 +209,7 @@ class Caller:
 
     def __init__(self, channel: grpc.Channel, timeout: Optional[float],
                  metadata: Tuple[Tuple[str, str], ...]) -> None:
+        self._look = channel.unary_unary(_LOOK)
         self._timeout = timeout
         self._metadata = metadata
         self._process = os.getpid()
@@ -261,6 +267,9 @@ class Caller:
                     yield message
                 return
             except (Unavailable, ResourceExhausted) as error:
+                if (isinstance(error, Unavailable) and
+                        self._process == os.getpid()):
+                    self._look_for_service()
                 if has_begun or not repeat:
                     raise
                 patience.pause(error)
@@ -294,6 +303,12 @@ class Caller:
         finally:
             if not has_ended:
                 self._orders.put((call, True))
+
+    def _look_for_service(self) -> None:
+        """Begins to, for this call's next attempt or for the next call."""
+        begin = functools.partial(self._look.future, b"", _LOOK_SECONDS,
+                                  self._metadata, wait_for_ready=True)
+        self._start(_Call(begin, False))
 
     def _start(self, call: _Call) -> None:
         """Has an idle thread make the call, or else a new one."""
