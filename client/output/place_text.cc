@@ -323,6 +323,21 @@ Json SourceToJson(const Source& source) {
   return json;
 }
 
+std::vector<std::string> FilesOfNames(std::string_view text) {
+  std::vector<std::string> files;
+  for (std::string_view rest = text; !rest.empty();) {
+    const size_t end = std::min(rest.find(';'), rest.size());
+    const std::string_view point = Trimmed(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const size_t at = point.find('@');
+    if (!point.starts_with(kNamed) || at == point.npos) continue;
+    const std::string_view path = point.substr(at + 1);
+    files.emplace_back(path);
+    files.emplace_back(path.substr(0, path.rfind(':')));
+  }
+  return files;
+}
+
 absl::StatusOr<WrittenPoint> ParsePoint(std::string_view text) {
   WrittenPoint point;
   const std::string problem = ParsePlace(text, &point);

@@ -56,6 +56,11 @@ absl::StatusOr<WrittenSource> ParseSource(std::string_view text);
 // "POINT;POINT;..." or "POINT;POINT;...:OFFSET".
 absl::StatusOr<WrittenSource> ParseCurve(std::string_view text);
 
+// The files that names in "POINT", "POINT:OFFSET" or a curve are looked up in.
+// Where the text does not tell whether a colon begins an offset, with it and
+// without.
+std::vector<std::string> FilesOfNames(std::string_view text);
+
 // The sources of a file, one a line, around which there may be blanks. A line
 // with a ';' is a curve. Empty lines and those that begin with '#' are skipped.
 // "-" is standard input.

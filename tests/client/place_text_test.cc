@@ -15,6 +15,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 WrittenSource At(const WrittenPoint& point, double offset = 0) {
   return {{point}, false, offset};
@@ -183,6 +184,17 @@ TEST(NamedPlaceTest, FilesSayWhatNamesStandFor) {
   std::ofstream(path) << "tip 17\near 5\ntip 18\n";
   EXPECT_THAT(refusal("name:tip@" + path),
               HasSubstr("lists 'tip' twice, in lines 1 and 3"));
+}
+
+TEST(PlaceTextTest, TellsTheFilesOfNames) {
+  EXPECT_THAT(FilesOfNames("17:0.5"), IsEmpty());
+  EXPECT_THAT(FilesOfNames("edge:3-8@0.25"), IsEmpty());
+  EXPECT_THAT(FilesOfNames("name:tip@a b.txt"),
+              ElementsAre("a b.txt", "a b.txt"));
+  EXPECT_THAT(FilesOfNames("name:tip@a.txt:0.5"),
+              ElementsAre("a.txt:0.5", "a.txt"));
+  EXPECT_THAT(FilesOfNames("3; name:x@a;name:y@b:1"),
+              ElementsAre("a", "a", "b:1", "b"));
 }
 
 }  // namespace

@@ -193,6 +193,9 @@ TEST_F(OutputFilesTest, WhatACommandReadsIsNotWrittenOver) {
   WriteFile(list, "1\n");
   const std::string pairs = folder_ / "pairs.csv";
   WriteFile(pairs, "1,2\n");
+  const std::string names = folder_ / "names.csv";
+  WriteFile(names, "tip 1\n");
+  const std::string tip = "name:tip@" + names;
   const std::vector<std::pair<std::string, std::vector<std::string>>> table = {
       {mesh, {"path", mesh, "-s", "0", "-t", "3", "-o", mesh}},
       {mesh, {"isolines", mesh, "-s", "0", "-n", "2", "-o", mesh}},
@@ -201,7 +204,9 @@ TEST_F(OutputFilesTest, WhatACommandReadsIsNotWrittenOver) {
       {ply, {"sample", ply, "-n", "2", "-o", ply}},
       {list, {"matrix", mesh, "--sources", list, "-o", list}},
       {list, {"nearest", mesh, "-s", "0", "--targets", list, "-o", list}},
-      {pairs, {"distance", mesh, "--pairs", pairs, "-o", pairs}}};
+      {pairs, {"distance", mesh, "--pairs", pairs, "-o", pairs}},
+      {names, {"field", mesh, "-s", tip + ":0.5", "-o", names}},
+      {names, {"distance", mesh, "0", tip, "-o", names}}};
   for (const auto& [file, words] : table) {
     const std::string before = FileBytes(file);
     EXPECT_THAT(Refusal(words, 3),

@@ -261,6 +261,7 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
   app->callback([app, question, check = std::move(check)] {
     CheckPlaces(*question);
     CheckOutputs(*app, question->outputs);
+    question->other_inputs = OtherInputs(*app);
     if (question->tolerance != 0 && IsApproximate(question->algorithm)) {
       Refuse("--tolerance", "is certified, and " + question->algorithm +
                                 " is approximate: leave one of them out");
@@ -346,6 +347,18 @@ void AddOutputs(CLI::App* app, const std::string& help,
        "FILE"},
       [formats](const std::string& path) { return ParseOutput(path, formats); },
       outputs);
+}
+
+std::vector<std::string> OtherInputs(const CLI::App& app) {
+  std::vector<std::string> inputs =
+      app.get_parent()->get_option("--token-file")->results();
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& text : option->results()) {
+      const std::vector<std::string> files = FilesOfNames(text);
+      inputs.insert(inputs.end(), files.begin(), files.end());
+    }
+  }
+  return inputs;
 }
 
 void CheckOutputs(const CLI::App& app,

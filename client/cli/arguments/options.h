@@ -81,6 +81,7 @@ struct QuestionArguments {
   bool adds_to_ply = false;
   Priority priority = Priority::kInteractive;
   std::vector<OutputArgument> outputs;
+  std::vector<std::string> other_inputs;  // OtherInputs
   PictureOptions picture;
 
   // How outputs say that they are not exact; empty if they are.
@@ -193,6 +194,10 @@ void AddPriority(CLI::App* app, Priority* priority);
 void AddOutputs(CLI::App* app, const std::string& help,
                 std::span<const OutputFormat> formats,
                 std::vector<OutputArgument>* outputs);
+// What the arguments have the command read beside its mesh and lists: files in
+// which names of places are looked up, and the token's.
+std::vector<std::string> OtherInputs(const CLI::App& app);
+
 // Refuses two answers for one file or for standard output. To be called in
 // checks.
 void CheckOutputs(const CLI::App& app,

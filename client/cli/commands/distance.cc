@@ -44,6 +44,7 @@ struct DistanceArguments {
   Approximation approximation;
   Priority priority = Priority::kInteractive;
   std::vector<OutputArgument> outputs;
+  std::vector<std::string> other_inputs;  // OtherInputs
 
   std::string mark() const {
     return ApproximationMark(algorithm, approximation);
@@ -99,6 +100,7 @@ void AddOptions(CLI::App* app, DistanceArguments* arguments) {
   app->callback([app, arguments] {
     CheckArguments(arguments);
     CheckOutputs(*app, arguments->outputs);
+    arguments->other_inputs = OtherInputs(*app);
   });
 }
 
@@ -384,7 +386,9 @@ class PairRun {
 };
 
 absl::Status Run(const DistanceArguments& arguments, const Session& session) {
-  const std::string inputs[] = {arguments.mesh.text, arguments.list};
+  std::vector<std::string> inputs = arguments.other_inputs;
+  inputs.push_back(arguments.mesh.text);
+  inputs.push_back(arguments.list);
   for (const OutputArgument& output : arguments.outputs) {
     absl::Status status = CheckWritable(output.path, inputs);
     if (!status.ok()) return FileError(status);

@@ -39,7 +39,8 @@ struct WrittenPlaces {
 absl::StatusOr<WrittenPlaces> Prepare(const QuestionArguments& arguments) {
   const SourceArguments& sources = arguments.sources;
   const TargetArguments& targets = arguments.targets;
-  std::vector<std::string> inputs = sources.files;
+  std::vector<std::string> inputs = arguments.other_inputs;
+  inputs.insert(inputs.end(), sources.files.begin(), sources.files.end());
   inputs.insert(inputs.end(), targets.files.begin(), targets.files.end());
   std::vector<std::string> inputs_and_mesh = inputs;
   inputs_and_mesh.push_back(arguments.mesh.text);
