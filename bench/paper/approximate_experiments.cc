@@ -49,16 +49,7 @@ class Comparison {
         PrepareMethod(*subject_.mesh, method, options, checkpoint_).value();
     cost.prepare_seconds = ProcessorSeconds() - start;
     cost.prepared_mib = static_cast<double>(prepared->bytes()) / (1 << 20);
-    for (int run = 0; run < most_runs_; ++run) {
-      const double before = ProcessorSeconds();
-      const ApproximateField field =
-          prepared->Distances(query_, checkpoint_).value();
-      const double seconds = ProcessorSeconds() - before;
-      if (run == 0 || seconds < cost.solve_seconds) {
-        cost.solve_seconds = seconds;
-        cost.errors = CompareDistances(field.distances, exact_);
-      }
-    }
+    TakeFastest([&] { return prepared->Distances(query_, checkpoint_); }, cost);
     return cost;
   }
 
@@ -69,32 +60,35 @@ class Comparison {
                                                 .tolerance = tolerance},
                                                *subject_.mesh);
     MethodCost cost;
+    TakeFastest([&] { return Solve(*subject_.mesh, query, {}, checkpoint_); },
+                cost);
+    return cost;
+  }
+
+  // Of parallel Chen-Han in one thread; the fastest run.
+  double SecondsByLevels() {
+    MethodCost cost;
+    TakeFastest(
+        [&] { return SolveByLevels(*subject_.mesh, query_, {}, checkpoint_); },
+        cost);
+    return cost.solve_seconds;
+  }
+
+ private:
+  // What the fastest run of solve() takes, which gives a field, and its errors.
+  template <typename SolveField>
+  void TakeFastest(SolveField solve, MethodCost& cost) const {
     for (int run = 0; run < most_runs_; ++run) {
       const double before = ProcessorSeconds();
-      const DistanceField field =
-          Solve(*subject_.mesh, query, {}, checkpoint_).value();
+      const auto field = solve().value();
       const double seconds = ProcessorSeconds() - before;
       if (run == 0 || seconds < cost.solve_seconds) {
         cost.solve_seconds = seconds;
         cost.errors = CompareDistances(field.distances, exact_);
       }
     }
-    return cost;
   }
 
-  // Of parallel Chen-Han in one thread; the fastest run.
-  double SecondsByLevels() {
-    double fastest = 0;
-    for (int run = 0; run < most_runs_; ++run) {
-      const double before = ProcessorSeconds();
-      (void)SolveByLevels(*subject_.mesh, query_, {}, checkpoint_).value();
-      const double seconds = ProcessorSeconds() - before;
-      if (run == 0 || seconds < fastest) fastest = seconds;
-    }
-    return fastest;
-  }
-
- private:
   const Subject& subject_;
   const int most_runs_;
   NoCheckpoint checkpoint_;

@@ -329,9 +329,9 @@ std::vector<std::string> FilesOfNames(std::string_view text) {
     const size_t end = std::min(rest.find(';'), rest.size());
     const std::string_view point = Trimmed(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
-    const size_t at = point.find('@');
-    if (!point.starts_with(kNamed) || at == point.npos) continue;
-    const std::string_view path = point.substr(at + 1);
+    std::string_view name, path;
+    if (!point.starts_with(kNamed) || !Split(point, '@', &name, &path))
+      continue;
     files.emplace_back(path);
     files.emplace_back(path.substr(0, path.rfind(':')));
   }

@@ -1,5 +1,6 @@
 // How long it takes from a move of the cursor to the drawn path, and from a click
-// to the whole field, which may be within 0.1 % until it is exact. Printed, not asserted: it depends on the machine.
+// to the whole field, which may be within 0.1 % until it is exact. Printed, not
+// asserted: it depends on the machine.
 
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";

@@ -19,9 +19,8 @@ set xtics add ("exact" exact)
 set label 1 "certified" at 1e-8, graph 0.04 tc rgb "#08306b"
 set label 2 "no bound" at 2e-3, graph 0.04 tc rgb "#777777"
 of(method) = rows("trade-off", first, 4, method)
-peer(method) = sprintf( \
-    "< awk -F'\\t' '$1 == \"%s\" && $3 != \"geodesic\" && $3 == \"%s\"' '%s'", \
-    first, method, peers)
+peer(program) = sprintf( \
+    "< awk -F'\\t' '$1 == \"%s\" && $3 == \"%s\"' '%s'", first, program, peers)
 programs = system(sprintf( \
     "awk -F'\\t' '$1 == \"%s\" && $3 != \"geodesic\" && !s[$3]++ { print $3 }' '%s'", \
     first, peers))
