@@ -24,6 +24,12 @@ peer(program) = sprintf( \
 programs = system(sprintf( \
     "awk -F'\\t' '$1 == \"%s\" && $3 != \"geodesic\" && !s[$3]++ { print $3 }' '%s'", \
     first, peers))
+# To be drawn, too; nothing where there are none.
+others = words(programs) == 0 ? "" : \
+    ', for [p in programs] peer(p) using (at($8)):7 with points pt 2 ps 1.1 lw 2'. \
+    ' lc rgb p eq "VSP" ? "#000000" : "#777777" title p,'. \
+    ' for [p in programs] peer(p) using (at($8)):7:4 with labels left'. \
+    ' offset 0.8,0.3 font ",8" tc rgb "#777777" notitle'
 # Labels of algorithms that label correcting orders stand on the left.
 is_lc(name) = strstrt(name, "lc-") == 1
 plot of("exact") using (at($8)):7 with points pt 7 ps 1.1 lc rgb "#08306b" \
@@ -45,8 +51,4 @@ plot of("exact") using (at($8)):7 with points pt 7 ps 1.1 lc rgb "#08306b" \
                   m eq "heat" ? ", lambda" : ""), \
      of("svg") using (at($8)):7:5 with labels offset 0,0.8 font ",8" notitle, \
      for [m in "gtu heat"] of(m) using (at($8)):7:5 with labels \
-         offset 0,-0.8 font ",8" notitle, \
-     for [p in programs] peer(p) using (at($8)):7 with points pt 2 ps 1.1 lw 2 \
-         lc rgb p eq "VSP" ? "#000000" : "#777777" title p, \
-     for [p in programs] peer(p) using (at($8)):7:4 with labels left \
-         offset 0.8,0.3 font ",8" tc rgb "#777777" notitle
+         offset 0,-0.8 font ",8" notitle @others
