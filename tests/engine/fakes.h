@@ -34,15 +34,20 @@ class FakeClock final : public Clock {
   TimePoint now_ = TimePoint() + std::chrono::hours(1);
 };
 
-// Runs tasks when, and on the thread where, the test says so.
+// Runs tasks when, and on the thread where, the test says so; idle ones when
+// there are no others.
 class ManualExecutor final : public Executor {
  public:
   void Schedule(Task task) override { tasks_.push_back(std::move(task)); }
+  void ScheduleIdle(Task task) override {
+    idle_tasks_.push_back(std::move(task));
+  }
 
   bool RunOne() {
-    if (tasks_.empty()) return false;
-    Task task = std::move(tasks_.front());
-    tasks_.pop_front();
+    std::deque<Task>& tasks = tasks_.empty() ? idle_tasks_ : tasks_;
+    if (tasks.empty()) return false;
+    Task task = std::move(tasks.front());
+    tasks.pop_front();
     std::move(task)();
     return true;
   }
@@ -53,10 +58,11 @@ class ManualExecutor final : public Executor {
     return count;
   }
 
-  size_t size() const { return tasks_.size(); }
+  size_t size() const { return tasks_.size() + idle_tasks_.size(); }
 
  private:
   std::deque<Task> tasks_;
+  std::deque<Task> idle_tasks_;
 };
 
 // Remembers what it was told. For tests on one thread.

@@ -90,6 +90,38 @@ TEST(SchedulerIdleTest, ThreadsThatNoJobHasOrWaitsForAreIdle) {
   EXPECT_THAT(threads, ElementsAre(1, 1, 1, 2, 2));
 }
 
+TEST(SchedulerIdleTest, PreparationsRunBesideTheOthersOneAtATime) {
+  test::ManualExecutor executor;
+  Scheduler scheduler(executor, /*max_running=*/1, /*max_queued=*/0);
+  std::vector<std::string> ran;
+  const auto submit = [&](
+                          std::string name, JobPriority priority,
+                          std::function<void()> meanwhile = [] {}) {
+    ASSERT_TRUE(
+        scheduler
+            .Submit({.priority = priority,
+                     .is_continuation = priority == JobPriority::kPrepare,
+                     .run =
+                         [&ran, name, meanwhile](std::stop_token) {
+                           ran.push_back(name);
+                           meanwhile();
+                         }})
+            .ok());
+  };
+  submit("prepare", JobPriority::kPrepare, [&] {
+    EXPECT_EQ(scheduler.running(), 1);
+    EXPECT_EQ(scheduler.queued(), 0);
+    EXPECT_EQ(scheduler.idle(), 1) << "it has no thread of the others";
+    submit("solve", JobPriority::kSolve);
+    EXPECT_TRUE(executor.RunOne());
+    submit("later", JobPriority::kPrepare);
+    EXPECT_FALSE(executor.RunOne()) << "one at a time";
+  });
+  executor.RunAll();
+  EXPECT_THAT(ran, ElementsAre("prepare", "solve", "later"));
+  EXPECT_TRUE(scheduler.WaitIdle(std::chrono::milliseconds(0)));
+}
+
 TEST_F(SchedulerTest, UsesNoMoreTasksThanJobsMayRun) {
   Scheduler wide(executor_, 2, 10);
   for (int i = 0; i < 5; ++i) ASSERT_TRUE(wide.Submit(NamedJob("x")).ok());

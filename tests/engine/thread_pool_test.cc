@@ -1,6 +1,7 @@
 #include "server/engine/jobs/thread_pool.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <atomic>
 #include <latch>
@@ -44,6 +45,27 @@ TEST(ThreadPool, TasksMaySchedule) {
   ThreadPool pool(1);
   pool.Schedule([&] { pool.Schedule([&] { done.count_down(); }); });
   done.wait();
+}
+
+// The idle task waits for the other: if it had that one's thread, this would
+// never end.
+TEST(ThreadPool, AnIdleTaskTakesNobodysThread) {
+  std::latch both(2);
+  int policy = -1;
+  int idle_policy = -1;
+  {
+    ThreadPool pool(1);
+    pool.ScheduleIdle([&] {
+      both.arrive_and_wait();
+      idle_policy = sched_getscheduler(0);
+    });
+    pool.Schedule([&] {
+      both.arrive_and_wait();
+      policy = sched_getscheduler(0);
+    });
+  }
+  EXPECT_EQ(policy, SCHED_OTHER);
+  EXPECT_EQ(idle_policy, SCHED_IDLE);
 }
 
 }  // namespace

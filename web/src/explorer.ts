@@ -37,6 +37,9 @@ const KEPT_FILL = [1, 0.55, 0.26];
 /** A path request that takes longer gives way to a newer cursor. */
 const PATH_PATIENCE_MS = 250;
 
+/** The exact field is asked for when what comes first has been swept over, or so much later. */
+const LONGEST_SWEEP_MS = 1500;
+
 /** Fields are worth waiting for, even if the source has moved on. */
 const FIELD_PATIENCE_MS = 2000;
 
@@ -73,6 +76,7 @@ export class Explorer {
   private readonly dragged = new NewestOnly(FIELD_PATIENCE_MS);
   private fieldQuestion = new AbortController();
   private waiting = false;
+  private swept: (() => void) | undefined;
   private cursor: Place | undefined;
   private livePath: KeptPath | undefined;
   private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
@@ -89,11 +93,12 @@ export class Explorer {
     scene.overlay.add(this.live, this.sketch, this.sampleDots, this.dots);
     scene.onFrame = (now) => {
       const moved = this.field?.advance(now, this.still.matches) ?? false;
+      if (this.field?.hasSwept) this.swept?.();
       document.documentElement.dataset.sweep = this.field?.hasArrived ? "done" : this.field?.hasSwept ? "preview" : "";
       return moved;
     };
+    scene.isWaiting = () => this.waiting && !this.swept;
     // Until the whole field is there and swept, or could not be had.
-    scene.isWaiting = () => this.waiting;
     scene.isBusy = () => this.waiting || (this.summary !== undefined && this.field?.hasArrived === false);
   }
 
@@ -220,9 +225,20 @@ export class Explorer {
       field.showPreview(distances);
       this.events.changed();
       this.scene.redrawSurface();
+      await this.sweep();
     } catch {
       // The exact field tells what is wrong.
     }
+  }
+
+  // Waits until the front has come to the end. What is asked for before then would
+  // share the processors with the picture, if the server is on this machine.
+  private async sweep(): Promise<void> {
+    await new Promise<void>((resolve) => {
+      this.swept = resolve;
+      setTimeout(resolve, LONGEST_SWEEP_MS);
+    });
+    this.swept = undefined;
   }
 
   /** Shows cells by colour, or distances again. */

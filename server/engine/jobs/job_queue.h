@@ -5,9 +5,9 @@
 //   3. A client's jobs go in order of age.
 //
 // Urgent jobs must not delay the others for ever, so one start of nine goes to
-// the less urgent kind that was passed over most often (never to kStore, nor to
-// kPrepare). Between two such starts goes a job of the most urgent kind, so it
-// never waits for more than one less urgent job.
+// the less urgent kind that was passed over most often (never to kStore).
+// Between two such starts goes a job of the most urgent kind, so it never waits
+// for more than one less urgent job.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_JOB_QUEUE_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_JOB_QUEUE_H_
@@ -46,7 +46,7 @@ enum class JobPriority {
   kRow,      // one row of a matrix
   kBatch,    // a solve or row of a request that can wait
   kStore,    // keeps on disk what would otherwise be computed again
-  kPrepare,  // makes what later questions would be faster with
+  kPrepare,  // makes what later questions would be faster with, in idle time
 };
 inline constexpr int kJobPriorities = 6;
 

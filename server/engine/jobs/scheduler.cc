@@ -1,5 +1,7 @@
 #include "server/engine/jobs/scheduler.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -27,7 +29,7 @@ Scheduler::Scheduler(Executor& executor, size_t max_running, size_t max_queued,
 Scheduler::~Scheduler() {
   StopAll();
   std::unique_lock lock(mutex_);
-  idle_.wait(lock, [this] { return workers_ == 0; });
+  idle_.wait(lock, [this] { return line_.workers + idle_line_.workers == 0; });
 }
 
 void Scheduler::ObserveJobs(const Clock& clock,
@@ -48,7 +50,7 @@ absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
     if (!status.ok()) return status;
   }
   const JobId id = next_number_++;
-  queue_.Push(id, {std::move(job), Now()});
+  LineOf(job).queue.Push(id, {std::move(job), Now()});
   AskForThreads();
   return id;
 }
@@ -58,10 +60,10 @@ absl::StatusOr<Scheduler::Place> Scheduler::HoldPlace(
   std::lock_guard lock(mutex_);
   absl::Status status = CheckRoom(client, /*runs_at_once=*/false);
   if (!status.ok()) return status;
-  queue_.Hold(client);
+  line_.queue.Hold(client);
   return Place(this, [client](Scheduler* scheduler) {
     std::lock_guard release_lock(scheduler->mutex_);
-    scheduler->queue_.Release(client);
+    scheduler->line_.queue.Release(client);
   });
 }
 
@@ -70,18 +72,19 @@ absl::Status Scheduler::CheckRoom(const std::string& client,
   if (draining_) return ShuttingDown();
   // A job for which a thread is free does not wait.
   const size_t free_threads = FreeThreads();
-  if (runs_at_once && queue_.size() < free_threads) return absl::OkStatus();
-  if (queue_.places() >= max_queued_ + free_threads) {
+  const JobQueue& queue = line_.queue;
+  if (runs_at_once && queue.size() < free_threads) return absl::OkStatus();
+  if (queue.places() >= max_queued_ + free_threads) {
     return WithReason(
         WithRetryAfter(
             absl::ResourceExhaustedError(absl::StrCat(
                 "the job queue is full: ", running_.size(), " jobs run and ",
-                queue_.places(),
+                queue.places(),
                 " wait, or are matrices that go on; try again later")),
             kRetryDelay),
         reason::kQueueFull);
   }
-  const size_t places = client.empty() ? 0 : queue_.places_of(client);
+  const size_t places = client.empty() ? 0 : queue.places_of(client);
   // Written so that the largest limit, which means none, does not overflow.
   if (places < free_threads || places - free_threads < max_queued_per_client_) {
     return absl::OkStatus();
@@ -98,10 +101,17 @@ absl::Status Scheduler::CheckRoom(const std::string& client,
 
 void Scheduler::AskForThreads() {
   // A thread for each job that runs, and one for each that might.
-  while (workers_ < max_running_ &&
-         workers_ < running_.size() + queue_.size()) {
-    ++workers_;
-    executor_.Schedule([this] { RunOne(); });
+  const auto wants_more = [](const Line& line, size_t most) {
+    return line.workers < most &&
+           line.workers < line.running + line.queue.size();
+  };
+  while (wants_more(line_, max_running_)) {
+    ++line_.workers;
+    executor_.Schedule([this] { RunOne(line_); });
+  }
+  if (wants_more(idle_line_, 1)) {
+    ++idle_line_.workers;
+    executor_.ScheduleIdle([this] { RunOne(idle_line_); });
   }
 }
 
@@ -111,7 +121,8 @@ void Scheduler::Cancel(JobId id) {
   std::stop_source source(std::nostopstate);
   {
     std::lock_guard lock(mutex_);
-    dropped = queue_.Remove(id);
+    dropped = line_.queue.Remove(id);
+    if (!dropped.has_value()) dropped = idle_line_.queue.Remove(id);
     if (dropped.has_value()) {
       // The other jobs may have waited behind this one.
       AskForThreads();
@@ -124,7 +135,7 @@ void Scheduler::Cancel(JobId id) {
 
 void Scheduler::Expedite(JobId id, JobPriority priority) {
   std::lock_guard lock(mutex_);
-  queue_.Expedite(id, priority);
+  line_.queue.Expedite(id, priority);
   AskForThreads();
 }
 
@@ -145,7 +156,8 @@ void Scheduler::StopAll() {
     std::lock_guard lock(mutex_);
     draining_ = true;
     stopped_ = true;
-    abandoned = queue_.Clear();
+    abandoned = line_.queue.Clear();
+    std::ranges::move(idle_line_.queue.Clear(), std::back_inserter(abandoned));
     stopped = running_;
   }
   for (auto& [id, source] : stopped) source.request_stop();
@@ -154,8 +166,10 @@ void Scheduler::StopAll() {
 
 bool Scheduler::WaitIdle(std::chrono::milliseconds limit) {
   std::unique_lock lock(mutex_);
-  return idle_.wait_for(lock, limit,
-                        [this] { return workers_ == 0 && queue_.empty(); });
+  return idle_.wait_for(lock, limit, [this] {
+    return line_.workers + idle_line_.workers == 0 && line_.queue.empty() &&
+           idle_line_.queue.empty();
+  });
 }
 
 size_t Scheduler::running() const {
@@ -166,29 +180,35 @@ size_t Scheduler::running() const {
 size_t Scheduler::idle() const {
   std::lock_guard lock(mutex_);
   const size_t free = FreeThreads();
-  return queue_.size() < free ? free - queue_.size() : 0;
+  const size_t waiting = line_.queue.size();
+  return waiting < free ? free - waiting : 0;
+}
+
+bool Scheduler::lacks_memory() const {
+  std::lock_guard lock(mutex_);
+  return line_.lacks_memory && !line_.queue.empty();
 }
 
 size_t Scheduler::queued() const {
   std::lock_guard lock(mutex_);
-  return queue_.size();
+  return line_.queue.size();
 }
 
-void Scheduler::RunOne() {
+void Scheduler::RunOne(Line& line) {
   std::unique_lock lock(mutex_);
   JobId id = 0;
   bool progressed = false;
-  if (std::optional<WaitingJob> started = StartNext(lock, id, progressed)) {
+  if (std::optional<WaitingJob> started =
+          StartNext(lock, line, id, progressed)) {
     progressed = true;
     const std::stop_source source;
     running_.emplace(id, source);
-    const bool gives_way = started->job.priority == JobPriority::kPrepare;
-    giving_way_ += gives_way;
+    ++line.running;
     lock.unlock();
     bool goes_on = Run(*started, source);
     lock.lock();
     if (goes_on && !stopped_ && !source.stop_requested()) {
-      queue_.Push(id, {std::move(started->job), Now()});
+      line.queue.Push(id, {std::move(started->job), Now()});
     } else if (goes_on) {
       // Frees what the job captured without the lock, before it counts as done.
       const bool is_end = stopped_;
@@ -198,13 +218,13 @@ void Scheduler::RunOne() {
       lock.lock();
     }
     running_.erase(id);
-    giving_way_ -= gives_way;
+    --line.running;
   }
-  --workers_;
+  --line.workers;
   // Each task runs one job, which is fair to others who share the executor.
   // When no job could start, the next change asks again.
   if (progressed) AskForThreads();
-  if (workers_ == 0) idle_.notify_all();
+  if (line_.workers + idle_line_.workers == 0) idle_.notify_all();
 }
 
 bool Scheduler::Run(WaitingJob& started, const std::stop_source& source) {
@@ -229,25 +249,28 @@ absl::Status Scheduler::Reserve(Job& job) {
 }
 
 std::optional<WaitingJob> Scheduler::StartNext(
-    std::unique_lock<std::mutex>& lock, JobId& id, bool& progressed) {
-  while (!queue_.empty()) {
-    id = queue_.Next();
-    WaitingJob& next = queue_.waiting(id);
+    std::unique_lock<std::mutex>& lock, Line& line, JobId& id,
+    bool& progressed) {
+  JobQueue& queue = line.queue;
+  while (!queue.empty()) {
+    id = queue.Next();
+    WaitingJob& next = queue.waiting(id);
     const absl::Status room = Reserve(next.job);
-    if (room.ok()) return queue_.Start();
-    if (RetryAfter(room).has_value()) {
+    line.lacks_memory = RetryAfter(room).has_value();
+    if (room.ok()) return queue.Start();
+    if (line.lacks_memory) {
       if (!running_.empty()) return std::nullopt;
       const auto can_start = [](Job& job) { return Reserve(job).ok(); };
       const std::optional<uint64_t> other = next.overtaken < kMostOvertaken
-                                                ? queue_.Oldest(can_start)
+                                                ? queue.Oldest(can_start)
                                                 : std::nullopt;
       if (other.has_value()) {
         ++next.overtaken;
         id = *other;
-        return queue_.Remove(*other);
+        return queue.Remove(*other);
       }
     }
-    WaitingJob refused = queue_.Start();
+    WaitingJob refused = queue.Start();
     progressed = true;
     lock.unlock();
     refused.job.abandon(room);

@@ -44,8 +44,9 @@ struct JobTimes {
 // up to 256 of them. If there is none, no memory will come back, and the job is
 // abandoned.
 //
-// A running job of kPrepare gives way when others wait, so its thread counts as
-// free for them.
+// Jobs of kPrepare stand in a line of their own and run one at a time beside
+// the others, as idle tasks of the executor. They should end when others wait
+// for memory.
 class Scheduler {
  public:
   using JobId = uint64_t;
@@ -100,22 +101,33 @@ class Scheduler {
 
   // Of all priorities.
   size_t running() const;
-  size_t queued() const;
+  size_t queued() const;  // except kPrepare
   // Threads beyond those that running and waiting jobs take.
   size_t idle() const;
+  // Whether the next job waits for memory that others hold.
+  bool lacks_memory() const;
 
  private:
-  void RunOne();
+  // Jobs of one kind of thread.
+  struct Line {
+    JobQueue queue;
+    size_t running = 0;
+    size_t workers = 0;  // tasks on the executor
+    // As of the last attempt to start one.
+    bool lacks_memory = false;
+  };
+
+  void RunOne(Line& line);
   TimePoint Now() const;
   // Runs the job; returns whether it goes on.
   bool Run(WaitingJob& started, const std::stop_source& source);
 
   // The rest REQUIRES: mutex_ held.
 
-  // Threads that no job has, or one that gives way.
-  size_t FreeThreads() const {
-    return max_running_ - running_.size() + giving_way_;
+  Line& LineOf(const Job& job) {
+    return job.priority == JobPriority::kPrepare ? idle_line_ : line_;
   }
+  size_t FreeThreads() const { return max_running_ - line_.running; }
   // `runs_at_once`: the job needs no place if a thread is free for it.
   absl::Status CheckRoom(const std::string& client, bool runs_at_once) const;
   // Takes the memory of a job. Errors: as Job::reserve.
@@ -125,7 +137,7 @@ class Scheduler {
   // The next job, if its memory is available. Jobs that will never get theirs
   // are abandoned, without the lock; `progressed` then becomes true.
   std::optional<WaitingJob> StartNext(std::unique_lock<std::mutex>& lock,
-                                      JobId& id, bool& progressed);
+                                      Line& line, JobId& id, bool& progressed);
 
   Executor& executor_;
   const size_t max_running_;
@@ -138,10 +150,9 @@ class Scheduler {
   mutable std::mutex mutex_;
   std::condition_variable idle_;
   // Guarded by mutex_:
-  JobQueue queue_;
+  Line line_;       // at most max_running_ workers
+  Line idle_line_;  // jobs of kPrepare; at most one worker
   std::map<JobId, std::stop_source> running_;
-  size_t giving_way_ = 0;  // of running_, those of kPrepare
-  size_t workers_ = 0;     // tasks on the executor; <= max_running_
   uint64_t next_number_ = 0;
   bool draining_ = false;
   bool stopped_ = false;

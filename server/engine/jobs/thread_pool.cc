@@ -1,14 +1,27 @@
 #include "server/engine/jobs/thread_pool.h"
 
-#include <utility>
+#include <sched.h>
 
 namespace geodesic::server {
+namespace {
+
+// Where Linux refuses, the thread is one like the others.
+void TakeIdleTimeOnly() {
+  const sched_param none{};
+  (void)sched_setscheduler(0, SCHED_IDLE, &none);  // 0: this thread
+}
+
+}  // namespace
 
 ThreadPool::ThreadPool(size_t threads) {
-  threads_.reserve(threads);
+  threads_.reserve(threads + 1);
   for (size_t i = 0; i < threads; ++i) {
-    threads_.emplace_back([this] { Work(); });
+    threads_.emplace_back([this] { Work(tasks_); });
   }
+  threads_.emplace_back([this] {
+    TakeIdleTimeOnly();
+    Work(idle_tasks_);
+  });
 }
 
 ThreadPool::~ThreadPool() {
@@ -16,25 +29,26 @@ ThreadPool::~ThreadPool() {
     std::lock_guard lock(mutex_);
     stopping_ = true;
   }
-  changed_.notify_all();
-  threads_.clear();  // joins, while mutex_ and tasks_ still live
+  tasks_.changed.notify_all();
+  idle_tasks_.changed.notify_all();
+  threads_.clear();  // joins, while the other members still live
 }
 
-void ThreadPool::Schedule(Task task) {
+void ThreadPool::Add(Task task, Line& line) {
   {
     std::lock_guard lock(mutex_);
-    tasks_.push_back(std::move(task));
+    line.tasks.push_back(std::move(task));
   }
-  changed_.notify_one();
+  line.changed.notify_one();
 }
 
-void ThreadPool::Work() {
+void ThreadPool::Work(Line& line) {
   std::unique_lock lock(mutex_);
   for (;;) {
-    changed_.wait(lock, [this] { return stopping_ || !tasks_.empty(); });
-    if (tasks_.empty()) return;
-    Task task = std::move(tasks_.front());
-    tasks_.pop_front();
+    line.changed.wait(lock, [&] { return stopping_ || !line.tasks.empty(); });
+    if (line.tasks.empty()) return;
+    Task task = std::move(line.tasks.front());
+    line.tasks.pop_front();
     lock.unlock();
     std::move(task)();
     task = nullptr;  // what it captured dies before the lock is taken

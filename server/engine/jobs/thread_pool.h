@@ -8,6 +8,7 @@
 #include <deque>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "absl/functional/any_invocable.h"
@@ -20,12 +21,15 @@ class Executor {
  public:
   virtual ~Executor() = default;
 
-  // Runs `task` once, later and not on the calling thread's stack. Thread-safe.
+  // Each runs `task` once, later and not on the calling thread's stack, the
+  // second in time for which the machine has no other use. Thread-safe.
   virtual void Schedule(Task task) = 0;
+  virtual void ScheduleIdle(Task task) = 0;
 };
 
 // Starts tasks in order. The queue is unbounded; Scheduler bounds what it puts
-// there. Thread-safe.
+// there. Idle tasks have one more thread, to which Linux gives a processor only
+// when no other thread wants it, whatever program that is of. Thread-safe.
 class ThreadPool final : public Executor {
  public:
   // REQUIRES: threads > 0.
@@ -34,16 +38,23 @@ class ThreadPool final : public Executor {
   // Runs every task that was scheduled, then joins the threads.
   ~ThreadPool() override;
 
-  void Schedule(Task task) override;
+  void Schedule(Task task) override { Add(std::move(task), tasks_); }
+  void ScheduleIdle(Task task) override { Add(std::move(task), idle_tasks_); }
 
  private:
-  void Work();
+  // Guarded by mutex_ of the pool.
+  struct Line {
+    std::condition_variable changed;
+    std::deque<Task> tasks;
+  };
+
+  void Add(Task task, Line& line);
+  void Work(Line& line);
 
   std::mutex mutex_;
-  std::condition_variable changed_;
-  // Guarded by mutex_:
-  std::deque<Task> tasks_;
-  bool stopping_ = false;
+  Line tasks_;
+  Line idle_tasks_;
+  bool stopping_ = false;  // guarded by mutex_
 
   std::vector<std::jthread> threads_;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <thread>
 #include <utility>
 
 #include "geodesic/valid_query.h"
@@ -14,7 +13,7 @@ namespace {
 // At most this many meshes wait; a mesh that found no place asks again.
 constexpr size_t kMaxTurns = 64;
 
-// Ends a step as soon as a thread is wanted for something else.
+// Ends a step as soon as its memory is wanted for something else.
 class IdleCheckpoint final : public Checkpoint {
  public:
   // The references outlive it. `extra_bytes` are charged to `memory` beside
@@ -29,16 +28,17 @@ class IdleCheckpoint final : public Checkpoint {
         memory_(memory),
         extra_bytes_(extra_bytes) {}
 
-  // Errors: ABORTED: somebody waits, go on later; CANCELLED: the landmarks are
-  // of no use any more; RESOURCE_EXHAUSTED.
+  // Errors: CANCELLED: the landmarks are of no use any more;
+  // RESOURCE_EXHAUSTED.
   absl::Status Poll(const Progress& progress) override {
-    std::this_thread::yield();
     if (stop_.stop_requested() || scheduler_.is_draining()) {
       return absl::CancelledError("the server is shutting down");
     }
     if (!meshes_.Holds(digest_))
       return absl::CancelledError("the mesh is gone");
-    if (scheduler_.queued() > 0) return absl::AbortedError("a job waits");
+    if (scheduler_.lacks_memory()) {
+      return absl::ResourceExhaustedError("a job waits for memory");
+    }
     return memory_.GrowTo(progress.solver_bytes + extra_bytes_);
   }
 
@@ -117,11 +117,6 @@ void LandmarkMaker::RunStep(const std::stop_token& stop) {
 absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
                                          const std::stop_token& stop) {
   if (mesh == nullptr) return false;
-  if (scheduler_.queued() > 0) {
-    // Jobs wait, and this one was started all the same: they lack memory.
-    work_.field.reset();
-    return true;
-  }
   if (!work_.landmarks) {
     absl::StatusOr<Work> begun = Begin(*mesh);
     if (!begun.ok()) return begun.status();
@@ -131,23 +126,16 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
     Publish(*mesh, work_);
     return false;
   }
-  if (!work_.field) {
-    absl::StatusOr<ByteReservation> memory =
-        ByteReservation::Make(solver_memory_, PlannedBytes(*mesh->mesh));
-    if (!memory.ok()) return memory.status();
-    auto computation = StartField(*mesh->mesh, *work_.landmarks);
-    if (!computation.ok()) return computation.status();
-    work_.field = Field{mesh, *std::move(memory), *std::move(computation)};
-  }
-  Field& field = *work_.field;
+  absl::StatusOr<ByteReservation> memory =
+      ByteReservation::Make(solver_memory_, PlannedBytes(*mesh->mesh));
+  if (!memory.ok()) return memory.status();
+  auto computation = StartField(*mesh->mesh, *work_.landmarks);
+  if (!computation.ok()) return computation.status();
   IdleCheckpoint checkpoint(scheduler_, stop, meshes_.store(), mesh->digest,
-                            field.memory, DistanceBytes(*mesh->mesh));
-  absl::Status status = field.computation->Advance({}, checkpoint);
-  if (absl::IsAborted(status)) return true;
+                            *memory, DistanceBytes(*mesh->mesh));
+  absl::Status status = (*computation)->Advance({}, checkpoint);
   if (!status.ok()) return status;
-  const bool goes_on = Add(*mesh, *field.computation, work_);
-  work_.field.reset();
-  return goes_on;
+  return Add(*mesh, **computation, work_);
 }
 
 absl::Status LandmarkMaker::MakeNow(const MeshHandle& mesh,

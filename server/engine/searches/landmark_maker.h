@@ -1,9 +1,10 @@
-// Makes landmarks of meshes when the scheduler has nothing else to do.
+// Makes landmarks of meshes when the machine has nothing else to do.
 //
 //   LandmarksHandle landmarks = maker.Wanted(mesh);  // those of now, or null
 //
-// A step computes the field of one landmark, and is put off within
-// milliseconds when a job waits. One mesh has its turn at a time.
+// A step computes the field of one landmark. A turn ends within milliseconds
+// when a job lacks memory; the next question begins another. One mesh has its
+// turn at a time.
 
 #ifndef GEODESIC_SERVER_ENGINE_SEARCHES_LANDMARK_MAKER_H_
 #define GEODESIC_SERVER_ENGINE_SEARCHES_LANDMARK_MAKER_H_
@@ -70,17 +71,10 @@ class LandmarkMaker {
     std::string digest;
     std::weak_ptr<const ResidentMesh> mesh;
   };
-  // The field of the next landmark. It can wait between steps.
-  struct Field {
-    MeshHandle mesh;  // pinned for the computation
-    ByteReservation memory;
-    std::unique_ptr<Computation> computation;
-  };
   // What has been made of the mesh whose turn it is.
   struct Work {
     ByteReservation room;  // of the landmark memory
     std::optional<Landmarks> landmarks;
-    std::optional<Field> field;
   };
 
   void Enqueue(const MeshHandle& mesh);
