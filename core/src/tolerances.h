@@ -122,8 +122,17 @@ inline constexpr double kFarthestMerged = 64;
 inline constexpr double kMergedRounding = 2e-15;
 
 // A merge may spend this part of what an account may hold in all: so the path
-// to a far vertex has something left for each of the edges that it crosses.
-inline constexpr double kPartOfAccount = 1.0 / 16;
+// to a far vertex has something left for each of the edges that it crosses. It
+// spends no more than this part of its label either: what is off by more loses
+// to other windows here and there, which makes more windows than are saved.
+inline constexpr double kPartOfAccount = 1.0 / 32;
+inline constexpr double kMostOfLabel = 1e-4;
+
+// Answers lie above lower bounds by this part of what accounts leave open. Each
+// merge charges the most that it may be off, so the truth is low: on average at
+// 0.02 to 0.3 of an account, on four meshes and tolerances of 1e-6 to 1e-2. At
+// most a half: what is certified is the rest.
+inline constexpr double kAnswerInAccount = 0.25;
 
 // Two rays into an apex whose leans (sines) differ by no more than this may be
 // one ray: unfolded positions carry up to 1e-13 of rounding. Nothing is pruned

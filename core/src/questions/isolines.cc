@@ -539,13 +539,13 @@ absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
   const double tolerance = distances_alone->tolerance;
   // Within a tolerance, windows and the distances that propagate are lower
   // bounds, and the truth is at most so much above them. The lines are drawn
-  // where that leaves as much on either side of the level.
+  // where fields would answer the level.
   const double share = tolerance > 0 ? WithinTolerance(tolerance).share() : 0;
   std::vector<double> scaled_levels;
   scaled_levels.reserve(levels.size());
   for (double level : levels) {
     scaled_levels.push_back(std::ldexp(level, -mesh.scale_exponent()) *
-                            (1 - share / 2));
+                            (1 - kAnswerInAccount * share));
   }
 
   IsolineBand band(mesh, scaled_levels);
@@ -566,7 +566,7 @@ absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
   }
   std::vector<double> distances;
   if (tolerance > 0) {
-    // The field would have the middle of the bounds, which is on the other side
+    // The field has answers above the lower bounds, which are on the other side
     // of some levels than the windows are.
     distances = settling.kept();
   } else {

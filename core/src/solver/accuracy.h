@@ -55,7 +55,8 @@ class WithinTolerance {
 
   WithinTolerance() = default;
   explicit WithinTolerance(double tolerance)
-      : share_(2 * (tolerance - kMargin) / (1 + 2 * tolerance)) {}
+      : share_((tolerance - kMargin) /
+               ((1 - kAnswerInAccount) * (1 + 2 * tolerance))) {}
 
   // The largest account, over the label of a window.
   double share() const { return share_; }

@@ -78,7 +78,7 @@ class Propagation final : public Computation {
       field.target_distances.push_back(
           certified(targets.Distance(t, distances)));
     }
-    if constexpr (Accuracy::kMerges) MoveToMiddle(field);
+    if constexpr (Accuracy::kMerges) MoveToAnswers(field);
     if (traces_) {
       field.arrivals.assign(front_.arrivals().begin(), front_.arrivals().end());
       for (size_t v = 0; v < field.arrivals.size(); ++v) {
@@ -143,14 +143,14 @@ class Propagation final : public Computation {
     rule.Propagate(ids);
   };
 
-  // Distances are lower bounds so far. Of what they and their accounts leave
-  // open the middle is off by the least.
-  void MoveToMiddle(DistanceField& field) const {
+  // Distances are lower bounds so far.
+  void MoveToAnswers(DistanceField& field) const {
     const auto move = [&](double& distance, double account) {
       if (std::isinf(distance) || distance == 0) return 0.0f;
-      const double half = ToFileUnit(mesh(), account / 2);
-      const float error = RoundedUp(half / distance + Accuracy::kMargin);
-      distance += half;
+      const double open = ToFileUnit(mesh(), account);
+      const float error = RoundedUp((1 - kAnswerInAccount) * open / distance +
+                                    Accuracy::kMargin);
+      distance += kAnswerInAccount * open;
       field.certified_error =
           std::max(field.certified_error, static_cast<double>(error));
       return error;

@@ -189,6 +189,7 @@ class alignas(kCacheLine) ListWorker {
   void MergeNeighbours() {
     if (list_.size < 2) return;
     const double share = front_.accuracy().share();
+    const double merge_share = std::min(kPartOfAccount * share, kMostOfLabel);
     const auto window = [this](size_t i) {
       return Window::Over(list_.IntervalAt(i), list_.OriginAt(i));
     };
@@ -199,12 +200,12 @@ class alignas(kCacheLine) ListWorker {
     for (size_t i = 1; i < list_.size; ++i) {
       const Window next = window(i);
       const uint32_t source = list_.pseudo_source[i];
-      const double most = share * std::min(last.Label(), next.Label());
-      if (FindMerged(last, next, kPartOfAccount * most, merged)) {
+      const double label = std::min(last.Label(), next.Label());
+      if (FindMerged(last, next, merge_share * label, merged)) {
         const double account =
             std::max(front_.AccountOf(last_source) + merged.below_first,
                      front_.AccountOf(source) + merged.below_second);
-        if (account <= most) {
+        if (account <= share * label) {
           last = merged.window;
           last_source = MergedWithAccount(account);
           continue;
