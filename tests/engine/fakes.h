@@ -34,17 +34,17 @@ class FakeClock final : public Clock {
   TimePoint now_ = TimePoint() + std::chrono::hours(1);
 };
 
-// Runs tasks when, and on the thread where, the test says so; idle ones when
-// there are no others.
+// Runs tasks when, and on the thread where, the test says so; those beside
+// when there are no others.
 class ManualExecutor final : public Executor {
  public:
   void Schedule(Task task) override { tasks_.push_back(std::move(task)); }
-  void ScheduleIdle(Task task) override {
-    idle_tasks_.push_back(std::move(task));
+  void ScheduleBeside(Task task) override {
+    tasks_beside_.push_back(std::move(task));
   }
 
   bool RunOne() {
-    std::deque<Task>& tasks = tasks_.empty() ? idle_tasks_ : tasks_;
+    std::deque<Task>& tasks = tasks_.empty() ? tasks_beside_ : tasks_;
     if (tasks.empty()) return false;
     Task task = std::move(tasks.front());
     tasks.pop_front();
@@ -58,11 +58,11 @@ class ManualExecutor final : public Executor {
     return count;
   }
 
-  size_t size() const { return tasks_.size() + idle_tasks_.size(); }
+  size_t size() const { return tasks_.size() + tasks_beside_.size(); }
 
  private:
   std::deque<Task> tasks_;
-  std::deque<Task> idle_tasks_;
+  std::deque<Task> tasks_beside_;
 };
 
 // Remembers what it was told. For tests on one thread.

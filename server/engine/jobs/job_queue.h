@@ -46,7 +46,7 @@ enum class JobPriority {
   kRow,      // one row of a matrix
   kBatch,    // a solve or row of a request that can wait
   kStore,    // keeps on disk what would otherwise be computed again
-  kPrepare,  // makes what later questions would be faster with, in idle time
+  kPrepare,  // makes what later questions would be faster with
 };
 inline constexpr int kJobPriorities = 6;
 

@@ -29,7 +29,8 @@ Scheduler::Scheduler(Executor& executor, size_t max_running, size_t max_queued,
 Scheduler::~Scheduler() {
   StopAll();
   std::unique_lock lock(mutex_);
-  idle_.wait(lock, [this] { return line_.workers + idle_line_.workers == 0; });
+  idle_.wait(lock,
+             [this] { return line_.workers + preparations_.workers == 0; });
 }
 
 void Scheduler::ObserveJobs(const Clock& clock,
@@ -109,9 +110,9 @@ void Scheduler::AskForThreads() {
     ++line_.workers;
     executor_.Schedule([this] { RunOne(line_); });
   }
-  if (wants_more(idle_line_, 1)) {
-    ++idle_line_.workers;
-    executor_.ScheduleIdle([this] { RunOne(idle_line_); });
+  if (wants_more(preparations_, 1)) {
+    ++preparations_.workers;
+    executor_.ScheduleBeside([this] { RunOne(preparations_); });
   }
 }
 
@@ -122,7 +123,7 @@ void Scheduler::Cancel(JobId id) {
   {
     std::lock_guard lock(mutex_);
     dropped = line_.queue.Remove(id);
-    if (!dropped.has_value()) dropped = idle_line_.queue.Remove(id);
+    if (!dropped.has_value()) dropped = preparations_.queue.Remove(id);
     if (dropped.has_value()) {
       // The other jobs may have waited behind this one.
       AskForThreads();
@@ -157,7 +158,8 @@ void Scheduler::StopAll() {
     draining_ = true;
     stopped_ = true;
     abandoned = line_.queue.Clear();
-    std::ranges::move(idle_line_.queue.Clear(), std::back_inserter(abandoned));
+    std::ranges::move(preparations_.queue.Clear(),
+                      std::back_inserter(abandoned));
     stopped = running_;
   }
   for (auto& [id, source] : stopped) source.request_stop();
@@ -167,8 +169,8 @@ void Scheduler::StopAll() {
 bool Scheduler::WaitIdle(std::chrono::milliseconds limit) {
   std::unique_lock lock(mutex_);
   return idle_.wait_for(lock, limit, [this] {
-    return line_.workers + idle_line_.workers == 0 && line_.queue.empty() &&
-           idle_line_.queue.empty();
+    return line_.workers + preparations_.workers == 0 && line_.queue.empty() &&
+           preparations_.queue.empty();
   });
 }
 
@@ -182,6 +184,11 @@ size_t Scheduler::idle() const {
   const size_t free = FreeThreads();
   const size_t waiting = line_.queue.size();
   return waiting < free ? free - waiting : 0;
+}
+
+bool Scheduler::is_busy() const {
+  std::lock_guard lock(mutex_);
+  return 2 * line_.running >= max_running_;
 }
 
 bool Scheduler::lacks_memory() const {
@@ -224,7 +231,7 @@ void Scheduler::RunOne(Line& line) {
   // Each task runs one job, which is fair to others who share the executor.
   // When no job could start, the next change asks again.
   if (progressed) AskForThreads();
-  if (line_.workers + idle_line_.workers == 0) idle_.notify_all();
+  if (line_.workers + preparations_.workers == 0) idle_.notify_all();
 }
 
 bool Scheduler::Run(WaitingJob& started, const std::stop_source& source) {

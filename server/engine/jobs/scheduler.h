@@ -45,8 +45,8 @@ struct JobTimes {
 // abandoned.
 //
 // Jobs of kPrepare stand in a line of their own and run one at a time beside
-// the others, as idle tasks of the executor. They should end when others wait
-// for memory.
+// the others. They should rest while others run, and end when others wait for
+// memory.
 class Scheduler {
  public:
   using JobId = uint64_t;
@@ -104,6 +104,8 @@ class Scheduler {
   size_t queued() const;  // except kPrepare
   // Threads beyond those that running and waiting jobs take.
   size_t idle() const;
+  // Whether half of the threads or more have jobs.
+  bool is_busy() const;
   // Whether the next job waits for memory that others hold.
   bool lacks_memory() const;
 
@@ -125,7 +127,7 @@ class Scheduler {
   // The rest REQUIRES: mutex_ held.
 
   Line& LineOf(const Job& job) {
-    return job.priority == JobPriority::kPrepare ? idle_line_ : line_;
+    return job.priority == JobPriority::kPrepare ? preparations_ : line_;
   }
   size_t FreeThreads() const { return max_running_ - line_.running; }
   // `runs_at_once`: the job needs no place if a thread is free for it.
@@ -150,8 +152,8 @@ class Scheduler {
   mutable std::mutex mutex_;
   std::condition_variable idle_;
   // Guarded by mutex_:
-  Line line_;       // at most max_running_ workers
-  Line idle_line_;  // jobs of kPrepare; at most one worker
+  Line line_;          // at most max_running_ workers
+  Line preparations_;  // jobs of kPrepare; at most one worker
   std::map<JobId, std::stop_source> running_;
   uint64_t next_number_ = 0;
   bool draining_ = false;

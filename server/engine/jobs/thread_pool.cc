@@ -1,27 +1,13 @@
 #include "server/engine/jobs/thread_pool.h"
 
-#include <sched.h>
-
 namespace geodesic::server {
-namespace {
-
-// Where Linux refuses, the thread is one like the others.
-void TakeIdleTimeOnly() {
-  const sched_param none{};
-  (void)sched_setscheduler(0, SCHED_IDLE, &none);  // 0: this thread
-}
-
-}  // namespace
 
 ThreadPool::ThreadPool(size_t threads) {
   threads_.reserve(threads + 1);
   for (size_t i = 0; i < threads; ++i) {
     threads_.emplace_back([this] { Work(tasks_); });
   }
-  threads_.emplace_back([this] {
-    TakeIdleTimeOnly();
-    Work(idle_tasks_);
-  });
+  threads_.emplace_back([this] { Work(tasks_beside_); });
 }
 
 ThreadPool::~ThreadPool() {
@@ -30,7 +16,7 @@ ThreadPool::~ThreadPool() {
     stopping_ = true;
   }
   tasks_.changed.notify_all();
-  idle_tasks_.changed.notify_all();
+  tasks_beside_.changed.notify_all();
   threads_.clear();  // joins, while the other members still live
 }
 

@@ -22,24 +22,25 @@ class Executor {
   virtual ~Executor() = default;
 
   // Each runs `task` once, later and not on the calling thread's stack, the
-  // second in time for which the machine has no other use. Thread-safe.
+  // second on a thread that no task of the first waits for. Thread-safe.
   virtual void Schedule(Task task) = 0;
-  virtual void ScheduleIdle(Task task) = 0;
+  virtual void ScheduleBeside(Task task) = 0;
 };
 
 // Starts tasks in order. The queue is unbounded; Scheduler bounds what it puts
-// there. Idle tasks have one more thread, to which Linux gives a processor only
-// when no other thread wants it, whatever program that is of. Thread-safe.
+// there. Thread-safe.
 class ThreadPool final : public Executor {
  public:
-  // REQUIRES: threads > 0.
+  // One more thread is for tasks beside. REQUIRES: threads > 0.
   explicit ThreadPool(size_t threads);
 
   // Runs every task that was scheduled, then joins the threads.
   ~ThreadPool() override;
 
   void Schedule(Task task) override { Add(std::move(task), tasks_); }
-  void ScheduleIdle(Task task) override { Add(std::move(task), idle_tasks_); }
+  void ScheduleBeside(Task task) override {
+    Add(std::move(task), tasks_beside_);
+  }
 
  private:
   // Guarded by mutex_ of the pool.
@@ -53,7 +54,7 @@ class ThreadPool final : public Executor {
 
   std::mutex mutex_;
   Line tasks_;
-  Line idle_tasks_;
+  Line tasks_beside_;
   bool stopping_ = false;  // guarded by mutex_
 
   std::vector<std::jthread> threads_;

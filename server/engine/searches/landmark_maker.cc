@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include "geodesic/valid_query.h"
@@ -13,24 +15,50 @@ namespace {
 // At most this many meshes wait; a mesh that found no place asks again.
 constexpr size_t kMaxTurns = 64;
 
-// Ends a step as soon as its memory is wanted for something else.
-class IdleCheckpoint final : public Checkpoint {
+// Questions that come one after the other are not told apart from one that
+// goes on: a path that follows a cursor is asked for some 30 times a second.
+constexpr std::chrono::milliseconds kQuiet{100};
+// Of the time that it worked, until it goes on though there is no quiet.
+constexpr int kRest = 9;
+// Between two looks whether there is.
+constexpr std::chrono::milliseconds kNap{1};
+
+// Has a step rest while there are questions, and ends it as soon as its memory
+// is wanted for something else.
+class CourteousCheckpoint final : public Checkpoint {
  public:
   // The references outlive it. `extra_bytes` are charged to `memory` beside
   // what the solver takes.
-  IdleCheckpoint(const Scheduler& scheduler, std::stop_token stop,
-                 const MeshStore& meshes, const std::string& digest,
-                 ByteReservation& memory, uint64_t extra_bytes)
-      : scheduler_(scheduler),
+  CourteousCheckpoint(const Clock& clock, const Scheduler& scheduler,
+                      std::stop_token stop, const MeshStore& meshes,
+                      const std::string& digest, ByteReservation& memory,
+                      uint64_t extra_bytes)
+      : clock_(clock),
+        scheduler_(scheduler),
         stop_(std::move(stop)),
         meshes_(meshes),
         digest_(digest),
         memory_(memory),
-        extra_bytes_(extra_bytes) {}
+        extra_bytes_(extra_bytes),
+        resumed_(clock.Now()) {}
 
   // Errors: CANCELLED: the landmarks are of no use any more;
   // RESOURCE_EXHAUSTED.
   absl::Status Poll(const Progress& progress) override {
+    absl::Status status = Check(progress);
+    TimePoint now = clock_.Now();
+    const TimePoint rested = now + kRest * (now - resumed_);
+    while (status.ok() && !IsQuiet(now) && now < rested) {
+      std::this_thread::sleep_for(kNap);
+      status = Check(progress);
+      now = clock_.Now();
+    }
+    resumed_ = now;
+    return status;
+  }
+
+ private:
+  absl::Status Check(const Progress& progress) {
     if (stop_.stop_requested() || scheduler_.is_draining()) {
       return absl::CancelledError("the server is shutting down");
     }
@@ -42,13 +70,20 @@ class IdleCheckpoint final : public Checkpoint {
     return memory_.GrowTo(progress.solver_bytes + extra_bytes_);
   }
 
- private:
+  bool IsQuiet(TimePoint now) {
+    if (scheduler_.is_busy()) quiet_ = now + kQuiet;
+    return now >= quiet_;
+  }
+
+  const Clock& clock_;
   const Scheduler& scheduler_;
   const std::stop_token stop_;
   const MeshStore& meshes_;
   const std::string& digest_;
   ByteReservation& memory_;
   const uint64_t extra_bytes_;
+  TimePoint resumed_;
+  TimePoint quiet_ = TimePoint::min();  // from when on, if nobody asks anew
 };
 
 bool IsEnough(const LandmarksHandle& landmarks) {
@@ -62,10 +97,12 @@ uint64_t DistanceBytes(const Mesh& mesh) {
 
 }  // namespace
 
-LandmarkMaker::LandmarkMaker(const SolveOptions& options, Scheduler& scheduler,
+LandmarkMaker::LandmarkMaker(const SolveOptions& options, const Clock& clock,
+                             Scheduler& scheduler,
                              std::shared_ptr<ByteBudget> solver_memory,
                              StartFunction start, MeshLibrary& meshes)
     : options_(options),
+      clock_(clock),
       start_(std::move(start)),
       solver_memory_(std::move(solver_memory)),
       scheduler_(scheduler),
@@ -131,8 +168,9 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
   if (!memory.ok()) return memory.status();
   auto computation = StartField(*mesh->mesh, *work_.landmarks);
   if (!computation.ok()) return computation.status();
-  IdleCheckpoint checkpoint(scheduler_, stop, meshes_.store(), mesh->digest,
-                            *memory, DistanceBytes(*mesh->mesh));
+  CourteousCheckpoint checkpoint(clock_, scheduler_, stop, meshes_.store(),
+                                 mesh->digest, *memory,
+                                 DistanceBytes(*mesh->mesh));
   absl::Status status = (*computation)->Advance({}, checkpoint);
   if (!status.ok()) return status;
   return Add(*mesh, **computation, work_);

@@ -1,10 +1,12 @@
-// Makes landmarks of meshes when the machine has nothing else to do.
+// Makes landmarks of meshes in time that nobody needs.
 //
 //   LandmarksHandle landmarks = maker.Wanted(mesh);  // those of now, or null
 //
-// A step computes the field of one landmark. A turn ends within milliseconds
-// when a job lacks memory; the next question begins another. One mesh has its
-// turn at a time.
+// A step computes the field of one landmark. While the scheduler is busy, and
+// shortly after, a step works for a tenth of the time, so that questions which
+// come all the time get landmarks at last. A turn ends within milliseconds when
+// a job lacks memory; the next question begins another. One mesh has its turn
+// at a time.
 
 #ifndef GEODESIC_SERVER_ENGINE_SEARCHES_LANDMARK_MAKER_H_
 #define GEODESIC_SERVER_ENGINE_SEARCHES_LANDMARK_MAKER_H_
@@ -25,6 +27,7 @@
 #include "geodesic/landmarks.h"
 #include "geodesic/solve_options.h"
 #include "server/engine/base/byte_budget.h"
+#include "server/engine/base/clock.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/start_function.h"
 #include "server/engine/meshes/landmark_store.h"
@@ -38,9 +41,9 @@ class LandmarkMaker {
  public:
   // REQUIRES: the references outlive the object, and `scheduler` has no job
   // left when it is destroyed.
-  LandmarkMaker(const SolveOptions& options, Scheduler& scheduler,
-                std::shared_ptr<ByteBudget> solver_memory, StartFunction start,
-                MeshLibrary& meshes);
+  LandmarkMaker(const SolveOptions& options, const Clock& clock,
+                Scheduler& scheduler, std::shared_ptr<ByteBudget> solver_memory,
+                StartFunction start, MeshLibrary& meshes);
 
   // From now on also keeps landmarks in `files`, which outlives the object.
   // Call before any other method.
@@ -99,6 +102,7 @@ class LandmarkMaker {
   void Store(const ResidentMesh& mesh, const Landmarks& landmarks);
 
   const SolveOptions options_;
+  const Clock& clock_;
   const StartFunction start_;
   const std::shared_ptr<ByteBudget> solver_memory_;
   Scheduler& scheduler_;

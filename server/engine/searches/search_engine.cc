@@ -7,7 +7,7 @@ SearchEngine::SearchEngine(const Limits& limits, const SolveOptions& options,
                            const Clock& clock, Scheduler& scheduler,
                            const std::shared_ptr<ByteBudget>& solver_memory,
                            const StartFunction& start, MeshLibrary& meshes)
-    : landmarks_(options, scheduler, solver_memory, start, meshes),
+    : landmarks_(options, clock, scheduler, solver_memory, start, meshes),
       pool_(std::make_shared<SearchPool>(clock, solver_memory,
                                          limits.max_concurrent_jobs)) {
   solver_memory->OnShortage([searches = std::weak_ptr<SearchPool>(pool_)] {

@@ -121,6 +121,30 @@ TEST_F(LandmarkMakerTest, AQuestionThatComesInAStepGoesBeforeTheNext) {
   EXPECT_EQ(Count(), Landmarks::kMost);
 }
 
+TEST_F(LandmarkMakerTest, AStepRestsWhileJobsRun) {
+  // Every look at the time takes a while, so these tell how long a step takes.
+  int looks = 0;
+  clock_.at_look = [&] {
+    ++looks;
+    clock_.Advance(std::chrono::milliseconds(1));
+  };
+  const auto looks_of_a_step = [&] {
+    const int before = looks;
+    EXPECT_TRUE(executor_.RunOne());
+    return looks - before;
+  };
+  Wanted();
+  const int alone = looks_of_a_step();
+  EXPECT_EQ(Count(), 1);
+  int beside = 0;
+  Job job{.run = [&](std::stop_token) { beside = looks_of_a_step(); }};
+  EXPECT_TRUE(engine_.scheduler().Submit(std::move(job)).ok());
+  EXPECT_TRUE(executor_.RunOne());
+  EXPECT_EQ(Count(), 2);
+  EXPECT_GT(beside, 3 * alone);
+  clock_.at_look = nullptr;
+}
+
 TEST_F(LandmarkMakerTest, AJobGetsTheMemoryOfAStep) {
   int started = 0;
   bool has_run = false;
