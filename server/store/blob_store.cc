@@ -383,7 +383,8 @@ absl::Status BlobStore::Read(const std::string& name, TakeBlob take) {
   absl::Status status =
       Take(name, [&](std::string_view metadata, BlobBody& body) {
         absl::Status taken = take(metadata, body);
-        is_refused = absl::IsNotFound(taken) || absl::IsCancelled(taken);
+        is_refused = absl::IsNotFound(taken) || absl::IsCancelled(taken) ||
+                     absl::IsResourceExhausted(taken);
         return taken;
       });
   std::lock_guard lock(mutex_);

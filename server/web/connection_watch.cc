@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <stop_token>
 #include <utility>
@@ -15,6 +16,9 @@ namespace {
 
 // How often connections that are late are looked for.
 constexpr int kTickMilliseconds = 1000;
+
+// What a browser has sent before it went is looked at for so long.
+constexpr std::chrono::seconds kAfterGone{5};
 
 // The number under which epoll knows wake_.
 constexpr uint64_t kWake = 0;
@@ -60,7 +64,10 @@ void ConnectionWatch::Close(uint64_t connection) {
 
 void ConnectionWatch::Expect(uint64_t connection) {
   std::lock_guard lock(mutex_);
-  connections_.at(connection).until = Clock::now() + patience_;
+  Connection& expected = connections_.at(connection);
+  expected.until =
+      Clock::now() +
+      (expected.is_gone ? std::min(patience_, kAfterGone) : patience_);
 }
 
 void ConnectionWatch::Rest(uint64_t connection) {
@@ -123,8 +130,13 @@ void ConnectionWatch::Gone(uint64_t connection) {
     std::lock_guard lock(mutex_);
     const auto it = connections_.find(connection);
     if (it == connections_.end()) return;
-    it->second.is_gone = true;
-    call = it->second.call.lock();
+    Connection& gone = it->second;
+    gone.is_gone = true;
+    // If more was expected, it cannot come.
+    if (gone.until != Clock::time_point::max()) {
+      gone.until = std::min(gone.until, Clock::now() + kAfterGone);
+    }
+    call = gone.call.lock();
   }
   if (call != nullptr) call->Leave();
 }

@@ -14,14 +14,22 @@ namespace {
 constexpr std::string_view kSchemes[] = {"http://", "https://"};
 
 // HOST of "HOST:PORT", "HOST" or "[HOST]:PORT", in small letters and without
-// brackets.
+// brackets; empty if it is none of these.
 std::string HostName(std::string_view authority) {
-  std::string_view host = authority;
+  std::string_view host = authority, port;
   if (host.starts_with('[')) {
-    host = host.substr(1, host.find(']') - 1);
-  } else {
-    host = host.substr(0, host.rfind(':'));
+    const size_t end = host.find(']');
+    if (end == host.npos) return "";
+    port = host.substr(end + 1);
+    host = host.substr(1, end - 1);
+  } else if (const size_t end = host.find(':'); end != host.npos) {
+    port = host.substr(end);
+    host = host.substr(0, end);
   }
+  const bool has_port =
+      port.starts_with(':') &&
+      std::ranges::all_of(port.substr(1), absl::ascii_isdigit);
+  if (!port.empty() && !has_port) return "";
   return absl::AsciiStrToLower(std::string(host));
 }
 
@@ -49,8 +57,8 @@ OriginPolicy::OriginPolicy(std::string_view listen, bool over_tls,
 
 bool OriginPolicy::IsHost(std::string_view host) const {
   const std::string name = HostName(host);
-  return IsAddress(name) || name == "localhost" ||
-         (!name.empty() && name == name_) ||
+  if (name.empty()) return false;
+  return IsAddress(name) || name == "localhost" || name == name_ ||
          std::ranges::any_of(origins_, [&](const std::string& origin) {
            return HostName(Authority(origin)) == name;
          });

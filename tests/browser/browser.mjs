@@ -74,8 +74,10 @@ export class Viewer {
   }
 
   /** Waits until the picture is still, and drawn as finely as it will be. */
-  settled(timeout = 120_000) {
-    return this.page.waitForFunction(() => ["whole", "always coarse"].includes(document.documentElement.dataset.detail), null, { timeout });
+  async settled(timeout = 120_000) {
+    await this.page.waitForFunction(() => ["whole", "always coarse"].includes(document.documentElement.dataset.detail), null, { timeout });
+    // Its last picture is on the screen when there is time for another one.
+    await this.page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
   }
 
   /** Of the first that the selector finds. */

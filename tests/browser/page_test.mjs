@@ -264,6 +264,31 @@ test("fingers: a tap is a click, one turns, two zoom", async (t) => {
   assert.deepEqual(viewer.errors, []);
 });
 
+test("no field of another source is saved while one is dragged", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(0, 0);
+  await viewer.solved();
+  const save = () => viewer.page.locator("#save-npy").evaluate((button) => button.click());
+  let goOn;
+  const mayGoOn = new Promise((resolve) => (goOn = resolve));
+  await viewer.page.route("**/ComputeField", async (route) => {
+    await mayGoOn;
+    await route.continue();
+  });
+  await viewer.move(0, 0);
+  await viewer.page.mouse.down();
+  await viewer.move(0.3, 0);
+  await viewer.page.mouse.up();
+  await save();
+  await viewer.waitForText("#notice-text", "The exact field is still on its way.");
+  goOn();
+  // It is saved once it is there.
+  const saved = viewer.page.waitForEvent("download").then(() => true);
+  do await save();
+  while (!(await Promise.race([saved, viewer.page.waitForTimeout(50)])));
+  assert.deepEqual(viewer.errors, []);
+});
+
 test("what no path leads to is grey", async (t) => {
   const viewer = await openPage(browser, server.url);
   t.after(() => viewer.close());
@@ -583,8 +608,14 @@ test("the page goes on when the server is back, without its meshes", async (t) =
   await own.stop();
   await viewer.click(0, 0);
   await viewer.waitForText("#notice-text", "The server does not answer");
+  // A path that failed, too, is not asked in the field's place.
+  const failed = viewer.page.waitForEvent("requestfailed", (request) => request.url().endsWith("/ComputePaths"));
+  await viewer.move(0.3, 0.2);
+  await failed;
   own = await startServerOn(port);
   await viewer.solved();
+  await viewer.move(0.2, 0.2);
+  await viewer.exactValue();
   assert.deepEqual(viewer.errors, []);
 });
 

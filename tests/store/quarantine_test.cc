@@ -76,6 +76,10 @@ TEST_F(BlobCountersTest, EverythingIsCountedOnce) {
   EXPECT_TRUE(absl::IsNotFound(test::Read(*store_, Name('a')).status()));
   EXPECT_TRUE(absl::IsCancelled(store_->Read(
       Name('b'), [](auto, auto&) { return absl::CancelledError("enough"); })));
+  EXPECT_TRUE(
+      absl::IsResourceExhausted(store_->Read(Name('b'), [](auto, auto&) {
+        return absl::ResourceExhaustedError("no memory for it");
+      })));
   WriteFile(FileOf(Name('c')), "damaged");
   EXPECT_TRUE(absl::IsDataLoss(test::Read(*store_, Name('c')).status()));
   const BlobCounters counters = store_->counters();
@@ -83,7 +87,7 @@ TEST_F(BlobCountersTest, EverythingIsCountedOnce) {
   EXPECT_EQ(counters.write_failures, 0) << "the disk is well";
   EXPECT_EQ(counters.too_large, 1);
   EXPECT_EQ(counters.evictions, 1);
-  EXPECT_EQ(counters.reads, 3);
+  EXPECT_EQ(counters.reads, 4);
   EXPECT_EQ(counters.read_failures, 1);
   EXPECT_EQ(counters.damaged, 1);
 

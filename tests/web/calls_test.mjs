@@ -262,7 +262,8 @@ test("a name that was pointed here is no host of the server", async () => {
   for (const [host, status] of [
     ["evil.example.org", 421], [`evil.example.org:${server.port}`, 421],
     ["geo.example.org", 200], ["localhost", 200], [`LOCALHOST:${server.port}`, 200],
-    ["127.0.0.1", 200], ["[::1]:80", 200]]) {
+    ["127.0.0.1", 200], ["[::1]:80", 200], ["[::1].evil.example.org", 421], ["[::1", 421],
+    ["localhost:evil.example.org", 421], [":80", 421]]) {
     const answer = await http({ headers: { host, ...callHeaders } }, Buffer.alloc(5));
     assert.equal(answer.status, status, host);
     const page = await http({ method: "GET", path: "/", headers: { host } });

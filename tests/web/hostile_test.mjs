@@ -160,6 +160,23 @@ test("who sends a request byte by byte is cut off", async () => {
   await isServing();
 });
 
+test("who goes within a request's head keeps no connection", async () => {
+  // One that waits for a minute before it cuts anybody off.
+  const patient = await startServer("--receive-seconds", "60");
+  try {
+    const before = performance.now();
+    const gone = Array.from({ length: 20 }, () => {
+      const one = send("GET / HTTP/1.1\r\nHost: loc", patient.port);
+      one.socket.end();
+      return one;
+    });
+    await Promise.all(gone.map(({ closed }) => closed));
+    assert.ok(performance.now() - before < 30_000);
+  } finally {
+    await patient.stop();
+  }
+});
+
 test("half a body that never goes on ends the call", async () => {
   const half = frame(Buffer.alloc(3_000_000)).subarray(0, 1_000_000);
   const sent = Array.from({ length: 20 }, () => {

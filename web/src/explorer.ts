@@ -52,7 +52,7 @@ export interface ExplorerEvents {
   changed(): void;
   /** The distance under the cursor; exact once its path has come. */
   value(distance: number | undefined, exact: boolean): void;
-  /** A question failed; `again` asks it anew, if nothing else is asked by then. */
+  /** A question failed; `again` asks it anew, if it still matters by then. */
   failed(error: unknown, again: () => void): void;
 }
 
@@ -67,6 +67,8 @@ export class Explorer {
   readonly sources: Source[] = [];
   readonly paths: KeptPath[] = [];
 
+  /** Whose distances the field has, or will have. */
+  private fieldSources: readonly Source[] = [];
   private readonly live: PathLine;
   private readonly sketch: PathLine;
   private readonly lines = new Map<object, PathLine>();
@@ -78,6 +80,7 @@ export class Explorer {
   private waiting = false;
   private swept: (() => void) | undefined;
   private cursor: Place | undefined;
+  private since = 0; // when the cursor came there
   private livePath: KeptPath | undefined;
   private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -105,6 +108,13 @@ export class Explorer {
   /** Whether an exact field is on its way. */
   get isWaiting(): boolean {
     return this.waiting;
+  }
+
+  /** The field of the sources as they are, once it is there and exact. */
+  get exactField(): FieldView | undefined {
+    const { sources, fieldSources } = this;
+    const isTheirs = sources.length === fieldSources.length && sources.every((source, i) => source === fieldSources[i]);
+    return this.summary && isTheirs ? this.field : undefined;
   }
 
   show(mesh: SurfaceMesh): void {
@@ -189,6 +199,7 @@ export class Explorer {
     this.live.setPoints(new Float32Array());
     const abort = (this.fieldQuestion = new AbortController());
     const field = (this.field = this.newField(mesh));
+    this.fieldSources = [...this.sources];
     document.documentElement.dataset.sweep = "";
     this.summary = undefined;
     this.waiting = true;
@@ -298,8 +309,8 @@ export class Explorer {
       this.events.value(Infinity, true);
       return;
     }
-    const { mesh } = this;
-    this.underCursor.ask((signal) => this.lead(mesh, place, since, signal));
+    this.since = since;
+    this.askUnderCursor();
   }
 
   /** Keeps the path to `place`. */
@@ -397,11 +408,13 @@ export class Explorer {
 
   // Shows the field of the sources as they are, all at once.
   private async follow(mesh: SurfaceMesh, signal: AbortSignal): Promise<void> {
+    const sources = [...this.sources];
     try {
       const { distances, summary } = await askDistances(
         this.connection, this.question(mesh), mesh.vertexCount, signal);
       if (mesh !== this.mesh || signal.aborted) return;
       this.field = this.newField(mesh);
+      this.fieldSources = sources;
       this.field.setAll(distances);
       this.summary = summary;
       this.events.changed();
@@ -430,13 +443,14 @@ export class Explorer {
       this.scene.draw();
       performance.measure("path under the cursor", { start: since, end: performance.now() });
     } catch (error) {
-      this.report(error, () => {
-        if (mesh === this.mesh && target === this.cursor) {
-          this.underCursor.ask((again) => this.lead(mesh, target, since, again));
-        }
-      });
+      this.report(error, this.askUnderCursor);
     }
   }
+
+  private readonly askUnderCursor = (): void => {
+    const { mesh, cursor, since } = this;
+    if (mesh && cursor && this.field) this.underCursor.ask((signal) => this.lead(mesh, cursor, since, signal));
+  };
 
   private hideLive(): void {
     this.underCursor.stop();

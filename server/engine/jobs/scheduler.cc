@@ -51,7 +51,8 @@ absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
     if (!status.ok()) return status;
   }
   const JobId id = next_number_++;
-  LineOf(job).queue.Push(id, {std::move(job), Now()});
+  JobQueue& queue = LineOf(job).queue;
+  queue.Push(id, {std::move(job), Now()});
   AskForThreads();
   return id;
 }

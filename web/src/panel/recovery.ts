@@ -15,8 +15,10 @@ const FULL_PAUSE_MS = 250;
 const LONGEST_FULL_MS = 10_000;
 
 export class Recovery {
-  private again: (() => void) | undefined;
+  /** What is asked again when the server is back, has the mesh, or knows the token. */
+  private readonly questions = new Set<() => void>();
   private waiting = false;
+  private uploading = false;
   private readonly dialog: TokenDialog;
 
   constructor(
@@ -48,23 +50,27 @@ export class Recovery {
     }
   }
 
-  /** `upload` brings back a mesh that the server has forgotten. */
+  /**
+   * `upload` brings back a mesh that the server has forgotten. The same function
+   * `again` is called once, for however many errors.
+   */
   handle(error: unknown, again: () => void, upload?: () => Promise<void>): void {
     switch (kindOf(error)) {
       case "cancelled":
         return;
       case "token":
-        this.again = again;
+        this.questions.add(again);
         this.notice.error(explain(error));
         this.dialog.open(explain(error));
         return;
       case "gone":
-        this.again = again;
+        this.questions.add(again);
         void this.waitForServer();
         return;
       case "forgotten":
         if (upload) {
-          void this.attempt(() => upload().then(again));
+          this.questions.add(again);
+          void this.bringBack(upload);
           return;
         }
         this.notice.error(`${explain(error)} Open its file again.`);
@@ -74,6 +80,17 @@ export class Recovery {
         return;
       default:
         this.notice.error(explain(error));
+    }
+  }
+
+  // One upload is enough for all questions that miss the mesh.
+  private async bringBack(upload: () => Promise<void>): Promise<void> {
+    if (this.uploading) return;
+    this.uploading = true;
+    try {
+      await this.attempt(() => upload().then(() => this.resume()));
+    } finally {
+      this.uploading = false;
     }
   }
 
@@ -106,9 +123,9 @@ export class Recovery {
   }
 
   private resume(): void {
-    const again = this.again;
-    this.again = undefined;
+    const questions = [...this.questions];
+    this.questions.clear();
     this.notice.clear();
-    again?.();
+    for (const again of questions) again();
   }
 }

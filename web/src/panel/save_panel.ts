@@ -34,14 +34,14 @@ export class SavePanel {
   }
 
   private saveField(ending: string, write: (distances: Float64Array) => BlobPart[]): void {
-    const { mesh, field, summary, isWaiting, radius } = this.explorer;
-    if (!mesh || !field || !summary) {
+    const { mesh, exactField, isWaiting, summary, radius } = this.explorer;
+    if (!mesh || !exactField) {
       this.notice.hint(
-        isWaiting ? "The exact field is still on its way." : "There is no field yet: click a point of the surface.");
+        isWaiting || summary ? "The exact field is still on its way." : "There is no field yet: click a point of the surface.");
       return;
     }
     const limit = radius ?? Infinity;
-    const distances = field.distances.map((d) => (d <= limit ? d : Infinity));
+    const distances = exactField.distances.map((d) => (d <= limit ? d : Infinity));
     download(`${stem(mesh.name)}-field.${ending}`, write(distances));
   }
 
