@@ -76,8 +76,11 @@ export class Viewer {
   /** Waits until the picture is still, and drawn as finely as it will be. */
   async settled(timeout = 120_000) {
     await this.page.waitForFunction(() => ["whole", "always coarse"].includes(document.documentElement.dataset.detail), null, { timeout });
-    // Its last picture is on the screen when there is time for another one.
-    await this.page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    // A pixel can be read when all that was drawn is there.
+    await this.page.evaluate(() => {
+      const context = document.getElementById("picture").getContext("webgl2");
+      context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4));
+    });
   }
 
   /** Of the first that the selector finds. */

@@ -11,7 +11,6 @@ import type { PathLabels } from "./path_labels";
 import { SavePanel } from "./save_panel";
 import { ScaleBar } from "./scale_bar";
 import type { Theme } from "./theme";
-import { mayBeWhole } from "../scene/detail";
 import type { Scene } from "../scene/scene";
 import type { Connection } from "../service/connection";
 import type { SurfaceMesh } from "../surface/mesh";
@@ -189,7 +188,7 @@ export class Panel {
     if (!mesh) return;
     const faces = countText(mesh.faceCount, "face");
     const coarse = mesh.coarse?.index ? formatCount(mesh.coarse.index.count / 3) : undefined;
-    const when = mayBeWhole(mesh) ? " while it moves" : "";
+    const when = this.scene.mayBeWhole(mesh) ? " while it moves" : "";
     byId("mesh-size").textContent = coarse ? `${faces}, ${coarse} drawn${when}` : faces;
     byId("mesh-size").title = coarse ? "Drawn with fewer faces over the same vertices. All answers are the whole mesh's." : "";
   }

@@ -13,6 +13,10 @@ export const COARSE_FACES = 150_000;
 /** Meshes of more faces are not drawn whole even when the picture is still. */
 const STILL_FACES = 4_000_000;
 
+/** The same where there is no graphics processor: a million faces take seconds, which nothing can cut short. */
+const STILL_FACES_IN_SOFTWARE = 500_000;
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
 /** The picture is still when it has not changed for so long. */
 const STILL_MS = 300;
 
@@ -20,8 +24,20 @@ export class Detail {
   private changing = true;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** `still` is called when the picture should be drawn again, finely. */
-  constructor(private readonly still: () => void) {}
+  private readonly stillFaces: number;
+
+  /** `still` is called when the picture should be drawn again, finely. `renderer` draws it: its name. */
+  constructor(
+    renderer: string,
+    private readonly still: () => void,
+  ) {
+    this.stillFaces = SOFTWARE.test(renderer) ? STILL_FACES_IN_SOFTWARE : STILL_FACES;
+  }
+
+  /** Whether all faces are drawn when the picture is still. */
+  mayBeWhole(mesh: SurfaceMesh): boolean {
+    return mesh.faceCount <= this.stillFaces;
+  }
 
   /** The picture changes. */
   change(): void {
@@ -31,32 +47,27 @@ export class Detail {
 
   /** Whether to draw the coarse list, now that the picture is drawn. */
   isCoarse(mesh: SurfaceMesh): boolean {
-    return mesh.coarse !== undefined && (this.changing || !mayBeWhole(mesh));
+    return mesh.coarse !== undefined && (this.changing || !this.mayBeWhole(mesh));
   }
 
   /** For tests, which wait for "whole" or "always coarse". */
   name(mesh: SurfaceMesh): string {
     if (mesh.awaitsCoarse) return "coming";
-    return !this.isCoarse(mesh) ? "whole" : mayBeWhole(mesh) ? "coarse" : "always coarse";
+    return !this.isCoarse(mesh) ? "whole" : this.mayBeWhole(mesh) ? "coarse" : "always coarse";
   }
 
   /** The picture was drawn; `more` says whether it is about to change again. */
   drawn(mesh: SurfaceMesh, more: boolean): void {
     clearTimeout(this.timer);
-    if (!this.isCoarse(mesh) || !mayBeWhole(mesh) || more) return;
+    if (!this.isCoarse(mesh) || !this.mayBeWhole(mesh) || more) return;
     this.timer = setTimeout(() => {
-      this.settle();
+      this.changing = false;
       this.still();
     }, STILL_MS);
   }
-
-  /** The next picture is drawn finely. */
-  settle(): void {
-    clearTimeout(this.timer);
-    this.changing = false;
-  }
 }
 
-export function mayBeWhole(mesh: SurfaceMesh): boolean {
+/** Whether all faces are in a picture that is saved. */
+export function isSavedWhole(mesh: SurfaceMesh): boolean {
   return mesh.faceCount <= STILL_FACES;
 }

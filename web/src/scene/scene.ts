@@ -26,7 +26,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { SurfaceMesh } from "../surface/mesh";
-import { Detail } from "./detail";
+import { Detail, isSavedWhole } from "./detail";
 import { SurfaceMaterial } from "./surface_material";
 import { firstView, type View } from "./view";
 
@@ -87,10 +87,7 @@ export class Scene {
   private home: View | undefined;
   private mesh: SurfaceMesh | undefined;
   private drawn: Mesh | undefined;
-  private readonly detail = new Detail(() => {
-    this.surfaceIsStale = true;
-    this.redraw();
-  });
+  private readonly detail: Detail;
   private surfaceIsStale = true;
   private frame = 0;
   private lastFrame = 0;
@@ -103,6 +100,10 @@ export class Scene {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.autoClear = false;
+    this.detail = new Detail(rendererName(this.renderer.getContext()), () => {
+      this.surfaceIsStale = true;
+      this.redraw();
+    });
     this.target = this.newTarget(1, 1);
     this.copyMaterial = new ShaderMaterial({
       vertexShader: COPY_VERTEX,
@@ -123,6 +124,11 @@ export class Scene {
     canvas.addEventListener("webglcontextrestored", () => this.redrawSurface());
     new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
+  }
+
+  /** Whether all faces are drawn when the picture is still. */
+  mayBeWhole(mesh: SurfaceMesh): boolean {
+    return this.detail.mayBeWhole(mesh);
   }
 
   show(mesh: SurfaceMesh): void {
@@ -232,20 +238,20 @@ export class Scene {
     const copy = document.createElement("canvas");
     copy.width = this.canvas.width;
     copy.height = this.canvas.height;
-    this.detail.settle();
-    this.surfaceIsStale = true;
+    if (this.mesh) this.drawSurface(isSavedWhole(this.mesh));
     // The canvas keeps its content only until the screen has shown it.
     this.draw();
     copy.getContext("2d")?.drawImage(this.canvas, 0, 0);
+    this.redrawSurface();
     return copy;
   }
 
-  private drawSurface(): void {
+  private drawSurface(whole = false): void {
     const distance = this.camera.position.length();
     this.camera.near = Math.max(distance - 1.1, 0.004);
     this.camera.far = distance + 1.1;
     this.camera.updateProjectionMatrix();
-    const coarse = this.mesh && this.detail.isCoarse(this.mesh) ? this.mesh.coarse : undefined;
+    const coarse = this.mesh && !whole && this.detail.isCoarse(this.mesh) ? this.mesh.coarse : undefined;
     if (this.mesh && this.drawn) this.drawn.geometry = coarse ?? this.mesh.geometry;
     this.material.uniforms.setBack.value = coarse ? COARSE_ERROR : 0;
     this.renderer.setRenderTarget(this.target);
@@ -282,4 +288,10 @@ export class Scene {
       depthTexture: new DepthTexture(width, height, UnsignedIntType),
     });
   }
+}
+
+// Of what draws, perhaps a program that stands in for a graphics processor.
+function rendererName(context: WebGL2RenderingContext | WebGLRenderingContext): string {
+  const names = context.getExtension("WEBGL_debug_renderer_info");
+  return String(context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER));
 }
