@@ -245,11 +245,13 @@ export class Explorer {
   // Waits until the front has come to the end. What is asked for before then would
   // share the processors with the picture, if the server is on this machine.
   private async sweep(): Promise<void> {
+    let swept: (() => void) | undefined;
     await new Promise<void>((resolve) => {
-      this.swept = resolve;
+      this.swept = swept = resolve;
       setTimeout(resolve, LONGEST_SWEEP_MS);
     });
-    this.swept = undefined;
+    // Another field may be waited for by now.
+    if (this.swept === swept) this.swept = undefined;
   }
 
   /** Shows cells by colour, or distances again. */
