@@ -269,7 +269,7 @@ export class Explorer {
       }
       this.repainted();
     } catch (error) {
-      this.report(error, () => void this.showCells(shown));
+      this.report(error, () => this.ifShown(mesh, () => this.showCells(shown)));
     }
   }
 
@@ -325,7 +325,7 @@ export class Explorer {
         : await askPath(this.connection, this.question(mesh), place, this.fieldQuestion.signal);
       if (path && mesh === this.mesh) this.addPath({ ...path, target: place });
     } catch (error) {
-      this.report(error, () => void this.keepPath(place));
+      this.report(error, () => this.ifShown(mesh, () => this.keepPath(place)));
     }
   }
 
@@ -362,7 +362,7 @@ export class Explorer {
       if (mesh !== this.mesh) return;
       await this.setSources([...(alone ? [] : this.sources), { curve: curve.places }]);
     } catch (error) {
-      this.report(error, () => void this.addCurve(places, alone));
+      this.report(error, () => this.ifShown(mesh, () => this.addCurve(places, alone)));
     }
   }
 
@@ -375,7 +375,7 @@ export class Explorer {
       this.events.changed();
       this.scene.redraw();
     } catch (error) {
-      this.report(error, () => void this.sample(count));
+      this.report(error, () => this.ifShown(mesh, () => this.sample(count)));
     }
   }
 
@@ -422,7 +422,7 @@ export class Explorer {
       this.events.changed();
       this.scene.redrawSurface();
     } catch (error) {
-      this.report(error, () => void this.askField());
+      this.report(error, () => this.ifShown(mesh, () => this.askField()));
     }
   }
 
@@ -538,6 +538,11 @@ export class Explorer {
 
   private bareSurface(mesh: SurfaceMesh): void {
     new FieldView(mesh, this.scene.material, new Vector3(), true);
+  }
+
+  // What is asked again when the server is back, or has room, is of no use elsewhere.
+  private ifShown(mesh: SurfaceMesh, work: () => Promise<void>): void {
+    if (mesh === this.mesh) void work();
   }
 
   private report(error: unknown, again: () => void): void {
