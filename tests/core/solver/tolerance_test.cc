@@ -114,8 +114,8 @@ TEST(ToleranceTest, TheTruthIsWithinTheBound) {
   }
 }
 
-// What users see is far better than what is certified. (On larger meshes it is a
-// tenth, algorithm.md.)
+// What users see is far better than what is certified. (On larger meshes it is
+// a tenth, algorithm.md.)
 TEST(ToleranceTest, AnswersAreMuchNearerThanTheBound) {
   for (const NamedMesh& scene : Scenes()) {
     SCOPED_TRACE(scene.name);
