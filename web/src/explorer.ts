@@ -198,8 +198,7 @@ export class Explorer {
     this.dragged.stop();
     this.live.setPoints(new Float32Array());
     const abort = (this.fieldQuestion = new AbortController());
-    const field = (this.field = this.newField(mesh));
-    this.fieldSources = [...this.sources];
+    const field = this.beginField(mesh, [...this.sources]);
     document.documentElement.dataset.sweep = "";
     this.summary = undefined;
     this.waiting = true;
@@ -269,7 +268,7 @@ export class Explorer {
       }
       this.repainted();
     } catch (error) {
-      this.report(error, () => this.ifShown(mesh, () => this.showCells(shown)));
+      this.reportAbout(mesh, error, () => this.showCells(shown));
     }
   }
 
@@ -325,7 +324,7 @@ export class Explorer {
         : await askPath(this.connection, this.question(mesh), place, this.fieldQuestion.signal);
       if (path && mesh === this.mesh) this.addPath({ ...path, target: place });
     } catch (error) {
-      this.report(error, () => this.ifShown(mesh, () => this.keepPath(place)));
+      this.reportAbout(mesh, error, () => this.keepPath(place));
     }
   }
 
@@ -362,7 +361,7 @@ export class Explorer {
       if (mesh !== this.mesh) return;
       await this.setSources([...(alone ? [] : this.sources), { curve: curve.places }]);
     } catch (error) {
-      this.report(error, () => this.ifShown(mesh, () => this.addCurve(places, alone)));
+      this.reportAbout(mesh, error, () => this.addCurve(places, alone));
     }
   }
 
@@ -375,7 +374,7 @@ export class Explorer {
       this.events.changed();
       this.scene.redraw();
     } catch (error) {
-      this.report(error, () => this.ifShown(mesh, () => this.sample(count)));
+      this.reportAbout(mesh, error, () => this.sample(count));
     }
   }
 
@@ -415,23 +414,22 @@ export class Explorer {
       const { distances, summary } = await askDistances(
         this.connection, this.question(mesh), mesh.vertexCount, signal);
       if (mesh !== this.mesh || signal.aborted) return;
-      this.field = this.newField(mesh);
-      this.fieldSources = sources;
-      this.field.setAll(distances);
+      this.beginField(mesh, sources).setAll(distances);
       this.summary = summary;
       this.events.changed();
       this.scene.redrawSurface();
     } catch (error) {
-      this.report(error, () => this.ifShown(mesh, () => this.askField()));
+      this.reportAbout(mesh, error, () => this.askField());
     }
   }
 
-  private newField(mesh: SurfaceMesh): FieldView {
-    const first = this.sources[0];
+  private beginField(mesh: SurfaceMesh, sources: readonly Source[]): FieldView {
+    const [first] = sources;
     const place = "curve" in first ? first.curve[0] : first;
     const [reference] = this.onScreen(mesh, [place]);
-    const allPoints = this.sources.every((source) => !("curve" in source));
-    return new FieldView(mesh, this.scene.material, reference, allPoints);
+    const allPoints = sources.every((source) => !("curve" in source));
+    this.fieldSources = sources;
+    return (this.field = new FieldView(mesh, this.scene.material, reference, allPoints));
   }
 
   // Asks for the path under the cursor and draws it.
@@ -540,9 +538,11 @@ export class Explorer {
     new FieldView(mesh, this.scene.material, new Vector3(), true);
   }
 
-  // What is asked again when the server is back, or has room, is of no use elsewhere.
-  private ifShown(mesh: SurfaceMesh, work: () => Promise<void>): void {
-    if (mesh === this.mesh) void work();
+  // The work is done again only while the mesh is shown.
+  private reportAbout(mesh: SurfaceMesh, error: unknown, work: () => Promise<void>): void {
+    this.report(error, () => {
+      if (mesh === this.mesh) void work();
+    });
   }
 
   private report(error: unknown, again: () => void): void {

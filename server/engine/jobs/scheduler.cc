@@ -29,8 +29,7 @@ Scheduler::Scheduler(Executor& executor, size_t max_running, size_t max_queued,
 Scheduler::~Scheduler() {
   StopAll();
   std::unique_lock lock(mutex_);
-  idle_.wait(lock,
-             [this] { return line_.workers + preparations_.workers == 0; });
+  idle_.wait(lock, [this] { return workers() == 0; });
 }
 
 void Scheduler::ObserveJobs(const Clock& clock,
@@ -170,8 +169,7 @@ void Scheduler::StopAll() {
 bool Scheduler::WaitIdle(std::chrono::milliseconds limit) {
   std::unique_lock lock(mutex_);
   return idle_.wait_for(lock, limit, [this] {
-    return line_.workers + preparations_.workers == 0 && line_.queue.empty() &&
-           preparations_.queue.empty();
+    return workers() == 0 && line_.queue.empty() && preparations_.queue.empty();
   });
 }
 
@@ -232,7 +230,7 @@ void Scheduler::RunOne(Line& line) {
   // Each task runs one job, which is fair to others who share the executor.
   // When no job could start, the next change asks again.
   if (progressed) AskForThreads();
-  if (line_.workers + preparations_.workers == 0) idle_.notify_all();
+  if (workers() == 0) idle_.notify_all();
 }
 
 bool Scheduler::Run(WaitingJob& started, const std::stop_source& source) {

@@ -129,6 +129,7 @@ class Scheduler {
   Line& LineOf(const Job& job) {
     return job.priority == JobPriority::kPrepare ? preparations_ : line_;
   }
+  size_t workers() const { return line_.workers + preparations_.workers; }
   size_t FreeThreads() const { return max_running_ - line_.running; }
   // `runs_at_once`: the job needs no place if a thread is free for it.
   absl::Status CheckRoom(const std::string& client, bool runs_at_once) const;

@@ -23,7 +23,6 @@ const STILL_MS = 300;
 export class Detail {
   private changing = true;
   private timer: ReturnType<typeof setTimeout> | undefined;
-
   private readonly stillFaces: number;
 
   /** `still` is called when the picture should be drawn again, finely. `renderer` draws it: its name. */
@@ -61,9 +60,15 @@ export class Detail {
     clearTimeout(this.timer);
     if (!this.isCoarse(mesh) || !this.mayBeWhole(mesh) || more) return;
     this.timer = setTimeout(() => {
-      this.changing = false;
+      this.settle();
       this.still();
     }, STILL_MS);
+  }
+
+  /** The picture is still, from the next one on. */
+  settle(): void {
+    clearTimeout(this.timer);
+    this.changing = false;
   }
 }
 

@@ -238,11 +238,12 @@ export class Scene {
     const copy = document.createElement("canvas");
     copy.width = this.canvas.width;
     copy.height = this.canvas.height;
+    this.detail.settle();
+    // It stays on the screen until something changes.
     if (this.mesh) this.drawSurface(isSavedWhole(this.mesh));
     // The canvas keeps its content only until the screen has shown it.
     this.draw();
     copy.getContext("2d")?.drawImage(this.canvas, 0, 0);
-    this.redrawSurface();
     return copy;
   }
 
