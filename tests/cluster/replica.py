@@ -22,7 +22,7 @@ class Replica:
             server, "--listen", "127.0.0.1:%d" % self.port,
             "--metrics-listen", "127.0.0.1:%d" % self.ready_port,
             "--data-dir", self.folder, "--threads", "1",
-            "--drain-seconds", "5", "--log-level", "error",
+            "--log-level", "error",
         ] + [flag for port in siblings
              for flag in ("--sibling", "127.0.0.1:%d" % port)] + list(flags)
         self._process = None
