@@ -124,10 +124,12 @@ export class Explorer {
     this.radius = undefined;
     this.bareSurface(mesh);
     this.scene.show(mesh);
-    // The first line that a browser draws may take it a tenth of a second.
+    // The first line or dot that a browser draws may take it some tenths of a second.
     this.live.setPoints(new Float32Array([-2, 0, 0, 2, 0, 0]));
+    this.dots.setDots([{ point: [0, 0, 0], fill: WHITE }]);
     this.scene.draw();
     this.live.setPoints(new Float32Array());
+    this.dots.setDots([]);
     this.scene.redraw();
   }
 
@@ -198,12 +200,14 @@ export class Explorer {
     this.dragged.stop();
     this.live.setPoints(new Float32Array());
     const abort = (this.fieldQuestion = new AbortController());
+    const wasBare = !this.field;
     const field = this.beginField(mesh, [...this.sources]);
     document.documentElement.dataset.sweep = "";
     this.summary = undefined;
     this.waiting = true;
     this.events.changed();
-    this.scene.redrawSurface();
+    if (wasBare) this.scene.redraw();
+    else this.scene.redrawSurface();
     const question = this.question(mesh);
     try {
       // Not both at once: they would share the server's processors.

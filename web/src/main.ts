@@ -38,7 +38,7 @@ const open = (mesh: SurfaceMesh) => {
   panel.show(mesh);
   void explorer.setSources(address.sourcesOn(mesh));
 };
-const chooser = new MeshChooser(connection, notice, recovery, open, (mesh, indices) => explorer.showCoarse(mesh, indices));
+const chooser = new MeshChooser(connection, notice, recovery, scene.coarseFaces, open, (mesh, indices) => explorer.showCoarse(mesh, indices));
 const canvas = wireCanvas(scene, explorer, panel);
 
 void recovery.attempt(async () => {

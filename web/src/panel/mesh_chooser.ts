@@ -5,7 +5,7 @@ import { byId, onClick } from "./elements";
 import type { Notice } from "./notice";
 import type { Recovery } from "./recovery";
 import type { Connection } from "../service/connection";
-import { COARSE_FACES, DRAWN_WHOLE } from "../scene/detail";
+import { DRAWN_WHOLE } from "../scene/detail";
 import { decimateMesh } from "../service/decimate_mesh";
 import { readMesh } from "../service/read_mesh";
 import { formatOf, uploadMesh } from "../service/upload";
@@ -23,6 +23,7 @@ export class MeshChooser {
     private readonly connection: Connection,
     private readonly notice: Notice,
     private readonly recovery: Recovery,
+    private readonly coarseFaces: number,
     private readonly opened: (mesh: SurfaceMesh) => void,
     private readonly decimated: (mesh: SurfaceMesh, indices: Uint32Array | undefined) => void,
   ) {
@@ -68,7 +69,7 @@ export class MeshChooser {
     let coarse: Promise<Uint32Array | undefined> | undefined;
     const counted = (faceCount: number) => {
       if (faceCount <= DRAWN_WHOLE) return;
-      coarse = decimateMesh(this.connection, digest, COARSE_FACES, abort.signal).catch(() => undefined);
+      coarse = decimateMesh(this.connection, digest, this.coarseFaces, abort.signal).catch(() => undefined);
     };
     const arrays = await readMesh(this.connection, digest, counted, show, abort.signal);
     const name = this.names.get(digest) ?? digest.slice(0, 8);

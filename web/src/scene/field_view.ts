@@ -112,6 +112,11 @@ export class FieldView {
   /** Moves the front; returns whether the picture is another one now. */
   advance(now: number, hasten: boolean): boolean {
     if (this.arrived) return false;
+    if (!this.complete && !this.preview && !this.largest) {
+      // Nothing has come: the front has not begun.
+      this.lastFrame = 0;
+      return false;
+    }
     const end = this.largest / this.mesh.radius;
     // Slow pictures make no slower front.
     const passed = this.lastFrame ? Math.min(now - this.lastFrame, SWEEP_MS) : 16;
@@ -123,7 +128,7 @@ export class FieldView {
     this.arrived = this.complete && this.swept;
     // Where a preview has been swept over, final distances change no picture to see.
     this.setFront(this.swept ? Infinity : this.front);
-    return this.preview === undefined || this.front !== before;
+    return this.preview === undefined || before < end;
   }
 
   /** Colours the cell of each source, by the number of the nearest one. */

@@ -44,6 +44,8 @@ void main() {
 }`;
 
 const FIELD_OF_VIEW_DEGREES = 32;
+/** Of each pixel, where edges are smooth. */
+const SAMPLES = 4;
 /** Lines that are so far inside coarse faces are seen all the same. */
 const COARSE_ERROR = 0.004;
 /** Pictures that take longer are slow; after more time it was not the picture. */
@@ -83,6 +85,9 @@ export class Scene {
   private readonly copy = new Graph();
   private readonly copyMaterial: ShaderMaterial;
   private readonly screen: Camera = new OrthographicCamera();
+  private fine: WebGLRenderTarget;
+  private draft: WebGLRenderTarget;
+  /** The one of these that the surface was drawn into. */
   private target: WebGLRenderTarget;
   private home: View | undefined;
   private mesh: SurfaceMesh | undefined;
@@ -104,7 +109,8 @@ export class Scene {
       this.surfaceIsStale = true;
       this.redraw();
     });
-    this.target = this.newTarget(1, 1);
+    this.fine = this.target = newTarget(1, 1, SAMPLES);
+    this.draft = newTarget(1, 1, 0);
     this.copyMaterial = new ShaderMaterial({
       vertexShader: COPY_VERTEX,
       fragmentShader: COPY_FRAGMENT,
@@ -124,6 +130,11 @@ export class Scene {
     canvas.addEventListener("webglcontextrestored", () => this.redrawSurface());
     new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
+  }
+
+  /** How many faces the coarse list of a large mesh should have. */
+  get coarseFaces(): number {
+    return this.detail.coarseFaces;
   }
 
   /** Whether all faces are drawn when the picture is still. */
@@ -255,6 +266,7 @@ export class Scene {
     const coarse = this.mesh && !whole && this.detail.isCoarse(this.mesh) ? this.mesh.coarse : undefined;
     if (this.mesh && this.drawn) this.drawn.geometry = coarse ?? this.mesh.geometry;
     this.material.uniforms.setBack.value = coarse ? COARSE_ERROR : 0;
+    this.target = this.detail.isDraft && !whole ? this.draft : this.fine;
     this.renderer.setRenderTarget(this.target);
     this.renderer.clear();
     this.renderer.render(this.surface, this.camera);
@@ -274,21 +286,24 @@ export class Scene {
     this.material.uniforms.lineWidth.value = ratio;
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    this.target.dispose();
-    this.target.depthTexture?.dispose();
-    this.target = this.newTarget(Math.round(width * ratio), Math.round(height * ratio));
+    for (const target of [this.fine, this.draft]) {
+      target.dispose();
+      target.depthTexture?.dispose();
+    }
+    this.fine = this.target = newTarget(Math.round(width * ratio), Math.round(height * ratio), SAMPLES);
+    this.draft = newTarget(this.fine.width, this.fine.height, 0);
     this.pixelRatio.value = ratio;
     this.surfaceIsStale = true;
     // Resizing has emptied the canvas.
     this.draw();
   }
+}
 
-  private newTarget(width: number, height: number): WebGLRenderTarget {
-    return new WebGLRenderTarget(width, height, {
-      samples: 4,
-      depthTexture: new DepthTexture(width, height, UnsignedIntType),
-    });
-  }
+function newTarget(width: number, height: number, samples: number): WebGLRenderTarget {
+  return new WebGLRenderTarget(width, height, {
+    samples,
+    depthTexture: new DepthTexture(width, height, UnsignedIntType),
+  });
 }
 
 // Of what draws, perhaps a program that stands in for a graphics processor.
