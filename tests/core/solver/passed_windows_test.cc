@@ -4,10 +4,12 @@
 
 #include "solver/rules/passed_windows.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -195,15 +197,29 @@ TEST(PassedWindows, KeepASampleUntilLateWindowsOftenLose) {
   constexpr uint32_t kHalfEdges = 1 << 20;
   PassedWindows passed(kHalfEdges);
   WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
-  ASSERT_NE(passed.At(32), nullptr);
-  EXPECT_EQ(passed.At(33), nullptr);
-  *passed.At(32) = &block;
+  ASSERT_NE(passed.At(32, 1), nullptr);
+  EXPECT_EQ(passed.At(33, 1), nullptr);
+  *passed.At(32, 1) = &block;
   for (int i = 0; i < 1000; ++i) passed.Count(100, 20);
-  EXPECT_EQ(passed.At(33), nullptr);
+  EXPECT_EQ(passed.At(33, 1), nullptr);
   for (int i = 0; i < 10; ++i) passed.Count(100, 80);
-  ASSERT_NE(passed.At(33), nullptr);
-  EXPECT_EQ(*passed.At(33), nullptr);
-  EXPECT_EQ(*passed.At(32), &block);
+  ASSERT_NE(passed.At(33, 1), nullptr);
+  EXPECT_EQ(*passed.At(33, 1), nullptr);
+  EXPECT_EQ(*passed.At(32, 1), &block);
+}
+
+TEST(PassedWindows, KeepWhatCrossesOften) {
+  PassedWindows passed(std::nullopt);
+  WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
+  EXPECT_EQ(passed.At(32, PassedWindows::kMany - 1), nullptr);
+  ASSERT_NE(passed.At(32, PassedWindows::kMany), nullptr);
+  *passed.At(32, PassedWindows::kMany) = &block;
+  EXPECT_EQ(*passed.At(33, PassedWindows::kMany), nullptr);
+  EXPECT_EQ(*passed.At(32, PassedWindows::kMany), &block);
+  std::vector<WindowBlock*> dropped;
+  passed.ForgetOften([&](WindowBlock* list) { dropped.push_back(list); });
+  EXPECT_THAT(dropped, testing::UnorderedElementsAre(&block, nullptr));
+  EXPECT_EQ(*passed.At(32, PassedWindows::kMany), nullptr);
 }
 
 }  // namespace

@@ -59,8 +59,9 @@ class ListRule {
   ListRule(Front& front, uint32_t threads)
       : front_(front),
         mesh_(front.mesh()),
-        waiting_(front.mesh().half_edge_count(), kNone),
-        passed_(kKeepsPassed ? front.mesh().half_edge_count() : 0) {
+        waiting_(front.mesh().half_edge_count(), kNothing),
+        passed_(kSamplesPassed ? std::optional(front.mesh().half_edge_count())
+                               : std::nullopt) {
     for (uint32_t member = 0; member < threads; ++member) {
       workers_.emplace_back(front, pool_);
       shares_.emplace_back();
@@ -79,13 +80,19 @@ class ListRule {
   // Sources were added: nothing here depends on them.
   void Restart() {}
 
-  // Forgets all windows. O(half-edges that wait).
+  // Forgets all windows. O(half-edges that they came to).
+  // REQUIRES: the front has a goal.
   void Clear() {
     for (const Queued& queued : queues_) {
-      if (waiting_[queued.half_edge] == kNone) continue;
+      if (!Waits(queued.half_edge)) continue;
       workers_[0].Drop(queues_[waiting_[queued.half_edge]].lists);
-      waiting_[queued.half_edge] = kNone;
+      waiting_[queued.half_edge] = kNothing;
     }
+    for (const HalfEdge h : crossed_) waiting_[h] = kNothing;
+    crossed_.clear();
+    passed_.ForgetOften([this](WindowBlock* list) {
+      workers_[0].Drop({list, nullptr});
+    });
     queues_.clear();
     free_.clear();
     pending_ = peak_ = created_ = 0;
@@ -120,17 +127,19 @@ class ListRule {
   uint64_t bytes() const {
     return waiting_.capacity() * sizeof(uint32_t) +
            queues_.capacity() * sizeof(Queued) +
-           free_.capacity() * sizeof(uint32_t) + passed_.bytes() +
-           pool_.bytes();
+           (free_.capacity() + crossed_.capacity()) * sizeof(uint32_t) +
+           passed_.bytes() + pool_.bytes();
   }
 
  private:
   using Worker = ListWorker<Front>;
 
-  static constexpr uint32_t kNone = 0xffffffffu;
+  // Nothing waits; added to it, how often lists have crossed from there.
+  static constexpr uint32_t kNothing =
+      std::numeric_limits<uint32_t>::max() - PassedWindows::kMany;
   // Searches are short, and start again on the same arrays.
   // Merged windows are few; what has passed would take more memory than they.
-  static constexpr bool kKeepsPassed =
+  static constexpr bool kSamplesPassed =
       !Front::Goal::kDirects && !Front::Accuracy::kMerges;
   // Rounds of fewer events are not worth a team's start.
   static constexpr size_t kLeastShared = 32;
@@ -143,12 +152,14 @@ class ListRule {
     WaitingLists last = {};  // of the chains
     uint32_t member = 0;     // who has handed on the latest
     HalfEdge half_edge = kNoHalfEdge;
+    uint32_t crossings = 0;  // so far, up to PassedWindows::kMany
   };
   // One of the round.
   struct Event {
     uint32_t id;
-    uint32_t member;     // who has done it
-    WaitingLists lists;  // of a half-edge
+    uint32_t member;                 // who has done it
+    WaitingLists lists;              // of a half-edge
+    WindowBlock** passed = nullptr;  // what is kept there (PassedWindows::At)
     typename Worker::Outcome outcome;
   };
   // What came of events in a row that one member has done in a row.
@@ -163,6 +174,8 @@ class ListRule {
     std::atomic<size_t> next = 0;  // that nobody has begun
     size_t applied = 0;
   };
+
+  bool Waits(HalfEdge h) const { return waiting_[h] < kNothing; }
 
   // Shares out those that have something to do, vertices first.
   void Take(std::span<const uint32_t> ids) {
@@ -183,16 +196,22 @@ class ListRule {
     for (const uint32_t id : ids) {
       if (id & kVertexEvent) {
         if (front_.TakeEvent(id & ~kVertexEvent)) give(member, {.id = id});
-      } else if (workers_.size() > 1 && waiting_[id] != kNone) {
+      } else if (workers_.size() > 1 && Waits(id)) {
         member = queues_[waiting_[id]].member;
       }
     }
     for (const uint32_t id : ids) {
-      if ((id & kVertexEvent) || waiting_[id] == kNone) continue;
+      if ((id & kVertexEvent) || !Waits(id)) continue;
       const Queued& queued = queues_[waiting_[id]];
-      give(queued.member, {.id = id, .lists = queued.lists});
+      const uint32_t times =
+          std::min(queued.crossings + 1, PassedWindows::kMany);
+      give(queued.member,
+           {.id = id, .lists = queued.lists, .passed = passed_.At(id, times)});
       free_.push_back(waiting_[id]);
-      waiting_[id] = kNone;
+      waiting_[id] = kNothing + times;
+      if constexpr (Front::Goal::kDirects) {
+        if (times == 1) crossed_.push_back(id);
+      }
     }
   }
 
@@ -227,11 +246,9 @@ class ListRule {
       Event& event = events[i];
       event.member = member;
       Worker& worker = workers_[member];
-      event.outcome =
-          event.id & kVertexEvent
-              ? worker.Expand(event.id & ~kVertexEvent)
-              : worker.Cross(event.id, event.lists,
-                             kKeepsPassed ? passed_.At(event.id) : nullptr);
+      event.outcome = event.id & kVertexEvent
+                          ? worker.Expand(event.id & ~kVertexEvent)
+                          : worker.Cross(event.id, event.lists, event.passed);
     }
   }
 
@@ -309,7 +326,8 @@ class ListRule {
   // Adds a list, which `member` has handed on, to what waits at a half-edge.
   void Enqueue(const typename Worker::HandedOn& handed_on, uint32_t member) {
     const auto& [h, from, list, count, label] = handed_on;
-    if (waiting_[h] == kNone) {
+    if (!Waits(h)) {
+      const uint32_t crossings = waiting_[h] - kNothing;
       if (free_.empty()) {
         waiting_[h] = static_cast<uint32_t>(queues_.size());
         queues_.emplace_back();
@@ -318,7 +336,8 @@ class ListRule {
         free_.pop_back();
       }
       queues_[waiting_[h]] = {.label = std::numeric_limits<double>::infinity(),
-                              .half_edge = h};
+                              .half_edge = h,
+                              .crossings = crossings};
     }
     Queued& queued = queues_[waiting_[h]];
     queued.member = member;
@@ -335,7 +354,9 @@ class ListRule {
 
   Front& front_;
   const Mesh& mesh_;
-  std::vector<uint32_t> waiting_;  // by half-edge, into queues_; or kNone
+  // By half-edge, into queues_; or from kNothing on.
+  std::vector<uint32_t> waiting_;
+  std::vector<HalfEdge> crossed_;  // with a goal only
   std::vector<Queued> queues_;
   std::vector<uint32_t> free_;  // of queues_
   PassedWindows passed_;

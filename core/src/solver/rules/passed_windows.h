@@ -10,6 +10,12 @@
 // To keep all lists takes more than it saves on most meshes. So those of every
 // sixteenth half-edge are kept, of more on small meshes; once late windows
 // often lose all that they hold there, those of every half-edge are.
+//
+// Where the faces around a vertex have hardly any angle, windows that pass it
+// go round it, and come to the same half-edges in every turn. They lose to
+// those of the turn before, but after a million turns at the soonest to a
+// filter, and where a turn is less than a rounding never. So what crosses at a
+// half-edge for the 64th time is kept from then on, whatever half-edge it is.
 
 #ifndef GEODESIC_SOLVER_RULES_PASSED_WINDOWS_H_
 #define GEODESIC_SOLVER_RULES_PASSED_WINDOWS_H_
@@ -18,6 +24,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -31,22 +39,35 @@ class PassedWindows {
   // Longer lists are not kept.
   static constexpr size_t kMost = 4;
 
-  explicit PassedWindows(uint32_t half_edges)
-      : log_sample_(LogSampleOf(half_edges)),
-        lists_((half_edges >> log_sample_) + 1),
-        half_edges_(half_edges) {}
+  // What crosses a half-edge so often is kept there.
+  static constexpr uint32_t kMany = 64;
 
-  // Where the list of h is kept, null in it if there is none; nullptr if h is
-  // not of the sample. Threads may use different half-edges at once.
-  WindowBlock** At(HalfEdge h) {
+  // Without a sample, for so many half-edges, only what crosses often is kept.
+  explicit PassedWindows(std::optional<uint32_t> half_edges)
+      : log_sample_(LogSampleOf(half_edges.value_or(0))),
+        lists_(half_edges ? (*half_edges >> log_sample_) + 1 : 0),
+        half_edges_(half_edges.value_or(0)) {}
+
+  // Where the list of h is kept, null in it if there is none; nullptr if it is
+  // not kept. `times`: how often lists have crossed there, this one included.
+  // Valid until Count. Threads may use different half-edges' lists at once.
+  WindowBlock** At(HalfEdge h, uint32_t times) {
     const uint32_t others = (uint32_t{1} << log_sample_) - 1;
-    return (h & others) != 0 ? nullptr : &lists_[h >> log_sample_];
+    if ((h & others) == 0 && !lists_.empty()) return &lists_[h >> log_sample_];
+    return times < kMany ? nullptr : &often_[h];
+  }
+
+  // Forgets what crossed often. `drop` takes each list.
+  template <typename Drop>
+  void ForgetOften(Drop drop) {
+    for (const auto& [h, list] : often_) drop(list);
+    often_.clear();
   }
 
   // So many windows came late to half-edges whose list is kept, and lost all
   // that they held to it.
   void Count(uint64_t late, uint64_t lost) {
-    if (log_sample_ == 0) return;
+    if (log_sample_ == 0) return;  // all of them, or none
     late_ += late;
     lost_ += lost;
     if (late_ < kDecided) return;
@@ -54,6 +75,7 @@ class PassedWindows {
     late_ = lost_ = 0;
   }
 
+  // Without those of half-edges that are crossed often, which are few.
   uint64_t bytes() const { return lists_.capacity() * sizeof(void*); }
 
  private:
@@ -78,7 +100,8 @@ class PassedWindows {
   }
 
   uint32_t log_sample_;
-  std::vector<WindowBlock*> lists_;
+  std::vector<WindowBlock*> lists_;  // of the sample
+  std::unordered_map<HalfEdge, WindowBlock*> often_;
   uint32_t half_edges_;
   uint64_t late_ = 0, lost_ = 0;
 };

@@ -1,0 +1,132 @@
+// Around a vertex whose faces have hardly any angle a straight line goes round
+// and round. Its windows come to the same edges in every turn, and are to end
+// all the same, in fields, within a tolerance, and in searches, though a turn
+// there may be less than a rounding.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/mesh.h"
+#include "geodesic/solve.h"
+#include "geodesic/target_search.h"
+#include "geodesic/triangle_soup.h"
+#include "geodesic/valid_query.h"
+#include "tests/support/curved_meshes.h"
+#include "tests/support/field_check.h"
+#include "tests/support/mesh_edits.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/queries.h"
+
+namespace geodesic {
+namespace {
+
+constexpr uint32_t kFans = 12;
+constexpr uint32_t kFaces = 6;   // of each
+constexpr double kAngle = 1e-6;  // of each of these at the tip
+
+double Radius(uint32_t k) { return 1 + 0.1 * k; }
+
+// Faces around vertex 0, folded onto each other.
+TriangleSoup FoldedFan() {
+  TriangleSoup fan{.positions = {{0, 0, 0}}};
+  for (uint32_t k = 0; k < kFaces; ++k) {
+    const double angle = k % 2 == 0 ? 0 : kAngle;
+    fan.positions.push_back(
+        {Radius(k) * std::cos(angle), Radius(k) * std::sin(angle), 0});
+    fan.triangles.push_back({0, k + 1, (k + 1) % kFaces + 1});
+  }
+  return fan;
+}
+
+// Fans, then a grid so large that what passes is kept at few half-edges.
+std::shared_ptr<const Mesh> FansAndGrid() {
+  TriangleSoup soup = FoldedFan();
+  for (uint32_t i = 1; i < kFans; ++i) soup = test::Join(soup, FoldedFan());
+  return test::BuildOrFail(
+      {"fans", test::Join(soup, test::MakeGrid({.columns = 70, .rows = 70}))});
+}
+
+// Stops what does not end.
+class Patience final : public Checkpoint {
+ public:
+  absl::Status Poll(const Progress& progress) override {
+    return progress.windows_propagated < 100'000
+               ? absl::OkStatus()
+               : absl::ResourceExhaustedError("windows without end");
+  }
+};
+
+// In a fan's first face, `away` from the tip, three tenths from its first side.
+FacePoint NearTip(uint32_t fan, double away) {
+  return {.face = kFaces * fan, .weights = {1 - away, 0.7 * away, 0.3 * away}};
+}
+
+// By the law of cosines, whichever way around the tip is shorter.
+double FromTip(double away, uint32_t k) {
+  const double x = 0.7 * away * Radius(0) + 0.3 * away * Radius(1);
+  const double from_first = 0.3 * Radius(1) * away * kAngle / x;
+  const double forward = std::abs(k * kAngle - from_first);
+  const double angle = std::min(forward, kFaces * kAngle - forward);
+  const double r = Radius(k);
+  const double across = 2 * std::sin(angle / 2);
+  return std::sqrt((r - x) * (r - x) + r * x * across * across);
+}
+
+class WindingWindows : public testing::TestWithParam<double> {};
+
+TEST_P(WindingWindows, EndInFields) {
+  const auto mesh = FansAndGrid();
+  for (const double tolerance : {0.0, 1e-5, 1e-2}) {
+    for (uint32_t fan = 0; fan < kFans; ++fan) {
+      SCOPED_TRACE(testing::Message() << fan << " within " << tolerance);
+      Patience patience;
+      const auto field = Solve(*mesh,
+                               Query{.sources = {{NearTip(fan, GetParam())}},
+                                     .tolerance = tolerance},
+                               {}, patience);
+      ASSERT_TRUE(field.ok()) << field.status();
+      for (uint32_t k = 0; k < kFaces; ++k) {
+        const double expected = FromTip(GetParam(), k);
+        EXPECT_NEAR(field->distances[(kFaces + 1) * fan + 1 + k], expected,
+                    std::max(tolerance, 1e-12) * expected)
+            << k;
+      }
+    }
+  }
+}
+
+TEST_P(WindingWindows, EndInSearches) {
+  const auto mesh = FansAndGrid();
+  TargetSearch search(*mesh);
+  // Twice: a search leaves nothing behind for the next one.
+  for (const uint32_t round : {1, 2}) {
+    for (uint32_t k = 0; k < kFaces; ++k) {
+      SCOPED_TRACE(testing::Message() << round << ", " << k);
+      Patience patience;
+      const auto found = search.Run(
+          test::Valid(
+              *mesh, Query{.sources = {{NearTip(3, GetParam())}},
+                           .targets = {VertexPoint{(kFaces + 1) * 3 + 1 + k}}}),
+          nullptr, patience);
+      ASSERT_TRUE(found.ok()) << found.status();
+      const double expected = FromTip(GetParam(), k);
+      EXPECT_NEAR(found->distances[0], expected, 1e-12 * expected);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AwayFromTheTip, WindingWindows,
+                         testing::Values(1e-16, 1e-15, 1e-14, 1e-13, 1e-12,
+                                         1e-11, 1e-10, 1e-8, 1e-6, 1e-4, 0.01,
+                                         0.3));
+
+}  // namespace
+}  // namespace geodesic
