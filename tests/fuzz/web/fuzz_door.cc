@@ -5,6 +5,7 @@
 #include <arpa/inet.h>
 #include <fuzzer/FuzzedDataProvider.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <spdlog/sinks/null_sink.h>
 #include <spdlog/spdlog.h>
 #include <sys/socket.h>
@@ -53,6 +54,17 @@ ServerOptions SmallServer() {
   return options;
 }
 
+// libFuzzer's clock has interrupted connect(), which goes on. Whether it
+// succeeds; errno says why it does not.
+bool Connects(int connection) {
+  pollfd events = {.fd = connection, .events = POLLOUT};
+  while (poll(&events, 1, -1) < 0 && errno == EINTR) {
+  }
+  socklen_t size = sizeof(errno);
+  getsockopt(connection, SOL_SOCKET, SO_ERROR, &errno, &size);
+  return errno == 0;
+}
+
 class Door {
  public:
   Door() {
@@ -67,7 +79,9 @@ class Door {
     address.sin_port = htons(static_cast<uint16_t>(server_.web_port()));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     if (connect(connection, reinterpret_cast<const sockaddr*>(&address),
-                sizeof(address)) != 0) {
+                sizeof(address)) != 0 &&
+        (errno != EINTR || !Connects(connection))) {
+      std::perror("connect");
       std::abort();
     }
     setsockopt(connection, SOL_SOCKET, SO_RCVTIMEO, &kPatience,
