@@ -95,6 +95,8 @@ test("isolines are round on a sphere", async (t) => {
   const viewer = await sphere(t);
   await viewer.click(0, 0);
   await viewer.solved();
+  // Where no value hides a line.
+  await viewer.move(-1.2, 0.9);
   const lined = await viewer.picture();
   await viewer.page.keyboard.press("i");
   const bare = await viewer.picture();
@@ -156,6 +158,43 @@ test("the exact path follows the cursor, and a click keeps it", async (t) => {
   const [, pathCommand] = (await viewer.text("#question-text")).split("\n");
   const [path] = ask(server, t, SPHERE, pathCommand).paths;
   assert.ok(Math.abs(path.length - length) < 1e-9 * length, `${path.length} ${length}`);
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("the value under a cursor that rests is that of the view and the sources", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(-0.3, 0);
+  await viewer.solved();
+  await viewer.move(0.2, 0.1);
+  const first = await viewer.exactValue();
+  const anotherThan = async (value) => {
+    await viewer.page.waitForFunction((value) => {
+      const box = document.getElementById("value");
+      return !box.hidden && box.dataset.exact === "true" && Number(box.textContent) !== value;
+    }, value);
+    return viewer.exactValue();
+  };
+  for (let i = 0; i < 4; i++) await viewer.page.keyboard.press("ArrowRight");
+  const turned = await anotherThan(first);
+  await viewer.move(-0.2, 0.1);
+  await anotherThan(turned);
+  await viewer.move(0.2, 0.1);
+  assert.ok(Math.abs((await viewer.exactValue()) - turned) < 1e-6);
+  await viewer.page.keyboard.down("Shift");
+  await viewer.click(0.2, 0.1);
+  await viewer.page.keyboard.up("Shift");
+  assert.ok((await anotherThan(turned)) < 1e-6, "a source lies there");
+  await viewer.page.keyboard.press("Backspace");
+  assert.ok(Math.abs((await anotherThan(0)) - turned) < 1e-6);
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a vertex that no face has does not make the mesh small", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.drop("far.obj", `${SPHERE}\nv 1000 1000 1000\n`);
+  await viewer.shown("far.obj");
+  await viewer.click(0.6, 0);
+  await viewer.solved();
   assert.deepEqual(viewer.errors, []);
 });
 

@@ -1,6 +1,6 @@
 // What clicks, moves, drags and keys on the picture do.
 
-import { Vector2, type Vector3 } from "three";
+import { Vector2, type Matrix4, type Vector3 } from "three";
 import type { Explorer } from "./explorer";
 import { byId } from "./panel/elements";
 import type { Panel } from "./panel/panel";
@@ -19,6 +19,9 @@ const GRAB_PIXELS = 12;
 /** A turn of the wheel changes the radius by this share of the largest distance. */
 const WHEEL_SHARE = 0.03;
 
+/** Asked again about a cursor that rests when the picture has not changed for so long. */
+const REST_MS = 150;
+
 /** Points that are so far behind what is picked are seen, on the screen's scale. */
 const PICK_ERROR = 2e-3;
 
@@ -26,6 +29,8 @@ export interface WiredCanvas {
   show(mesh: SurfaceMesh): void;
   /** Whether nothing hides a point of the surface. */
   isSeen(point: Vector3): boolean;
+  /** The view or the field is another one: so is what is under a cursor that rests. */
+  changed(): void;
 }
 
 export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): WiredCanvas {
@@ -34,6 +39,10 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
   let sketch: { place: Place; point: Vector3 }[] = [];
   let lastDrawn = { x: 0, y: 0 };
   let grabbed = -1;
+  let cursor: { x: number; y: number } | undefined;
+  // What there was when the place under the cursor was looked for.
+  let seen: { field: unknown; summary: unknown; view: Matrix4 } | undefined;
+  let rest: ReturnType<typeof setTimeout> | undefined;
   const pick = (at: { x: number; y: number }): Hit | undefined =>
     picker?.pick(scene.pointerAt(at.x, at.y), scene.camera);
 
@@ -45,13 +54,22 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     });
   };
 
+  const hover = (at: { x: number; y: number }, since: number) => {
+    seen = { field: explorer.field, summary: explorer.summary, view: scene.camera.matrixWorld.clone() };
+    canvas.classList.toggle("grab", sourceAt(at) >= 0);
+    explorer.hover(pick(at)?.place, since);
+  };
+
   listenToPointer(canvas, {
     move: (at) => {
+      cursor = at;
       panel.pointer(at);
-      canvas.classList.toggle("grab", sourceAt(at) >= 0);
-      explorer.hover(pick(at)?.place, at.since);
+      hover(at, at.since);
     },
-    leave: () => explorer.hover(undefined, 0),
+    leave: () => {
+      cursor = undefined;
+      explorer.hover(undefined, 0);
+    },
     click: (at) => {
       const place = pick(at)?.place;
       if (!place) return;
@@ -117,6 +135,17 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
       const hit = picker?.pick(new Vector2(x, y), camera);
       const isBefore = hit && hit.point.distanceTo(camera.position) < point.distanceTo(camera.position) - PICK_ERROR;
       return !isBefore;
+    },
+    changed: () => {
+      if (!cursor || !seen) return;
+      const hasTurned = !scene.camera.matrixWorld.equals(seen.view);
+      if (!hasTurned && seen.field === explorer.field && seen.summary === explorer.summary) return;
+      if (hasTurned) explorer.hover(undefined, 0);
+      clearTimeout(rest);
+      rest = setTimeout(() => {
+        // A field that is on its way will be told of when it is there.
+        if (cursor && !explorer.isWaiting) hover(cursor, performance.now());
+      }, REST_MS);
     },
   };
 }

@@ -196,9 +196,8 @@ export class Explorer {
     const { mesh } = this;
     if (!mesh || !this.sources.length) return;
     this.fieldQuestion.abort();
-    this.underCursor.stop();
     this.dragged.stop();
-    this.live.setPoints(new Float32Array());
+    this.hideLive();
     const abort = (this.fieldQuestion = new AbortController());
     const wasBare = !this.field;
     const field = this.beginField(mesh, [...this.sources]);

@@ -25,12 +25,16 @@ const explorer: Explorer = new Explorer(scene, connection, {
     panel.update();
     labels.update();
     address.show(explorer);
+    canvas.changed();
   },
   value: (distance, exact) => panel.value(distance, exact),
   failed: (error, again) => recovery.handle(error, again, chooser.uploadAgain()),
 });
 const labels = new PathLabels(explorer, scene, (point) => canvas.isSeen(point));
-scene.onSurface = () => labels.update();
+scene.onSurface = () => {
+  labels.update();
+  canvas.changed();
+};
 const panel = new Panel(explorer, scene, connection, notice, theme, labels);
 const open = (mesh: SurfaceMesh) => {
   explorer.show(mesh);

@@ -83,7 +83,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, actions: PointerActio
 
 /** Whether a key is meant for a field of the panel, or for the browser. */
 export function isMeantForField(event: KeyboardEvent): boolean {
-  if (event.ctrlKey || event.metaKey) return true;
+  if (event.ctrlKey || event.metaKey || event.altKey) return true;
   const target = event.target as HTMLElement;
   if (target.matches("input:is([type=radio], [type=checkbox], [type=range])")) return event.key.startsWith("Arrow");
   return target.matches("input, select, textarea");

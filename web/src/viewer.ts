@@ -1,7 +1,7 @@
 // One mesh with its answer, in a file that needs no server: turns, zooms, and
 // reads distances and vertices under the cursor.
 
-import { Vector3 } from "three";
+import { Matrix4, Vector3 } from "three";
 import { readEmbedded } from "./embedded";
 import { byId, onClick } from "./panel/elements";
 import { formatCount, formatNumber } from "./panel/format";
@@ -40,6 +40,7 @@ function show(): void {
 
   const picker = new Picker(mesh);
   const value = byId("value");
+  const view = new Matrix4(); // in which the value was read
   const hide = () => {
     value.hidden = true;
     scale.point(undefined);
@@ -51,6 +52,7 @@ function show(): void {
         hide();
         return;
       }
+      view.copy(scene.camera.matrixWorld);
       const { face, weights } = hit.place;
       const vertex = mesh.cornersOf(face)[weights.indexOf(Math.max(...weights))];
       const distance = field.at(face, weights);
@@ -72,8 +74,11 @@ function show(): void {
     wheel: () => undefined,
     setTurning: () => undefined,
   });
+  scene.onSurface = () => {
+    if (!scene.camera.matrixWorld.equals(view)) hide();
+  };
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey) return;
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key === "t") theme.toggle();
     if (event.key === "l") scene.lookAtAll();
   });

@@ -10,3 +10,8 @@ export function formatNumber(value: number, digits = 6): string {
 export function formatCount(value: number): string {
   return value.toLocaleString("en");
 }
+
+/** "1 face", "2,000 faces", "no face". */
+export function countText(count: number, noun: string): string {
+  return count === 0 ? `no ${noun}` : count === 1 ? `1 ${noun}` : `${formatCount(count)} ${noun}s`;
+}

@@ -1,6 +1,6 @@
 // Opens a mesh: a file that is dropped or chosen, or one that the server has.
 
-import { formatCount } from "./format";
+import { countText } from "./format";
 import { byId, onClick } from "./elements";
 import type { Notice } from "./notice";
 import type { Recovery } from "./recovery";
@@ -89,7 +89,7 @@ export class MeshChooser {
     const { meshes } = await this.connection.meshes.listMeshes({ pageSize: 1000 });
     const choices = meshes.map((mesh) => {
       const name = this.names.get(mesh.digest) ?? mesh.digest.slice(0, 8);
-      return { digest: mesh.digest, text: `${name} (${formatCount(Number(mesh.faceCount))} faces)` };
+      return { digest: mesh.digest, text: `${name} (${countText(Number(mesh.faceCount), "face")})` };
     });
     this.select.replaceChildren(
       new Option(choices.length ? "on the server…" : "no mesh on the server", ""),

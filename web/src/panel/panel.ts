@@ -5,7 +5,7 @@ import type { AlgorithmCapability } from "../../generated/geodesic/v1/capabiliti
 import type { Algorithm } from "../../generated/geodesic/v1/query_pb";
 import type { Explorer } from "../explorer";
 import { byId, onClick } from "./elements";
-import { formatCount, formatNumber } from "./format";
+import { countText, formatCount, formatNumber } from "./format";
 import type { Notice } from "./notice";
 import type { PathLabels } from "./path_labels";
 import { SavePanel } from "./save_panel";
@@ -216,10 +216,6 @@ export class Panel {
   private tools(): HTMLInputElement[] {
     return [...document.querySelectorAll<HTMLInputElement>('input[name="tool"]')];
   }
-}
-
-function countText(count: number, noun: string): string {
-  return count === 0 ? `no ${noun}` : count === 1 ? `1 ${noun}` : `${formatCount(count)} ${noun}s`;
 }
 
 function choices(label: string, offered: AlgorithmCapability[]): HTMLOptGroupElement {

@@ -148,7 +148,7 @@ export class Scene {
     this.drawn = new Mesh(mesh.geometry, this.material);
     this.drawn.frustumCulled = false;
     this.surface.add(this.drawn);
-    this.home = firstView(mesh.geometry.getAttribute("position").array as Float32Array);
+    this.home = firstView(mesh.framed);
     this.camera.up.copy(this.home.up);
     this.lookAtAll();
   }

@@ -22,10 +22,12 @@ export class SurfaceMesh {
   readonly geometry: BufferGeometry;
   /** Fewer faces, with the attributes of `geometry`; nothing if there are none. */
   coarse: BufferGeometry | undefined;
+  /** What the view shows at first: vertices of faces, on the screen's scale. */
+  readonly framed: Float32Array;
   /** Whether a coarse list is on its way. */
   awaitsCoarse = false;
   readonly center: Vector;
-  /** Half the diagonal of the bounding box, in the unit of the file. */
+  /** Half the diagonal of the bounding box of all faces, in the unit of the file. */
   readonly radius: number;
 
   constructor(
@@ -35,10 +37,12 @@ export class SurfaceMesh {
   ) {
     this.vertexCount = arrays.positions.length / 3;
     this.faceCount = arrays.indices.length / 3;
-    const { low, high } = boundingBox(arrays.positions);
+    const ofFaces = positionsOfFaces(arrays);
+    const { low, high } = boundingBox(ofFaces);
     this.center = [0, 1, 2].map((i) => (low[i] + high[i]) / 2) as Vector;
     this.radius = Math.hypot(...[0, 1, 2].map((i) => (high[i] - low[i]) / 2)) || 1;
     const drawn = this.toScreen(arrays.positions);
+    this.framed = ofFaces === arrays.positions ? drawn : this.toScreen(ofFaces);
     this.geometry = new BufferGeometry();
     this.geometry.setAttribute("position", new BufferAttribute(drawn, 3));
     this.geometry.setAttribute("normal", new BufferAttribute(vertexNormals(drawn, arrays.indices), 3));
@@ -117,6 +121,22 @@ export class SurfaceMesh {
     this.geometry.dispose();
     this.coarse?.dispose();
   }
+}
+
+// The vertices that are corners of faces, or all if there is no face.
+function positionsOfFaces({ positions, indices }: MeshArrays): Float64Array {
+  const isCorner = new Uint8Array(positions.length / 3);
+  for (const vertex of indices) isCorner[vertex] = 1;
+  const count = isCorner.reduce((sum, bit) => sum + bit, 0);
+  if (count === 0 || count === isCorner.length) return positions;
+  const corners = new Float64Array(3 * count);
+  let end = 0;
+  isCorner.forEach((bit, vertex) => {
+    if (!bit) return;
+    corners.set(positions.subarray(3 * vertex, 3 * vertex + 3), end);
+    end += 3;
+  });
+  return corners;
 }
 
 function boundingBox(positions: Float64Array): { low: Vector; high: Vector } {
