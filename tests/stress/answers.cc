@@ -6,27 +6,20 @@
 #include <string>
 
 #include "geodesic/solve.h"
+#include "tests/support/checkpoints.h"
 #include "tests/support/oracles/edge_paths.h"
 
 namespace geodesic::stress {
 namespace {
 
-// Stops what takes so many windows that something must have gone wrong: scenes
-// have some thousands of faces at the most.
-class Patience final : public Checkpoint {
- public:
-  absl::Status Poll(const Progress& progress) override {
-    constexpr uint64_t kMostWindows = 20'000'000;
-    if (progress.windows_propagated < kMostWindows) return absl::OkStatus();
-    return absl::ResourceExhaustedError("windows without end");
-  }
-};
+// Scenes have some thousands of faces at the most.
+constexpr uint64_t kMostWindows = 20'000'000;
 
 }  // namespace
 
 std::vector<double> AllDistances(const Mesh& mesh, const Query& query,
                                  Report& report) {
-  Patience patience;
+  test::WindowLimit patience(kMostWindows);
   const absl::StatusOr<DistanceField> field = Solve(mesh, query, {}, patience);
   report.Check(field.ok(), "a valid query is answered", field.status(), ", ",
                Name(query));

@@ -22,6 +22,7 @@
 #include "geodesic/solve.h"
 #include "geodesic/target_search.h"
 #include "tests/stress/answers.h"
+#include "tests/support/checkpoints.h"
 #include "tests/support/queries.h"
 #include "tests/support/random.h"
 #include "tests/support/surface_points.h"
@@ -42,15 +43,8 @@ struct Options {
   std::string algorithm{AlgorithmName(Algorithm::kFwpMmp)};
 };
 
-// Gives up where windows have no end.
-class Patience final : public Checkpoint {
- public:
-  absl::Status Poll(const Progress& progress) override {
-    constexpr uint64_t kMostWindows = 300'000'000;
-    if (progress.windows_propagated < kMostWindows) return absl::OkStatus();
-    return absl::ResourceExhaustedError("windows without end");
-  }
-};
+// Above what any mesh here takes.
+constexpr uint64_t kMostWindows = 300'000'000;
 
 // What a pair is found by, beside the search without landmarks.
 enum Other { kField, kOtherField, kFewLandmarks, kMostLandmarks, kBack };
@@ -154,7 +148,7 @@ class Subject {
   const double rounding_;
   const Landmarks few_, most_;
   TargetSearch search_;
-  Patience patience_;
+  test::WindowLimit patience_{kMostWindows};
   Totals totals_;
   absl::Status status_;
 };
@@ -178,7 +172,7 @@ absl::StatusOr<Totals> MeasureFile(const std::string& file,
   if (!soup.ok()) return soup.status();
   const absl::StatusOr<std::shared_ptr<const Mesh>> mesh = Mesh::Build(*soup);
   if (!mesh.ok()) return mesh.status();
-  Patience patience;
+  test::WindowLimit patience(kMostWindows);
   absl::StatusOr<Landmarks> few = MakeLandmarks(**mesh, 4, {}, patience);
   if (!few.ok()) return few.status();
   absl::StatusOr<Landmarks> most =

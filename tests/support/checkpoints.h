@@ -33,6 +33,21 @@ class RecordingCheckpoint final : public Checkpoint {
   std::vector<Progress> polls_;
 };
 
+// Stops what takes so many windows that something must have gone wrong.
+class WindowLimit final : public Checkpoint {
+ public:
+  explicit WindowLimit(uint64_t most) : most_(most) {}
+
+  absl::Status Poll(const Progress& progress) override {
+    return progress.windows_propagated < most_
+               ? absl::OkStatus()
+               : absl::ResourceExhaustedError("windows without end");
+  }
+
+ private:
+  const uint64_t most_;
+};
+
 }  // namespace geodesic::test
 
 #endif  // GEODESIC_TESTS_SUPPORT_CHECKPOINTS_H_

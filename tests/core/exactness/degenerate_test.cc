@@ -12,6 +12,7 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/checkpoints.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
@@ -95,16 +96,6 @@ TEST_P(DegenerateMeshes, NoisyFacesWithoutArea) {
   }
 }
 
-// A checkpoint that loses patience.
-class ManyWindows final : public Checkpoint {
- public:
-  absl::Status Poll(const Progress& progress) override {
-    return progress.windows_propagated < 500'000
-               ? absl::OkStatus()
-               : absl::ResourceExhaustedError("windows without end");
-  }
-};
-
 // A face that is there twice is a sack, and rays go round one without area at
 // no length: rounding must not make them nearer each time. The copy changes no
 // distance, since every path through it may take the original.
@@ -119,7 +110,7 @@ TEST_P(DegenerateMeshes, WindowsDoNotGoRoundSacksForEver) {
     const std::shared_ptr<const Mesh> original = BuildOrFail({"once", once});
     for (uint32_t f = 0; f < original->face_count(); f += 4) {
       const Query query = Ask({.sources = {{FacePoint{f, {0.2, 0.3, 0.5}}}}});
-      ManyWindows checkpoint;
+      test::WindowLimit checkpoint(500'000);
       const auto field = Solve(*mesh, query, {}, checkpoint);
       ASSERT_TRUE(field.ok()) << field.status() << ", seed " << seed;
       const auto expected = Solve(*original, query, {}, checkpoint);
@@ -144,7 +135,7 @@ TEST_P(DegenerateMeshes, WindowsDoNotGoRoundSpikesForEver) {
   const std::shared_ptr<const Mesh> mesh = BuildOrFail({"spike", soup});
   for (const double t : {1e-15, 1e-14, 1e-12, 1e-6}) {
     const Query query = Ask({.sources = {{EdgePoint{0, 1, t}}}});
-    ManyWindows checkpoint;
+    test::WindowLimit checkpoint(500'000);
     const auto field = Solve(*mesh, query, {}, checkpoint);
     ASSERT_TRUE(field.ok()) << field.status() << ", t " << t;
     const double length =

@@ -12,14 +12,12 @@
 #include <numbers>
 #include <vector>
 
-#include "absl/status/status.h"
-#include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
 #include "geodesic/solve.h"
 #include "geodesic/target_search.h"
 #include "geodesic/triangle_soup.h"
 #include "geodesic/valid_query.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/checkpoints.h"
 #include "tests/support/field_check.h"
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
@@ -54,15 +52,8 @@ std::shared_ptr<const Mesh> FansAndGrid() {
       {"fans", test::Join(soup, test::MakeGrid({.columns = 70, .rows = 70}))});
 }
 
-// Stops what does not end.
-class Patience final : public Checkpoint {
- public:
-  absl::Status Poll(const Progress& progress) override {
-    return progress.windows_propagated < 100'000
-               ? absl::OkStatus()
-               : absl::ResourceExhaustedError("windows without end");
-  }
-};
+// Far above what any question here takes.
+constexpr uint64_t kMostWindows = 100'000;
 
 // In a fan's first face, `away` from the tip, three tenths from its first side.
 FacePoint NearTip(uint32_t fan, double away) {
@@ -87,11 +78,11 @@ TEST_P(WindingWindows, EndInFields) {
   for (const double tolerance : {0.0, 1e-5, 1e-2}) {
     for (uint32_t fan = 0; fan < kFans; ++fan) {
       SCOPED_TRACE(testing::Message() << fan << " within " << tolerance);
-      Patience patience;
+      test::WindowLimit limit(kMostWindows);
       const auto field = Solve(*mesh,
                                Query{.sources = {{NearTip(fan, GetParam())}},
                                      .tolerance = tolerance},
-                               {}, patience);
+                               {}, limit);
       ASSERT_TRUE(field.ok()) << field.status();
       for (uint32_t k = 0; k < kFaces; ++k) {
         const double expected = FromTip(GetParam(), k);
@@ -110,12 +101,12 @@ TEST_P(WindingWindows, EndInSearches) {
   for (const uint32_t round : {1, 2}) {
     for (uint32_t k = 0; k < kFaces; ++k) {
       SCOPED_TRACE(testing::Message() << round << ", " << k);
-      Patience patience;
+      test::WindowLimit limit(kMostWindows);
       const auto found = search.Run(
           test::Valid(
               *mesh, Query{.sources = {{NearTip(3, GetParam())}},
                            .targets = {VertexPoint{(kFaces + 1) * 3 + 1 + k}}}),
-          nullptr, patience);
+          nullptr, limit);
       ASSERT_TRUE(found.ok()) << found.status();
       const double expected = FromTip(GetParam(), k);
       EXPECT_NEAR(found->distances[0], expected, 1e-12 * expected);
