@@ -4,12 +4,14 @@
 //   absl::StatusOr<TargetDistances> found =
 //       search.Run(query, landmarks, checkpoint);
 //
-// Windows are propagated in the order of their label plus a lower bound on the
-// rest of the way: the straight line through space, and what landmarks tell.
-// Any order is exact (Xu et al. 2015, Proposition 1). No bound decreases along
-// a path by more than the path's length, so the least sum still pending bounds
-// every path that was not found yet; a target's distance is final once it is no
-// larger. What cannot be on a shortest path to a target is never opened.
+// Every window has a key: its label plus a lower bound on the rest of the way,
+// by the straight line through space and by what landmarks tell. A path that is
+// close to shortest is looked for first. If there is one, windows with larger
+// keys are dropped and the others are propagated in the order of their labels;
+// otherwise they go in the order of their keys. Any order is exact (Xu et al.
+// 2015, Proposition 1). No bound decreases along a path by more than the path's
+// length, so the least key still pending bounds every path that was not found
+// yet; a target's distance is final once it is no larger.
 
 #ifndef GEODESIC_TARGET_SEARCH_H_
 #define GEODESIC_TARGET_SEARCH_H_

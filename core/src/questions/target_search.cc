@@ -8,6 +8,7 @@
 
 #include "geodesic/computation.h"
 #include "mesh/file_unit.h"
+#include "questions/first_path/first_path.h"
 #include "questions/paths/path_tracer.h"
 #include "solver/goal.h"
 #include "solver/queues/fwp_buckets.h"
@@ -22,7 +23,7 @@ namespace geodesic {
 namespace {
 
 // The front of a search is narrow: it takes less at a time than a field does,
-// so that it does not run past the targets.
+// so that it does not run past the target.
 constexpr SolveOptions kSearchOptions{.bucket_width = 4, .max_batch = 64};
 
 }  // namespace
@@ -33,7 +34,8 @@ class TargetSearch::Impl {
       : mesh_(mesh),
         queue_(*TuningFor(mesh, kSearchOptions)),
         front_(mesh, Query{}, queue_, nullptr, Goal(mesh)),
-        rule_(front_, 1) {}
+        rule_(front_, 1),
+        first_path_(mesh) {}
 
   absl::StatusOr<TargetDistances> Run(const ValidQuery& query,
                                       const Landmarks* landmarks,
@@ -80,7 +82,7 @@ class TargetSearch::Impl {
 
   uint64_t bytes() const {
     return front_.bytes() + front_.goal().bytes() + rule_.bytes() +
-           queue_.bytes();
+           queue_.bytes() + first_path_.bytes();
   }
 
  private:
@@ -92,8 +94,7 @@ class TargetSearch::Impl {
   // Adds the distance of the query's only target, and the path to it.
   absl::Status RunOne(const ValidQuery& query, const Landmarks* landmarks,
                       Checkpoint& checkpoint, TargetDistances& found) {
-    Restart(query, landmarks);
-    absl::Status status = Propagate(checkpoint);
+    absl::Status status = Search(query, landmarks, checkpoint);
     if (!status.ok()) return status;
     found.distances.push_back(ToFileUnit(mesh_, Distance()));
     if (query->trace) {
@@ -108,24 +109,47 @@ class TargetSearch::Impl {
     return absl::OkStatus();
   }
 
-  void Restart(const ValidQuery& query, const Landmarks* landmarks) {
+  absl::Status Search(const ValidQuery& query, const Landmarks* landmarks,
+                      Checkpoint& checkpoint) {
+    Restart(query);
+    front_.goal().Aim(query->targets[0], landmarks);
+    absl::Status status = first_path_.Find(query, front_.goal(),
+                                           [&] { return Poll(checkpoint); });
+    if (!status.ok()) return status;
+    const double longest = first_path_.length();
+    front_.goal().set_by_label(!std::isinf(longest));
+    status = Propagate(query, longest, checkpoint);
+    if (!status.ok() || Distance() <= Margin(longest)) return status;
+    // Rounding in faces that are hardly higher than it.
+    Restart(query);
+    front_.goal().set_by_label(false);
+    return Propagate(query, std::numeric_limits<double>::infinity(),
+                     checkpoint);
+  }
+
+  void Restart(const ValidQuery& query) {
     rule_.Clear();
     queue_.Clear();
     front_.Restart(*query);
-    front_.goal().Aim(query->targets[0], landmarks);
-    DirectSink sink(front_, rule_);
-    for (const Anchor& anchor : AnchorsOf(query))
-      front_.AddAnchor(anchor, sink);
   }
 
-  absl::Status Propagate(Checkpoint& checkpoint) {
+  static double Margin(double length) { return length * (1 + kGoalMargin); }
+
+  // Finds the distance of the target, if it is no larger than `longest`.
+  absl::Status Propagate(const ValidQuery& query, double longest,
+                         Checkpoint& checkpoint) {
+    front_.goal().set_limit(Margin(longest));
+    DirectSink sink(front_, rule_);
+    for (const Anchor& anchor : AnchorsOf(query)) {
+      front_.AddAnchor(anchor, sink);
+    }
     uint64_t steps = kPollPeriod;
     for (;;) {
       if (steps >= kPollPeriod) {
         steps = 0;
         if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
       }
-      front_.goal().set_limit(Distance() * (1 + kGoalMargin));
+      front_.goal().set_limit(Margin(std::min(longest, Distance())));
       if (queue_.SettledRadius() > front_.goal().limit()) break;
       PopTogether(queue_, Rule::kMostTogether, together_);
       if (together_.empty()) break;
@@ -176,6 +200,7 @@ class TargetSearch::Impl {
   FwpBuckets queue_;
   DirectedFront front_;
   Rule rule_;
+  FirstPath first_path_;
   std::vector<uint32_t> together_;
   SolveStatistics statistics_;
 };
@@ -201,9 +226,10 @@ absl::StatusOr<TargetDistances> TargetSearch::Run(const ValidQuery& query,
 uint64_t TargetSearch::bytes() const { return impl_->bytes(); }
 
 uint64_t TargetSearch::PlannedBytes(const Mesh& mesh) {
-  // Distance, state, ray and bound; where lists wait; the queue and the windows
-  // of a wide search.
-  constexpr uint64_t kPerVertex = 2 * sizeof(double) + 1 + sizeof(IncomingRay);
+  // Distance, state, ray and bound, and what the first path takes; where lists
+  // wait; the queue and the windows of a wide search.
+  constexpr uint64_t kPerVertex =
+      2 * sizeof(double) + 1 + sizeof(IncomingRay) + FirstPath::kBytesByVertex;
   constexpr uint64_t kBase = uint64_t{1} << 20;
   return kPerVertex * mesh.vertex_count() +
          sizeof(uint32_t) * mesh.half_edge_count() +

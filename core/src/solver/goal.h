@@ -17,10 +17,12 @@
 
 namespace geodesic {
 
-// Bounds at the ends of an edge, and the longest path that is of any use.
+// Bounds at the ends of an edge, the longest path that is of any use, and
+// whether windows wait with their label.
 struct EdgeGoal {
   double from_bound, to_bound;
   double limit;
+  bool by_label;
 };
 
 // A lower bound on all paths to the goal that go through a window: infinite if
@@ -40,7 +42,8 @@ inline double KeyOf(const Window& window, double label, double length,
   double key = std::max(label, by_from);
   key = by_to > key ? by_to : key;
   key = by_label > key ? by_label : key;
-  return key <= goal.limit ? key : std::numeric_limits<double>::infinity();
+  if (!(key <= goal.limit)) return std::numeric_limits<double>::infinity();
+  return goal.by_label ? label : key;
 }
 
 // For computations that head for all there is.
@@ -65,6 +68,7 @@ class NearGoal {
   double Bound(uint32_t) const { return 0; }
   double limit() const { return limit_; }
   void set_limit(double limit) { limit_ = limit; }
+  bool by_label() const { return true; }
   NearEdge At(uint32_t, uint32_t) const { return {limit_}; }
 
  private:
@@ -92,8 +96,12 @@ class Goal {
   // Longer paths are of no use.
   double limit() const { return limit_; }
   void set_limit(double limit) { limit_ = limit; }
+  // Whether what is pending goes in the order of its labels. Otherwise, and
+  // after Aim, in that of lower bounds on the whole way.
+  bool by_label() const { return by_label_; }
+  void set_by_label(bool by_label) { by_label_ = by_label; }
   EdgeGoal At(uint32_t from, uint32_t to) const {
-    return {Bound(from), Bound(to), limit_};
+    return {Bound(from), Bound(to), limit_, by_label_};
   }
 
   uint64_t bytes() const {
@@ -111,6 +119,7 @@ class Goal {
   SpacePoint target_;
   Landmarks::Place from_landmarks_;
   double limit_ = std::numeric_limits<double>::infinity();
+  bool by_label_ = false;
   // A cache: Bound changes nothing that others see.
   mutable std::vector<double> bounds_;
   mutable std::vector<uint32_t> known_;

@@ -258,13 +258,14 @@ class Front {
       return;
     }
     if (!incoming_.empty()) incoming_[v] = ray;
-    double key = distance;
+    double order = distance;
     if constexpr (Goal::kDirects) {
-      key += goal_.Bound(v);
+      const double key = distance + goal_.Bound(v);
       if (!(key <= goal_.limit())) return;
+      if (!goal_.by_label()) order = key;
     }
     states_[v] |= kPending;
-    queue_.Push(kVertexEvent | v, key);
+    queue_.Push(kVertexEvent | v, order);
   }
 
   // What a window on h with this label waits with; infinite if it need not.

@@ -1,0 +1,306 @@
+#include "questions/first_path/taut_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace geodesic {
+namespace {
+
+// What lacks no more than this to half a turn, in radians, is straight: around
+// it a path is shorter by less than the square of this.
+constexpr double kStraight = 1e-7;
+
+// A round moves each piece past one row of vertices. A path that needs more
+// than so many is as good as straight by then, on real meshes, or winds.
+constexpr int kMostRounds = 256;
+
+// One direction as seen if the other is the x axis.
+PlanePoint SeenFrom(const PlanePoint& axis, const PlanePoint& way) {
+  return {Dot(axis, way), Cross(axis, way)};
+}
+
+}  // namespace
+
+void TautPath::Line::Clear() {
+  pieces.clear();
+  portals.clear();
+}
+
+std::span<const Portal> TautPath::Line::PortalsOf(const Piece& piece) const {
+  return std::span(portals).subspan(piece.first, piece.last - piece.first);
+}
+
+void TautPath::Line::Add(Piece piece, std::span<const Portal> through) {
+  piece.first = static_cast<uint32_t>(portals.size());
+  portals.insert(portals.end(), through.begin(), through.end());
+  piece.last = static_cast<uint32_t>(portals.size());
+  pieces.push_back(piece);
+}
+
+double TautPath::Line::Length() const {
+  double length = 0;
+  for (const Piece& piece : pieces) length += piece.length;
+  return length;
+}
+
+absl::Status TautPath::Draw(const Place& begin, const Route& route,
+                            const Place& end,
+                            absl::FunctionRef<absl::Status()> poll) {
+  length_ = std::numeric_limits<double>::infinity();
+  if (!Follow(begin, route, end)) return absl::OkStatus();
+  for (int round = 0; round < kMostRounds && Tighten(); ++round) {
+    if (absl::Status status = poll(); !status.ok()) return status;
+  }
+  length_ = line_.Length();
+  return absl::OkStatus();
+}
+
+uint64_t TautPath::bytes() const {
+  return (line_.pieces.capacity() + next_.pieces.capacity()) * sizeof(Piece) +
+         (line_.portals.capacity() + next_.portals.capacity() +
+          strip_.capacity()) *
+             sizeof(Portal) +
+         (left_.through.capacity() + right_.through.capacity()) *
+             sizeof(HalfEdge) +
+         funnel_.bytes();
+}
+
+bool TautPath::Follow(const Place& begin, const Route& route,
+                      const Place& end) {
+  line_.Clear();
+  Place from = begin;
+  for (const Route::Step& step : route.steps) {
+    const Place to = Place::At(step.to);
+    if (from.vertex == to.vertex) continue;
+    strip_.clear();
+    for (uint32_t i = step.first; i < step.last; ++i) Append(route.portals[i]);
+    if (!AddThroughStrip(from, to, line_)) return false;
+    from = to;
+  }
+  if (end.is_vertex()) return true;
+  strip_.clear();
+  return AddThroughStrip(from, end, line_);
+}
+
+// A round: joins pieces two by two. Returns whether the path is another one.
+bool TautPath::Tighten() {
+  bool is_another = false;
+  next_.Clear();
+  std::vector<Piece>& pieces = line_.pieces;
+  for (size_t i = 0; i < pieces.size(); ++i) {
+    Piece& piece = pieces[i];
+    if (i + 1 < pieces.size() && !piece.is_settled) {
+      const size_t before = next_.pieces.size();
+      if (FindSmallerSide(piece, pieces[i + 1]) && Join(piece, pieces[i + 1])) {
+        if (before > 0) next_.pieces[before - 1].is_settled = false;
+        is_another = true;
+        ++i;
+        continue;
+      }
+      piece.is_settled = true;
+    }
+    next_.Add(piece, line_.PortalsOf(piece));
+  }
+  std::swap(line_, next_);
+  return is_another;
+}
+
+// Leaves in left_ the side on which one piece meets the next with less than
+// half a turn; the smaller one, if both are less.
+bool TautPath::FindSmallerSide(const Piece& in, const Piece& out) {
+  const bool has_left = Turn<true>(in.arrives, out.leaves, left_);
+  const bool has_right = Turn<false>(in.arrives, out.leaves, right_);
+  if (!has_left && !has_right) return false;
+  if (!has_left || (has_right && Cross(right_.turn, left_.turn) > 0)) {
+    std::swap(left_, right_);
+  }
+  return true;
+}
+
+// Turns from one direction at a vertex to another. False if that is half a turn
+// or more, or the faces end there.
+template <bool kClockwise>
+bool TautPath::Turn(const Direction& from, const Direction& to,
+                    Side& side) const {
+  // Angles count in the sense of the turn.
+  const auto between = [](const PlanePoint& a, const PlanePoint& b) {
+    return kClockwise ? SeenFrom(b, a) : SeenFrom(a, b);
+  };
+  const auto is_bent = [](const PlanePoint& turn) {
+    return turn.x > 0 || turn.y > kStraight * -turn.x;
+  };
+  // The sides of a face at the vertex at which a turn enters and leaves it.
+  const auto near_side = [this](HalfEdge spoke) {
+    const HalfEdgeFrame& frame = mesh_.frame(spoke);
+    return kClockwise ? PlanePoint{frame.left_x, frame.left_y}
+                      : PlanePoint{1, 0};
+  };
+  const auto far_side = [this](HalfEdge spoke) {
+    const HalfEdgeFrame& frame = mesh_.frame(spoke);
+    return kClockwise ? PlanePoint{1, 0}
+                      : PlanePoint{frame.left_x, frame.left_y};
+  };
+  side.through.clear();
+  if (from.spoke == to.spoke) {
+    side.turn = between(from.way, to.way);
+    if (side.turn.y >= 0) return is_bent(side.turn);
+  }
+  side.turn = between(from.way, far_side(from.spoke));
+  HalfEdge spoke = from.spoke;
+  for (;;) {
+    const HalfEdge through = mesh_.Twin(kClockwise ? spoke : Prev(spoke));
+    if (through == kNoHalfEdge) return false;
+    side.through.push_back(through);
+    spoke = kClockwise ? Next(through) : through;
+    const bool is_last = spoke == to.spoke;
+    const PlanePoint more =
+        between(near_side(spoke), is_last ? to.way : far_side(spoke));
+    side.turn = {side.turn.x * more.x - side.turn.y * more.y,
+                 side.turn.x * more.y + side.turn.y * more.x};
+    if (side.turn.y < 0 || spoke == from.spoke) return false;
+    if (is_last) return is_bent(side.turn);
+  }
+}
+
+// Adds to next_ the shortest path through the strip of two pieces and of left_
+// between them.
+bool TautPath::Join(const Piece& in, const Piece& out) {
+  strip_.clear();
+  Append(line_.PortalsOf(in));
+  for (const HalfEdge h : left_.through) Append(h);
+  Append(line_.PortalsOf(out));
+  return AddThroughStrip(in.begin, out.end, next_);
+}
+
+// To strip_, without ways back.
+void TautPath::Append(HalfEdge h) {
+  if (strip_.empty()) {
+    strip_.push_back(Portal::First(mesh_, h));
+  } else if (mesh_.Twin(h) == strip_.back().half_edge) {
+    strip_.pop_back();
+  } else {
+    strip_.push_back(Portal::After(mesh_, strip_.back().half_edge, h));
+  }
+}
+
+void TautPath::Append(std::span<const Portal> portals) {
+  size_t first = 0;
+  for (bool is_longer = false; first < portals.size() && !is_longer; ++first) {
+    const size_t before = strip_.size();
+    Append(portals[first].half_edge);
+    is_longer = strip_.size() > before;
+  }
+  // What follows on that is turned as before.
+  strip_.insert(strip_.end(), portals.begin() + first, portals.end());
+}
+
+// Adds the shortest path through strip_ from one place to another. False if the
+// strip does not lead there.
+bool TautPath::AddThroughStrip(const Place& begin, const Place& end,
+                               Line& line) {
+  // What turns around the ends leads nowhere.
+  while (!strip_.empty() && end.EndsAt(mesh_, strip_.back().half_edge)) {
+    strip_.pop_back();
+  }
+  strip_.erase(strip_.begin(),
+               std::ranges::find_if(strip_, [&](const Portal& portal) {
+                 return !begin.EndsAt(mesh_, portal.half_edge);
+               }));
+  if (strip_.empty()) {
+    Piece piece{.begin = begin, .end = end};
+    if (!SetWithinFace(piece)) return false;
+    line.Add(piece, {});
+    return true;
+  }
+  const HalfEdge back = mesh_.Twin(strip_.front().half_edge);
+  if (back == kNoHalfEdge || !begin.LiesAcross(mesh_, back) ||
+      !end.LiesAcross(mesh_, strip_.back().half_edge)) {
+    return false;
+  }
+  AddBends(begin, end, line);
+  return true;
+}
+
+void TautPath::AddBends(const Place& begin, const Place& end, Line& line) {
+  const std::span<const Portal> strip = strip_;
+  const auto half_edge = [&](uint32_t i) { return strip[i].half_edge; };
+  // From the face before it, the first portal runs the other way.
+  const PlanePoint begin_at = begin.Across(mesh_, mesh_.Twin(half_edge(0)));
+  funnel_.Find(strip, {strip[0].length - begin_at.x, -begin_at.y},
+               end.Across(mesh_, strip.back().half_edge));
+  Place from = begin;
+  PlanePoint from_at = funnel_.begin();
+  uint32_t first = 0;
+  for (const Funnel::Bend& bend : funnel_.bends()) {
+    const uint32_t last = bend.portal;
+    Place to = end;
+    if (last < strip.size()) {
+      to = Place::At(bend.is_left ? mesh_.From(half_edge(last))
+                                  : mesh_.To(half_edge(last)));
+    }
+    while (first < last && from.EndsAt(mesh_, half_edge(first))) ++first;
+    Piece piece{.begin = from, .end = to};
+    if (first == last) {
+      SetWithinFace(piece);
+    } else {
+      const PlanePoint way = bend.at - from_at;
+      piece.length = Norm(way);
+      if (from.is_vertex()) {
+        piece.leaves = {Prev(mesh_.Twin(half_edge(first))),
+                        SeenFrom(funnel_.Right(first) - from_at, way)};
+      }
+      if (to.is_vertex()) {
+        piece.arrives = {
+            Prev(half_edge(last - 1)),
+            SeenFrom(funnel_.Left(last - 1) - bend.at, from_at - bend.at)};
+      }
+    }
+    line.Add(piece, strip.subspan(first, last - first));
+    from = to;
+    from_at = bend.at;
+    first = last;
+  }
+}
+
+// Sets what a piece through no portal has. False if its ends share no face.
+bool TautPath::SetWithinFace(Piece& piece) const {
+  const Place& begin = piece.begin;
+  const Place& end = piece.end;
+  if (begin.is_vertex() && end.is_vertex()) {
+    for (const HalfEdge h : mesh_.Outgoing(begin.vertex)) {
+      if (mesh_.To(h) == end.vertex) {
+        piece.leaves = {h, {1, 0}};
+        piece.arrives = {Next(h), ApexOf(Next(h))};
+        piece.length = mesh_.frame(h).length;
+        return true;
+      }
+      if (mesh_.Apex(h) == end.vertex) {
+        piece.leaves = {h, ApexOf(h)};
+        piece.arrives = {Prev(h), {1, 0}};
+        piece.length = mesh_.frame(Prev(h)).length;
+        return true;
+      }
+    }
+    return false;
+  }
+  if (!begin.is_vertex() && !end.is_vertex()) {
+    const HalfEdge h = mesh_.FirstSide(begin.point.face);
+    piece.length =
+        Norm(InFrame(mesh_, end.point, h) - InFrame(mesh_, begin.point, h));
+    return begin.point.face == end.point.face;
+  }
+  const Place& vertex = begin.is_vertex() ? begin : end;
+  const FacePoint& point = begin.is_vertex() ? end.point : begin.point;
+  HalfEdge spoke = mesh_.FirstSide(point.face);
+  for (int i = 0; i < 3 && mesh_.From(spoke) != vertex.vertex; ++i) {
+    spoke = Next(spoke);
+  }
+  const PlanePoint way = InFrame(mesh_, point, spoke);
+  (begin.is_vertex() ? piece.leaves : piece.arrives) = {spoke, way};
+  piece.length = Norm(way);
+  return mesh_.From(spoke) == vertex.vertex;
+}
+
+}  // namespace geodesic
