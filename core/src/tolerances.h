@@ -209,6 +209,11 @@ inline constexpr double kGoalRounding = 1e-14;
 // are promised to stay below.
 inline constexpr double kGoalMargin = 1e-10;
 
+// A first path that lacks no more than this to half a turn at a vertex, in
+// radians, is straight there: around it a path is shorter by less than the
+// square of this, and half-edges would be swapped for the sake of rounding.
+inline constexpr double kTautAngle = 1e-7;
+
 // Distances from landmarks are rounded to single precision, by 6e-8 of them at
 // the most; bounds allow for four times that, which covers their own rounding
 // too.

@@ -38,13 +38,6 @@ constexpr double kThinness = 1e-3;
 // Between two polls of a query, in vertices.
 constexpr uint32_t kPollPeriod = 1024;
 
-// A place in the plane that is so far from (0, 0) and (length, 0), above.
-PlanePoint PlaceOver(double length, double from_begin, double from_end) {
-  const double x =
-      (length + (from_begin - from_end) * (from_begin + from_end) / length) / 2;
-  return {x, std::sqrt(std::max(from_begin * from_begin - x * x, 0.0))};
-}
-
 // The same place or its image below, whichever is nearer to being so far from
 // `third`.
 PlanePoint OnEitherSide(const PlanePoint& above, const PlanePoint& third,

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -113,17 +115,17 @@ class TargetSearch::Impl {
                       Checkpoint& checkpoint) {
     Restart(query);
     front_.goal().Aim(query->targets[0], landmarks);
-    absl::Status status = first_path_.Find(query, front_.goal(),
-                                           [&] { return Poll(checkpoint); });
+    const std::vector<Anchor> anchors = AnchorsOf(query);
+    absl::Status status =
+        first_path_.Find(anchors, query->targets[0], front_.goal(),
+                         [&] { return Poll(checkpoint); });
     if (!status.ok()) return status;
     const double longest = first_path_.length();
-    front_.goal().set_by_label(!std::isinf(longest));
-    status = Propagate(query, longest, checkpoint);
+    status = Propagate(anchors, longest, checkpoint);
     if (!status.ok() || Distance() <= Margin(longest)) return status;
     // Rounding in faces that are hardly higher than it.
     Restart(query);
-    front_.goal().set_by_label(false);
-    return Propagate(query, std::numeric_limits<double>::infinity(),
+    return Propagate(anchors, std::numeric_limits<double>::infinity(),
                      checkpoint);
   }
 
@@ -135,14 +137,14 @@ class TargetSearch::Impl {
 
   static double Margin(double length) { return length * (1 + kGoalMargin); }
 
-  // Finds the distance of the target, if it is no larger than `longest`.
-  absl::Status Propagate(const ValidQuery& query, double longest,
+  // Finds the distance of the target, if it is no larger than `longest`. If
+  // that is known, few windows are too many, and labels are the better order.
+  absl::Status Propagate(std::span<const Anchor> anchors, double longest,
                          Checkpoint& checkpoint) {
     front_.goal().set_limit(Margin(longest));
+    front_.goal().set_orders_by_label(std::isfinite(longest));
     DirectSink sink(front_, rule_);
-    for (const Anchor& anchor : AnchorsOf(query)) {
-      front_.AddAnchor(anchor, sink);
-    }
+    for (const Anchor& anchor : anchors) front_.AddAnchor(anchor, sink);
     uint64_t steps = kPollPeriod;
     for (;;) {
       if (steps >= kPollPeriod) {

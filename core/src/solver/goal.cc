@@ -13,7 +13,6 @@ void Goal::Aim(const SurfacePoint& target, const Landmarks* landmarks) {
     from_landmarks_ = landmarks_->PlaceOf(target, mesh_);
   }
   limit_ = std::numeric_limits<double>::infinity();
-  by_label_ = false;
 }
 
 void Goal::Clear() {

@@ -22,7 +22,7 @@ namespace geodesic {
 struct EdgeGoal {
   double from_bound, to_bound;
   double limit;
-  bool by_label;
+  bool orders_by_label;
 };
 
 // A lower bound on all paths to the goal that go through a window: infinite if
@@ -43,7 +43,7 @@ inline double KeyOf(const Window& window, double label, double length,
   key = by_to > key ? by_to : key;
   key = by_label > key ? by_label : key;
   if (!(key <= goal.limit)) return std::numeric_limits<double>::infinity();
-  return goal.by_label ? label : key;
+  return goal.orders_by_label ? label : key;
 }
 
 // For computations that head for all there is.
@@ -68,7 +68,7 @@ class NearGoal {
   double Bound(uint32_t) const { return 0; }
   double limit() const { return limit_; }
   void set_limit(double limit) { limit_ = limit; }
-  bool by_label() const { return true; }
+  bool orders_by_label() const { return true; }
   NearEdge At(uint32_t, uint32_t) const { return {limit_}; }
 
  private:
@@ -96,12 +96,12 @@ class Goal {
   // Longer paths are of no use.
   double limit() const { return limit_; }
   void set_limit(double limit) { limit_ = limit; }
-  // Whether what is pending goes in the order of its labels. Otherwise, and
-  // after Aim, in that of lower bounds on the whole way.
-  bool by_label() const { return by_label_; }
-  void set_by_label(bool by_label) { by_label_ = by_label; }
+  // Whether what is pending goes in the order of its labels. Otherwise in that
+  // of lower bounds on the whole way.
+  bool orders_by_label() const { return orders_by_label_; }
+  void set_orders_by_label(bool value) { orders_by_label_ = value; }
   EdgeGoal At(uint32_t from, uint32_t to) const {
-    return {Bound(from), Bound(to), limit_, by_label_};
+    return {Bound(from), Bound(to), limit_, orders_by_label_};
   }
 
   uint64_t bytes() const {
@@ -119,7 +119,7 @@ class Goal {
   SpacePoint target_;
   Landmarks::Place from_landmarks_;
   double limit_ = std::numeric_limits<double>::infinity();
-  bool by_label_ = false;
+  bool orders_by_label_ = false;
   // A cache: Bound changes nothing that others see.
   mutable std::vector<double> bounds_;
   mutable std::vector<uint32_t> known_;

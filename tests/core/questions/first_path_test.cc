@@ -11,6 +11,7 @@
 
 #include "absl/status/status.h"
 #include "solver/goal.h"
+#include "surface/anchors.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/field_check.h"
 #include "tests/support/mesh_edits.h"
@@ -35,7 +36,8 @@ class FirstPathOn {
   absl::Status Find(const Query& query,
                     absl::FunctionRef<absl::Status()> poll = GoOn) {
     goal_.Aim(query.targets[0], nullptr);
-    return path_.Find(Valid(*mesh_, query), goal_, poll);
+    return path_.Find(AnchorsOf(Valid(*mesh_, query)), query.targets[0], goal_,
+                      poll);
   }
 
   // In the unit of the file.

@@ -4,19 +4,19 @@
 #include <limits>
 
 #include "questions/first_path/place.h"
-#include "surface/anchors.h"
 
 namespace geodesic {
 
-absl::Status FirstPath::Find(const ValidQuery& query, const Goal& goal,
+absl::Status FirstPath::Find(std::span<const Anchor> anchors,
+                             const SurfacePoint& target, const Goal& goal,
                              absl::FunctionRef<absl::Status()> poll) {
   length_ = std::numeric_limits<double>::infinity();
   starts_.clear();
-  for (const Anchor& anchor : AnchorsOf(query)) {
+  for (const Anchor& anchor : anchors) {
     starts_.push_back({Place::Of(mesh_, anchor.begin),
                        std::ldexp(anchor.offset, -mesh_.scale_exponent())});
   }
-  const Place end = Place::Of(mesh_, query->targets[0]);
+  const Place end = Place::Of(mesh_, target);
   absl::Status status = routes_.Find(starts_, end, goal, poll, route_);
   if (!status.ok() || route_.steps.empty()) return status;
   const RouteStart& start = starts_[route_.start];

@@ -4,15 +4,17 @@
 #define GEODESIC_QUESTIONS_FIRST_PATH_FIRST_PATH_H_
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "absl/functional/function_ref.h"
 #include "absl/status/status.h"
 #include "geodesic/mesh.h"
-#include "geodesic/valid_query.h"
+#include "geodesic/surface_point.h"
 #include "questions/first_path/route_search.h"
 #include "questions/first_path/taut_path.h"
 #include "solver/goal.h"
+#include "surface/anchors.h"
 
 namespace geodesic {
 
@@ -26,11 +28,11 @@ class FirstPath {
   explicit FirstPath(const Mesh& mesh)
       : mesh_(mesh), routes_(mesh), path_(mesh) {}
 
-  // Finds a locally shortest path from a source of the query to its only
-  // target, at which the goal is aimed. Polls now and then; errors: whatever
-  // that returns. REQUIRES: fwp-list answers the query (target_search.h).
-  absl::Status Find(const ValidQuery& query, const Goal& goal,
-                    absl::FunctionRef<absl::Status()> poll);
+  // Finds a locally shortest path from one of the anchors to a target, at which
+  // the goal is aimed. Polls now and then; errors: whatever that returns.
+  // REQUIRES: the anchors are points; several are vertices.
+  absl::Status Find(std::span<const Anchor> anchors, const SurfacePoint& target,
+                    const Goal& goal, absl::FunctionRef<absl::Status()> poll);
 
   // Of the path, with the offset of its source, in the scaled unit. No shortest
   // path is longer, but for rounding. Infinite if none was found, which does

@@ -17,29 +17,26 @@ void Funnel::Find(std::span<const Portal> portals, const PlanePoint& begin,
   chain_[apex_] = 0;
   PlanePoint along{1, 0};  // the portal
   PlanePoint left{0, 0}, right{portals[0].length, 0};
-  AddLeft({left, 0, true});
-  AddRight({right, 0, false});
+  Add<kLeft>({left, 0, true});
+  Add<kRight>({right, 0, false});
   left_[0] = left;
   right_[0] = right;
   for (uint32_t i = 1; i < count; ++i) {
     const Portal& portal = portals[i];
-    along = {along.x * portal.turn.x - along.y * portal.turn.y,
-             along.x * portal.turn.y + along.y * portal.turn.x};
+    along = Product(along, portal.turn);
     const PlanePoint across{portal.length * along.x, portal.length * along.y};
     if (portal.tip_is_left) {
       left = right - across;
-      AddLeft({left, i, true});
+      Add<kLeft>({left, i, true});
     } else {
       right = {left.x + across.x, left.y + across.y};
-      AddRight({right, i, false});
+      Add<kRight>({right, i, false});
     }
     left_[i] = left;
     right_[i] = right;
   }
-  AddLeft({{left.x + end.x * along.x - end.y * along.y,
-            left.y + end.x * along.y + end.y * along.x},
-           count,
-           false});
+  const PlanePoint to_end = Product(end, along);
+  Add<kLeft>({{left.x + to_end.x, left.y + to_end.y}, count, false});
   bends_.clear();
   for (uint32_t k = corner_count_ - 1; k != 0; k = corners_[k].before) {
     bends_.push_back(corners_[k].bend);
@@ -54,37 +51,28 @@ uint64_t Funnel::bytes() const {
          bends_.capacity() * sizeof(Bend);
 }
 
-void Funnel::AddLeft(const Bend& bend) {
-  // What a straight way from the corner before passes on its left.
-  while (first_ < apex_ && Cross(PointOf(first_) - PointOf(first_ + 1),
-                                 bend.at - PointOf(first_ + 1)) <= 0) {
-    ++first_;
-  }
-  if (first_ == apex_) {
-    while (apex_ < last_ && Cross(PointOf(apex_ + 1) - PointOf(apex_),
-                                  bend.at - PointOf(apex_)) < 0) {
-      ++apex_;
+template <Side kSide>
+void Funnel::Add(const Bend& bend) {
+  // On the right all is mirrored.
+  constexpr int kOut = kSide == kLeft ? -1 : 1;
+  size_t& end = kSide == kLeft ? first_ : last_;
+  const size_t other_end = kSide == kLeft ? last_ : first_;
+  // How far the bend lies outside a side of a chain.
+  const auto outside = [&](size_t begin, size_t to) {
+    return -kOut *
+           Cross(PointOf(to) - PointOf(begin), bend.at - PointOf(begin));
+  };
+  // What a straight way from the corner before passes by.
+  while (end != apex_ && outside(end - kOut, end) <= 0) end -= kOut;
+  if (end == apex_) {
+    while (apex_ != other_end && outside(apex_, apex_ - kOut) < 0) {
+      apex_ -= kOut;
     }
-    first_ = apex_;
+    end = apex_;
   }
-  corners_[corner_count_] = {bend, chain_[first_]};
-  chain_[--first_] = corner_count_++;
-}
-
-void Funnel::AddRight(const Bend& bend) {
-  while (last_ > apex_ && Cross(PointOf(last_) - PointOf(last_ - 1),
-                                bend.at - PointOf(last_ - 1)) >= 0) {
-    --last_;
-  }
-  if (last_ == apex_) {
-    while (apex_ > first_ && Cross(PointOf(apex_ - 1) - PointOf(apex_),
-                                   bend.at - PointOf(apex_)) > 0) {
-      --apex_;
-    }
-    last_ = apex_;
-  }
-  corners_[corner_count_] = {bend, chain_[last_]};
-  chain_[++last_] = corner_count_++;
+  corners_[corner_count_] = {bend, chain_[end]};
+  end += kOut;
+  chain_[end] = corner_count_++;
 }
 
 }  // namespace geodesic

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "questions/first_path/portal.h"
+#include "solver/windows/window.h"
 #include "surface/plane_point.h"
 
 namespace geodesic {
@@ -46,8 +47,9 @@ class Funnel {
     uint32_t before;  // on the way from the begin
   };
 
-  void AddLeft(const Bend& bend);
-  void AddRight(const Bend& bend);
+  // To the chain on that side.
+  template <Side kSide>
+  void Add(const Bend& bend);
   const PlanePoint& PointOf(size_t k) const {
     return corners_[chain_[k]].bend.at;
   }

@@ -8,6 +8,7 @@
 
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
+#include "solver/windows/window.h"
 #include "surface/plane_point.h"
 #include "surface/surface_location.h"
 
@@ -38,7 +39,7 @@ struct Place {
   // In the frame of h. REQUIRES: LiesAcross.
   PlanePoint Across(const Mesh& mesh, HalfEdge h) const {
     if (!is_vertex()) return InFrame(mesh, point, h);
-    return {mesh.frame(h).apex_x, mesh.frame(h).apex_y};
+    return ApexOf(mesh.frame(h));
   }
   // Whether it is an end of h.
   bool EndsAt(const Mesh& mesh, HalfEdge h) const {

@@ -15,8 +15,7 @@ namespace geodesic {
 // here: a path is drawn taut through the same faces many times.
 struct Portal {
   HalfEdge half_edge = kNoHalfEdge;
-  // The end that it does not share with the portal before, and on which side.
-  uint32_t tip = 0;
+  // Whether the end that it does not share with the portal before is the left.
   bool tip_is_left = false;
   double length = 0;
   // How it is turned against the portal before: cosine and sine.
@@ -31,7 +30,6 @@ struct Portal {
     const HalfEdgeFrame& frame = mesh.frame(before);
     const bool turns_left = frame.left_exit == h;
     return {.half_edge = h,
-            .tip = mesh.Apex(before),
             .tip_is_left = !turns_left,
             .length = mesh.frame(h).length,
             .turn = turns_left ? PlanePoint{frame.left_x, frame.left_y}

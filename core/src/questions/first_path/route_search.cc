@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/windows/window.h"
 #include "surface/surface_location.h"
 
 namespace geodesic {
@@ -29,8 +30,7 @@ RouteSearch::RouteSearch(const Mesh& mesh)
 
 uint64_t RouteSearch::bytes() const {
   return known_.capacity() * sizeof(Known) +
-         touched_.capacity() * sizeof(uint32_t) +
-         waiting_.capacity() * sizeof(Waiting);
+         touched_.capacity() * sizeof(uint32_t) + queue_.bytes();
 }
 
 absl::Status RouteSearch::Find(std::span<const RouteStart> starts,
@@ -45,9 +45,8 @@ absl::Status RouteSearch::Find(std::span<const RouteStart> starts,
       Relax(v, starts[s].offset + distance, {.start = s}, goal);
     });
   }
-  if (waiting_.empty()) return absl::OkStatus();
   const double most_touched =
-      kMostTouched + kMostTouchedByEdge * waiting_.front().key /
+      kMostTouched + kMostTouchedByEdge * queue_.SettledRadius() /
                          (kGreed * mesh_.mean_edge_length());
   std::array<std::pair<uint32_t, double>, 3> ends;
   size_t end_count = 0;
@@ -57,11 +56,9 @@ absl::Status RouteSearch::Find(std::span<const RouteStart> starts,
   uint32_t last = Place::kNoVertex;
   double best = std::numeric_limits<double>::infinity();
   uint64_t expanded = 0;
-  while (!waiting_.empty() && waiting_.front().key < best) {
+  while (queue_.size() > 0 && queue_.SettledRadius() < best) {
     if (static_cast<double>(touched_.size()) > most_touched) break;
-    const uint32_t v = waiting_.front().vertex;
-    std::ranges::pop_heap(waiting_, After());
-    waiting_.pop_back();
+    const uint32_t v = queue_.Pop();
     if (known_[v].is_closed) continue;
     for (const auto& [corner, rest] : std::span(ends).first(end_count)) {
       if (v != corner || !(known_[v].distance + rest < best)) continue;
@@ -72,14 +69,14 @@ absl::Status RouteSearch::Find(std::span<const RouteStart> starts,
     if (++expanded % kPollPeriod != 0) continue;
     if (absl::Status status = poll(); !status.ok()) return status;
   }
-  if (last != Place::kNoVertex) TraceBack(last, starts, route);
+  if (last != Place::kNoVertex) TraceBack(last, starts[0].place, route);
   return absl::OkStatus();
 }
 
 void RouteSearch::Restart() {
   for (const uint32_t v : touched_) known_[v] = {};
   touched_.clear();
-  waiting_.clear();
+  queue_.Clear();
 }
 
 template <typename Visit>
@@ -103,8 +100,7 @@ void RouteSearch::Relax(uint32_t v, double distance, const Known& by,
   if (std::isinf(known.distance)) touched_.push_back(v);
   known = by;
   known.distance = distance;
-  waiting_.push_back({key, v});
-  std::ranges::push_heap(waiting_, After());
+  queue_.Push(v, key);
 }
 
 // Straight through the edge of h from a place in the plane that is as far from
@@ -114,20 +110,17 @@ void RouteSearch::RelaxApex(HalfEdge h, const Goal& goal) {
   const std::optional<PlanePoint> source = SourceBelow(h);
   if (!source.has_value()) return;
   const HalfEdgeFrame& frame = mesh_.frame(h);
-  const PlanePoint apex{frame.apex_x, frame.apex_y};
+  const PlanePoint apex = ApexOf(frame);
   const double height = apex.y - source->y;
   const double crossing = source->x * apex.y - apex.x * source->y;  // by height
   if (!(crossing > 0 && crossing < frame.length * height)) return;
-  const uint32_t from =
-      2 * crossing < frame.length * height ? mesh_.From(h) : mesh_.To(h);
-  Relax(mesh_.Apex(h), Norm(apex - *source),
-        {.from = from, .across = h, .start = known_[from].start}, goal);
+  Relax(mesh_.Apex(h), Norm(apex - *source), {.across = h}, goal);
 }
 
 void RouteSearch::Expand(uint32_t v, const Goal& goal) {
   Known& known = known_[v];
   known.is_closed = true;
-  const Known along{.from = v, .start = known.start};
+  const Known along{.from = v};
   for (const HalfEdge h : mesh_.Outgoing(v)) {
     Relax(mesh_.To(h), known.distance + mesh_.frame(h).length, along, goal);
     if (mesh_.Twin(Prev(h)) == kNoHalfEdge) {
@@ -146,11 +139,9 @@ std::optional<PlanePoint> RouteSearch::SourceBelow(HalfEdge h) const {
   const double from = known_[mesh_.From(h)].distance;
   const double to = known_[mesh_.To(h)].distance;
   if (std::isinf(from) || std::isinf(to)) return std::nullopt;
-  const double length = mesh_.frame(h).length;
-  const double x = ((from - to) * (from + to) + length * length) / (2 * length);
-  const double y_squared = (from - x) * (from + x);
-  if (!(y_squared > 0)) return std::nullopt;
-  return PlanePoint{x, -std::sqrt(y_squared)};
+  const PlanePoint above = PlaceOver(mesh_.frame(h).length, from, to);
+  if (above.y == 0) return std::nullopt;
+  return PlanePoint{above.x, -above.y};
 }
 
 // That of two vertices by which a place is nearer which is so far from either.
@@ -162,13 +153,11 @@ uint32_t RouteSearch::NearestBy(uint32_t a, double to_a, uint32_t b,
 // Goes back from the apex of h across that and on, in each face straight toward
 // where the distances say that the way comes from. Returns the vertex it comes
 // to; kNoVertex for a start within a face.
-uint32_t RouteSearch::TraceAcross(HalfEdge h,
-                                  std::span<const RouteStart> starts,
+uint32_t RouteSearch::TraceAcross(HalfEdge h, const Place& start,
                                   Route& route) const {
   std::optional<PlanePoint> source = SourceBelow(h);
-  const HalfEdgeFrame& first = mesh_.frame(h);
-  double crossing = (source->x * first.apex_y - first.apex_x * source->y) /
-                    (first.apex_y - source->y);
+  double crossing =
+      CrossingTo({.x = source->x, .depth = -source->y}, ApexOf(mesh_.frame(h)));
   for (;;) {
     route.portals.push_back(h);
     const double length = mesh_.frame(h).length;
@@ -176,15 +165,13 @@ uint32_t RouteSearch::TraceAcross(HalfEdge h,
     if (beyond == kNoHalfEdge) {
       return NearestBy(mesh_.From(h), crossing, mesh_.To(h), length - crossing);
     }
-    const Place& start = starts[known_[mesh_.From(h)].start].place;
     if (!start.is_vertex() && start.LiesAcross(mesh_, beyond)) {
       return Place::kNoVertex;
     }
     // In the frame of the half-edge beyond.
     const PlanePoint at{length - crossing, 0};
     const PlanePoint way{crossing - source->x, -source->y};
-    const PlanePoint apex{mesh_.frame(beyond).apex_x,
-                          mesh_.frame(beyond).apex_y};
+    const PlanePoint apex = ApexOf(mesh_.frame(beyond));
     const bool passes_left = Cross(way, apex - at) < 0;
     h = passes_left ? Prev(beyond) : Next(beyond);
     source = SourceBelow(h);
@@ -205,8 +192,9 @@ uint32_t RouteSearch::TraceAcross(HalfEdge h,
   }
 }
 
-// The way to vertex `last`; none if it winds.
-void RouteSearch::TraceBack(uint32_t last, std::span<const RouteStart> starts,
+// The way to vertex `last` from a start, or from `start` within a face; none if
+// it winds.
+void RouteSearch::TraceBack(uint32_t last, const Place& start,
                             Route& route) const {
   uint32_t v = last;
   while (v != Place::kNoVertex) {
@@ -218,7 +206,7 @@ void RouteSearch::TraceBack(uint32_t last, std::span<const RouteStart> starts,
     const auto first = static_cast<uint32_t>(route.portals.size());
     const uint32_t from = known_[v].across == kNoHalfEdge
                               ? known_[v].from
-                              : TraceAcross(known_[v].across, starts, route);
+                              : TraceAcross(known_[v].across, start, route);
     std::reverse(route.portals.begin() + first, route.portals.end());
     route.steps.push_back(
         {.to = v,

@@ -19,6 +19,7 @@
 #include "geodesic/mesh.h"
 #include "questions/first_path/place.h"
 #include "solver/goal.h"
+#include "solver/queues/binary_heap.h"
 #include "surface/plane_point.h"
 
 namespace geodesic {
@@ -47,11 +48,11 @@ class RouteSearch {
   // What is known of a vertex.
   struct Known {
     double distance = std::numeric_limits<double>::infinity();
-    // The vertex before, Place::kNoVertex after a start; and the half-edge
-    // through which the way comes, if it does not come along an edge.
+    // The vertex before, if the way comes along an edge; otherwise the
+    // half-edge through which it comes, or the number of the start.
     uint32_t from = Place::kNoVertex;
     HalfEdge across = kNoHalfEdge;
-    uint32_t start = 0;  // its number
+    uint32_t start = 0;
     bool is_closed = false;
   };
 
@@ -72,16 +73,6 @@ class RouteSearch {
   uint64_t bytes() const;
 
  private:
-  struct Waiting {
-    double key;
-    uint32_t vertex;
-  };
-  struct After {
-    bool operator()(const Waiting& a, const Waiting& b) const {
-      return a.key != b.key ? a.key > b.key : a.vertex > b.vertex;
-    }
-  };
-
   void Restart();
   template <typename Visit>
   void ForEachCorner(const Place& place, Visit visit) const;
@@ -91,15 +82,13 @@ class RouteSearch {
 
   std::optional<PlanePoint> SourceBelow(HalfEdge h) const;
   uint32_t NearestBy(uint32_t a, double to_a, uint32_t b, double to_b) const;
-  uint32_t TraceAcross(HalfEdge h, std::span<const RouteStart> starts,
-                       Route& route) const;
-  void TraceBack(uint32_t last, std::span<const RouteStart> starts,
-                 Route& route) const;
+  uint32_t TraceAcross(HalfEdge h, const Place& start, Route& route) const;
+  void TraceBack(uint32_t last, const Place& start, Route& route) const;
 
   const Mesh& mesh_;
   std::vector<Known> known_;  // by vertex
   std::vector<uint32_t> touched_;
-  std::vector<Waiting> waiting_;  // a heap
+  BinaryHeap queue_{Tuning()};
 };
 
 }  // namespace geodesic

@@ -4,17 +4,21 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
+
+#include "solver/windows/window.h"
+#include "surface/surface_location.h"
+#include "tolerances.h"
 
 namespace geodesic {
 namespace {
 
-// What lacks no more than this to half a turn, in radians, is straight: around
-// it a path is shorter by less than the square of this.
-constexpr double kStraight = 1e-7;
-
 // A round moves each piece past one row of vertices. A path that needs more
 // than so many is as good as straight by then, on real meshes, or winds.
 constexpr int kMostRounds = 256;
+
+// Between two polls, in half-edges: about a millisecond.
+constexpr uint64_t kPollPeriod = 1 << 16;
 
 // One direction as seen if the other is the x axis.
 PlanePoint SeenFrom(const PlanePoint& axis, const PlanePoint& way) {
@@ -50,7 +54,11 @@ absl::Status TautPath::Draw(const Place& begin, const Route& route,
                             absl::FunctionRef<absl::Status()> poll) {
   length_ = std::numeric_limits<double>::infinity();
   if (!Follow(begin, route, end)) return absl::OkStatus();
+  uint64_t steps = kPollPeriod;
   for (int round = 0; round < kMostRounds && Tighten(); ++round) {
+    steps += line_.pieces.size() + line_.portals.size();
+    if (steps < kPollPeriod) continue;
+    steps = 0;
     if (absl::Status status = poll(); !status.ok()) return status;
   }
   length_ = line_.Length();
@@ -129,25 +137,20 @@ bool TautPath::Turn(const Direction& from, const Direction& to,
     return kClockwise ? SeenFrom(b, a) : SeenFrom(a, b);
   };
   const auto is_bent = [](const PlanePoint& turn) {
-    return turn.x > 0 || turn.y > kStraight * -turn.x;
+    return turn.x > 0 || turn.y > kTautAngle * -turn.x;
   };
-  // The sides of a face at the vertex at which a turn enters and leaves it.
-  const auto near_side = [this](HalfEdge spoke) {
+  // The sides of a face at the vertex; a turn enters at one and leaves at the
+  // other.
+  const auto face_side = [this](HalfEdge spoke, bool is_left) {
     const HalfEdgeFrame& frame = mesh_.frame(spoke);
-    return kClockwise ? PlanePoint{frame.left_x, frame.left_y}
-                      : PlanePoint{1, 0};
-  };
-  const auto far_side = [this](HalfEdge spoke) {
-    const HalfEdgeFrame& frame = mesh_.frame(spoke);
-    return kClockwise ? PlanePoint{1, 0}
-                      : PlanePoint{frame.left_x, frame.left_y};
+    return is_left ? PlanePoint{frame.left_x, frame.left_y} : PlanePoint{1, 0};
   };
   side.through.clear();
   if (from.spoke == to.spoke) {
     side.turn = between(from.way, to.way);
     if (side.turn.y >= 0) return is_bent(side.turn);
   }
-  side.turn = between(from.way, far_side(from.spoke));
+  side.turn = between(from.way, face_side(from.spoke, !kClockwise));
   HalfEdge spoke = from.spoke;
   for (;;) {
     const HalfEdge through = mesh_.Twin(kClockwise ? spoke : Prev(spoke));
@@ -156,9 +159,9 @@ bool TautPath::Turn(const Direction& from, const Direction& to,
     spoke = kClockwise ? Next(through) : through;
     const bool is_last = spoke == to.spoke;
     const PlanePoint more =
-        between(near_side(spoke), is_last ? to.way : far_side(spoke));
-    side.turn = {side.turn.x * more.x - side.turn.y * more.y,
-                 side.turn.x * more.y + side.turn.y * more.x};
+        between(face_side(spoke, kClockwise),
+                is_last ? to.way : face_side(spoke, !kClockwise));
+    side.turn = Product(side.turn, more);
     if (side.turn.y < 0 || spoke == from.spoke) return false;
     if (is_last) return is_bent(side.turn);
   }
@@ -269,21 +272,17 @@ bool TautPath::SetWithinFace(Piece& piece) const {
   const Place& begin = piece.begin;
   const Place& end = piece.end;
   if (begin.is_vertex() && end.is_vertex()) {
-    for (const HalfEdge h : mesh_.Outgoing(begin.vertex)) {
-      if (mesh_.To(h) == end.vertex) {
-        piece.leaves = {h, {1, 0}};
-        piece.arrives = {Next(h), ApexOf(Next(h))};
-        piece.length = mesh_.frame(h).length;
-        return true;
-      }
-      if (mesh_.Apex(h) == end.vertex) {
-        piece.leaves = {h, ApexOf(h)};
-        piece.arrives = {Prev(h), {1, 0}};
-        piece.length = mesh_.frame(Prev(h)).length;
-        return true;
-      }
-    }
-    return false;
+    const std::vector<HalfEdge> sides =
+        SidesOf(mesh_, begin.vertex, end.vertex);
+    if (sides.empty()) return false;
+    const HalfEdge h = sides[0];
+    const Direction along{h, {1, 0}};
+    const Direction back{Next(h), ApexOf(mesh_.frame(Next(h)))};
+    const bool is_forward = mesh_.From(h) == begin.vertex;
+    piece.leaves = is_forward ? along : back;
+    piece.arrives = is_forward ? back : along;
+    piece.length = mesh_.frame(h).length;
+    return true;
   }
   if (!begin.is_vertex() && !end.is_vertex()) {
     const HalfEdge h = mesh_.FirstSide(begin.point.face);

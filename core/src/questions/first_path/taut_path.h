@@ -85,9 +85,6 @@ class TautPath {
   bool AddThroughStrip(const Place& begin, const Place& end, Line& line);
   void AddBends(const Place& begin, const Place& end, Line& line);
   bool SetWithinFace(Piece& piece) const;
-  PlanePoint ApexOf(HalfEdge h) const {
-    return {mesh_.frame(h).apex_x, mesh_.frame(h).apex_y};
-  }
 
   const Mesh& mesh_;
   Line line_, next_;

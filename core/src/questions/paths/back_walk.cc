@@ -74,9 +74,6 @@ PlanePoint Quotient(const PlanePoint& to, const PlanePoint& from) {
   const PlanePoint unit{from.x / norm, from.y / norm};
   return {Dot(unit, to) / norm, Cross(unit, to) / norm};
 }
-PlanePoint Product(const PlanePoint& a, const PlanePoint& b) {
-  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-}
 
 class Walker {
  public:

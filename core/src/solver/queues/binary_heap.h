@@ -39,6 +39,12 @@ class BinaryHeap {
   }
 
   void Restart() { settled_ = 0; }
+  // Forgets all ids, and restarts. O(1).
+  void Clear() {
+    heap_.clear();
+    iterations_ = 0;
+    Restart();
+  }
 
   double popped_label() const { return settled_; }
 

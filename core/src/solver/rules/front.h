@@ -262,7 +262,7 @@ class Front {
     if constexpr (Goal::kDirects) {
       const double key = distance + goal_.Bound(v);
       if (!(key <= goal_.limit())) return;
-      if (!goal_.by_label()) order = key;
+      if (!goal_.orders_by_label()) order = key;
     }
     states_[v] |= kPending;
     queue_.Push(kVertexEvent | v, order);

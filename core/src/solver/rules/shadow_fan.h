@@ -14,6 +14,7 @@
 #include "geodesic/mesh.h"
 #include "solver/windows/mixed_origin.h"
 #include "solver/windows/window.h"
+#include "surface/plane_point.h"
 #include "tolerances.h"
 
 namespace geodesic {
@@ -128,12 +129,7 @@ class ShadowFan {
 
  private:
   // A unit vector, also as a rotation.
-  struct Direction {
-    double x, y;
-  };
-  static Direction Turn(const Direction& a, const Direction& b) {
-    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-  }
+  using Direction = PlanePoint;
   static Direction Back(const Direction& a) { return {a.x, -a.y}; }
 
   // Where a side of the shadow ends: at `at` on Next(half_edge).
@@ -173,12 +169,12 @@ class ShadowFan {
       const Direction back{-t * norm, -norm};
       const Direction to_a{-frame.left_x, -frame.left_y};
       const Direction to_b{-frame.right_x, -frame.right_y};
-      left_ = {mesh_.Twin(Next(h)), Turn(Back(back), to_b)};
-      right_ = {RightOf(Prev(h)), Turn(Back(to_a), back)};
+      left_ = {mesh_.Twin(Next(h)), Product(Back(back), to_b)};
+      right_ = {RightOf(Prev(h)), Product(Back(to_a), back)};
     }
     const Direction margin{std::cos(kFanMargin), std::sin(kFanMargin)};
-    left_.angle = Turn(left_.angle, margin);
-    right_.angle = Turn(right_.angle, margin);
+    left_.angle = Product(left_.angle, margin);
+    right_.angle = Product(right_.angle, margin);
   }
 
   // Walks from face to face until the angle to the ray is pi. No limit if a
@@ -190,12 +186,12 @@ class ShadowFan {
     for (size_t i = 0; h != kNoHalfEdge && i < Degree(); ++i) {
       const HalfEdgeFrame& frame = mesh_.frame(h);
       const Direction corner{frame.left_x, frame.left_y};
-      const Direction turned = Turn(angle, corner);
+      const Direction turned = Product(angle, corner);
       if (turned.y <= 0) {
         // The direction at pi, from h.
         const Direction limit = kSide == kLeft
                                     ? Direction{-angle.x, angle.y}
-                                    : Turn(corner, {-angle.x, -angle.y});
+                                    : Product(corner, {-angle.x, -angle.y});
         return Limit{h, HitOnOpposite(frame, limit, h)};
       }
       angle = turned;
