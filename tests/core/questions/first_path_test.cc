@@ -123,5 +123,24 @@ TEST(FirstPath, StopsWhenItIsTold) {
             absl::StatusCode::kCancelled);
 }
 
+// In a strip one long piece would take up thousands of short ones, one a round.
+TEST(FirstPath, IsDoneWhereNothingIsGained) {
+  constexpr uint32_t kColumns = 20000;
+  FirstPathOn path(
+      {"strip", MakeGrid({.columns = kColumns, .rows = 1, .cell_width = 0.3})});
+  int polls = 0;
+  for (const uint32_t to : {5001u, 9000u, 2 * kColumns + 1}) {
+    EXPECT_TRUE(
+        path.Find({.sources = {{VertexPoint{3}}}, .targets = {VertexPoint{to}}},
+                  [&] {
+                    ++polls;
+                    return absl::OkStatus();
+                  })
+            .ok());
+  }
+  // One for some ten thousand half-edges or vertices.
+  EXPECT_LT(polls, 30);
+}
+
 }  // namespace
 }  // namespace geodesic::test

@@ -17,6 +17,11 @@ namespace {
 // than so many is as good as straight by then, on real meshes, or winds.
 constexpr int kMostRounds = 256;
 
+// A round that shortens the path by no more than this fraction is the last. In
+// a strip of faces one long piece may take up thousands of short ones, one a
+// round, and gains 1e-11 by each.
+constexpr double kLeastGain = 1e-10;
+
 // Between two polls, in half-edges: about a millisecond.
 constexpr uint64_t kPollPeriod = 1 << 16;
 
@@ -55,7 +60,11 @@ absl::Status TautPath::Draw(const Place& begin, const Route& route,
   length_ = std::numeric_limits<double>::infinity();
   if (!Follow(begin, route, end)) return absl::OkStatus();
   uint64_t steps = kPollPeriod;
+  double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kMostRounds && Tighten(); ++round) {
+    const double now = line_.Length();
+    if (now >= before * (1 - kLeastGain)) break;
+    before = now;
     steps += line_.pieces.size() + line_.portals.size();
     if (steps < kPollPeriod) continue;
     steps = 0;
