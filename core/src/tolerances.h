@@ -214,10 +214,11 @@ inline constexpr double kGoalMargin = 1e-10;
 // square of this, and half-edges would be swapped for the sake of rounding.
 inline constexpr double kTautAngle = 1e-7;
 
-// Distances from landmarks are rounded to single precision, by 6e-8 of them at
-// the most; bounds allow for four times that, which covers their own rounding
-// too.
-inline constexpr float kLandmarkRounding = 0x1p-22f;
+// Distances from landmarks are kept as whole steps of 3e-5 of the mesh's size.
+// Bounds allow for this part of a step beside: half of it for fields whose
+// distances differ along an edge by more than its length, half, 1.5e-8 of the
+// mesh, for the rounding of all that they are made of.
+inline constexpr double kLandmarkRounding = 0x1p-10;
 
 // A source's offset in sizes of the mesh may not exceed this. Labels are sums
 // with it: a part in 2^53 of it is their grain, and what is shorter is a tie.

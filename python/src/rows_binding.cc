@@ -226,9 +226,10 @@ py::array_t<double> Pairs(const QueryHandle& question,
   std::vector<double> distances(question.query->targets.size());
   Watch watch(std::move(progress));
   watch.Run([&]() -> absl::StatusOr<bool> {
-    if (searches >= kSearchesWorthLandmarks) {
+    if (const uint32_t count = LandmarksWorth(searches); count > 0) {
       BeforeRows before(watch, groups.size());
-      absl::Status made = question.on.searches->MakeLandmarks(threads, before);
+      absl::Status made =
+          question.on.searches->MakeLandmarks(count, threads, before);
       if (!made.ok()) return made;
     }
     absl::Status status = RunRows(groups.size(), threads, watch,

@@ -24,15 +24,18 @@ absl::StatusOr<TargetDistances> SearchPool::Run(const ValidQuery& query,
   return found;
 }
 
-absl::Status SearchPool::MakeLandmarks(uint32_t threads,
+absl::Status SearchPool::MakeLandmarks(uint32_t count, uint32_t threads,
                                        Checkpoint& checkpoint) {
   {
     const std::scoped_lock lock(mutex_);
-    if (landmarks_ != nullptr || are_being_made_) return absl::OkStatus();
+    const bool is_enough =
+        landmarks_ != nullptr &&
+        (landmarks_->count() >= count || !landmarks_->next().has_value());
+    if (is_enough || are_being_made_) return absl::OkStatus();
     are_being_made_ = true;
   }
-  absl::StatusOr<Landmarks> made = geodesic::MakeLandmarks(
-      mesh_, Landmarks::kMost, {.threads = threads}, checkpoint);
+  absl::StatusOr<Landmarks> made =
+      geodesic::MakeLandmarks(mesh_, count, {.threads = threads}, checkpoint);
   const std::scoped_lock lock(mutex_);
   are_being_made_ = false;
   if (!made.ok()) return made.status();

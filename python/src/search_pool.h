@@ -28,9 +28,10 @@ class SearchPool {
   absl::StatusOr<TargetDistances> Run(const ValidQuery& query,
                                       Checkpoint& checkpoint);
 
-  // Makes landmarks, once. Whoever comes meanwhile searches without.
-  // Errors: as geodesic::MakeLandmarks.
-  absl::Status MakeLandmarks(uint32_t threads, Checkpoint& checkpoint);
+  // Makes `count` landmarks if there are fewer. Whoever comes meanwhile
+  // searches with what there is. Errors: as geodesic::MakeLandmarks.
+  absl::Status MakeLandmarks(uint32_t count, uint32_t threads,
+                             Checkpoint& checkpoint);
 
  private:
   const Mesh& mesh_;

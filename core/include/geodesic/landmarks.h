@@ -19,31 +19,37 @@
 namespace geodesic {
 
 // By the triangle inequality |d(l, x) - d(l, y)| <= d(x, y) for each landmark
-// l. Distances are kept in single precision, 64 bytes a vertex; the bounds
-// allow for their rounding. Const functions are thread-safe.
+// l. Distances are kept as whole steps of a length, 64 bytes a vertex; the
+// bounds allow for their rounding. Const functions are thread-safe.
 class Landmarks {
  public:
-  // More bound little better.
-  static constexpr uint32_t kMost = 16;
+  static constexpr uint32_t kMost = 32;
 
-  // Distances from every landmark to one place lie between low and high, but
-  // for rounding; in the mesh's scaled unit.
+  // By landmark, in steps.
+  using Steps = std::array<uint16_t, kMost>;
+
+  // A vertex is as many steps away from the place, at the least, as its number
+  // is below `before` or above `beyond`, whatever the landmark.
   struct Place {
-    std::array<float, kMost> low, high;
+    Steps before = {}, beyond = {};
+    // Whether it is in another part of the mesh than the landmarks.
+    bool is_apart = false;
   };
 
-  // The distances from a vertex to every landmark, in the scaled unit; zeros
-  // where there is none yet.
+  // The distances from a vertex to every landmark, rounded down; kApart from
+  // those in another part of the mesh, zeros where there is none yet.
   struct alignas(64) Row {
-    std::array<float, kMost> distances = {};
+    Steps steps = {};
   };
+  static constexpr uint16_t kApart = 0xffff;
 
   // None yet. O(V + F).
   explicit Landmarks(const Mesh& mesh);
 
-  // Those whose rows() were kept, of an equal mesh. More are not chosen.
-  // REQUIRES: a row for each vertex; count <= kMost.
-  Landmarks(const Mesh& mesh, uint32_t count, std::vector<Row> rows);
+  // Those whose step() and rows() were kept, of an equal mesh. More are not
+  // chosen. REQUIRES: a row for each vertex; count <= kMost.
+  Landmarks(const Mesh& mesh, uint32_t count, double step,
+            std::vector<Row> rows);
 
   // The vertex that is to be the next landmark: as far from all those before as
   // can be, in the part of the mesh that has most vertices. Empty once there
@@ -58,6 +64,8 @@ class Landmarks {
   void Add(const Mesh& mesh, std::span<const double> distances);
 
   uint32_t count() const { return count_; }
+  // Its length in the scaled unit; 0 if there is no landmark.
+  double step() const { return step_; }
   // By vertex.
   std::span<const Row> rows() const { return rows_; }
 
@@ -78,6 +86,7 @@ class Landmarks {
 
   double scale_;  // from the unit of the file
   uint32_t count_ = 0;
+  double step_ = 0;
   std::optional<uint32_t> next_;
   std::vector<Row> rows_;
 };

@@ -16,6 +16,7 @@
 #ifndef GEODESIC_TARGET_SEARCH_H_
 #define GEODESIC_TARGET_SEARCH_H_
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -38,9 +39,15 @@ namespace geodesic {
 inline constexpr size_t kFieldInSearches = 12;
 inline constexpr size_t kFieldInSearchesWithLandmarks = 30;
 
-// So many searches gain more by landmarks than these cost, which are worth
-// their fields: they break even at about 400.
-inline constexpr size_t kSearchesWorthLandmarks = 1000;
+// How many landmarks are worth their fields if so many searches follow: the
+// first few break even at about 400 searches, the last at some 4,000.
+constexpr uint32_t LandmarksWorth(size_t searches) {
+  constexpr size_t kLeastSearches = 1000;
+  constexpr size_t kSearchesPerLandmark = 100;
+  if (searches < kLeastSearches) return 0;
+  return static_cast<uint32_t>(
+      std::min<size_t>(searches / kSearchesPerLandmark, Landmarks::kMost));
+}
 
 struct TargetDistances {
   // One per target of the query, in the unit of the file; +infinity where no

@@ -52,19 +52,29 @@ std::optional<uint32_t> FirstOf(const Mesh& mesh) {
   });
 }
 
-// Whether distances differ along each edge by its length at the most, up to the
-// rounding that bounds allow for.
+// Steps that the first landmark's field is kept in: no two places of its part
+// of the mesh are farther apart than twice the largest distance.
+constexpr double kMostSteps = 0x7ffe;
+
+// Whether distances differ along each edge by its length at the most, up to
+// `rounding`.
 bool AgreeWithEdges(const Mesh& mesh, std::span<const double> distances,
-                    double scale) {
+                    double scale, double rounding) {
   for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
     const double from = distances[mesh.From(h)] * scale;
     const double to = distances[mesh.To(h)] * scale;
-    if (std::abs(from - to) >
-        mesh.frame(h).length + kLandmarkRounding * std::max(from, to) / 2) {
-      return false;
-    }
+    if (std::abs(from - to) > mesh.frame(h).length + rounding) return false;
   }
   return true;
+}
+
+// The step of the first landmark's distances; 0 if they are all 0.
+double StepOf(std::span<const double> distances, double scale) {
+  double farthest = 0;
+  for (const double distance : distances) {
+    if (std::isfinite(distance)) farthest = std::max(farthest, distance);
+  }
+  return farthest * scale / kMostSteps;
 }
 
 }  // namespace
@@ -74,9 +84,11 @@ Landmarks::Landmarks(const Mesh& mesh)
       next_(FirstOf(mesh)),
       rows_(mesh.vertex_count()) {}
 
-Landmarks::Landmarks(const Mesh& mesh, uint32_t count, std::vector<Row> rows)
+Landmarks::Landmarks(const Mesh& mesh, uint32_t count, double step,
+                     std::vector<Row> rows)
     : scale_(std::ldexp(1.0, -mesh.scale_exponent())),
       count_(count),
+      step_(step),
       rows_(std::move(rows)) {}
 
 uint64_t Landmarks::PlannedBytes(const Mesh& mesh) {
@@ -84,12 +96,17 @@ uint64_t Landmarks::PlannedBytes(const Mesh& mesh) {
 }
 
 void Landmarks::Add(const Mesh& mesh, std::span<const double> distances) {
-  if (!AgreeWithEdges(mesh, distances, scale_)) {
+  const double step = count_ > 0 ? step_ : StepOf(distances, scale_);
+  if (step == 0 ||
+      !AgreeWithEdges(mesh, distances, scale_, kLandmarkRounding * step / 2)) {
     next_.reset();
     return;
   }
+  step_ = step;
   for (size_t v = 0; v < rows_.size(); ++v) {
-    rows_[v].distances[count_] = static_cast<float>(distances[v] * scale_);
+    const double steps = std::floor(distances[v] * scale_ / step);
+    rows_[v].steps[count_] =
+        steps < kApart ? static_cast<uint16_t>(steps) : kApart;
   }
   ++count_;
   next_ = count_ < kMost ? Farthest() : std::nullopt;
@@ -97,12 +114,12 @@ void Landmarks::Add(const Mesh& mesh, std::span<const double> distances) {
 
 std::optional<uint32_t> Landmarks::Farthest() const {
   std::optional<uint32_t> farthest;
-  float most = 0;
+  uint16_t most = 0;
   for (uint32_t v = 0; v < rows_.size(); ++v) {
-    const auto& distances = rows_[v].distances;
-    const float nearest =
-        *std::min_element(distances.begin(), distances.begin() + count_);
-    if (std::isinf(nearest) || nearest <= most) continue;
+    const Steps& steps = rows_[v].steps;
+    const uint16_t nearest =
+        *std::min_element(steps.begin(), steps.begin() + count_);
+    if (nearest == kApart || nearest <= most) continue;
     most = nearest;
     farthest = v;
   }
@@ -112,49 +129,47 @@ std::optional<uint32_t> Landmarks::Farthest() const {
 Landmarks::Place Landmarks::PlaceOf(const SurfacePoint& point,
                                     const Mesh& mesh) const {
   Place place;
+  if (count_ == 0) return place;
+  // The place is in whole steps from `low` to `high`, and a vertex may be a
+  // step farther than its own number says.
+  const auto narrow = [&](const Steps& steps, double beside) {
+    for (uint32_t l = 0; l < kMost; ++l) {
+      const double low = std::max(std::floor(steps[l] - beside) - 1, 0.0);
+      const double high =
+          std::min<double>(std::ceil(steps[l] + beside) + 1, kApart);
+      place.before[l] = std::max(place.before[l], static_cast<uint16_t>(low));
+      place.beyond[l] = std::min(place.beyond[l], static_cast<uint16_t>(high));
+    }
+    place.is_apart = place.is_apart || steps[0] == kApart;
+  };
+  place.beyond.fill(kApart);
   if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
-    place.low = place.high = rows_[vertex->vertex].distances;
+    narrow(rows_[vertex->vertex].steps, 0);
     return place;
   }
-  place.low.fill(0);
-  place.high.fill(std::numeric_limits<float>::infinity());
   const FacePoint in_face = FacesAround(mesh, point)[0];
   for (uint32_t corner = 0; corner < 3; ++corner) {
-    const auto beside = static_cast<float>(
-        DistanceToCorner(mesh, in_face, corner) * (1 + 2 * kLandmarkRounding));
-    const Row& row = rows_[mesh.triangle(in_face.face)[corner]];
-    for (uint32_t l = 0; l < kMost; ++l) {
-      // Rounding goes with these, and the difference may be far smaller.
-      const float low = row.distances[l] * (1 - kLandmarkRounding);
-      const float high = row.distances[l] * (1 + kLandmarkRounding);
-      place.low[l] = std::max(place.low[l], low - beside);
-      place.high[l] = std::min(place.high[l], high + beside);
-    }
+    narrow(rows_[mesh.triangle(in_face.face)[corner]].steps,
+           DistanceToCorner(mesh, in_face, corner) / step_);
   }
   return place;
 }
 
 double Landmarks::LowerBound(uint32_t v, const Place& place) const {
-  const Row& row = rows_[v];
-  // A landmark in another part of the mesh is infinitely far from both, and
-  // tells nothing: NaN is not greater.
-  std::array<float, kMost> bounds;
+  const Steps& steps = rows_[v].steps;
+  // The landmarks are all in one part.
+  if ((steps[0] == kApart) != place.is_apart) {
+    return std::numeric_limits<double>::infinity();
+  }
+  uint16_t most = 0;
   for (uint32_t l = 0; l < kMost; ++l) {
-    const float distance = row.distances[l];
-    const float before = place.low[l] * (1 - kLandmarkRounding) -
-                         distance * (1 + kLandmarkRounding);
-    const float beyond = distance * (1 - kLandmarkRounding) -
-                         place.high[l] * (1 + kLandmarkRounding);
-    const float bound = before > 0 ? before : 0;
-    bounds[l] = beyond > bound ? beyond : bound;
+    const uint16_t before =
+        place.before[l] > steps[l] ? place.before[l] - steps[l] : 0;
+    const uint16_t beyond =
+        steps[l] > place.beyond[l] ? steps[l] - place.beyond[l] : 0;
+    most = std::max({most, before, beyond});
   }
-  // By halves, for which processors have instructions.
-  for (uint32_t half = kMost / 2; half > 0; half /= 2) {
-    for (uint32_t l = 0; l < half; ++l) {
-      bounds[l] = bounds[l + half] > bounds[l] ? bounds[l + half] : bounds[l];
-    }
-  }
-  return bounds[0];
+  return most > 0 ? (most - kLandmarkRounding) * step_ : 0;
 }
 
 absl::StatusOr<Landmarks> MakeLandmarks(const Mesh& mesh, uint32_t count,

@@ -69,7 +69,8 @@ absl::StatusOr<Prepared> MethodEngine::Run(
     return std::chrono::duration<double>(clock_.Now() - begin).count();
   };
   if (!method.has_value()) {
-    absl::Status status = landmarks_.MakeNow(mesh, checkpoint);
+    absl::Status status =
+        landmarks_.MakeNow(mesh, Landmarks::kMost, checkpoint);
     if (!status.ok()) return status;
     return Prepared{.mesh = mesh, .prepare_seconds = seconds()};
   }

@@ -141,9 +141,9 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
       call.pair_count / (kRowsPerThread * limits_.max_concurrent_jobs), 1,
       request.method.has_value() ? kGraphSearchesPerRow : kSearchesPerRow);
   work->rows = PlanPairs(work->pairs, costs);
-  work->wants_landmarks = TargetSearch::IsDirected(algorithm) &&
-                          !request.method.has_value() &&
-                          SearchCount(work->rows) >= kSearchesWorthLandmarks;
+  if (TargetSearch::IsDirected(algorithm) && !request.method.has_value()) {
+    work->landmarks = LandmarksWorth(SearchCount(work->rows));
+  }
   call.work = work;
   call.row_count = work->rows.size();
   const bool is_batch = request.requester.is_batch;

@@ -78,7 +78,7 @@ uint64_t PairWork::PlannedBytes() const {
       DistanceQuery(pairs[0].source, {pairs[0].target}, *mesh->mesh);
   const uint64_t of_search = SearchEngine::PlannedBytes(*mesh->mesh, query);
   const uint64_t of_landmarks =
-      wants_landmarks ? LandmarkMaker::PlannedBytes(*mesh->mesh) : 0;
+      landmarks > 0 ? LandmarkMaker::PlannedBytes(*mesh->mesh) : 0;
   const bool has_field = std::ranges::any_of(
       rows, [](const PairRow& row) { return row.shared.has_value(); });
   const uint64_t of_field =
@@ -119,8 +119,8 @@ absl::Status PairWork::Search(const std::vector<uint32_t>& numbers,
   std::optional<SearchPool::Loan> search;
   SumOfSearches sum(checkpoint);
   absl::Status status;
-  if (wants_landmarks && !makes_landmarks.exchange(true)) {
-    status = searches.landmarks().MakeNow(mesh, checkpoint);
+  if (landmarks > 0 && !makes_landmarks.exchange(true)) {
+    status = searches.landmarks().MakeNow(mesh, landmarks, checkpoint);
     if (!status.ok()) return status;
   }
   const SearchMeans means = searches.MeansFor(mesh, algorithm);

@@ -56,8 +56,8 @@ struct PairWork {
   std::vector<PointPair> pairs;             // canonical
   bool paths = false;                       // wanted, too
   std::vector<PairRow> rows;
-  // Whether searches are so many that landmarks are made for them first.
-  bool wants_landmarks = false;
+  // So many are made first, if searches are so many that these pay.
+  uint32_t landmarks = 0;
   mutable std::atomic<bool> makes_landmarks = false;
   mutable PairCounter answered;
 

@@ -13,23 +13,31 @@ namespace geodesic::server {
 namespace {
 
 // Apart from those of fields, which are in the same folder.
-constexpr uint32_t kMetadataVersion = 1001;
+constexpr uint32_t kMetadataVersion = 1002;
 
-static_assert(sizeof(Landmarks::Row) == Landmarks::kMost * sizeof(float),
+static_assert(sizeof(Landmarks::Row) == sizeof(Landmarks::Steps),
               "rows are kept as they lie in memory");
+
+struct Metadata {
+  uint32_t count = 0;
+  double step = 0;
+};
 
 std::string Encode(const Landmarks& landmarks) {
   BinaryWriter writer;
   writer.Put(kMetadataVersion);
   writer.Put(landmarks.count());
+  writer.Put(landmarks.step());
   return writer.bytes();
 }
 
-// How many there are. Empty if the metadata has another version.
-std::optional<uint32_t> Decode(std::string_view bytes) {
-  return DecodeRecord<uint32_t>(
-      bytes, kMetadataVersion,
-      [](BinaryReader& reader, uint32_t& count) { reader.Get(count); });
+// Empty if the metadata has another version.
+std::optional<Metadata> Decode(std::string_view bytes) {
+  return DecodeRecord<Metadata>(bytes, kMetadataVersion,
+                                [](BinaryReader& reader, Metadata& metadata) {
+                                  reader.Get(metadata.count);
+                                  reader.Get(metadata.step);
+                                });
 }
 
 }  // namespace
@@ -53,12 +61,12 @@ absl::Status LandmarkFiles::Put(const std::string& digest,
 
 absl::StatusOr<Landmarks> LandmarkFiles::Load(const std::string& digest,
                                               const Mesh& mesh) {
-  std::optional<uint32_t> count;
+  std::optional<Metadata> about;
   std::vector<Landmarks::Row> rows;
   const auto take = [&](std::string_view metadata,
                         BlobBody& body) -> absl::Status {
-    count = Decode(metadata);
-    if (!count || *count > Landmarks::kMost ||
+    about = Decode(metadata);
+    if (!about || about->count > Landmarks::kMost ||
         body.bytes_left() != Landmarks::PlannedBytes(mesh)) {
       return absl::NotFoundError("the landmarks that are kept are of no use");
     }
@@ -68,7 +76,7 @@ absl::StatusOr<Landmarks> LandmarkFiles::Load(const std::string& digest,
   const std::string name = NameOf(digest);
   const absl::StatusOr<BlobTier> from = blobs_.Read(name, take);
   if (!from.ok()) return from.status();
-  Landmarks landmarks(mesh, *count, std::move(rows));
+  Landmarks landmarks(mesh, about->count, about->step, std::move(rows));
   if (*from == BlobTier::kShared) {
     (void)blobs_.Keep(
         name, Encode(landmarks),

@@ -86,8 +86,12 @@ class CourteousCheckpoint final : public Checkpoint {
   TimePoint quiet_ = TimePoint::min();  // from when on, if nobody asks anew
 };
 
-bool IsEnough(const LandmarksHandle& landmarks) {
-  return landmarks != nullptr && !landmarks->next().has_value();
+bool HasEnough(const Landmarks& landmarks, uint32_t count) {
+  return landmarks.count() >= count || !landmarks.next().has_value();
+}
+
+bool HasEnough(const LandmarksHandle& landmarks, uint32_t count) {
+  return landmarks != nullptr && HasEnough(*landmarks, count);
 }
 
 // The memory of a finished field's distances, beside the solver's.
@@ -111,7 +115,8 @@ LandmarkMaker::LandmarkMaker(const SolveOptions& options, const Clock& clock,
 LandmarksHandle LandmarkMaker::Wanted(const MeshHandle& mesh) {
   LandmarkStore& store = meshes_.landmarks();
   LandmarksHandle present = store.Find(mesh->digest);
-  if (!IsEnough(present) && store.CanHold(*mesh->mesh)) Enqueue(mesh);
+  if (!HasEnough(present, Landmarks::kMost) && store.CanHold(*mesh->mesh))
+    Enqueue(mesh);
   return present;
 }
 
@@ -159,40 +164,35 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
     if (!begun.ok()) return begun.status();
     work_ = *std::move(begun);
   }
-  if (!work_.landmarks->next().has_value()) {
-    Publish(*mesh, work_);
-    return false;
+  Landmarks& landmarks = *work_.landmarks;
+  if (!HasEnough(landmarks, Landmarks::kMost)) {
+    absl::StatusOr<ByteReservation> memory =
+        ByteReservation::Make(solver_memory_, PlannedBytes(*mesh->mesh));
+    if (!memory.ok()) return memory.status();
+    CourteousCheckpoint checkpoint(clock_, scheduler_, stop, meshes_.store(),
+                                   mesh->digest, *memory,
+                                   DistanceBytes(*mesh->mesh));
+    absl::Status status = AddNext(*mesh, checkpoint, landmarks);
+    if (!status.ok()) return status;
   }
-  absl::StatusOr<ByteReservation> memory =
-      ByteReservation::Make(solver_memory_, PlannedBytes(*mesh->mesh));
-  if (!memory.ok()) return memory.status();
-  auto computation = StartField(*mesh->mesh, *work_.landmarks);
-  if (!computation.ok()) return computation.status();
-  CourteousCheckpoint checkpoint(clock_, scheduler_, stop, meshes_.store(),
-                                 mesh->digest, *memory,
-                                 DistanceBytes(*mesh->mesh));
-  absl::Status status = (*computation)->Advance({}, checkpoint);
-  if (!status.ok()) return status;
-  return Add(*mesh, **computation, work_);
+  if (!HasEnough(landmarks, Landmarks::kMost)) return true;
+  Publish(*mesh, std::exchange(work_, {}));
+  return false;
 }
 
-absl::Status LandmarkMaker::MakeNow(const MeshHandle& mesh,
+absl::Status LandmarkMaker::MakeNow(const MeshHandle& mesh, uint32_t count,
                                     Checkpoint& checkpoint) {
-  if (IsEnough(meshes_.landmarks().Find(mesh->digest))) {
+  if (HasEnough(meshes_.landmarks().Find(mesh->digest), count)) {
     return absl::OkStatus();
   }
   absl::StatusOr<Work> work = Begin(*mesh);
   // Questions are answered without them.
   if (!work.ok()) return absl::OkStatus();
-  bool goes_on = work->landmarks->next().has_value();
-  if (!goes_on) Publish(*mesh, *work);
-  while (goes_on) {
-    auto computation = StartField(*mesh->mesh, *work->landmarks);
-    if (!computation.ok()) return computation.status();
-    absl::Status status = (*computation)->Advance({}, checkpoint);
+  while (!HasEnough(*work->landmarks, count)) {
+    absl::Status status = AddNext(*mesh, checkpoint, *work->landmarks);
     if (!status.ok()) return status;
-    goes_on = Add(*mesh, **computation, *work);
   }
+  Publish(*mesh, *std::move(work));
   return absl::OkStatus();
 }
 
@@ -227,22 +227,24 @@ absl::StatusOr<LandmarkMaker::Work> LandmarkMaker::Begin(
   return work;
 }
 
-absl::StatusOr<std::unique_ptr<Computation>> LandmarkMaker::StartField(
-    const Mesh& mesh, const Landmarks& landmarks) const {
-  const absl::StatusOr<ValidQuery> query =
-      ValidQuery::Make({.sources = {{VertexPoint{*landmarks.next()}}}}, mesh);
+absl::Status LandmarkMaker::AddNext(const ResidentMesh& mesh,
+                                    Checkpoint& checkpoint,
+                                    Landmarks& landmarks) {
+  const absl::StatusOr<ValidQuery> query = ValidQuery::Make(
+      {.sources = {{VertexPoint{*landmarks.next()}}}}, *mesh.mesh);
   if (!query.ok()) return query.status();
-  return start_(mesh, *query, options_);
-}
-
-bool LandmarkMaker::Add(const ResidentMesh& mesh, const Computation& field,
-                        Work& work) {
-  work.landmarks->Add(*mesh.mesh, field.Field().distances);
+  auto field = start_(*mesh.mesh, *query, options_);
+  if (!field.ok()) return field.status();
+  absl::Status status = (*field)->Advance({}, checkpoint);
+  if (!status.ok()) return status;
+  landmarks.Add(*mesh.mesh, (*field)->Field().distances);
   ++made_;
-  const bool goes_on = work.landmarks->next().has_value();
-  if (!goes_on) Store(mesh, *work.landmarks);
-  Publish(mesh, work);
-  return goes_on;
+  if (!landmarks.next().has_value()) {
+    Store(mesh, landmarks);
+  } else if (std::has_single_bit(landmarks.count())) {
+    ShowCopy(mesh, landmarks);
+  }
+  return absl::OkStatus();
 }
 
 void LandmarkMaker::Store(const ResidentMesh& mesh,
@@ -258,17 +260,18 @@ void LandmarkMaker::EraseMesh(const std::string& digest) {
   if (files_ != nullptr) files_->Erase(digest);
 }
 
-void LandmarkMaker::Publish(const ResidentMesh& mesh, Work& work) {
-  LandmarkStore& store = meshes_.landmarks();
-  if (!work.landmarks->next().has_value()) {
-    store.Insert(mesh.digest, *std::move(work.landmarks), std::move(work.room));
-  } else if (std::has_single_bit(work.landmarks->count())) {
-    // A copy for questions that come meanwhile, if there is room for two.
-    absl::StatusOr<ByteReservation> room = store.Reserve(*mesh.mesh);
-    if (room.ok()) {
-      store.Insert(mesh.digest, *work.landmarks, *std::move(room));
-    }
+void LandmarkMaker::ShowCopy(const ResidentMesh& mesh,
+                             const Landmarks& landmarks) {
+  absl::StatusOr<ByteReservation> room =
+      meshes_.landmarks().Reserve(*mesh.mesh);
+  if (room.ok()) {
+    Publish(mesh, {.room = *std::move(room), .landmarks = landmarks});
   }
+}
+
+void LandmarkMaker::Publish(const ResidentMesh& mesh, Work work) {
+  LandmarkStore& store = meshes_.landmarks();
+  store.Insert(mesh.digest, *std::move(work.landmarks), std::move(work.room));
   // A mesh that went before now found no landmarks to take along.
   if (!meshes_.store().Holds(mesh.digest)) store.Erase(mesh.digest);
 }

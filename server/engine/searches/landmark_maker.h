@@ -23,7 +23,6 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
-#include "geodesic/computation.h"
 #include "geodesic/landmarks.h"
 #include "geodesic/solve_options.h"
 #include "server/engine/base/byte_budget.h"
@@ -54,10 +53,11 @@ class LandmarkMaker {
   // later. Does not pin the mesh for that.
   LandmarksHandle Wanted(const MeshHandle& mesh);
 
-  // Makes all landmarks that are missing, or none if there is no room for them,
-  // on the calling thread: for a question that is long enough to pay for them.
-  // Takes PlannedBytes. Errors: the checkpoint's.
-  absl::Status MakeNow(const MeshHandle& mesh, Checkpoint& checkpoint);
+  // Makes what is missing of `count` landmarks, or none if there is no room for
+  // them, on the calling thread: for a question that is long enough to pay for
+  // them. Takes PlannedBytes. Errors: the checkpoint's.
+  absl::Status MakeNow(const MeshHandle& mesh, uint32_t count,
+                       Checkpoint& checkpoint);
 
   // Of the solver's memory.
   static uint64_t PlannedBytes(const Mesh& mesh);
@@ -92,13 +92,13 @@ class LandmarkMaker {
   // Takes those there are, in memory or on disk, or begins with none. Errors:
   // there is no room.
   absl::StatusOr<Work> Begin(const ResidentMesh& mesh);
-  absl::StatusOr<std::unique_ptr<Computation>> StartField(
-      const Mesh& mesh, const Landmarks& landmarks) const;
-  // Adds a finished field, and publishes what there is. Whether more are
-  // missing.
-  bool Add(const ResidentMesh& mesh, const Computation& field, Work& work);
-  // The last time takes the landmarks.
-  void Publish(const ResidentMesh& mesh, Work& work);
+  // Computes the next landmark. When their number has doubled, questions get a
+  // copy; when they are complete, the disk. Errors: the checkpoint's.
+  absl::Status AddNext(const ResidentMesh& mesh, Checkpoint& checkpoint,
+                       Landmarks& landmarks);
+  // If there is room for two.
+  void ShowCopy(const ResidentMesh& mesh, const Landmarks& landmarks);
+  void Publish(const ResidentMesh& mesh, Work work);
   void Store(const ResidentMesh& mesh, const Landmarks& landmarks);
 
   const SolveOptions options_;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -274,6 +275,36 @@ TEST(Landmarks, BoundDistancesFromBelow) {
             field[v])
             << v << " from " << Name(target);
       }
+    }
+  }
+}
+
+TEST(Landmarks, AreTwoStepsTooLowAtTheMost) {
+  const std::shared_ptr<const Mesh> mesh =
+      BuildOrFail({"two parts", Join(Icosphere(3), Terrain(9, 9, 1, 3))});
+  Landmarks landmarks(*mesh);
+  std::vector<std::vector<double>> fields;
+  for (int i = 0; i < 6; ++i) {
+    ASSERT_TRUE(landmarks.next().has_value());
+    fields.push_back(SolveOrFail(*mesh, Algorithm::kMmp,
+                                 {{VertexPoint{*landmarks.next()}}}));
+    landmarks.Add(*mesh, fields.back());
+  }
+  const double unit = std::ldexp(1.0, mesh->scale_exponent());
+  const double slack = 2.01 * landmarks.step() * unit;
+  for (uint32_t t = 0; t < mesh->vertex_count(); t += 7) {
+    const Landmarks::Place place = landmarks.PlaceOf(VertexPoint{t}, *mesh);
+    for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+      const double bound = landmarks.LowerBound(v, place) * unit;
+      if (std::isinf(fields[0][t]) && std::isinf(fields[0][v])) {
+        EXPECT_EQ(bound, 0);
+        continue;
+      }
+      double best = 0;
+      for (const std::vector<double>& field : fields) {
+        best = std::max(best, std::abs(field[t] - field[v]));
+      }
+      EXPECT_GE(bound, best - slack) << v << " from " << t;
     }
   }
 }

@@ -103,7 +103,7 @@ TEST_F(PairEngineTest, ALongListHasLandmarksMadeFirst) {
   const auto call = Start(pairs);
   ASSERT_TRUE(call.ok()) << call.status();
   executor_.RunOne();
-  EXPECT_EQ(CountLandmarks(), Landmarks::kMost);
+  EXPECT_EQ(CountLandmarks(), LandmarksWorth(pairs.size()));
   call->rows->Cancel();
   executor_.RunAll();
   ExpectEuclid(pairs);

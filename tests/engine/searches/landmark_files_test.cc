@@ -58,7 +58,7 @@ TEST_F(LandmarkFilesTest, TheyAreLoadedAfterARestart) {
   ASSERT_NE(after, nullptr);
   EXPECT_EQ(after->count(), Landmarks::kMost);
   for (uint32_t v = 0; v < after->rows().size(); ++v) {
-    ASSERT_EQ(after->rows()[v].distances, before->rows()[v].distances);
+    ASSERT_EQ(after->rows()[v].steps, before->rows()[v].steps);
   }
   EXPECT_EQ(engine_->searches().landmarks().loaded(), Landmarks::kMost);
   EXPECT_EQ(engine_->searches().landmarks().made(), 0);
