@@ -117,12 +117,16 @@ bool IsTolerance(double tolerance) {
          (tolerance >= kLeastTolerance && tolerance <= kMostTolerance);
 }
 
-// Only lists of windows are merged, and only a merged window's distances can be
-// followed; all else is exact. REQUIRES: query.algorithm is the one that runs.
+// So little is merged below this that an exact field takes less time: 0.5 to
+// 0.8 of it at 1e-7 (docs/performance.md).
+constexpr double kLeastMerged = 1e-6;
+
+// Only lists of windows are merged, and no trace leads back through a merged
+// window; all else is exact. REQUIRES: query.algorithm is the one that runs.
 double ToleranceFor(const Query& query) {
-  return query.algorithm == Algorithm::kFwpList && !query.trace
-             ? query.tolerance
-             : 0;
+  const bool merges = query.algorithm == Algorithm::kFwpList && !query.trace &&
+                      query.tolerance >= kLeastMerged;
+  return merges ? query.tolerance : 0;
 }
 
 }  // namespace
