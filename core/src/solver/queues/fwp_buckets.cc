@@ -1,6 +1,7 @@
 #include "solver/queues/fwp_buckets.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace geodesic {
 
@@ -22,8 +23,7 @@ void FwpBuckets::Push(uint32_t id, double label) {
   ++entries_;
   ++(bucket < end_ ? near_ : far_);
   if (bucket < first_ + kRing) {
-    ring_.Append(bucket & kMask, id);
-    ++in_ring_;
+    AddToRing(bucket, id);
   } else {
     beyond_.push_back({bucket, id});
     std::push_heap(beyond_.begin(), beyond_.end(), After());
@@ -32,10 +32,8 @@ void FwpBuckets::Push(uint32_t id, double label) {
 
 void FwpBuckets::Clear() {
   batch_.clear();
-  for (int64_t bucket = first_; in_ring_ > 0; ++bucket) {
-    in_ring_ -= ring_.MoveTo(bucket & kMask, batch_);
-    batch_.clear();
-  }
+  while (in_ring_ > 0) TakeFromRing(Occupied(first_));
+  batch_.clear();
   beyond_.clear();
   next_ = 0;
   entries_ = iterations_ = 0;
@@ -51,12 +49,21 @@ bool FwpBuckets::StartIteration() {
   next_ = 0;
   // The ring holds every bucket below first_ + kRing, and no iteration reaches
   // further.
-  for (end_ = first_; in_ring_ > 0 && end_ < first_ + kRing &&
-                      static_cast<int64_t>(batch_.size()) < least_;
-       ++end_) {
-    in_ring_ -= ring_.MoveTo(end_ & kMask, batch_);
+  end_ = first_;
+  while (in_ring_ > 0 && static_cast<int64_t>(batch_.size()) < least_) {
+    const int64_t bucket = Occupied(end_);
+    TakeFromRing(bucket);
+    end_ = bucket + 1;
   }
   return true;
+}
+
+int64_t FwpBuckets::Occupied(int64_t bucket) const {
+  const auto from = static_cast<uint32_t>(bucket % kBits);
+  int64_t word = bucket / kBits;
+  uint64_t bits = occupied_[word % kWords] >> from << from;
+  while (bits == 0) bits = occupied_[++word % kWords];
+  return word * kBits + std::countr_zero(bits);
 }
 
 void FwpBuckets::SetLeast() {
@@ -70,15 +77,11 @@ void FwpBuckets::SetLeast() {
 }
 
 void FwpBuckets::Advance() {
-  if (in_ring_ == 0) first_ = beyond_.front().bucket;
-  for (;; ++first_) {
-    while (!beyond_.empty() && beyond_.front().bucket < first_ + kRing) {
-      std::pop_heap(beyond_.begin(), beyond_.end(), After());
-      ring_.Append(beyond_.back().bucket & kMask, beyond_.back().id);
-      ++in_ring_;
-      beyond_.pop_back();
-    }
-    if (!ring_.IsEmpty(first_ & kMask)) return;
+  first_ = in_ring_ > 0 ? Occupied(first_) : beyond_.front().bucket;
+  while (!beyond_.empty() && beyond_.front().bucket < first_ + kRing) {
+    AddToRing(beyond_.front().bucket, beyond_.front().id);
+    std::pop_heap(beyond_.begin(), beyond_.end(), After());
+    beyond_.pop_back();
   }
 }
 

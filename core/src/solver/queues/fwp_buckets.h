@@ -36,8 +36,6 @@ class IdLists {
  public:
   explicit IdLists(size_t lists) : lists_(lists) {}
 
-  bool IsEmpty(size_t list) const { return lists_[list].first == kNone; }
-
   void Append(size_t list, uint32_t id) {
     List& ids = lists_[list];
     if (ids.first == kNone) {
@@ -144,6 +142,8 @@ class FwpBuckets {
  private:
   static constexpr int64_t kRing = 16384;
   static constexpr int64_t kMask = kRing - 1;
+  static constexpr int64_t kBits = 64;  // of a word
+  static constexpr int64_t kWords = kRing / kBits;
 
   struct Far {
     int64_t bucket;
@@ -162,13 +162,31 @@ class FwpBuckets {
   void SetLeast();
   // Moves first_ to the first bucket with entries and draws in far ones.
   void Advance();
+  void AddToRing(int64_t bucket, uint32_t id) {
+    ring_.Append(bucket & kMask, id);
+    Word(bucket) |= Bit(bucket);
+    ++in_ring_;
+  }
+  // Moves the ids of a bucket to the end of the batch.
+  void TakeFromRing(int64_t bucket) {
+    in_ring_ -= ring_.MoveTo(bucket & kMask, batch_);
+    Word(bucket) &= ~Bit(bucket);
+  }
+  uint64_t& Word(int64_t bucket) { return occupied_[bucket / kBits % kWords]; }
+  static uint64_t Bit(int64_t bucket) {
+    return uint64_t{1} << static_cast<uint32_t>(bucket % kBits);
+  }
+  // The first bucket from `bucket` on, of those in the ring, that has entries.
+  // REQUIRES: there is one.
+  int64_t Occupied(int64_t bucket) const;
 
   const double inverse_width_;
   const double width_;
   const int64_t max_batch_;
   const bool adaptive_batch_;
 
-  IdLists ring_{kRing};  // buckets
+  IdLists ring_{kRing};                         // buckets
+  std::array<uint64_t, kWords> occupied_ = {};  // a bit for each
   uint64_t in_ring_ = 0;
   std::vector<Far> beyond_;  // heap by bucket
 
