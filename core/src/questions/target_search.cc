@@ -120,13 +120,16 @@ class TargetSearch::Impl {
         first_path_.Find(anchors, query->targets[0], front_.goal(),
                          [&] { return Poll(checkpoint); });
     if (!status.ok()) return status;
-    const double longest = first_path_.length();
-    status = Propagate(anchors, longest, checkpoint);
-    if (!status.ok() || Distance() <= Margin(longest)) return status;
+    if (first_path_.shows_none()) return Poll(checkpoint);
+    longest_ = first_path_.length();
+    bends_ahead_ = first_path_.bends();
+    status = Propagate(anchors, checkpoint);
+    if (!status.ok() || Distance() <= Margin(longest_)) return status;
     // Rounding in faces that are hardly higher than it.
     Restart(query);
-    return Propagate(anchors, std::numeric_limits<double>::infinity(),
-                     checkpoint);
+    longest_ = std::numeric_limits<double>::infinity();
+    bends_ahead_ = {};
+    return Propagate(anchors, checkpoint);
   }
 
   void Restart(const ValidQuery& query) {
@@ -137,12 +140,12 @@ class TargetSearch::Impl {
 
   static double Margin(double length) { return length * (1 + kGoalMargin); }
 
-  // Finds the distance of the target, if it is no larger than `longest`. If
-  // that is known, few windows are too many, and labels are the better order.
-  absl::Status Propagate(std::span<const Anchor> anchors, double longest,
+  // Finds the distance of the target, if it is no larger than longest_. If that
+  // is known, few windows are too many, and labels are the better order.
+  absl::Status Propagate(std::span<const Anchor> anchors,
                          Checkpoint& checkpoint) {
-    front_.goal().set_limit(Margin(longest));
-    front_.goal().set_orders_by_label(std::isfinite(longest));
+    front_.goal().set_limit(Margin(longest_));
+    front_.goal().set_orders_by_label(std::isfinite(longest_));
     DirectSink sink(front_, rule_);
     for (const Anchor& anchor : anchors) front_.AddAnchor(anchor, sink);
     uint64_t steps = kPollPeriod;
@@ -151,7 +154,8 @@ class TargetSearch::Impl {
         steps = 0;
         if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
       }
-      front_.goal().set_limit(Margin(std::min(longest, Distance())));
+      PassBends();
+      front_.goal().set_limit(Margin(std::min(longest_, Distance())));
       if (queue_.SettledRadius() > front_.goal().limit()) break;
       PopTogether(queue_, Rule::kMostTogether, together_);
       if (together_.empty()) break;
@@ -164,6 +168,17 @@ class TargetSearch::Impl {
           std::max(statistics_.peak_wavefront, rule_.pending());
     }
     return Poll(checkpoint);
+  }
+
+  // A shorter way to a bend of the first path, and the rest of that, are a
+  // shorter path. REQUIRES: labels are the order, if there are bends.
+  void PassBends() {
+    for (; !bends_ahead_.empty(); bends_ahead_ = bends_ahead_.subspan(1)) {
+      const TautPath::Bend& bend = bends_ahead_.front();
+      const double rest = first_path_.Rest(bend);
+      if (first_path_.length() - rest > queue_.SettledRadius()) return;
+      longest_ = std::min(longest_, front_.distances()[bend.vertex] + rest);
+    }
   }
 
   // `distance`: that of the target, in the unit of the file.
@@ -203,6 +218,9 @@ class TargetSearch::Impl {
   DirectedFront front_;
   Rule rule_;
   FirstPath first_path_;
+  // No shortest path is longer.
+  double longest_ = std::numeric_limits<double>::infinity();
+  std::span<const TautPath::Bend> bends_ahead_;  // of the first path
   std::vector<uint32_t> together_;
   SolveStatistics statistics_;
 };

@@ -244,6 +244,53 @@ TEST(TargetSearch, PropagatesFewWindowsBesideAField) {
             field.statistics.windows_propagated / 4);
 }
 
+// The straight line is far from the way, and little is left to choose from.
+TEST(TargetSearch, PropagatesNoMoreThanAFieldAlongARibbon) {
+  constexpr uint32_t kColumns = 1500;
+  TriangleSoup ribbon = MakeGrid(
+      {.columns = kColumns, .rows = 1, .diagonals = Diagonals::kAlternating});
+  for (Point& p : ribbon.positions) {
+    const double along = p[0] / kColumns;
+    const double across = 0.04 * (p[1] - 0.5);
+    p = {5 * along, across * std::cos(7 * along), across * std::sin(7 * along)};
+  }
+  const TargetSearchOn search({"ribbon", ribbon});
+  const Query query{.sources = {{VertexPoint{0}}},
+                    .targets = {VertexPoint{2 * kColumns + 1}}};
+  const DistanceField field = SolveOrFail(search.mesh(), query);
+  TargetSearch one(search.mesh());
+  NoCheckpoint checkpoint;
+  for (const uint32_t count : {0u, 8u}) {
+    const Landmarks landmarks = search.MakeSome(count);
+    const absl::StatusOr<TargetDistances> found =
+        one.Run(Valid(search.mesh(), query), &landmarks, checkpoint);
+    ASSERT_TRUE(found.ok());
+    EXPECT_NEAR(found->distances[0], field.target_distances[0],
+                kPairTolerance * field.target_distances[0]);
+    EXPECT_LE(found->statistics.windows_propagated,
+              field.statistics.windows_propagated);
+  }
+}
+
+TEST(TargetSearch, PropagatesNothingWhereNoPathLeads) {
+  const TriangleSoup ball = Icosphere(2);
+  const std::shared_ptr<const Mesh> mesh =
+      BuildOrFail({"two balls", Join(ball, RotateAndShift(ball, 5))});
+  const auto vertex = static_cast<uint32_t>(ball.positions.size());
+  const auto face = static_cast<uint32_t>(ball.triangles.size());
+  TargetSearch search(*mesh);
+  NoCheckpoint checkpoint;
+  const absl::StatusOr<TargetDistances> found =
+      search.Run(Valid(*mesh, {.sources = {{VertexPoint{0}}},
+                               .targets = {VertexPoint{vertex},
+                                           FacePoint{face, {0.2, 0.3, 0.5}}}}),
+                 nullptr, checkpoint);
+  ASSERT_TRUE(found.ok());
+  EXPECT_TRUE(std::isinf(found->distances[0]));
+  EXPECT_TRUE(std::isinf(found->distances[1]));
+  EXPECT_EQ(found->statistics.windows_propagated, 0);
+}
+
 TEST(TargetSearch, NeedsATarget) {
   const std::shared_ptr<const Mesh> mesh =
       BuildOrFail({"icosphere", Icosphere(1)});

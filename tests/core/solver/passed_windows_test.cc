@@ -208,6 +208,23 @@ TEST(PassedWindows, KeepASampleUntilLateWindowsOftenLose) {
   EXPECT_EQ(*passed.At(32, 1), &block);
 }
 
+TEST(PassedWindows, AreForgottenForTheNextSearch) {
+  PassedWindows passed(1 << 16);
+  WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
+  for (int search = 0; search < 2; ++search) {
+    SCOPED_TRACE(search);
+    EXPECT_EQ(*passed.At(32, 1), nullptr);
+    EXPECT_EQ(passed.At(33, 1), nullptr);
+    *passed.At(32, 1) = &block;
+    for (int i = 0; i < 10; ++i) passed.Count(100, 80);
+    *passed.At(33, 1) = &block;
+    std::vector<WindowBlock*> dropped;
+    const std::vector<HalfEdge> crossed = {31, 32, 33};
+    passed.Clear(crossed, [&](WindowBlock* list) { dropped.push_back(list); });
+    EXPECT_THAT(dropped, testing::ElementsAre(&block, &block));
+  }
+}
+
 TEST(PassedWindows, KeepWhatCrossesOften) {
   PassedWindows passed(std::nullopt);
   WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
@@ -217,7 +234,7 @@ TEST(PassedWindows, KeepWhatCrossesOften) {
   EXPECT_EQ(*passed.At(33, PassedWindows::kMany), nullptr);
   EXPECT_EQ(*passed.At(32, PassedWindows::kMany), &block);
   std::vector<WindowBlock*> dropped;
-  passed.ForgetOften([&](WindowBlock* list) { dropped.push_back(list); });
+  passed.Clear({}, [&](WindowBlock* list) { dropped.push_back(list); });
   EXPECT_THAT(dropped, testing::UnorderedElementsAre(&block, nullptr));
   EXPECT_EQ(*passed.At(32, PassedWindows::kMany), nullptr);
 }

@@ -35,9 +35,16 @@ class FirstPath {
                     const Goal& goal, absl::FunctionRef<absl::Status()> poll);
 
   // Of the path, with the offset of its source, in the scaled unit. No shortest
-  // path is longer, but for rounding. Infinite if none was found, which does
-  // not mean that there is none.
+  // path is longer, but for rounding. Infinite if none was found.
   double length() const { return length_; }
+  // Whether there is no path at all.
+  bool shows_none() const { return !route_.exists; }
+  // Where it bends, from its source on. The rest of the path, from a bend to
+  // the target, is Rest(bend) long.
+  std::span<const TautPath::Bend> bends() const { return path_.bends(); }
+  double Rest(const TautPath::Bend& bend) const {
+    return path_.length() - bend.before;
+  }
 
   uint64_t bytes() const { return routes_.bytes() + path_.bytes(); }
 

@@ -15,12 +15,6 @@ namespace {
 // that are as good as equal, for one that is hardly longer.
 constexpr double kGreed = 1.1;
 
-// How many vertices a search may touch: so many, and so many for each edge that
-// a straight way to the goal would be long. Bounds that let it spread farther
-// are so far from the truth that little is gained by a route.
-constexpr double kMostTouched = 100;
-constexpr double kMostTouchedByEdge = 12;
-
 constexpr uint64_t kPollPeriod = 4096;
 
 }  // namespace
@@ -45,9 +39,6 @@ absl::Status RouteSearch::Find(std::span<const RouteStart> starts,
       Relax(v, starts[s].offset + distance, {.start = s}, goal);
     });
   }
-  const double most_touched =
-      kMostTouched + kMostTouchedByEdge * queue_.SettledRadius() /
-                         (kGreed * mesh_.mean_edge_length());
   std::array<std::pair<uint32_t, double>, 3> ends;
   size_t end_count = 0;
   ForEachCorner(end, [&](uint32_t v, double distance) {
@@ -57,7 +48,6 @@ absl::Status RouteSearch::Find(std::span<const RouteStart> starts,
   double best = std::numeric_limits<double>::infinity();
   uint64_t expanded = 0;
   while (queue_.size() > 0 && queue_.SettledRadius() < best) {
-    if (static_cast<double>(touched_.size()) > most_touched) break;
     const uint32_t v = queue_.Pop();
     if (known_[v].is_closed) continue;
     for (const auto& [corner, rest] : std::span(ends).first(end_count)) {
@@ -69,7 +59,8 @@ absl::Status RouteSearch::Find(std::span<const RouteStart> starts,
     if (++expanded % kPollPeriod != 0) continue;
     if (absl::Status status = poll(); !status.ok()) return status;
   }
-  if (last != Place::kNoVertex) TraceBack(last, starts[0].place, route);
+  route.exists = last != Place::kNoVertex;
+  if (route.exists) TraceBack(last, starts[0].place, route);
   return absl::OkStatus();
 }
 

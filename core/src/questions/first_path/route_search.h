@@ -38,6 +38,9 @@ struct Route {
     uint32_t to;
     uint32_t first = 0, last = 0;  // of portals
   };
+  // Whether any way leads to the goal. If one does, there may be no steps
+  // still: distances may be too far from the truth to be followed back.
+  bool exists = false;
   uint32_t start = 0;  // its number
   std::vector<Step> steps;
   std::vector<HalfEdge> portals;
@@ -62,9 +65,8 @@ class RouteSearch {
   // O(V) time and memory. The mesh outlives it.
   explicit RouteSearch(const Mesh& mesh);
 
-  // Finds a route to the place that `goal` is aimed at; without steps if there
-  // is none, or if the search spreads too far to be worth it. Polls now and
-  // then; errors: whatever that returns.
+  // Finds a route to the place that `goal` is aimed at. Polls now and then;
+  // errors: whatever that returns.
   // REQUIRES: several starts are vertices.
   absl::Status Find(std::span<const RouteStart> starts, const Place& end,
                     const Goal& goal, absl::FunctionRef<absl::Status()> poll,

@@ -28,6 +28,12 @@ namespace geodesic {
 // For one thread; kept for its memory.
 class TautPath {
  public:
+  // A vertex at which the path bends, and how long it is up to there.
+  struct Bend {
+    uint32_t vertex;
+    double before;
+  };
+
   // The mesh outlives it.
   explicit TautPath(const Mesh& mesh) : mesh_(mesh) {}
 
@@ -39,6 +45,8 @@ class TautPath {
   // Of the last Draw: the length in the scaled unit, which is that of a path on
   // the mesh but for rounding; infinite if the route cannot be followed.
   double length() const { return length_; }
+  // Of the last Draw, in the order of the path.
+  std::span<const Bend> bends() const { return bends_; }
 
   uint64_t bytes() const;
 
@@ -89,6 +97,7 @@ class TautPath {
   const Mesh& mesh_;
   Line line_, next_;
   double length_ = 0;
+  std::vector<Bend> bends_;
 
   // Scratch.
   std::vector<Portal> strip_;

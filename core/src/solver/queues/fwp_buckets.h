@@ -125,7 +125,7 @@ class FwpBuckets {
   }
 
   void Restart() { first_ = end_ = least_ = near_ = far_ = 0; }
-  // Forgets all ids, and restarts. O(ids and the buckets between them).
+  // Forgets all ids, and restarts. O(ids).
   void Clear();
 
   // The lower edge of the first bucket that is not empty.

@@ -88,11 +88,11 @@ class ListRule {
       workers_[0].Drop(queues_[waiting_[queued.half_edge]].lists);
       waiting_[queued.half_edge] = kNothing;
     }
-    for (const HalfEdge h : crossed_) waiting_[h] = kNothing;
-    crossed_.clear();
-    passed_.ForgetOften([this](WindowBlock* list) {
+    passed_.Clear(crossed_, [this](WindowBlock* list) {
       workers_[0].Drop({list, nullptr});
     });
+    for (const HalfEdge h : crossed_) waiting_[h] = kNothing;
+    crossed_.clear();
     queues_.clear();
     free_.clear();
     pending_ = peak_ = created_ = 0;
@@ -137,10 +137,8 @@ class ListRule {
   // Nothing waits; added to it, how often lists have crossed from there.
   static constexpr uint32_t kNothing =
       std::numeric_limits<uint32_t>::max() - PassedWindows::kMany;
-  // Searches are short, and start again on the same arrays.
   // Merged windows are few; what has passed would take more memory than they.
-  static constexpr bool kSamplesPassed =
-      !Front::Goal::kDirects && !Front::Accuracy::kMerges;
+  static constexpr bool kSamplesPassed = !Front::Accuracy::kMerges;
   // Rounds of fewer events are not worth a team's start.
   static constexpr size_t kLeastShared = 32;
   // How many events a thread takes at a time.

@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -45,38 +46,51 @@ class PassedWindows {
   // Without a sample, for so many half-edges, only what crosses often is kept.
   explicit PassedWindows(std::optional<uint32_t> half_edges)
       : log_sample_(LogSampleOf(half_edges.value_or(0))),
-        lists_(half_edges ? (*half_edges >> log_sample_) + 1 : 0),
+        sample_(half_edges ? (*half_edges >> log_sample_) + 1 : 0),
         half_edges_(half_edges.value_or(0)) {}
 
   // Where the list of h is kept, null in it if there is none; nullptr if it is
   // not kept. `times`: how often lists have crossed there, this one included.
   // Valid until Count. Threads may use different half-edges' lists at once.
   WindowBlock** At(HalfEdge h, uint32_t times) {
-    const uint32_t others = (uint32_t{1} << log_sample_) - 1;
-    if ((h & others) == 0 && !lists_.empty()) return &lists_[h >> log_sample_];
-    return times < kMany ? nullptr : &often_[h];
+    WindowBlock** const kept = Kept(h);
+    return kept != nullptr || times < kMany ? kept : &often_[h];
   }
 
-  // Forgets what crossed often. `drop` takes each list.
+  // Forgets what was kept at these half-edges, which are all that lists have
+  // crossed, and is as new. `drop` takes each list.
   template <typename Drop>
-  void ForgetOften(Drop drop) {
+  void Clear(std::span<const HalfEdge> crossed, Drop drop) {
     for (const auto& [h, list] : often_) drop(list);
     often_.clear();
+    for (const HalfEdge h : crossed) {
+      WindowBlock** const kept = Kept(h);
+      if (kept != nullptr && *kept != nullptr) {
+        drop(std::exchange(*kept, nullptr));
+      }
+    }
+    keeps_all_ = false;
+    late_ = lost_ = 0;
   }
 
   // So many windows came late to half-edges whose list is kept, and lost all
   // that they held to it.
   void Count(uint64_t late, uint64_t lost) {
-    if (log_sample_ == 0) return;  // all of them, or none
+    if (keeps_all_ || log_sample_ == 0) return;  // all of them, or none
     late_ += late;
     lost_ += lost;
     if (late_ < kDecided) return;
-    if (lost_ > late_ * kOften) KeepAll();
+    if (lost_ > late_ * kOften) {
+      all_.resize(half_edges_);
+      keeps_all_ = true;
+    }
     late_ = lost_ = 0;
   }
 
   // Without those of half-edges that are crossed often, which are few.
-  uint64_t bytes() const { return lists_.capacity() * sizeof(void*); }
+  uint64_t bytes() const {
+    return (sample_.capacity() + all_.capacity()) * sizeof(void*);
+  }
 
  private:
   static constexpr uint32_t kMostLogSample = 4;
@@ -90,19 +104,21 @@ class PassedWindows {
                               kMostLogSample);
   }
 
-  void KeepAll() {
-    std::vector<WindowBlock*> lists(half_edges_);
-    for (HalfEdge h = 0; h < half_edges_; h += 1 << log_sample_) {
-      lists[h] = lists_[h >> log_sample_];
+  // Where the list of h is if it is kept, however seldom lists cross there.
+  WindowBlock** Kept(HalfEdge h) {
+    const uint32_t others = (uint32_t{1} << log_sample_) - 1;
+    if ((h & others) == 0 && !sample_.empty()) {
+      return &sample_[h >> log_sample_];
     }
-    lists_ = std::move(lists);
-    log_sample_ = 0;
+    return keeps_all_ ? &all_[h] : nullptr;
   }
 
   uint32_t log_sample_;
-  std::vector<WindowBlock*> lists_;  // of the sample
+  std::vector<WindowBlock*> sample_;  // lists of the sample
+  std::vector<WindowBlock*> all_;     // of the others, by half-edge
   std::unordered_map<HalfEdge, WindowBlock*> often_;
   uint32_t half_edges_;
+  bool keeps_all_ = false;
   uint64_t late_ = 0, lost_ = 0;
 };
 
