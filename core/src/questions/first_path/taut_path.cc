@@ -17,15 +17,11 @@ namespace {
 // than so many is as good as straight by then, on real meshes, or winds.
 constexpr int kMostRounds = 256;
 
-// Half-edges that all rounds may go through together, in some milliseconds, but
-// for the first rounds: along a strip of thousands of faces little is gained.
-constexpr uint64_t kMostPassed = 1 << 18;
-constexpr int kLeastRounds = 16;
-
-// A round that shortens the path by no more than this fraction is the last. In
-// a strip of faces one long piece may take up thousands of short ones, one a
-// round, and gains 1e-11 by each.
-constexpr double kLeastGain = 1e-10;
+// So many rounds that shorten the path by no more than this fraction together
+// are the last. In a strip of faces one long piece may take up thousands of
+// short ones, one a round, and gains 3e-8 at the most by each.
+constexpr int kRoundsToGain = 16;
+constexpr double kLeastGain = 1e-6;
 
 // Between two polls, in half-edges: about a millisecond.
 constexpr uint64_t kPollPeriod = 1 << 16;
@@ -65,16 +61,17 @@ absl::Status TautPath::Draw(const Place& begin, const Route& route,
   length_ = std::numeric_limits<double>::infinity();
   bends_.clear();
   if (!Follow(begin, route, end)) return absl::OkStatus();
-  uint64_t passed = 0, next_poll = 0;
+  uint64_t steps = kPollPeriod;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kMostRounds && Tighten(); ++round) {
-    const double now = line_.Length();
-    if (now >= before * (1 - kLeastGain)) break;
-    before = now;
-    passed += line_.pieces.size() + line_.portals.size();
-    if (passed > kMostPassed && round >= kLeastRounds) break;
-    if (passed < next_poll) continue;
-    next_poll = passed + kPollPeriod;
+    if (round % kRoundsToGain == 0) {
+      const double now = line_.Length();
+      if (now >= before * (1 - kLeastGain)) break;
+      before = now;
+    }
+    steps += line_.pieces.size() + line_.portals.size();
+    if (steps < kPollPeriod) continue;
+    steps = 0;
     if (absl::Status status = poll(); !status.ok()) return status;
   }
   length_ = 0;
