@@ -115,8 +115,9 @@ LandmarkMaker::LandmarkMaker(const SolveOptions& options, const Clock& clock,
 LandmarksHandle LandmarkMaker::Wanted(const MeshHandle& mesh) {
   LandmarkStore& store = meshes_.landmarks();
   LandmarksHandle present = store.Find(mesh->digest);
-  if (!HasEnough(present, Landmarks::kMost) && store.CanHold(*mesh->mesh))
+  if (!HasEnough(present, Landmarks::kMost) && store.CanHold(*mesh->mesh)) {
     Enqueue(mesh);
+  }
   return present;
 }
 
