@@ -229,8 +229,7 @@ class ClusterTest(unittest.TestCase):
                 self.assertEqual(after[digest], before[digest])
 
     def test_replica_fetches_what_it_lacks_once(self):
-        direct = [self.client_of(replica)
-                  for replica in self.replicas]
+        direct = [self.client_of(replica) for replica in self.replicas]
         before = [self.fetched(replica) for replica in self.replicas]
         digest = direct[0].upload(*self.meshes[0])
         await_that(lambda: self.copies([digest])[digest] >= 2)
