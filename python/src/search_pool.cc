@@ -29,8 +29,7 @@ absl::Status SearchPool::MakeLandmarks(uint32_t count, uint32_t threads,
   {
     const std::scoped_lock lock(mutex_);
     const bool is_enough =
-        landmarks_ != nullptr &&
-        (landmarks_->count() >= count || !landmarks_->next().has_value());
+        landmarks_ != nullptr && landmarks_->HasEnough(count);
     if (is_enough || are_being_made_) return absl::OkStatus();
     are_being_made_ = true;
   }

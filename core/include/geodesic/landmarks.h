@@ -64,6 +64,10 @@ class Landmarks {
   void Add(const Mesh& mesh, std::span<const double> distances);
 
   uint32_t count() const { return count_; }
+  // Whether there are `count`, or as many as are chosen.
+  bool HasEnough(uint32_t count) const {
+    return count_ >= count || !next_.has_value();
+  }
   // Its length in the scaled unit; 0 if there is no landmark.
   double step() const { return step_; }
   // By vertex.

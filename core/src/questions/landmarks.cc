@@ -176,7 +176,7 @@ absl::StatusOr<Landmarks> MakeLandmarks(const Mesh& mesh, uint32_t count,
                                         const SolveOptions& options,
                                         Checkpoint& checkpoint) {
   Landmarks landmarks(mesh);
-  while (landmarks.count() < count && landmarks.next().has_value()) {
+  while (!landmarks.HasEnough(count)) {
     const absl::StatusOr<DistanceField> field =
         Solve(mesh, Query{.sources = {{VertexPoint{*landmarks.next()}}}},
               options, checkpoint);

@@ -86,12 +86,8 @@ class CourteousCheckpoint final : public Checkpoint {
   TimePoint quiet_ = TimePoint::min();  // from when on, if nobody asks anew
 };
 
-bool HasEnough(const Landmarks& landmarks, uint32_t count) {
-  return landmarks.count() >= count || !landmarks.next().has_value();
-}
-
 bool HasEnough(const LandmarksHandle& landmarks, uint32_t count) {
-  return landmarks != nullptr && HasEnough(*landmarks, count);
+  return landmarks != nullptr && landmarks->HasEnough(count);
 }
 
 // The memory of a finished field's distances, beside the solver's.
@@ -166,7 +162,7 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
     work_ = *std::move(begun);
   }
   Landmarks& landmarks = *work_.landmarks;
-  if (!HasEnough(landmarks, Landmarks::kMost)) {
+  if (!landmarks.HasEnough(Landmarks::kMost)) {
     absl::StatusOr<ByteReservation> memory =
         ByteReservation::Make(solver_memory_, PlannedBytes(*mesh->mesh));
     if (!memory.ok()) return memory.status();
@@ -176,7 +172,7 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
     absl::Status status = AddNext(*mesh, checkpoint, landmarks);
     if (!status.ok()) return status;
   }
-  if (!HasEnough(landmarks, Landmarks::kMost)) return true;
+  if (!landmarks.HasEnough(Landmarks::kMost)) return true;
   Publish(*mesh, std::exchange(work_, {}));
   return false;
 }
@@ -189,7 +185,7 @@ absl::Status LandmarkMaker::MakeNow(const MeshHandle& mesh, uint32_t count,
   absl::StatusOr<Work> work = Begin(*mesh);
   // Questions are answered without them.
   if (!work.ok()) return absl::OkStatus();
-  while (!HasEnough(*work->landmarks, count)) {
+  while (!work->landmarks->HasEnough(count)) {
     absl::Status status = AddNext(*mesh, checkpoint, *work->landmarks);
     if (!status.ok()) return status;
   }

@@ -89,7 +89,7 @@ uint64_t TautPath::bytes() const {
              sizeof(Portal) +
          (left_.through.capacity() + right_.through.capacity()) *
              sizeof(HalfEdge) +
-         funnel_.bytes();
+         bends_.capacity() * sizeof(Bend) + funnel_.bytes();
 }
 
 bool TautPath::Follow(const Place& begin, const Route& route,
