@@ -26,7 +26,7 @@ struct SolveOptions {
   // How many threads share the work of one computation, in [1,
   // kMostSolveThreads]; the calling thread is one of them. The result is the
   // same to the bit. fwp-list uses them wherever the wavefront is wide enough;
-  // the other algorithms use one. DEFAULT: 1.
+  // the other algorithms, and fields within a tolerance, use one. DEFAULT: 1.
   uint32_t threads = 1;
 };
 

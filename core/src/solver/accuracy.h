@@ -5,6 +5,7 @@
 #ifndef GEODESIC_SOLVER_ACCURACY_H_
 #define GEODESIC_SOLVER_ACCURACY_H_
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -55,13 +56,17 @@ class WithinTolerance {
 
   WithinTolerance() = default;
   explicit WithinTolerance(double tolerance)
-      : share_((tolerance - kMargin) /
-               ((1 - kAnswerInAccount) * (1 + 2 * tolerance))) {}
+      : share_(ShareOf(std::min(tolerance, kLoosestOfUse))) {}
 
   // The largest account, over the label of a window.
   double share() const { return share_; }
 
  private:
+  static double ShareOf(double tolerance) {
+    return (tolerance - kMargin) /
+           ((1 - kAnswerInAccount) * (1 + 2 * tolerance));
+  }
+
   double share_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,7 +33,7 @@ namespace geodesic {
 
 // Solves the query with windows made by Rule, in the order of Queue.
 // OriginType: MixedOrigin if the query has curves. Accuracy: WithinTolerance if
-// the query has a tolerance, which takes the list rule.
+// the query has a tolerance, which takes the merging rule.
 template <template <typename> typename Rule, WindowQueue Queue,
           typename OriginType = Origin, typename Accuracy = Exact>
 class Propagation final : public Computation {
@@ -54,7 +55,7 @@ class Propagation final : public Computation {
     }
     const auto start = std::chrono::steady_clock::now();
     absl::Status status = Run(reach, checkpoint);
-    if constexpr (kTogether) rule_.ReleaseThreads();
+    if constexpr (kThreads) rule_.ReleaseThreads();
     statistics_.solve_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
             .count();
@@ -142,6 +143,9 @@ class Propagation final : public Computation {
       requires(RuleType & rule, std::span<const uint32_t> ids) {
     rule.Propagate(ids);
   };
+  // Whether it shares its work among threads.
+  static constexpr bool kThreads =
+      std::is_constructible_v<RuleType, FrontType&, uint32_t>;
 
   // Distances are lower bounds so far.
   void MoveToAnswers(DistanceField& field) const {
@@ -176,7 +180,7 @@ class Propagation final : public Computation {
     }
   }
   static RuleType MakeRule(FrontType& front, const Tuning& tuning) {
-    if constexpr (kTogether) {
+    if constexpr (kThreads) {
       return RuleType(front, tuning.threads);
     } else {
       return RuleType(front);

@@ -15,6 +15,7 @@
 #include "solver/queues/label_correcting.h"
 #include "solver/rules/ch_rule.h"
 #include "solver/rules/list_rule.h"
+#include "solver/rules/merging_rule.h"
 #include "solver/rules/mmp_rule.h"
 #include "solver/windows/mixed_origin.h"
 
@@ -84,7 +85,7 @@ absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
   if (!tuning.ok()) return tuning.status();
   if (query->tolerance > 0) {
     return std::make_unique<
-        Propagation<ListRule, FwpBuckets, Origin, WithinTolerance>>(
+        Propagation<MergingRule, FwpBuckets, Origin, WithinTolerance>>(
         mesh, query, *tuning, observer);
   }
   return HasCurves(*query) ? Start<MixedOrigin>(mesh, query, *tuning, observer)

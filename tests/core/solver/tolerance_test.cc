@@ -194,6 +194,18 @@ TEST(ToleranceTest, SmallOnesAreAnsweredExactly) {
   }
 }
 
+// Beyond some point a looser tolerance saves nothing more.
+TEST(ToleranceTest, LooseOnesAreCertifiedTighter) {
+  const auto mesh = BuildOrFail({"terrain", Terrain(50, 50, 0.6, 3)});
+  for (const double tolerance : {0.01, 0.1}) {
+    const auto field = Solve(
+        *mesh, Query{.sources = {{VertexPoint{0}}}, .tolerance = tolerance});
+    ASSERT_TRUE(field.ok()) << field.status();
+    EXPECT_GT(field->certified_error, 0);
+    EXPECT_LE(field->certified_error, 2e-3) << tolerance;
+  }
+}
+
 TEST(ToleranceTest, AnyNumberOfThreadsGivesTheSameBits) {
   Random random(3);
   const TriangleSoup soup = Terrain(70, 70, 0.5, 3);

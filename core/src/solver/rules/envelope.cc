@@ -31,8 +31,7 @@ void Replace(size_t first, size_t last, std::span<const ListedWindow> listed,
 
 }  // namespace
 
-template <typename Accuracy>
-void BasicEnvelope<Accuracy>::Trim(double length, WindowColumns& windows) {
+void Envelope::Trim(double length, WindowColumns& windows) {
   if (windows.size < 2) return;
   length_ = length;
   FindMeetings(windows);
@@ -42,8 +41,7 @@ void BasicEnvelope<Accuracy>::Trim(double length, WindowColumns& windows) {
   TrimFrom(pairs_[done] + 1, windows);
 }
 
-template <typename Accuracy>
-void BasicEnvelope<Accuracy>::FindMeetings(WindowColumns& windows) {
+void Envelope::FindMeetings(WindowColumns& windows) {
   const size_t room = windows.size + WindowColumns::kPadding;
   if (begins_.size() < room) {
     begins_.resize(2 * room);
@@ -70,8 +68,7 @@ void BasicEnvelope<Accuracy>::FindMeetings(WindowColumns& windows) {
   if (count > 0) FindCrossovers(older_, newer_, meetings_.data());
 }
 
-template <typename Accuracy>
-size_t BasicEnvelope<Accuracy>::CutAtMeetings(WindowColumns& windows) const {
+size_t Envelope::CutAtMeetings(WindowColumns& windows) const {
   // Two windows that may change over twice do so once where each is nearer on
   // its own side, as here.
   const double least = kLeastWidth * length_;
@@ -91,8 +88,7 @@ size_t BasicEnvelope<Accuracy>::CutAtMeetings(WindowColumns& windows) const {
   return older_.size;
 }
 
-template <typename Accuracy>
-size_t BasicEnvelope<Accuracy>::MeetingOf(size_t pair) {
+size_t Envelope::MeetingOf(size_t pair) {
   while (next_pair_ < older_.size && pairs_[next_pair_] < pair) {
     ++next_pair_;
   }
@@ -102,8 +98,7 @@ size_t BasicEnvelope<Accuracy>::MeetingOf(size_t pair) {
   return is_known ? next_pair_ : kNone;
 }
 
-template <typename Accuracy>
-void BasicEnvelope<Accuracy>::TrimFrom(size_t i, WindowColumns& windows) {
+void Envelope::TrimFrom(size_t i, WindowColumns& windows) {
   size_t kept = i;
   // Whether the last of the kept is window i - 1, as it was.
   bool is_neighbour = true;
@@ -132,10 +127,8 @@ void BasicEnvelope<Accuracy>::TrimFrom(size_t i, WindowColumns& windows) {
   windows.size = kept;
 }
 
-template <typename Accuracy>
-bool BasicEnvelope<Accuracy>::TrimNeighbours(size_t i, size_t meeting,
-                                             size_t& kept,
-                                             WindowColumns& windows) {
+bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
+                              WindowColumns& windows) {
   const size_t top = kept - 1;
   const double begin = windows.begin[i];
   const double top_end = windows.end[top];
@@ -151,9 +144,6 @@ bool BasicEnvelope<Accuracy>::TrimNeighbours(size_t i, size_t meeting,
     windows.end_distance[top] = older_.end_distance[meeting];
   } else {
     Window older = windows.At(top), newer = windows.At(i);
-    if constexpr (Accuracy::kMerges) {
-      if (SplitBeforeContest(older, newer).has_value()) return false;
-    }
     const Interval won = WonByNewer(older, newer);
     if (won.width() <= 0) {
       newer.CutTo({top_end, newer.interval.end});
@@ -170,43 +160,40 @@ bool BasicEnvelope<Accuracy>::TrimNeighbours(size_t i, size_t meeting,
   return true;
 }
 
-template <typename Accuracy>
-size_t BasicEnvelope<Accuracy>::TrimSeveral(size_t i, size_t& kept,
-                                            WindowColumns& windows) {
+size_t Envelope::TrimSeveral(size_t i, size_t& kept, WindowColumns& windows) {
   size_t first = kept;
   while (first > 0 && windows.end[first - 1] > windows.begin[i]) --first;
-  sorted_.clear();
-  for (size_t k = first; k < kept; ++k) sorted_.push_back(Listed(windows, k));
+  met_.Start(length_);
+  for (size_t k = first; k < kept; ++k) met_.Append(Listed(windows, k));
+  const std::vector<ListedWindow>& sorted = met_.windows();
   const auto meets = [&](size_t k) {
     const double begin = windows.begin[k];
-    return !sorted_.empty() && begin < sorted_.back().window.interval.end &&
+    return !sorted.empty() && begin < sorted.back().window.interval.end &&
            (first == 0 || begin >= windows.end[first - 1]);
   };
   do {
-    Add(Listed(windows, i++));
+    met_.Add(Listed(windows, i++));
   } while (i < windows.size && meets(i));
-  kept = first + sorted_.size();
+  kept = first + sorted.size();
   // What lies between the kept ones and the next is not looked at again.
-  Replace(first, std::min(i, kept), sorted_, windows);
+  Replace(first, std::min(i, kept), sorted, windows);
   return std::max(i, kept);
 }
 
-template <typename Accuracy>
-void BasicEnvelope<Accuracy>::Merge(double length, size_t middle,
-                                    WindowColumns& windows) {
+void Envelope::Merge(double length, size_t middle, WindowColumns& windows) {
   if (middle == 0 || middle == windows.size ||
       windows.end[middle - 1] <= windows.begin[middle]) {
     return;
   }
-  length_ = length;
   // Whatever meets nothing of the other list stays in place.
   size_t first = 0;
   while (windows.end[first] <= windows.begin[middle]) ++first;
   size_t last = windows.size;
   while (windows.begin[last - 1] >= windows.end[middle - 1]) --last;
-  sorted_.clear();
+  met_.Start(length);
   const auto add = [&](size_t i) {
-    Add({Window::Over({windows.begin[i], windows.end[i]}, windows.OriginAt(i)),
+    met_.Add(
+        {Window::Over({windows.begin[i], windows.end[i]}, windows.OriginAt(i)),
          windows.pseudo_source[i]});
   };
   size_t i = first, j = middle;
@@ -215,91 +202,7 @@ void BasicEnvelope<Accuracy>::Merge(double length, size_t middle,
   }
   while (i < middle) add(i++);
   while (j < last) add(j++);
-  Replace(first, last, sorted_, windows);
+  Replace(first, last, met_.windows(), windows);
 }
-
-template <typename Accuracy>
-void BasicEnvelope<Accuracy>::Add(const ListedWindow& window) {
-  const Interval& interval = window.window.interval;
-  if (IsLost(interval, window.window.origin, length_)) return;
-  if (sorted_.empty() || sorted_.back().window.interval.end <= interval.begin) {
-    sorted_.push_back(window);
-  } else if (sorted_.back().window.interval.begin > interval.begin) {
-    AddInside(window);
-  } else {
-    Contest(window);
-  }
-}
-
-template <typename Accuracy>
-void BasicEnvelope<Accuracy>::AddInside(const ListedWindow& window) {
-  const size_t below = aside_.size();
-  while (!sorted_.empty() &&
-         sorted_.back().window.interval.begin > window.window.interval.begin) {
-    aside_.push_back(sorted_.back());
-    sorted_.pop_back();
-  }
-  Add(window);
-  while (aside_.size() > below) {
-    const ListedWindow next = aside_.back();
-    aside_.pop_back();
-    Add(next);
-  }
-}
-
-// REQUIRES: the window begins within the last.
-template <typename Accuracy>
-void BasicEnvelope<Accuracy>::Contest(const ListedWindow& window) {
-  const Window& older = sorted_.back().window;
-  const Interval held = older.interval;
-  const Interval interval = window.window.interval;
-  if constexpr (Accuracy::kMerges) {
-    if (const auto at = SplitBeforeContest(older, window.window)) {
-      ListedWindow part = window;
-      part.window.CutTo({interval.begin, *at});
-      Contest(part);
-      part = window;
-      part.window.CutTo({*at, interval.end});
-      Add(part);
-      return;
-    }
-  }
-  const Interval won = WonByNewer(older, window.window);
-  if (won.width() <= 0) {
-    Push(window, {held.end, interval.end});
-    return;
-  }
-  const bool goes_on = won.end < held.end;
-  const ListedWindow beyond = goes_on ? sorted_.back() : ListedWindow();
-  CutLast({held.begin, won.begin});
-  if (!goes_on) {
-    Push(window, {won.begin, interval.end});
-    return;
-  }
-  Push(window, won);
-  Push(beyond, {won.end, held.end});
-  Push(window, {held.end, interval.end});
-}
-
-template <typename Accuracy>
-void BasicEnvelope<Accuracy>::CutLast(const Interval& part) {
-  Window& last = sorted_.back().window;
-  if (IsLost(part, last.origin, length_)) {
-    sorted_.pop_back();
-  } else {
-    last.CutTo(part);
-  }
-}
-
-template <typename Accuracy>
-void BasicEnvelope<Accuracy>::Push(const ListedWindow& window,
-                                   const Interval& part) {
-  if (IsLost(part, window.window.origin, length_)) return;
-  sorted_.push_back(window);
-  sorted_.back().window.CutTo(part);
-}
-
-template class BasicEnvelope<Exact>;
-template class BasicEnvelope<WithinTolerance>;
 
 }  // namespace geodesic

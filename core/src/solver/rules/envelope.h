@@ -4,16 +4,14 @@
 #define GEODESIC_SOLVER_RULES_ENVELOPE_H_
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "solver/accuracy.h"
 #include "solver/rules/list_kernels.h"
+#include "solver/rules/window_envelope.h"
 #include "solver/windows/window.h"
 #include "solver/windows/window_columns.h"
-#include "solver/windows/window_lists.h"
-#include "tolerances.h"
 
 namespace geodesic {
 
@@ -31,10 +29,7 @@ namespace geodesic {
 // share no ray, since they were disjoint before; and lists that are merged have
 // pseudo-sources of which none can be passed by (ListRule runs with one source,
 // or with sources at vertices).
-// Not so where Accuracy is WithinTolerance: the origins of windows that stand
-// for several lie anywhere, and there windows are split first.
-template <typename Accuracy>
-class BasicEnvelope {
+class Envelope {
  public:
   // `length`: of the half-edge.
   void Trim(double length, WindowColumns& windows);
@@ -66,14 +61,6 @@ class BasicEnvelope {
   // one meets none of them; that is the next. Makes room if it needs any.
   size_t TrimSeveral(size_t i, size_t& kept, WindowColumns& windows);
 
-  // Of sorted_, to which windows are added.
-  void Add(const ListedWindow& window);
-  void AddInside(const ListedWindow& window);
-  void Contest(const ListedWindow& window);
-  // What is too narrow is dropped.
-  void CutLast(const Interval& part);
-  void Push(const ListedWindow& window, const Interval& part);
-
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
   double length_ = 0;
@@ -84,11 +71,8 @@ class BasicEnvelope {
   WindowColumns older_, newer_;
   std::vector<double> meetings_;
   size_t next_pair_ = 0;  // for MeetingOf
-  std::vector<ListedWindow> sorted_;
-  std::vector<ListedWindow> aside_;  // a stack
+  WindowEnvelope<Exact> met_;
 };
-
-using Envelope = BasicEnvelope<Exact>;
 
 }  // namespace geodesic
 

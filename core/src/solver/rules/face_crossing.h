@@ -13,6 +13,7 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "solver/rules/envelope.h"
+#include "solver/rules/face_corners.h"
 #include "solver/rules/list_kernels.h"
 #include "solver/rules/shadow_fan.h"
 #include "solver/windows/window.h"
@@ -43,33 +44,20 @@ class FaceCrossing {
   template <typename Relax, typename HandOn>
   void Cross(HalfEdge h, Relax relax, HandOn hand_on) {
     const HalfEdgeFrame& frame = mesh_.frame(h);
-    const Corners corners(mesh_, h);
+    const FaceCorners corners(mesh_, h);
     Reserve(list_.size);
     CrossingsToApex(frame, list_, crossings_.data(), misses_.data());
     const double to_apex = ReachApex(h, corners.apex, frame, relax);
     const FaceSide<kLeft> left(mesh_, h);
-    Leave(left, {left.length, front_.UpperBound(corners.from), to_apex},
+    Leave(left, {left.length, front_.distance(corners.from), to_apex},
           corners.from, corners.apex, hand_on);
     const FaceSide<kRight> right(mesh_, h);
-    Leave(right, {right.length, to_apex, front_.UpperBound(corners.to)},
+    Leave(right, {right.length, to_apex, front_.distance(corners.to)},
           corners.apex, corners.to, hand_on);
   }
 
  private:
   static constexpr double kUseless = std::numeric_limits<double>::infinity();
-
-  // Of the face of a half-edge.
-  struct Corners {
-    uint32_t from, to, apex;
-
-    Corners(const Mesh& mesh, HalfEdge h) {
-      const Triangle& corners = mesh.TriangleOf(h);
-      const uint32_t side = h % 3;
-      from = corners[side];
-      to = corners[side == 2 ? 0 : side + 1];
-      apex = corners[side == 0 ? 2 : side - 1];
-    }
-  };
 
   void Reserve(size_t count) {
     children_.Reserve(count);
@@ -81,7 +69,7 @@ class FaceCrossing {
     hits_.resize(2 * room);
   }
 
-  // Returns the apex's upper bound that is known then.
+  // Returns the apex's distance that is known then.
   template <typename Relax>
   double ReachApex(HalfEdge h, uint32_t vertex, const HalfEdgeFrame& frame,
                    Relax relax) {
@@ -89,8 +77,6 @@ class FaceCrossing {
     double best = front_.distance(vertex);
     size_t nearest = list_.size;  // none
     double missed_by = 0;
-    double upper = front_.UpperBound(vertex);
-    size_t surest = list_.size;  // whose upper bound is the least; none
     // Gathered without a branch: which windows see the apex cannot be foreseen.
     size_t hits = 0;
     for (size_t i = 0; i < list_.size; ++i) {
@@ -104,14 +90,6 @@ class FaceCrossing {
       const double through =
           std::clamp(crossings_[i], list_.begin[i], list_.end[i]);
       const double distance = PathToPlace(origin, through, crossings_[i], apex);
-      if constexpr (Front::Accuracy::kMerges) {
-        const double bound =
-            distance + front_.AccountOf(list_.pseudo_source[i]);
-        if (Front::Improves(bound, upper)) {
-          upper = bound;
-          surest = i;
-        }
-      }
       if (!Front::Improves(distance, best)) continue;
       best = distance;
       nearest = i;
@@ -123,18 +101,7 @@ class FaceCrossing {
             Arrival{list_.pseudo_source[nearest], h, origin.x, origin.depth},
             RayPast(mesh_, h, origin, missed_by));
     }
-    if constexpr (Front::Accuracy::kMerges) {
-      // Not the nearest, so no ray of it bends at the apex.
-      if (surest < list_.size && surest != nearest) {
-        const Origin origin = list_.OriginAt(surest);
-        relax(vertex, upper - front_.AccountOf(list_.pseudo_source[surest]),
-              Arrival{list_.pseudo_source[surest], h, origin.x, origin.depth},
-              IncomingRay());
-      }
-      return upper;
-    } else {
-      return best;
-    }
+    return best;
   }
 
   // Seen from beyond, the side runs from -> to.
@@ -183,7 +150,7 @@ class FaceCrossing {
   WindowColumns list_, children_;
   std::vector<double> crossings_, misses_, labels_;
   std::vector<uint32_t> hits_;
-  BasicEnvelope<typename Front::Accuracy> envelope_;
+  Envelope envelope_;
 };
 
 }  // namespace geodesic

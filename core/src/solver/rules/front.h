@@ -159,6 +159,7 @@ class Front {
   }
   void PrefetchDistance(uint32_t v) const {
     __builtin_prefetch(&distances_[v]);
+    if constexpr (Accuracy::kMerges) __builtin_prefetch(&accounts_[v]);
   }
   // Fetches the faces around v.
   void PrefetchFan(uint32_t v) const {
@@ -238,7 +239,10 @@ class Front {
     if constexpr (std::is_same_v<Origin, MixedOrigin>) {
       distance = std::max(distance, 0.0);  // as MixedOrigin::PathTo
     }
-    if constexpr (Accuracy::kMerges) KeepAccount(v, distance, arrival);
+    if constexpr (Accuracy::kMerges) {
+      if (!Takes(v, distance, arrival)) return;
+      KeepAccount(v, distance, arrival);
+    }
     double& best = distances_[v];
     if (!Improves(distance, best)) return;
     if (arrival.entry != kNoHalfEdge) {
@@ -410,6 +414,8 @@ class Front {
     for (HalfEdge h : mesh_.Outgoing(v)) {
       sink.Relax(mesh_.To(h), sigma + mesh_.frame(h).length, along_edge,
                  IncomingRay::Along(h));
+      // Elsewhere another of them leads to the apex.
+      if (mesh_.Twin(Prev(h)) != kNoHalfEdge) continue;
       sink.Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length, along_edge,
                  IncomingRay::Along(Prev(h)));
     }

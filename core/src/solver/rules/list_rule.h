@@ -60,8 +60,7 @@ class ListRule {
       : front_(front),
         mesh_(front.mesh()),
         waiting_(front.mesh().half_edge_count(), kNothing),
-        passed_(kSamplesPassed ? std::optional(front.mesh().half_edge_count())
-                               : std::nullopt) {
+        passed_(front.mesh().half_edge_count()) {
     for (uint32_t member = 0; member < threads; ++member) {
       workers_.emplace_back(front, pool_);
       shares_.emplace_back();
@@ -137,8 +136,6 @@ class ListRule {
   // Nothing waits; added to it, how often lists have crossed from there.
   static constexpr uint32_t kNothing =
       std::numeric_limits<uint32_t>::max() - PassedWindows::kMany;
-  // Merged windows are few; what has passed would take more memory than they.
-  static constexpr bool kSamplesPassed = !Front::Accuracy::kMerges;
   // Rounds of fewer events are not worth a team's start.
   static constexpr size_t kLeastShared = 32;
   // How many events a thread takes at a time.

@@ -17,16 +17,14 @@
 
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
+#include "solver/accuracy.h"
 #include "solver/rules/envelope.h"
 #include "solver/rules/face_crossing.h"
-#include "solver/rules/merging.h"
 #include "solver/rules/passed_windows.h"
 #include "solver/rules/shadow_fan.h"
-#include "solver/rules/trimming.h"
 #include "solver/thread_team.h"
 #include "solver/windows/window_blocks.h"
 #include "solver/windows/window_columns.h"
-#include "tolerances.h"
 
 namespace geodesic {
 
@@ -85,9 +83,6 @@ class alignas(kCacheLine) ListWorker {
   Outcome Cross(HalfEdge h, const WaitingLists& lists, WindowBlock** passed) {
     Outcome outcome{.begin = Here()};
     outcome.waited = Take(lists, mesh_.frame(h).length);
-    if constexpr (Front::Accuracy::kMerges) {
-      MergeNeighbours();
-    }
     if (passed != nullptr) MeetPassed(mesh_.frame(h).length, *passed);
     outcome.propagated = static_cast<uint32_t>(list_.size);
     if (list_.size > 0) CrossFace(h);
@@ -185,40 +180,6 @@ class alignas(kCacheLine) ListWorker {
     return waited;
   }
 
-  // Merges neighbours in list_ while their accounts allow it.
-  void MergeNeighbours() {
-    if (list_.size < 2) return;
-    const double share = front_.accuracy().share();
-    const double merge_share = std::min(kPartOfAccount * share, kMostOfLabel);
-    const auto window = [this](size_t i) {
-      return Window::Over(list_.IntervalAt(i), list_.OriginAt(i));
-    };
-    size_t kept = 0;
-    Window last = window(0);
-    uint32_t last_source = list_.pseudo_source[0];
-    MergedWindow merged;
-    for (size_t i = 1; i < list_.size; ++i) {
-      const Window next = window(i);
-      const uint32_t source = list_.pseudo_source[i];
-      const double label = std::min(last.Label(), next.Label());
-      if (FindMerged(last, next, merge_share * label, merged)) {
-        const double account =
-            std::max(front_.AccountOf(last_source) + merged.below_first,
-                     front_.AccountOf(source) + merged.below_second);
-        if (account <= share * label) {
-          last = merged.window;
-          last_source = MergedWithAccount(account);
-          continue;
-        }
-      }
-      list_.Set(kept++, last, last_source);
-      last = next;
-      last_source = source;
-    }
-    list_.Set(kept++, last, last_source);
-    list_.size = kept;
-  }
-
   // Drops windows of list_ that lose all they hold to those in `passed`, and
   // keeps what is left there, too. What came of useless ones is dropped
   // wherever it has got to, so nothing may lose to these.
@@ -229,7 +190,13 @@ class alignas(kCacheLine) ListWorker {
       DropStale(0, passed_);
       late_ += list_.size;
       const size_t before = list_.size;
-      list_.KeepIf(0, [&](size_t i) { return !LosesAll(i, length); });
+      list_.KeepIf(0, [&](size_t i) {
+        return !LosesAll<Exact>(
+            Window::Over(list_.IntervalAt(i), list_.OriginAt(i)), length,
+            passed_.size, [this](size_t k) {
+              return Window::Over(passed_.IntervalAt(k), passed_.OriginAt(k));
+            });
+      });
       lost_ += before - list_.size;
       if (list_.size == 0) return;
       blocks_.Drop(std::exchange(passed, nullptr));
@@ -239,29 +206,6 @@ class alignas(kCacheLine) ListWorker {
     passed_.Append(list_);
     envelope_.Merge(length, middle, passed_);
     if (passed_.size > 0) passed = blocks_.Store(passed_);
-  }
-
-  // Whether the windows of passed_ are nearer on all that window i of list_
-  // holds, but for what is too narrow to hold.
-  bool LosesAll(size_t i, double length) const {
-    const Window window = Window::Over(list_.IntervalAt(i), list_.OriginAt(i));
-    double reached = window.interval.begin;
-    for (size_t k = 0; k < passed_.size; ++k) {
-      const Interval overlap{std::max(passed_.begin[k], window.interval.begin),
-                             std::min(passed_.end[k], window.interval.end)};
-      if (overlap.width() <= 0) continue;
-      if (!IsLost({reached, overlap.begin}, window.origin, length)) {
-        return false;
-      }
-      const Window older =
-          Window::Over(passed_.IntervalAt(k), passed_.OriginAt(k));
-      if (WonByNewer(older, window).width() > 0) return false;
-      if constexpr (Front::Accuracy::kMerges) {
-        if (SplitBeforeContest(older, window).has_value()) return false;
-      }
-      reached = overlap.end;
-    }
-    return IsLost({reached, window.interval.end}, window.origin, length);
   }
 
   // Drops useless windows from `first` on.
@@ -308,7 +252,7 @@ class alignas(kCacheLine) ListWorker {
   FaceCrossing<Front> crossing_;
   WindowColumns& list_;  // of crossing_
   WindowColumns opened_, passed_;
-  BasicEnvelope<typename Front::Accuracy> envelope_;
+  Envelope envelope_;
 };
 
 }  // namespace geodesic

@@ -24,13 +24,14 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "geodesic/mesh.h"
+#include "solver/rules/trimming.h"
+#include "solver/windows/window.h"
 #include "solver/windows/window_blocks.h"
 
 namespace geodesic {
@@ -43,11 +44,10 @@ class PassedWindows {
   // What crosses a half-edge so often is kept there.
   static constexpr uint32_t kMany = 64;
 
-  // Without a sample, for so many half-edges, only what crosses often is kept.
-  explicit PassedWindows(std::optional<uint32_t> half_edges)
-      : log_sample_(LogSampleOf(half_edges.value_or(0))),
-        sample_(half_edges ? (*half_edges >> log_sample_) + 1 : 0),
-        half_edges_(half_edges.value_or(0)) {}
+  explicit PassedWindows(uint32_t half_edges)
+      : log_sample_(LogSampleOf(half_edges)),
+        sample_((half_edges >> log_sample_) + 1),
+        half_edges_(half_edges) {}
 
   // Where the list of h is kept, null in it if there is none; nullptr if it is
   // not kept. `times`: how often lists have crossed there, this one included.
@@ -107,9 +107,7 @@ class PassedWindows {
   // Where the list of h is if it is kept, however seldom lists cross there.
   WindowBlock** Kept(HalfEdge h) {
     const uint32_t others = (uint32_t{1} << log_sample_) - 1;
-    if ((h & others) == 0 && !sample_.empty()) {
-      return &sample_[h >> log_sample_];
-    }
+    if ((h & others) == 0) return &sample_[h >> log_sample_];
     return keeps_all_ ? &all_[h] : nullptr;
   }
 
@@ -121,6 +119,29 @@ class PassedWindows {
   bool keeps_all_ = false;
   uint64_t late_ = 0, lost_ = 0;
 };
+
+// Whether older windows of the half-edge are nearer on all that a window holds,
+// but for what is too narrow to hold. older_at(k): window k of `count`, which
+// are disjoint and sorted.
+template <typename Accuracy, typename OlderAt>
+bool LosesAll(const Window& window, double length, size_t count,
+              OlderAt older_at) {
+  double reached = window.interval.begin;
+  for (size_t k = 0; k < count; ++k) {
+    const Window older = older_at(k);
+    const Interval overlap{
+        std::max(older.interval.begin, window.interval.begin),
+        std::min(older.interval.end, window.interval.end)};
+    if (overlap.width() <= 0) continue;
+    if (!IsLost({reached, overlap.begin}, window.origin, length)) return false;
+    if (WonByNewer(older, window).width() > 0) return false;
+    if constexpr (Accuracy::kMerges) {
+      if (SplitBeforeContest(older, window).has_value()) return false;
+    }
+    reached = overlap.end;
+  }
+  return IsLost({reached, window.interval.end}, window.origin, length);
+}
 
 }  // namespace geodesic
 

@@ -1,0 +1,372 @@
+// Windows within a tolerance: neighbours that wait at a half-edge together are
+// merged before they cross its face (docs/algorithm.md, 22).
+//
+// As with the list rule (list_rule.h), windows that wait at a half-edge are
+// trimmed against each other when it is due, cross together and are forgotten.
+// But lists hold one or two windows here, and what a list costs beside its
+// windows would be most of the time: so windows lie one by one, each in a cache
+// line of its own with the distances at its ends, and everything is done at
+// once, by one thread.
+
+#ifndef GEODESIC_SOLVER_RULES_MERGING_RULE_H_
+#define GEODESIC_SOLVER_RULES_MERGING_RULE_H_
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "geodesic/distance_field.h"
+#include "geodesic/mesh.h"
+#include "solver/accuracy.h"
+#include "solver/rules/face_corners.h"
+#include "solver/rules/front.h"
+#include "solver/rules/merging.h"
+#include "solver/rules/passed_windows.h"
+#include "solver/rules/shadow_fan.h"
+#include "solver/rules/window_envelope.h"
+#include "solver/windows/window.h"
+#include "solver/windows/window_lists.h"
+#include "tolerances.h"
+
+namespace geodesic {
+
+// REQUIRES: the front's origins are points, its accuracy WithinTolerance, and
+// the mesh has no faces without area.
+template <typename Front>
+class MergingRule {
+ public:
+  // The most half-edges and vertices that are propagated together.
+  static constexpr size_t kMostTogether = 1024;
+
+  explicit MergingRule(Front& front)
+      : front_(front),
+        mesh_(front.mesh()),
+        waiting_(front.mesh().half_edge_count(), kNone) {}
+
+  // Adds a pseudo-source's window over what it sees of a half-edge.
+  void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
+            const Interval& interval) {
+    const auto window = front_.UsefulWindow(half_edge, origin, interval);
+    if (window.has_value()) Wait(half_edge, *window, pseudo_source);
+  }
+
+  // Sources were added: nothing here depends on them.
+  void Restart() {}
+
+  // Expands vertices (numbers with kVertexEvent) and propagates all that waits
+  // at half-edges across their faces. Returns how many windows were propagated;
+  // whatever is named twice counts once. Vertices come first: where the two
+  // alternate the processor mispredicts the branch between them.
+  uint64_t Propagate(std::span<const uint32_t> ids) {
+    half_edges_.clear();
+    vertices_.clear();
+    for (const uint32_t id : ids) {
+      if (id & kVertexEvent) {
+        vertices_.push_back(id & ~kVertexEvent);
+      } else {
+        __builtin_prefetch(&waiting_[id]);
+        half_edges_.push_back(id);
+      }
+    }
+    DirectSink sink(front_, *this);
+    for (size_t i = 0; i < vertices_.size(); ++i) {
+      if (i + 2 < vertices_.size()) front_.PrefetchFan(vertices_[i + 2]);
+      if (front_.TakeEvent(vertices_[i])) front_.Expand(vertices_[i], sink);
+    }
+    uint64_t propagated = 0;
+    for (size_t i = 0; i < half_edges_.size(); ++i) {
+      Prefetch(i);
+      propagated += Cross(half_edges_[i]);
+    }
+    return propagated;
+  }
+
+  uint64_t created() const { return created_; }
+  uint64_t pending() const { return pending_; }
+  uint64_t peak_windows() const { return peak_; }
+  uint64_t bytes() const {
+    return waiting_.capacity() * sizeof(uint32_t) +
+           windows_.capacity() * sizeof(Waiting) + crossings_.capacity();
+  }
+
+ private:
+  static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
+
+  // One that waits: a cache line.
+  struct alignas(64) Waiting {
+    Window window;
+    uint32_t pseudo_source;
+    uint32_t next;  // at the half-edge, or of those that are free
+  };
+  static_assert(sizeof(Waiting) == 64);
+
+  // The first that waits at a half-edge has the least label, with which the
+  // half-edge is queued.
+  void Wait(HalfEdge h, const Window& window, uint32_t pseudo_source) {
+    ++created_;
+    peak_ = std::max(peak_, ++pending_);
+    const uint32_t added = New();
+    Waiting& waiting = windows_[added];
+    waiting.window = window;
+    waiting.pseudo_source = pseudo_source;
+    uint32_t& first = waiting_[h];
+    const double label = window.Label();
+    if (first == kNone || label < windows_[first].window.Label()) {
+      waiting.next = first;
+      first = added;
+      front_.queue().Push(h, label);
+    } else {
+      waiting.next = windows_[first].next;
+      windows_[first].next = added;
+    }
+  }
+
+  uint32_t New() {
+    if (free_ == kNone) {
+      windows_.emplace_back();
+      return static_cast<uint32_t>(windows_.size() - 1);
+    }
+    const uint32_t id = free_;
+    free_ = windows_[id].next;
+    return id;
+  }
+
+  // Fetches into cache what half-edges after the i-th will need. Each stage
+  // needs what the one before has fetched.
+  void Prefetch(size_t i) const {
+    const size_t size = half_edges_.size();
+    if (i + 16 < size) {
+      const HalfEdge h = half_edges_[i + 16];
+      front_.PrefetchFace(h);
+      if (waiting_[h] != kNone) __builtin_prefetch(&windows_[waiting_[h]]);
+    }
+    if (i + 8 < size) {
+      const HalfEdge h = half_edges_[i + 8];
+      front_.PrefetchCorners(h);
+      for (const Exit exit :
+           {mesh_.frame(h).left_exit, mesh_.frame(h).right_exit}) {
+        if (exit < kIrregularExit) __builtin_prefetch(&waiting_[exit]);
+      }
+    }
+  }
+
+  // Propagates all that waits at h. Returns how many windows that were.
+  uint64_t Cross(HalfEdge h) {
+    if (waiting_[h] == kNone) return 0;
+    const double length = mesh_.frame(h).length;
+    Take(h, length);
+    std::vector<ListedWindow>& list = envelope_.windows();
+    if (list.size() > 1) MergeNeighbours(list);
+    ++crossed_;
+    if (WindsUp(h)) MeetPassed(h, length, list);
+    if (list.empty()) return 0;
+    if (front_.Watches(h)) {
+      for (const ListedWindow& listed : list) {
+        front_.Observe(h, listed.window, listed.pseudo_source);
+      }
+    }
+    const FaceCorners corners(mesh_, h);
+    if (crossings_to_apex_.size() < list.size()) {
+      crossings_to_apex_.resize(2 * list.size());
+    }
+    ReachApex(h, corners.apex, list);
+    Leave(FaceSide<kLeft>(mesh_, h), corners.from, corners.apex, list);
+    Leave(FaceSide<kRight>(mesh_, h), corners.apex, corners.to, list);
+    return list.size();
+  }
+
+  // Moves what waits at h and is of use to the envelope.
+  void Take(HalfEdge h, double length) {
+    envelope_.Start(length);
+    std::vector<ListedWindow>& list = envelope_.windows();
+    for (uint32_t id = std::exchange(waiting_[h], kNone); id != kNone;) {
+      Waiting& waiting = windows_[id];
+      --pending_;
+      // If the pseudo-source has improved, a newer window is on its way, or
+      // those of a straight path to it are.
+      if (waiting.window.origin.sigma <=
+          front_.PseudoSourceDistance(waiting.pseudo_source)) {
+        list.push_back({waiting.window, waiting.pseudo_source});
+      }
+      const uint32_t next = std::exchange(waiting.next, free_);
+      free_ = std::exchange(id, next);
+    }
+    if (list.size() < 2) return;
+    std::ranges::sort(list, {}, [](const ListedWindow& listed) {
+      return listed.window.interval.begin;
+    });
+    taken_.swap(list);
+    list.clear();
+    for (const ListedWindow& listed : taken_) envelope_.Add(listed);
+  }
+
+  // Merges neighbours while their accounts allow it.
+  void MergeNeighbours(std::vector<ListedWindow>& list) const {
+    const double share = front_.accuracy().share();
+    const double merge_share = std::min(kPartOfAccount * share, kMostOfLabel);
+    size_t kept = 0;
+    MergedWindow merged;
+    for (size_t i = 1; i < list.size(); ++i) {
+      ListedWindow& last = list[kept];
+      const ListedWindow& next = list[i];
+      const double label = std::min(last.window.Label(), next.window.Label());
+      if (FindMerged(last.window, next.window, merge_share * label, merged)) {
+        const double account = std::max(
+            front_.AccountOf(last.pseudo_source) + merged.below_first,
+            front_.AccountOf(next.pseudo_source) + merged.below_second);
+        if (account <= share * label) {
+          last = {merged.window, MergedWithAccount(account)};
+          continue;
+        }
+      }
+      if (++kept != i) list[kept] = next;
+    }
+    list.resize(kept + 1);
+  }
+
+  // Relaxes the apex.
+  void ReachApex(HalfEdge h, uint32_t vertex,
+                 const std::vector<ListedWindow>& list) {
+    const HalfEdgeFrame& frame = mesh_.frame(h);
+    const PlanePoint apex = ApexOf(frame);
+    double best = front_.distance(vertex);
+    double upper = front_.UpperBound(vertex);
+    const size_t none = list.size();
+    size_t nearest = none, surest = none;
+    double missed_by = 0;
+    for (size_t i = 0; i < list.size(); ++i) {
+      const auto& [interval, origin, begin_distance, end_distance] =
+          list[i].window;
+      const double crossing = CrossingTo(origin, apex);
+      crossings_to_apex_[i] = crossing;
+      // Paths through the point of the interval nearest to the ray into the
+      // apex are real, and straight if the ray is in there.
+      const double through = std::clamp(crossing, interval.begin, interval.end);
+      const double missed = std::abs(through - crossing);
+      if (missed > 0 && missed > NearMiss(origin, frame, apex)) continue;
+      const double distance = PathToPlace(origin, through, crossing, apex);
+      const double bound = distance + front_.AccountOf(list[i].pseudo_source);
+      if (Front::Improves(bound, upper)) {
+        upper = bound;
+        surest = i;
+      }
+      if (!Front::Improves(distance, best)) continue;
+      best = distance;
+      nearest = i;
+      missed_by = missed;
+    }
+    const auto arrival = [&](size_t i) {
+      const Origin& origin = list[i].window.origin;
+      return Arrival{list[i].pseudo_source, h, origin.x, origin.depth};
+    };
+    if (nearest != none) {
+      front_.Relax(vertex, best, arrival(nearest),
+                   RayPast(mesh_, h, list[nearest].window.origin, missed_by));
+    }
+    // Not the nearest, so no ray of it bends at the apex.
+    if (surest != none && surest != nearest) {
+      front_.Relax(vertex, upper - front_.AccountOf(list[surest].pseudo_source),
+                   arrival(surest));
+    }
+  }
+
+  // Hands on what leaves a face by a side, which runs from -> to, seen from
+  // beyond.
+  template <Side kSide>
+  void Leave(const FaceSide<kSide>& side, uint32_t from, uint32_t to,
+             const std::vector<ListedWindow>& list) {
+    if (side.exit == kNoHalfEdge) return;
+    for (size_t i = 0; i < list.size(); ++i) {
+      const auto& [interval, origin, begin_distance, end_distance] =
+          list[i].window;
+      const double crossing = crossings_to_apex_[i];
+      if (!side.IsReached(interval, crossing)) continue;
+      const Window child =
+          Window::Over(side.InExit(side.Hit(origin, interval, crossing)),
+                       Unfold(side, origin));
+      if (IsLost(child.interval, child.origin, side.length) ||
+          front_.EndsAreNearer(child, side.length, from, to)) {
+        continue;
+      }
+      if (side.exit < kIrregularExit) {
+        Wait(side.exit, child, list[i].pseudo_source);
+        continue;
+      }
+      front_.Cross(
+          side.half_edge, child.origin, child.interval,
+          [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
+            Wait(half_edge, Window::Over(through, seen), list[i].pseudo_source);
+          });
+    }
+  }
+
+  // Whether windows may go round and round at h (passed_windows.h): so many
+  // lists have crossed there since there were more of them than there should
+  // be.
+  bool WindsUp(HalfEdge h) {
+    if (crossed_ <= kFewLists + kListsPerVertex * front_.reached())
+      return false;
+    if (crossings_.empty()) crossings_.resize(waiting_.size());
+    if (crossings_[h] == PassedWindows::kMany) return true;
+    ++crossings_[h];
+    return false;
+  }
+
+  // Drops windows that lose all they hold to those that have crossed before,
+  // and keeps what is left for those that come later.
+  void MeetPassed(HalfEdge h, double length, std::vector<ListedWindow>& list) {
+    std::vector<ListedWindow>& passed = passed_[h];
+    std::erase_if(passed, [this](const ListedWindow& listed) {
+      return listed.window.origin.sigma >
+             front_.PseudoSourceDistance(listed.pseudo_source);
+    });
+    std::erase_if(list, [&](const ListedWindow& listed) {
+      return LosesAll<WithinTolerance>(
+          listed.window, length, passed.size(),
+          [&passed](size_t k) { return passed[k].window; });
+    });
+    if (list.empty() || passed.size() + list.size() > PassedWindows::kMost) {
+      return;
+    }
+    envelope_of_passed_.Start(length);
+    for (const ListedWindow& listed : passed) {
+      envelope_of_passed_.Append(listed);
+    }
+    for (const ListedWindow& listed : list) envelope_of_passed_.Add(listed);
+    passed = envelope_of_passed_.windows();
+  }
+
+  // So many lists cross faces for each vertex that is reached before windows
+  // are suspected of going round; 3 to 4 do on real meshes.
+  static constexpr uint64_t kListsPerVertex = 12;
+  static constexpr uint64_t kFewLists = 4096;
+
+  Front& front_;
+  const Mesh& mesh_;
+  std::vector<uint32_t> waiting_;  // by half-edge, into windows_
+  std::vector<Waiting> windows_;
+  uint32_t free_ = kNone;           // of windows_
+  uint64_t crossed_ = 0;            // lists
+  std::vector<uint8_t> crossings_;  // by half-edge; empty until suspected
+  std::unordered_map<HalfEdge, std::vector<ListedWindow>> passed_;
+
+  // Scratch, kept for its memory.
+  std::vector<uint32_t> vertices_;
+  std::vector<HalfEdge> half_edges_;
+  std::vector<ListedWindow> taken_;
+  std::vector<double> crossings_to_apex_;
+  WindowEnvelope<WithinTolerance> envelope_, envelope_of_passed_;
+
+  uint64_t pending_ = 0;
+  uint64_t peak_ = 0;
+  uint64_t created_ = 0;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SOLVER_RULES_MERGING_RULE_H_

@@ -1,0 +1,50 @@
+// Trimming windows of one half-edge one by one: what is left is their lower
+// envelope.
+
+#ifndef GEODESIC_SOLVER_RULES_WINDOW_ENVELOPE_H_
+#define GEODESIC_SOLVER_RULES_WINDOW_ENVELOPE_H_
+
+#include <vector>
+
+#include "solver/windows/window.h"
+#include "solver/windows/window_lists.h"
+
+namespace geodesic {
+
+// Windows that are disjoint and sorted. Scratch that keeps its memory.
+//
+// Two exact windows change over once at most (envelope.h). The origins of
+// windows that stand for several lie anywhere, so where Accuracy is
+// WithinTolerance windows are split first.
+template <typename Accuracy>
+class WindowEnvelope {
+ public:
+  // Forgets all. `length`: of the half-edge.
+  void Start(double length) {
+    length_ = length;
+    windows_.clear();
+  }
+
+  // Adds a window, which counts as newer than those here, as far as it is
+  // nearer than they, and trims them. What is too narrow is dropped.
+  // O(windows that it meets or that begin after it).
+  void Add(const ListedWindow& window);
+  // Adds one that meets none of those here and begins after all of them.
+  void Append(const ListedWindow& window) { windows_.push_back(window); }
+
+  std::vector<ListedWindow>& windows() { return windows_; }
+
+ private:
+  void AddInside(const ListedWindow& window);
+  void Contest(const ListedWindow& window);
+  void CutLast(const Interval& part);
+  void Push(const ListedWindow& window, const Interval& part);
+
+  double length_ = 0;
+  std::vector<ListedWindow> windows_;
+  std::vector<ListedWindow> aside_;  // a stack
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_SOLVER_RULES_WINDOW_ENVELOPE_H_
