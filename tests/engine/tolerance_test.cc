@@ -87,7 +87,7 @@ TEST_F(EngineToleranceTest, SoDoesOneThatKeepsPaths) {
 }
 
 TEST_F(EngineToleranceTest, NoFieldWithinOneAnswersForAnother) {
-  const FieldAnswer fine = Within(1e-6);
+  const FieldAnswer fine = Within(1e-5);
   const FieldAnswer coarse = Within(1e-2);
   EXPECT_EQ(fine.origin, FieldOrigin::kComputed);
   EXPECT_EQ(coarse.origin, FieldOrigin::kComputed);
@@ -95,11 +95,11 @@ TEST_F(EngineToleranceTest, NoFieldWithinOneAnswersForAnother) {
       << "pairs are exact";
   const FieldAnswer exact = Within(0);
   EXPECT_EQ(exact.origin, FieldOrigin::kComputed);
-  ExpectCertified(*fine.field, 1e-6, *exact.field);
+  ExpectCertified(*fine.field, 1e-5, *exact.field);
   ExpectCertified(*coarse.field, 1e-2, *exact.field);
-  EXPECT_GT(coarse.field->certified_error, 1e-6);
+  EXPECT_GT(coarse.field->certified_error, 1e-5);
   // Each has its own, also beside the exact one.
-  EXPECT_EQ(Within(1e-6).field, fine.field);
+  EXPECT_EQ(Within(1e-5).field, fine.field);
   EXPECT_EQ(Within(1e-2).field, coarse.field);
   EXPECT_EQ(Within(0).field, exact.field);
 }

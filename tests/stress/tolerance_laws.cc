@@ -52,7 +52,7 @@ void CheckToleranceLaws(const Scene& scene, Random& random, Report& report) {
   }
   const std::vector<double> exact = AllDistances(*scene.mesh, query, report);
   if (exact.empty()) return;
-  query.tolerance = std::pow(10, random.Uniform(-6, -1));
+  query.tolerance = std::pow(10, random.Uniform(-5, -1));
   NoCheckpoint checkpoint;
   const std::unique_ptr<Computation> computation =
       StartComputation(*scene.mesh, test::Valid(*scene.mesh, query), {})

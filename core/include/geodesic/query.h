@@ -54,7 +54,7 @@ struct Query {
   // [kLeastTolerance, kMostTolerance]. DEFAULT: 0, exact. Otherwise fwp-list
   // merges windows, which takes less time on large meshes, and the field
   // certifies the error of every distance (DistanceField::certified_errors). A
-  // trace, whatever else runs, and what is asked for within less than 1e-6 is
+  // trace, whatever else runs, and what is asked for within less than 1e-5 is
   // exact: ValidQuery then has 0 here.
   double tolerance = 0;
 

@@ -117,11 +117,11 @@ bool IsTolerance(double tolerance) {
          (tolerance >= kLeastTolerance && tolerance <= kMostTolerance);
 }
 
-// So little is merged below this that an exact field takes less time: 0.5 to
-// 0.8 of it at 1e-7 (docs/performance.md).
-constexpr double kLeastMerged = 1e-6;
+// So little is merged below this that an exact field takes less time, up to a
+// million faces and more (docs/performance.md).
+constexpr double kLeastMerged = 1e-5;
 
-// Only lists of windows are merged, and no trace leads back through a merged
+// Only windows in the order of fwp-list are merged, and no trace leads back through a merged
 // window; all else is exact. REQUIRES: query.algorithm is the one that runs.
 double ToleranceFor(const Query& query) {
   const bool merges = query.algorithm == Algorithm::kFwpList && !query.trace &&

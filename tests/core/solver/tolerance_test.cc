@@ -24,7 +24,7 @@
 namespace geodesic::test {
 namespace {
 
-constexpr double kTolerances[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1};
+constexpr double kTolerances[] = {1e-5, 1e-4, 1e-3, 1e-2, 0.1};
 
 // A few thousand vertices each: smooth, rough, flat, closed and bounded,
 // needles.
@@ -123,7 +123,7 @@ TEST(ToleranceTest, AnswersAreMuchNearerThanTheBound) {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(scene);
     Query query{.sources = {{VertexPoint{7}}}};
     const std::vector<double> truth = SolveOrFail(*mesh, query).distances;
-    for (const double tolerance : {1e-6, 1e-3, 1e-2}) {
+    for (const double tolerance : {1e-5, 1e-3, 1e-2}) {
       SCOPED_TRACE(tolerance);
       query.tolerance = tolerance;
       NoCheckpoint checkpoint;
@@ -173,7 +173,7 @@ TEST(ToleranceTest, WindowsBecomeFewer) {
   NoCheckpoint checkpoint;
   const uint64_t exact = SolveOrFail(*mesh, query).statistics.windows_created;
   uint64_t last = exact;
-  for (const double tolerance : {1e-6, 1e-5, 1e-3}) {
+  for (const double tolerance : {1e-5, 1e-4, 1e-3}) {
     query.tolerance = tolerance;
     const auto field = Solve(*mesh, query, {}, checkpoint);
     ASSERT_TRUE(field.ok());
@@ -186,11 +186,11 @@ TEST(ToleranceTest, WindowsBecomeFewer) {
 TEST(ToleranceTest, SmallOnesAreAnsweredExactly) {
   const std::shared_ptr<const Mesh> mesh =
       BuildOrFail({"terrain", Terrain(20, 20, 0.6, 3)});
-  for (const double tolerance : {kLeastTolerance, 9e-7, 1e-6}) {
+  for (const double tolerance : {kLeastTolerance, 9e-6, 1e-5}) {
     const absl::StatusOr<ValidQuery> query = ValidQuery::Make(
         {.sources = {{VertexPoint{0}}}, .tolerance = tolerance}, *mesh);
     ASSERT_TRUE(query.ok());
-    EXPECT_EQ((*query)->tolerance, tolerance < 1e-6 ? 0 : tolerance);
+    EXPECT_EQ((*query)->tolerance, tolerance < 1e-5 ? 0 : tolerance);
   }
 }
 
@@ -247,7 +247,7 @@ TEST(ToleranceTest, WhatStopsEarlyIsCertifiedUpToWhereItStopped) {
     const std::shared_ptr<const Mesh> mesh = BuildOrFail(scene);
     Query query = Question(scene.soup, random);
     const DistanceField exact = SolveOrFail(*mesh, query);
-    query.tolerance = std::pow(10, random.Uniform(-6, -1));
+    query.tolerance = std::pow(10, random.Uniform(-5, -1));
     const auto computation = StartComputation(*mesh, Valid(*mesh, query), {});
     ASSERT_TRUE(computation.ok());
     NoCheckpoint patient;
