@@ -32,8 +32,8 @@ inline constexpr uint32_t kMergedWindow = 0x80000000u;
 inline bool IsMerged(uint32_t pseudo_source) {
   return (pseudo_source & kMergedWindow) != 0;
 }
-inline uint32_t MergedWithAccount(double account) {
-  return std::bit_cast<uint32_t>(RoundedUp(account)) | kMergedWindow;
+inline uint32_t MergedWithAccount(float account) {
+  return std::bit_cast<uint32_t>(account) | kMergedWindow;
 }
 inline float AccountOfMerged(uint32_t pseudo_source) {
   return std::bit_cast<float>(pseudo_source & ~kMergedWindow);

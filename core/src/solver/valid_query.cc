@@ -121,8 +121,9 @@ bool IsTolerance(double tolerance) {
 // million faces and more (docs/performance.md).
 constexpr double kLeastMerged = 1e-5;
 
-// Only windows in the order of fwp-list are merged, and no trace leads back through a merged
-// window; all else is exact. REQUIRES: query.algorithm is the one that runs.
+// Only windows in the order of fwp-list are merged, and no trace leads back
+// through a merged window; all else is exact. REQUIRES: query.algorithm is the
+// one that runs.
 double ToleranceFor(const Query& query) {
   const bool merges = query.algorithm == Algorithm::kFwpList && !query.trace &&
                       query.tolerance >= kLeastMerged;

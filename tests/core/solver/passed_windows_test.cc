@@ -26,6 +26,8 @@
 namespace geodesic {
 namespace {
 
+using Passed = PassedWindows<WindowBlock*>;
+
 DistanceField FromPole(const Mesh& mesh, Algorithm algorithm,
                        uint32_t threads = 1, uint32_t source = 0) {
   NoCheckpoint checkpoint;
@@ -194,7 +196,7 @@ TEST(PassedWindows, LeaveANarrowWindowOfANearPseudoSourceWhatItHolds) {
 
 TEST(PassedWindows, KeepASampleUntilLateWindowsOftenLose) {
   constexpr uint32_t kHalfEdges = 1 << 20;
-  PassedWindows passed(kHalfEdges);
+  Passed passed(kHalfEdges);
   WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
   ASSERT_NE(passed.At(32, 1), nullptr);
   EXPECT_EQ(passed.At(33, 1), nullptr);
@@ -208,7 +210,7 @@ TEST(PassedWindows, KeepASampleUntilLateWindowsOftenLose) {
 }
 
 TEST(PassedWindows, AreForgottenForTheNextSearch) {
-  PassedWindows passed(1 << 16);
+  Passed passed(1 << 16);
   WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
   for (int search = 0; search < 2; ++search) {
     SCOPED_TRACE(search);
@@ -225,17 +227,17 @@ TEST(PassedWindows, AreForgottenForTheNextSearch) {
 }
 
 TEST(PassedWindows, KeepWhatCrossesOften) {
-  PassedWindows passed(1 << 16);
+  Passed passed(1 << 16);
   WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
-  EXPECT_EQ(passed.At(35, PassedWindows::kMany - 1), nullptr);
-  ASSERT_NE(passed.At(35, PassedWindows::kMany), nullptr);
-  *passed.At(35, PassedWindows::kMany) = &block;
-  EXPECT_EQ(*passed.At(33, PassedWindows::kMany), nullptr);
-  EXPECT_EQ(*passed.At(35, PassedWindows::kMany), &block);
+  EXPECT_EQ(passed.At(35, Passed::kMany - 1), nullptr);
+  ASSERT_NE(passed.At(35, Passed::kMany), nullptr);
+  *passed.At(35, Passed::kMany) = &block;
+  EXPECT_EQ(*passed.At(33, Passed::kMany), nullptr);
+  EXPECT_EQ(*passed.At(35, Passed::kMany), &block);
   std::vector<WindowBlock*> dropped;
   passed.Clear({}, [&](WindowBlock* list) { dropped.push_back(list); });
   EXPECT_THAT(dropped, testing::UnorderedElementsAre(&block, nullptr));
-  EXPECT_EQ(*passed.At(35, PassedWindows::kMany), nullptr);
+  EXPECT_EQ(*passed.At(35, Passed::kMany), nullptr);
 }
 
 }  // namespace

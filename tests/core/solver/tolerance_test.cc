@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -181,6 +182,43 @@ TEST(ToleranceTest, WindowsBecomeFewer) {
     last = field->statistics.windows_created;
   }
   EXPECT_LT(last, exact / 3);
+}
+
+// From a pole, and from one that is drawn out to a needle, late windows follow
+// the wavefront unless those that have passed are known.
+TEST(ToleranceTest, WindowsAreNoMoreAroundPoles) {
+  NoCheckpoint checkpoint;
+  for (const auto& [meridians, bands, length] :
+       {std::tuple{20u, 500u, 1.0}, {100u, 10u, 1.0}, {400u, 8u, 1e5}}) {
+    SCOPED_TRACE(testing::Message() << meridians << " x " << bands);
+    TriangleSoup sphere = UvSphere(meridians, bands);
+    for (auto& position : sphere.positions) position[2] *= length;
+    const auto mesh = BuildOrFail({"sphere", sphere});
+    Query query{.sources = {{VertexPoint{0}}}};
+    const uint64_t exact =
+        SolveOrFail(*mesh, query).statistics.windows_propagated;
+    for (const double tolerance : {1e-5, 1e-3}) {
+      query.tolerance = tolerance;
+      const auto field = Solve(*mesh, query, {}, checkpoint);
+      ASSERT_TRUE(field.ok()) << field.status();
+      EXPECT_LT(field->statistics.windows_propagated, exact + exact / 10);
+    }
+  }
+}
+
+// Accounts are single numbers, of which none is below 1e-45.
+TEST(ToleranceTest, TinyPartsOfAMeshAreWithinTheBound) {
+  TriangleSoup soup = MakeGrid({.columns = 12, .rows = 12, .jitter = 0.2});
+  for (auto& position : soup.positions) {
+    for (double& coordinate : position) coordinate *= 1e-44;
+  }
+  const auto mesh = BuildOrFail(
+      {"tiny", Join(soup, {.positions = {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}},
+                           .triangles = {{0, 1, 2}}})});
+  Query query{.sources = {{VertexPoint{0}}}};
+  const DistanceField exact = SolveOrFail(*mesh, query);
+  query.tolerance = 1e-3;
+  ExpectCertified(SolveOrFail(*mesh, query), query.tolerance, exact);
 }
 
 TEST(ToleranceTest, SmallOnesAreAnsweredExactly) {

@@ -132,10 +132,11 @@ class ListRule {
 
  private:
   using Worker = ListWorker<Front>;
+  using Passed = PassedWindows<WindowBlock*>;
 
   // Nothing waits; added to it, how often lists have crossed from there.
   static constexpr uint32_t kNothing =
-      std::numeric_limits<uint32_t>::max() - PassedWindows::kMany;
+      std::numeric_limits<uint32_t>::max() - Passed::kMany;
   // Rounds of fewer events are not worth a team's start.
   static constexpr size_t kLeastShared = 32;
   // How many events a thread takes at a time.
@@ -147,7 +148,7 @@ class ListRule {
     WaitingLists last = {};  // of the chains
     uint32_t member = 0;     // who has handed on the latest
     HalfEdge half_edge = kNoHalfEdge;
-    uint32_t crossings = 0;  // so far, up to PassedWindows::kMany
+    uint32_t crossings = 0;  // so far, up to Passed::kMany
   };
   // One of the round.
   struct Event {
@@ -198,8 +199,7 @@ class ListRule {
     for (const uint32_t id : ids) {
       if ((id & kVertexEvent) || !Waits(id)) continue;
       const Queued& queued = queues_[waiting_[id]];
-      const uint32_t times =
-          std::min(queued.crossings + 1, PassedWindows::kMany);
+      const uint32_t times = std::min(queued.crossings + 1, Passed::kMany);
       give(queued.member,
            {.id = id, .lists = queued.lists, .passed = passed_.At(id, times)});
       free_.push_back(waiting_[id]);
@@ -354,7 +354,7 @@ class ListRule {
   std::vector<HalfEdge> crossed_;  // with a goal only
   std::vector<Queued> queues_;
   std::vector<uint32_t> free_;  // of queues_
-  PassedWindows passed_;
+  Passed passed_;
   BlockPool pool_;
   std::deque<Worker> workers_;      // by member of the team
   std::optional<ThreadTeam> team_;  // once a round was wide enough

@@ -202,7 +202,7 @@ class alignas(kCacheLine) ListWorker {
       blocks_.Drop(std::exchange(passed, nullptr));
     }
     const size_t middle = passed_.size;
-    if (middle + list_.size > PassedWindows::kMost) return;
+    if (middle + list_.size > PassedWindows<WindowBlock*>::kMost) return;
     passed_.Append(list_);
     envelope_.Merge(length, middle, passed_);
     if (passed_.size > 0) passed = blocks_.Store(passed_);

@@ -17,7 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "geodesic/distance_field.h"
@@ -46,7 +46,8 @@ class MergingRule {
   explicit MergingRule(Front& front)
       : front_(front),
         mesh_(front.mesh()),
-        waiting_(front.mesh().half_edge_count(), kNone) {}
+        waiting_(front.mesh().half_edge_count(), kNone),
+        passed_(front.mesh().half_edge_count()) {}
 
   // Adds a pseudo-source's window over what it sees of a half-edge.
   void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
@@ -79,10 +80,12 @@ class MergingRule {
       if (front_.TakeEvent(vertices_[i])) front_.Expand(vertices_[i], sink);
     }
     uint64_t propagated = 0;
+    late_ = lost_ = 0;
     for (size_t i = 0; i < half_edges_.size(); ++i) {
       Prefetch(i);
       propagated += Cross(half_edges_[i]);
     }
+    passed_.Count(late_, lost_);
     return propagated;
   }
 
@@ -91,11 +94,15 @@ class MergingRule {
   uint64_t peak_windows() const { return peak_; }
   uint64_t bytes() const {
     return waiting_.capacity() * sizeof(uint32_t) +
-           windows_.capacity() * sizeof(Waiting) + crossings_.capacity();
+           windows_.capacity() * sizeof(Waiting) + passed_.bytes() +
+           crossings_.capacity();
   }
 
  private:
   static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
+
+  // A list is a chain in windows_: the number of its first, and 1.
+  using Passed = PassedWindows<uint32_t>;
 
   // One that waits: a cache line.
   struct alignas(64) Waiting {
@@ -136,6 +143,11 @@ class MergingRule {
     return id;
   }
 
+  void Free(uint32_t id) {
+    windows_[id].next = free_;
+    free_ = id;
+  }
+
   // Fetches into cache what half-edges after the i-th will need. Each stage
   // needs what the one before has fetched.
   void Prefetch(size_t i) const {
@@ -162,8 +174,9 @@ class MergingRule {
     Take(h, length);
     std::vector<ListedWindow>& list = envelope_.windows();
     if (list.size() > 1) MergeNeighbours(list);
-    ++crossed_;
-    if (WindsUp(h)) MeetPassed(h, length, list);
+    if (uint32_t* const passed = passed_.At(h, CountCrossing(h))) {
+      MeetPassed(length, *passed, list);
+    }
     if (list.empty()) return 0;
     if (front_.Watches(h)) {
       for (const ListedWindow& listed : list) {
@@ -180,29 +193,35 @@ class MergingRule {
     return list.size();
   }
 
+  // If the pseudo-source has improved, a newer window is on its way, or those
+  // of a straight path to it are.
+  bool IsOfUse(const Waiting& waiting) const {
+    return waiting.window.origin.sigma <=
+           front_.PseudoSourceDistance(waiting.pseudo_source);
+  }
+
   // Moves what waits at h and is of use to the envelope.
   void Take(HalfEdge h, double length) {
     envelope_.Start(length);
-    std::vector<ListedWindow>& list = envelope_.windows();
+    taken_.clear();
     for (uint32_t id = std::exchange(waiting_[h], kNone); id != kNone;) {
-      Waiting& waiting = windows_[id];
+      const Waiting& waiting = windows_[id];
+      const uint32_t next = waiting.next;
       --pending_;
-      // If the pseudo-source has improved, a newer window is on its way, or
-      // those of a straight path to it are.
-      if (waiting.window.origin.sigma <=
-          front_.PseudoSourceDistance(waiting.pseudo_source)) {
-        list.push_back({waiting.window, waiting.pseudo_source});
+      if (IsOfUse(waiting)) {
+        taken_.emplace_back(waiting.window.interval.begin, id);
+      } else {
+        Free(id);
       }
-      const uint32_t next = std::exchange(waiting.next, free_);
-      free_ = std::exchange(id, next);
+      id = next;
     }
-    if (list.size() < 2) return;
-    std::ranges::sort(list, {}, [](const ListedWindow& listed) {
-      return listed.window.interval.begin;
-    });
-    taken_.swap(list);
-    list.clear();
-    for (const ListedWindow& listed : taken_) envelope_.Add(listed);
+    if (taken_.size() > 1) std::ranges::sort(taken_);
+    for (const auto& [begin, id] : taken_) {
+      const ListedWindow listed = {windows_[id].window,
+                                   windows_[id].pseudo_source};
+      taken_.size() == 1 ? envelope_.Append(listed) : envelope_.Add(listed);
+      Free(id);
+    }
   }
 
   // Merges neighbours while their accounts allow it.
@@ -216,9 +235,9 @@ class MergingRule {
       const ListedWindow& next = list[i];
       const double label = std::min(last.window.Label(), next.window.Label());
       if (FindMerged(last.window, next.window, merge_share * label, merged)) {
-        const double account = std::max(
+        const float account = RoundedUp(std::max(
             front_.AccountOf(last.pseudo_source) + merged.below_first,
-            front_.AccountOf(next.pseudo_source) + merged.below_second);
+            front_.AccountOf(next.pseudo_source) + merged.below_second));
         if (account <= share * label) {
           last = {merged.window, MergedWithAccount(account)};
           continue;
@@ -305,40 +324,48 @@ class MergingRule {
     }
   }
 
-  // Whether windows may go round and round at h (passed_windows.h): so many
-  // lists have crossed there since there were more of them than there should
-  // be.
-  bool WindsUp(HalfEdge h) {
-    if (crossed_ <= kFewLists + kListsPerVertex * front_.reached())
-      return false;
+  // How often lists have crossed at h, this one included, since there were more
+  // of them in all than there should be.
+  uint32_t CountCrossing(HalfEdge h) {
+    if (++crossed_ <= kFewLists + kListsPerVertex * front_.reached()) return 1;
     if (crossings_.empty()) crossings_.resize(waiting_.size());
-    if (crossings_[h] == PassedWindows::kMany) return true;
-    ++crossings_[h];
-    return false;
+    crossings_[h] += crossings_[h] < Passed::kMany;
+    return crossings_[h];
   }
 
-  // Drops windows that lose all they hold to those that have crossed before,
-  // and keeps what is left for those that come later.
-  void MeetPassed(HalfEdge h, double length, std::vector<ListedWindow>& list) {
-    std::vector<ListedWindow>& passed = passed_[h];
-    std::erase_if(passed, [this](const ListedWindow& listed) {
-      return listed.window.origin.sigma >
-             front_.PseudoSourceDistance(listed.pseudo_source);
-    });
-    std::erase_if(list, [&](const ListedWindow& listed) {
-      return LosesAll<WithinTolerance>(
-          listed.window, length, passed.size(),
-          [&passed](size_t k) { return passed[k].window; });
-    });
-    if (list.empty() || passed.size() + list.size() > PassedWindows::kMost) {
-      return;
-    }
+  // As ListWorker::MeetPassed.
+  void MeetPassed(double length, uint32_t& passed,
+                  std::vector<ListedWindow>& list) {
     envelope_of_passed_.Start(length);
-    for (const ListedWindow& listed : passed) {
-      envelope_of_passed_.Append(listed);
+    std::vector<ListedWindow>& older = envelope_of_passed_.windows();
+    for (uint32_t id = passed; id != 0; id = windows_[id - 1].next) {
+      const Waiting& kept = windows_[id - 1];
+      if (IsOfUse(kept)) older.push_back({kept.window, kept.pseudo_source});
     }
+    if (passed != 0) {
+      late_ += list.size();
+      lost_ += std::erase_if(list, [&](const ListedWindow& listed) {
+        return LosesAll<WithinTolerance>(
+            listed.window, length, older.size(),
+            [&older](size_t k) { return older[k].window; });
+      });
+      if (list.empty()) return;
+      DropPassed(passed);
+    }
+    if (older.size() + list.size() > Passed::kMost) return;
     for (const ListedWindow& listed : list) envelope_of_passed_.Add(listed);
-    passed = envelope_of_passed_.windows();
+    for (size_t i = older.size(); i-- > 0;) {
+      const uint32_t added = New();
+      windows_[added] = {older[i].window, older[i].pseudo_source, passed};
+      passed = added + 1;
+    }
+  }
+  void DropPassed(uint32_t& passed) {
+    while (passed != 0) {
+      const uint32_t id = passed - 1;
+      passed = windows_[id].next;
+      Free(id);
+    }
   }
 
   // So many lists cross faces for each vertex that is reached before windows
@@ -353,12 +380,13 @@ class MergingRule {
   uint32_t free_ = kNone;           // of windows_
   uint64_t crossed_ = 0;            // lists
   std::vector<uint8_t> crossings_;  // by half-edge; empty until suspected
-  std::unordered_map<HalfEdge, std::vector<ListedWindow>> passed_;
+  Passed passed_;
+  uint64_t late_ = 0, lost_ = 0;  // as PassedWindows counts them
 
   // Scratch, kept for its memory.
   std::vector<uint32_t> vertices_;
   std::vector<HalfEdge> half_edges_;
-  std::vector<ListedWindow> taken_;
+  std::vector<std::pair<double, uint32_t>> taken_;  // where they begin
   std::vector<double> crossings_to_apex_;
   WindowEnvelope<WithinTolerance> envelope_, envelope_of_passed_;
 

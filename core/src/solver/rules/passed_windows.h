@@ -32,10 +32,11 @@
 #include "geodesic/mesh.h"
 #include "solver/rules/trimming.h"
 #include "solver/windows/window.h"
-#include "solver/windows/window_blocks.h"
 
 namespace geodesic {
 
+// List: what names a list; a List() names none.
+template <typename List>
 class PassedWindows {
  public:
   // Longer lists are not kept.
@@ -49,11 +50,12 @@ class PassedWindows {
         sample_((half_edges >> log_sample_) + 1),
         half_edges_(half_edges) {}
 
-  // Where the list of h is kept, null in it if there is none; nullptr if it is
-  // not kept. `times`: how often lists have crossed there, this one included.
-  // Valid until Count. Threads may use different half-edges' lists at once.
-  WindowBlock** At(HalfEdge h, uint32_t times) {
-    WindowBlock** const kept = Kept(h);
+  // Where the list of h is kept, List() in it if there is none; nullptr if it
+  // is not kept. `times`: how often lists have crossed there, this one
+  // included. Valid until Count. Threads may use different half-edges' lists at
+  // once.
+  List* At(HalfEdge h, uint32_t times) {
+    List* const kept = Kept(h);
     return kept != nullptr || times < kMany ? kept : &often_[h];
   }
 
@@ -64,9 +66,9 @@ class PassedWindows {
     for (const auto& [h, list] : often_) drop(list);
     often_.clear();
     for (const HalfEdge h : crossed) {
-      WindowBlock** const kept = Kept(h);
-      if (kept != nullptr && *kept != nullptr) {
-        drop(std::exchange(*kept, nullptr));
+      List* const kept = Kept(h);
+      if (kept != nullptr && *kept != List()) {
+        drop(std::exchange(*kept, List()));
       }
     }
     keeps_all_ = false;
@@ -89,7 +91,7 @@ class PassedWindows {
 
   // Without those of half-edges that are crossed often, which are few.
   uint64_t bytes() const {
-    return (sample_.capacity() + all_.capacity()) * sizeof(void*);
+    return (sample_.capacity() + all_.capacity()) * sizeof(List);
   }
 
  private:
@@ -105,16 +107,16 @@ class PassedWindows {
   }
 
   // Where the list of h is if it is kept, however seldom lists cross there.
-  WindowBlock** Kept(HalfEdge h) {
+  List* Kept(HalfEdge h) {
     const uint32_t others = (uint32_t{1} << log_sample_) - 1;
     if ((h & others) == 0) return &sample_[h >> log_sample_];
     return keeps_all_ ? &all_[h] : nullptr;
   }
 
   uint32_t log_sample_;
-  std::vector<WindowBlock*> sample_;  // lists of the sample
-  std::vector<WindowBlock*> all_;     // of the others, by half-edge
-  std::unordered_map<HalfEdge, WindowBlock*> often_;
+  std::vector<List> sample_;  // lists of the sample
+  std::vector<List> all_;     // of the others, by half-edge
+  std::unordered_map<HalfEdge, List> often_;
   uint32_t half_edges_;
   bool keeps_all_ = false;
   uint64_t late_ = 0, lost_ = 0;
