@@ -183,7 +183,7 @@ TEST(PassedWindows, LeaveANarrowWindowOfANearPseudoSourceWhatItHolds) {
     worker.Clear();
     worker.Open(kCrossed, 0, origin, interval);
     const WaitingLists lists = {worker.handed_on()[0].list, nullptr};
-    return worker.Cross(kCrossed, lists, &passed).propagated;
+    return worker.Cross(kCrossed, lists, &passed, false).propagated;
   };
   const double middle = length / 2, gap = 1e-13 * length;
   const Origin far = {.x = middle, .depth = length};

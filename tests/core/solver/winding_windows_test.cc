@@ -114,6 +114,43 @@ TEST_P(WindingWindows, EndInSearches) {
   }
 }
 
+// From the rim of a cone so slender that a straight line past its tip goes
+// round a million times.
+TEST(SlenderCones, EndWindingWindows) {
+  for (const uint32_t sides : {5u, 16u, 40u}) {
+    for (const double slope : {1e3, 1e5, 3e6, 1e7, 3e7, 1e9, 1e11}) {
+      TriangleSoup cone{.positions = {{0, 0, 0}}};
+      for (uint32_t k = 0; k < sides; ++k) {
+        const double angle = 2 * std::numbers::pi * k / sides;
+        cone.positions.push_back({std::cos(angle), std::sin(angle), slope});
+        cone.triangles.push_back({0, k + 1, (k + 1) % sides + 1});
+      }
+      const auto mesh = test::BuildOrFail({"cone", cone});
+      for (const double tolerance : {0.0, 1e-3}) {
+        SCOPED_TRACE(testing::Message() << sides << " sides, slope " << slope
+                                        << ", within " << tolerance);
+        test::WindowLimit limit(kMostWindows);
+        const auto field = Solve(
+            *mesh, Query{.sources = {{VertexPoint{2}}}, .tolerance = tolerance},
+            {}, limit);
+        ASSERT_TRUE(field.ok()) << field.status();
+        // Laid into the plane, the rim lies on a circle around the tip.
+        const double radius = std::hypot(1, slope);
+        const double chord = 2 * std::sin(std::numbers::pi / sides);
+        const double face = 2 * std::asin(chord / 2 / radius);
+        for (uint32_t k = 0; k < sides; ++k) {
+          const uint32_t away = k > 1 ? k - 1 : 1 - k;
+          const double angle = face * std::min(away, sides - away);
+          const double expected = 2 * radius * std::sin(angle / 2);
+          EXPECT_NEAR(field->distances[k + 1], expected,
+                      std::max(tolerance, 1e-10) * expected)
+              << k;
+        }
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(AwayFromTheTip, WindingWindows,
                          testing::Values(1e-16, 1e-15, 1e-14, 1e-13, 1e-12,
                                          1e-11, 1e-10, 1e-8, 1e-6, 1e-4, 0.01,

@@ -156,6 +156,7 @@ class ListRule {
     uint32_t member;                 // who has done it
     WaitingLists lists;              // of a half-edge
     WindowBlock** passed = nullptr;  // what is kept there (PassedWindows::At)
+    bool is_often = false;           // lists have crossed there kMany times
     typename Worker::Outcome outcome;
   };
   // What came of events in a row that one member has done in a row.
@@ -200,8 +201,10 @@ class ListRule {
       if ((id & kVertexEvent) || !Waits(id)) continue;
       const Queued& queued = queues_[waiting_[id]];
       const uint32_t times = std::min(queued.crossings + 1, Passed::kMany);
-      give(queued.member,
-           {.id = id, .lists = queued.lists, .passed = passed_.At(id, times)});
+      give(queued.member, {.id = id,
+                           .lists = queued.lists,
+                           .passed = passed_.At(id, times),
+                           .is_often = times == Passed::kMany});
       free_.push_back(waiting_[id]);
       waiting_[id] = kNothing + times;
       if constexpr (Front::Goal::kDirects) {
@@ -243,7 +246,8 @@ class ListRule {
       Worker& worker = workers_[member];
       event.outcome = event.id & kVertexEvent
                           ? worker.Expand(event.id & ~kVertexEvent)
-                          : worker.Cross(event.id, event.lists, event.passed);
+                          : worker.Cross(event.id, event.lists, event.passed,
+                                         event.is_often);
     }
   }
 

@@ -22,6 +22,7 @@
 #include "solver/rules/face_crossing.h"
 #include "solver/rules/passed_windows.h"
 #include "solver/rules/shadow_fan.h"
+#include "solver/rules/winding.h"
 #include "solver/thread_team.h"
 #include "solver/windows/window_blocks.h"
 #include "solver/windows/window_columns.h"
@@ -79,10 +80,13 @@ class alignas(kCacheLine) ListWorker {
         list_(crossing_.list()) {}
 
   // Takes and frees the lists that wait at h. What has crossed is kept in
-  // `passed`, unless that is null (PassedWindows::At).
-  Outcome Cross(HalfEdge h, const WaitingLists& lists, WindowBlock** passed) {
+  // `passed`, unless that is null (PassedWindows::At). Where lists cross often,
+  // windows may go round and round.
+  Outcome Cross(HalfEdge h, const WaitingLists& lists, WindowBlock** passed,
+                bool is_often) {
     Outcome outcome{.begin = Here()};
     outcome.waited = Take(lists, mesh_.frame(h).length);
+    if (is_often) DropWinding(h);
     if (passed != nullptr) MeetPassed(mesh_.frame(h).length, *passed);
     outcome.propagated = static_cast<uint32_t>(list_.size);
     if (list_.size > 0) CrossFace(h);
@@ -178,6 +182,13 @@ class alignas(kCacheLine) ListWorker {
       }
     }
     return waited;
+  }
+
+  void DropWinding(HalfEdge h) {
+    list_.KeepIf(0, [&](size_t i) {
+      return !ComesBack(mesh_, h,
+                        Window::Over(list_.IntervalAt(i), list_.OriginAt(i)));
+    });
   }
 
   // Drops windows of list_ that lose all they hold to those in `passed`, and

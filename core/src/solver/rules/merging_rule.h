@@ -28,6 +28,7 @@
 #include "solver/rules/merging.h"
 #include "solver/rules/passed_windows.h"
 #include "solver/rules/shadow_fan.h"
+#include "solver/rules/winding.h"
 #include "solver/rules/window_envelope.h"
 #include "solver/windows/window.h"
 #include "solver/windows/window_lists.h"
@@ -174,7 +175,14 @@ class MergingRule {
     Take(h, length);
     std::vector<ListedWindow>& list = envelope_.windows();
     if (list.size() > 1) MergeNeighbours(list);
-    if (uint32_t* const passed = passed_.At(h, CountCrossing(h))) {
+    const uint32_t times = CountCrossing(h);
+    if (times == Passed::kMany) {
+      std::erase_if(list, [&](const ListedWindow& listed) {
+        return !IsMerged(listed.pseudo_source) &&
+               ComesBack(mesh_, h, listed.window);
+      });
+    }
+    if (uint32_t* const passed = passed_.At(h, times)) {
       MeetPassed(length, *passed, list);
     }
     if (list.empty()) return 0;
