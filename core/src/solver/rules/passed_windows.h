@@ -91,7 +91,7 @@ class PassedWindows {
 
   // Without those of half-edges that are crossed often, which are few.
   uint64_t bytes() const {
-    return (sample_.capacity() + all_.capacity()) * sizeof(List);
+    return std::span(sample_).size_bytes() + std::span(all_).size_bytes();
   }
 
  private:
