@@ -16,6 +16,7 @@
 // those of the turn before, but after a million turns at the soonest to a
 // filter, and where a turn is less than a rounding never. So what crosses at a
 // half-edge for the 64th time is kept from then on, whatever half-edge it is.
+// (There the lines of windows are followed back, too: winding.h.)
 
 #ifndef GEODESIC_SOLVER_RULES_PASSED_WINDOWS_H_
 #define GEODESIC_SOLVER_RULES_PASSED_WINDOWS_H_
