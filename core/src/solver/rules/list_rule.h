@@ -49,7 +49,7 @@
 
 namespace geodesic {
 
-// REQUIRES: the front's origins are points.
+// REQUIRES: the front's origins are points, and its accuracy is Exact.
 template <typename Front>
 class ListRule {
  public:

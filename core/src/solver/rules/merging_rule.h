@@ -32,6 +32,7 @@
 #include "solver/rules/window_envelope.h"
 #include "solver/windows/window.h"
 #include "solver/windows/window_lists.h"
+#include "solver/windows/window_pool.h"
 #include "tolerances.h"
 
 namespace geodesic {
@@ -94,9 +95,8 @@ class MergingRule {
   uint64_t pending() const { return pending_; }
   uint64_t peak_windows() const { return peak_; }
   uint64_t bytes() const {
-    return waiting_.capacity() * sizeof(uint32_t) +
-           windows_.capacity() * sizeof(Waiting) + passed_.bytes() +
-           crossings_.capacity();
+    return waiting_.capacity() * sizeof(uint32_t) + windows_.bytes() +
+           passed_.bytes() + crossings_.capacity();
   }
 
  private:
@@ -109,7 +109,7 @@ class MergingRule {
   struct alignas(64) Waiting {
     Window window;
     uint32_t pseudo_source;
-    uint32_t next;  // at the half-edge, or of those that are free
+    uint32_t next;  // at the half-edge
   };
   static_assert(sizeof(Waiting) == 64);
 
@@ -118,35 +118,15 @@ class MergingRule {
   void Wait(HalfEdge h, const Window& window, uint32_t pseudo_source) {
     ++created_;
     peak_ = std::max(peak_, ++pending_);
-    const uint32_t added = New();
-    Waiting& waiting = windows_[added];
-    waiting.window = window;
-    waiting.pseudo_source = pseudo_source;
     uint32_t& first = waiting_[h];
     const double label = window.Label();
     if (first == kNone || label < windows_[first].window.Label()) {
-      waiting.next = first;
-      first = added;
+      first = windows_.Allocate({window, pseudo_source, first});
       front_.queue().Push(h, label);
     } else {
-      waiting.next = windows_[first].next;
-      windows_[first].next = added;
+      uint32_t& next = windows_[first].next;
+      next = windows_.Allocate({window, pseudo_source, next});
     }
-  }
-
-  uint32_t New() {
-    if (free_ == kNone) {
-      windows_.emplace_back();
-      return static_cast<uint32_t>(windows_.size() - 1);
-    }
-    const uint32_t id = free_;
-    free_ = windows_[id].next;
-    return id;
-  }
-
-  void Free(uint32_t id) {
-    windows_[id].next = free_;
-    free_ = id;
   }
 
   // Fetches into cache what half-edges after the i-th will need. Each stage
@@ -156,7 +136,7 @@ class MergingRule {
     if (i + 16 < size) {
       const HalfEdge h = half_edges_[i + 16];
       front_.PrefetchFace(h);
-      if (waiting_[h] != kNone) __builtin_prefetch(&windows_[waiting_[h]]);
+      if (waiting_[h] != kNone) windows_.Prefetch(waiting_[h]);
     }
     if (i + 8 < size) {
       const HalfEdge h = half_edges_[i + 8];
@@ -219,7 +199,7 @@ class MergingRule {
       if (IsOfUse(waiting)) {
         taken_.emplace_back(waiting.window.interval.begin, id);
       } else {
-        Free(id);
+        windows_.Free(id);
       }
       id = next;
     }
@@ -227,8 +207,12 @@ class MergingRule {
     for (const auto& [begin, id] : taken_) {
       const ListedWindow listed = {windows_[id].window,
                                    windows_[id].pseudo_source};
-      taken_.size() == 1 ? envelope_.Append(listed) : envelope_.Add(listed);
-      Free(id);
+      if (taken_.size() == 1) {
+        envelope_.Append(listed);
+      } else {
+        envelope_.Add(listed);
+      }
+      windows_.Free(id);
     }
   }
 
@@ -363,16 +347,16 @@ class MergingRule {
     if (older.size() + list.size() > Passed::kMost) return;
     for (const ListedWindow& listed : list) envelope_of_passed_.Add(listed);
     for (size_t i = older.size(); i-- > 0;) {
-      const uint32_t added = New();
-      windows_[added] = {older[i].window, older[i].pseudo_source, passed};
-      passed = added + 1;
+      passed =
+          windows_.Allocate({older[i].window, older[i].pseudo_source, passed}) +
+          1;
     }
   }
   void DropPassed(uint32_t& passed) {
     while (passed != 0) {
       const uint32_t id = passed - 1;
       passed = windows_[id].next;
-      Free(id);
+      windows_.Free(id);
     }
   }
 
@@ -384,8 +368,7 @@ class MergingRule {
   Front& front_;
   const Mesh& mesh_;
   std::vector<uint32_t> waiting_;  // by half-edge, into windows_
-  std::vector<Waiting> windows_;
-  uint32_t free_ = kNone;           // of windows_
+  WindowPool<Waiting> windows_;
   uint64_t crossed_ = 0;            // lists
   std::vector<uint8_t> crossings_;  // by half-edge; empty until suspected
   Passed passed_;
