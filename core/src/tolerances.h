@@ -197,6 +197,11 @@ inline constexpr double kAsLong = 1e-11;
 // coordinates, which are about 1 at the most.
 inline constexpr double kRoundedPlace = 1e-14;
 
+// A walk back along a path has gone astray where a vertex is farther, by this
+// fraction of the path, than along the walk: far more than rounding, far less
+// than an edge.
+inline constexpr double kAstray = 1e-6;
+
 // A stretch between two points of a path that is shorter than this fraction of
 // the path gives it no direction there: its ends are off by about 1e-15 of it.
 // Asked only beside faces without area, which have no plane to tell it.

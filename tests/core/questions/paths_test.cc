@@ -40,6 +40,30 @@ std::vector<SurfacePoint> RandomPoints(const TriangleSoup& soup, uint32_t count,
   return points;
 }
 
+// Triangles on edges of each other, many of them on the same few, so that there
+// are hundreds of ways through a few edges; some are given twice.
+TriangleSoup RandomComplex(uint64_t seed) {
+  constexpr size_t kFaces = 36;
+  Random random(seed);
+  TriangleSoup soup{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                    .triangles = {{0, 1, 2}}};
+  while (soup.triangles.size() < kFaces) {
+    const auto count = static_cast<uint32_t>(soup.triangles.size());
+    const Triangle on = soup.triangles[random.Below(std::min(count, 3u))];
+    const uint32_t side = random.Below(3);
+    if (random.Below(8) == 0) {
+      soup.triangles.push_back({on[1], on[0], on[2]});
+      continue;
+    }
+    Point tip = soup.positions[on[side]];
+    for (double& coordinate : tip) coordinate += random.Uniform(-0.4, 0.4);
+    soup.triangles.push_back({on[side], on[(side + 1) % 3],
+                              static_cast<uint32_t>(soup.positions.size())});
+    soup.positions.push_back(tip);
+  }
+  return soup;
+}
+
 class Paths : public EveryAlgorithm {
  protected:
   // From vertices, from points in faces and on edges, and from all of them at
@@ -189,6 +213,12 @@ TEST_P(Paths, AcrossEdgesOfManyFaces) {
   for (const bool turned : {false, true}) {
     const TriangleSoup book = Book(grid, 3);
     CheckPaths({"book", turned ? TurnFaces(book, 5) : book});
+  }
+}
+
+TEST_P(Paths, ThroughEdgesOfVeryManyFaces) {
+  for (uint64_t seed = 0; seed < 30; ++seed) {
+    CheckPaths({absl::StrCat("complex ", seed), RandomComplex(seed)});
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -30,6 +32,9 @@ double CrossingOf(const PlanePoint& end, const PlanePoint& way) {
   return way.y < 0 ? end.x + way.x * std::min(end.y / -way.y, 1.0) : end.x;
 }
 
+// On the other side of AB.
+PlanePoint Opposite(const PlanePoint& at) { return {at.x, -at.y}; }
+
 // A face beyond an edge, by its half-edge there. A mirrored one runs along the
 // edge in the same direction, so that its frame is turned over.
 struct FaceBeyond {
@@ -40,7 +45,7 @@ struct FaceBeyond {
 // From the frame of a half-edge into that of a face beyond.
 BackLine Enter(const FaceBeyond& face, const BackLine& line, double length) {
   if (face.is_mirrored) {
-    return {{line.end.x, -line.end.y}, {line.way.x, -line.way.y}};
+    return {Opposite(line.end), Opposite(line.way)};
   }
   return {{length - line.end.x, -line.end.y}, {-line.way.x, -line.way.y}};
 }
@@ -77,43 +82,50 @@ PlanePoint Quotient(const PlanePoint& to, const PlanePoint& from) {
 
 class Walker {
  public:
-  Walker(const TracedField& field, const PathEnd& end, uint32_t turns,
+  Walker(const TracedField& field, const PathEnd& end, std::vector<Fork>& forks,
          double nearness)
       : field_(field),
         mesh_(field.mesh()),
         end_(end),
-        turns_(turns),
+        forks_(forks),
         relative_nearness_(nearness),
         last_(end.point) {}
 
-  BackWalk Walk() {
+  std::optional<StraightPiece> Walk() {
     const uint32_t pseudo_source = end_.arrival.pseudo_source;
     const bool arrives = end_.arrival.entry == kNoHalfEdge
                              ? GoWithinFace(pseudo_source)
                              : GoThroughFaces(pseudo_source);
-    BackWalk walk{.ways = ways_};
-    if (arrives) walk.piece = std::move(piece_);
-    return walk;
+    if (!arrives) return std::nullopt;
+    return std::move(piece_);
   }
 
  private:
   uint32_t Choose(uint32_t ways) {
-    ways_ *= ways;
-    const uint32_t choice = turns_ % ways;
-    turns_ /= ways;
-    return choice;
+    if (passed_forks_ == forks_.size()) forks_.push_back({ways, 0});
+    return forks_[passed_forks_++].taken;
   }
 
-  // The face beyond h to go on in; nothing at a boundary.
+  // The face beyond h to go on in; nothing at a boundary, nor at an edge of
+  // several that was crossed before: no shortest path crosses an edge twice.
   std::optional<FaceBeyond> Beyond(HalfEdge h) {
     if (const HalfEdge twin = mesh_.Twin(h); twin != kNoHalfEdge) {
       return FaceBeyond{twin, false};
     }
+    // A face that is given twice is the same way to a vertex.
+    const bool is_to_vertex = field_.IsVertex(end_.arrival.pseudo_source);
     std::vector<FaceBeyond> faces;
     mesh_.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
+      const auto has_its_apex = [&](const FaceBeyond& face) {
+        return mesh_.Apex(face.half_edge) == mesh_.Apex(other);
+      };
+      if (is_to_vertex && std::ranges::any_of(faces, has_its_apex)) return;
       faces.push_back({other, is_mirrored});
     });
     if (faces.empty()) return std::nullopt;
+    const std::pair edge = std::minmax({mesh_.From(h), mesh_.To(h)});
+    if (std::ranges::find(forked_, edge) != forked_.end()) return std::nullopt;
+    forked_.push_back(edge);
     return faces[Choose(static_cast<uint32_t>(faces.size()))];
   }
 
@@ -256,6 +268,7 @@ class Walker {
       }
       const PlanePoint apex{frame.apex_x, frame.apex_y};
       if (PassesThrough(mesh_.Apex(beyond), apex, line, beyond)) return true;
+      if (IsAstray(beyond, line)) return false;
       // No window has crossed a side without length.
       const double left_length = mesh_.frame(Prev(beyond)).length;
       bool goes_right = mesh_.frame(Next(beyond)).length > 0;
@@ -270,6 +283,24 @@ class Walker {
     return false;
   }
 
+  // Whether the line has entered a face, of several beyond an edge, that the
+  // path has not come through: one of its corners is farther than a path that
+  // came along the line would be there.
+  bool IsAstray(HalfEdge beyond, const BackLine& line) const {
+    if (!mesh_.HasNonManifoldEdges()) return false;
+    const HalfEdgeFrame& frame = mesh_.frame(beyond);
+    const PlanePoint crossing{
+        CrossingOf(Opposite(line.end), Opposite(line.way)), 0};
+    const double left = end_.distance - Norm(line.end - crossing);
+    const auto is_farther = [&](uint32_t v, const PlanePoint& at) {
+      const double distance = field_.VertexDistance(v);
+      return std::isfinite(distance) &&
+             distance > left + Norm(at - crossing) + kAstray * end_.distance;
+    };
+    return is_farther(mesh_.From(beyond), {0, 0}) ||
+           is_farther(mesh_.To(beyond), {frame.length, 0}) ||
+           is_farther(mesh_.Apex(beyond), ApexOf(frame));
+  }
   // Whether the line passes a place as near as rounding.
   bool RunsInto(const PlanePoint& at, const BackLine& line) const {
     return std::abs(Cross(line.way, at - line.end)) <=
@@ -297,9 +328,10 @@ class Walker {
   const TracedField& field_;
   const Mesh& mesh_;
   const PathEnd& end_;
-  uint32_t turns_;  // those left
+  std::vector<Fork>& forks_;
+  size_t passed_forks_ = 0;
+  std::vector<std::pair<uint32_t, uint32_t>> forked_;  // edges, by their ends
   const double relative_nearness_;
-  double ways_ = 1;
   SurfacePoint last_;
   double nearness_ = 0;  // to a vertex at which the path passes it
   std::vector<CrossedEdge> crossed_;
@@ -309,9 +341,11 @@ class Walker {
 
 }  // namespace
 
-BackWalk WalkBack(const TracedField& field, const PathEnd& end, uint32_t turns,
-                  double nearness) {
-  return Walker(field, end, turns, nearness).Walk();
+std::optional<StraightPiece> WalkBack(const TracedField& field,
+                                      const PathEnd& end,
+                                      std::vector<Fork>& forks,
+                                      double nearness) {
+  return Walker(field, end, forks, nearness).Walk();
 }
 
 bool Coincide(const Mesh& mesh, const SurfacePoint& point, uint32_t vertex) {

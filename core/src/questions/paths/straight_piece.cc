@@ -74,18 +74,23 @@ bool MayPrecede(const TracedField& field, uint32_t vertex, const PathEnd& end) {
 // by, until it returns true.
 template <typename Take>
 bool WalkEveryWay(const TracedField& field, const PathEnd& end, Take take) {
-  // More are as rare as several vertices at one place, beside a source in a
-  // face without area.
-  constexpr double kMostWays = 256;
+  // No more are tried. Walks that go astray end soon (back_walk.cc), so that
+  // few are needed.
+  constexpr int kMostWalks = 1024;
   for (const double nearness : {kPassedVertex, kPassedNarrowly}) {
-    double ways = 1;
-    for (uint32_t turns = 0; turns < ways; ++turns) {
-      BackWalk walk = WalkBack(field, end, turns, nearness);
-      if (walk.piece.has_value() && LeadsAway(field, end, *walk.piece) &&
-          take(*walk.piece)) {
+    std::vector<Fork> forks;
+    for (int walks = 0; walks < kMostWalks; ++walks) {
+      std::optional<StraightPiece> piece =
+          WalkBack(field, end, forks, nearness);
+      if (piece.has_value() && LeadsAway(field, end, *piece) && take(*piece)) {
         return true;
       }
-      ways = std::max(ways, std::min(walk.ways, kMostWays));
+      // The last fork that has a way left.
+      while (!forks.empty() && forks.back().taken + 1 == forks.back().ways) {
+        forks.pop_back();
+      }
+      if (forks.empty()) break;
+      ++forks.back().taken;
     }
   }
   return false;
@@ -119,7 +124,8 @@ void TryEverything(const TracedField& field, const PathEnd& end, Take take) {
   const auto go_straight = [&](uint32_t pseudo_source) {
     PathEnd straight = end;
     straight.arrival = {.pseudo_source = pseudo_source};
-    if (auto piece = WalkBack(field, straight, 0).piece) take(*piece);
+    std::vector<Fork> forks;
+    if (auto piece = WalkBack(field, straight, forks)) take(*piece);
   };
   // Between vertices it takes an edge to be there.
   const uint32_t named = end.arrival.pseudo_source;

@@ -43,23 +43,23 @@ struct StraightPiece {
 absl::StatusOr<StraightPiece> FollowBack(const TracedField& field,
                                          const PathEnd& end);
 
-// One walk back along the last straight piece of a path, in one of the ways
-// there are where rounding leaves several (back_walk.cc).
-struct BackWalk {
-  // If the walk arrives. It need not be as long as the distances of its ends
-  // say, if this is not the way that the path came.
-  std::optional<StraightPiece> piece;
-  // In how many ways together it might have gone.
-  double ways = 1;
+// Where a walk may go on in several ways: how many there are, and which of them
+// it takes.
+struct Fork {
+  uint32_t ways, taken;
 };
 
 // Walks from `end` towards its pseudo-source. Where the line runs into a vertex
-// that it may not pass through, and where an edge has several faces beyond,
-// `turns` says which way to take: 0 and up to `ways` name them all. It is led
-// through vertices that it passes no farther than `nearness`, a fraction of its
-// reach, if that makes it no longer. O(edges crossed).
-BackWalk WalkBack(const TracedField& field, const PathEnd& end, uint32_t turns,
-                  double nearness = kPassedVertex);
+// that it may not pass through, and where an edge has several faces beyond, it
+// takes the ways that `forks` names, then the first of each, which it adds. It
+// is led through vertices that it passes no farther than `nearness`, a fraction
+// of its reach, if that makes it no longer. Nothing if it does not arrive. What
+// is found need not be as long as the distances of its ends say, if this is not
+// the way that the path came. O(edges crossed).
+std::optional<StraightPiece> WalkBack(const TracedField& field,
+                                      const PathEnd& end,
+                                      std::vector<Fork>& forks,
+                                      double nearness = kPassedVertex);
 
 // Whether a point is a vertex at the place of another.
 bool Coincide(const Mesh& mesh, const SurfacePoint& point, uint32_t vertex);
