@@ -168,6 +168,8 @@ class Mesh {
   // face.
   bool IsCollapsed(HalfEdge h) const;
   bool HasCollapsedFaces() const { return has_collapsed_faces_; }
+  // Whether there is a face so thin that windows may miss a vertex beside it.
+  bool HasThinFaces() const { return has_thin_faces_; }
 
   // Solver lengths are file lengths times 2^-scale_exponent, so that the
   // longest extent of the mesh is about 1 and no square overflows.
@@ -199,6 +201,8 @@ class Mesh {
   absl::Status BuildFrames(std::span<const Exit> exits, ConeAngles& angles,
                            Checkpoint& checkpoint);
   void BuildOutgoing(const TriangleSoup& soup);
+  // Whether the face of h is no higher than this part of its longest edge.
+  bool IsThinner(HalfEdge h, double part) const;
   // Whether the faces around v form one fan, closed or open.
   bool IsDisk(uint32_t v) const;
   void ClassifyVertices(std::span<const uint8_t> is_closed_fan,
@@ -215,6 +219,7 @@ class Mesh {
   std::vector<uint32_t> irregular_begin_;       // irregular edges + 1, if any
   std::vector<HalfEdge> irregular_half_edges_;  // their half-edges
   bool has_collapsed_faces_ = false;
+  bool has_thin_faces_ = false;
   int scale_exponent_ = 0;
   double mean_edge_length_ = 0;
 };

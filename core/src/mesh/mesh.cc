@@ -314,6 +314,7 @@ absl::Status Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles,
       sum += is_first ? frames[i].length : 0;
       edges += is_first;
     }
+    has_thin_faces_ = has_thin_faces_ || IsThinner(first, kThinFace);
     if (IsCollapsed(first)) {
       for (const uint32_t v : corners) kinds_[v] |= kPseudoSource;
       has_collapsed_faces_ = true;
@@ -341,11 +342,14 @@ void Mesh::BuildOutgoing(const TriangleSoup& soup) {
 }
 
 bool Mesh::IsCollapsed(HalfEdge h) const {
+  return IsThinner(h, kCollapsedFace);
+}
+
+bool Mesh::IsThinner(HalfEdge h, double part) const {
   const HalfEdgeFrame* sides = &frames_[h - h % 3];
   const double longest =
       std::max({sides[0].length, sides[1].length, sides[2].length});
-  return sides[0].length * sides[0].apex_y <=
-         kCollapsedFace * longest * longest;
+  return sides[0].length * sides[0].apex_y <= part * longest * longest;
 }
 
 bool Mesh::IsDisk(uint32_t v) const {

@@ -148,6 +148,20 @@ class TargetSearch::Impl {
     front_.goal().set_orders_by_label(std::isfinite(longest_));
     DirectSink sink(front_, rule_);
     for (const Anchor& anchor : anchors) front_.AddAnchor(anchor, sink);
+    // Vertices that windows miss beside thin faces are reached along edges, as
+    // in fields; or where the target is farther than a path that is known.
+    const bool may_miss = mesh_.HasThinFaces() || std::isinf(longest_);
+    do {
+      absl::Status status = Drain(checkpoint);
+      if (!status.ok() || !may_miss) return status;
+      // What is left there is beyond the limit.
+      queue_.Clear();
+    } while (front_.RelaxAlongEdgesToGoal());
+    return absl::OkStatus();
+  }
+
+  // Propagates all that is pending within the limit.
+  absl::Status Drain(Checkpoint& checkpoint) {
     uint64_t steps = kPollPeriod;
     for (;;) {
       if (steps >= kPollPeriod) {

@@ -193,12 +193,7 @@ class Propagation final : public Computation {
     const double radius = std::ldexp(reach.radius, -mesh().scale_exponent());
     uint64_t steps = 0;
     while (SettledRadius() <= radius) {
-      uint64_t taken = 0;
-      if constexpr (kTogether) {
-        taken = StepTogether();
-      } else {
-        taken = Step();
-      }
+      const uint64_t taken = Take();
       if (taken == 0) {
         if (front_.RelaxAlongEdges()) {
           queue_.Restart();
@@ -209,8 +204,6 @@ class Propagation final : public Computation {
         certified_radius_ = std::numeric_limits<double>::infinity();
         return Poll(checkpoint);
       }
-      statistics_.peak_wavefront =
-          std::max(statistics_.peak_wavefront, rule_.pending());
       steps += taken;
       if (steps >= kPollPeriod) {
         steps = 0;
@@ -221,8 +214,31 @@ class Propagation final : public Computation {
         if (HasTargets(reach.targets)) break;
       }
     }
+    if (mesh().HasThinFaces()) {
+      absl::Status status =
+          MendUpTo(std::min(radius, SettledRadius()), checkpoint);
+      if (!status.ok()) return status;
+    }
     CertifyUpTo(reach.radius);
     return Poll(checkpoint);
+  }
+
+  // Relaxes what windows have missed up to `limit`, and propagates what comes
+  // of it as far as all was settled.
+  absl::Status MendUpTo(double limit, Checkpoint& checkpoint) {
+    uint64_t steps = 0;
+    while (front_.RelaxAlongEdges(limit)) {
+      const double settled = SettledRadius();
+      while (SettledRadius() <= settled) {
+        const uint64_t taken = Take();
+        if (taken == 0) break;
+        steps += taken;
+        if (steps < kPollPeriod) continue;
+        steps = 0;
+        if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+      }
+    }
+    return absl::OkStatus();
   }
 
   void Seed() {
@@ -241,6 +257,19 @@ class Propagation final : public Computation {
 
   // Propagates what the queue gives next. Returns how many steps that were: 0
   // if nothing is left.
+  uint64_t Take() {
+    uint64_t taken = 0;
+    if constexpr (kTogether) {
+      taken = StepTogether();
+    } else {
+      taken = Step();
+    }
+    statistics_.peak_wavefront =
+        std::max(statistics_.peak_wavefront, rule_.pending());
+    return taken;
+  }
+
+  // The next one.
   uint64_t Step() {
     const uint32_t id = queue_.Pop();
     if (id == kNothing) return 0;
@@ -256,7 +285,7 @@ class Propagation final : public Computation {
     return 1;
   }
 
-  // The same for all whose order the queue knows already, as one step.
+  // All whose order the queue knows already.
   uint64_t StepTogether() {
     PopTogether(queue_, RuleType::kMostTogether, together_);
     for (const uint32_t id : together_) {
