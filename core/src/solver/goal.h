@@ -85,6 +85,7 @@ class Goal {
 
   // `landmarks` may be null; they outlive the search.
   void Aim(const SurfacePoint& target, const Landmarks* landmarks);
+  bool has_landmarks() const { return landmarks_ != nullptr; }
   // Forgets what was asked about since Aim. O(that).
   void Clear();
 

@@ -88,6 +88,7 @@ class RouteSearch {
   void TraceBack(uint32_t last, const Place& start, Route& route) const;
 
   const Mesh& mesh_;
+  double greed_ = 1;          // how many times bounds count
   std::vector<Known> known_;  // by vertex
   std::vector<uint32_t> touched_;
   BinaryHeap queue_{Tuning()};
