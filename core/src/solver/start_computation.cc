@@ -8,6 +8,7 @@
 #include "geodesic/algorithm.h"
 #include "geodesic/solve.h"
 #include "solver/accuracy.h"
+#include "solver/merged_computation.h"
 #include "solver/propagation.h"
 #include "solver/queues/binary_heap.h"
 #include "solver/queues/fifo.h"
@@ -84,9 +85,14 @@ absl::StatusOr<std::unique_ptr<Computation>> StartComputation(
   absl::StatusOr<Tuning> tuning = TuningFor(mesh, options);
   if (!tuning.ok()) return tuning.status();
   if (query->tolerance > 0) {
-    return std::make_unique<
-        Propagation<MergingRule, FwpBuckets, Origin, WithinTolerance>>(
-        mesh, query, *tuning, observer);
+    return std::make_unique<MergedComputation>(
+        mesh, query,
+        std::make_unique<
+            Propagation<MergingRule, FwpBuckets, Origin, WithinTolerance>>(
+            mesh, query, *tuning, observer),
+        [&mesh, options, observer](const ValidQuery& exact) {
+          return StartComputation(mesh, exact, options, observer);
+        });
   }
   return HasCurves(*query) ? Start<MixedOrigin>(mesh, query, *tuning, observer)
                            : Start<Origin>(mesh, query, *tuning, observer);

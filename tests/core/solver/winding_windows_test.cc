@@ -22,6 +22,7 @@
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/queries.h"
+#include "tests/support/random.h"
 
 namespace geodesic {
 namespace {
@@ -112,6 +113,54 @@ TEST_P(WindingWindows, EndInSearches) {
       EXPECT_NEAR(found->distances[0], expected, 1e-12 * expected);
     }
   }
+}
+
+// A flat tube of needles, along the x axis.
+TriangleSoup ThinTube(test::Random& random) {
+  constexpr uint32_t kRings = 72;
+  const double width = std::pow(10, random.Uniform(-8, -5));
+  const double noise = std::pow(10, random.Uniform(-8, -3));
+  const double height = random.Below(2) * width * random.Uniform(0, 0.1);
+  TriangleSoup tube;
+  for (uint32_t i = 0; i < kRings; ++i) {
+    const auto x = static_cast<double>(i);
+    const double beside = random.Uniform(-noise, noise);
+    tube.positions.push_back({x, 0, 0});
+    tube.positions.push_back(
+        {x, width * (1 + beside), random.Below(2) * width * beside});
+    tube.positions.push_back({x, width / 2, height});
+    if (i == 0) continue;
+    for (uint32_t side = 0; side < 3; ++side) {
+      const uint32_t a = 3 * i - 3 + side, b = 3 * i - 3 + (side + 1) % 3;
+      tube.triangles.push_back({a, a + 3, b + 3});
+      tube.triangles.push_back({a, b + 3, b});
+    }
+  }
+  return tube;
+}
+
+// Merged windows have no line to follow: where they wind, as on the last three
+// of these tubes, the answer is exact.
+TEST(ThinTubes, EndWithinTolerances) {
+  int exact = 0;
+  for (const uint64_t seed : {0, 1, 2, 63, 325, 1981}) {
+    test::Random random(seed);
+    const auto mesh = test::BuildOrFail({"tube", ThinTube(random)});
+    const Query query{.sources = {{VertexPoint{0}}}};
+    const DistanceField expected = test::SolveOrFail(*mesh, query);
+    Query merged = query;
+    merged.tolerance = 1e-3;
+    test::WindowLimit limit(1'000'000);
+    const auto field = Solve(*mesh, merged, {}, limit);
+    ASSERT_TRUE(field.ok()) << field.status() << ", seed " << seed;
+    exact += field->certified_error == 0;
+    for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+      EXPECT_NEAR(field->distances[v], expected.distances[v],
+                  1e-3 * expected.distances[v])
+          << seed << ", vertex " << v;
+    }
+  }
+  EXPECT_GT(exact, 0);
 }
 
 // From the rim of a cone so slender that a straight line past its tip goes

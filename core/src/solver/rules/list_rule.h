@@ -44,6 +44,7 @@
 #include "solver/rules/front.h"
 #include "solver/rules/list_worker.h"
 #include "solver/rules/passed_windows.h"
+#include "solver/rules/winding.h"
 #include "solver/thread_team.h"
 #include "solver/windows/window_blocks.h"
 
@@ -95,6 +96,7 @@ class ListRule {
     queues_.clear();
     free_.clear();
     pending_ = peak_ = created_ = 0;
+    winding_.Clear();
   }
 
   // Ends the threads; the next round starts others.
@@ -110,13 +112,15 @@ class ListRule {
     for (const Run& run : runs_) Relax(run);
     for (const Run& run : runs_) Enqueue(run);
     // Together: they decide in the same round for any number of threads.
-    uint64_t late = 0, lost = 0;
+    uint64_t late = 0, lost = 0, followed = 0;
     for (Worker& worker : workers_) {
       late += worker.late();
       lost += worker.lost();
+      followed += worker.followed();
       worker.Clear();
     }
     passed_.Count(late, lost);
+    winding_.Count(propagated, followed);
     return propagated;
   }
 
@@ -156,7 +160,7 @@ class ListRule {
     uint32_t member;                 // who has done it
     WaitingLists lists;              // of a half-edge
     WindowBlock** passed = nullptr;  // what is kept there (PassedWindows::At)
-    bool is_often = false;           // lists have crossed there kMany times
+    bool may_wind = false;           // whether to look for windows that do
     typename Worker::Outcome outcome;
   };
   // What came of events in a row that one member has done in a row.
@@ -201,10 +205,11 @@ class ListRule {
       if ((id & kVertexEvent) || !Waits(id)) continue;
       const Queued& queued = queues_[waiting_[id]];
       const uint32_t times = std::min(queued.crossings + 1, Passed::kMany);
-      give(queued.member, {.id = id,
-                           .lists = queued.lists,
-                           .passed = passed_.At(id, times),
-                           .is_often = times == Passed::kMany});
+      give(queued.member,
+           {.id = id,
+            .lists = queued.lists,
+            .passed = passed_.At(id, times),
+            .may_wind = times == Passed::kMany && winding_.MayLook()});
       free_.push_back(waiting_[id]);
       waiting_[id] = kNothing + times;
       if constexpr (Front::Goal::kDirects) {
@@ -247,7 +252,7 @@ class ListRule {
       event.outcome = event.id & kVertexEvent
                           ? worker.Expand(event.id & ~kVertexEvent)
                           : worker.Cross(event.id, event.lists, event.passed,
-                                         event.is_often);
+                                         event.may_wind);
     }
   }
 
@@ -359,6 +364,7 @@ class ListRule {
   std::vector<Queued> queues_;
   std::vector<uint32_t> free_;  // of queues_
   Passed passed_;
+  WindingWatch winding_;
   BlockPool pool_;
   std::deque<Worker> workers_;      // by member of the team
   std::optional<ThreadTeam> team_;  // once a round was wide enough

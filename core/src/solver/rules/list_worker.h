@@ -80,13 +80,13 @@ class alignas(kCacheLine) ListWorker {
         list_(crossing_.list()) {}
 
   // Takes and frees the lists that wait at h. What has crossed is kept in
-  // `passed`, unless that is null (PassedWindows::At). Where lists cross often,
-  // windows may go round and round.
+  // `passed`, unless that is null (PassedWindows::At). If windows may go round
+  // and round, those that do are dropped.
   Outcome Cross(HalfEdge h, const WaitingLists& lists, WindowBlock** passed,
-                bool is_often) {
+                bool may_wind) {
     Outcome outcome{.begin = Here()};
     outcome.waited = Take(lists, mesh_.frame(h).length);
-    if (is_often) DropWinding(h);
+    if (may_wind) DropWinding(h);
     if (passed != nullptr) MeetPassed(mesh_.frame(h).length, *passed);
     outcome.propagated = static_cast<uint32_t>(list_.size);
     if (list_.size > 0) CrossFace(h);
@@ -113,11 +113,13 @@ class alignas(kCacheLine) ListWorker {
   // Windows that met a list which had crossed before, and those that lost all.
   uint64_t late() const { return late_; }
   uint64_t lost() const { return lost_; }
+  // Faces through which lines were followed back.
+  uint64_t followed() const { return followed_; }
   void Clear() {
     relaxations_.clear();
     handed_on_.clear();
     observed_.clear();
-    late_ = lost_ = 0;
+    late_ = lost_ = followed_ = 0;
   }
 
   // As Front::Expand calls them.
@@ -187,7 +189,8 @@ class alignas(kCacheLine) ListWorker {
   void DropWinding(HalfEdge h) {
     list_.KeepIf(0, [&](size_t i) {
       return !ComesBack(mesh_, h,
-                        Window::Over(list_.IntervalAt(i), list_.OriginAt(i)));
+                        Window::Over(list_.IntervalAt(i), list_.OriginAt(i)),
+                        followed_);
     });
   }
 
@@ -257,7 +260,7 @@ class alignas(kCacheLine) ListWorker {
   std::vector<Relaxation> relaxations_;
   std::vector<HandedOn> handed_on_;
   std::vector<Observed> observed_;
-  uint64_t late_ = 0, lost_ = 0;
+  uint64_t late_ = 0, lost_ = 0, followed_ = 0;
 
   // Scratch, kept for its memory.
   FaceCrossing<Front> crossing_;

@@ -156,12 +156,7 @@ class MergingRule {
     std::vector<ListedWindow>& list = envelope_.windows();
     if (list.size() > 1) MergeNeighbours(list);
     const uint32_t times = CountCrossing(h);
-    if (times == Passed::kMany) {
-      std::erase_if(list, [&](const ListedWindow& listed) {
-        return !IsMerged(listed.pseudo_source) &&
-               ComesBack(mesh_, h, listed.window);
-      });
-    }
+    if (times == Passed::kMany && winding_.MayLook()) DropWinding(h, list);
     if (uint32_t* const passed = passed_.At(h, times)) {
       MeetPassed(length, *passed, list);
     }
@@ -178,6 +173,7 @@ class MergingRule {
     ReachApex(h, corners.apex, list);
     Leave(FaceSide<kLeft>(mesh_, h), corners.from, corners.apex, list);
     Leave(FaceSide<kRight>(mesh_, h), corners.apex, corners.to, list);
+    winding_.Count(list.size(), 0);
     return list.size();
   }
 
@@ -316,6 +312,15 @@ class MergingRule {
     }
   }
 
+  void DropWinding(HalfEdge h, std::vector<ListedWindow>& list) {
+    uint64_t followed = 0;
+    std::erase_if(list, [&](const ListedWindow& listed) {
+      return !IsMerged(listed.pseudo_source) &&
+             ComesBack(mesh_, h, listed.window, followed);
+    });
+    winding_.Count(0, followed);
+  }
+
   // How often lists have crossed at h, this one included, since there were more
   // of them in all than there should be.
   uint32_t CountCrossing(HalfEdge h) {
@@ -372,6 +377,7 @@ class MergingRule {
   uint64_t crossed_ = 0;            // lists
   std::vector<uint8_t> crossings_;  // by half-edge; empty until suspected
   Passed passed_;
+  WindingWatch winding_;
   uint64_t late_ = 0, lost_ = 0;  // as PassedWindows counts them
 
   // Scratch, kept for its memory.

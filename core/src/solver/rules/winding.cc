@@ -33,7 +33,8 @@ bool CrossFace(const Mesh& mesh, Line& line) {
 
 }  // namespace
 
-bool ComesBack(const Mesh& mesh, HalfEdge h, const Window& window) {
+bool ComesBack(const Mesh& mesh, HalfEdge h, const Window& window,
+               uint64_t& followed) {
   const HalfEdge back = mesh.Twin(h);
   if (back == kNoHalfEdge) return false;
   const double middle = (window.interval.begin + window.interval.end) / 2;
@@ -47,6 +48,7 @@ bool ComesBack(const Mesh& mesh, HalfEdge h, const Window& window) {
             .at = length - middle};
   const double way = 2 * window.origin.DistanceTo(middle);
   for (int turned = 0; turned < kMostTurned; ++turned) {
+    ++followed;
     if (!CrossFace(mesh, line)) return false;
     if (line.origin.DistanceTo(line.at) >= way) return false;
     if (line.half_edge == back) return true;
