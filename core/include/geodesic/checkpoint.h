@@ -13,7 +13,8 @@ namespace geodesic {
 
 // A snapshot of a running computation.
 struct Progress {
-  // Every distance <= settled_radius is final (file units). Never decreases.
+  // Every distance <= settled_radius is final (file units). Never decreases,
+  // but where a field within a tolerance is begun anew exactly.
   double settled_radius = 0;
   // Vertices relaxed at least once; with `vertices` it makes a fair, monotone
   // progress bar.

@@ -314,7 +314,8 @@ absl::Status Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles,
       sum += is_first ? frames[i].length : 0;
       edges += is_first;
     }
-    has_thin_faces_ = has_thin_faces_ || IsThinner(first, kThinFace);
+    if (!IsThinner(first, kThinFace)) continue;
+    has_thin_faces_ = true;
     if (IsCollapsed(first)) {
       for (const uint32_t v : corners) kinds_[v] |= kPseudoSource;
       has_collapsed_faces_ = true;

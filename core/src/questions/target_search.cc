@@ -155,6 +155,7 @@ class TargetSearch::Impl {
       absl::Status status = Drain(checkpoint);
       if (!status.ok() || !may_miss) return status;
       // What is left there is beyond the limit.
+      statistics_.iterations += queue_.iterations();
       queue_.Clear();
     } while (front_.RelaxAlongEdgesToGoal());
     return absl::OkStatus();

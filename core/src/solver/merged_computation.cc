@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace geodesic {
@@ -16,7 +18,7 @@ uint64_t MostMergedWindows(const Mesh& mesh) {
   return static_cast<uint64_t>(faces * (kByFace + std::sqrt(faces)));
 }
 
-// Passes polls on until there are too many windows.
+// Passes polls on until there are too many windows since the first.
 class UntilTooMany final : public Checkpoint {
  public:
   // The other checkpoint outlives this.
@@ -25,7 +27,9 @@ class UntilTooMany final : public Checkpoint {
   bool were_too_many() const { return were_too_many_; }
 
   absl::Status Poll(const Progress& progress) override {
-    were_too_many_ = progress.windows_propagated > most_;
+    const uint64_t windows = progress.windows_propagated;
+    if (!before_.has_value()) before_ = windows;
+    were_too_many_ = windows - *before_ > most_;
     if (were_too_many_) return absl::AbortedError("too many merged windows");
     return other_.Poll(progress);
   }
@@ -33,6 +37,7 @@ class UntilTooMany final : public Checkpoint {
  private:
   const uint64_t most_;
   Checkpoint& other_;
+  std::optional<uint64_t> before_;
   bool were_too_many_ = false;
 };
 

@@ -3,9 +3,7 @@
 #ifndef GEODESIC_SOLVER_MERGED_COMPUTATION_H_
 #define GEODESIC_SOLVER_MERGED_COMPUTATION_H_
 
-#include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "absl/functional/any_invocable.h"
 #include "absl/status/status.h"

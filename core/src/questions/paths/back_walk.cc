@@ -123,6 +123,7 @@ class Walker {
       faces.push_back({other, is_mirrored});
     });
     if (faces.empty()) return std::nullopt;
+    if (faces.size() == 1) return faces[0];
     const std::pair edge = std::minmax({mesh_.From(h), mesh_.To(h)});
     if (std::ranges::find(forked_, edge) != forked_.end()) return std::nullopt;
     forked_.push_back(edge);
@@ -301,6 +302,7 @@ class Walker {
            is_farther(mesh_.To(beyond), {frame.length, 0}) ||
            is_farther(mesh_.Apex(beyond), ApexOf(frame));
   }
+
   // Whether the line passes a place as near as rounding.
   bool RunsInto(const PlanePoint& at, const BackLine& line) const {
     return std::abs(Cross(line.way, at - line.end)) <=
