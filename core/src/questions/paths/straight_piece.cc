@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <deque>
 #include <optional>
 #include <set>
 #include <utility>
@@ -76,21 +78,26 @@ template <typename Take>
 bool WalkEveryWay(const TracedField& field, const PathEnd& end, Take take) {
   // No more are tried. Walks that go astray end soon (back_walk.cc), so that
   // few are needed.
-  constexpr int kMostWalks = 1024;
+  constexpr size_t kMostWalks = 1024;
   for (const double nearness : {kPassedVertex, kPassedNarrowly}) {
-    std::vector<Fork> forks;
-    for (int walks = 0; walks < kMostWalks; ++walks) {
+    // Walks that take the first way nearly everywhere come before others.
+    std::deque<std::vector<Fork>> untried = {{}};
+    for (size_t walks = 0; walks < kMostWalks && !untried.empty(); ++walks) {
+      std::vector<Fork> forks = std::move(untried.front());
+      untried.pop_front();
+      size_t next = forks.size();
       std::optional<StraightPiece> piece =
           WalkBack(field, end, forks, nearness);
       if (piece.has_value() && LeadsAway(field, end, *piece) && take(*piece)) {
         return true;
       }
-      // The last fork that has a way left.
-      while (!forks.empty() && forks.back().taken + 1 == forks.back().ways) {
-        forks.pop_back();
+      for (; next < forks.size() && untried.size() < kMostWalks; ++next) {
+        std::vector<Fork> other(forks.begin(), forks.begin() + next + 1);
+        for (uint32_t way = 1; way < forks[next].ways; ++way) {
+          other.back().taken = way;
+          untried.push_back(other);
+        }
       }
-      if (forks.empty()) break;
-      ++forks.back().taken;
     }
   }
   return false;
