@@ -251,7 +251,7 @@ void AddOptions(CLI::App& app, ServerOptions& options) {
   AddBytes(app, "--solver-memory", limits.solver_memory_bytes,
            "Memory for running solvers, all together");
   AddBytes(app, "--landmark-memory", limits.landmark_memory_bytes,
-           "Memory for landmarks, 64 bytes a vertex of meshes whose distances "
+           "Memory for landmarks, 128 bytes a vertex of meshes whose distances "
            "between points are asked for; the least recently used are evicted; "
            "0 makes none",
            kMaxBytes, /*least=*/0);

@@ -38,7 +38,7 @@ void RegisterSources(const Subject& subject, int sources, int most_threads,
 void RegisterCgal(const Subject& subject);
 
 // pairs/MESH: the distances of `count` random pairs of vertices, by a search
-// without landmarks, with 32, and by a field that stops at the target, which
+// without landmarks, with 64, and by a field that stops at the target, which
 // take turns. Counters, for WAY of search, landmarks and field: WAY, the median
 // in milliseconds, WAY_p99, WAY_windows and WAY_windows_p99. Beside them made,
 // the milliseconds that the landmarks took, and off, the largest relative

@@ -230,7 +230,7 @@ void WritePairs(std::ostream& out, const Report& report,
   };
   out << "## Pairs\n\nMilliseconds and windows for the distance between two "
          "random vertices: the median and the 99th percentile of 1,000 pairs, "
-         "by a search without landmarks, with 32, and by a field that stops at "
+         "by a search without landmarks, with 64, and by a field that stops at "
          "the target. Then what making the landmarks takes, how many times "
          "faster than the field the searches are, and CGAL's median of three "
          "of the pairs; last the largest relative difference of all of "

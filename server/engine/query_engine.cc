@@ -95,7 +95,7 @@ std::optional<SearchMeans> ForRow(const ValidQuery& query, uint64_t wanted,
                                   SearchEngine& searches) {
   const uint64_t targets = query->targets.size();
   if (!TargetSearch::IsDirected(query->algorithm) || wanted == 0 ||
-      targets >= kFieldInSearchesWithLandmarks || !std::isinf(radius)) {
+      targets >= FieldInSearches(Landmarks::kMost) || !std::isinf(radius)) {
     return {};
   }
   SearchMeans means = searches.MeansFor(mesh, query->algorithm);

@@ -156,7 +156,7 @@ TEST_F(ApproximateTest, WhatIsPreparedIsTold) {
 
   EXPECT_EQ(mesh->landmark_count, 0);
   ASSERT_TRUE(client_.Prepare({.mesh_digest = digest_}).ok());
-  EXPECT_EQ(client_.GetMesh(digest_)->landmark_count, 32);
+  EXPECT_EQ(client_.GetMesh(digest_)->landmark_count, 64);
   EXPECT_TRUE(client_.Prepare({.mesh_digest = digest_})->already_prepared);
 }
 

@@ -135,11 +135,11 @@ class LandmarksRpcTest : public PairRpcTest {
 TEST_F(LandmarksRpcTest, AreMadeOnceAPairWasAskedFor) {
   EXPECT_EQ(LandmarkCount(), 0);
   Messages(OnePair());
-  EXPECT_TRUE(geodesic::test::Until([&] { return LandmarkCount() == 32; }));
+  EXPECT_TRUE(geodesic::test::Until([&] { return LandmarkCount() == 64; }));
   const std::string metrics =
       geodesic::test::HttpGet(server_->metrics_port(), "/metrics");
   EXPECT_THAT(metrics, ::testing::HasSubstr(
-                           "geodesic_landmarks_total{origin=\"computed\"} 32"));
+                           "geodesic_landmarks_total{origin=\"computed\"} 64"));
   const auto messages = Messages(OnePair());
   const auto& chunk = messages[messages.size() - 2].chunk();
   EXPECT_EQ(Values<double>(chunk.distances()),

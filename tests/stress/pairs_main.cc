@@ -1,5 +1,5 @@
 // stress_pairs: random pairs of points of mesh files. Searches without
-// landmarks, with 4 and with 32, and the search back, are compared with whole
+// landmarks, with 4 and with 64, and the search back, are compared with whole
 // fields of fwp-list and of another algorithm. Prints a line a mesh: the
 // largest differences, and how many pairs have the same bits.
 
@@ -49,7 +49,7 @@ constexpr uint64_t kMostWindows = 300'000'000;
 // What a pair is found by, beside the search without landmarks.
 enum Other { kField, kOtherField, kFewLandmarks, kMostLandmarks, kBack };
 constexpr std::array<const char*, 5> kOthers = {
-    "field", "other field", "4 landmarks", "32 landmarks", "back"};
+    "field", "other field", "4 landmarks", "64 landmarks", "back"};
 
 // How far one of them is from the searches without landmarks.
 struct Comparison {

@@ -19,11 +19,11 @@
 namespace geodesic {
 
 // By the triangle inequality |d(l, x) - d(l, y)| <= d(x, y) for each landmark
-// l. Distances are kept as whole steps of a length, 64 bytes a vertex; the
+// l. Distances are kept as whole steps of a length, 128 bytes a vertex; the
 // bounds allow for their rounding. Const functions are thread-safe.
 class Landmarks {
  public:
-  static constexpr uint32_t kMost = 32;
+  static constexpr uint32_t kMost = 64;
 
   // By landmark, in steps.
   using Steps = std::array<uint16_t, kMost>;

@@ -34,10 +34,15 @@
 namespace geodesic {
 
 // A field costs about as much as so many searches directed at one target, on
-// meshes of 10^4 to 10^6 faces and pairs drawn at random; landmarks make
-// searches cheaper (docs/performance.md, pairs).
+// meshes of 10^4 to 10^6 faces and pairs drawn at random (docs/performance.md,
+// "Two places").
 inline constexpr size_t kFieldInSearches = 12;
-inline constexpr size_t kFieldInSearchesWithLandmarks = 30;
+
+// With so many landmarks, at the least: 16 of them make it 40 to 60, 64 make it
+// 70 to 90.
+constexpr size_t FieldInSearches(uint32_t landmarks) {
+  return kFieldInSearches + landmarks;
+}
 
 // How many landmarks are worth their fields if so many searches follow: the
 // first few break even at about 400 searches, the last at some 4,000.

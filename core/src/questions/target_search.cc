@@ -15,6 +15,7 @@
 #include "solver/goal.h"
 #include "solver/queues/fwp_buckets.h"
 #include "solver/queues/queue.h"
+#include "solver/rules/edge_relaxation.h"
 #include "solver/rules/front.h"
 #include "solver/rules/list_rule.h"
 #include "solver/start_computation.h"
@@ -157,7 +158,7 @@ class TargetSearch::Impl {
       // What is left there is beyond the limit.
       statistics_.iterations += queue_.iterations();
       queue_.Clear();
-    } while (front_.RelaxAlongEdgesToGoal());
+    } while (RelaxAlongEdgesToGoal(front_));
     return absl::OkStatus();
   }
 

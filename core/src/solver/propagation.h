@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,7 @@
 #include "geodesic/valid_query.h"
 #include "mesh/file_unit.h"
 #include "solver/queues/queue.h"
+#include "solver/rules/edge_relaxation.h"
 #include "solver/rules/front.h"
 #include "solver/windows/window_observer.h"
 #include "surface/anchors.h"
@@ -195,9 +197,10 @@ class Propagation final : public Computation {
     while (SettledRadius() <= radius) {
       const uint64_t taken = Take();
       if (taken == 0) {
-        if (front_.RelaxAlongEdges()) {
+        if (RelaxAlongEdges(front_, std::numeric_limits<double>::infinity())) {
           queue_.Restart();
           rule_.Restart();
+          steps = kPollPeriod;  // that took long
           continue;
         }
         if (absl::Status status = CheckComplete(); !status.ok()) return status;
@@ -227,7 +230,8 @@ class Propagation final : public Computation {
   // of it as far as all was settled.
   absl::Status MendUpTo(double limit, Checkpoint& checkpoint) {
     uint64_t steps = 0;
-    while (front_.RelaxAlongEdges(limit)) {
+    while (RelaxAlongEdges(front_, limit)) {
+      if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
       const double settled = SettledRadius();
       while (SettledRadius() <= settled) {
         const uint64_t taken = Take();
@@ -318,7 +322,7 @@ class Propagation final : public Computation {
 
   // Whether every vertex of a component with a source was reached.
   absl::Status CheckComplete() const {
-    const std::optional<uint32_t> missing = front_.FindGap();
+    const std::optional<uint32_t> missing = FindGap(front_);
     if (!missing.has_value()) return absl::OkStatus();
     return absl::InternalError(absl::StrCat(
         "vertex ", *missing, " was not reached by ",

@@ -43,7 +43,7 @@ struct Limits {
   uint64_t field_cache_bytes = uint64_t{1} << 30;
   uint64_t upload_memory_bytes = uint64_t{4} << 30;
   uint64_t solver_memory_bytes = uint64_t{8} << 30;
-  uint64_t landmark_memory_bytes = uint64_t{256} << 20;
+  uint64_t landmark_memory_bytes = uint64_t{512} << 20;
   uint64_t prepared_memory_bytes = uint64_t{1} << 30;
   uint64_t decimated_memory_bytes = uint64_t{128} << 20;
 

@@ -21,9 +21,8 @@ SearchMeans SearchEngine::MeansFor(const MeshHandle& mesh,
   // A field makes no use of landmarks.
   if (!TargetSearch::IsDirected(algorithm)) return means;
   means.landmarks = landmarks_.Wanted(mesh);
-  means.field_in_searches = means.landmarks == nullptr
-                                ? kFieldInSearches
-                                : kFieldInSearchesWithLandmarks;
+  means.field_in_searches = FieldInSearches(
+      means.landmarks == nullptr ? 0 : means.landmarks->count());
   return means;
 }
 

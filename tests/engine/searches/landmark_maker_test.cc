@@ -249,7 +249,7 @@ class LittleMemoryTest : public LandmarkMakerTest {
  protected:
   static Limits LittleMemory() {
     Limits limits = SmallLimits();
-    limits.landmark_memory_bytes = 90 << 10;
+    limits.landmark_memory_bytes = 180 << 10;
     return limits;
   }
   LittleMemoryTest() : LandmarkMakerTest(LittleMemory()) {}
@@ -265,7 +265,7 @@ TEST_F(LittleMemoryTest, TheLeastRecentlyUsedGoFirst) {
   executor_.RunAll();
   EXPECT_EQ(Count(), Landmarks::kMost);
   EXPECT_EQ(engine_.meshes().landmarks().CountOf(first->digest), 0);
-  EXPECT_LE(Used(), 90 << 10);
+  EXPECT_LE(Used(), 180 << 10);
 }
 
 TEST_F(LittleMemoryTest, WhatCanNeverFitIsNotBegun) {

@@ -352,60 +352,6 @@ class Front {
     }
   }
 
-  // Relaxes vertices that are farther than the way along an edge from a
-  // neighbour: windows can miss them where faces are hardly higher than
-  // rounding. Returns whether there were any that are no farther than `limit`.
-  // O(F).
-  bool RelaxAlongEdges(double limit = std::numeric_limits<double>::infinity()) {
-    bool has_relaxed = false;
-    const auto limit_at = [limit](uint32_t) { return limit; };
-    for (HalfEdge first = 0; first < mesh_.half_edge_count(); first += 3) {
-      const Triangle& corners = mesh_.TriangleOf(first);
-      for (uint32_t i = 0; i < 3; ++i) {
-        const uint32_t a = corners[i], b = corners[i == 2 ? 0 : i + 1];
-        const double length = mesh_.frame(first + i).length;
-        has_relaxed |= RelaxAlong(a, b, length, limit_at);
-        has_relaxed |= RelaxAlong(b, a, length, limit_at);
-      }
-    }
-    return has_relaxed;
-  }
-
-  // The same beside vertices that were reached, within the goal's limit.
-  // O(these). REQUIRES: there is a goal.
-  bool RelaxAlongEdgesToGoal() {
-    bool has_relaxed = false;
-    const auto limit_at = [this](uint32_t v) {
-      return goal_.limit() - goal_.Bound(v);
-    };
-    const auto relax = [&](uint32_t from, uint32_t to, HalfEdge along) {
-      has_relaxed |= RelaxAlong(from, to, mesh_.frame(along).length, limit_at);
-    };
-    for (size_t i = 0; i < reached_list_.size(); ++i) {
-      const uint32_t v = reached_list_[i];
-      for (const HalfEdge h : mesh_.Outgoing(v)) {
-        relax(v, mesh_.To(h), h);
-        relax(v, mesh_.Apex(h), Prev(h));
-      }
-    }
-    return has_relaxed;
-  }
-
-  // A vertex that was not reached, beside one that was. None once nothing is
-  // pending. O(1) where all vertices are reached.
-  std::optional<uint32_t> FindGap() const {
-    if (reached_ == mesh_.vertex_count()) return std::nullopt;
-    for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      if (!std::isinf(distances_[v])) continue;
-      for (const HalfEdge h : mesh_.Outgoing(v)) {
-        for (const uint32_t corner : mesh_.TriangleOf(h)) {
-          if (!std::isinf(distances_[corner])) return v;
-        }
-      }
-    }
-    return std::nullopt;
-  }
-
   // Whether v has improved since its event was last taken.
   bool TakeEvent(uint32_t v) {
     if (!(states_[v] & kPending)) return false;
@@ -458,18 +404,6 @@ class Front {
 
   size_t anchor_count() const {
     return distances_.size() - mesh_.vertex_count();
-  }
-
-  // As RelaxAlongEdges, along one of them. `limit_at` gives the limit for a
-  // vertex.
-  template <typename LimitAt>
-  bool RelaxAlong(uint32_t from, uint32_t to, double length, LimitAt limit_at) {
-    const double most = UpperBound(from) + length;
-    if (!(most < distances_[to] * (1 - kAlongEdge))) return false;
-    if (!(most <= limit_at(to))) return false;
-    Relax(to, distances_[from] + length, {.pseudo_source = from},
-          IncomingRay::Bent());
-    return true;
   }
 
   // What remains between the bounds of v once `distance` is relaxed.
