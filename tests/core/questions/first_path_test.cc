@@ -142,5 +142,39 @@ TEST(FirstPath, IsDoneWhereNothingIsGained) {
   EXPECT_LT(polls, 30);
 }
 
+// Along the sides of a ladder routes are straight, but for where they change
+// over: that bend would move on by a rung in a round.
+TEST(FirstPath, IsSoonStraightInALadder) {
+  constexpr uint32_t kRungs = 16000;
+  Random random(9);
+  NamedMesh ladder{"ladder", {}};
+  for (uint32_t i = 0; i <= kRungs; ++i) {
+    ladder.soup.positions.push_back({0, 1e-3 * i, 0});
+    ladder.soup.positions.push_back({1, 1e-3 * i, 0});
+    if (i == 0) continue;
+    const uint32_t a = 2 * i - 2, b = a + 1, c = a + 2, d = a + 3;
+    if (random.Below(2) == 0) {
+      ladder.soup.triangles.insert(ladder.soup.triangles.end(),
+                                   {{a, b, d}, {a, d, c}});
+    } else {
+      ladder.soup.triangles.insert(ladder.soup.triangles.end(),
+                                   {{a, b, c}, {b, d, c}});
+    }
+  }
+  FirstPathOn path(ladder);
+  int polls = 0;
+  const Query query{.sources = {{VertexPoint{1}}},
+                    .targets = {VertexPoint{2 * kRungs}}};
+  EXPECT_TRUE(path.Find(query,
+                        [&] {
+                          ++polls;
+                          return absl::OkStatus();
+                        })
+                  .ok());
+  EXPECT_LT(polls, 15);
+  const double straight = std::hypot(1, 1e-3 * kRungs);
+  EXPECT_NEAR(path.Length(query), straight, 1e-12 * straight);
+}
+
 }  // namespace
 }  // namespace geodesic::test

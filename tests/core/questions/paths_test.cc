@@ -222,6 +222,17 @@ TEST_P(Paths, ThroughEdgesOfVeryManyFaces) {
   }
 }
 
+// All of them are the same way, but to a source in one of them.
+TEST_P(Paths, ThroughFacesThatAreThereManyTimes) {
+  constexpr size_t kCopies = 24;
+  for (uint64_t seed = 0; seed < 30; ++seed) {
+    TriangleSoup soup = RandomComplex(seed);
+    const Triangle face = soup.triangles[seed % soup.triangles.size()];
+    soup.triangles.insert(soup.triangles.end(), kCopies, face);
+    CheckPaths({absl::StrCat("complex ", seed), soup});
+  }
+}
+
 TEST_P(Paths, FromCurves) {
   for (const double jitter : {0.0, 0.24}) {
     const TriangleSoup soup =

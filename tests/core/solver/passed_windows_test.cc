@@ -183,7 +183,7 @@ TEST(PassedWindows, LeaveANarrowWindowOfANearPseudoSourceWhatItHolds) {
     worker.Clear();
     worker.Open(kCrossed, 0, origin, interval);
     const WaitingLists lists = {worker.handed_on()[0].list, nullptr};
-    return worker.Cross(kCrossed, lists, &passed, false).propagated;
+    return worker.Cross(kCrossed, lists, &passed, Winding::kUnknown).propagated;
   };
   const double middle = length / 2, gap = 1e-13 * length;
   const Origin far = {.x = middle, .depth = length};
@@ -229,15 +229,15 @@ TEST(PassedWindows, AreForgottenForTheNextSearch) {
 TEST(PassedWindows, KeepWhatCrossesOften) {
   Passed passed(1 << 16);
   WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
-  EXPECT_EQ(passed.At(35, Passed::kMany - 1), nullptr);
-  ASSERT_NE(passed.At(35, Passed::kMany), nullptr);
-  *passed.At(35, Passed::kMany) = &block;
-  EXPECT_EQ(*passed.At(33, Passed::kMany), nullptr);
-  EXPECT_EQ(*passed.At(35, Passed::kMany), &block);
+  EXPECT_EQ(passed.At(35, kManyCrossings - 1), nullptr);
+  ASSERT_NE(passed.At(35, kManyCrossings), nullptr);
+  *passed.At(35, kManyCrossings) = &block;
+  EXPECT_EQ(*passed.At(33, kManyCrossings), nullptr);
+  EXPECT_EQ(*passed.At(35, kManyCrossings), &block);
   std::vector<WindowBlock*> dropped;
   passed.Clear({}, [&](WindowBlock* list) { dropped.push_back(list); });
   EXPECT_THAT(dropped, testing::UnorderedElementsAre(&block, nullptr));
-  EXPECT_EQ(*passed.At(35, Passed::kMany), nullptr);
+  EXPECT_EQ(*passed.At(35, kManyCrossings), nullptr);
 }
 
 }  // namespace

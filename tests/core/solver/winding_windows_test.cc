@@ -163,6 +163,62 @@ TEST(ThinTubes, EndWithinTolerances) {
   EXPECT_GT(exact, 0);
 }
 
+// Needles that are there twice, glued at their long sides: around their tip
+// there is no angle at all. Lines that go round there cross edges that no
+// orientation fits, or edges of three faces, where a window does not tell which
+// way it came.
+TEST(DoubledNeedles, EndWindingWindows) {
+  // The last face is one too many: no distance depends on it.
+  const test::NamedMesh meshes[] = {
+      {"turned over",
+       {{{-1.7194217783051078, -3.8157623211173126, 0.6953751915559806},
+         {-1.0028802921077675, -1.721816939244911, 1.0146827665767766},
+         {-1.7194217800301821, -3.815762320441797, 0.6953751909972552},
+         {-0.14340122962592378, -0.82202539314452661, -0.55109921100230186}},
+        {{0, 1, 2}, {3, 0, 2}, {2, 0, 1}}}},
+      {"among others",
+       {{{-2.7269862378811895, 1.2452284596431513, 0.11380747647382454},
+         {-1.1171903691747098, 2.25358000894279, 1.2935466061633369},
+         {-0.55859518465861246, 1.1267900042924819, 0.64677330333182337},
+         {-1.1171903690321947, 2.2535800093006166, 1.2935466055630274},
+         {-1.0941775091554562, 2.253625125425518, 1.3001341708691825}},
+        {{3, 2, 1},
+         {1, 3, 0},
+         {2, 1, 4},
+         {3, 0, 4},
+         {3, 2, 4},
+         {0, 4, 1},
+         {3, 2, 1}}}}};
+  for (const test::NamedMesh& named : meshes) {
+    const auto doubled = test::BuildOrFail(named);
+    test::NamedMesh single = named;
+    single.soup.triangles.pop_back();
+    const auto mesh = test::BuildOrFail(single);
+    for (uint32_t source = 0; source < mesh->vertex_count(); ++source) {
+      Query query{.sources = {{VertexPoint{source}}}};
+      const DistanceField expected = test::SolveOrFail(*mesh, query);
+      for (const Algorithm algorithm :
+           {Algorithm::kFwpList, Algorithm::kMmp, Algorithm::kLcMmp}) {
+        for (const double tolerance : {0.0, 1e-3}) {
+          SCOPED_TRACE(testing::Message()
+                       << named.name << " from " << source << " by "
+                       << AlgorithmName(algorithm) << " within " << tolerance);
+          query.algorithm = algorithm;
+          query.tolerance = tolerance;
+          test::WindowLimit limit(kMostWindows);
+          const auto field = Solve(*doubled, query, {}, limit);
+          ASSERT_TRUE(field.ok()) << field.status();
+          for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+            EXPECT_NEAR(field->distances[v], expected.distances[v],
+                        std::max(tolerance, 1e-10) * expected.distances[v])
+                << v;
+          }
+        }
+      }
+    }
+  }
+}
+
 // From the rim of a cone so slender that a straight line past its tip goes
 // round a million times.
 TEST(SlenderCones, EndWindingWindows) {

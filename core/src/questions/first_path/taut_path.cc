@@ -109,31 +109,49 @@ bool TautPath::Follow(const Place& begin, const Route& route,
   return AddThroughStrip(from, end, line_);
 }
 
-// A round: joins pieces two by two. Returns whether the path is another one.
+// A round: joins pieces where the path bends and need not. Returns whether it
+// is another path.
 bool TautPath::Tighten() {
   bool is_another = false;
   next_.Clear();
-  std::vector<Piece>& pieces = line_.pieces;
-  for (size_t i = 0; i < pieces.size(); ++i) {
-    Piece& piece = pieces[i];
-    if (i + 1 < pieces.size() && !piece.is_settled) {
-      const size_t before = next_.pieces.size();
-      if (FindSmallerSide(piece, pieces[i + 1]) && Join(piece, pieces[i + 1])) {
-        if (before > 0) next_.pieces[before - 1].is_settled = false;
-        is_another = true;
-        ++i;
-        continue;
-      }
-      piece.is_settled = true;
+  for (size_t i = 0; i < line_.pieces.size();) {
+    const Run run = RunFrom(i);
+    const size_t before = next_.pieces.size();
+    if (run.is_bent && AddThroughStrip(line_.pieces[i].begin,
+                                       line_.pieces[run.last].end, next_)) {
+      if (before > 0) next_.pieces[before - 1].is_settled = false;
+      is_another = true;
+      i = run.last + 1;
+      continue;
     }
-    next_.Add(piece, line_.PortalsOf(piece));
+    for (; i <= run.last; ++i) {
+      line_.pieces[i].is_settled = true;
+      next_.Add(line_.pieces[i], line_.PortalsOf(line_.pieces[i]));
+    }
   }
   std::swap(line_, next_);
   return is_another;
 }
 
-// Leaves in left_ the side on which one piece meets the next with less than
-// half a turn; the smaller one, if both are less.
+// The pieces from `first` on that meet with no more than half a turn. Leaves
+// their strips and the smaller sides between them in strip_.
+TautPath::Run TautPath::RunFrom(size_t first) {
+  const std::vector<Piece>& pieces = line_.pieces;
+  Run run{.last = first};
+  strip_.clear();
+  while (run.last + 1 < pieces.size() &&
+         (run.is_bent || !pieces[run.last].is_settled) &&
+         FindSmallerSide(pieces[run.last], pieces[run.last + 1])) {
+    if (run.last == first) Append(line_.PortalsOf(pieces[first]));
+    for (const HalfEdge h : left_.through) Append(h);
+    Append(line_.PortalsOf(pieces[++run.last]));
+    run.is_bent = run.is_bent || left_.is_bent;
+  }
+  return run;
+}
+
+// Leaves in left_ the side on which one piece meets the next with no more than
+// half a turn; the smaller one, if neither is more.
 bool TautPath::FindSmallerSide(const Piece& in, const Piece& out) {
   const bool has_left = Turn<true>(in.arrives, out.leaves, left_);
   const bool has_right = Turn<false>(in.arrives, out.leaves, right_);
@@ -144,8 +162,8 @@ bool TautPath::FindSmallerSide(const Piece& in, const Piece& out) {
   return true;
 }
 
-// Turns from one direction at a vertex to another. False if that is half a turn
-// or more, or the faces end there.
+// Turns from one direction at a vertex to another. False if that is more than
+// half a turn, or the faces end there.
 template <bool kClockwise>
 bool TautPath::Turn(const Direction& from, const Direction& to,
                     Side& side) const {
@@ -153,8 +171,8 @@ bool TautPath::Turn(const Direction& from, const Direction& to,
   const auto between = [](const PlanePoint& a, const PlanePoint& b) {
     return kClockwise ? SeenFrom(b, a) : SeenFrom(a, b);
   };
-  const auto is_bent = [](const PlanePoint& turn) {
-    return turn.x > 0 || turn.y > kTautAngle * -turn.x;
+  const auto is_straight = [](const PlanePoint& turn) {
+    return turn.x < 0 && std::abs(turn.y) <= kTautAngle * -turn.x;
   };
   // The sides of a face at the vertex; a turn enters at one and leaves at the
   // other.
@@ -165,7 +183,8 @@ bool TautPath::Turn(const Direction& from, const Direction& to,
   side.through.clear();
   if (from.spoke == to.spoke) {
     side.turn = between(from.way, to.way);
-    if (side.turn.y >= 0) return is_bent(side.turn);
+    side.is_bent = !is_straight(side.turn);
+    if (side.turn.y >= 0 || !side.is_bent) return true;
   }
   side.turn = between(from.way, face_side(from.spoke, !kClockwise));
   HalfEdge spoke = from.spoke;
@@ -179,19 +198,11 @@ bool TautPath::Turn(const Direction& from, const Direction& to,
         between(face_side(spoke, kClockwise),
                 is_last ? to.way : face_side(spoke, !kClockwise));
     side.turn = Product(side.turn, more);
-    if (side.turn.y < 0 || spoke == from.spoke) return false;
-    if (is_last) return is_bent(side.turn);
+    side.is_bent = !is_straight(side.turn);
+    if (side.turn.y < 0 && (side.is_bent || !is_last)) return false;
+    if (spoke == from.spoke) return false;
+    if (is_last) return true;
   }
-}
-
-// Adds to next_ the shortest path through the strip of two pieces and of left_
-// between them.
-bool TautPath::Join(const Piece& in, const Piece& out) {
-  strip_.clear();
-  Append(line_.PortalsOf(in));
-  for (const HalfEdge h : left_.through) Append(h);
-  Append(line_.PortalsOf(out));
-  return AddThroughStrip(in.begin, out.end, next_);
 }
 
 // To strip_, without ways back.

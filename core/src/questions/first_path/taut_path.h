@@ -79,15 +79,22 @@ class TautPath {
   // first is the x axis, and the half-edges to go through.
   struct Side {
     PlanePoint turn;
+    bool is_bent = false;  // by less than half a turn, not about half
     std::vector<HalfEdge> through;
+  };
+
+  // Pieces up to `last`, and whether the path bends where any two of them meet.
+  struct Run {
+    size_t last;
+    bool is_bent = false;
   };
 
   bool Follow(const Place& begin, const Route& route, const Place& end);
   bool Tighten();
+  Run RunFrom(size_t first);
   bool FindSmallerSide(const Piece& in, const Piece& out);
   template <bool kClockwise>
   bool Turn(const Direction& from, const Direction& to, Side& side) const;
-  bool Join(const Piece& in, const Piece& out);
   void Append(HalfEdge h);
   void Append(std::span<const Portal> portals);
   bool AddThroughStrip(const Place& begin, const Place& end, Line& line);

@@ -112,14 +112,16 @@ class Walker {
     if (const HalfEdge twin = mesh_.Twin(h); twin != kNoHalfEdge) {
       return FaceBeyond{twin, false};
     }
-    // A face that is given twice is the same way to a vertex.
-    const bool is_to_vertex = field_.IsVertex(end_.arrival.pseudo_source);
+    // A face that is given twice is the same way, but to a place within it.
     std::vector<FaceBeyond> faces;
     mesh_.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
       const auto has_its_apex = [&](const FaceBeyond& face) {
         return mesh_.Apex(face.half_edge) == mesh_.Apex(other);
       };
-      if (is_to_vertex && std::ranges::any_of(faces, has_its_apex)) return;
+      if (std::ranges::any_of(faces, has_its_apex) &&
+          !MayStartWithin(mesh_.FaceOf(other))) {
+        return;
+      }
       faces.push_back({other, is_mirrored});
     });
     if (faces.empty()) return std::nullopt;
@@ -128,6 +130,15 @@ class Walker {
     if (std::ranges::find(forked_, edge) != forked_.end()) return std::nullopt;
     forked_.push_back(edge);
     return faces[Choose(static_cast<uint32_t>(faces.size()))];
+  }
+
+  // Whether the pseudo-source may lie in a face, elsewhere than at its corners.
+  bool MayStartWithin(uint32_t face) const {
+    const uint32_t pseudo_source = end_.arrival.pseudo_source;
+    if (field_.IsVertex(pseudo_source)) return false;
+    const Anchor& anchor = field_.AnchorOf(pseudo_source);
+    return anchor.is_segment ||
+           WithinFace(mesh_, anchor.begin, face).has_value();
   }
 
   // Where the path to a place in the frame of h starts, if its pseudo-source

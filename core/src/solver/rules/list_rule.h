@@ -41,6 +41,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/rules/crossing_counter.h"
 #include "solver/rules/front.h"
 #include "solver/rules/list_worker.h"
 #include "solver/rules/passed_windows.h"
@@ -61,7 +62,8 @@ class ListRule {
       : front_(front),
         mesh_(front.mesh()),
         waiting_(front.mesh().half_edge_count(), kNothing),
-        passed_(front.mesh().half_edge_count()) {
+        passed_(front.mesh().half_edge_count()),
+        most_crossings_(MostCrossings(front.mesh())) {
     for (uint32_t member = 0; member < threads; ++member) {
       workers_.emplace_back(front, pool_);
       shares_.emplace_back();
@@ -140,7 +142,7 @@ class ListRule {
 
   // Nothing waits; added to it, how often lists have crossed from there.
   static constexpr uint32_t kNothing =
-      std::numeric_limits<uint32_t>::max() - Passed::kMany;
+      std::numeric_limits<uint32_t>::max() - kMostCrossings;
   // Rounds of fewer events are not worth a team's start.
   static constexpr size_t kLeastShared = 32;
   // How many events a thread takes at a time.
@@ -152,7 +154,7 @@ class ListRule {
     WaitingLists last = {};  // of the chains
     uint32_t member = 0;     // who has handed on the latest
     HalfEdge half_edge = kNoHalfEdge;
-    uint32_t crossings = 0;  // so far, up to Passed::kMany
+    uint32_t crossings = 0;  // so far, up to most_crossings_
   };
   // One of the round.
   struct Event {
@@ -160,7 +162,7 @@ class ListRule {
     uint32_t member;                 // who has done it
     WaitingLists lists;              // of a half-edge
     WindowBlock** passed = nullptr;  // what is kept there (PassedWindows::At)
-    bool may_wind = false;           // whether to look for windows that do
+    Winding winding = Winding::kUnknown;
     typename Worker::Outcome outcome;
   };
   // What came of events in a row that one member has done in a row.
@@ -204,18 +206,24 @@ class ListRule {
     for (const uint32_t id : ids) {
       if ((id & kVertexEvent) || !Waits(id)) continue;
       const Queued& queued = queues_[waiting_[id]];
-      const uint32_t times = std::min(queued.crossings + 1, Passed::kMany);
-      give(queued.member,
-           {.id = id,
-            .lists = queued.lists,
-            .passed = passed_.At(id, times),
-            .may_wind = times == Passed::kMany && winding_.MayLook()});
+      const uint32_t times = std::min(queued.crossings + 1, most_crossings_);
+      give(queued.member, {.id = id,
+                           .lists = queued.lists,
+                           .passed = passed_.At(id, times),
+                           .winding = WindingAfter(times)});
       free_.push_back(waiting_[id]);
       waiting_[id] = kNothing + times;
       if constexpr (Front::Goal::kDirects) {
         if (times == 1) crossed_.push_back(id);
       }
     }
+  }
+
+  Winding WindingAfter(uint32_t crossings) const {
+    if (crossings == most_crossings_) return Winding::kCertain;
+    return crossings >= kManyCrossings && winding_.MayLook()
+               ? Winding::kSuspected
+               : Winding::kUnknown;
   }
 
   void DoAll() {
@@ -252,7 +260,7 @@ class ListRule {
       event.outcome = event.id & kVertexEvent
                           ? worker.Expand(event.id & ~kVertexEvent)
                           : worker.Cross(event.id, event.lists, event.passed,
-                                         event.may_wind);
+                                         event.winding);
     }
   }
 
@@ -365,6 +373,7 @@ class ListRule {
   std::vector<uint32_t> free_;  // of queues_
   Passed passed_;
   WindingWatch winding_;
+  uint32_t most_crossings_;
   BlockPool pool_;
   std::deque<Worker> workers_;      // by member of the team
   std::optional<ThreadTeam> team_;  // once a round was wide enough

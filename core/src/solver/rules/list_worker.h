@@ -80,13 +80,14 @@ class alignas(kCacheLine) ListWorker {
         list_(crossing_.list()) {}
 
   // Takes and frees the lists that wait at h. What has crossed is kept in
-  // `passed`, unless that is null (PassedWindows::At). If windows may go round
-  // and round, those that do are dropped.
+  // `passed`, unless that is null (PassedWindows::At). Windows that go round
+  // and round are dropped.
   Outcome Cross(HalfEdge h, const WaitingLists& lists, WindowBlock** passed,
-                bool may_wind) {
+                Winding winding) {
     Outcome outcome{.begin = Here()};
     outcome.waited = Take(lists, mesh_.frame(h).length);
-    if (may_wind) DropWinding(h);
+    if (winding == Winding::kCertain) list_.size = 0;
+    if (winding == Winding::kSuspected) DropWinding(h);
     if (passed != nullptr) MeetPassed(mesh_.frame(h).length, *passed);
     outcome.propagated = static_cast<uint32_t>(list_.size);
     if (list_.size > 0) CrossFace(h);

@@ -72,6 +72,13 @@ bool FindMerged(const Window& first, const Window& second, double most,
   }
   const double rounding =
       kMergedRounding * (first_at + from_begin + from_end) + gap;
+  // Where the rays to both ends lean far apart, rounding along the edge counts
+  // many times: then it is not the distances at the ends that come out.
+  const double off =
+      std::max(std::abs(origin.sigma + origin.DistanceTo(begin) - at_begin),
+               std::abs(origin.sigma + origin.DistanceTo(end) - at_end));
+  if (!(off <= rounding)) return false;
+  origin.sigma -= off;
 
   // Where it is nearest beside either: at the middle, or else on the line
   // through both origins.

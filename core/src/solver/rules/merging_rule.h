@@ -23,6 +23,7 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "solver/accuracy.h"
+#include "solver/rules/crossing_counter.h"
 #include "solver/rules/face_corners.h"
 #include "solver/rules/front.h"
 #include "solver/rules/merging.h"
@@ -49,6 +50,7 @@ class MergingRule {
       : front_(front),
         mesh_(front.mesh()),
         waiting_(front.mesh().half_edge_count(), kNone),
+        crossing_counts_(front.mesh().half_edge_count()),
         passed_(front.mesh().half_edge_count()) {}
 
   // Adds a pseudo-source's window over what it sees of a half-edge.
@@ -96,7 +98,7 @@ class MergingRule {
   uint64_t peak_windows() const { return peak_; }
   uint64_t bytes() const {
     return waiting_.capacity() * sizeof(uint32_t) + windows_.bytes() +
-           passed_.bytes() + crossings_.capacity();
+           passed_.bytes() + crossing_counts_.bytes();
   }
 
  private:
@@ -155,8 +157,8 @@ class MergingRule {
     Take(h, length);
     std::vector<ListedWindow>& list = envelope_.windows();
     if (list.size() > 1) MergeNeighbours(list);
-    const uint32_t times = CountCrossing(h);
-    if (times == Passed::kMany && winding_.MayLook()) DropWinding(h, list);
+    const uint32_t times = crossing_counts_.Count(h, front_.reached());
+    if (times >= kManyCrossings && winding_.MayLook()) DropWinding(h, list);
     if (uint32_t* const passed = passed_.At(h, times)) {
       MeetPassed(length, *passed, list);
     }
@@ -321,15 +323,6 @@ class MergingRule {
     winding_.Count(0, followed);
   }
 
-  // How often lists have crossed at h, this one included, since there were more
-  // of them in all than there should be.
-  uint32_t CountCrossing(HalfEdge h) {
-    if (++crossed_ <= kFewLists + kListsPerVertex * front_.reached()) return 1;
-    if (crossings_.empty()) crossings_.resize(waiting_.size());
-    crossings_[h] += crossings_[h] < Passed::kMany;
-    return crossings_[h];
-  }
-
   // As ListWorker::MeetPassed.
   void MeetPassed(double length, uint32_t& passed,
                   std::vector<ListedWindow>& list) {
@@ -365,17 +358,11 @@ class MergingRule {
     }
   }
 
-  // So many lists cross faces for each vertex that is reached before windows
-  // are suspected of going round; 3 to 4 do on real meshes.
-  static constexpr uint64_t kListsPerVertex = 12;
-  static constexpr uint64_t kFewLists = 4096;
-
   Front& front_;
   const Mesh& mesh_;
   std::vector<uint32_t> waiting_;  // by half-edge, into windows_
   WindowPool<Waiting> windows_;
-  uint64_t crossed_ = 0;            // lists
-  std::vector<uint8_t> crossings_;  // by half-edge; empty until suspected
+  CrossingCounter crossing_counts_;  // of lists
   Passed passed_;
   WindingWatch winding_;
   uint64_t late_ = 0, lost_ = 0;  // as PassedWindows counts them

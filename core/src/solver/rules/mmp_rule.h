@@ -38,9 +38,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "solver/rules/crossing_counter.h"
 #include "solver/rules/face_crossing.h"
 #include "solver/rules/front.h"
 #include "solver/rules/trimming.h"
+#include "solver/rules/winding.h"
 #include "solver/windows/window.h"
 #include "solver/windows/window_columns.h"
 #include "solver/windows/window_lists.h"
@@ -62,6 +64,8 @@ class MmpRule {
       : front_(front),
         mesh_(front.mesh()),
         lists_(front.mesh().half_edge_count()),
+        crossing_counts_(front.mesh().half_edge_count()),
+        most_crossings_(MostCrossings(front.mesh())),
         crossing_(front) {}
 
   // Adds a pseudo-source's window over what it sees of a half-edge.
@@ -77,11 +81,15 @@ class MmpRule {
   // Returns how many: none if they have been trimmed to nothing, propagated by
   // another entry of `h`, or if their pseudo-source has improved since.
   uint32_t Propagate(HalfEdge h) {
+    const bool winds =
+        crossing_counts_.Count(h, front_.reached()) >= most_crossings_;
     if constexpr (Queue::kStrict) {
-      return PropagateOneByOne(h, front_.queue().popped_label(), 1);
+      const double due = front_.queue().popped_label();
+      return winds ? Drop(h, due, 1) : PropagateOneByOne(h, due, 1);
     } else {
       if (lists_.queued(h) == kPropagated) return 0;
       lists_.set_queued(h, kPropagated);
+      if (winds) return Drop(h, kAnyLabel, kAll);
       if constexpr (kTogether) {
         if (!mesh_.HasCollapsedFaces()) return PropagateTogether(h);
       }
@@ -115,7 +123,7 @@ class MmpRule {
   uint64_t peak_windows() const { return lists_.peak_size(); }
   uint64_t bytes() const {
     return lists_.bytes() + listed_.capacity() * sizeof(HalfEdge) +
-           due_.capacity() * sizeof(ListedWindow);
+           due_.capacity() * sizeof(ListedWindow) + crossing_counts_.bytes();
   }
 
  private:
@@ -130,6 +138,13 @@ class MmpRule {
   static constexpr bool kTogether =
       !Queue::kStrict && std::is_same_v<Origin, geodesic::Origin>;
 
+  // The first windows with labels up to `due`, `most` at the most, go no
+  // farther. Returns that none was propagated.
+  uint32_t Drop(HalfEdge h, double due, size_t most) {
+    lists_.TakeDue(h, due, most, [this](const ListedWindow&) { --pending_; });
+    return 0;
+  }
+
   // As Propagate: the first windows with labels up to `due`, `most` at the
   // most.
   uint32_t PropagateOneByOne(HalfEdge h, double due, size_t most) {
@@ -138,6 +153,7 @@ class MmpRule {
       due_.push_back(listed);
     });
     pending_ -= due_.size();
+    winding_.Count(due_.size(), 0);
     uint32_t propagated = 0;
     for (const ListedWindow& listed : due_) {
       if (IsStale(h, listed)) continue;
@@ -158,15 +174,17 @@ class MmpRule {
       list.Set(list.size++, listed.window, listed.pseudo_source);
     });
     if (list.size == 0) return 0;
+    winding_.Count(list.size, 0);
     crossing_.Cross(
         h,
         [this](uint32_t apex, double distance, const Arrival& arrival,
                const IncomingRay& ray) {
           front_.Relax(apex, distance, arrival, ray);
         },
-        [this](HalfEdge side, Exit exit, const WindowColumns& children,
+        [this](HalfEdge side, Exit exit, WindowColumns& children,
                double label) {
           if (exit < kIrregularExit) {
+            DropWinding(exit, children);
             InsertAll(exit, children, label);
             return;
           }
@@ -177,6 +195,26 @@ class MmpRule {
           }
         });
     return static_cast<uint32_t>(list.size);
+  }
+
+  void DropWinding(HalfEdge half_edge, WindowColumns& windows) {
+    if (!crossing_counts_.IsMany(half_edge)) return;
+    windows.KeepIf(0,
+                   [&](size_t i) { return !Winds(half_edge, windows.At(i)); });
+  }
+  // Whether a window that enters the face of `half_edge` is known to come back
+  // there (winding.h).
+  bool Winds(HalfEdge half_edge, const Window& window) {
+    if constexpr (std::is_same_v<Origin, geodesic::Origin>) {
+      if (!crossing_counts_.IsMany(half_edge) || !winding_.MayLook())
+        return false;
+      uint64_t followed = 0;
+      const bool comes_back = ComesBack(mesh_, half_edge, window, followed);
+      winding_.Count(0, followed);
+      return comes_back;
+    } else {
+      return false;
+    }
   }
 
   // Adds windows that have trimmed each other; no label among them is below.
@@ -228,7 +266,8 @@ class MmpRule {
               const Interval& interval) {
     // This saves a third of the contests on real meshes, and costs less.
     const auto newer = front_.UsefulWindow(half_edge, origin, interval);
-    if (newer.has_value()) Contest(half_edge, pseudo_source, *newer);
+    if (!newer.has_value() || Winds(half_edge, *newer)) return;
+    Contest(half_edge, pseudo_source, *newer);
   }
 
   // The same for one that paths through the edge's ends leave a chance.
@@ -390,7 +429,10 @@ class MmpRule {
   std::vector<HalfEdge> listed_;       // with a list, since the last sweep
   uint64_t next_sweep_ = kLeastSweep;  // when so many windows are in lists
   std::vector<ListedWindow> due_;      // of Propagate, kept for its memory
-  FaceCrossing<Front> crossing_;       // if kTogether
+  CrossingCounter crossing_counts_;
+  uint32_t most_crossings_;
+  WindingWatch winding_;
+  FaceCrossing<Front> crossing_;  // if kTogether
   uint64_t pending_ = 0;
   uint64_t created_ = 0;
 };

@@ -31,6 +31,7 @@
 #include <vector>
 
 #include "geodesic/mesh.h"
+#include "solver/rules/crossing_counter.h"
 #include "solver/rules/trimming.h"
 #include "solver/windows/window.h"
 
@@ -43,9 +44,6 @@ class PassedWindows {
   // Longer lists are not kept.
   static constexpr size_t kMost = 4;
 
-  // What crosses a half-edge so often is kept there.
-  static constexpr uint32_t kMany = 64;
-
   explicit PassedWindows(uint32_t half_edges)
       : log_sample_(LogSampleOf(half_edges)),
         sample_((half_edges >> log_sample_) + 1),
@@ -57,7 +55,7 @@ class PassedWindows {
   // once.
   List* At(HalfEdge h, uint32_t times) {
     List* const kept = Kept(h);
-    return kept != nullptr || times < kMany ? kept : &often_[h];
+    return kept != nullptr || times < kManyCrossings ? kept : &often_[h];
   }
 
   // Forgets what was kept at these half-edges, which are all that lists have

@@ -14,38 +14,56 @@ struct Line {
   double at;
 };
 
-// Where it goes on. False at a boundary and at irregular edges.
+// Takes a line across `side`, given in the frame that an oriented neighbour
+// has. False at a boundary, and where several faces lie beyond: a window does
+// not tell which of them it came through.
+bool Enter(const Mesh& mesh, HalfEdge side, const Origin& origin, double at,
+           Line& line) {
+  int faces = 0;
+  mesh.ForEachBeyond(side, [&](HalfEdge half_edge, bool is_mirrored) {
+    ++faces;
+    const double length = mesh.frame(side).length;
+    line = is_mirrored ? Line{half_edge, Mirror(origin, length), length - at}
+                       : Line{half_edge, origin, at};
+  });
+  return faces == 1;
+}
+
 template <Side kSide>
-bool Leave(const FaceSide<kSide>& side, double crossing, Line& line) {
-  if (side.exit >= kIrregularExit) return false;
+bool Leave(const Mesh& mesh, const FaceSide<kSide>& side, double crossing,
+           Line& line) {
+  if (side.exit == kNoHalfEdge) return false;
   const Interval hit =
       side.InExit(side.Hit(line.origin, {line.at, line.at}, crossing));
-  line = {side.exit, Unfold(side, line.origin), hit.begin};
-  return true;
+  return Enter(mesh, side.half_edge, Unfold(side, line.origin), hit.begin,
+               line);
 }
 
 bool CrossFace(const Mesh& mesh, Line& line) {
   const HalfEdge h = line.half_edge;
   const double crossing = CrossingTo(line.origin, ApexOf(mesh.frame(h)));
-  return line.at < crossing ? Leave(FaceSide<kLeft>(mesh, h), crossing, line)
-                            : Leave(FaceSide<kRight>(mesh, h), crossing, line);
+  return line.at < crossing
+             ? Leave(mesh, FaceSide<kLeft>(mesh, h), crossing, line)
+             : Leave(mesh, FaceSide<kRight>(mesh, h), crossing, line);
 }
 
 }  // namespace
 
 bool ComesBack(const Mesh& mesh, HalfEdge h, const Window& window,
                uint64_t& followed) {
-  const HalfEdge back = mesh.Twin(h);
-  if (back == kNoHalfEdge) return false;
   const double middle = (window.interval.begin + window.interval.end) / 2;
   // Seen from beyond h, where A and B change places, as if it came from a point
   // that is as far on this side.
   const double length = mesh.frame(h).length;
-  Line line{.half_edge = back,
-            .origin = Mirror(Origin{.x = 2 * middle - window.origin.x,
-                                    .depth = window.origin.depth},
-                             length),
-            .at = length - middle};
+  Line line;
+  if (!Enter(mesh, h,
+             Mirror(Origin{.x = 2 * middle - window.origin.x,
+                           .depth = window.origin.depth},
+                    length),
+             length - middle, line)) {
+    return false;
+  }
+  const HalfEdge back = line.half_edge;
   const double way = 2 * window.origin.DistanceTo(middle);
   for (int turned = 0; turned < kMostTurned; ++turned) {
     ++followed;

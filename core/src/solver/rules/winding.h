@@ -21,6 +21,13 @@ namespace geodesic {
 bool ComesBack(const Mesh& mesh, HalfEdge h, const Window& window,
                uint64_t& followed);
 
+// What is known of windows at a half-edge.
+enum class Winding {
+  kUnknown,
+  kSuspected,  // some may come back
+  kCertain,    // all do
+};
+
 // When to look whether windows come back. What winds comes to the same places
 // again and again, so it need not be looked at every time; and around a vertex
 // of a thousand faces, where wavefronts cross half-edges as often, lines are
