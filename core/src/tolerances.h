@@ -231,10 +231,10 @@ inline constexpr double kGoalMargin = 1e-10;
 // square of this, and half-edges would be swapped for the sake of rounding.
 inline constexpr double kTautAngle = 1e-7;
 
-// Distances from landmarks are kept as whole steps of 3e-5 of the mesh's size.
-// Bounds allow for this part of a step beside: half of it for fields whose
-// distances differ along an edge by more than its length, half, 1.5e-8 of the
-// mesh, for the rounding of all that they are made of.
+// Distances from landmarks are kept as whole steps of 1.5e-5 to 3e-5 of the
+// mesh's size. Bounds allow for this part of a step beside: half of it for
+// fields whose distances differ along an edge by more than its length, half,
+// 7e-9 of the mesh, for the rounding of all that they are made of.
 inline constexpr double kLandmarkRounding = 0x1p-10;
 
 // A source's offset in sizes of the mesh may not exceed this. Labels are sums

@@ -86,7 +86,9 @@ class Landmarks {
 
  private:
   // The vertex farthest from all landmarks, if one is apart from them.
-  std::optional<uint32_t> Farthest() const;
+  std::optional<uint32_t> FarthestVertex() const;
+  // Rounds what is kept down to steps twice as long.
+  void DoubleStep();
 
   double scale_;  // from the unit of the file
   uint32_t count_ = 0;

@@ -52,9 +52,11 @@ std::optional<uint32_t> FirstOf(const Mesh& mesh) {
   });
 }
 
-// Steps that the first landmark's field is kept in: no two places of its part
-// of the mesh are farther apart than twice the largest distance.
-constexpr double kMostSteps = 0x7ffe;
+// That a distance may have: one less than kApart.
+constexpr double kMostSteps = 0xfffe;
+
+// The first landmark leaves so much room for larger distances from others.
+constexpr double kRoom = 1.25;
 
 // Whether distances differ along each edge by its length at the most, up to
 // `rounding`.
@@ -68,13 +70,13 @@ bool AgreeWithEdges(const Mesh& mesh, std::span<const double> distances,
   return true;
 }
 
-// The step of the first landmark's distances; 0 if they are all 0.
-double StepOf(std::span<const double> distances, double scale) {
+// Of those that are finite.
+double Farthest(std::span<const double> distances) {
   double farthest = 0;
   for (const double distance : distances) {
     if (std::isfinite(distance)) farthest = std::max(farthest, distance);
   }
-  return farthest * scale / kMostSteps;
+  return farthest;
 }
 
 }  // namespace
@@ -96,23 +98,34 @@ uint64_t Landmarks::PlannedBytes(const Mesh& mesh) {
 }
 
 void Landmarks::Add(const Mesh& mesh, std::span<const double> distances) {
-  const double step = count_ > 0 ? step_ : StepOf(distances, scale_);
+  const double farthest = Farthest(distances) * scale_;
+  const double step = count_ > 0 ? step_ : kRoom * farthest / kMostSteps;
   if (step == 0 ||
       !AgreeWithEdges(mesh, distances, scale_, kLandmarkRounding * step / 2)) {
     next_.reset();
     return;
   }
   step_ = step;
+  while (farthest > kMostSteps * step_) DoubleStep();
   for (size_t v = 0; v < rows_.size(); ++v) {
-    const double steps = std::floor(distances[v] * scale_ / step);
+    const double steps = std::floor(distances[v] * scale_ / step_);
     rows_[v].steps[count_] =
         steps < kApart ? static_cast<uint16_t>(steps) : kApart;
   }
   ++count_;
-  next_ = count_ < kMost ? Farthest() : std::nullopt;
+  next_ = count_ < kMost ? FarthestVertex() : std::nullopt;
 }
 
-std::optional<uint32_t> Landmarks::Farthest() const {
+void Landmarks::DoubleStep() {
+  step_ *= 2;
+  for (Row& row : rows_) {
+    for (uint16_t& steps : row.steps) {
+      if (steps != kApart) steps /= 2;
+    }
+  }
+}
+
+std::optional<uint32_t> Landmarks::FarthestVertex() const {
   std::optional<uint32_t> farthest;
   uint16_t most = 0;
   for (uint32_t v = 0; v < rows_.size(); ++v) {

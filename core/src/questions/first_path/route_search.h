@@ -75,6 +75,7 @@ class RouteSearch {
   uint64_t bytes() const;
 
  private:
+  void Prefetch(uint32_t v) const;
   void Restart();
   template <typename Visit>
   void ForEachCorner(const Place& place, Visit visit) const;
