@@ -202,14 +202,14 @@ absl::Status PairWork::Approximate(const PairRow& row, Checkpoint& checkpoint,
       dynamic_cast<const SaddleVertexGraph*>(method->method.get());
   const auto* unfolding =
       dynamic_cast<const TriangleUnfolding*>(method->method.get());
-  const LandmarksHandle landmarks =
+  const LandmarksHandle known =
       graph == nullptr ? nullptr : searches.landmarks().Wanted(mesh);
   std::optional<SaddleGraphSearch> search;
   if (graph != nullptr) search.emplace(*graph);
   for (const uint32_t number : row.pairs) {
     const uint32_t from = VertexOf(pairs[number].source);
     const uint32_t to = VertexOf(pairs[number].target);
-    distances.push_back(search ? search->Distance(from, to, landmarks.get())
+    distances.push_back(search ? search->Distance(from, to, known.get())
                                : unfolding->Distance(from, to));
     absl::Status status =
         checkpoint.Poll({.vertices = mesh->mesh->vertex_count(),
