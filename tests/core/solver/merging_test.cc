@@ -77,8 +77,8 @@ TEST(MergingTest, MergedWindowsCoverMoreAndAreNoFarther) {
   EXPECT_GT(found, 10000);
 }
 
-// Where a source lies right beside the end of a long interval, small distances
-// stand beside large ones, and rays to the two ends lean far apart.
+// Where a source lies right beside a long interval, at its end or within, small
+// distances stand beside large ones, and rays to the two ends lean far apart.
 TEST(MergingTest, SmallDistancesAreKeptBesideLargeOnes) {
   test::Random random(8);
   int found = 0;
@@ -86,7 +86,8 @@ TEST(MergingTest, SmallDistancesAreKeptBesideLargeOnes) {
     SCOPED_TRACE(i);
     const double depth = std::pow(10, random.Uniform(-9, -2));
     const double end = random.Uniform(0.1, 1);
-    const Origin origin = {.x = end + random.Uniform(-3, 3) * depth,
+    const double beside = i % 2 == 0 ? end : random.Uniform(0, end);
+    const Origin origin = {.x = beside + random.Uniform(-3, 3) * depth,
                            .depth = depth};
     const double middle = random.Uniform(0, end);
     const Window first = Window::Over({0, middle}, origin);
@@ -94,12 +95,13 @@ TEST(MergingTest, SmallDistancesAreKeptBesideLargeOnes) {
     MergedWindow merged;
     if (!FindMerged(first, second, 1e-12, merged)) continue;
     ++found;
-    for (const double at : {0.0, middle, end}) {
+    const double most =
+        std::max(merged.below_first, merged.below_second) + 4e-16;
+    for (const double at : {0.0, middle, std::clamp(origin.x, 0.0, end), end}) {
       const double nearer =
           origin.DistanceTo(at) - merged.window.DistanceTo(at);
       EXPECT_GE(nearer, -4e-16) << at;
-      EXPECT_LE(nearer, std::max(merged.below_first, merged.below_second))
-          << at;
+      EXPECT_LE(nearer, most) << at;
       EXPECT_LE(nearer, 1e-14) << at;
     }
   }

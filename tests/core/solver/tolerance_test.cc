@@ -221,6 +221,58 @@ TEST(ToleranceTest, TinyPartsOfAMeshAreWithinTheBound) {
   ExpectCertified(SolveOrFail(*mesh, query), query.tolerance, exact);
 }
 
+// Faces are needles in the plane, and the source lies right beside a vertex and
+// two millionths of an edge beside another: the straight line is the truth.
+TEST(ToleranceTest, NeedlesBesideTheSourceAreWithinTheBound) {
+  const TriangleSoup soup = {
+      {{0, 0, 0},
+       {1, 0, 0},
+       {1, 6.2048961140194968e-06, 0},
+       {0, 6.2048961140194968e-06, 0},
+       {0.125, 1.5512240285048742e-06, 0},
+       {0.0014414843063293924, 4.2914933419179671e-08, 0},
+       {0.0013170932103056016, 4.3118470809901088e-08, 0},
+       {0.625, 5.4292840997670593e-06, 0},
+       {0.25, 5.4292840997670593e-06, 0},
+       {0.875, 1.5512240285048742e-06, 0},
+       {0.25, 1.5512240285048742e-06, 0},
+       {0.875, 6.2048961140194968e-06, 0},
+       {0.4323415689593616, 5.3954146341633787e-06, 0},
+       {0.35735161576907709, 3.0932508636195481e-06, 0},
+       {0.6640958719193869, 3.4090172227293444e-06, 0},
+       {0.16188755221852907, 4.9945355152010581e-06, 0},
+       {0.15979504241526765, 4.9871708604816492e-06, 0},
+       {0.75, 7.7561201425243709e-07, 0}},
+      {{1, 2, 9},   {2, 7, 13},  {2, 11, 7},  {3, 0, 6},  {0, 1, 17},
+       {3, 6, 5},   {0, 5, 6},   {4, 3, 5},   {3, 4, 16}, {5, 2, 4},
+       {4, 7, 12},  {7, 3, 8},   {2, 5, 10},  {5, 0, 9},  {5, 9, 10},
+       {9, 2, 14},  {11, 3, 7},  {7, 8, 12},  {8, 4, 12}, {7, 4, 13},
+       {4, 2, 13},  {2, 10, 14}, {10, 9, 14}, {4, 8, 15}, {8, 3, 15},
+       {4, 15, 16}, {15, 3, 16}, {1, 9, 17},  {9, 0, 17}}};
+  const auto mesh = BuildOrFail({"needles", soup});
+  constexpr double kFromVertex = 2.4011990274240679e-14;
+  const Point& near = soup.positions[9];
+  const Point& far = soup.positions[2];
+  for (const double tolerance : {1e-5, 1e-3, 0.1}) {
+    const DistanceField field =
+        SolveOrFail(*mesh, Query{.sources = {{EdgePoint{9, 2, kFromVertex}}},
+                                 .tolerance = tolerance});
+    for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+      double square = 0;
+      for (int axis = 0; axis < 2; ++axis) {
+        const double from = near[axis] + kFromVertex * (far[axis] - near[axis]);
+        square += std::pow(soup.positions[v][axis] - from, 2);
+      }
+      const double truth = std::sqrt(square);
+      const double certified =
+          field.certified_errors.empty() ? 0 : field.certified_errors[v];
+      EXPECT_NEAR(field.distances[v], truth,
+                  (certified + 1e-10) * truth + 1e-15)
+          << v << " within " << tolerance;
+    }
+  }
+}
+
 TEST(ToleranceTest, SmallOnesAreAnsweredExactly) {
   const std::shared_ptr<const Mesh> mesh =
       BuildOrFail({"terrain", Terrain(20, 20, 0.6, 3)});

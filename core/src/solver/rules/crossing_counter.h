@@ -16,13 +16,14 @@ namespace geodesic {
 inline constexpr uint32_t kManyCrossings = 64;
 
 // From then on nothing crosses any more, so that every computation ends: what
-// comes still goes round for certain. A wavefront comes to a half-edge some few
-// times, or about as often as a vertex has faces around which it goes.
+// comes still goes round for certain. The wavefront of an anchor comes to a
+// half-edge some few times, or about as often as a vertex has faces around
+// which it goes.
 inline constexpr uint32_t kMostCrossings = 1 << 26;
-inline uint32_t MostCrossings(const Mesh& mesh) {
-  constexpr uint64_t kFew = 4096;
-  return static_cast<uint32_t>(
-      std::min<uint64_t>(kFew + 4 * mesh.face_count(), kMostCrossings));
+inline uint32_t MostCrossings(const Mesh& mesh, uint64_t anchors) {
+  constexpr uint64_t kFew = 1024;
+  return static_cast<uint32_t>(std::min<uint64_t>(
+      kFew + 4 * (mesh.face_count() + anchors), kMostCrossings));
 }
 
 // Counts them only once there have been more in all than there should be, so

@@ -136,6 +136,9 @@ class Front {
     return (has_free_anchor_ && anchor_count() > 1) ||
            mesh_.HasNonManifoldEdges();
   }
+  size_t anchor_count() const {
+    return distances_.size() - mesh_.vertex_count();
+  }
   uint64_t reached() const { return reached_; }
   // The vertices that are; with a goal only.
   std::span<const uint32_t> reached_list() const { return reached_list_; }
@@ -401,10 +404,6 @@ class Front {
     kSource = 1,
     kPending = 2,  // improved since it was last expanded
   };
-
-  size_t anchor_count() const {
-    return distances_.size() - mesh_.vertex_count();
-  }
 
   // What remains between the bounds of v once `distance` is relaxed.
   void KeepAccount(uint32_t v, double distance, const Arrival& arrival) {

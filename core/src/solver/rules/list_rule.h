@@ -62,8 +62,7 @@ class ListRule {
       : front_(front),
         mesh_(front.mesh()),
         waiting_(front.mesh().half_edge_count(), kNothing),
-        passed_(front.mesh().half_edge_count()),
-        most_crossings_(MostCrossings(front.mesh())) {
+        passed_(front.mesh().half_edge_count()) {
     for (uint32_t member = 0; member < threads; ++member) {
       workers_.emplace_back(front, pool_);
       shares_.emplace_back();
@@ -154,7 +153,7 @@ class ListRule {
     WaitingLists last = {};  // of the chains
     uint32_t member = 0;     // who has handed on the latest
     HalfEdge half_edge = kNoHalfEdge;
-    uint32_t crossings = 0;  // so far, up to most_crossings_
+    uint32_t crossings = 0;  // so far, up to MostCrossings
   };
   // One of the round.
   struct Event {
@@ -203,14 +202,17 @@ class ListRule {
         member = queues_[waiting_[id]].member;
       }
     }
+    const uint32_t most = MostCrossings(mesh_, front_.anchor_count());
     for (const uint32_t id : ids) {
       if ((id & kVertexEvent) || !Waits(id)) continue;
       const Queued& queued = queues_[waiting_[id]];
-      const uint32_t times = std::min(queued.crossings + 1, most_crossings_);
+      const uint32_t times = std::min(queued.crossings + 1, most);
       give(queued.member, {.id = id,
                            .lists = queued.lists,
                            .passed = passed_.At(id, times),
-                           .winding = WindingAfter(times)});
+                           .winding = times == most    ? Winding::kCertain
+                                      : MayWind(times) ? Winding::kSuspected
+                                                       : Winding::kUnknown});
       free_.push_back(waiting_[id]);
       waiting_[id] = kNothing + times;
       if constexpr (Front::Goal::kDirects) {
@@ -219,11 +221,8 @@ class ListRule {
     }
   }
 
-  Winding WindingAfter(uint32_t crossings) const {
-    if (crossings == most_crossings_) return Winding::kCertain;
-    return crossings >= kManyCrossings && winding_.MayLook()
-               ? Winding::kSuspected
-               : Winding::kUnknown;
+  bool MayWind(uint32_t crossings) const {
+    return crossings >= kManyCrossings && winding_.MayLook();
   }
 
   void DoAll() {
@@ -373,7 +372,6 @@ class ListRule {
   std::vector<uint32_t> free_;  // of queues_
   Passed passed_;
   WindingWatch winding_;
-  uint32_t most_crossings_;
   BlockPool pool_;
   std::deque<Worker> workers_;      // by member of the team
   std::optional<ThreadTeam> team_;  // once a round was wide enough

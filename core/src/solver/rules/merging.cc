@@ -99,6 +99,18 @@ bool FindMerged(const Window& first, const Window& second, double most,
   const double below_second =
       (second_slope <= slope ? below : below_between(s2)) + rounding;
   if (!(std::max(below_first, below_second) <= most)) return false;
+  // The same where they are nearest, beside a source that is near: there
+  // rounding along the edge is much of the distance.
+  const auto agrees = [&](const Origin& s, double from, double to,
+                          double nearer) {
+    const double at = std::clamp(s.x, from, to);
+    const double left = s.PathTo(at) - (origin.sigma + origin.DistanceTo(at));
+    return left >= -rounding && left <= nearer + rounding;
+  };
+  if (!agrees(s1, begin, middle, below_first) ||
+      !agrees(s2, middle, end, below_second)) {
+    return false;
+  }
   merged = {{{begin, end}, origin, at_begin, at_end},
             std::max(below_first, 0.0),
             std::max(below_second, 0.0)};

@@ -65,7 +65,6 @@ class MmpRule {
         mesh_(front.mesh()),
         lists_(front.mesh().half_edge_count()),
         crossing_counts_(front.mesh().half_edge_count()),
-        most_crossings_(MostCrossings(front.mesh())),
         crossing_(front) {}
 
   // Adds a pseudo-source's window over what it sees of a half-edge.
@@ -82,7 +81,8 @@ class MmpRule {
   // another entry of `h`, or if their pseudo-source has improved since.
   uint32_t Propagate(HalfEdge h) {
     const bool winds =
-        crossing_counts_.Count(h, front_.reached()) >= most_crossings_;
+        crossing_counts_.Count(h, front_.reached()) >=
+        kWindowsAtATime * MostCrossings(mesh_, front_.anchor_count());
     if constexpr (Queue::kStrict) {
       const double due = front_.queue().popped_label();
       return winds ? Drop(h, due, 1) : PropagateOneByOne(h, due, 1);
@@ -130,6 +130,10 @@ class MmpRule {
   // Sweeps come when the lists have doubled, so each window pays for one visit;
   // below this many windows there is little to gain.
   static constexpr uint64_t kLeastSweep = 16384;
+
+  // A strict queue takes them one by one, and any other together; it is not
+  // known how many cross together, but these are few.
+  static constexpr uint64_t kWindowsAtATime = Queue::kStrict ? 64 : 1;
 
   static constexpr double kAnyLabel = std::numeric_limits<double>::max();
   static constexpr size_t kAll = std::numeric_limits<size_t>::max();
@@ -430,7 +434,6 @@ class MmpRule {
   uint64_t next_sweep_ = kLeastSweep;  // when so many windows are in lists
   std::vector<ListedWindow> due_;      // of Propagate, kept for its memory
   CrossingCounter crossing_counts_;
-  uint32_t most_crossings_;
   WindingWatch winding_;
   FaceCrossing<Front> crossing_;  // if kTogether
   uint64_t pending_ = 0;
