@@ -15,11 +15,13 @@ namespace geodesic {
 // and round (winding.h).
 inline constexpr uint32_t kManyCrossings = 64;
 
-// From then on nothing crosses any more, so that every computation ends: what
-// comes still goes round for certain. The wavefront of an anchor comes to a
-// half-edge some few times, or about as often as a vertex has faces around
-// which it goes.
+// So many crossings are counted.
 inline constexpr uint32_t kMostCrossings = 1 << 26;
+
+// After so many nothing crosses a half-edge any more, so that every computation
+// ends: what still comes goes round for certain. The wavefront of an anchor
+// comes to a half-edge some few times, or about as often as a vertex has faces
+// around which it goes.
 inline uint32_t MostCrossings(const Mesh& mesh, uint64_t anchors) {
   constexpr uint64_t kFew = 1024;
   return static_cast<uint32_t>(std::min<uint64_t>(
@@ -53,8 +55,8 @@ class CrossingCounter {
 
   uint32_t half_edges_;
   uint64_t crossings_ = 0;
-  std::vector<uint32_t>
-      counts_;  // by half-edge; empty until there are too many
+  // By half-edge; empty until there are too many.
+  std::vector<uint32_t> counts_;
 };
 
 }  // namespace geodesic
