@@ -123,6 +123,18 @@ TEST(FirstPath, StopsWhenItIsTold) {
             absl::StatusCode::kCancelled);
 }
 
+// One for some ten thousand half-edges or vertices.
+int CountPolls(FirstPathOn& path, const Query& query) {
+  int polls = 0;
+  EXPECT_TRUE(path.Find(query,
+                        [&] {
+                          ++polls;
+                          return absl::OkStatus();
+                        })
+                  .ok());
+  return polls;
+}
+
 // In a strip one long piece would take up thousands of short ones, one a round.
 TEST(FirstPath, IsDoneWhereNothingIsGained) {
   constexpr uint32_t kColumns = 20000;
@@ -130,15 +142,9 @@ TEST(FirstPath, IsDoneWhereNothingIsGained) {
       {"strip", MakeGrid({.columns = kColumns, .rows = 1, .cell_width = 0.3})});
   int polls = 0;
   for (const uint32_t to : {5001u, 9000u, 2 * kColumns + 1}) {
-    EXPECT_TRUE(
-        path.Find({.sources = {{VertexPoint{3}}}, .targets = {VertexPoint{to}}},
-                  [&] {
-                    ++polls;
-                    return absl::OkStatus();
-                  })
-            .ok());
+    polls += CountPolls(
+        path, {.sources = {{VertexPoint{3}}}, .targets = {VertexPoint{to}}});
   }
-  // One for some ten thousand half-edges or vertices.
   EXPECT_LT(polls, 30);
 }
 
@@ -146,32 +152,13 @@ TEST(FirstPath, IsDoneWhereNothingIsGained) {
 // over: that bend would move on by a rung in a round.
 TEST(FirstPath, IsSoonStraightInALadder) {
   constexpr uint32_t kRungs = 16000;
-  Random random(9);
-  NamedMesh ladder{"ladder", {}};
-  for (uint32_t i = 0; i <= kRungs; ++i) {
-    ladder.soup.positions.push_back({0, 1e-3 * i, 0});
-    ladder.soup.positions.push_back({1, 1e-3 * i, 0});
-    if (i == 0) continue;
-    const uint32_t a = 2 * i - 2, b = a + 1, c = a + 2, d = a + 3;
-    if (random.Below(2) == 0) {
-      ladder.soup.triangles.insert(ladder.soup.triangles.end(),
-                                   {{a, b, d}, {a, d, c}});
-    } else {
-      ladder.soup.triangles.insert(ladder.soup.triangles.end(),
-                                   {{a, b, c}, {b, d, c}});
-    }
-  }
-  FirstPathOn path(ladder);
-  int polls = 0;
+  FirstPathOn path({"ladder", MakeGrid({.columns = 1,
+                                        .rows = kRungs,
+                                        .cell_height = 1e-3,
+                                        .diagonals = Diagonals::kRandom})});
   const Query query{.sources = {{VertexPoint{1}}},
                     .targets = {VertexPoint{2 * kRungs}}};
-  EXPECT_TRUE(path.Find(query,
-                        [&] {
-                          ++polls;
-                          return absl::OkStatus();
-                        })
-                  .ok());
-  EXPECT_LT(polls, 15);
+  EXPECT_LT(CountPolls(path, query), 15);
   const double straight = std::hypot(1, 1e-3 * kRungs);
   EXPECT_NEAR(path.Length(query), straight, 1e-12 * straight);
 }

@@ -21,6 +21,7 @@
 #include "tests/support/planar_meshes.h"
 #include "tests/support/surface_points.h"
 #include "tests/support/test_meshes.h"
+#include "tests/support/vec.h"
 
 namespace geodesic::test {
 namespace {
@@ -250,20 +251,13 @@ TEST(ToleranceTest, NeedlesBesideTheSourceAreWithinTheBound) {
        {4, 2, 13},  {2, 10, 14}, {10, 9, 14}, {4, 8, 15}, {8, 3, 15},
        {4, 15, 16}, {15, 3, 16}, {1, 9, 17},  {9, 0, 17}}};
   const auto mesh = BuildOrFail({"needles", soup});
-  constexpr double kFromVertex = 2.4011990274240679e-14;
-  const Point& near = soup.positions[9];
-  const Point& far = soup.positions[2];
+  const SurfacePoint source = EdgePoint{9, 2, 2.4011990274240679e-14};
   for (const double tolerance : {1e-5, 1e-3, 0.1}) {
-    const DistanceField field =
-        SolveOrFail(*mesh, Query{.sources = {{EdgePoint{9, 2, kFromVertex}}},
-                                 .tolerance = tolerance});
+    const DistanceField field = SolveOrFail(
+        *mesh, Query{.sources = {{source}}, .tolerance = tolerance});
     for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
-      double square = 0;
-      for (int axis = 0; axis < 2; ++axis) {
-        const double from = near[axis] + kFromVertex * (far[axis] - near[axis]);
-        square += std::pow(soup.positions[v][axis] - from, 2);
-      }
-      const double truth = std::sqrt(square);
+      const auto truth = static_cast<double>(
+          Norm(ToVec3(soup.positions[v]) - PositionIn(soup, source)));
       const double certified =
           field.certified_errors.empty() ? 0 : field.certified_errors[v];
       EXPECT_NEAR(field.distances[v], truth,

@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <variant>
 #include <vector>
 
 #include "geodesic/mesh.h"
@@ -25,6 +25,8 @@
 #include "tests/support/planar_meshes.h"
 #include "tests/support/queries.h"
 #include "tests/support/random.h"
+#include "tests/support/surface_points.h"
+#include "tests/support/vec.h"
 
 namespace geodesic {
 namespace {
@@ -227,29 +229,22 @@ TEST(ManySources, KeepTheirWindows) {
   const TriangleSoup soup = test::MakeGrid({.columns = 2, .rows = 1});
   const auto mesh = test::BuildOrFail({"strip", soup});
   Query query;
-  const Triangle& corners = soup.triangles[0];
-  std::vector<std::array<double, 2>> places;
   for (int i = 0; i < kSources; ++i) {
     const double t = (i + 0.5) / kSources;
-    const std::array<double, 3> weights = {0.1, 0.9 * t, 0.9 * (1 - t)};
-    std::array<double, 2> place = {0, 0};
-    for (int corner = 0; corner < 3; ++corner) {
-      for (int axis = 0; axis < 2; ++axis) {
-        place[axis] += weights[corner] * soup.positions[corners[corner]][axis];
-      }
-    }
-    places.push_back(place);
-    query.sources.push_back({FacePoint{.face = 0, .weights = weights}});
+    query.sources.push_back(
+        {FacePoint{.face = 0, .weights = {0.1, 0.9 * t, 0.9 * (1 - t)}}});
   }
   for (const Algorithm algorithm : {Algorithm::kFwpList, Algorithm::kFwpMmp,
                                     Algorithm::kMmp, Algorithm::kLcMmp}) {
     query.algorithm = algorithm;
     const DistanceField field = test::SolveOrFail(*mesh, query);
     for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
-      double expected = std::numeric_limits<double>::infinity();
-      for (const auto& [x, y] : places) {
-        expected = std::min(expected, std::hypot(soup.positions[v][0] - x,
-                                                 soup.positions[v][1] - y));
+      test::Real expected = std::numeric_limits<double>::infinity();
+      for (const Source& source : query.sources) {
+        expected = std::min(
+            expected,
+            Norm(test::ToVec3(soup.positions[v]) -
+                 test::PositionIn(soup, std::get<SurfacePoint>(source.place))));
       }
       EXPECT_NEAR(field.distances[v], expected, 1e-12)
           << AlgorithmName(algorithm) << ", vertex " << v;

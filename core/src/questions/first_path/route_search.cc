@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mesh/prefetch.h"
 #include "solver/queues/queue.h"
 #include "solver/windows/window.h"
 #include "surface/surface_location.h"
@@ -54,7 +55,8 @@ absl::Status RouteSearch::Find(std::span<const RouteStart> starts,
   while (queue_.size() > 0 && queue_.SettledRadius() < best) {
     const uint32_t v = queue_.Pop();
     if (known_[v].is_closed) continue;
-    Prefetch(queue_.Upcoming(1));
+    const uint32_t next = queue_.Upcoming(1);
+    if (next != kNothing) PrefetchFan(mesh_, next);
     for (const auto& [corner, rest] : std::span(ends).first(end_count)) {
       if (v != corner || !(known_[v].distance + rest < best)) continue;
       best = known_[v].distance + rest;
@@ -67,17 +69,6 @@ absl::Status RouteSearch::Find(std::span<const RouteStart> starts,
   route.exists = last != Place::kNoVertex;
   if (route.exists) TraceBack(last, starts[0].place, route);
   return absl::OkStatus();
-}
-
-// Fetches into cache what expanding a vertex will need.
-void RouteSearch::Prefetch(uint32_t v) const {
-  if (v == kNothing) return;
-  for (const HalfEdge h : mesh_.Outgoing(v)) {
-    for (const HalfEdge side : {h, Next(h), Prev(h)}) {
-      __builtin_prefetch(&mesh_.frame(side));
-    }
-    __builtin_prefetch(&mesh_.TriangleOf(h));
-  }
 }
 
 void RouteSearch::Restart() {

@@ -75,7 +75,6 @@ class RouteSearch {
   uint64_t bytes() const;
 
  private:
-  void Prefetch(uint32_t v) const;
   void Restart();
   template <typename Visit>
   void ForEachCorner(const Place& place, Visit visit) const;

@@ -38,6 +38,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/prefetch.h"
 #include "solver/rules/chen_han_crossing.h"
 #include "solver/rules/front.h"
 #include "solver/windows/window.h"
@@ -180,7 +181,7 @@ class ChenHanRule {
     }
     const Entry& entry = pool_[id];
     if (stage == 1) {
-      front_.PrefetchFace(entry.window.half_edge);
+      PrefetchFace(mesh_, entry.window.half_edge);
       front_.PrefetchDistance(entry.window.pseudo_source);
       __builtin_prefetch(&best_[entry.window.half_edge]);
     } else {

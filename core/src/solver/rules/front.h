@@ -148,25 +148,14 @@ class Front {
            arrivals_.capacity() * sizeof(Arrival) + targets_.bytes() +
            reached_list_.capacity() * sizeof(uint32_t);
   }
-  // Fetches the face of h, then (once that has arrived) the distances of its
-  // corners into cache.
-  void PrefetchFace(HalfEdge h) const {
-    const HalfEdge first = h - h % 3;
-    __builtin_prefetch(&mesh_.frame(first));
-    __builtin_prefetch(&mesh_.frame(first + 1));
-    __builtin_prefetch(&mesh_.frame(first + 2));
-    __builtin_prefetch(&mesh_.TriangleOf(h));
-  }
+  // Fetches the distances of the corners of h's face into cache, once that face
+  // is there (mesh/prefetch.h).
   void PrefetchCorners(HalfEdge h) const {
     for (uint32_t v : mesh_.TriangleOf(h)) PrefetchDistance(v);
   }
   void PrefetchDistance(uint32_t v) const {
     __builtin_prefetch(&distances_[v]);
     if constexpr (Accuracy::kMerges) __builtin_prefetch(&accounts_[v]);
-  }
-  // Fetches the faces around v.
-  void PrefetchFan(uint32_t v) const {
-    for (HalfEdge h : mesh_.Outgoing(v)) PrefetchFace(h);
   }
 
   // Whether a window on the edge from -> to is useless because paths through

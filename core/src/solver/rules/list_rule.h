@@ -41,6 +41,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/prefetch.h"
 #include "solver/rules/crossing_counter.h"
 #include "solver/rules/front.h"
 #include "solver/rules/list_worker.h"
@@ -210,9 +211,7 @@ class ListRule {
       give(queued.member, {.id = id,
                            .lists = queued.lists,
                            .passed = passed_.At(id, times),
-                           .winding = times == most    ? Winding::kCertain
-                                      : MayWind(times) ? Winding::kSuspected
-                                                       : Winding::kUnknown});
+                           .winding = WindingAfter(times, most)});
       free_.push_back(waiting_[id]);
       waiting_[id] = kNothing + times;
       if constexpr (Front::Goal::kDirects) {
@@ -221,8 +220,12 @@ class ListRule {
     }
   }
 
-  bool MayWind(uint32_t crossings) const {
-    return crossings >= kManyCrossings && winding_.MayLook();
+  // `most`: MostCrossings.
+  Winding WindingAfter(uint32_t crossings, uint32_t most) const {
+    if (crossings == most) return Winding::kCertain;
+    return crossings >= kManyCrossings && winding_.MayLook()
+               ? Winding::kSuspected
+               : Winding::kUnknown;
   }
 
   void DoAll() {
@@ -269,9 +272,9 @@ class ListRule {
     if (i + 3 < events.size()) {
       const Event& event = events[i + 3];
       if (event.id & kVertexEvent) {
-        front_.PrefetchFan(event.id & ~kVertexEvent);
+        PrefetchFan(mesh_, event.id & ~kVertexEvent);
       } else {
-        front_.PrefetchFace(event.id);
+        PrefetchFace(mesh_, event.id);
         // Without a branch: whether there are both cannot be foreseen.
         const WindowBlock* const any =
             event.lists[0] != nullptr ? event.lists[0] : event.lists[1];

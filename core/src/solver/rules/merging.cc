@@ -74,9 +74,8 @@ bool FindMerged(const Window& first, const Window& second, double most,
       kMergedRounding * (first_at + from_begin + from_end) + gap;
   // Where the rays to both ends lean far apart, rounding along the edge counts
   // many times: then it is not the distances at the ends that come out.
-  const double off =
-      std::max(std::abs(origin.sigma + origin.DistanceTo(begin) - at_begin),
-               std::abs(origin.sigma + origin.DistanceTo(end) - at_end));
+  const double off = std::max(std::abs(origin.PathTo(begin) - at_begin),
+                              std::abs(origin.PathTo(end) - at_end));
   if (!(off <= rounding)) return false;
   origin.sigma -= off;
 
@@ -104,7 +103,7 @@ bool FindMerged(const Window& first, const Window& second, double most,
   const auto agrees = [&](const Origin& s, double from, double to,
                           double nearer) {
     const double at = std::clamp(s.x, from, to);
-    const double left = s.PathTo(at) - (origin.sigma + origin.DistanceTo(at));
+    const double left = s.PathTo(at) - origin.PathTo(at);
     return left >= -rounding && left <= nearer + rounding;
   };
   if (!agrees(s1, begin, middle, below_first) ||

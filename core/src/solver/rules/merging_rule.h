@@ -22,6 +22,7 @@
 
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
+#include "mesh/prefetch.h"
 #include "solver/accuracy.h"
 #include "solver/rules/crossing_counter.h"
 #include "solver/rules/face_corners.h"
@@ -80,7 +81,7 @@ class MergingRule {
     }
     DirectSink sink(front_, *this);
     for (size_t i = 0; i < vertices_.size(); ++i) {
-      if (i + 2 < vertices_.size()) front_.PrefetchFan(vertices_[i + 2]);
+      if (i + 2 < vertices_.size()) PrefetchFan(mesh_, vertices_[i + 2]);
       if (front_.TakeEvent(vertices_[i])) front_.Expand(vertices_[i], sink);
     }
     uint64_t propagated = 0;
@@ -137,7 +138,7 @@ class MergingRule {
     const size_t size = half_edges_.size();
     if (i + 16 < size) {
       const HalfEdge h = half_edges_[i + 16];
-      front_.PrefetchFace(h);
+      PrefetchFace(mesh_, h);
       if (waiting_[h] != kNone) windows_.Prefetch(waiting_[h]);
     }
     if (i + 8 < size) {

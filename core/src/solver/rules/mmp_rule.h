@@ -38,6 +38,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "mesh/prefetch.h"
 #include "solver/rules/crossing_counter.h"
 #include "solver/rules/face_crossing.h"
 #include "solver/rules/front.h"
@@ -103,7 +104,7 @@ class MmpRule {
     switch (stage) {
       case 0:
         lists_.PrefetchHead(h);
-        front_.PrefetchFace(h);
+        PrefetchFace(mesh_, h);
         break;
       case 1:
         lists_.PrefetchList(h);
@@ -131,8 +132,8 @@ class MmpRule {
   // below this many windows there is little to gain.
   static constexpr uint64_t kLeastSweep = 16384;
 
-  // A strict queue takes them one by one, and any other together; it is not
-  // known how many cross together, but these are few.
+  // With a strict queue each window crosses by itself; otherwise those of a
+  // half-edge cross together.
   static constexpr uint64_t kWindowsAtATime = Queue::kStrict ? 64 : 1;
 
   static constexpr double kAnyLabel = std::numeric_limits<double>::max();

@@ -32,7 +32,6 @@ bool Enter(const Mesh& mesh, HalfEdge side, const Origin& origin, double at,
 template <Side kSide>
 bool Leave(const Mesh& mesh, const FaceSide<kSide>& side, double crossing,
            Line& line) {
-  if (side.exit == kNoHalfEdge) return false;
   const Interval hit =
       side.InExit(side.Hit(line.origin, {line.at, line.at}, crossing));
   return Enter(mesh, side.half_edge, Unfold(side, line.origin), hit.begin,
