@@ -577,7 +577,8 @@ test("a choice that is none, and counts and places that are none, are no questio
   await viewer.waitForText("#notice-text", "no place of this mesh");
   // The source that is one is asked for.
   await viewer.solved();
-  assert.deepEqual(new Set(calls), new Set(["ComputeField"]));
+  // Paths are asked for under a cursor that rests, whenever it has rested for long enough.
+  assert.deepEqual(new Set(calls.filter((call) => call !== "ComputePaths")), new Set(["ComputeField"]));
   assert.deepEqual(viewer.errors, []);
 });
 
@@ -656,6 +657,32 @@ test("the page goes on when the server is back, without its meshes", async (t) =
   await viewer.solved();
   await viewer.move(0.2, 0.2);
   await viewer.exactValue();
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a list of meshes that fails late takes nothing off the mesh that is shown", async (t) => {
+  const viewer = await openPage(browser, server.url);
+  t.after(() => viewer.close());
+  // The list that the page begins with is there.
+  await viewer.page.waitForSelector("#meshes option", { state: "attached" });
+  let fail;
+  const listed = new Promise((resolve) => {
+    viewer.page.route("**/ListMeshes", (route) => {
+      fail = () => route.abort();
+      resolve();
+    }, { times: 1 });
+  });
+  await viewer.drop("sphere.obj", SPHERE);
+  await viewer.shown("sphere.obj");
+  await viewer.click(0, 0);
+  await viewer.solved();
+  await listed;
+  const again = viewer.page.waitForResponse((response) => response.url().endsWith("/ListMeshes"));
+  await fail();
+  await again;
+  await viewer.solved();
+  assert.match(viewer.page.url(), /source=/);
+  assert.equal(await viewer.text("#mesh-name"), "sphere.obj");
   assert.deepEqual(viewer.errors, []);
 });
 

@@ -52,7 +52,8 @@ export class MeshChooser {
       const digest = await this.upload(file);
       this.names.set(digest, file.name);
       await this.openDigest(digest);
-      await this.list();
+      // A list that fails is asked for again by itself: the mesh is shown by now.
+      void this.recovery.attempt(() => this.list());
     });
   }
 
