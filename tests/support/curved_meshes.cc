@@ -102,6 +102,20 @@ TriangleSoup Terrain(uint32_t columns, uint32_t rows, double roughness,
   return soup;
 }
 
+TriangleSoup Strip(uint32_t columns, double height, uint64_t seed) {
+  TriangleSoup soup = MakeGrid({.columns = columns,
+                                .rows = 1,
+                                .diagonals = Diagonals::kRandom,
+                                .seed = seed});
+  std::ranges::sort(soup.triangles, {}, [&soup](const Triangle& t) {
+    const std::vector<Point>& p = soup.positions;
+    return p[t[0]][0] + p[t[1]][0] + p[t[2]][0];
+  });
+  Random random(seed + 1);
+  for (Point& p : soup.positions) p[2] = random.Uniform(-height, height);
+  return soup;
+}
+
 TriangleSoup HyperbolicGrid(uint32_t columns, uint32_t rows, double twist) {
   TriangleSoup soup = MakeGrid({.columns = columns, .rows = rows});
   for (Point& p : soup.positions) {

@@ -33,6 +33,11 @@ TriangleSoup Torus(const TorusOptions& options);
 TriangleSoup Terrain(uint32_t columns, uint32_t rows, double roughness,
                      uint64_t seed);
 
+// Squares in a row, cut by diagonals at random, with heights in [-height,
+// height): a strip one square wide, which has no inner vertex. Triangles are in
+// order along it.
+TriangleSoup Strip(uint32_t columns, double height, uint64_t seed);
+
 // Surfaces whose vertices exceed a full turn by very little. Their rows are
 // straight lines in space, so distances along them are those of Euclid.
 

@@ -12,6 +12,7 @@
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/oracles/edge_paths.h"
+#include "tests/support/oracles/strip_paths.h"
 
 namespace geodesic::test {
 namespace {
@@ -99,6 +100,44 @@ TEST_P(GentleSaddles, RandomHeights) {
           EXPECT_LE(field[v], plane * std::hypot(1, 4 * height) * (1 + 1e-13))
               << named.name << ", seed " << seed << ", " << s << " to " << v;
         }
+      }
+    }
+  }
+}
+
+// One face wide, so that each vertex lies at the boundary. What bends around
+// them is as good as straight, and rounding chooses between the paths.
+TEST_P(GentleSaddles, StripsOneFaceWide) {
+  // Windows of CH and of mmp are many there.
+  const bool is_quick =
+      IsQuickEnough() && GetParam().algorithm != Algorithm::kMmp;
+  const uint32_t columns = is_quick ? 600 : 60;
+  for (const double height : {1e-9, 1e-6, 5e-6, 1e-5, 3e-5, 1e-3, 0.3}) {
+    for (const uint64_t seed : {1, 2}) {
+      const NamedMesh named{absl::StrCat("strip, heights of ", height),
+                            Strip(columns, height, seed)};
+      const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+      for (const uint32_t s : {0u, columns / 2, 2 * columns + 1}) {
+        ExpectField(named.name, *mesh, {{VertexPoint{s}}},
+                    StripDistances(named.soup, s));
+      }
+    }
+  }
+}
+
+// Rounding that chooses anew for every piece of a window made hundreds and
+// thousands of windows a face in such strips, and more the longer they are.
+TEST(WindowsOfStrips, AreNotCutToPieces) {
+  for (const Algorithm algorithm : {Algorithm::kFwpList, Algorithm::kFwpMmp}) {
+    for (const double height : {1e-5, 5e-6}) {
+      for (uint64_t seed = 1; seed <= 4; ++seed) {
+        const std::shared_ptr<const Mesh> mesh =
+            BuildOrFail({"strip", Strip(1923, height, seed)});
+        const DistanceField field = SolveOrFail(
+            *mesh, {.sources = {{VertexPoint{0}}}, .algorithm = algorithm});
+        EXPECT_LT(field.statistics.windows_propagated,
+                  100 * uint64_t{mesh->face_count()})
+            << AlgorithmName(algorithm) << ", " << height << ", " << seed;
       }
     }
   }

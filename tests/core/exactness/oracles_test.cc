@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
 #include "tests/support/field_check.h"
 #include "tests/support/mesh_edits.h"
 #include "tests/support/oracles/brute_force.h"
 #include "tests/support/oracles/planar_domain.h"
+#include "tests/support/oracles/strip_paths.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/surface_points.h"
@@ -30,6 +32,20 @@ void ExpectBruteForce(const NamedMesh& mesh, DistanceFunction distance) {
     }
     ASSERT_TRUE(FieldsAgree({mesh.name, {{VertexPoint{s}}}, "brute-force"},
                             expected, brute_force.Distances(s)));
+  }
+}
+
+TEST(Oracles, BruteForceFindsStringsPulledTautInStrips) {
+  for (const double height : {1e-6, 1e-2, 1.0, 3.0}) {
+    for (const uint64_t seed : {1, 2, 3}) {
+      const TriangleSoup soup = Strip(20, height, seed);
+      std::vector<std::vector<double>> distances;
+      for (uint32_t s = 0; s < soup.positions.size(); ++s) {
+        distances.push_back(StripDistances(soup, s));
+      }
+      ExpectBruteForce({"strip", soup},
+                       [&](uint32_t s, uint32_t v) { return distances[s][v]; });
+    }
   }
 }
 
