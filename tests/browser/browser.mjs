@@ -99,11 +99,12 @@ export class Viewer {
 
   /** The distance under the cursor, once it is exact. */
   async exactValue() {
-    await this.page.waitForFunction(() => {
+    // Read at once: a cursor that rests is looked at again, and shows less for a moment.
+    const text = await this.page.waitForFunction(() => {
       const value = document.getElementById("value");
-      return !value.hidden && value.dataset.exact === "true";
+      return !value.hidden && value.dataset.exact === "true" && value.textContent;
     });
-    return Number(await this.text("#value"));
+    return Number(await text.jsonValue());
   }
 
   /** A point of the window; 0, 0 is the middle of the picture, 1 half its height. */
