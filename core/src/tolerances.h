@@ -156,9 +156,9 @@ inline constexpr double kTie = 1e-15;
 // hardly any angle there, would win by such roundings without end.
 inline constexpr double kRoundedPosition = 0x1p-52;
 
-// A window between two pieces of another goes if both ends of it are tied with
-// that one by this many times either: where windows differ by one tie, rounding
-// has cut the pieces.
+// A window between two pieces of another goes if it is tied with that one by
+// this many times either: where windows differ by one tie, rounding has cut the
+// pieces.
 inline constexpr double kFragmentTies = 2;
 
 // On meshes with faces without area, a tie by this fraction of the edge and the

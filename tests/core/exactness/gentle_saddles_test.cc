@@ -108,10 +108,7 @@ TEST_P(GentleSaddles, RandomHeights) {
 // One face wide, so that each vertex lies at the boundary. What bends around
 // them is as good as straight, and rounding chooses between the paths.
 TEST_P(GentleSaddles, StripsOneFaceWide) {
-  // Windows of CH and of mmp are many there.
-  const bool is_quick =
-      IsQuickEnough() && GetParam().algorithm != Algorithm::kMmp;
-  const uint32_t columns = is_quick ? 600 : 60;
+  const uint32_t columns = IsQuickEnough() ? 600 : 60;
   for (const double height : {1e-9, 1e-6, 5e-6, 1e-5, 3e-5, 1e-3, 0.3}) {
     for (const uint64_t seed : {1, 2}) {
       const NamedMesh named{absl::StrCat("strip, heights of ", height),
@@ -128,7 +125,8 @@ TEST_P(GentleSaddles, StripsOneFaceWide) {
 // Rounding that chooses anew for every piece of a window made hundreds and
 // thousands of windows a face in such strips, and more the longer they are.
 TEST(WindowsOfStrips, AreNotCutToPieces) {
-  for (const Algorithm algorithm : {Algorithm::kFwpList, Algorithm::kFwpMmp}) {
+  for (const Algorithm algorithm : {Algorithm::kFwpList, Algorithm::kFwpMmp,
+                                    Algorithm::kMmp, Algorithm::kLcMmp}) {
     for (const double height : {1e-5, 5e-6}) {
       for (uint64_t seed = 1; seed <= 4; ++seed) {
         const std::shared_ptr<const Mesh> mesh =

@@ -5,35 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "solver/windows/window.h"
+#include "solver/rules/trimming.h"
+#include "solver/windows/mixed_origin.h"
 #include "tolerances.h"
 
 namespace geodesic {
 namespace {
-
-bool AreTied(const Origin& a, const Origin& b, double at) {
-  const double distance = a.PathTo(at);
-  return std::abs(distance - b.PathTo(at)) <=
-         kFragmentTies * std::max(kTie * distance, kRoundedPosition * at);
-}
-
-// Whether windows i and k are pieces of one, and window j between them is tied
-// with it.
-bool AreFragments(const WindowColumns& windows, size_t i, size_t j, size_t k,
-                  double least) {
-  if (windows.pseudo_source[i] != windows.pseudo_source[k] ||
-      windows.x[i] != windows.x[k] || windows.depth[i] != windows.depth[k] ||
-      windows.sigma[i] != windows.sigma[k]) {
-    return false;
-  }
-  if (windows.begin[j] - windows.end[i] > least ||
-      windows.begin[k] - windows.end[j] > least) {
-    return false;
-  }
-  const Origin whole = windows.OriginAt(i), between = windows.OriginAt(j);
-  return AreTied(whole, between, windows.begin[j]) &&
-         AreTied(whole, between, windows.end[j]);
-}
 
 // Shorter lists cost less than looking for fragments.
 constexpr size_t kMany = 64;
@@ -51,16 +28,44 @@ bool ManyAlternate(const WindowColumns& windows) {
 
 }  // namespace
 
+template <typename OriginType>
+bool AreFragments(const BasicWindow<OriginType>& before,
+                  const BasicWindow<OriginType>& between,
+                  const BasicWindow<OriginType>& after, double length) {
+  const Interval& part = between.interval;
+  if (!(before.origin == after.origin) ||
+      part.begin - before.interval.end > kLeastWidth * length ||
+      after.interval.begin - part.end > kLeastWidth * length) {
+    return false;
+  }
+  const auto is_tied = [&](double at) {
+    const double distance = between.DistanceTo(at);
+    return std::abs(distance - before.DistanceTo(at)) <=
+           kFragmentTies * std::max(kTie * distance, kRoundedPosition * at);
+  };
+  // Windows that change over at both ends are tied there, of course.
+  const double most = CommonRay(before.origin, between.origin);
+  const bool has_most = most > part.begin && most < part.end;
+  return is_tied(part.begin) && is_tied(part.end) &&
+         (!has_most || is_tied(most));
+}
+
+template bool AreFragments(const Window&, const Window&, const Window&, double);
+template bool AreFragments(const MixedWindow&, const MixedWindow&,
+                           const MixedWindow&, double);
+
 void JoinFragments(double length, WindowColumns& windows) {
   if (windows.size < kMany || !ManyAlternate(windows)) return;
-  const double least = kLeastWidth * length;
+  const auto are_fragments = [&](size_t before, size_t between, size_t after) {
+    return windows.pseudo_source[before] == windows.pseudo_source[after] &&
+           AreFragments(windows.At(before), windows.At(between),
+                        windows.At(after), length);
+  };
   size_t i = 2;
-  while (i < windows.size && !AreFragments(windows, i - 2, i - 1, i, least)) {
-    ++i;
-  }
+  while (i < windows.size && !are_fragments(i - 2, i - 1, i)) ++i;
   size_t kept = i;
   for (; i < windows.size; ++i) {
-    if (AreFragments(windows, kept - 2, kept - 1, i, least)) {
+    if (are_fragments(kept - 2, kept - 1, i)) {
       --kept;
       windows.end[kept - 1] = windows.end[i];
     } else {

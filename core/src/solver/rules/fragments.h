@@ -3,20 +3,29 @@
 #ifndef GEODESIC_SOLVER_RULES_FRAGMENTS_H_
 #define GEODESIC_SOLVER_RULES_FRAGMENTS_H_
 
+#include "solver/windows/window.h"
 #include "solver/windows/window_columns.h"
 
 namespace geodesic {
 
-// Joins pieces of one window on an edge of this length, sorted and disjoint,
-// where a window between them is tied with it (kFragmentTies): that one goes.
-//
 // The distances of pseudo-sources that lie all but in line differ by the same
 // over whole edges. Where that is about kTie, rounding decides who wins, for
-// each piece anew, and the pieces of some dozens of such windows become
-// thousands in number. The window that is seen on both sides is seen between
-// them, too. Lists that are short, or in which hardly any windows alternate,
-// are left as they are: they cost less. The distances at the windows' ends are
-// neither read nor changed. O(windows).
+// each piece of a window anew, and the pieces of some dozens of such windows
+// become thousands in number.
+
+// Whether `before` and `after`, windows of one pseudo-source, are pieces of one
+// window on an edge of this length, and `between`, which parts them, is tied
+// with it (kFragmentTies). What is seen on both sides is seen between them too,
+// so all three may give way to one window. The distances at the windows' ends
+// are not read.
+template <typename OriginType>
+bool AreFragments(const BasicWindow<OriginType>& before,
+                  const BasicWindow<OriginType>& between,
+                  const BasicWindow<OriginType>& after, double length);
+
+// Joins such pieces in a list that is sorted and disjoint. Short lists, and
+// those in which hardly any windows alternate, are left as they are: they cost
+// less. The distances at the windows' ends are not changed. O(windows).
 void JoinFragments(double length, WindowColumns& windows);
 
 }  // namespace geodesic

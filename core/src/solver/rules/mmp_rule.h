@@ -41,6 +41,7 @@
 #include "mesh/prefetch.h"
 #include "solver/rules/crossing_counter.h"
 #include "solver/rules/face_crossing.h"
+#include "solver/rules/fragments.h"
 #include "solver/rules/front.h"
 #include "solver/rules/trimming.h"
 #include "solver/rules/winding.h"
@@ -296,6 +297,7 @@ class MmpRule {
       ListedWindow part{newer, pseudo_source};
       part.window.CutTo(held);
       const double label = part.window.Label();
+      if (slack == 0 && JoinFragment(half_edge, part, label)) return;
       lists_.Add(half_edge, part, label);
       ++created_;
       ++pending_;
@@ -357,6 +359,32 @@ class MmpRule {
     }
     put_down(interval.end);
     if (lists_.size() >= next_sweep_) Sweep();
+  }
+
+  // Joins a window that would be added before the cursor to another piece of
+  // it, if only a fragment that is tied with it parts them (fragments.h). What
+  // has been propagated stays.
+  bool JoinFragment(HalfEdge half_edge, const ListedWindow& part,
+                    double label) {
+    if (lists_.before(half_edge) < 2) return false;
+    ListedWindow& whole = lists_.Previous(half_edge, 1);
+    const ListedWindow& between = lists_.Previous(half_edge, 0);
+    double& whole_label = lists_.PreviousLabel(half_edge, 1);
+    const double between_label = lists_.PreviousLabel(half_edge, 0);
+    if (whole.pseudo_source != part.pseudo_source ||
+        whole_label == kPropagated || between_label == kPropagated ||
+        !AreFragments(whole.window, between.window, part.window,
+                      mesh_.frame(half_edge).length)) {
+      return false;
+    }
+    whole.window.interval.end = part.window.interval.end;
+    whole.window.end_distance = part.window.end_distance;
+    whole_label = std::min({whole_label, between_label, label});
+    lists_.RemovePrevious(half_edge);
+    --pending_;
+    front_.Observe(half_edge, whole.window, whole.pseudo_source);
+    Enqueue(half_edge, whole_label);
+    return true;
   }
 
   // Sees to it that a window of `half_edge` with this label will be due.

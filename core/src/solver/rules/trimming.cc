@@ -56,23 +56,6 @@ double SolveCrossing(const MixedOrigin& older, const MixedOrigin& newer,
              : SolveCrossing(older.AsPoint(), newer.AsPoint(), low, high);
 }
 
-// Where rays of both pseudo-sources coincide; NaN or infinite if nowhere.
-double CommonRay(const Origin& a, const Origin& b) {
-  return (a.x * b.depth - b.x * a.depth) / (b.depth - a.depth);
-}
-
-double CommonRay(const MixedOrigin& a, const MixedOrigin& b) {
-  if (!a.is_segment && !b.is_segment) {
-    return CommonRay(a.AsPoint(), b.AsPoint());
-  }
-  if (a.is_segment && b.is_segment) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  const MixedOrigin& segment = a.is_segment ? a : b;
-  const MixedOrigin& point = a.is_segment ? b : a;
-  return point.x + point.depth * segment.x / segment.depth;
-}
-
 // By how much the newer's pseudo-source is nearer to the source. None where one
 // is a segment, whose sigma is that of no pseudo-source.
 double LeadOfNewer(const Origin& older, const Origin& newer) {
@@ -143,6 +126,22 @@ Contest AtEnd(const WindowType& older, const WindowType& newer, double slack) {
 }
 
 }  // namespace
+
+double CommonRay(const Origin& a, const Origin& b) {
+  return (a.x * b.depth - b.x * a.depth) / (b.depth - a.depth);
+}
+
+double CommonRay(const MixedOrigin& a, const MixedOrigin& b) {
+  if (!a.is_segment && !b.is_segment) {
+    return CommonRay(a.AsPoint(), b.AsPoint());
+  }
+  if (a.is_segment && b.is_segment) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const MixedOrigin& segment = a.is_segment ? a : b;
+  const MixedOrigin& point = a.is_segment ? b : a;
+  return point.x + point.depth * segment.x / segment.depth;
+}
 
 template <typename OriginType>
 Interval WonByNewer(const BasicWindow<OriginType>& older,

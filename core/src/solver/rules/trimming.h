@@ -10,6 +10,11 @@
 
 namespace geodesic {
 
+// Where rays of both pseudo-sources coincide: there the difference of their
+// distances is greatest or least. NaN or infinite if nowhere.
+double CommonRay(const Origin& a, const Origin& b);
+double CommonRay(const MixedOrigin& a, const MixedOrigin& b);
+
 // The part of two windows' overlap where the newer is nearer; of width 0 if the
 // older keeps all of it. Ties (kTie, and `slack`) go to the window of the
 // lesser sigma, or else, and wherever there is slack or a segment, to the

@@ -25,6 +25,8 @@ struct MixedOrigin {
   double sigma = 0;
   bool is_segment = false;
 
+  bool operator==(const MixedOrigin&) const = default;
+
   Origin AsPoint() const { return {x, depth, sigma}; }
 
   double DistanceTo(double at) const {

@@ -40,6 +40,8 @@ struct Origin {
   double depth = 0;  // >= kLeastHeight
   double sigma = 0;  // distance from the source to the pseudo-source
 
+  bool operator==(const Origin&) const = default;
+
   // Distance from the pseudo-source to the point (at, 0) of the edge.
   double DistanceTo(double at) const {
     return std::sqrt((at - x) * (at - x) + depth * depth);

@@ -86,6 +86,22 @@ class WindowLists {
     --HeadOf(h).after;
     --size_;
   }
+  // Windows before the cursor, and the i-th of them back from it.
+  uint32_t before(HalfEdge h) const { return HeadOf(h).before; }
+  // REQUIRES: i < before(h).
+  ListedWindow& Previous(HalfEdge h, uint32_t i) {
+    const Head& list = HeadOf(h);
+    return Begin(list)[list.before - 1 - i];
+  }
+  double& PreviousLabel(HalfEdge h, uint32_t i) {
+    const Head& list = HeadOf(h);
+    return Labels(list)[list.before - 1 - i];
+  }
+  // REQUIRES: before(h) > 0.
+  void RemovePrevious(HalfEdge h) {
+    --HeadOf(h).before;
+    --size_;
+  }
   // Makes room for `count` windows more.
   void MakeRoom(HalfEdge h, uint32_t count) {
     const auto needed = static_cast<uint32_t>(size(h) + count);
