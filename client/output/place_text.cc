@@ -193,7 +193,7 @@ std::string ParseNamed(std::string_view text, WrittenPoint* point) {
   std::string problem;
   std::string line;
   for (uint64_t number = 1; std::getline(file, line); ++number) {
-    const std::string_view entry = Trimmed(line);
+    const std::string_view entry = Trimmed(WithoutMark(line, number));
     if (entry.empty() || entry.starts_with('#')) continue;
     const size_t end = std::min(entry.find_first_of(" \t"), entry.size());
     const std::string_view known = entry.substr(0, end);
@@ -281,7 +281,7 @@ absl::StatusOr<std::vector<Item>> ReadList(const std::string& path,
   std::vector<Item> items;
   std::string line;
   for (uint64_t number = 1; std::getline(lines, line); ++number) {
-    const std::string_view entry = Trimmed(line);
+    const std::string_view entry = Trimmed(WithoutMark(line, number));
     if (entry.empty() || entry.starts_with('#')) continue;
     absl::StatusOr<Item> item = parse(entry);
     if (!item.ok()) {
@@ -299,6 +299,12 @@ absl::StatusOr<std::vector<Item>> ReadList(const std::string& path,
 
 std::string ListName(const std::string& path) {
   return path == kStandardInput ? "standard input" : path;
+}
+
+std::string_view WithoutMark(std::string_view line, uint64_t number) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  return number == 1 && line.starts_with(kMark) ? line.substr(kMark.size())
+                                                : line;
 }
 
 std::string PointText(const SurfacePoint& point) {

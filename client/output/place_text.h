@@ -44,6 +44,9 @@ nlohmann::ordered_json SourceToJson(const Source& source);
 inline constexpr char kStandardInput[] = "-";
 // What messages call a list: its path, or "standard input".
 std::string ListName(const std::string& path);
+// A line of a list without the byte order mark that the first one may begin
+// with. `number`: from 1.
+std::string_view WithoutMark(std::string_view line, uint64_t number);
 
 // Reads the file of a name. Errors: INVALID_ARGUMENT naming the text and what
 // it should be, or the file; ParseSource and ParseCurve have the same. The

@@ -88,6 +88,18 @@ TEST(PairListTest, ReadsPieceByPiece) {
   EXPECT_THAT(list->Read(2)->pairs, IsEmpty());
 }
 
+TEST(PairListTest, MayBeginWithAByteOrderMark) {
+  const TemporaryFolder folder;
+  WriteFile(folder / "p.csv",
+            "\xef\xbb\xbf"
+            "0,1\r\n2,3\r\n");
+  auto list = PairList::Open(folder / "p.csv");
+  ASSERT_TRUE(list.ok()) << list.status();
+  const auto piece = list->Read(9);
+  ASSERT_TRUE(piece.ok()) << piece.status();
+  EXPECT_THAT(piece->pairs, ElementsAre(Vertices(0, 1), Vertices(2, 3)));
+}
+
 TEST(PairListTest, OfAPipeGivesWhatHasCome) {
   const TemporaryFolder folder;
   const std::string path = folder / "pipe";

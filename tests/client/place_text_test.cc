@@ -145,6 +145,20 @@ TEST(ReadListTest, OneALine) {
                           WrittenPoint(FacePoint{1, {0, 0, 1}})));
 }
 
+TEST(ReadListTest, MayBeginWithAByteOrderMark) {
+  TemporaryFolder folder;
+  WriteFile(folder / "s.txt", "\xef\xbb\xbf# rows\n1\n");
+  EXPECT_THAT(*ReadSources(folder / "s.txt"), ElementsAre(At(VertexPoint{1})));
+  WriteFile(folder / "names.txt", "\xef\xbb\xbftip 17\n");
+  EXPECT_EQ(*ParsePoint("name:tip@" + (folder / "names.txt")),
+            WrittenPoint(VertexPoint{17}));
+  // Elsewhere it is none.
+  WriteFile(folder / "s.txt",
+            "1\n\xef\xbb\xbf"
+            "2\n");
+  EXPECT_TRUE(absl::IsInvalidArgument(ReadSources(folder / "s.txt").status()));
+}
+
 TEST(ReadListTest, NamesFileAndLine) {
   EXPECT_EQ(ListName("-"), "standard input");
   EXPECT_EQ(ListName("-.txt"), "-.txt");

@@ -102,14 +102,15 @@ absl::StatusOr<PairList> PairList::Open(const std::string& path) {
 absl::StatusOr<PairList::Piece> PairList::Read(size_t most) {
   std::istream& from = *stream_;
   Piece piece;
-  std::string line;
+  std::string read;
   while (piece.pairs.size() < most) {
     // What has come is answered before more is waited for.
     if (!piece.pairs.empty() && file_->in_avail() == 0) break;
     ++lines_;
-    const absl::StatusOr<bool> is_there = ReadLine(from, &line);
+    const absl::StatusOr<bool> is_there = ReadLine(from, &read);
     if (!is_there.ok()) return AtLine(is_there.status());
     if (!*is_there) break;
+    const std::string_view line = WithoutMark(read, lines_);
     if (line.starts_with('#') || std::ranges::all_of(line, IsBlank)) continue;
     absl::StatusOr<WrittenPair> pair = ParsePair(line);
     if (!pair.ok()) {
