@@ -14,7 +14,6 @@
 #include "geodesic/mesh.h"
 #include "solver/rules/envelope.h"
 #include "solver/rules/face_corners.h"
-#include "solver/rules/fragments.h"
 #include "solver/rules/list_kernels.h"
 #include "solver/rules/shadow_fan.h"
 #include "solver/windows/window.h"
@@ -46,7 +45,6 @@ class FaceCrossing {
   void Cross(HalfEdge h, Relax relax, HandOn hand_on) {
     const HalfEdgeFrame& frame = mesh_.frame(h);
     const FaceCorners corners(mesh_, h);
-    JoinFragments(frame.length, list_);
     Reserve(list_.size);
     CrossingsToApex(frame, list_, crossings_.data(), misses_.data());
     const double to_apex = ReachApex(h, corners.apex, frame, relax);

@@ -4,7 +4,6 @@
 #define GEODESIC_SOLVER_RULES_FRAGMENTS_H_
 
 #include "solver/windows/window.h"
-#include "solver/windows/window_columns.h"
 
 namespace geodesic {
 
@@ -15,18 +14,13 @@ namespace geodesic {
 
 // Whether `before` and `after`, windows of one pseudo-source, are pieces of one
 // window on an edge of this length, and `between`, which parts them, is tied
-// with it (kFragmentTies). What is seen on both sides is seen between them too,
-// so all three may give way to one window. The distances at the windows' ends
-// are not read.
+// with it all along (kFragmentTies). What is seen on both sides is seen between
+// them, too, so all three may give way to one window. The distances at the
+// windows' ends are not read.
 template <typename OriginType>
 bool AreFragments(const BasicWindow<OriginType>& before,
                   const BasicWindow<OriginType>& between,
                   const BasicWindow<OriginType>& after, double length);
-
-// Joins such pieces in a list that is sorted and disjoint. Short lists, and
-// those in which hardly any windows alternate, are left as they are: they cost
-// less. The distances at the windows' ends are not changed. O(windows).
-void JoinFragments(double length, WindowColumns& windows);
 
 }  // namespace geodesic
 

@@ -362,19 +362,18 @@ class MmpRule {
   }
 
   // Joins a window that would be added before the cursor to another piece of
-  // it, if only a fragment that is tied with it parts them (fragments.h). What
-  // has been propagated stays.
+  // it, if only one that is tied with it parts them (fragments.h). What has
+  // been propagated stays.
   bool JoinFragment(HalfEdge half_edge, const ListedWindow& part,
                     double label) {
     if (lists_.before(half_edge) < 2) return false;
     ListedWindow& whole = lists_.Previous(half_edge, 1);
-    const ListedWindow& between = lists_.Previous(half_edge, 0);
     double& whole_label = lists_.PreviousLabel(half_edge, 1);
     const double between_label = lists_.PreviousLabel(half_edge, 0);
     if (whole.pseudo_source != part.pseudo_source ||
         whole_label == kPropagated || between_label == kPropagated ||
-        !AreFragments(whole.window, between.window, part.window,
-                      mesh_.frame(half_edge).length)) {
+        !AreFragments(whole.window, lists_.Previous(half_edge, 0).window,
+                      part.window, mesh_.frame(half_edge).length)) {
       return false;
     }
     whole.window.interval.end = part.window.interval.end;

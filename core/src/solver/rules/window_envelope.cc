@@ -1,6 +1,7 @@
 #include "solver/rules/window_envelope.h"
 
 #include "solver/accuracy.h"
+#include "solver/rules/fragments.h"
 #include "solver/rules/trimming.h"
 
 namespace geodesic {
@@ -11,7 +12,9 @@ void WindowEnvelope<Accuracy>::Add(const ListedWindow& window) {
   if (IsLost(interval, window.window.origin, length_)) return;
   if (windows_.empty() ||
       windows_.back().window.interval.end <= interval.begin) {
+    const bool alternates = Alternates(window);
     windows_.push_back(window);
+    if (alternates) [[unlikely]] JoinLast();
   } else if (windows_.back().window.interval.begin > interval.begin) {
     AddInside(window);
   } else {
@@ -83,8 +86,28 @@ template <typename Accuracy>
 void WindowEnvelope<Accuracy>::Push(const ListedWindow& window,
                                     const Interval& part) {
   if (IsLost(part, window.window.origin, length_)) return;
+  const bool alternates = Alternates(window);
   windows_.push_back(window);
   windows_.back().window.CutTo(part);
+  if (alternates) [[unlikely]] JoinLast();
+}
+
+template <typename Accuracy>
+bool WindowEnvelope<Accuracy>::Alternates(const ListedWindow& next) const {
+  const size_t count = windows_.size();
+  return !Accuracy::kMerges && count >= 2 &&
+         windows_[count - 2].pseudo_source == next.pseudo_source;
+}
+
+template <typename Accuracy>
+void WindowEnvelope<Accuracy>::JoinLast() {
+  const auto last = windows_.end() - 1, between = last - 1, first = last - 2;
+  if (!AreFragments(first->window, between->window, last->window, length_)) {
+    return;
+  }
+  first->window.interval.end = last->window.interval.end;
+  first->window.end_distance = last->window.end_distance;
+  windows_.erase(between, windows_.end());
 }
 
 template class WindowEnvelope<Exact>;

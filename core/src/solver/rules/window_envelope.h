@@ -39,6 +39,10 @@ class WindowEnvelope {
   void Contest(const ListedWindow& window);
   void CutLast(const Interval& part);
   void Push(const ListedWindow& window, const Interval& part);
+  // Whether one that comes next has the pseudo-source of the last but one.
+  bool Alternates(const ListedWindow& next) const;
+  // Makes one of the last three if they are fragments (fragments.h).
+  void JoinLast();
 
   double length_ = 0;
   std::vector<ListedWindow> windows_;
