@@ -68,7 +68,7 @@ TEST_P(PlanarMeshes, SourcesBeforeAnother) {
     soup.positions.push_back({1.0 * i, 0, 0});
   }
   const uint32_t far = kRow + 1, left = kRow + 2, right = kRow + 3;
-  soup.positions.push_back({kRow / 2, -kFar, 0});
+  soup.positions.push_back({kRow / 2.0, -kFar, 0});
   soup.positions.push_back({0, kEdge, 0});
   soup.positions.push_back({kRow, kEdge, 0});
   for (uint32_t i = 0; i < kRow; ++i) {

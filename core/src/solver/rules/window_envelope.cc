@@ -14,7 +14,7 @@ void WindowEnvelope<Accuracy>::Add(const ListedWindow& window) {
       windows_.back().window.interval.end <= interval.begin) {
     const bool alternates = Alternates(window);
     windows_.push_back(window);
-    if (alternates) [[unlikely]] JoinLast();
+    if (alternates) JoinLast();
   } else if (windows_.back().window.interval.begin > interval.begin) {
     AddInside(window);
   } else {
@@ -89,7 +89,7 @@ void WindowEnvelope<Accuracy>::Push(const ListedWindow& window,
   const bool alternates = Alternates(window);
   windows_.push_back(window);
   windows_.back().window.CutTo(part);
-  if (alternates) [[unlikely]] JoinLast();
+  if (alternates) JoinLast();
 }
 
 template <typename Accuracy>
