@@ -3,13 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "tests/core/exactness/every_algorithm.h"
@@ -55,53 +52,6 @@ TEST_P(PlanarMeshes, LargeRegularGrid) {
     GTEST_SKIP() << GetParam().name << " is tested on smaller meshes only";
   }
   ExpectEuclid({"large regular grid", soup}, {50 * 101 + 37});
-}
-
-// Of a row of sources before one that is far behind them, each is the nearest
-// in a narrow wedge. On the one edge above them windows of the far one
-// alternate with theirs, and are tied with them where they change over.
-TEST_P(PlanarMeshes, SourcesBeforeAnother) {
-  constexpr uint32_t kRow = 100;
-  constexpr double kFar = 256, kEdge = 36, kLead = 1e-3;
-  TriangleSoup soup;
-  for (uint32_t i = 0; i <= kRow; ++i) {
-    soup.positions.push_back({1.0 * i, 0, 0});
-  }
-  const uint32_t far = kRow + 1, left = kRow + 2, right = kRow + 3;
-  soup.positions.push_back({kRow / 2.0, -kFar, 0});
-  soup.positions.push_back({0, kEdge, 0});
-  soup.positions.push_back({kRow, kEdge, 0});
-  for (uint32_t i = 0; i < kRow; ++i) {
-    soup.triangles.push_back({far, i + 1, i});
-    soup.triangles.push_back({i, i + 1, left});
-  }
-  soup.triangles.push_back({kRow, right, left});
-  // An arc above the edge, from the right.
-  uint32_t before = right;
-  for (uint32_t i = 1; i < 4 * kRow; ++i) {
-    const double x = kRow - i / 4.0;
-    const auto next = static_cast<uint32_t>(soup.positions.size());
-    soup.positions.push_back({x, kEdge + x * (kRow - x) / 64, 0});
-    soup.triangles.push_back({left, before, next});
-    before = next;
-  }
-  std::vector<Source> sources = {{VertexPoint{far}}};
-  for (uint32_t i = 2; i + 2 <= kRow; ++i) {
-    const Real apart = Distance(soup.positions[far], soup.positions[i]);
-    sources.push_back({VertexPoint{i}, static_cast<double>(apart) - kLead});
-  }
-  std::vector<double> expected;
-  for (const Point& p : soup.positions) {
-    Real least = std::numeric_limits<Real>::infinity();
-    for (const Source& source : sources) {
-      const uint32_t v =
-          std::get<VertexPoint>(std::get<SurfacePoint>(source.place)).vertex;
-      least = std::min(least, source.offset + Distance(soup.positions[v], p));
-    }
-    expected.push_back(static_cast<double>(least));
-  }
-  const NamedMesh named{"a row of sources before another", soup};
-  ExpectField(named.name, *BuildOrFail(named), sources, expected);
 }
 
 // Around reflex corners, in regular grids and jittered ones.

@@ -35,25 +35,33 @@ std::vector<SurfacePoint> ManyPoints(const TriangleSoup& soup, uint32_t count,
   return points;
 }
 
+// On a plane: the least of Euclid's distances from the sources, of vertices and
+// then of targets.
+std::vector<double> EuclidFrom(const TriangleSoup& soup,
+                               const std::vector<Source>& sources,
+                               const std::vector<SurfacePoint>& targets) {
+  std::vector<double> distances;
+  const auto add = [&](const Vec3& p) {
+    Real least = std::numeric_limits<Real>::infinity();
+    for (const Source& source : sources) {
+      least = std::min(
+          least, source.offset + Norm(p - PositionIn(soup, PointOf(source))));
+    }
+    distances.push_back(static_cast<double>(least));
+  };
+  for (const Point& p : soup.positions) add(ToVec3(p));
+  for (const SurfacePoint& t : targets) add(PositionIn(soup, t));
+  return distances;
+}
+
 class SurfacePoints : public EveryAlgorithm {
  protected:
-  // On a plane: the least of Euclid's distances from the sources.
   void ExpectEuclidFrom(const TriangleSoup& soup, const Mesh& mesh,
                         const std::vector<Source>& sources,
                         const std::vector<SurfacePoint>& targets) const {
-    std::vector<double> expected;
-    const auto expect = [&](const Vec3& p) {
-      Real least = std::numeric_limits<Real>::infinity();
-      for (const Source& source : sources) {
-        least = std::min(
-            least, source.offset + Norm(p - PositionIn(soup, PointOf(source))));
-      }
-      expected.push_back(static_cast<double>(least));
-    };
-    for (const Point& p : soup.positions) expect(ToVec3(p));
-    for (const SurfacePoint& t : targets) expect(PositionIn(soup, t));
     ExpectAnswer("grid", mesh, {.sources = sources, .targets = targets},
-                 expected, CoordinateRounding(soup.positions));
+                 EuclidFrom(soup, sources, targets),
+                 CoordinateRounding(soup.positions));
   }
 };
 
@@ -97,6 +105,44 @@ TEST_P(SurfacePoints, OffsetsInThePlane) {
     }
     ExpectEuclidFrom(soup, *mesh, sources, ManyPoints(soup, 20, random));
   }
+}
+
+// Of a row of sources before one that is far behind them, each is the nearest
+// in a narrow wedge. On the one edge above them windows of the far one
+// alternate with theirs, and are tied with them where they change over.
+TEST_P(SurfacePoints, SourcesBeforeAnother) {
+  constexpr uint32_t kRow = 100;
+  constexpr double kFar = 256, kEdge = 36, kLead = 1e-3;
+  TriangleSoup soup;
+  for (uint32_t i = 0; i <= kRow; ++i) {
+    soup.positions.push_back({1.0 * i, 0, 0});
+  }
+  const uint32_t far = kRow + 1, left = kRow + 2, right = kRow + 3;
+  soup.positions.push_back({kRow / 2.0, -kFar, 0});
+  soup.positions.push_back({0, kEdge, 0});
+  soup.positions.push_back({kRow, kEdge, 0});
+  for (uint32_t i = 0; i < kRow; ++i) {
+    soup.triangles.push_back({far, i + 1, i});
+    soup.triangles.push_back({i, i + 1, left});
+  }
+  soup.triangles.push_back({kRow, right, left});
+  // An arc above the edge, from the right.
+  uint32_t before = right;
+  for (uint32_t i = 1; i < 4 * kRow; ++i) {
+    const double x = kRow - i / 4.0;
+    const auto next = static_cast<uint32_t>(soup.positions.size());
+    soup.positions.push_back({x, kEdge + x * (kRow - x) / 64, 0});
+    soup.triangles.push_back({left, before, next});
+    before = next;
+  }
+  std::vector<Source> sources = {{VertexPoint{far}}};
+  for (uint32_t i = 2; i + 2 <= kRow; ++i) {
+    const Real apart = Distance(soup.positions[far], soup.positions[i]);
+    sources.push_back({VertexPoint{i}, static_cast<double>(apart) - kLead});
+  }
+  const NamedMesh named{"a row of sources before another", soup};
+  ExpectField(named.name, *BuildOrFail(named), sources,
+              EuclidFrom(soup, sources, {}));
 }
 
 // A point made a vertex changes nothing, as a source or as a target.

@@ -1,6 +1,5 @@
 #include "solver/rules/fragments.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "solver/rules/trimming.h"
@@ -17,7 +16,7 @@ bool IsTied(const BasicWindow<OriginType>& whole,
   const auto is_tied = [&](double at) {
     const double distance = part.DistanceTo(at);
     return std::abs(distance - whole.DistanceTo(at)) <=
-           kFragmentTies * std::max(kTie * distance, kRoundedPosition * at);
+           kFragmentTies * TieAt(at, distance);
   };
   // Windows that change over at both ends are tied there, of course.
   const double most = CommonRay(whole.origin, part.origin);

@@ -11,12 +11,10 @@ namespace {
 struct Contest {
   double at;
   double older, newer;
-  double slack;  // beside kTie
+  double slack;  // beside TieAt
 
   double difference() const { return newer - older; }
-  double tie() const {
-    return std::max(kTie * older, kRoundedPosition * at) + slack;
-  }
+  double tie() const { return TieAt(at, older) + slack; }
   bool newer_wins() const { return difference() < -tie(); }
   bool newer_loses() const { return difference() > tie(); }
 };

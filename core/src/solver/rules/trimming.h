@@ -3,12 +3,20 @@
 #ifndef GEODESIC_SOLVER_RULES_TRIMMING_H_
 #define GEODESIC_SOLVER_RULES_TRIMMING_H_
 
+#include <algorithm>
 #include <optional>
 
 #include "solver/windows/mixed_origin.h"
 #include "solver/windows/window.h"
+#include "tolerances.h"
 
 namespace geodesic {
+
+// Two windows are tied at a point of their edge if their distances there differ
+// by no more than this.
+inline double TieAt(double at, double distance) {
+  return std::max(kTie * distance, kRoundedPosition * at);
+}
 
 // Where rays of both pseudo-sources coincide: there the difference of their
 // distances is greatest or least. NaN or infinite if nowhere.
