@@ -84,9 +84,9 @@ class WatchedServer {
   double Metric(const std::string& name) const;
 
   // Once nobody asks any more: what requests held that is not back to zero
-  // within ten seconds (requests, jobs, waiters, memory of uploads and
-  // solvers), and whether the process ever took more memory than its budgets, a
-  // tenth, and `more_mib`. A line each.
+  // (requests, jobs, waiters, memory of uploads and solvers) ten seconds after
+  // the last landmark was made, and whether the process ever took more memory
+  // than its budgets, a tenth, and `more_mib`. A line each.
   std::vector<std::string> Faults(double more_mib = 0) const;
 
   nlohmann::ordered_json Summary() const;
