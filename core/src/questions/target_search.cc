@@ -4,12 +4,14 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "geodesic/computation.h"
 #include "mesh/file_unit.h"
+#include "questions/backward_bounds.h"
 #include "questions/first_path/first_path.h"
 #include "questions/paths/path_tracer.h"
 #include "solver/goal.h"
@@ -28,6 +30,10 @@ namespace {
 // The front of a search is narrow: it takes less at a time than a field does,
 // so that it does not run past the target.
 constexpr SolveOptions kSearchOptions{.bucket_width = 4, .max_batch = 64};
+
+// The bounds of landmarks are as good as better ones that have to be found, if
+// the way is no longer than so many edges.
+constexpr double kShortForLandmarks = 250;
 
 }  // namespace
 
@@ -85,7 +91,8 @@ class TargetSearch::Impl {
 
   uint64_t bytes() const {
     return front_.bytes() + front_.goal().bytes() + rule_.bytes() +
-           queue_.bytes() + first_path_.bytes();
+           queue_.bytes() + first_path_.bytes() +
+           (backward_.has_value() ? backward_->bytes() : 0);
   }
 
  private:
@@ -124,13 +131,44 @@ class TargetSearch::Impl {
     if (first_path_.shows_none()) return Poll(checkpoint);
     longest_ = first_path_.length();
     bends_ahead_ = first_path_.bends();
+    if (MayLookBack(query)) {
+      status = LookBack(query, landmarks, checkpoint);
+      if (!status.ok()) return status;
+    }
     status = Propagate(anchors, checkpoint);
     if (!status.ok() || Distance() <= Margin(longest_)) return status;
     // Rounding in faces that are hardly higher than it.
     Restart(query);
+    front_.goal().Aim(query->targets[0], landmarks);
     longest_ = std::numeric_limits<double>::infinity();
     bends_ahead_ = {};
     return Propagate(anchors, checkpoint);
+  }
+
+  // Whether bounds from the target back are likely to save more windows than
+  // they cost.
+  bool MayLookBack(const ValidQuery& query) const {
+    return query->sources.size() == 1 && BackwardBounds::Serve(mesh_) &&
+           (!front_.goal().has_landmarks() ||
+            longest_ > kShortForLandmarks * mesh_.mean_edge_length());
+  }
+
+  // Takes such bounds for the goal's.
+  absl::Status LookBack(const ValidQuery& query, const Landmarks* landmarks,
+                        Checkpoint& checkpoint) {
+    if (!backward_.has_value()) backward_.emplace(mesh_);
+    const Source& source = query->sources[0];
+    const double offset = std::ldexp(source.offset, -mesh_.scale_exponent());
+    absl::Status status =
+        backward_->Find({.source = std::get<SurfacePoint>(source.place),
+                         .target = query->targets[0],
+                         .longest = longest_ - offset},
+                        landmarks, [&] { return Poll(checkpoint); });
+    statistics_.windows_propagated += backward_->windows();
+    if (!status.ok() || !backward_->has_bounds()) return status;
+    longest_ = std::min(longest_, offset + backward_->longest());
+    front_.goal().Refine([this](uint32_t v) { return backward_->Bound(v); });
+    return absl::OkStatus();
   }
 
   void Restart(const ValidQuery& query) {
@@ -234,6 +272,7 @@ class TargetSearch::Impl {
   DirectedFront front_;
   Rule rule_;
   FirstPath first_path_;
+  std::optional<BackwardBounds> backward_;  // once it was asked for
   // No shortest path is longer.
   double longest_ = std::numeric_limits<double>::infinity();
   std::span<const TautPath::Bend> bends_ahead_;  // of the first path
@@ -267,9 +306,11 @@ uint64_t TargetSearch::PlannedBytes(const Mesh& mesh) {
   constexpr uint64_t kPerVertex =
       2 * sizeof(double) + 1 + sizeof(IncomingRay) + FirstPath::kBytesByVertex;
   constexpr uint64_t kBase = uint64_t{1} << 20;
-  return kPerVertex * mesh.vertex_count() +
-         sizeof(uint32_t) * mesh.half_edge_count() +
-         mesh.resident_bytes() / 16 + kBase;
+  constexpr uint64_t kPerHalfEdge =
+      sizeof(uint32_t) + BackwardBounds::kBytesByHalfEdge;
+  return (kPerVertex + BackwardBounds::kBytesByVertex) * mesh.vertex_count() +
+         kPerHalfEdge * mesh.half_edge_count() + mesh.resident_bytes() / 16 +
+         kBase;
 }
 
 }  // namespace geodesic

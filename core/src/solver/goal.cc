@@ -1,5 +1,8 @@
 #include "solver/goal.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "tolerances.h"
 
 namespace geodesic {
@@ -12,7 +15,13 @@ void Goal::Aim(const SurfacePoint& target, const Landmarks* landmarks) {
   if (landmarks_ != nullptr) {
     from_landmarks_ = landmarks_->PlaceOf(target, mesh_);
   }
+  refined_ = nullptr;
   limit_ = std::numeric_limits<double>::infinity();
+}
+
+void Goal::Refine(std::function<double(uint32_t)> bound) {
+  Clear();
+  refined_ = std::move(bound);
 }
 
 void Goal::Clear() {
@@ -25,6 +34,7 @@ double Goal::Compute(uint32_t v) const {
   if (landmarks_ != nullptr) {
     bound = std::max(bound, landmarks_->LowerBound(v, from_landmarks_));
   }
+  if (refined_) bound = std::max(bound, refined_(v));
   known_.push_back(v);
   return bounds_[v] = std::max(bound - kGoalRounding, 0.0);
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -86,6 +87,9 @@ class Goal {
   // `landmarks` may be null; they outlive the search.
   void Aim(const SurfacePoint& target, const Landmarks* landmarks);
   bool has_landmarks() const { return landmarks_ != nullptr; }
+  // From now on, `bound` is another lower bound on the rest of the way from a
+  // vertex. Valid until Aim.
+  void Refine(std::function<double(uint32_t)> bound);
   // Forgets what was asked about since Aim. O(that).
   void Clear();
 
@@ -119,6 +123,7 @@ class Goal {
   const Landmarks* landmarks_ = nullptr;
   SpacePoint target_;
   Landmarks::Place from_landmarks_;
+  std::function<double(uint32_t)> refined_;  // may be none
   double limit_ = std::numeric_limits<double>::infinity();
   bool orders_by_label_ = false;
   // A cache: Bound changes nothing that others see.

@@ -42,6 +42,8 @@ std::vector<NamedMesh> Surfaces() {
       {"sphere by meridians", UvSphere(30, 24)},
       {"noisy torus", Torus({.around = 40, .across = 24, .noise = 0.15})},
       {"terrain", Terrain(40, 36, 1.5, 7)},
+      // Ways of more edges than landmarks are good for.
+      {"long terrain", Terrain(1000, 3, 1.5, 8)},
       {"box", BoxGrid(1, 2, 3, 6, 8, 10)},
       {"saddles", SaddleRow(20, 1e-9, 4)},
       {"hyperbolic", HyperbolicGrid(20, 20, 1e-3)},

@@ -64,6 +64,18 @@ class MergingRule {
   // Sources were added: nothing here depends on them.
   void Restart() {}
 
+  // Forgets all windows. O(half-edges that they came to).
+  // REQUIRES: the front has a goal.
+  void Clear() {
+    passed_.Clear(waited_at_, [](uint32_t) {});
+    for (const HalfEdge h : waited_at_) waiting_[h] = kNone;
+    waited_at_.clear();
+    windows_.Clear();
+    crossing_counts_ = CrossingCounter(mesh_.half_edge_count());
+    winding_.Clear();
+    pending_ = peak_ = created_ = 0;
+  }
+
   // Expands vertices (numbers with kVertexEvent) and propagates all that waits
   // at half-edges across their faces. Returns how many windows were propagated;
   // whatever is named twice counts once. Vertices come first: where the two
@@ -99,7 +111,8 @@ class MergingRule {
   uint64_t peak_windows() const { return peak_; }
   uint64_t bytes() const {
     return waiting_.capacity() * sizeof(uint32_t) + windows_.bytes() +
-           passed_.bytes() + crossing_counts_.bytes();
+           passed_.bytes() + crossing_counts_.bytes() +
+           waited_at_.capacity() * sizeof(HalfEdge);
   }
 
  private:
@@ -119,10 +132,14 @@ class MergingRule {
   // The first that waits at a half-edge has the least label, with which the
   // half-edge is queued.
   void Wait(HalfEdge h, const Window& window, uint32_t pseudo_source) {
+    const double label = window.Label();
+    uint32_t& first = waiting_[h];
+    if constexpr (Front::Goal::kDirects) {
+      if (std::isinf(front_.KeyOf(h, window, label))) return;
+      if (first == kNone) waited_at_.push_back(h);
+    }
     ++created_;
     peak_ = std::max(peak_, ++pending_);
-    uint32_t& first = waiting_[h];
-    const double label = window.Label();
     if (first == kNone || label < windows_[first].window.Label()) {
       first = windows_.Allocate({window, pseudo_source, first});
       front_.queue().Push(h, label);
@@ -361,7 +378,8 @@ class MergingRule {
 
   Front& front_;
   const Mesh& mesh_;
-  std::vector<uint32_t> waiting_;  // by half-edge, into windows_
+  std::vector<uint32_t> waiting_;    // by half-edge, into windows_
+  std::vector<HalfEdge> waited_at_;  // with a goal only
   WindowPool<Waiting> windows_;
   CrossingCounter crossing_counts_;  // of lists
   Passed passed_;

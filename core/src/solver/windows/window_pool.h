@@ -22,7 +22,7 @@ class WindowPool {
     if (!free_.empty()) {
       id = free_.back();
       free_.pop_back();
-    } else if (used_++ % kChunk == 0) {
+    } else if (used_++ == chunks_.size() * kChunk) {
       chunks_.push_back(std::make_unique_for_overwrite<Window[]>(kChunk));
     }
     (*this)[id] = window;
@@ -32,6 +32,13 @@ class WindowPool {
   void Free(uint32_t id) {
     free_.push_back(id);
     --live_;
+  }
+
+  // Forgets all windows, and gives their numbers as if it were new.
+  void Clear() {
+    free_.clear();
+    used_ = 0;
+    live_ = peak_ = 0;
   }
 
   Window& operator[](uint32_t id) { return chunks_[id / kChunk][id % kChunk]; }

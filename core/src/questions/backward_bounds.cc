@@ -1,0 +1,86 @@
+#include "questions/backward_bounds.h"
+
+#include <algorithm>
+
+#include "geodesic/query.h"
+#include "solver/queues/queue.h"
+#include "solver/start_computation.h"
+#include "surface/anchors.h"
+#include "tolerances.h"
+
+namespace geodesic {
+namespace {
+
+// Tighter bounds cost more windows than they save, looser ones save none.
+constexpr double kTolerance = 1e-3;
+
+constexpr SolveOptions kOptions{.bucket_width = 16, .max_batch = 64};
+
+constexpr uint64_t kPollPeriod = 1024;
+
+// As MergedComputation: more come of windows that wind.
+constexpr uint64_t kMostByVertex = 48;
+constexpr uint64_t kFew = 4096;
+
+// By how much a bound from landmarks may differ along an edge by more than its
+// length: distances and bounds are whole steps, each rounded down.
+constexpr double kLandmarkSteps = 4;
+
+}  // namespace
+
+BackwardBounds::BackwardBounds(const Mesh& mesh)
+    : mesh_(mesh),
+      queue_(*TuningFor(mesh, kOptions)),
+      front_(mesh, Query{}, queue_, nullptr, Goal(mesh),
+             WithinTolerance(kTolerance)),
+      rule_(front_) {}
+
+absl::Status BackwardBounds::Find(const BoundedWay& way,
+                                  const Landmarks* landmarks,
+                                  absl::FunctionRef<absl::Status()> poll) {
+  rule_.Clear();
+  queue_.Clear();
+  front_.Restart({.targets = {way.source}});
+  Goal& goal = front_.goal();
+  goal.Aim(way.source, landmarks);
+  goal.set_orders_by_label(true);
+  // What leads to a vertex within the limit is within it as well, if bounds
+  // agree along edges.
+  const double steps_off =
+      landmarks != nullptr ? kLandmarkSteps * landmarks->step() : 0;
+  covered_ = way.longest * (1 + kGoalMargin);
+  goal.set_limit(covered_ * (1 + kGoalMargin) + steps_off);
+  longest_ = way.longest;
+  has_bounds_ = false;
+  windows_ = 0;
+  DirectSink sink(front_, rule_);
+  front_.AddAnchor({.begin = way.target, .end = way.target}, sink);
+  uint64_t steps = 0;
+  for (;;) {
+    PopTogether(queue_, rule_.kMostTogether, together_);
+    if (together_.empty()) break;
+    windows_ += rule_.Propagate(together_);
+    steps += together_.size();
+    if (steps < kPollPeriod) continue;
+    steps = 0;
+    if (absl::Status status = poll(); !status.ok()) return status;
+    if (windows_ > kMostByVertex * front_.reached() + kFew) return poll();
+  }
+  has_bounds_ = true;
+  const Targets& targets = front_.targets();
+  const double account =
+      front_.AccountOf(targets.AccountHolder(0, front_.distances()));
+  longest_ =
+      std::min(longest_, targets.Distance(0, front_.distances()) + account);
+  return poll();
+}
+
+double BackwardBounds::Bound(uint32_t v) const {
+  // A vertex that no path within the limit leads through may not be reached, or
+  // not by the shortest way.
+  const double beyond = covered_ - front_.goal().Bound(v);
+  const double bound = std::min(front_.distance(v), beyond);
+  return bound * (1 - kGoalMargin);
+}
+
+}  // namespace geodesic
