@@ -194,16 +194,22 @@ TEST(PassedWindows, LeaveANarrowWindowOfANearPseudoSourceWhatItHolds) {
   EXPECT_EQ(cross(near, {middle - gap, middle + gap}), 0u);
 }
 
-TEST(PassedWindows, KeepASampleUntilLateWindowsOftenLose) {
+constexpr MetWindows kOftenLose = {.all = 300, .late = 100, .lost = 80};
+
+TEST(PassedWindows, KeepASampleUntilManyAreLateAndOftenLose) {
   constexpr uint32_t kHalfEdges = 1 << 20;
   Passed passed(kHalfEdges);
   WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
   ASSERT_NE(passed.At(32, 1), nullptr);
   EXPECT_EQ(passed.At(33, 1), nullptr);
   *passed.At(32, 1) = &block;
-  for (int i = 0; i < 1000; ++i) passed.Count(100, 20);
+  const MetWindows seldom_lose = {.all = 200, .late = 100, .lost = 20};
+  for (int i = 0; i < 1000; ++i) passed.Count(seldom_lose);
   EXPECT_EQ(passed.At(33, 1), nullptr);
-  for (int i = 0; i < 10; ++i) passed.Count(100, 80);
+  const MetWindows few_are_late = {.all = 2000, .late = 100, .lost = 95};
+  for (int i = 0; i < 1000; ++i) passed.Count(few_are_late);
+  EXPECT_EQ(passed.At(33, 1), nullptr);
+  for (int i = 0; i < 20; ++i) passed.Count(kOftenLose);
   ASSERT_NE(passed.At(33, 1), nullptr);
   EXPECT_EQ(*passed.At(33, 1), nullptr);
   EXPECT_EQ(*passed.At(32, 1), &block);
@@ -217,7 +223,7 @@ TEST(PassedWindows, AreForgottenForTheNextSearch) {
     EXPECT_EQ(*passed.At(32, 1), nullptr);
     EXPECT_EQ(passed.At(33, 1), nullptr);
     *passed.At(32, 1) = &block;
-    for (int i = 0; i < 10; ++i) passed.Count(100, 80);
+    for (int i = 0; i < 20; ++i) passed.Count(kOftenLose);
     *passed.At(33, 1) = &block;
     std::vector<WindowBlock*> dropped;
     const std::vector<HalfEdge> crossed = {31, 32, 33};

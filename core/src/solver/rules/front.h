@@ -145,6 +145,7 @@ class Front {
   uint64_t bytes() const {
     return distances_.capacity() * sizeof(double) + states_.capacity() +
            accounts_.capacity() * sizeof(float) +
+           incoming_.capacity() * sizeof(IncomingRay) +
            arrivals_.capacity() * sizeof(Arrival) + targets_.bytes() +
            reached_list_.capacity() * sizeof(uint32_t);
   }

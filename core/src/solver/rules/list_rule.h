@@ -114,14 +114,14 @@ class ListRule {
     for (const Run& run : runs_) Relax(run);
     for (const Run& run : runs_) Enqueue(run);
     // Together: they decide in the same round for any number of threads.
-    uint64_t late = 0, lost = 0, followed = 0;
+    MetWindows met;
+    uint64_t followed = 0;
     for (Worker& worker : workers_) {
-      late += worker.late();
-      lost += worker.lost();
+      met += worker.met();
       followed += worker.followed();
       worker.Clear();
     }
-    passed_.Count(late, lost);
+    passed_.Count(met);
     winding_.Count(propagated, followed);
     return propagated;
   }

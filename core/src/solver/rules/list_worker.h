@@ -111,16 +111,15 @@ class alignas(kCacheLine) ListWorker {
   std::span<const Relaxation> relaxations() const { return relaxations_; }
   std::span<const HandedOn> handed_on() const { return handed_on_; }
   std::span<const Observed> observed() const { return observed_; }
-  // Windows that met a list which had crossed before, and those that lost all.
-  uint64_t late() const { return late_; }
-  uint64_t lost() const { return lost_; }
+  const MetWindows& met() const { return met_; }
   // Faces through which lines were followed back.
   uint64_t followed() const { return followed_; }
   void Clear() {
     relaxations_.clear();
     handed_on_.clear();
     observed_.clear();
-    late_ = lost_ = followed_ = 0;
+    met_ = {};
+    followed_ = 0;
   }
 
   // As Front::Expand calls them.
@@ -199,11 +198,12 @@ class alignas(kCacheLine) ListWorker {
   // keeps what is left there, too. What came of useless ones is dropped
   // wherever it has got to, so nothing may lose to these.
   void MeetPassed(double length, WindowBlock*& passed) {
+    met_.all += list_.size;
     passed_.size = 0;
     if (passed != nullptr) {
       WindowBlocks::Copy(passed, passed_);
       DropStale(0, passed_);
-      late_ += list_.size;
+      met_.late += list_.size;
       const size_t before = list_.size;
       list_.KeepIf(0, [&](size_t i) {
         return !LosesAll<Exact>(
@@ -212,7 +212,7 @@ class alignas(kCacheLine) ListWorker {
               return Window::Over(passed_.IntervalAt(k), passed_.OriginAt(k));
             });
       });
-      lost_ += before - list_.size;
+      met_.lost += before - list_.size;
       if (list_.size == 0) return;
       blocks_.Drop(std::exchange(passed, nullptr));
     }
@@ -261,7 +261,8 @@ class alignas(kCacheLine) ListWorker {
   std::vector<Relaxation> relaxations_;
   std::vector<HandedOn> handed_on_;
   std::vector<Observed> observed_;
-  uint64_t late_ = 0, lost_ = 0, followed_ = 0;
+  MetWindows met_;
+  uint64_t followed_ = 0;
 
   // Scratch, kept for its memory.
   FaceCrossing<Front> crossing_;

@@ -97,12 +97,12 @@ class MergingRule {
       if (front_.TakeEvent(vertices_[i])) front_.Expand(vertices_[i], sink);
     }
     uint64_t propagated = 0;
-    late_ = lost_ = 0;
+    met_ = {};
     for (size_t i = 0; i < half_edges_.size(); ++i) {
       Prefetch(i);
       propagated += Cross(half_edges_[i]);
     }
-    passed_.Count(late_, lost_);
+    passed_.Count(met_);
     return propagated;
   }
 
@@ -344,6 +344,7 @@ class MergingRule {
   // As ListWorker::MeetPassed.
   void MeetPassed(double length, uint32_t& passed,
                   std::vector<ListedWindow>& list) {
+    met_.all += list.size();
     envelope_of_passed_.Start(length);
     std::vector<ListedWindow>& older = envelope_of_passed_.windows();
     for (uint32_t id = passed; id != 0; id = windows_[id - 1].next) {
@@ -351,8 +352,8 @@ class MergingRule {
       if (IsOfUse(kept)) older.push_back({kept.window, kept.pseudo_source});
     }
     if (passed != 0) {
-      late_ += list.size();
-      lost_ += std::erase_if(list, [&](const ListedWindow& listed) {
+      met_.late += list.size();
+      met_.lost += std::erase_if(list, [&](const ListedWindow& listed) {
         return LosesAll<WithinTolerance>(
             listed.window, length, older.size(),
             [&older](size_t k) { return older[k].window; });
@@ -384,7 +385,7 @@ class MergingRule {
   CrossingCounter crossing_counts_;  // of lists
   Passed passed_;
   WindingWatch winding_;
-  uint64_t late_ = 0, lost_ = 0;  // as PassedWindows counts them
+  MetWindows met_;
 
   // Scratch, kept for its memory.
   std::vector<uint32_t> vertices_;

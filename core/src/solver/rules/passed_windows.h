@@ -8,8 +8,8 @@
 // as it goes. MMP's rule, which forgets nothing, trims them away.
 //
 // To keep all lists takes more than it saves on most meshes. So those of every
-// sixteenth half-edge are kept, of more on small meshes; once late windows
-// often lose all that they hold there, those of every half-edge are.
+// sixteenth half-edge are kept, of more on small meshes; once many windows come
+// late there and often lose all that they hold, those of every half-edge are.
 //
 // Where the faces around a vertex have hardly any angle, windows that pass it
 // go round it, and come to the same half-edges in every turn. They lose to
@@ -36,6 +36,19 @@
 #include "solver/windows/window.h"
 
 namespace geodesic {
+
+// Windows that came to half-edges whose lists are kept: all of them, those that
+// found a list there, and those of them that lost all to it.
+struct MetWindows {
+  uint64_t all = 0, late = 0, lost = 0;
+
+  MetWindows& operator+=(const MetWindows& other) {
+    all += other.all;
+    late += other.late;
+    lost += other.lost;
+    return *this;
+  }
+};
 
 // List: what names a list; a List() names none.
 template <typename List>
@@ -71,21 +84,25 @@ class PassedWindows {
       }
     }
     keeps_all_ = false;
-    late_ = lost_ = 0;
+    met_ = {};
   }
 
-  // So many windows came late to half-edges whose list is kept, and lost all
-  // that they held to it.
-  void Count(uint64_t late, uint64_t lost) {
+  // Says what windows have met since the last time.
+  void Count(const MetWindows& met) {
     if (keeps_all_ || log_sample_ == 0) return;  // all of them, or none
-    late_ += late;
-    lost_ += lost;
-    if (late_ < kDecided) return;
-    if (lost_ > late_ * kOften) {
+    met_ += met;
+    if (met_.late <
+        std::max<uint64_t>(kDecided, half_edges_ / kHalfEdgesByDecided)) {
+      return;
+    }
+    if (static_cast<double>(met_.late) >
+            kMany * static_cast<double>(met_.all) &&
+        static_cast<double>(met_.lost) >
+            kOften * static_cast<double>(met_.late)) {
       all_.resize(half_edges_);
       keeps_all_ = true;
     }
-    late_ = lost_ = 0;
+    met_ = {};
   }
 
   // Without those of half-edges that are crossed often, which are few.
@@ -96,8 +113,11 @@ class PassedWindows {
  private:
   static constexpr uint32_t kMostLogSample = 4;
   static constexpr uint32_t kLeastSample = 4096;
-  // Late windows of the sample that decide, and the part that has to lose.
+  // Late windows of the sample that decide, more on large meshes; the part of
+  // all windows that they have to be, and the part of them that has to lose.
   static constexpr uint64_t kDecided = 128;
+  static constexpr uint32_t kHalfEdgesByDecided = 4096;
+  static constexpr double kMany = 0.25;
   static constexpr double kOften = 0.5;
 
   static uint32_t LogSampleOf(uint32_t half_edges) {
@@ -118,7 +138,7 @@ class PassedWindows {
   std::unordered_map<HalfEdge, List> often_;
   uint32_t half_edges_;
   bool keeps_all_ = false;
-  uint64_t late_ = 0, lost_ = 0;
+  MetWindows met_;
 };
 
 // Whether older windows of the half-edge are nearer on all that a window holds,
