@@ -117,7 +117,7 @@ class PassedWindows {
   // all windows that they have to be, and the part of them that has to lose.
   static constexpr uint64_t kDecided = 128;
   static constexpr uint32_t kHalfEdgesByDecided = 4096;
-  static constexpr double kMany = 0.25;
+  static constexpr double kMany = 0.125;
   static constexpr double kOften = 0.5;
 
   static uint32_t LogSampleOf(uint32_t half_edges) {
