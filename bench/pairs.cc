@@ -12,9 +12,11 @@
 namespace geodesic {
 namespace {
 
-absl::StatusOr<ValidQuery> QueryOf(const Pair& pair, const Mesh& mesh) {
+absl::StatusOr<ValidQuery> QueryOf(const Pair& pair, const Mesh& mesh,
+                                   double tolerance = 0) {
   return ValidQuery::Make({.sources = {{VertexPoint{pair.from}}},
-                           .targets = {VertexPoint{pair.to}}},
+                           .targets = {VertexPoint{pair.to}},
+                           .tolerance = tolerance},
                           mesh);
 }
 
@@ -38,12 +40,13 @@ std::vector<Pair> RandomPairs(const Mesh& mesh, uint32_t count, uint32_t seed) {
 
 absl::StatusOr<PairRuns> SearchPairs(const Mesh& mesh,
                                      std::span<const Pair> pairs,
-                                     const Landmarks* landmarks, int repeat) {
+                                     const Landmarks* landmarks, int repeat,
+                                     double tolerance) {
   TargetSearch search(mesh);
   NoCheckpoint checkpoint;
   PairRuns runs;
   for (const Pair& pair : pairs) {
-    const absl::StatusOr<ValidQuery> query = QueryOf(pair, mesh);
+    const absl::StatusOr<ValidQuery> query = QueryOf(pair, mesh, tolerance);
     if (!query.ok()) return query.status();
     std::vector<double> seconds;
     absl::StatusOr<TargetDistances> found;

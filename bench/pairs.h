@@ -30,7 +30,8 @@ struct PairRuns {
 // median counts. Errors: as TargetSearch::Run.
 absl::StatusOr<PairRuns> SearchPairs(const Mesh& mesh,
                                      std::span<const Pair> pairs,
-                                     const Landmarks* landmarks, int repeat);
+                                     const Landmarks* landmarks, int repeat,
+                                     double tolerance = 0);
 
 // Each as a field that stops at the target. Errors: as Solve.
 absl::StatusOr<PairRuns> StopAtTargets(const Mesh& mesh,

@@ -119,11 +119,10 @@ absl::Status Run(const Options& options) {
     if (is_by_levels) {
       return absl::InvalidArgumentError("pch computes fields, no pairs");
     }
-    if (options.tolerance > 0) {
-      return absl::InvalidArgumentError(
-          "pairs are searched for exactly: --tolerance is for fields");
-    }
-    return SolvePairs(**mesh, options.question, options.pairs);
+    PairOptions pairs = options.pairs;
+    pairs.tolerance = options.tolerance;
+    pairs.errors = options.approximate.errors;
+    return SolvePairs(**mesh, options.question, pairs);
   }
   std::vector<double> seconds;
   DistanceField field;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "bench/measured.h"
 #include "bench/pairs.h"
 #include "geodesic/landmarks.h"
 
@@ -56,15 +57,23 @@ absl::Status SolvePairs(const Mesh& mesh, const QuestionOptions& question,
           ? std::vector<Pair>{{question.source, *options.target}}
           : RandomPairs(mesh, options.pairs, options.seed);
   const absl::StatusOr<PairRuns> found =
-      SearchPairs(mesh, pairs, &landmarks, question.repeat);
+      SearchPairs(mesh, pairs, &landmarks, question.repeat, options.tolerance);
   if (!found.ok()) return found.status();
-  nlohmann::ordered_json line{{"faces", mesh.face_count()},
-                              {"vertices", mesh.vertex_count()},
-                              {"landmarks", landmarks.count()},
-                              {"landmarks_s", landmarks_seconds},
-                              {"pairs", pairs.size()}};
+  nlohmann::ordered_json line{
+      {"faces", mesh.face_count()},     {"vertices", mesh.vertex_count()},
+      {"landmarks", landmarks.count()}, {"landmarks_s", landmarks_seconds},
+      {"tolerance", options.tolerance}, {"pairs", pairs.size()}};
   if (options.target.has_value()) line["distance"] = found->distances[0];
   line.update(Summary(*found));
+  if (options.errors) {
+    const absl::StatusOr<PairRuns> exact =
+        SearchPairs(mesh, pairs, &landmarks, 1);
+    if (!exact.ok()) return exact.status();
+    const RelativeErrors errors =
+        CompareDistances(found->distances, exact->distances);
+    line["mean_error"] = errors.mean;
+    line["max_error"] = errors.largest;
+  }
   pairs.resize(std::min<size_t>(pairs.size(), options.compare));
   if (!pairs.empty()) {
     const absl::StatusOr<PairRuns> stopped = StopAtTargets(mesh, pairs);

@@ -21,8 +21,12 @@ struct PairOptions {
   // How many of the pairs are also computed as a field that stops at the
   // target, and compared.
   uint32_t compare = 0;
+  double tolerance = 0;
+  // Whether pairs within a tolerance are also searched for exactly.
+  bool errors = false;
 };
 
+// The tolerance and whether there are errors are options of fields, too.
 void AddPairOptions(CLI::App& app, PairOptions& options);
 
 // Prints a line of JSON; times are processor time. Landmarks are made before

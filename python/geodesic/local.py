@@ -246,7 +246,7 @@ class LocalBackend:
         count = len(sources)
         points = Sources(sources, np.full(count, -1), np.zeros(count))
         return _core.pairs(self._query(points, targets, options), order, ends,
-                           options.threads, options.progress)
+                           options.tolerance, options.threads, options.progress)
 
     def _approximate_pairs(self, wanted: Approximate, sources: Places,
                            targets: Places, options: Options) -> np.ndarray:

@@ -370,14 +370,17 @@ class Mesh:
             Options(algorithm, _threads(threads)).exact_alone(
                 "progressive fields are"))
 
-    def distance(self, source: SurfacePoint, target: SurfacePoint) -> float:
+    def distance(self, source: SurfacePoint, target: SurfacePoint, *,
+                 tolerance: float = 0) -> float:
         """The distance between two places, by a search that is directed at the
-        second: a small part of a field's cost."""
-        return float(self.pairs([source], [target], threads=1)[0])
+        second: a small part of a field's cost. A tolerance as in pairs()."""
+        return float(self.pairs([source], [target], tolerance=tolerance,
+                                threads=1)[0])
 
     def pairs(self, sources: OneOrManyPlaces,
               targets: Optional[OneOrManyPlaces] = None, *,
-              algorithm: AnyAlgorithm = None, threads: Optional[int] = None,
+              algorithm: AnyAlgorithm = None, tolerance: float = 0,
+              threads: Optional[int] = None,
               progress: ProgressOption = None) -> NDArray[np.float64]:
         """The distance from each source to the target of the same number.
 
@@ -386,6 +389,9 @@ class Mesh:
 
         Args:
             algorithm: an approximate one, for vertices; None for exact distances.
+            tolerance: the largest relative error, from 1e-9 to 0.1, or 0. Each
+                distance is then the length of a path that is no longer than
+                that, and searches end as soon as there is one.
 
         Returns:
             (N,). Up to rounding the same as those of distances().
@@ -407,7 +413,8 @@ class Mesh:
                                   f"{len(ends)} targets: pairs need as many")
         if len(starts) == 0:
             return np.empty(0)
-        options = Options(algorithm, _threads(threads))
+        options = Options(algorithm, _threads(threads),
+                          tolerance=_tolerance(tolerance))
         if options.exact is not None:
             raise InvalidArgument(
                 f"algorithm is {options.exact!r}, but exact pairs are searched "

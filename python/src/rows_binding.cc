@@ -187,10 +187,11 @@ class BeforeRows final : public Checkpoint {
 // The distances from source i to target i of the query, for the pairs i of a
 // group, whose sources are equal.
 absl::Status AnswerPairs(const QueryHandle& question,
-                         const std::vector<size_t>& pairs,
+                         const std::vector<size_t>& pairs, double tolerance,
                          Checkpoint& checkpoint,
                          std::vector<double>& distances) {
-  Query query{.sources = {question.query->sources[pairs[0]]}};
+  Query query{.sources = {question.query->sources[pairs[0]]},
+              .tolerance = tolerance};
   for (size_t i : pairs) query.targets.push_back(question.query->targets[i]);
   const absl::StatusOr<ValidQuery> valid =
       ValidQuery::Make(std::move(query), question.mesh());
@@ -213,11 +214,11 @@ absl::Status AnswerPairs(const QueryHandle& question,
 
 // The distance from source i to target i of the query, for each i. `order` has
 // every i, those of equal sources beside each other, each group up to one of
-// `ends`.
+// `ends`. The tolerance holds for each source alone.
 py::array_t<double> Pairs(const QueryHandle& question,
                           const py::array_t<int64_t>& order,
-                          const py::array_t<int64_t>& ends, uint32_t threads,
-                          py::object progress) {
+                          const py::array_t<int64_t>& ends, double tolerance,
+                          uint32_t threads, py::object progress) {
   const PairGroups groups = ToGroups(order, ends);
   size_t searches = 0;
   for (const std::vector<size_t>& group : groups) {
@@ -232,11 +233,12 @@ py::array_t<double> Pairs(const QueryHandle& question,
           question.on.searches->MakeLandmarks(count, threads, before);
       if (!made.ok()) return made;
     }
-    absl::Status status = RunRows(groups.size(), threads, watch,
-                                  [&](uint64_t row, Checkpoint& checkpoint) {
-                                    return AnswerPairs(question, groups[row],
-                                                       checkpoint, distances);
-                                  });
+    absl::Status status =
+        RunRows(groups.size(), threads, watch,
+                [&](uint64_t row, Checkpoint& checkpoint) {
+                  return AnswerPairs(question, groups[row], tolerance,
+                                     checkpoint, distances);
+                });
     if (!status.ok()) return status;
     return true;
   });

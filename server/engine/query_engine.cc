@@ -145,8 +145,9 @@ RowFunction MakeRowFunction(MeshHandle mesh, ValidQuery query,
     } else if (const auto means =
                    ForRow(of_row, wanted, radius, mesh, searches)) {
       absl::StatusOr<TargetDistances> found =
-          searches.Run(mesh, of_row.WithoutTolerance(), *means, checkpoint);
+          searches.Run(mesh, of_row, *means, checkpoint);
       if (!found.ok()) return found.status();
+      result.certified_error = found->certified_error;
       result.values = std::move(found->distances);
     } else {
       auto computation = start(*mesh->mesh, of_row, options);

@@ -170,6 +170,47 @@ TEST_F(ToleranceTest, MatricesAndNearestMembersHoldWithinIt) {
   }
 }
 
+TEST_F(ToleranceTest, PairsAndSmallMatricesAreAnsweredByPathsWithinIt) {
+  constexpr double kWithin = 1e-2;
+  PairQuery query = {.mesh_digest = digest_, .tolerance = kWithin};
+  for (uint64_t i = 0; i < 300; ++i) {
+    // Some share an end, and are answered by a field.
+    query.pairs.push_back({VertexPoint{i % 2 == 0 ? 3 : i},
+                           VertexPoint{(i * i + 7) % mesh_.positions.size()}});
+  }
+  query.pairs.push_back({FacePoint{9, {0.25, 0.25, 0.5}}, VertexPoint{700}});
+  const absl::StatusOr<PairAnswer> found = client_.ComputePairs(query);
+  ASSERT_TRUE(found.ok()) << found.status();
+  EXPECT_GT(found->summary.searched, 0);
+  EXPECT_GT(found->summary.from_fields, 0);
+  EXPECT_EQ(found->summary.info.certified_error, kWithin);
+  EXPECT_EQ(found->summary.info.relative_tolerance, kWithin);
+  query.tolerance = 0;
+  const absl::StatusOr<PairAnswer> exact = client_.ComputePairs(query);
+  ASSERT_TRUE(exact.ok()) << exact.status();
+  EXPECT_FALSE(exact->summary.info.certified_error.has_value());
+  EXPECT_NE(found->distances, exact->distances);
+  for (size_t i = 0; i < query.pairs.size(); ++i) {
+    EXPECT_NEAR(found->distances[i], exact->distances[i],
+                kWithin * exact->distances[i]);
+  }
+
+  MatrixQuery matrix = {.mesh_digest = digest_,
+                        .sources = {{VertexPoint{11}}},
+                        .targets = {VertexPoint{600}},
+                        .tolerance = kWithin};
+  double distance = 0;
+  const absl::StatusOr<AnswerInfo> info =
+      client_.ComputeMatrix(matrix, {.on_row = [&](const MatrixRow& row) {
+                              distance = row.values[0];
+                              return absl::OkStatus();
+                            }});
+  ASSERT_TRUE(info.ok()) << info.status();
+  EXPECT_EQ(info->certified_error, kWithin);
+  const double truth = Truth(11)[600];
+  EXPECT_NEAR(distance, truth, kWithin * truth);
+}
+
 TEST_F(ToleranceTest, IsolinesAndSamplesHoldWithinIt) {
   constexpr double kWithin = 1e-2;
   const absl::StatusOr<IsolineAnswer> lines =
@@ -346,6 +387,17 @@ TEST_F(ToleranceCommandTest, SoAreThoseOfOtherQuestions) {
       Geodesic({"nearest", file_, "-s", "0", "-t", "7", "--tolerance", "0.01"})
           .out,
       HasSubstr("distance_within_tolerance"));
+  EXPECT_THAT(
+      Geodesic({"distance", file_, "0", "700", "--tolerance", "0.01"}).out,
+      AllOf(HasSubstr("distance_within_tolerance"),
+            HasSubstr("certified within 0.01")));
+  WriteFile(name + ".txt", "1 700\n2 800\n");
+  EXPECT_EQ(GeodesicJson({"distance", file_, "--pairs", name + ".txt",
+                          "--tolerance", "0.01", "-o", name + ".npy", "-o",
+                          name + ".csv"})["certified_error"],
+            0.01);
+  EXPECT_THAT(FileBytes(name + ".csv"),
+              HasSubstr("source,target,distance_within_tolerance"));
   EXPECT_EQ(
       GeodesicJson({"isolines", file_, "-s", "0", "-n", "3", "--tolerance",
                     "0.01", "-o", name + ".obj", "-o", name + ".csv", "-o",
@@ -381,8 +433,12 @@ TEST_F(ToleranceCommandTest, WrongOnesAreRefused) {
   EXPECT_THAT(Refusal({"field", file_, "-s", "0", "--tolerance", "1e-3", "-o",
                        folder_ / "d.f64"}),
               HasSubstr("within a tolerance"));
-  EXPECT_THAT(Refusal({"distance", file_, "0", "7", "--tolerance", "1e-3"}),
-              HasSubstr("--tolerance"));
+  EXPECT_THAT(
+      Refusal({"path", file_, "-s", "0", "-t", "7", "--tolerance", "1e-3"}),
+      HasSubstr("--tolerance"));
+  EXPECT_THAT(Refusal({"distance", file_, "0", "7", "--tolerance", "1e-3", "-a",
+                       "svg"}),
+              HasSubstr("svg is approximate"));
 }
 
 }  // namespace

@@ -72,6 +72,24 @@ class ToleranceTest(unittest.TestCase):
                                     (1 - 2 * within) * exact.max())
             sources.append(vertex)
 
+    def test_pairs(self):
+        mesh, within = self.mesh, 1e-2
+        pairs = np.array([[v, 41 * v % 1600] for v in range(30, 90)])
+        got = mesh.pairs(pairs, tolerance=within)
+        one = mesh.distance(30, 1230, tolerance=within)
+        self.assert_within(got, mesh.pairs(pairs), within)
+        exact = mesh.distance(30, 1230)
+        self.assertTrue(exact * (1 - tolerances.EXACT) <= one <=
+                        exact * (1 + within))
+        # A field answers pairs that share an end.
+        shared = np.array([[22, v] for v in range(100, 200)])
+        got = mesh.pairs(shared, tolerance=within)
+        self.assert_within(got, mesh.pairs(shared), within)
+        for wrong, words in ((dict(tolerance=0.5), "tolerance is 0.5"),
+                             (dict(tolerance=0.1, algorithm="svg"), "svg")):
+            with self.assertRaisesRegex(geodesic.InvalidArgument, words):
+                mesh.pairs(pairs, **wrong)
+
     def test_a_radius_holds_within_it(self):
         field = self.mesh.field(21, radius=0.4, tolerance=1e-3)
         self.assertEqual(field.settled_radius, 0.4)

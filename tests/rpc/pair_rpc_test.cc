@@ -51,6 +51,18 @@ TEST_F(PairRpcTest, AnswersOnePair) {
             std::vector<double>{std::hypot(4.5, 3)});
 }
 
+TEST_F(PairRpcTest, CertifiesWhatIsWithinATolerance) {
+  v1::ComputePairsRequest request = OnePair();
+  request.set_tolerance(0.01);
+  auto messages = Messages(request);
+  EXPECT_EQ(messages.front().header().answer().relative_tolerance(), 0.01);
+  EXPECT_EQ(messages.back().trailer().answer().certified_error(), 0.01);
+  // Paths are exact.
+  request.set_paths(true);
+  messages = Messages(request);
+  EXPECT_FALSE(messages.back().trailer().answer().has_certified_error());
+}
+
 TEST_F(PairRpcTest, PathsFollowTheirChunk) {
   v1::ComputePairsRequest request = Pairs();
   for (uint32_t i = 0; i < 200; ++i) {
@@ -156,7 +168,11 @@ TEST_F(PairRpcTest, RefusesWrongRequests) {
        {"pairs { source { vertex: 1 } }", "pairs[1].target"},
        {"pairs { source { vertex: 1 } target { vertex: 5000 } }",
         "pairs[1].target.vertex"},
-       {"pairs { source { vertex: 9999999999 } }", "pairs[1].source.vertex"}});
+       {"pairs { source { vertex: 9999999999 } }", "pairs[1].source.vertex"},
+       {"tolerance: 0.2", "tolerance"},
+       {"tolerance: 1e-10", "tolerance"},
+       {"tolerance: nan", "tolerance"},
+       {"tolerance: 0.01 algorithm: ALGORITHM_SVG", "tolerance"}});
   ExpectFaults(Pairs(), {{"", "pairs"},
                          {"vertex_pairs: 1", "vertex_pairs"},
                          {"vertex_pairs: 1 vertex_pairs: 2 vertex_pairs: 5000 "

@@ -108,10 +108,29 @@ class PairLaws {
     traced.trace = true;
     CheckEqual("a trace changes nothing", query, Find(query, some_),
                Find(traced, some_), 0, report_, 0);
+    CheckWithin(query, field);
     Query other = query;
     other.algorithm = DrawAlgorithm(scene_, random_);
     CheckEqual("a search says what fields of others say", other, Field(other),
                alone, 4 * scene_.rounding, report_, kPairTolerance);
+  }
+
+  // Within a tolerance searches find paths that are no longer than that.
+  void CheckWithin(Query query, const std::vector<double>& shortest) {
+    query.tolerance = std::pow(10, random_.Uniform(-6, -1));
+    for (const bool has_landmarks : {false, true}) {
+      const std::vector<double> found =
+          Find(query, has_landmarks ? some_ : none_);
+      for (size_t t = 0; t < found.size(); ++t) {
+        const double least = shortest[t] * (1 - kPairTolerance);
+        const double most = shortest[t] * (1 + query.tolerance);
+        report_.Check(found[t] == shortest[t] ||
+                          (found[t] >= least - 4 * scene_.rounding &&
+                           found[t] <= most + 4 * scene_.rounding),
+                      "a search ends within its tolerance", Name(query),
+                      ", target ", t, ": ", found[t], " for ", shortest[t]);
+      }
+    }
   }
 
   // The distances of the targets. Empty, and reported, if the solver fails.

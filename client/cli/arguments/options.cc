@@ -262,10 +262,7 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
     CheckPlaces(*question);
     CheckOutputs(*app, question->outputs);
     question->other_inputs = OtherInputs(*app);
-    if (question->tolerance != 0 && IsApproximate(question->algorithm)) {
-      Refuse("--tolerance", "is certified, and " + question->algorithm +
-                                " is approximate: leave one of them out");
-    }
+    CheckTolerance(question->tolerance, question->algorithm);
     if (check != nullptr) check();
   });
 }
@@ -321,6 +318,13 @@ void AddTolerance(CLI::App* app, double* tolerance) {
             "default: 0, exact",
             "E"},
            parse, tolerance);
+}
+
+void CheckTolerance(double tolerance, const std::string& algorithm) {
+  if (tolerance != 0 && IsApproximate(algorithm)) {
+    Refuse("--tolerance", "is certified, and " + algorithm +
+                              " is approximate: leave one of them out");
+  }
 }
 
 void AddPriority(CLI::App* app, Priority* priority) {

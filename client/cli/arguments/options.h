@@ -190,6 +190,8 @@ void AddAlgorithm(CLI::App* app, const std::string& help,
 void AddApproximation(CLI::App* app, Approximation* approximation);
 // Adds --tolerance.
 void AddTolerance(CLI::App* app, double* tolerance);
+// Refuses a tolerance beside an approximate algorithm.
+void CheckTolerance(double tolerance, const std::string& algorithm);
 void AddPriority(CLI::App* app, Priority* priority);
 void AddOutputs(CLI::App* app, const std::string& help,
                 std::span<const OutputFormat> formats,

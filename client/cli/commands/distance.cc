@@ -42,12 +42,14 @@ struct DistanceArguments {
   bool float32 = false;
   std::string algorithm;
   Approximation approximation;
+  double tolerance = 0;
   Priority priority = Priority::kInteractive;
   std::vector<OutputArgument> outputs;
   std::vector<std::string> other_inputs;  // OtherInputs
 
   std::string mark() const {
-    return ApproximationMark(algorithm, approximation);
+    return tolerance == 0 ? ApproximationMark(algorithm, approximation)
+                          : ToleranceMark(tolerance);
   }
 };
 
@@ -63,6 +65,7 @@ WrittenPoint PlaceOf(const std::string& name, const std::string& text) {
 }
 
 void CheckArguments(DistanceArguments* arguments) {
+  CheckTolerance(arguments->tolerance, arguments->algorithm);
   const bool has_list = !arguments->list.empty();
   if (has_list != arguments->source.empty()) {
     Refuse("A B", "name two places, or --pairs FILE, not both");
@@ -92,6 +95,7 @@ void AddOptions(CLI::App* app, DistanceArguments* arguments) {
       "them up, others compute fields. Default: exact distances",
       ApproximateAlgorithmNames(), &arguments->algorithm);
   AddApproximation(app, &arguments->approximation);
+  AddTolerance(app, &arguments->tolerance);
   AddPriority(app, &arguments->priority);
   AddOutputs(app,
              "Write the distances here as they come (.npy, .csv), or the "
@@ -301,7 +305,8 @@ class PairRun {
                              .priority = arguments_.priority,
                              .paths = destination_->has_paths(),
                              .algorithm = arguments_.algorithm,
-                             .approximation = arguments_.approximation};
+                             .approximation = arguments_.approximation,
+                             .tolerance = arguments_.tolerance};
     const std::span<const PointPair> pairs = query.pairs;
     uint64_t taken = 0;
     // The latest distances, up to that of pair `come` less one.
@@ -422,6 +427,7 @@ Command DistanceCommand() {
       "distance", "Distances from one place to another",
       "  geodesic distance horse.ply 0 99\n"
       "  geodesic distance horse.ply min:x nearest:0.1,-0.2,0\n"
+      "  geodesic distance horse.ply 0 99 --tolerance 0.01\n"
       "  geodesic distance horse.ply 0 face:5@0.2,0.3,0.5 -o path.obj\n"
       "  geodesic distance horse.ply --pairs pairs.txt -o d.npy",
       AddOptions, Run);

@@ -56,8 +56,11 @@ constexpr uint32_t LandmarksWorth(size_t searches) {
 
 struct TargetDistances {
   // One per target of the query, in the unit of the file; +infinity where no
-  // path leads. As exact as those of Solve (solve.h).
+  // path leads. As exact as those of Solve (solve.h); with a tolerance, the
+  // lengths of paths that are longer by this part of the shortest at the most.
   std::vector<double> distances;
+  // 0 if all are exact.
+  double certified_error = 0;
   // One per target, if the query asked for a trace. As those of PathTracer.
   std::vector<GeodesicPath> paths;
   SolveStatistics statistics;
@@ -74,7 +77,8 @@ class TargetSearch {
   ~TargetSearch();
 
   // The distances of query->targets, each by a search of its own. `landmarks`
-  // may be null, or of any number; they change the cost alone. Questions that
+  // may be null, or of any number; they change the cost alone, and with a
+  // tolerance which answer within it is found. Questions that
   // fwp-list does not answer (curves, several sources that are not all
   // vertices, faces without area, edges of three faces or more: see ValidQuery)
   // are computed as a field that stops at the last target, at the cost of that.

@@ -1,6 +1,8 @@
 #include "questions/backward_bounds.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "geodesic/query.h"
 #include "solver/queues/queue.h"
@@ -50,7 +52,7 @@ absl::Status BackwardBounds::Find(const BoundedWay& way,
       landmarks != nullptr ? kLandmarkSteps * landmarks->step() : 0;
   covered_ = way.longest * (1 + kGoalMargin);
   goal.set_limit(covered_ * (1 + kGoalMargin) + steps_off);
-  longest_ = way.longest;
+  longest_ = std::numeric_limits<double>::infinity();
   has_bounds_ = false;
   windows_ = 0;
   DirectSink sink(front_, rule_);
@@ -67,12 +69,20 @@ absl::Status BackwardBounds::Find(const BoundedWay& way,
     if (windows_ > kMostByVertex * front_.reached() + kFew) return poll();
   }
   has_bounds_ = true;
-  const Targets& targets = front_.targets();
-  const double account =
-      front_.AccountOf(targets.AccountHolder(0, front_.distances()));
-  longest_ =
-      std::min(longest_, targets.Distance(0, front_.distances()) + account);
+  const double found = FoundAtSource();
+  if (std::isfinite(found)) {
+    longest_ = found + front_.AccountOf(front_.targets().AccountHolder(
+                           0, front_.distances()));
+  }
   return poll();
+}
+
+double BackwardBounds::FoundAtSource() const {
+  return front_.targets().Distance(0, front_.distances());
+}
+
+double BackwardBounds::shortest() const {
+  return std::min(FoundAtSource(), covered_) * (1 - kGoalMargin);
 }
 
 double BackwardBounds::Bound(uint32_t v) const {

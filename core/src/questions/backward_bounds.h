@@ -22,8 +22,8 @@
 
 namespace geodesic {
 
-// Two places, and a length that no shortest path between them exceeds, in the
-// scaled unit.
+// Two places, and the longest paths between them that matter, in the scaled
+// unit.
 struct BoundedWay {
   SurfacePoint source, target;
   double longest = 0;
@@ -42,16 +42,19 @@ class BackwardBounds {
   explicit BackwardBounds(const Mesh& mesh);
 
   // Covers all that lies on paths from the source to the target that are no
-  // longer than `longest`. Polls now and then; errors: whatever that returns.
-  // `landmarks` may be null; they outlive the bounds.
+  // longer than `longest`, if there are any. Polls now and then; errors:
+  // whatever that returns. `landmarks` may be null; they outlive the bounds.
   absl::Status Find(const BoundedWay& way, const Landmarks* landmarks,
                     absl::FunctionRef<absl::Status()> poll);
 
-  // Whether Bound says anything: not if windows went round and round.
+  // Whether there are bounds: not if windows went round and round.
   bool has_bounds() const { return has_bounds_; }
   // No path from vertex v to the target is shorter. REQUIRES: has_bounds().
   double Bound(uint32_t v) const;
-  // No shortest path from the source to the target is longer.
+  // No shortest path from the source to the target is shorter; REQUIRES:
+  // has_bounds().
+  double shortest() const;
+  // Nor is it longer. Infinite if none within `longest` was found.
   double longest() const { return longest_; }
 
   uint64_t windows() const { return windows_; }
@@ -66,6 +69,9 @@ class BackwardBounds {
   static constexpr uint64_t kBytesByHalfEdge = sizeof(uint32_t);
 
  private:
+  // The distance of the source, as far as it was found.
+  double FoundAtSource() const;
+
   using MergingFront = Front<FwpBuckets, Origin, Goal, WithinTolerance>;
 
   const Mesh& mesh_;

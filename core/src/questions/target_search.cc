@@ -106,7 +106,8 @@ class TargetSearch::Impl {
                       Checkpoint& checkpoint, TargetDistances& found) {
     absl::Status status = Search(query, landmarks, checkpoint);
     if (!status.ok()) return status;
-    found.distances.push_back(ToFileUnit(mesh_, Distance()));
+    found.distances.push_back(ToFileUnit(mesh_, Found()));
+    if (IsWithin()) found.certified_error = query->tolerance;
     if (query->trace) {
       absl::StatusOr<GeodesicPath> path = Trace(query, found.distances.back());
       if (!path.ok()) return path.status();
@@ -123,6 +124,8 @@ class TargetSearch::Impl {
                       Checkpoint& checkpoint) {
     Restart(query);
     front_.goal().Aim(query->targets[0], landmarks);
+    tolerance_ = query->tolerance;
+    longest_ = std::numeric_limits<double>::infinity();
     const std::vector<Anchor> anchors = AnchorsOf(query);
     absl::Status status =
         first_path_.Find(anchors, query->targets[0], front_.goal(),
@@ -132,11 +135,15 @@ class TargetSearch::Impl {
     longest_ = first_path_.length();
     bends_ahead_ = first_path_.bends();
     if (MayLookBack(query)) {
-      status = LookBack(query, landmarks, checkpoint);
-      if (!status.ok()) return status;
+      const absl::StatusOr<double> least =
+          LookBack(query, landmarks, checkpoint);
+      if (!least.ok()) return least.status();
+      if (IsWithin() && longest_ <= (1 + tolerance_) * *least) {
+        return absl::OkStatus();
+      }
     }
     status = Propagate(anchors, checkpoint);
-    if (!status.ok() || Distance() <= Margin(longest_)) return status;
+    if (!status.ok() || Found() <= Margin(longest_)) return status;
     // Rounding in faces that are hardly higher than it.
     Restart(query);
     front_.goal().Aim(query->targets[0], landmarks);
@@ -153,22 +160,27 @@ class TargetSearch::Impl {
             longest_ > kShortForLandmarks * mesh_.mean_edge_length());
   }
 
-  // Takes such bounds for the goal's.
-  absl::Status LookBack(const ValidQuery& query, const Landmarks* landmarks,
-                        Checkpoint& checkpoint) {
-    if (!backward_.has_value()) backward_.emplace(mesh_);
+  // Takes such bounds for the goal's. Returns one for the source: no shortest
+  // path is shorter.
+  absl::StatusOr<double> LookBack(const ValidQuery& query,
+                                  const Landmarks* landmarks,
+                                  Checkpoint& checkpoint) {
     const Source& source = query->sources[0];
     const double offset = std::ldexp(source.offset, -mesh_.scale_exponent());
+    const double limit = Limit();
+    if (limit <= offset) return offset;
+    if (!backward_.has_value()) backward_.emplace(mesh_);
     absl::Status status =
         backward_->Find({.source = std::get<SurfacePoint>(source.place),
                          .target = query->targets[0],
-                         .longest = longest_ - offset},
+                         .longest = limit - offset},
                         landmarks, [&] { return Poll(checkpoint); });
     statistics_.windows_propagated += backward_->windows();
-    if (!status.ok() || !backward_->has_bounds()) return status;
+    if (!status.ok()) return status;
+    if (!backward_->has_bounds()) return offset;
     longest_ = std::min(longest_, offset + backward_->longest());
     front_.goal().Refine([this](uint32_t v) { return backward_->Bound(v); });
-    return absl::OkStatus();
+    return offset + backward_->shortest();
   }
 
   void Restart(const ValidQuery& query) {
@@ -179,11 +191,26 @@ class TargetSearch::Impl {
 
   static double Margin(double length) { return length * (1 + kGoalMargin); }
 
-  // Finds the distance of the target, if it is no larger than longest_. If that
+  // Whether an answer is wanted within a tolerance, and there is a path that
+  // may be it.
+  bool IsWithin() const { return tolerance_ > 0 && std::isfinite(longest_); }
+
+  // What the search has to find if there is any: paths that are shorter than
+  // those that are known, and by more than the tolerance.
+  double Limit() const {
+    return std::min(longest_, Distance()) / (1 + tolerance_);
+  }
+
+  // The distance to answer with.
+  double Found() const {
+    return IsWithin() ? std::min(longest_, Distance()) : Distance();
+  }
+
+  // Finds the distance of the target, if it is no larger than Limit(). If that
   // is known, few windows are too many, and labels are the better order.
   absl::Status Propagate(std::span<const Anchor> anchors,
                          Checkpoint& checkpoint) {
-    front_.goal().set_limit(Margin(longest_));
+    front_.goal().set_limit(Margin(Limit()));
     front_.goal().set_orders_by_label(std::isfinite(longest_));
     DirectSink sink(front_, rule_);
     for (const Anchor& anchor : anchors) front_.AddAnchor(anchor, sink);
@@ -209,7 +236,7 @@ class TargetSearch::Impl {
         if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
       }
       PassBends();
-      front_.goal().set_limit(Margin(std::min(longest_, Distance())));
+      front_.goal().set_limit(Margin(Limit()));
       if (queue_.SettledRadius() > front_.goal().limit()) break;
       PopTogether(queue_, Rule::kMostTogether, together_);
       if (together_.empty()) break;
@@ -273,6 +300,7 @@ class TargetSearch::Impl {
   Rule rule_;
   FirstPath first_path_;
   std::optional<BackwardBounds> backward_;  // once it was asked for
+  double tolerance_ = 0;
   // No shortest path is longer.
   double longest_ = std::numeric_limits<double>::infinity();
   std::span<const TautPath::Bend> bends_ahead_;  // of the first path

@@ -119,8 +119,11 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
     status = CheckApproximate(request);
   }
   if (!status.ok()) return status;
-  const Algorithm algorithm =
-      DistanceQuery(request.pairs[0].source, {}, *mesh->mesh)->algorithm;
+  const absl::StatusOr<ValidQuery> first = ValidQuery::Make(
+      {.sources = {{request.pairs[0].source}}, .tolerance = request.tolerance},
+      *mesh->mesh);
+  if (!first.ok()) return first.status();
+  const Algorithm algorithm = (*first)->algorithm;
   PairCall call{
       .mesh = mesh, .algorithm = algorithm, .pair_count = request.pairs.size()};
   if (request.method.has_value()) call.algorithm = request.method->choice;
@@ -134,7 +137,8 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
                    .algorithm = algorithm,
                    .method = request.method,
                    .pairs = std::move(request.pairs),
-                   .paths = request.paths});
+                   .paths = request.paths,
+                   .tolerance = request.tolerance});
   const SearchMeans means = searches_.MeansFor(mesh, algorithm);
   PairCosts costs = CostsOf(request, means.field_in_searches);
   costs.searches_per_row = std::clamp<size_t>(

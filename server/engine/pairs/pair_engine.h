@@ -31,6 +31,8 @@ struct PairRequest {
   std::vector<PointPair> pairs;
   // Whether rows have paths, too. They are then in order of the pairs.
   bool paths = false;
+  // As Query::tolerance; 0 with a method.
+  double tolerance = 0;
   // If set, distances are found by this approximate method; all ends are
   // vertices, and there are no paths.
   std::optional<MethodHandle> method = {};

@@ -65,17 +65,19 @@ std::optional<double> FromCache(FieldEngine& fields, const ResidentMesh& mesh,
 
 }  // namespace
 
-ValidQuery DistanceQuery(const SurfacePoint& source,
-                         std::vector<SurfacePoint> targets, const Mesh& mesh) {
-  return *ValidQuery::Make(
-      {.sources = {{source}}, .targets = std::move(targets)}, mesh);
+ValidQuery PairWork::QueryOf(const SurfacePoint& source,
+                             std::vector<SurfacePoint> targets) const {
+  return *ValidQuery::Make({.sources = {{source}},
+                            .targets = std::move(targets),
+                            .trace = paths,
+                            .tolerance = tolerance},
+                           *mesh->mesh);
 }
 
 uint64_t PairWork::PlannedBytes() const {
   // A search of a graph, or a field and what it is computed from.
   if (method.has_value()) return mesh->mesh->vertex_count() * kMethodBytes;
-  const ValidQuery query =
-      DistanceQuery(pairs[0].source, {pairs[0].target}, *mesh->mesh);
+  const ValidQuery query = QueryOf(pairs[0].source, {pairs[0].target});
   const uint64_t of_search = SearchEngine::PlannedBytes(*mesh->mesh, query);
   const uint64_t of_landmarks =
       landmarks > 0 ? LandmarkMaker::PlannedBytes(*mesh->mesh) : 0;
@@ -102,7 +104,7 @@ absl::StatusOr<MatrixRow> PairWork::Answer(uint64_t row, Checkpoint& checkpoint,
   if (method.has_value()) {
     status = Approximate(plan, checkpoint, result.values);
   } else if (plan.shared.has_value()) {
-    status = Solve(plan, checkpoint, result.values);
+    status = Solve(plan, checkpoint, result);
   } else {
     status = Search(plan.pairs, checkpoint, result);
   }
@@ -136,13 +138,13 @@ absl::Status PairWork::Search(const std::vector<uint32_t>& numbers,
     if (!search) search.emplace(searches.pool().Lend(mesh));
     sum.Next();
     absl::StatusOr<TargetDistances> found = (*search)->Run(
-        DistanceQuery(pair.source, {pair.target}, *mesh->mesh).WithTrace(paths),
-        means.landmarks.get(), sum);
+        QueryOf(pair.source, {pair.target}), means.landmarks.get(), sum);
     if (!found.ok()) {
       status = found.status();
       break;
     }
     row.values.push_back(found->distances[0]);
+    row.certified_error = std::max(row.certified_error, found->certified_error);
     if (paths) row.paths.push_back(std::move(found->paths[0]));
     ++answered.searched;
     ++totals.searched;
@@ -152,7 +154,8 @@ absl::Status PairWork::Search(const std::vector<uint32_t>& numbers,
 }
 
 absl::Status PairWork::Solve(const PairRow& row, Checkpoint& checkpoint,
-                             std::vector<double>& distances) const {
+                             MatrixRow& result) const {
+  std::vector<double>& distances = result.values;
   for (const uint32_t number : row.pairs) {
     const SurfacePoint& other = OtherEnd(pairs[number], *row.shared);
     const auto cached = FromCache(fields, *mesh, *row.shared, other);
@@ -170,13 +173,14 @@ absl::Status PairWork::Solve(const PairRow& row, Checkpoint& checkpoint,
   for (const uint32_t number : row.pairs) {
     targets.push_back(OtherEnd(pairs[number], *row.shared));
   }
-  auto computation = start(
-      *mesh->mesh, DistanceQuery(*row.shared, std::move(targets), *mesh->mesh),
-      options);
+  auto computation =
+      start(*mesh->mesh, QueryOf(*row.shared, std::move(targets)), options);
   if (!computation.ok()) return computation.status();
   absl::Status status = (*computation)->Advance({.targets = count}, checkpoint);
   if (!status.ok()) return status;
-  distances = (*computation)->Field().target_distances;
+  DistanceField field = (*computation)->Field();
+  distances = std::move(field.target_distances);
+  result.certified_error = field.certified_error;
   answered.from_fields += count;
   totals.from_fields += count;
   return absl::OkStatus();
@@ -186,7 +190,7 @@ absl::Status PairWork::Approximate(const PairRow& row, Checkpoint& checkpoint,
                                    std::vector<double>& distances) const {
   const size_t count = row.pairs.size();
   if (row.shared.has_value()) {
-    const ValidQuery query = DistanceQuery(*row.shared, {}, *mesh->mesh);
+    const ValidQuery query = QueryOf(*row.shared, {});
     const absl::StatusOr<ApproximateField> field =
         method->method->Distances(query, checkpoint);
     if (!field.ok()) return field.status();

@@ -55,6 +55,7 @@ struct PairWork {
   std::optional<MethodHandle> method;       // if distances are approximate
   std::vector<PointPair> pairs;             // canonical
   bool paths = false;                       // wanted, too
+  double tolerance = 0;                     // valid
   std::vector<PairRow> rows;
   // So many are made first, if searches are so many that these pay.
   uint32_t landmarks = 0;
@@ -71,18 +72,16 @@ struct PairWork {
                                    ByteReservation memory) const;
 
  private:
+  // The distance of one point from another, or of one from several, as a query.
+  ValidQuery QueryOf(const SurfacePoint& source,
+                     std::vector<SurfacePoint> targets) const;
   absl::Status Search(const std::vector<uint32_t>& numbers,
                       Checkpoint& checkpoint, MatrixRow& row) const;
   absl::Status Solve(const PairRow& row, Checkpoint& checkpoint,
-                     std::vector<double>& distances) const;
+                     MatrixRow& result) const;
   absl::Status Approximate(const PairRow& row, Checkpoint& checkpoint,
                            std::vector<double>& distances) const;
 };
-
-// The distance of one point from another, or of one from several, as a query.
-// REQUIRES: the points are on the mesh.
-ValidQuery DistanceQuery(const SurfacePoint& source,
-                         std::vector<SurfacePoint> targets, const Mesh& mesh);
 
 }  // namespace geodesic::server
 

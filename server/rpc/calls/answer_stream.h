@@ -161,9 +161,13 @@ class AnswerStream : public Call<ResponseType> {
     const absl::StatusOr<AlgorithmChoice> choice = ChoiceOf(request());
     if (!choice.ok()) return choice.status();
     if constexpr (requires { request().tolerance(); }) {
-      question.query.tolerance = request().tolerance();
-      absl::Status status = CheckTolerance(question.query.tolerance, *choice);
+      absl::Status status = CheckTolerance(request().tolerance(), *choice);
       if (!status.ok()) return status;
+      if constexpr (requires { question.query; }) {
+        question.query.tolerance = request().tolerance();
+      } else {
+        question.tolerance = request().tolerance();
+      }
     }
     if (const auto* exact = std::get_if<Algorithm>(&*choice)) {
       if constexpr (requires { question.query; }) {

@@ -1,5 +1,6 @@
 #include "server/rpc/streams/pair_stream.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace geodesic::server {
@@ -15,6 +16,7 @@ absl::Status PairStream::Ask() {
   status = AddPairs(request(), engine().limits(), question.pairs);
   if (!status.ok()) return status;
   question.paths = request().paths();
+  tolerance_ = question.tolerance;
   absl::StatusOr<PairCall> call = engine().pairs().Compute(
       std::move(question), [self = this->Shared(this)] {
         self->Update([&] { self->has_news_ = true; });
@@ -49,6 +51,7 @@ absl::StatusOr<NextMessage> PairStream::Fill(
     if (!row->ok()) return row->status();
     row_ = **std::move(row);
     next_path_ = 0;
+    certified_error_ = std::max(certified_error_, row_.certified_error);
     order_->Add(row_);
   }
   FillChunk(*message.mutable_chunk());
@@ -57,7 +60,7 @@ absl::StatusOr<NextMessage> PairStream::Fill(
 
 void PairStream::FillHeader(v1::PairsHeader& header) {
   *header.mutable_answer() =
-      MakeHeader(*call_.mesh, call_.algorithm, version());
+      MakeHeader(*call_.mesh, call_.algorithm, version(), tolerance_);
   header.set_pair_count(call_.pair_count);
   header.set_value_type(value_type_);
 }
@@ -86,6 +89,7 @@ void PairStream::FillTrailer(v1::PairsTrailer& trailer) {
   answer.set_compute_seconds(call_.rows->seconds());
   answer.set_windows_propagated(call_.rows->windows_propagated());
   answer.set_item_count(order_->taken());
+  if (certified_error_ > 0) answer.set_certified_error(certified_error_);
   const PairCounts counts = call_.work->answered.counts();
   trailer.set_pairs_searched(counts.searched);
   trailer.set_pairs_from_fields(counts.from_fields);

@@ -38,6 +38,7 @@ class PairStream final
   // Set by Ask, then constant:
   PairCall call_;
   v1::ValueType value_type_ = v1::VALUE_TYPE_FLOAT64;
+  double tolerance_ = 0;
 
   // Guarded by the stream's lock:
   bool has_news_ = false;  // rows may have ended since the last progress
@@ -45,6 +46,7 @@ class PairStream final
   MatrixRow row_;                   // whose paths are being sent
   uint64_t next_path_ = 0;          // of row_
   uint64_t next_point_ = 0;         // of the path
+  double certified_error_ = 0;      // of the rows that were taken
 };
 
 }  // namespace geodesic::server

@@ -150,6 +150,65 @@ TEST(TargetSearch, FindsWhatFieldsSayBetweenAllKindsOfPoints) {
   }
 }
 
+TEST(TargetSearch, FindsPathsThatAreHardlyLongerWithinATolerance) {
+  Random random(7);
+  for (const NamedMesh& named : Surfaces()) {
+    SCOPED_TRACE(named.name);
+    TargetSearchOn search(named);
+    const Landmarks landmarks = search.MakeSome(4);
+    for (int i = 0; i < 24; ++i) {
+      Query query{.sources = {{RandomSurfacePoint(named.soup, random)}},
+                  .targets = {RandomSurfacePoint(named.soup, random),
+                              RandomVertexPoint(named.soup, random)},
+                  .tolerance = std::pow(10, random.Uniform(-5, -1))};
+      if (i % 4 == 0) query.sources[0].offset = random.Uniform(0, 1);
+      if (i % 6 == 0) {
+        query.sources = {{RandomVertexPoint(named.soup, random), 0.2},
+                         {RandomVertexPoint(named.soup, random)}};
+      }
+      const std::vector<double> expected = search.Expected(query);
+      const Landmarks none(search.mesh());
+      for (const Landmarks* some : {&none, &landmarks}) {
+        const std::vector<double> found = search.Find(query, some);
+        ASSERT_EQ(found.size(), expected.size());
+        for (size_t t = 0; t < expected.size(); ++t) {
+          SCOPED_TRACE(absl::StrCat("from ", Name(query.sources[0]), " to ",
+                                    Name(query.targets[t]), " within ",
+                                    query.tolerance));
+          if (std::isinf(expected[t])) {
+            EXPECT_EQ(found[t], expected[t]);
+            continue;
+          }
+          EXPECT_GE(found[t], expected[t] * (1 - kPairTolerance));
+          EXPECT_LE(found[t], expected[t] * (1 + query.tolerance));
+        }
+      }
+    }
+  }
+}
+
+TEST(TargetSearch, TakesAPathThatIsGoodEnough) {
+  const NamedMesh named{"terrain", Terrain(60, 60, 0.5, 7)};
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  Query query{.sources = {{VertexPoint{0}}},
+              .targets = {VertexPoint{mesh->vertex_count() - 1}}};
+  TargetSearch search(*mesh);
+  NoCheckpoint checkpoint;
+  const auto run = [&](double tolerance) {
+    query.tolerance = tolerance;
+    return *search.Run(Valid(*mesh, query), nullptr, checkpoint);
+  };
+  const TargetDistances exact = run(0);
+  EXPECT_EQ(exact.certified_error, 0);
+  // So little is computed exactly.
+  EXPECT_EQ(run(1e-6).distances, exact.distances);
+  EXPECT_EQ(run(1e-6).certified_error, 0);
+  const TargetDistances near = run(0.1);
+  EXPECT_EQ(near.certified_error, 0.1);
+  EXPECT_LT(near.statistics.windows_propagated,
+            exact.statistics.windows_propagated / 100);
+}
+
 TEST(TargetSearch, TracesShortestPaths) {
   Random random(5);
   for (const NamedMesh& named : Surfaces()) {

@@ -140,6 +140,33 @@ class ToleranceTest(ClientTest):
             self.assertLessEqual(abs(got - truth), within * truth)
         self.assertGreaterEqual(sample.distance, (1 - within) * max(exact(8)))
 
+    def test_pairs(self):
+        digest, within = self.terrain(35), 1e-2
+        vertices = [v for i in range(100) for v in (i, i * i % 900)]
+
+        def ask(**members):
+            parts = self.answer(self.pairs.ComputePairs(
+                self.pair_pb.ComputePairsRequest(
+                    mesh_digest=digest, vertex_pairs=vertices, **members),
+                timeout=60))
+            return (parts["header"][0].answer, parts["trailer"][0].answer,
+                    [d for c in parts["chunk"] for d in doubles(c.distances)])
+
+        header, trailer, got = ask(tolerance=within)
+        self.assertEqual(header.relative_tolerance, within)
+        self.assertTrue(0 < trailer.certified_error <= within)
+        _, trailer, exact = ask()
+        self.assertFalse(trailer.HasField("certified_error"))
+        for distance, truth in zip(got, exact):
+            self.assertLessEqual(abs(distance - truth), within * truth)
+        self.assertNotEqual(got, exact)
+        self.assert_fails(grpc.StatusCode.INVALID_ARGUMENT, "tolerance",
+                          lambda: ask(tolerance=0.2))
+        self.assert_fails(
+            grpc.StatusCode.INVALID_ARGUMENT, "svg is approximate",
+            lambda: ask(tolerance=within,
+                        algorithm=self.query_pb.ALGORITHM_SVG))
+
     def test_what_takes_none_is_named(self):
         digest = self.terrain(40)
         for words, members in (
