@@ -389,9 +389,9 @@ class Mesh:
 
         Args:
             algorithm: an approximate one, for vertices; None for exact distances.
-            tolerance: the largest relative error, from 1e-9 to 0.1, or 0. Each
-                distance is then the length of a path that is no longer than
-                that, and searches end as soon as there is one.
+            tolerance: the largest relative error, from 1e-9 to 0.1, or 0.
+                Searches then end as soon as they have a path that is longer
+                than the shortest by this part at the most.
 
         Returns:
             (N,). Up to rounding the same as those of distances().

@@ -40,9 +40,9 @@ struct PairQuery {
   // DEFAULT: empty, exact distances.
   std::string algorithm = {};
   Approximation approximation = {};
-  // The largest relative error that distances may have, 0 or from 1e-9 to 0.1:
-  // each is then the length of a path that is no longer than that. It takes a
-  // part of the time. DEFAULT: 0, exact, as paths are in any case.
+  // The largest relative error that distances may have, 0 or from 1e-9 to 0.1.
+  // Searches take a part of the time then. DEFAULT: 0, exact, as paths are in any
+  // case.
   double tolerance = 0;
 };
 

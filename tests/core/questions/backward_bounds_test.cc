@@ -89,8 +89,10 @@ TEST(BackwardBounds, BoundAllWaysAndAreNearTheTruthWithinTheLimit) {
                             [] { return absl::OkStatus(); })
                       .ok());
       ASSERT_TRUE(bounds.has_bounds());
-      EXPECT_LE(bounds.longest(), longest);
+      EXPECT_LE(bounds.longest(), distance * (1 + kNear));
       EXPECT_GE(bounds.longest(), distance * (1 - kRounding));
+      EXPECT_LE(bounds.shortest(), distance * (1 + kRounding));
+      EXPECT_GE(bounds.shortest(), distance * (1 - kNear));
       const std::vector<double> from_target = DistancesFrom(*mesh, target);
       const std::vector<double> from_source = DistancesFrom(*mesh, source);
       for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
@@ -100,6 +102,29 @@ TEST(BackwardBounds, BoundAllWaysAndAreNearTheTruthWithinTheLimit) {
         if (truth + from_source[v] > longest) continue;
         ASSERT_GE(bounds.Bound(v), truth * (1 - kNear)) << "vertex " << v;
       }
+    }
+  }
+}
+
+TEST(BackwardBounds, TellThatNoPathIsSoShort) {
+  Random random(12);
+  for (const NamedMesh& named : Surfaces()) {
+    SCOPED_TRACE(named.name);
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    BackwardBounds bounds(*mesh);
+    for (int i = 0; i < 8; ++i) {
+      const SurfacePoint source = RandomSurfacePoint(named.soup, random);
+      const SurfacePoint target = RandomSurfacePoint(named.soup, random);
+      const double distance = DistanceBetween(*mesh, source, target);
+      if (std::isinf(distance)) continue;
+      const double longest = distance * random.Uniform(0.8, 0.99);
+      ASSERT_TRUE(bounds
+                      .Find({source, target, longest}, nullptr,
+                            [] { return absl::OkStatus(); })
+                      .ok());
+      EXPECT_GE(bounds.shortest(), longest * (1 - kRounding));
+      EXPECT_LE(bounds.shortest(), distance * (1 + kRounding));
+      EXPECT_GE(bounds.longest(), distance * (1 - kRounding));
     }
   }
 }

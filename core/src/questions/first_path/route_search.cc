@@ -16,7 +16,7 @@ namespace {
 // How many times bounds count. More than once, they leave out most of the
 // routes that are as good as equal, for one that is hardly longer. Those of
 // landmarks are so near the truth that less does.
-constexpr double kGreed = 1.1;
+constexpr double kGreed = 1.3;
 constexpr double kGreedWithLandmarks = 1.04;
 
 constexpr uint64_t kPollPeriod = 4096;
