@@ -118,4 +118,5 @@ class Method:
         """(N,), of vertices; None where fields answer pairs."""
 
 def pairs(query: Query, order: NDArray[np.int64], ends: NDArray[np.int64],
-          threads: int, progress: _Progress) -> NDArray[np.float64]: ...
+          tolerance: float, threads: int, progress: _Progress,
+          ) -> NDArray[np.float64]: ...

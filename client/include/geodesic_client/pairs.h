@@ -41,8 +41,8 @@ struct PairQuery {
   std::string algorithm = {};
   Approximation approximation = {};
   // The largest relative error that distances may have, 0 or from 1e-9 to 0.1.
-  // Searches take a part of the time then. DEFAULT: 0, exact, as paths are in any
-  // case.
+  // Searches take a part of the time then. DEFAULT: 0, exact, as paths are in
+  // any case.
   double tolerance = 0;
 };
 
