@@ -22,6 +22,7 @@
 #include "solver/rules/list_rule.h"
 #include "solver/start_computation.h"
 #include "surface/anchors.h"
+#include "surface/surface_location.h"
 #include "tolerances.h"
 
 namespace geodesic {
@@ -31,9 +32,12 @@ namespace {
 // so that it does not run past the target.
 constexpr SolveOptions kSearchOptions{.bucket_width = 4, .max_batch = 64};
 
-// The bounds of landmarks are as good as better ones that have to be found, if
-// the way is no longer than so many edges.
-constexpr double kShortForLandmarks = 250;
+// Paths that may be shorter than one that is known fill an ellipse about the
+// way. If it is no wider than so many edges to either side, the bounds of
+// landmarks are as good as better ones that have to be found.
+constexpr double kNarrowForLandmarks = 35;
+
+double Square(double x) { return x * x; }
 
 }  // namespace
 
@@ -155,9 +159,34 @@ class TargetSearch::Impl {
   // Whether bounds from the target back are likely to save more windows than
   // they cost.
   bool MayLookBack(const ValidQuery& query) const {
-    return query->sources.size() == 1 && BackwardBounds::Serve(mesh_) &&
-           (!front_.goal().has_landmarks() ||
-            longest_ > kShortForLandmarks * mesh_.mean_edge_length());
+    if (query->sources.size() > 1 || !BackwardBounds::Serve(mesh_)) {
+      return false;
+    }
+    if (!front_.goal().has_landmarks()) return true;
+    const Source& source = query->sources[0];
+    const double longest = Limit() - OffsetOf(source);
+    const double shortest = BoundFrom(std::get<SurfacePoint>(source.place));
+    return (longest - shortest) * (longest + shortest) >
+           Square(2 * kNarrowForLandmarks * mesh_.mean_edge_length());
+  }
+
+  // No path from the place to the target is shorter.
+  double BoundFrom(const SurfacePoint& place) const {
+    if (const auto* at = std::get_if<VertexPoint>(&place)) {
+      return front_.goal().Bound(at->vertex);
+    }
+    const FacePoint in_face = FacesAround(mesh_, place)[0];
+    double bound = 0;
+    for (uint32_t corner = 0; corner < 3; ++corner) {
+      const uint32_t v = mesh_.triangle(in_face.face)[corner];
+      bound = std::max(bound, front_.goal().Bound(v) -
+                                  DistanceToCorner(mesh_, in_face, corner));
+    }
+    return bound;
+  }
+
+  double OffsetOf(const Source& source) const {
+    return std::ldexp(source.offset, -mesh_.scale_exponent());
   }
 
   // Takes such bounds for the goal's. Returns one for the source: no shortest
@@ -166,7 +195,7 @@ class TargetSearch::Impl {
                                   const Landmarks* landmarks,
                                   Checkpoint& checkpoint) {
     const Source& source = query->sources[0];
-    const double offset = std::ldexp(source.offset, -mesh_.scale_exponent());
+    const double offset = OffsetOf(source);
     const double limit = Limit();
     if (limit <= offset) return offset;
     if (!backward_.has_value()) backward_.emplace(mesh_);
