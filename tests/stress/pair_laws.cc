@@ -52,7 +52,6 @@ class PairLaws {
   // From several points with offsets, some of them just short of dominated by
   // those before.
   void CheckSources() {
-    // From several points that are not all vertices a search is a field.
     const bool at_vertices = random_.Below(3) > 0;
     Query query{.sources = {{DrawSource(at_vertices)}}};
     query.targets = DrawTargets(test::PointOf(query.sources[0]));

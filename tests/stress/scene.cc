@@ -188,6 +188,15 @@ double Edit(TriangleSoup& soup, uint32_t size, Random& random,
   apply(8, "scaled", [&] {
     soup = test::Scale(soup, std::pow(10, random.Uniform(-150, 150)));
   });
+  // Drawn aside, so that scenes without one are what they were.
+  Random aside = random;
+  if (OneIn(6, aside)) {
+    const auto faces = static_cast<uint32_t>(soup.triangles.size());
+    soup = test::AddLayer(std::move(soup), 1 + aside.Below(faces),
+                          OneIn(3, aside) ? 0 : aside.Uniform(0, 1),
+                          DrawSeed(aside));
+    *name += ", a layer";
+  }
   return stretched;
 }
 

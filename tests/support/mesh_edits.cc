@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "tests/support/curved_meshes.h"
@@ -13,6 +14,7 @@
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/random.h"
+#include "tests/support/vec.h"
 
 namespace geodesic::test {
 namespace {
@@ -261,6 +263,46 @@ TriangleSoup Book(const TriangleSoup& page, uint32_t pages) {
     }
   }
   return book;
+}
+
+TriangleSoup AddLayer(TriangleSoup soup, uint32_t count, double lift,
+                      uint64_t seed) {
+  Random random(seed);
+  std::vector<std::vector<uint32_t>> faces_at(soup.positions.size());
+  for (uint32_t f = 0; f < soup.triangles.size(); ++f) {
+    for (const uint32_t v : soup.triangles[f]) faces_at[v].push_back(f);
+  }
+  std::vector<uint32_t> faces = {
+      random.Below(static_cast<uint32_t>(soup.triangles.size()))};
+  std::set<uint32_t> is_in = {faces[0]};
+  for (size_t i = 0; i < faces.size() && faces.size() < count; ++i) {
+    for (const uint32_t v : soup.triangles[faces[i]]) {
+      for (const uint32_t f : faces_at[v]) {
+        if (faces.size() < count && is_in.insert(f).second) faces.push_back(f);
+      }
+    }
+  }
+  std::map<uint32_t, uint32_t> number;
+  for (const uint32_t f : faces) {
+    const Triangle corners = soup.triangles[f];
+    Triangle above;
+    for (uint32_t i = 0; i < 3; ++i) {
+      const uint32_t v = corners[i];
+      const bool ends = !std::ranges::all_of(
+          faces_at[v], [&](uint32_t other) { return is_in.contains(other); });
+      if (!ends && !number.contains(v)) {
+        const double most = lift * static_cast<double>(Distance(
+                                       soup.positions[v],
+                                       soup.positions[corners[(i + 1) % 3]]));
+        Point place = soup.positions[v];
+        for (double& c : place) c += random.Uniform(-most, most);
+        number[v] = AddPoint(soup, place);
+      }
+      above[i] = ends ? v : number[v];
+    }
+    soup.triangles.push_back(above);
+  }
+  return soup;
 }
 
 TriangleSoup AddIsolatedVertices(TriangleSoup soup, uint32_t count) {

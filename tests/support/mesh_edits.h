@@ -54,6 +54,12 @@ TriangleSoup Join(TriangleSoup a, const TriangleSoup& b);
 // vertices at x = 0: a spine where all of them meet. The first page's vertices
 // keep their numbers. REQUIRES: the page lies in the plane z = 0.
 TriangleSoup Book(const TriangleSoup& page, uint32_t pages);
+// With another sheet over some `count` faces that hang together at vertices,
+// drawn at random: `lift` edges away at the most, and where it is 0 at the same
+// place. Where the sheet ends it shares vertices and edges with the rest; its
+// own vertices come last.
+TriangleSoup AddLayer(TriangleSoup soup, uint32_t count, double lift,
+                      uint64_t seed);
 // With `count` more vertices that no face uses.
 TriangleSoup AddIsolatedVertices(TriangleSoup soup, uint32_t count);
 

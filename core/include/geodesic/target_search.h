@@ -79,9 +79,8 @@ class TargetSearch {
   // The distances of query->targets, each by a search of its own. `landmarks`
   // may be null, or of any number; they change the cost alone, and with a
   // tolerance which answer within it is found. Questions that
-  // fwp-list does not answer (curves, several sources that are not all
-  // vertices, faces without area, edges of three faces or more: see ValidQuery)
-  // are computed as a field that stops at the last target, at the cost of that.
+  // fwp-list does not answer (curves, faces without area: see ValidQuery) are
+  // computed as a field that stops at the last target, at the cost of that.
   // Errors: INVALID_ARGUMENT without targets; whatever `checkpoint` returns.
   absl::StatusOr<TargetDistances> Run(const ValidQuery& query,
                                       const Landmarks* landmarks,

@@ -28,7 +28,8 @@ struct SortedQuery;
 // where that does not hold: if a source is a curve; if not all sources are
 // vertices, unless the only source is a point and the algorithm is not ch; and
 // on meshes with edges of three faces or more, or with faces without area,
-// where rays coincide (docs/algorithm.md, 6, 13 and 16).
+// where rays coincide (docs/algorithm.md, 6, 13 and 16). Lists (fwp-list) give
+// way to it for curves and for faces without area alone.
 //
 // It is valid for the mesh that it was made for only. Copies share their
 // content, so they cost O(1).

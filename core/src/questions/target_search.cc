@@ -292,11 +292,12 @@ class TargetSearch::Impl {
   }
 
   // `distance`: that of the target, in the unit of the file.
-  absl::StatusOr<GeodesicPath> Trace(const ValidQuery& query,
-                                     double distance) const {
+  absl::StatusOr<GeodesicPath> Trace(const ValidQuery& query, double distance) {
     const Arrival arrival =
         front_.targets().ArrivalAt(0, front_.distances(), front_.arrivals());
     const double scaled = Distance();
+    // Where lines fork, distances tell which way is wrong.
+    if (mesh_.HasNonManifoldEdges()) front_.ForgetBeyondGoal();
     const TracedField field(mesh_, query,
                             {.vertices = front_.distances(),
                              .targets = {&scaled, 1},

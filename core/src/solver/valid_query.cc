@@ -94,22 +94,26 @@ absl::Status MakeCanonical(Source& source, const Mesh& mesh,
   return MakeCanonical(source.offset, mesh, absl::StrCat(path, ".offset"));
 }
 
+bool AreAllVertices(const std::vector<Source>& sources) {
+  return std::ranges::all_of(sources, [](const Source& source) {
+    const auto* point = std::get_if<SurfacePoint>(&source.place);
+    return point != nullptr && std::holds_alternative<VertexPoint>(*point);
+  });
+}
+
 // REQUIRES: the points of `query` are canonical.
 Algorithm AlgorithmFor(const Query& query, Algorithm asked, const Mesh& mesh) {
-  const bool all_vertices =
-      std::ranges::all_of(query.sources, [](const Source& source) {
-        const auto* point = std::get_if<SurfacePoint>(&source.place);
-        return point != nullptr && std::holds_alternative<VertexPoint>(*point);
-      });
-  const bool is_one_point =
-      query.sources.size() == 1 && !IsCurve(query.sources[0]);
-  // The filter helps Chen and Han's rule over a source added later
-  // (Computation::AddSource); without it nothing would.
-  const bool may_split =
-      all_vertices || (is_one_point && asked != Algorithm::kCh);
-  return may_split && !mesh.HasNonManifoldEdges() && !mesh.HasCollapsedFaces()
-             ? asked
-             : WithTrimming(asked);
+  const bool all_points = std::ranges::none_of(query.sources, IsCurve);
+  if (!all_points || mesh.HasCollapsedFaces()) return WithTrimming(asked);
+  // Lists are trimmed, too.
+  if (asked == Algorithm::kFwpList) return asked;
+  // What Chen and Han's rule splits must not be passed on both sides. The
+  // filter helps it over a source added later (Computation::AddSource); without
+  // it nothing would.
+  const bool is_filtered_point =
+      query.sources.size() == 1 && asked != Algorithm::kCh;
+  const bool may_split = AreAllVertices(query.sources) || is_filtered_point;
+  return may_split && !mesh.HasNonManifoldEdges() ? asked : WithTrimming(asked);
 }
 
 bool IsTolerance(double tolerance) {
@@ -122,11 +126,14 @@ bool IsTolerance(double tolerance) {
 constexpr double kLeastMerged = 1e-5;
 
 // Only windows in the order of fwp-list are merged, and no trace leads back
-// through a merged window; all else is exact. REQUIRES: query.algorithm is the
-// one that runs.
-double ToleranceFor(const Query& query) {
-  const bool merges = query.algorithm == Algorithm::kFwpList && !query.trace &&
-                      query.tolerance >= kLeastMerged;
+// through a merged window; all else is exact. So is what several sources that
+// are not all vertices and edges of three faces make of rays: nobody has shown
+// that merging ends there. REQUIRES: query.algorithm is the one that runs.
+double ToleranceFor(const Query& query, const Mesh& mesh) {
+  const bool merges =
+      query.algorithm == Algorithm::kFwpList && !query.trace &&
+      query.tolerance >= kLeastMerged && !mesh.HasNonManifoldEdges() &&
+      (query.sources.size() == 1 || AreAllVertices(query.sources));
   return merges ? query.tolerance : 0;
 }
 
@@ -155,7 +162,7 @@ absl::StatusOr<ValidQuery> ValidQuery::Make(Query query, const Mesh& mesh) {
                      kLeastTolerance, ", ", kMostTolerance, "]"));
   }
   query.algorithm = AlgorithmFor(query, asked.algorithm, mesh);
-  query.tolerance = ToleranceFor(query);
+  query.tolerance = ToleranceFor(query, mesh);
   return ValidQuery(std::move(query), asked);
 }
 
@@ -189,7 +196,7 @@ SortedQuery ValidQuery::Sorted() const {
 ValidQuery ValidQuery::WithTrace(bool trace) const {
   Query query = *query_;
   query.trace = trace;
-  query.tolerance = ToleranceFor(query);
+  if (trace) query.tolerance = 0;
   return {std::move(query), asked_};
 }
 
@@ -221,7 +228,7 @@ ValidQuery ValidQuery::OfSource(uint32_t source, const Mesh& mesh) const {
               .trace = query_->trace,
               .tolerance = asked_.tolerance};
   query.algorithm = AlgorithmFor(query, asked_.algorithm, mesh);
-  query.tolerance = ToleranceFor(query);
+  query.tolerance = ToleranceFor(query, mesh);
   return {std::move(query), asked_};
 }
 

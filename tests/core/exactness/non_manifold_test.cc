@@ -99,6 +99,19 @@ TEST_P(NonManifold, CubesThatTouch) {
   }
 }
 
+// Paths through either sheet meet again where it ends, at times along one ray.
+TEST_P(NonManifold, SheetsThatMeetAgain) {
+  for (uint32_t seed = 1; seed <= 12; ++seed) {
+    const TriangleSoup below =
+        seed % 2 == 0 ? Terrain(5, 4, 1, seed)
+                      : MakeGrid({.columns = 4, .rows = 4, .seed = seed});
+    const NamedMesh named{
+        "a layer on faces, seed " + std::to_string(seed),
+        AddLayer(below, 6 + seed, seed % 3 == 0 ? 0 : 0.4, seed)};
+    ExpectBruteForce(named, SpreadVertices(named.soup, 3));
+  }
+}
+
 GEODESIC_TEST_EVERY_ALGORITHM(NonManifold);
 
 }  // namespace

@@ -194,11 +194,17 @@ TEST(PassedWindows, LeaveANarrowWindowOfANearPseudoSourceWhatItHolds) {
   EXPECT_EQ(cross(near, {middle - gap, middle + gap}), 0u);
 }
 
+// So large that a sample of half-edges does.
+std::shared_ptr<const Mesh> Sheet() {
+  return test::BuildOrFail(
+      {"sheet", test::MakeGrid({.columns = 110, .rows = 110})});
+}
+
 constexpr MetWindows kOftenLose = {.all = 300, .late = 100, .lost = 80};
 
 TEST(PassedWindows, KeepASampleUntilManyAreLateAndOftenLose) {
-  constexpr uint32_t kHalfEdges = 1 << 20;
-  Passed passed(kHalfEdges);
+  const std::shared_ptr<const Mesh> mesh = Sheet();
+  Passed passed(*mesh);
   WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
   ASSERT_NE(passed.At(32, 1), nullptr);
   EXPECT_EQ(passed.At(33, 1), nullptr);
@@ -216,7 +222,8 @@ TEST(PassedWindows, KeepASampleUntilManyAreLateAndOftenLose) {
 }
 
 TEST(PassedWindows, AreForgottenForTheNextSearch) {
-  Passed passed(1 << 16);
+  const std::shared_ptr<const Mesh> mesh = Sheet();
+  Passed passed(*mesh);
   WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
   for (int search = 0; search < 2; ++search) {
     SCOPED_TRACE(search);
@@ -233,7 +240,8 @@ TEST(PassedWindows, AreForgottenForTheNextSearch) {
 }
 
 TEST(PassedWindows, KeepWhatCrossesOften) {
-  Passed passed(1 << 16);
+  const std::shared_ptr<const Mesh> mesh = Sheet();
+  Passed passed(*mesh);
   WindowBlock block{.next = nullptr, .count = 1, .log_room = 2};
   EXPECT_EQ(passed.At(35, kManyCrossings - 1), nullptr);
   ASSERT_NE(passed.At(35, kManyCrossings), nullptr);

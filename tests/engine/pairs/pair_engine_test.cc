@@ -170,9 +170,10 @@ TEST_F(PairEngineTest, TellsThatNoPathLeads) {
   EXPECT_DOUBLE_EQ((*distances)[1], 1);
 }
 
-// Its edges of many faces allow no directed search.
-TEST_F(PairEngineTest, OnABookTwoThatShareAnEndGetAField) {
-  Hold(geodesic::test::Book(MakeGrid({.columns = 4, .rows = 4}), 3));
+// They allow no directed search.
+TEST_F(PairEngineTest, OnFacesWithoutAreaTwoThatShareAnEndGetAField) {
+  Hold(geodesic::test::InsertZeroAreaFaces(MakeGrid({.columns = 4, .rows = 4}),
+                                           2, 1));
   const auto distances = Ask({{VertexPoint{6}, VertexPoint{8}},
                               {VertexPoint{9}, VertexPoint{11}},
                               {VertexPoint{8}, VertexPoint{9}}});

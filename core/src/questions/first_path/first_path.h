@@ -30,7 +30,7 @@ class FirstPath {
 
   // Finds a locally shortest path from one of the anchors to a target, at which
   // the goal is aimed. Polls now and then; errors: whatever that returns.
-  // REQUIRES: the anchors are points; several are vertices.
+  // REQUIRES: the anchors are points.
   absl::Status Find(std::span<const Anchor> anchors, const SurfacePoint& target,
                     const Goal& goal, absl::FunctionRef<absl::Status()> poll);
 

@@ -67,7 +67,7 @@ absl::Status RouteSearch::Find(std::span<const RouteStart> starts,
     if (absl::Status status = poll(); !status.ok()) return status;
   }
   route.exists = last != Place::kNoVertex;
-  if (route.exists) TraceBack(last, starts[0].place, route);
+  if (route.exists) TraceBack(last, starts, route);
   return absl::OkStatus();
 }
 
@@ -103,7 +103,7 @@ void RouteSearch::Relax(uint32_t v, double distance, const Known& by,
 
 // Straight through the edge of h from a place in the plane that is as far from
 // both ends as they are known to be from a start.
-void RouteSearch::RelaxApex(HalfEdge h, const Goal& goal) {
+void RouteSearch::RelaxApex(HalfEdge h, uint32_t start, const Goal& goal) {
   if (known_[mesh_.Apex(h)].is_closed) return;
   const std::optional<PlanePoint> source = SourceBelow(h);
   if (!source.has_value()) return;
@@ -112,13 +112,15 @@ void RouteSearch::RelaxApex(HalfEdge h, const Goal& goal) {
   const double height = apex.y - source->y;
   const double crossing = source->x * apex.y - apex.x * source->y;  // by height
   if (!(crossing > 0 && crossing < frame.length * height)) return;
-  Relax(mesh_.Apex(h), Norm(apex - *source), {.across = h}, goal);
+  Relax(mesh_.Apex(h), Norm(apex - *source), {.across = h, .start = start},
+        goal);
 }
 
 void RouteSearch::Expand(uint32_t v, const Goal& goal) {
   Known& known = known_[v];
   known.is_closed = true;
-  const Known along{.from = v};
+  const uint32_t start = known.start;
+  const Known along{.from = v, .start = start};
   for (const HalfEdge h : mesh_.Outgoing(v)) {
     Relax(mesh_.To(h), known.distance + mesh_.frame(h).length, along, goal);
     if (mesh_.Twin(Prev(h)) == kNoHalfEdge) {
@@ -126,8 +128,8 @@ void RouteSearch::Expand(uint32_t v, const Goal& goal) {
       Relax(mesh_.Apex(h), known.distance + mesh_.frame(Prev(h)).length, along,
             goal);
     }
-    RelaxApex(h, goal);
-    RelaxApex(Prev(h), goal);
+    RelaxApex(h, start, goal);
+    RelaxApex(Prev(h), start, goal);
   }
 }
 
@@ -190,9 +192,8 @@ uint32_t RouteSearch::TraceAcross(HalfEdge h, const Place& start,
   }
 }
 
-// The way to vertex `last` from a start, or from `start` within a face; none if
-// it winds.
-void RouteSearch::TraceBack(uint32_t last, const Place& start,
+// The way to vertex `last` from a start; none if it winds.
+void RouteSearch::TraceBack(uint32_t last, std::span<const RouteStart> starts,
                             Route& route) const {
   uint32_t v = last;
   while (v != Place::kNoVertex) {
@@ -202,9 +203,10 @@ void RouteSearch::TraceBack(uint32_t last, const Place& start,
     }
     route.start = known_[v].start;
     const auto first = static_cast<uint32_t>(route.portals.size());
-    const uint32_t from = known_[v].across == kNoHalfEdge
-                              ? known_[v].from
-                              : TraceAcross(known_[v].across, start, route);
+    const uint32_t from =
+        known_[v].across == kNoHalfEdge
+            ? known_[v].from
+            : TraceAcross(known_[v].across, starts[route.start].place, route);
     std::reverse(route.portals.begin() + first, route.portals.end());
     route.steps.push_back(
         {.to = v,

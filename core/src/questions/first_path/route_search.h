@@ -51,11 +51,11 @@ class RouteSearch {
   // What is known of a vertex.
   struct Known {
     double distance = std::numeric_limits<double>::infinity();
-    // The vertex before, if the way comes along an edge; otherwise the
-    // half-edge through which it comes, or the number of the start.
+    // The vertex before, if the way comes along an edge, or the half-edge
+    // through which it comes.
     uint32_t from = Place::kNoVertex;
     HalfEdge across = kNoHalfEdge;
-    uint32_t start = 0;
+    uint32_t start = 0;  // from which the way is likely to come
     bool is_closed = false;
   };
 
@@ -67,7 +67,6 @@ class RouteSearch {
 
   // Finds a route to the place that `goal` is aimed at. Polls now and then;
   // errors: whatever that returns.
-  // REQUIRES: several starts are vertices.
   absl::Status Find(std::span<const RouteStart> starts, const Place& end,
                     const Goal& goal, absl::FunctionRef<absl::Status()> poll,
                     Route& route);
@@ -79,13 +78,14 @@ class RouteSearch {
   template <typename Visit>
   void ForEachCorner(const Place& place, Visit visit) const;
   void Relax(uint32_t v, double distance, const Known& by, const Goal& goal);
-  void RelaxApex(HalfEdge h, const Goal& goal);
+  void RelaxApex(HalfEdge h, uint32_t start, const Goal& goal);
   void Expand(uint32_t v, const Goal& goal);
 
   std::optional<PlanePoint> SourceBelow(HalfEdge h) const;
   uint32_t NearestBy(uint32_t a, double to_a, uint32_t b, double to_b) const;
   uint32_t TraceAcross(HalfEdge h, const Place& start, Route& route) const;
-  void TraceBack(uint32_t last, const Place& start, Route& route) const;
+  void TraceBack(uint32_t last, std::span<const RouteStart> starts,
+                 Route& route) const;
 
   const Mesh& mesh_;
   double greed_ = 1;          // how many times bounds count

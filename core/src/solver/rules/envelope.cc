@@ -69,8 +69,6 @@ void Envelope::FindMeetings(WindowColumns& windows) {
 }
 
 size_t Envelope::CutAtMeetings(WindowColumns& windows) const {
-  // Two windows that may change over twice do so once where each is nearer on
-  // its own side, as here.
   const double least = kLeastWidth * length_;
   for (size_t k = 0; k < older_.size; ++k) {
     const size_t i = pairs_[k];
@@ -163,7 +161,7 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
 size_t Envelope::TrimSeveral(size_t i, size_t& kept, WindowColumns& windows) {
   size_t first = kept;
   while (first > 0 && windows.end[first - 1] > windows.begin[i]) --first;
-  met_.Start(length_);
+  met_.Start(length_, false);
   for (size_t k = first; k < kept; ++k) met_.Append(Listed(windows, k));
   const std::vector<ListedWindow>& sorted = met_.windows();
   const auto meets = [&](size_t k) {
@@ -180,7 +178,8 @@ size_t Envelope::TrimSeveral(size_t i, size_t& kept, WindowColumns& windows) {
   return std::max(i, kept);
 }
 
-void Envelope::Merge(double length, size_t middle, WindowColumns& windows) {
+void Envelope::Merge(double length, bool may_split, size_t middle,
+                     WindowColumns& windows) {
   if (middle == 0 || middle == windows.size ||
       windows.end[middle - 1] <= windows.begin[middle]) {
     return;
@@ -190,7 +189,7 @@ void Envelope::Merge(double length, size_t middle, WindowColumns& windows) {
   while (windows.end[first] <= windows.begin[middle]) ++first;
   size_t last = windows.size;
   while (windows.begin[last - 1] >= windows.end[middle - 1]) --last;
-  met_.Start(length);
+  met_.Start(length, may_split);
   const auto add = [&](size_t i) {
     met_.Add(
         {Window::Over({windows.begin[i], windows.end[i]}, windows.OriginAt(i)),

@@ -24,11 +24,9 @@ namespace geodesic {
 // that is more involved, windows are taken one by one, and what one of them
 // meets goes through a short list of its own.
 //
-// Two windows change over once at most. They could do so twice only beside a
-// ray that both hold (SplitBeforeContest). Windows that crossed a face together
-// share no ray, since they were disjoint before; and lists that are merged have
-// pseudo-sources of which none can be passed by (ListRule runs with one source,
-// or with sources at vertices).
+// Two windows change over twice only beside a ray that both hold
+// (SplitBeforeContest). Windows that crossed a face together share none, since
+// they were disjoint before; those of lists that are merged may.
 class Envelope {
  public:
   // `length`: of the half-edge.
@@ -36,8 +34,9 @@ class Envelope {
 
   // The same for two lists, [0, middle) and [middle, size), each of which is
   // trimmed already; the distances at the windows' ends need not be known, and
-  // are not afterwards.
-  void Merge(double length, size_t middle, WindowColumns& windows);
+  // are not afterwards. `may_split`: Front::MayChangeOverTwice.
+  void Merge(double length, bool may_split, size_t middle,
+             WindowColumns& windows);
 
  private:
   // Finds the neighbours that overlap by more than rounding, which is given up,

@@ -83,6 +83,16 @@ class Front {
     targets_ = Targets(mesh_, query.targets);
   }
 
+  // Forgets distances that may be too long because shorter paths lie beyond the
+  // goal's limit, if bounds agree along edges. O(vertices reached).
+  // REQUIRES: a goal; nothing is pending.
+  void ForgetBeyondGoal() {
+    for (const uint32_t v : reached_list_) {
+      if (distances_[v] + goal_.Bound(v) <= goal_.limit()) continue;
+      distances_[v] = std::numeric_limits<double>::infinity();
+    }
+  }
+
   const Mesh& mesh() const { return mesh_; }
   Queue& queue() { return queue_; }
   Goal& goal() { return goal_; }
@@ -439,37 +449,49 @@ class Front {
     return longest;
   }
 
-  // Through how many faces without area a pseudo-source looks on, one beside or
-  // behind the other.
-  static constexpr int kMostFolds = 64;
+  // A face without area that a pseudo-source has looked on through, one beside
+  // or behind the other: the half-edge that leads into it, and what was seen of
+  // that. Loops of such faces come back to the same place.
+  struct Fold {
+    HalfEdge half_edge;
+    Interval part;
+  };
+  static constexpr size_t kMostFolds = 64;
 
   // Opens what the pseudo-source sees across `side`. `origin` as for Cross.
   template <typename Sink>
   void LookAcross(HalfEdge side, const Origin& origin, const Interval& part,
                   uint32_t pseudo_source, Sink& sink) const {
-    int folds_left = kMostFolds;
-    LookAcross(side, origin, part, pseudo_source, folds_left, sink);
+    std::vector<Fold> folds;
+    LookAcross(side, origin, part, pseudo_source, folds, sink);
   }
 
   template <typename Sink>
   void LookAcross(HalfEdge side, const Origin& origin, const Interval& part,
-                  uint32_t pseudo_source, int& folds_left, Sink& sink) const {
+                  uint32_t pseudo_source, std::vector<Fold>& folds,
+                  Sink& sink) const {
     Cross(side, origin, part,
           [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
-            LookInto(half_edge, seen, through, pseudo_source, folds_left, sink);
+            LookInto(half_edge, seen, through, pseudo_source, folds, sink);
           });
   }
 
   // Opens `half_edge`, or if the pseudo-source lies on it, what lies beyond.
   template <typename Sink>
   void LookInto(HalfEdge half_edge, const Origin& origin, const Interval& part,
-                uint32_t pseudo_source, int& folds_left, Sink& sink) const {
+                uint32_t pseudo_source, std::vector<Fold>& folds,
+                Sink& sink) const {
     const HalfEdgeFrame& frame = mesh_.frame(half_edge);
-    if (!LiesOnEdge(origin, frame) || folds_left == 0) {
+    if (!LiesOnEdge(origin, frame) || folds.size() == kMostFolds) {
       sink.Open(half_edge, pseudo_source, origin, part);
       return;
     }
-    --folds_left;
+    const bool was_seen = std::ranges::any_of(folds, [&](const Fold& fold) {
+      return fold.half_edge == half_edge && fold.part.begin <= part.begin &&
+             part.end <= fold.part.end;
+    });
+    if (was_seen) return;
+    folds.push_back({half_edge, part});
     sink.Observe(half_edge, Window::Over(part, origin), pseudo_source);
     const PlanePoint apex = ApexOf(frame);
     const double crossing = CrossingTo(origin, apex);
@@ -492,7 +514,7 @@ class Front {
       }
       if (seen.begin < seen.end) {
         LookAcross(side.half_edge, Unfold(side, origin), seen, pseudo_source,
-                   folds_left, sink);
+                   folds, sink);
       }
     };
     look_on(FaceSide<kLeft>(mesh_, half_edge));

@@ -63,7 +63,7 @@ class ListRule {
       : front_(front),
         mesh_(front.mesh()),
         waiting_(front.mesh().half_edge_count(), kNothing),
-        passed_(front.mesh().half_edge_count()) {
+        passed_(front.mesh()) {
     for (uint32_t member = 0; member < threads; ++member) {
       workers_.emplace_back(front, pool_);
       shares_.emplace_back();
@@ -90,9 +90,7 @@ class ListRule {
       workers_[0].Drop(queues_[waiting_[queued.half_edge]].lists);
       waiting_[queued.half_edge] = kNothing;
     }
-    passed_.Clear(crossed_, [this](WindowBlock* list) {
-      workers_[0].Drop({list, nullptr});
-    });
+    passed_.Clear(crossed_, [this](WindowBlock* list) { Drop(list); });
     for (const HalfEdge h : crossed_) waiting_[h] = kNothing;
     crossed_.clear();
     queues_.clear();
@@ -122,6 +120,9 @@ class ListRule {
       worker.Clear();
     }
     passed_.Count(met);
+    const double settled = front_.queue().SettledRadius();
+    passed_.Sweep([&](HalfEdge h) { return front_.Farthest(h) <= settled; },
+                  [this](WindowBlock* list) { Drop(list); });
     winding_.Count(propagated, followed);
     return propagated;
   }
@@ -177,6 +178,8 @@ class ListRule {
     std::atomic<size_t> next = 0;  // that nobody has begun
     size_t applied = 0;
   };
+
+  void Drop(WindowBlock* list) { workers_[0].Drop({list, nullptr}); }
 
   bool Waits(HalfEdge h) const { return waiting_[h] < kNothing; }
 

@@ -88,7 +88,7 @@ class alignas(kCacheLine) ListWorker {
     outcome.waited = Take(lists, mesh_.frame(h).length);
     if (winding == Winding::kCertain) list_.size = 0;
     if (winding == Winding::kSuspected) DropWinding(h);
-    if (passed != nullptr) MeetPassed(mesh_.frame(h).length, *passed);
+    if (passed != nullptr) MeetPassed(h, *passed);
     outcome.propagated = static_cast<uint32_t>(list_.size);
     if (list_.size > 0) CrossFace(h);
     outcome.end = Here();
@@ -145,6 +145,8 @@ class alignas(kCacheLine) ListWorker {
   }
 
  private:
+  using Passed = PassedWindows<WindowBlock*>;
+
   Place Here() const {
     return {static_cast<uint32_t>(relaxations_.size()),
             static_cast<uint32_t>(handed_on_.size()),
@@ -180,7 +182,7 @@ class alignas(kCacheLine) ListWorker {
         const size_t middle = list_.size;
         list = blocks_.Take(list, list_);
         DropStale(middle, list_);
-        envelope_.Merge(length, middle, list_);
+        envelope_.Merge(length, front_.MayChangeOverTwice(), middle, list_);
       }
     }
     return waited;
@@ -197,29 +199,30 @@ class alignas(kCacheLine) ListWorker {
   // Drops windows of list_ that lose all they hold to those in `passed`, and
   // keeps what is left there, too. What came of useless ones is dropped
   // wherever it has got to, so nothing may lose to these.
-  void MeetPassed(double length, WindowBlock*& passed) {
-    met_.all += list_.size;
+  void MeetPassed(HalfEdge h, WindowBlock*& passed) {
+    const double length = mesh_.frame(h).length;
+    MetWindows met{.all = list_.size};
     passed_.size = 0;
     if (passed != nullptr) {
       WindowBlocks::Copy(passed, passed_);
       DropStale(0, passed_);
-      met_.late += list_.size;
-      const size_t before = list_.size;
+      met.late = list_.size;
       list_.KeepIf(0, [&](size_t i) {
-        return !LosesAll<Exact>(
+        return !LosesAll(
             Window::Over(list_.IntervalAt(i), list_.OriginAt(i)), length,
-            passed_.size, [this](size_t k) {
+            front_.MayChangeOverTwice(), passed_.size, [this](size_t k) {
               return Window::Over(passed_.IntervalAt(k), passed_.OriginAt(k));
             });
       });
-      met_.lost += before - list_.size;
-      if (list_.size == 0) return;
-      blocks_.Drop(std::exchange(passed, nullptr));
+      met.lost = met.late - list_.size;
     }
+    if (!Passed::KeepsAll(mesh_, h)) met_ += met;
+    if (list_.size == 0) return;
+    if (passed != nullptr) blocks_.Drop(std::exchange(passed, nullptr));
     const size_t middle = passed_.size;
-    if (middle + list_.size > PassedWindows<WindowBlock*>::kMost) return;
+    if (middle + list_.size > Passed::Most(mesh_, h)) return;
     passed_.Append(list_);
-    envelope_.Merge(length, middle, passed_);
+    envelope_.Merge(length, front_.MayChangeOverTwice(), middle, passed_);
     if (passed_.size > 0) passed = blocks_.Store(passed_);
   }
 

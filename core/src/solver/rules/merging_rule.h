@@ -52,7 +52,7 @@ class MergingRule {
         mesh_(front.mesh()),
         waiting_(front.mesh().half_edge_count(), kNone),
         crossing_counts_(front.mesh().half_edge_count()),
-        passed_(front.mesh().half_edge_count()) {}
+        passed_(front.mesh()) {}
 
   // Adds a pseudo-source's window over what it sees of a half-edge.
   void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
@@ -103,6 +103,9 @@ class MergingRule {
       propagated += Cross(half_edges_[i]);
     }
     passed_.Count(met_);
+    const double settled = front_.queue().SettledRadius();
+    passed_.Sweep([&](HalfEdge h) { return front_.Farthest(h) <= settled; },
+                  [this](uint32_t list) { DropPassed(list); });
     return propagated;
   }
 
@@ -178,7 +181,7 @@ class MergingRule {
     const uint32_t times = crossing_counts_.Count(h, front_.reached());
     if (times >= kManyCrossings && winding_.MayLook()) DropWinding(h, list);
     if (uint32_t* const passed = passed_.At(h, times)) {
-      MeetPassed(length, *passed, list);
+      MeetPassed(h, *passed, list);
     }
     if (list.empty()) return 0;
     if (front_.Watches(h)) {
@@ -206,7 +209,7 @@ class MergingRule {
 
   // Moves what waits at h and is of use to the envelope.
   void Take(HalfEdge h, double length) {
-    envelope_.Start(length);
+    envelope_.Start(length, true);
     taken_.clear();
     for (uint32_t id = std::exchange(waiting_[h], kNone); id != kNone;) {
       const Waiting& waiting = windows_[id];
@@ -342,26 +345,27 @@ class MergingRule {
   }
 
   // As ListWorker::MeetPassed.
-  void MeetPassed(double length, uint32_t& passed,
+  void MeetPassed(HalfEdge h, uint32_t& passed,
                   std::vector<ListedWindow>& list) {
-    met_.all += list.size();
-    envelope_of_passed_.Start(length);
+    const double length = mesh_.frame(h).length;
+    MetWindows met{.all = list.size()};
+    envelope_of_passed_.Start(length, true);
     std::vector<ListedWindow>& older = envelope_of_passed_.windows();
     for (uint32_t id = passed; id != 0; id = windows_[id - 1].next) {
       const Waiting& kept = windows_[id - 1];
       if (IsOfUse(kept)) older.push_back({kept.window, kept.pseudo_source});
     }
     if (passed != 0) {
-      met_.late += list.size();
-      met_.lost += std::erase_if(list, [&](const ListedWindow& listed) {
-        return LosesAll<WithinTolerance>(
-            listed.window, length, older.size(),
-            [&older](size_t k) { return older[k].window; });
+      met.late = list.size();
+      met.lost = std::erase_if(list, [&](const ListedWindow& listed) {
+        return LosesAll(listed.window, length, true, older.size(),
+                        [&older](size_t k) { return older[k].window; });
       });
-      if (list.empty()) return;
-      DropPassed(passed);
     }
-    if (older.size() + list.size() > Passed::kMost) return;
+    if (!Passed::KeepsAll(mesh_, h)) met_ += met;
+    if (list.empty()) return;
+    DropPassed(passed);
+    if (older.size() + list.size() > Passed::Most(mesh_, h)) return;
     for (const ListedWindow& listed : list) envelope_of_passed_.Add(listed);
     for (size_t i = older.size(); i-- > 0;) {
       passed =

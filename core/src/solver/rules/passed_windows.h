@@ -17,6 +17,12 @@
 // filter, and where a turn is less than a rounding never. So what crosses at a
 // half-edge for the 64th time is kept from then on, whatever half-edge it is.
 // (There the lines of windows are followed back, too: winding.h.)
+//
+// What comes through an edge of three faces or more goes on into all others,
+// also back beside the face that it has come from. That is late everywhere, and
+// where most edges have so many faces it would double with each of them. So all
+// lists are kept that enter a face through such an edge, also longer ones,
+// until the wavefront has passed it.
 
 #ifndef GEODESIC_SOLVER_RULES_PASSED_WINDOWS_H_
 #define GEODESIC_SOLVER_RULES_PASSED_WINDOWS_H_
@@ -37,8 +43,8 @@
 
 namespace geodesic {
 
-// Windows that came to half-edges whose lists are kept: all of them, those that
-// found a list there, and those of them that lost all to it.
+// Windows that came to half-edges whose lists are kept as a sample: all of
+// them, those that found a list there, and those of them that lost all to it.
 struct MetWindows {
   uint64_t all = 0, late = 0, lost = 0;
 
@@ -54,29 +60,40 @@ struct MetWindows {
 template <typename List>
 class PassedWindows {
  public:
-  // Longer lists are not kept.
-  static constexpr size_t kMost = 4;
+  // The mesh outlives it.
+  explicit PassedWindows(const Mesh& mesh)
+      : mesh_(mesh),
+        log_sample_(LogSampleOf(mesh.half_edge_count())),
+        sample_((mesh.half_edge_count() >> log_sample_) + 1) {}
 
-  explicit PassedWindows(uint32_t half_edges)
-      : log_sample_(LogSampleOf(half_edges)),
-        sample_((half_edges >> log_sample_) + 1),
-        half_edges_(half_edges) {}
+  // Whether lists of a half-edge are always kept. Of others, those that are
+  // kept are a sample.
+  static bool KeepsAll(const Mesh& mesh, HalfEdge h) {
+    return mesh.HasIrregularEdges() && mesh.IsNonManifoldEdge(h);
+  }
+  // Longer lists are not kept: what winds round edges of three faces would
+  // make them longer with every turn.
+  static size_t Most(const Mesh& mesh, HalfEdge h) {
+    return KeepsAll(mesh, h) ? 64 : 4;
+  }
 
   // Where the list of h is kept, List() in it if there is none; nullptr if it
   // is not kept. `times`: how often lists have crossed there, this one
-  // included. Valid until Count. Threads may use different half-edges' lists at
-  // once.
+  // included. Valid until Count or Sweep. Threads may use different half-edges'
+  // lists at once.
   List* At(HalfEdge h, uint32_t times) {
+    if (KeepsAll(mesh_, h)) return &others_[h];
     List* const kept = Kept(h);
-    return kept != nullptr || times < kManyCrossings ? kept : &often_[h];
+    return kept != nullptr || times < kManyCrossings ? kept : &others_[h];
   }
 
   // Forgets what was kept at these half-edges, which are all that lists have
   // crossed, and is as new. `drop` takes each list.
   template <typename Drop>
   void Clear(std::span<const HalfEdge> crossed, Drop drop) {
-    for (const auto& [h, list] : often_) drop(list);
-    often_.clear();
+    for (const auto& [h, list] : others_) drop(list);
+    others_.clear();
+    next_sweep_ = kLeastSweep;
     for (const HalfEdge h : crossed) {
       List* const kept = Kept(h);
       if (kept != nullptr && *kept != List()) {
@@ -87,30 +104,46 @@ class PassedWindows {
     met_ = {};
   }
 
+  // Forgets what was kept at edges of many faces that the wavefront has passed,
+  // now and then: each list pays for a few visits. is_passed(half_edge); `drop`
+  // takes each list.
+  template <typename IsPassed, typename Drop>
+  void Sweep(IsPassed is_passed, Drop drop) {
+    if (others_.size() < next_sweep_) return;
+    std::erase_if(others_, [&](const auto& kept) {
+      if (!KeepsAll(mesh_, kept.first) || !is_passed(kept.first)) return false;
+      drop(kept.second);
+      return true;
+    });
+    next_sweep_ = std::max(2 * others_.size(), kLeastSweep);
+  }
+
   // Says what windows have met since the last time.
   void Count(const MetWindows& met) {
     if (keeps_all_ || log_sample_ == 0) return;  // all of them, or none
     met_ += met;
-    if (met_.late <
-        std::max<uint64_t>(kDecided, half_edges_ / kHalfEdgesByDecided)) {
+    if (met_.late < std::max<uint64_t>(kDecided, mesh_.half_edge_count() /
+                                                     kHalfEdgesByDecided)) {
       return;
     }
     if (static_cast<double>(met_.late) >
             kMany * static_cast<double>(met_.all) &&
         static_cast<double>(met_.lost) >
             kOften * static_cast<double>(met_.late)) {
-      all_.resize(half_edges_);
+      all_.resize(mesh_.half_edge_count());
       keeps_all_ = true;
     }
     met_ = {};
   }
 
-  // Without those of half-edges that are crossed often, which are few.
   uint64_t bytes() const {
-    return std::span(sample_).size_bytes() + std::span(all_).size_bytes();
+    constexpr uint64_t kNode = 2 * sizeof(void*) + sizeof(List) + 8;
+    return std::span(sample_).size_bytes() + std::span(all_).size_bytes() +
+           others_.size() * kNode + others_.bucket_count() * sizeof(void*);
   }
 
  private:
+  static constexpr size_t kLeastSweep = 1024;
   static constexpr uint32_t kMostLogSample = 4;
   static constexpr uint32_t kLeastSample = 4096;
   // Late windows of the sample that decide, more on large meshes; the part of
@@ -132,20 +165,22 @@ class PassedWindows {
     return keeps_all_ ? &all_[h] : nullptr;
   }
 
+  const Mesh& mesh_;
   uint32_t log_sample_;
   std::vector<List> sample_;  // lists of the sample
   std::vector<List> all_;     // of the others, by half-edge
-  std::unordered_map<HalfEdge, List> often_;
-  uint32_t half_edges_;
+  std::unordered_map<HalfEdge, List> others_;
+  size_t next_sweep_ = kLeastSweep;  // when so many lists are in there
   bool keeps_all_ = false;
   MetWindows met_;
 };
 
 // Whether older windows of the half-edge are nearer on all that a window holds,
-// but for what is too narrow to hold. older_at(k): window k of `count`, which
-// are disjoint and sorted.
-template <typename Accuracy, typename OlderAt>
-bool LosesAll(const Window& window, double length, size_t count,
+// but for what is too narrow to hold. `may_split`: as for
+// WindowEnvelope::Start. older_at(k): window k of `count`, which are disjoint
+// and sorted.
+template <typename OlderAt>
+bool LosesAll(const Window& window, double length, bool may_split, size_t count,
               OlderAt older_at) {
   double reached = window.interval.begin;
   for (size_t k = 0; k < count; ++k) {
@@ -156,8 +191,8 @@ bool LosesAll(const Window& window, double length, size_t count,
     if (overlap.width() <= 0) continue;
     if (!IsLost({reached, overlap.begin}, window.origin, length)) return false;
     if (WonByNewer(older, window).width() > 0) return false;
-    if constexpr (Accuracy::kMerges) {
-      if (SplitBeforeContest(older, window).has_value()) return false;
+    if (may_split && SplitBeforeContest(older, window).has_value()) {
+      return false;
     }
     reached = overlap.end;
   }

@@ -44,7 +44,7 @@ void WindowEnvelope<Accuracy>::Contest(const ListedWindow& window) {
   const Window& older = windows_.back().window;
   const Interval held = older.interval;
   const Interval interval = window.window.interval;
-  if constexpr (Accuracy::kMerges) {
+  if (may_split_) {
     if (const auto at = SplitBeforeContest(older, window.window)) {
       ListedWindow part = window;
       part.window.CutTo({interval.begin, *at});

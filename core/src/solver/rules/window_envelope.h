@@ -13,15 +13,17 @@ namespace geodesic {
 
 // Windows that are disjoint and sorted. Scratch that keeps its memory.
 //
-// Two exact windows change over once at most (envelope.h). The origins of
-// windows that stand for several lie anywhere, so where Accuracy is
-// WithinTolerance windows are split first.
+// Windows that may change over more than once are split first
+// (SplitBeforeContest): those of a front that says so, and any that stand for
+// several, whose origins lie anywhere.
 template <typename Accuracy>
 class WindowEnvelope {
  public:
-  // Forgets all. `length`: of the half-edge.
-  void Start(double length) {
+  // Forgets all. `length`: of the half-edge. `may_split`: whether two windows
+  // may change over more than once (Front::MayChangeOverTwice).
+  void Start(double length, bool may_split) {
     length_ = length;
+    may_split_ = may_split;
     windows_.clear();
   }
 
@@ -45,6 +47,7 @@ class WindowEnvelope {
   void JoinLast();
 
   double length_ = 0;
+  bool may_split_ = false;
   std::vector<ListedWindow> windows_;
   std::vector<ListedWindow> aside_;  // a stack
 };
