@@ -191,10 +191,11 @@ double Edit(TriangleSoup& soup, uint32_t size, Random& random,
   // Drawn aside, so that scenes without one are what they were.
   Random aside = random;
   if (OneIn(6, aside)) {
-    const auto faces = static_cast<uint32_t>(soup.triangles.size());
-    soup = test::AddLayer(std::move(soup), 1 + aside.Below(faces),
-                          OneIn(3, aside) ? 0 : aside.Uniform(0, 1),
-                          DrawSeed(aside));
+    const uint64_t seed = DrawSeed(aside);
+    const double lift = OneIn(3, aside) ? 0 : aside.Uniform(0, 1);
+    const uint32_t faces =
+        1 + aside.Below(static_cast<uint32_t>(soup.triangles.size()));
+    soup = test::AddLayer(std::move(soup), faces, lift, seed);
     *name += ", a layer";
   }
   return stretched;

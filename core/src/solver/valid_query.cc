@@ -126,9 +126,9 @@ bool IsTolerance(double tolerance) {
 constexpr double kLeastMerged = 1e-5;
 
 // Only windows in the order of fwp-list are merged, and no trace leads back
-// through a merged window; all else is exact. So is what several sources that
-// are not all vertices and edges of three faces make of rays: nobody has shown
-// that merging ends there. REQUIRES: query.algorithm is the one that runs.
+// through a merged window; all else is exact. Nor are windows merged where two
+// of them may change over twice (Front::MayChangeOverTwice): that it ends there
+// has not been shown. REQUIRES: query.algorithm is the one that runs.
 double ToleranceFor(const Query& query, const Mesh& mesh) {
   const bool merges =
       query.algorithm == Algorithm::kFwpList && !query.trace &&

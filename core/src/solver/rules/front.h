@@ -192,12 +192,13 @@ class Front {
     return window;
   }
 
-  // No point of the edge is farther than this: one of its ends and the edge
-  // itself lead there.
-  double Farthest(HalfEdge h) const {
-    return (distances_[mesh_.From(h)] + distances_[mesh_.To(h)] +
-            mesh_.frame(h).length) /
-           2;
+  // Whether the wavefront has passed the edge: one of its ends and the edge
+  // itself lead to its farthest point.
+  bool IsPassed(HalfEdge h) const {
+    const double farthest = (distances_[mesh_.From(h)] +
+                             distances_[mesh_.To(h)] + mesh_.frame(h).length) /
+                            2;
+    return farthest <= queue_.SettledRadius();
   }
 
   // Whether Observe(h) does anything.

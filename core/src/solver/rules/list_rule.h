@@ -120,8 +120,7 @@ class ListRule {
       worker.Clear();
     }
     passed_.Count(met);
-    const double settled = front_.queue().SettledRadius();
-    passed_.Sweep([&](HalfEdge h) { return front_.Farthest(h) <= settled; },
+    passed_.Sweep([this](HalfEdge h) { return front_.IsPassed(h); },
                   [this](WindowBlock* list) { Drop(list); });
     winding_.Count(propagated, followed);
     return propagated;

@@ -216,7 +216,7 @@ class alignas(kCacheLine) ListWorker {
       });
       met.lost = met.late - list_.size;
     }
-    if (!Passed::KeepsAll(mesh_, h)) met_ += met;
+    if (!Passed::AlwaysKeeps(mesh_, h)) met_ += met;
     if (list_.size == 0) return;
     if (passed != nullptr) blocks_.Drop(std::exchange(passed, nullptr));
     const size_t middle = passed_.size;

@@ -103,8 +103,7 @@ class MergingRule {
       propagated += Cross(half_edges_[i]);
     }
     passed_.Count(met_);
-    const double settled = front_.queue().SettledRadius();
-    passed_.Sweep([&](HalfEdge h) { return front_.Farthest(h) <= settled; },
+    passed_.Sweep([this](HalfEdge h) { return front_.IsPassed(h); },
                   [this](uint32_t list) { DropPassed(list); });
     return propagated;
   }
@@ -362,7 +361,7 @@ class MergingRule {
                         [&older](size_t k) { return older[k].window; });
       });
     }
-    if (!Passed::KeepsAll(mesh_, h)) met_ += met;
+    if (!Passed::AlwaysKeeps(mesh_, h)) met_ += met;
     if (list.empty()) return;
     DropPassed(passed);
     if (older.size() + list.size() > Passed::Most(mesh_, h)) return;

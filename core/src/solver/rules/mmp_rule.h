@@ -422,9 +422,8 @@ class MmpRule {
 
   // Drops the lists of all edges that the wavefront has passed.
   void Sweep() {
-    const double settled = front_.queue().SettledRadius();
     std::erase_if(listed_, [&](HalfEdge h) {
-      if (front_.Farthest(h) > settled) return false;
+      if (!front_.IsPassed(h)) return false;
       // What is pending is queued: with a strict queue one by one.
       if (Queue::kStrict || lists_.queued(h) != kPropagated) {
         pending_ -= lists_.Pending(h);

@@ -66,15 +66,14 @@ class PassedWindows {
         log_sample_(LogSampleOf(mesh.half_edge_count())),
         sample_((mesh.half_edge_count() >> log_sample_) + 1) {}
 
-  // Whether lists of a half-edge are always kept. Of others, those that are
-  // kept are a sample.
-  static bool KeepsAll(const Mesh& mesh, HalfEdge h) {
+  // Whether the list of a half-edge is kept however seldom lists cross there.
+  // Of other half-edges a sample is.
+  static bool AlwaysKeeps(const Mesh& mesh, HalfEdge h) {
     return mesh.HasIrregularEdges() && mesh.IsNonManifoldEdge(h);
   }
-  // Longer lists are not kept: what winds round edges of three faces would
-  // make them longer with every turn.
+  // The most windows of a list that is kept; longer ones are not.
   static size_t Most(const Mesh& mesh, HalfEdge h) {
-    return KeepsAll(mesh, h) ? 64 : 4;
+    return AlwaysKeeps(mesh, h) ? kMostAlways : kMostOfSample;
   }
 
   // Where the list of h is kept, List() in it if there is none; nullptr if it
@@ -82,7 +81,7 @@ class PassedWindows {
   // included. Valid until Count or Sweep. Threads may use different half-edges'
   // lists at once.
   List* At(HalfEdge h, uint32_t times) {
-    if (KeepsAll(mesh_, h)) return &others_[h];
+    if (AlwaysKeeps(mesh_, h)) return &others_[h];
     List* const kept = Kept(h);
     return kept != nullptr || times < kManyCrossings ? kept : &others_[h];
   }
@@ -111,7 +110,8 @@ class PassedWindows {
   void Sweep(IsPassed is_passed, Drop drop) {
     if (others_.size() < next_sweep_) return;
     std::erase_if(others_, [&](const auto& kept) {
-      if (!KeepsAll(mesh_, kept.first) || !is_passed(kept.first)) return false;
+      if (!AlwaysKeeps(mesh_, kept.first) || !is_passed(kept.first))
+        return false;
       drop(kept.second);
       return true;
     });
@@ -143,6 +143,10 @@ class PassedWindows {
   }
 
  private:
+  static constexpr size_t kMostOfSample = 4;
+  // What winds round edges of three faces would make a list longer with every
+  // turn.
+  static constexpr size_t kMostAlways = 64;
   static constexpr size_t kLeastSweep = 1024;
   static constexpr uint32_t kMostLogSample = 4;
   static constexpr uint32_t kLeastSample = 4096;
@@ -168,7 +172,8 @@ class PassedWindows {
   const Mesh& mesh_;
   uint32_t log_sample_;
   std::vector<List> sample_;  // lists of the sample
-  std::vector<List> all_;     // of the others, by half-edge
+  std::vector<List> all_;     // of all others, by half-edge, once they are kept
+  // Of half-edges that are always kept, or crossed often.
   std::unordered_map<HalfEdge, List> others_;
   size_t next_sweep_ = kLeastSweep;  // when so many lists are in there
   bool keeps_all_ = false;
