@@ -137,7 +137,9 @@ class PassedWindows {
   }
 
   uint64_t bytes() const {
-    constexpr uint64_t kNode = 2 * sizeof(void*) + sizeof(List) + 8;
+    // A node of a hash table: what it holds, and the next one.
+    constexpr uint64_t kNode =
+        sizeof(std::pair<const HalfEdge, List>) + sizeof(void*);
     return std::span(sample_).size_bytes() + std::span(all_).size_bytes() +
            others_.size() * kNode + others_.bucket_count() * sizeof(void*);
   }
