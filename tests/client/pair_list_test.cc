@@ -74,7 +74,7 @@ TEST(ParsePairTest, NamesWhatIsWrong) {
 
 TEST(PairListTest, ReadsPieceByPiece) {
   const TemporaryFolder folder;
-  WriteFile(folder / "p.txt", "# pairs\n0 1\n\n2 3\n \t\n4 5");
+  WriteFile(folder / "p.txt", "# pairs\n0 1\n\n2 3\n \t\n \t# more\n4 5");
   auto list = PairList::Open(folder / "p.txt");
   ASSERT_TRUE(list.ok()) << list.status();
   const auto first = list->Read(2);
@@ -84,7 +84,7 @@ TEST(PairListTest, ReadsPieceByPiece) {
   const auto second = list->Read(2);
   ASSERT_TRUE(second.ok()) << second.status();
   EXPECT_THAT(second->pairs, ElementsAre(Vertices(4, 5)));
-  EXPECT_THAT(second->lines, ElementsAre(6));
+  EXPECT_THAT(second->lines, ElementsAre(7));
   EXPECT_THAT(list->Read(2)->pairs, IsEmpty());
 }
 

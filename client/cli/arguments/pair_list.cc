@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <ext/stdio_filebuf.h>
 #include <utility>
@@ -110,8 +109,9 @@ absl::StatusOr<PairList::Piece> PairList::Read(size_t most) {
     const absl::StatusOr<bool> is_there = ReadLine(from, &read);
     if (!is_there.ok()) return AtLine(is_there.status());
     if (!*is_there) break;
-    const std::string_view line = WithoutMark(read, lines_);
-    if (line.starts_with('#') || std::ranges::all_of(line, IsBlank)) continue;
+    std::string_view line = WithoutMark(read, lines_);
+    SkipBlanks(&line);
+    if (line.empty() || line.starts_with('#')) continue;
     absl::StatusOr<WrittenPair> pair = ParsePair(line);
     if (!pair.ok()) {
       return AtLine(pair.status());

@@ -127,6 +127,9 @@ class Mesh {
            irregular_half_edges_.size() > 2 * (irregular_begin_.size() - 1);
   }
 
+  // Two at the least. O(irregular edges).
+  uint32_t MostFacesAtEdge() const;
+
   // Calls visit(half_edge, is_mirrored) for the half-edge of every other face
   // at the edge of h, in order of their numbers. A mirrored one runs in the
   // same direction as h: seen from h's face, its frame is turned over.

@@ -243,6 +243,14 @@ uint64_t Mesh::EstimateBuildBytes(uint64_t vertices, uint64_t faces) {
          vertices * (kAnglesPerVertex + sizeof(uint8_t));
 }
 
+uint32_t Mesh::MostFacesAtEdge() const {
+  uint32_t most = 2;
+  for (size_t i = 1; i < irregular_begin_.size(); ++i) {
+    most = std::max(most, irregular_begin_[i] - irregular_begin_[i - 1]);
+  }
+  return most;
+}
+
 uint64_t Mesh::resident_bytes() const {
   return sizeof(Mesh) + positions_.capacity() * sizeof(Point) +
          (faces_.capacity() + slots_.capacity()) * sizeof(uint32_t) +

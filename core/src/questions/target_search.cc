@@ -114,7 +114,12 @@ class TargetSearch::Impl {
     if (IsWithin()) found.certified_error = query->tolerance;
     if (query->trace) {
       absl::StatusOr<GeodesicPath> path = Trace(query, found.distances.back());
+      // The way back may be lost among what a search has left out.
+      if (absl::IsInternal(path.status())) {
+        path = PathInField(query, checkpoint);
+      }
       if (!path.ok()) return path.status();
+      path->distance = found.distances.back();
       found.paths.push_back(*std::move(path));
     }
     statistics_.iterations += queue_.iterations();
@@ -122,6 +127,15 @@ class TargetSearch::Impl {
     statistics_.peak_windows =
         std::max(statistics_.peak_windows, rule_.peak_windows());
     return absl::OkStatus();
+  }
+
+  // The path to the query's only target.
+  absl::StatusOr<GeodesicPath> PathInField(const ValidQuery& query,
+                                           Checkpoint& checkpoint) {
+    absl::StatusOr<TargetDistances> whole = RunAsField(query, checkpoint);
+    if (!whole.ok()) return whole.status();
+    statistics_.windows_propagated += whole->statistics.windows_propagated;
+    return std::move(whole->paths[0]);
   }
 
   absl::Status Search(const ValidQuery& query, const Landmarks* landmarks,

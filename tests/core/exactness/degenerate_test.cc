@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -144,6 +145,42 @@ TEST_P(DegenerateMeshes, WindowsDoNotGoRoundSpikesForEver) {
         FieldsAgree({"spike", query.sources, GetParam().name},
                     SolveOn(*mesh, {{VertexPoint{0}}}), field->distances,
                     t * length + 4 * CoordinateRounding(soup.positions)));
+  }
+}
+
+// From faces without area that lead into each other in rings, few or many, a
+// source sees across the edge on which they lie.
+TEST_P(DegenerateMeshes, RingsOfFacesWithoutArea) {
+  const std::vector<Point> corners = {{0, 0, 0},
+                                      {-0.9528, -0.3036, 0},
+                                      {0.2624, 0.0544, 0.1974},
+                                      {-1.3916, -1.4366, 0}};
+  using Triangles = decltype(TriangleSoup::triangles);
+  const Triangles one_ring = {{3, 0, 5}, {3, 5, 0}, {1, 0, 3}, {5, 3, 0},
+                              {2, 3, 1}, {4, 5, 0}, {0, 4, 3}};
+  const Triangles three_rings = {{1, 0, 3}, {5, 4, 3}, {5, 4, 3}, {4, 0, 5},
+                                 {3, 5, 4}, {2, 3, 1}, {4, 0, 3}, {3, 5, 4},
+                                 {0, 4, 5}, {4, 0, 5}};
+  Triangles many_rings = {{1, 0, 3}, {3, 1, 2}};
+  for (int i = 0; i < 100; ++i) {
+    many_rings.insert(many_rings.end(), {{0, 3, 4}, {3, 5, 0}, {0, 4, 3}});
+  }
+  for (const auto& [part, triangles] :
+       std::vector<std::pair<double, Triangles>>{
+           {0.95, one_ring}, {0.78, three_rings}, {0.75, many_rings}}) {
+    TriangleSoup rings = {corners, triangles};
+    for (const double t : {0.5, part}) {
+      rings.positions.push_back({t * corners[3][0], t * corners[3][1], 0});
+    }
+    const std::vector<double> expected =
+        SolveOn(*BuildOrFail({"two faces", {corners, {{1, 0, 3}, {3, 1, 2}}}}),
+                {{EdgePoint{0, 3, part}}});
+    const std::vector<double> got =
+        SolveOn(*BuildOrFail({"rings", rings}), {{VertexPoint{5}}});
+    for (uint32_t v = 0; v < expected.size(); ++v) {
+      EXPECT_NEAR(got[v], expected[v], 8 * CoordinateRounding(rings.positions))
+          << part << " to " << v;
+    }
   }
 }
 

@@ -22,6 +22,7 @@
 #include "solver/goal.h"
 #include "solver/queues/queue.h"
 #include "solver/rules/shadow_fan.h"
+#include "solver/rules/sight.h"
 #include "solver/targets.h"
 #include "solver/windows/mixed_origin.h"
 #include "solver/windows/window.h"
@@ -329,6 +330,7 @@ class Front {
       Relax(at->vertex, sigma, {.pseudo_source = number});
       return;
     }
+    Sight sight(*this, number, sink);
     for (const FacePoint& point : FacesAround(mesh_, anchor.begin)) {
       const Arrival straight{.pseudo_source = number};
       for (uint32_t corner = 0; corner < 3; ++corner) {
@@ -342,11 +344,11 @@ class Front {
         if (point.weights[Prev(h) % 3] == 0) continue;
         const PlanePoint at = InFrame(mesh_, point, h);
         const double length = mesh_.frame(h).length;
-        LookAcross(h,
-                   {.x = length - at.x,
-                    .depth = std::max(at.y, kLeastHeight),
-                    .sigma = sigma},
-                   {0, length}, number, sink);
+        sight.Across(h,
+                     {.x = length - at.x,
+                      .depth = std::max(at.y, kLeastHeight),
+                      .sigma = sigma},
+                     {0, length});
       }
       const PlanePoint from =
           InFrame(mesh_, point, mesh_.FirstSide(point.face));
@@ -380,15 +382,16 @@ class Front {
       sink.Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length, along_edge,
                  IncomingRay::Along(Prev(h)));
     }
+    Sight sight(*this, v, sink);
     const auto look = [&](HalfEdge h, const Interval& part) {
       const HalfEdge opposite = Next(h);
       const HalfEdgeFrame& frame = mesh_.frame(opposite);
       // Seen from beyond, the edge runs the other way.
-      LookAcross(opposite,
-                 {.x = frame.length - frame.apex_x,
-                  .depth = frame.apex_y,
-                  .sigma = sigma},
-                 Mirror(part, frame.length), v, sink);
+      sight.Across(opposite,
+                   {.x = frame.length - frame.apex_x,
+                    .depth = frame.apex_y,
+                    .sigma = sigma},
+                   Mirror(part, frame.length));
     };
     if (incoming_.empty() || !incoming_[v].is_known() ||
         (states_[v] & kSource) || !HasRegularFan(v)) {
@@ -448,78 +451,6 @@ class Front {
                     mesh_.frame(Prev(h)).length});
     }
     return longest;
-  }
-
-  // A face without area that a pseudo-source has looked on through, one beside
-  // or behind the other: the half-edge that leads into it, and what was seen of
-  // that. Loops of such faces come back to the same place.
-  struct Fold {
-    HalfEdge half_edge;
-    Interval part;
-  };
-  static constexpr size_t kMostFolds = 64;
-
-  // Opens what the pseudo-source sees across `side`. `origin` as for Cross.
-  template <typename Sink>
-  void LookAcross(HalfEdge side, const Origin& origin, const Interval& part,
-                  uint32_t pseudo_source, Sink& sink) const {
-    std::vector<Fold> folds;
-    LookAcross(side, origin, part, pseudo_source, folds, sink);
-  }
-
-  template <typename Sink>
-  void LookAcross(HalfEdge side, const Origin& origin, const Interval& part,
-                  uint32_t pseudo_source, std::vector<Fold>& folds,
-                  Sink& sink) const {
-    Cross(side, origin, part,
-          [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
-            LookInto(half_edge, seen, through, pseudo_source, folds, sink);
-          });
-  }
-
-  // Opens `half_edge`, or if the pseudo-source lies on it, what lies beyond.
-  template <typename Sink>
-  void LookInto(HalfEdge half_edge, const Origin& origin, const Interval& part,
-                uint32_t pseudo_source, std::vector<Fold>& folds,
-                Sink& sink) const {
-    const HalfEdgeFrame& frame = mesh_.frame(half_edge);
-    if (!LiesOnEdge(origin, frame) || folds.size() == kMostFolds) {
-      sink.Open(half_edge, pseudo_source, origin, part);
-      return;
-    }
-    const bool was_seen = std::ranges::any_of(folds, [&](const Fold& fold) {
-      return fold.half_edge == half_edge && fold.part.begin <= part.begin &&
-             part.end <= fold.part.end;
-    });
-    if (was_seen) return;
-    folds.push_back({half_edge, part});
-    sink.Observe(half_edge, Window::Over(part, origin), pseudo_source);
-    const PlanePoint apex = ApexOf(frame);
-    const double crossing = CrossingTo(origin, apex);
-    const double through = std::clamp(crossing, part.begin, part.end);
-    sink.Relax(mesh_.Apex(half_edge),
-               PathToPlace(origin, through, crossing, apex),
-               {pseudo_source, half_edge, origin.x, origin.depth});
-    // All of both sides is seen, unless an end of the edge is so near that it
-    // hides more than rounding: then it is a pseudo-source and opens what it
-    // hides.
-    const double to_end = std::min(origin.x, frame.length - origin.x);
-    const bool hides = to_end <= kNearVertex * frame.length ||
-                       origin.depth > kHiddenWedge * to_end;
-    const Interval edge{0, frame.length};
-    const auto look_on = [&](const auto& side) {
-      Interval seen{0, side.length};
-      if (hides) {
-        if (!side.IsReached(edge, crossing)) return;
-        seen = side.InExit(side.Hit(origin, edge, crossing));
-      }
-      if (seen.begin < seen.end) {
-        LookAcross(side.half_edge, Unfold(side, origin), seen, pseudo_source,
-                   folds, sink);
-      }
-    };
-    look_on(FaceSide<kLeft>(mesh_, half_edge));
-    look_on(FaceSide<kRight>(mesh_, half_edge));
   }
 
   // Starts from a segment, in each of the faces that hold it.

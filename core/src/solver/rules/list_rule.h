@@ -62,6 +62,7 @@ class ListRule {
   ListRule(Front& front, uint32_t threads)
       : front_(front),
         mesh_(front.mesh()),
+        most_together_(MostTogether(front.mesh())),
         waiting_(front.mesh().half_edge_count(), kNothing),
         passed_(front.mesh()) {
     for (uint32_t member = 0; member < threads; ++member) {
@@ -102,27 +103,16 @@ class ListRule {
   // Ends the threads; the next round starts others.
   void ReleaseThreads() { team_.reset(); }
 
-  // A round: propagates all that waits at some half-edges across their faces
-  // and expands vertices (numbers with kVertexEvent). Returns how many windows
-  // were propagated; whatever is named twice counts once.
+  // A round or several: propagates all that waits at some half-edges across
+  // their faces and expands vertices (numbers with kVertexEvent). Returns how
+  // many windows were propagated; whatever is named twice counts once.
   uint64_t Propagate(std::span<const uint32_t> ids) {
-    Take(ids);
-    DoAll();
-    const uint64_t propagated = FindRuns();
-    for (const Run& run : runs_) Relax(run);
-    for (const Run& run : runs_) Enqueue(run);
-    // Together: they decide in the same round for any number of threads.
-    MetWindows met;
-    uint64_t followed = 0;
-    for (Worker& worker : workers_) {
-      met += worker.met();
-      followed += worker.followed();
-      worker.Clear();
+    uint64_t propagated = 0;
+    while (!ids.empty()) {
+      const size_t together = std::min(ids.size(), most_together_);
+      propagated += Round(ids.first(together));
+      ids = ids.subspan(together);
     }
-    passed_.Count(met);
-    passed_.Sweep([this](HalfEdge h) { return front_.IsPassed(h); },
-                  [this](WindowBlock* list) { Drop(list); });
-    winding_.Count(propagated, followed);
     return propagated;
   }
 
@@ -147,6 +137,11 @@ class ListRule {
   static constexpr size_t kLeastShared = 32;
   // How many events a thread takes at a time.
   static constexpr size_t kShare = 8;
+  // The lists that half-edges of one round hand on, in all.
+  static constexpr size_t kMostHandedOn = size_t{1} << 16;
+  // Each of many faces at an edge hands the same lists on to all others. So
+  // many that wait there are trimmed at once.
+  static constexpr uint32_t kMostWaiting = 16;
 
   struct Queued {
     double label;  // the least the half-edge is queued with
@@ -155,6 +150,7 @@ class ListRule {
     uint32_t member = 0;     // who has handed on the latest
     HalfEdge half_edge = kNoHalfEdge;
     uint32_t crossings = 0;  // so far, up to MostCrossings
+    uint32_t count = 0;      // lists that wait
   };
   // One of the round.
   struct Event {
@@ -177,6 +173,33 @@ class ListRule {
     std::atomic<size_t> next = 0;  // that nobody has begun
     size_t applied = 0;
   };
+
+  // Of these, each face at an edge may hand lists on to all others there.
+  static size_t MostTogether(const Mesh& mesh) {
+    const size_t fewest = kMostHandedOn / (2 * mesh.MostFacesAtEdge());
+    return std::clamp<size_t>(fewest, 1, kMostTogether);
+  }
+
+  uint64_t Round(std::span<const uint32_t> ids) {
+    Take(ids);
+    DoAll();
+    const uint64_t propagated = FindRuns();
+    for (const Run& run : runs_) Relax(run);
+    for (const Run& run : runs_) Enqueue(run);
+    // Together: they decide in the same round for any number of threads.
+    MetWindows met;
+    uint64_t followed = 0;
+    for (Worker& worker : workers_) {
+      met += worker.met();
+      followed += worker.followed();
+      worker.Clear();
+    }
+    passed_.Count(met);
+    passed_.Sweep([this](HalfEdge h) { return front_.IsPassed(h); },
+                  [this](WindowBlock* list) { Drop(list); });
+    winding_.Count(propagated, followed);
+    return propagated;
+  }
 
   void Drop(WindowBlock* list) { workers_[0].Drop({list, nullptr}); }
 
@@ -363,6 +386,11 @@ class ListRule {
     created_ += count;
     pending_ += count;
     peak_ = std::max(peak_, pending_);
+    if (++queued.count >= kMostWaiting && Passed::AlwaysKeeps(mesh_, h)) {
+      pending_ -= workers_[0].Join(h, queued.lists);
+      queued.last = queued.lists;
+      queued.count = 1;
+    }
     if (label >= queued.label) return;
     queued.label = label;
     front_.queue().Push(h, label);
@@ -370,6 +398,7 @@ class ListRule {
 
   Front& front_;
   const Mesh& mesh_;
+  const size_t most_together_;
   // By half-edge, into queues_; or from kNothing on.
   std::vector<uint32_t> waiting_;
   std::vector<HalfEdge> crossed_;  // with a goal only

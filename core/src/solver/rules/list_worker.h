@@ -95,6 +95,13 @@ class alignas(kCacheLine) ListWorker {
     return outcome;
   }
 
+  // Makes one list of those that wait at h. Returns how many windows are gone.
+  uint32_t Join(HalfEdge h, WaitingLists& lists) {
+    const uint32_t waited = Take(lists, mesh_.frame(h).length);
+    lists = {list_.size > 0 ? blocks_.Store(list_) : nullptr, nullptr};
+    return waited - static_cast<uint32_t>(list_.size);
+  }
+
   // Frees lists that nobody will take.
   void Drop(const WaitingLists& lists) {
     for (WindowBlock* list : lists) blocks_.Drop(list);
