@@ -36,7 +36,7 @@ class Sight {
     while (!folds_.empty()) {
       const Fold fold = folds_.back();
       folds_.pop_back();
-      LookOn(fold);
+      LookOn(fold.half_edge, fold.origin, fold.part);
     }
   }
 
@@ -75,8 +75,7 @@ class Sight {
     });
   }
 
-  void LookOn(const Fold& fold) {
-    const auto& [half_edge, origin, part] = fold;
+  void LookOn(HalfEdge half_edge, const Origin& origin, const Interval& part) {
     const HalfEdgeFrame& frame = mesh_.frame(half_edge);
     sink_.Observe(half_edge, Front::Window::Over(part, origin), pseudo_source_);
     const PlanePoint apex = ApexOf(frame);
