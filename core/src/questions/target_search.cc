@@ -39,6 +39,24 @@ constexpr double kNarrowForLandmarks = 35;
 
 double Square(double x) { return x * x; }
 
+// Adds what a search holds and has done to the progress of a field.
+class AfterSearch final : public Checkpoint {
+ public:
+  AfterSearch(uint64_t bytes, uint64_t windows, Checkpoint& checkpoint)
+      : bytes_(bytes), windows_(windows), checkpoint_(checkpoint) {}
+
+  absl::Status Poll(const Progress& progress) override {
+    Progress sum = progress;
+    sum.solver_bytes += bytes_;
+    sum.windows_propagated += windows_;
+    return checkpoint_.Poll(sum);
+  }
+
+ private:
+  const uint64_t bytes_, windows_;
+  Checkpoint& checkpoint_;
+};
+
 }  // namespace
 
 class TargetSearch::Impl {
@@ -116,10 +134,9 @@ class TargetSearch::Impl {
       absl::StatusOr<GeodesicPath> path = Trace(query, found.distances.back());
       // The way back may be lost among what a search has left out.
       if (absl::IsInternal(path.status())) {
-        path = PathInField(query, checkpoint);
+        path = PathInField(query, found.distances.back(), checkpoint);
       }
       if (!path.ok()) return path.status();
-      path->distance = found.distances.back();
       found.paths.push_back(*std::move(path));
     }
     statistics_.iterations += queue_.iterations();
@@ -129,12 +146,15 @@ class TargetSearch::Impl {
     return absl::OkStatus();
   }
 
-  // The path to the query's only target.
+  // As Trace, through a field of its own.
   absl::StatusOr<GeodesicPath> PathInField(const ValidQuery& query,
+                                           double distance,
                                            Checkpoint& checkpoint) {
-    absl::StatusOr<TargetDistances> whole = RunAsField(query, checkpoint);
+    AfterSearch after(bytes(), statistics_.windows_propagated, checkpoint);
+    absl::StatusOr<TargetDistances> whole = RunAsField(query, after);
     if (!whole.ok()) return whole.status();
     statistics_.windows_propagated += whole->statistics.windows_propagated;
+    whole->paths[0].distance = distance;
     return std::move(whole->paths[0]);
   }
 

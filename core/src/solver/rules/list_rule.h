@@ -137,7 +137,7 @@ class ListRule {
   static constexpr size_t kLeastShared = 32;
   // How many events a thread takes at a time.
   static constexpr size_t kShare = 8;
-  // The lists that half-edges of one round hand on, in all.
+  // Lists that the half-edges of a round hand on, if there are several.
   static constexpr size_t kMostHandedOn = size_t{1} << 16;
   // Each of many faces at an edge hands the same lists on to all others. So
   // many that wait there are trimmed at once.
@@ -174,10 +174,10 @@ class ListRule {
     size_t applied = 0;
   };
 
-  // Of these, each face at an edge may hand lists on to all others there.
+  // A half-edge hands lists on to all other faces at two edges.
   static size_t MostTogether(const Mesh& mesh) {
-    const size_t fewest = kMostHandedOn / (2 * mesh.MostFacesAtEdge());
-    return std::clamp<size_t>(fewest, 1, kMostTogether);
+    const size_t by_lists = kMostHandedOn / (2 * mesh.MostFacesAtEdge());
+    return std::clamp<size_t>(by_lists, 1, kMostTogether);
   }
 
   uint64_t Round(std::span<const uint32_t> ids) {

@@ -137,9 +137,10 @@ class PassedWindows {
   }
 
   uint64_t bytes() const {
-    // A node of a hash table: what it holds, and the next one.
+    // A node of a hash table: what it holds, the next one, and the allocator's
+    // own word.
     constexpr uint64_t kNode =
-        sizeof(std::pair<const HalfEdge, List>) + sizeof(void*);
+        sizeof(std::pair<const HalfEdge, List>) + 2 * sizeof(void*);
     return std::span(sample_).size_bytes() + std::span(all_).size_bytes() +
            others_.size() * kNode + others_.bucket_count() * sizeof(void*);
   }
