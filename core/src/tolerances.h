@@ -164,7 +164,9 @@ inline constexpr double kFragmentTies = 2;
 // On meshes with faces without area, a tie by this fraction of the edge and the
 // distances as well. Windows can go round a loop of such faces at no length,
 // and rounding, which goes with the edges, would make them a little nearer
-// every time, without end.
+// every time, without end. They tie with ways through an edge's ends by this,
+// too, but there by the longest edge of the face, whose rounding shows on short
+// ones beside it, and by no more than kAlongEdge of their least distance.
 inline constexpr double kLoopTie = 4e-15;
 
 // Where two windows change over, their distances agree within this many times

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -103,6 +104,41 @@ TEST(BadFaces, PathsAreAsLongAsDistances) {
   for (const uint64_t seed :
        {626, 731, 816, 943, 1674, 1713, 3231, 5613, 5936, 7023, 7371}) {
     CheckDraw(seed);
+  }
+}
+
+// Of no length at all, between copies of a vertex that faces without area part;
+// and where windows come round a ring of such faces, by rounding nearer.
+TEST(BadFaces, PathsAcrossFacesOnOneLine) {
+  const TriangleSoup copies = {{{0.5625, 1, 0.1875},
+                                {0.75, 1, 0.25},
+                                {0.515625, 1, 0.171875},
+                                {0, 1, 0},
+                                {2, 1, 2},
+                                {0.5625, 1, 0.1875}},
+                               {{0, 1, 2}, {1, 3, 2}, {1, 2, 4}, {3, 1, 5}}};
+  const TriangleSoup ring = {
+      {{1, 1, 1},
+       {1, 1.25, 1.25},
+       {1, 2, 2},
+       {1, 2, 2},
+       {1, 1.75, 1.75},
+       {1, 1.1626309010264877, 1.1626309010264877},
+       {1, 2, 2}},
+      {{0, 1, 2}, {3, 0, 4}, {5, 0, 2}, {3, 6, 0}, {0, 6, 4}, {0, 6, 1}}};
+  for (const NamedMesh& named :
+       std::vector<NamedMesh>{{"copies", copies}, {"ring", ring}}) {
+    const auto mesh = BuildOrFail(named);
+    for (const AlgorithmInfo& info : kAlgorithms) {
+      for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+        CheckAllPaths(
+            named.name + ", " + std::string(info.name) + ", " +
+                std::to_string(v),
+            *mesh, {.sources = {{VertexPoint{v}}}, .algorithm = info.algorithm},
+            {.slack = 4 * CoordinateRounding(named.soup.positions),
+             .check_bends = false});
+      }
+    }
   }
 }
 

@@ -304,10 +304,11 @@ class Walker {
     const PlanePoint crossing{
         CrossingOf(Opposite(line.end), Opposite(line.way)), 0};
     const double left = end_.distance - Norm(line.end - crossing);
+    const double slack = kAstray * end_.distance + kRoundedPlace;
     const auto is_farther = [&](uint32_t v, const PlanePoint& at) {
       const double distance = field_.VertexDistance(v);
       return std::isfinite(distance) &&
-             distance > left + Norm(at - crossing) + kAstray * end_.distance;
+             distance > left + Norm(at - crossing) + slack;
     };
     return is_farther(mesh_.From(beyond), {0, 0}) ||
            is_farther(mesh_.To(beyond), {frame.length, 0}) ||

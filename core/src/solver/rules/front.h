@@ -187,7 +187,8 @@ class Front {
     const double length = mesh_.frame(h).length;
     if (IsLost(interval, origin, length)) return std::nullopt;
     const Window window = Window::Over(interval, origin);
-    if (EndsAreNearer(window, length, mesh_.From(h), mesh_.To(h))) {
+    if (EndsAreNearer(window, length, mesh_.From(h), mesh_.To(h)) ||
+        (mesh_.HasCollapsedFaces() && EndsSeeAll(h, window))) {
       return std::nullopt;
     }
     return window;
@@ -225,6 +226,12 @@ class Front {
     return distance < best * (1 - kImprovement);
   }
 
+  // Whether it is better by more than what windows seem to gain by going round
+  // faces without area. A path cannot be followed back round these.
+  static bool ImprovesOnLoops(double distance, double best) {
+    return distance < best - std::min(kLoopTie, kAlongEdge * best);
+  }
+
   // Whether Relax changes anything.
   bool Takes(uint32_t v, double distance, const Arrival& arrival) const {
     if constexpr (Accuracy::kMerges) {
@@ -251,6 +258,7 @@ class Front {
     double& best = distances_[v];
     if (!Improves(distance, best)) return;
     if (arrival.entry != kNoHalfEdge) {
+      if (mesh_.HasCollapsedFaces() && !ImprovesOnLoops(distance, best)) return;
       distance =
           AtLeastStraight(distance, arrival.pseudo_source, VertexPoint{v});
       if (!Improves(distance, best)) return;
@@ -425,6 +433,24 @@ class Front {
            std::ranges::none_of(mesh_.Outgoing(v), [this](HalfEdge h) {
              return mesh_.IsIrregularEdge(h) || mesh_.IsIrregularEdge(Prev(h));
            });
+  }
+
+  // Whether a window ties with paths through an end of h that sees all around
+  // it, and so all that the window would. Windows that run along faces without
+  // area do, and they wind round these for long.
+  bool EndsSeeAll(HalfEdge h, const Window& window) const {
+    const double length = mesh_.frame(h).length;
+    const double longest = std::max(
+        {length, mesh_.frame(Next(h)).length, mesh_.frame(Prev(h)).length});
+    const double most = kAlongEdge * window.Label();
+    const auto ties = [&](uint32_t end, double along, double distance) {
+      return mesh_.IsPseudoSource(end) &&
+             distances_[end] + along <=
+                 distance + std::min(most, kLoopTie * (longest + distance));
+    };
+    return ties(mesh_.From(h), window.interval.end, window.end_distance) ||
+           ties(mesh_.To(h), length - window.interval.begin,
+                window.begin_distance);
   }
 
   // A distance by way of windows, but no less than straight through space from

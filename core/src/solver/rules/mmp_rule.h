@@ -255,7 +255,12 @@ class MmpRule {
 
   // Inserts a window that leaves its face across `side` in every face beyond.
   void InsertBeyond(HalfEdge side, Exit exit, uint32_t pseudo_source,
-                    const Origin& origin, const Interval& interval) {
+                    const Origin& origin, Interval interval) {
+    const HalfEdgeFrame& frame = mesh_.frame(side);
+    // What winds round faces without area would add it piece by piece.
+    if (mesh_.HasCollapsedFaces() && SeesAllOfEdge(origin, interval, frame)) {
+      interval = {0, frame.length};
+    }
     if (exit < kIrregularExit) {
       Insert(exit, pseudo_source, origin, interval);
       return;

@@ -84,12 +84,8 @@ class Sight {
     sink_.Relax(mesh_.Apex(half_edge),
                 PathToPlace(origin, through, crossing, apex),
                 {pseudo_source_, half_edge, origin.x, origin.depth});
-    // All of both sides is seen, unless an end of the edge is so near that it
-    // hides more than rounding: then it is a pseudo-source and opens what it
-    // hides.
-    const double to_end = std::min(origin.x, frame.length - origin.x);
-    const bool hides = to_end <= kNearVertex * frame.length ||
-                       origin.depth > kHiddenWedge * to_end;
+    // All of both sides is seen, but for what an end of the edge hides.
+    const bool hides = EndsHide(origin, frame);
     const Interval edge{0, frame.length};
     const auto look_on = [&](const auto& side) {
       Interval seen{0, side.length};

@@ -168,6 +168,25 @@ inline bool LiesOnEdge(const Origin& origin, const HalfEdgeFrame& frame) {
          origin.x < frame.length;
 }
 
+// Whether an end of AB is so near to a pseudo-source on AB that it hides more
+// than rounding: then it is a pseudo-source and opens what it hides.
+template <typename OriginType>
+bool EndsHide(const OriginType& origin, const HalfEdgeFrame& frame) {
+  const double to_end = std::min(origin.x, frame.length - origin.x);
+  return to_end <= kNearVertex * frame.length ||
+         origin.depth > kHiddenWedge * to_end;
+}
+
+// Whether the rays of a part of AB come from a pseudo-source in there, which
+// then sees all of AB.
+template <typename OriginType>
+bool SeesAllOfEdge(const OriginType& origin, const Interval& part,
+                   const HalfEdgeFrame& frame) {
+  const double near = kCollapsedFace * frame.length;
+  return LiesOnEdge(origin, frame) && !EndsHide(origin, frame) &&
+         part.begin - near <= origin.x && origin.x <= part.end + near;
+}
+
 // Into a frame that is turned over: A and B change places.
 inline Origin Mirror(const Origin& origin, double length) {
   return {.x = length - origin.x, .depth = origin.depth, .sigma = origin.sigma};
