@@ -81,7 +81,8 @@ class TargetSearch {
   // tolerance which answer within it is found. Questions that
   // fwp-list does not answer (curves, faces without area: see ValidQuery) are
   // computed as a field that stops at the last target, at the cost of that. So
-  // is a path that cannot be followed back through what a search has found.
+  // is a path that cannot be followed back through what a search has found, and
+  // a target for which windows go round needles too often.
   // Errors: INVALID_ARGUMENT without targets; whatever `checkpoint` returns.
   absl::StatusOr<TargetDistances> Run(const ValidQuery& query,
                                       const Landmarks* landmarks,

@@ -98,6 +98,7 @@ class TargetSearch::Impl {
     if (!status.ok()) return status;
     const DistanceField field = (*computation)->Field();
     TargetDistances found{.distances = field.target_distances,
+                          .certified_error = field.certified_error,
                           .statistics = field.statistics};
     if (!query->trace) return found;
     const absl::StatusOr<PathTracer> tracer =
@@ -128,6 +129,7 @@ class TargetSearch::Impl {
                       Checkpoint& checkpoint, TargetDistances& found) {
     absl::Status status = Search(query, landmarks, checkpoint);
     if (!status.ok()) return status;
+    if (rule_.has_dropped()) return RunInField(query, checkpoint, found);
     found.distances.push_back(ToFileUnit(mesh_, Found()));
     if (IsWithin()) found.certified_error = query->tolerance;
     if (query->trace) {
@@ -143,6 +145,20 @@ class TargetSearch::Impl {
     statistics_.windows_created += rule_.created();
     statistics_.peak_windows =
         std::max(statistics_.peak_windows, rule_.peak_windows());
+    return absl::OkStatus();
+  }
+
+  // As RunOne, but in a field: the search has dropped windows.
+  absl::Status RunInField(const ValidQuery& query, Checkpoint& checkpoint,
+                          TargetDistances& found) {
+    AfterSearch after(bytes(), statistics_.windows_propagated, checkpoint);
+    absl::StatusOr<TargetDistances> whole = RunAsField(query, after);
+    if (!whole.ok()) return whole.status();
+    statistics_.windows_propagated += whole->statistics.windows_propagated;
+    found.distances.push_back(whole->distances[0]);
+    found.certified_error =
+        std::max(found.certified_error, whole->certified_error);
+    if (query->trace) found.paths.push_back(std::move(whole->paths[0]));
     return absl::OkStatus();
   }
 
@@ -181,7 +197,9 @@ class TargetSearch::Impl {
       }
     }
     status = Propagate(anchors, checkpoint);
-    if (!status.ok() || Found() <= Margin(longest_)) return status;
+    if (!status.ok() || rule_.has_dropped() || Found() <= Margin(longest_)) {
+      return status;
+    }
     // Rounding in faces that are hardly higher than it.
     Restart(query);
     front_.goal().Aim(query->targets[0], landmarks);
@@ -282,7 +300,7 @@ class TargetSearch::Impl {
     const bool may_miss = mesh_.HasThinFaces() || std::isinf(longest_);
     do {
       absl::Status status = Drain(checkpoint);
-      if (!status.ok() || !may_miss) return status;
+      if (!status.ok() || !may_miss || rule_.has_dropped()) return status;
       // What is left there is beyond the limit.
       statistics_.iterations += queue_.iterations();
       queue_.Clear();
@@ -301,6 +319,7 @@ class TargetSearch::Impl {
       PassBends();
       front_.goal().set_limit(Margin(Limit()));
       if (queue_.SettledRadius() > front_.goal().limit()) break;
+      if (rule_.has_dropped()) break;
       PopTogether(queue_, Rule::kMostTogether, together_);
       if (together_.empty()) break;
       for (const uint32_t id : together_) {

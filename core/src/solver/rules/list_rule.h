@@ -96,6 +96,7 @@ class ListRule {
     crossed_.clear();
     queues_.clear();
     free_.clear();
+    has_dropped_ = false;
     pending_ = peak_ = created_ = 0;
     winding_.Clear();
   }
@@ -115,6 +116,10 @@ class ListRule {
     }
     return propagated;
   }
+
+  // Whether windows were dropped since there were too many (MostCrossings). In
+  // the order of labels these are of no use, in another they may be.
+  bool has_dropped() const { return has_dropped_; }
 
   uint64_t created() const { return created_; }
   uint64_t pending() const { return pending_; }
@@ -233,6 +238,7 @@ class ListRule {
       if ((id & kVertexEvent) || !Waits(id)) continue;
       const Queued& queued = queues_[waiting_[id]];
       const uint32_t times = std::min(queued.crossings + 1, most);
+      has_dropped_ |= times == most;
       give(queued.member, {.id = id,
                            .lists = queued.lists,
                            .passed = passed_.At(id, times),
@@ -415,6 +421,7 @@ class ListRule {
   std::vector<uint32_t> order_;  // of events: whose share has the next
   std::vector<Run> runs_;
 
+  bool has_dropped_ = false;
   uint64_t pending_ = 0;
   uint64_t peak_ = 0;
   uint64_t created_ = 0;
