@@ -166,7 +166,8 @@ inline constexpr double kFragmentTies = 2;
 // and rounding, which goes with the edges, would make them a little nearer
 // every time, without end. They tie with ways through an edge's ends by this,
 // too, but there by the longest edge of the face, whose rounding shows on short
-// ones beside it, and by no more than kAlongEdge of their least distance.
+// ones beside it, and by no more than kAlongEdge of their least distance. Nor
+// is a vertex nearer by so little.
 inline constexpr double kLoopTie = 4e-15;
 
 // Where two windows change over, their distances agree within this many times
@@ -206,7 +207,7 @@ inline constexpr double kRoundedPlace = 1e-14;
 
 // A walk back along a path has gone astray where a vertex is farther, by this
 // fraction of the path, than along the walk: far more than rounding, far less
-// than an edge.
+// than an edge. Beside kRoundedPlace, for paths of hardly any length.
 inline constexpr double kAstray = 1e-6;
 
 // A stretch between two points of a path that is shorter than this fraction of

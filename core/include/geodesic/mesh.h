@@ -173,6 +173,11 @@ class Mesh {
   bool HasCollapsedFaces() const { return has_collapsed_faces_; }
   // Whether there is a face so thin that windows may miss a vertex beside it.
   bool HasThinFaces() const { return has_thin_faces_; }
+  // Of the face of h, in the scaled unit.
+  double LongestSide(HalfEdge h) const {
+    const HalfEdgeFrame* sides = &frames_[h - h % 3];
+    return std::max({sides[0].length, sides[1].length, sides[2].length});
+  }
 
   // Solver lengths are file lengths times 2^-scale_exponent, so that the
   // longest extent of the mesh is about 1 and no square overflows.

@@ -355,10 +355,9 @@ bool Mesh::IsCollapsed(HalfEdge h) const {
 }
 
 bool Mesh::IsThinner(HalfEdge h, double part) const {
-  const HalfEdgeFrame* sides = &frames_[h - h % 3];
-  const double longest =
-      std::max({sides[0].length, sides[1].length, sides[2].length});
-  return sides[0].length * sides[0].apex_y <= part * longest * longest;
+  const HalfEdgeFrame& side = frames_[h - h % 3];
+  const double longest = LongestSide(h);
+  return side.length * side.apex_y <= part * longest * longest;
 }
 
 bool Mesh::IsDisk(uint32_t v) const {

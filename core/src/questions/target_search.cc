@@ -129,49 +129,45 @@ class TargetSearch::Impl {
                       Checkpoint& checkpoint, TargetDistances& found) {
     absl::Status status = Search(query, landmarks, checkpoint);
     if (!status.ok()) return status;
-    if (rule_.has_dropped()) return RunInField(query, checkpoint, found);
+    statistics_.iterations += queue_.iterations();
+    statistics_.windows_created += rule_.created();
+    statistics_.peak_windows =
+        std::max(statistics_.peak_windows, rule_.peak_windows());
+    if (rule_.has_dropped()) {
+      absl::StatusOr<TargetDistances> whole = RunAfter(query, checkpoint);
+      if (!whole.ok()) return whole.status();
+      found.distances.push_back(whole->distances[0]);
+      found.certified_error =
+          std::max(found.certified_error, whole->certified_error);
+      if (query->trace) found.paths.push_back(std::move(whole->paths[0]));
+      return absl::OkStatus();
+    }
     found.distances.push_back(ToFileUnit(mesh_, Found()));
     if (IsWithin()) found.certified_error = query->tolerance;
     if (query->trace) {
       absl::StatusOr<GeodesicPath> path = Trace(query, found.distances.back());
       // The way back may be lost among what a search has left out.
       if (absl::IsInternal(path.status())) {
-        path = PathInField(query, found.distances.back(), checkpoint);
+        absl::StatusOr<TargetDistances> whole = RunAfter(query, checkpoint);
+        if (!whole.ok()) return whole.status();
+        path = std::move(whole->paths[0]);
+        path->distance = found.distances.back();
       }
       if (!path.ok()) return path.status();
       found.paths.push_back(*std::move(path));
     }
-    statistics_.iterations += queue_.iterations();
-    statistics_.windows_created += rule_.created();
-    statistics_.peak_windows =
-        std::max(statistics_.peak_windows, rule_.peak_windows());
     return absl::OkStatus();
   }
 
-  // As RunOne, but in a field: the search has dropped windows.
-  absl::Status RunInField(const ValidQuery& query, Checkpoint& checkpoint,
-                          TargetDistances& found) {
-    AfterSearch after(bytes(), statistics_.windows_propagated, checkpoint);
-    absl::StatusOr<TargetDistances> whole = RunAsField(query, after);
-    if (!whole.ok()) return whole.status();
-    statistics_.windows_propagated += whole->statistics.windows_propagated;
-    found.distances.push_back(whole->distances[0]);
-    found.certified_error =
-        std::max(found.certified_error, whole->certified_error);
-    if (query->trace) found.paths.push_back(std::move(whole->paths[0]));
-    return absl::OkStatus();
-  }
-
-  // As Trace, through a field of its own.
-  absl::StatusOr<GeodesicPath> PathInField(const ValidQuery& query,
-                                           double distance,
+  // As RunAsField, and adds to what a search has done and holds.
+  absl::StatusOr<TargetDistances> RunAfter(const ValidQuery& query,
                                            Checkpoint& checkpoint) {
     AfterSearch after(bytes(), statistics_.windows_propagated, checkpoint);
     absl::StatusOr<TargetDistances> whole = RunAsField(query, after);
-    if (!whole.ok()) return whole.status();
-    statistics_.windows_propagated += whole->statistics.windows_propagated;
-    whole->paths[0].distance = distance;
-    return std::move(whole->paths[0]);
+    if (whole.ok()) {
+      statistics_.windows_propagated += whole->statistics.windows_propagated;
+    }
+    return whole;
   }
 
   absl::Status Search(const ValidQuery& query, const Landmarks* landmarks,

@@ -440,8 +440,7 @@ class Front {
   // area do, and they wind round these for long.
   bool EndsSeeAll(HalfEdge h, const Window& window) const {
     const double length = mesh_.frame(h).length;
-    const double longest = std::max(
-        {length, mesh_.frame(Next(h)).length, mesh_.frame(Prev(h)).length});
+    const double longest = mesh_.LongestSide(h);
     const double most = kAlongEdge * window.Label();
     const auto ties = [&](uint32_t end, double along, double distance) {
       return mesh_.IsPseudoSource(end) &&
@@ -472,9 +471,7 @@ class Front {
   double LongestEdgeAt(uint32_t v) const {
     double longest = 0;
     for (HalfEdge h : mesh_.Outgoing(v)) {
-      longest =
-          std::max({longest, mesh_.frame(h).length, mesh_.frame(Next(h)).length,
-                    mesh_.frame(Prev(h)).length});
+      longest = std::max(longest, mesh_.LongestSide(h));
     }
     return longest;
   }

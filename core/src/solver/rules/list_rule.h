@@ -238,11 +238,12 @@ class ListRule {
       if ((id & kVertexEvent) || !Waits(id)) continue;
       const Queued& queued = queues_[waiting_[id]];
       const uint32_t times = std::min(queued.crossings + 1, most);
-      has_dropped_ |= times == most;
+      const Winding winding = WindingAfter(times, most);
+      has_dropped_ |= winding == Winding::kCertain;
       give(queued.member, {.id = id,
                            .lists = queued.lists,
                            .passed = passed_.At(id, times),
-                           .winding = WindingAfter(times, most)});
+                           .winding = winding});
       free_.push_back(waiting_[id]);
       waiting_[id] = kNothing + times;
       if constexpr (Front::Goal::kDirects) {

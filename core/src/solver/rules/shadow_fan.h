@@ -63,9 +63,7 @@ inline double LeastHeightAround(const Mesh& mesh, uint32_t v) {
   double least = std::numeric_limits<double>::infinity();
   for (const HalfEdge h : mesh.Outgoing(v)) {
     const HalfEdgeFrame& frame = mesh.frame(h);
-    const double longest = std::max(
-        {frame.length, mesh.frame(Next(h)).length, mesh.frame(Prev(h)).length});
-    least = std::min(least, frame.length * frame.apex_y / longest);
+    least = std::min(least, frame.length * frame.apex_y / mesh.LongestSide(h));
   }
   return least;
 }
