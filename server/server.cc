@@ -38,7 +38,7 @@ constexpr std::chrono::seconds kCancelGrace{10};
 
 constexpr int kMostReflections = 32;
 
-// How often files are checked for a new certificate, by three calls of stat.
+// How often gRPC looks for a new certificate, by three calls of stat.
 constexpr unsigned int kRefreshSeconds = 1;
 
 double EndOf(const TlsFiles& files) {
@@ -48,12 +48,9 @@ double EndOf(const TlsFiles& files) {
 }
 
 // TLS credentials that follow the files: connections made after a file has
-// changed get the new certificate, open ones keep the old one. Without files
-// the connections are in clear. Errors: as CheckTlsFiles.
-absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> MakeServerCredentials(
+// changed get the new certificate, open ones keep the old one.
+std::shared_ptr<grpc::ServerCredentials> MakeTlsCredentials(
     const TlsFiles& files) {
-  if (!files.enabled()) return grpc::InsecureServerCredentials();
-  if (absl::Status status = CheckTlsFiles(files); !status.ok()) return status;
   grpc::experimental::TlsServerCredentialsOptions options(
       std::make_shared<grpc::experimental::FileWatcherCertificateProvider>(
           files.key, files.certificate, files.client_authorities,
@@ -230,11 +227,17 @@ absl::Status Server::NameSiblings() {
 }
 
 absl::Status Server::Start() {
-  auto credentials = MakeServerCredentials(options_.tls);
-  if (!credentials.ok()) return credentials.status();
+  std::shared_ptr<grpc::ServerCredentials> credentials =
+      grpc::InsecureServerCredentials();
+  if (options_.tls.enabled()) {
+    absl::StatusOr<TlsCopies> copies = TlsCopies::Make(options_.tls);
+    if (!copies.ok()) return copies.status();
+    tls_copies_.emplace(*std::move(copies));
+    credentials = MakeTlsCredentials(tls_copies_->paths());
+  }
   if (absl::Status status = ReloadTokens(); !status.ok()) return status;
   if (absl::Status status = OpenStores(); !status.ok()) return status;
-  if (absl::Status status = Listen(*std::move(credentials)); !status.ok()) {
+  if (absl::Status status = Listen(std::move(credentials)); !status.ok()) {
     return status;
   }
   absl::Status status = OpenDoor();
@@ -320,6 +323,20 @@ absl::Status Server::StartOperations() {
         "the certificate in {} has expired: clients will refuse it; a new one "
         "that is written over it is taken up without a restart",
         options_.tls.certificate);
+  }
+  if (options_.tls.enabled()) {
+    tls_watch_ =
+        Every(std::chrono::seconds(1), [this, last = absl::Status()]() mutable {
+          const absl::StatusOr<bool> changed = tls_copies_->Refresh();
+          const absl::Status before = std::exchange(last, changed.status());
+          if (changed.ok() && *changed) {
+            logger_->info("the certificate in {} was read again",
+                          options_.tls.certificate);
+          } else if (!changed.ok() && changed.status() != before) {
+            logger_->error("the certificate stays as it was: {}",
+                           PrintableMessage(changed.status()));
+          }
+        });
   }
   if (!options_.token_file.empty()) {
     if (!options_.tls.enabled()) {

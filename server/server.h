@@ -35,6 +35,7 @@
 #include "server/rpc/siblings.h"
 #include "server/security/access_control.h"
 #include "server/security/quotas.h"
+#include "server/security/tls_copies.h"
 #include "server/tier/redis_blobs.h"
 #include "server/web/web_door.h"
 
@@ -60,7 +61,7 @@ class Server {
   // Opens the data folder, if one is set, binds the address and serves. Call
   // once.
   // Errors: UNAVAILABLE naming the folder that cannot be used or the address
-  // that could not be bound; as CheckTlsFiles and AccessControl::Reload.
+  // that could not be bound; as TlsCopies::Make and AccessControl::Reload.
   absl::Status Start();
 
   // The port served on. REQUIRES: Start succeeded, not with a socket.
@@ -123,6 +124,7 @@ class Server {
   const Peers peers_;
   const ServiceContext service_context_;
   const std::vector<std::unique_ptr<Service>> services_;
+  std::optional<TlsCopies> tls_copies_;  // gRPC follows them
   std::unique_ptr<grpc::Server> grpc_server_;
   int port_ = 0;
 
@@ -137,6 +139,7 @@ class Server {
   // Last, because their threads use the other members.
   std::optional<WebDoor> door_;
   std::optional<HttpServer> http_;
+  std::jthread tls_watch_;
   std::jthread token_watch_;
   std::jthread web_token_watch_;
   std::jthread search_watch_;

@@ -9,7 +9,8 @@
 
 namespace geodesic::server {
 
-// Errors: as errno says, naming the path.
+// What comes of a pipe until its writers have closed it; nothing if there are
+// none. Errors: as errno says, naming the path.
 absl::StatusOr<std::string> ReadFileText(const std::string& path);
 
 }  // namespace geodesic::server

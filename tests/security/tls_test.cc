@@ -94,6 +94,42 @@ TEST_F(TlsTest, AChangedCertificateIsTakenUpWhileConnectionsLive) {
   EXPECT_TRUE(old_client.ListMeshes().ok());
 }
 
+TEST_F(TlsTest, FilesThatDoNotFitHarmNobody) {
+  const RunningServer server(folder_, TlsFlags(identity_));
+  const ConnectionOptions trusting =
+      Trusting({.authorities = authority_.path()});
+  const std::string log = folder_ / "server.log";
+  const auto says = [&](const std::string& words) {
+    return Until(
+        [&] { return FileBytes(log).find(words) != std::string::npos; });
+  };
+  const std::string whole = FileBytes(identity_.certificate);
+  // gRPC itself aborts where it finds a file empty.
+  WriteFile(identity_.certificate, "");
+  EXPECT_TRUE(says(identity_.certificate + " holds no certificate"));
+  EXPECT_TRUE(Ask(server, trusting).ok());
+  // A chain that is not written to its end.
+  WriteFile(identity_.certificate,
+            whole + FileBytes(authority_.path()).substr(0, 300));
+  EXPECT_TRUE(says(identity_.certificate + " holds a certificate that is cut"));
+  EXPECT_TRUE(Ask(server, trusting).ok());
+  // The first of two files that are renewed.
+  const Authority next(folder_, "next");
+  const Identity renewed = next.Issue("renewed");
+  WriteFile(identity_.certificate, FileBytes(renewed.certificate));
+  EXPECT_TRUE(says("is not the key of the certificate"));
+  EXPECT_TRUE(Ask(server, trusting).ok());
+  std::filesystem::remove(identity_.key);
+  EXPECT_TRUE(says("cannot read " + identity_.key));
+  EXPECT_TRUE(Ask(server, trusting).ok());
+
+  WriteFile(identity_.key, FileBytes(renewed.key));
+  EXPECT_TRUE(Until([&] {
+    return Ask(server, Trusting({.authorities = next.path()})).ok();
+  }));
+  EXPECT_TRUE(absl::IsUnavailable(Ask(server, trusting)));
+}
+
 TEST_F(TlsTest, TheCommandSpeaksTls) {
   const RunningServer server(folder_, TlsFlags(identity_));
   const ProcessResult good =

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <string>
@@ -136,6 +137,19 @@ TEST_F(TokensTest, AnEmptiedFileIsReportedAndTheOldTokensStay) {
   const RunningServer server(folder_, Flags());
   WriteFile(folder_ / "tokens.json", "");
   server.Reload();
+  EXPECT_TRUE(Until([&] {
+    return FileBytes(folder_ / "server.log")
+               .find("the tokens stay as they were") != std::string::npos;
+  }));
+  EXPECT_TRUE(Ask(server, "read-token").ok());
+}
+
+TEST_F(TokensTest, APipeInPlaceOfTheFileHoldsNobodyUp) {
+  WriteToken("read-token");
+  const RunningServer server(folder_, Flags());
+  const std::string file = folder_ / "tokens.json";
+  std::filesystem::remove(file);
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
   EXPECT_TRUE(Until([&] {
     return FileBytes(folder_ / "server.log")
                .find("the tokens stay as they were") != std::string::npos;
