@@ -18,8 +18,6 @@ constexpr double kTolerance = 1e-3;
 
 constexpr SolveOptions kOptions{.bucket_width = 16, .max_batch = 64};
 
-constexpr uint64_t kPollPeriod = 1024;
-
 // As MergedComputation: more come of windows that wind.
 constexpr uint64_t kMostByVertex = 48;
 constexpr uint64_t kFew = 4096;
@@ -61,9 +59,10 @@ absl::Status BackwardBounds::Find(const BoundedWay& way,
   for (;;) {
     PopTogether(queue_, rule_.kMostTogether, together_);
     if (together_.empty()) break;
-    windows_ += rule_.Propagate(together_);
-    steps += together_.size();
-    if (steps < kPollPeriod) continue;
+    const uint64_t windows = rule_.Propagate(together_);
+    windows_ += windows;
+    steps += std::max<uint64_t>(together_.size(), windows);
+    if (steps < kWorkBetweenPolls) continue;
     steps = 0;
     if (absl::Status status = poll(); !status.ok()) return status;
     if (windows_ > kMostByVertex * front_.reached() + kFew) return poll();

@@ -37,6 +37,12 @@ constexpr SolveOptions kSearchOptions{.bucket_width = 4, .max_batch = 64};
 // landmarks are as good as better ones that have to be found.
 constexpr double kNarrowForLandmarks = 35;
 
+// Each vertex may be a pseudo-source that sees the edges around all others.
+// More windows than that, and than these, come only of a search where they
+// wind: the most that was seen is a tenth.
+constexpr uint64_t kByVertex = 256;
+constexpr uint64_t kFew = uint64_t{1} << 14;
+
 double Square(double x) { return x * x; }
 
 // Adds what a search holds and has done to the progress of a field.
@@ -122,8 +128,6 @@ class TargetSearch::Impl {
   using DirectedFront = Front<FwpBuckets, Origin, Goal>;
   using Rule = ListRule<DirectedFront>;
 
-  static constexpr uint64_t kPollPeriod = 1024;
-
   // Adds the distance of the query's only target, and the path to it.
   absl::Status RunOne(const ValidQuery& query, const Landmarks* landmarks,
                       Checkpoint& checkpoint, TargetDistances& found) {
@@ -133,7 +137,7 @@ class TargetSearch::Impl {
     statistics_.windows_created += rule_.created();
     statistics_.peak_windows =
         std::max(statistics_.peak_windows, rule_.peak_windows());
-    if (rule_.has_dropped()) {
+    if (GivesWay()) {
       absl::StatusOr<TargetDistances> whole = RunAfter(query, checkpoint);
       if (!whole.ok()) return whole.status();
       found.distances.push_back(whole->distances[0]);
@@ -193,7 +197,7 @@ class TargetSearch::Impl {
       }
     }
     status = Propagate(anchors, checkpoint);
-    if (!status.ok() || rule_.has_dropped() || Found() <= Margin(longest_)) {
+    if (!status.ok() || GivesWay() || Found() <= Margin(longest_)) {
       return status;
     }
     // Rounding in faces that are hardly higher than it.
@@ -296,7 +300,7 @@ class TargetSearch::Impl {
     const bool may_miss = mesh_.HasThinFaces() || std::isinf(longest_);
     do {
       absl::Status status = Drain(checkpoint);
-      if (!status.ok() || !may_miss || rule_.has_dropped()) return status;
+      if (!status.ok() || !may_miss || GivesWay()) return status;
       // What is left there is beyond the limit.
       statistics_.iterations += queue_.iterations();
       queue_.Clear();
@@ -304,25 +308,33 @@ class TargetSearch::Impl {
     return absl::OkStatus();
   }
 
+  // Whether a field is to answer: windows wind, or were dropped since they did.
+  bool GivesWay() const {
+    const uint64_t reached = front_.reached();
+    return rule_.has_dropped() ||
+           rule_.created() > reached * (reached + kByVertex) + kFew;
+  }
+
   // Propagates all that is pending within the limit.
   absl::Status Drain(Checkpoint& checkpoint) {
-    uint64_t steps = kPollPeriod;
+    uint64_t steps = kWorkBetweenPolls;
     for (;;) {
-      if (steps >= kPollPeriod) {
+      if (steps >= kWorkBetweenPolls) {
         steps = 0;
         if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
       }
       PassBends();
       front_.goal().set_limit(Margin(Limit()));
       if (queue_.SettledRadius() > front_.goal().limit()) break;
-      if (rule_.has_dropped()) break;
+      if (GivesWay()) break;
       PopTogether(queue_, Rule::kMostTogether, together_);
       if (together_.empty()) break;
       for (const uint32_t id : together_) {
         statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
       }
-      steps += together_.size();
-      statistics_.windows_propagated += rule_.Propagate(together_);
+      const uint64_t windows = rule_.Propagate(together_);
+      statistics_.windows_propagated += windows;
+      steps += std::max<uint64_t>(together_.size(), windows);
       statistics_.peak_wavefront =
           std::max(statistics_.peak_wavefront, rule_.pending());
     }

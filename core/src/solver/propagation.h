@@ -134,9 +134,9 @@ class Propagation final : public Computation {
   const Queue& queue() const { return queue_; }
 
  private:
-  // A few milliseconds of work between two polls at the most, also where a step
-  // takes a whole list of windows.
-  static constexpr uint64_t kPollPeriod = 1024;
+  // To look whether so many are certified takes far less than what is done
+  // between two polls.
+  static constexpr uint64_t kTargetsByPoll = 256;
 
   using FrontType = Front<Queue, OriginType, NoGoal, Accuracy>;
   using RuleType = Rule<FrontType>;
@@ -200,7 +200,7 @@ class Propagation final : public Computation {
         if (RelaxAlongEdges(front_, std::numeric_limits<double>::infinity())) {
           queue_.Restart();
           rule_.Restart();
-          steps = kPollPeriod;  // that took long
+          steps = kWorkBetweenPolls;  // that took long
           continue;
         }
         if (absl::Status status = CheckComplete(); !status.ok()) return status;
@@ -208,7 +208,7 @@ class Propagation final : public Computation {
         return Poll(checkpoint);
       }
       steps += taken;
-      if (steps >= kPollPeriod) {
+      if (steps >= kWorkBetweenPolls) {
         steps = 0;
         if (absl::Status status = Poll(checkpoint); !status.ok()) {
           CertifyUpTo(reach.radius);
@@ -237,7 +237,7 @@ class Propagation final : public Computation {
         const uint64_t taken = Take();
         if (taken == 0) break;
         steps += taken;
-        if (steps < kPollPeriod) continue;
+        if (steps < kWorkBetweenPolls) continue;
         steps = 0;
         if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
       }
@@ -259,8 +259,8 @@ class Propagation final : public Computation {
                  std::min(radius, ToFileUnit(mesh(), SettledRadius())));
   }
 
-  // Propagates what the queue gives next. Returns how many steps that were: 0
-  // if nothing is left.
+  // Propagates what the queue gives next. Returns how many events or windows
+  // that were, whichever are more: 0 if nothing is left.
   uint64_t Take() {
     uint64_t taken = 0;
     if constexpr (kTogether) {
@@ -283,10 +283,11 @@ class Propagation final : public Computation {
       const uint32_t v = id & ~kVertexEvent;
       DirectSink sink(front_, rule_);
       if (front_.TakeEvent(v)) front_.Expand(v, sink);
-    } else {
-      statistics_.windows_propagated += rule_.Propagate(id);
+      return 1;
     }
-    return 1;
+    const uint64_t windows = rule_.Propagate(id);
+    statistics_.windows_propagated += windows;
+    return std::max<uint64_t>(1, windows);
   }
 
   // All whose order the queue knows already.
@@ -295,8 +296,9 @@ class Propagation final : public Computation {
     for (const uint32_t id : together_) {
       statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
     }
-    statistics_.windows_propagated += rule_.Propagate(together_);
-    return together_.size();
+    const uint64_t windows = rule_.Propagate(together_);
+    statistics_.windows_propagated += windows;
+    return std::max<uint64_t>(together_.size(), windows);
   }
 
   absl::Status Poll(Checkpoint& checkpoint) {
@@ -335,7 +337,7 @@ class Propagation final : public Computation {
     const size_t count = front_.targets().size();
     if (wanted > count || next_target_count_-- > 0) return false;
     // Counting is rare enough to cost little beside the windows in between.
-    next_target_count_ = count / kPollPeriod;
+    next_target_count_ = count / kTargetsByPoll;
     const double settled = SettledRadius();
     uint64_t certified = 0;
     for (size_t t = 0; t < count; ++t) {

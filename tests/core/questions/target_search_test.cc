@@ -323,6 +323,46 @@ TEST(TargetSearch, FindsTheWayAroundNeedlesOnOneEdge) {
   }
 }
 
+// Windows of a search wind round these without end, those of a field do not.
+TEST(TargetSearch, GivesWayToAFieldWhereWindowsWind) {
+  const TriangleSoup needles = {{{1, 3, 2},
+                                 {2.7, 1.3, 2},
+                                 {1.5, 2.5, 2.001},
+                                 {3, 1, 1.9996},
+                                 {2.6, 1.37, 2},
+                                 {3, 3, 2},
+                                 {3, 1, 2},
+                                 {0, 2, 0},
+                                 {0.7, 1.8, 0.5},
+                                 {3, 1, 2},
+                                 {2.8, 1.2, 2},
+                                 {0.4, 1.9, 0.2}},
+                                {{0, 1, 2},
+                                 {0, 3, 1},
+                                 {2, 4, 5},
+                                 {6, 7, 8},
+                                 {2, 1, 4},
+                                 {4, 9, 5},
+                                 {9, 3, 5},
+                                 {1, 2, 0},
+                                 {3, 1, 0},
+                                 {3, 1, 10},
+                                 {7, 8, 11},
+                                 {11, 3, 6}}};
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"needles", needles});
+  NoCheckpoint checkpoint;
+  const auto found =
+      TargetSearch(*mesh).Run(Valid(*mesh, {.sources = {{VertexPoint{5}}},
+                                            .targets = {VertexPoint{7}},
+                                            .trace = true}),
+                              nullptr, checkpoint);
+  ASSERT_TRUE(found.ok()) << found.status();
+  const std::vector<double> field =
+      SolveOrFail(*mesh, Algorithm::kMmp, {{VertexPoint{5}}});
+  EXPECT_NEAR(found->distances[0], field[7], 1e-12);
+  EXPECT_LT(found->statistics.windows_propagated, 100'000);
+}
+
 TEST(TargetSearch, GivesTheSameBitsAfterOtherSearches) {
   Random random(3);
   for (const NamedMesh& named : Surfaces()) {

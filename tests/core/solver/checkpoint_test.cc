@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -70,6 +71,26 @@ TEST_P(CheckpointTest, SettledRadiusNeverPassesAVertexStillToBeReached) {
       within += distance < progress.settled_radius * (1 - 1e-12);
     }
     EXPECT_LE(within, progress.vertices_reached);
+  }
+}
+
+// Lists of windows are long where many pseudo-sources see the same edges.
+TEST(Checkpoint, IsAskedOftenWhereListsAreLong) {
+  const std::shared_ptr<const Mesh> row =
+      *Mesh::Build(SaddleRow(900, 1e-3, 30));
+  for (const Algorithm algorithm : {Algorithm::kFwpList, Algorithm::kMmp}) {
+    RecordingCheckpoint checkpoint;
+    ASSERT_TRUE(Solve(*row,
+                      {.sources = {{VertexPoint{1}}}, .algorithm = algorithm},
+                      {}, checkpoint)
+                    .ok());
+    uint64_t most = 0;
+    const std::vector<Progress>& polls = checkpoint.polls();
+    for (size_t i = 1; i < polls.size(); ++i) {
+      most = std::max(
+          most, polls[i].windows_propagated - polls[i - 1].windows_propagated);
+    }
+    EXPECT_LT(most, 10'000);
   }
 }
 

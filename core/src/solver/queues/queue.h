@@ -54,6 +54,10 @@ void PopTogether(Queue& queue, size_t most, std::vector<uint32_t>& ids) {
   } while (ids.size() < most && queue.Upcoming(1) != kNothing);
 }
 
+// Events or windows between two polls, whichever are more: a millisecond of
+// work at the most, but where there are very many at one half-edge.
+inline constexpr uint64_t kWorkBetweenPolls = 2048;
+
 // What queues and rules may know about the mesh and the caller's wishes
 // (solve_options.h).
 struct Tuning {
