@@ -85,8 +85,9 @@ absl::StatusOr<TlsTexts> ReadTlsFiles(const TlsFiles& files) {
   TlsTexts texts;
   const auto read = [](const std::string& path, std::string& text) {
     absl::StatusOr<std::string> found = ReadFileText(path);
-    if (found.ok()) text = *std::move(found);
-    return found.status();
+    if (!found.ok()) return found.status();
+    text = *std::move(found);
+    return absl::OkStatus();
   };
   absl::Status status = read(files.certificate, texts.certificate);
   if (status.ok()) status = read(files.key, texts.key);
