@@ -211,6 +211,15 @@ TriangleSoup TurnFaces(TriangleSoup soup, uint64_t seed) {
   return soup;
 }
 
+TriangleSoup AddBackFaces(TriangleSoup soup) {
+  const size_t count = soup.triangles.size();
+  for (size_t f = 0; f < count; ++f) {
+    const auto [a, b, c] = soup.triangles[f];
+    soup.triangles.push_back({b, a, c});
+  }
+  return soup;
+}
+
 TriangleSoup RotateAndShift(TriangleSoup soup, uint64_t seed) {
   Random random(seed);
   Point shift;

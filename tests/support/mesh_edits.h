@@ -44,6 +44,8 @@ struct Relabelled {
 Relabelled Relabel(const TriangleSoup& soup, uint64_t seed);
 // Turns about half of the faces over: their corners run the other way.
 TriangleSoup TurnFaces(TriangleSoup soup, uint64_t seed);
+// Gives every face again, turned over; the second ones come last.
+TriangleSoup AddBackFaces(TriangleSoup soup);
 
 TriangleSoup RotateAndShift(TriangleSoup soup, uint64_t seed);
 TriangleSoup Scale(TriangleSoup soup, double factor);

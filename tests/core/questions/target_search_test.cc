@@ -363,6 +363,44 @@ TEST(TargetSearch, GivesWayToAFieldWhereWindowsWind) {
   EXPECT_LT(found->statistics.windows_propagated, 100'000);
 }
 
+// As programs export what is to be seen from both sides. A search knows too few
+// distances to tell which of two faces at one place a path came through.
+TEST(TargetSearch, FollowsPathsWhereEveryFaceHasABack) {
+  Random random(5);
+  for (const TriangleSoup& soup :
+       {HyperbolicGrid(40, 40, 0.02), MakeGrid({.columns = 14, .rows = 14}),
+        UvSphere(20, 12)}) {
+    const TriangleSoup backed = AddBackFaces(soup);
+    const std::shared_ptr<const Mesh> front = BuildOrFail({"front", soup});
+    const std::shared_ptr<const Mesh> both = BuildOrFail({"both", backed});
+    TargetSearch search(*both), in_front(*front);
+    NoCheckpoint checkpoint;
+    for (int i = 0; i < 40; ++i) {
+      Query query{
+          .sources = {{VertexPoint{random.Below(front->vertex_count())}}},
+          .targets = {i % 2 == 0 ? RandomEdgePoint(soup, random)
+                                 : RandomFacePoint(soup, random)},
+          .trace = true};
+      if (i % 3 == 0) {
+        query.sources = {{RandomFacePoint(backed, random)}};
+        query.targets = {RandomFacePoint(backed, random)};
+      }
+      const auto found = search.Run(Valid(*both, query), nullptr, checkpoint);
+      ASSERT_TRUE(found.ok()) << i << ": " << found.status();
+      EXPECT_TRUE(IsShortestPath(*both, found->paths[0],
+                                 Canonicalize(PointOf(query.sources[0]), *both),
+                                 Canonicalize(query.targets[0], *both),
+                                 found->distances[0]))
+          << i;
+      if (i % 3 == 0) continue;
+      const auto same = in_front.Run(Valid(*front, query), nullptr, checkpoint);
+      ASSERT_TRUE(same.ok()) << same.status();
+      EXPECT_NEAR(found->distances[0], same->distances[0],
+                  1e-12 * same->distances[0]);
+    }
+  }
+}
+
 TEST(TargetSearch, GivesTheSameBitsAfterOtherSearches) {
   Random random(3);
   for (const NamedMesh& named : Surfaces()) {

@@ -112,16 +112,19 @@ class Walker {
     if (const HalfEdge twin = mesh_.Twin(h); twin != kNoHalfEdge) {
       return FaceBeyond{twin, false};
     }
-    // A face that is given twice is the same way, but to a place within it.
+    // Into a face that is given twice it is the same way, but to a place within
+    // it; nor does a path go from one of the two into the other, but to a place
+    // on the edge between them.
+    const bool is_behind_end = crossed_.size() > 1;
     std::vector<FaceBeyond> faces;
     mesh_.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
       const auto has_its_apex = [&](const FaceBeyond& face) {
         return mesh_.Apex(face.half_edge) == mesh_.Apex(other);
       };
-      if (std::ranges::any_of(faces, has_its_apex) &&
-          !MayStartWithin(mesh_.FaceOf(other))) {
-        return;
-      }
+      const bool is_known =
+          (is_behind_end && mesh_.Apex(other) == mesh_.Apex(h)) ||
+          std::ranges::any_of(faces, has_its_apex);
+      if (is_known && !MayStartWithin(mesh_.FaceOf(other))) return;
       faces.push_back({other, is_mirrored});
     });
     if (faces.empty()) return std::nullopt;
