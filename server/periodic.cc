@@ -11,12 +11,13 @@
 namespace geodesic::server {
 namespace {
 
-// A value that changes when the file does. All zero if there is no file.
+// A value that changes when the file does, or who may read it. All zero if
+// there is no file.
 auto Stamp(const std::string& path) {
   struct stat file = {};
   if (stat(path.c_str(), &file) != 0) file = {};
-  return std::tuple(file.st_dev, file.st_ino, file.st_size, file.st_mtim.tv_sec,
-                    file.st_mtim.tv_nsec);
+  return std::tuple(file.st_dev, file.st_ino, file.st_ctim.tv_sec,
+                    file.st_ctim.tv_nsec);
 }
 
 }  // namespace

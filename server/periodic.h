@@ -14,8 +14,8 @@ namespace geodesic::server {
 std::jthread Every(std::chrono::seconds interval, std::function<void()> action);
 
 // A thread that looks once a second whether the file at `path` was replaced or
-// written to, and then calls `changed`. Unlike inotify this also works for
-// files that are replaced, linked or mounted.
+// written to, or may be read by others, and then calls `changed`. Unlike
+// inotify this also works for files that are replaced, linked or mounted.
 std::jthread WatchFile(const std::string& path, std::function<void()> changed);
 
 }  // namespace geodesic::server

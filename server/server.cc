@@ -47,6 +47,16 @@ double EndOf(const TlsFiles& files) {
   return std::chrono::duration<double>(end->time_since_epoch()).count();
 }
 
+void WarnIfExpired(const TlsFiles& files, spdlog::logger& logger) {
+  const std::chrono::duration<double> now =
+      std::chrono::system_clock::now().time_since_epoch();
+  if (EndOf(files) > now.count()) return;
+  logger.warn(
+      "the certificate in {} has expired: clients will refuse it; a new one "
+      "that is written over it is taken up without a restart",
+      files.certificate);
+}
+
 // TLS credentials that follow the files: connections made after a file has
 // changed get the new certificate, open ones keep the old one.
 std::shared_ptr<grpc::ServerCredentials> MakeTlsCredentials(
@@ -316,15 +326,8 @@ absl::Status Server::OpenDoor() {
 }
 
 absl::Status Server::StartOperations() {
-  const std::chrono::duration<double> now =
-      std::chrono::system_clock::now().time_since_epoch();
-  if (options_.tls.enabled() && EndOf(options_.tls) <= now.count()) {
-    logger_->warn(
-        "the certificate in {} has expired: clients will refuse it; a new one "
-        "that is written over it is taken up without a restart",
-        options_.tls.certificate);
-  }
   if (options_.tls.enabled()) {
+    WarnIfExpired(options_.tls, *logger_);
     tls_watch_ =
         Every(std::chrono::seconds(1), [this, last = absl::Status()]() mutable {
           const absl::StatusOr<bool> changed = tls_copies_->Refresh();
@@ -332,6 +335,7 @@ absl::Status Server::StartOperations() {
           if (changed.ok() && *changed) {
             logger_->info("the certificate in {} was read again",
                           options_.tls.certificate);
+            WarnIfExpired(options_.tls, *logger_);
           } else if (!changed.ok() && changed.status() != before) {
             logger_->error("the certificate stays as it was: {}",
                            PrintableMessage(changed.status()));

@@ -10,7 +10,8 @@
 namespace geodesic::server {
 
 // What comes of a pipe until its writers have closed it; nothing if there are
-// none. Errors: as errno says, naming the path.
+// none. Errors: as errno says, naming the path; EFBIG beyond 4 MiB;
+// DEADLINE_EXCEEDED if nothing comes of a pipe for a second.
 absl::StatusOr<std::string> ReadFileText(const std::string& path);
 
 }  // namespace geodesic::server

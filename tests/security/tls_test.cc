@@ -108,6 +108,12 @@ TEST_F(TlsTest, FilesThatDoNotFitHarmNobody) {
   WriteFile(identity_.certificate, "");
   EXPECT_TRUE(says(identity_.certificate + " holds no certificate"));
   EXPECT_TRUE(Ask(server, trusting).ok());
+  // What never ends, as by a wrong link.
+  std::filesystem::remove(identity_.certificate);
+  std::filesystem::create_symlink("/dev/zero", identity_.certificate);
+  EXPECT_TRUE(says("File too large"));
+  EXPECT_TRUE(Ask(server, trusting).ok());
+  std::filesystem::remove(identity_.certificate);
   // A chain that is not written to its end.
   WriteFile(identity_.certificate,
             whole + FileBytes(authority_.path()).substr(0, 300));
@@ -142,6 +148,39 @@ TEST_F(TlsTest, TheCommandSpeaksTls) {
                   stranger.path(), "meshes"});
   EXPECT_EQ(bad.exit_code, 4);
   EXPECT_THAT(bad.err, HasSubstr("--tls-ca"));
+}
+
+TEST_F(TlsTest, TheCommandSaysWhyThereIsNoConnection) {
+  const RunningServer server(folder_, TlsFlags(identity_));
+  const Identity other = authority_.Issue("other");
+  struct Case {
+    std::vector<std::string> flags;
+    std::string hint;
+  };
+  for (const Case& wrong : std::vector<Case>{
+           {{}, "--tls-ca speaks TLS"},
+           {{"--tls-ca", authority_.path(), "--tls-server-name", "else.test"},
+            "--tls-server-name"},
+           {{"--tls-ca", identity_.key}, "a file of TLS cannot be used"},
+           {{"--tls-ca", authority_.path(), "--tls-cert", identity_.certificate,
+             "--tls-key", other.key},
+            "a file of TLS cannot be used"}}) {
+    std::vector<std::string> command = {GEODESIC_BINARY, "--server",
+                                        server.address()};
+    command.insert(command.end(), wrong.flags.begin(), wrong.flags.end());
+    command.push_back("meshes");
+    const ProcessResult result = RunProgram(command);
+    EXPECT_EQ(result.exit_code, 4) << wrong.hint;
+    EXPECT_THAT(result.err, HasSubstr(wrong.hint));
+  }
+  const Authority clients(folder_, "clients");
+  std::vector<std::string> flags = TlsFlags(identity_);
+  flags.insert(flags.end(), {"--tls-client-ca", clients.path()});
+  const RunningServer closed(folder_, flags);
+  const ProcessResult result =
+      RunProgram({GEODESIC_BINARY, "--server", closed.address(), "--tls-ca",
+                  authority_.path(), "meshes"});
+  EXPECT_THAT(result.err, HasSubstr("--tls-client-ca"));
 }
 
 TEST_F(TlsTest, WrongFilesAreNamedAtTheStart) {

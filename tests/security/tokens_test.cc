@@ -157,6 +157,18 @@ TEST_F(TokensTest, APipeInPlaceOfTheFileHoldsNobodyUp) {
   EXPECT_TRUE(Ask(server, "read-token").ok());
 }
 
+TEST_F(TokensTest, AFileIsReadAgainThatLooksAsBefore) {
+  const std::filesystem::path file = folder_ / "tokens.json";
+  WriteToken("next-token");
+  const std::string next = FileBytes(file);
+  WriteToken("read-token");
+  const RunningServer server(folder_, Flags());
+  const auto time = std::filesystem::last_write_time(file);
+  WriteFile(file, next);
+  std::filesystem::last_write_time(file, time);
+  EXPECT_TRUE(Until([&] { return Ask(server, "next-token").ok(); }));
+}
+
 TEST_F(TokensTest, TheCommandSendsNoTokenToOthersInClear) {
   for (const char* server : {"meshes.test:1", "127.0.0.1.meshes.test:1"}) {
     const ProcessResult result =

@@ -22,7 +22,21 @@ bool NeverConnected(std::string_view message) {
 bool TlsFailed(std::string_view message) {
   return message.find("SSL") != std::string_view::npos ||
          message.find("handshak") != std::string_view::npos ||
-         message.find("Hostname Verification") != std::string_view::npos;
+         message.find("Hostname Verification") != std::string_view::npos ||
+         message.find("in peer certificate") != std::string_view::npos;
+}
+
+// Whether somebody was there, and hung up before any call.
+bool HungUp(std::string_view message) {
+  return NeverConnected(message) &&
+         (message.find("Socket closed") != std::string_view::npos ||
+          message.find("Connection reset") != std::string_view::npos);
+}
+
+// Whether gRPC never dialled. It does not with files of TLS that it cannot use,
+// and gives no reason.
+bool NeverDialled(std::string_view message) {
+  return message.find("empty address list") != std::string_view::npos;
 }
 
 }  // namespace
@@ -101,6 +115,19 @@ std::string Explain(const absl::Status& status, std::string_view server) {
       if (TlsFailed(message)) {
         return absl::StrCat("no TLS connection to ", at, ": ", message,
                             "; see --tls-ca, --tls-cert and --tls-server-name");
+      }
+      if (HungUp(message)) {
+        return absl::StrCat(
+            at,
+            " hung up at once, as servers with TLS do: --tls-ca speaks TLS to "
+            "them, and some want a certificate (--tls-cert, --tls-key) that "
+            "their --tls-client-ca knows");
+      }
+      if (NeverDialled(message)) {
+        return absl::StrCat(
+            "no connection to ", at,
+            " was tried: a file of TLS cannot be used; --tls-ca has to hold "
+            "certificates, and --tls-key the key of --tls-cert");
       }
       return NeverConnected(message)
                  ? absl::StrCat("cannot reach a server at ", at,
