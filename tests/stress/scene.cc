@@ -198,6 +198,10 @@ double Edit(TriangleSoup& soup, uint32_t size, Random& random,
     soup = test::AddLayer(std::move(soup), faces, lift, seed);
     *name += ", a layer";
   }
+  if (OneIn(12, aside)) {
+    soup = test::AddBackFaces(std::move(soup));
+    *name += ", two-sided";
+  }
   return stretched;
 }
 

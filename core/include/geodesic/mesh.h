@@ -144,6 +144,11 @@ class Mesh {
     }
   }
 
+  // Whether a face that comes before that of h has the same corners, and so the
+  // same three edges.
+  bool IsCopy(HalfEdge h) const { return !copies_.empty() && copies_[h / 3]; }
+  bool HasCopies() const { return !copies_.empty(); }
+
   uint32_t From(HalfEdge h) const { return TriangleOf(h)[h % 3]; }
   uint32_t To(HalfEdge h) const { return From(Next(h)); }
   uint32_t Apex(HalfEdge h) const { return From(Prev(h)); }
@@ -208,6 +213,9 @@ class Mesh {
   // Errors: whatever `checkpoint` returns.
   absl::Status BuildFrames(std::span<const Exit> exits, ConeAngles& angles,
                            Checkpoint& checkpoint);
+  // Marks them. O(faces at irregular edges, times the logarithm of their
+  // number).
+  void FindCopies();
   void BuildOutgoing(const TriangleSoup& soup);
   // Whether the face of h is no higher than this part of its longest edge.
   bool IsThinner(HalfEdge h, double part) const;
@@ -226,6 +234,7 @@ class Mesh {
   std::vector<uint8_t> kinds_;                  // V, VertexKind bits
   std::vector<uint32_t> irregular_begin_;       // irregular edges + 1, if any
   std::vector<HalfEdge> irregular_half_edges_;  // their half-edges
+  std::vector<bool> copies_;                    // by slot; empty without any
   bool has_collapsed_faces_ = false;
   bool has_thin_faces_ = false;
   int scale_exponent_ = 0;

@@ -214,6 +214,7 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(
       {mesh->triangles_, mesh->outgoing_begin_, mesh->outgoing_});
   mesh->irregular_begin_ = std::move(connectivity.irregular_begin);
   mesh->irregular_half_edges_ = std::move(connectivity.irregular_half_edges);
+  mesh->FindCopies();
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
   ConeAngles angles(mesh->vertex_count());
   if (absl::Status status =
@@ -231,7 +232,7 @@ uint64_t Mesh::EstimateResidentBytes(uint64_t vertices, uint64_t faces) {
          faces * (3 * sizeof(HalfEdgeFrame) + sizeof(Triangle) +
                   3 * sizeof(HalfEdge) + 2 * sizeof(uint32_t)) +
          // At irregular edges: as many half-edges, half as many edges.
-         faces * (3 * sizeof(HalfEdge) + 3 * sizeof(uint32_t) / 2) +
+         faces * (3 * sizeof(HalfEdge) + 3 * sizeof(uint32_t) / 2) + faces / 8 +
          vertices * (sizeof(Point) + sizeof(uint32_t) + sizeof(uint8_t)) +
          sizeof(uint32_t);
 }
@@ -251,6 +252,24 @@ uint32_t Mesh::MostFacesAtEdge() const {
   return most;
 }
 
+void Mesh::FindCopies() {
+  // Faces with an edge and the apex over it in common.
+  std::vector<std::pair<uint32_t, HalfEdge>> over_edge;
+  for (size_t i = 1; i < irregular_begin_.size(); ++i) {
+    over_edge.clear();
+    for (uint32_t j = irregular_begin_[i - 1]; j < irregular_begin_[i]; ++j) {
+      const HalfEdge h = irregular_half_edges_[j];
+      over_edge.emplace_back(Apex(h), h);
+    }
+    std::ranges::sort(over_edge);
+    for (size_t j = 1; j < over_edge.size(); ++j) {
+      if (over_edge[j].first != over_edge[j - 1].first) continue;
+      copies_.resize(face_count());
+      copies_[over_edge[j].second / 3] = true;
+    }
+  }
+}
+
 uint64_t Mesh::resident_bytes() const {
   return sizeof(Mesh) + positions_.capacity() * sizeof(Point) +
          (faces_.capacity() + slots_.capacity()) * sizeof(uint32_t) +
@@ -259,7 +278,8 @@ uint64_t Mesh::resident_bytes() const {
          outgoing_begin_.capacity() * sizeof(uint32_t) +
          outgoing_.capacity() * sizeof(HalfEdge) + kinds_.capacity() +
          irregular_begin_.capacity() * sizeof(uint32_t) +
-         irregular_half_edges_.capacity() * sizeof(HalfEdge);
+         irregular_half_edges_.capacity() * sizeof(HalfEdge) +
+         copies_.capacity() / 8;
 }
 
 Mesh::Mesh(TriangleSoup soup)

@@ -112,6 +112,29 @@ TEST_P(NonManifold, SheetsThatMeetAgain) {
   }
 }
 
+// Through faces that are given again no path is shorter, and they take few
+// windows.
+TEST_P(NonManifold, BacksOfFacesLeadNowhereElse) {
+  const std::vector<NamedMesh> meshes = {
+      {"torus", Torus({.around = 14, .across = 9, .noise = 0.1})},
+      {"saddles", HyperbolicGrid(16, 16, 0.2)},
+      {"grid", MakeGrid({.columns = 16, .rows = 16})}};
+  for (const NamedMesh& named : meshes) {
+    const NamedMesh backed{named.name + " with backs",
+                           AddBackFaces(AddBackFaces(named.soup))};
+    const auto mesh = BuildOrFail(named), both = BuildOrFail(backed);
+    for (const uint32_t s : SpreadVertices(named.soup, 4)) {
+      const Query query = Ask({.sources = {{VertexPoint{s}}}});
+      const DistanceField field = SolveOrFail(*mesh, query);
+      const DistanceField same = SolveOrFail(*both, query);
+      EXPECT_TRUE(FieldsAgree({backed.name, query.sources, GetParam().name},
+                              field.distances, same.distances));
+      EXPECT_LE(same.statistics.windows_propagated,
+                3 * field.statistics.windows_propagated);
+    }
+  }
+}
+
 GEODESIC_TEST_EVERY_ALGORITHM(NonManifold);
 
 }  // namespace

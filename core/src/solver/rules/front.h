@@ -295,6 +295,14 @@ class Front {
     }
   }
 
+  // Whether what crosses `side` has to be followed into the face of `beyond`.
+  // Of faces with the same corners the first will do, and no path goes from one
+  // of them into another, but to a place in it.
+  bool MayEnter(HalfEdge side, HalfEdge beyond) const {
+    if (!mesh_.HasCopies() || Watches(beyond)) return true;
+    return !mesh_.IsCopy(beyond) && mesh_.Apex(beyond) != mesh_.Apex(side);
+  }
+
   // Calls enter(half_edge, origin, interval) for every face beyond `side` that
   // a window enters; origin and interval are given in the frame that an
   // oriented neighbour has.
@@ -303,6 +311,7 @@ class Front {
              Enter enter) const {
     const double length = mesh_.frame(side).length;
     mesh_.ForEachBeyond(side, [&](HalfEdge half_edge, bool is_mirrored) {
+      if (!MayEnter(side, half_edge)) return;
       if (is_mirrored) {
         enter(half_edge, Mirror(origin, length), Mirror(interval, length));
       } else {
@@ -404,6 +413,7 @@ class Front {
     if (incoming_.empty() || !incoming_[v].is_known() ||
         (states_[v] & kSource) || !HasRegularFan(v)) {
       for (HalfEdge h : mesh_.Outgoing(v)) {
+        if (mesh_.IsCopy(h)) continue;
         look(h, {0, mesh_.frame(Next(h)).length});
       }
     } else {

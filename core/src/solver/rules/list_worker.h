@@ -254,6 +254,7 @@ class alignas(kCacheLine) ListWorker {
     }
     const double length = mesh_.frame(side).length;
     mesh_.ForEachBeyond(side, [&](HalfEdge to, bool is_mirrored) {
+      if (!front_.MayEnter(side, to)) return;
       if (is_mirrored) children.Mirror(length);
       HandOn(to, is_mirrored ? kRight : from, label, children);
       if (is_mirrored) children.Mirror(length);
