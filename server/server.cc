@@ -309,10 +309,8 @@ absl::Status Server::OpenDoor() {
                             .max_body_bytes = MaxBodyBytes(options_.limits),
                             .patience = options_.receive_patience};
   if (options_.tls.enabled()) {
-    auto pem = ReadTlsFiles(options_.tls);
-    if (!pem.ok()) return pem.status();
-    options.certificate = std::move(pem->certificate);
-    options.key = std::move(pem->key);
+    options.certificate = tls_copies_->texts().certificate;
+    options.key = tls_copies_->texts().key;
   }
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(-1);  // the server's own answers

@@ -20,6 +20,8 @@ class TlsCopies {
 
   // Where the copies are. They end with this object.
   TlsFiles paths() const;
+  // What is in them.
+  const TlsTexts& texts() const { return texts_; }
 
   // Reads the files again. Whether they, and so the copies, have changed.
   // Errors: as Make; the copies stay as they were.
@@ -29,7 +31,7 @@ class TlsCopies {
   explicit TlsCopies(TlsFiles files) : files_(std::move(files)) {}
 
   TlsFiles files_;
-  TlsTexts texts_;  // in the copies
+  TlsTexts texts_;
   FileDescriptor certificate_, key_, client_authorities_;
 };
 

@@ -57,6 +57,13 @@ class SecureTest : public ::testing::Test {
                    .token = token});
   }
 
+  // Whether the server's log comes to say this.
+  bool LogSays(const std::string& words) const {
+    return Until([&] {
+      return FileBytes(folder_ / "server.log").find(words) != std::string::npos;
+    });
+  }
+
   TemporaryFolder folder_;
   const Authority authority_{folder_, "ca"};
   const Identity identity_ = authority_.Issue("server");

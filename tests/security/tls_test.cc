@@ -98,35 +98,31 @@ TEST_F(TlsTest, FilesThatDoNotFitHarmNobody) {
   const RunningServer server(folder_, TlsFlags(identity_));
   const ConnectionOptions trusting =
       Trusting({.authorities = authority_.path()});
-  const std::string log = folder_ / "server.log";
-  const auto says = [&](const std::string& words) {
-    return Until(
-        [&] { return FileBytes(log).find(words) != std::string::npos; });
-  };
   const std::string whole = FileBytes(identity_.certificate);
   // gRPC itself aborts where it finds a file empty.
   WriteFile(identity_.certificate, "");
-  EXPECT_TRUE(says(identity_.certificate + " holds no certificate"));
+  EXPECT_TRUE(LogSays(identity_.certificate + " holds no certificate"));
   EXPECT_TRUE(Ask(server, trusting).ok());
   // What never ends, as by a wrong link.
   std::filesystem::remove(identity_.certificate);
   std::filesystem::create_symlink("/dev/zero", identity_.certificate);
-  EXPECT_TRUE(says("File too large"));
+  EXPECT_TRUE(LogSays("File too large"));
   EXPECT_TRUE(Ask(server, trusting).ok());
   std::filesystem::remove(identity_.certificate);
   // A chain that is not written to its end.
   WriteFile(identity_.certificate,
             whole + FileBytes(authority_.path()).substr(0, 300));
-  EXPECT_TRUE(says(identity_.certificate + " holds a certificate that is cut"));
+  EXPECT_TRUE(
+      LogSays(identity_.certificate + " holds a certificate that is cut"));
   EXPECT_TRUE(Ask(server, trusting).ok());
   // The first of two files that are renewed.
   const Authority next(folder_, "next");
   const Identity renewed = next.Issue("renewed");
   WriteFile(identity_.certificate, FileBytes(renewed.certificate));
-  EXPECT_TRUE(says("is not the key of the certificate"));
+  EXPECT_TRUE(LogSays("is not the key of the certificate"));
   EXPECT_TRUE(Ask(server, trusting).ok());
   std::filesystem::remove(identity_.key);
-  EXPECT_TRUE(says("cannot read " + identity_.key));
+  EXPECT_TRUE(LogSays("cannot read " + identity_.key));
   EXPECT_TRUE(Ask(server, trusting).ok());
 
   WriteFile(identity_.key, FileBytes(renewed.key));

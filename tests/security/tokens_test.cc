@@ -66,10 +66,7 @@ TEST_F(TokensTest, ASignalMakesTheServerReadTheFileAgain) {
   WriteToken("good-token");
   const RunningServer server(folder_, Flags());
   server.Reload();
-  EXPECT_TRUE(Until([&] {
-    return FileBytes(folder_ / "server.log").find("read again") !=
-           std::string::npos;
-  }));
+  EXPECT_TRUE(LogSays("read again"));
   EXPECT_TRUE(Ask(server, "good-token").ok());
 }
 
@@ -137,10 +134,7 @@ TEST_F(TokensTest, AnEmptiedFileIsReportedAndTheOldTokensStay) {
   const RunningServer server(folder_, Flags());
   WriteFile(folder_ / "tokens.json", "");
   server.Reload();
-  EXPECT_TRUE(Until([&] {
-    return FileBytes(folder_ / "server.log")
-               .find("the tokens stay as they were") != std::string::npos;
-  }));
+  EXPECT_TRUE(LogSays("the tokens stay as they were"));
   EXPECT_TRUE(Ask(server, "read-token").ok());
 }
 
@@ -150,10 +144,7 @@ TEST_F(TokensTest, APipeInPlaceOfTheFileHoldsNobodyUp) {
   const std::string file = folder_ / "tokens.json";
   std::filesystem::remove(file);
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
-  EXPECT_TRUE(Until([&] {
-    return FileBytes(folder_ / "server.log")
-               .find("the tokens stay as they were") != std::string::npos;
-  }));
+  EXPECT_TRUE(LogSays("the tokens stay as they were"));
   EXPECT_TRUE(Ask(server, "read-token").ok());
 }
 

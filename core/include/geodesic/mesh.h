@@ -145,7 +145,7 @@ class Mesh {
   }
 
   // Whether a face that comes before that of h has the same corners, and so the
-  // same three edges.
+  // same three edges. Found only where edges are irregular.
   bool IsCopy(HalfEdge h) const { return !copies_.empty() && copies_[h / 3]; }
   bool HasCopies() const { return !copies_.empty(); }
 
