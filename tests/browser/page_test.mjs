@@ -598,12 +598,22 @@ test("a server that is full is asked again", async (t) => {
     "--sources", "rows.txt", "-o", "m.npy"], { cwd: folder, stdio: "ignore" });
   const ended = new Promise((resolve) => matrix.on("exit", resolve));
   t.after(() => matrix.kill());
+  // A slow machine may miss a hint, which is shown for two seconds: it is written down.
+  await viewer.page.evaluate(() => {
+    const notice = document.getElementById("notice-text");
+    new MutationObserver(() => {
+      if (notice.textContent.includes("asks again")) window.asksAgain = true;
+    }).observe(notice, { childList: true });
+  });
+  // Between two rows there is room for a moment, and what was solved is not refused:
+  // other places are clicked until one is.
+  let clicks = 0;
   await until(async () => {
     await viewer.page.keyboard.press("s");
-    await viewer.click(0, 0);
-    return full.log.some((line) => line.includes("method=ComputeField") && line.includes("reason=QUEUE_FULL"));
+    await viewer.click(0.5 * Math.sin(clicks++), 0);
+    await viewer.page.waitForFunction(() => window.asksAgain || document.documentElement.dataset.sweep === "done");
+    return viewer.page.evaluate(() => window.asksAgain);
   });
-  await viewer.waitForText("#notice-text", "asks again");
   matrix.kill();
   await ended;
   await viewer.solved();
