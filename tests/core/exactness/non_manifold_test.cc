@@ -13,6 +13,7 @@
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
+#include "tests/support/vec.h"
 
 namespace geodesic::test {
 namespace {
@@ -133,6 +134,46 @@ TEST_P(NonManifold, BacksOfFacesLeadNowhereElse) {
                 3 * field.statistics.windows_propagated);
     }
   }
+}
+
+// The source lies all but on an edge of three faces, in a needle that is there
+// twice. A target in its copy has windows cross that, and come to the edge a
+// little farther than the straight way.
+TEST_P(NonManifold, CopiesDoNotHideTheStraightWay) {
+  const Point at_b = {1, 0, 0}, at_c = {1.1, 2.7e-4, 0}, v = {-0.3, -0.7, 0};
+  const auto mesh = BuildOrFail(
+      {"a needle and its copy",
+       {{{0, 0, 0}, at_b, at_c, v}, {{3, 1, 0}, {1, 2, 0}, {1, 0, 2}}}});
+  for (const double b : {3e-7, 1e-9, 1e-4}) {
+    for (const double c : {3e-7, 1e-8, 1e-10}) {
+      const DistanceField field = SolveOrFail(
+          *mesh, Ask({.sources = {{FacePoint{1, {b, c, 1 - b - c}}}},
+                      .targets = {FacePoint{2, {0.3, 0.3, 0.4}}}}));
+      const Vec3 source = Real{b} * ToVec3(at_b) + Real{c} * ToVec3(at_c);
+      EXPECT_NEAR(field.distances[3],
+                  static_cast<double>(Norm(source - ToVec3(v))), 1e-15)
+          << b << " " << c;
+    }
+  }
+}
+
+// A path crosses needles along their edges, comes to a corner of them that
+// hides what lies behind, and goes on to the page at the last one's edge.
+TEST_P(NonManifold, NeedlesLeadToPages) {
+  constexpr double kHeight = 1e-8;
+  const TriangleSoup soup = {
+      {{0, 0, 0},
+       {1, 0, 0},
+       {0.8, kHeight, 0},
+       {0.4, 0.4 * kHeight, 0},
+       {2, 0, 0},
+       {0.8, 0, 1},
+       {0.5, 0, -1}},
+      {{1, 0, 2}, {3, 1, 2}, {1, 3, 4}, {0, 1, 5}, {1, 0, 6}}};
+  const auto mesh = BuildOrFail({"needles between pages", soup});
+  const SurfacePoint source = FacePoint{2, {0.03, 0.95, 0.02}};  // at x = 0.45
+  const DistanceField field = SolveOrFail(*mesh, Ask({.sources = {{source}}}));
+  EXPECT_NEAR(field.distances[5], 0.35 + kHeight + 1, 1e-14);
 }
 
 GEODESIC_TEST_EVERY_ALGORITHM(NonManifold);

@@ -131,6 +131,15 @@ TEST(ShadowFanTest, BehindReflexCorners) {
   EXPECT_GT(corners, 3);
 }
 
+// Two needles that each take all but 1e-8 of half a turn, so that a ray through
+// one of them comes along its edges.
+TEST(ShadowFanTest, BehindNeedles) {
+  const auto mesh =
+      *Mesh::Build({{{0, 0, 0}, {-1, -1e-8, 0}, {1, -1e-8, 0}, {-1, 2e-8, 0}},
+                    {{0, 1, 2}, {0, 2, 3}}});
+  ExpectShadows(*mesh, 0);
+}
+
 // Six faces that make a spike of less than half a turn. A ray may come so that
 // on one side of it more than pi is left, and less on the other.
 TEST(ShadowFanTest, SpikesHaveNone) {

@@ -181,6 +181,10 @@ class ShadowFan {
   std::optional<Limit> FindLimit(const Start& start) const {
     Direction angle = start.angle;
     HalfEdge h = start.half_edge;
+    // Along a needle, the face that the ray comes through may take all of pi.
+    if (h != kNoHalfEdge && angle.y <= 0) {
+      return Limit{h, kSide == kLeft ? 0 : mesh_.frame(Next(h)).length};
+    }
     for (size_t i = 0; h != kNoHalfEdge && i < Degree(); ++i) {
       const HalfEdgeFrame& frame = mesh_.frame(h);
       const Direction corner{frame.left_x, frame.left_y};

@@ -4,6 +4,7 @@
 #define GEODESIC_SOLVER_RULES_SIGHT_H_
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -34,18 +35,27 @@ class Sight {
   void Across(HalfEdge side, const Origin& origin, const Interval& part) {
     See(side, origin, part);
     while (!folds_.empty()) {
-      const Fold fold = folds_.back();
+      const View fold = folds_.back();
       folds_.pop_back();
-      LookOn(fold.half_edge, fold.origin, fold.part);
+      LookOn(fold);
     }
   }
 
  private:
-  // Seen of a half-edge that the pseudo-source lies on.
-  struct Fold {
+  // A part of a half-edge that is seen from `origin`.
+  struct View {
     HalfEdge half_edge;
     Origin origin;
     Interval part;
+
+    bool Covers(const Interval& other) const {
+      return part.begin <= other.begin && other.end <= part.end;
+    }
+    // Whether all of the part is as near as from `other`, but for rounding.
+    bool IsAsNear(const Origin& other) const {
+      return std::abs(origin.x - other.x) <= kRoundedPlace &&
+             origin.depth <= other.depth + kRoundedPlace;
+    }
   };
 
   // So that a pseudo-source is done soon, however many faces share its edges.
@@ -55,27 +65,31 @@ class Sight {
     front_.Cross(
         side, origin, part,
         [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
-          const bool is_fold = LiesOnEdge(seen, mesh_.frame(half_edge));
-          if (is_fold || mesh_.IsNonManifoldEdge(half_edge)) {
-            if (IsKnown(half_edge, through)) return;
-            known_.insert({half_edge, through});
+          bool looks_on = LiesOnEdge(seen, mesh_.frame(half_edge)) &&
+                          known_.size() < kMostKnown;
+          const View view{half_edge, seen, through};
+          if (looks_on || mesh_.IsNonManifoldEdge(half_edge)) {
+            const auto [begin, end] = known_.equal_range(half_edge);
+            for (auto it = begin; it != end; ++it) {
+              const View& known = it->second;
+              if (!known.Covers(through)) continue;
+              if (known.IsAsNear(seen)) return;
+              looks_on = false;  // rings come back a little off at times
+            }
+            known_.insert({half_edge, view});
           }
-          if (is_fold && known_.size() < kMostKnown) {
-            folds_.push_back({half_edge, seen, through});
+          if (looks_on) {
+            folds_.push_back(view);
           } else {
             sink_.Open(half_edge, pseudo_source_, seen, through);
           }
         });
   }
 
-  bool IsKnown(HalfEdge half_edge, const Interval& part) const {
-    const auto [begin, end] = known_.equal_range(half_edge);
-    return std::any_of(begin, end, [&](const auto& fold) {
-      return fold.second.begin <= part.begin && part.end <= fold.second.end;
-    });
-  }
-
-  void LookOn(HalfEdge half_edge, const Origin& origin, const Interval& part) {
+  void LookOn(const View& fold) {
+    const HalfEdge half_edge = fold.half_edge;
+    const Origin& origin = fold.origin;
+    const Interval& part = fold.part;
     const HalfEdgeFrame& frame = mesh_.frame(half_edge);
     sink_.Observe(half_edge, Front::Window::Over(part, origin), pseudo_source_);
     const PlanePoint apex = ApexOf(frame);
@@ -105,10 +119,10 @@ class Sight {
   const Mesh& mesh_;
   const uint32_t pseudo_source_;
   Sink& sink_;
-  std::vector<Fold> folds_;  // to look on from
-  // What was seen of half-edges to which several ways lead: round a ring, or by
-  // one of several faces with the same corners.
-  std::unordered_multimap<HalfEdge, Interval> known_;
+  std::vector<View> folds_;  // to look on from
+  // Of half-edges to which several ways lead: round a ring, or by one of
+  // several faces with the same corners.
+  std::unordered_multimap<HalfEdge, View> known_;
 };
 
 }  // namespace geodesic
