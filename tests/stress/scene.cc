@@ -8,6 +8,7 @@
 #include "tests/support/curved_meshes.h"
 #include "tests/support/developable_meshes.h"
 #include "tests/support/mesh_edits.h"
+#include "tests/support/needle_meshes.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
 #include "tests/support/surface_points.h"
@@ -256,6 +257,14 @@ Scene DrawScene(Random& random) {
       Edit(scene.soup,
            scene.soup.triangles.size() <= 500 ? std::min(size, 5u) : size,
            random, &scene.description);
+  // Drawn aside, so that other scenes are what they were.
+  Random aside = random;
+  if (OneIn(10, aside)) {
+    const bool is_book = OneIn(2, aside);
+    scene.description = is_book ? "book of needles" : "rows of needles";
+    scene.soup = is_book ? test::NeedleBook(aside) : test::NeedleRows(aside);
+    scene.stretched = 1e12;
+  }
   Finish(scene, random);
   return scene;
 }

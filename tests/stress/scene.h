@@ -38,7 +38,8 @@ struct Scene {
 
 // One of the shapes of tests/support, edited at random: turned edges, cut
 // faces, needles, faces without area, noise, anisotropic scaling up to 1e6,
-// holes, fins, turned faces, further components, scaling up to 1e150.
+// holes, fins, turned faces, further components, scaling up to 1e150. Or rows
+// or books of needles.
 // What Mesh::Build refuses comes without a mesh.
 Scene DrawScene(test::Random& random);
 

@@ -4,6 +4,7 @@
 #ifndef GEODESIC_TESTS_SUPPORT_RANDOM_H_
 #define GEODESIC_TESTS_SUPPORT_RANDOM_H_
 
+#include <cmath>
 #include <cstdint>
 #include <random>
 
@@ -17,6 +18,12 @@ class Random {
   double Uniform(double low, double high) {
     const double unit = static_cast<double>(engine_() >> 11) * 0x1p-53;
     return low + (high - low) * unit;
+  }
+
+  // In [low, high), each order of magnitude as likely as another. REQUIRES: low
+  // is above 0.
+  double OfAnySize(double low, double high) {
+    return low * std::pow(high / low, Uniform(0, 1));
   }
 
   // In [0, count). REQUIRES: count > 0.

@@ -17,6 +17,7 @@
 #include "geodesic/target_search.h"
 #include "geodesic/triangle_soup.h"
 #include "tests/support/field_check.h"
+#include "tests/support/needle_meshes.h"
 #include "tests/support/oracles/brute_force.h"
 #include "tests/support/queries.h"
 #include "tests/support/random.h"
@@ -24,19 +25,14 @@
 namespace geodesic::test {
 namespace {
 
-// From low to high, each order of magnitude as likely as another.
-double OfAnySize(Random& random, double low, double high) {
-  return low * std::pow(high / low, random.Uniform(0, 1));
-}
-
 // A ribbon that winds in the plane, or almost, squeezed to a line.
 TriangleSoup SqueezedSpiral(Random& random, double thinnest) {
   const uint32_t length = 2 + random.Below(18);
   const double turns = random.Uniform(0.5, 6);
   const double growth = random.Uniform(0, 0.3);
   const double width = random.Uniform(0.1, 6) * growth;
-  const double squeezed = OfAnySize(random, thinnest, 1e3 * thinnest);
-  const double rise = random.Below(2) * OfAnySize(random, thinnest, 1);
+  const double squeezed = random.OfAnySize(thinnest, 1e3 * thinnest);
+  const double rise = random.Below(2) * random.OfAnySize(thinnest, 1);
   TriangleSoup soup;
   for (uint32_t i = 0; i <= length; ++i) {
     const double angle = 2 * std::numbers::pi * turns * i / length;
@@ -62,7 +58,7 @@ TriangleSoup SqueezedSpiral(Random& random, double thinnest) {
 // A closed fan whose sides have next to no angle at its tip.
 TriangleSoup FoldedCone(Random& random, double thinnest) {
   const uint32_t sides = 5 + random.Below(12);
-  const double radius = OfAnySize(random, thinnest, 1e3 * thinnest);
+  const double radius = random.OfAnySize(thinnest, 1e3 * thinnest);
   TriangleSoup soup{.positions = {{0, 0, 0}}};
   for (uint32_t i = 0; i < sides; ++i) {
     const double angle = 2 * std::numbers::pi * i / sides;
@@ -76,7 +72,7 @@ TriangleSoup FoldedCone(Random& random, double thinnest) {
 
 NamedMesh ThinMesh(uint32_t seed) {
   Random random(seed);
-  const double thinnest = OfAnySize(random, 1e-10, 1e-7);
+  const double thinnest = random.OfAnySize(1e-10, 1e-7);
   const bool is_cone = seed % 8 == 0;
   return {absl::StrCat("thin mesh ", seed),
           is_cone ? FoldedCone(random, thinnest)
@@ -151,6 +147,35 @@ TEST(ThinFaces, FieldsThatStopSayWhatWholeFieldsSay) {
               absl::StrCat(named.name, ", stopped for ", v, ", vertex ", w));
         }
       }
+    }
+  }
+}
+
+// Nor does it matter what else is asked for.
+TEST(ThinFaces, WaysBackAreAsLong) {
+  for (uint64_t seed = 0; seed < 2000; ++seed) {
+    Random random(seed);
+    const bool is_book = seed % 2 == 0;
+    const NamedMesh named{
+        absl::StrCat(is_book ? "book of needles " : "rows of needles ", seed),
+        is_book ? NeedleBook(random) : NeedleRows(random)};
+    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    const SurfacePoint source = PointBesideCorner(*mesh, random);
+    Query query{.sources = {{source}}};
+    const std::vector<double> alone = SolveOrFail(*mesh, query).distances;
+    for (int i = 0; i < 4; ++i) {
+      query.targets.push_back(PointBesideCorner(*mesh, random));
+    }
+    const DistanceField field = SolveOrFail(*mesh, query);
+    for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
+      ExpectNear(field.distances[v], alone[v],
+                 absl::StrCat(named.name, ", vertex ", v));
+    }
+    for (uint32_t t = 0; t < query.targets.size(); ++t) {
+      const DistanceField back = SolveOrFail(
+          *mesh, {.sources = {{query.targets[t]}}, .targets = {source}});
+      ExpectNear(field.target_distances[t], back.target_distances[0],
+                 absl::StrCat(named.name, ", target ", t));
     }
   }
 }
