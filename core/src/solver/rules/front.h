@@ -297,7 +297,9 @@ class Front {
 
   // Whether what crosses `side` has to be followed into the face of `beyond`.
   // Of faces with the same corners the first will do, and no path goes from one
-  // of them into another, but to a place in it.
+  // of them into another, but to a place in it. What has entered a copy for the
+  // sake of such a place goes no farther (MmpRule, ListWorker): it leaves the
+  // first of them as well.
   bool MayEnter(HalfEdge side, HalfEdge beyond) const {
     if (!mesh_.HasCopies() || Watches(beyond)) return true;
     return !mesh_.IsCopy(beyond) && mesh_.Apex(beyond) != mesh_.Apex(side);

@@ -167,6 +167,7 @@ class alignas(kCacheLine) ListWorker {
                 list_.pseudo_source[i]);
       }
     }
+    if (mesh_.IsCopy(h)) return;
     crossing_.Cross(
         h,
         [this](uint32_t apex, double distance, const Arrival& arrival,

@@ -82,16 +82,17 @@ class MmpRule {
   // Returns how many: none if they have been trimmed to nothing, propagated by
   // another entry of `h`, or if their pseudo-source has improved since.
   uint32_t Propagate(HalfEdge h) {
-    const bool winds =
+    const bool ends =
+        mesh_.IsCopy(h) ||
         crossing_counts_.Count(h, front_.reached()) >=
-        kWindowsAtATime * MostCrossings(mesh_, front_.anchor_count());
+            kWindowsAtATime * MostCrossings(mesh_, front_.anchor_count());
     if constexpr (Queue::kStrict) {
       const double due = front_.queue().popped_label();
-      return winds ? Drop(h, due, 1) : PropagateOneByOne(h, due, 1);
+      return ends ? Drop(h, due, 1) : PropagateOneByOne(h, due, 1);
     } else {
       if (lists_.queued(h) == kPropagated) return 0;
       lists_.set_queued(h, kPropagated);
-      if (winds) return Drop(h, kAnyLabel, kAll);
+      if (ends) return Drop(h, kAnyLabel, kAll);
       if constexpr (kTogether) {
         if (!mesh_.HasCollapsedFaces()) return PropagateTogether(h);
       }

@@ -92,6 +92,7 @@ class Sight {
     const Interval& part = fold.part;
     const HalfEdgeFrame& frame = mesh_.frame(half_edge);
     sink_.Observe(half_edge, Front::Window::Over(part, origin), pseudo_source_);
+    if (mesh_.IsCopy(half_edge)) return;
     const PlanePoint apex = ApexOf(frame);
     const double crossing = CrossingTo(origin, apex);
     const double through = std::clamp(crossing, part.begin, part.end);
