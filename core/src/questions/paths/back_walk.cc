@@ -140,8 +140,8 @@ class Walker {
     const uint32_t pseudo_source = end_.arrival.pseudo_source;
     if (field_.IsVertex(pseudo_source)) return false;
     const Anchor& anchor = field_.AnchorOf(pseudo_source);
-    return anchor.is_segment ||
-           WithinFace(mesh_, anchor.begin, face).has_value();
+    return WithinFace(mesh_, anchor.begin, face).has_value() &&
+           WithinFace(mesh_, anchor.end, face).has_value();
   }
 
   // Where the path to a place in the frame of h starts, if its pseudo-source
