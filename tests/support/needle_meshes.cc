@@ -91,7 +91,8 @@ SurfacePoint PointBesideCorner(const Mesh& mesh, Random& random) {
       b = near * random.Uniform(0, 1);
   }
   std::array<double, 3> weights = {a, b, 1 - a - b};
-  std::ranges::rotate(weights, weights.begin() + random.Below(3));
+  std::rotate(weights.begin(), weights.begin() + random.Below(3),
+              weights.end());
   return FacePoint{face, weights};
 }
 
