@@ -3,6 +3,7 @@
 #ifndef GEODESIC_TESTS_SUPPORT_CHECKPOINTS_H_
 #define GEODESIC_TESTS_SUPPORT_CHECKPOINTS_H_
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -39,13 +40,20 @@ class WindowLimit final : public Checkpoint {
   explicit WindowLimit(uint64_t most) : most_(most) {}
 
   absl::Status Poll(const Progress& progress) override {
-    return progress.windows_propagated < most_
+    most_between_polls_ = std::max(most_between_polls_,
+                                   progress.windows_propagated - propagated_);
+    propagated_ = progress.windows_propagated;
+    return propagated_ < most_
                ? absl::OkStatus()
                : absl::ResourceExhaustedError("windows without end");
   }
 
+  // Windows that were propagated from one poll to the next.
+  uint64_t most_between_polls() const { return most_between_polls_; }
+
  private:
   const uint64_t most_;
+  uint64_t propagated_ = 0, most_between_polls_ = 0;
 };
 
 }  // namespace geodesic::test

@@ -327,7 +327,7 @@ class TargetSearch::Impl {
       front_.goal().set_limit(Margin(Limit()));
       if (queue_.SettledRadius() > front_.goal().limit()) break;
       if (GivesWay()) break;
-      PopTogether(queue_, Rule::kMostTogether, together_);
+      PopTogether(queue_, rule_.most_together(), together_);
       if (together_.empty()) break;
       for (const uint32_t id : together_) {
         statistics_.pseudo_source_events += (id & kVertexEvent) != 0;

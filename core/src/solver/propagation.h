@@ -292,7 +292,7 @@ class Propagation final : public Computation {
 
   // All whose order the queue knows already.
   uint64_t StepTogether() {
-    PopTogether(queue_, RuleType::kMostTogether, together_);
+    PopTogether(queue_, rule_.most_together(), together_);
     for (const uint32_t id : together_) {
       statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
     }

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "tests/support/checkpoints.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
+#include "tests/support/random.h"
 
 namespace geodesic::test {
 namespace {
@@ -79,19 +79,37 @@ TEST(Checkpoint, IsAskedOftenWhereListsAreLong) {
   const std::shared_ptr<const Mesh> row =
       *Mesh::Build(SaddleRow(900, 1e-3, 30));
   for (const Algorithm algorithm : {Algorithm::kFwpList, Algorithm::kMmp}) {
-    RecordingCheckpoint checkpoint;
+    WindowLimit checkpoint(100'000'000);
     ASSERT_TRUE(Solve(*row,
                       {.sources = {{VertexPoint{1}}}, .algorithm = algorithm},
                       {}, checkpoint)
                     .ok());
-    uint64_t most = 0;
-    const std::vector<Progress>& polls = checkpoint.polls();
-    for (size_t i = 1; i < polls.size(); ++i) {
-      most = std::max(
-          most, polls[i].windows_propagated - polls[i - 1].windows_propagated);
-    }
-    EXPECT_LT(most, 10'000);
+    EXPECT_LT(checkpoint.most_between_polls(), 10'000);
   }
+}
+
+// All triangles of ten points that lie all but in line: tens of thousands of
+// windows wait at some half-edges.
+TEST(Checkpoint, IsAskedOftenWhereWindowsFallToPieces) {
+  constexpr uint32_t kPoints = 10;
+  constexpr double kBeside = 1e-9;
+  Random random(6);
+  TriangleSoup soup;
+  for (uint32_t i = 0; i < kPoints; ++i) {
+    Point& p = soup.positions.emplace_back();
+    p[0] = random.Uniform(0, 1);
+    p[1] = random.Uniform(0, kBeside);
+    p[2] = random.Uniform(0, kBeside);
+    for (uint32_t j = 0; j < i; ++j) {
+      for (uint32_t k = 0; k < j; ++k) soup.triangles.push_back({k, j, i});
+    }
+  }
+  WindowLimit checkpoint(1'000'000);
+  const auto field =
+      Solve(**Mesh::Build(soup), {.sources = {{FacePoint{0, {0.3, 0.3, 0.4}}}}},
+            {}, checkpoint);
+  EXPECT_TRUE(absl::IsResourceExhausted(field.status()));
+  EXPECT_LT(checkpoint.most_between_polls(), 600'000);
 }
 
 TEST_P(CheckpointTest, RepeatsBitForBit) {

@@ -159,23 +159,37 @@ bool Envelope::TrimNeighbours(size_t i, size_t meeting, size_t& kept,
 }
 
 size_t Envelope::TrimSeveral(size_t i, size_t& kept, WindowColumns& windows) {
+  if (windows.begin[i] < windows.begin[kept - 1]) {
+    return TrimAll(i, kept, windows);
+  }
   size_t first = kept;
   while (first > 0 && windows.end[first - 1] > windows.begin[i]) --first;
   met_.Start(length_, false);
   for (size_t k = first; k < kept; ++k) met_.Append(Listed(windows, k));
-  const std::vector<ListedWindow>& sorted = met_.windows();
-  const auto meets = [&](size_t k) {
-    const double begin = windows.begin[k];
-    return !sorted.empty() && begin < sorted.back().window.interval.end &&
-           (first == 0 || begin >= windows.end[first - 1]);
-  };
+  const std::vector<ListedWindow>& trimmed = met_.windows();
   do {
     met_.Add(Listed(windows, i++));
-  } while (i < windows.size && meets(i));
-  kept = first + sorted.size();
+  } while (i < windows.size && windows.begin[i] >= windows.begin[i - 1] &&
+           !trimmed.empty() &&
+           windows.begin[i] < trimmed.back().window.interval.end);
+  kept = first + trimmed.size();
   // What lies between the kept ones and the next is not looked at again.
-  Replace(first, std::min(i, kept), sorted, windows);
+  Replace(first, std::min(i, kept), trimmed, windows);
   return std::max(i, kept);
+}
+
+size_t Envelope::TrimAll(size_t i, size_t& kept, WindowColumns& windows) {
+  unsorted_.clear();
+  for (size_t k = 0; k < kept; ++k) unsorted_.push_back(Listed(windows, k));
+  for (; i < windows.size; ++i) unsorted_.push_back(Listed(windows, i));
+  std::ranges::stable_sort(unsorted_, {}, [](const ListedWindow& listed) {
+    return listed.window.interval.begin;
+  });
+  met_.Start(length_, false);
+  for (const ListedWindow& listed : unsorted_) met_.Add(listed);
+  kept = met_.windows().size();
+  Replace(0, windows.size, met_.windows(), windows);
+  return windows.size;
 }
 
 void Envelope::Merge(double length, bool may_split, size_t middle,

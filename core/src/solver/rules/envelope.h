@@ -59,6 +59,9 @@ class Envelope {
   // Trims windows from `i` on against those of the `kept` that they meet, until
   // one meets none of them; that is the next. Makes room if it needs any.
   size_t TrimSeveral(size_t i, size_t& kept, WindowColumns& windows);
+  // The same for all, in the order in which they begin: in any other each would
+  // be moved past all those before.
+  size_t TrimAll(size_t i, size_t& kept, WindowColumns& windows);
 
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
@@ -71,6 +74,7 @@ class Envelope {
   std::vector<double> meetings_;
   size_t next_pair_ = 0;  // for MeetingOf
   WindowEnvelope<Exact> met_;
+  std::vector<ListedWindow> unsorted_;  // for TrimAll
 };
 
 }  // namespace geodesic

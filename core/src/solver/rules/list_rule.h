@@ -58,6 +58,14 @@ class ListRule {
  public:
   // The most half-edges and vertices of a round.
   static constexpr size_t kMostTogether = 1024;
+  // How many are to be propagated together now: fewer where so many windows
+  // wait at each half-edge that a round would take long.
+  size_t most_together() const {
+    if (pending_ <= kMostWindowsTogether) return kMostTogether;
+    const size_t half_edges = queues_.size() - free_.size();
+    return std::clamp<size_t>(kMostWindowsTogether * half_edges / pending_, 1,
+                              kMostTogether);
+  }
 
   ListRule(Front& front, uint32_t threads)
       : front_(front),
@@ -138,6 +146,8 @@ class ListRule {
   // Nothing waits; added to it, how often lists have crossed from there.
   static constexpr uint32_t kNothing =
       std::numeric_limits<uint32_t>::max() - kMostCrossings;
+  // About ten milliseconds' work of one thread.
+  static constexpr uint64_t kMostWindowsTogether = uint64_t{1} << 18;
   // Rounds of fewer events are not worth a team's start.
   static constexpr size_t kLeastShared = 32;
   // How many events a thread takes at a time.

@@ -46,6 +46,7 @@ class MergingRule {
  public:
   // The most half-edges and vertices that are propagated together.
   static constexpr size_t kMostTogether = 1024;
+  static constexpr size_t most_together() { return kMostTogether; }
 
   explicit MergingRule(Front& front)
       : front_(front),

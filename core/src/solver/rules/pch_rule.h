@@ -48,6 +48,7 @@ class PchRule {
  public:
   // Of a level, between two polls: a few hundredths of a second.
   static constexpr size_t kMostTogether = size_t{1} << 16;
+  static constexpr size_t most_together() { return kMostTogether; }
 
   PchRule(Front& front, uint32_t threads)
       : front_(front),
