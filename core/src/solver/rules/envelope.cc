@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "solver/rules/trimming.h"
 
@@ -179,14 +180,13 @@ size_t Envelope::TrimSeveral(size_t i, size_t& kept, WindowColumns& windows) {
 }
 
 size_t Envelope::TrimAll(size_t i, size_t& kept, WindowColumns& windows) {
-  unsorted_.clear();
-  for (size_t k = 0; k < kept; ++k) unsorted_.push_back(Listed(windows, k));
-  for (; i < windows.size; ++i) unsorted_.push_back(Listed(windows, i));
-  std::ranges::stable_sort(unsorted_, {}, [](const ListedWindow& listed) {
-    return listed.window.interval.begin;
-  });
+  order_.clear();
+  for (size_t k = 0; k < kept; ++k) order_.push_back(k);
+  for (; i < windows.size; ++i) order_.push_back(i);
+  std::ranges::sort(order_, {},
+                    [&](size_t k) { return std::pair(windows.begin[k], k); });
   met_.Start(length_, false);
-  for (const ListedWindow& listed : unsorted_) met_.Add(listed);
+  for (const size_t k : order_) met_.Add(Listed(windows, k));
   kept = met_.windows().size();
   Replace(0, windows.size, met_.windows(), windows);
   return windows.size;

@@ -74,7 +74,7 @@ class Envelope {
   std::vector<double> meetings_;
   size_t next_pair_ = 0;  // for MeetingOf
   WindowEnvelope<Exact> met_;
-  std::vector<ListedWindow> unsorted_;  // for TrimAll
+  std::vector<size_t> order_;  // for TrimAll
 };
 
 }  // namespace geodesic
