@@ -94,7 +94,7 @@ class LocalSearch {
   // if nothing is left.
   uint64_t Step() {
     if constexpr (kTogether) {
-      PopTogether(queue_, RuleType::kMostTogether, together_);
+      PopTogether(queue_, rule_.most_together(), together_);
       rule_.Propagate(together_);
       return together_.size();
     } else {

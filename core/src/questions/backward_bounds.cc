@@ -57,7 +57,7 @@ absl::Status BackwardBounds::Find(const BoundedWay& way,
   front_.AddAnchor({.begin = way.target, .end = way.target}, sink);
   uint64_t steps = 0;
   for (;;) {
-    PopTogether(queue_, rule_.kMostTogether, together_);
+    PopTogether(queue_, rule_.most_together(), together_);
     if (together_.empty()) break;
     const uint64_t windows = rule_.Propagate(together_);
     windows_ += windows;

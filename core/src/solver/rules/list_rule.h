@@ -56,10 +56,8 @@ namespace geodesic {
 template <typename Front>
 class ListRule {
  public:
-  // The most half-edges and vertices of a round.
-  static constexpr size_t kMostTogether = 1024;
-  // How many are to be propagated together now: fewer where so many windows
-  // wait at each half-edge that a round would take long.
+  // The most half-edges and vertices that are propagated together: fewer where
+  // so many windows wait at each half-edge that it would take long.
   size_t most_together() const {
     if (pending_ <= kMostWindowsTogether) return kMostTogether;
     const size_t half_edges = queues_.size() - free_.size();
@@ -70,7 +68,7 @@ class ListRule {
   ListRule(Front& front, uint32_t threads)
       : front_(front),
         mesh_(front.mesh()),
-        most_together_(MostTogether(front.mesh())),
+        most_in_round_(MostInRound(front.mesh())),
         waiting_(front.mesh().half_edge_count(), kNothing),
         passed_(front.mesh()) {
     for (uint32_t member = 0; member < threads; ++member) {
@@ -118,7 +116,7 @@ class ListRule {
   uint64_t Propagate(std::span<const uint32_t> ids) {
     uint64_t propagated = 0;
     while (!ids.empty()) {
-      const size_t together = std::min(ids.size(), most_together_);
+      const size_t together = std::min(ids.size(), most_in_round_);
       propagated += Round(ids.first(together));
       ids = ids.subspan(together);
     }
@@ -146,6 +144,7 @@ class ListRule {
   // Nothing waits; added to it, how often lists have crossed from there.
   static constexpr uint32_t kNothing =
       std::numeric_limits<uint32_t>::max() - kMostCrossings;
+  static constexpr size_t kMostTogether = 1024;
   // About ten milliseconds' work of one thread.
   static constexpr uint64_t kMostWindowsTogether = uint64_t{1} << 18;
   // Rounds of fewer events are not worth a team's start.
@@ -190,7 +189,7 @@ class ListRule {
   };
 
   // A half-edge hands lists on to all other faces at two edges.
-  static size_t MostTogether(const Mesh& mesh) {
+  static size_t MostInRound(const Mesh& mesh) {
     const size_t by_lists = kMostHandedOn / (2 * mesh.MostFacesAtEdge());
     return std::clamp<size_t>(by_lists, 1, kMostTogether);
   }
@@ -415,7 +414,7 @@ class ListRule {
 
   Front& front_;
   const Mesh& mesh_;
-  const size_t most_together_;
+  const size_t most_in_round_;
   // By half-edge, into queues_; or from kNothing on.
   std::vector<uint32_t> waiting_;
   std::vector<HalfEdge> crossed_;  // with a goal only

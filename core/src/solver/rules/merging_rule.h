@@ -45,8 +45,7 @@ template <typename Front>
 class MergingRule {
  public:
   // The most half-edges and vertices that are propagated together.
-  static constexpr size_t kMostTogether = 1024;
-  static constexpr size_t most_together() { return kMostTogether; }
+  static constexpr size_t most_together() { return 1024; }
 
   explicit MergingRule(Front& front)
       : front_(front),

@@ -47,8 +47,7 @@ template <typename Front>
 class PchRule {
  public:
   // Of a level, between two polls: a few hundredths of a second.
-  static constexpr size_t kMostTogether = size_t{1} << 16;
-  static constexpr size_t most_together() { return kMostTogether; }
+  static constexpr size_t most_together() { return size_t{1} << 16; }
 
   PchRule(Front& front, uint32_t threads)
       : front_(front),

@@ -65,10 +65,10 @@ class Sight {
     front_.Cross(
         side, origin, part,
         [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
-          bool looks_on = LiesOnEdge(seen, mesh_.frame(half_edge)) &&
-                          known_.size() < kMostKnown;
+          const bool is_fold = LiesOnEdge(seen, mesh_.frame(half_edge));
+          bool looks_on = is_fold && known_.size() < kMostKnown;
           const View view{half_edge, seen, through};
-          if (looks_on || mesh_.IsNonManifoldEdge(half_edge)) {
+          if (is_fold || mesh_.IsNonManifoldEdge(half_edge)) {
             const auto [begin, end] = known_.equal_range(half_edge);
             for (auto it = begin; it != end; ++it) {
               const View& known = it->second;
