@@ -92,8 +92,15 @@ TEST(QueryTest, RefusalsNamePointsOffTheSurface) {
               Refuses("sources[1].face.weights[1]", "outside face 2"));
   EXPECT_THAT(RefusalOf(FacePoint{2, {0.5, 0.5, 0.5}}),
               Refuses("sources[1].face.weights", "sum to 1.5, not to 1"));
-  EXPECT_THAT(RefusalOf(FacePoint{2, {0.3, 0.3, 0.400002}}),
-              Refuses("sources[1].face.weights", "sum to 1.000002, not to 1"));
+  EXPECT_THAT(RefusalOf(FacePoint{2, {0.3, 0.3, 0.400003}}),
+              Refuses("sources[1].face.weights", "sum to 1.000003, not to 1"));
+}
+
+TEST(QueryTest, WeightsMayHaveSixDigits) {
+  for (const FacePoint& point : {FacePoint{2, {0.333333, 0.333333, 0.333333}},
+                                 FacePoint{2, {0.166667, 0.166667, 0.666667}}}) {
+    EXPECT_OK(ValidQuery::Make(Query{.sources = {{point}}}, *Strip()).status());
+  }
 }
 
 TEST(QueryTest, RefusalsNameCurvesAndTargets) {
