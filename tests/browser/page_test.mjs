@@ -739,6 +739,58 @@ test("a token is asked for, refused, and taken", async (t) => {
   assert.deepEqual([...viewer.errors, ...pasted.errors, ...invited.errors], []);
 });
 
+test("who gives no token is not asked again until it is wanted", async (t) => {
+  const tokens = writeTokens({ ada: ["right-token", ["read", "upload"]] });
+  t.after(() => tokens.remove());
+  const guarded = await startServer("--token-file", tokens.path);
+  t.after(() => guarded.stop());
+  const viewer = await openPage(browser, guarded.url);
+  t.after(() => viewer.close());
+  for (const decline of [() => viewer.page.keyboard.press("Escape"), () => viewer.page.click("#token-dialog >> text=Cancel")]) {
+    await viewer.page.waitForSelector("#token-dialog[open]");
+    await decline();
+    await viewer.page.waitForSelector("#token-dialog:not([open])", { state: "attached" });
+    const refused = viewer.page.waitForResponse((response) => response.url().endsWith("/FindMissingMeshes"));
+    await viewer.drop("sphere.obj", SPHERE);
+    await refused;
+    await viewer.page.waitForFunction(() => document.getElementById("notice").dataset.kind === "error");
+    assert.ok(!(await viewer.page.locator("#token-dialog[open]").isVisible()));
+    await viewer.page.click("#notice-action");
+  }
+  await viewer.page.fill("#token", "right-token");
+  await viewer.page.keyboard.press("Enter");
+  await viewer.shown("sphere.obj");
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("keys alone place sources and keep paths", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.page.keyboard.press("Enter");
+  await viewer.page.waitForSelector("#aim");
+  await viewer.page.keyboard.press("Enter");
+  await viewer.solved();
+  const address = viewer.page.url();
+  for (let i = 0; i < 9; i++) await viewer.page.keyboard.press("Shift+ArrowRight");
+  for (let i = 0; i < 5; i++) await viewer.page.keyboard.press("Shift+ArrowUp");
+  const distance = await viewer.exactValue();
+  await viewer.page.keyboard.press("Enter");
+  await viewer.page.waitForSelector("#paths li");
+  const kept = parseFloat(await viewer.text("#paths li"));
+  assert.ok(Math.abs(kept - distance) < 1e-6);
+  await viewer.page.keyboard.press("Shift+Enter");
+  await viewer.waitForText("#source-count", "2 sources");
+
+  const mouse = await sphere(t);
+  await mouse.click(0, 0);
+  await mouse.solved();
+  assert.equal(mouse.page.url(), address);
+  assert.ok(!(await mouse.page.locator("#aim").isVisible()));
+  const [x, y] = await mouse.at(0, 0);
+  await mouse.page.mouse.move(x + 9 * 12, y - 5 * 12);
+  assert.ok(Math.abs((await mouse.exactValue()) - distance) < 1e-6);
+  assert.deepEqual([...viewer.errors, ...mouse.errors], []);
+});
+
 test("an address with a mesh and a source shows them; keys and themes work", async (t) => {
   const first = await sphere(t);
   await first.click(0.2, 0.2);

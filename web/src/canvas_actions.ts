@@ -1,6 +1,7 @@
 // What clicks, moves, drags and keys on the picture do.
 
 import { Vector2, type Matrix4, type Vector3 } from "three";
+import { Aim, type ScreenPoint } from "./aim";
 import type { Explorer } from "./explorer";
 import { byId } from "./panel/elements";
 import type { Panel } from "./panel/panel";
@@ -39,14 +40,15 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
   let sketch: { place: Place; point: Vector3 }[] = [];
   let lastDrawn = { x: 0, y: 0 };
   let grabbed = -1;
-  let cursor: { x: number; y: number } | undefined;
+  let cursor: ScreenPoint | undefined;
+  const aim = new Aim();
   // What there was when the place under the cursor was looked for.
   let seen: { field: unknown; summary: unknown; view: Matrix4 } | undefined;
   let rest: ReturnType<typeof setTimeout> | undefined;
-  const pick = (at: { x: number; y: number }): Hit | undefined =>
+  const pick = (at: ScreenPoint): Hit | undefined =>
     picker?.pick(scene.pointerAt(at.x, at.y), scene.camera);
 
-  const sourceAt = (at: { x: number; y: number }): number => {
+  const sourceAt = (at: ScreenPoint): number => {
     const box = canvas.getBoundingClientRect();
     return explorer.sourcesOnScreen().findIndex((point) => {
       const pixel = point && scene.pixelOf(point);
@@ -54,29 +56,40 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     });
   };
 
-  const hover = (at: { x: number; y: number }, since: number) => {
+  const hover = (at: ScreenPoint, since: number) => {
     seen = { field: explorer.field, summary: explorer.summary, view: scene.camera.matrixWorld.clone() };
     canvas.classList.toggle("grab", sourceAt(at) >= 0);
     explorer.hover(pick(at)?.place, since);
   };
 
+  const moveTo = (at: ScreenPoint, since: number) => {
+    cursor = at;
+    panel.pointer(at);
+    hover(at, since);
+  };
+
+  const click = (at: ScreenPoint, shift: boolean) => {
+    const place = pick(at)?.place;
+    if (!place) return;
+    if (shift) void explorer.setSources([...explorer.sources, place]);
+    else if (panel.tool === "path" && explorer.sources.length) void explorer.keepPath(place);
+    else void explorer.setSources([place]);
+    if (explorer.sources.length === 1 && panel.tool === "source") panel.choose("path");
+  };
+
   listenToPointer(canvas, {
     move: (at) => {
-      cursor = at;
-      panel.pointer(at);
-      hover(at, at.since);
+      aim.hide();
+      moveTo(at, at.since);
     },
     leave: () => {
+      if (aim.point) return;
       cursor = undefined;
       explorer.hover(undefined, 0);
     },
     click: (at) => {
-      const place = pick(at)?.place;
-      if (!place) return;
-      if (at.shift) void explorer.setSources([...explorer.sources, place]);
-      else if (panel.tool === "path" && explorer.sources.length) void explorer.keepPath(place);
-      else void explorer.setSources([place]);
-      if (explorer.sources.length === 1 && panel.tool === "source") panel.choose("path");
+      aim.hide();
+      click(at, at.shift);
     },
     drawsCurve: (alt) => explorer.mesh !== undefined && (alt || panel.tool === "curve"),
     grabs: (at) => (grabbed = sourceAt(at)) >= 0,
@@ -103,6 +116,11 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     setTurning: (enabled) => scene.setTurning(enabled),
   });
 
+  const moveAim = (right: number, down: number) => moveTo(aim.move(right, down), performance.now());
+  const clickAim = (shift: boolean) => {
+    if (aim.point) click(aim.point, shift);
+    else moveAim(0, 0);
+  };
   const keys: Record<string, () => void> = {
     ArrowLeft: () => scene.turn(TURN_RADIANS, 0, 1),
     ArrowRight: () => scene.turn(-TURN_RADIANS, 0, 1),
@@ -119,10 +137,19 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     t: () => panel.toggleTheme(),
     l: () => scene.lookAtAll(),
     "?": () => panel.help(),
+    Enter: () => clickAim(false),
+  };
+  const keysWithShift: Record<string, () => void> = {
+    ArrowLeft: () => moveAim(-1, 0),
+    ArrowRight: () => moveAim(1, 0),
+    ArrowUp: () => moveAim(0, -1),
+    ArrowDown: () => moveAim(0, 1),
+    Enter: () => clickAim(true),
   };
   document.addEventListener("keydown", (event) => {
     if (isMeantForField(event) || document.querySelector("dialog[open]")) return;
-    const action = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const action = (event.shiftKey ? keysWithShift[key] : undefined) ?? keys[key];
     if (!action) return;
     event.preventDefault();
     action();

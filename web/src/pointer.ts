@@ -86,5 +86,7 @@ export function isMeantForField(event: KeyboardEvent): boolean {
   if (event.ctrlKey || event.metaKey || event.altKey) return true;
   const target = event.target as HTMLElement;
   if (target.matches("input:is([type=radio], [type=checkbox], [type=range])")) return event.key.startsWith("Arrow");
+  // Enter presses buttons, and opens what can be folded.
+  if (target.matches("button, summary, a")) return event.key === "Enter";
   return target.matches("input, select, textarea");
 }

@@ -2,6 +2,12 @@
 
 import { byId } from "./elements";
 
+/** What can be done about an error. */
+export interface Action {
+  label: string;
+  run(): void;
+}
+
 /** For so long nothing that goes on takes an error away. */
 const ERROR_STAYS_MS = 6000;
 
@@ -9,6 +15,7 @@ export class Notice {
   private readonly element = byId("notice");
   private readonly text = byId("notice-text");
   private readonly bar = byId<HTMLProgressElement>("notice-progress");
+  private readonly button = byId<HTMLButtonElement>("notice-action");
   private errorStaysUntil = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -29,9 +36,13 @@ export class Notice {
     if (this.element.dataset.kind === "busy") this.clear();
   }
 
-  error(text: string): void {
+  error(text: string, action?: Action): void {
     this.errorStaysUntil = performance.now() + ERROR_STAYS_MS;
     this.put(text, "error");
+    if (!action) return;
+    this.button.textContent = action.label;
+    this.button.onclick = () => action.run();
+    this.button.hidden = false;
   }
 
   hint(text: string, milliseconds = 4000): void {
@@ -50,5 +61,6 @@ export class Notice {
     this.element.dataset.kind = kind;
     this.element.hidden = false;
     this.bar.hidden = true;
+    this.button.hidden = true;
   }
 }

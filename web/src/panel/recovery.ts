@@ -60,8 +60,7 @@ export class Recovery {
         return;
       case "token":
         this.questions.add(again);
-        this.notice.error(explain(error));
-        this.dialog.open(explain(error));
+        this.askForToken(explain(error));
         return;
       case "gone":
         this.questions.add(again);
@@ -81,6 +80,13 @@ export class Recovery {
       default:
         this.notice.error(explain(error));
     }
+  }
+
+  // By itself once only: who gave none is shown where to give one.
+  private askForToken(reason: string): void {
+    const open = () => this.dialog.open(reason);
+    this.notice.error(reason, { label: "Enter a token", run: open });
+    if (!this.dialog.wasDeclined) open();
   }
 
   // One upload is enough for all questions that miss the mesh.
