@@ -236,14 +236,14 @@ std::vector<MetricFamily> CollectEngine(const QueryEngine& engine,
            {{"", counters.meshes_fetched}}),
       Make(MetricType::Counter, "geodesic_landmarks_total",
            "Landmarks of meshes, by how they came about: computed, or loaded "
-           "from disk",
+           "from disk or from the shared tier",
            "origin",
            {{"computed", engine.searches().landmarks().made()},
             {"loaded", engine.searches().landmarks().loaded()}}),
       Make(
           MetricType::Counter, "geodesic_methods_prepared_total",
           "What approximate algorithms needed of meshes, by how it came about: "
-          "computed, or loaded from disk",
+          "computed, or loaded from disk or from the shared tier",
           "origin",
           {{"computed", engine.methods().made()},
            {"loaded", engine.methods().loaded()}}),

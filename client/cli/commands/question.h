@@ -43,8 +43,8 @@ struct Question {
 // Reads the lists of --sources and --targets, checks that the outputs can be
 // written, makes the mesh resident, finds the places on it that are written by
 // what they are near to, prepares it for an approximate algorithm, and calls
-// `answer`. It uploads the mesh and does so
-// once more if the mesh was evicted in between.
+// `answer`. If the server has evicted the mesh meanwhile, it uploads the mesh and
+// asks once more.
 // Errors: FileErrors, those of AskAboutMesh, PlaceFinder and `answer`.
 absl::Status AskQuestion(
     const Session& session, const QuestionArguments& arguments,

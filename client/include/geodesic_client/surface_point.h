@@ -29,7 +29,7 @@ struct EdgePoint {
 // The point sum of weights[i] * corner i of a face.
 struct FacePoint {
   uint64_t face = 0;
-  // Barycentric: each >= 0; their sum is 1 within 1e-6.
+  // Barycentric: each >= 0; their sum is 1 within 2e-6.
   std::array<double, 3> weights{};
 
   friend auto operator<=>(const FacePoint&, const FacePoint&) = default;

@@ -39,9 +39,9 @@ struct FacePoint {
 
 using SurfacePoint = std::variant<VertexPoint, EdgePoint, FacePoint>;
 
-// How far the sum of weights that a client sends may be from 1: three weights that
-// were rounded to six digits are off by 1.5e-6 at the most. They are divided by
-// their sum.
+// How far the sum of weights that a client sends may be from 1: three weights
+// that were rounded to six digits are off by 1.5e-6 at the most. They are
+// divided by their sum.
 inline constexpr double kWeightSumTolerance = 2e-6;
 
 // `path` is the point's path in messages, e.g. "targets[2]".

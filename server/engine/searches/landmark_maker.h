@@ -65,7 +65,8 @@ class LandmarkMaker {
   // Drops what the disk keeps of a mesh that is gone. Waits for the disk.
   void EraseMesh(const std::string& digest);
 
-  // Landmarks since the start: computed, and read from disk.
+  // Landmarks since the start: computed, and read from disk or
+  // from the shared tier.
   uint64_t made() const { return made_; }
   uint64_t loaded() const { return loaded_; }
 
