@@ -276,6 +276,9 @@ absl::Status GltfFile::ReadBuffers() {
       return Invalid("buffer ", i, " has neither a uri nor a binary chunk");
     }
     const uint64_t length = GltfNumber(buffer, "byteLength", kNoGltfNumber);
+    if (length == kNoGltfNumber) {
+      return Invalid("buffer ", i, " has no number as byteLength");
+    }
     if (length > bytes.size()) {
       return Invalid("buffer ", i, " has fewer bytes than its byteLength");
     }
@@ -320,6 +323,9 @@ absl::StatusOr<GltfNumbers> GltfFile::Accessor(uint64_t index,
   const bool is_unsigned = component == kUnsignedByte ||
                            component == kUnsignedShort ||
                            component == kUnsignedInt;
+  if (component == kNoGltfNumber) {
+    return Invalid("accessor ", index, " has no number as componentType");
+  }
   if (BytesOf(component) == 0 || (is_index && !is_unsigned)) {
     return Invalid("accessor ", index, " has componentType ", component,
                    ", which is not read here");

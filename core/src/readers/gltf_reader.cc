@@ -121,8 +121,12 @@ class GltfReader {
     const uint64_t shown = GltfNumber(file_.scene(), "scene", 0);
     const Json* const scene = file_.Item("scenes", shown);
     if (scene == nullptr) {
-      Refuse("there is no scene ", shown);
-    } else if (Push(*scene, "nodes", {})) {
+      if (shown == kNoGltfNumber) {
+        Refuse("the scene that is shown is not named by a number");
+      } else {
+        Refuse("there is no scene ", shown);
+      }
+    } else if (Push(absl::StrCat("scene ", shown), *scene, "nodes", {})) {
       while (!to_visit_.empty()) {
         const auto [node, placement] = to_visit_.back();
         to_visit_.pop_back();
@@ -143,8 +147,10 @@ class GltfReader {
     return builder_.Refuse(absl::InvalidArgumentError(absl::StrCat(parts...)));
   }
 
-  // Puts the nodes that a member lists on the stack, the first on top.
-  bool Push(const Json& parent, const char* member, const Placement& at) {
+  // Puts the nodes that a member of `name` lists on the stack, the first on
+  // top.
+  bool Push(const std::string& name, const Json& parent, const char* member,
+            const Placement& at) {
     const Json* const list = GltfMember(parent, member);
     if (list == nullptr || !list->is_array()) return true;
     for (size_t i = list->size(); i-- > 0;) {
@@ -152,7 +158,8 @@ class GltfReader {
       const uint64_t index =
           node.is_number_unsigned() ? node.get<uint64_t>() : kNoGltfNumber;
       if (index >= is_placed_.size()) {
-        return Refuse("'", member, "' lists a node that is not there");
+        return Refuse(name, ": entry ", i, " of '", member,
+                      "' names no node of this file");
       }
       // The standard has trees only, which also keeps a scene from growing
       // beyond its file.
@@ -179,7 +186,7 @@ class GltfReader {
       }
       if (!ReadMesh(mesh, *found, placement)) return false;
     }
-    return Push(node, "children", placement);
+    return Push(absl::StrCat("node ", index), node, "children", placement);
   }
 
   bool ReadMesh(uint64_t index, const Json& mesh, const Placement& placement) {
@@ -190,12 +197,18 @@ class GltfReader {
     for (const Json& primitive : *primitives) {
       const uint64_t mode = GltfNumber(primitive, "mode", kTriangles);
       if (mode < kTriangles) continue;  // points and lines
-      if (mode > kFan) return Refuse("mesh ", index, " has mode ", mode);
+      if (mode > kFan) {
+        return Refuse("mesh ", index,
+                      ": the mode of a primitive is not one of 0 to ", kFan);
+      }
       const Json* const attributes = GltfMember(primitive, "attributes");
       const uint64_t positions =
           attributes == nullptr
               ? kNoGltfNumber
               : GltfNumber(*attributes, "POSITION", kNoGltfNumber);
+      if (positions == kNoGltfNumber) {
+        return Refuse("mesh ", index, ": a primitive has no POSITION");
+      }
       const auto [entry, is_new] = vertices.try_emplace(positions);
       if (is_new && !AddVertices(index, positions, placement, entry->second)) {
         return false;

@@ -183,6 +183,27 @@ TEST(GltfReaderTest, BadScenesAreNamed) {
               IsInvalidWith("not valid JSON"));
 }
 
+TEST(GltfReaderTest, RefusalsNameWhatIsMissing) {
+  EXPECT_THAT(
+      Read(Square("\"scene\": 0", "\"scene\": \"first\"")),
+      IsInvalidWith("the scene that is shown is not named by a number"));
+  EXPECT_THAT(Read(Square("\"POSITION\"", "\"NORMAL\"")),
+              IsInvalidWith("mesh 0: a primitive has no POSITION"));
+  EXPECT_THAT(Read(Square("\"componentType\": 5126, ", "")),
+              IsInvalidWith("accessor 0 has no number as componentType"));
+  EXPECT_THAT(
+      Read(Square("\"buffers\": [{\"byteLength\": 84}]", "\"buffers\": [{}]")),
+      IsInvalidWith("buffer 0 has no number as byteLength"));
+  EXPECT_THAT(
+      Read(Square("{\"attributes\"", "{\"mode\": \"fan\", \"attributes\"")),
+      IsInvalidWith("the mode of a primitive is not one of 0 to 6"));
+  EXPECT_THAT(Read(Square("[{\"nodes\": [0]}]", "[{\"nodes\": [0, 7]}]")),
+              IsInvalidWith("scene 0: entry 1 of 'nodes' names no node"));
+  EXPECT_THAT(
+      Read(Square("{\"mesh\": 0}", "{\"mesh\": 0, \"children\": [\"x\"]}")),
+      IsInvalidWith("node 0: entry 0 of 'children' names no node"));
+}
+
 TEST(GltfReaderTest, ScenesAreTrees) {
   EXPECT_THAT(Read(Square("{\"mesh\": 0}", "{\"mesh\": 0, \"children\": [0]}")),
               IsInvalidWith("node 0 has two parents"));
