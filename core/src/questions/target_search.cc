@@ -294,7 +294,13 @@ class TargetSearch::Impl {
     front_.goal().set_limit(Margin(Limit()));
     front_.goal().set_orders_by_label(std::isfinite(longest_));
     DirectSink sink(front_, rule_);
-    for (const Anchor& anchor : anchors) front_.AddAnchor(anchor, sink);
+    uint64_t entered = 0;
+    for (const Anchor& anchor : anchors) {
+      if (++entered % kAnchorsBetweenPolls == 0) {
+        if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+      }
+      front_.AddAnchor(anchor, sink);
+    }
     // Vertices that windows miss beside thin faces are reached along edges, as
     // in fields; or where the target is farther than a path that is known.
     const bool may_miss = mesh_.HasThinFaces() || std::isinf(longest_);

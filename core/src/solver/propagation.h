@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <span>
@@ -45,7 +46,7 @@ class Propagation final : public Computation {
       : algorithm_(query->algorithm),
         traces_(query->trace),
         next_source_(static_cast<uint32_t>(query->sources.size())),
-        pending_anchors_(AnchorsOf(query)),
+        pending_anchors_(PendingAnchors(query)),
         queue_(tuning),
         front_(mesh, *query, queue_, observer, {}, AccuracyOf(*query)),
         rule_(MakeRule(front_, tuning)) {}
@@ -174,6 +175,11 @@ class Propagation final : public Computation {
     }
   }
 
+  static std::deque<Anchor> PendingAnchors(const ValidQuery& query) {
+    const std::vector<Anchor> anchors = AnchorsOf(query);
+    return {anchors.begin(), anchors.end()};
+  }
+
   static Accuracy AccuracyOf(const Query& query) {
     if constexpr (Accuracy::kMerges) {
       return Accuracy(query.tolerance);
@@ -191,7 +197,7 @@ class Propagation final : public Computation {
 
   absl::Status Run(const Reach& reach, Checkpoint& checkpoint) {
     if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
-    Seed();
+    if (absl::Status status = Seed(checkpoint); !status.ok()) return status;
     const double radius = std::ldexp(reach.radius, -mesh().scale_exponent());
     uint64_t steps = 0;
     while (SettledRadius() <= radius) {
@@ -245,11 +251,17 @@ class Propagation final : public Computation {
     return absl::OkStatus();
   }
 
-  void Seed() {
+  absl::Status Seed(Checkpoint& checkpoint) {
     DirectSink sink(front_, rule_);
-    for (const Anchor& anchor : std::exchange(pending_anchors_, {})) {
-      front_.AddAnchor(anchor, sink);
+    for (uint64_t entered = 0; !pending_anchors_.empty(); ++entered) {
+      if (entered == kAnchorsBetweenPolls) {
+        entered = 0;
+        if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
+      }
+      front_.AddAnchor(pending_anchors_.front(), sink);
+      pending_anchors_.pop_front();
     }
+    return absl::OkStatus();
   }
 
   // Everything that is settled, but nothing beyond `radius`.
@@ -367,7 +379,7 @@ class Propagation final : public Computation {
   const Algorithm algorithm_;
   const bool traces_;
   uint32_t next_source_;
-  std::vector<Anchor> pending_anchors_;  // not yet in the front
+  std::deque<Anchor> pending_anchors_;  // not yet in the front
   Queue queue_;
   FrontType front_;
   RuleType rule_;

@@ -5,12 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
 
 #include "absl/status/status.h"
+#include "geodesic/computation.h"
 #include "geodesic/settled_vertices.h"
 #include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
@@ -110,6 +112,35 @@ TEST(Checkpoint, IsAskedOftenWhereWindowsFallToPieces) {
             {}, checkpoint);
   EXPECT_TRUE(absl::IsResourceExhausted(field.status()));
   EXPECT_LT(checkpoint.most_between_polls(), 600'000);
+}
+
+// Of very many sources in one face each passes the windows of those before.
+TEST_P(CheckpointTest, IsAskedWhileSourcesAreEntered) {
+  constexpr int kSources = 600;
+  Random random(3);
+  Query query = Ask({});
+  for (int i = 0; i < kSources; ++i) {
+    const double u = random.Uniform(0.1, 0.5), v = random.Uniform(0.1, 0.4);
+    query.sources.push_back({FacePoint{7, {u, v, 1 - u - v}}});
+  }
+  const ValidQuery valid = *ValidQuery::Make(query, *mesh_);
+  RecordingCheckpoint whole;
+  const auto field = Solve(*mesh_, query, {}, whole);
+  ASSERT_TRUE(field.ok());
+  const auto entering = [](const Progress& progress) {
+    return progress.windows_propagated == 0;
+  };
+  EXPECT_GE(std::ranges::count_if(whole.polls(), entering), kSources / 50);
+
+  const auto computation = StartComputation(*mesh_, valid, {}).value();
+  RecordingCheckpoint stopped(5);
+  EXPECT_EQ(computation->Advance({}, stopped), RecordingCheckpoint::Stopped());
+  EXPECT_EQ(stopped.polls().back().windows_propagated, 0);
+  EXPECT_EQ(stopped.polls().back().settled_radius, 0);
+  EXPECT_TRUE(std::ranges::all_of(computation->Field().distances,
+                                  [](double d) { return std::isinf(d); }));
+  ASSERT_TRUE(computation->Advance({}, stopped).ok());
+  EXPECT_EQ(computation->Field().distances, field->distances);
 }
 
 TEST_P(CheckpointTest, RepeatsBitForBit) {

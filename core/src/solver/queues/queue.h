@@ -58,6 +58,10 @@ void PopTogether(Queue& queue, size_t most, std::vector<uint32_t>& ids) {
 // work at the most, but where there are very many at one half-edge.
 inline constexpr uint64_t kWorkBetweenPolls = 2048;
 
+// Anchors that are entered between two polls. Each may pass all windows of a
+// half-edge: where a face holds very many, up to a millisecond.
+inline constexpr uint64_t kAnchorsBetweenPolls = 32;
+
 // What queues and rules may know about the mesh and the caller's wishes
 // (solve_options.h).
 struct Tuning {
