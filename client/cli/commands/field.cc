@@ -15,7 +15,11 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
+#include "client/cli/commands/outputs.h"
 #include "client/cli/commands/question.h"
+#include "client/cli/commands/report.h"
+#include "client/cli/commands/stopwatch.h"
+#include "client/cli/terminal/exit_code.h"
 #include "client/output/binary_numbers.h"
 #include "client/output/field_writers.h"
 #include "client/output/number_text.h"

@@ -9,7 +9,11 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
+#include "client/cli/commands/outputs.h"
 #include "client/cli/commands/question.h"
+#include "client/cli/commands/report.h"
+#include "client/cli/commands/stopwatch.h"
+#include "client/cli/terminal/exit_code.h"
 #include "client/output/matrix_writers.h"
 
 namespace geodesic::client {

@@ -9,7 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/mesh_argument.h"
-#include "client/cli/commands/question.h"
+#include "client/cli/commands/report.h"
 #include "client/cli/terminal/text.h"
 
 namespace geodesic::client {

@@ -6,7 +6,10 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
+#include "client/cli/commands/outputs.h"
 #include "client/cli/commands/question.h"
+#include "client/cli/commands/report.h"
+#include "client/cli/commands/stopwatch.h"
 #include "client/output/number_text.h"
 #include "client/output/place_text.h"
 

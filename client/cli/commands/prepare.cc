@@ -6,7 +6,8 @@
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/mesh_argument.h"
-#include "client/cli/commands/question.h"
+#include "client/cli/commands/report.h"
+#include "client/cli/commands/stopwatch.h"
 
 namespace geodesic::client {
 namespace {
