@@ -300,6 +300,16 @@ void AddOptions(CLI::App& app, ServerOptions& options) {
       .check(CLI::IsMember(
           {"trace", "debug", "info", "warn", "error", "critical", "off"}))
       ->capture_default_str();
+
+  for (const auto& [option, needed] :
+       {std::pair{"--web-allow-origin", "--web"},
+        {"--web-token-file", "--web"},
+        {"--web-port-file", "--web"},
+        {"--sibling-token-file", "--sibling"},
+        {"--sibling-ca", "--sibling"},
+        {"--shared-tier-password-file", "--shared-tier"}}) {
+    app.get_option(option)->needs(needed);
+  }
 }
 
 // "GEODESICD_MAX_FACES" for "max-faces".
@@ -350,22 +360,12 @@ std::string CheckTogether(const ServerOptions& options) {
                         " would serve other machines in clear: give --tls-cert "
                         "and --tls-key, or --insecure-listen if that is meant");
   }
-  if (options.shared_tier.empty() &&
-      !options.shared_tier_password_file.empty()) {
-    return "--shared-tier-password-file needs --shared-tier";
-  }
-  if (options.web_listen.empty()) {
-    for (const auto& [flag, is_given] :
-         {std::pair{"--web-allow-origin", !options.web_origins.empty()},
-          {"--web-token-file", !options.web_token_file.empty()},
-          {"--web-port-file", !options.web_port_file.empty()}}) {
-      if (is_given) return absl::StrCat(flag, " needs --web");
-    }
-  } else if (!tls.client_authorities.empty()) {
+  if (!options.web_listen.empty() && !tls.client_authorities.empty()) {
     return "--web cannot ask browsers for certificates, so it does not go with "
            "--tls-client-ca";
-  } else if (!tls.enabled() && !options.insecure_listen &&
-             !IsLoopback(options.web_listen)) {
+  }
+  if (!options.web_listen.empty() && !tls.enabled() &&
+      !options.insecure_listen && !IsLoopback(options.web_listen)) {
     return absl::StrCat("--web ", options.web_listen,
                         " would serve other machines in clear: give --tls-cert "
                         "and --tls-key, put a proxy with TLS in front of a "

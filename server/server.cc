@@ -12,6 +12,7 @@
 #include <grpcpp/server_builder.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -228,6 +229,18 @@ absl::Status Server::NameSiblings() {
         ReadFileText(options_.sibling_authorities);
     if (!authorities.ok()) return authorities.status();
     credentials = grpc::SslCredentials({.pem_root_certs = *authorities});
+  }
+  if (const std::string& file = options_.sibling_token_file; !file.empty()) {
+    const absl::Status status = ReadFileText(file).status();
+    if (!status.ok()) return status;
+    if (options_.sibling_authorities.empty() &&
+        !std::all_of(options_.siblings.begin(), options_.siblings.end(),
+                     IsLoopback)) {
+      logger_->warn(
+          "the token in {} goes to siblings in clear: --sibling-ca makes them "
+          "be asked over TLS",
+          file);
+    }
   }
   siblings_ = std::make_unique<Siblings>(
       options_.siblings, credentials,

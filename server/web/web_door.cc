@@ -278,16 +278,18 @@ class WebDoor::Exchange {
     }
     if (bytes > kMaxHeaderBytes) {
       return Refuse(connection_, MHD_HTTP_REQUEST_HEADER_FIELDS_TOO_LARGE,
-                    "the headers are too large");
+                    absl::StrCat("the headers are too large: at most ",
+                                 kMaxHeaderBytes, " bytes"));
     }
     uint64_t length = 0;
     const std::string_view given = Header(connection_, "Content-Length");
     if (absl::SimpleAtoi(absl::string_view(given.data(), given.size()),
                          &length) &&
         length > door_.options_.max_body_bytes) {
-      return Refuse(connection_, MHD_HTTP_CONTENT_TOO_LARGE,
-                    absl::StrCat("a body has at most ",
-                                 door_.options_.max_body_bytes, " bytes"));
+      return Refuse(
+          connection_, MHD_HTTP_CONTENT_TOO_LARGE,
+          absl::StrCat("a body has at most ", door_.options_.max_body_bytes,
+                       " bytes (geodesicd --max-upload-bytes)"));
     }
     const std::string address = Address(connection_);
     auto call = std::make_shared<WebCall>(door_.calls_, *connection_, address,

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <spdlog/logger.h>
+#include <spdlog/sinks/null_sink.h>
 
 #include <memory>
 #include <set>
@@ -152,6 +154,19 @@ TEST_F(FairnessTest, OneClientCannotFillTheQueue) {
   EXPECT_TRUE(admitted.back()->Read());
   solver_.LetGo();
   for (const auto& call : admitted) EXPECT_TRUE(call->End().ok());
+}
+
+TEST_F(AccessTest, AServerWithoutItsTokenForSiblingsDoesNotStart) {
+  ServerOptions options = SmallServer();
+  options.siblings = {"127.0.0.1:9"};
+  options.sibling_token_file = folder_ / "missing";
+  const auto logger = std::make_shared<spdlog::logger>(
+      "test", std::make_shared<spdlog::sinks::null_sink_mt>());
+  const absl::Status status =
+      Server(options, logger, &StartComputation).Start();
+  EXPECT_TRUE(absl::IsNotFound(status)) << status;
+  EXPECT_THAT(std::string(status.message()),
+              HasSubstr(options.sibling_token_file));
 }
 
 TEST(PeerHost, IsTheAddressWithoutThePort) {

@@ -128,7 +128,16 @@ TEST_F(OptionsTest, TheSharedTier) {
       Parse({"--shared-tier", "unix:/run/redis.sock"}).exit_code.has_value());
   ExpectUsageError({"--shared-tier", "redis"}, "--shared-tier");
   ExpectUsageError({"--shared-tier-password-file", "word"},
-                   "needs --shared-tier");
+                   "--shared-tier-password-file requires --shared-tier");
+}
+
+TEST_F(OptionsTest, WhatWouldDoNothingIsRefused) {
+  ExpectUsageError({"--sibling-token-file", "token"},
+                   "--sibling-token-file requires --sibling");
+  SetVariable("GEODESICD_SIBLING_CA", "ca.pem");
+  ExpectUsageError({}, "--sibling-ca requires --sibling");
+  SetVariable("GEODESICD_SIBLING", "127.0.0.1:50052");
+  EXPECT_FALSE(Parse({}).exit_code.has_value()) << err_;
 }
 
 TEST_F(OptionsTest, FlagsWinOverVariablesAndThoseOverTheFile) {

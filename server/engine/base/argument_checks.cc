@@ -1,6 +1,7 @@
 #include "server/engine/base/argument_checks.h"
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_replace.h"
 #include "absl/strings/string_view.h"
 #include "digest/sha256.h"
 #include "geodesic/field_path.h"
@@ -29,7 +30,8 @@ absl::Status CheckCount(std::string_view things, uint64_t count,
   if (count <= limit) return absl::OkStatus();
   return absl::ResourceExhaustedError(
       absl::StrCat(View(who), " ", count, " ", View(things), "; ",
-                   View(limit_name), " is ", limit));
+                   View(limit_name), " is ", limit, " (geodesicd --",
+                   absl::StrReplaceAll(View(limit_name), {{"_", "-"}}), ")"));
 }
 
 absl::Status CheckRadius(std::string_view field, double radius) {
