@@ -20,14 +20,14 @@ inline constexpr uint32_t kNoSource = 0xffffffffu;
 // vertex's Voronoi cell. kNoSource where no path arrives. At a tie, one of the
 // nearest. O(V).
 // Errors: INVALID_ARGUMENT: a field without trace, or of another mesh or query;
-// INTERNAL: the trace leads in circles (a defect).
+// INTERNAL: the trace leads in circles (a defect). Thread-safe.
 absl::StatusOr<std::vector<uint32_t>> NearestSources(
     const Mesh& mesh, const ValidQuery& query, const DistanceField& field);
 
 // The unit vector in space along which the shortest path arrives at each
 // vertex. It is the gradient of the distance there, in the plane of the path's
 // last face. The zero vector at sources and where no path arrives. O(V).
-// Errors: as NearestSources.
+// Errors: as NearestSources. Thread-safe.
 absl::StatusOr<std::vector<Point>> Gradients(const Mesh& mesh,
                                              const ValidQuery& query,
                                              const DistanceField& field);

@@ -53,7 +53,7 @@ struct Isoline {
 // there). Memory beside it: 16 bytes a face, and 56 a window within about a
 // face of an isoline until the wavefront has passed.
 // Errors: INVALID_ARGUMENT for no level, or one that is not finite and > 0;
-// whatever `checkpoint` returns.
+// whatever `checkpoint` returns. Thread-safe.
 absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
     const Mesh& mesh, const ValidQuery& query, std::vector<double> levels,
     const SolveOptions& options, Checkpoint& checkpoint);

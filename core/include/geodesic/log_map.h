@@ -35,7 +35,7 @@ struct LogMap {
 // Errors: INVALID_ARGUMENT: a field without trace, or of another mesh or query;
 // not exactly one source point, or one around which the surface is not an
 // oriented disk or half-disk; INTERNAL: the trace does not lead back to the
-// source (a defect).
+// source (a defect). Thread-safe.
 absl::StatusOr<LogMap> ComputeLogMap(
     const Mesh& mesh, const ValidQuery& query, const DistanceField& field,
     double radius = std::numeric_limits<double>::infinity());

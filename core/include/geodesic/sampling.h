@@ -32,7 +32,7 @@ struct FarthestSample {
 // One computation goes on with every sample. A sample costs O(V) and the
 // propagation over about the area that it takes over. At each sample
 // `checkpoint` sees the settled radius start from 0 again.
-// Errors: whatever `checkpoint` returns.
+// Errors: whatever `checkpoint` returns. Thread-safe.
 absl::StatusOr<std::vector<FarthestSample>> SampleFarthestPoints(
     const Mesh& mesh, const ValidQuery& query, uint32_t count,
     const SolveOptions& options, Checkpoint& checkpoint);

@@ -17,7 +17,7 @@ struct SettledVertex {
 };
 
 // Returns every vertex once, ordered by distance and at a tie by number;
-// between calls the order holds up to rounding.
+// between calls the order holds up to rounding. Not thread-safe.
 class SettledVertices {
  public:
   // The vertices that have become final since the last call; none before the

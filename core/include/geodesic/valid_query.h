@@ -32,7 +32,7 @@ struct SortedQuery;
 // way to it for curves and for faces without area alone.
 //
 // It is valid for the mesh that it was made for only. Copies share their
-// content, so they cost O(1).
+// content, so they cost O(1). Immutable, and so thread-safe.
 class ValidQuery {
  public:
   // Errors: INVALID_ARGUMENT naming the offender, e.g. "sources[3].vertex 991
