@@ -433,11 +433,11 @@ class Mesh:
 
         Options as in paths().
         """
-        paths = self.paths(source, target, **options)
-        if len(paths) != 1:
+        points = self._places(target, "targets")
+        if len(points) != 1:
             raise InvalidArgument(
-                f"there are {len(paths)} targets; paths() takes many")
-        return paths[0]
+                f"there are {len(points)} targets; paths() takes many")
+        return self.paths(source, points, **options)[0]
 
     def paths(self, source: OneOrManySources, targets: OneOrManyPlaces, *,
               radius: Optional[float] = None,

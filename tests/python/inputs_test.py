@@ -262,7 +262,8 @@ class InputsTest(Refusing):
                             out=np.empty((2, 5)))
         self.assert_refused("out has shape", mesh.matrix, [0, 1],
                             out=np.empty((2, 6), int))
-        self.assert_refused("2 targets", mesh.path, 0, [1, 2])
+        # Before any path is computed: there is no source 6.
+        self.assert_refused("2 targets", mesh.path, 6, [1, 2])
         self.assert_refused("values have shape",
                             mesh.plot, np.zeros(5))
         self.assert_refused("complex numbers are not real", mesh.plot, np.zeros(6) * 1j)
