@@ -172,6 +172,28 @@ def _as_list(value: Any, name: str, vertex_count: int,
     return items
 
 
+def _put(item: Any, name: str, places: Places, i: int) -> None:
+    """Writes an item as place i, which empty() has made. `name`: the item's, in
+    messages."""
+    if isinstance(item, EdgePoint):
+        places.kinds[i] = _EDGE
+        places.numbers[i] = (_number(item.start, name + ".start"),
+                             _number(item.end, name + ".end"))
+        places.weights[i, 0] = to_real(item.t, name + ".t")
+    elif isinstance(item, FacePoint):
+        if to_array(item.weights, name + ".weights").shape != (3,):
+            raise InvalidArgument(
+                f"{name}.weights are not three numbers: {item.weights!r}")
+        places.kinds[i] = _FACE
+        places.numbers[i, 0] = _number(item.face, name + ".face")
+        places.weights[i] = to_array(item.weights, name + ".weights",
+                                     np.float64)
+    elif isinstance(item, Curve):
+        raise InvalidArgument(f"{name} is a curve; only sources may be")
+    else:
+        places.numbers[i, 0] = _number(item, name)
+
+
 def to_places(value: Any, name: str, vertex_count: int) -> Places:
     """One place or many, as Places.
 
@@ -186,24 +208,7 @@ def to_places(value: Any, name: str, vertex_count: int) -> Places:
         places.numbers[:, 0] = items
         return places
     for i, item in enumerate(items):
-        here = f"{name}[{i}]"
-        if isinstance(item, EdgePoint):
-            places.kinds[i] = _EDGE
-            places.numbers[i] = (_number(item.start, here + ".start"),
-                                 _number(item.end, here + ".end"))
-            places.weights[i, 0] = to_real(item.t, here + ".t")
-        elif isinstance(item, FacePoint):
-            if to_array(item.weights, here + ".weights").shape != (3,):
-                raise InvalidArgument(
-                    f"{here}.weights are not three numbers: {item.weights!r}")
-            places.kinds[i] = _FACE
-            places.numbers[i, 0] = _number(item.face, here + ".face")
-            places.weights[i] = to_array(item.weights, here + ".weights",
-                                         np.float64)
-        elif isinstance(item, Curve):
-            raise InvalidArgument(f"{here} is a curve; only sources may be")
-        else:
-            places.numbers[i, 0] = _number(item, here)
+        _put(item, f"{name}[{i}]", places, i)
     return places
 
 
@@ -225,6 +230,26 @@ class Sources:
         return len(self.counts)
 
 
+def _listed(items: List[Any], name: str, vertex_count: int,
+            ) -> Tuple[Places, np.ndarray]:
+    """Places and counts of listed sources, as Sources has them."""
+    points: List[Tuple[Any, str]] = []
+    counts = np.full(len(items), -1, np.int64)
+    for i, item in enumerate(items):
+        here = f"{name}[{i}]"
+        if isinstance(item, Curve):
+            on_curve = _as_list(item.points, here + ".points", vertex_count)
+            counts[i] = len(on_curve)
+            points += [(point, f"{here}.points[{k}]")
+                       for k, point in enumerate(on_curve)]
+        else:
+            points.append((item, here))
+    places = empty(len(points))
+    for at, (point, here) in enumerate(points):
+        _put(point, here, places, at)
+    return places, counts
+
+
 def to_sources(value: Any, offsets: Any, vertex_count: int) -> Sources:
     """One source or many, as Sources.
 
@@ -238,19 +263,11 @@ def to_sources(value: Any, offsets: Any, vertex_count: int) -> Sources:
         items = _as_list(value, name, vertex_count)
     if len(items) == 0:
         raise InvalidArgument("there is no source")
-    counts = np.full(len(items), -1, np.int64)
-    if isinstance(items, list) and any(isinstance(i, Curve) for i in items):
-        points: List[Any] = []
-        for i, item in enumerate(items):
-            if isinstance(item, Curve):
-                on_curve = _as_list(item.points, f"{name}[{i}].points",
-                                    vertex_count)
-                counts[i] = len(on_curve)
-                points += list(on_curve)
-            else:
-                points.append(item)
-        items = points
-    places = to_places(items, name, vertex_count)
+    if isinstance(items, list):
+        places, counts = _listed(items, name, vertex_count)
+    else:
+        places = to_places(items, name, vertex_count)
+        counts = np.full(len(items), -1, np.int64)
     if offsets is None:
         offset_array = np.zeros(len(counts))
     else:

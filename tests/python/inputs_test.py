@@ -242,6 +242,14 @@ class InputsTest(Refusing):
         self.assert_refused("curve", ask, geodesic.Curve([0, 1]))
         self.assert_refused("sources[0].points is None", ask,
                             geodesic.Curve(None))
+        curve = geodesic.Curve([0, 2, 4])
+        self.assert_refused("sources[1] is 'x'", ask, [curve, "x"])
+        self.assert_refused("sources[1].t is 'x'", ask,
+                            [curve, geodesic.EdgePoint(0, 2, "x")])
+        self.assert_refused("sources[1].points[2] is None", ask,
+                            [5, geodesic.Curve([0, 2, None])])
+        self.assert_refused("sources[1].points[0] is a curve", ask,
+                            [5, geodesic.Curve([curve])])
         self.assert_refused("offsets have shape (2,)", ask, 0, offsets=[0, 1])
         self.assert_refused("sources[0].offset", ask, 0, offsets=[-1])
         self.assert_refused("sources[0].offset", ask, 0, offsets=np.nan)
