@@ -78,15 +78,21 @@ def _of_flat(flat: np.ndarray) -> np.ndarray:
 
 
 def _of_cells(cells: Any) -> np.ndarray:
-    """Faces of meshio's cell blocks."""
+    """Faces of meshio's cell blocks, which may be tuples (type, data)."""
     triangles = []
-    for block in cells:
-        if block.type in ("triangle", "quad", "polygon"):
-            triangles.append(_fan(np.asarray(block.data)))
-        elif block.type not in ("vertex", "line"):
+    for i, block in enumerate(cells):
+        try:
+            kind, data = (block if isinstance(block, tuple) else
+                          (block.type, block.data))
+        except (AttributeError, ValueError):
             raise InvalidArgument(
-                f"the mesh has cells of type {block.type!r}; a surface has "
-                "triangles")
+                f"cells[{i}] is of type {type(block).__name__}, and no block of "
+                "cells: it has no type and data") from None
+        if kind in ("triangle", "quad", "polygon"):
+            triangles.append(_fan(np.asarray(data)))
+        elif kind not in ("vertex", "line"):
+            raise InvalidArgument(
+                f"the mesh has cells of type {kind!r}; a surface has triangles")
     if not triangles:
         raise InvalidArgument("the mesh has no triangles")
     return np.concatenate(triangles)

@@ -172,6 +172,15 @@ class InputsTest(Refusing):
             geodesic.Mesh(
                 types.SimpleNamespace(points=self.vertices,
                                       cells=[line, block])))
+        self.assert_same(
+            geodesic.Mesh(
+                types.SimpleNamespace(points=self.vertices,
+                                      cells=[("line", [[0, 1]]),
+                                             ("triangle", self.faces)])))
+        for cells in ([self.faces.tolist()], [("triangle",)]):
+            self.assert_refused(
+                "cells[0] is of type", geodesic.Mesh,
+                types.SimpleNamespace(points=self.vertices, cells=cells))
         tetrahedra = types.SimpleNamespace(type="tetra", data=[[0, 1, 2, 3]])
         self.assert_refused(
             "tetra", geodesic.Mesh,
