@@ -106,6 +106,12 @@ def empty(count: int) -> Places:
                   np.zeros((count, 3)))
 
 
+def _out_of_range(name: str, number: int) -> InvalidArgument:
+    """Of a number that no vertex or face of any mesh has."""
+    return InvalidArgument(f"{name} is {number}, which is out of range: vertices "
+                           "and faces are numbered from 0, below 2^32")
+
+
 def _number(value: Any, name: str) -> int:
     """A vertex's or face's number, which may still be beyond the mesh."""
     if isinstance(value, (bool, np.bool_)) or not isinstance(
@@ -114,8 +120,7 @@ def _number(value: Any, name: str) -> int:
                               "vertex or face")
     number = int(value)
     if not 0 <= number <= _LARGEST:
-        raise InvalidArgument(
-            f"{name} is {number}: vertices and faces are numbered from 0")
+        raise _out_of_range(name, number)
     return number
 
 
@@ -141,8 +146,7 @@ def to_numbers(values: np.ndarray, name: str, count: int) -> np.ndarray:
             f"{name} has shape {values.shape}; numbers come as (N,)")
     wrong = np.flatnonzero((values < 0) | (values > _LARGEST))
     if wrong.size:
-        raise InvalidArgument(f"{name}[{wrong[0]}] is {values[wrong[0]]}: "
-                              "vertices and faces are numbered from 0")
+        raise _out_of_range(f"{name}[{wrong[0]}]", values[wrong[0]])
     return values
 
 

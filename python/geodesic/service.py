@@ -154,7 +154,7 @@ class Service:
             face, corner = wrong[0]
             raise InvalidArgument(
                 f"faces[{face}, {corner}] is {triangles[face, corner]}, which is "
-                "no vertex: vertices are numbered from 0")
+                "out of range: vertices are numbered from 0, below 2^32")
         kept = positions.astype("<f8", copy=False).view()
         kept.setflags(write=False)
         # The same bytes as the wire's uint32.

@@ -27,7 +27,8 @@ std::vector<Triangle> TrianglesOf(const py::array& faces) {
         if (!fits) {
           Throw(absl::InvalidArgumentError(absl::StrCat(
               "faces[", f, ", ", corner, "] is ", vertex,
-              ", which is no vertex: vertices are numbered from 0")));
+              ", which is out of range: vertices are numbered from 0, below "
+              "2^32")));
         }
       }
       triangles[static_cast<size_t>(f)][static_cast<size_t>(corner)] =

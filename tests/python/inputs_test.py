@@ -215,7 +215,8 @@ class InputsTest(Refusing):
         self.assert_refused("(24,), not (F, 3)", geodesic.Mesh, v, f.ravel())
         self.assert_refused("faces[0, 1] is -1", geodesic.Mesh, v,
                             np.array([[0, -1, 2]]))
-        self.assert_refused("faces[1, 0] is 4294967296", geodesic.Mesh, v,
+        self.assert_refused("faces[1, 0] is 4294967296, which is out of range",
+                            geodesic.Mesh, v,
                             np.array([[0, 1, 2], [2**32, 1, 2]]))
         self.assert_refused("face 0 names vertex 6", geodesic.Mesh, v,
                             np.array([[0, 1, 6]]))
@@ -232,6 +233,14 @@ class InputsTest(Refusing):
         self.assert_refused("sources[1] is -3", ask, [0, -3])
         self.assert_refused("sources[0].vertex 6 is out of range", ask, 6)
         self.assert_refused("sources[1].vertex 6", ask, np.array([0, 6]))
+        large = 2**40
+        for words, place in (
+            ("sources[0] is", large), ("sources[1] is", [0, large]),
+            ("sources[1] is", np.array([0, large])),
+            ("sources[0].end is", geodesic.EdgePoint(0, large, 0.5)),
+            ("sources[0].face is", geodesic.FacePoint(large, (1, 0, 0)))):
+            self.assert_refused(words + " 1099511627776, which is out of range",
+                                ask, place)
         self.assert_refused("nearest_point", ask, np.array([0.0, 1, 2]))
         self.assert_refused("nearest_point", ask, [0.0, 1.0, 2.0])
         self.assert_refused("mask of shape (5,)", ask, np.ones(5, bool))
