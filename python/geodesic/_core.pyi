@@ -41,6 +41,9 @@ class Mesh:
     @property
     def positions(self) -> NDArray[np.float64]:
         """(V, 3); the mesh's own memory, read only."""
+    def positions_of(self, places: Places) -> NDArray[np.float64]:
+        """(N, 3). Raises InvalidArgument naming the first of the places that is
+        not on the mesh, such as places[2]."""
     @property
     def vertex_count(self) -> int: ...
     @property

@@ -137,6 +137,10 @@ class Backend(Protocol):
         """A mesh of the same vertices at the same place."""
         ...
 
+    def positions(self, places: Places) -> np.ndarray:
+        """Where places lie, which are checked as those of questions are."""
+        ...
+
     def field(self, sources: Sources, targets: Places, radius: float,
               stop_after_targets: Optional[int], labels: bool, gradients: bool,
               certified_errors: bool, options: Options) -> FieldAnswer: ...

@@ -67,6 +67,9 @@ class LocalBackend:
     def with_faces(self, faces: np.ndarray) -> "LocalBackend":
         return LocalBackend(_core.Mesh(self.vertices(), faces))
 
+    def positions(self, places: Places) -> np.ndarray:
+        return self._mesh.positions_of(_core_places(places))
+
     def _query(self, sources: Sources, targets: Optional[Places],
                options: Options, trace: bool = False) -> _core.Query:
         return _core.Query(

@@ -63,8 +63,6 @@ def _tolerance(tolerance: float) -> float:
     return tolerance
 
 
-# How far the sum of barycentric weights may be from 1, as in the core.
-_MOST_BESIDE_ONE = 1e-6
 # Values in rows of k for fewer targets: a slip of the pen must not take all memory.
 _MOST_PADDED = 10**8
 
@@ -688,37 +686,7 @@ class Mesh:
         Raises:
             InvalidArgument: naming a place that is not on the mesh.
         """
-        points = to_places(places, "places", self.n_vertices)
-        result = np.empty((len(points), 3))
-        for i, kind in enumerate(points.kinds):
-            first, second = points.numbers[i]
-            count, what = ((self.n_faces, "faces") if kind == 2 else
-                           (self.n_vertices, "vertices"))
-            if max(first, second) >= count:
-                raise InvalidArgument(
-                    f"places[{i}] is on number {max(first, second)}, but the "
-                    f"mesh has {count} {what}, numbered from 0")
-            if kind == 0:
-                result[i] = self.vertices[first]
-            elif kind == 1:
-                t = points.weights[i, 0]
-                if not 0 <= t <= 1:
-                    raise InvalidArgument(f"places[{i}].t is {t}, not from 0 to 1")
-                if (first == second or self._face_finder.face_with(
-                        {int(first), int(second)}) < 0):
-                    raise InvalidArgument(f"places[{i}]: vertices {first} and "
-                                          f"{second} share no face")
-                result[i] = ((1 - t) * self.vertices[first] +
-                             t * self.vertices[second])
-            else:
-                weights = points.weights[i]
-                if not (np.all(weights >= 0) and
-                        abs(weights.sum() - 1) <= _MOST_BESIDE_ONE):
-                    raise InvalidArgument(
-                        f"places[{i}].weights are {weights.tolist()}, not three "
-                        "numbers >= 0 whose sum is 1")
-                result[i] = weights @ self.vertices[self.faces[first]]
-        return result
+        return self._backend.positions(self._places(places, "places"))
 
     def plot(self, values: Optional[ArrayLike] = None, **options: Any) -> Any:
         """Draws the mesh, coloured by a value per vertex; see

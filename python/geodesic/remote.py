@@ -10,11 +10,13 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 import grpc
 import numpy as np
 
+from . import _core
 from .approximate import Approximate
 from .backend import FieldAnswer, IsolineAnswer, Options, PathAnswer
 from .calls import Caller, Patience
 from .errors import (InternalError, InvalidArgument, NotFound,
                      ResourceExhausted, Unavailable)
+from .local import LocalBackend
 from .places import Places, Sources
 from .v1 import (field_service_pb2, field_service_pb2_grpc, matrix_service_pb2,
                  matrix_service_pb2_grpc, mesh_pb2, mesh_service_pb2,
@@ -234,6 +236,14 @@ class RemoteBackend:
 
     def faces(self) -> np.ndarray:
         return self._read()[1]
+
+    def positions(self, places: Places) -> np.ndarray:
+        return self._here.positions(places)
+
+    @functools.cached_property
+    def _here(self) -> LocalBackend:
+        """The mesh in this process, which knows where places lie."""
+        return LocalBackend(_core.Mesh(self.vertices(), self.faces()))
 
     def _read(self) -> Tuple[np.ndarray, np.ndarray]:
         """The arrays, from the service where they came as a file."""

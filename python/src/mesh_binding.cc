@@ -4,11 +4,14 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "arrays.h"
 #include "bindings.h"
 #include "geodesic/mesh_summary.h"
 #include "geodesic/read_mesh.h"
+#include "geodesic/surface_point.h"
 #include "places.h"
 #include "status.h"
 #include "subject.h"
@@ -48,6 +51,20 @@ py::array_t<double> Positions(const py::object& self) {
   const auto& mesh = *self.cast<const MeshHandle&>().mesh;
   return ViewOf(mesh.positions().data()->data(), {mesh.vertex_count(), 3},
                 self);
+}
+
+py::array_t<double> PositionsOf(const MeshHandle& self,
+                                const PlaceArrays& places) {
+  const Mesh& mesh = *self.mesh;
+  std::vector<Point> positions;
+  for (const SurfacePoint& point : ToSurfacePoints(places)) {
+    const absl::Status status =
+        Validate(point, mesh, absl::StrCat("places[", positions.size(), "]"));
+    if (!status.ok()) Throw(status);
+    // As in questions, weights are divided by their sum.
+    positions.push_back(PositionOf(Canonicalize(point, mesh), mesh));
+  }
+  return ToArray(std::move(positions));
 }
 
 py::array_t<int32_t> Triangles(const MeshHandle& self) {
@@ -111,6 +128,7 @@ void BindMesh(py::module_& module) {
       .def(py::init(&BuildMesh))
       .def_static("read", &ReadFile)
       .def_property_readonly("positions", &Positions)
+      .def("positions_of", &PositionsOf)
       .def_property_readonly(
           "vertex_count",
           [](const MeshHandle& self) { return self.mesh->vertex_count(); })

@@ -10,6 +10,7 @@ import unittest
 
 import meshes
 import numpy as np
+import tolerances
 
 import geodesic
 
@@ -46,6 +47,18 @@ class RefusedQuestionsTest(Refusing):
         self.assertEqual(mesh.digest, digest)
         np.testing.assert_array_equal(mesh.distances(0), wanted)
 
+    def test_weights_that_were_rounded_to_six_digits(self):
+        mesh = self.make(*meshes.octahedron())
+        weights = np.array([0.333334, 0.333334, 0.333333])
+        place = geodesic.FacePoint(0, tuple(weights))
+        corners = mesh.vertices[mesh.faces[0]]
+        wanted = weights @ corners / weights.sum()
+        np.testing.assert_allclose(mesh.positions([place]), [wanted],
+                                   rtol=tolerances.EXACT)
+        np.testing.assert_allclose(mesh.distance(place, int(mesh.faces[0, 0])),
+                                   np.linalg.norm(wanted - corners[0]),
+                                   rtol=tolerances.EXACT)
+
     def test_refused_types(self):
         vertices, faces = meshes.octahedron()
         mesh = self.make(vertices, faces)
@@ -57,18 +70,22 @@ class RefusedQuestionsTest(Refusing):
             for value in (0, -1, 1.5, True, "x", 2**70):
                 self.assert_refused(f"{shown} is {value!r}", ask, value)
         self.assert_refused("k is 2147483647", mesh.nearest, 0, [1], 2**31 - 1)
-        for place in (geodesic.FacePoint(8, (0.2, 0.3, 0.5)),
-                      geodesic.EdgePoint(0, 6, 0.5), 6):
-            self.assert_refused("places[1] is on number", mesh.positions,
-                                [0, place])
         for words, place in (
-            ("places[1].t is 1.5", geodesic.EdgePoint(0, 2, 1.5)),
-            ("places[1].t is nan", geodesic.EdgePoint(0, 2, np.nan)),
-            ("places[1]: vertices 0 and 1 share no face",
+            ("places[1].vertex 6 is out of range", 6),
+            ("places[1].face.face 8 is out of range",
+             geodesic.FacePoint(8, (0.2, 0.3, 0.5))),
+            ("places[1].edge.to 6 is out of range",
+             geodesic.EdgePoint(0, 6, 0.5)),
+            ("places[1].edge.t 1.5", geodesic.EdgePoint(0, 2, 1.5)),
+            ("places[1].edge.t nan", geodesic.EdgePoint(0, 2, np.nan)),
+            ("places[1].edge: the mesh has no edge between vertices 0 and 1",
              geodesic.EdgePoint(0, 1, 0.5)),
-            ("places[1].weights", geodesic.FacePoint(0, (0.5, 0.5, 0.5))),
-            ("places[1].weights", geodesic.FacePoint(0, (1.5, -0.5, 0))),
-            ("places[1].weights", geodesic.FacePoint(0, (np.nan, 0, 1)))):
+            ("places[1].face.weights sum to 1.5",
+             geodesic.FacePoint(0, (0.5, 0.5, 0.5))),
+            ("places[1].face.weights[1] -0.5",
+             geodesic.FacePoint(0, (1.5, -0.5, 0))),
+            ("places[1].face.weights[0] nan",
+             geodesic.FacePoint(0, (np.nan, 0, 1)))):
             self.assert_refused(words, mesh.positions, [0, place])
         self.assert_refused("count is 0", mesh.isolines, 0, count=0)
         self.assert_refused("levels and count", mesh.isolines, 0, count=2,
