@@ -15,6 +15,7 @@ import numpy as np
 
 from . import _core
 from .approximate import NAMES, Approximate
+from .arguments import to_real
 from .errors import InvalidArgument
 from .places import Places, Sources
 from .progress import ProgressCallback
@@ -29,7 +30,8 @@ class Options:
             an Approximate.
         threads: how many may be used; a service decides that itself.
         progress: called now and then, or None.
-        tolerance: the largest relative error of distances; 0: exact.
+        tolerance: the largest relative error of distances; 0: exact. The core
+            checks its bounds.
     """
 
     algorithm: Union[str, Approximate, None] = None
@@ -38,6 +40,7 @@ class Options:
     tolerance: float = 0
 
     def __post_init__(self) -> None:
+        self.tolerance = to_real(self.tolerance, "tolerance")
         if isinstance(self.algorithm, str) and self.algorithm in NAMES:
             self.algorithm = Approximate(self.algorithm)
         if self.approximate is not None:

@@ -55,14 +55,6 @@ def _vertices_alone(places: Places, name: str, options: Options) -> None:
             "approximate and gives the distances of vertices alone")
 
 
-def _tolerance(tolerance: float) -> float:
-    tolerance = to_real(tolerance, "tolerance")
-    if tolerance != 0 and not 1e-9 <= tolerance <= 0.1:
-        raise InvalidArgument(
-            f"tolerance is {tolerance}, neither 0 nor from 1e-9 to 0.1")
-    return tolerance
-
-
 # Values in rows of k for fewer targets: a slip of the pen must not take all memory.
 _MOST_PADDED = 10**8
 
@@ -259,8 +251,7 @@ class Mesh:
             source, offsets)
         if targets is not None and len(points) == 0:
             return np.empty(0)
-        options = Options(algorithm, _threads(threads),
-                          tolerance=_tolerance(tolerance))
+        options = Options(algorithm, _threads(threads), tolerance=tolerance)
         _vertices_alone(points, "targets", options)
         stops = targets is not None and options.approximate is None
         with reporting(progress, "vertices") as options.progress:
@@ -296,12 +287,11 @@ class Mesh:
         if stop_after_targets is not None:
             stop_after_targets = to_count(stop_after_targets,
                                           "stop_after_targets")
-        tolerance = _tolerance(tolerance)
-        if tolerance != 0 and (labels or gradients):
+        options = Options(algorithm, _threads(threads), tolerance=tolerance)
+        if options.tolerance != 0 and (labels or gradients):
             raise InvalidArgument(
                 f"{'labels' if labels else 'gradients'}: a field within a "
                 "tolerance keeps no paths; leave the tolerance out")
-        options = Options(algorithm, _threads(threads), tolerance=tolerance)
         for is_asked, what in ((labels, "labels are"),
                                (gradients, "gradients are"),
                                (certified_errors, "certified errors are"),
@@ -411,8 +401,7 @@ class Mesh:
                                   f"{len(ends)} targets: pairs need as many")
         if len(starts) == 0:
             return np.empty(0)
-        options = Options(algorithm, _threads(threads),
-                          tolerance=_tolerance(tolerance))
+        options = Options(algorithm, _threads(threads), tolerance=tolerance)
         if options.exact is not None:
             raise InvalidArgument(
                 f"algorithm is {options.exact!r}, but exact pairs are searched "
@@ -478,7 +467,7 @@ class Mesh:
         sources = self._sources(source, offsets)
         options = Options(
             algorithm, _threads(threads),
-            tolerance=_tolerance(tolerance)).exact_alone("isolines are")
+            tolerance=tolerance).exact_alone("isolines are")
         if levels is None:
             count = 10 if count is None else to_count(count, "count")
             distances = self._backend.field(
@@ -539,8 +528,7 @@ class Mesh:
             raise InvalidArgument("there is no target")
         columns = self.n_vertices if points is None else len(points)
         with reporting(progress, "rows") as report:
-            options = Options(algorithm, _threads(threads), report,
-                              _tolerance(tolerance))
+            options = Options(algorithm, _threads(threads), report, tolerance)
             if points is not None:
                 _vertices_alone(points, "targets", options)
             if radius is not None and out is None:
@@ -598,8 +586,7 @@ class Mesh:
         if k > len(points) and k * len(rows) > _MOST_PADDED:
             raise InvalidArgument(f"k is {k}, but there are only {len(points)} "
                                   "targets")
-        options = Options(algorithm, _threads(threads),
-                          tolerance=_tolerance(tolerance))
+        options = Options(algorithm, _threads(threads), tolerance=tolerance)
         _vertices_alone(points, "targets", options)
         with reporting(progress, "rows") as options.progress:
             return self._backend.nearest(rows, points, k, _radius(radius),
@@ -622,7 +609,7 @@ class Mesh:
             return self._backend.samples(
                 self._sources(source, None), count,
                 Options(algorithm, _threads(threads), report,
-                        _tolerance(tolerance)).exact_alone("samples are"))
+                        tolerance).exact_alone("samples are"))
 
     def log_map(self, source: SurfacePoint = 0, *,
                 radius: Optional[float] = None,

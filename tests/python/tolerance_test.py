@@ -85,7 +85,7 @@ class ToleranceTest(unittest.TestCase):
         shared = np.array([[22, v] for v in range(100, 200)])
         got = mesh.pairs(shared, tolerance=within)
         self.assert_within(got, mesh.pairs(shared), within)
-        for wrong, words in ((dict(tolerance=0.5), "tolerance is 0.5"),
+        for wrong, words in ((dict(tolerance=0.5), "tolerance 0.5 is neither 0"),
                              (dict(tolerance=0.1, algorithm="svg"), "svg")):
             with self.assertRaisesRegex(geodesic.InvalidArgument, words):
                 mesh.pairs(pairs, **wrong)
