@@ -14,6 +14,10 @@ VERSION: str
 # (name, summary) of each; the first is the default.
 ALGORITHMS: Tuple[Tuple[str, str], ...]
 
+def mesh_format(path: bytes) -> str:
+    """That a file's ending names: "obj", "ply"... Raises InvalidArgument, which
+    names the endings that are known."""
+
 class Places:
     """The arrays of geodesic.places.Places."""
     def __init__(self, kinds: NDArray[np.uint8], numbers: NDArray[np.uint32],

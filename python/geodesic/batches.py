@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, Un
 
 import numpy as np
 
-from . import shards
+from . import _core, shards
 from .arguments import to_array, to_count
 from .digest import mesh_digest
 from .errors import GeodesicError, InvalidArgument, Unavailable
@@ -53,7 +53,6 @@ class Door:
 _ANSWERS_FORMAT = "geodesic.answers.v1"
 # Questions of Mesh that one array answers.
 _QUESTIONS = ("distances", "labels", "gradients", "matrix", "pairs")
-_ENDINGS = (".obj", ".ply", ".off", ".stl", ".vtk", ".vtp", ".glb", ".gltf")
 _INPUTS = ("vertices", "faces", "sources", "targets")
 
 
@@ -227,6 +226,14 @@ def plan_answers(folder: shards.Folder, question: str,
     shards.remove_unfinished(path)
 
 
+def _is_mesh_file(path: pathlib.Path) -> bool:
+    try:
+        _core.mesh_format(os.fsencode(path))
+    except InvalidArgument:
+        return False
+    return True
+
+
 def mesh_files(meshes: Union[shards.Folder, List[shards.Folder]],
                ) -> Dict[str, str]:
     """The absolute paths of mesh files, by name, in order.
@@ -240,7 +247,7 @@ def mesh_files(meshes: Union[shards.Folder, List[shards.Folder]],
     if isinstance(meshes, (str, os.PathLike)):
         paths = [
             path for path in sorted(pathlib.Path(meshes).iterdir())
-            if path.name.lower().removesuffix(".gz").endswith(_ENDINGS)
+            if _is_mesh_file(path)
         ]
         if not paths:
             raise InvalidArgument(f"{meshes} has no mesh file")

@@ -9,9 +9,6 @@ import numpy as np
 from .arguments import to_array
 from .errors import InvalidArgument
 
-_HINT = ("a mesh is Mesh(vertices, faces), a file (.obj, .ply, .off, .stl, .vtk, .vtp, .glb, .gz), or "
-         "a mesh of trimesh, meshio or PyVista")
-
 
 def to_vertices(vertices: Any) -> np.ndarray:
     """float64 (V, 3) in C order; the array itself where it is that already."""
@@ -112,4 +109,6 @@ def arrays_of(mesh: Any) -> Tuple[np.ndarray, np.ndarray]:
                 to_faces(_of_flat(faces) if faces.ndim == 1 else faces))
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):  # trimesh
         return to_vertices(mesh.vertices), to_faces(mesh.faces)
-    raise InvalidArgument(f"{type(mesh).__name__} is no mesh: {_HINT}")
+    raise InvalidArgument(
+        f"{type(mesh).__name__} is no mesh: a mesh is Mesh(vertices, faces), a "
+        "file, or a mesh of trimesh, meshio or PyVista")

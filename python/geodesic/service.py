@@ -15,7 +15,7 @@ import grpc.experimental
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import inputs
+from . import _core, inputs
 from .arguments import to_real
 from .calls import Caller
 from .digest import mesh_digest
@@ -26,16 +26,6 @@ from .v1 import (capabilities_service_pb2, capabilities_service_pb2_grpc,
                  mesh_pb2, mesh_service_pb2)
 
 _CHUNK_BYTES = 512 * 1024
-_FORMATS = {
-    ".obj": mesh_pb2.MESH_FORMAT_OBJ,
-    ".ply": mesh_pb2.MESH_FORMAT_PLY,
-    ".off": mesh_pb2.MESH_FORMAT_OFF,
-    ".stl": mesh_pb2.MESH_FORMAT_STL,
-    ".vtk": mesh_pb2.MESH_FORMAT_VTK,
-    ".vtp": mesh_pb2.MESH_FORMAT_VTP,
-    ".glb": mesh_pb2.MESH_FORMAT_GLTF,
-    ".gltf": mesh_pb2.MESH_FORMAT_GLTF,
-}
 
 # gRPC answers calls with its last failure until it tries again to connect: it
 # does so sooner than geodesic.calls repeats a call, after 0.16 s at the least, or
@@ -182,13 +172,11 @@ class Service:
                              self._arrays)
 
     def _file(self, path: pathlib.Path) -> Mesh:
-        plain = path.with_suffix("") if path.suffix.lower() == ".gz" else path
-        if plain.suffix.lower() not in _FORMATS:
-            raise InvalidArgument(f"{path} is no mesh file; there are " +
-                                  ", ".join(_FORMATS) + ", and .gz of these")
+        name = _core.mesh_format(os.fsencode(path))
         data = np.frombuffer(path.read_bytes(), np.uint8)
-        file = mesh_pb2.FileDigest(format=_FORMATS[plain.suffix.lower()],
-                                   sha256=hashlib.sha256(data.data).hexdigest())
+        file = mesh_pb2.FileDigest(
+            format=mesh_pb2.MeshFormat.Value("MESH_FORMAT_" + name.upper()),
+            sha256=hashlib.sha256(data.data).hexdigest())
 
         def upload() -> mesh_pb2.Mesh:
             return self._upload(

@@ -33,6 +33,10 @@ MeshHandle BuildMesh(const DoubleArray& vertices, const py::array& faces) {
       watch.Run([&] { return Mesh::Build(std::move(soup), watch); }));
 }
 
+std::string FormatOf(const std::string& path) {
+  return std::string(MeshFormatName(ValueOrThrow(MeshFormatFromPath(path))));
+}
+
 MeshHandle ReadFile(const py::bytes& bytes, const std::string& name) {
   const MeshFormat format = ValueOrThrow(MeshFormatFromPath(name));
   const std::string_view text = bytes;
@@ -137,6 +141,7 @@ void BindMesh(py::module_& module) {
           [](const MeshHandle& self) { return self.mesh->face_count(); })
       .def("triangles", &Triangles)
       .def("facts", &Facts);
+  module.def("mesh_format", &FormatOf);
   py::class_<QueryHandle>(module, "Query").def(py::init(&MakeQuery));
 }
 

@@ -20,7 +20,7 @@ import meshes  # noqa: E402
 import numpy as np  # noqa: E402
 
 import geodesic  # noqa: E402
-from geodesic import shards  # noqa: E402
+from geodesic import batches, shards  # noqa: E402
 
 try:
     import distributed
@@ -359,6 +359,24 @@ class EachTest(ClusterTest):
         with self.assertRaisesRegex(geodesic.InvalidArgument, "its options is"):
             geodesic.dask.each(self.meshes, self.folder, source=1,
                                client=self.client)
+
+
+class MeshFilesTest(FolderTest, unittest.TestCase):
+
+    def test_files_of_any_format(self):
+        self.folder.mkdir()
+        wanted = ["a.obj", "b.PLY", "c.off.gz", "d.Vtp.GZ", "e.glb", "f.gltf",
+                  "g.stl", "h.vtk"]
+        for name in wanted + ["readme.txt", "a.obj.txt", "obj", "x.gz"]:
+            (self.folder / name).touch()
+        (self.folder / os.fsdecode(b"\xff.txt")).touch()  # no UTF-8
+        self.assertEqual(
+            batches.mesh_files(self.folder),
+            {name: str(self.folder / name) for name in wanted})
+        for name in wanted:
+            (self.folder / name).unlink()
+        with self.assertRaisesRegex(geodesic.InvalidArgument, "no mesh file"):
+            batches.mesh_files(self.folder)
 
 
 class ImportTest(FolderTest, unittest.TestCase):

@@ -233,6 +233,10 @@ class ServiceTest(ServedTest):
             self.make(meshes.octahedron()[0], [[0, 1, 9]])
         with self.assertRaisesRegex(geodesic.InvalidArgument, "faces.0, 1. is -1"):
             self.make(meshes.octahedron()[0], [[0, -1, 2]])
+        for make in (geodesic.Mesh, self.make):
+            with self.assertRaisesRegex(geodesic.InvalidArgument,
+                                        "names no mesh format.*gltf"):
+                make(__file__)
         with self.assertRaises(geodesic.NotFound):
             self.service.open("0" * 64)
         with self.assertRaises(geodesic.InvalidArgument):
