@@ -98,7 +98,7 @@ def plan_matrix(mesh: Mesh, folder: shards.Folder, sources: Any, targets: Any, *
         radius=None if radius is None or radius == math.inf else float(radius),
         algorithm=algorithm,
         tolerance=float(tolerance) or None)
-    if rows_per_block is None and (path / "manifest.json").exists():
+    if rows_per_block is None and shards.has_manifest(path):
         rows_per_block = shards.MatrixLayout.of(
             shards.read_manifest(path)).rows_per_block
     if rows_per_block is None:

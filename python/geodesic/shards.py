@@ -133,6 +133,10 @@ def remove_unfinished(folder: pathlib.Path) -> None:
         path.unlink(missing_ok=True)
 
 
+def has_manifest(folder: pathlib.Path) -> bool:
+    return (folder / _MANIFEST).exists()
+
+
 def read_manifest(folder: pathlib.Path) -> Dict[str, Any]:
     """Raises InvalidArgument where there is none that can be read."""
     path = folder / _MANIFEST
@@ -154,7 +158,7 @@ def ensure_manifest(folder: pathlib.Path, manifest: Dict[str, Any]) -> None:
         InvalidArgument: the folder has the answers to another question.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    if not (folder / _MANIFEST).exists():
+    if not has_manifest(folder):
         text = json.dumps(manifest, indent=1) + "\n"
         write_file(folder / _MANIFEST, [text.encode()])
         return
