@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import itertools
 import math
+import re
 from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 
 import grpc
@@ -18,19 +20,19 @@ from .errors import (InternalError, InvalidArgument, NotFound,
                      ResourceExhausted, Unavailable)
 from .local import LocalBackend
 from .places import Places, Sources
-from .v1 import (field_service_pb2, field_service_pb2_grpc, matrix_service_pb2,
+from .v1 import (capabilities_service_pb2, capabilities_service_pb2_grpc,
+                 field_service_pb2, field_service_pb2_grpc, matrix_service_pb2,
                  matrix_service_pb2_grpc, mesh_pb2, mesh_service_pb2,
                  mesh_service_pb2_grpc, pair_service_pb2,
                  pair_service_pb2_grpc, path_service_pb2,
                  path_service_pb2_grpc, query_pb2)
 from .wire import Polyline, source_messages, surface_points
 
-# Rows of one request: their sources fit into a message.
-_ROWS_OF_A_REQUEST = 30_000
-# Pairs of one request: as many as a server takes unless it is set otherwise, or,
-# of other places than vertices, as fit into a message.
-_PAIRS_OF_A_REQUEST = 65_536
-_PLACE_PAIRS_OF_A_REQUEST = 30_000
+# The most bytes of each on the wire, and of the rest of a request.
+_PLACE_BYTES = 48
+_SOURCE_BYTES = 64
+_VERTEX_PAIR_BYTES = 8
+_REQUEST_BYTES = 256
 
 
 class Stubs:
@@ -45,9 +47,16 @@ class Stubs:
         self.paths = path_service_pb2_grpc.PathServiceStub(channel)
         self.matrices = matrix_service_pb2_grpc.MatrixServiceStub(channel)
         self.pairs = pair_service_pb2_grpc.PairServiceStub(channel)
+        self._capabilities = (
+            capabilities_service_pb2_grpc.CapabilitiesServiceStub(channel))
         self.caller = caller
         self.call = caller.call
         self.stream = caller.stream
+
+    def capabilities(self,
+                     ) -> capabilities_service_pb2.GetCapabilitiesResponse:
+        return self.call(self._capabilities.GetCapabilities,
+                         capabilities_service_pb2.GetCapabilitiesRequest())
 
     def parts(self, method: Callable, request: Any, **options: Any,
               ) -> Iterator[Tuple[str, Any]]:
@@ -106,6 +115,27 @@ def _statistics(message: query_pb2.SolveStatistics) -> Dict[str, Any]:
         field.name: getattr(message, field.name)
         for field in message.DESCRIPTOR.fields
     }
+
+
+def _at_once(limits: capabilities_service_pb2.Limits, most: int, each: int,
+             others: int = 0) -> int:
+    """How many of a list one request takes: `most`, if they have `each` bytes and
+    stand beside `others`."""
+    room = limits.max_message_bytes - _REQUEST_BYTES - others
+    return max(1, min(most, room // each))
+
+
+@contextlib.contextmanager
+def _numbered_from(first: int) -> Iterator[None]:
+    """Errors name a source or pair of one request by its number among all, of
+    which `first` came before."""
+    try:
+        yield
+    except InvalidArgument as error:
+        error.args = (re.sub(
+            r"\b(sources|pairs)\[(\d+)\]",
+            lambda found: f"{found[1]}[{first + int(found[2])}]", str(error)),)
+        raise
 
 
 class _FieldReader:
@@ -420,28 +450,37 @@ class RemoteBackend:
                 polyline = Polyline()
         return answers
 
+    def _rows_at_once(self, sources: Sources,
+                      targets: Optional[Places]) -> int:
+        """How many rows of a matrix one request takes."""
+        if len(sources) == 1 or np.any(sources.counts >= 0):
+            return len(sources)  # curves have more points than rows
+        limits = self._stubs.capabilities().limits
+        columns = self.vertex_count if targets is None else len(targets)
+        return _at_once(
+            limits,
+            min(limits.max_matrix_rows, limits.max_matrix_values // columns),
+            _SOURCE_BYTES,
+            0 if targets is None else len(targets) * _PLACE_BYTES)
+
     def _rows(self, method: Callable, make: Callable, sources: Sources,
-              options: Options) -> Iterator[Tuple[int, Any]]:
+              targets: Optional[Places], options: Options,
+              ) -> Iterator[Tuple[int, Any]]:
         """(row, chunk) of a matrix, by requests of some rows each."""
         total = len(sources)
-        if np.any(sources.counts >= 0):
-            blocks = [sources]  # curves have more points than rows
-        else:
-            blocks = [
-                Sources(sources.places[at:at + _ROWS_OF_A_REQUEST],
-                        sources.counts[at:at + _ROWS_OF_A_REQUEST],
-                        sources.offsets[at:at + _ROWS_OF_A_REQUEST])
-                for at in range(0, total, _ROWS_OF_A_REQUEST)
-            ]
-        first = 0
-        for block in blocks:
+        at_once = self._rows_at_once(sources, targets)
+        for first in range(0, total, at_once):
+            some = slice(first, first + at_once)
+            block = sources if at_once == total else Sources(
+                sources.places[some], sources.counts[some],
+                sources.offsets[some])
             request = make(source_messages(block))
-            for name, part in self._stubs.parts(method, request):
-                if name == "chunk":
-                    yield first + part.row, part
-                elif name == "progress" and options.progress is not None:
-                    options.progress(first + part.rows_finished, total)
-            first += len(block)
+            with _numbered_from(first):
+                for name, part in self._stubs.parts(method, request):
+                    if name == "chunk":
+                        yield first + part.row, part
+                    elif name == "progress" and options.progress is not None:
+                        options.progress(first + part.rows_finished, total)
 
     def _matrix_rows(self, sources, targets, radius, dtype, layout, options):
         columns = list(surface_points(targets)) if targets is not None else []
@@ -458,7 +497,7 @@ class RemoteBackend:
             return request
 
         return self._rows(self._stubs.matrices.ComputeMatrix, make, sources,
-                          options)
+                          targets, options)
 
     def fill_matrix(self, sources: Sources, targets: Optional[Places],
                     radius: float, out: np.ndarray, options: Options) -> None:
@@ -510,7 +549,7 @@ class RemoteBackend:
             numbers = np.full((len(sources), count), -1, np.int64)
             distances = np.full((len(sources), count), np.inf)
             for row, chunk in self._rows(self._stubs.matrices.FindNearest, make,
-                                         sources, options):
+                                         sources, targets, options):
                 found = np.frombuffer(chunk.targets, "<u4")
                 span = slice(chunk.offset, chunk.offset + len(found))
                 numbers[row, span] = found
@@ -522,8 +561,12 @@ class RemoteBackend:
     def pairs(self, sources: Places, targets: Places,
               options: Options) -> np.ndarray:
         are_vertices = not (np.any(sources.kinds) or np.any(targets.kinds))
-        at_once = (_PAIRS_OF_A_REQUEST if are_vertices else
-                   _PLACE_PAIRS_OF_A_REQUEST)
+        at_once = 1
+        if len(sources) > 1:
+            limits = self._stubs.capabilities().limits
+            at_once = _at_once(
+                limits, limits.max_pairs,
+                _VERTEX_PAIR_BYTES if are_vertices else 2 * _PLACE_BYTES)
         distances = np.full(len(sources), np.inf)
 
         def read(first, request):
@@ -550,7 +593,8 @@ class RemoteBackend:
                     pair_service_pb2.PointPair(source=a, target=b)
                     for a, b in zip(surface_points(sources[some]),
                                     surface_points(targets[some])))
-            self._resident(functools.partial(read, first, request))
+            with _numbered_from(first):
+                self._resident(functools.partial(read, first, request))
         return distances
 
     def samples(self, sources: Sources, count: int, options: Options,

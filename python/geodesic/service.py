@@ -22,8 +22,7 @@ from .digest import mesh_digest
 from .errors import InvalidArgument
 from .mesh import Mesh
 from .remote import RemoteBackend, Stubs
-from .v1 import (capabilities_service_pb2, capabilities_service_pb2_grpc,
-                 mesh_pb2, mesh_service_pb2)
+from .v1 import mesh_pb2, mesh_service_pb2
 
 _CHUNK_BYTES = 512 * 1024
 
@@ -58,8 +57,6 @@ class Service:
                  metadata: Tuple[Tuple[str, str], ...]) -> None:
         self._stubs = Stubs(channel, address,
                             Caller(channel, timeout, metadata))
-        self._capabilities = (
-            capabilities_service_pb2_grpc.CapabilitiesServiceStub(channel))
 
     def __repr__(self) -> str:
         return f"<geodesic.Service at {self._stubs.address}>"
@@ -76,21 +73,16 @@ class Service:
 
     def version(self) -> str:
         """The server's version."""
-        return self._get_capabilities().version
+        return self._stubs.capabilities().version
 
     def limits(self) -> Dict[str, int]:
         """What the server takes: max_sources, max_pairs, mesh_store_bytes..."""
-        limits = self._get_capabilities().limits
+        limits = self._stubs.capabilities().limits
         return {f.name: getattr(limits, f.name) for f in limits.DESCRIPTOR.fields}
 
     def algorithms(self) -> Dict[str, str]:
         """The server's algorithms by name, with a summary of each."""
-        return {a.name: a.summary for a in self._get_capabilities().algorithms}
-
-    def _get_capabilities(self):
-        return self._stubs.call(
-            self._capabilities.GetCapabilities,
-            capabilities_service_pb2.GetCapabilitiesRequest())
+        return {a.name: a.summary for a in self._stubs.capabilities().algorithms}
 
     def mesh(self, vertices: Any, faces: Optional[ArrayLike] = None) -> Mesh:
         """A mesh whose questions the service answers.

@@ -17,7 +17,6 @@ import threading
 import time
 import unittest
 from concurrent import futures
-from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "support" / "python"))
@@ -34,7 +33,6 @@ import tolerance_test  # noqa: E402
 import tolerances  # noqa: E402
 
 import geodesic  # noqa: E402
-import geodesic.remote  # noqa: E402
 from geodesic import calls  # noqa: E402
 
 ARGUMENTS = None
@@ -298,26 +296,51 @@ class ServiceTest(ServedTest):
 
 
 class BlocksTest(ServedTest):
+    """What is more than the server takes at once."""
+
+    flags = ("--max-pairs", "25", "--max-matrix-rows", "50",
+             "--max-matrix-values", "4000", "--max-message-bytes", "8192")
+
+    def setUp(self):
+        # 121 vertices: 33 rows to all of them.
+        self.mesh = self.make(*meshes.terrain(10))
+        self.here = geodesic.Mesh(*meshes.terrain(10))
 
     def test_many_rows_are_several_requests(self):
-        vertices, faces = meshes.terrain(10)
-        mesh, here = self.make(vertices, faces), geodesic.Mesh(vertices, faces)
         done = []
-        with mock.patch.object(geodesic.remote, "_ROWS_OF_A_REQUEST", 50):
-            matrix = mesh.matrix(progress=lambda *call: done.append(call))
-            numbers, _ = mesh.nearest(np.arange(121), [0, 5, 99], k=2)
-        np.testing.assert_array_equal(matrix, here.matrix())
+        matrix = self.mesh.matrix(progress=lambda *call: done.append(call))
+        np.testing.assert_array_equal(matrix, self.here.matrix())
         self.assertTrue(all(total == 121 for _, total in done))
+        numbers, _ = self.mesh.nearest(np.arange(121), [0, 5, 99], k=2)
         np.testing.assert_array_equal(
-            numbers, here.nearest(np.arange(121), [0, 5, 99], k=2)[0])
+            numbers, self.here.nearest(np.arange(121), [0, 5, 99], k=2)[0])
 
     def test_many_pairs_are_several_requests(self):
-        vertices, faces = meshes.terrain(10)
-        mesh, here = self.make(vertices, faces), geodesic.Mesh(vertices, faces)
         pairs = np.random.default_rng(3).integers(0, 121, (60, 2))
-        with mock.patch.object(geodesic.remote, "_PAIRS_OF_A_REQUEST", 25):
-            np.testing.assert_allclose(mesh.pairs(pairs), here.pairs(pairs),
-                                       rtol=tolerances.EXACT)
+        np.testing.assert_allclose(self.mesh.pairs(pairs), self.here.pairs(pairs),
+                                   rtol=tolerances.EXACT)
+
+    def test_messages_are_no_larger_than_the_server_takes(self):
+        # A place in a face takes some 36 bytes.
+        places = [geodesic.FacePoint(f, (0.2, 0.3, 0.5)) for f in range(200)]
+        np.testing.assert_allclose(
+            self.mesh.matrix(places, places[:130]),
+            self.here.matrix(places, places[:130]), rtol=tolerances.EXACT)
+
+    def test_what_is_wrong_is_named_by_its_number_among_all(self):
+        far = np.zeros(60, int)
+        far[58] = 121
+        for words, ask in (
+            (r"^pairs\[58\].target.vertex 121 is out",
+             lambda: self.mesh.pairs(0 * far, far)),
+            (r"^pairs\[58\].source.vertex 121 is out",
+             lambda: self.mesh.pairs(far, [geodesic.EdgePoint(0, 1, 0)] * 60)),
+            (r"^sources\[58\].vertex 121 is out",
+             lambda: self.mesh.matrix(far, [0])),
+            (r"^targets\[2\].vertex 121 is out",
+             lambda: self.mesh.nearest(0 * far, [0, 1, 121]))):
+            with self.assertRaisesRegex(geodesic.InvalidArgument, words):
+                ask()
 
 
 class SecuredTest(unittest.TestCase):
