@@ -30,6 +30,8 @@ from .wire import error_of
 # at once.
 _PAUSES = (0.2, 0.4, 0.8)
 _JITTER = 0.2
+# The longest pause that a service may ask for, in seconds.
+_LONGEST_PAUSE = 10.0
 # A call that waits for a connection during these pauses, and no longer than the
 # longest. gRPC comes forward with a connection only while some call waits for it,
 # and else every five seconds: repetitions would fail with what is long over.
@@ -63,11 +65,11 @@ class Patience:
 
     def pause(self, error: GeodesicError) -> None:
         """Waits before the next attempt; raises the error if there is none."""
-        if not self._pauses:
+        if not self._pauses or error.retry_after == math.inf:
             raise error
         seconds = self._pauses.pop(0) * random.uniform(1 - _JITTER, 1 + _JITTER)
         if error.retry_after is not None:
-            seconds = error.retry_after
+            seconds = min(error.retry_after, _LONGEST_PAUSE)
         if time.monotonic() + seconds >= self._deadline:
             raise error
         time.sleep(seconds)

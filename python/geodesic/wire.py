@@ -135,7 +135,8 @@ def error_of(error: grpc.RpcError) -> GeodesicError:
     retry_after = None
     for key, value in error.trailing_metadata() or ():
         if key == "grpc-retry-pushback-ms":
-            retry_after = int(value) / 1000 if value.isdecimal() else math.inf
+            retry_after = (float(value) / 1000 if value.isdecimal() else
+                           math.inf)
         if key != "grpc-status-details-bin":
             continue
         for detail in _Status.FromString(value).details:

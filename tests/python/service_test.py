@@ -7,6 +7,7 @@ same tests, and what only a service has.
 import argparse
 import hashlib
 import json
+import math
 import os
 import pathlib
 import pickle
@@ -17,12 +18,14 @@ import threading
 import time
 import unittest
 from concurrent import futures
+from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "support" / "python"))
 import approximate_test  # noqa: E402
 import distances_test  # noqa: E402
 import geodesic_service  # noqa: E402
+import grpc  # noqa: E402
 import inputs_test  # noqa: E402
 import meshes  # noqa: E402
 import numpy as np  # noqa: E402
@@ -33,7 +36,7 @@ import tolerance_test  # noqa: E402
 import tolerances  # noqa: E402
 
 import geodesic  # noqa: E402
-from geodesic import calls  # noqa: E402
+from geodesic import calls, wire  # noqa: E402
 
 ARGUMENTS = None
 TOKEN = "correct-horse-battery-staple"
@@ -341,6 +344,35 @@ class BlocksTest(ServedTest):
              lambda: self.mesh.nearest(0 * far, [0, 1, 121]))):
             with self.assertRaisesRegex(geodesic.InvalidArgument, words):
                 ask()
+
+
+class PauseTest(unittest.TestCase):
+    """How long a call waits before it is repeated."""
+
+    def pauses(self, pushback, deadline=math.inf):
+        """All of them, before the error is raised."""
+        said = mock.Mock(spec=grpc.Call)
+        said.trailing_metadata.return_value = [
+            ("grpc-retry-pushback-ms", pushback)]
+        said.code.return_value = grpc.StatusCode.RESOURCE_EXHAUSTED
+        error = wire.error_of(said)
+        patience = calls.Patience(deadline)
+        with mock.patch.object(calls.time, "sleep") as sleep:
+            with self.assertRaises(geodesic.ResourceExhausted):
+                while True:
+                    patience.pause(error)
+        return [call.args[0] for call in sleep.call_args_list]
+
+    def test_as_long_as_the_service_says_within_bounds(self):
+        self.assertEqual(self.pauses("1500"), [1.5] * 3)
+        self.assertEqual(self.pauses("86400000"), [10] * 3)
+        self.assertEqual(self.pauses("86400000", time.monotonic() + 60),
+                         [10] * 3)
+
+    def test_no_call_is_repeated_that_would_be_late_or_is_not_wanted(self):
+        self.assertEqual(self.pauses("1500", time.monotonic() + 1), [])
+        for never in ("-1", "soon", "9" * 400):
+            self.assertEqual(self.pauses(never), [])
 
 
 class SecuredTest(unittest.TestCase):
