@@ -106,7 +106,7 @@ def plan_matrix(mesh: Mesh, folder: shards.Folder, sources: Any, targets: Any, *
                                                        layout.dtype)
     layout = dataclasses.replace(layout, rows_per_block=rows_per_block)
     shards.ensure_manifest(path, layout.manifest())
-    shards.remove_unfinished(path)
+    shards.remove_abandoned(path)
     inputs: Tuple[Optional[np.ndarray], ...] = (mesh.vertices, mesh.faces, rows,
                                                 columns)
     for name, array in zip(_INPUTS, inputs):
@@ -223,7 +223,7 @@ def plan_answers(folder: shards.Folder, question: str,
         "question": question,
         "options": json.loads(json.dumps(options, default=_jsonable)),
     })
-    shards.remove_unfinished(path)
+    shards.remove_abandoned(path)
 
 
 def _is_mesh_file(path: pathlib.Path) -> bool:

@@ -13,6 +13,7 @@ to say that it is done. `sha256sum --check --quiet *.sha256` checks all.
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import hashlib
 import io
@@ -20,6 +21,7 @@ import json
 import os
 import pathlib
 import secrets
+import time
 from typing import Any, Dict, Iterable, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
@@ -30,8 +32,10 @@ Folder = Union[str, os.PathLike]
 
 _FORMAT = "geodesic.matrix.v1"
 _MANIFEST = "manifest.json"
-# Begins the names of files that are being written.
+# Begins the names of files that are being written. Who wrote to one is gone when
+# this long nothing was added: a shard takes seconds, and clocks may differ.
 _UNFINISHED = ".unfinished-"
+_ABANDONED_SECONDS = 3600
 # What a shard of a matrix takes unless the number of rows is given.
 _SHARD_BYTES = 32 * 2**20
 _HASHED_AT_ONCE = 2**20
@@ -127,10 +131,13 @@ def is_right(path: pathlib.Path, made_of: Optional[str] = None) -> bool:
         return False
 
 
-def remove_unfinished(folder: pathlib.Path) -> None:
-    """Removes what those who were killed have left half written."""
+def remove_abandoned(folder: pathlib.Path) -> None:
+    """Removes what those who were killed have left half written: the workers of
+    an earlier run may still write the rest."""
     for path in folder.glob(_UNFINISHED + "*"):
-        path.unlink(missing_ok=True)
+        with contextlib.suppress(FileNotFoundError):  # finished meanwhile
+            if time.time() - path.stat().st_mtime > _ABANDONED_SECONDS:
+                path.unlink()
 
 
 def has_manifest(folder: pathlib.Path) -> bool:

@@ -11,6 +11,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -40,6 +41,13 @@ def write_obj(path, vertices, faces):
     lines = ["v %r %r %r" % tuple(v) for v in vertices.tolist()]
     lines += ["f %d %d %d" % tuple(f) for f in (faces + 1).tolist()]
     path.write_text("\n".join(lines) + "\n")
+
+
+def abandon(path):
+    """As who was killed two hours ago leaves a file."""
+    path.write_text("part")
+    then = time.time() - 7200
+    os.utime(path, (then, then))
 
 
 def connect_to_nobody():
@@ -182,7 +190,7 @@ class MatrixTest(ClusterTest):
         shard(self.folder, 3).unlink()
         os.truncate(shard(self.folder, 5), 1000)
         (self.folder / "rows-000000350.npy.sha256").unlink()
-        (self.folder / ".unfinished-rows-000000350.npy-0").write_text("part")
+        abandon(self.folder / ".unfinished-rows-000000350.npy-0")
         with self.assertRaisesRegex(geodesic.GeodesicError,
                                     "4 of 13 shards.*rows-000000100.npy"):
             shards.open_matrix(self.folder)
@@ -359,6 +367,28 @@ class EachTest(ClusterTest):
         with self.assertRaisesRegex(geodesic.InvalidArgument, "its options is"):
             geodesic.dask.each(self.meshes, self.folder, source=1,
                                client=self.client)
+
+
+class UnfinishedTest(FolderTest, unittest.TestCase):
+
+    def test_a_new_run_leaves_files_that_are_being_written(self):
+        self.folder.mkdir()
+
+        def parts():
+            yield b"begun, "
+            batches.plan_answers(self.folder, "distances", {})
+            yield b"done"
+
+        shards.write_file(self.folder / "shard.npy", parts())
+        self.assertEqual((self.folder / "shard.npy").read_bytes(),
+                         b"begun, done")
+
+    def test_a_new_run_removes_those_that_nobody_writes_to(self):
+        self.folder.mkdir()
+        abandon(self.folder / ".unfinished-shard.npy-0")
+        batches.plan_answers(self.folder, "distances", {})
+        self.assertEqual([path.name for path in self.folder.iterdir()],
+                         ["manifest.json"])
 
 
 class MeshFilesTest(FolderTest, unittest.TestCase):
