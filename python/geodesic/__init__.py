@@ -34,8 +34,9 @@ __all__ = [
 
 
 def algorithms() -> Dict[str, str]:
-    """The algorithms by name, with a summary of each; the first is the default.
-    All give the same distances; they differ in time and memory."""
+    """The exact algorithms by name, with a summary of each; the first is the
+    default. All give the same distances; they differ in time and memory.
+    geodesic.Approximate has the approximate ones."""
     return dict(_core.ALGORITHMS)
 
 

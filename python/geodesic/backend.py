@@ -2,7 +2,7 @@
 
 geodesic.Mesh checks and converts what users pass, asks a Backend, and gives the
 answers their names. `local.LocalBackend` answers in this process,
-`service.ServiceBackend` asks a server.
+`remote.RemoteBackend` asks a server.
 """
 
 from __future__ import annotations

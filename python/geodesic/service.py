@@ -81,8 +81,16 @@ class Service:
         return {f.name: getattr(limits, f.name) for f in limits.DESCRIPTOR.fields}
 
     def algorithms(self) -> Dict[str, str]:
-        """The server's algorithms by name, with a summary of each."""
+        """The server's exact algorithms by name, with a summary of each, as
+        geodesic.algorithms() has those of this process."""
         return {a.name: a.summary for a in self._stubs.capabilities().algorithms}
+
+    def approximate_algorithms(self) -> Dict[str, str]:
+        """The server's approximate ones, likewise; see geodesic.Approximate."""
+        return {
+            a.name: a.summary
+            for a in self._stubs.capabilities().approximate_algorithms
+        }
 
     def mesh(self, vertices: Any, faces: Optional[ArrayLike] = None) -> Mesh:
         """A mesh whose questions the service answers.

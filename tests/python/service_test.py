@@ -36,7 +36,7 @@ import tolerance_test  # noqa: E402
 import tolerances  # noqa: E402
 
 import geodesic  # noqa: E402
-from geodesic import calls, wire  # noqa: E402
+from geodesic import approximate, calls, wire  # noqa: E402
 
 ARGUMENTS = None
 TOKEN = "correct-horse-battery-staple"
@@ -270,6 +270,8 @@ class ServiceTest(ServedTest):
     def test_limits(self):
         self.assertEqual(self.service.version(), geodesic.__version__)
         self.assertEqual(self.service.algorithms(), geodesic.algorithms())
+        self.assertEqual(set(self.service.approximate_algorithms()),
+                         set(approximate.NAMES))
         self.assertGreater(self.service.limits()["max_pairs"], 0)
 
     def test_a_field_whose_stream_breaks_is_read_on(self):
