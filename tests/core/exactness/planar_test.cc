@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <random>
 #include <string>
 #include <utility>
@@ -52,6 +55,49 @@ TEST_P(PlanarMeshes, LargeRegularGrid) {
     GTEST_SKIP() << GetParam().name << " is tested on smaller meshes only";
   }
   ExpectEuclid({"large regular grid", soup}, {50 * 101 + 37});
+}
+
+// Their windows wait at the same half-edges, as many lists as there are
+// sources.
+TEST_P(PlanarMeshes, HundredsOfSourcesInOnePlace) {
+  const NamedMesh named{"grid", MakeGrid({.columns = 12, .rows = 10})};
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  const std::vector<Point>& positions = named.soup.positions;
+  Random random(11);
+  const uint32_t face = 5 * 24 + 11;
+  const Triangle& corners = named.soup.triangles[face];
+  const auto at = [&](uint32_t v) { return ToVec3(positions[v]); };
+  using Placed = std::pair<SurfacePoint, Vec3>;
+  const auto on_edge = [&](uint32_t from, uint32_t to) -> Placed {
+    const double t = random.Uniform(0, 1);
+    return {EdgePoint{from, to, t}, at(from) + t * (at(to) - at(from))};
+  };
+  const auto in_face = [&]() -> Placed {
+    const double u = random.Uniform(0, 0.5), v = random.Uniform(0, 0.5);
+    return {
+        FacePoint{face, {u, v, 1 - u - v}},
+        u * at(corners[0]) + v * at(corners[1]) + (1 - u - v) * at(corners[2])};
+  };
+  const std::vector<std::function<Placed()>> places = {
+      [&] { return on_edge(corners[0], corners[1]); },
+      [&] { return on_edge(0, 1); }, in_face};
+  for (const auto& place : places) {
+    for (const double most_offset : {0.0, 0.01}) {
+      std::vector<Source> sources;
+      std::vector<double> expected(positions.size(),
+                                   std::numeric_limits<double>::infinity());
+      for (int i = 0; i < 300; ++i) {
+        const auto [point, from] = place();
+        const double offset = random.Uniform(0, most_offset);
+        sources.push_back({point, offset});
+        for (uint32_t v = 0; v < positions.size(); ++v) {
+          const Real distance = offset + Norm(at(v) - from);
+          expected[v] = std::min(expected[v], static_cast<double>(distance));
+        }
+      }
+      ExpectField("sources in one place", *mesh, sources, expected);
+    }
+  }
 }
 
 // Around reflex corners, in regular grids and jittered ones.

@@ -171,8 +171,9 @@ size_t Envelope::TrimSeveral(size_t i, size_t& kept, WindowColumns& windows) {
   do {
     met_.Add(Listed(windows, i++));
   } while (i < windows.size && windows.begin[i] >= windows.begin[i - 1] &&
-           !trimmed.empty() &&
-           windows.begin[i] < trimmed.back().window.interval.end);
+           (first + trimmed.size() > i ||
+            (!trimmed.empty() &&
+             windows.begin[i] < trimmed.back().window.interval.end)));
   kept = first + trimmed.size();
   // What lies between the kept ones and the next is not looked at again.
   Replace(first, std::min(i, kept), trimmed, windows);
@@ -192,14 +193,14 @@ size_t Envelope::TrimAll(size_t i, size_t& kept, WindowColumns& windows) {
   return windows.size;
 }
 
-void Envelope::Merge(double length, bool may_split, size_t middle,
+void Envelope::Merge(double length, bool may_split, size_t begin, size_t middle,
                      WindowColumns& windows) {
-  if (middle == 0 || middle == windows.size ||
+  if (middle == begin || middle == windows.size ||
       windows.end[middle - 1] <= windows.begin[middle]) {
     return;
   }
   // Whatever meets nothing of the other list stays in place.
-  size_t first = 0;
+  size_t first = begin;
   while (windows.end[first] <= windows.begin[middle]) ++first;
   size_t last = windows.size;
   while (windows.begin[last - 1] >= windows.end[middle - 1]) --last;

@@ -32,10 +32,10 @@ class Envelope {
   // `length`: of the half-edge.
   void Trim(double length, WindowColumns& windows);
 
-  // The same for two lists, [0, middle) and [middle, size), each of which is
-  // trimmed already; the distances at the windows' ends need not be known, and
-  // are not afterwards. `may_split`: Front::MayChangeOverTwice.
-  void Merge(double length, bool may_split, size_t middle,
+  // The same for two lists, [begin, middle) and [middle, size), each of which
+  // is trimmed already; the distances at the windows' ends need not be known,
+  // and are not afterwards. `may_split`: Front::MayChangeOverTwice.
+  void Merge(double length, bool may_split, size_t begin, size_t middle,
              WindowColumns& windows);
 
  private:
@@ -57,7 +57,7 @@ class Envelope {
   bool TrimNeighbours(size_t i, size_t meeting, size_t& kept,
                       WindowColumns& windows);
   // Trims windows from `i` on against those of the `kept` that they meet, until
-  // one meets none of them; that is the next. Makes room if it needs any.
+  // one meets none of them and what is left has room; that is the next.
   size_t TrimSeveral(size_t i, size_t& kept, WindowColumns& windows);
   // The same for all, in the order in which they begin: in any other each would
   // be moved past all those before.

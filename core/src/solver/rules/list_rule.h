@@ -145,8 +145,8 @@ class ListRule {
   static constexpr uint32_t kNothing =
       std::numeric_limits<uint32_t>::max() - kMostCrossings;
   static constexpr size_t kMostTogether = 1024;
-  // About ten milliseconds' work of one thread.
-  static constexpr uint64_t kMostWindowsTogether = uint64_t{1} << 18;
+  // Tens of milliseconds of one thread.
+  static constexpr uint64_t kMostWindowsTogether = uint64_t{1} << 16;
   // Rounds of fewer events are not worth a team's start.
   static constexpr size_t kLeastShared = 32;
   // How many events a thread takes at a time.

@@ -154,6 +154,17 @@ class alignas(kCacheLine) ListWorker {
  private:
   using Passed = PassedWindows<WindowBlock*>;
 
+  // So many lists are merged one after the other. Of more, parts of as many
+  // lists are merged with each other: thousands wait where there are thousands
+  // of sources.
+  static constexpr uint32_t kMergedInTurn = 16;
+
+  // Some of list_, trimmed: from here to the next part.
+  struct Part {
+    size_t begin = 0;
+    uint32_t lists = 0;  // that it was made of
+  };
+
   Place Here() const {
     return {static_cast<uint32_t>(relaxations_.size()),
             static_cast<uint32_t>(handed_on_.size()),
@@ -184,16 +195,40 @@ class alignas(kCacheLine) ListWorker {
   uint32_t Take(const WaitingLists& lists, double length) {
     uint32_t waited = 0;
     list_.size = 0;
+    Part last;
     for (WindowBlock* list : lists) {
       while (list != nullptr) {
+        if (last.lists == kMergedInTurn) {
+          parts_.push_back(last);
+          while (parts_.size() > 1 &&
+                 parts_[parts_.size() - 2].lists <= parts_.back().lists) {
+            JoinParts(length);
+          }
+          last = {.begin = list_.size};
+        }
         waited += list->count;
         const size_t middle = list_.size;
         list = blocks_.Take(list, list_);
         DropStale(middle, list_);
-        envelope_.Merge(length, front_.MayChangeOverTwice(), middle, list_);
+        envelope_.Merge(length, front_.MayChangeOverTwice(), last.begin, middle,
+                        list_);
+        ++last.lists;
       }
     }
+    if (parts_.empty()) return waited;
+    parts_.push_back(last);
+    while (parts_.size() > 1) JoinParts(length);
+    parts_.clear();
     return waited;
+  }
+
+  // Makes one of the last two parts.
+  void JoinParts(double length) {
+    const Part last = parts_.back();
+    parts_.pop_back();
+    envelope_.Merge(length, front_.MayChangeOverTwice(), parts_.back().begin,
+                    last.begin, list_);
+    parts_.back().lists += last.lists;
   }
 
   void DropWinding(HalfEdge h) {
@@ -230,7 +265,7 @@ class alignas(kCacheLine) ListWorker {
     const size_t middle = passed_.size;
     if (middle + list_.size > Passed::Most(mesh_, h)) return;
     passed_.Append(list_);
-    envelope_.Merge(length, front_.MayChangeOverTwice(), middle, passed_);
+    envelope_.Merge(length, front_.MayChangeOverTwice(), 0, middle, passed_);
     if (passed_.size > 0) passed = blocks_.Store(passed_);
   }
 
@@ -280,6 +315,7 @@ class alignas(kCacheLine) ListWorker {
   FaceCrossing<Front> crossing_;
   WindowColumns& list_;  // of crossing_
   WindowColumns opened_, passed_;
+  std::vector<Part> parts_;
   Envelope envelope_;
 };
 
