@@ -86,8 +86,8 @@ class StandardOutput : private std::streambuf {
 };
 
 // While it lives, SIGINT, SIGTERM and SIGHUP request a stop instead of ending
-// the process; the second signal ends it at once with exit code 130. Those that
-// are ignored stay so, as nohup and a shell's background want. It must be made
+// the process; a later one ends it at once with exit code 130. Those that are
+// ignored stay so, as nohup and a shell's background want. It must be made
 // before any other thread, since that would otherwise take the signals.
 class InterruptListener {
  public:
@@ -105,8 +105,11 @@ class InterruptListener {
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     thread_ = std::thread([this, signals] {
       int signal = 0;
+      Clock::time_point first;
       while (sigwait(&signals, &signal) == 0 && signal != kWake) {
-        if (!source_.request_stop()) {
+        if (source_.request_stop()) {
+          first = Clock::now();
+        } else if (Clock::now() - first > kOneInterrupt) {
           _exit(static_cast<int>(ExitCode::kInterrupted));
         }
       }
@@ -122,6 +125,11 @@ class InterruptListener {
   std::stop_token stop() const { return source_.get_token(); }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  // Who sends a signal to a process and to its group, as timeout(1) does, means
+  // one: what is under way is still cleared away.
+  static constexpr std::chrono::milliseconds kOneInterrupt{500};
   // Serves only to end the thread.
   static constexpr int kWake = SIGUSR1;
 

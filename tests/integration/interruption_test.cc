@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+
 #include "geodesic_client/client.h"
 #include "tests/integration/meshes.h"
 #include "tests/integration/running_server.h"
@@ -43,20 +47,35 @@ TEST_F(InterruptionTest, CtrlCEndsTheCommand) {
               HasSubstr("method=ComputeField code=CANCELLED"));
 }
 
-TEST_F(InterruptionTest, ATerminalThatClosesLeavesNoPartOfAFile) {
-  // Its rows are written as they come.
-  std::string rows;
-  for (int i = 0; i < 200; ++i) rows += std::to_string(i) + "\n";
-  WriteFile(folder_ / "rows.txt", rows);
-  Process matrix(CommandLine({"matrix", digest_, "--sources",
-                              folder_ / "rows.txt", "-o", folder_ / "d.npy"}));
-  ASSERT_TRUE(matrix.AwaitError("solving"));
-  const std::string part =
-      folder_ / ("d.npy.part-" + std::to_string(matrix.id()));
-  EXPECT_TRUE(std::filesystem::exists(part));
-  matrix.Signal(SIGHUP);
-  EXPECT_EQ(matrix.Wait().exit_code, 130);
-  EXPECT_FALSE(std::filesystem::exists(part));
+// A matrix whose rows are written as they come.
+class InterruptedMatrixTest : public InterruptionTest {
+ protected:
+  // Waits until some are there, sends the signals, and expects that nothing is
+  // left of the file.
+  void ExpectNoPartAfter(std::initializer_list<int> signals) {
+    std::string rows;
+    for (int i = 0; i < 200; ++i) rows += std::to_string(i) + "\n";
+    WriteFile(folder_ / "rows.txt", rows);
+    Process matrix(
+        CommandLine({"matrix", digest_, "--sources", folder_ / "rows.txt", "-o",
+                     folder_ / "d.npy"}));
+    ASSERT_TRUE(matrix.AwaitError("solving"));
+    const std::string part =
+        folder_ / ("d.npy.part-" + std::to_string(matrix.id()));
+    EXPECT_TRUE(std::filesystem::exists(part));
+    for (const int signal : signals) matrix.Signal(signal);
+    EXPECT_EQ(matrix.Wait().exit_code, 130);
+    EXPECT_FALSE(std::filesystem::exists(part));
+  }
+};
+
+TEST_F(InterruptedMatrixTest, ATerminalThatClosesLeavesNoPartOfAFile) {
+  ExpectNoPartAfter({SIGHUP});
+}
+
+// As timeout(1) sends them, to the process and to its group.
+TEST_F(InterruptedMatrixTest, TwoSignalsAtOnceAreOne) {
+  ExpectNoPartAfter({SIGINT, SIGTERM});
 }
 
 TEST_F(InterruptionTest, SignalsThatAreIgnoredStayIgnored) {
