@@ -365,7 +365,7 @@ class Mesh:
         return float(self.pairs([source], [target], tolerance=tolerance,
                                 threads=1)[0])
 
-    def pairs(self, sources: OneOrManyPlaces,
+    def pairs(self, sources: Union[OneOrManyPlaces, Sequence[Sequence[int]]],
               targets: Optional[OneOrManyPlaces] = None, *,
               algorithm: AnyAlgorithm = None, tolerance: float = 0,
               threads: Optional[int] = None,

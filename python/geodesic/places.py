@@ -43,7 +43,7 @@ class FacePoint:
     weights: Tuple[float, float, float]
 
 
-SurfacePoint = Union[int, EdgePoint, FacePoint]
+SurfacePoint = Union[int, "np.integer[Any]", EdgePoint, FacePoint]
 
 
 @dataclasses.dataclass(frozen=True)

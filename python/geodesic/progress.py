@@ -7,8 +7,8 @@ from typing import Callable, Iterator, Optional, Union
 
 from .errors import InvalidArgument
 
-# Called as progress(done, total) now and then, from the thread that asked.
-# What it raises stops the computation.
+# Called as progress(done, total) now and then, from the thread that asked, and
+# with done == total at the end. What it raises stops the computation.
 ProgressCallback = Callable[[int, int], object]
 ProgressOption = Union[None, bool, ProgressCallback]
 
@@ -21,7 +21,18 @@ def reporting(progress: ProgressOption, unit: str,
         yield None
         return
     if callable(progress):
-        yield progress
+        report = progress
+        last = (0, 0)
+
+        def tell(done: int, total: int) -> None:
+            nonlocal last
+            last = (done, total)
+            report(done, total)
+
+        yield tell
+        done, total = last
+        if done < total:
+            report(total, total)
         return
     if progress is not True:
         raise InvalidArgument(f"progress is {progress!r}; it may be True, or a "

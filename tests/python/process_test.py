@@ -60,6 +60,12 @@ class ProcessTest(unittest.TestCase):
         self.assertEqual(calls, sorted(calls))
         mesh.distances(0, progress=True)  # draws a bar, if it likes
 
+    def test_progress_comes_to_its_end(self):
+        mesh = geodesic.Mesh(*meshes.terrain(60))
+        calls = []
+        mesh.matrix(np.arange(400), progress=lambda *call: calls.append(call))
+        self.assertEqual(calls[-1], (400, 400))
+
     def test_what_progress_raises_stops_the_computation(self):
         mesh = geodesic.Mesh(*meshes.terrain(60))
 
