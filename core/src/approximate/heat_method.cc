@@ -423,8 +423,8 @@ absl::Status HeatMethod::Check(const HeatOptions& options) {
   if (options.lambda > 0 && std::isfinite(options.lambda)) {
     return absl::OkStatus();
   }
-  return absl::InvalidArgumentError(absl::StrCat(
-      "heat: lambda ", options.lambda, " is not a finite number > 0"));
+  return InvalidField("lambda", absl::StrCat("heat: lambda ", options.lambda,
+                                             " is not a finite number > 0"));
 }
 
 absl::StatusOr<std::shared_ptr<const HeatMethod>> HeatMethod::Prepare(

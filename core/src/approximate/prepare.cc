@@ -23,6 +23,21 @@ absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(
   return absl::InternalError("no such approximate method");
 }
 
+absl::Status Validate(const MethodChoice& choice) {
+  switch (choice.method) {
+    case ApproximateMethod::kFmm:
+    case ApproximateMethod::kFmmUntidy:
+      return absl::OkStatus();
+    case ApproximateMethod::kHeat:
+      return HeatMethod::Check({.lambda = choice.lambda});
+    case ApproximateMethod::kSvg:
+      return SaddleVertexGraph::Check({.neighbours = choice.neighbours});
+    case ApproximateMethod::kGtu:
+      return TriangleUnfolding::Check({.samples = choice.samples});
+  }
+  return absl::InternalError("no such approximate method");
+}
+
 absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(
     const Mesh& mesh, const MethodChoice& choice, uint32_t threads,
     Checkpoint& checkpoint) {

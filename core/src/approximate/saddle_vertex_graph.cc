@@ -16,6 +16,7 @@
 #include "absl/strings/str_cat.h"
 #include "approximate/local_search.h"
 #include "approximate/seeds.h"
+#include "geodesic/field_path.h"
 #include "geodesic/solve_options.h"
 #include "mesh/file_unit.h"
 #include "solver/queues/binary_heap.h"
@@ -46,18 +47,10 @@ constexpr uint32_t kMaxBatch = 64;
 
 using Arc = SaddleVertexGraph::Arc;
 
-absl::Status CheckOptions(const Mesh& mesh, const SaddleGraphOptions& options) {
-  const auto refuse = [](auto... what) {
-    return absl::InvalidArgumentError(absl::StrCat("svg: ", what...));
+absl::Status CheckMesh(const Mesh& mesh) {
+  const auto refuse = [](const char* what) {
+    return absl::InvalidArgumentError(absl::StrCat("svg: ", what));
   };
-  if (options.neighbours == 0 || options.neighbours > kMostNeighbours) {
-    return refuse("K ", options.neighbours, " is not in [1, ", kMostNeighbours,
-                  "]");
-  }
-  if (options.threads == 0 || options.threads > kMostSolveThreads) {
-    return refuse("threads ", options.threads, " is not in [1, ",
-                  kMostSolveThreads, "]");
-  }
   if (mesh.HasNonManifoldEdges()) {
     return refuse(
         "the mesh has edges of three faces or more; ask fmm, heat or an exact "
@@ -163,12 +156,26 @@ constexpr auto kAfter = [](const auto& a, const auto& b) {
 
 }  // namespace
 
+absl::Status SaddleVertexGraph::Check(const SaddleGraphOptions& options) {
+  if (options.neighbours == 0 || options.neighbours > kMostNeighbours) {
+    return InvalidField("neighbours",
+                        absl::StrCat("svg: K ", options.neighbours,
+                                     " is not in [1, ", kMostNeighbours, "]"));
+  }
+  if (options.threads == 0 || options.threads > kMostSolveThreads) {
+    return InvalidField(
+        "threads", absl::StrCat("svg: threads ", options.threads,
+                                " is not in [1, ", kMostSolveThreads, "]"));
+  }
+  return absl::OkStatus();
+}
+
 absl::StatusOr<std::shared_ptr<const SaddleVertexGraph>>
 SaddleVertexGraph::Prepare(const Mesh& mesh, const SaddleGraphOptions& options,
                            Checkpoint& checkpoint) {
-  if (absl::Status status = CheckOptions(mesh, options); !status.ok()) {
-    return status;
-  }
+  absl::Status status = Check(options);
+  if (status.ok()) status = CheckMesh(mesh);
+  if (!status.ok()) return status;
   absl::StatusOr<std::vector<std::vector<Arc>>> found =
       FindArcs(mesh, options, checkpoint);
   if (!found.ok()) return found.status();

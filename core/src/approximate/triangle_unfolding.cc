@@ -19,6 +19,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "approximate/seeds.h"
+#include "geodesic/field_path.h"
 #include "geodesic/sampling.h"
 #include "geodesic/solve.h"
 #include "mesh/file_unit.h"
@@ -219,20 +220,25 @@ class TriangleUnfolding::Builder {
   std::vector<Nearest> nearest_;  // by vertex
 };
 
+absl::Status TriangleUnfolding::Check(const TriangleUnfoldingOptions& options) {
+  if (options.samples == 0 || options.samples > kMostSamples) {
+    return InvalidField("samples",
+                        absl::StrCat("gtu: samples ", options.samples,
+                                     " is not in [1, ", kMostSamples, "]"));
+  }
+  if (options.threads == 0 || options.threads > kMostSolveThreads) {
+    return InvalidField(
+        "threads", absl::StrCat("gtu: threads ", options.threads,
+                                " is not in [1, ", kMostSolveThreads, "]"));
+  }
+  return absl::OkStatus();
+}
+
 absl::StatusOr<std::shared_ptr<const TriangleUnfolding>>
 TriangleUnfolding::Prepare(const Mesh& mesh,
                            const TriangleUnfoldingOptions& options,
                            Checkpoint& checkpoint) {
-  if (options.samples == 0 || options.samples > kMostSamples) {
-    return absl::InvalidArgumentError(
-        absl::StrCat("gtu: samples ", options.samples, " is not in [1, ",
-                     kMostSamples, "]"));
-  }
-  if (options.threads == 0 || options.threads > kMostSolveThreads) {
-    return absl::InvalidArgumentError(
-        absl::StrCat("gtu: threads ", options.threads, " is not in [1, ",
-                     kMostSolveThreads, "]"));
-  }
+  if (absl::Status status = Check(options); !status.ok()) return status;
   const uint32_t first = mesh.triangle(0)[0];
   const absl::StatusOr<ValidQuery> query =
       ValidQuery::Make({.sources = {{VertexPoint{first}}}}, mesh);

@@ -379,7 +379,10 @@ absl::StatusOr<AlgorithmChoice> FromProto(
     absl::Status status =
         CheckParameters(approximation, ToProto(choice), std::string(info.name));
     if (!status.ok()) return status;
-    return choice;
+    status = Validate(choice);
+    if (status.ok()) return choice;
+    return WithFieldPath(status,
+                         absl::StrCat("approximation.", *FieldPathOf(status)));
   }
   absl::Status status =
       CheckParameters(approximation, {}, "an exact algorithm");

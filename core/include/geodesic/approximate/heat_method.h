@@ -57,7 +57,7 @@ class HeatMethod final : public PreparedMethod {
   static absl::StatusOr<std::shared_ptr<const HeatMethod>> Prepare(
       const Mesh& mesh, const HeatOptions& options, Checkpoint& checkpoint);
 
-  // Errors: INVALID_ARGUMENT as Prepare.
+  // Errors: INVALID_ARGUMENT as Prepare, naming "lambda" (field_path.h).
   static absl::Status Check(const HeatOptions& options);
 
   HeatMethod(const HeatMethod&) = delete;

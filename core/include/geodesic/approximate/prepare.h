@@ -36,6 +36,10 @@ struct MethodChoice {
   friend auto operator<=>(const MethodChoice&, const MethodChoice&) = default;
 };
 
+// Errors: INVALID_ARGUMENT for a parameter of the method that is out of range,
+// by its name ("lambda", "neighbours", "samples": field_path.h).
+absl::Status Validate(const MethodChoice& choice);
+
 // Prepares the choice, with so many threads where the method takes them.
 // Errors: as the method's own Prepare.
 absl::StatusOr<std::shared_ptr<const PreparedMethod>> PrepareMethod(

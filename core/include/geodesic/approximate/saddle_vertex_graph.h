@@ -69,6 +69,9 @@ class SaddleVertexGraph final : public PreparedMethod {
       const Mesh& mesh, const SaddleGraphOptions& options,
       Checkpoint& checkpoint);
 
+  // Errors: INVALID_ARGUMENT naming an option out of range (field_path.h).
+  static absl::Status Check(const SaddleGraphOptions& options);
+
   // A graph whose offsets() and arcs() were kept, of an equal mesh.
   // Errors: DATA_LOSS if they are no graph on the mesh's vertices.
   static absl::StatusOr<std::shared_ptr<const SaddleVertexGraph>> FromArcs(

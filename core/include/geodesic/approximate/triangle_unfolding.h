@@ -49,6 +49,9 @@ class TriangleUnfolding final : public PreparedMethod {
       const Mesh& mesh, const TriangleUnfoldingOptions& options,
       Checkpoint& checkpoint);
 
+  // Errors: INVALID_ARGUMENT naming an option out of range (field_path.h).
+  static absl::Status Check(const TriangleUnfoldingOptions& options);
+
   ApproximateMethod method() const override;
   uint64_t bytes() const override;
 
