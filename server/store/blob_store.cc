@@ -123,7 +123,7 @@ absl::Status BlobStore::Scan() {
     for (Found& blob : found) Insert(std::move(blob.info));
   }
   // The capacity may have been larger before.
-  if (absl::Status status = MakeRoom(0); !status.ok()) {
+  if (absl::Status status = MakeRoom(0, 0); !status.ok()) {
     Warn(absl::StrCat(Plural(options_.kind), "/ holds more than its ",
                       options_.capacity, " bytes: ", status.message()));
   }
@@ -256,7 +256,7 @@ absl::Status BlobStore::Keep(
                 .body_bytes = body_bytes,
                 .file_bytes = kBlobHeaderBytes + body_bytes + metadata.size()};
   const uint64_t bytes = OnDisk(info.file_bytes);
-  if (absl::Status status = MakeRoom(bytes); !status.ok()) return status;
+  if (absl::Status status = MakeRoom(bytes, 1); !status.ok()) return status;
   bool is_reserved = true;
   absl::StatusOr<std::string> temporary = WriteTemporary(info, write);
   absl::Status status = temporary.status();
@@ -266,26 +266,28 @@ absl::Status BlobStore::Keep(
   if (is_reserved) {
     std::lock_guard lock(mutex_);
     reserved_bytes_ -= bytes;
+    --reserved_count_;
   }
   return status;
 }
 
-absl::Status BlobStore::MakeRoom(uint64_t bytes) {
+absl::Status BlobStore::MakeRoom(uint64_t bytes, size_t count) {
   std::lock_guard room_lock(room_mutex_);
   for (bool is_first = true;; is_first = false) {
     std::string victim;
     {
       std::lock_guard lock(mutex_);
-      if (HasRoom(bytes)) {
+      if (HasRoom(entry_bytes_ + bytes, entries_.size() + count)) {
         reserved_bytes_ += bytes;
+        reserved_count_ += count;
         return absl::OkStatus();
       }
       // If evicting everything would not help, nothing is evicted.
-      if (recency_.empty() ||
-          (is_first && reserved_bytes_ + bytes > options_.capacity)) {
+      if (recency_.empty() || (is_first && !HasRoom(bytes, count))) {
         return absl::ResourceExhaustedError(absl::StrCat(
             bytes, " bytes of disk are needed, but of the ", options_.capacity,
-            " that the server may use for ", Plural(options_.kind),
+            " bytes and ", options_.max_count,
+            " files that the server may use for ", Plural(options_.kind),
             " too many are being written; try again later"));
       }
       victim = *recency_.front();
@@ -342,6 +344,7 @@ absl::Status BlobStore::Publish(const std::string& temporary, BlobInfo info,
   if (old != entries_.end()) Remove(old);
   is_reserved = false;
   reserved_bytes_ -= OnDisk(info.file_bytes);
+  --reserved_count_;
   Insert(std::move(info));
   return status;
 }
@@ -477,9 +480,9 @@ absl::Status BlobStore::Erase(const std::string& name) {
   return Sync(folder_.get(), PathOf(name));
 }
 
-bool BlobStore::HasRoom(uint64_t bytes) const {
-  return entry_bytes_ + reserved_bytes_ + bytes <= options_.capacity &&
-         entries_.size() < options_.max_count + (bytes == 0 ? 1 : 0);
+bool BlobStore::HasRoom(uint64_t bytes, size_t count) const {
+  return reserved_bytes_ + bytes <= options_.capacity &&
+         reserved_count_ + count <= options_.max_count;
 }
 
 void BlobStore::Insert(BlobInfo info) {

@@ -177,7 +177,8 @@ class BlobStore final : public Blobs {
   absl::StatusOr<BlobInfo> ReadInfo(int file, uint64_t size,
                                     const std::string& name,
                                     BlobHeader& header) const;
-  absl::Status MakeRoom(uint64_t bytes);
+  // Reserves room for `count` files that take `bytes` together.
+  absl::Status MakeRoom(uint64_t bytes, size_t count);
   // Put and Read without counting.
   absl::Status Keep(const std::string& name, std::string_view metadata,
                     uint64_t body_bytes,
@@ -198,7 +199,8 @@ class BlobStore final : public Blobs {
   void SetAside(const std::string& name, ino_t inode, const absl::Status& why);
 
   // These REQUIRE mutex_ held:
-  bool HasRoom(uint64_t bytes) const;
+  // Whether so much fits beside what is being written.
+  bool HasRoom(uint64_t bytes, size_t count) const;
   void Insert(BlobInfo info);
   void Remove(Entries::iterator it);
 
@@ -221,6 +223,7 @@ class BlobStore final : public Blobs {
   std::list<const std::string*> recency_;  // keys of entries_, oldest first
   uint64_t entry_bytes_ = 0;               // of entries_
   uint64_t reserved_bytes_ = 0;            // of what is being written
+  size_t reserved_count_ = 0;              // likewise
   BlobCounters counters_;
 };
 

@@ -231,6 +231,36 @@ TEST_F(BlobStoreTest, TheirNumberIsBoundedToo) {
   EXPECT_THAT(Names(**store), ElementsAre(Name('a'), Name('b')));
 }
 
+TEST_F(BlobStoreTest, TheirNumberIncludesThoseBeingWritten) {
+  ASSERT_TRUE(Open().ok());
+  store_.reset();
+  const absl::StatusOr<std::unique_ptr<BlobStore>> store = BlobStore::Open(
+      *folder_,
+      {.kind = "thing", .capacity = uint64_t{1} << 20, .max_count = 2});
+  ASSERT_TRUE(store.ok());
+  ASSERT_TRUE(Put(**store, Name('a'), "x").ok());
+  const absl::Status outer =
+      (*store)->Put(Name('b'), "", 1, [&](BlobSink& sink) {
+        const absl::Status inner =
+            (*store)->Put(Name('c'), "", 1, [&](BlobSink& inner_sink) {
+              EXPECT_EQ((*store)->size(), 0);
+              const absl::Status third = Put(**store, Name('d'), "x");
+              EXPECT_TRUE(absl::IsResourceExhausted(third)) << third;
+              return inner_sink.Append("x");
+            });
+        EXPECT_TRUE(inner.ok()) << inner;
+        return sink.Append("x");
+      });
+  EXPECT_TRUE(outer.ok()) << outer;
+  EXPECT_THAT(Names(**store), ElementsAre(Name('b'), Name('c')));
+  // What is written, or failed to be, takes no place any more.
+  EXPECT_TRUE(absl::IsInternal((*store)->Put(
+      Name('d'), "", 1, [](BlobSink&) { return absl::OkStatus(); })));
+  ASSERT_TRUE(Put(**store, Name('e'), "x").ok());
+  ASSERT_TRUE(Put(**store, Name('f'), "x").ok());
+  EXPECT_THAT(Names(**store), ElementsAre(Name('e'), Name('f')));
+}
+
 TEST_F(BlobStoreTest, FilesOfOthersAreLeftAlone) {
   ASSERT_TRUE(Open().ok());
   const std::string notes = data_dir() + "/things/notes.txt";
