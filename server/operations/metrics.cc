@@ -314,7 +314,7 @@ std::vector<MetricFamily> CollectSharedTier(const RedisBlobs& tier) {
           "Bytes of values that came from it and went to it", "direction",
           {{"read", counters.bytes_read}, {"written", counters.bytes_written}}),
       Make(MetricType::Gauge, "geodesic_shared_tier_waiting_bytes",
-           "Bytes of values that wait to be written to it", "",
+           "Bytes that wait to be written to it", "",
            {{"", tier.waiting_bytes()}}),
       Make(MetricType::Gauge, "geodesic_shared_tier_left_alone",
            "1 while it is not asked, since it did not answer", "",

@@ -123,7 +123,9 @@ class RedisBlobs final : public Blobs {
     std::string metadata;
     std::string body;
 
-    uint64_t bytes() const { return metadata.size() + body.size(); }
+    uint64_t bytes() const {
+      return has_value ? metadata.size() + body.size() : name.size();
+    }
   };
 
   // A connection that nobody uses; null if Redis is not to be asked now.

@@ -81,10 +81,17 @@ class RedisBlobsTest : public ::testing::Test {
     blobs_.emplace(RedisBlobs::Options{.address = address(),
                                        .patience = std::chrono::seconds(10),
                                        .max_bytes = max_bytes,
-                                       .tell = [this](const std::string& line) {
-                                         std::lock_guard lock(mutex_);
-                                         told_ += line + "\n";
-                                       }});
+                                       .password =
+                                           [this] {
+                                             std::lock_guard lock(
+                                                 password_mutex_);
+                                             return std::string();
+                                           },
+                                       .tell =
+                                           [this](const std::string& line) {
+                                             std::lock_guard lock(mutex_);
+                                             told_ += line + "\n";
+                                           }});
     Until([this] { return !blobs_->is_left_alone(); });
   }
 
@@ -130,7 +137,8 @@ class RedisBlobsTest : public ::testing::Test {
   geodesic::test::TemporaryFolder folder_;
   pid_t process_ = -1;
   std::mutex mutex_;
-  std::string told_;  // guarded by mutex_
+  std::string told_;           // guarded by mutex_
+  std::mutex password_mutex_;  // held while the password is asked for
   std::optional<RedisBlobs> blobs_;
 };
 
@@ -201,6 +209,26 @@ TEST_F(RedisBlobsTest, WhatWaitsIsBounded) {
   }
   EXPECT_GT(blobs_->counters().dropped, 0);
   kill(process_, SIGCONT);
+}
+
+TEST_F(RedisBlobsTest, DeletionsThatWaitAreBoundedToo) {
+  constexpr uint64_t kMost = 200;  // three names and a little
+  constexpr char kDigits[] = {'a', 'b', 'c', 'd', 'e'};
+  Open(kMost);
+  auto other = RedisConnection::Open(address(), "", Patience());
+  ASSERT_TRUE(other.ok()) << other.status();
+  for (const char digit : kDigits) {
+    const std::string key = std::string(kRedisPrefix) + Name(digit);
+    ASSERT_TRUE(
+        (*other)->Ask(RedisCommand({"SET", key, "wrong"}), Patience()).ok());
+  }
+  // The thread needs a connection of its own to delete, and that a password.
+  const std::lock_guard held(password_mutex_);
+  for (const char digit : kDigits) {
+    EXPECT_TRUE(absl::IsDataLoss(Read(Name(digit)).status()));
+    EXPECT_LE(blobs_->waiting_bytes(), kMost);
+  }
+  EXPECT_GT(blobs_->waiting_bytes(), kMost / 2);
 }
 
 TEST_F(RedisBlobsTest, OneThatDiesIsLeftAloneAndFoundAgain) {
