@@ -172,6 +172,17 @@ absl::StatusOr<std::shared_ptr<const DerivedQuantities>> Derive(
 
 }  // namespace
 
+TargetReader::Target TargetReader::Next(const FieldCall& call,
+                                        const FieldAnswer& answer) {
+  const std::vector<SurfacePoint>& targets = call.query->targets;
+  const std::vector<double>& own = answer.field->target_distances;
+  const auto* vertex = std::get_if<VertexPoint>(&targets[next++]);
+  if (vertex == nullptr || own.size() == targets.size()) {
+    return {own[next_own], true, next_own++};
+  }
+  return {answer.field->distances[vertex->vertex], false, vertex->vertex};
+}
+
 FieldEngine::FieldEngine(const Limits& limits, const SolveOptions& options,
                          const Clock& clock, Scheduler& scheduler,
                          std::shared_ptr<ByteBudget> solver_memory,

@@ -120,6 +120,21 @@ struct FieldCall {
   std::shared_ptr<SettledLog> settled;
 };
 
+// Reads the targets of a question from its answer, in order. The field has
+// targets of its own: all of them, or only those that are not vertices.
+struct TargetReader {
+  struct Target {
+    double distance;
+    bool is_own;
+    uint32_t number;  // of the field's own target, or else of the vertex
+  };
+  // REQUIRES: `next` is below the number of targets.
+  Target Next(const FieldCall& call, const FieldAnswer& answer);
+
+  uint64_t next = 0;
+  uint32_t next_own = 0;
+};
+
 // How often things have happened since the start.
 struct FieldCounters {
   uint64_t solves_started = 0;

@@ -5,7 +5,6 @@
 #include <limits>
 #include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -45,12 +44,12 @@ FieldChunks::FieldChunks(const FieldCall& call, FieldAnswer answer,
   }
 }
 
-double FieldChunks::RadiusOfTargets() {
+double FieldChunks::RadiusOfTargets() const {
   // What is settled was sent as it came, and may reach further.
   if (!call_.reach.LimitsTargets() || extras_.settled_order) return kInfinity;
   std::vector<double> distances(call_.query->targets.size());
-  for (double& distance : distances) distance = NextTargetDistance();
-  next_target_ = next_own_target_ = 0;
+  TargetReader targets;
+  for (double& d : distances) d = targets.Next(call_, answer_).distance;
   const auto last =
       distances.begin() + static_cast<std::ptrdiff_t>(call_.reach.targets - 1);
   std::ranges::nth_element(distances, last);
@@ -111,25 +110,16 @@ bool FieldChunks::Next(v1::FieldChunk& chunk) {
 }
 
 bool FieldChunks::NextTargets(v1::TargetChunk& chunk) {
-  const std::vector<SurfacePoint>& targets = call_.query->targets;
-  if (next_target_ >= targets.size()) return false;
-  const uint64_t end =
-      std::min<uint64_t>(next_target_ + kValuesPerChunk, targets.size());
-  chunk.set_offset(next_target_);
+  const uint64_t all = call_.query->targets.size();
+  if (targets_.next >= all) return false;
+  const uint64_t end = std::min(targets_.next + kValuesPerChunk, all);
+  chunk.set_offset(targets_.next);
   values_.clear();
-  while (next_target_ < end) values_.push_back(Cut(NextTargetDistance()));
+  while (targets_.next < end) {
+    values_.push_back(Cut(targets_.Next(call_, answer_).distance));
+  }
   SetValues(values_, value_type_, *chunk.mutable_distances());
   return true;
-}
-
-double FieldChunks::NextTargetDistance() {
-  const std::vector<SurfacePoint>& targets = call_.query->targets;
-  const DistanceField& field = *answer_.field;
-  const bool has_all = field.target_distances.size() == targets.size();
-  const auto* vertex = std::get_if<VertexPoint>(&targets[next_target_++]);
-  return has_all || vertex == nullptr
-             ? field.target_distances[next_own_target_++]
-             : field.distances[vertex->vertex];
 }
 
 double FieldChunks::settled_radius() const {

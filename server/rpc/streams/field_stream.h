@@ -40,8 +40,7 @@ class FieldChunks {
 
  private:
   // The distance of the last target that was asked for; +infinity if all are.
-  double RadiusOfTargets();
-  double NextTargetDistance();
+  double RadiusOfTargets() const;
   // +infinity for a distance beyond the radius, which sets was_cut_.
   double Cut(double distance);
 
@@ -49,11 +48,9 @@ class FieldChunks {
   const FieldAnswer answer_;
   const FieldExtras extras_;
   const v1::ValueType value_type_;
-  uint64_t next_target_ = 0;
-  // Counts the field's own targets: all, or only those that are not vertices.
-  uint64_t next_own_target_ = 0;
   const double radius_;
   uint64_t next_vertex_;
+  TargetReader targets_;
   bool was_cut_ = false;
   std::vector<double> values_;
 };

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -60,23 +59,16 @@ absl::Status PathStream::Translate(FieldRequest& question) {
 
 absl::StatusOr<GeodesicPath> PathStream::TraceNext() {
   const DerivedQuantities& derived = *answer().derived;
-  if (!derived.paths.has_value()) return derived.found_paths[next_item_++];
-  const auto* vertex =
-      std::get_if<VertexPoint>(&call().query->targets[next_item_]);
-  const bool is_own =
-      vertex == nullptr ||
-      answer().field->target_distances.size() == call().query->targets.size();
-  const uint32_t own = is_own ? next_own_target_++ : 0;
-  ++next_item_;
-  const double distance = is_own ? answer().field->target_distances[own]
-                                 : answer().field->distances[vertex->vertex];
+  const uint64_t number = next_item_++;
+  if (!derived.paths.has_value()) return derived.found_paths[number];
+  const TargetReader::Target target = targets_.Next(call(), answer());
   // The field may reach further than was asked.
-  if (distance > call().reach.radius) {
+  if (target.distance > call().reach.radius) {
     constexpr double kUnreached = std::numeric_limits<double>::infinity();
     return GeodesicPath{.distance = kUnreached, .length = kUnreached};
   }
-  const PathTracer& paths = *derived.paths;
-  return is_own ? paths.ToTarget(own) : paths.ToVertex(vertex->vertex);
+  return target.is_own ? derived.paths->ToTarget(target.number)
+                       : derived.paths->ToVertex(target.number);
 }
 
 absl::StatusOr<bool> PathStream::FillPart(v1::ComputePathsResponse& message) {

@@ -231,8 +231,7 @@ class PathStream final : public FieldQuestionStream<v1::ComputePathsRequest,
   absl::StatusOr<GeodesicPath> TraceNext();
 
   // Guarded by the stream's lock:
-  // Counts the field's own targets: all, or only those that are not vertices.
-  uint32_t next_own_target_ = 0;
+  TargetReader targets_;  // unless paths were searched for
   // The path that is being sent, and how many of its points were.
   GeodesicPath path_;
   uint64_t next_point_ = 0;
