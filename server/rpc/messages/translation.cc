@@ -365,6 +365,16 @@ v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
   return header;
 }
 
+v1::AnswerTrailer MakeTrailer(double seconds, uint64_t windows_propagated,
+                              uint64_t items, double certified_error) {
+  v1::AnswerTrailer trailer;
+  trailer.set_compute_seconds(seconds);
+  trailer.set_windows_propagated(windows_propagated);
+  trailer.set_item_count(items);
+  if (certified_error > 0) trailer.set_certified_error(certified_error);
+  return trailer;
+}
+
 absl::StatusOr<AlgorithmChoice> FromProto(
     v1::Algorithm algorithm, const v1::Approximation& approximation) {
   MethodChoice choice;

@@ -128,6 +128,9 @@ v1::SolveStatistics ToProto(const SolveStatistics& statistics);
 v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
                             const AlgorithmChoice& algorithm,
                             const std::string& version, double tolerance = 0);
+// `certified_error` 0: the answer is exact.
+v1::AnswerTrailer MakeTrailer(double seconds, uint64_t windows_propagated,
+                              uint64_t items, double certified_error);
 
 // INVALID_ARGUMENT: this field of a request has a number that its enumeration
 // does not have.

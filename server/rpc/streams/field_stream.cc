@@ -151,10 +151,7 @@ absl::Status FieldStream::Ask() {
 void FieldStream::Cancel() { engine().fields().Cancel(*call_); }
 
 void FieldStream::OnProgress(const Progress& progress) {
-  Update([&] {
-    progress_ = progress;
-    progress_->distances = {};  // valid during this call only
-  });
+  Update([&] { progress_ = ToProto(progress); });
 }
 
 void FieldStream::OnField(const absl::StatusOr<FieldAnswer>& answer) {
@@ -171,7 +168,7 @@ absl::StatusOr<NextMessage> FieldStream::Fill(
   if (FillSettled(message)) return NextMessage::kSend;
   if (!answer_.has_value()) {
     if (!progress_.has_value()) return NextMessage::kWait;
-    *message.mutable_progress() = ToProto(*std::exchange(progress_, {}));
+    *message.mutable_progress() = *std::exchange(progress_, {});
     return NextMessage::kSend;
   }
   if (!answer_->ok()) return answer_->status();

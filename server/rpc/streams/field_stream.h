@@ -95,7 +95,7 @@ class FieldStream final
 
   // Guarded by the stream's lock:
   bool header_sent_ = false;
-  std::optional<Progress> progress_;  // newer than what was sent
+  std::optional<v1::SolveProgress> progress_;  // newer than what was sent
   std::optional<absl::StatusOr<FieldAnswer>> answer_;
   std::optional<FieldChunks> chunks_;  // of *answer_
   std::string field_id_;               // until it is sent

@@ -85,11 +85,9 @@ void PairStream::FillPath(v1::PairPath& proto) {
 }
 
 void PairStream::FillTrailer(v1::PairsTrailer& trailer) {
-  v1::AnswerTrailer& answer = *trailer.mutable_answer();
-  answer.set_compute_seconds(call_.rows->seconds());
-  answer.set_windows_propagated(call_.rows->windows_propagated());
-  answer.set_item_count(order_->taken());
-  if (certified_error_ > 0) answer.set_certified_error(certified_error_);
+  *trailer.mutable_answer() =
+      MakeTrailer(call_.rows->seconds(), call_.rows->windows_propagated(),
+                  order_->taken(), certified_error_);
   const PairCounts counts = call_.work->answered.counts();
   trailer.set_pairs_searched(counts.searched);
   trailer.set_pairs_from_fields(counts.from_fields);

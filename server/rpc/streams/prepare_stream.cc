@@ -56,10 +56,7 @@ absl::Status PrepareStream::Ask() {
            },
        .progress =
            [self = Shared(this)](const Progress& progress) {
-             self->Update([&] {
-               self->progress_ = progress;
-               self->progress_->distances = {};  // valid during this call only
-             });
+             self->Update([&] { self->progress_ = ToProto(progress); });
            }},
       {.client = entry().client(), .is_batch = *is_batch});
   if (ticket.ok()) ticket_ = *std::move(ticket);
@@ -74,7 +71,7 @@ absl::StatusOr<NextMessage> PrepareStream::Fill(
   }
   if (!prepared_.has_value()) {
     if (!progress_.has_value()) return NextMessage::kWait;
-    *message.mutable_progress() = ToProto(*std::exchange(progress_, {}));
+    *message.mutable_progress() = *std::exchange(progress_, {});
     return NextMessage::kSend;
   }
   if (!prepared_->ok()) return prepared_->status();

@@ -31,7 +31,7 @@ class PrepareStream final
 
   // Guarded by the stream's lock:
   bool has_header_ = false;
-  std::optional<Progress> progress_;  // newer than what was sent
+  std::optional<v1::SolveProgress> progress_;  // newer than what was sent
   std::optional<absl::StatusOr<Prepared>> prepared_;
 };
 

@@ -50,10 +50,7 @@ class QuestionStream : public AnswerStream<Request, Response> {
   }
 
   void SetProgress(const Progress& progress) {
-    this->Update([&] {
-      progress_ = progress;
-      progress_->distances = {};  // valid during this call only
-    });
+    this->Update([&] { progress_ = ToProto(progress); });
   }
 
   // `change` stores the answer where FillPart finds it.
@@ -78,18 +75,15 @@ class QuestionStream : public AnswerStream<Request, Response> {
     }
     if (!status_.has_value()) {
       if (!progress_.has_value()) return NextMessage::kWait;
-      *message.mutable_progress() = ToProto(*std::exchange(progress_, {}));
+      *message.mutable_progress() = *std::exchange(progress_, {});
       return NextMessage::kSend;
     }
     if (!status_->ok()) return *status_;
     absl::StatusOr<bool> has_part = FillPart(message);
     if (!has_part.ok()) return has_part.status();
     if (*has_part) return NextMessage::kSend;
-    v1::AnswerTrailer& trailer = *message.mutable_trailer();
-    trailer.set_compute_seconds(cost_.seconds);
-    trailer.set_windows_propagated(cost_.windows_propagated);
-    trailer.set_item_count(next_item_);
-    if (tolerance_ > 0) trailer.set_certified_error(tolerance_);
+    *message.mutable_trailer() = MakeTrailer(
+        cost_.seconds, cost_.windows_propagated, next_item_, tolerance_);
     return NextMessage::kSendLast;
   }
 
@@ -99,7 +93,7 @@ class QuestionStream : public AnswerStream<Request, Response> {
 
   // Guarded by the stream's lock:
   bool has_header_ = false;
-  std::optional<Progress> progress_;  // newer than what was sent
+  std::optional<v1::SolveProgress> progress_;  // newer than what was sent
   std::optional<absl::Status> status_;
   AnswerCost cost_;
 };

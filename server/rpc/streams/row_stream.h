@@ -93,11 +93,9 @@ class RowStream final : public AnswerStream<Request, Response> {
     }
     if (!row_.has_value()) {
       if (next_row_ == call_.row_count) {
-        v1::AnswerTrailer& trailer = *message.mutable_trailer();
-        trailer.set_compute_seconds(call_.rows->seconds());
-        trailer.set_windows_propagated(call_.rows->windows_propagated());
-        trailer.set_item_count(next_row_);
-        if (certified_error_ > 0) trailer.set_certified_error(certified_error_);
+        *message.mutable_trailer() =
+            MakeTrailer(call_.rows->seconds(), call_.rows->windows_propagated(),
+                        next_row_, certified_error_);
         return NextMessage::kSendLast;
       }
       std::optional<absl::StatusOr<MatrixRow>> row = call_.rows->Take();
