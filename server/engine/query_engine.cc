@@ -304,16 +304,12 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
                    PlannedSolverBytes(*call.mesh->mesh, query),
                    SearchEngine::PlannedBytes(*call.mesh->mesh, query)),
                .row_bytes = RowBytes(*query, *call.mesh->mesh)};
-  // One more than can run, so no thread waits for the reader to take a row.
   call.rows = std::make_shared<RowPipeline>(
-      solo_jobs_, std::move(plan), rows, limits_.max_concurrent_jobs + 1,
+      solo_jobs_, scheduler_, std::move(plan), rows,
       MakeRowFunction(call.mesh, query, request, solve_options_, start_,
                       searches_),
       std::move(on_row));
-  absl::StatusOr<Scheduler::Place> place =
-      scheduler_.HoldPlace(request.requester.client);
-  if (!place.ok()) return place.status();
-  if (status = call.rows->Start(*std::move(place)); !status.ok()) return status;
+  if (status = call.rows->Start(); !status.ok()) return status;
   return call;
 }
 

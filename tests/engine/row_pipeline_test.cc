@@ -13,8 +13,6 @@ namespace {
 
 class RowPipelineTest : public ::testing::Test {
  protected:
-  static constexpr size_t kWindow = 3;
-
   ~RowPipelineTest() override {
     scheduler_.StopAll();
     executor_.RunAll();
@@ -23,11 +21,11 @@ class RowPipelineTest : public ::testing::Test {
   std::shared_ptr<RowPipeline> Make(uint64_t rows,
                                     TimePoint deadline = kNoDeadline) {
     return std::make_shared<RowPipeline>(
-        jobs_,
+        jobs_, scheduler_,
         RowJobs{.deadline = deadline,
                 .planned_bytes = kPlannedBytes,
                 .row_bytes = kRowBytes},
-        rows, kWindow,
+        rows,
         [this](uint64_t row, Checkpoint& checkpoint,
                ByteReservation memory) -> absl::StatusOr<MatrixRow> {
           started_.push_back(row);
@@ -41,11 +39,6 @@ class RowPipelineTest : public ::testing::Test {
           return MatrixRow{.values = {static_cast<double>(row)}};
         },
         [calls = calls_] { ++*calls; });
-  }
-
-  absl::Status Start(const std::shared_ptr<RowPipeline>& rows) {
-    absl::StatusOr<Scheduler::Place> place = scheduler_.HoldPlace("");
-    return place.ok() ? rows->Start(*std::move(place)) : place.status();
   }
 
   static constexpr uint64_t kPlannedBytes = 1000;
@@ -62,9 +55,9 @@ class RowPipelineTest : public ::testing::Test {
   SoloJobs jobs_{clock_, scheduler_, memory_, std::chrono::milliseconds(50)};
 };
 
-TEST_F(RowPipelineTest, RunsNoFurtherAheadThanItsWindow) {
+TEST_F(RowPipelineTest, IsAheadByOneRowMoreThanThereAreThreads) {
   const auto rows = Make(10);
-  ASSERT_TRUE(Start(rows).ok());
+  ASSERT_TRUE(rows->Start().ok());
   executor_.RunAll();
   EXPECT_EQ(started_, (std::vector<uint64_t>{0, 1, 2}));
   EXPECT_EQ(rows->rows_finished(), 3);
@@ -78,7 +71,7 @@ TEST_F(RowPipelineTest, RunsNoFurtherAheadThanItsWindow) {
 
 TEST_F(RowPipelineTest, HandsRowsOutInOrderToTheLast) {
   const auto rows = Make(7);
-  ASSERT_TRUE(Start(rows).ok());
+  ASSERT_TRUE(rows->Start().ok());
   EXPECT_FALSE(rows->Take().has_value());
   for (int row = 0; row < 7; ++row) {
     executor_.RunAll();
@@ -96,9 +89,9 @@ TEST_F(RowPipelineTest, HandsRowsOutInOrderToTheLast) {
 TEST_F(RowPipelineTest, AFullQueueRefusesTheFirstRowAndNoOther) {
   std::vector<std::shared_ptr<RowPipeline>> open;  // two run, two wait
   for (int i = 0; i < 4; ++i) {
-    ASSERT_TRUE(Start(open.emplace_back(Make(10))).ok());
+    ASSERT_TRUE(open.emplace_back(Make(10))->Start().ok());
   }
-  EXPECT_TRUE(absl::IsResourceExhausted(Start(Make(10))));
+  EXPECT_TRUE(absl::IsResourceExhausted(Make(10)->Start()));
   for (int row = 0; row < 10; ++row) {
     executor_.RunAll();
     for (const auto& pipeline : open) {
@@ -110,9 +103,9 @@ TEST_F(RowPipelineTest, AFullQueueRefusesTheFirstRowAndNoOther) {
 
 TEST_F(RowPipelineTest, DrainingLetsAMatrixFinish) {
   const auto rows = Make(6);
-  ASSERT_TRUE(Start(rows).ok());
+  ASSERT_TRUE(rows->Start().ok());
   scheduler_.BeginDrain();
-  EXPECT_TRUE(absl::IsUnavailable(Start(Make(1))));
+  EXPECT_TRUE(absl::IsUnavailable(Make(1)->Start()));
   for (int row = 0; row < 6; ++row) {
     executor_.RunAll();
     const auto next = rows->Take();
@@ -122,7 +115,7 @@ TEST_F(RowPipelineTest, DrainingLetsAMatrixFinish) {
 
 TEST_F(RowPipelineTest, StoppingFailsIt) {
   const auto rows = Make(6);
-  ASSERT_TRUE(Start(rows).ok());
+  ASSERT_TRUE(rows->Start().ok());
   scheduler_.StopAll();
   executor_.RunAll();
   const auto next = rows->Take();
@@ -133,7 +126,7 @@ TEST_F(RowPipelineTest, StoppingFailsIt) {
 TEST_F(RowPipelineTest, AFailureEndsIt) {
   bad_row_ = 1;
   const auto rows = Make(10);
-  ASSERT_TRUE(Start(rows).ok());
+  ASSERT_TRUE(rows->Start().ok());
   executor_.RunAll();
   auto next = rows->Take();
   ASSERT_TRUE(next.has_value() && next->ok());
@@ -146,7 +139,7 @@ TEST_F(RowPipelineTest, AFailureEndsIt) {
 
 TEST_F(RowPipelineTest, CancellingDropsWhatWaits) {
   const auto rows = Make(10);
-  ASSERT_TRUE(Start(rows).ok());
+  ASSERT_TRUE(rows->Start().ok());
   rows->Cancel();
   EXPECT_EQ(scheduler_.queued(), 0);
   executor_.RunAll();
@@ -157,7 +150,7 @@ TEST_F(RowPipelineTest, CancellingDropsWhatWaits) {
 
 TEST_F(RowPipelineTest, DeadlinesHoldForEveryRow) {
   const auto rows = Make(10, clock_.Now() + std::chrono::seconds(1));
-  ASSERT_TRUE(Start(rows).ok());
+  ASSERT_TRUE(rows->Start().ok());
   executor_.RunAll();
   ASSERT_TRUE(rows->Take()->ok());
   clock_.Advance(std::chrono::seconds(1));

@@ -4,19 +4,21 @@
 
 namespace geodesic::server {
 
-RowPipeline::RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows,
-                         size_t window, RowFunction function,
+RowPipeline::RowPipeline(SoloJobs& jobs, Scheduler& scheduler, RowJobs plan,
+                         uint64_t rows, RowFunction function,
                          std::function<void()> on_row)
     : jobs_(jobs),
+      scheduler_(scheduler),
       plan_(std::move(plan)),
       rows_(rows),
-      window_(window),
       function_(std::move(function)),
       on_row_(std::move(on_row)) {}
 
-absl::Status RowPipeline::Start(Scheduler::Place place) {
+absl::Status RowPipeline::Start() {
+  absl::StatusOr<Scheduler::Place> place = scheduler_.HoldPlace(plan_.client);
+  if (!place.ok()) return place.status();
   std::lock_guard lock(mutex_);
-  place_ = std::move(place);
+  place_ = *std::move(place);
   return SubmitNext();
 }
 
@@ -52,7 +54,7 @@ absl::Status RowPipeline::SubmitNext() {
 
 void RowPipeline::GoOn() {
   if (!failure_.ok() || is_waiting_) return;
-  if (next_row_ < rows_ && next_row_ < next_take_ + window_) {
+  if (next_row_ < rows_ && next_row_ <= next_take_ + scheduler_.max_running()) {
     failure_ = SubmitNext();
   }
   if (!failure_.ok() || (next_row_ == rows_ && !is_waiting_)) place_.reset();

@@ -54,18 +54,19 @@ struct RowJobs {
 // Thread-safe. Held by the reader of the rows and by the running jobs.
 class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
  public:
-  // At most `window` rows are being computed or wait to be taken; one at a time
+  // One row more than `scheduler` runs jobs may be computed or wait to be
+  // taken, so no thread waits for the reader to take one; one row at a time
   // waits for a thread. `on_row` is called from a job's thread when there may
   // be a row to take. It must be short, and may still be called during Cancel
   // and just after it.
-  // REQUIRES: `jobs` outlives the pipeline's jobs; window > 0.
-  RowPipeline(SoloJobs& jobs, RowJobs plan, uint64_t rows, size_t window,
+  // REQUIRES: `jobs` run on `scheduler`, and both outlive the pipeline's jobs.
+  RowPipeline(SoloJobs& jobs, Scheduler& scheduler, RowJobs plan, uint64_t rows,
               RowFunction function, std::function<void()> on_row);
 
-  // Call once. `place` is held until the last row begins, because the reader
-  // may pause and then take many rows at once.
-  // Errors: as SoloJobs::Start.
-  absl::Status Start(Scheduler::Place place);
+  // Call once. Holds a place in the queue until the last row begins, because
+  // the reader may pause and then take many rows at once.
+  // Errors: as Scheduler::HoldPlace and SoloJobs::Start.
+  absl::Status Start();
 
   // The next row if it is finished, or the error if there will be none.
   std::optional<absl::StatusOr<MatrixRow>> Take();
@@ -89,9 +90,9 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   void GoOn();
 
   SoloJobs& jobs_;
+  Scheduler& scheduler_;
   const RowJobs plan_;
   const uint64_t rows_;
-  const size_t window_;
   const RowFunction function_;
 
   mutable std::mutex mutex_;

@@ -99,6 +99,7 @@ class Scheduler {
   // Waits until no job runs or waits. False when `limit` passed first.
   bool WaitIdle(std::chrono::milliseconds limit);
 
+  size_t max_running() const { return max_running_; }
   // Of all priorities.
   size_t running() const;
   size_t queued() const;  // except kPrepare

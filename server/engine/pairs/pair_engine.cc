@@ -158,17 +158,13 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
                .deadline = request.deadline,
                .planned_bytes = work->PlannedBytes(),
                .row_bytes = work->RowBytes()};
-  // One more than can run, so no thread waits for the reader to take a row.
   call.rows = std::make_shared<RowPipeline>(
-      jobs_, std::move(plan), call.row_count, limits_.max_concurrent_jobs + 1,
+      jobs_, scheduler_, std::move(plan), call.row_count,
       [work](uint64_t row, Checkpoint& checkpoint, ByteReservation memory) {
         return work->Answer(row, checkpoint, std::move(memory));
       },
       std::move(on_row));
-  absl::StatusOr<Scheduler::Place> place =
-      scheduler_.HoldPlace(request.requester.client);
-  if (!place.ok()) return place.status();
-  if (status = call.rows->Start(*std::move(place)); !status.ok()) return status;
+  if (status = call.rows->Start(); !status.ok()) return status;
   return call;
 }
 
