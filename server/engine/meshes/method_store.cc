@@ -17,17 +17,19 @@ constexpr MethodChoice kFirst = {.lambda =
 
 }  // namespace
 
+absl::Status NoVertex(ApproximateMethod method, const std::string& field) {
+  return InvalidField(
+      field, absl::StrCat(field, " is no vertex: ",
+                          std::string(ApproximateMethodName(method)),
+                          " is approximate and gives the distances of vertices "
+                          "alone; name a vertex, or ask an exact algorithm"));
+}
+
 absl::Status CheckVertexTargets(ApproximateMethod method,
                                 std::span<const SurfacePoint> targets) {
   for (size_t t = 0; t < targets.size(); ++t) {
     if (std::holds_alternative<VertexPoint>(targets[t])) continue;
-    const std::string field = absl::StrCat("targets[", t, "]");
-    return InvalidField(
-        field,
-        absl::StrCat(field, " is no vertex: ",
-                     std::string(ApproximateMethodName(method)),
-                     " is approximate and gives the distances of vertices "
-                     "alone; name a vertex, or ask an exact algorithm"));
+    return NoVertex(method, absl::StrCat("targets[", t, "]"));
   }
   return absl::OkStatus();
 }

@@ -36,8 +36,10 @@ struct MethodHandle {
 // How an answer comes about: exactly, or by an approximate method.
 using AlgorithmChoice = std::variant<Algorithm, MethodChoice>;
 
-// Errors: INVALID_ARGUMENT naming a target that is no vertex, which approximate
-// methods know nothing of.
+// INVALID_ARGUMENT: this field of a request is no vertex, and approximate
+// methods know nothing else.
+absl::Status NoVertex(ApproximateMethod method, const std::string& field);
+// NoVertex for the first target that is none.
 absl::Status CheckVertexTargets(ApproximateMethod method,
                                 std::span<const SurfacePoint> targets);
 

@@ -51,24 +51,20 @@ absl::Status MakeCanonical(const Mesh& mesh, std::vector<PointPair>& pairs) {
 
 // Errors: INVALID_ARGUMENT naming what no approximate method does.
 absl::Status CheckApproximate(const PairRequest& request) {
-  const std::string name(ApproximateMethodName(request.method->choice.method));
+  const ApproximateMethod method = request.method->choice.method;
   if (request.paths) {
     return InvalidField(
-        "paths", absl::StrCat("paths: ", name,
-                              " is approximate and finds distances alone; ask "
-                              "an exact algorithm for paths"));
+        "paths",
+        absl::StrCat("paths: ", std::string(ApproximateMethodName(method)),
+                     " is approximate and finds distances alone; ask "
+                     "an exact algorithm for paths"));
   }
   for (size_t i = 0; i < request.pairs.size(); ++i) {
     for (const auto& [end, point] :
          {std::pair("source", request.pairs[i].source),
           std::pair("target", request.pairs[i].target)}) {
       if (std::holds_alternative<VertexPoint>(point)) continue;
-      const std::string field = absl::StrCat("pairs[", i, "].", end);
-      return InvalidField(
-          field, absl::StrCat(field, " is no vertex: ", name,
-                              " is approximate and gives the distances of "
-                              "vertices alone; name a vertex, or ask an exact "
-                              "algorithm"));
+      return NoVertex(method, absl::StrCat("pairs[", i, "].", end));
     }
   }
   return absl::OkStatus();
