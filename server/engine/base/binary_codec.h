@@ -81,15 +81,23 @@ class BinaryReader {
   bool ok_ = true;
 };
 
+// What records begin with, so that none is taken for another. A record that
+// changes gets a new number.
+inline constexpr uint32_t kMeshRecord = 1;
+inline constexpr uint32_t kFieldRecord = 2;
+inline constexpr uint32_t kLandmarksRecord = 1002;
+inline constexpr uint32_t kGraphRecord = 2001;
+inline constexpr uint32_t kSharedMeshRecord = 3001;
+
 // The record that `read(reader, record)` reads. Empty unless the bytes begin
-// with this version and end with the record.
+// with this number and end with the record.
 template <typename Record, typename Read>
-std::optional<Record> DecodeRecord(std::string_view bytes, uint32_t version,
+std::optional<Record> DecodeRecord(std::string_view bytes, uint32_t number,
                                    Read read) {
   BinaryReader reader(bytes);
   uint32_t found = 0;
   reader.Get(found);
-  if (found != version) return std::nullopt;
+  if (found != number) return std::nullopt;
   Record record;
   read(reader, record);
   if (!reader.AtEnd()) return std::nullopt;

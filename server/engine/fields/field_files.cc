@@ -15,8 +15,6 @@
 namespace geodesic::server {
 namespace {
 
-constexpr uint32_t kMetadataVersion = 2;
-
 // At most this many fields wait to be written; more are dropped, because a slow
 // disk must not hold up the solvers.
 constexpr size_t kMaxWaiting = 64;
@@ -89,7 +87,7 @@ uint64_t LayoutOf(const Mesh& mesh) {
 std::string Encode(const FieldKey& key, const Mesh& mesh,
                    const DistanceField& field) {
   BinaryWriter writer;
-  writer.Put(kMetadataVersion);
+  writer.Put(kFieldRecord);
   writer.PutString(key.mesh_digest);
   writer.Put(!field.arrivals.empty());
   writer.Put(field.arrivals.empty() ? 0 : LayoutOf(mesh));
@@ -112,10 +110,10 @@ std::array<std::string_view, 6> Body(const DistanceField& field) {
           is_exact ? "" : AsBytes(field.target_certified_errors)};
 }
 
-// Empty if the metadata has another version.
+// Empty if the metadata is another record.
 std::optional<Metadata> Decode(std::string_view bytes) {
   return DecodeRecord<Metadata>(
-      bytes, kMetadataVersion, [](BinaryReader& reader, Metadata& metadata) {
+      bytes, kFieldRecord, [](BinaryReader& reader, Metadata& metadata) {
         reader.GetString(metadata.mesh_digest);
         reader.Get(metadata.has_arrivals);
         reader.Get(metadata.layout);

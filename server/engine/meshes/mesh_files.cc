@@ -13,8 +13,6 @@
 namespace geodesic::server {
 namespace {
 
-constexpr uint32_t kMetadataVersion = 1;
-
 // Freeing disk space takes longer than a second.
 constexpr std::chrono::milliseconds kRetryDelay{5000};
 
@@ -48,7 +46,7 @@ struct Metadata {
 std::string Encode(const MeshSummary& summary,
                    const std::optional<FileKey>& file) {
   BinaryWriter writer;
-  writer.Put(kMetadataVersion);
+  writer.Put(kMeshRecord);
   VisitNumbers(summary, [&](auto number) { writer.Put(number); });
   writer.Put(summary.genus.has_value());
   writer.Put(summary.genus.value_or(0));
@@ -58,10 +56,10 @@ std::string Encode(const MeshSummary& summary,
   return writer.bytes();
 }
 
-// Empty if the metadata has another version.
+// Empty if the metadata is another record.
 std::optional<Metadata> Decode(std::string_view bytes) {
   return DecodeRecord<Metadata>(
-      bytes, kMetadataVersion, [](BinaryReader& reader, Metadata& metadata) {
+      bytes, kMeshRecord, [](BinaryReader& reader, Metadata& metadata) {
         VisitNumbers(metadata.summary,
                      [&](auto& number) { reader.Get(number); });
         bool has_genus = false;

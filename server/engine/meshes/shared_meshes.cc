@@ -15,9 +15,6 @@
 namespace geodesic::server {
 namespace {
 
-// Apart from those of fields, landmarks and graphs.
-constexpr uint32_t kMetadataVersion = 3001;
-
 // Beyond this there is no mesh, and sizes would not be numbers.
 constexpr uint64_t kMostCount = std::numeric_limits<uint32_t>::max();
 
@@ -28,15 +25,15 @@ struct Metadata {
 
 std::string Encode(const Mesh& mesh) {
   BinaryWriter writer;
-  writer.Put(kMetadataVersion);
+  writer.Put(kSharedMeshRecord);
   writer.Put(uint64_t{mesh.vertex_count()});
   writer.Put(uint64_t{mesh.face_count()});
   return writer.bytes();
 }
 
-// Empty if the metadata has another version.
+// Empty if the metadata is another record.
 std::optional<Metadata> Decode(std::string_view bytes) {
-  return DecodeRecord<Metadata>(bytes, kMetadataVersion,
+  return DecodeRecord<Metadata>(bytes, kSharedMeshRecord,
                                 [](BinaryReader& reader, Metadata& metadata) {
                                   reader.Get(metadata.vertices);
                                   reader.Get(metadata.faces);

@@ -11,9 +11,6 @@
 namespace geodesic::server {
 namespace {
 
-// Apart from those of fields and landmarks, which are in the same folder.
-constexpr uint32_t kMetadataVersion = 2001;
-
 using Arc = SaddleVertexGraph::Arc;
 static_assert(sizeof(Arc) == sizeof(uint32_t) + sizeof(float),
               "arcs are kept as they lie in memory");
@@ -25,7 +22,7 @@ struct Metadata {
 
 std::string Encode(const std::string& digest, const SaddleVertexGraph& graph) {
   BinaryWriter writer;
-  writer.Put(kMetadataVersion);
+  writer.Put(kGraphRecord);
   writer.PutString(digest);
   writer.Put(uint64_t{graph.arcs().size()});
   return writer.bytes();
@@ -35,9 +32,9 @@ std::array<std::string_view, 2> Body(const SaddleVertexGraph& graph) {
   return {AsBytes(graph.offsets()), AsBytes(graph.arcs())};
 }
 
-// Empty if the metadata has another version.
+// Empty if the metadata is another record.
 std::optional<Metadata> Decode(std::string_view bytes) {
-  return DecodeRecord<Metadata>(bytes, kMetadataVersion,
+  return DecodeRecord<Metadata>(bytes, kGraphRecord,
                                 [](BinaryReader& reader, Metadata& metadata) {
                                   reader.GetString(metadata.mesh_digest);
                                   reader.Get(metadata.arcs);

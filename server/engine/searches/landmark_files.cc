@@ -12,9 +12,6 @@
 namespace geodesic::server {
 namespace {
 
-// Apart from those of fields, which are in the same folder.
-constexpr uint32_t kMetadataVersion = 1002;
-
 static_assert(sizeof(Landmarks::Row) == sizeof(Landmarks::Steps),
               "rows are kept as they lie in memory");
 
@@ -25,15 +22,15 @@ struct Metadata {
 
 std::string Encode(const Landmarks& landmarks) {
   BinaryWriter writer;
-  writer.Put(kMetadataVersion);
+  writer.Put(kLandmarksRecord);
   writer.Put(landmarks.count());
   writer.Put(landmarks.step());
   return writer.bytes();
 }
 
-// Empty if the metadata has another version.
+// Empty if the metadata is another record.
 std::optional<Metadata> Decode(std::string_view bytes) {
-  return DecodeRecord<Metadata>(bytes, kMetadataVersion,
+  return DecodeRecord<Metadata>(bytes, kLandmarksRecord,
                                 [](BinaryReader& reader, Metadata& metadata) {
                                   reader.Get(metadata.count);
                                   reader.Get(metadata.step);
