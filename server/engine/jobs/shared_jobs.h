@@ -33,6 +33,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
+#include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/status_details.h"
 #include "server/engine/jobs/job_checkpoint.h"
@@ -63,6 +64,26 @@ struct SharedWork {
   // Data that all waiters can read while the job runs; may be null.
   std::shared_ptr<Shared> shared;
 };
+
+// Work that takes `bytes` of `budget` before it begins, for its checkpoint.
+template <typename Result, typename Run>
+SharedWork<Result> WorkInMemory(const std::shared_ptr<ByteBudget>& budget,
+                                uint64_t bytes, const std::string& client,
+                                Run run) {
+  auto memory = std::make_shared<ByteReservation>();
+  return {.client = client,
+          .reserve = [budget, bytes, memory]() -> absl::Status {
+            auto taken = ByteReservation::Make(budget, bytes);
+            if (!taken.ok()) return taken.status();
+            *memory = *std::move(taken);
+            return absl::OkStatus();
+          },
+          .run = [memory, run = std::move(run)](JobCheckpoint& checkpoint)
+              -> absl::StatusOr<std::optional<Result>> {
+            checkpoint.Hold(std::move(*memory));
+            return run(checkpoint);
+          }};
+}
 
 // Thread-safe. Waiters are never called under a lock. Keys are ordered by <.
 template <typename Key, typename Result, typename Shared = std::monostate>

@@ -1,7 +1,6 @@
 #include "server/engine/methods/decimation_engine.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,23 +34,14 @@ absl::StatusOr<DecimationJobs::Ticket> DecimationEngine::Decimate(
   absl::Status fits = solver_memory_->CheckCapacity(planned);
   if (fits.ok()) fits = meshes_.decimations().CheckCapacity(max_faces);
   if (!fits.ok()) return fits;
-  const auto memory = std::make_shared<ByteReservation>();
-  return jobs_.Join(
-      key, std::move(waiter), SolvePriority(requester.is_batch), [&] {
-        return SharedWork<DecimationHandle>{
-            .client = requester.client,
-            .reserve = [this, memory, planned]() -> absl::Status {
-              auto taken = ByteReservation::Make(solver_memory_, planned);
-              if (!taken.ok()) return taken.status();
-              *memory = *std::move(taken);
-              return absl::OkStatus();
-            },
-            .run = [this, mesh, max_faces, memory](JobCheckpoint& checkpoint)
-                -> absl::StatusOr<std::optional<DecimationHandle>> {
-              checkpoint.Hold(std::move(*memory));
-              return Run(mesh, max_faces, checkpoint);
-            }};
-      });
+  return jobs_.Join(key, std::move(waiter), SolvePriority(requester.is_batch),
+                    [&] {
+                      return WorkInMemory<DecimationHandle>(
+                          solver_memory_, planned, requester.client,
+                          [this, mesh, max_faces](Checkpoint& checkpoint) {
+                            return Run(mesh, max_faces, checkpoint);
+                          });
+                    });
 }
 
 absl::StatusOr<DecimationHandle> DecimationEngine::Run(const MeshHandle& mesh,

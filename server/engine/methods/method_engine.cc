@@ -41,24 +41,14 @@ absl::StatusOr<MethodJobs::Ticket> MethodEngine::Prepare(
   const uint64_t planned = PlannedBytes(*mesh->mesh, method);
   absl::Status fits = solver_memory_->CheckCapacity(planned);
   if (!fits.ok()) return fits;
-  const auto memory = std::make_shared<ByteReservation>();
-  return jobs_.Join(
-      {mesh->digest, method}, std::move(waiter),
-      SolvePriority(requester.is_batch), [&] {
-        return SharedWork<Prepared>{
-            .client = requester.client,
-            .reserve = [this, memory, planned]() -> absl::Status {
-              auto taken = ByteReservation::Make(solver_memory_, planned);
-              if (!taken.ok()) return taken.status();
-              *memory = *std::move(taken);
-              return absl::OkStatus();
-            },
-            .run = [this, mesh, method, memory](JobCheckpoint& checkpoint)
-                -> absl::StatusOr<std::optional<Prepared>> {
-              checkpoint.Hold(std::move(*memory));
-              return Run(mesh, method, checkpoint);
-            }};
-      });
+  return jobs_.Join({mesh->digest, method}, std::move(waiter),
+                    SolvePriority(requester.is_batch), [&] {
+                      return WorkInMemory<Prepared>(
+                          solver_memory_, planned, requester.client,
+                          [this, mesh, method](Checkpoint& checkpoint) {
+                            return Run(mesh, method, checkpoint);
+                          });
+                    });
 }
 
 absl::StatusOr<Prepared> MethodEngine::Run(
