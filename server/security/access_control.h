@@ -72,8 +72,6 @@ class AccessControl {
   absl::StatusOr<Caller> Identify(
       std::optional<std::string_view> authorization) const;
 
-  const std::string& token_file() const { return token_file_; }
-
  private:
   const std::string token_file_;
   const WallClock now_;

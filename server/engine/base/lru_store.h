@@ -163,7 +163,6 @@ class LruStore {
 
   // Includes reservations, and removed entries that are still held.
   uint64_t used_bytes() const { return budget_->used(); }
-  uint64_t capacity() const { return budget_->capacity(); }
 
  private:
   // The charge returns to the budget when the value is freed, which may be

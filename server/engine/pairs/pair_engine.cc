@@ -145,17 +145,16 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
     work->landmarks = LandmarksWorth(SearchCount(work->rows));
   }
   call.work = work;
-  call.row_count = work->rows.size();
   const bool is_batch = request.requester.is_batch;
   RowJobs plan{.client = request.requester.client,
                // What takes one job is answered at once, like any question.
-               .priority = call.row_count == 1 ? SolvePriority(is_batch)
-                                               : RowPriority(is_batch),
+               .priority = work->rows.size() == 1 ? SolvePriority(is_batch)
+                                                  : RowPriority(is_batch),
                .deadline = request.deadline,
                .planned_bytes = work->PlannedBytes(),
                .row_bytes = work->RowBytes()};
   call.rows = std::make_shared<RowPipeline>(
-      jobs_, scheduler_, std::move(plan), call.row_count,
+      jobs_, scheduler_, std::move(plan), work->rows.size(),
       [work](uint64_t row, Checkpoint& checkpoint, ByteReservation memory) {
         return work->Answer(row, checkpoint, std::move(memory));
       },

@@ -47,7 +47,6 @@ struct PairCall {
   uint64_t pair_count = 0;
   // Their columns are numbers of pairs; PairOrder puts these in order.
   std::shared_ptr<RowPipeline> rows;
-  uint64_t row_count = 0;
   // For its counts.
   std::shared_ptr<const PairWork> work;
 };
