@@ -58,7 +58,7 @@ absl::Status CheckMatrix(const MatrixRequest& request, const ValidQuery& query,
   const uint64_t rows = query->sources.size();
   const bool has_targets = !query->targets.empty();
   if (request.method.has_value()) {
-    status = CheckVertexTargets(request.method->choice.method, query->targets);
+    status = CheckPlaces(request.method->choice.method, *query);
     if (!status.ok()) return status;
   }
   if (request.nearest.has_value()) {
@@ -288,6 +288,9 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
   const ValidQuery& query = *valid;
   absl::Status status = CheckMatrix(request, query, *(*mesh)->mesh, limits_);
   if (!status.ok()) return status;
+  if (request.method.has_value() && request.method->method == nullptr) {
+    return NotPrepared();
+  }
   const uint64_t rows = query->sources.size();
   MatrixCall call{.mesh = *std::move(mesh), .row_count = rows};
   if (request.method.has_value()) {

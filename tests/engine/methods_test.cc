@@ -145,26 +145,37 @@ TEST_F(MethodsTest, NorDoThoseOnDisk) {
   EXPECT_EQ(FieldBy(std::nullopt).field->distances, exact.field->distances);
 }
 
+// Before anything is prepared for them, too.
 TEST_F(MethodsTest, ApproximateFieldsRefuseWhatTheyCannotDo) {
-  const MethodHandle method = *Prepare(kFmm);
-  const auto refusal = [&](FieldRequest request) {
-    request.mesh_digest = mesh_->digest;
-    request.method = method;
-    request.query.sources = {{VertexPoint{0}}};
-    return engine()
-        .fields()
-        .Compute(request, std::make_shared<RecordingObserver>())
-        .status();
-  };
-  EXPECT_TRUE(
-      absl::IsInvalidArgument(refusal({.extras = {.settled_order = true}})));
-  EXPECT_TRUE(
-      absl::IsInvalidArgument(refusal({.extras = {.gradients = true}})));
-  EXPECT_TRUE(absl::IsInvalidArgument(refusal(
-      {.query = {.targets = {VertexPoint{1}}}, .reach = {.targets = 1}})));
-  EXPECT_TRUE(absl::IsInvalidArgument(
-      refusal({.query = {.targets = {FacePoint{0, {0.25, 0.25, 0.5}}}}})));
-  EXPECT_TRUE(refusal({.query = {.targets = {VertexPoint{1}}}}).ok());
+  for (const MethodHandle& method :
+       {*Prepare(kFmm), MethodHandle{.mesh = mesh_, .choice = kHeat}}) {
+    const auto refusal = [&](FieldRequest request) {
+      request.mesh_digest = mesh_->digest;
+      request.method = method;
+      if (request.query.sources.empty()) {
+        request.query.sources = {{VertexPoint{0}}};
+      }
+      return engine()
+          .fields()
+          .Compute(request, std::make_shared<RecordingObserver>())
+          .status();
+    };
+    EXPECT_TRUE(
+        absl::IsInvalidArgument(refusal({.extras = {.settled_order = true}})));
+    EXPECT_TRUE(
+        absl::IsInvalidArgument(refusal({.extras = {.gradients = true}})));
+    EXPECT_TRUE(absl::IsInvalidArgument(refusal(
+        {.query = {.targets = {VertexPoint{1}}}, .reach = {.targets = 1}})));
+    EXPECT_TRUE(absl::IsInvalidArgument(
+        refusal({.query = {.targets = {FacePoint{0, {0.25, 0.25, 0.5}}}}})));
+    const Triangle& corners = mesh_->mesh->triangle(0);
+    EXPECT_TRUE(absl::IsInvalidArgument(
+        refusal({.query = {.sources = {{Curve{{VertexPoint{corners[0]},
+                                               VertexPoint{corners[1]}}}}}}})));
+    const absl::Status good = refusal({.query = {.targets = {VertexPoint{1}}}});
+    EXPECT_EQ(good.ok(), method.method != nullptr) << good;
+    EXPECT_EQ(IsNotPrepared(good), method.method == nullptr) << good;
+  }
   executor_.RunAll();
 }
 

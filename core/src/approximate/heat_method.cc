@@ -109,8 +109,7 @@ class HeatMethod::Systems {
   void MoveToRight(const std::vector<bool>& is_pinned,
                    const std::vector<double>& values,
                    std::vector<double>& right) const;
-  absl::StatusOr<std::vector<HeatSource>> SourcesOf(
-      const ValidQuery& query) const;
+  std::vector<HeatSource> SourcesOf(const ValidQuery& query) const;
   absl::StatusOr<std::vector<double>> SpreadHeat(
       const std::vector<HeatSource>& sources) const;
   // The divergence of the unit field along which heat flows, integrated around
@@ -276,18 +275,10 @@ void HeatMethod::Systems::MoveToRight(const std::vector<bool>& is_pinned,
   }
 }
 
-absl::StatusOr<std::vector<HeatSource>> HeatMethod::Systems::SourcesOf(
+std::vector<HeatSource> HeatMethod::Systems::SourcesOf(
     const ValidQuery& query) const {
   std::vector<HeatSource> sources;
-  for (size_t s = 0; s < query->sources.size(); ++s) {
-    const Source& source = query->sources[s];
-    if (source.offset != 0) {
-      const std::string path = absl::StrCat("sources[", s, "].offset");
-      return InvalidField(
-          path, absl::StrCat(path,
-                             ": heat starts from all sources at once; "
-                             "ask fmm or an exact algorithm"));
-    }
+  for (const Source& source : query->sources) {
     const auto& point = std::get<SurfacePoint>(source.place);
     const std::vector<FacePoint> around = FacesAround(mesh_, point);
     if (around.empty()) {  // a vertex without faces
@@ -351,11 +342,10 @@ absl::StatusOr<std::vector<double>> HeatMethod::Systems::Distances(
   const absl::StatusOr<std::vector<Seed>> seeds =
       SeedsOf(query, mesh_, ApproximateMethod::kHeat);
   if (!seeds.ok()) return seeds.status();
-  const absl::StatusOr<std::vector<HeatSource>> sources = SourcesOf(query);
-  if (!sources.ok()) return sources.status();
+  const std::vector<HeatSource> sources = SourcesOf(query);
   if (absl::Status status = PollSolving(checkpoint); !status.ok())
     return status;
-  const absl::StatusOr<std::vector<double>> heat = SpreadHeat(*sources);
+  const absl::StatusOr<std::vector<double>> heat = SpreadHeat(sources);
   if (!heat.ok()) return heat.status();
   std::vector<double> right = Divergence(*heat);
   if (absl::Status status = PollSolving(checkpoint); !status.ok())
@@ -364,7 +354,7 @@ absl::StatusOr<std::vector<double>> HeatMethod::Systems::Distances(
   // What each component's distances start from.
   std::vector<uint32_t> sources_on(mesh_.vertex_count(), 0);
   bool has_several = false;
-  for (const HeatSource& source : *sources) {
+  for (const HeatSource& source : sources) {
     has_several |= ++sources_on[components_[source.corners[0]]] > 1;
   }
   std::vector<bool> is_pinned(mesh_.vertex_count());
@@ -393,7 +383,7 @@ absl::StatusOr<std::vector<double>> HeatMethod::Systems::Distances(
   if (!distances.ok()) return distances;
 
   std::vector<double> shifts(mesh_.vertex_count(), 0);
-  for (const HeatSource& source : *sources) {
+  for (const HeatSource& source : sources) {
     if (sources_on[components_[source.corners[0]]] != 1) continue;
     double& shift = shifts[components_[source.corners[0]]];
     for (uint32_t i = 0; i < 3; ++i) {

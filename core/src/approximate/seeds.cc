@@ -21,6 +21,23 @@ absl::Status Refuse(const std::string& path, ApproximateMethod method,
 
 }  // namespace
 
+absl::Status CheckSources(ApproximateMethod method,
+                          std::span<const Source> sources) {
+  for (size_t s = 0; s < sources.size(); ++s) {
+    const std::string path = absl::StrCat("sources[", s, "]");
+    if (IsCurve(sources[s])) {
+      return Refuse(path + ".curve", method,
+                    "starts from points; ask an exact algorithm");
+    }
+    if (method == ApproximateMethod::kHeat && sources[s].offset != 0) {
+      return Refuse(path + ".offset", method,
+                    "starts from all sources at once; ask fmm or an exact "
+                    "algorithm");
+    }
+  }
+  return absl::OkStatus();
+}
+
 absl::StatusOr<std::vector<Seed>> SeedsOf(const ValidQuery& query,
                                           const Mesh& mesh,
                                           ApproximateMethod method) {
@@ -32,13 +49,10 @@ absl::StatusOr<std::vector<Seed>> SeedsOf(const ValidQuery& query,
     return Refuse("trace", method,
                   "keeps no paths; ask an exact algorithm for them");
   }
+  absl::Status status = CheckSources(method, query->sources);
+  if (!status.ok()) return status;
   std::vector<Seed> seeds;
-  for (size_t s = 0; s < query->sources.size(); ++s) {
-    const Source& source = query->sources[s];
-    if (IsCurve(source)) {
-      return Refuse(absl::StrCat("sources[", s, "].curve"), method,
-                    "starts from points; ask an exact algorithm");
-    }
+  for (const Source& source : query->sources) {
     const auto& point = std::get<SurfacePoint>(source.place);
     const double offset = std::ldexp(source.offset, -mesh.scale_exponent());
     if (const auto* at = std::get_if<VertexPoint>(&point)) {

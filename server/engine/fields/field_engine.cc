@@ -67,8 +67,7 @@ absl::Status CheckApproximate(const FieldRequest& request) {
     return refuse("stop_after_targets",
                   "computes whole fields; leave the limit out");
   }
-  return CheckVertexTargets(request.method->choice.method,
-                            request.query.targets);
+  return CheckPlaces(request.method->choice.method, request.query);
 }
 
 // What no field within a tolerance has. Errors: INVALID_ARGUMENT.
@@ -250,6 +249,9 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
     Count(&FieldCounters::queries_cached);
     call.origin = FieldOrigin::kCached;
     return call;
+  }
+  if (request.method.has_value() && request.method->method == nullptr) {
+    return NotPrepared();
   }
   const bool is_kept =
       is_cached || (files_ != nullptr && files_->Find(key.field, key.reach));

@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "absl/strings/cord.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic/field_path.h"
 
@@ -11,11 +12,25 @@ namespace {
 
 constexpr uint64_t kEntryBytes = 256;
 
+// A payload of NotPrepared().
+constexpr char kNotPrepared[] = "geodesic/not-prepared";
+
 // Before all others.
 constexpr MethodChoice kFirst = {.lambda =
                                      -std::numeric_limits<double>::infinity()};
 
 }  // namespace
+
+absl::Status NotPrepared() {
+  absl::Status status =
+      absl::UnavailableError("the mesh is not prepared for this method yet");
+  status.SetPayload(kNotPrepared, absl::Cord());
+  return status;
+}
+
+bool IsNotPrepared(const absl::Status& status) {
+  return status.GetPayload(kNotPrepared).has_value();
+}
 
 absl::Status NoVertex(ApproximateMethod method, const std::string& field) {
   return InvalidField(
@@ -25,8 +40,10 @@ absl::Status NoVertex(ApproximateMethod method, const std::string& field) {
                           "alone; name a vertex, or ask an exact algorithm"));
 }
 
-absl::Status CheckVertexTargets(ApproximateMethod method,
-                                std::span<const SurfacePoint> targets) {
+absl::Status CheckPlaces(ApproximateMethod method, const Query& query) {
+  absl::Status status = CheckSources(method, query.sources);
+  if (!status.ok()) return status;
+  const std::vector<SurfacePoint>& targets = query.targets;
   for (size_t t = 0; t < targets.size(); ++t) {
     if (std::holds_alternative<VertexPoint>(targets[t])) continue;
     return NoVertex(method, absl::StrCat("targets[", t, "]"));

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,7 +16,7 @@
 #include "absl/status/statusor.h"
 #include "geodesic/algorithm.h"
 #include "geodesic/approximate/prepare.h"
-#include "geodesic/surface_point.h"
+#include "geodesic/query.h"
 #include "server/engine/base/lru_store.h"
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_store.h"
@@ -29,9 +28,14 @@ namespace geodesic::server {
 struct MethodHandle {
   MeshHandle mesh;
   MethodChoice choice;
+  // Null: not prepared yet. Whoever is asked a good question then answers
+  // NotPrepared().
   std::shared_ptr<const PreparedMethod> method;
   double prepare_seconds = 0;
 };
+
+absl::Status NotPrepared();
+bool IsNotPrepared(const absl::Status& status);
 
 // How an answer comes about: exactly, or by an approximate method.
 using AlgorithmChoice = std::variant<Algorithm, MethodChoice>;
@@ -39,9 +43,8 @@ using AlgorithmChoice = std::variant<Algorithm, MethodChoice>;
 // INVALID_ARGUMENT: this field of a request is no vertex, and approximate
 // methods know nothing else.
 absl::Status NoVertex(ApproximateMethod method, const std::string& field);
-// NoVertex for the first target that is none.
-absl::Status CheckVertexTargets(ApproximateMethod method,
-                                std::span<const SurfacePoint> targets);
+// Errors: as CheckSources; NoVertex for the first target that is none.
+absl::Status CheckPlaces(ApproximateMethod method, const Query& query);
 
 // Thread-safe. See LruStore for what is kept and what is evicted.
 class MethodStore {

@@ -35,8 +35,8 @@ absl::StatusOr<MethodJobs::Ticket> MethodEngine::Prepare(
     Waiter<Prepared> waiter, const Requester& requester) {
   // A key must not be NaN.
   if (method.has_value()) {
-    absl::Status status = HeatMethod::Check({.lambda = method->lambda});
-    if (!status.ok()) return WithFieldPath(status, "approximation.lambda");
+    absl::Status status = Validate(*method);
+    if (!status.ok()) return status;
   }
   const uint64_t planned = PlannedBytes(*mesh->mesh, method);
   absl::Status fits = solver_memory_->CheckCapacity(planned);

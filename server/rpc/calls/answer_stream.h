@@ -185,7 +185,7 @@ class AnswerStream : public Call<ResponseType> {
     const auto& method = std::get<MethodChoice>(*choice);
     if constexpr (requires { request().approximation(); }) {
       absl::Status status = FindMethod(method);
-      if (status.ok()) question.method = method_;
+      question.method = method_;
       return status;
     } else {
       return InvalidField(
@@ -245,16 +245,16 @@ class AnswerStream : public Call<ResponseType> {
     }
   }
 
-  // Sets method_, or else unprepared_ and fails; GoOn then has it prepared.
+  // Sets method_. If that is not prepared yet the engine says so, unless it
+  // refuses the question anyway, and GoOn has it prepared.
   absl::Status FindMethod(const MethodChoice& choice) {
     if (method_.has_value()) return absl::OkStatus();
     absl::StatusOr<MeshHandle> mesh =
         service_.engine.meshes().Get(mesh_digest_, "mesh_digest");
     if (!mesh.ok()) return mesh.status();
     method_ = service_.engine.methods().Find(*mesh, choice);
-    if (method_.has_value()) return absl::OkStatus();
-    unprepared_ = {*mesh, choice};
-    return absl::UnavailableError("the mesh is not prepared yet");
+    if (!method_.has_value()) method_ = {.mesh = *mesh, .choice = choice};
+    return absl::OkStatus();
   }
 
   // Waits for what `start` begins, then asks again. `start` gets a function to
@@ -305,12 +305,12 @@ class AnswerStream : public Call<ResponseType> {
     });
   }
 
-  void AwaitMethod(const MeshHandle& mesh, const MethodChoice& choice) {
+  void AwaitMethod(MethodHandle unprepared) {
     AskAfter([&](const std::string& client,
                  auto done) -> absl::StatusOr<std::function<void()>> {
       MethodEngine& methods = service_.engine.methods();
       absl::StatusOr<MethodJobs::Ticket> ticket =
-          methods.Prepare(mesh, choice,
+          methods.Prepare(unprepared.mesh, unprepared.choice,
                           {.done =
                                [self = this->Shared(this), done](
                                    const absl::StatusOr<Prepared>& prepared) {
@@ -354,8 +354,8 @@ class AnswerStream : public Call<ResponseType> {
       AwaitMesh();
       return;
     }
-    if (const auto unprepared = std::exchange(unprepared_, std::nullopt)) {
-      AwaitMethod(unprepared->first, unprepared->second);
+    if (IsNotPrepared(status)) {
+      AwaitMethod(*method_);
       return;
     }
     bool cancel = false;
@@ -410,7 +410,6 @@ class AnswerStream : public Call<ResponseType> {
   // Of an approximate question; what Ask and its waits set, one after the
   // other.
   std::optional<MethodHandle> method_;
-  std::optional<std::pair<MeshHandle, MethodChoice>> unprepared_;
 };
 
 }  // namespace geodesic::server

@@ -69,6 +69,51 @@ class ApproximateTest(ClientTest):
             lambda: self.field(digest, self.query_pb.ALGORITHM_SVG,
                                samples=3))
 
+    def test_parameters_out_of_range_are_refused(self):
+        digest, _, _ = self.grid()
+        pb = self.query_pb
+        self.field(digest, pb.ALGORITHM_HEAT)
+        for algorithm, name, value in (
+                (pb.ALGORITHM_HEAT, "lambda", math.nan),
+                (pb.ALGORITHM_HEAT, "lambda", 0),
+                (pb.ALGORITHM_SVG, "neighbours", 0),
+                (pb.ALGORITHM_GTU, "samples", 0)):
+            self.assert_fails(
+                grpc.StatusCode.INVALID_ARGUMENT, "is not",
+                lambda: self.field(digest, algorithm, **{name: value}))
+
+    def test_nothing_is_prepared_for_what_is_refused(self):
+        digest, positions, _ = self.grid()
+        svg, nine = self.query_pb.ALGORITHM_SVG, self.query_pb.Approximation(
+            neighbours=9)
+        missing = self.vertices(len(positions))
+        sources = [self.surface_pb.Source(vertex=len(positions))]
+        common = {"mesh_digest": digest, "algorithm": svg,
+                  "approximation": nine}
+        for call in (
+                lambda: self.fields.ComputeField(
+                    self.field_pb.ComputeFieldRequest(
+                        sources=sources, **common), timeout=60),
+                lambda: self.matrices.ComputeMatrix(
+                    self.matrix_pb.ComputeMatrixRequest(
+                        sources=sources, **common), timeout=60),
+                lambda: self.matrices.FindNearest(
+                    self.matrix_pb.FindNearestRequest(
+                        sources=sources, targets=self.vertices(1), count=1,
+                        **common), timeout=60),
+                lambda: self.pairs.ComputePairs(
+                    self.pair_pb.ComputePairsRequest(
+                        pairs=[self.pair_pb.PointPair(
+                            source=missing[0], target=missing[0])],
+                        **common), timeout=60)):
+            self.assert_fails(grpc.StatusCode.INVALID_ARGUMENT,
+                              "out of range", lambda: list(call()))
+        mesh = self.meshes.GetMesh(
+            self.mesh_service_pb.GetMeshRequest(digest=digest),
+            timeout=60).mesh
+        self.assertNotIn((svg, 9), [(m.algorithm, m.approximation.neighbours)
+                                    for m in mesh.prepared_methods])
+
     def test_what_is_prepared_is_described(self):
         digest, _, _ = self.grid()
         svg = self.query_pb.ALGORITHM_SVG

@@ -5,11 +5,14 @@
 #define GEODESIC_APPROXIMATE_PREPARED_METHOD_H_
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/approximate/method.h"
 #include "geodesic/checkpoint.h"
+#include "geodesic/query.h"
 #include "geodesic/valid_query.h"
 
 namespace geodesic {
@@ -22,6 +25,11 @@ struct ApproximateField {
   ApproximateMethod method;
   double solve_seconds = 0;
 };
+
+// Errors: INVALID_ARGUMENT naming a source that the method cannot start from: a
+// curve, and with heat one that has an offset.
+absl::Status CheckSources(ApproximateMethod method,
+                          std::span<const Source> sources);
 
 // Immutable: const functions are thread-safe, and many may run at once. The
 // mesh that it was made of must outlive it.
