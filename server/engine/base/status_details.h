@@ -43,6 +43,7 @@ inline constexpr std::string_view kScopeMissing = "SCOPE_MISSING";
 inline constexpr std::string_view kShuttingDown = "SHUTTING_DOWN";
 inline constexpr std::string_view kUnavailable = "UNAVAILABLE";
 // The reasons named like their codes
+inline constexpr std::string_view kFailedPrecondition = "FAILED_PRECONDITION";
 inline constexpr std::string_view kDeadlineExceeded = "DEADLINE_EXCEEDED";
 inline constexpr std::string_view kCancelled = "CANCELLED";
 inline constexpr std::string_view kInternal = "INTERNAL";
@@ -50,12 +51,16 @@ inline constexpr std::string_view kInternal = "INTERNAL";
 }  // namespace reason
 
 inline constexpr std::string_view kErrorReasons[] = {
-    reason::kInvalidRequest,   reason::kMeshNotResident, reason::kFieldNotKept,
-    reason::kLimitExceeded,    reason::kQueueFull,       reason::kMemoryFull,
-    reason::kTooManyRequests,  reason::kServerFull,      reason::kQuotaExceeded,
-    reason::kTokenMissing,     reason::kTokenUnknown,    reason::kTokenExpired,
-    reason::kScopeMissing,     reason::kShuttingDown,    reason::kUnavailable,
-    reason::kDeadlineExceeded, reason::kCancelled,       reason::kInternal,
+    reason::kInvalidRequest,     reason::kMeshNotResident,
+    reason::kFieldNotKept,       reason::kLimitExceeded,
+    reason::kQueueFull,          reason::kMemoryFull,
+    reason::kTooManyRequests,    reason::kServerFull,
+    reason::kQuotaExceeded,      reason::kTokenMissing,
+    reason::kTokenUnknown,       reason::kTokenExpired,
+    reason::kScopeMissing,       reason::kShuttingDown,
+    reason::kUnavailable,        reason::kDeadlineExceeded,
+    reason::kCancelled,          reason::kInternal,
+    reason::kFailedPrecondition,
 };
 
 // Says that the same request may succeed after `delay`. OK stays OK.
