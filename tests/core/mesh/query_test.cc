@@ -97,8 +97,9 @@ TEST(QueryTest, RefusalsNamePointsOffTheSurface) {
 }
 
 TEST(QueryTest, WeightsMayHaveSixDigits) {
-  for (const FacePoint& point : {FacePoint{2, {0.333333, 0.333333, 0.333333}},
-                                 FacePoint{2, {0.166667, 0.166667, 0.666667}}}) {
+  for (const FacePoint& point :
+       {FacePoint{2, {0.333333, 0.333333, 0.333333}},
+        FacePoint{2, {0.166667, 0.166667, 0.666667}}}) {
     const absl::Status status =
         ValidQuery::Make(Query{.sources = {{point}}}, *Strip()).status();
     EXPECT_TRUE(status.ok()) << status;
