@@ -288,9 +288,8 @@ absl::StatusOr<MatrixCall> QueryEngine::ComputeMatrix(
   const ValidQuery& query = *valid;
   absl::Status status = CheckMatrix(request, query, *(*mesh)->mesh, limits_);
   if (!status.ok()) return status;
-  if (request.method.has_value() && request.method->method == nullptr) {
-    return NotPrepared();
-  }
+  status = CheckPrepared(request.method);
+  if (!status.ok()) return status;
   const uint64_t rows = query->sources.size();
   MatrixCall call{.mesh = *std::move(mesh), .row_count = rows};
   if (request.method.has_value()) {

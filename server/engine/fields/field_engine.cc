@@ -250,9 +250,8 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
     call.origin = FieldOrigin::kCached;
     return call;
   }
-  if (request.method.has_value() && request.method->method == nullptr) {
-    return NotPrepared();
-  }
+  status = CheckPrepared(request.method);
+  if (!status.ok()) return status;
   const bool is_kept =
       is_cached || (files_ != nullptr && files_->Find(key.field, key.reach));
   if (request.must_be_kept && !is_kept) return FieldNotKept();

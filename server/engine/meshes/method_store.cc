@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint64_t kEntryBytes = 256;
 
-// A payload of NotPrepared().
+// A payload of what CheckPrepared answers.
 constexpr char kNotPrepared[] = "geodesic/not-prepared";
 
 // Before all others.
@@ -21,7 +21,10 @@ constexpr MethodChoice kFirst = {.lambda =
 
 }  // namespace
 
-absl::Status NotPrepared() {
+absl::Status CheckPrepared(const std::optional<MethodHandle>& method) {
+  if (!method.has_value() || method->method != nullptr) {
+    return absl::OkStatus();
+  }
   absl::Status status =
       absl::UnavailableError("the mesh is not prepared for this method yet");
   status.SetPayload(kNotPrepared, absl::Cord());

@@ -28,13 +28,14 @@ namespace geodesic::server {
 struct MethodHandle {
   MeshHandle mesh;
   MethodChoice choice;
-  // Null: not prepared yet. Whoever is asked a good question then answers
-  // NotPrepared().
+  // Null: not prepared yet (CheckPrepared).
   std::shared_ptr<const PreparedMethod> method;
   double prepare_seconds = 0;
 };
 
-absl::Status NotPrepared();
+// What a good question is answered if its method has still to be prepared; OK
+// if it has none. IsNotPrepared tells this error from all others.
+absl::Status CheckPrepared(const std::optional<MethodHandle>& method);
 bool IsNotPrepared(const absl::Status& status);
 
 // How an answer comes about: exactly, or by an approximate method.

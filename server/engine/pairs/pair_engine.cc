@@ -119,9 +119,8 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
       {.sources = {{request.pairs[0].source}}, .tolerance = request.tolerance},
       *mesh->mesh);
   if (!first.ok()) return first.status();
-  if (request.method.has_value() && request.method->method == nullptr) {
-    return NotPrepared();
-  }
+  status = CheckPrepared(request.method);
+  if (!status.ok()) return status;
   const Algorithm algorithm = (*first)->algorithm;
   PairCall call{
       .mesh = mesh, .algorithm = algorithm, .pair_count = request.pairs.size()};

@@ -305,6 +305,7 @@ class AnswerStream : public Call<ResponseType> {
     });
   }
 
+  // `unprepared`: a copy, since method_ changes when it is prepared.
   void AwaitMethod(MethodHandle unprepared) {
     AskAfter([&](const std::string& client,
                  auto done) -> absl::StatusOr<std::function<void()>> {
