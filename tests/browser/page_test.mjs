@@ -35,6 +35,15 @@ async function sphere(t, options) {
   return viewer;
 }
 
+/** A server that asks for "right-token". */
+async function startGuarded(t) {
+  const tokens = writeTokens({ ada: ["right-token", ["read", "upload"]] });
+  t.after(() => tokens.remove());
+  const guarded = await startServer("--token-file", tokens.path);
+  t.after(() => guarded.stop());
+  return guarded;
+}
+
 /** What the command says of a question that the page wrote down. */
 function ask(server, t, mesh, commandLine) {
   const folder = mkdtempSync(join(tmpdir(), "page-"));
@@ -698,10 +707,7 @@ test("a list of meshes that fails late takes nothing off the mesh that is shown"
 });
 
 test("a token is asked for, refused, and taken", async (t) => {
-  const tokens = writeTokens({ ada: ["right-token", ["read", "upload"]] });
-  t.after(() => tokens.remove());
-  const guarded = await startServer("--token-file", tokens.path);
-  t.after(() => guarded.stop());
+  const guarded = await startGuarded(t);
   const viewer = await openPage(browser, guarded.url);
   t.after(() => viewer.close());
   await viewer.page.waitForSelector("#token-dialog[open]");
@@ -740,10 +746,7 @@ test("a token is asked for, refused, and taken", async (t) => {
 });
 
 test("who gives no token is not asked again until it is wanted", async (t) => {
-  const tokens = writeTokens({ ada: ["right-token", ["read", "upload"]] });
-  t.after(() => tokens.remove());
-  const guarded = await startServer("--token-file", tokens.path);
-  t.after(() => guarded.stop());
+  const guarded = await startGuarded(t);
   const viewer = await openPage(browser, guarded.url);
   t.after(() => viewer.close());
   for (const decline of [() => viewer.page.keyboard.press("Escape"), () => viewer.page.click("#token-dialog >> text=Cancel")]) {
