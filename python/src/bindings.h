@@ -13,7 +13,8 @@ void BindField(pybind11::module_& module);    // Computation, Field
 void BindMethods(pybind11::module_& module);  // approximate ones
 void BindPaths(pybind11::module_& module);
 void BindQuestions(pybind11::module_& module);  // isolines, samples
-void BindRows(pybind11::module_& module);       // matrices, nearest, pairs
+void BindPairs(pybind11::module_& module);
+void BindRows(pybind11::module_& module);  // matrices, nearest
 
 }  // namespace geodesic::python
 

@@ -28,6 +28,7 @@ PYBIND11_MODULE(_core, module) {
   BindMethods(module);
   BindPaths(module);
   BindQuestions(module);
+  BindPairs(module);
   BindRows(module);
   module.attr("VERSION") = GEODESIC_VERSION;
   module.attr("ALGORITHMS") = py::tuple(Algorithms());

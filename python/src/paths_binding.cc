@@ -25,7 +25,7 @@ absl::StatusOr<PathList> FindPaths(const QueryHandle& question, double radius,
   const ValidQuery& query = question.query;
   const size_t targets = query->targets.size();
   if (query->algorithm == kDefaultAlgorithm && std::isinf(radius) &&
-      targets < kFieldInSearches) {
+      targets < question.on.searches->FieldInSearches()) {
     absl::StatusOr<TargetDistances> found =
         question.on.searches->Run(query, watch);
     if (!found.ok()) return found.status();

@@ -24,6 +24,12 @@ absl::StatusOr<TargetDistances> SearchPool::Run(const ValidQuery& query,
   return found;
 }
 
+size_t SearchPool::FieldInSearches() {
+  const std::scoped_lock lock(mutex_);
+  return geodesic::FieldInSearches(landmarks_ == nullptr ? 0
+                                                         : landmarks_->count());
+}
+
 absl::Status SearchPool::MakeLandmarks(uint32_t count, uint32_t threads,
                                        Checkpoint& checkpoint) {
   {

@@ -3,6 +3,7 @@
 #ifndef GEODESIC_PYTHON_SEARCH_POOL_H_
 #define GEODESIC_PYTHON_SEARCH_POOL_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -27,6 +28,9 @@ class SearchPool {
   // As TargetSearch::Run, with landmarks once there are some.
   absl::StatusOr<TargetDistances> Run(const ValidQuery& query,
                                       Checkpoint& checkpoint);
+
+  // How many searches cost as much as a field.
+  size_t FieldInSearches();
 
   // Makes `count` landmarks if there are fewer. Whoever comes meanwhile
   // searches with what there is. Errors: as geodesic::MakeLandmarks.

@@ -13,7 +13,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,11 +28,11 @@
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/fields/field_files.h"
-#include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/solo_job.h"
 #include "server/engine/jobs/start_function.h"
 #include "server/engine/jobs/thread_pool.h"
+#include "server/engine/matrices/matrix_engine.h"
 #include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/methods/decimation_engine.h"
@@ -98,32 +97,6 @@ struct QuestionCall {
   std::shared_ptr<ByteReservation> answer_memory;
 };
 
-// Distances from each of many sources to the same targets.
-struct MatrixRequest {
-  std::string mesh_digest;
-  // Every source is a row and every target a column, in their order. Without
-  // targets every vertex is a column.
-  Query query;
-  // If set, rows are computed by this approximate method; targets are vertices.
-  std::optional<MethodHandle> method = {};
-  double radius = std::numeric_limits<double>::infinity();
-  // Whether rows leave out infinite values and list columns.
-  bool sparse = false;
-  // If set, each row has only this many of its least values, in ascending
-  // order, and lists columns.
-  std::optional<uint64_t> nearest;
-  TimePoint deadline = kNoDeadline;
-  Requester requester;
-};
-
-struct MatrixCall {
-  MeshHandle mesh;
-  std::shared_ptr<RowPipeline> rows;
-  uint64_t row_count = 0;
-  uint64_t column_count = 0;
-  AlgorithmChoice algorithm = kDefaultAlgorithm;  // of the first row
-};
-
 // How often things have happened since the start.
 struct EngineCounters : FieldCounters {
   uint64_t meshes_built = 0;
@@ -158,6 +131,7 @@ class QueryEngine {
   DecimationEngine& decimations() { return decimations_; }
   FieldEngine& fields() { return fields_; }
   PairEngine& pairs() { return pairs_; }
+  MatrixEngine& matrices() { return matrices_; }
   // After its BeginDrain, uploads and queries that need a job fail with
   // UNAVAILABLE.
   Scheduler& scheduler() { return scheduler_; }
@@ -166,11 +140,6 @@ class QueryEngine {
   // Errors: as FieldEngine::Compute.
   absl::StatusOr<QuestionCall> StartQuestion(QuestionRequest request);
   void Cancel(const QuestionCall& call) { solo_jobs_.Cancel(call.job); }
-
-  // Starts to compute the rows of a matrix; see RowPipeline for `on_row`.
-  // Errors: as FieldEngine::Compute.
-  absl::StatusOr<MatrixCall> ComputeMatrix(MatrixRequest request,
-                                           std::function<void()> on_row);
 
   const Limits& limits() const { return limits_; }
   EngineCounters counters() const;
@@ -214,6 +183,7 @@ class QueryEngine {
   FieldEngine fields_;
   SoloJobs solo_jobs_;
   PairEngine pairs_;
+  MatrixEngine matrices_;
 
   // Last, so no job is left when the other members are destroyed.
   Scheduler scheduler_;

@@ -211,7 +211,7 @@ class TakingObserver {
     std::lock_guard lock(mutex_);
     TakeAll();
   }
-  void SetRows(std::shared_ptr<RowPipeline> rows) {
+  void SetRows(std::shared_ptr<MatrixRows> rows) {
     std::lock_guard lock(mutex_);
     rows_ = std::move(rows);
     TakeAll();
@@ -236,7 +236,7 @@ class TakingObserver {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::shared_ptr<RowPipeline> rows_;
+  std::shared_ptr<MatrixRows> rows_;
   std::vector<MatrixRow> taken_;
 };
 
@@ -250,14 +250,14 @@ TEST_F(EngineConcurrencyTest, MatricesShareTheThreads) {
       request.query.sources.push_back({VertexPoint{v + thread}, 0});
     }
     if (thread % 4 == 3) {
-      const auto call = engine_.ComputeMatrix(request, [] {});
+      const auto call = engine_.matrices().Compute(request, [] {});
       ASSERT_TRUE(call.ok()) << call.status();
       call->rows->Cancel();
       return;
     }
     const auto observer = std::make_shared<TakingObserver>();
     const auto call =
-        engine_.ComputeMatrix(request, [observer] { observer->OnRow(); });
+        engine_.matrices().Compute(request, [observer] { observer->OnRow(); });
     ASSERT_TRUE(call.ok()) << call.status();
     observer->SetRows(call->rows);
     const std::vector<MatrixRow> rows = observer->Wait(30);

@@ -136,6 +136,33 @@ class QuestionsTest(unittest.TestCase):
         np.testing.assert_array_equal(numbers[0, 2:], [-1, -1])
         np.testing.assert_array_equal(distances[0, 2:], [np.inf, np.inf])
 
+    def test_more_sources_than_targets(self):
+        # Their distances are found from the targets.
+        sources = [*range(0, 600, 12), geodesic.FacePoint(7, (0.2, 0.3, 0.5))]
+        offsets = np.linspace(0, 0.5, len(sources))
+        targets = [5, geodesic.EdgePoint(0, 1, 0.5), 5]
+        wanted = np.array([self.mesh.distances(source, targets=targets)
+                           for source in sources]) + offsets[:, None]
+        for dtype in (np.float64, np.float32):
+            found = self.mesh.matrix(sources, targets, offsets=offsets,
+                                     dtype=dtype, threads=2)
+            self.assertEqual(found.dtype, dtype)
+            self.assert_close(found, wanted.astype(dtype))
+        # No distance lies as near to it as rounding may move one.
+        radius = np.median(wanted) + 1e-9
+        near = wanted <= radius
+        sparse = self.mesh.matrix(sources, targets, offsets=offsets,
+                                  radius=radius)
+        self.assertEqual(sparse.nnz, near.sum())
+        self.assert_close(sparse.toarray(), np.where(near, wanted, 0))
+        numbers, distances = self.mesh.nearest(sources, targets, k=4,
+                                               offsets=offsets)
+        # Of the targets that are the same, the first comes first.
+        np.testing.assert_array_equal(
+            numbers[:, :3], np.argsort(wanted.round(12), axis=1, kind="stable"))
+        self.assert_close(distances[:, :3], np.sort(wanted))
+        np.testing.assert_array_equal(numbers[:, 3], -1)
+
     def test_pairs(self):
         random = np.random.default_rng(1)
         pairs = random.integers(0, self.mesh.n_vertices, (40, 2))

@@ -64,6 +64,9 @@ class ValidQuery {
   ValidQuery OfSource(uint32_t source, const Mesh& mesh) const;
   // One target alone.
   ValidQuery OfTarget(uint32_t target) const;
+  // From all targets to each source, without offsets and without a trace.
+  // REQUIRES: the mesh of Make; there are targets, and no source is a curve.
+  ValidQuery Transposed(const Mesh& mesh) const;
 
   // Both compare the canonical forms.
   friend auto operator<=>(const ValidQuery& a, const ValidQuery& b) {

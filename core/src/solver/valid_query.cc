@@ -241,4 +241,17 @@ ValidQuery ValidQuery::OfTarget(uint32_t target) const {
   return {std::move(query), asked_};
 }
 
+ValidQuery ValidQuery::Transposed(const Mesh& mesh) const {
+  Query query{.tolerance = asked_.tolerance};
+  for (const SurfacePoint& target : query_->targets) {
+    query.sources.push_back({target});
+  }
+  for (const Source& source : query_->sources) {
+    query.targets.push_back(std::get<SurfacePoint>(source.place));
+  }
+  query.algorithm = AlgorithmFor(query, asked_.algorithm, mesh);
+  query.tolerance = ToleranceFor(query, mesh);
+  return {std::move(query), asked_};
+}
+
 }  // namespace geodesic

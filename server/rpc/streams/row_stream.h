@@ -53,23 +53,24 @@ class RowStream final : public AnswerStream<Request, Response> {
     absl::Status status = this->BeginQuestion(question);
     if (!status.ok()) return status;
     if constexpr (requires { request.layout(); }) {
-      question.sparse = request.layout() == v1::MATRIX_LAYOUT_SPARSE;
-      if (!question.sparse && request.layout() != v1::MATRIX_LAYOUT_DENSE &&
+      question.filter.sparse = request.layout() == v1::MATRIX_LAYOUT_SPARSE;
+      if (!question.filter.sparse &&
+          request.layout() != v1::MATRIX_LAYOUT_DENSE &&
           request.layout() != v1::MATRIX_LAYOUT_UNSPECIFIED) {
         return Unknown("layout", request.layout());
       }
     } else {
-      question.nearest = request.count();
+      question.filter.nearest = request.count();
     }
     status = AddRows(request.sources(), limits, question.query);
     if (status.ok()) {
       status = AddTargets(request.targets(), limits, question.query);
     }
     if (!status.ok()) return status;
-    if (request.has_radius()) question.radius = request.radius();
+    if (request.has_radius()) question.filter.radius = request.radius();
     tolerance_ = question.query.tolerance;
-    is_sparse_ = question.sparse || question.nearest.has_value();
-    absl::StatusOr<MatrixCall> call = this->engine().ComputeMatrix(
+    is_sparse_ = question.filter.sparse || question.filter.nearest.has_value();
+    absl::StatusOr<MatrixCall> call = this->engine().matrices().Compute(
         std::move(question), [self = this->Shared(this)] {
           self->Update([&] { self->has_news_ = true; });
         });

@@ -1,0 +1,84 @@
+// Distances from each of many sources to the same targets.
+
+#ifndef GEODESIC_SERVER_ENGINE_MATRICES_MATRIX_ENGINE_H_
+#define GEODESIC_SERVER_ENGINE_MATRICES_MATRIX_ENGINE_H_
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "geodesic/algorithm.h"
+#include "geodesic/query.h"
+#include "geodesic/solve_options.h"
+#include "server/engine/base/byte_budget.h"
+#include "server/engine/base/clock.h"
+#include "server/engine/base/limits.h"
+#include "server/engine/jobs/scheduler.h"
+#include "server/engine/jobs/solo_job.h"
+#include "server/engine/jobs/start_function.h"
+#include "server/engine/matrices/matrix_rows.h"
+#include "server/engine/matrices/matrix_work.h"
+#include "server/engine/matrices/row_filter.h"
+#include "server/engine/meshes/mesh_library.h"
+#include "server/engine/meshes/method_store.h"
+#include "server/engine/searches/search_engine.h"
+
+namespace geodesic::server {
+
+struct MatrixRequest {
+  std::string mesh_digest;
+  // Every source is a row and every target a column, in their order. Without
+  // targets every vertex is a column.
+  Query query;
+  // If set, rows are computed by this approximate method; targets are vertices.
+  std::optional<MethodHandle> method = {};
+  RowFilter filter;
+  TimePoint deadline = kNoDeadline;
+  Requester requester;
+};
+
+struct MatrixCall {
+  MeshHandle mesh;
+  std::shared_ptr<MatrixRows> rows;
+  uint64_t row_count = 0;
+  uint64_t column_count = 0;
+  AlgorithmChoice algorithm = kDefaultAlgorithm;  // of the first row
+};
+
+// Thread-safe. No call waits for a job.
+class MatrixEngine {
+ public:
+  // REQUIRES: the references outlive the engine, and `scheduler` has no job
+  // left when it is destroyed.
+  MatrixEngine(const Limits& limits, const SolveOptions& options,
+               Scheduler& scheduler, SoloJobs& jobs, const StartFunction& start,
+               std::shared_ptr<ByteBudget> solver_memory, MeshLibrary& meshes,
+               SearchEngine& searches);
+
+  // Starts to compute the rows of a matrix; see RowPipeline for `on_row`.
+  // Errors: as FieldEngine::Compute.
+  absl::StatusOr<MatrixCall> Compute(MatrixRequest request,
+                                     std::function<void()> on_row);
+
+ private:
+  // Turns the work so that its rows are the columns, if that costs less and
+  // there is memory for the table.
+  std::optional<ColumnTable> Transpose(MatrixWork& work) const;
+
+  const Limits& limits_;
+  const SolveOptions& options_;
+  Scheduler& scheduler_;
+  SoloJobs& jobs_;
+  const StartFunction& start_;
+  const std::shared_ptr<ByteBudget> solver_memory_;
+  MeshLibrary& meshes_;
+  SearchEngine& searches_;
+};
+
+}  // namespace geodesic::server
+
+#endif  // GEODESIC_SERVER_ENGINE_MATRICES_MATRIX_ENGINE_H_

@@ -1,0 +1,231 @@
+// Matrices with more sources than targets, which are computed from the targets.
+// On the grid geodesics are straight, so every distance is Euclid's.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geodesic/surface_point.h"
+#include "tests/engine/engine_fixture.h"
+#include "tests/support/planar_meshes.h"
+
+namespace geodesic::server {
+namespace {
+
+using geodesic::test::MakeGrid;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class TransposedMatrixTest : public test::EngineTest {
+ protected:
+  explicit TransposedMatrixTest(Limits limits = WithoutLandmarks())
+      : EngineTest(limits) {
+    start_ = [this](const Mesh& mesh, const ValidQuery& query,
+                    const SolveOptions& options) {
+      ++fields_;
+      return StartComputation(mesh, query, options);
+    };
+  }
+
+  // With landmarks searches may take the place of fields.
+  static Limits WithoutLandmarks() {
+    Limits limits = SmallLimits();
+    limits.landmark_memory_bytes = 0;
+    return limits;
+  }
+
+  void SetUp() override {
+    const auto uploaded = Upload(MakeGrid({.columns = 10, .rows = 10}));
+    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
+    digest_ = uploaded->mesh.digest;
+    mesh_ = *engine_.meshes().Get(digest_);
+  }
+
+  // From places of every kind, most of them with an offset.
+  MatrixRequest Request(uint32_t sources, std::vector<SurfacePoint> targets) {
+    MatrixRequest request{.mesh_digest = digest_};
+    for (uint32_t s = 0; s < sources; ++s) {
+      const double offset = 0.25 * (s % 4);
+      if (s % 3 == 0) {
+        request.query.sources.push_back(
+            {FacePoint{s, {0.5, 0.25, 0.25}}, offset});
+      } else {
+        request.query.sources.push_back({VertexPoint{s}, offset});
+      }
+    }
+    request.query.targets = std::move(targets);
+    return request;
+  }
+
+  MatrixCall Start(const MatrixRequest& request) {
+    absl::StatusOr<MatrixCall> call =
+        engine_.matrices().Compute(request, [] {});
+    EXPECT_TRUE(call.ok()) << call.status();
+    return *std::move(call);
+  }
+
+  std::vector<MatrixRow> Rows(const MatrixRequest& request) {
+    const MatrixCall call = Start(request);
+    fields_ = finished_ = 0;
+    std::vector<MatrixRow> rows;
+    while (rows.size() < call.row_count) {
+      executor_.RunAll();
+      const uint64_t finished = call.rows->rows_finished();
+      EXPECT_GE(finished, finished_);
+      EXPECT_LE(finished, call.row_count);
+      finished_ = finished;
+      if (auto row = call.rows->Take()) {
+        EXPECT_TRUE(row->ok()) << row->status();
+        rows.push_back(**std::move(row));
+      }
+    }
+    EXPECT_EQ(call.rows->rows_finished(), call.row_count);
+    EXPECT_FALSE(call.rows->Take().has_value());
+    return rows;
+  }
+
+  double Expected(const MatrixRequest& request, size_t row,
+                  size_t column) const {
+    const Source& source = request.query.sources[row];
+    const Point a =
+        PositionOf(std::get<SurfacePoint>(source.place), *mesh_->mesh);
+    const Point b = PositionOf(request.query.targets[column], *mesh_->mesh);
+    return source.offset + std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  }
+
+  std::string digest_;
+  MeshHandle mesh_;
+  // Of the last matrix:
+  uint64_t fields_ = 0;    // computed, but by searches
+  uint64_t finished_ = 0;  // rows, as was told
+};
+
+const std::vector<SurfacePoint> kTargets{
+    VertexPoint{120}, FacePoint{7, {0.2, 0.3, 0.5}}, EdgePoint{3, 4, 0.25}};
+
+TEST_F(TransposedMatrixTest, TakesAFieldForEachTarget) {
+  const MatrixRequest request = Request(40, kTargets);
+  const std::vector<MatrixRow> rows = Rows(request);
+  EXPECT_EQ(fields_, kTargets.size());
+  for (size_t row = 0; row < rows.size(); ++row) {
+    ASSERT_EQ(rows[row].values.size(), kTargets.size());
+    EXPECT_TRUE(rows[row].columns.empty());
+    for (size_t column = 0; column < kTargets.size(); ++column) {
+      EXPECT_NEAR(rows[row].values[column], Expected(request, row, column),
+                  1e-12)
+          << row << ", " << column;
+    }
+  }
+  EXPECT_EQ(engine_.solver_memory().used(), 0);
+}
+
+TEST_F(TransposedMatrixTest, FindsTheNearestOfEachSource) {
+  MatrixRequest request = Request(45, kTargets);
+  // One of the two that are equally near is named: the first.
+  request.query.targets.push_back(VertexPoint{120});
+  request.filter.nearest = 2;
+  const std::vector<MatrixRow> rows = Rows(request);
+  EXPECT_EQ(fields_, request.query.targets.size());
+  for (size_t row = 0; row < rows.size(); ++row) {
+    std::vector<uint32_t> order{0, 1, 2, 3};
+    std::ranges::stable_sort(order, {}, [&](uint32_t column) {
+      return Expected(request, row, column);
+    });
+    order.resize(2);
+    EXPECT_EQ(rows[row].columns, order) << row;
+    EXPECT_NEAR(rows[row].values[0], Expected(request, row, order[0]), 1e-12);
+  }
+}
+
+TEST_F(TransposedMatrixTest, KeepsTheRadius) {
+  MatrixRequest request = Request(45, kTargets);
+  request.filter = {.radius = 3, .sparse = true};
+  const std::vector<MatrixRow> sparse = Rows(request);
+  EXPECT_EQ(fields_, kTargets.size());
+  request.filter.sparse = false;
+  const std::vector<MatrixRow> dense = Rows(request);
+  for (size_t row = 0; row < sparse.size(); ++row) {
+    std::vector<uint32_t> within;
+    for (uint32_t column = 0; column < kTargets.size(); ++column) {
+      const double expected = Expected(request, row, column);
+      if (expected <= 3) {
+        within.push_back(column);
+        EXPECT_NEAR(dense[row].values[column], expected, 1e-12);
+      } else {
+        EXPECT_EQ(dense[row].values[column], kInfinity);
+      }
+    }
+    EXPECT_EQ(sparse[row].columns, within) << row;
+  }
+}
+
+TEST_F(TransposedMatrixTest, CertifiesATolerance) {
+  MatrixRequest request = Request(40, kTargets);
+  request.query.tolerance = 1e-2;
+  const std::vector<MatrixRow> rows = Rows(request);
+  EXPECT_EQ(fields_, kTargets.size());
+  for (size_t row = 0; row < rows.size(); ++row) {
+    EXPECT_LE(rows[row].certified_error, 1e-2);
+    for (size_t column = 0; column < kTargets.size(); ++column) {
+      const double expected = Expected(request, row, column);
+      EXPECT_NEAR(rows[row].values[column], expected,
+                  (rows[row].certified_error + 1e-12) * expected);
+    }
+  }
+}
+
+TEST_F(TransposedMatrixTest, AsManyTargetsOrACurveTakeAFieldForEachSource) {
+  std::vector<SurfacePoint> many;
+  for (uint32_t v = 0; v < 20; ++v) many.push_back(VertexPoint{100 + v});
+  Rows(Request(20, many));
+  EXPECT_EQ(fields_, 20);
+  MatrixRequest curve = Request(40, kTargets);
+  curve.query.sources[7].place = Curve{{VertexPoint{0}, VertexPoint{1}}};
+  Rows(curve);
+  EXPECT_EQ(fields_, 1);
+  EXPECT_GT(engine_.searches().pool().idle(), 0);
+}
+
+TEST_F(TransposedMatrixTest, GivesItsMemoryBackWhenNobodyWaits) {
+  MatrixCall call = Start(Request(40, kTargets));
+  EXPECT_GT(engine_.solver_memory().used(), 0);
+  call.rows->Cancel();
+  executor_.RunAll();
+  EXPECT_EQ((*call.rows->Take()).status().code(), absl::StatusCode::kCancelled);
+  call = {};
+  EXPECT_EQ(engine_.solver_memory().used(), 0);
+}
+
+class LargeTableTest : public TransposedMatrixTest {
+ protected:
+  LargeTableTest() : TransposedMatrixTest(Tight()) {}
+
+  static Limits Tight() {
+    Limits limits = WithoutLandmarks();
+    limits.max_matrix_rows = 100'000;
+    limits.max_matrix_values = 1'000'000;
+    limits.solver_memory_bytes = uint64_t{4} << 20;
+    return limits;
+  }
+};
+
+TEST_F(LargeTableTest, IsNotKept) {
+  MatrixRequest request{.mesh_digest = digest_};
+  request.query.targets = {VertexPoint{120}, VertexPoint{60}};
+  request.query.sources.assign(12'000, {VertexPoint{5}});
+  const MatrixCall call = Start(request);
+  executor_.RunAll();
+  ASSERT_TRUE(call.rows->Take().has_value());
+  EXPECT_LT(call.rows->rows_finished(), 10);
+  call.rows->Cancel();
+  executor_.RunAll();
+}
+
+}  // namespace
+}  // namespace geodesic::server
