@@ -19,7 +19,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "server/options.h"
+#include "server/options/options.h"
 #include "server/periodic.h"
 #include "server/server.h"
 #include "server/unix_socket.h"

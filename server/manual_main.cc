@@ -7,7 +7,7 @@
 
 #include "manual/man_page.h"
 #include "manual/settings_file.h"
-#include "server/options.h"
+#include "server/options/options.h"
 
 int main(int argc, char** argv) {
   using namespace geodesic::manual;

@@ -21,6 +21,7 @@
 #include "server/engine/base/status_details.h"
 #include "server/operations/metrics.h"
 #include "server/periodic.h"
+#include "server/rpc/services.h"
 #include "server/rpc/unary_calls.h"
 #include "server/security/file_text.h"
 #include "server/unix_socket.h"

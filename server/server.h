@@ -26,7 +26,7 @@
 #include "server/engine/query_engine.h"
 #include "server/operations/http_server.h"
 #include "server/operations/metrics.h"
-#include "server/options.h"
+#include "server/options/options.h"
 #include "server/rpc/calls/call.h"
 #include "server/rpc/calls/intake.h"
 #include "server/rpc/calls/peer.h"

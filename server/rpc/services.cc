@@ -1,4 +1,5 @@
-#include "server/rpc/calls/service.h"
+#include "server/rpc/services.h"
+
 #include "server/rpc/streams/decimate_stream.h"
 #include "server/rpc/streams/field_stream.h"
 #include "server/rpc/streams/mesh_streams.h"

@@ -9,8 +9,8 @@
 
 #include "absl/strings/escaping.h"
 #include "absl/strings/string_view.h"
-#include "server/rpc/calls/request_log.h"
 #include "server/rpc/calls/streams_requests.h"
+#include "server/rpc/messages/grpc_status.h"
 
 namespace geodesic::server {
 namespace {

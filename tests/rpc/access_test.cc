@@ -12,7 +12,8 @@
 
 #include "absl/strings/str_cat.h"
 #include "digest/sha256.h"
-#include "server/rpc/calls/request_log.h"
+#include "server/rpc/calls/peer.h"
+#include "server/rpc/calls/required_scope.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include "geodesic/field_path.h"
 #include "server/engine/base/argument_checks.h"
 #include "server/engine/base/status_details.h"
-#include "server/rpc/calls/request_log.h"
+#include "server/rpc/messages/grpc_status.h"
 #include "tests/rpc/rpc_fixture.h"
 
 namespace geodesic::server {

@@ -3,7 +3,6 @@
 #include <openssl/crypto.h>
 
 #include <random>
-#include <string_view>
 
 #include "absl/strings/str_cat.h"
 
@@ -22,6 +21,14 @@ std::string DrawSecret() {
 }
 
 }  // namespace
+
+std::string PeerHost(std::string_view address) {
+  // The colons of an IPv6 address are escaped or in brackets.
+  const bool has_port =
+      address.starts_with("ipv4:") || address.starts_with("ipv6:");
+  return std::string(has_port ? address.substr(0, address.rfind(':'))
+                              : address);
+}
 
 Peers::Peers() : secret_(DrawSecret()) {}
 

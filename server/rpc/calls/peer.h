@@ -11,6 +11,7 @@
 #include <grpcpp/server_context.h>
 
 #include <string>
+#include <string_view>
 
 namespace geodesic::server {
 
@@ -20,6 +21,10 @@ struct Peer {
   // Whether the call is a browser's.
   bool by_door = false;
 };
+
+// An address without the port, which differs between connections:
+// "ipv4:10.1.2.3" for "ipv4:10.1.2.3:53412".
+std::string PeerHost(std::string_view address);
 
 // Immutable, so thread-safe.
 class Peers {

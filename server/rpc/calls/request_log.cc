@@ -1,19 +1,16 @@
 #include "server/rpc/calls/request_log.h"
 
-#include <google/rpc/error_details.pb.h>
-#include <google/rpc/status.pb.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <optional>
-#include <random>
 #include <utility>
 
-#include "absl/strings/ascii.h"
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
-#include "geodesic/field_path.h"
 #include "server/engine/base/status_details.h"
+#include "server/rpc/calls/request_headers.h"
+#include "server/rpc/calls/required_scope.h"
+#include "server/rpc/messages/grpc_status.h"
 
 namespace geodesic::server {
 namespace {
@@ -23,62 +20,6 @@ constexpr std::chrono::milliseconds kRetryDelay{1000};
 
 std::string Named(const char* name, const std::string& value) {
   return value.empty() ? "" : absl::StrCat(" ", name, "=", value);
-}
-
-constexpr std::pair<std::string_view, Scope> kRequired[] = {
-    {"FindMissingMeshes", Scope::kRead}, {"GetMesh", Scope::kRead},
-    {"ReadMesh", Scope::kRead},          {"DecimateMesh", Scope::kRead},
-    {"ListMeshes", Scope::kRead},        {"CreateMesh", Scope::kUpload},
-    {"DeleteMesh", Scope::kDelete},      {"ComputeField", Scope::kRead},
-    {"ComputeLogMap", Scope::kRead},     {"SampleFarthestPoints", Scope::kRead},
-    {"ComputePaths", Scope::kRead},      {"ComputeIsolines", Scope::kRead},
-    {"ComputeMatrix", Scope::kRead},     {"ComputePairs", Scope::kRead},
-    {"FindNearest", Scope::kRead},       {"PrepareMethod", Scope::kRead},
-    {"GetCapabilities", Scope::kRead},
-};
-
-constexpr size_t kMaxRequestIdBytes = 64;
-
-// The first value of the header; empty if there is none.
-std::string_view Header(const grpc::CallbackServerContext& context,
-                        const char* name) {
-  const auto& metadata = context.client_metadata();
-  const auto it = metadata.find(name);
-  if (it == metadata.end()) return {};
-  return {it->second.data(), it->second.size()};
-}
-
-bool IsLoggable(char c) {
-  return absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '-' ||
-         c == '_' || c == '.';
-}
-
-// The client's "x-request-id" if it can be logged: up to 64 letters, digits and
-// "-_."; else one of the server's.
-std::string RequestId(const grpc::CallbackServerContext& context) {
-  const std::string_view given = Header(context, "x-request-id");
-  if (!given.empty() && given.size() <= kMaxRequestIdBytes &&
-      std::ranges::all_of(given, IsLoggable)) {
-    return std::string(given);
-  }
-  // Unique enough to find a line in a log.
-  thread_local std::mt19937_64 random{std::random_device{}()};
-  const uint64_t number = random();
-  return absl::StrCat(absl::Hex(number, absl::kZeroPad16));
-}
-
-// The "traceparent" of W3C's Trace Context if it has that form, else nothing.
-std::string TraceParent(const grpc::CallbackServerContext& context) {
-  // version "-" trace id "-" parent id "-" flags
-  constexpr size_t kBytes = 2 + 1 + 32 + 1 + 16 + 1 + 2;
-  const std::string_view given = Header(context, "traceparent");
-  const auto is_dash = [](size_t i) { return i == 2 || i == 35 || i == 52; };
-  if (given.size() != kBytes) return "";
-  for (size_t i = 0; i < kBytes; ++i) {
-    const auto c = static_cast<unsigned char>(given[i]);
-    if (is_dash(i) ? c != '-' : !absl::ascii_isxdigit(c)) return "";
-  }
-  return std::string(given);
 }
 
 // Adds the request id to the trailers. When the server is full, also says when
@@ -94,49 +35,6 @@ void AddTrailers(const std::string& request_id, const absl::Status& status,
 }
 
 }  // namespace
-
-grpc::Status ToGrpcStatus(const absl::Status& status) {
-  if (status.ok()) return grpc::Status::OK;
-  // absl and gRPC number the codes alike.
-  const auto code = static_cast<grpc::StatusCode>(status.code());
-  const std::string message = PrintableMessage(status);
-
-  google::rpc::Status details;
-  google::rpc::ErrorInfo info;
-  info.set_reason(ReasonOf(status));
-  info.set_domain("geodesic.v1");
-  details.add_details()->PackFrom(info);
-  if (const auto field = FieldPathOf(status)) {
-    google::rpc::BadRequest bad_request;
-    auto& violation = *bad_request.add_field_violations();
-    violation.set_field(*field);
-    violation.set_description(message);
-    details.add_details()->PackFrom(bad_request);
-  }
-  if (const auto digest = MeshAtFault(status)) {
-    google::rpc::ResourceInfo resource;
-    resource.set_resource_type("geodesic.v1.Mesh");
-    resource.set_resource_name(*digest);
-    resource.set_description(message);
-    details.add_details()->PackFrom(resource);
-  }
-  if (const auto subject = QuotaSubject(status)) {
-    google::rpc::QuotaFailure quota;
-    quota.add_violations()->set_subject(*subject);
-    quota.mutable_violations(0)->set_description(message);
-    details.add_details()->PackFrom(quota);
-  }
-  if (const auto delay = RetryAfter(status)) {
-    google::rpc::RetryInfo retry;
-    retry.mutable_retry_delay()->set_seconds(delay->count() / 1000);
-    retry.mutable_retry_delay()->set_nanos(
-        static_cast<int32_t>(delay->count() % 1000 * 1'000'000));
-    details.add_details()->PackFrom(retry);
-  }
-  details.set_code(code);
-  details.set_message(message);
-  return grpc::Status(code, message, details.SerializeAsString());
-}
 
 RequestLog::RequestLog(std::shared_ptr<spdlog::logger> logger,
                        size_t max_active, const AccessControl& access,
@@ -255,19 +153,6 @@ RequestLog::Entry::~Entry() {
     log_.idle_since_ = std::chrono::steady_clock::now();
     log_.idle_.notify_all();
   }
-}
-
-Scope RequiredScope(std::string_view method) {
-  for (const auto& [name, scope] : kRequired) {
-    if (name == method) return scope;
-  }
-  return Scope::kAdmin;
-}
-
-std::string PeerHost(std::string_view peer) {
-  // The colons of an IPv6 address are escaped or in brackets.
-  const bool has_port = peer.starts_with("ipv4:") || peer.starts_with("ipv6:");
-  return std::string(has_port ? peer.substr(0, peer.rfind(':')) : peer);
 }
 
 std::string DigestPrefix(std::string_view digest) {

@@ -31,12 +31,6 @@ class logger;
 
 namespace geodesic::server {
 
-// Keeps the code and the message (see PrintableMessage) and adds details as
-// google.rpc messages: always ErrorInfo with the reason, BadRequest for a field
-// at fault, ResourceInfo for a missing mesh, QuotaFailure, and RetryInfo when
-// waiting helps.
-grpc::Status ToGrpcStatus(const absl::Status& status);
-
 // Thread-safe.
 class RequestLog {
  public:
@@ -126,14 +120,6 @@ class RequestLog {
   std::chrono::steady_clock::time_point idle_since_ =
       std::chrono::steady_clock::now();
 };
-
-// The scope that an RPC needs: `method` without its service, e.g.
-// "ComputeField". A method that was forgotten here needs the scope admin.
-Scope RequiredScope(std::string_view method);
-
-// A peer's address as gRPC writes it, without the port, which differs between
-// connections: "ipv4:10.1.2.3" for "ipv4:10.1.2.3:53412".
-std::string PeerHost(std::string_view peer);
 
 // Enough of a digest to tell meshes apart in a log. Other text is not quoted,
 // because programs read the log, too.

@@ -23,7 +23,6 @@
 #include <deque>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "server/rpc/calls/call.h"
 
@@ -76,10 +75,6 @@ class Service final : public grpc::Service {
   const google::protobuf::ServiceDescriptor& type_;
   std::deque<std::string> paths_;
 };
-
-// All services of the protocol. REQUIRES: `context` outlives them.
-std::vector<std::unique_ptr<Service>> MakeServices(
-    const ServiceContext& context);
 
 }  // namespace geodesic::server
 

@@ -1,7 +1,7 @@
 // geodesicd's settings: flags, environment variables and a file.
 
-#ifndef GEODESIC_SERVER_OPTIONS_H_
-#define GEODESIC_SERVER_OPTIONS_H_
+#ifndef GEODESIC_SERVER_OPTIONS_OPTIONS_H_
+#define GEODESIC_SERVER_OPTIONS_OPTIONS_H_
 
 #include <chrono>
 #include <cstdint>
@@ -96,4 +96,4 @@ manual::Page ProgramPage();
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_OPTIONS_H_
+#endif  // GEODESIC_SERVER_OPTIONS_OPTIONS_H_

@@ -1,0 +1,64 @@
+#include "server/options/setting_sources.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <istream>
+#include <memory>
+
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_replace.h"
+
+namespace geodesic::server {
+namespace {
+
+// "GEODESICD_MAX_FACES" for "max-faces".
+std::string EnvironmentName(const std::string& flag) {
+  return absl::StrCat("GEODESICD_", absl::AsciiStrToUpper(absl::StrReplaceAll(
+                                        flag, {{"-", "_"}})));
+}
+
+// CLI11 lets a file win over the environment. In a container the file is in the
+// image and operators set the environment, so here the environment wins.
+class FileBelowEnvironment final : public CLI::ConfigBase {
+ public:
+  std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
+    std::vector<CLI::ConfigItem> settings = ConfigBase::from_config(input);
+    std::erase_if(settings, [](const CLI::ConfigItem& item) {
+      return std::getenv(EnvironmentName(item.name).c_str()) != nullptr;
+    });
+    return settings;
+  }
+};
+
+}  // namespace
+
+void AddFile(CLI::App& app) {
+  app.set_config("--config", "", "Read settings from this TOML or INI file")
+      ->type_name("FILE");
+  app.config_formatter(std::make_shared<FileBelowEnvironment>());
+  app.allow_config_extras(CLI::config_extras_mode::error);
+}
+
+void AddVariables(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_single_name();
+    if (name == "help" || name == "version") continue;
+    option->envname(EnvironmentName(name));
+  }
+}
+
+std::vector<std::string> ArgumentsInReverse(int argc, const char* const* argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const bool has_flag = std::any_of(
+      arguments.begin(), arguments.end(),
+      [](const auto& argument) { return argument.starts_with("--config"); });
+  const char* file = std::getenv("GEODESICD_CONFIG");
+  if (file != nullptr && !has_flag) {
+    arguments.insert(arguments.begin(), absl::StrCat("--config=", file));
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
+}
+
+}  // namespace geodesic::server
