@@ -79,6 +79,8 @@ int Run(const ServerOptions& options) {
   pthread_sigmask(SIG_BLOCK, &watched, nullptr);
   // Makes a write beyond a file size limit fail instead of ending the server.
   signal(SIGXFSZ, SIG_IGN);
+  // The same when whoever reads the log has gone.
+  signal(SIGPIPE, SIG_IGN);
   const std::shared_ptr<spdlog::logger> logger =
       spdlog::stderr_color_mt("geodesicd");
   logger->set_level(spdlog::level::from_str(options.log_level));

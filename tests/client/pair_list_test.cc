@@ -100,6 +100,28 @@ TEST(PairListTest, MayBeginWithAByteOrderMark) {
   EXPECT_THAT(piece->pairs, ElementsAre(Vertices(0, 1), Vertices(2, 3)));
 }
 
+TEST(PairListTest, MayBeginWithTheNamesOfItsColumns) {
+  const TemporaryFolder folder;
+  for (const std::string header :
+       {"source,target", "# all\nSource\tTarget", "\n source , target \r"}) {
+    WriteFile(folder / "p.csv", header + "\n1,2\n3,4\n");
+    absl::StatusOr<PairList> list = PairList::Open(folder / "p.csv");
+    ASSERT_TRUE(list.ok()) << list.status();
+    const absl::StatusOr<PairList::Piece> piece = list->Read(10);
+    ASSERT_TRUE(piece.ok()) << piece.status();
+    EXPECT_THAT(piece->pairs, ElementsAre(Vertices(1, 2), Vertices(3, 4)));
+  }
+  // Nowhere else.
+  for (const std::string text :
+       {"1,2\nsource,target\n", "source,target\nsource,target\n",
+        "source,target,distance\n1,2\n", "source\n1,2\n"}) {
+    WriteFile(folder / "p.csv", text);
+    absl::StatusOr<PairList> list = PairList::Open(folder / "p.csv");
+    ASSERT_TRUE(list.ok()) << list.status();
+    EXPECT_TRUE(absl::IsInvalidArgument(list->Read(10).status())) << text;
+  }
+}
+
 TEST(PairListTest, OfAPipeGivesWhatHasCome) {
   const TemporaryFolder folder;
   const std::string path = folder / "pipe";

@@ -1,7 +1,12 @@
 // SIGTERM: what is under way ends, what is new is refused.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <string>
 
 #include "geodesic_client/client.h"
 #include "tests/integration/meshes.h"
@@ -38,6 +43,22 @@ absl::StatusOr<Field> AskAndTerminate(const RunningServer& server,
                           });
   EXPECT_TRUE(terminated) << "the solver had ended before it reported";
   return field;
+}
+
+TEST(ShutdownTest, NobodyNeedsToReadTheLog) {
+  TemporaryFolder folder;
+  const std::string log = folder / "server.log";
+  ASSERT_EQ(mkfifo(log.c_str(), 0600), 0);
+  const int reader = open(log.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  RunningServer server(folder);
+  close(reader);
+  Client client(server.address());
+  // Each writes a line.
+  EXPECT_TRUE(client.ListMeshes().ok());
+  EXPECT_TRUE(client.ListMeshes().ok());
+  server.Terminate();
+  EXPECT_EQ(server.Wait(), 0);
 }
 
 TEST(ShutdownTest, WorkUnderWayIsFinished) {

@@ -295,6 +295,18 @@ class MatrixTest(ClusterTest):
                          {"rows-000000200.npy"})
 
 
+    def test_slurm_script_says_what_it_wants(self):
+        for arguments in ([], ["mesh.obj"], ["mesh.obj", self.folder, "0"],
+                          ["mesh.obj", self.folder, "-5"],
+                          ["mesh.obj", self.folder, "many"],
+                          ["mesh.obj", self.folder, "1", "2"]):
+            ended = subprocess.run([SLURM_SCRIPT, *arguments], text=True,
+                                   stderr=subprocess.PIPE)
+            self.assertEqual(ended.returncode, 2, arguments)
+            self.assertIn("MESH FOLDER [ROWS_PER_SHARD]", ended.stderr)
+        self.assertFalse((self.folder / "manifest.json").exists())
+
+
 class EachTest(ClusterTest):
 
     def setUp(self):

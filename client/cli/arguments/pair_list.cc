@@ -6,6 +6,7 @@
 #include <ext/stdio_filebuf.h>
 #include <utility>
 
+#include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "client/output/place_text.h"
 
@@ -56,16 +57,30 @@ std::string_view TakePlace(std::string_view* text) {
   return place;
 }
 
+// Takes a field off the front, and what divides it from the next.
+std::string_view TakeField(std::string_view* text) {
+  const std::string_view field = TakePlace(text);
+  SkipBlanks(text);
+  if (text->starts_with(',')) text->remove_prefix(1);
+  SkipBlanks(text);
+  return field;
+}
+
+// Whether it names the two columns, as the first line of a table may.
+bool IsHeader(std::string_view line) {
+  const std::string first(TakeField(&line));
+  const std::string second(TakeField(&line));
+  return absl::EqualsIgnoreCase(first, "source") &&
+         absl::EqualsIgnoreCase(second, "target") && line.empty();
+}
+
 }  // namespace
 
 absl::StatusOr<WrittenPair> ParsePair(std::string_view line) {
   std::string_view rest = line;
   SkipBlanks(&rest);
-  absl::StatusOr<WrittenPoint> source = ParsePoint(TakePlace(&rest));
+  absl::StatusOr<WrittenPoint> source = ParsePoint(TakeField(&rest));
   if (!source.ok()) return source.status();
-  SkipBlanks(&rest);
-  if (rest.starts_with(',')) rest.remove_prefix(1);
-  SkipBlanks(&rest);
   if (rest.empty()) {
     return absl::InvalidArgumentError(
         absl::StrCat("'", std::string(line), "' is one place; write two"));
@@ -112,6 +127,7 @@ absl::StatusOr<PairList::Piece> PairList::Read(size_t most) {
     std::string_view line = WithoutMark(read, lines_);
     SkipBlanks(&line);
     if (line.empty() || line.starts_with('#')) continue;
+    if (!std::exchange(has_content_, true) && IsHeader(line)) continue;
     absl::StatusOr<WrittenPair> pair = ParsePair(line);
     if (!pair.ok()) {
       return AtLine(pair.status());

@@ -22,7 +22,7 @@ namespace geodesic::client {
 absl::StatusOr<WrittenPair> ParsePair(std::string_view line);
 
 // A pair of places a line. Empty lines and those that begin with '#' are
-// skipped.
+// skipped, and so is a first line "source,target".
 class PairList {
  public:
   // "-" is standard input. Errors: those of opening the file, naming it.
@@ -53,6 +53,7 @@ class PairList {
   std::unique_ptr<std::filebuf> file_;
   std::unique_ptr<std::istream> stream_;  // of file_
   uint64_t lines_ = 0;                    // that were read
+  bool has_content_ = false;              // whether one was not skipped
 };
 
 }  // namespace geodesic::client

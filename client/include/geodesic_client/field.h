@@ -26,7 +26,7 @@ struct FieldQuery {
   // One of AlgorithmNames(), or of ApproximateAlgorithmNames(): then targets
   // are vertices, and neither curves, nearest sources, gradients nor a limit by
   // targets are to be had. DEFAULT: empty, the server's choice.
-  std::string algorithm;
+  std::string algorithm = {};
   Approximation approximation = {};
   // The largest relative error that distances may have: 0, or from 1e-9 to 0.1.
   // A field is then found faster, and certifies its error; an exact one that
@@ -34,12 +34,12 @@ struct FieldQuery {
   // nearest sources, no gradients, and is not streamed. DEFAULT: 0, exact.
   double tolerance = 0;
   // Points beside the vertices whose distances are wanted.
-  std::vector<SurfacePoint> targets;
+  std::vector<SurfacePoint> targets = {};
   // The search ends here; distances beyond are +infinity. DEFAULT: no limit.
-  std::optional<double> radius;
+  std::optional<double> radius = {};
   // The search ends once this many targets are final; distances that are not
   // final by then are +infinity. DEFAULT: no limit.
-  std::optional<uint64_t> stop_after_targets;
+  std::optional<uint64_t> stop_after_targets = {};
   // What to send beside the distances.
   bool nearest_sources = false;
   bool gradients = false;
@@ -77,7 +77,7 @@ struct Field {
   std::string mesh_digest;
   uint64_t vertex_count = 0;
   // The algorithm that computed the field.
-  std::string algorithm;
+  std::string algorithm = {};
   // Set if distances are approximate.
   std::optional<Approximation> approximation = {};
   // One value per vertex, in the mesh's vertex order; +infinity where no path

@@ -14,7 +14,7 @@ struct PreparationQuery {
   std::string mesh_digest;
   // One of ApproximateAlgorithmNames(). DEFAULT: empty, for the landmarks that
   // make exact distances of pairs faster.
-  std::string algorithm;
+  std::string algorithm = {};
   Approximation approximation = {};
   Priority priority = Priority::kInteractive;
 };

@@ -36,10 +36,10 @@ struct PathQuery {
   // At least one source and one target. A path leads to each target from its
   // nearest source.
   std::vector<Source> sources;
-  std::vector<SurfacePoint> targets;
-  std::string algorithm;
+  std::vector<SurfacePoint> targets = {};
+  std::string algorithm = {};
   // Targets farther than this count as not reached. DEFAULT: no limit.
-  std::optional<double> radius;
+  std::optional<double> radius = {};
   Priority priority = Priority::kInteractive;
 };
 
@@ -67,7 +67,7 @@ struct IsolineQuery {
   // Distances in any order; at least one, each finite and above 0. Equal ones
   // count once.
   std::vector<double> levels;
-  std::string algorithm;
+  std::string algorithm = {};
   double tolerance = 0;
   Priority priority = Priority::kInteractive;
 };
@@ -95,12 +95,12 @@ struct MatrixQuery {
   // Each source is a row; at least one.
   std::vector<Source> sources;
   // Each target is a column. DEFAULT: empty, every vertex is a column.
-  std::vector<SurfacePoint> targets;
-  std::string algorithm;
+  std::vector<SurfacePoint> targets = {};
+  std::string algorithm = {};
   Approximation approximation = {};
   double tolerance = 0;
   ValueType value_type = ValueType::kFloat64;
-  std::optional<double> radius;
+  std::optional<double> radius = {};
   // Whether to send only the finite values, with their columns.
   bool sparse = false;
   Priority priority = Priority::kInteractive;
@@ -138,14 +138,14 @@ struct NearestQuery {
   // At least one. Each gets its own nearest targets.
   std::vector<Source> sources;
   // The members of the set; at least one.
-  std::vector<SurfacePoint> targets;
+  std::vector<SurfacePoint> targets = {};
   // How many to find for each source; at least 1.
   uint64_t count = 1;
-  std::string algorithm;
+  std::string algorithm = {};
   Approximation approximation = {};
   double tolerance = 0;
   // Targets farther than this are not found. DEFAULT: no limit.
-  std::optional<double> radius;
+  std::optional<double> radius = {};
   Priority priority = Priority::kInteractive;
 };
 
@@ -171,7 +171,7 @@ struct SampleQuery {
   std::vector<Source> sources;
   // At least 1.
   uint64_t count = 1;
-  std::string algorithm;
+  std::string algorithm = {};
   double tolerance = 0;
   Priority priority = Priority::kInteractive;
 };
@@ -195,10 +195,10 @@ struct SampleAnswer {
 struct LogMapQuery {
   std::string mesh_digest;
   SurfacePoint source;
-  std::string algorithm;
+  std::string algorithm = {};
   ValueType value_type = ValueType::kFloat64;
   // The map ends here. DEFAULT: no limit.
-  std::optional<double> radius;
+  std::optional<double> radius = {};
   Priority priority = Priority::kInteractive;
 };
 

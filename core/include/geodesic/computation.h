@@ -47,8 +47,9 @@ class Computation {
   // go on.
   virtual absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) = 0;
 
-  // What is certified now; distances beyond settled_radius are +infinity. If
-  // Advance stopped at a radius, settled_radius is that radius. O(V).
+  // What is certified now; distances beyond settled_radius are +infinity, of
+  // those within a tolerance the least that they may be. If Advance stopped at
+  // a radius, settled_radius is that radius, and nothing is given beyond. O(V).
   virtual DistanceField Field() const = 0;
 
   // Adds a source, which must be a point, to a computation that has come to its

@@ -19,7 +19,8 @@ inline constexpr uint32_t kNoSource = 0xffffffffu;
 // The number of the source whose path arrives at each vertex, which is the
 // vertex's Voronoi cell. kNoSource where no path arrives. At a tie, one of the
 // nearest. O(V).
-// Errors: INVALID_ARGUMENT: a field without trace, or of another mesh or query;
+// REQUIRES: the field is the query's, on this mesh.
+// Errors: INVALID_ARGUMENT: a field without trace, or of another size;
 // INTERNAL: the trace leads in circles (a defect). Thread-safe.
 absl::StatusOr<std::vector<uint32_t>> NearestSources(
     const Mesh& mesh, const ValidQuery& query, const DistanceField& field);

@@ -32,10 +32,11 @@ struct LogMap {
 
 // Maps the vertices up to `radius`; `field` may reach further. O(V + edges
 // crossed by the paths up to `radius`).
-// Errors: INVALID_ARGUMENT: a field without trace, or of another mesh or query;
-// not exactly one source point, or one around which the surface is not an
-// oriented disk or half-disk; INTERNAL: the trace does not lead back to the
-// source (a defect). Thread-safe.
+// REQUIRES: the field is the query's, on this mesh.
+// Errors: INVALID_ARGUMENT: a field without trace, or of another size;
+// a radius that is negative or NaN; not exactly one source point, or one around
+// which the surface is not an oriented disk or half-disk; INTERNAL: the trace
+// does not lead back to the source (a defect). Thread-safe.
 absl::StatusOr<LogMap> ComputeLogMap(
     const Mesh& mesh, const ValidQuery& query, const DistanceField& field,
     double radius = std::numeric_limits<double>::infinity());

@@ -19,7 +19,8 @@ namespace geodesic {
 
 // Reads the file, whose ending names its format (.ply, or .ply.gz if it is
 // compressed), and builds the mesh. Holds the file's bytes in memory beside the
-// mesh. Thread-safe.
+// mesh; those that are compressed may hold any number of bytes unless
+// max_gzip_bytes says otherwise. Thread-safe.
 // Errors, which name the path: what the system says (NOT_FOUND and others);
 // those of MeshFormatFromPath, ReadMesh and Mesh::Build.
 absl::StatusOr<std::shared_ptr<const Mesh>> ReadMeshFile(

@@ -44,8 +44,7 @@ class PathTracer {
  public:
   // `query` is the one that `field` was solved for. Mesh and field must outlive
   // the tracer. O(V + sources).
-  // Errors: INVALID_ARGUMENT for a field without trace, or of another mesh or
-  // query.
+  // Errors: INVALID_ARGUMENT for a field without trace, or of another size.
   static absl::StatusOr<PathTracer> Create(const Mesh& mesh,
                                            const ValidQuery& query,
                                            const DistanceField& field);

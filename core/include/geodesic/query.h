@@ -44,7 +44,7 @@ struct Query {
   // At least one. A source's number is its index here.
   std::vector<Source> sources;
   // Points beside the vertices whose distances are wanted.
-  std::vector<SurfacePoint> targets;
+  std::vector<SurfacePoint> targets = {};
   Algorithm algorithm = kDefaultAlgorithm;
   // Whether to keep how each shortest path arrives (DistanceField::arrivals),
   // which paths, nearest sources, gradients and log maps need. Takes 24 bytes a

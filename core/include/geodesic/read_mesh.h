@@ -59,7 +59,7 @@ struct ReadLimits {
   uint64_t max_vertices = uint64_t{1} << 31;
   uint64_t max_triangles = (uint64_t{1} << 32) / 3 - 1;
   // What a file that is compressed with gzip may hold. DEFAULT: 0, such files
-  // are refused.
+  // are refused; ReadMeshFile (mesh_file.h) reads them whatever they hold.
   uint64_t max_gzip_bytes = 0;
   // Polled now and then, and may stop the reader. DEFAULT: nothing stops it.
   Checkpoint* checkpoint = nullptr;

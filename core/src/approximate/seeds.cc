@@ -49,6 +49,10 @@ absl::StatusOr<std::vector<Seed>> SeedsOf(const ValidQuery& query,
     return Refuse("trace", method,
                   "keeps no paths; ask an exact algorithm for them");
   }
+  if (query->tolerance > 0) {
+    return Refuse("tolerance", method,
+                  "has no bound on its error; ask an exact algorithm");
+  }
   absl::Status status = CheckSources(method, query->sources);
   if (!status.ok()) return status;
   std::vector<Seed> seeds;

@@ -214,6 +214,8 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(
       {mesh->triangles_, mesh->outgoing_begin_, mesh->outgoing_});
   mesh->irregular_begin_ = std::move(connectivity.irregular_begin);
   mesh->irregular_half_edges_ = std::move(connectivity.irregular_half_edges);
+  mesh->irregular_begin_.shrink_to_fit();
+  mesh->irregular_half_edges_.shrink_to_fit();
   mesh->FindCopies();
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
   ConeAngles angles(mesh->vertex_count());

@@ -97,15 +97,19 @@ class AsciiBody final : public Body {
   bool Begin(const PlyElement& element) override {
     // A value takes a digit and a blank or line end; a face has three corners.
     uint64_t row_bytes = 0;
+    bool has_corners = false;
     for (const PlyProperty& property : element.properties) {
-      row_bytes += property.role == PlyRole::kCorners ? 8 : 2;
+      const bool is_face = property.role == PlyRole::kCorners;
+      row_bytes += is_face ? 8 : 2;
+      has_corners = has_corners || is_face;
     }
     // The last line may lack its end.
     if (element.count <= (scanner_.remaining() + 1) / row_bytes) return true;
-    return builder_.Refuse(AtLine(element.line, element.count,
-                                  " rows of element ", Printable(element.name),
-                                  " cannot fit the ", scanner_.remaining(),
-                                  " bytes that are left for them"));
+    return builder_.Refuse(AtLine(
+        element.line, element.count, " rows of element ",
+        Printable(element.name),
+        has_corners ? ", of three corners or more," : "", " cannot fit the ",
+        scanner_.remaining(), " bytes that are left for them"));
   }
 
   bool ReadRow(const PlyElement& element, uint64_t row, Point& point) override {

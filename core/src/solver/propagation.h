@@ -56,6 +56,7 @@ class Propagation final : public Computation {
       return absl::InvalidArgumentError(
           absl::StrCat("reach.radius ", reach.radius, " is not a number >= 0"));
     }
+    asked_radius_ = std::max(asked_radius_, reach.radius);
     const auto start = std::chrono::steady_clock::now();
     absl::Status status = Run(reach, checkpoint);
     if constexpr (kThreads) rule_.ReleaseThreads();
@@ -158,6 +159,10 @@ class Propagation final : public Computation {
       const float error = RoundedUp((1 - kAnswerInAccount) * open / distance +
                                     Accuracy::kMargin);
       distance += kAnswerInAccount * open;
+      if (distance > asked_radius_ && std::isfinite(certified_radius_)) {
+        distance = std::numeric_limits<double>::infinity();
+        return 0.0f;
+      }
       field.certified_error =
           std::max(field.certified_error, static_cast<double>(error));
       return error;
@@ -389,6 +394,7 @@ class Propagation final : public Computation {
   uint64_t wavefront_samples_ = 0;
   uint64_t next_target_count_ = 0;  // polls until targets are counted again
   double certified_radius_ = -1;    // in the unit of the file
+  double asked_radius_ = 0;         // the largest of Advance, in that unit
 };
 
 }  // namespace geodesic

@@ -244,14 +244,21 @@ TEST(MeshTest, AFanOfManyFacesTakesLinearTime) {
 }
 
 TEST(MeshTest, EstimatesCoverWhatIsHeld) {
-  const auto mesh =
-      Mesh::Build(test::MakeGrid({.columns = 40, .rows = 30})).value();
-  const uint64_t vertices = mesh->vertex_count();
-  const uint64_t faces = mesh->face_count();
-  EXPECT_GE(Mesh::EstimateResidentBytes(vertices, faces),
-            mesh->resident_bytes());
-  EXPECT_GE(Mesh::EstimateBuildBytes(vertices, faces),
-            Mesh::EstimateResidentBytes(vertices, faces));
+  const TriangleSoup grid = test::MakeGrid({.columns = 40, .rows = 30});
+  // All edges of it are irregular.
+  TriangleSoup both_sides = grid;
+  for (const auto& [a, b, c] : grid.triangles) {
+    both_sides.triangles.push_back({b, a, c});
+  }
+  for (const TriangleSoup& soup : {grid, both_sides}) {
+    const auto mesh = Mesh::Build(soup).value();
+    const uint64_t vertices = mesh->vertex_count();
+    const uint64_t faces = mesh->face_count();
+    EXPECT_GE(Mesh::EstimateResidentBytes(vertices, faces),
+              mesh->resident_bytes());
+    EXPECT_GE(Mesh::EstimateBuildBytes(vertices, faces),
+              Mesh::EstimateResidentBytes(vertices, faces));
+  }
 }
 
 TEST(MeshTest, GoesToOpenMeshAndBack) {

@@ -265,6 +265,11 @@ TEST(PlyAsciiTest, CountsThatCannotBeThereAreRefusedAtOnce) {
                           " rows of element vertex cannot fit the 6 bytes that "
                           "are left for them"));
   }
+  // It says what was counted on.
+  EXPECT_THAT(Read(Header("ascii", FourAndOne()) +
+                   "0 0 0\n1 0 0\n0 1 0\n0 0 1\n2 0 1\n"),
+              IsInvalidWith("1 rows of element face, of three corners or more, "
+                            "cannot fit the 6 bytes"));
   EXPECT_THAT(Read(Header("ascii", FourAndOne()) +
                    "0 0 0\n1 0 0\n0 1 0\n0 0 1\n9223372036854775807 0 1 2\n"),
               IsInvalidWith("line 14: face 0 ends within"));

@@ -166,6 +166,21 @@ TEST_P(CheckpointTest, StatisticsAddUp) {
   EXPECT_GT(statistics.solve_seconds, 0);
 }
 
+TEST(SolverBytesTest, CountWhatAVertexOfManyFacesTakes) {
+  constexpr uint32_t kSpokes = 50'000;
+  TriangleSoup soup{.positions = {{0, 0, 0}}};
+  for (uint32_t i = 0; i <= kSpokes; ++i) {
+    const double angle = 6.0 * i / kSpokes;
+    soup.positions.push_back({std::cos(angle), std::sin(angle), i % 2 * 0.001});
+    if (i > 0) soup.triangles.push_back({0, i, i + 1});
+  }
+  const auto mesh = Mesh::Build(std::move(soup)).value();
+  const auto field = Solve(*mesh, {.sources = {{VertexPoint{0}}}});
+  ASSERT_TRUE(field.ok());
+  // Of each spoke a path to its end, and a list that goes on.
+  EXPECT_GT(field->statistics.peak_solver_bytes, 64 * kSpokes);
+}
+
 class CollectingCheckpoint final : public Checkpoint {
  public:
   absl::Status Poll(const Progress& progress) override {

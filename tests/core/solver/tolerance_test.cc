@@ -85,7 +85,9 @@ void ExpectCertified(const DistanceField& field, double tolerance,
   double largest = 0;
   for (size_t i = 0; i < got.size(); ++i) {
     if (std::isinf(got[i])) {
-      ASSERT_GE(truth[i], field.settled_radius * (1 - kRelativeTolerance)) << i;
+      ASSERT_GE(truth[i] * (1 + tolerance + kRelativeTolerance),
+                field.settled_radius)
+          << i;
       continue;
     }
     const double error = errors[i];
@@ -348,6 +350,37 @@ TEST(ToleranceTest, WhatStopsEarlyIsCertifiedUpToWhereItStopped) {
     EXPECT_TRUE(std::isinf((*computation)->Field().settled_radius));
     ExpectCertified((*computation)->Field(), query.tolerance, exact);
   }
+}
+
+TEST(ToleranceTest, NothingIsGivenBeyondARadius) {
+  Random random(14);
+  const TriangleSoup soup = Terrain(14, 14, 0.3, /*seed=*/5);
+  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
+  size_t given = 0;
+  for (int i = 0; i < 60; ++i) {
+    Query query{.sources = {{RandomFacePoint(soup, random)}},
+                .targets = {RandomFacePoint(soup, random)}};
+    const DistanceField exact = SolveOrFail(*mesh, query);
+    query.tolerance = std::pow(10, random.Uniform(-4, -1));
+    const std::unique_ptr<Computation> computation =
+        *StartComputation(*mesh, Valid(*mesh, query), {});
+    NoCheckpoint checkpoint;
+    std::vector<double> radii = exact.distances;
+    std::ranges::sort(radii);
+    // All but at a distance each, where that and what is given part.
+    for (size_t v = 0; v < radii.size(); v += 10) {
+      const double radius = radii[v] * (1 + query.tolerance / 4);
+      ASSERT_TRUE(computation->Advance({.radius = radius}, checkpoint).ok());
+      const DistanceField field = computation->Field();
+      for (const double distance : AllDistances(field)) {
+        if (std::isinf(distance) || std::isinf(field.settled_radius)) continue;
+        ASSERT_LE(distance, radius);
+        ++given;
+      }
+      ExpectCertified(field, query.tolerance, exact);
+    }
+  }
+  EXPECT_GT(given, 0);
 }
 
 TEST(ToleranceTest, TargetsAreCertifiedWhenASearchStopsAtThem) {

@@ -61,7 +61,8 @@ class SaddleVertexGraph final : public PreparedMethod {
     float length;
   };
 
-  // O(n K log K) or so. Progress::vertices_reached counts the vertices whose
+  // O(n K log K) or so; a vertex of very many faces opens all of them for each
+  // of its neighbours. Progress::vertices_reached counts the vertices whose
   // arcs are found. Errors: INVALID_ARGUMENT for an option out of range, and
   // for meshes with faces without area or edges of three faces or more, which
   // lists of windows do not take; whatever `checkpoint` returns.

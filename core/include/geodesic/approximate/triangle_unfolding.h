@@ -32,7 +32,9 @@ struct TriangleUnfoldingOptions {
 };
 
 // Guarantees:
-//   1. exact on a convex part of the plane, but for single precision;
+//   1. exact on a convex part of the plane, but for single precision: some 1e-3
+//      of a distance where samples lie all but in line with a vertex, since the
+//      height of such a triangle is the root of a difference;
 //   2. exact between samples, in single precision;
 //   3. +infinity exactly where no path leads, 0 from a vertex to itself.
 // Distances that are short beside those between samples have the largest

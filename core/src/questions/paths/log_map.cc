@@ -205,6 +205,10 @@ class Departures {
 absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const ValidQuery& query,
                                      const DistanceField& field,
                                      double radius) {
+  if (!(radius >= 0)) {
+    return InvalidField(
+        "radius", absl::StrCat("radius ", radius, " is not a number >= 0"));
+  }
   absl::StatusOr<TracedField> traced = TracedField::Create(mesh, query, field);
   if (!traced.ok()) return traced.status();
   const std::vector<Source>& sources = query->sources;

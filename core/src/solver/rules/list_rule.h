@@ -131,10 +131,13 @@ class ListRule {
   uint64_t pending() const { return pending_; }
   uint64_t peak_windows() const { return peak_; }
   uint64_t bytes() const {
-    return waiting_.capacity() * sizeof(uint32_t) +
-           queues_.capacity() * sizeof(Queued) +
-           (free_.capacity() + crossed_.capacity()) * sizeof(uint32_t) +
-           passed_.bytes() + pool_.bytes();
+    uint64_t bytes =
+        waiting_.capacity() * sizeof(uint32_t) +
+        queues_.capacity() * sizeof(Queued) +
+        (free_.capacity() + crossed_.capacity()) * sizeof(uint32_t) +
+        passed_.bytes() + pool_.bytes();
+    for (const Worker& worker : workers_) bytes += worker.bytes();
+    return bytes;
   }
 
  private:

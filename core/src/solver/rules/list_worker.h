@@ -151,6 +151,13 @@ class alignas(kCacheLine) ListWorker {
     if (front_.Watches(h)) observed_.push_back({h, window, pseudo_source});
   }
 
+  // What is kept of a round; a vertex with very many faces makes it long.
+  uint64_t bytes() const {
+    return relaxations_.capacity() * sizeof(Relaxation) +
+           handed_on_.capacity() * sizeof(HandedOn) +
+           observed_.capacity() * sizeof(Observed);
+  }
+
  private:
   using Passed = PassedWindows<WindowBlock*>;
 
