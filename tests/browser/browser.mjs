@@ -35,18 +35,19 @@ export class Viewer {
     this.errors = errors;
   }
 
-  /** Drops a file on the picture. `content` is text or bytes. */
-  async drop(name, content) {
+  /** Drops a file on the picture, and empty ones with it. `content` is text or bytes. */
+  async drop(name, content, ...others) {
     const base64 = Buffer.from(content).toString("base64");
-    await this.page.evaluate(async ({ name, base64 }) => {
+    await this.page.evaluate(async ({ name, base64, others }) => {
       const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
       const transfer = new DataTransfer();
       transfer.items.add(new File([bytes], name));
+      for (const other of others) transfer.items.add(new File([], other));
       for (const type of ["dragover", "drop"]) {
         document.getElementById("stage").dispatchEvent(
           new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
       }
-    }, { name, base64 });
+    }, { name, base64, others });
   }
 
   /** Chooses a file of the disk. */

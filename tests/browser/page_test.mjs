@@ -559,12 +559,36 @@ test("huge coordinates have values under the cursor, and names that look like op
 test("a bad file is refused in words", async (t) => {
   const viewer = await sphere(t);
   await viewer.drop("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  await viewer.waitForText("#notice-text", "bad.obj: ");
   await viewer.waitForText("#notice-text", "names vertex 9");
   await viewer.drop("notes.txt", "hello");
   await viewer.waitForText("#notice-text", "notes.txt is none");
   // What was there goes on.
   await viewer.click(0, 0);
   await viewer.solved();
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("what is dropped and not shown is told", async (t) => {
+  const viewer = await openPage(browser, server.url);
+  t.after(() => viewer.close());
+  await viewer.drop("two.off", TWO_SQUARES, "other.obj");
+  await viewer.waitForText("#notice-text", "One mesh at a time is shown: two.off.");
+  await viewer.drop("line.off", "OFF\n3 1 0\n0 0 0\n1 1 1\n3 3 3\n3 0 1 2\n");
+  await viewer.waitForText("#notice-text", "line.off: no face has an area");
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("a double click keeps no path", async (t) => {
+  const viewer = await sphere(t);
+  const answered = viewer.page.waitForResponse((response) => response.url().endsWith("/ComputePaths"));
+  await viewer.page.mouse.dblclick(...(await viewer.at(0, 0)));
+  await answered;
+  await viewer.solved();
+  await viewer.click(0.4, 0.1);
+  await viewer.page.waitForSelector("#paths li");
+  assert.equal(await viewer.page.locator("#paths li").count(), 1);
+  assert.ok(parseFloat(await viewer.text("#paths li")) > 0.3);
   assert.deepEqual(viewer.errors, []);
 });
 

@@ -9,6 +9,7 @@ import { FieldView } from "./scene/field_view";
 import { PathLine } from "./scene/path_line";
 import type { Scene } from "./scene/scene";
 import type { Connection } from "./service/connection";
+import { askRestoring } from "./service/ask_restoring";
 import { kindOf } from "./service/errors";
 import { NewestOnly } from "./service/newest_only";
 import {
@@ -54,6 +55,8 @@ export interface ExplorerEvents {
   value(distance: number | undefined, exact: boolean): void;
   /** A question failed; `again` asks it anew, if it still matters by then. */
   failed(error: unknown, again: () => void): void;
+  /** The server has lost the mesh: whether it has it again. */
+  lost(mesh: SurfaceMesh): Promise<boolean>;
 }
 
 export class Explorer {
@@ -211,10 +214,10 @@ export class Explorer {
     try {
       // Not both at once: they would share the server's processors.
       if (takesPreview(mesh, question)) await this.preview(mesh, question, field, abort.signal);
-      const summary = await askField(this.connection, question, (part) => {
+      const summary = await this.ask(mesh, () => askField(this.connection, question, (part) => {
         field.add(part.vertices, part.distances);
         if (!field.isPreview) this.scene.redrawSurface();
-      }, abort.signal);
+      }, abort.signal));
       if (abort.signal.aborted) return;
       this.summary = summary;
       field.finish();
@@ -262,8 +265,9 @@ export class Explorer {
     if (!mesh || !field) return;
     try {
       if (shown) {
-        const cells = await askCells(
-          this.connection, this.question(mesh), mesh.vertexCount, this.fieldQuestion.signal);
+        const { signal } = this.fieldQuestion;
+        const cells = await this.ask(mesh, () => askCells(
+          this.connection, this.question(mesh), mesh.vertexCount, signal));
         if (field !== this.field) return;
         field.paintCells(cells);
       } else {
@@ -286,7 +290,9 @@ export class Explorer {
       if (isApproximate) await this.moveToVertices(mesh);
       const { field } = this;
       const question = { ...this.question(mesh), algorithm };
-      const { distances } = await askDistances(this.connection, question, mesh.vertexCount, this.fieldQuestion.signal);
+      const { signal } = this.fieldQuestion;
+      const { distances } = await this.ask(mesh, () => askDistances(
+        this.connection, question, mesh.vertexCount, signal));
       if (!field || field !== this.field) return undefined;
       const difference = differenceOf(field.distances, distances);
       field.paintShares(difference.shares);
@@ -321,11 +327,13 @@ export class Explorer {
   async keepPath(place: Place): Promise<void> {
     const { mesh } = this;
     if (!mesh || !this.sources.length) return;
+    const { signal } = this.fieldQuestion;
     try {
       const path = this.livePath?.target === place
         ? this.livePath
-        : await askPath(this.connection, this.question(mesh), place, this.fieldQuestion.signal);
-      if (path && mesh === this.mesh) this.addPath({ ...path, target: place });
+        : await this.ask(mesh, () => askPath(this.connection, this.question(mesh), place, signal));
+      // The second click of two leads from the source to itself.
+      if (path && path.length > 0 && mesh === this.mesh) this.addPath({ ...path, target: place });
     } catch (error) {
       this.reportAbout(mesh, error, () => this.keepPath(place));
     }
@@ -360,7 +368,8 @@ export class Explorer {
     this.drawSketch([]);
     if (!mesh || places.length < 2) return;
     try {
-      const curve = await askCurve(this.connection, mesh.digest, places, new AbortController().signal);
+      const { signal } = new AbortController();
+      const curve = await this.ask(mesh, () => askCurve(this.connection, mesh.digest, places, signal));
       if (mesh !== this.mesh) return;
       await this.setSources([...(alone ? [] : this.sources), { curve: curve.places }]);
     } catch (error) {
@@ -371,8 +380,9 @@ export class Explorer {
   async sample(count: number): Promise<void> {
     const { mesh } = this;
     if (!mesh || !this.sources.length) return;
+    const { signal } = this.fieldQuestion;
     try {
-      this.samples = await askSamples(this.connection, this.question(mesh), count, this.fieldQuestion.signal);
+      this.samples = await this.ask(mesh, () => askSamples(this.connection, this.question(mesh), count, signal));
       this.drawDots();
       this.events.changed();
       this.scene.redraw();
@@ -438,7 +448,8 @@ export class Explorer {
   // Asks for the path under the cursor and draws it.
   private async lead(mesh: SurfaceMesh, target: Place, since: number, signal: AbortSignal): Promise<void> {
     try {
-      const path = await askPath(this.connection, { ...this.question(mesh), radius: undefined }, target, signal);
+      const question = { ...this.question(mesh), radius: undefined };
+      const path = await this.ask(mesh, () => askPath(this.connection, question, target, signal));
       if (mesh !== this.mesh || !this.cursor || signal.aborted) return;
       this.livePath = path && { ...path, target };
       this.live.setPoints(path ? mesh.toScreen(path.positions) : new Float32Array());
@@ -539,6 +550,10 @@ export class Explorer {
 
   private bareSurface(mesh: SurfaceMesh): void {
     new FieldView(mesh, this.scene.material, new Vector3(), true);
+  }
+
+  private ask<T>(mesh: SurfaceMesh, question: () => Promise<T>): Promise<T> {
+    return askRestoring(question, () => this.events.lost(mesh));
   }
 
   // The work is done again only while the mesh is shown.

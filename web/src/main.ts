@@ -28,7 +28,8 @@ const explorer: Explorer = new Explorer(scene, connection, {
     canvas.changed();
   },
   value: (distance, exact) => panel.value(distance, exact),
-  failed: (error, again) => recovery.handle(error, again, chooser.uploadAgain()),
+  failed: (error, again) => recovery.handle(error, again),
+  lost: (mesh) => chooser.restore(mesh.digest),
 });
 const labels = new PathLabels(explorer, scene, (point) => canvas.isSeen(point));
 scene.onSurface = () => {
@@ -48,8 +49,8 @@ const canvas = wireCanvas(scene, explorer, panel);
 void recovery.attempt(async () => {
   await panel.showCapabilities();
   await chooser.list();
-  if (address.mesh) await chooser.openDigest(address.mesh);
 });
+if (address.mesh) chooser.openDigest(address.mesh);
 
 // An address that is typed or pasted into the tab, or gone back to.
 addEventListener("hashchange", () => {
@@ -59,7 +60,7 @@ addEventListener("hashchange", () => {
   const { mesh } = explorer;
   if (!isGood) return;
   if (mesh && mesh.digest === address.mesh) void explorer.setSources(address.sourcesOn(mesh));
-  else if (address.mesh) void recovery.attempt(() => chooser.openDigest(address.mesh));
+  else if (address.mesh) chooser.openDigest(address.mesh);
 });
 
 function openScene(): Scene {

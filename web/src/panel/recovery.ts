@@ -1,6 +1,6 @@
 // What is done when the server refuses or does not answer: says so, asks for a
-// token, waits until the server is back or less busy, or uploads the mesh again;
-// and then asks the question again.
+// token, or waits until the server is back or less busy; and then asks the
+// question again.
 
 import type { Connection } from "../service/connection";
 import { explain, kindOf, retryAfter } from "../service/errors";
@@ -14,11 +14,13 @@ const FULL_PAUSE_MS = 250;
 /** Nobody waits longer for that without being told the reason. */
 const LONGEST_FULL_MS = 10_000;
 
+/** The server's words are for programs. */
+const NO_TOKEN = "Whoever runs this server gives tokens to those who may ask it.";
+
 export class Recovery {
-  /** What is asked again when the server is back, has the mesh, or knows the token. */
+  /** What is asked again when the server is back, or knows the token. */
   private readonly questions = new Set<() => void>();
   private waiting = false;
-  private uploading = false;
   private readonly dialog: TokenDialog;
 
   constructor(
@@ -39,40 +41,37 @@ export class Recovery {
     this.resume();
   }
 
-  /** Does the work, again and again if something can be done about its errors. */
-  async attempt(work: () => Promise<void>): Promise<void> {
+  /**
+   * Does the work, again and again if something can be done about its errors.
+   * What is refused is told of `name`, the file that it is about.
+   */
+  async attempt(work: () => Promise<void>, name?: string): Promise<void> {
     try {
       await work();
     } catch (error) {
+      const kind = kindOf(error);
+      const about = name ? `${name}: ` : "";
       // Who is told that a file has no room knows when to send it again.
-      if (kindOf(error) === "full") this.notice.error(explain(error));
-      else this.handle(error, () => void this.attempt(work));
+      if (kind === "full" || kind === "refused") this.notice.error(about + explain(error));
+      else this.handle(error, () => void this.attempt(work, name));
     }
   }
 
-  /**
-   * `upload` brings back a mesh that the server has forgotten. The same function
-   * `again` is called once, for however many errors.
-   */
-  handle(error: unknown, again: () => void, upload?: () => Promise<void>): void {
+  /** The same function `again` is called once, for however many errors. */
+  handle(error: unknown, again: () => void): void {
     switch (kindOf(error)) {
       case "cancelled":
         return;
       case "token":
         this.questions.add(again);
-        this.askForToken(explain(error));
+        this.askForToken(this.connection.token ? explain(error) : NO_TOKEN);
         return;
       case "gone":
         this.questions.add(again);
         void this.waitForServer();
         return;
       case "forgotten":
-        if (upload) {
-          this.questions.add(again);
-          void this.bringBack(upload);
-          return;
-        }
-        this.notice.error(`${explain(error)} Open its file again.`);
+        this.notice.error(`${explain(error)} Drop its file here again.`);
         return;
       case "full":
         this.waitForRoom(error, again);
@@ -89,17 +88,6 @@ export class Recovery {
     if (!this.dialog.wasDeclined) open();
   }
 
-  // One upload is enough for all questions that miss the mesh.
-  private async bringBack(upload: () => Promise<void>): Promise<void> {
-    if (this.uploading) return;
-    this.uploading = true;
-    try {
-      await this.attempt(() => upload().then(() => this.resume()));
-    } finally {
-      this.uploading = false;
-    }
-  }
-
   private waitForRoom(error: unknown, again: () => void): void {
     const pause = Math.max(retryAfter(error) ?? 0, FULL_PAUSE_MS);
     if (pause > LONGEST_FULL_MS) {
@@ -111,9 +99,10 @@ export class Recovery {
   }
 
   private async waitForServer(): Promise<void> {
+    // Said again of what is asked meanwhile, such as a file that was dropped.
+    this.notice.error("The server does not answer. This page goes on when it is back.");
     if (this.waiting) return;
     this.waiting = true;
-    this.notice.error("The server does not answer. This page goes on when it is back.");
     for (let pause = FIRST_PAUSE_MS; ; pause = Math.min(2 * pause, LONGEST_PAUSE_MS)) {
       await new Promise((resolve) => setTimeout(resolve, pause));
       try {

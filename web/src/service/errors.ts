@@ -40,7 +40,7 @@ export function explain(error: unknown): string {
     case "gone":
       return "The server does not answer.";
     case "forgotten":
-      return "The server no longer has this mesh.";
+      return "The server has lost this mesh.";
     default:
       if (error instanceof ConnectError) return sentence(error.rawMessage);
       return sentence(error instanceof Error ? error.message : String(error));

@@ -3,7 +3,7 @@
 // A large one also has a coarse list of faces over the same vertices, which is
 // drawn while the picture changes; all else is about the faces of the file.
 
-import { BufferAttribute, BufferGeometry } from "three";
+import { BufferAttribute, BufferGeometry, Vector3 } from "three";
 import type { Place, Source } from "./place";
 import { vertexNormals } from "./vertex_normals";
 
@@ -13,6 +13,9 @@ export interface MeshArrays {
   /** Three vertices of each face. */
   indices: Uint32Array;
 }
+
+/** On the screen's scale; lines have less, by rounding. */
+const VISIBLE_AREA = 1e-6;
 
 export type Vector = [number, number, number];
 
@@ -72,6 +75,19 @@ export class SurfaceMesh {
       for (let k = 0; k < 3; k++) drawn[i + k] = (points[i + k] - this.center[k]) / this.radius;
     }
     return drawn;
+  }
+
+  /** Whether there is something to see. */
+  get hasArea(): boolean {
+    const drawn = this.geometry.getAttribute("position");
+    const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+    let area = 0;
+    for (let face = 0; face < this.faceCount; face++) {
+      [a, b, c].forEach((corner, i) => corner.fromBufferAttribute(drawn, this.arrays.indices[3 * face + i]));
+      area += b.sub(a).cross(c.sub(a)).length() / 2;
+      if (area > VISIBLE_AREA) return true;
+    }
+    return false;
   }
 
   cornersOf(face: number): Vector {
