@@ -1,5 +1,5 @@
-// The server goes away, comes back without its meshes: what
-// the page does by itself, and what it says.
+// The server goes away, comes back without its meshes, or cannot be reached rightly:
+// what the page does by itself, and what it says.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -10,6 +10,7 @@ import { after, before, test } from "node:test";
 
 import { launch, openPage } from "./browser.mjs";
 import { sphereObj, TWO_SQUARES } from "./meshes.mjs";
+import { startProxy } from "./proxy.mjs";
 import { startServer, startServerOn } from "./server.mjs";
 
 const SPHERE = sphereObj(24);
@@ -102,4 +103,36 @@ test("a file that is none takes nothing off the mesh that is shown", async (t) =
   await viewer.click(0, 0);
   await viewer.solved();
   assert.deepEqual(viewer.errors, []);
+});
+
+/** A page behind a proxy of a server that allows the proxy's address, or not. */
+async function behindProxy(t, isAllowed, maxBytes) {
+  const target = {};
+  const proxy = await startProxy(target, maxBytes);
+  t.after(() => proxy.stop());
+  const server = await startServer(...(isAllowed ? ["--web-allow-origin", proxy.url] : []));
+  t.after(() => server.stop());
+  Object.assign(target, { url: server.url, port: server.port });
+  const viewer = await openPage(browser, proxy.url);
+  t.after(() => viewer.close());
+  return viewer;
+}
+
+test("a file that is too large for a proxy is sent once", async (t) => {
+  const viewer = await behindProxy(t, true, 100_000);
+  let sent = 0;
+  viewer.page.on("request", (request) => (sent += request.url().endsWith("/CreateMesh") ? 1 : 0));
+  await viewer.drop("sphere.obj", SPHERE);
+  await viewer.waitForText("#notice-text", "sphere.obj: The server, or a proxy before it, refuses files of this size.");
+  assert.equal(sent, 1);
+  await viewer.drop("two.off", TWO_SQUARES);
+  await viewer.shown("two.off");
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("an address that the server does not allow is told, and no token asked for", async (t) => {
+  const viewer = await behindProxy(t, false);
+  await viewer.waitForText("#notice-text", "its flag --web-allow-origin must name this address");
+  assert.ok(await viewer.page.locator("#notice-action").isHidden());
+  assert.ok(await viewer.page.locator("#token-dialog").isHidden());
 });

@@ -8,7 +8,7 @@ export function kindOf(error: unknown): ErrorKind {
   if (error instanceof DOMException && error.name === "AbortError") return "cancelled";
   // What fetch throws when nobody answers is a TypeError.
   if (error instanceof TypeError) return "gone";
-  if (!(error instanceof ConnectError)) return "refused";
+  if (!(error instanceof ConnectError) || isRefusedUnread(error)) return "refused";
   switch (error.code) {
     case Code.Canceled:
       return "cancelled";
@@ -42,8 +42,26 @@ export function explain(error: unknown): string {
     case "forgotten":
       return "The server has lost this mesh.";
     default:
-      if (error instanceof ConnectError) return sentence(error.rawMessage);
+      if (error instanceof ConnectError) return sentence(reasonOf(error.rawMessage));
       return sentence(error instanceof Error ? error.message : String(error));
+  }
+}
+
+// Whether a proxy, or the server's door, has refused a question without reading it:
+// then there is but the status of HTTP, which Connect puts into the message. Asked
+// again it would be refused again, but for 429: too much at a time.
+function isRefusedUnread(error: ConnectError): boolean {
+  return /^HTTP 4\d\d$/.test(error.rawMessage) && error.rawMessage !== "HTTP 429";
+}
+
+function reasonOf(message: string): string {
+  switch (message) {
+    case "HTTP 403":
+      return `The server answers no page of ${location.origin}: its flag --web-allow-origin must name this address.`;
+    case "HTTP 413":
+      return "The server, or a proxy before it, refuses files of this size.";
+    default:
+      return message;
   }
 }
 
