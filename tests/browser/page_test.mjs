@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -229,6 +229,68 @@ test("a source that is dragged takes its field along", async (t) => {
   assert.deepEqual(viewer.errors, []);
 });
 
+test("a source that the mesh hides is not taken hold of", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(0, 0);
+  await viewer.solved();
+  const address = viewer.page.url();
+  // Half around, 26 steps of 0.12, and from 16 degrees above to 18 below.
+  for (let i = 0; i < 26; i++) await viewer.page.keyboard.press("ArrowRight");
+  for (let i = 0; i < 5; i++) await viewer.page.keyboard.press("ArrowDown");
+  await viewer.settled();
+  const before = (await viewer.picture()).bytes;
+  for (const x of [-0.1, -0.05, 0, 0.05, 0.1]) {
+    for (const y of [-0.1, -0.05, 0, 0.05, 0.1]) {
+      await viewer.move(x, y);
+      assert.equal(await viewer.page.getAttribute("#picture", "class") ?? "", "", `nothing is held at ${x} ${y}`);
+    }
+  }
+  await viewer.move(0, 0);
+  await viewer.page.mouse.down();
+  for (let i = 1; i <= 5; i++) await viewer.move(0.05 * i, 0);
+  await viewer.page.mouse.up();
+  await viewer.settled();
+  assert.equal(viewer.page.url(), address, "the source is where it was");
+  assert.ok((await viewer.pictureOnce((picture) => !picture.bytes.equals(before))).bytes.compare(before), "the view has turned");
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("what the slider says is what is asked, shown and saved", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(0, 0);
+  await viewer.solved();
+  await viewer.page.fill("#radius", "300");
+  const asked = [];
+  await viewer.page.route("**/ComputeField", (route) => {
+    // The field within the radius is under way for as long as it takes.
+    if (asked.push(route) > 1) void route.continue();
+  });
+  await viewer.page.keyboard.press("s");
+  await viewer.click(0.3, 0);
+  await until(() => asked.length === 1);
+  await viewer.page.fill("#radius", "1000");
+  await until(() => asked.length === 2);
+  await viewer.solved();
+  assert.equal(await viewer.text("#radius-value"), "all");
+  const csv = (await viewer.save("#save-csv")).bytes.toString();
+  assert.doesNotMatch(csv, /inf/);
+
+  // With a radius a new source's field ends there: the slider still goes on to all.
+  await viewer.page.fill("#radius", "300");
+  await viewer.page.keyboard.press("s");
+  await viewer.click(0, 0.2);
+  await viewer.waitForText("#figures", "farthest up to");
+  await viewer.solved();
+  assert.ok(Number(await viewer.page.inputValue("#radius")) < 1000);
+  assert.match(await viewer.page.url(), /&radius=[\d.]+$/);
+  await viewer.page.locator("#radius").press("End");
+  await viewer.solved();
+  assert.equal(await viewer.text("#radius-value"), "all");
+  assert.doesNotMatch(await viewer.text("#figures"), /up to/);
+  assert.doesNotMatch(viewer.page.url(), /radius/);
+  assert.deepEqual(viewer.errors, []);
+});
+
 test("several sources, cells, samples, curves, a radius, comparison", async (t) => {
   const viewer = await sphere(t);
   await viewer.click(-0.5, 0);
@@ -395,7 +457,20 @@ test("the field, the picture and the paths are saved", async (t) => {
   assert.ok(png.bytes.length > 20_000);
 
   await viewer.page.locator("#copy-python").evaluate((button) => button.click());
-  assert.match(await viewer.text("#question-text"), /mesh\.distances\(geodesic\.FacePoint\(/);
+  const python = await viewer.text("#question-text");
+  assert.match(python, /mesh\.distances\(geodesic\.FacePoint\(/);
+  assert.match(python, /^path = mesh\.path\(/m);
+  // The text is that of the question on the screen.
+  await viewer.click(-0.5, 0.3);
+  await viewer.waitForText("#question-text", "paths = [\n    mesh.path(");
+  await viewer.page.keyboard.press("s");
+  await viewer.click(0, 0);
+  await viewer.page.waitForFunction((python) => {
+    const text = document.getElementById("question-text").textContent;
+    return !text.includes("path") && !python.startsWith(text);
+  }, python);
+  await viewer.page.keyboard.press("Escape");
+  await viewer.page.waitForFunction(() => document.getElementById("question-text").hidden);
   assert.deepEqual(viewer.errors, []);
 });
 
@@ -816,6 +891,41 @@ test("keys alone place sources and keep paths", async (t) => {
   await mouse.page.mouse.move(x + 9 * 12, y - 5 * 12);
   assert.ok(Math.abs((await mouse.exactValue()) - distance) < 1e-6);
   assert.deepEqual([...viewer.errors, ...mouse.errors], []);
+});
+
+test("an address holds curves and the radius, and its question is one for the command", async (t) => {
+  const first = await sphere(t);
+  await first.page.keyboard.press("c");
+  await first.move(-0.4, 0.3);
+  await first.page.mouse.down();
+  for (let i = 1; i <= 12; i++) await first.move(-0.4 + (0.8 * i) / 12, 0.3);
+  await first.page.mouse.up();
+  await first.solved();
+  await first.page.fill("#radius", "400");
+  const radius = await first.text("#radius-value");
+
+  const second = await openPage(browser, first.page.url());
+  t.after(() => second.close());
+  await second.solved();
+  assert.equal(second.page.url(), first.page.url());
+  assert.equal(await second.text("#source-count"), "1 source");
+  assert.equal(await second.text("#radius-value"), radius);
+  // Somebody who opens a link looks at its sources, and moves none by a click.
+  await second.click(0.2, 0.1);
+  await second.page.waitForSelector("#paths li");
+  await second.page.locator("#copy-command").evaluate((button) => button.click());
+  const [command] = (await second.text("#question-text")).split("\n");
+  assert.match(command, /^geodesic --server 127\.0\.0\.1:PORT field [0-9a-f]{64} --curve .* --radius /);
+  const folder = mkdtempSync(join(tmpdir(), "page-"));
+  t.after(() => rmSync(folder, { recursive: true }));
+  execFileSync("sh", ["-c", command.replace("geodesic", '"$GEODESIC"').replace("PORT", server.grpcPort)], { cwd: folder });
+  assert.equal(readFileSync(join(folder, "field.npy")).compare((await second.save("#save-npy")).bytes), 0);
+  await second.page.locator("#copy-python").evaluate((button) => button.click());
+  assert.match(await second.text("#question-text"), /^mesh = geodesic\.connect\("127\.0\.0\.1:PORT"\)\.open\("[0-9a-f]{64}"\)$/m);
+
+  await second.page.evaluate(() => (location.hash = location.hash.replace(/radius=[^&]*/, "radius=far")));
+  await second.waitForText("#notice-text", "names a radius that is no length");
+  assert.deepEqual([...first.errors, ...second.errors], []);
 });
 
 test("an address with a mesh and a source shows them; keys and themes work", async (t) => {

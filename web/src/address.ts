@@ -1,9 +1,9 @@
-// The part of the page's address after #: a token to begin with, and which mesh
-// and sources are shown, so that the address can be kept or passed on.
+// The part of the page's address after #: a token to begin with, and which mesh,
+// sources and radius are shown, so that the address can be kept or passed on.
 
 import type { Explorer } from "./explorer";
 import type { SurfaceMesh } from "./surface/mesh";
-import { commandText, parsePlace, type Place, type Source } from "./surface/place";
+import { parseSource, sourceText, type Source } from "./surface/place";
 
 const TOKEN_KEY = "geodesic.token";
 
@@ -16,6 +16,7 @@ export class Address {
   mesh = "";
   token = "";
   private sources: string[] = [];
+  private radius: string | null = null;
 
   /** `wrong` is told what is wrong with it, in words. */
   constructor(private readonly wrong: (problem: string) => void) {
@@ -29,6 +30,7 @@ export class Address {
     const token = parts.get("token");
     this.mesh = DIGEST.test(mesh) ? mesh : "";
     this.sources = parts.getAll("source");
+    this.radius = parts.get("radius");
     let problem: string | undefined;
     if (mesh && !this.mesh) problem = "The address names no mesh: a mesh has 64 digits and letters from a to f.";
     if (token && TOKEN.test(token)) this.keepToken(token);
@@ -48,21 +50,24 @@ export class Address {
     sessionStorage.setItem(TOKEN_KEY, token);
   }
 
-  /** The sources that the address named, if it named this mesh. */
-  sourcesOn(mesh: SurfaceMesh): Source[] {
-    if (mesh.digest !== this.mesh) return [];
+  /** What the address asked, once, if it named this mesh. */
+  questionOn(mesh: SurfaceMesh): { sources: Source[]; radius?: number } {
+    if (mesh.digest !== this.mesh) return { sources: [] };
     const named = this.sources.splice(0);
-    const places = named.map(parsePlace).filter((place) => place !== undefined && mesh.holds(place)) as Place[];
-    if (places.length < named.length) this.wrong("The address names a source that is no place of this mesh.");
-    return places;
+    const sources = named.map(parseSource).filter((source) => source !== undefined && mesh.holdsSource(source)) as Source[];
+    if (sources.length < named.length) this.wrong("The address names a source that is no place of this mesh.");
+    const radius = this.radius === null ? undefined : parseFloat(this.radius);
+    this.radius = null;
+    if (radius === undefined || (Number.isFinite(radius) && radius >= 0)) return { sources, radius };
+    this.wrong("The address names a radius that is no length.");
+    return { sources };
   }
 
   show(explorer: Explorer): void {
     if (!explorer.mesh) return;
     const parts = new URLSearchParams({ mesh: explorer.mesh.digest });
-    for (const source of explorer.sources) {
-      if (!("curve" in source)) parts.append("source", commandText(source));
-    }
+    for (const source of explorer.sources) parts.append("source", sourceText(source));
+    if (explorer.radius !== undefined) parts.set("radius", String(explorer.radius));
     history.replaceState(null, "", `#${parts}`);
   }
 }

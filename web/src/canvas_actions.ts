@@ -48,11 +48,21 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
   const pick = (at: ScreenPoint): Hit | undefined =>
     picker?.pick(scene.pointerAt(at.x, at.y), scene.camera);
 
+  const isSeen = (point: Vector3): boolean => {
+    const { camera } = scene;
+    const { x, y } = point.clone().project(camera);
+    const hit = picker?.pick(new Vector2(x, y), camera);
+    const isBefore = hit && hit.point.distanceTo(camera.position) < point.distanceTo(camera.position) - PICK_ERROR;
+    return !isBefore;
+  };
+
   const sourceAt = (at: ScreenPoint): number => {
     const box = canvas.getBoundingClientRect();
     return explorer.sourcesOnScreen().findIndex((point) => {
-      const pixel = point && scene.pixelOf(point);
-      return pixel && Math.hypot(box.left + pixel.x - at.x, box.top + pixel.y - at.y) < GRAB_PIXELS;
+      if (!point) return false;
+      const pixel = scene.pixelOf(point);
+      const isNear = Math.hypot(box.left + pixel.x - at.x, box.top + pixel.y - at.y) < GRAB_PIXELS;
+      return isNear && isSeen(point);
     });
   };
 
@@ -156,13 +166,7 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
   });
   return {
     show: (mesh) => (picker = new Picker(mesh)),
-    isSeen: (point) => {
-      const { camera } = scene;
-      const { x, y } = point.clone().project(camera);
-      const hit = picker?.pick(new Vector2(x, y), camera);
-      const isBefore = hit && hit.point.distanceTo(camera.position) < point.distanceTo(camera.position) - PICK_ERROR;
-      return !isBefore;
-    },
+    isSeen,
     changed: () => {
       if (!cursor || !seen) return;
       const hasTurned = !scene.camera.matrixWorld.equals(seen.view);

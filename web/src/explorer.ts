@@ -70,6 +70,8 @@ export class Explorer {
   readonly sources: Source[] = [];
   readonly paths: KeptPath[] = [];
 
+  /** Up to where distances are there, or on their way. */
+  private reach = Infinity;
   /** Whose distances the field has, or will have. */
   private fieldSources: readonly Source[] = [];
   private readonly live: PathLine;
@@ -124,7 +126,7 @@ export class Explorer {
     this.clear();
     this.mesh?.dispose();
     this.mesh = mesh;
-    this.radius = undefined;
+    this.setRadius(undefined);
     this.bareSurface(mesh);
     this.scene.show(mesh);
     // The first line or dot that a browser draws may take it some tenths of a second.
@@ -156,6 +158,7 @@ export class Explorer {
     this.lines.clear();
     this.field = undefined;
     this.summary = undefined;
+    this.reach = Infinity;
     this.waiting = false;
     this.samples = [];
     this.live.setPoints(new Float32Array());
@@ -210,7 +213,7 @@ export class Explorer {
     this.events.changed();
     if (wasBare) this.scene.redraw();
     else this.scene.redrawSurface();
-    const question = this.question(mesh);
+    const question = this.newQuestion(mesh);
     try {
       // Not both at once: they would share the server's processors.
       if (takesPreview(mesh, question)) await this.preview(mesh, question, field, abort.signal);
@@ -219,7 +222,7 @@ export class Explorer {
         if (!field.isPreview) this.scene.redrawSurface();
       }, abort.signal));
       if (abort.signal.aborted) return;
-      this.summary = summary;
+      this.answer(summary);
       field.finish();
     } catch (error) {
       this.report(error, () => {
@@ -397,8 +400,8 @@ export class Explorer {
     if (!this.mesh) return;
     this.scene.material.uniforms.radius.value = radius === undefined ? 1e10 : radius / this.mesh.radius;
     this.scene.redrawSurface();
-    const reaches = this.summary?.settledRadius ?? Infinity;
-    if ((radius ?? Infinity) > reaches) void this.askField();
+    this.events.changed();
+    if ((radius ?? Infinity) > this.reach) void this.askField();
   }
 
   private async moveToVertices(mesh: SurfaceMesh): Promise<void> {
@@ -417,18 +420,30 @@ export class Explorer {
   }
 
   private question(mesh: SurfaceMesh): FieldQuestion {
-    return { digest: mesh.digest, sources: this.sources, algorithm: this.algorithm, radius: this.radius };
+    return { digest: mesh.digest, sources: [...this.sources], algorithm: this.algorithm, radius: this.radius };
+  }
+
+  // The question about a field that takes the place of the one there is.
+  private newQuestion(mesh: SurfaceMesh): FieldQuestion {
+    this.reach = this.radius ?? Infinity;
+    return this.question(mesh);
+  }
+
+  private answer(summary: FieldSummary): void {
+    this.summary = summary;
+    this.reach = summary.settledRadius;
   }
 
   // Shows the field of the sources as they are, all at once.
   private async follow(mesh: SurfaceMesh, signal: AbortSignal): Promise<void> {
     const sources = [...this.sources];
     try {
-      const { distances, summary } = await askDistances(
-        this.connection, this.question(mesh), mesh.vertexCount, signal);
+      const question = this.newQuestion(mesh);
+      const { distances, summary } = await this.ask(mesh, () => askDistances(
+        this.connection, question, mesh.vertexCount, signal));
       if (mesh !== this.mesh || signal.aborted) return;
       this.beginField(mesh, sources).setAll(distances);
-      this.summary = summary;
+      this.answer(summary);
       this.events.changed();
       this.scene.redrawSurface();
     } catch (error) {

@@ -37,11 +37,17 @@ scene.onSurface = () => {
   canvas.changed();
 };
 const panel = new Panel(explorer, scene, connection, notice, theme, labels);
+const askAsAddressed = (mesh: SurfaceMesh) => {
+  const { sources, radius } = address.questionOn(mesh);
+  explorer.setRadius(radius);
+  void explorer.setSources(sources);
+  panel.chooseNext();
+};
 const open = (mesh: SurfaceMesh) => {
   explorer.show(mesh);
   canvas.show(mesh);
   panel.show(mesh);
-  void explorer.setSources(address.sourcesOn(mesh));
+  askAsAddressed(mesh);
 };
 const chooser = new MeshChooser(connection, notice, recovery, scene.coarseFaces, open, (mesh, indices) => explorer.showCoarse(mesh, indices));
 const canvas = wireCanvas(scene, explorer, panel);
@@ -59,7 +65,7 @@ addEventListener("hashchange", () => {
   if (address.token !== token) recovery.goOnWith(address.token);
   const { mesh } = explorer;
   if (!isGood) return;
-  if (mesh && mesh.digest === address.mesh) void explorer.setSources(address.sourcesOn(mesh));
+  if (mesh && mesh.digest === address.mesh) askAsAddressed(mesh);
   else if (address.mesh) chooser.openDigest(address.mesh);
 });
 

@@ -28,6 +28,7 @@ export class Panel {
   private readonly cells = byId<HTMLInputElement>("cells");
   private readonly algorithm = byId<HTMLSelectElement>("algorithm");
   private readonly against = byId<HTMLSelectElement>("against");
+  private readonly save: SavePanel;
   private approximate = new Set<Algorithm>();
 
   constructor(
@@ -38,7 +39,7 @@ export class Panel {
     private readonly theme: Theme,
     labels: PathLabels,
   ) {
-    new SavePanel(explorer, scene, notice, labels, () => this.algorithmName());
+    this.save = new SavePanel(explorer, scene, notice, labels, () => this.algorithmName());
     onClick("theme", () => theme.toggle());
     onClick("help", () => this.help());
     onClick("clear", () => this.clear());
@@ -51,7 +52,8 @@ export class Panel {
     this.cells.addEventListener("change", () => void explorer.showCells(this.cells.checked));
     this.radius.addEventListener("input", () => {
       const share = this.radius.valueAsNumber / RADIUS_STEPS;
-      this.setRadius(share < 1 ? share * (explorer.field?.largest ?? 0) : Infinity);
+      const widest = this.widestRadius();
+      this.setRadius(share < 1 && widest > 0 ? share * widest : Infinity);
     });
     this.algorithm.addEventListener("change", () => {
       explorer.algorithm = Number(this.algorithm.value);
@@ -84,7 +86,11 @@ export class Panel {
     byId("mesh-name").title = mesh.digest;
     byId("questions").hidden = false;
     document.title = `${mesh.name} - geodesic`;
-    this.choose("source");
+  }
+
+  /** Chooses what comes next: a source, or paths from those there are. */
+  chooseNext(): void {
+    this.choose(this.explorer.sources.length ? "path" : "source");
   }
 
   update(): void {
@@ -99,11 +105,11 @@ export class Panel {
     this.scale.show(field?.isolines ?? { step: 0, perLabel: 1 }, coloured);
     const figures: [string, string][] = [];
     if (field?.isPreview) {
-      figures.push(["farthest", `≈ ${formatNumber(field.largest, 4)}`]);
+      figures.push([farthest(this.explorer.radius ?? Infinity), `≈ ${formatNumber(field.largest, 4)}`]);
       figures.push(["for now", PREVIEW_WORDS + (isWaiting ? "; the exact field is on its way" : "")]);
     }
     if (field && summary) {
-      figures.push(["farthest", formatNumber(field.largest, 10)]);
+      figures.push([farthest(summary.settledRadius), formatNumber(field.largest, 10)]);
       figures.push(["solved in", `${formatNumber(1000 * summary.solveSeconds, 3)} ms`]);
       if (samples.length) figures.push(["samples", formatCount(samples.length)]);
     }
@@ -121,6 +127,7 @@ export class Panel {
       }),
     );
     this.showRadius();
+    this.save.update();
   }
 
   /** Where the cursor is, from the left and top of the window. */
@@ -140,14 +147,15 @@ export class Panel {
   }
 
   setRadius(radius: number): void {
-    const largest = this.explorer.field?.largest ?? 0;
-    this.explorer.setRadius(radius < largest ? Math.max(radius, 0) : undefined);
-    this.showRadius();
+    const { field, summary } = this.explorer;
+    // Beyond the farthest of all there is nothing, beyond the farthest within a radius there is.
+    const isAll = summary?.settledRadius === Infinity && radius >= (field?.largest ?? 0);
+    this.explorer.setRadius(isAll || radius === Infinity ? undefined : Math.max(radius, 0));
   }
 
   clear(): void {
-    this.explorer.setRadius(undefined);
     this.explorer.clear();
+    this.explorer.setRadius(undefined);
     this.choose("source");
   }
 
@@ -194,11 +202,17 @@ export class Panel {
   }
 
   private showRadius(): void {
-    const { radius, field } = this.explorer;
-    const largest = field?.largest ?? 0;
+    const { radius } = this.explorer;
     byId("radius-value").textContent = radius === undefined ? "all" : formatNumber(radius, 4);
-    const share = radius === undefined || !largest ? 1 : radius / largest;
-    this.radius.value = String(Math.round(share * RADIUS_STEPS));
+    const share = radius ? radius / this.widestRadius() : 0;
+    // The last step is for all, and can be gone to from the one before.
+    this.radius.value = String(radius === undefined ? RADIUS_STEPS : Math.min(Math.round(share * RADIUS_STEPS), RADIUS_STEPS - 1));
+  }
+
+  /** What the length of the slider stands for: farther away nothing is known. */
+  private widestRadius(): number {
+    const { field, radius } = this.explorer;
+    return Math.max(field?.largest ?? 0, radius ?? 0);
   }
 
   private nextStep(): string {
@@ -230,6 +244,11 @@ function choice({ algorithm, name, summary }: AlgorithmCapability): HTMLOptionEl
   const option = new Option(name, String(algorithm));
   option.title = summary;
   return option;
+}
+
+/** What the largest distance is of, where those up to `radius` are known. */
+function farthest(radius: number): string {
+  return radius === Infinity ? "farthest" : `farthest up to ${formatNumber(radius, 4)}`;
 }
 
 function showTerms(list: HTMLElement, terms: [string, string][]): void {

@@ -12,6 +12,9 @@ import { commandLines, pythonLines, type AskedQuestion } from "../save/question_
 import type { Scene } from "../scene/scene";
 
 export class SavePanel {
+  private readonly text = byId("question-text");
+  private write: ((question: AskedQuestion) => string) | undefined;
+
   constructor(
     private readonly explorer: Explorer,
     private readonly scene: Scene,
@@ -26,6 +29,13 @@ export class SavePanel {
     onClick("save-paths", () => this.savePaths());
     onClick("copy-command", () => this.copy(commandLines));
     onClick("copy-python", () => this.copy(pythonLines));
+  }
+
+  /** The question is another one: so is its text, where it is shown. */
+  update(): void {
+    const question = this.question();
+    this.text.hidden = !question || !this.write;
+    if (question && this.write) this.text.textContent = this.write(question);
   }
 
   private async savePicture(): Promise<void> {
@@ -55,25 +65,33 @@ export class SavePanel {
   }
 
   private copy(write: (question: AskedQuestion) => string): void {
-    const { mesh, sources, radius, paths } = this.explorer;
-    if (!mesh || !sources.length) {
+    const question = this.question();
+    if (!question) {
       this.notice.hint("There is no question yet: click a point of the surface.");
       return;
     }
-    const text = write({
-      mesh: mesh.name.includes(".") ? mesh.name : mesh.digest,
+    this.write = write;
+    this.update();
+    const toFill = question.server ? " For PORT put the one of the server's --listen." : "";
+    // Browsers let pages write to the clipboard on https and this machine only.
+    navigator.clipboard?.writeText(write(question)).then(
+      () => this.notice.hint(`Copied.${toFill}`),
+      () => this.notice.hint(`Select the text and copy it.${toFill}`),
+    );
+  }
+
+  /** What is asked; nothing while there is no source. */
+  private question(): AskedQuestion | undefined {
+    const { mesh, sources, radius, paths } = this.explorer;
+    if (!mesh || !sources.length) return undefined;
+    const isFile = mesh.name.includes(".");
+    return {
+      mesh: isFile ? mesh.name : mesh.digest,
+      server: isFile ? undefined : `${location.hostname}:PORT`,
       sources,
       radius,
       algorithm: this.algorithmName(),
       targets: paths.map((path) => path.target),
-    });
-    const box = byId("question-text");
-    box.textContent = text;
-    box.hidden = false;
-    // Browsers let pages write to the clipboard on https and this machine only.
-    navigator.clipboard?.writeText(text).then(
-      () => this.notice.hint("Copied."),
-      () => this.notice.hint("Select the text and copy it."),
-    );
+    };
   }
 }

@@ -1,10 +1,12 @@
 // The question on the screen, for the command `geodesic` and for Python.
 
-import { commandText, pythonText, type Place, type Source } from "../surface/place";
+import { commandText, pythonText, sourceText, type Place, type Source } from "../surface/place";
 
 export interface AskedQuestion {
   /** The mesh's file or digest. */
   mesh: string;
+  /** The server that knows the digest; nothing for a file. */
+  server?: string;
   sources: readonly Source[];
   radius?: number;
   /** As the command spells it; nothing for the server's choice. */
@@ -15,17 +17,16 @@ export interface AskedQuestion {
 
 export function commandLines(question: AskedQuestion): string {
   const from = question.sources.map((source) =>
-    "curve" in source
-      ? `--curve '${source.curve.map(commandText).join(";")}'`
-      : `--source ${commandText(source)}`,
+    "curve" in source ? `--curve '${sourceText(source)}'` : `--source ${sourceText(source)}`,
   );
+  const geodesic = question.server ? `geodesic --server ${question.server}` : "geodesic";
   const mesh = quoted(question.mesh);
   const method = question.algorithm ? [`--algorithm ${question.algorithm}`] : [];
   const radius = question.radius === undefined ? [] : [`--radius ${question.radius}`];
-  const lines = [["geodesic field", mesh, ...from, ...radius, ...method, "-o field.npy"]];
+  const lines = [[geodesic, "field", mesh, ...from, ...radius, ...method, "-o field.npy"]];
   if (question.targets.length) {
     const to = question.targets.map((target) => `--target ${commandText(target)}`);
-    lines.push(["geodesic path", mesh, ...from, ...to, ...method, "-o paths.obj"]);
+    lines.push([geodesic, "path", mesh, ...from, ...to, ...method, "-o paths.obj"]);
   }
   return lines.map((words) => words.join(" ")).join("\n");
 }
@@ -40,12 +41,14 @@ export function pythonLines(question: AskedQuestion): string {
   const lines = [
     "import geodesic",
     "",
-    `mesh = geodesic.Mesh(${JSON.stringify(question.mesh)})`,
+    question.server
+      ? `mesh = geodesic.connect(${JSON.stringify(question.server)}).open(${JSON.stringify(question.mesh)})`
+      : `mesh = geodesic.Mesh(${JSON.stringify(question.mesh)})`,
     `d = mesh.distances(${from}${radius}${method})`,
   ];
-  for (const target of question.targets) {
-    lines.push(`path = mesh.path(${from}, ${pythonText(target)}${method})`);
-  }
+  const paths = question.targets.map((target) => `mesh.path(${from}, ${pythonText(target)}${method})`);
+  if (paths.length === 1) lines.push(`path = ${paths[0]}`);
+  if (paths.length > 1) lines.push("paths = [", ...paths.map((path) => `    ${path},`), "]");
   return lines.join("\n");
 }
 

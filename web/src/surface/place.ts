@@ -22,6 +22,11 @@ export function commandText(place: Place): string {
   }
 }
 
+/** As `geodesic` takes it after --source, or after --curve. */
+export function sourceText(source: Source): string {
+  return "curve" in source ? source.curve.map(commandText).join(";") : commandText(source);
+}
+
 export function pythonText(place: Place): string {
   switch (place.kind) {
     case "vertex":
@@ -33,8 +38,15 @@ export function pythonText(place: Place): string {
   }
 }
 
+/** The source that `sourceText` wrote; nothing if it is none. */
+export function parseSource(text: string): Source | undefined {
+  const places = text.split(";").map(parsePlace).filter((place) => place !== undefined);
+  if (places.length < text.split(";").length) return undefined;
+  return places.length > 1 ? { curve: places } : places[0];
+}
+
 /** The place that `commandText` wrote; nothing if it is none. */
-export function parsePlace(text: string): Place | undefined {
+function parsePlace(text: string): Place | undefined {
   if (/^\d+$/.test(text)) return { kind: "vertex", vertex: Number(text) };
   const edge = /^edge:(\d+)-(\d+)@([\d.e+-]+)$/.exec(text);
   if (edge) return { kind: "edge", from: Number(edge[1]), to: Number(edge[2]), t: Number(edge[3]) };
