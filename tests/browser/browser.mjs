@@ -150,7 +150,12 @@ export class Viewer {
   }
 
   async picture() {
-    return decode(this.page.context().browser(), await this.page.screenshot());
+    return this.decode(await this.page.screenshot());
+  }
+
+  /** The pixels of a PNG file's bytes. */
+  decode(png) {
+    return decode(this.page.context().browser(), png);
   }
 
   /** A picture of which the condition holds; the last of many if there is none. */

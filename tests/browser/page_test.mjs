@@ -306,6 +306,12 @@ test("several sources, cells, samples, curves, a radius, comparison", async (t) 
   let picture = await viewer.picture();
   assert.ok(picture.at(left)[0] > picture.at(left)[2] + 60, "the first cell is orange");
   assert.ok(picture.at(right)[2] > picture.at(right)[0] + 60, "the second cell is blue");
+  // In saved pictures the scale is from 28 to 72 % of the height.
+  const scaleOf = async () => {
+    const saved = viewer.decode((await viewer.save("#save-picture")).bytes);
+    return saved.then((picture) => [0.35, 0.65].map((y) => picture.at([31 * (picture.height / 700), y * picture.height])));
+  };
+  assert.ok((await scaleOf()).every(isGrey), "cells have no scale");
   await viewer.page.uncheck("#cells");
 
   await viewer.page.locator("#sample-count").evaluate((input) => (input.value = "7"));
@@ -327,6 +333,9 @@ test("several sources, cells, samples, curves, a radius, comparison", async (t) 
   assert.match(viewer.page.url(), /source=\d+&source=\d+$/, "sources are at vertices now");
   await viewer.solved();
   assert.ok(!isGrey((await viewer.picture()).at(left)), "the error is coloured");
+  const ticks = (await viewer.page.locator("#scale span").allTextContents()).map(Number);
+  assert.ok(ticks.length > 1 && ticks.every((tick) => tick <= error), `the scale is the error's: ${ticks}`);
+  assert.ok(!(await scaleOf()).some(isGrey), "the error has its scale");
 
   await viewer.page.locator("#picture").focus();
   await viewer.page.keyboard.press("Escape");

@@ -298,7 +298,7 @@ export class Explorer {
         this.connection, question, mesh.vertexCount, signal));
       if (!field || field !== this.field) return undefined;
       const difference = differenceOf(field.distances, distances);
-      field.paintShares(difference.shares);
+      field.paintDifference(difference);
       this.repainted();
       return difference;
     } catch (error) {

@@ -32,7 +32,7 @@ function show(): void {
     Array.from({ length: sources.length / 3 }, (_, i) => ({ point: sources.subarray(3 * i, 3 * i + 3), fill: [1, 1, 1] })),
   );
   const scale = new ScaleBar(byId("scale"));
-  scale.show(field.isolines, field.largest);
+  scale.show(field.largest);
   document.title = `${answer.name} - geodesic`;
   byId("mesh-name").textContent = answer.name;
   byId("mesh-size").textContent =

@@ -101,8 +101,7 @@ export class Panel {
     byId("cells-choice").hidden = sources.length < 2;
     this.cells.checked = field?.painted === "cells";
     if (field?.painted !== "difference") byId("difference").replaceChildren();
-    const coloured = field?.painted === "distances" ? field.largest : 0;
-    this.scale.show(field?.isolines ?? { step: 0, perLabel: 1 }, coloured);
+    this.scale.show(field?.scaleEnd ?? 0);
     const figures: [string, string][] = [];
     if (field?.isPreview) {
       figures.push([farthest(this.explorer.radius ?? Infinity), `≈ ${formatNumber(field.largest, 4)}`]);
@@ -139,7 +138,7 @@ export class Panel {
 
   value(distance: number | undefined, exact: boolean): void {
     this.valueBox.hidden = distance === undefined;
-    this.scale.point(distance);
+    this.scale.point(this.explorer.field?.painted === "distances" ? distance : undefined);
     if (distance === undefined) return;
     this.valueBox.textContent =
       distance === Infinity ? "not reached" : exact ? formatNumber(distance, 8) : `≈ ${formatNumber(distance, 4)}`;

@@ -1,8 +1,8 @@
-// The scale beside the picture: colours from 0 to the greatest distance, the
-// distances at thick isolines, and a mark at the value under the cursor.
+// The scale beside the picture: colours from 0 to the greatest distance, or
+// difference, the numbers at thick isolines, and a mark at the value under the cursor.
 
 import { cssColor } from "../scene/colormap";
-import { scaleLabels, type IsolineScale } from "../scene/isoline_scale";
+import { scaleLabels } from "../scene/isoline_scale";
 
 export class ScaleBar {
   private readonly ticks = document.createElement("div");
@@ -25,11 +25,12 @@ export class ScaleBar {
     this.element.append(bar, this.ticks, this.mark);
   }
 
-  show(scale: IsolineScale, largest: number): void {
+  /** Nothing if there is no largest value. */
+  show(largest: number): void {
     this.largest = largest;
     this.element.hidden = !(largest > 0);
     this.ticks.replaceChildren(
-      ...scaleLabels(scale, largest).map(({ at, text }) => {
+      ...scaleLabels(largest).map(({ at, text }) => {
         const tick = document.createElement("span");
         tick.textContent = text;
         tick.style.bottom = `${(100 * at) / largest}%`;

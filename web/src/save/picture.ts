@@ -10,7 +10,7 @@ import { PREVIEW_WORDS } from "../surface/preview";
 export function drawPicture(scene: Scene, field: FieldView | undefined, labels: PathLabels): Promise<Blob> {
   const picture = scene.takePicture();
   const context = picture.getContext("2d");
-  if (context && field) drawScale(context, field, picture.height);
+  if (context && field && field.scaleEnd > 0) drawScale(context, field, picture.height);
   if (context) labels.drawOn(context, scene.pixelRatio.value);
   return new Promise((resolve, reject) =>
     picture.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The picture could not be made."))), "image/png"),
@@ -27,8 +27,8 @@ function drawScale(context: CanvasRenderingContext2D, field: FieldView, height: 
   context.font = `${13 * unit}px system-ui, sans-serif`;
   context.textBaseline = "middle";
   context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--text");
-  for (const { at, text } of scaleLabels(field.isolines, field.largest)) {
-    const y = bar.top + bar.height * (1 - at / field.largest);
+  for (const { at, text } of scaleLabels(field.scaleEnd)) {
+    const y = bar.top + bar.height * (1 - at / field.scaleEnd);
     context.fillText(text, bar.left + bar.width + 8 * unit, y);
   }
   if (field.isPreview) context.fillText(PREVIEW_WORDS, bar.left, bar.top + bar.height + 20 * unit);

@@ -2,10 +2,11 @@
 // than the eye follows, and never beyond what is final.
 
 import { BufferAttribute, DynamicDrawUsage, Vector3 } from "three";
+import type { Difference } from "../surface/difference";
 import type { SurfaceMesh } from "../surface/mesh";
 import type { Weights } from "../surface/place";
 import { CELL_COLORS, COLORMAP, COLORMAP_SIZE } from "./colormap";
-import { chooseIsolines, type IsolineScale } from "./isoline_scale";
+import { chooseIsolines } from "./isoline_scale";
 import type { SurfaceMaterial } from "./surface_material";
 
 const SWEEP_MS = 700;
@@ -16,6 +17,7 @@ export class FieldView {
   painted: "distances" | "cells" | "difference" = "distances";
   /** The greatest finite distance. */
   largest = 0;
+  private largestDifference = 0;
   private readonly drawn: Float32Array;
   private readonly attribute: BufferAttribute;
   private preview: Float64Array | undefined;
@@ -141,8 +143,9 @@ export class FieldView {
     this.paint("cells", colors, 0.45);
   }
 
-  /** Colours each vertex by the share, from 0 to 1, of a largest value. */
-  paintShares(shares: Float32Array): void {
+  /** Colours each vertex by how far the field is from another one there. */
+  paintDifference({ shares, largest }: Difference): void {
+    this.largestDifference = largest;
     const colors = new Uint8Array(3 * shares.length);
     for (let v = 0; v < shares.length; v++) {
       const entry = 4 * Math.round(shares[v] * (COLORMAP_SIZE - 1));
@@ -187,12 +190,13 @@ export class FieldView {
     return distance === Infinity && this.preview ? this.preview[vertex] : distance;
   }
 
-  get isolines(): IsolineScale {
-    return chooseIsolines(this.largest);
+  /** What the last colour stands for; 0 where colours stand for no number. */
+  get scaleEnd(): number {
+    return { distances: this.largest, cells: 0, difference: this.largestDifference }[this.painted];
   }
 
   private setScale(): void {
-    const { step, perLabel } = this.isolines;
+    const { step, perLabel } = chooseIsolines(this.largest);
     this.material.uniforms.largest.value = Math.max(this.largest / this.mesh.radius, 1e-30);
     this.material.uniforms.lineStep.value = step / this.mesh.radius;
     this.material.uniforms.linesPerLabel.value = perLabel;

@@ -17,8 +17,9 @@ export function chooseIsolines(largest: number): IsolineScale {
 }
 
 /** The labelled distances up to `largest`, as numbers and as text. */
-export function scaleLabels(scale: IsolineScale, largest: number): { at: number; text: string }[] {
+export function scaleLabels(largest: number): { at: number; text: string }[] {
   const labels: { at: number; text: string }[] = [];
+  const scale = chooseIsolines(largest);
   const step = scale.step * scale.perLabel;
   if (!(step > 0)) return labels;
   for (let i = 0; i * step <= largest * (1 + 1e-12); i++) {
