@@ -663,6 +663,21 @@ test("what is dropped and not shown is told", async (t) => {
   assert.deepEqual(viewer.errors, []);
 });
 
+test("messages stay in their box, and use the width there is", async (t) => {
+  for (const width of [320, 375, 768, 1000]) {
+    const viewer = await openPage(browser, server.url, { viewport: { width, height: 640 } });
+    t.after(() => viewer.close());
+    await viewer.drop(`${"holiday_picture_".repeat(12)}.jpeg`, "");
+    await viewer.waitForText("#notice-text", "holiday");
+    const [stage, notice] = await viewer.page.evaluate(() => ["stage", "notice"].map((id) => {
+      const { left, right } = document.getElementById(id).getBoundingClientRect();
+      return { left, right, inside: document.getElementById(id).scrollWidth <= document.getElementById(id).clientWidth };
+    }));
+    assert.ok(notice.inside && notice.left >= stage.left && notice.right <= stage.right, `${width}: nothing juts out`);
+    assert.ok(notice.right - notice.left > 0.8 * (stage.right - stage.left), `${width}: it is as wide as it may be`);
+  }
+});
+
 test("a double click keeps no path", async (t) => {
   const viewer = await sphere(t);
   const answered = viewer.page.waitForResponse((response) => response.url().endsWith("/ComputePaths"));
@@ -750,7 +765,7 @@ test("a picture that the graphics processor lost comes back", async (t) => {
   await viewer.click(0, 0);
   await viewer.solved();
   await viewer.settled();
-  const places = await Promise.all([[0.3, 0.3], [-0.6, 0.2], [0, 0]].map(([x, y]) => viewer.at(x, y)));
+  const places = await Promise.all([[0.3, 0.3], [-0.6, 0.2], [0, 0], [1.05, 0]].map(([x, y]) => viewer.at(x, y)));
   const colours = (picture) => JSON.stringify(places.map((place) => picture.at(place)));
   const before = colours(await viewer.picture());
   const whenLost = viewer.page.evaluate(() => {
@@ -761,7 +776,9 @@ test("a picture that the graphics processor lost comes back", async (t) => {
     return lost.then(() => undefined);
   });
   await whenLost;
+  await viewer.waitForText("#notice-text", "The graphics processor is away.");
   await viewer.page.evaluate(() => window.context.restoreContext());
+  await viewer.page.waitForFunction(() => document.getElementById("notice").hidden);
   assert.equal(colours(await viewer.pictureOnce((picture) => colours(picture) === before)), before);
   assert.deepEqual(viewer.errors, []);
 });

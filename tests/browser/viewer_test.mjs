@@ -49,6 +49,12 @@ test("a field in a file is shown without a server", async (t) => {
   assert.ok(Math.abs(steps[0] - steps[1]) < 0.1 * steps[0], `${along}`);
   const vertex = (await viewer.text("#value")).match(/vertex (\d): ([\d.]+)/);
   assert.ok(Math.abs(Number(vertex[2]) - Math.SQRT1_2) < 1e-9, "corners are at sqrt(1/2)");
+  // All of it is on the picture, however large the letters are.
+  await viewer.page.evaluate(() => (document.documentElement.style.fontSize = "24px"));
+  await viewer.page.setViewportSize({ width: 380, height: 640 });
+  await viewer.move(-0.38, 0.2);
+  const box = await viewer.page.locator("#value").boundingBox();
+  assert.ok(box.x >= 0 && box.x + box.width <= 380, `from ${box.x}, ${box.width} wide`);
   assert.deepEqual(asked, []);
   assert.deepEqual(viewer.errors, []);
 });

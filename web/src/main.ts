@@ -32,6 +32,8 @@ const explorer: Explorer = new Explorer(scene, connection, {
   lost: (mesh) => chooser.restore(mesh.digest),
 });
 const labels = new PathLabels(explorer, scene, (point) => canvas.isSeen(point));
+scene.onLost = () => notice.error("The graphics processor is away. The picture comes back with it.");
+scene.onRestored = () => notice.clear();
 scene.onSurface = () => {
   labels.update();
   canvas.changed();

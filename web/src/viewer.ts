@@ -59,8 +59,8 @@ function show(): void {
       value.textContent =
         `${distance === Infinity ? "not reached" : `≈ ${formatNumber(distance, 5)}`}\n` +
         `vertex ${vertex}: ${formatNumber(answer.distances[vertex], 10)}`;
-      value.style.left = `${Math.min(at.x, canvas.clientWidth - 220)}px`;
-      value.style.top = `${Math.min(at.y, canvas.clientHeight - 70)}px`;
+      value.style.setProperty("--x", `${at.x}px`);
+      value.style.setProperty("--y", `${at.y}px`);
       value.hidden = false;
       scale.point(distance);
     },

@@ -132,8 +132,8 @@ export class Panel {
   /** Where the cursor is, from the left and top of the window. */
   pointer(at: { x: number; y: number }): void {
     const stage = byId("stage").getBoundingClientRect();
-    this.valueBox.style.left = `${Math.min(at.x - stage.left, stage.width - 150)}px`;
-    this.valueBox.style.top = `${Math.min(at.y - stage.top, stage.height - 50)}px`;
+    this.valueBox.style.setProperty("--x", `${at.x - stage.left}px`);
+    this.valueBox.style.setProperty("--y", `${at.y - stage.top}px`);
   }
 
   value(distance: number | undefined, exact: boolean): void {

@@ -76,10 +76,14 @@ export class Scene {
   isBusy: () => boolean = () => false;
   /** The surface was drawn, perhaps from elsewhere. */
   onSurface: () => void = () => undefined;
+  /** What draws is gone, until it is restored. */
+  onLost: () => void = () => undefined;
+  onRestored: () => void = () => undefined;
   /** Whether somebody else, on the same machine perhaps, works on what comes next. */
   isWaiting: () => boolean = () => false;
 
   private readonly renderer: WebGLRenderer;
+  private readonly background = new Color();
   private readonly controls: OrbitControls;
   private readonly surface = new Graph();
   private readonly copy = new Graph();
@@ -126,8 +130,13 @@ export class Scene {
     this.controls.minDistance = 0.02;
     this.controls.maxDistance = 12;
     this.controls.addEventListener("change", () => this.redrawSurface());
+    canvas.addEventListener("webglcontextlost", () => this.onLost());
     // A graphics processor that was away comes back empty.
-    canvas.addEventListener("webglcontextrestored", () => this.redrawSurface());
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.renderer.setClearColor(this.background);
+      this.redrawSurface();
+      this.onRestored();
+    });
     new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
   }
@@ -183,7 +192,7 @@ export class Scene {
   }
 
   setBackground(color: string, dark: boolean): void {
-    this.renderer.setClearColor(new Color(color));
+    this.renderer.setClearColor(this.background.set(color));
     this.material.setDark(dark);
     this.redrawSurface();
   }
