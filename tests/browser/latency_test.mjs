@@ -3,12 +3,13 @@
 // asserted: it depends on the machine.
 
 import assert from "node:assert/strict";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { loadavg, tmpdir } from "node:os";
+import { writeFileSync } from "node:fs";
+import { loadavg } from "node:os";
 import { basename, join } from "node:path";
 import { test } from "node:test";
 
 import { launch, openPage } from "./browser.mjs";
+import { temporaryFolder } from "./folder.mjs";
 import { outsideMesh, roughRadius, sphereObj } from "./meshes.mjs";
 import { startServer } from "./server.mjs";
 
@@ -52,8 +53,7 @@ test("a sphere of 80,000 faces", (t) => measure(t, "sphere.obj", (viewer) => vie
 // A smooth one is the hardest for the solver, which cuts no window short there.
 for (const [kind, radius] of [["smooth", undefined], ["rough", roughRadius]]) {
   test(`a ${kind} sphere of a million faces`, (t) => {
-    const folder = mkdtempSync(join(tmpdir(), "latency-"));
-    t.after(() => rmSync(folder, { recursive: true }));
+    const folder = temporaryFolder(t);
     const path = join(folder, `${kind}.obj`);
     writeFileSync(path, sphereObj(354, radius));
     return measure(t, `${kind}.obj`, (viewer) => viewer.choose(path));

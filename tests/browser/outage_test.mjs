@@ -3,12 +3,12 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
 import { launch, openPage } from "./browser.mjs";
+import { temporaryFolder } from "./folder.mjs";
 import { sphereObj, TWO_SQUARES } from "./meshes.mjs";
 import { startProxy } from "./proxy.mjs";
 import { startServer, startServerOn } from "./server.mjs";
@@ -42,8 +42,7 @@ async function sphere(t) {
 
 /** Puts the mesh into the server, without the page; returns its digest. */
 function upload(grpcPort, t, name, mesh) {
-  const folder = mkdtempSync(join(tmpdir(), "page-"));
-  t.after(() => rmSync(folder, { recursive: true }));
+  const folder = temporaryFolder(t);
   writeFileSync(join(folder, name), mesh);
   const answer = execFileSync(
     process.env.GEODESIC, ["--server", `127.0.0.1:${grpcPort}`, "--json", "upload", name], { cwd: folder, encoding: "utf8" });
@@ -52,6 +51,22 @@ function upload(grpcPort, t, name, mesh) {
 
 /** The address of a mesh, in the page's tab. */
 const go = (viewer, digest) => viewer.page.evaluate((digest) => (location.hash = `mesh=${digest}`), digest);
+
+test("the page goes on when the server is back, without its meshes", async (t) => {
+  const { viewer, stop, start } = await sphere(t);
+  await stop();
+  await viewer.click(0, 0);
+  await viewer.waitForText("#notice-text", "The server does not answer");
+  // A path that failed, too, is not asked in the field's place.
+  const failed = viewer.page.waitForEvent("requestfailed", (request) => request.url().endsWith("/ComputePaths"));
+  await viewer.move(0.3, 0.2);
+  await failed;
+  await start();
+  await viewer.solved();
+  await viewer.move(0.2, 0.2);
+  await viewer.exactValue();
+  assert.deepEqual(viewer.errors, []);
+});
 
 test("a lost mesh is not made up for by the file of another one", async (t) => {
   const { viewer, calls, grpcPort, restart } = await sphere(t);

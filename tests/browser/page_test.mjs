@@ -2,15 +2,15 @@
 
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
 
 import { apart, DRAWS_NOTHING, isGrey, launch, openPage } from "./browser.mjs";
+import { temporaryFolder } from "./folder.mjs";
 import { sphereObj, TWO_SQUARES, TWO_SQUARES_VTP } from "./meshes.mjs";
-import { startServer, startServerOn, until, writeTokens } from "./server.mjs";
+import { startServer, until, writeTokens } from "./server.mjs";
 
 const SPHERE = sphereObj(24);
 const LARGE_SPHERE = sphereObj(200);
@@ -46,8 +46,7 @@ async function startGuarded(t) {
 
 /** What the command says of a question that the page wrote down. */
 function ask(server, t, mesh, commandLine) {
-  const folder = mkdtempSync(join(tmpdir(), "page-"));
-  t.after(() => rmSync(folder, { recursive: true }));
+  const folder = temporaryFolder(t);
   writeFileSync(join(folder, "sphere.obj"), mesh);
   const [, command, ...words] = commandLine.split(" ");
   return JSON.parse(execFileSync(
@@ -516,8 +515,7 @@ test("a file of VTK's XML format is taken", async (t) => {
 async function largeSphere(t) {
   const viewer = await openPage(browser, server.url);
   t.after(() => viewer.close());
-  const folder = mkdtempSync(join(tmpdir(), "page-"));
-  t.after(() => rmSync(folder, { recursive: true }));
+  const folder = temporaryFolder(t);
   writeFileSync(join(folder, "sphere.obj"), LARGE_SPHERE);
   await viewer.choose(join(folder, "sphere.obj"));
   await viewer.shown("sphere.obj");
@@ -723,8 +721,7 @@ test("a server that is full is asked again", async (t) => {
   await viewer.drop("sphere.obj", SPHERE);
   await viewer.shown("sphere.obj");
   // Thousands of rows: work for minutes, until it is stopped.
-  const folder = mkdtempSync(join(tmpdir(), "page-"));
-  t.after(() => rmSync(folder, { recursive: true }));
+  const folder = temporaryFolder(t);
   writeFileSync(join(folder, "other.obj"), sphereObj(50));
   writeFileSync(join(folder, "rows.txt"), Array.from({ length: 10_000 }, (_, i) => `${i}\n`).join(""));
   const matrix = spawn(process.env.GEODESIC, ["--server", `127.0.0.1:${full.grpcPort}`, "matrix", "other.obj",
@@ -780,28 +777,6 @@ test("a picture that the graphics processor lost comes back", async (t) => {
   await viewer.page.evaluate(() => window.context.restoreContext());
   await viewer.page.waitForFunction(() => document.getElementById("notice").hidden);
   assert.equal(colours(await viewer.pictureOnce((picture) => colours(picture) === before)), before);
-  assert.deepEqual(viewer.errors, []);
-});
-
-test("the page goes on when the server is back, without its meshes", async (t) => {
-  let own = await startServer();
-  t.after(() => own.stop());
-  const viewer = await openPage(browser, own.url);
-  t.after(() => viewer.close());
-  await viewer.drop("sphere.obj", SPHERE);
-  await viewer.shown("sphere.obj");
-  const { port } = own;
-  await own.stop();
-  await viewer.click(0, 0);
-  await viewer.waitForText("#notice-text", "The server does not answer");
-  // A path that failed, too, is not asked in the field's place.
-  const failed = viewer.page.waitForEvent("requestfailed", (request) => request.url().endsWith("/ComputePaths"));
-  await viewer.move(0.3, 0.2);
-  await failed;
-  own = await startServerOn(port);
-  await viewer.solved();
-  await viewer.move(0.2, 0.2);
-  await viewer.exactValue();
   assert.deepEqual(viewer.errors, []);
 });
 
@@ -942,8 +917,7 @@ test("an address holds curves and the radius, and its question is one for the co
   await second.page.locator("#copy-command").evaluate((button) => button.click());
   const [command] = (await second.text("#question-text")).split("\n");
   assert.match(command, /^geodesic --server 127\.0\.0\.1:PORT field [0-9a-f]{64} --curve .* --radius /);
-  const folder = mkdtempSync(join(tmpdir(), "page-"));
-  t.after(() => rmSync(folder, { recursive: true }));
+  const folder = temporaryFolder(t);
   execFileSync("sh", ["-c", command.replace("geodesic", '"$GEODESIC"').replace("PORT", server.grpcPort)], { cwd: folder });
   assert.equal(readFileSync(join(folder, "field.npy")).compare((await second.save("#save-npy")).bytes), 0);
   await second.page.locator("#copy-python").evaluate((button) => button.click());

@@ -2,19 +2,18 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 
 import { isGrey, launch, openPage } from "./browser.mjs";
+import { temporaryFolder } from "./folder.mjs";
 import { TWO_SQUARES } from "./meshes.mjs";
 import { startServer } from "./server.mjs";
 
 test("a field in a file is shown without a server", async (t) => {
-  const folder = mkdtempSync(join(tmpdir(), "field-"));
-  t.after(() => rmSync(folder, { recursive: true }));
+  const folder = temporaryFolder(t);
   const server = await startServer();
   writeFileSync(join(folder, "two.off"), TWO_SQUARES);
   execFileSync(process.env.GEODESIC, [

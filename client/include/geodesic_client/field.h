@@ -77,7 +77,7 @@ struct Field {
   std::string mesh_digest;
   uint64_t vertex_count = 0;
   // The algorithm that computed the field.
-  std::string algorithm = {};
+  std::string algorithm;
   // Set if distances are approximate.
   std::optional<Approximation> approximation = {};
   // One value per vertex, in the mesh's vertex order; +infinity where no path

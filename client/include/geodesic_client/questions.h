@@ -36,7 +36,7 @@ struct PathQuery {
   // At least one source and one target. A path leads to each target from its
   // nearest source.
   std::vector<Source> sources;
-  std::vector<SurfacePoint> targets = {};
+  std::vector<SurfacePoint> targets;
   std::string algorithm = {};
   // Targets farther than this count as not reached. DEFAULT: no limit.
   std::optional<double> radius = {};
@@ -138,7 +138,7 @@ struct NearestQuery {
   // At least one. Each gets its own nearest targets.
   std::vector<Source> sources;
   // The members of the set; at least one.
-  std::vector<SurfacePoint> targets = {};
+  std::vector<SurfacePoint> targets;
   // How many to find for each source; at least 1.
   uint64_t count = 1;
   std::string algorithm = {};

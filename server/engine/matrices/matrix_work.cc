@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "geodesic/computation.h"
-#include "geodesic/matrix_rows.h"
 #include "geodesic/target_search.h"
 
 namespace geodesic::server {
@@ -33,6 +32,13 @@ uint64_t MatrixWork::RowBytes() const {
           (query->tolerance > 0 ? sizeof(float) : 0));
 }
 
+MatrixShape MatrixWork::Shape(size_t field_in_searches) const {
+  return {.sources = rows(),
+          .targets = columns(),
+          .wanted = wanted(),
+          .field_in_searches = field_in_searches};
+}
+
 std::optional<SearchMeans> MatrixWork::MeansFor(
     const ValidQuery& of_row) const {
   if (of_row->targets.empty() || !std::isinf(filter.radius) ||
@@ -47,12 +53,10 @@ bool MatrixWork::TransposingPays() const {
   if (method.has_value() || query->targets.empty() || HasCurves(*query)) {
     return false;
   }
-  MatrixShape shape{
-      .sources = rows(), .targets = columns(), .wanted = wanted()};
-  if (!geodesic::TransposingPays(shape)) return false;
+  if (!geodesic::TransposingPays(Shape(0))) return false;
   const auto means = MeansFor(query.OfSource(0, *mesh->mesh));
-  if (means.has_value()) shape.field_in_searches = means->field_in_searches;
-  return geodesic::TransposingPays(shape);
+  return geodesic::TransposingPays(
+      Shape(means.has_value() ? means->field_in_searches : 0));
 }
 
 absl::StatusOr<MatrixRow> MatrixWork::Answer(uint64_t row,
@@ -71,16 +75,12 @@ absl::Status MatrixWork::Compute(const ValidQuery& of_row,
                                  Checkpoint& checkpoint,
                                  MatrixRow& result) const {
   if (method.has_value()) return Approximate(of_row, checkpoint, result);
-  MatrixShape shape{.sources = 1,
-                    .targets = of_row->targets.size(),
-                    .wanted = wanted(),
-                    .field_in_searches = FieldInSearches(Landmarks::kMost)};
-  if (shape.targets > 0 && SearchingPays(shape)) {
-    if (const auto means = MeansFor(of_row)) {
-      shape.field_in_searches = means->field_in_searches;
-      if (SearchingPays(shape)) {
-        return Search(of_row, *means, checkpoint, result);
-      }
+  // Never without targets. Where searches do not pay with all landmarks, none
+  // are wanted.
+  if (SearchingPays(Shape(FieldInSearches(Landmarks::kMost)))) {
+    const auto means = MeansFor(of_row);
+    if (means.has_value() && SearchingPays(Shape(means->field_in_searches))) {
+      return Search(of_row, *means, checkpoint, result);
     }
   }
   return Solve(of_row, checkpoint, result);

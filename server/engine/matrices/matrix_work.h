@@ -3,11 +3,13 @@
 #ifndef GEODESIC_SERVER_ENGINE_MATRICES_MATRIX_WORK_H_
 #define GEODESIC_SERVER_ENGINE_MATRICES_MATRIX_WORK_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
+#include "geodesic/matrix_rows.h"
 #include "geodesic/solve_options.h"
 #include "geodesic/valid_query.h"
 #include "server/engine/jobs/row_pipeline.h"
@@ -50,6 +52,7 @@ struct MatrixWork {
  private:
   // Of the targets, as many as a row is about.
   uint64_t wanted() const;
+  MatrixShape Shape(size_t field_in_searches) const;
   absl::Status Compute(const ValidQuery& of_row, Checkpoint& checkpoint,
                        MatrixRow& result) const;
   // The distances of the targets, or of all vertices, by the method.
