@@ -33,9 +33,14 @@ namespace {
 constexpr SolveOptions kSearchOptions{.bucket_width = 4, .max_batch = 64};
 
 // Paths that may be shorter than one that is known fill an ellipse about the
-// way. If it is no wider than so many edges to either side, the bounds of
-// landmarks are as good as better ones that have to be found.
-constexpr double kNarrowForLandmarks = 35;
+// way. More windows cross each of its edges as the pieces between bends, which
+// windows go along, are longer. If its half width times the mean length of a
+// piece, both in edges, is no more than this, the bounds of landmarks are as
+// good as better ones that have to be found.
+constexpr double kFewForLandmarks = 300;
+
+// Bounds from the target back are seldom too short by more than this part.
+constexpr double kUsualSlack = 4e-4;
 
 // Each vertex may be a pseudo-source that sees the edges around all others.
 // More windows than that, and than these, come only of a search where they
@@ -133,10 +138,7 @@ class TargetSearch::Impl {
                       Checkpoint& checkpoint, TargetDistances& found) {
     absl::Status status = Search(query, landmarks, checkpoint);
     if (!status.ok()) return status;
-    statistics_.iterations += queue_.iterations();
-    statistics_.windows_created += rule_.created();
-    statistics_.peak_windows =
-        std::max(statistics_.peak_windows, rule_.peak_windows());
+    Count();
     if (GivesWay()) {
       absl::StatusOr<TargetDistances> whole = RunAfter(query, checkpoint);
       if (!whole.ok()) return whole.status();
@@ -179,7 +181,7 @@ class TargetSearch::Impl {
     Restart(query);
     front_.goal().Aim(query->targets[0], landmarks);
     tolerance_ = query->tolerance;
-    longest_ = std::numeric_limits<double>::infinity();
+    longest_ = guess_ = std::numeric_limits<double>::infinity();
     const std::vector<Anchor> anchors = AnchorsOf(query);
     absl::Status status =
         first_path_.Find(anchors, query->targets[0], front_.goal(),
@@ -187,7 +189,6 @@ class TargetSearch::Impl {
     if (!status.ok()) return status;
     if (first_path_.shows_none()) return Poll(checkpoint);
     longest_ = first_path_.length();
-    bends_ahead_ = first_path_.bends();
     if (MayLookBack(query)) {
       const absl::StatusOr<double> least =
           LookBack(query, landmarks, checkpoint);
@@ -195,17 +196,28 @@ class TargetSearch::Impl {
       if (IsWithin() && longest_ <= (1 + tolerance_) * *least) {
         return absl::OkStatus();
       }
+      const double guess = (1 + kUsualSlack) * *least;
+      if (guess < Limit()) {
+        guess_ = guess;
+        status = Propagate(anchors, first_path_.bends(), checkpoint);
+        if (!status.ok() || GivesWay() || Distance() <= Margin(guess)) {
+          return status;
+        }
+        guess_ = std::numeric_limits<double>::infinity();
+        Count();
+        Restart(query);
+      }
     }
-    status = Propagate(anchors, checkpoint);
+    status = Propagate(anchors, first_path_.bends(), checkpoint);
     if (!status.ok() || GivesWay() || Found() <= Margin(longest_)) {
       return status;
     }
     // Rounding in faces that are hardly higher than it.
+    Count();
     Restart(query);
     front_.goal().Aim(query->targets[0], landmarks);
     longest_ = std::numeric_limits<double>::infinity();
-    bends_ahead_ = {};
-    return Propagate(anchors, checkpoint);
+    return Propagate(anchors, {}, checkpoint);
   }
 
   // Whether bounds from the target back are likely to save more windows than
@@ -218,8 +230,11 @@ class TargetSearch::Impl {
     const Source& source = query->sources[0];
     const double longest = Limit() - OffsetOf(source);
     const double shortest = BoundFrom(std::get<SurfacePoint>(source.place));
-    return (longest - shortest) * (longest + shortest) >
-           Square(2 * kNarrowForLandmarks * mesh_.mean_edge_length());
+    const double width =
+        std::sqrt(std::max(longest - shortest, 0.0) * (longest + shortest)) / 2;
+    const double piece =
+        longest / static_cast<double>(first_path_.bends().size() + 1);
+    return width * piece > kFewForLandmarks * Square(mesh_.mean_edge_length());
   }
 
   // No path from the place to the target is shorter.
@@ -264,6 +279,14 @@ class TargetSearch::Impl {
     return offset + backward_->shortest();
   }
 
+  // Adds what was done since Restart to the statistics.
+  void Count() {
+    statistics_.iterations += queue_.iterations();
+    statistics_.windows_created += rule_.created();
+    statistics_.peak_windows =
+        std::max(statistics_.peak_windows, rule_.peak_windows());
+  }
+
   void Restart(const ValidQuery& query) {
     rule_.Clear();
     queue_.Clear();
@@ -279,7 +302,7 @@ class TargetSearch::Impl {
   // What the search has to find if there is any: paths that are shorter than
   // those that are known, and by more than the tolerance.
   double Limit() const {
-    return std::min(longest_, Distance()) / (1 + tolerance_);
+    return std::min(guess_, std::min(longest_, Distance()) / (1 + tolerance_));
   }
 
   // The distance to answer with.
@@ -289,8 +312,11 @@ class TargetSearch::Impl {
 
   // Finds the distance of the target, if it is no larger than Limit(). If that
   // is known, few windows are too many, and labels are the better order.
+  // `bends`: of the first path, if that is to shorten what is known.
   absl::Status Propagate(std::span<const Anchor> anchors,
+                         std::span<const TautPath::Bend> bends,
                          Checkpoint& checkpoint) {
+    bends_ahead_ = bends;
     front_.goal().set_limit(Margin(Limit()));
     front_.goal().set_orders_by_label(std::isfinite(longest_));
     DirectSink sink(front_, rule_);
@@ -400,6 +426,8 @@ class TargetSearch::Impl {
   double tolerance_ = 0;
   // No shortest path is longer.
   double longest_ = std::numeric_limits<double>::infinity();
+  // Nor is it likely to be longer than this.
+  double guess_ = std::numeric_limits<double>::infinity();
   std::span<const TautPath::Bend> bends_ahead_;  // of the first path
   std::vector<uint32_t> together_;
   SolveStatistics statistics_;
