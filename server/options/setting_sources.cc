@@ -22,13 +22,34 @@ std::string EnvironmentName(const std::string& flag) {
 // image and operators set the environment, so here the environment wins.
 class FileBelowEnvironment final : public CLI::ConfigBase {
  public:
+  // The app outlives it.
+  explicit FileBelowEnvironment(const CLI::App& app) : app_(app) {}
+
   std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
     std::vector<CLI::ConfigItem> settings = ConfigBase::from_config(input);
+    for (const CLI::ConfigItem& setting : settings) CheckName(setting);
     std::erase_if(settings, [](const CLI::ConfigItem& item) {
       return std::getenv(EnvironmentName(item.name).c_str()) != nullptr;
     });
     return settings;
   }
+
+ private:
+  // CLI11 names neither the file nor the way out.
+  void CheckName(const CLI::ConfigItem& setting) const {
+    if (setting.parents.empty() &&
+        app_.get_option_no_throw("--" + setting.name) != nullptr) {
+      return;
+    }
+    std::string name = setting.fullname();
+    absl::StrReplaceAll({{".++", ""}}, &name);  // the begin of a section
+    throw CLI::ConfigError(absl::StrCat(
+        app_.get_config_ptr()->as<std::string>(), ": \"", name,
+        "\" is not a setting. A line is NAME = VALUE, with a name that --help "
+        "lists after --; there are no sections"));
+  }
+
+  const CLI::App& app_;
 };
 
 }  // namespace
@@ -36,7 +57,7 @@ class FileBelowEnvironment final : public CLI::ConfigBase {
 void AddFile(CLI::App& app) {
   app.set_config("--config", "", "Read settings from this TOML or INI file")
       ->type_name("FILE");
-  app.config_formatter(std::make_shared<FileBelowEnvironment>());
+  app.config_formatter(std::make_shared<FileBelowEnvironment>(app));
   app.allow_config_extras(CLI::config_extras_mode::error);
 }
 

@@ -221,7 +221,12 @@ TEST_F(OptionsTest, OtherMachinesAreServedInClearOnlyWhenThatIsSaid) {
 
 TEST_F(OptionsTest, ErrorsInTheFileNameTheSetting) {
   WriteConfig("max-facez = 50\n");
-  ExpectUsageError({"--config", config_}, "max-facez");
+  ExpectUsageError({"--config", config_},
+                   config_ + ": \"max-facez\" is not a setting");
+  WriteConfig("[limits]\nmax-faces = 50\n");
+  ExpectUsageError({"--config", config_}, "\"limits\" is not a setting");
+  WriteConfig("max-faces: 50\n");
+  ExpectUsageError({"--config", config_}, "NAME = VALUE");
 }
 
 // The file that the package installs, which explains all settings.
