@@ -58,7 +58,6 @@ void AddFile(CLI::App& app) {
   app.set_config("--config", "", "Read settings from this TOML or INI file")
       ->type_name("FILE");
   app.config_formatter(std::make_shared<FileBelowEnvironment>(app));
-  app.allow_config_extras(CLI::config_extras_mode::error);
 }
 
 void AddVariables(CLI::App& app) {

@@ -196,19 +196,14 @@ class TargetSearch::Impl {
       if (IsWithin() && longest_ <= (1 + tolerance_) * *least) {
         return absl::OkStatus();
       }
-      const double guess = (1 + kUsualSlack) * *least;
-      if (guess < Limit()) {
-        guess_ = guess;
-        status = Propagate(anchors, first_path_.bends(), checkpoint);
-        if (!status.ok() || GivesWay() || Distance() <= Margin(guess)) {
-          return status;
-        }
-        guess_ = std::numeric_limits<double>::infinity();
-        Count();
-        Restart(query);
-      }
     }
     status = Propagate(anchors, first_path_.bends(), checkpoint);
+    if (status.ok() && !GivesWay() && Found() > Margin(guess_)) {
+      Count();
+      Restart(query);
+      guess_ = std::numeric_limits<double>::infinity();
+      status = Propagate(anchors, first_path_.bends(), checkpoint);
+    }
     if (!status.ok() || GivesWay() || Found() <= Margin(longest_)) {
       return status;
     }
@@ -256,8 +251,9 @@ class TargetSearch::Impl {
     return std::ldexp(source.offset, -mesh_.scale_exponent());
   }
 
-  // Takes such bounds for the goal's. Returns one for the source: no shortest
-  // path is shorter.
+  // Takes such bounds for the goal's, and guesses the distance by them if that
+  // is less than is known. Returns one for the source: no shortest path is
+  // shorter.
   absl::StatusOr<double> LookBack(const ValidQuery& query,
                                   const Landmarks* landmarks,
                                   Checkpoint& checkpoint) {
@@ -276,7 +272,10 @@ class TargetSearch::Impl {
     if (!backward_->has_bounds()) return offset;
     longest_ = std::min(longest_, offset + backward_->longest());
     front_.goal().Refine([this](uint32_t v) { return backward_->Bound(v); });
-    return offset + backward_->shortest();
+    const double shortest = offset + backward_->shortest();
+    const double guess = (1 + kUsualSlack) * shortest;
+    if (guess < Limit()) guess_ = guess;
+    return shortest;
   }
 
   // Adds what was done since Restart to the statistics.
@@ -426,7 +425,7 @@ class TargetSearch::Impl {
   double tolerance_ = 0;
   // No shortest path is longer.
   double longest_ = std::numeric_limits<double>::infinity();
-  // Nor is it likely to be longer than this.
+  // Nor is it likely to be longer than this; infinite if nothing tells.
   double guess_ = std::numeric_limits<double>::infinity();
   std::span<const TautPath::Bend> bends_ahead_;  // of the first path
   std::vector<uint32_t> together_;
