@@ -65,8 +65,10 @@ struct DistanceField {
   // One per vertex and one per target, if the query asked for a trace.
   std::vector<Arrival> arrivals;
   std::vector<Arrival> target_arrivals;
-  // Every distance up to here is present, and exact or certified. +infinity
-  // once the whole surface is done.
+  // Every distance up to here is present, and exact or certified. With a
+  // tolerance e that is every true distance up to settled_radius / (1 + e);
+  // between the two, what is answered decides. +infinity once the whole surface
+  // is done.
   double settled_radius = std::numeric_limits<double>::infinity();
   // The largest of these; 0 if distances are exact (solve.h, guarantee 1).
   double certified_error = 0;
