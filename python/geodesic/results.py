@@ -29,7 +29,8 @@ class Field:
             along the shortest path that arrives; 0 at sources and where no path
             leads; None unless asked for.
         settled_radius: every distance up to here is there, exact or within the
-            tolerance; +inf if nothing was left out; 0 if it is approximate.
+            tolerance E (then every true distance up to this / (1 + E)); +inf if
+            nothing was left out; 0 if it is approximate.
         algorithm: the name of the one that ran.
         statistics: figures of the computation, such as solve_seconds.
         certified_error: no distance is farther from the truth than this part of

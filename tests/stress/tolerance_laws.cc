@@ -22,7 +22,11 @@ void CheckCertificate(std::string_view law, const Scene& scene,
   std::vector<float> errors = field.certified_errors;
   errors.insert(errors.end(), field.target_certified_errors.begin(),
                 field.target_certified_errors.end());
-  // Where windows cannot be merged the answer is exact.
+  // Where windows cannot be merged the answer is exact. Otherwise what would
+  // have been answered may be beyond the radius, where the truth is not.
+  const double settled = errors.empty()
+                             ? field.settled_radius
+                             : field.settled_radius / (1 + query.tolerance);
   if (errors.empty()) errors.resize(got.size(), 0);
   const double slack = 4 * scene.rounding;
   report.Check(field.certified_error <= query.tolerance,
@@ -30,8 +34,6 @@ void CheckCertificate(std::string_view law, const Scene& scene,
                ", ", Name(query));
   const auto holds = [&](size_t i) {
     if (std::isinf(got[i])) {
-      // What would have been answered is beyond the radius.
-      const double settled = field.settled_radius / (1 + query.tolerance);
       return std::isinf(exact[i]) ||
              exact[i] > settled * (1 - kTolerance) - slack;
     }

@@ -94,8 +94,9 @@ struct Field {
   // If asked for: the relative error that each vertex's distance is certified
   // not to exceed; 0 where it is exact or infinite.
   std::vector<float> certified_errors;
-  // Every distance up to here is present, and exact or within the tolerance.
-  // Those beyond may be +infinity. 0 if distances are approximate.
+  // Every distance up to here is present, and exact or within the tolerance e
+  // (then it is every true distance up to this / (1 + e)). Those beyond may be
+  // +infinity. 0 if distances are approximate.
   double settled_radius = std::numeric_limits<double>::infinity();
   FieldOrigin origin = FieldOrigin::kComputed;
   FieldStatistics statistics;
