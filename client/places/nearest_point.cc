@@ -107,6 +107,11 @@ absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
   Nearest nearest;
   for (uint64_t face = 0; face < mesh.triangles.size(); ++face) {
     const Triangle& triangle = mesh.triangles[face];
+    // Left out of the surface.
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
+        triangle[2] == triangle[0]) {
+      continue;
+    }
     std::array<Vector3, 3> corners;
     for (size_t i = 0; i < 3; ++i) {
       corners[i] = frame.Place(mesh.positions[triangle[i]]);

@@ -229,6 +229,7 @@ absl::Status FieldAssembler::TakeHeader(const v1::FieldHeader& header) {
   has_header_ = true;
   field_.vertex_count = header.vertex_count();
   field_.mesh_digest = header.mesh_digest();
+  field_.mesh_notes = {header.mesh_notes().begin(), header.mesh_notes().end()};
   field_.algorithm = AlgorithmName(header.algorithm());
   if (header.has_approximation()) {
     field_.approximation = FromProto(header.approximation());

@@ -41,6 +41,7 @@ inline void ReadHeader(const v1::AnswerHeader& header, AnswerInfo* info) {
   if (header.has_approximation()) {
     info->approximation = FromProto(header.approximation());
   }
+  info->mesh_notes = {header.mesh_notes().begin(), header.mesh_notes().end()};
   info->relative_tolerance = header.relative_tolerance();
   info->server_version = header.server_version();
 }

@@ -127,7 +127,13 @@ MeshInfo FromProto(const v1::Mesh& mesh) {
       .non_manifold_edge_count = mesh.non_manifold_edge_count(),
       .non_manifold_vertex_count = mesh.non_manifold_vertex_count(),
       .inconsistent_edge_count = mesh.inconsistent_edge_count(),
-      .orientable = mesh.orientable()};
+      .orientable = mesh.orientable(),
+      .notes = {mesh.notes().begin(), mesh.notes().end()},
+      .seam_edge_count = mesh.seam_edge_count(),
+      .joined_vertex_count = mesh.joined_vertex_count(),
+      .left_out_face_count = mesh.left_out_face_count(),
+      .close_edge_count = mesh.close_edge_count(),
+      .close_edge_distance = mesh.close_edge_distance()};
 }
 
 FieldOrigin FromProto(v1::FieldOrigin origin) {

@@ -136,14 +136,24 @@ absl::StatusOr<std::string> HashFile(FileReader* file,
   return hash.FinishHex();
 }
 
+// Of an UploadHeader or a FileDigest.
+template <typename Message>
+void SetWelding(const Welding& welding, Message* message) {
+  if (welding.distance.has_value()) {
+    message->set_weld_distance(*welding.distance);
+  }
+  message->set_keep_seams(welding.keep_seams);
+}
+
 // The mesh that was uploaded as this file, if the server has it.
 absl::StatusOr<std::optional<std::string>> FindMeshOf(
     v1::MeshService::Stub* stub, const std::string& sha256, MeshFormat format,
-    const CallOptions& options) {
+    const Welding& welding, const CallOptions& options) {
   v1::FindMissingMeshesRequest request;
   v1::FileDigest* asked = request.add_files();
   asked->set_format(ToProto(format));
   asked->set_sha256(sha256);
+  SetWelding(welding, asked);
   v1::FindMissingMeshesResponse response;
   Call call(options, sha256);
   absl::Status status = FromRpcStatus(
@@ -156,23 +166,25 @@ absl::StatusOr<std::optional<std::string>> FindMeshOf(
 }  // namespace
 
 absl::StatusOr<std::optional<std::string>> Client::FindFile(
-    const std::string& path, MeshFormat format, const CallOptions& options) {
+    const std::string& path, MeshFormat format, const Welding& welding,
+    const CallOptions& options) {
   absl::StatusOr<FileReader> file = FileReader::Open(path);
   if (!file.ok()) return file.status();
   absl::StatusOr<std::string> sha256 = HashFile(&*file, options);
   if (!sha256.ok()) return sha256.status();
-  return FindMeshOf(connection_->meshes.get(), *sha256, format, options);
+  return FindMeshOf(connection_->meshes.get(), *sha256, format, welding,
+                    options);
 }
 
 absl::StatusOr<UploadOutcome> Client::UploadFile(
-    const std::string& path, MeshFormat format, const CallOptions& options,
-    const CountProgressCallback& progress) {
+    const std::string& path, MeshFormat format, const Welding& welding,
+    const CallOptions& options, const CountProgressCallback& progress) {
   absl::StatusOr<FileReader> file = FileReader::Open(path);
   if (!file.ok()) return file.status();
   absl::StatusOr<std::string> sha256 = HashFile(&*file, options);
   if (!sha256.ok()) return sha256.status();
   absl::StatusOr<std::optional<std::string>> known =
-      FindMeshOf(connection_->meshes.get(), *sha256, format, options);
+      FindMeshOf(connection_->meshes.get(), *sha256, format, welding, options);
   if (!known.ok()) return known.status();
   if (known->has_value()) {
     absl::StatusOr<MeshInfo> mesh = GetMesh(**known, options);
@@ -186,6 +198,7 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
   v1::UploadHeader header;
   header.set_format(ToProto(format));
   header.set_size_bytes(file->size());
+  SetWelding(welding, &header);
   uint64_t left = 0;
   auto next_chunk = [&](bool restart, std::string* chunk) {
     if (restart) {
@@ -211,7 +224,7 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
     const CountProgressCallback& progress) {
   absl::StatusOr<MeshFormat> format = MeshFormatFromPath(path);
   if (!format.ok()) return format.status();
-  return UploadFile(path, *format, options, progress);
+  return UploadFile(path, *format, {}, options, progress);
 }
 
 absl::StatusOr<UploadOutcome> Client::UploadArrays(

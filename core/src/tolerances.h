@@ -267,6 +267,26 @@ inline constexpr double kNotDelaunay = 1e-9;
 // distance of its target by this fraction.
 inline constexpr double kArcRounding = 2e-7;
 
+// Two places that were computed in two ways, such as the ends of a circle, and
+// are the same differ by some roundings of the mesh's extent: 4 (sin 2 pi is
+// 1.5 roundings of the radius in single precision).
+inline constexpr double kComputedTwice = 4;
+
+// Two equal places differ by one unit of the last digit along an axis, where
+// they were rounded to either side of it; the rest is for the difference's own
+// rounding.
+inline constexpr double kWrittenTwice = 1.01;
+
+// Boundary edges are one only if their ends are closer than this part of them
+// by rounding, and this part where a distance is named: an edge that is not
+// longer than what is joined could be joined to its neighbour.
+inline constexpr double kMostRounded = 1.0 / 8;
+inline constexpr double kMostWelded = 1.0 / 2;
+
+// Boundary edges that lie as close to each other as this part of their length,
+// and of the mean length of all, are told: they were perhaps meant to be one.
+inline constexpr double kSuspicious = 1.0 / 8;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_

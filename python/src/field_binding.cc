@@ -114,7 +114,8 @@ class Progression {
       : question_(std::move(question)),
         radius_(radius),
         computation_(ValueOrThrow(StartComputation(
-            question_.mesh(), question_.query, {.threads = threads}))) {}
+            question_.mesh(), question_.query, {.threads = threads}))),
+        settled_(question_.mesh()) {}
 
   // (vertices, distances) of those that have become final since the last call,
   // in order of distance; waits until there are some, and about `seconds`. None

@@ -47,6 +47,16 @@ bool Append(const std::string& bytes, uint64_t first, uint64_t count,
 bool Append(const v1::ReadMeshResponse& message, const SiblingMesh& mesh,
             TriangleSoup& soup) {
   switch (message.part_case()) {
+    case v1::ReadMeshResponse::kHeader: {
+      const v1::ReadMeshHeader& header = message.header();
+      soup.reading.seam_edges = header.seam_edge_count();
+      soup.reading.crossing_polygons = header.crossing_polygon_count();
+      soup.reading.first_crossing_polygon = header.first_crossing_polygon();
+      return true;
+    }
+    case v1::ReadMeshResponse::kJoined:
+      return Append(message.joined().pairs(), message.joined().first_pair(),
+                    mesh.vertices, soup.reading.joined);
     case v1::ReadMeshResponse::kVertices:
       return Append(message.vertices().positions(),
                     message.vertices().first_vertex(), mesh.vertices,

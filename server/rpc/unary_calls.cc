@@ -17,11 +17,10 @@ absl::StatusOr<v1::FindMissingMeshesResponse> AnswerOf(
     const v1::FindMissingMeshesRequest& request) {
   std::vector<FileKey> files;
   for (int i = 0; i < request.files_size(); ++i) {
-    const v1::FileDigest& file = request.files(i);
-    absl::StatusOr<UploadFormat> format =
-        FromProto(file.format(), absl::StrCat("files[", i, "].format"));
-    if (!format.ok()) return format.status();
-    files.push_back({*format, file.sha256()});
+    absl::StatusOr<FileKey> file =
+        FromProto(request.files(i), absl::StrCat("files[", i, "]"));
+    if (!file.ok()) return file.status();
+    files.push_back(*std::move(file));
   }
   absl::StatusOr<MissingMeshes> missing = service.engine.meshes().FindMissing(
       {request.mesh_digests().begin(), request.mesh_digests().end()}, files);

@@ -177,18 +177,33 @@ void AddFiles(CLI::App* app, const std::string& help,
   app->add_option("FILE", *files, help)->required()->type_name("...");
 }
 
-void AddFormat(CLI::App* app, std::optional<MeshFormat>* format) {
+void AddReading(CLI::App* app, MeshArgument* mesh) {
   AddChoice(app,
             {"--format", "How to read the file, if its ending does not tell"},
             {"obj", "ply", "off", "stl", "vtk", "vtp", "gltf"},
-            [format](const std::string& name) {
-              *format = *MeshFormatFromPath("." + name);
+            [mesh](const std::string& name) {
+              mesh->format = *MeshFormatFromPath("." + name);
             });
+  CLI::Option* const weld =
+      app->add_option_function<double>(
+             "--weld",
+             [mesh](double distance) {
+               if (!(distance >= 0 && std::isfinite(distance))) {
+                 Refuse("--weld", "give a distance from 0");
+               }
+               mesh->welding.distance = distance;
+             },
+             "Join boundary edges whose ends lie within this distance (default: "
+             "within the rounding of the file's numbers)")
+          ->type_name("DISTANCE");
+  app->add_flag("--no-weld", mesh->welding.keep_seams,
+                "Join nothing: faces hang together as the file says")
+      ->excludes(weld);
 }
 
 void AddMesh(CLI::App* app, const std::string& help, MeshArgument* mesh) {
   app->add_option("MESH", mesh->text, help)->required()->type_name("");
-  AddFormat(app, &mesh->format);
+  AddReading(app, mesh);
 }
 
 void AddSources(CLI::App* app, Need need, SourceArguments* sources) {

@@ -36,6 +36,7 @@ struct MeshArgument {
   std::string text;
   // DEFAULT: the format that the file's ending names.
   std::optional<MeshFormat> format;
+  Welding welding;
 };
 
 // Whether a question needs places.
@@ -155,7 +156,7 @@ inline constexpr char kMeshHelp[] =
     "A mesh file, uploaded if the server lacks it; or the digest of a resident "
     "mesh, of which the first 8 digits do if they are unique";
 void AddMesh(CLI::App* app, const std::string& help, MeshArgument* mesh);
-void AddFormat(CLI::App* app, std::optional<MeshFormat>* format);
+void AddReading(CLI::App* app, MeshArgument* mesh);
 
 // How a POINT is written, for help texts.
 inline constexpr char kPointHelp[] =

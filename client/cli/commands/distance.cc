@@ -419,7 +419,12 @@ absl::Status Run(const DistanceArguments& arguments, const Session& session) {
   const double seconds = run.seconds();
   absl::StatusOr<std::vector<WrittenFile>> files = destination.Commit();
   if (!files.ok()) return files.status();
-  if (destination.is_text()) return absl::OkStatus();
+  if (destination.is_text()) {
+    for (const std::string& note : run.summary().info.mesh_notes) {
+      session.err << "note: " << note << '\n';
+    }
+    return absl::OkStatus();
+  }
   return PrintReport(session, {}, run.summary().info, seconds, files,
                      destination.ReportOf(run.summary()));
 }

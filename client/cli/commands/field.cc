@@ -462,6 +462,7 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
   const AnswerInfo info = {
       .mesh_digest = field->mesh_digest,
       .vertex_count = field->vertex_count,
+      .mesh_notes = field->mesh_notes,
       .algorithm = field->algorithm,
       .approximation = field->approximation,
       .relative_tolerance = field->relative_tolerance,

@@ -96,7 +96,7 @@ absl::StatusOr<UploadOutcome> UploadMesh(const Session& session,
   ProgressDisplay display(session.progress_style, session.terminal_width,
                           Clock::now(), &session.err);
   return session.client.UploadFile(
-      mesh.text, *format, session.call,
+      mesh.text, *format, mesh.welding, session.call,
       [&display](uint64_t sent, uint64_t total) {
         display.Update(Clock::now(), "uploading",
                        static_cast<double>(sent) / static_cast<double>(total),
@@ -126,7 +126,7 @@ absl::StatusOr<std::string> FindMesh(const Session& session,
   absl::StatusOr<MeshFormat> format = InspectFile(mesh);
   if (!format.ok()) return format.status();
   absl::StatusOr<std::optional<std::string>> digest =
-      session.client.FindFile(text, *format, session.call);
+      session.client.FindFile(text, *format, mesh.welding, session.call);
   if (!digest.ok()) return digest.status();
   if (!digest->has_value()) {
     return absl::NotFoundError(

@@ -67,6 +67,11 @@ std::vector<Fact> FactsOf(const MeshInfo& mesh) {
       {"genus", Genus(mesh)},
       {"saddle vertices", GroupedNumber(mesh.saddle_vertex_count)},
       {"degenerate faces", GroupedNumber(mesh.degenerate_face_count)},
+      {"left out faces", GroupedNumber(mesh.left_out_face_count)},
+      {"seams", absl::StrCat(GroupedNumber(mesh.seam_edge_count),
+                             " edges joined, ",
+                             GroupedNumber(mesh.joined_vertex_count),
+                             " vertices repeated")},
       {"bounding box",
        absl::StrCat(ShortNumbers(mesh.bounding_box_min), "  to  ",
                     ShortNumbers(mesh.bounding_box_max))},
@@ -83,6 +88,7 @@ std::vector<Fact> FactsOf(const MeshInfo& mesh) {
                       ": ", ByteCount(method.bytes), ", ",
                       Seconds(method.prepare_seconds))});
   }
+  for (const std::string& note : mesh.notes) facts.push_back({"note", note});
   return facts;
 }
 
@@ -113,6 +119,12 @@ Json ToJson(const MeshInfo& mesh) {
           {"genus", mesh.genus.has_value() ? Json(*mesh.genus) : Json()},
           {"saddle_vertices", mesh.saddle_vertex_count},
           {"degenerate_faces", mesh.degenerate_face_count},
+          {"left_out_faces", mesh.left_out_face_count},
+          {"seam_edges", mesh.seam_edge_count},
+          {"joined_vertices", mesh.joined_vertex_count},
+          {"close_edges", mesh.close_edge_count},
+          {"close_edge_distance", mesh.close_edge_distance},
+          {"notes", mesh.notes},
           {"bounding_box_min", mesh.bounding_box_min},
           {"bounding_box_max", mesh.bounding_box_max},
           {"bounding_box_size", Extent(mesh)},
@@ -126,7 +138,8 @@ Json ToJson(const MeshInfo& mesh) {
 
 struct UploadArguments {
   std::vector<std::string> files;
-  std::optional<MeshFormat> format;
+  // How they are read.
+  MeshArgument reading;
 };
 
 void AddUploadOptions(CLI::App* app, UploadArguments* arguments) {
@@ -134,7 +147,7 @@ void AddUploadOptions(CLI::App* app, UploadArguments* arguments) {
            "Meshes in OBJ, PLY, OFF, STL, VTK, VTP or glTF, or .gz of these; "
            "sent only if the server does not know them",
            &arguments->files);
-  AddFormat(app, &arguments->format);
+  AddReading(app, &arguments->reading);
 }
 
 void PrintUpload(const Session& session, const UploadOutcome& outcome) {
@@ -158,7 +171,8 @@ absl::Status Upload(const UploadArguments& arguments, const Session& session) {
   if (session.json && !is_one) (*session.json)["uploads"] = Json::array();
   for (const std::string& file : arguments.files) {
     absl::StatusOr<UploadOutcome> outcome =
-        UploadMesh(session, {file, arguments.format});
+        UploadMesh(session, {file, arguments.reading.format,
+                             arguments.reading.welding});
     if (!outcome.ok()) {
       if (session.json) (*session.json)["error"]["file"] = file;
       return outcome.status();

@@ -31,7 +31,9 @@ Json SourcesJson(const std::vector<Source>& sources) {
 void AddAnswer(const Question& question, const AnswerInfo& info,
                double call_seconds, const std::vector<WrittenFile>& files,
                const Report& report, Json& json) {
-  json = {{"mesh", info.mesh_digest}, {"algorithm", info.algorithm}};
+  json = {{"mesh", info.mesh_digest},
+          {"notes", info.mesh_notes},
+          {"algorithm", info.algorithm}};
   if (!question.sources.empty()) {
     json["sources"] = SourcesJson(question.sources);
   }
@@ -65,8 +67,11 @@ std::optional<Fact> Inexactness(const AnswerInfo& info) {
 std::vector<Fact> AllFacts(const AnswerInfo& info, double call_seconds,
                            const std::vector<WrittenFile>& files,
                            const Report& report) {
-  std::vector<Fact> facts = {{"mesh", info.mesh_digest},
-                             {"algorithm", info.algorithm}};
+  std::vector<Fact> facts = {{"mesh", info.mesh_digest}};
+  for (const std::string& note : info.mesh_notes) {
+    facts.push_back({"note", note});
+  }
+  facts.push_back({"algorithm", info.algorithm});
   if (info.approximation.has_value()) {
     facts.back().second = AlgorithmText(info.algorithm, *info.approximation);
   }

@@ -72,6 +72,8 @@ using CountProgressCallback =
 struct AnswerInfo {
   std::string mesh_digest;
   uint64_t vertex_count = 0;
+  // What was joined, left out or guessed when the mesh was read, for people.
+  std::vector<std::string> mesh_notes = {};
   std::string algorithm;
   // Set if distances are approximate.
   std::optional<Approximation> approximation = {};

@@ -78,7 +78,7 @@ class Client {
   // no regular file; DATA_LOSS if it changes while it is read. Messages about
   // the file begin with its path.
   absl::StatusOr<UploadOutcome> UploadFile(
-      const std::string& path, MeshFormat format,
+      const std::string& path, MeshFormat format, const Welding& welding = {},
       const CallOptions& options = {},
       const CountProgressCallback& progress = nullptr);
 
@@ -88,16 +88,17 @@ class Client {
       const std::string& path, const CallOptions& options = {},
       const CountProgressCallback& progress = nullptr);
 
-  // Makes a mesh in memory resident. It is sent only if the server lacks it.
+  // Makes a mesh in memory resident, as it is. It is sent only if the server
+  // lacks it.
   absl::StatusOr<UploadOutcome> UploadArrays(
       const MeshArrays& mesh, const CallOptions& options = {},
       const CountProgressCallback& progress = nullptr);
 
   // The digest of the resident mesh that was uploaded from a file with these
-  // very bytes; nothing if the server does not know the file.
+  // very bytes and this welding; nothing if the server does not know the file.
   // Errors: as UploadFile.
   absl::StatusOr<std::optional<std::string>> FindFile(
-      const std::string& path, MeshFormat format,
+      const std::string& path, MeshFormat format, const Welding& welding = {},
       const CallOptions& options = {});
 
   // Errors: INVALID_ARGUMENT for a malformed digest; NOT_FOUND if the mesh is

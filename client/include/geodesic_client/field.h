@@ -76,6 +76,8 @@ inline constexpr uint32_t kNoSource = 0xffffffffu;
 struct Field {
   std::string mesh_digest;
   uint64_t vertex_count = 0;
+  // What was joined, left out or guessed when the mesh was read, for people.
+  std::vector<std::string> mesh_notes = {};
   // The algorithm that computed the field.
   std::string algorithm;
   // Set if distances are approximate.

@@ -43,6 +43,16 @@ std::string_view MeshFormatName(MeshFormat format);
 // Errors: INVALID_ARGUMENT naming the path and the endings that are known.
 absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path);
 
+// Which edges of a mesh file are joined at which it keeps faces apart: programs
+// repeat vertices where a texture, a normal or a colour changes.
+struct Welding {
+  // Nothing is joined.
+  bool keep_seams = false;
+  // Boundary edges whose ends lie within this distance of each other, in the
+  // unit of the file. DEFAULT: within the rounding of the file's numbers.
+  std::optional<double> distance = {};
+};
+
 // What an approximate algorithm has made of a mesh, to answer faster.
 struct PreparedMethod {
   std::string algorithm;
@@ -91,6 +101,18 @@ struct MeshInfo {
   uint64_t inconsistent_edge_count = 0;
   // Whether the faces could be turned so that no such edge is left.
   bool orientable = true;
+  // What was joined, left out or guessed when the mesh was read, and what looks
+  // as if it should have been joined: a sentence each, for people.
+  std::vector<std::string> notes = {};
+  // Edges that were joined, and vertices that are others' repeats.
+  uint64_t seam_edge_count = 0;
+  uint64_t joined_vertex_count = 0;
+  // Faces that name a vertex twice, which are no part of the surface.
+  uint64_t left_out_face_count = 0;
+  // Boundary edges that lie close to others and were not joined, and the distance
+  // that joins them.
+  uint64_t close_edge_count = 0;
+  double close_edge_distance = 0;
 };
 
 // What became of an upload.

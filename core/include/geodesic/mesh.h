@@ -11,8 +11,10 @@
 // neighbours lie close together in memory, which makes propagation fast.
 //
 // Guarantees:
-//   1. vertex and face numbers are the caller's; nothing is renumbered,
-//      merged, duplicated or dropped;
+//   1. vertex and face numbers are the caller's; nothing is renumbered or
+//      duplicated. A face that names a vertex twice keeps its number and is left
+//      out of the surface; a vertex that was joined into another one
+//      (join_seams.h) has no face, and its answers are the other's;
 //   2. boundaries, holes, several components, isolated vertices, vertices where
 //      surfaces touch, edges of three faces or more, faces that disagree in
 //      orientation, zero-area faces and coincident vertices are ordinary input;
@@ -68,7 +70,7 @@ class Mesh {
  public:
   // Checks the soup and builds the connectivity. O(V + F log F) time.
   // Errors: INVALID_ARGUMENT naming the first offender: no face, a coordinate
-  // that is not finite, an index out of range, or a face that repeats a vertex;
+  // that is not finite, an index out of range, or no face with three vertices;
   // RESOURCE_EXHAUSTED for more faces or vertices than 32-bit numbers can name.
   static absl::StatusOr<std::shared_ptr<const Mesh>> Build(TriangleSoup soup);
   // The same, but asks `checkpoint` now and then. Errors: also whatever
@@ -86,13 +88,35 @@ class Mesh {
 
   uint32_t vertex_count() const { return positions_.size(); }
   uint32_t face_count() const { return triangles_.size(); }
-  uint32_t half_edge_count() const { return 3 * face_count(); }
+  // Of the faces that are not left out.
+  uint32_t half_edge_count() const { return half_edge_count_; }
 
   std::span<const Point> positions() const { return positions_; }
   const Triangle& triangle(uint32_t face) const {
     return triangles_[slots_[face]];
   }
 
+  // Whether the face names a vertex twice, and so is no part of the surface.
+  bool IsLeftOut(uint32_t face) const {
+    return 3 * slots_[face] >= half_edge_count_;
+  }
+  uint32_t left_out_face_count() const {
+    return face_count() - half_edge_count_ / 3;
+  }
+
+  // What was joined before; see triangle_soup.h.
+  const Reading& reading() const { return reading_; }
+  // The vertex that `v` was joined into, or `v`. O(log joined vertices).
+  uint32_t JoinedInto(uint32_t v) const;
+  // Gives vertices that were joined the values of those they were joined into.
+  template <typename T>
+  void SpreadToJoined(std::vector<T>& by_vertex) const {
+    for (const auto& [vertex, into] : reading_.joined) {
+      by_vertex[vertex] = by_vertex[into];
+    }
+  }
+
+  // REQUIRES: the face is not left out.
   HalfEdge FirstSide(uint32_t face) const { return 3 * slots_[face]; }
   // The face on the left of h, and its corners.
   uint32_t FaceOf(HalfEdge h) const { return faces_[h / 3]; }
@@ -224,6 +248,8 @@ class Mesh {
   void ClassifyVertices(std::span<const uint8_t> is_closed_fan,
                         const ConeAngles& angles);
 
+  Reading reading_;
+  uint32_t half_edge_count_ = 0;
   std::vector<Point> positions_;
   std::vector<uint32_t> faces_;                 // face in each slot
   std::vector<uint32_t> slots_;                 // slot of each face

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "geodesic/mesh.h"
 
@@ -18,7 +20,7 @@ struct MeshSummary {
   uint64_t boundary_loops = 0;
   // Connected pieces that have at least one face.
   uint64_t components = 0;
-  // Vertices without a face.
+  // Vertices without a face, but for those that were joined into others.
   uint64_t isolated_vertices = 0;
   // Edges of three faces or more, and vertices at such edges or where several
   // fans of faces touch.
@@ -36,6 +38,21 @@ struct MeshSummary {
   uint64_t saddle_vertices = 0;
   // Faces without area.
   uint64_t degenerate_faces = 0;
+  // Faces that name a vertex twice, which are no part of the surface.
+  uint64_t left_out_faces = 0;
+  // Edges that were joined, and vertices that are others' repeats
+  // (join_seams.h).
+  uint64_t seam_edges = 0;
+  uint64_t joined_vertices = 0;
+  // See triangle_soup.h.
+  uint64_t crossing_polygons = 0;
+  uint64_t first_crossing_polygon = 0;
+  // Boundary edges that lie close to another one, end by end, and were not
+  // joined: closer than an eighth of its length, and of the mean length of
+  // boundary edges. And the distance within which each of them lies, in the
+  // unit of the file.
+  uint64_t close_edges = 0;
+  double close_edge_distance = 0;
   Point bounding_box_min{};
   Point bounding_box_max{};
   // In the unit of the file; each edge counts once.
@@ -48,6 +65,11 @@ struct MeshSummary {
 
 // O(V + F). Thread-safe.
 MeshSummary Summarize(const Mesh& mesh);
+
+// What a user of the mesh has to know: what was joined, left out or guessed,
+// and what looks as if it should have been joined. A sentence each, without an
+// end, e.g. "joined 646 seam edges". Empty for most meshes.
+std::vector<std::string> Notes(const MeshSummary& summary);
 
 }  // namespace geodesic
 

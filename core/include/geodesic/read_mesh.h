@@ -12,12 +12,16 @@
 //      of what it holds where it is compressed (1032 times as much at the
 //      most);
 //   3. keeps doubles as doubles (correctly rounded) and the file's vertex
-//      order, unused vertices included; STL, which has no indices, and glTF,
-//      which repeats vertices, are welded by exact coordinates in order of
-//      first appearance;
+//      order, unused and repeated vertices included. In STL, which numbers no
+//      vertices, they are counted where they first appear: one for all corners
+//      with equal coordinates whose faces hang together by their edges (with
+//      Welding::kNone each corner is a vertex); those of parts that touch only
+//      there come last;
 //   4. turns a polygon with k corners into k - 2 triangles fanned from its
 //      first corner;
-//   5. returns only finite coordinates and indices within range.
+//   5. returns only finite coordinates and indices within range;
+//   6. joins boundary edges that lie on each other (join_seams.h) and says so
+//      (TriangleSoup::reading).
 //
 // Error messages number the file's faces and vertices from 0, where a face is a
 // polygon before triangulation. They quote an OBJ's references as written.
@@ -29,6 +33,7 @@
 #include <string_view>
 
 #include "absl/status/statusor.h"
+#include "geodesic/join_seams.h"
 #include "geodesic/triangle_soup.h"
 
 namespace geodesic {
@@ -63,12 +68,15 @@ struct ReadLimits {
   uint64_t max_gzip_bytes = 0;
   // Polled now and then, and may stop the reader. DEFAULT: nothing stops it.
   Checkpoint* checkpoint = nullptr;
+  // Which boundary edges are joined.
+  Welding welding = {};
 };
 
 // Reads a whole file. Thread-safe; linear in the size of `bytes`.
 // Errors: INVALID_ARGUMENT for a malformed file, naming the line (text) or the
 // byte offset (binary) and the element; RESOURCE_EXHAUSTED when a limit is
-// passed, naming it; whatever the checkpoint returns. A file without faces is
+// passed, naming it; those of Validate(welding); whatever the checkpoint
+// returns. A file without faces is
 // not an error here.
 absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes, MeshFormat format,
                                       const ReadLimits& limits = {});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geodesic/checkpoint.h"
+#include "geodesic/mesh.h"
 
 namespace geodesic {
 
@@ -20,11 +21,15 @@ struct SettledVertex {
 // between calls the order holds up to rounding. Not thread-safe.
 class SettledVertices {
  public:
+  // Of a field on `mesh`, which must outlive it.
+  explicit SettledVertices(const Mesh& mesh) : mesh_(&mesh) {}
+
   // The vertices that have become final since the last call; none before the
   // wavefront has moved. O(V).
   std::vector<SettledVertex> Collect(const Progress& progress);
 
  private:
+  const Mesh* mesh_;
   // The radius alone would miss a vertex whose distance improves by a rounding
   // just as the radius passes it.
   std::vector<bool> given_;

@@ -55,7 +55,8 @@ absl::Status Validate(const SurfacePoint& point, const Mesh& mesh,
 
 // The same point in one fixed form. It is on the lowest element that holds it:
 // a weight or t of 0, or below 1e-18, leads to an edge or a vertex. Edges run
-// from the lower vertex to the higher, and weights sum to 1.
+// from the lower vertex to the higher, weights sum to 1, and a vertex that was
+// joined into another one (mesh.h) is that one.
 // REQUIRES: Validate(point, mesh, "").ok().
 SurfacePoint Canonicalize(const SurfacePoint& point, const Mesh& mesh);
 

@@ -16,13 +16,49 @@ using Point = std::array<double, 3>;
 // Three vertex indices, 0-based.
 using Triangle = std::array<uint32_t, 3>;
 
+// A vertex that a file repeats, and the vertex whose place it takes.
+struct JoinedVertex {
+  uint32_t vertex = 0;
+  uint32_t into = 0;  // below `vertex`, and joined into none
+
+  friend bool operator==(const JoinedVertex&, const JoinedVertex&) = default;
+};
+
+// What was joined or guessed when faces became triangles. It is part of a
+// mesh's identity.
+struct Reading {
+  // In order of `vertex`. No triangle names a vertex that was joined; it has
+  // the answers of the one that it was joined into.
+  std::vector<JoinedVertex> joined;
+  // Edges along which faces meet that the file keeps apart.
+  uint64_t seam_edges = 0;
+  // Polygons that cross themselves, so that their triangles lie over each
+  // other, and the number of the first among the file's faces.
+  uint64_t crossing_polygons = 0;
+  uint64_t first_crossing_polygon = 0;
+
+  bool is_plain() const { return *this == Reading(); }
+  friend bool operator==(const Reading&, const Reading&) = default;
+};
+
 // Vertices keep the order of the file. The k - 2 triangles of a polygon with k
 // corners stand in the polygon's place, fanned from its first corner. Nothing
 // is checked beyond what the reader promises (see read_mesh.h).
 struct TriangleSoup {
   std::vector<Point> positions;
   std::vector<Triangle> triangles;
+  Reading reading = {};
+  // Whether the positions were computed in single precision; those that single
+  // precision can hold are taken to be.
+  bool is_single_precision = false;
 };
+
+// Whether a triangle names a vertex twice. It has no place in a surface: a mesh
+// leaves it out, and counts it.
+inline bool RepeatsVertex(const Triangle& triangle) {
+  return triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
+         triangle[2] == triangle[0];
+}
 
 }  // namespace geodesic
 

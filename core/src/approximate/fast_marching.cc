@@ -63,7 +63,7 @@ class FastMarching::March {
  public:
   explicit March(const FastMarching& marching)
       : marching_(marching),
-        mesh_(marching.mesh_),
+        mesh_(marching.mesh()),
         distances_(mesh_.vertex_count(), kInfinity),
         is_accepted_(mesh_.vertex_count()) {}
 
@@ -169,7 +169,7 @@ class FastMarching::March {
 };
 
 FastMarching::FastMarching(const Mesh& mesh, MarchingQueue queue)
-    : mesh_(mesh), queue_(queue), is_split_(mesh.half_edge_count()) {}
+    : PreparedMethod(mesh), queue_(queue), is_split_(mesh.half_edge_count()) {}
 
 absl::StatusOr<std::shared_ptr<const FastMarching>> FastMarching::Prepare(
     const Mesh& mesh, MarchingQueue queue, Checkpoint& checkpoint) {
@@ -194,17 +194,17 @@ absl::StatusOr<std::shared_ptr<const FastMarching>> FastMarching::Prepare(
 // into two that are not obtuse. If the unfolded vertex lies beside the section,
 // the section goes on through one of the two sides behind.
 void FastMarching::SplitAngle(HalfEdge h) {
-  const HalfEdgeFrame& frame = mesh_.frame(h);
+  const HalfEdgeFrame& frame = mesh().frame(h);
   const PlanePoint c = {frame.apex_x, frame.apex_y};
   const PlanePoint a = {0, 0}, b = {frame.length, 0};
   if (!(Dot(a - c, b - c) < 0)) return;
   PlanePoint begin = a, end = b;  // of the side across which it is unfolded
   HalfEdge side = h;
   for (int i = 0; i < kMostUnfolded; ++i) {
-    const HalfEdge beyond = mesh_.Twin(side);
+    const HalfEdge beyond = mesh().Twin(side);
     if (beyond == kNoHalfEdge) return;
     // `beyond` runs from `end` to `begin`, and its face lies on its left.
-    const HalfEdgeFrame& next = mesh_.frame(beyond);
+    const HalfEdgeFrame& next = mesh().frame(beyond);
     if (!(next.length > 0)) return;
     const PlanePoint along = {(begin.x - end.x) / next.length,
                               (begin.y - end.y) / next.length};
@@ -219,14 +219,14 @@ void FastMarching::SplitAngle(HalfEdge h) {
         const double length = Norm(d - at);
         if (!(length > 0)) return;
         const PlanePoint to_corner = c - at, to_d = d - at;
-        splits_.push_back({.corner = mesh_.Apex(h),
-                           .supports = {support, mesh_.Apex(beyond)},
+        splits_.push_back({.corner = mesh().Apex(h),
+                           .supports = {support, mesh().Apex(beyond)},
                            .length = length,
                            .x = Dot(to_corner, to_d) / length,
                            .y = std::abs(Cross(to_corner, to_d)) / length});
       };
-      add(mesh_.From(h), a);
-      add(mesh_.To(h), b);
+      add(mesh().From(h), a);
+      add(mesh().To(h), b);
       is_split_[h] = true;
       return;
     }
@@ -238,11 +238,11 @@ void FastMarching::SplitAngle(HalfEdge h) {
 
 void FastMarching::ListSplits() {
   if (splits_.empty()) return;
-  splits_begin_.assign(mesh_.vertex_count() + 1, 0);
+  splits_begin_.assign(mesh().vertex_count() + 1, 0);
   for (const Split& split : splits_) {
     for (const uint32_t v : split.supports) ++splits_begin_[v + 1];
   }
-  for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+  for (uint32_t v = 0; v < mesh().vertex_count(); ++v) {
     splits_begin_[v + 1] += splits_begin_[v];
   }
   splits_at_.resize(splits_begin_.back());
@@ -260,10 +260,10 @@ ApproximateMethod FastMarching::method() const {
 absl::StatusOr<std::vector<double>> FastMarching::Compute(
     const ValidQuery& query, Checkpoint& checkpoint) const {
   const absl::StatusOr<std::vector<Seed>> seeds =
-      SeedsOf(query, mesh_, method());
+      SeedsOf(query, mesh(), method());
   if (!seeds.ok()) return seeds.status();
   March march(*this);
-  const Tuning tuning = UntidyTuning(mesh_);
+  const Tuning tuning = UntidyTuning(mesh());
   absl::Status status = queue_ == MarchingQueue::kHeap
                             ? march.Run(*seeds, BinaryHeap(tuning), checkpoint)
                             : march.Run(*seeds, FwpBuckets(tuning), checkpoint);

@@ -75,6 +75,7 @@ class HeatMethod::Systems {
   absl::Status Prepare(bool intrinsic_delaunay, Checkpoint& checkpoint);
   absl::StatusOr<std::vector<double>> Distances(const ValidQuery& query,
                                                 Checkpoint& checkpoint) const;
+  const Mesh& mesh() const { return mesh_; }
   uint64_t bytes() const {
     return faces_.capacity() * sizeof(Face) + pattern_bytes() +
            (laplacian_.capacity() + masses_.capacity()) * sizeof(double) +
@@ -406,7 +407,7 @@ absl::StatusOr<std::vector<double>> HeatMethod::Systems::Distances(
 }
 
 HeatMethod::HeatMethod(std::unique_ptr<const Systems> systems)
-    : systems_(std::move(systems)) {}
+    : PreparedMethod(systems->mesh()), systems_(std::move(systems)) {}
 HeatMethod::~HeatMethod() = default;
 
 absl::Status HeatMethod::Check(const HeatOptions& options) {

@@ -10,6 +10,7 @@ absl::StatusOr<ApproximateField> PreparedMethod::Distances(
   const auto start = std::chrono::steady_clock::now();
   absl::StatusOr<std::vector<double>> distances = Compute(query, checkpoint);
   if (!distances.ok()) return distances.status();
+  mesh().SpreadToJoined(*distances);
   return ApproximateField{
       .distances = *std::move(distances),
       .method = method(),

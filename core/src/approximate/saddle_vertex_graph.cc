@@ -210,12 +210,12 @@ void SaddleVertexGraph::Join(const std::vector<std::vector<Arc>>& found) {
     for (uint32_t v = 0; v < found.size(); ++v) {
       for (const Arc& arc : found[v]) visit(v, arc.to, arc.length);
     }
-    for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
-      visit(mesh_.From(h), mesh_.To(h),
-            static_cast<float>(mesh_.frame(h).length));
+    for (HalfEdge h = 0; h < mesh().half_edge_count(); ++h) {
+      visit(mesh().From(h), mesh().To(h),
+            static_cast<float>(mesh().frame(h).length));
     }
   };
-  begin_.assign(mesh_.vertex_count() + 1, 0);
+  begin_.assign(mesh().vertex_count() + 1, 0);
   for_each([this](uint32_t v, uint32_t w, float) {
     ++begin_[v + 1];
     ++begin_[w + 1];
@@ -229,7 +229,7 @@ void SaddleVertexGraph::Join(const std::vector<std::vector<Arc>>& found) {
   });
   // Of arcs between the same two only the shortest stays.
   uint64_t kept = 0;
-  for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+  for (uint32_t v = 0; v < mesh().vertex_count(); ++v) {
     const auto first = arcs_.begin() + static_cast<std::ptrdiff_t>(begin_[v]);
     const auto last =
         arcs_.begin() + static_cast<std::ptrdiff_t>(begin_[v + 1]);
@@ -254,10 +254,10 @@ ApproximateMethod SaddleVertexGraph::method() const {
 absl::StatusOr<std::vector<double>> SaddleVertexGraph::Compute(
     const ValidQuery& query, Checkpoint& checkpoint) const {
   const absl::StatusOr<std::vector<Seed>> seeds =
-      SeedsOf(query, mesh_, method());
+      SeedsOf(query, mesh(), method());
   if (!seeds.ok()) return seeds.status();
-  std::vector<double> distances(mesh_.vertex_count(), kInfinity);
-  std::vector<uint8_t> is_settled(mesh_.vertex_count());
+  std::vector<double> distances(mesh().vertex_count(), kInfinity);
+  std::vector<uint8_t> is_settled(mesh().vertex_count());
   BinaryHeap queue{Tuning()};
   for (const auto& [v, distance] : *seeds) {
     distances[v] = distance;
@@ -271,9 +271,9 @@ absl::StatusOr<std::vector<double>> SaddleVertexGraph::Compute(
     if (is_over || settled % kPollPeriod == 0) {
       absl::Status status = checkpoint.Poll(
           {.vertices_reached = settled,
-           .vertices = mesh_.vertex_count(),
+           .vertices = mesh().vertex_count(),
            .solver_bytes =
-               mesh_.vertex_count() * (sizeof(double) + 1) + queue.bytes()});
+               mesh().vertex_count() * (sizeof(double) + 1) + queue.bytes()});
       if (!status.ok()) return status;
     }
     if (is_over) break;
@@ -286,7 +286,7 @@ absl::StatusOr<std::vector<double>> SaddleVertexGraph::Compute(
       queue.Push(arc.to, distance);
     }
   }
-  for (double& d : distances) d = ToFileUnit(mesh_, d);
+  for (double& d : distances) d = ToFileUnit(mesh(), d);
   return distances;
 }
 

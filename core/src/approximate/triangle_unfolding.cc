@@ -239,7 +239,7 @@ TriangleUnfolding::Prepare(const Mesh& mesh,
                            const TriangleUnfoldingOptions& options,
                            Checkpoint& checkpoint) {
   if (absl::Status status = Check(options); !status.ok()) return status;
-  const uint32_t first = mesh.triangle(0)[0];
+  const uint32_t first = mesh.From(0);
   const absl::StatusOr<ValidQuery> query =
       ValidQuery::Make({.sources = {{VertexPoint{first}}}}, mesh);
   if (!query.ok()) return query.status();
@@ -349,7 +349,7 @@ double TriangleUnfolding::ScaledDistance(uint32_t from, uint32_t to) const {
 }
 
 double TriangleUnfolding::Distance(uint32_t from, uint32_t to) const {
-  return ToFileUnit(mesh_, ScaledDistance(from, to));
+  return ToFileUnit(mesh(), ScaledDistance(from, to));
 }
 
 ApproximateMethod TriangleUnfolding::method() const {
@@ -359,21 +359,21 @@ ApproximateMethod TriangleUnfolding::method() const {
 absl::StatusOr<std::vector<double>> TriangleUnfolding::Compute(
     const ValidQuery& query, Checkpoint& checkpoint) const {
   const absl::StatusOr<std::vector<Seed>> seeds =
-      SeedsOf(query, mesh_, method());
+      SeedsOf(query, mesh(), method());
   if (!seeds.ok()) return seeds.status();
-  std::vector<double> distances(mesh_.vertex_count(), kInfinity);
+  std::vector<double> distances(mesh().vertex_count(), kInfinity);
   for (uint32_t v = 0; v < distances.size(); ++v) {
     if (v % kPollPeriod == 0) {
       absl::Status status =
           checkpoint.Poll({.vertices_reached = v,
-                           .vertices = mesh_.vertex_count(),
+                           .vertices = mesh().vertex_count(),
                            .solver_bytes = distances.size() * sizeof(double)});
       if (!status.ok()) return status;
     }
     for (const auto& [seed, distance] : *seeds) {
       distances[v] = std::min(distances[v], distance + ScaledDistance(seed, v));
     }
-    distances[v] = ToFileUnit(mesh_, distances[v]);
+    distances[v] = ToFileUnit(mesh(), distances[v]);
   }
   return distances;
 }

@@ -200,13 +200,13 @@ void Decimater::PlaceVertices() {
 }
 
 absl::Status Decimater::AddFaces() {
-  face_count_ = mesh_.face_count();
+  face_count_ = mesh_.half_edge_count() / 3;
   triangles_.resize(face_count_);
   next_.resize(3 * face_count_);
   first_.assign(mesh_.vertex_count(), kNone);
   quadrics_.resize(mesh_.vertex_count());
   // Backwards, so that the corners of a vertex are in order.
-  for (uint32_t f = mesh_.face_count(); f-- > 0;) {
+  for (uint32_t f = face_count_; f-- > 0;) {
     if (absl::Status s = Step(); !s.ok()) return s;
     const Triangle& triangle = triangles_[f] = mesh_.TriangleOf(3 * f);
     for (uint32_t i = 0; i < 3; ++i) {
@@ -264,6 +264,7 @@ absl::StatusOr<std::vector<Triangle>> Decimater::Run() {
   std::vector<Triangle> triangles;
   triangles.reserve(face_count_);
   for (uint32_t f = 0; f < mesh_.face_count(); ++f) {
+    if (mesh_.IsLeftOut(f)) continue;
     const uint32_t slot = mesh_.FirstSide(f) / 3;
     if (!IsDead(slot)) triangles.push_back(triangles_[slot]);
   }
@@ -292,7 +293,7 @@ void Decimater::Propose(uint32_t from, uint32_t to) {
 absl::Status Decimater::FindTargets() {
   targets_.assign(mesh_.vertex_count(), kNone);
   errors_.assign(mesh_.vertex_count(), kInfinity);
-  for (uint32_t f = 0; f < mesh_.face_count(); ++f) {
+  for (uint32_t f = 0; f < mesh_.half_edge_count() / 3; ++f) {
     if (IsDead(f)) continue;
     if (absl::Status s = Step(); !s.ok()) return s;
     const Triangle triangle = triangles_[f];

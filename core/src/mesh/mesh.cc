@@ -74,6 +74,21 @@ class ConeAngles {
 
 namespace {
 
+// Joined vertices of a soup that another program may have sent.
+absl::Status CheckJoined(const TriangleSoup& soup) {
+  const std::vector<JoinedVertex>& joined = soup.reading.joined;
+  for (size_t i = 0; i < joined.size(); ++i) {
+    const auto& [vertex, into] = joined[i];
+    if (vertex >= soup.positions.size() || into >= vertex ||
+        (i > 0 && joined[i - 1].vertex >= vertex)) {
+      return absl::InvalidArgumentError(absl::StrCat(
+          "joined vertex ", i, " (", vertex, " into ", into,
+          ") is out of order or out of range"));
+    }
+  }
+  return absl::OkStatus();
+}
+
 absl::Status CheckSoup(const TriangleSoup& soup) {
   constexpr uint64_t kMostVertices = std::numeric_limits<uint32_t>::max() / 2;
   constexpr uint64_t kMostFaces = (kIrregularExit - 1) / 3;
@@ -99,18 +114,20 @@ absl::Status CheckSoup(const TriangleSoup& soup) {
     }
   }
   for (uint64_t f = 0; f < faces; ++f) {
-    const auto& [a, b, c] = soup.triangles[f];
-    for (uint32_t v : {a, b, c}) {
+    for (const uint32_t v : soup.triangles[f]) {
       if (v >= vertices) {
         return absl::InvalidArgumentError(
             absl::StrCat("face ", f, " names vertex ", v, ", but there are ",
                          vertices, " vertices"));
       }
     }
-    if (a == b || b == c || c == a) {
-      return absl::InvalidArgumentError(absl::StrCat(
-          "face ", f, " repeats vertex ", a == b || c == a ? a : b));
-    }
+  }
+  if (absl::Status status = CheckJoined(soup); !status.ok()) return status;
+  if (std::ranges::all_of(soup.triangles, RepeatsVertex)) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("each of the mesh's ", faces,
+                     " faces names a vertex twice: there is no surface to "
+                     "measure on"));
   }
   return absl::OkStatus();
 }
@@ -210,8 +227,10 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
   std::shared_ptr<Mesh> mesh(new Mesh(std::move(soup)));
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
-  Connectivity connectivity = FindConnectivity(
-      {mesh->triangles_, mesh->outgoing_begin_, mesh->outgoing_});
+  Connectivity connectivity =
+      FindConnectivity({std::span(mesh->triangles_)
+                            .first(mesh->half_edge_count() / 3),
+                        mesh->outgoing_begin_, mesh->outgoing_});
   mesh->irregular_begin_ = std::move(connectivity.irregular_begin);
   mesh->irregular_half_edges_ = std::move(connectivity.irregular_half_edges);
   mesh->irregular_begin_.shrink_to_fit();
@@ -273,7 +292,8 @@ void Mesh::FindCopies() {
 }
 
 uint64_t Mesh::resident_bytes() const {
-  return sizeof(Mesh) + positions_.capacity() * sizeof(Point) +
+  return sizeof(Mesh) + reading_.joined.capacity() * sizeof(JoinedVertex) +
+         positions_.capacity() * sizeof(Point) +
          (faces_.capacity() + slots_.capacity()) * sizeof(uint32_t) +
          triangles_.capacity() * sizeof(Triangle) +
          half_edge_count() * sizeof(HalfEdgeFrame) +
@@ -288,6 +308,15 @@ Mesh::Mesh(TriangleSoup soup)
     : faces_(FacesAlongCurve(soup)),
       slots_(faces_.size()),
       scale_exponent_(ScaleExponent(soup.positions)) {
+  half_edge_count_ = 3 * static_cast<uint32_t>(faces_.size());
+  if (std::ranges::any_of(soup.triangles, RepeatsVertex)) {
+    // What is left out has the last slots, which hold no half-edge.
+    const auto left_out =
+        std::stable_partition(faces_.begin(), faces_.end(), [&](uint32_t face) {
+          return !RepeatsVertex(soup.triangles[face]);
+        });
+    half_edge_count_ = 3 * static_cast<uint32_t>(left_out - faces_.begin());
+  }
   triangles_.reserve(faces_.size());
   for (const uint32_t face : faces_) {
     slots_[face] = static_cast<uint32_t>(triangles_.size());
@@ -296,6 +325,14 @@ Mesh::Mesh(TriangleSoup soup)
   BuildOutgoing(soup);
   positions_ = std::move(soup.positions);
   positions_.shrink_to_fit();
+  reading_ = std::move(soup.reading);
+  reading_.joined.shrink_to_fit();
+}
+
+uint32_t Mesh::JoinedInto(uint32_t v) const {
+  const auto found = std::ranges::lower_bound(reading_.joined, v, {},
+                                              &JoinedVertex::vertex);
+  return found != reading_.joined.end() && found->vertex == v ? found->into : v;
 }
 
 absl::Status Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles,
@@ -357,16 +394,18 @@ absl::Status Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles,
 
 void Mesh::BuildOutgoing(const TriangleSoup& soup) {
   outgoing_begin_.assign(soup.positions.size() + 1, 0);
-  for (const Triangle& corners : soup.triangles) {
+  for (const Triangle& corners : std::span(triangles_).first(
+           half_edge_count() / 3)) {
     for (const uint32_t v : corners) ++outgoing_begin_[v + 1];
   }
   std::partial_sum(outgoing_begin_.begin(), outgoing_begin_.end(),
                    outgoing_begin_.begin());
-  outgoing_.resize(3 * soup.triangles.size());
+  outgoing_.resize(half_edge_count());
   std::vector<uint32_t> fill(outgoing_begin_.begin(),
                              outgoing_begin_.end() - 1);
   // In order of faces, wherever these are kept.
-  for (uint32_t face = 0; face < soup.triangles.size(); ++face) {
+  for (uint32_t face = 0; face < face_count(); ++face) {
+    if (IsLeftOut(face)) continue;
     HalfEdge h = FirstSide(face);
     for (const uint32_t v : soup.triangles[face]) outgoing_[fill[v]++] = h++;
   }

@@ -7,47 +7,25 @@
 #include <span>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
+#include "geodesic/checkpoint.h"
+#include "mesh/close_edges.h"
+#include "mesh/disjoint_sets.h"
 #include "mesh/locality.h"
 #include "tolerances.h"
 
 namespace geodesic {
 namespace {
 
-// Numbers in disjoint sets (union by halving paths).
-class DisjointSets {
- public:
-  explicit DisjointSets(uint32_t size) : parent_(size), count_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-
-  uint32_t Find(uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  void Join(uint32_t a, uint32_t b) {
-    a = Find(a);
-    b = Find(b);
-    if (a == b) return;
-    parent_[std::max(a, b)] = std::min(a, b);
-    --count_;
-  }
-
-  uint64_t count() const { return count_; }
-
- private:
-  std::vector<uint32_t> parent_;
-  uint64_t count_;
-};
-
 // Whether faces can be turned over so that all agree. O(F).
 bool IsOrientable(const Mesh& mesh) {
   if (!mesh.HasIrregularEdges()) return true;
   enum : uint8_t { kUnseen, kAsIs, kTurned };
-  std::vector<uint8_t> sides(mesh.face_count(), kUnseen);
+  const uint32_t faces = mesh.half_edge_count() / 3;
+  std::vector<uint8_t> sides(faces, kUnseen);
   std::vector<uint32_t> stack;
   bool is_orientable = true;
-  for (uint32_t start = 0; start < mesh.face_count(); ++start) {
+  for (uint32_t start = 0; start < faces; ++start) {
     if (sides[start] != kUnseen) continue;
     sides[start] = kAsIs;
     stack.push_back(start);
@@ -130,13 +108,14 @@ uint64_t CountBoundaryLoops(const Mesh& mesh,
 class Survey {
  public:
   Survey(const Mesh& mesh, MeshSummary& summary)
-      : mesh_(mesh), summary_(summary), pieces_(mesh.face_count()) {
+      : mesh_(mesh), summary_(summary), pieces_(mesh.half_edge_count() / 3) {
     double anisotropy_sum = 0;
-    for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const uint32_t faces = mesh.half_edge_count() / 3;
+    for (uint32_t f = 0; f < faces; ++f) {
       anisotropy_sum += MeasureFace(f);
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) CountSide(h);
     }
-    const uint64_t with_area = mesh.face_count() - summary.degenerate_faces;
+    const uint64_t with_area = faces - summary.degenerate_faces;
     if (with_area > 0) {
       summary.anisotropy = anisotropy_sum / static_cast<double>(with_area);
     }
@@ -194,6 +173,51 @@ class Survey {
 
 }  // namespace
 
+namespace {
+
+// Three digits that are no less.
+double RoundedUp(double x) {
+  if (x == 0) return 0;
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 2);
+  return std::ceil(x / unit) * unit;
+}
+
+// Counts boundary edges that were perhaps meant to be joined.
+void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
+                     MeshSummary& summary) {
+  std::vector<VertexPair> edges;
+  edges.reserve(boundary.size());
+  double length = 0;
+  for (const HalfEdge h : boundary) {
+    const auto [low, high] = std::minmax(mesh.From(h), mesh.To(h));
+    edges.push_back({low, high});
+    length += std::ldexp(mesh.frame(h).length, mesh.scale_exponent());
+  }
+  if (edges.empty()) return;
+  CloseEdges grid(mesh.positions(), edges,
+                  {.distance = kSuspicious * length /
+                               static_cast<double>(edges.size()),
+                   .part = kSuspicious});
+  NoCheckpoint checkpoint;
+  std::vector<ClosePair> pairs;
+  for (uint32_t i = 0; i < edges.size(); ++i) {
+    pairs.clear();
+    (void)grid.Find(i, checkpoint, pairs);
+    // The sides of one face are no seam.
+    std::erase_if(pairs, [&](const ClosePair& pair) {
+      return mesh.FaceOf(boundary[pair.first]) ==
+             mesh.FaceOf(boundary[pair.second]);
+    });
+    if (pairs.empty()) continue;
+    ++summary.close_edges;
+    summary.close_edge_distance =
+        std::max(summary.close_edge_distance,
+                 std::ranges::min(pairs, {}, &ClosePair::distance).distance);
+  }
+}
+
+}  // namespace
+
 MeshSummary Summarize(const Mesh& mesh) {
   MeshSummary summary;
   summary.vertices = mesh.vertex_count();
@@ -202,6 +226,12 @@ MeshSummary Summarize(const Mesh& mesh) {
   summary.mean_edge_length =
       std::ldexp(mesh.mean_edge_length(), mesh.scale_exponent());
   const Survey survey(mesh, summary);
+  CountCloseEdges(mesh, survey.boundary(), summary);
+  summary.left_out_faces = mesh.left_out_face_count();
+  summary.seam_edges = mesh.reading().seam_edges;
+  summary.joined_vertices = mesh.reading().joined.size();
+  summary.crossing_polygons = mesh.reading().crossing_polygons;
+  summary.first_crossing_polygon = mesh.reading().first_crossing_polygon;
   summary.is_orientable = IsOrientable(mesh);
   Fans fans(mesh);
   summary.boundary_loops = CountBoundaryLoops(mesh, survey.boundary(), fans);
@@ -209,7 +239,7 @@ MeshSummary Summarize(const Mesh& mesh) {
     // Euler's formula for the surface with touching fans pulled apart.
     summary.genus = (2 * static_cast<int64_t>(survey.pieces_through_edges()) -
                      static_cast<int64_t>(summary.boundary_loops +
-                                          fans.count() + summary.faces) +
+                                          fans.count() + mesh.half_edge_count() / 3) +
                      static_cast<int64_t>(summary.edges)) /
                     2;
   }
@@ -222,7 +252,34 @@ MeshSummary Summarize(const Mesh& mesh) {
     summary.saddle_vertices += mesh.IsSaddle(v);
     summary.non_manifold_vertices += mesh.IsNonManifold(v);
   }
+  summary.isolated_vertices -= summary.joined_vertices;
   return summary;
+}
+
+std::vector<std::string> Notes(const MeshSummary& summary) {
+  std::vector<std::string> notes;
+  if (summary.seam_edges > 0) {
+    notes.push_back(absl::StrCat("joined ", summary.seam_edges, " seam edges"));
+  }
+  if (summary.left_out_faces > 0) {
+    notes.push_back(absl::StrCat("left out ", summary.left_out_faces,
+                                 " faces that name a vertex twice"));
+  }
+  if (summary.crossing_polygons > 0) {
+    notes.push_back(absl::StrCat(
+        summary.crossing_polygons,
+        " polygons cross themselves, so that their triangles lie over each "
+        "other: the first is face ",
+        summary.first_crossing_polygon, " of the file"));
+  }
+  if (summary.close_edges > 0) {
+    notes.push_back(absl::StrCat(
+        summary.close_edges, " boundary edges lie within ",
+        RoundedUp(summary.close_edge_distance),
+        " of others and are not joined; weld within that distance to join "
+        "them"));
+  }
+  return notes;
 }
 
 }  // namespace geodesic

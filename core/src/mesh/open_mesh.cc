@@ -50,6 +50,7 @@ TriMesh ToOpenMesh(const Mesh& mesh) {
     }
   }
   for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.IsLeftOut(f)) continue;
     const FaceHandle face = kernel.new_face();
     const HalfEdge first = mesh.FirstSide(f);
     kernel.set_halfedge_handle(face, handles[first]);

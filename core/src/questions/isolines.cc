@@ -172,7 +172,7 @@ class LevelCrossings {
   // Errors: as Settle.
   absl::Status Finish(std::span<const double> distances, const Poll& poll) {
     for (uint32_t face = 0; face < mesh_.face_count(); ++face) {
-      if (band_.IsClosed(face)) continue;
+      if (mesh_.IsLeftOut(face) || band_.IsClosed(face)) continue;
       // What crosses a face comes from one of its corners, from a source in it
       // or through it.
       const auto& [a, b, c] = mesh_.triangle(face);

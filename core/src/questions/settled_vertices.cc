@@ -19,6 +19,11 @@ std::vector<SettledVertex> SettledVertices::Collect(const Progress& progress) {
       settled.push_back({v, distance});
     }
   }
+  for (const auto& [vertex, into] : mesh_->reading().joined) {
+    if (given_[vertex] || !given_[into]) continue;
+    given_[vertex] = true;
+    settled.push_back({vertex, progress.distances[into] * progress.unit});
+  }
   std::ranges::sort(settled, {}, [](const SettledVertex& vertex) {
     return std::tie(vertex.distance, vertex.vertex);
   });

@@ -1,8 +1,8 @@
 // glTF 2.0 (".glb", ".gltf"): the triangles of a scene, in its coordinates.
 //
-// glTF repeats vertices where normals or colours jump, so vertices are welded
-// by exact coordinates, in order of first appearance. Skins and morphs are left
-// as they were modelled.
+// The vertices of each node follow those of the nodes before, in the order of
+// the accessors that its primitives name first. Skins and morphs are left as
+// they were modelled.
 
 #include <array>
 #include <cmath>
@@ -21,17 +21,11 @@
 #include "readers/messages.h"
 #include "readers/readers.h"
 #include "readers/soup_builder.h"
-#include "readers/vertex_welder.h"
 
 namespace geodesic {
 namespace {
 
 using Json = nlohmann::json;
-
-// Of each vertex, on average, where there are more than a few. Flat shading
-// repeats them six times.
-constexpr uint64_t kMostRepeats = 64;
-constexpr uint64_t kFewVertices = uint64_t{1} << 16;
 
 enum Mode : uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
 
@@ -113,7 +107,7 @@ std::optional<Placement> PlacementOf(const Json& node) {
 class GltfReader {
  public:
   GltfReader(const GltfFile& file, const ReadLimits& limits)
-      : file_(file), builder_(limits), welder_(builder_) {}
+      : file_(file), builder_(limits) {}
 
   absl::StatusOr<TriangleSoup> Read() {
     const Json* const nodes = GltfMember(file_.scene(), "nodes");
@@ -133,13 +127,22 @@ class GltfReader {
         if (!ReadNode(node, placement)) break;
       }
     }
-    return std::move(builder_).Take();
+    absl::StatusOr<TriangleSoup> soup = std::move(builder_).Take();
+    // The standard has no other coordinates, wherever they are put.
+    if (soup.ok()) soup->is_single_precision = true;
+    return soup;
   }
 
  private:
   struct Visit {
     uint64_t node;
     Placement parent;
+  };
+
+  // An accessor's, as the builder numbers them.
+  struct Vertices {
+    uint64_t first = 0;
+    uint64_t count = 0;
   };
 
   template <typename... Parts>
@@ -193,7 +196,7 @@ class GltfReader {
     const Json* const primitives = GltfMember(mesh, "primitives");
     if (primitives == nullptr || !primitives->is_array()) return true;
     // Parts of a mesh often share their vertices.
-    std::map<uint64_t, std::vector<uint32_t>> vertices;
+    std::map<uint64_t, Vertices> vertices;
     for (const Json& primitive : *primitives) {
       const uint64_t mode = GltfNumber(primitive, "mode", kTriangles);
       if (mode < kTriangles) continue;  // points and lines
@@ -219,10 +222,10 @@ class GltfReader {
   }
 
   bool AddVertices(uint64_t mesh, uint64_t accessor, const Placement& placement,
-                   std::vector<uint32_t>& vertices) {
+                   Vertices& vertices) {
     const absl::StatusOr<GltfNumbers> points = file_.Accessor(accessor, "VEC3");
     if (!points.ok()) return RefuseMesh(mesh, points.status());
-    vertices.reserve(points->count());
+    vertices = {.first = builder_.vertices(), .count = points->count()};
     for (uint64_t i = 0; i < points->count(); ++i) {
       const Point point = placement.Move(
           {points->Real(i, 0), points->Real(i, 1), points->Real(i, 2)});
@@ -231,20 +234,13 @@ class GltfReader {
         return Refuse("mesh ", mesh, ": vertex ", i, " of accessor ", accessor,
                       " is not finite where its node puts it");
       }
-      const std::optional<uint32_t> vertex = welder_.Vertex(point);
-      if (!vertex.has_value()) return false;
-      vertices.push_back(*vertex);
+      if (!builder_.AddVertex(point)) return false;
     }
-    // Welded vertices take no memory, but time.
-    vertices_read_ += points->count();
-    return vertices_read_ <=
-               kMostRepeats * builder_.vertices() + kFewVertices ||
-           Refuse("the scene repeats its vertices more than ", kMostRepeats,
-                  " times");
+    return true;
   }
 
   bool AddFaces(uint64_t mesh, const Json& primitive, uint64_t mode,
-                const std::vector<uint32_t>& vertices) {
+                const Vertices& vertices) {
     std::optional<GltfNumbers> indices;
     if (GltfMember(primitive, "indices") != nullptr) {
       absl::StatusOr<GltfNumbers> found = file_.Accessor(
@@ -253,7 +249,7 @@ class GltfReader {
       indices = *found;
     }
     const uint64_t corners =
-        indices.has_value() ? indices->count() : vertices.size();
+        indices.has_value() ? indices->count() : vertices.count;
     if (mode == kTriangles && corners % 3 != 0) {
       return Refuse("mesh ", mesh, ": ", corners,
                     " corners are no whole number of triangles");
@@ -268,12 +264,15 @@ class GltfReader {
       for (const uint64_t corner : face) {
         const uint64_t vertex =
             indices.has_value() ? indices->Index(corner) : corner;
-        if (vertex >= vertices.size()) {
+        if (vertex >= vertices.count) {
           return Refuse(
               "mesh ", mesh, ": corner ", corner,
-              NamesNoVertex(static_cast<int64_t>(vertex), vertices.size()));
+              NamesNoVertex(static_cast<int64_t>(vertex), vertices.count));
         }
-        if (!builder_.AddCorner(vertices[vertex])) return false;
+        if (!builder_.AddCorner(
+                static_cast<uint32_t>(vertices.first + vertex))) {
+          return false;
+        }
       }
     }
     return true;
@@ -285,10 +284,8 @@ class GltfReader {
 
   const GltfFile& file_;
   SoupBuilder builder_;
-  VertexWelder welder_;
   std::vector<bool> is_placed_;  // by node
   std::vector<Visit> to_visit_;
-  uint64_t vertices_read_ = 0;
 };
 
 }  // namespace

@@ -11,7 +11,9 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
+#include "geodesic/checkpoint.h"
 #include "geodesic/gzip.h"
+#include "mesh/split_touching.h"
 #include "readers/messages.h"
 #include "readers/readers.h"
 #include "readers/text_scanner.h"
@@ -184,7 +186,18 @@ absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes, MeshFormat format,
       return status;
     }
   }
-  return known->read(bytes, limits);
+  absl::StatusOr<TriangleSoup> soup = known->read(bytes, limits);
+  if (!soup.ok()) return soup;
+  if (format == MeshFormat::kStl &&
+      limits.welding.kind != Welding::Kind::kNone) {
+    SplitTouching(*soup);
+  }
+  NoCheckpoint goes_on;
+  const absl::Status status =
+      JoinSeams(limits.welding, *soup,
+                limits.checkpoint != nullptr ? *limits.checkpoint : goes_on);
+  if (!status.ok()) return status;
+  return soup;
 }
 
 }  // namespace geodesic

@@ -24,10 +24,14 @@ bool Is(std::string_view token, absl::string_view keyword) {
                                 keyword);
 }
 
+bool Welds(const ReadLimits& limits) {
+  return limits.welding.kind != Welding::Kind::kNone;
+}
+
 class AsciiStlReader : TextReader {
  public:
   AsciiStlReader(std::string_view bytes, const ReadLimits& limits)
-      : TextReader(bytes, limits), welder_(builder_) {}
+      : TextReader(bytes, limits), welder_(builder_, Welds(limits)) {}
 
   absl::StatusOr<TriangleSoup> Read() {
     for (std::string_view token = Take(); !token.empty(); token = Take()) {
@@ -150,7 +154,7 @@ absl::StatusOr<TriangleSoup> ReadBinaryStl(std::string_view bytes,
                   " bytes, but the file has ", bytes.size());
   }
   SoupBuilder builder(limits);
-  VertexWelder welder(builder);
+  VertexWelder welder(builder, Welds(limits));
   bool goes_on = builder.ReserveTriangles(facets);
   for (uint64_t facet = 0; facet < facets && goes_on; ++facet) {
     goes_on = ReadFacet(bytes, facet, builder, welder);

@@ -1,10 +1,9 @@
-// Gives indices to vertices that a file repeats instead of numbering.
+// Gives numbers to the vertices of a file that has none.
 
 #ifndef GEODESIC_READERS_VERTEX_WELDER_H_
 #define GEODESIC_READERS_VERTEX_WELDER_H_
 
 #include <cstdint>
-#include <optional>
 
 #include "absl/container/flat_hash_map.h"
 #include "geodesic/triangle_soup.h"
@@ -14,25 +13,24 @@ namespace geodesic {
 
 class VertexWelder {
  public:
-  explicit VertexWelder(SoupBuilder& builder) : builder_(builder) {}
+  // `welds`: equal coordinates (-0 equals 0) have one number. Otherwise each
+  // corner has its own.
+  VertexWelder(SoupBuilder& builder, bool welds)
+      : builder_(builder), welds_(welds) {}
 
-  // The vertex at `point`, made when no vertex has equal coordinates (-0 equals
-  // 0) yet; empty if the builder refuses it. REQUIRES: finite.
-  std::optional<uint32_t> Vertex(const Point& point) {
-    const auto [entry, is_new] =
-        indices_.try_emplace(point, static_cast<uint32_t>(builder_.vertices()));
-    if (is_new && !builder_.AddVertex(point)) return std::nullopt;
-    return entry->second;
-  }
-
-  // Adds the vertex as a corner to the face at hand. Whether to go on.
+  // Adds the vertex at `point`, in order of first appearance, as a corner to
+  // the face at hand. Whether to go on. REQUIRES: finite.
   bool AddCorner(const Point& point) {
-    const std::optional<uint32_t> vertex = Vertex(point);
-    return vertex.has_value() && builder_.AddCorner(*vertex);
+    const auto next = static_cast<uint32_t>(builder_.vertices());
+    const uint32_t vertex =
+        welds_ ? indices_.try_emplace(point, next).first->second : next;
+    return (vertex != next || builder_.AddVertex(point)) &&
+           builder_.AddCorner(vertex);
   }
 
  private:
   SoupBuilder& builder_;
+  const bool welds_;
   // Its hash is seeded, so no file can be made to collide.
   absl::flat_hash_map<Point, uint32_t> indices_;
 };

@@ -96,6 +96,11 @@ class Propagation final : public Computation {
                 : targets.ArrivalAt(t, distances, field.arrivals));
       }
     }
+    mesh().SpreadToJoined(field.distances);
+    if constexpr (Accuracy::kMerges) {
+      mesh().SpreadToJoined(field.certified_errors);
+    }
+    if (traces_) mesh().SpreadToJoined(field.arrivals);
     field.statistics.iterations = queue_.iterations();
     field.statistics.windows_created = rule_.created();
     field.statistics.peak_windows = rule_.peak_windows();

@@ -42,7 +42,8 @@ absl::Status CheckPoint(const EdgePoint& point, const Mesh& mesh,
     return InvalidField(t,
                         absl::StrCat(t, " ", point.t, " is not within [0, 1]"));
   }
-  if (SidesOf(mesh, point.from, point.to).empty()) {
+  if (SidesOf(mesh, mesh.JoinedInto(point.from), mesh.JoinedInto(point.to))
+          .empty()) {
     return InvalidField(
         edge, absl::StrCat(edge, ": the mesh has no edge between vertices ",
                            point.from, " and ", point.to,
@@ -56,6 +57,13 @@ absl::Status CheckPoint(const FacePoint& point, const Mesh& mesh,
   absl::Status status = CheckNumber(point.face, mesh.face_count(), "faces",
                                     absl::StrCat(path, ".face.face"));
   if (!status.ok()) return status;
+  if (mesh.IsLeftOut(point.face)) {
+    const std::string face = absl::StrCat(path, ".face.face");
+    return InvalidField(
+        face, absl::StrCat(face, " ", point.face,
+                           " names a vertex twice, so that it is no part of "
+                           "the surface"));
+  }
   const std::string weights = absl::StrCat(path, ".face.weights");
   double sum = 0;
   for (size_t i = 0; i < 3; ++i) {
@@ -80,13 +88,18 @@ absl::Status CheckPoint(const FacePoint& point, const Mesh& mesh,
   return absl::OkStatus();
 }
 
-SurfacePoint Canonical(const VertexPoint& point, const Mesh&) { return point; }
+SurfacePoint Canonical(const VertexPoint& point, const Mesh& mesh) {
+  return VertexPoint{mesh.JoinedInto(point.vertex)};
+}
 
-SurfacePoint Canonical(const EdgePoint& point, const Mesh&) {
+SurfacePoint Canonical(const EdgePoint& point, const Mesh& mesh) {
+  const EdgePoint joined = {mesh.JoinedInto(point.from),
+                            mesh.JoinedInto(point.to), point.t};
   // Turned round first: 1 - t may round to 1.
-  const EdgePoint turned = point.from < point.to
-                               ? point
-                               : EdgePoint{point.to, point.from, 1 - point.t};
+  const EdgePoint turned =
+      joined.from < joined.to
+          ? joined
+          : EdgePoint{joined.to, joined.from, 1 - joined.t};
   if (turned.t <= kLeastWeight) return VertexPoint{turned.from};
   if (turned.t == 1) return VertexPoint{turned.to};
   return turned;

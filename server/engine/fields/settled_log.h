@@ -21,6 +21,10 @@ namespace geodesic::server {
 // Thread-safe; one writer.
 class SettledLog {
  public:
+  // Of a field on `mesh`.
+  explicit SettledLog(std::shared_ptr<const Mesh> mesh)
+      : mesh_(std::move(mesh)), collector_(*mesh_) {}
+
   // The bytes of `vertices` entries.
   static uint64_t BytesFor(uint64_t vertices) {
     return vertices * sizeof(SettledVertex);
@@ -38,6 +42,7 @@ class SettledLog {
   std::vector<SettledVertex> Read(size_t begin, size_t count) const;
 
  private:
+  const std::shared_ptr<const Mesh> mesh_;
   SettledVertices collector_;  // the writer's
 
   mutable std::mutex mutex_;

@@ -18,6 +18,7 @@
 #include "absl/status/statusor.h"
 #include "geodesic/approximate/prepare.h"
 #include "geodesic/checkpoint.h"
+#include "geodesic/join_seams.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
 #include "geodesic/triangle_soup.h"
@@ -36,12 +37,14 @@ struct UploadHeader {
   uint64_t face_count = 0;
   // If not empty, a mesh with another digest is refused.
   std::string expected_digest;
+  Welding welding;
 };
 
 // Names a file as the client holds it.
 struct FileKey {
   UploadFormat format = UploadFormat::kArrays;
   std::string sha256;
+  Welding welding = {};
 
   friend auto operator<=>(const FileKey&, const FileKey&) = default;
 };

@@ -15,7 +15,8 @@
 namespace geodesic::server {
 
 // The arrays are hashed as they lie in memory.
-static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12);
+static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12 &&
+              sizeof(JoinedVertex) == 8);
 
 // The bytes that the digest covers before the arrays: a tag and the two counts.
 inline std::string MeshDigestHead(uint64_t vertices, uint64_t faces) {
@@ -25,14 +26,26 @@ inline std::string MeshDigestHead(uint64_t vertices, uint64_t faces) {
   return head;
 }
 
-// The lower-case hexadecimal sha-256 of the canonical arrays, as the head of
-// proto/geodesic/v1/mesh.proto defines it. O(V + F). Thread-safe.
-inline std::string MeshDigest(std::span<const Point> positions,
-                              std::span<const Triangle> triangles) {
+// The numbers that the digest covers behind the arrays, but for the joined
+// vertices; none if nothing was joined or guessed.
+inline std::string MeshDigestTail(const Reading& reading) {
+  if (reading.is_plain()) return {};
+  const std::array<uint64_t, 4> numbers = {
+      reading.seam_edges, reading.crossing_polygons,
+      reading.first_crossing_polygon, reading.joined.size()};
+  return std::string(AsBytes(numbers));
+}
+
+// The lower-case hexadecimal sha-256 of the canonical arrays and what was
+// joined, as the head of proto/geodesic/v1/mesh.proto defines it. O(V + F).
+// Thread-safe.
+inline std::string MeshDigest(const TriangleSoup& soup) {
   Sha256 hash;
-  hash.Update(MeshDigestHead(positions.size(), triangles.size()));
-  hash.Update(AsBytes(positions));
-  hash.Update(AsBytes(triangles));
+  hash.Update(MeshDigestHead(soup.positions.size(), soup.triangles.size()));
+  hash.Update(AsBytes(soup.positions));
+  hash.Update(AsBytes(soup.triangles));
+  hash.Update(MeshDigestTail(soup.reading));
+  hash.Update(AsBytes(soup.reading.joined));
   return hash.FinishHex();
 }
 

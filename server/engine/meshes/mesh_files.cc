@@ -32,6 +32,13 @@ void VisitNumbers(Summary& summary, Visit visit) {
   visit(summary.is_orientable);
   visit(summary.saddle_vertices);
   visit(summary.degenerate_faces);
+  visit(summary.left_out_faces);
+  visit(summary.seam_edges);
+  visit(summary.joined_vertices);
+  visit(summary.crossing_polygons);
+  visit(summary.first_crossing_polygon);
+  visit(summary.close_edges);
+  visit(summary.close_edge_distance);
   for (auto& x : summary.bounding_box_min) visit(x);
   for (auto& x : summary.bounding_box_max) visit(x);
   visit(summary.mean_edge_length);
@@ -53,6 +60,9 @@ std::string Encode(const MeshSummary& summary,
   writer.Put(file.has_value());
   writer.Put(static_cast<uint32_t>(file ? file->format : UploadFormat()));
   writer.PutString(file ? file->sha256 : "");
+  const Welding welding = file ? file->welding : Welding();
+  writer.Put(static_cast<uint32_t>(welding.kind));
+  writer.Put(welding.distance);
   return writer.bytes();
 }
 
@@ -73,6 +83,10 @@ std::optional<Metadata> Decode(std::string_view bytes) {
         reader.Get(has_file);
         reader.Get(format);
         reader.GetString(file.sha256);
+        uint32_t kind = 0;
+        reader.Get(kind);
+        reader.Get(file.welding.distance);
+        file.welding.kind = static_cast<Welding::Kind>(kind);
         file.format = static_cast<UploadFormat>(format);
         if (has_file) metadata.file = std::move(file);
       });
@@ -131,22 +145,23 @@ std::vector<MeshDescription> MeshFiles::List(const std::string& after,
 absl::Status MeshFiles::Admit(uint64_t vertices, uint64_t faces) {
   // Metadata of the largest size.
   const std::string metadata =
-      Encode(MeshSummary(), FileKey{UploadFormat::kVtp, std::string(64, '0')});
+      Encode(MeshSummary(), FileKey{.format = UploadFormat::kVtp,
+                                     .sha256 = std::string(64, '0')});
   return blobs_->Admit(MeshBodyBytes(vertices, faces), metadata.size());
 }
 
 absl::Status MeshFiles::Put(const ResidentMesh& mesh,
                             const std::optional<FileKey>& file) {
   const Mesh& arrays = *mesh.mesh;
-  absl::Status status = Admit(arrays.vertex_count(), arrays.face_count());
+  const std::string metadata = Encode(mesh.summary, file);
+  const uint64_t bytes = MeshBodyBytes(arrays);
+  absl::Status status = blobs_->Admit(bytes, metadata.size());
   if (!status.ok()) return status;
   const auto write = [&](BlobSink& sink) {
     return WriteMeshBody(
         arrays, [&](std::string_view bytes) { return sink.Append(bytes); });
   };
-  status = blobs_->Put(
-      mesh.digest, Encode(mesh.summary, file),
-      MeshBodyBytes(arrays.vertex_count(), arrays.face_count()), write);
+  status = blobs_->Put(mesh.digest, metadata, bytes, write);
   if (status.ok()) return status;
   return WithRetryAfter(
       absl::Status(status.code(),

@@ -484,7 +484,7 @@ absl::StatusOr<MeshHandle> MeshLibrary::Fetch(MeshLoad& load,
   absl::StatusOr<TriangleSoup> soup = siblings_->Read(*load.found, checkpoint);
   if (!soup.ok()) return soup.status();
   absl::StatusOr<std::shared_ptr<const Mesh>> built =
-      MeshDigest(soup->positions, soup->triangles) == load.digest
+      MeshDigest(*soup) == load.digest
           ? Mesh::Build(*std::move(soup), checkpoint)
           : absl::InvalidArgumentError("its digest is another one");
   if (absl::IsInvalidArgument(built.status())) {

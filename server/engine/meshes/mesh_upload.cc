@@ -123,7 +123,8 @@ MeshFormat FileFormat(UploadFormat format) {
 
 uint64_t SoupBytes(const TriangleSoup& soup) {
   return soup.positions.capacity() * sizeof(Point) +
-         soup.triangles.capacity() * sizeof(Triangle);
+         soup.triangles.capacity() * sizeof(Triangle) +
+         soup.reading.joined.capacity() * sizeof(JoinedVertex);
 }
 
 }  // namespace
@@ -192,7 +193,7 @@ absl::Status MeshUpload::Finish() {
                      " bytes that header.size_bytes announced"));
   }
   if (header_.format != UploadFormat::kArrays) {
-    file_ = {header_.format, hash_.FinishHex()};
+    file_ = {header_.format, hash_.FinishHex(), header_.welding};
     if (const std::string_view file = Bytes(); IsGzip(file)) {
       inflated_bound_ =
           std::min(PromisedGzipBytes(file), limits_.max_upload_bytes);
@@ -249,12 +250,13 @@ absl::StatusOr<bool> MeshUpload::Parse(Checkpoint& checkpoint) {
   const ReadLimits within = LimitsWithin(SoupBound());
   absl::StatusOr<TriangleSoup> soup =
       header_.format == UploadFormat::kArrays
-          ? ParseArrays()
+          ? ParseArrays(checkpoint)
           : ParseFile({.max_vertices =
                            std::min(own.max_vertices, within.max_vertices),
                        .max_triangles =
                            std::min(own.max_triangles, within.max_triangles),
-                       .checkpoint = &checkpoint});
+                       .checkpoint = &checkpoint,
+                       .welding = header_.welding});
   if (absl::IsResourceExhausted(soup.status()) &&
       soup_factor_ < LastFactor(header_) &&
       (within.max_vertices < own.max_vertices ||
@@ -266,7 +268,7 @@ absl::StatusOr<bool> MeshUpload::Parse(Checkpoint& checkpoint) {
   std::vector<char>().swap(bytes_);
   reservation_.ShrinkTo(SoupBytes(*soup));
   if (absl::Status s = checkpoint.Poll({}); !s.ok()) return s;
-  digest_ = MeshDigest(soup->positions, soup->triangles);
+  digest_ = MeshDigest(*soup);
   const std::string& expected = header_.expected_digest;
   if (!expected.empty() && expected != digest_) {
     return InvalidField("header.expected_digest",
@@ -277,7 +279,8 @@ absl::StatusOr<bool> MeshUpload::Parse(Checkpoint& checkpoint) {
   return true;
 }
 
-absl::StatusOr<TriangleSoup> MeshUpload::ParseArrays() const {
+absl::StatusOr<TriangleSoup> MeshUpload::ParseArrays(
+    Checkpoint& checkpoint) const {
   TriangleSoup soup;
   soup.positions.resize(header_.vertex_count);
   soup.triangles.resize(header_.face_count);
@@ -289,6 +292,8 @@ absl::StatusOr<TriangleSoup> MeshUpload::ParseArrays() const {
     std::memcpy(soup.triangles.data(), bytes_.data() + position_bytes,
                 soup.triangles.size() * sizeof(Triangle));
   }
+  absl::Status status = JoinSeams(header_.welding, soup, checkpoint);
+  if (!status.ok()) return status;
   return soup;
 }
 

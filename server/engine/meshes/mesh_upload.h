@@ -84,7 +84,7 @@ class MeshUpload {
   // Decompresses the bytes, or doubts how much they hold.
   absl::Status Inflate(Checkpoint& checkpoint);
   absl::Status FreeAndExplain(const absl::Status& status);
-  absl::StatusOr<TriangleSoup> ParseArrays() const;
+  absl::StatusOr<TriangleSoup> ParseArrays(Checkpoint& checkpoint) const;
   absl::StatusOr<TriangleSoup> ParseFile(const ReadLimits& limits) const;
 
   const UploadHeader header_;

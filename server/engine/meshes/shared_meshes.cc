@@ -50,7 +50,7 @@ absl::StatusOr<SiblingMesh> SharedMeshes::Find(const std::string& digest,
     const auto look = [&](std::string_view metadata, BlobBody& body) {
       found = Decode(metadata);
       if (!found || found->vertices > kMostCount || found->faces > kMostCount ||
-          body.bytes_left() != MeshBodyBytes(found->vertices, found->faces)) {
+          !IsMeshBodySize(body.bytes_left(), found->vertices, found->faces)) {
         found.reset();
         return absl::NotFoundError("the mesh that is kept is of no use here");
       }
@@ -97,8 +97,7 @@ absl::StatusOr<TriangleSoup> SharedMeshes::Read(const SiblingMesh& mesh,
 
 void SharedMeshes::Spread(const MeshHandle& mesh) {
   const std::string metadata = Encode(*mesh->mesh);
-  const uint64_t bytes =
-      MeshBodyBytes(mesh->mesh->vertex_count(), mesh->mesh->face_count());
+  const uint64_t bytes = MeshBodyBytes(*mesh->mesh);
   if (tier_.Admit(bytes, metadata.size()).ok()) {
     // What cannot be shared is no fault of the upload.
     (void)Guarded("shared a mesh", [&] {

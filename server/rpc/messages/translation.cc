@@ -356,6 +356,9 @@ v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
   v1::AnswerHeader header;
   header.set_mesh_digest(mesh.digest);
   header.set_vertex_count(mesh.mesh->vertex_count());
+  for (std::string& note : Notes(mesh.summary)) {
+    header.add_mesh_notes(std::move(note));
+  }
   header.set_algorithm(ToProto(algorithm));
   header.set_relative_tolerance(RelativeTolerance(algorithm, tolerance));
   header.set_server_version(version);
@@ -499,6 +502,12 @@ v1::Mesh ToProto(const MeshDescription& mesh) {
   proto.set_non_manifold_vertex_count(summary.non_manifold_vertices);
   proto.set_inconsistent_edge_count(summary.inconsistent_edges);
   proto.set_orientable(summary.is_orientable);
+  for (std::string& note : Notes(summary)) proto.add_notes(std::move(note));
+  proto.set_seam_edge_count(summary.seam_edges);
+  proto.set_joined_vertex_count(summary.joined_vertices);
+  proto.set_left_out_face_count(summary.left_out_faces);
+  proto.set_close_edge_count(summary.close_edges);
+  proto.set_close_edge_distance(summary.close_edge_distance);
   for (const MethodDescription& method : mesh.methods) {
     v1::PreparedMethod& prepared = *proto.add_prepared_methods();
     prepared.set_algorithm(ToProto(method.choice.method));
@@ -515,7 +524,49 @@ v1::FileDigest ToProto(const FileKey& file) {
     if (format == file.format) proto.set_format(value);
   }
   proto.set_sha256(file.sha256);
+  if (file.welding.kind == Welding::Kind::kWithin) {
+    proto.set_weld_distance(file.welding.distance);
+  }
+  proto.set_keep_seams(file.welding.kind == Welding::Kind::kNone);
   return proto;
+}
+
+namespace {
+
+// Of an UploadHeader or a FileDigest, whose path is `path`. Arrays are joined
+// only if that is asked for.
+template <typename Message>
+absl::StatusOr<Welding> WeldingFromProto(const Message& message,
+                                         UploadFormat format,
+                                         const std::string& path) {
+  if (message.has_weld_distance() && message.keep_seams()) {
+    return InvalidField(absl::StrCat(path, "keep_seams"),
+                        absl::StrCat(path, "keep_seams and ", path,
+                                     "weld_distance exclude each other"));
+  }
+  if (message.has_weld_distance()) {
+    const Welding welding{.kind = Welding::Kind::kWithin,
+                          .distance = message.weld_distance()};
+    const absl::Status status = Validate(welding);
+    if (status.ok()) return welding;
+    const std::string field = absl::StrCat(path, "weld_distance");
+    return InvalidField(field, absl::StrCat(field, ": ", status.message()));
+  }
+  const bool keeps = message.keep_seams() || format == UploadFormat::kArrays;
+  return Welding{.kind = keeps ? Welding::Kind::kNone : Welding::Kind::kSeams};
+}
+
+}  // namespace
+
+absl::StatusOr<FileKey> FromProto(const v1::FileDigest& file,
+                                  const std::string& path) {
+  absl::StatusOr<UploadFormat> format =
+      FromProto(file.format(), absl::StrCat(path, ".format"));
+  if (!format.ok()) return format.status();
+  absl::StatusOr<Welding> welding =
+      WeldingFromProto(file, *format, absl::StrCat(path, "."));
+  if (!welding.ok()) return welding.status();
+  return FileKey{*format, file.sha256(), *welding};
 }
 
 absl::StatusOr<UploadFormat> FromProto(v1::MeshFormat format,
@@ -534,11 +585,15 @@ absl::StatusOr<UploadHeader> FromProto(const v1::UploadHeader& header) {
   absl::StatusOr<UploadFormat> format =
       FromProto(header.format(), "header.format");
   if (!format.ok()) return format.status();
+  absl::StatusOr<Welding> welding =
+      WeldingFromProto(header, *format, "header.");
+  if (!welding.ok()) return welding.status();
   return UploadHeader{.format = *format,
                       .size_bytes = header.size_bytes(),
                       .vertex_count = header.vertex_count(),
                       .face_count = header.face_count(),
-                      .expected_digest = header.expected_digest()};
+                      .expected_digest = header.expected_digest(),
+                      .welding = *welding};
 }
 
 }  // namespace geodesic::server

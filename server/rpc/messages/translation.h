@@ -165,6 +165,9 @@ inline constexpr std::pair<UploadFormat, v1::MeshFormat> kMeshFormats[] = {
 
 v1::Mesh ToProto(const MeshDescription& mesh);
 v1::FileDigest ToProto(const FileKey& file);
+// `path` is the message's. Errors: INVALID_ARGUMENT naming the field.
+absl::StatusOr<FileKey> FromProto(const v1::FileDigest& file,
+                                  const std::string& path);
 
 // Errors of these: INVALID_ARGUMENT naming `field`, the path of the value in
 // the request.

@@ -1,4 +1,4 @@
-// Arrays of points or triangles in chunks of bytes, as they lie in memory.
+// Arrays of points, triangles or joined vertices in chunks of bytes, as they lie in memory.
 
 #ifndef GEODESIC_SERVER_RPC_STREAMS_ARRAY_CHUNKS_H_
 #define GEODESIC_SERVER_RPC_STREAMS_ARRAY_CHUNKS_H_
@@ -14,7 +14,8 @@
 namespace geodesic::server {
 
 static_assert(std::endian::native == std::endian::little);
-static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12);
+static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12 &&
+              sizeof(JoinedVertex) == 8);
 
 inline constexpr uint64_t kChunkBytes = uint64_t{512} << 10;
 

@@ -266,6 +266,9 @@ AlgorithmChoice FieldStream::algorithm() const {
 void FieldStream::FillHeader(v1::FieldHeader& header) const {
   header.set_mesh_digest(call_->mesh->digest);
   header.set_vertex_count(call_->mesh->mesh->vertex_count());
+  for (std::string& note : Notes(call_->mesh->summary)) {
+    header.add_mesh_notes(std::move(note));
+  }
   header.set_algorithm(ToProto(algorithm()));
   if (call_->method.has_value()) {
     *header.mutable_approximation() = ToProto(*call_->method);

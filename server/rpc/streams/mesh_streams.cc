@@ -35,6 +35,10 @@ absl::StatusOr<NextMessage> MeshStream::Fill(v1::ReadMeshResponse& message) {
     header.set_digest(mesh_->digest);
     header.set_vertex_count(mesh.vertex_count());
     header.set_face_count(mesh.face_count());
+    header.set_seam_edge_count(mesh.reading().seam_edges);
+    header.set_crossing_polygon_count(mesh.reading().crossing_polygons);
+    header.set_first_crossing_polygon(mesh.reading().first_crossing_polygon);
+    header.set_joined_vertex_count(mesh.reading().joined.size());
     return NextMessage::kSend;
   }
   if (next_vertex_ < mesh.vertex_count()) {
@@ -47,16 +51,29 @@ absl::StatusOr<NextMessage> MeshStream::Fill(v1::ReadMeshResponse& message) {
     entry().add_bytes(chunk.positions().size());
     return NextMessage::kSend;
   }
-  v1::FaceChunk& chunk = *message.mutable_faces();
-  chunk.set_first_face(next_face_);
-  next_face_ = FillChunk(
-      mesh.face_count(), next_face_,
-      [&](uint64_t face) -> const Triangle& { return mesh.triangle(face); },
-      *chunk.mutable_indices());
-  entry().add_bytes(chunk.indices().size());
-  // A mesh has at least one face.
-  return next_face_ < mesh.face_count() ? NextMessage::kSend
-                                        : NextMessage::kSendLast;
+  const std::vector<JoinedVertex>& joined = mesh.reading().joined;
+  if (next_face_ < mesh.face_count()) {
+    v1::FaceChunk& chunk = *message.mutable_faces();
+    chunk.set_first_face(next_face_);
+    next_face_ = FillChunk(
+        mesh.face_count(), next_face_,
+        [&](uint64_t face) -> const Triangle& { return mesh.triangle(face); },
+        *chunk.mutable_indices());
+    entry().add_bytes(chunk.indices().size());
+    // A mesh has at least one face.
+    return next_face_ < mesh.face_count() || !joined.empty()
+               ? NextMessage::kSend
+               : NextMessage::kSendLast;
+  }
+  v1::JoinedChunk& chunk = *message.mutable_joined();
+  chunk.set_first_pair(next_joined_);
+  next_joined_ = FillChunk(
+      joined.size(), next_joined_,
+      [&](uint64_t i) -> const JoinedVertex& { return joined[i]; },
+      *chunk.mutable_pairs());
+  entry().add_bytes(chunk.pairs().size());
+  return next_joined_ < joined.size() ? NextMessage::kSend
+                                      : NextMessage::kSendLast;
 }
 
 void UploadStream::OnReceived(bool ok) {

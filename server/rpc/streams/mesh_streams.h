@@ -18,7 +18,7 @@
 
 namespace geodesic::server {
 
-// One ReadMesh call: header, vertices, faces.
+// One ReadMesh call: header, vertices, faces, joined vertices.
 class MeshStream final
     : public AnswerStream<v1::ReadMeshRequest, v1::ReadMeshResponse> {
  public:
@@ -34,6 +34,7 @@ class MeshStream final
   bool has_header_ = false;
   uint64_t next_vertex_ = 0;
   uint64_t next_face_ = 0;
+  uint64_t next_joined_ = 0;
 };
 
 // One CreateMesh call: a header, chunks, then a job that builds the mesh. The

@@ -74,7 +74,6 @@ class FastMarching final : public PreparedMethod {
   void SplitAngle(HalfEdge h);
   void ListSplits();
 
-  const Mesh& mesh_;
   const MarchingQueue queue_;
   std::vector<bool> is_split_;  // by half-edge: the angle opposite
   std::vector<Split> splits_;

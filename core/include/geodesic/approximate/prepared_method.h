@@ -51,10 +51,17 @@ class PreparedMethod {
   // Bytes held beside the mesh.
   virtual uint64_t bytes() const = 0;
 
+  const Mesh& mesh() const { return mesh_; }
+
+ protected:
+  explicit PreparedMethod(const Mesh& mesh) : mesh_(mesh) {}
+
  private:
   // ApproximateField::distances.
   virtual absl::StatusOr<std::vector<double>> Compute(
       const ValidQuery& query, Checkpoint& checkpoint) const = 0;
+
+  const Mesh& mesh_;
 };
 
 }  // namespace geodesic

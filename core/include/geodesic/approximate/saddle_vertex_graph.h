@@ -81,7 +81,6 @@ class SaddleVertexGraph final : public PreparedMethod {
   ApproximateMethod method() const override;
   uint64_t bytes() const override;
 
-  const Mesh& mesh() const { return mesh_; }
   // Those of a vertex, in the order of their ends; each arc is there at both.
   std::span<const Arc> ArcsOf(uint32_t v) const {
     return {arcs_.data() + begin_[v], arcs_.data() + begin_[v + 1]};
@@ -97,10 +96,9 @@ class SaddleVertexGraph final : public PreparedMethod {
   absl::StatusOr<std::vector<double>> Compute(
       const ValidQuery& query, Checkpoint& checkpoint) const override;
 
-  explicit SaddleVertexGraph(const Mesh& mesh) : mesh_(mesh) {}
+  explicit SaddleVertexGraph(const Mesh& mesh) : PreparedMethod(mesh) {}
   void Join(const std::vector<std::vector<Arc>>& found);
 
-  const Mesh& mesh_;
   std::vector<uint64_t> begin_;  // V + 1
   std::vector<Arc> arcs_;
 };

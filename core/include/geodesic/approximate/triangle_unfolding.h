@@ -77,7 +77,7 @@ class TriangleUnfolding final : public PreparedMethod {
     std::array<float, 3> distances = {};
   };
 
-  explicit TriangleUnfolding(const Mesh& mesh) : mesh_(mesh) {}
+  explicit TriangleUnfolding(const Mesh& mesh) : PreparedMethod(mesh) {}
 
   float Between(uint32_t sample, uint32_t other) const {
     return between_[uint64_t{sample} * sample_count_ + other];
@@ -87,7 +87,6 @@ class TriangleUnfolding final : public PreparedMethod {
   // In the scaled unit.
   double ScaledDistance(uint32_t from, uint32_t to) const;
 
-  const Mesh& mesh_;
   uint32_t sample_count_ = 0;
   std::vector<float> between_;    // samples x samples, in the scaled unit
   std::vector<Corners> corners_;  // by vertex

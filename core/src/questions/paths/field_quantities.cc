@@ -104,6 +104,7 @@ absl::StatusOr<std::vector<Point>> Gradients(const Mesh& mesh,
   if (!traced.ok()) return traced.status();
   std::vector<Point> gradients(mesh.vertex_count());
   for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.Outgoing(v).empty()) continue;
     // Where vertices coincide a path arrives at the first of them.
     uint32_t at = v;
     for (uint32_t passed = 0; traced->IsVertex(at); ++passed) {
@@ -119,6 +120,7 @@ absl::StatusOr<std::vector<Point>> Gradients(const Mesh& mesh,
       at = from;
     }
   }
+  mesh.SpreadToJoined(gradients);
   return gradients;
 }
 

@@ -225,6 +225,7 @@ absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const ValidQuery& query,
   for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
     const double distance = field.distances[v] - sources[0].offset;
     map.coordinates.push_back({kNaN, kNaN});
+    if (mesh.Outgoing(v).empty()) continue;
     if (field.distances[v] > radius) continue;
     if (distance == 0) map.coordinates.back() = {0, 0};
     if (!(distance > 0) || std::isinf(distance)) continue;
@@ -233,6 +234,7 @@ absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const ValidQuery& query,
     map.coordinates.back() = {distance * std::cos(*angle),
                               distance * std::sin(*angle)};
   }
+  mesh.SpreadToJoined(map.coordinates);
   return map;
 }
 

@@ -1,0 +1,108 @@
+#include "mesh/close_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodesic {
+namespace {
+
+constexpr uint32_t kNone = 0xffffffffu;
+
+// Some milliseconds.
+constexpr uint64_t kBetweenPolls = uint64_t{1} << 16;
+
+// The numbers of cubes along an axis stay exact.
+constexpr double kMostCubes = 0x1p50;
+
+double Distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+}  // namespace
+
+CloseEdges::CloseEdges(std::span<const Point> positions,
+                       std::span<const VertexPair> edges,
+                       const Closeness& closeness)
+    : positions_(positions),
+      edges_(edges),
+      closeness_(closeness),
+      before_(edges.size(), kNone) {
+  double longest = 0, farthest = 0;
+  for (const VertexPair& edge : edges_) {
+    const Point& a = positions_[edge.low];
+    const Point& b = positions_[edge.high];
+    longest = std::max(longest, Distance(a, b));
+    for (int axis = 0; axis < 3; ++axis) {
+      farthest = std::max({farthest, std::abs(a[axis]), std::abs(b[axis])});
+    }
+  }
+  side_ = std::max({std::min(closeness_.distance, closeness_.part * longest),
+                    farthest / kMostCubes, 1e-300});
+  last_.reserve(edges_.size());
+  for (uint32_t i = 0; i < edges_.size(); ++i) {
+    const auto [entry, is_new] =
+        last_.try_emplace(CubeOf(Middle(edges_[i])), i);
+    if (!is_new) {
+      before_[i] = entry->second;
+      entry->second = i;
+    }
+  }
+}
+
+absl::Status CloseEdges::Find(uint32_t edge, Checkpoint& checkpoint,
+                              std::vector<ClosePair>& pairs) {
+  const Point cube = CubeOf(Middle(edges_[edge]));
+  for (int step = 0; step < 27; ++step) {
+    // + 0.0: -0 and 0 are one number.
+    const auto found = last_.find({cube[0] + step % 3 - 1 + 0.0,
+                                   cube[1] + step / 3 % 3 - 1 + 0.0,
+                                   cube[2] + step / 9 - 1 + 0.0});
+    if (found == last_.end()) continue;
+    for (uint32_t other = found->second; other != kNone;
+         other = before_[other]) {
+      if (++compared_ % kBetweenPolls == 0) {
+        absl::Status status = checkpoint.Poll({});
+        if (!status.ok()) return status;
+      }
+      if (other != edge) Compare(edge, other, pairs);
+    }
+  }
+  return absl::OkStatus();
+}
+
+Point CloseEdges::Middle(const VertexPair& edge) const {
+  Point middle;
+  for (int axis = 0; axis < 3; ++axis) {
+    middle[axis] =
+        positions_[edge.low][axis] / 2 + positions_[edge.high][axis] / 2;
+  }
+  return middle;
+}
+
+Point CloseEdges::CubeOf(const Point& point) const {
+  return {std::floor(point[0] / side_) + 0.0,
+          std::floor(point[1] / side_) + 0.0,
+          std::floor(point[2] / side_) + 0.0};
+}
+
+void CloseEdges::Compare(uint32_t edge, uint32_t other,
+                         std::vector<ClosePair>& pairs) {
+  const auto at = [&](uint32_t v) -> const Point& { return positions_[v]; };
+  const auto& [a, b] = edges_[edge];
+  const auto& [c, d] = edges_[other];
+  const double straight = std::max(Distance(at(a), at(c)),
+                                   Distance(at(b), at(d)));
+  const double turned = std::max(Distance(at(a), at(d)),
+                                 Distance(at(b), at(c)));
+  const double distance = std::min(straight, turned);
+  const double length =
+      std::min(Distance(at(a), at(b)), Distance(at(c), at(d)));
+  if (distance <= closeness_.distance && distance <= closeness_.part * length) {
+    pairs.push_back({.first = edge,
+                     .second = other,
+                     .is_turned = turned < straight,
+                     .distance = distance});
+  }
+}
+
+}  // namespace geodesic

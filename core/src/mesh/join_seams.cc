@@ -1,0 +1,251 @@
+#include "geodesic/join_seams.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "absl/container/flat_hash_map.h"
+#include "absl/strings/str_cat.h"
+#include "mesh/boundary_edges.h"
+#include "mesh/close_edges.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/locality.h"
+#include "tolerances.h"
+
+namespace geodesic {
+namespace {
+
+// What the coordinates of some vertices are made of.
+class Coordinates {
+ public:
+  void Add(const Point& point) {
+    for (const double x : point) {
+      if (x == 0) continue;
+      are_floats_ = are_floats_ && static_cast<float>(x) == x;
+      largest_ = std::max(largest_, std::abs(x));
+      AddDigits(x);
+    }
+  }
+
+  // How far apart places may be that are one: along an axis, by what computing
+  // them in a mesh of this extent and writing them down adds.
+  double Rounding(double extent, bool is_single) const {
+    constexpr double kFloat = std::numeric_limits<float>::epsilon();
+    constexpr double kDouble = std::numeric_limits<double>::epsilon();
+    if (largest_ == 0) return 0;
+    const bool is_decimal = digits_ <= std::numeric_limits<double>::digits10;
+    const bool few = digits_ <= std::numeric_limits<float>::max_digits10;
+    const double computed = kComputedTwice * extent *
+                            (is_single || are_floats_ || few ? kFloat : kDouble);
+    const double written =
+        are_floats_ ? largest_ * kFloat
+        : is_decimal
+            ? std::pow(10.0, std::max(-decimals_, FirstDigit(largest_) + 1 -
+                                                      digits_))
+            : largest_ * kDouble;
+    return kWrittenTwice * std::max(computed, written);
+  }
+
+ private:
+  static int FirstDigit(double x) {
+    return static_cast<int>(std::floor(std::log10(x)));
+  }
+
+  // Of the shortest decimal number that reads as x: the one that a text has
+  // holds no fewer.
+  void AddDigits(double x) {
+    std::array<char, 32> text;
+    const char* const end =
+        std::to_chars(text.data(), text.data() + text.size(), std::abs(x),
+                      std::chars_format::scientific)
+            .ptr;
+    const char* const exponent =
+        std::find<const char*>(text.data(), end, 'e');
+    // Without the point.
+    const int digits =
+        std::max(static_cast<int>(exponent - text.data()) - 1, 1);
+    int power = 0;
+    // from_chars knows no plus.
+    std::from_chars(exponent + (exponent[1] == '+' ? 2 : 1), end, power);
+    digits_ = std::max(digits_, digits);
+    decimals_ = std::max(decimals_, digits - 1 - power);
+  }
+
+  bool are_floats_ = true;
+  double largest_ = 0;
+  // The most significant digits, and the most behind the point.
+  int digits_ = 0;
+  int decimals_ = 0;
+};
+
+// The seams of a soup.
+class Seams {
+ public:
+  Seams(TriangleSoup& soup, Checkpoint& checkpoint)
+      : soup_(soup),
+        checkpoint_(checkpoint),
+        boundary_(FindBoundaryEdges(soup)),
+        vertices_(static_cast<uint32_t>(
+            boundary_.edges.empty() ? 0 : soup.positions.size())),
+        edges_(static_cast<uint32_t>(boundary_.edges.size())) {}
+
+  bool is_closed() const { return boundary_.edges.empty(); }
+
+  // Joins edges whose ends are equal.
+  absl::Status JoinEqual() {
+    absl::flat_hash_map<std::array<Point, 2>, uint32_t> first_at;
+    first_at.reserve(boundary_.edges.size());
+    for (uint32_t i = 0; i < boundary_.edges.size(); ++i) {
+      const auto& [low, high] = boundary_.edges[i];
+      std::array<Point, 2> ends = {soup_.positions[low],
+                                   soup_.positions[high]};
+      const bool is_turned = ends[1] < ends[0];
+      if (is_turned) std::swap(ends[0], ends[1]);
+      const auto [entry, is_new] = first_at.try_emplace(ends, i);
+      if (!is_new) {
+        const auto& other = boundary_.edges[entry->second];
+        const bool other_is_turned =
+            soup_.positions[other.high] < soup_.positions[other.low];
+        Join(i, entry->second, is_turned != other_is_turned);
+      }
+      if (i % kBetweenPolls == 0) {
+        absl::Status status = checkpoint_.Poll({});
+        if (!status.ok()) return status;
+      }
+    }
+    return absl::OkStatus();
+  }
+
+  // Joins what is left to edges whose ends are close.
+  absl::Status JoinClose(const Closeness& closeness) {
+    std::vector<bool> is_joined(boundary_.edges.size());
+    for (uint32_t i = 0; i < boundary_.edges.size(); ++i) {
+      const uint32_t first = edges_.Find(i);
+      if (first != i) is_joined[i] = is_joined[first] = true;
+    }
+    CloseEdges grid(soup_.positions, boundary_.edges, closeness);
+    std::vector<ClosePair> pairs;
+    for (uint32_t i = 0; i < boundary_.edges.size(); ++i) {
+      if (is_joined[i]) continue;
+      pairs.clear();
+      absl::Status status = grid.Find(i, checkpoint_, pairs);
+      if (!status.ok()) return status;
+      for (const ClosePair& pair : pairs) {
+        Join(pair.first, pair.second, pair.is_turned);
+      }
+    }
+    return absl::OkStatus();
+  }
+
+  // How far apart the ends of edges may be that are one.
+  double Rounding() const {
+    Coordinates coordinates;
+    for (const auto& [low, high] : boundary_.edges) {
+      coordinates.Add(soup_.positions[low]);
+      coordinates.Add(soup_.positions[high]);
+    }
+    const auto [low, high] = BoxAround(soup_.positions);
+    double extent = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      extent = std::max(extent, high[axis] - low[axis]);
+    }
+    // Along each axis.
+    return std::sqrt(3.0) *
+           coordinates.Rounding(extent, soup_.is_single_precision);
+  }
+
+  // Writes what was joined into the soup.
+  void Finish() {
+    std::vector<uint32_t> sizes(boundary_.edges.size(), 0);
+    for (uint32_t i = 0; i < sizes.size(); ++i) ++sizes[edges_.Find(i)];
+    soup_.reading.seam_edges +=
+        std::ranges::count_if(sizes, [](uint32_t size) { return size > 1; });
+    if (vertices_.count() == soup_.positions.size()) return;
+    for (uint32_t v = 0; v < soup_.positions.size(); ++v) {
+      if (const uint32_t into = vertices_.Find(v); into != v) {
+        soup_.reading.joined.push_back({v, into});
+      }
+    }
+    for (Triangle& corners : soup_.triangles) {
+      for (uint32_t& v : corners) v = vertices_.Find(v);
+    }
+  }
+
+ private:
+  static constexpr uint32_t kBetweenPolls = 1 << 16;
+
+  void Join(uint32_t a, uint32_t b, bool is_turned) {
+    VertexPair from = boundary_.edges[a];
+    const VertexPair& to = boundary_.edges[b];
+    if (is_turned) std::swap(from.low, from.high);
+    // A face would lose a side.
+    if (AreNeighbours(from.low, to.low) || AreNeighbours(from.high, to.high)) {
+      return;
+    }
+    vertices_.Join(from.low, to.low);
+    vertices_.Join(from.high, to.high);
+    edges_.Join(a, b);
+  }
+
+  bool AreNeighbours(uint32_t a, uint32_t b) const {
+    return a != b && std::ranges::binary_search(
+                         boundary_.around,
+                         VertexPair{std::min(a, b), std::max(a, b)});
+  }
+
+  TriangleSoup& soup_;
+  Checkpoint& checkpoint_;
+  const BoundaryEdges boundary_;
+  DisjointSets vertices_;
+  DisjointSets edges_;  // those that are joined
+};
+
+bool NamesItsVertices(const TriangleSoup& soup) {
+  return std::ranges::all_of(soup.triangles, [&](const Triangle& corners) {
+    return std::ranges::max(corners) < soup.positions.size();
+  });
+}
+
+}  // namespace
+
+absl::Status Validate(const Welding& welding) {
+  if (welding.kind == Welding::Kind::kWithin &&
+      !(welding.distance >= 0 && std::isfinite(welding.distance))) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("the distance ", welding.distance,
+                     " within which edges are joined is not a finite number "
+                     ">= 0"));
+  }
+  return absl::OkStatus();
+}
+
+absl::Status JoinSeams(const Welding& welding, TriangleSoup& soup,
+                       Checkpoint& checkpoint) {
+  if (absl::Status status = Validate(welding); !status.ok()) return status;
+  if (welding.kind == Welding::Kind::kNone || !NamesItsVertices(soup)) {
+    return absl::OkStatus();
+  }
+  Seams seams(soup, checkpoint);
+  if (seams.is_closed()) return absl::OkStatus();
+  absl::Status status = seams.JoinEqual();
+  if (!status.ok()) return status;
+  const Closeness closeness =
+      welding.kind == Welding::Kind::kWithin
+          ? Closeness{welding.distance, kMostWelded}
+          : Closeness{seams.Rounding(), kMostRounded};
+  if (closeness.distance > 0) status = seams.JoinClose(closeness);
+  if (status.ok()) seams.Finish();
+  return status;
+}
+
+absl::Status JoinSeams(const Welding& welding, TriangleSoup& soup) {
+  NoCheckpoint checkpoint;
+  return JoinSeams(welding, soup, checkpoint);
+}
+
+}  // namespace geodesic
