@@ -43,18 +43,23 @@ const std::vector<Triangle> kTriangles = {{0, 1, 2}};
 //       + struct.pack("<9d", 0,0,0, 1,0,0, 0,1,0)
 //       + struct.pack("<3I", 0,1,2)).hexdigest()
 TEST(MeshDigest, IsTheOneTheProtocolDefines) {
-  EXPECT_EQ(MeshDigest(kPositions, kTriangles),
+  EXPECT_EQ(MeshDigest({.positions = kPositions, .triangles = kTriangles}),
             "4538d0d0eb2a08471aab3a00e597e36252b1ea05f74234051eabd46ee6a8b4ba");
 }
 
 TEST(MeshDigest, TellsMeshesApart) {
-  const std::string digest = MeshDigest(kPositions, kTriangles);
+  const std::string digest =
+      MeshDigest({.positions = kPositions, .triangles = kTriangles});
   std::vector<Point> moved = kPositions;
   moved[2][1] = 1.0000000000000002;
-  EXPECT_NE(MeshDigest(moved, kTriangles), digest);
+  EXPECT_NE(MeshDigest({.positions = moved, .triangles = kTriangles}), digest);
   const std::vector<Triangle> turned = {{1, 2, 0}};
-  EXPECT_NE(MeshDigest(kPositions, turned), digest);
-  EXPECT_NE(MeshDigest(kPositions, {}), digest);
+  EXPECT_NE(MeshDigest({.positions = kPositions, .triangles = turned}), digest);
+  EXPECT_NE(MeshDigest({.positions = kPositions, .triangles = {}}), digest);
+  EXPECT_NE(MeshDigest({.positions = kPositions,
+                        .triangles = kTriangles,
+                        .reading = {.seam_edges = 1}}),
+            digest);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ TEST_F(MeshEngineTest, AnUploadBecomesResident) {
   const auto uploaded = Upload(soup);
   ASSERT_TRUE(uploaded.ok()) << uploaded.status();
   EXPECT_FALSE(uploaded->already_resident);
-  EXPECT_EQ(uploaded->mesh.digest, MeshDigest(soup.positions, soup.triangles));
+  EXPECT_EQ(uploaded->mesh.digest, MeshDigest(soup));
   EXPECT_EQ(uploaded->mesh.summary.faces, 80);
   EXPECT_EQ((*engine_.meshes().Get(uploaded->mesh.digest))->digest,
             uploaded->mesh.digest);
@@ -81,7 +81,7 @@ TEST_F(MeshEngineTest, ExpectedDigestsAreChecked) {
   EXPECT_EQ(FieldPathOf(status), "header.expected_digest");
   EXPECT_EQ(engine_.meshes().store().used_bytes(), 0);
 
-  header.expected_digest = MeshDigest(soup.positions, soup.triangles);
+  header.expected_digest = MeshDigest(soup);
   ASSERT_TRUE(Upload(header, test::ArrayBytes(soup)).ok());
 
   // Nor does the shortcut for known files overlook it.

@@ -17,7 +17,7 @@ constexpr uint64_t kFaces = 2000;
 const uint64_t kRoom = Mesh::EstimateResidentBytes(kVertices, kFaces) + 512;
 
 ResidentMesh Resident(TriangleSoup soup) {
-  std::string digest = MeshDigest(soup.positions, soup.triangles);
+  std::string digest = MeshDigest(soup);
   auto mesh = *Mesh::Build(std::move(soup));
   return {std::move(digest), mesh, Summarize(*mesh)};
 }
@@ -45,7 +45,7 @@ TEST(MeshStore, FilesGoWithTheirMesh) {
   EXPECT_EQ(store.FindFile(File('b')), mesh->digest);
   EXPECT_EQ(store.FindFile(File('c')), std::nullopt);
   // The same bytes in another format are another file.
-  EXPECT_EQ(store.FindFile({UploadFormat::kStl, File('a').sha256}),
+  EXPECT_EQ(store.FindFile({UploadFormat::kStl, File('a').sha256, {}}),
             std::nullopt);
   EXPECT_TRUE(store.Erase(mesh->digest).ok());
   EXPECT_EQ(store.FindFile(File('a')), std::nullopt);

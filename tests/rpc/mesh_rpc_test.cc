@@ -106,7 +106,7 @@ TEST_F(MeshRpcTest, DecimatesNothingElse) {
 TEST_F(MeshRpcTest, DescribesAMesh) {
   const TriangleSoup soup = geodesic::test::Torus({.around = 12, .across = 8});
   const std::string digest = Upload(soup);
-  EXPECT_EQ(digest, MeshDigest(soup.positions, soup.triangles));
+  EXPECT_EQ(digest, MeshDigest(soup));
   v1::Mesh mesh;
   ASSERT_TRUE(GetMesh(digest, mesh).ok());
   EXPECT_EQ(mesh.digest(), digest);

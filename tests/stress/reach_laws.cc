@@ -26,7 +26,8 @@ constexpr double kRoundings = 1e-12;
 // Collects what settles; says stop at one poll.
 class Watcher final : public Checkpoint {
  public:
-  explicit Watcher(uint64_t stop_at) : stop_at_(stop_at) {}
+  Watcher(const Mesh& mesh, uint64_t stop_at)
+      : stop_at_(stop_at), settled_(mesh) {}
 
   absl::Status Poll(const Progress& progress) override {
     is_monotone_ = is_monotone_ && progress.settled_radius >= radius_;

@@ -257,27 +257,33 @@ MeshSummary Summarize(const Mesh& mesh) {
 }
 
 std::vector<std::string> Notes(const MeshSummary& summary) {
+  // "1 seam edge", "646 seam edges".
+  const auto counted = [](uint64_t count, absl::string_view thing) {
+    return absl::StrCat(count, " ", thing, count == 1 ? "" : "s");
+  };
   std::vector<std::string> notes;
   if (summary.seam_edges > 0) {
-    notes.push_back(absl::StrCat("joined ", summary.seam_edges, " seam edges"));
+    notes.push_back("joined " + counted(summary.seam_edges, "seam edge"));
   }
   if (summary.left_out_faces > 0) {
-    notes.push_back(absl::StrCat("left out ", summary.left_out_faces,
-                                 " faces that name a vertex twice"));
+    notes.push_back(absl::StrCat("left out ",
+                                 counted(summary.left_out_faces, "face"),
+                                 ", where a vertex is named twice"));
   }
   if (summary.crossing_polygons > 0) {
     notes.push_back(absl::StrCat(
-        summary.crossing_polygons,
-        " polygons cross themselves, so that their triangles lie over each "
-        "other: the first is face ",
+        "cut ", counted(summary.crossing_polygons, "polygon"),
+        " that cross themselves into triangles that lie over each other; the "
+        "first is face ",
         summary.first_crossing_polygon, " of the file"));
   }
   if (summary.close_edges > 0) {
     notes.push_back(absl::StrCat(
-        summary.close_edges, " boundary edges lie within ",
+        counted(summary.close_edges, "boundary edge"),
+        summary.close_edges == 1 ? " lies within " : " lie within ",
         RoundedUp(summary.close_edge_distance),
-        " of others and are not joined; weld within that distance to join "
-        "them"));
+        " of others and are not joined; --weld ",
+        RoundedUp(summary.close_edge_distance), " (weld) joins them"));
   }
   return notes;
 }

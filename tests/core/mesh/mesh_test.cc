@@ -200,16 +200,13 @@ TEST(MeshTest, PathsMayBendAtReflexCornersAndSaddlesOnly) {
 }
 
 TEST(MeshTest, RefusalsNameTheOffender) {
-  TriangleSoup no_faces = Square(), infinite = Square(), absent = Square(),
-               repeated = Square();
+  TriangleSoup no_faces = Square(), infinite = Square(), absent = Square();
   no_faces.triangles.clear();
   infinite.positions[2][1] = kInfinity;
   absent.triangles[1][2] = 4;
-  repeated.triangles[1] = {3, 0, 3};
   EXPECT_THAT(RefusalOf(no_faces), HasSubstr("no faces"));
   EXPECT_THAT(RefusalOf(infinite), HasSubstr("vertex 2"));
   EXPECT_THAT(RefusalOf(absent), HasSubstr("face 1 names vertex 4"));
-  EXPECT_THAT(RefusalOf(repeated), HasSubstr("face 1 repeats vertex 3"));
 }
 
 // Three faces at one edge let paths bend at its ends; faces that disagree in

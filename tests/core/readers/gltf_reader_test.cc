@@ -70,12 +70,15 @@ std::string Square(const std::string& old_part = "",
   return Glb(std::move(scene), SquareBytes());
 }
 
-TEST(GltfReaderTest, SeamsAreWelded) {
+TEST(GltfReaderTest, SeamsAreJoinedAndVerticesKeepTheirNumbers) {
   const TriangleSoup soup = ExpectRead(Read(Square()));
-  EXPECT_THAT(soup.positions, ElementsAre(Point{0, 0, 0}, Point{1, 0, 0},
-                                          Point{1, 1, 0}, Point{0, 1, 0}));
+  EXPECT_THAT(soup.positions,
+              ElementsAre(Point{0, 0, 0}, Point{1, 0, 0}, Point{1, 1, 0},
+                          Point{0, 0, 0}, Point{0, 1, 0}, Point{1, 1, 0}));
   EXPECT_THAT(soup.triangles,
-              ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
+              ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 4}));
+  EXPECT_THAT(soup.reading.joined,
+              ElementsAre(JoinedVertex{3, 0}, JoinedVertex{5, 2}));
 }
 
 TEST(GltfReaderTest, BuffersMayStandInTheText) {
@@ -100,7 +103,8 @@ TEST(GltfReaderTest, NodesPlaceWhatIsInThem) {
                     "translation": [10, 20, 30]}])")));
   EXPECT_THAT(soup.positions,
               ElementsAre(Point{110, 20, 30}, Point{108, 20, 30},
-                          Point{108, 19, 30}, Point{110, 19, 30}));
+                          Point{108, 19, 30}, Point{110, 20, 30},
+                          Point{110, 19, 30}, Point{108, 19, 30}));
 }
 
 TEST(GltfReaderTest, AMeshMayStandInSeveralPlaces) {
@@ -111,21 +115,22 @@ TEST(GltfReaderTest, AMeshMayStandInSeveralPlaces) {
                              {"mesh": 0, "translation": [1, 0, 0]}])"},
                         {R"([{"nodes": [0]}])", R"([{"nodes": [0, 1]}])"}}),
           SquareBytes())));
-  // They share a side.
-  EXPECT_THAT(soup.positions, SizeIs(6));
+  EXPECT_THAT(soup.positions, SizeIs(12));
   EXPECT_THAT(soup.triangles, SizeIs(4));
+  // They share a side, and each has a diagonal.
+  EXPECT_EQ(soup.reading.seam_edges, 3u);
 }
 
 TEST(GltfReaderTest, StripsAndFansBecomeTriangles) {
   const std::string mode = R"("indices": 1})";
   EXPECT_THAT(
       ExpectRead(Read(Square(mode, R"("indices": 1, "mode": 5})"))).triangles,
-      ElementsAre(Triangle{0, 1, 2}, Triangle{1, 0, 2}, Triangle{2, 0, 2},
-                  Triangle{0, 3, 2}));
+      ElementsAre(Triangle{0, 1, 2}, Triangle{1, 3, 2}, Triangle{2, 3, 5},
+                  Triangle{3, 4, 5}));
   EXPECT_THAT(
       ExpectRead(Read(Square(mode, R"("indices": 1, "mode": 6})"))).triangles,
-      ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 0}, Triangle{0, 0, 2},
-                  Triangle{0, 2, 3}));
+      ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}, Triangle{0, 3, 5},
+                  Triangle{0, 5, 4}));
   EXPECT_THAT(
       ExpectRead(Read(Square(mode, R"("indices": 1, "mode": 1})"))).triangles,
       SizeIs(0));

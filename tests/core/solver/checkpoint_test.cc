@@ -183,6 +183,8 @@ TEST(SolverBytesTest, CountWhatAVertexOfManyFacesTakes) {
 
 class CollectingCheckpoint final : public Checkpoint {
  public:
+  explicit CollectingCheckpoint(const Mesh& mesh) : vertices_(mesh) {}
+
   absl::Status Poll(const Progress& progress) override {
     const size_t before = settled.size();
     for (const SettledVertex& vertex : vertices_.Collect(progress)) {
@@ -205,7 +207,7 @@ class CollectingCheckpoint final : public Checkpoint {
 TEST_P(CheckpointTest, SettledVerticesComeOnceInOrder) {
   const auto mesh =
       *Mesh::Build(AddIsolatedVertices(Terrain(30, 30, 1.0, 5), 2));
-  CollectingCheckpoint checkpoint;
+  CollectingCheckpoint checkpoint(*mesh);
   const DistanceField field =
       Solve(*mesh, Ask({.sources = {{VertexPoint{17}}}}), {}, checkpoint)
           .value();
