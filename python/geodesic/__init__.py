@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Dict
 from . import _core
 from .approximate import Approximate
 from .errors import (Cancelled, DeadlineExceeded, GeodesicError, InternalError,
-                     InvalidArgument, NotAllowed, NotFound, ResourceExhausted,
+                     InvalidArgument, MeshWarning, NotAllowed, NotFound, ResourceExhausted,
                      Unavailable)
 from .mesh import Mesh
 from .places import Curve, EdgePoint, FacePoint, Places
@@ -28,7 +28,7 @@ __version__: str = _core.VERSION
 __all__ = [
     "Approximate", "Cancelled", "Curve", "DeadlineExceeded", "EdgePoint", "FacePoint", "Field",
     "GeodesicError", "InternalError", "InvalidArgument", "Isoline", "LogMap",
-    "Mesh", "NotAllowed", "NotFound", "Path", "Places", "ResourceExhausted",
+    "Mesh", "MeshWarning", "NotAllowed", "NotFound", "Path", "Places", "ResourceExhausted",
     "Unavailable", "algorithms", "connect"
 ]
 

@@ -3,7 +3,7 @@ otherwise; what computes lets other threads of Python run, and stops when Ctrl-C
 or an exception of `progress` says so.
 """
 
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,12 +36,25 @@ class Sources:
 
 class Mesh:
     """Immutable. `vertices` (V, 3) and `faces` (F, 3), 32- or 64-bit integers,
-    are copied once."""
+    are copied once. `joins`: whether boundary edges are joined that lie within
+    `distance` of each other; None: within the rounding of the coordinates."""
     def __init__(self, vertices: NDArray[np.float64],
-                 faces: NDArray[np.integer[Any]]) -> None: ...
+                 faces: NDArray[np.integer[Any]], joins: bool,
+                 distance: Optional[float]) -> None: ...
     @staticmethod
-    def read(data: bytes, name: str) -> Mesh:
+    def read(data: bytes, name: str, joins: bool,
+             distance: Optional[float]) -> Mesh:
         """Of a file's bytes; the ending of `name` says in which format."""
+    @staticmethod
+    def restore(vertices: NDArray[np.float64], faces: NDArray[np.integer[Any]],
+                joined: NDArray[np.uint32], numbers: Sequence[int]) -> Mesh:
+        """A mesh of what another's reading() told: which vertices were joined,
+        and into which (J, 2); seam edges, crossing polygons, the first one."""
+    def reading(self) -> Tuple[NDArray[np.uint32], List[int]]:
+        """What restore() takes."""
+    def notes(self) -> List[str]:
+        """What was joined, left out or guessed, and what looks as if it should
+        have been joined."""
     @property
     def positions(self) -> NDArray[np.float64]:
         """(V, 3); the mesh's own memory, read only."""

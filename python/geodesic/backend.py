@@ -16,6 +16,7 @@ import numpy as np
 from . import _core
 from .approximate import NAMES, Approximate
 from .arguments import to_real
+from .digest import Reading
 from .errors import InvalidArgument
 from .places import Places, Sources
 from .progress import ProgressCallback
@@ -132,12 +133,18 @@ class Backend(Protocol):
 
     def facts(self) -> Dict[str, Any]: ...
 
+    def notes(self) -> List[str]:
+        """What was joined, left out or guessed; a sentence each."""
+
+    def reading(self) -> Reading:
+        """What was joined: see geodesic.digest."""
+
     def digest(self) -> str: ...
 
     def where(self) -> str: ...
 
     def with_faces(self, faces: np.ndarray) -> "Backend":
-        """A mesh of the same vertices at the same place."""
+        """A mesh of the same vertices, joined as they are, at the same place."""
         ...
 
     def positions(self, places: Places) -> np.ndarray:

@@ -22,9 +22,9 @@ import numpy as np
 
 from . import _core, shards
 from .arguments import to_array, to_count
-from .digest import mesh_digest
+from .digest import PLAIN, mesh_digest
 from .errors import GeodesicError, InvalidArgument, Unavailable
-from .mesh import Mesh
+from .mesh import Mesh, restored
 from .places import to_numbers
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ class Door:
 _ANSWERS_FORMAT = "geodesic.answers.v1"
 # Questions of Mesh that one array answers.
 _QUESTIONS = ("distances", "labels", "gradients", "matrix", "pairs")
-_INPUTS = ("vertices", "faces", "sources", "targets")
+_INPUTS = ("vertices", "faces", "joined", "reading", "sources", "targets")
 
 
 def _input(folder: pathlib.Path, name: str) -> pathlib.Path:
@@ -107,8 +107,11 @@ def plan_matrix(mesh: Mesh, folder: shards.Folder, sources: Any, targets: Any, *
     layout = dataclasses.replace(layout, rows_per_block=rows_per_block)
     shards.ensure_manifest(path, layout.manifest())
     shards.remove_abandoned(path)
-    inputs: Tuple[Optional[np.ndarray], ...] = (mesh.vertices, mesh.faces, rows,
-                                                columns)
+    joined, numbers = mesh._backend.reading()
+    is_plain = not any(numbers) and not len(joined)
+    inputs: Tuple[Optional[np.ndarray], ...] = (
+        mesh.vertices, mesh.faces, None if is_plain else joined,
+        None if is_plain else np.array(numbers, np.uint64), rows, columns)
     for name, array in zip(_INPUTS, inputs):
         if array is not None:
             shards.write_array(_input(path, name), array)
@@ -154,15 +157,21 @@ def _open(question: _Question) -> _Opened:
         None for name in _INPUTS
     }
     vertices, faces = inputs["vertices"], inputs["faces"]
+    reading = PLAIN
+    if inputs["joined"] is not None and inputs["reading"] is not None:
+        reading = inputs["joined"], [int(n) for n in inputs["reading"]]
     if (vertices is None or faces is None or
-            mesh_digest(vertices, faces) != layout.mesh_digest or
+            mesh_digest(vertices, faces, reading) != layout.mesh_digest or
             any(layout.__dict__[name] is not None and
                 shards.vertices_digest(inputs[name]) != layout.__dict__[name]
                 for name in ("sources", "targets"))):
         raise GeodesicError(f"the input files in {folder} are damaged: begin "
                             "again, which writes them anew")
     if question.door is None:
-        mesh = Mesh(vertices, faces)
+        mesh = restored(vertices, faces, reading)
+    elif reading is not PLAIN:
+        # It may have it; arrays do not say what was joined.
+        mesh = _service(question.door).open(layout.mesh_digest)
     else:
         mesh = _service(question.door).mesh(vertices, faces)
     return _Opened(

@@ -26,6 +26,11 @@ class GeodesicError(Exception):
     retry_after: Optional[float] = None
 
 
+class MeshWarning(UserWarning):
+    """What was joined, left out or guessed when a mesh was made, or looks as if
+    it should have been joined."""
+
+
 class InvalidArgument(GeodesicError, ValueError):
     """A malformed mesh, a place that the mesh does not have, a bad option."""
 

@@ -2,12 +2,31 @@
 
 from __future__ import annotations
 
-from typing import Any, Tuple
+import math
+from typing import Any, Optional, Tuple, Union
 
 import numpy as np
 
-from .arguments import to_array
+from .arguments import to_array, to_real
 from .errors import InvalidArgument
+
+
+# How the edges are joined at which a mesh keeps faces apart: None for the usual
+# of its kind, False for none, True for those that lie on each other within
+# rounding, or a distance.
+Weld = Union[None, bool, float]
+
+
+def to_welding(weld: Weld, usual: bool) -> Tuple[bool, Optional[float]]:
+    """Whether edges are joined, and within which distance."""
+    if weld is None:
+        return usual, None
+    if isinstance(weld, (bool, np.bool_)):
+        return bool(weld), None
+    distance = to_real(weld, "weld")
+    if not 0 <= distance < math.inf:
+        raise InvalidArgument(f"weld is {distance}, which is no distance")
+    return True, distance
 
 
 def to_vertices(vertices: Any) -> np.ndarray:

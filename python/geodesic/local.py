@@ -13,7 +13,7 @@ import numpy as np
 from . import _core
 from .approximate import Approximate
 from .backend import FieldAnswer, IsolineAnswer, Options, PathAnswer
-from .digest import mesh_digest
+from .digest import Reading, mesh_digest
 from .errors import InvalidArgument
 from .places import Places, Sources, empty
 
@@ -59,13 +59,20 @@ class LocalBackend:
         return self._mesh.facts()
 
     def digest(self) -> str:
-        return mesh_digest(self.vertices(), self.faces())
+        return mesh_digest(self.vertices(), self.faces(), self.reading())
+
+    def reading(self) -> Reading:
+        return self._mesh.reading()
+
+    def notes(self) -> List[str]:
+        return self._mesh.notes()
 
     def where(self) -> str:
         return "in this process"
 
     def with_faces(self, faces: np.ndarray) -> "LocalBackend":
-        return LocalBackend(_core.Mesh(self.vertices(), faces))
+        return LocalBackend(
+            _core.Mesh.restore(self.vertices(), faces, *self.reading()))
 
     def positions(self, places: Places) -> np.ndarray:
         return self._mesh.positions_of(_core_places(places))

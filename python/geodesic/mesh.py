@@ -6,6 +6,7 @@ import functools
 import math
 import os
 import pathlib
+import warnings
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -16,7 +17,8 @@ from .approximate import Approximate
 from .arguments import to_array, to_count, to_real
 from .asynchronous import AsyncMesh
 from .backend import Backend, Options
-from .errors import InvalidArgument, naming
+from .digest import Reading
+from .errors import InvalidArgument, MeshWarning, naming
 from .local import LocalBackend
 from .places import (Curve, FacePoint, Places, Source, SurfacePoint,
                      to_numbers, to_places, to_sources)
@@ -72,10 +74,10 @@ def _mask(values: Optional[ArrayLike], name: str, count: int) -> np.ndarray:
     return mask
 
 
-def _restored(vertices: np.ndarray, faces: np.ndarray,
-              kept_faces: Optional[np.ndarray]) -> "Mesh":
+def restored(vertices: np.ndarray, faces: np.ndarray, reading: Reading,
+             kept_faces: Optional[np.ndarray] = None) -> "Mesh":
     """What a pickled mesh becomes."""
-    mesh = Mesh(vertices, faces)
+    mesh = Mesh._on(LocalBackend(_core.Mesh.restore(vertices, faces, *reading)))
     mesh._kept_faces = kept_faces
     return mesh
 
@@ -93,7 +95,9 @@ class Mesh:
     those of your arrays; lengths have the unit of your vertices.
 
     Any triangles will do: boundaries, holes, several pieces, isolated vertices,
-    faces without area, edges of three faces, faces turned either way.
+    faces without area, edges of three faces, faces turned either way. A face that
+    names a vertex twice is left out of the surface and keeps its number. What was
+    joined, left out or guessed is told by a MeshWarning, and by info()["notes"].
 
     A source or target is a vertex number, an EdgePoint or a FacePoint; many of
     them are a list, an array of vertex numbers or a mask of the vertices. A
@@ -118,7 +122,8 @@ class Mesh:
     you like.
     """
 
-    def __init__(self, vertices: Any, faces: Optional[ArrayLike] = None) -> None:
+    def __init__(self, vertices: Any, faces: Optional[ArrayLike] = None, *,
+                 weld: inputs.Weld = None) -> None:
         """Takes arrays, a file, or another library's mesh.
 
         Args:
@@ -128,10 +133,18 @@ class Mesh:
             faces: integers (F, 3), the vertices of each triangle; polygons of
                 files and other libraries' meshes become fans of triangles.
 
+            weld: how edges are joined at which faces are kept apart, as programs
+                do where a texture, a normal or a colour changes: True joins
+                boundary edges that lie on each other within rounding, a number
+                those whose ends lie within that distance, False none. None:
+                True for files, False for arrays and other libraries' meshes.
+                Vertices keep their numbers: a repeated one has the answers of
+                the place that it is part of.
+
         Raises:
             InvalidArgument: naming the first offender: a wrong shape or type, a
                 coordinate that is not finite, a vertex that is not there, a
-                face that has a vertex twice, a malformed line of a file.
+                malformed line of a file.
         """
         if isinstance(vertices, (str, os.PathLike)):
             if faces is not None:
@@ -139,14 +152,22 @@ class Mesh:
                                       f"Mesh({os.fspath(vertices)!r})")
             path = pathlib.Path(vertices)
             with naming(path):
-                mesh = _core.Mesh.read(path.read_bytes(), path.name)
-        elif faces is None:
-            mesh = _core.Mesh(*inputs.arrays_of(vertices))
+                mesh = _core.Mesh.read(path.read_bytes(), path.name,
+                                       *inputs.to_welding(weld, True))
         else:
-            mesh = _core.Mesh(inputs.to_vertices(vertices),
-                              inputs.to_faces(faces))
+            arrays = (inputs.arrays_of(vertices) if faces is None else
+                      (inputs.to_vertices(vertices), inputs.to_faces(faces)))
+            mesh = _core.Mesh(*arrays, *inputs.to_welding(weld, False))
         self._backend: Backend = LocalBackend(mesh)
         self._kept_faces: Optional[NDArray[np.int64]] = None
+
+        self._tell()
+
+    def _tell(self) -> "Mesh":
+        """Itself; warns whoever made it of what was joined, left out or guessed."""
+        for note in self._backend.notes():
+            warnings.warn(note, MeshWarning, stacklevel=3)
+        return self
 
     @classmethod
     def _on(cls, backend: Backend) -> "Mesh":
@@ -165,7 +186,8 @@ class Mesh:
         if not isinstance(self._backend, LocalBackend):
             raise TypeError("a mesh of a service cannot be pickled; the other "
                             "process can open it by its digest")
-        return _restored, (np.array(self.vertices), self.faces, self.kept_faces)
+        return restored, (np.array(self.vertices), self.faces,
+                          self._backend.reading(), self.kept_faces)
 
     @property
     def n_vertices(self) -> int:
@@ -200,7 +222,9 @@ class Mesh:
     def info(self) -> Dict[str, Any]:
         """What there is to know of the mesh: numbers of edges, boundary_loops,
         components, isolated_vertices, non_manifold_edges, degenerate_faces, its
-        genus, bounding_box_min and _max, mean_edge_length, anisotropy."""
+        genus, bounding_box_min and _max, mean_edge_length, anisotropy; and what
+        was joined or left out: notes, seam_edges, joined_vertices,
+        left_out_faces, close_edges (not joined) and close_edge_distance."""
         return self._backend.facts()
 
     def without(self, vertices: Optional[ArrayLike] = None,
@@ -219,8 +243,10 @@ class Mesh:
             has their numbers in this mesh.
         """
         gone = _mask(faces, "faces", self.n_faces)
-        gone |= np.any(
-            _mask(vertices, "vertices", self.n_vertices)[self.faces], axis=1)
+        masked = _mask(vertices, "vertices", self.n_vertices)
+        joined = self._backend.reading()[0].astype(np.intp)
+        np.logical_or.at(masked, joined[:, 1], masked[joined[:, 0]])
+        gone |= np.any(masked[self.faces], axis=1)
         if gone.all():
             raise InvalidArgument("no face is left")
         rest = Mesh._on(self._backend.with_faces(self.faces[~gone]))

@@ -16,6 +16,7 @@ from . import _core
 from .approximate import Approximate
 from .backend import FieldAnswer, IsolineAnswer, Options, PathAnswer
 from .calls import Caller, Patience
+from .digest import PLAIN, Reading
 from .errors import (InternalError, InvalidArgument, NotFound,
                      ResourceExhausted, Unavailable)
 from .local import LocalBackend
@@ -217,7 +218,7 @@ class RemoteBackend:
                                      "RemoteBackend"]) -> None:
         self._stubs = stubs
         self._mesh = mesh
-        self._arrays = arrays
+        self._arrays = None if arrays is None else (*arrays, PLAIN)
         self._upload = upload
         self._of_arrays = of_arrays
         self.vertex_count: int = mesh.vertex_count
@@ -229,7 +230,17 @@ class RemoteBackend:
     def where(self) -> str:
         return "at " + self._stubs.address
 
+    def notes(self) -> List[str]:
+        return list(self._mesh.notes)
+
+    def reading(self) -> Reading:
+        return self._read()[2] if self._mesh.joined_vertex_count else PLAIN
+
     def with_faces(self, faces: np.ndarray) -> "RemoteBackend":
+        if len(self.reading()[0]):
+            raise InvalidArgument(
+                "the service takes no arrays with joined vertices: leave faces "
+                "out of a mesh of this process")
         return self._of_arrays(self.vertices(), faces)
 
     def facts(self) -> Dict[str, Any]:
@@ -255,10 +266,16 @@ class RemoteBackend:
             "genus": mesh.genus if mesh.HasField("genus") else None,
             "saddle_vertices": mesh.saddle_vertex_count,
             "degenerate_faces": mesh.degenerate_face_count,
+            "left_out_faces": mesh.left_out_face_count,
+            "seam_edges": mesh.seam_edge_count,
+            "joined_vertices": mesh.joined_vertex_count,
+            "close_edges": mesh.close_edge_count,
+            "close_edge_distance": mesh.close_edge_distance,
             "bounding_box_min": point(mesh.bounding_box_min),
             "bounding_box_max": point(mesh.bounding_box_max),
             "mean_edge_length": mesh.mean_edge_length,
             "anisotropy": mesh.anisotropy,
+            "notes": list(mesh.notes),
         }
 
     def vertices(self) -> np.ndarray:
@@ -273,15 +290,19 @@ class RemoteBackend:
     @functools.cached_property
     def _here(self) -> LocalBackend:
         """The mesh in this process, which knows where places lie."""
-        return LocalBackend(_core.Mesh(self.vertices(), self.faces()))
+        return LocalBackend(_core.Mesh.restore(*self._read()[:2],
+                                               *self._read()[2]))
 
-    def _read(self) -> Tuple[np.ndarray, np.ndarray]:
-        """The arrays, from the service where they came as a file."""
+    def _read(self) -> Tuple[np.ndarray, np.ndarray, Reading]:
+        """The arrays and what was joined, from the service where they came as a
+        file."""
         if self._arrays is None:
             self._arrays = self._resident(self._download)
         return self._arrays
 
-    def _download(self) -> Tuple[np.ndarray, np.ndarray]:
+    def _download(self) -> Tuple[np.ndarray, np.ndarray, Reading]:
+        numbers = (0, 0, 0)
+        joined = np.empty((self._mesh.joined_vertex_count, 2), np.uint32)
         positions = np.empty((self.vertex_count, 3))
         faces = np.empty((self.face_count, 3), np.int32)
         request = mesh_service_pb2.ReadMeshRequest(digest=self.digest())
@@ -298,8 +319,17 @@ class RemoteBackend:
                                      "<i4").reshape(-1, 3)
                 first = response.faces.first_face
                 faces[first:first + len(rows)] = rows
+            elif kind == "joined":
+                rows = np.frombuffer(response.joined.pairs, "<u4").reshape(-1, 2)
+                first = response.joined.first_pair
+                joined[first:first + len(rows)] = rows
+            elif kind == "header":
+                header = response.header
+                numbers = (header.seam_edge_count,
+                           header.crossing_polygon_count,
+                           header.first_crossing_polygon)
         positions.setflags(write=False)
-        return positions, faces
+        return positions, faces, (joined, numbers)
 
     def _resident(self, ask: Callable[[], Any]) -> Any:
         """What `ask` returns, which is asked again when the service had dropped

@@ -92,7 +92,8 @@ class Service:
             for a in self._stubs.capabilities().approximate_algorithms
         }
 
-    def mesh(self, vertices: Any, faces: Optional[ArrayLike] = None) -> Mesh:
+    def mesh(self, vertices: Any, faces: Optional[ArrayLike] = None, *,
+             weld: inputs.Weld = None) -> Mesh:
         """A mesh whose questions the service answers.
 
         Takes what geodesic.Mesh takes. The mesh is sent only if the service does
@@ -101,13 +102,13 @@ class Service:
         if isinstance(vertices, (str, os.PathLike)):
             if faces is not None:
                 raise InvalidArgument("faces come from the file, too")
-            return self._file(pathlib.Path(vertices))
+            return self._file(pathlib.Path(vertices), weld)._tell()
         if faces is None:
             positions, triangles = inputs.arrays_of(vertices)
         else:
             positions = inputs.to_vertices(vertices)
             triangles = inputs.to_faces(faces)
-        return Mesh._on(self._arrays(positions, triangles))
+        return Mesh._on(self._arrays(positions, triangles, weld))._tell()
 
     def open(self, digest: str) -> Mesh:
         """A mesh that the service has, by its name."""
@@ -137,8 +138,8 @@ class Service:
                          mesh_service_pb2.DeleteMeshRequest(digest=digest),
                          repeat=False)
 
-    def _arrays(self, positions: np.ndarray,
-                triangles: np.ndarray) -> RemoteBackend:
+    def _arrays(self, positions: np.ndarray, triangles: np.ndarray,
+                weld: inputs.Weld = None) -> RemoteBackend:
         wrong = np.argwhere((triangles < 0) | (triangles >= 2**32))
         if wrong.size:
             face, corner = wrong[0]
@@ -151,6 +152,11 @@ class Service:
         numbers = np.ascontiguousarray(triangles).astype("<u4", copy=False).view(
             "<i4")
         digest = mesh_digest(kept, numbers)
+        joins, distance = inputs.to_welding(weld, False)
+        if joins and distance is None:
+            raise InvalidArgument(
+                "weld: a service joins arrays within a distance: name one (0 for "
+                "equal places), or upload a file")
 
         def upload() -> mesh_pb2.Mesh:
             header = mesh_service_pb2.UploadHeader(
@@ -158,8 +164,13 @@ class Service:
                 size_bytes=kept.nbytes + numbers.nbytes,
                 vertex_count=len(kept),
                 face_count=len(numbers),
-                expected_digest=digest)
+                weld_distance=distance,
+                expected_digest="" if joins else digest)
             return self._upload(header, (kept, numbers), digest)
+
+        if joins:
+            return RemoteBackend(self._stubs, upload(), None, upload,
+                                 self._arrays)
 
         missing = self._stubs.call(
             self._stubs.meshes.FindMissingMeshes,
@@ -171,17 +182,22 @@ class Service:
         return RemoteBackend(self._stubs, mesh, (kept, numbers), upload,
                              self._arrays)
 
-    def _file(self, path: pathlib.Path) -> Mesh:
+    def _file(self, path: pathlib.Path, weld: inputs.Weld) -> Mesh:
+        joins, distance = inputs.to_welding(weld, True)
         name = _core.mesh_format(os.fsencode(path))
         data = np.frombuffer(path.read_bytes(), np.uint8)
         file = mesh_pb2.FileDigest(
             format=mesh_pb2.MeshFormat.Value("MESH_FORMAT_" + name.upper()),
-            sha256=hashlib.sha256(data.data).hexdigest())
+            sha256=hashlib.sha256(data.data).hexdigest(),
+            weld_distance=distance,
+            keep_seams=not joins)
 
         def upload() -> mesh_pb2.Mesh:
             return self._upload(
                 mesh_service_pb2.UploadHeader(format=file.format,
-                                              size_bytes=data.nbytes), (data,),
+                                              size_bytes=data.nbytes,
+                                              weld_distance=distance,
+                                              keep_seams=not joins), (data,),
                 file.sha256)
 
         known = self._stubs.call(

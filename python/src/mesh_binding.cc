@@ -1,6 +1,10 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +13,7 @@
 #include "absl/strings/str_cat.h"
 #include "arrays.h"
 #include "bindings.h"
+#include "geodesic/join_seams.h"
 #include "geodesic/mesh_summary.h"
 #include "geodesic/read_mesh.h"
 #include "geodesic/surface_point.h"
@@ -26,18 +31,65 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
 // More than the largest mesh takes in any format.
 constexpr uint64_t kMostGzipBytes = uint64_t{1} << 40;
 
-MeshHandle BuildMesh(const DoubleArray& vertices, const py::array& faces) {
+using JoinedArray = py::array_t<uint32_t, py::array::c_style>;
+
+// `distance` has no value: seams.
+Welding WeldingOf(bool joins, std::optional<double> distance) {
+  if (!joins) return {.kind = Welding::Kind::kNone};
+  if (!distance.has_value()) return {};
+  return {.kind = Welding::Kind::kWithin, .distance = *distance};
+}
+
+MeshHandle BuildMesh(const DoubleArray& vertices, const py::array& faces,
+                     bool joins, std::optional<double> distance) {
   TriangleSoup soup{ToPoints(vertices), ToTriangles(faces)};
+  const Welding welding = WeldingOf(joins, distance);
+  Watch watch{py::none()};
+  return MeshHandle(
+      watch.Run([&]() -> absl::StatusOr<std::shared_ptr<const Mesh>> {
+        const absl::Status status = JoinSeams(welding, soup, watch);
+        if (!status.ok()) return status;
+        return Mesh::Build(std::move(soup), watch);
+      }));
+}
+
+// A mesh of what another one told of itself. `joined`: (J, 2); `numbers`: seam
+// edges, crossing polygons and the first of these.
+MeshHandle RestoreMesh(const DoubleArray& vertices, const py::array& faces,
+                       const JoinedArray& joined,
+                       const std::array<uint64_t, 3>& numbers) {
+  TriangleSoup soup{ToPoints(vertices), ToTriangles(faces)};
+  soup.reading.seam_edges = numbers[0];
+  soup.reading.crossing_polygons = numbers[1];
+  soup.reading.first_crossing_polygon = numbers[2];
+  for (py::ssize_t i = 0; i < joined.shape(0); ++i) {
+    soup.reading.joined.push_back({joined.at(i, 0), joined.at(i, 1)});
+  }
   Watch watch{py::none()};
   return MeshHandle(
       watch.Run([&] { return Mesh::Build(std::move(soup), watch); }));
+}
+
+// (joined, numbers) as RestoreMesh takes them.
+py::tuple ReadingOf(const MeshHandle& self) {
+  const Reading& reading = self.mesh->reading();
+  std::vector<std::array<uint32_t, 2>> joined;
+  joined.reserve(reading.joined.size());
+  for (const auto& [vertex, into] : reading.joined) {
+    joined.push_back({vertex, into});
+  }
+  return py::make_tuple(
+      ToArray(std::move(joined)),
+      std::array<uint64_t, 3>{reading.seam_edges, reading.crossing_polygons,
+                              reading.first_crossing_polygon});
 }
 
 std::string FormatOf(const std::string& path) {
   return std::string(MeshFormatName(ValueOrThrow(MeshFormatFromPath(path))));
 }
 
-MeshHandle ReadFile(const py::bytes& bytes, const std::string& name) {
+MeshHandle ReadFile(const py::bytes& bytes, const std::string& name,
+                    bool joins, std::optional<double> distance) {
   const MeshFormat format = ValueOrThrow(MeshFormatFromPath(name));
   const std::string_view text = bytes;
   Watch watch{py::none()};
@@ -45,7 +97,9 @@ MeshHandle ReadFile(const py::bytes& bytes, const std::string& name) {
       watch.Run([&]() -> absl::StatusOr<std::shared_ptr<const Mesh>> {
         absl::StatusOr<TriangleSoup> soup =
             ReadMesh(text, format,
-                     {.max_gzip_bytes = kMostGzipBytes, .checkpoint = &watch});
+                     {.max_gzip_bytes = kMostGzipBytes,
+                      .checkpoint = &watch,
+                      .welding = WeldingOf(joins, distance)});
         if (!soup.ok()) return soup.status();
         return Mesh::Build(*std::move(soup), watch);
       }));
@@ -79,6 +133,11 @@ py::array_t<int32_t> Triangles(const MeshHandle& self) {
   return ToArray(std::move(faces));
 }
 
+std::vector<std::string> NotesOf(const MeshHandle& self) {
+  const py::gil_scoped_release unlocked;
+  return Notes(SummarizeReading(*self.mesh));
+}
+
 py::dict Facts(const MeshHandle& self) {
   MeshSummary summary;
   {
@@ -98,10 +157,15 @@ py::dict Facts(const MeshHandle& self) {
       "is_orientable"_a = summary.is_orientable, "genus"_a = summary.genus,
       "saddle_vertices"_a = summary.saddle_vertices,
       "degenerate_faces"_a = summary.degenerate_faces,
+      "left_out_faces"_a = summary.left_out_faces,
+      "seam_edges"_a = summary.seam_edges,
+      "joined_vertices"_a = summary.joined_vertices,
+      "close_edges"_a = summary.close_edges,
+      "close_edge_distance"_a = summary.close_edge_distance,
       "bounding_box_min"_a = summary.bounding_box_min,
       "bounding_box_max"_a = summary.bounding_box_max,
       "mean_edge_length"_a = summary.mean_edge_length,
-      "anisotropy"_a = summary.anisotropy);
+      "anisotropy"_a = summary.anisotropy, "notes"_a = Notes(summary));
 }
 
 QueryHandle MakeQuery(const MeshHandle& mesh, const SourceArrays& sources,
@@ -131,6 +195,9 @@ void BindMesh(py::module_& module) {
   py::class_<MeshHandle>(module, "Mesh")
       .def(py::init(&BuildMesh))
       .def_static("read", &ReadFile)
+      .def_static("restore", &RestoreMesh)
+      .def("reading", &ReadingOf)
+      .def("notes", &NotesOf)
       .def_property_readonly("positions", &Positions)
       .def("positions_of", &PositionsOf)
       .def_property_readonly(

@@ -66,6 +66,10 @@ struct MeshSummary {
 // O(V + F). Thread-safe.
 MeshSummary Summarize(const Mesh& mesh);
 
+// The part of the summary that Notes tells of: O(F), and less than a part of
+// building the mesh.
+MeshSummary SummarizeReading(const Mesh& mesh);
+
 // What a user of the mesh has to know: what was joined, left out or guessed,
 // and what looks as if it should have been joined. A sentence each, without an
 // end, e.g. "joined 646 seam edges". Empty for most meshes.

@@ -216,7 +216,29 @@ void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
   }
 }
 
+// Fills in what SummarizeReading promises.
+void TellOfReading(const Mesh& mesh, std::span<const HalfEdge> boundary,
+                   MeshSummary& summary) {
+  const Reading& reading = mesh.reading();
+  summary.left_out_faces = mesh.left_out_face_count();
+  summary.seam_edges = reading.seam_edges;
+  summary.joined_vertices = reading.joined.size();
+  summary.crossing_polygons = reading.crossing_polygons;
+  summary.first_crossing_polygon = reading.first_crossing_polygon;
+  CountCloseEdges(mesh, boundary, summary);
+}
+
 }  // namespace
+
+MeshSummary SummarizeReading(const Mesh& mesh) {
+  std::vector<HalfEdge> boundary;
+  for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
+    if (mesh.IsBoundaryEdge(h)) boundary.push_back(h);
+  }
+  MeshSummary summary;
+  TellOfReading(mesh, boundary, summary);
+  return summary;
+}
 
 MeshSummary Summarize(const Mesh& mesh) {
   MeshSummary summary;
@@ -226,12 +248,7 @@ MeshSummary Summarize(const Mesh& mesh) {
   summary.mean_edge_length =
       std::ldexp(mesh.mean_edge_length(), mesh.scale_exponent());
   const Survey survey(mesh, summary);
-  CountCloseEdges(mesh, survey.boundary(), summary);
-  summary.left_out_faces = mesh.left_out_face_count();
-  summary.seam_edges = mesh.reading().seam_edges;
-  summary.joined_vertices = mesh.reading().joined.size();
-  summary.crossing_polygons = mesh.reading().crossing_polygons;
-  summary.first_crossing_polygon = mesh.reading().first_crossing_polygon;
+  TellOfReading(mesh, survey.boundary(), summary);
   summary.is_orientable = IsOrientable(mesh);
   Fans fans(mesh);
   summary.boundary_loops = CountBoundaryLoops(mesh, survey.boundary(), fans);
