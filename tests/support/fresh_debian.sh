@@ -27,9 +27,14 @@ debian_mirror() {
     --format '$(SITE) $(CODENAME)' | sed -n "s/ $(debian_here)\$//p" | head -1)}"
 }
 
-# make_debian ROOT RELEASE: in place of one that was there.
+# make_debian ROOT RELEASE: in place of one that was there. Of this machine's release,
+# it takes updates where this machine does, and so has the same packages.
 make_debian() {
-  remove_debian "$1" && debootstrap --variant=minbase "$2" "$1" "$(debian_mirror)"
+  remove_debian "$1" &&
+    debootstrap --variant=minbase "$2" "$1" "$(debian_mirror)" || return
+  [[ $2 != "$(debian_here)" ]] ||
+    apt-get indextargets --format 'deb $(SITE) $(CODENAME) $(COMPONENT)' |
+    grep -E " $2(-updates|-security)? " | sort -u >"$1/etc/apt/sources.list"
 }
 
 # enter_debian ROOT: gives it processes, devices and names; nothing that is installed
