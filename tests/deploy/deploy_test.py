@@ -8,6 +8,7 @@ Wants python3-yaml; haproxy, promtool and kubectl are asked where they are there
 
 import argparse
 import collections
+import fnmatch
 import os
 import pathlib
 import re
@@ -23,7 +24,8 @@ except ImportError:
     print("python3-yaml is not installed: skipped")
     sys.exit(77)
 
-DEPLOY = pathlib.Path(__file__).resolve().parents[2] / "deploy"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DEPLOY = ROOT / "deploy"
 ARGUMENTS = None
 UNITS = {"B": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30}
 
@@ -78,6 +80,39 @@ class DeployTest(unittest.TestCase):
         """It says that it was not tried."""
         head = path.read_text().splitlines()[:8]
         self.assertTrue(any("ot tried" in line for line in head), path)
+
+
+class ImageTest(DeployTest):
+
+    def test_settings_and_ports(self):
+        compose = yaml.safe_load((ROOT / "docker" / "compose.yaml").read_text())
+        service = compose["services"]["geodesicd"]
+        self.check_settings([], service["environment"])
+        image = (ROOT / "docker" / "Dockerfile").read_text()
+        exposed = re.search(r"(?m)^EXPOSE (.*)$", image)[1].split()
+        self.assertEqual(exposed, [port.rpartition(":")[2]
+                                   for port in service["ports"]])
+        self.check_settings([], re.findall(r"(GEODESICD_\w+)=", image))
+        for port in service["ports"]:
+            self.assertTrue(port.startswith("127.0.0.1:"), port)
+        volume, folder = service["volumes"][0].split(":")
+        self.assertIn(volume, compose["volumes"])
+        self.assertRegex(image, rf"(?m)^VOLUME {folder}$")
+
+    def test_the_builder_gets_every_file(self):
+        patterns = [line for line in
+                    (ROOT / ".dockerignore").read_text().splitlines()
+                    if line and not line.startswith("#")]
+        files = subprocess.run(["git", "ls-files"], cwd=ROOT, text=True,
+                               stdout=subprocess.PIPE, check=False).stdout.split()
+        if not files:
+            self.skipTest("no repository of git")
+        for file in map(pathlib.PurePath, files):
+            for part in [file, *file.parents][:-1]:
+                for pattern in patterns:
+                    self.assertFalse(fnmatch.fnmatch(
+                        part.name if pattern.startswith("**/") else str(part),
+                        pattern.removeprefix("**/")), f"{file}: {pattern}")
 
 
 class ComposeTest(DeployTest):
@@ -244,6 +279,12 @@ class KubernetesTest(DeployTest):
                         spec["terminationGracePeriodSeconds"])
         self.assertEqual(container["resources"]["requests"]["cpu"],
                          environment["GEODESICD_THREADS"])
+        image = (ROOT / "docker" / "Dockerfile").read_text()
+        user = spec["securityContext"]
+        self.assertRegex(image, rf"(?m)^USER {user['runAsUser']}:{user['runAsGroup']}$")
+        self.assertEqual(user["fsGroup"], user["runAsGroup"])
+        folder = container["volumeMounts"][0]["mountPath"]
+        self.assertRegex(image, rf"(?m)^VOLUME {folder}$")
 
         scaler = self.objects["HorizontalPodAutoscaler", "geodesicd"]["spec"]
         self.assertEqual(
