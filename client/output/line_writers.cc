@@ -96,10 +96,12 @@ void WriteObj(const Lines& lines, AtomicFile* file) {
     if (PointCount(line) == 1) {
       absl::StrAppend(&text, "p ", first, "\n");
     } else {
-      text.append("l");
-      VisitIndices(line, first,
-                   [&text](size_t i) { absl::StrAppend(&text, " ", i); });
-      text.append("\n");
+      // Widely used readers keep the first piece of a longer statement alone.
+      size_t previous = 0;
+      VisitIndices(line, first, [&text, &previous](size_t i) {
+        if (previous != 0) absl::StrAppend(&text, "l ", previous, " ", i, "\n");
+        previous = i;
+      });
     }
     first += PointCount(line);
     file->Append(text);

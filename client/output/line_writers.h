@@ -37,7 +37,8 @@ struct Lines {
 
 // Writes lines in one of kLineFormats except .png. Only .csv and .json contain
 // lines without points.
-// .obj: Wavefront OBJ. A line is a group, its points and an l statement.
+// .obj: Wavefront OBJ. A line is a group, its points and an l statement for
+//   each piece between two of them.
 // .ply: binary. Vertices have x, y, z; edges have vertex1, vertex2, line (the
 //   line's number) and the attributes.
 // .vtk: legacy polydata, binary: LINES, with the attributes as cell scalars.

@@ -281,16 +281,17 @@ std::string WrittenAs(OutputFormat format, const Lines& lines = Sample()) {
   return Written([&](AtomicFile* file) { WriteLines(lines, format, file); });
 }
 
+// Two points in each l statement: some programs keep no more of it.
 TEST(LineWritersTest, Obj) {
   EXPECT_EQ(WrittenAs(OutputFormat::kObj),
             "# source 7 length 3\n"
             "g line_0\n"
             "v 0 0 0\nv 1 0 0\nv 1 2 0\n"
-            "l 1 2 3\n"
+            "l 1 2\nl 2 3\n"
             "# source 2 length 0.5\n"
             "g line_2\n"
             "v 0 0 1\nv 1 0 1\nv 0 1 1\n"
-            "l 4 5 6 4\n");
+            "l 4 5\nl 5 6\nl 6 4\n");
 }
 
 TEST(LineWritersTest, Csv) {
