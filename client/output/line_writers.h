@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "client/output/atomic_file.h"
+#include "client/output/binary_numbers.h"
 #include "client/output/output_format.h"
 #include "geodesic_client/questions.h"
 
@@ -27,7 +28,7 @@ struct Line {
 struct Attribute {
   std::string name;
   // A negative integer means that the line has no value.
-  bool is_integer = false;
+  NumberType type = NumberType::kFloat64;
 };
 
 struct Lines {

@@ -397,8 +397,8 @@ void AddRadius(CLI::App* app, const std::string& help,
 void AddFloat32(CLI::App* app, bool* float32) {
   AddFlag(app,
           {"--float32",
-           "Transfer 4-byte floats instead of 8-byte doubles; NumPy files then "
-           "hold floats too"},
+           "Transfer and write 4-byte floats instead of 8-byte doubles (not "
+           "to .f64)"},
           float32);
 }
 

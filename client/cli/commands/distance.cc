@@ -123,8 +123,7 @@ class Destination {
     for (const OutputArgument& output : arguments_.outputs) {
       if (!HoldsDistances(output.format)) continue;
       absl::StatusOr<PairWriter> writer = PairWriter::Create(
-          output.path, output.format, NumberTypeOf(arguments_.float32),
-          arguments_.mark());
+          output.path, output.format, type(), arguments_.mark());
       if (!writer.ok()) return FileError(writer.status());
       writers_.push_back(*std::move(writer));
     }
@@ -143,7 +142,8 @@ class Destination {
     if (arguments_.pair.has_value()) pair_ = pairs[0];
     if (keeps()) kept_.insert(kept_.end(), distances.begin(), distances.end());
     // Whoever reads may wait for them before asking more.
-    if (is_text()) session_.out << CsvPairs(pairs, distances) << std::flush;
+    if (is_text())
+      session_.out << CsvPairs(pairs, distances, type()) << std::flush;
     if (!session_.out) return OutputFailed();
     for (PairWriter& writer : writers_) {
       absl::Status status = writer.Append(pairs, distances);
@@ -198,7 +198,7 @@ class Destination {
       report.facts.clear();
       report.header = {"source", "target", name};
       report.rows = {{PointText(pair_.source), PointText(pair_.target),
-                      NumberText(kept_[0])}};
+                      TextOf(kept_[0], type())}};
       report.json["source"] = PointToJson(pair_.source);
       report.json["target"] = PointToJson(pair_.target);
       report.json[name] = kept_[0];
@@ -217,6 +217,7 @@ class Destination {
   }
 
  private:
+  NumberType type() const { return NumberTypeOf(arguments_.float32); }
   // Whether the distances are kept for the report.
   bool keeps() const {
     return arguments_.pair.has_value() ||
@@ -228,7 +229,8 @@ class Destination {
   std::vector<PairWriter> writers_;
   PointPair pair_;  // the only one, if it is not a list
   std::vector<double> kept_;
-  Lines lines_ = {.attributes = {{"pair", true}, {"distance"}}};
+  Lines lines_ = {
+      .attributes = {{"pair", NumberType::kInt32}, {"distance", type()}}};
   uint64_t count_ = 0;
   uint64_t finite_ = 0;
   double largest_ = 0;

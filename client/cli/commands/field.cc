@@ -58,6 +58,10 @@ void Check(const CLI::App& app, const FieldArguments& arguments) {
                                                     : "within a tolerance",
                  "; write .npy"));
     }
+    if (arguments.float32 && output.format == OutputFormat::kF64) {
+      Refuse("--float32",
+             output.path + " holds numbers of 64 bits: write .f32");
+    }
   }
   if (arguments.tolerance != 0 &&
       (arguments.progressive || arguments.nearest_sources ||
@@ -355,7 +359,7 @@ absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
 // Ends the call when nothing more can be written.
 absl::StatusOr<Field> StreamRows(const Session& session,
                                  const FieldQuery& query,
-                                 const std::vector<OutputArgument>& outputs,
+                                 const FieldArguments& arguments,
                                  Stopwatch* watch, FieldExtremes* extremes,
                                  std::vector<WrittenFile>* written) {
   // The user can request a stop, and so does a failed write.
@@ -365,14 +369,15 @@ absl::StatusOr<Field> StreamRows(const Session& session,
   CallOptions call = session.call;
   call.stop = stop.get_token();
 
-  Rows rows(session, outputs);
+  Rows rows(session, arguments.outputs);
   rows.Write(absl::StrCat("vertex,", kDistanceColumn, "\n"));
   if (!rows.Flush()) stop.request_stop();
   CsvLine line;
+  const NumberType type = NumberTypeOf(arguments.float32);
   const auto on_settled = [&](std::span<const SettledVertex> settled) {
     for (const SettledVertex& vertex : settled) {
       extremes->Add(vertex.vertex, vertex.distance);
-      line.Number(vertex.vertex).Number(vertex.distance);
+      line.Number(vertex.vertex).Text(TextOf(vertex.distance, type));
       rows.Write(line.End());
     }
     if (!rows.Flush()) stop.request_stop();
@@ -418,7 +423,7 @@ Report ReportOf(const FieldArguments& arguments, const Question& question,
   for (size_t i = 0; i < field.target_distances.size(); ++i) {
     const double distance = field.target_distances[i];
     report.facts.push_back({absl::StrCat("to ", PointText(question.targets[i])),
-                            NumberText(distance)});
+                            TextOf(distance, NumberTypeOf(arguments.float32))});
     Json target = PointToJson(question.targets[i]);
     target["distance"] = distance;
     targets.push_back(std::move(target));
@@ -451,7 +456,7 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
   absl::StatusOr<std::vector<WrittenFile>> files = std::vector<WrittenFile>();
   absl::StatusOr<Field> field =
       arguments.progressive
-          ? StreamRows(session, query, outputs, &watch, &extremes, &*files)
+          ? StreamRows(session, query, arguments, &watch, &extremes, &*files)
           : session.client.ComputeField(query, session.call,
                                         watch.OnSolve(query.tolerance == 0));
   if (!field.ok()) return field.status();

@@ -50,14 +50,15 @@ class Destination {
               const QuestionArguments& arguments)
       : session_(session),
         outputs_(arguments.outputs),
+        type_(NumberTypeOf(arguments.float32)),
         mark_(arguments.mark()),
         places_{question.sources, question.targets} {}
 
   // Errors: those of opening files.
-  absl::Status Open(NumberType type) {
+  absl::Status Open() {
     for (const OutputArgument& output : outputs_) {
       absl::StatusOr<std::unique_ptr<MatrixWriter>> writer =
-          CreateMatrixWriter(output.path, output.format, type, places_, mark_);
+          CreateMatrixWriter(output.path, output.format, type_, places_, mark_);
       if (!writer.ok()) return FileError(writer.status());
       writers_.push_back(*std::move(writer));
     }
@@ -105,7 +106,7 @@ class Destination {
       ++summary_.finite;
       summary_.largest = std::max(summary_.largest, value);
     }
-    if (is_text()) session_.out << CsvRow(places_, row);
+    if (is_text()) session_.out << CsvRow(places_, row, type_);
     if (!session_.out) return OutputFailed();
     if (writers_.empty() && session_.json) {
       rows_.push_back({{"columns", std::vector<uint32_t>(row.columns.begin(),
@@ -122,6 +123,7 @@ class Destination {
 
   const Session& session_;
   const std::vector<OutputArgument>& outputs_;
+  const NumberType type_;
   const std::string mark_;
   const MatrixPlaces places_;
   std::vector<std::unique_ptr<MatrixWriter>> writers_;
@@ -143,7 +145,7 @@ bool IsSparse(const QuestionArguments& arguments) {
 absl::Status Answer(const QuestionArguments& arguments, const Session& session,
                     const Question& question) {
   Destination destination(session, question, arguments);
-  absl::Status opened = destination.Open(NumberTypeOf(arguments.float32));
+  absl::Status opened = destination.Open();
   if (!opened.ok()) return opened;
   Stopwatch watch(session);
   auto query = MakeQuery<MatrixQuery>(arguments, question);

@@ -28,9 +28,10 @@ void AddOptions(CLI::App* app, QuestionArguments* arguments) {
 }
 
 Lines LinesOf(const PathAnswer& answer) {
-  Lines lines = {
-      .attributes = {
-          {"target", true}, {"source", true}, {"distance"}, {"length"}}};
+  Lines lines = {.attributes = {{"target", NumberType::kInt32},
+                                {"source", NumberType::kInt32},
+                                {"distance"},
+                                {"length"}}};
   for (size_t target = 0; target < answer.paths.size(); ++target) {
     const GeodesicPath& path = answer.paths[target];
     lines.lines.push_back(
