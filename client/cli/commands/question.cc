@@ -39,13 +39,17 @@ absl::StatusOr<WrittenPlaces> Prepare(const QuestionArguments& arguments) {
   std::vector<std::string> inputs = arguments.other_inputs;
   inputs.insert(inputs.end(), sources.files.begin(), sources.files.end());
   inputs.insert(inputs.end(), targets.files.begin(), targets.files.end());
-  std::vector<std::string> inputs_and_mesh = inputs;
-  inputs_and_mesh.push_back(arguments.mesh.text);
   for (const OutputArgument& output : arguments.outputs) {
     const bool keeps_mesh =
         arguments.adds_to_ply && output.format == OutputFormat::kPly;
-    absl::Status status =
-        CheckWritable(output.path, keeps_mesh ? inputs : inputs_and_mesh);
+    absl::Status status = CheckWritable(output.path, inputs);
+    if (status.ok() && !(keeps_mesh && arguments.in_place)) {
+      status = CheckWritable(
+          output.path, {&arguments.mesh.text, 1},
+          keeps_mesh && IsPlyFile(arguments.mesh)
+              ? "write to another file, or --in-place to add to this one"
+              : "write to another file");
+    }
     if (!status.ok()) return FileError(status);
   }
   WrittenPlaces places = {.sources = sources.points, .targets = targets.points};
