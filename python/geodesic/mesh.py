@@ -229,7 +229,7 @@ class Mesh:
 
     # Questions.
 
-    def distances(self, source: OneOrManySources = 0, *,
+    def distances(self, source: OneOrManySources, *,
                   targets: Optional[OneOrManyPlaces] = None,
                   radius: Optional[float] = None,
                   offsets: Optional[ArrayLike] = None,
@@ -260,7 +260,7 @@ class Mesh:
                 len(points) if stops else None, False, False, False, options)
         return field.distances if targets is None else field.target_distances
 
-    def field(self, source: OneOrManySources = 0, *, labels: bool = False,
+    def field(self, source: OneOrManySources, *, labels: bool = False,
               gradients: bool = False, certified_errors: bool = False,
               targets: Optional[OneOrManyPlaces] = None,
               stop_after_targets: Optional[int] = None,
@@ -325,7 +325,7 @@ class Mesh:
         assert labels is not None
         return labels
 
-    def gradients(self, source: OneOrManySources = 0, **options: Any,
+    def gradients(self, source: OneOrManySources, **options: Any,
                   ) -> NDArray[np.float64]:
         """The unit vector in which the distance grows at every vertex, (V, 3).
         Options as in field()."""
@@ -333,7 +333,7 @@ class Mesh:
         assert gradients is not None
         return gradients
 
-    def progressive(self, source: OneOrManySources = 0, *,
+    def progressive(self, source: OneOrManySources, *,
                     interval: float = 0.1, radius: Optional[float] = None,
                     offsets: Optional[ArrayLike] = None,
                     algorithm: Optional[str] = None,
@@ -447,7 +447,7 @@ class Mesh:
             for a in answers
         ]
 
-    def isolines(self, source: OneOrManySources = 0, *,
+    def isolines(self, source: OneOrManySources, *,
                  levels: Optional[ArrayLike] = None,
                  count: Optional[int] = None,
                  offsets: Optional[ArrayLike] = None,
@@ -592,7 +592,7 @@ class Mesh:
             return self._backend.nearest(rows, points, k, _radius(radius),
                                          options)
 
-    def samples(self, count: int, source: OneOrManySources = 0, *,
+    def samples(self, count: int, source: OneOrManySources, *,
                 algorithm: Optional[str] = None, tolerance: float = 0,
                 threads: Optional[int] = 1,
                 progress: ProgressOption = None,
@@ -611,7 +611,7 @@ class Mesh:
                 Options(algorithm, _threads(threads), report,
                         tolerance).exact_alone("samples are"))
 
-    def log_map(self, source: SurfacePoint = 0, *,
+    def log_map(self, source: SurfacePoint, *,
                 radius: Optional[float] = None,
                 algorithm: Optional[str] = None, threads: Optional[int] = 1,
                 progress: ProgressOption = None) -> LogMap:

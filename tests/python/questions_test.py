@@ -34,6 +34,15 @@ class QuestionsTest(unittest.TestCase):
         np.testing.assert_array_equal(field.target_distances, [np.inf, 1])
         np.testing.assert_array_equal(field.labels, [0, 0, -1, 0])
 
+    def test_nothing_is_measured_from_a_source_that_nobody_named(self):
+        for ask in (self.mesh.distances, self.mesh.field, self.mesh.labels,
+                    self.mesh.gradients, self.mesh.progressive,
+                    self.mesh.isolines, self.mesh.log_map, self.mesh.path,
+                    self.mesh.paths, self.mesh.nearest, self.mesh.distance,
+                    lambda: self.mesh.samples(5), self.mesh.pairs):
+            with self.assertRaisesRegex(TypeError, "source"):
+                ask()
+
     def assert_close(self, got, wanted, relative=tolerances.EXACT):
         np.testing.assert_allclose(got, wanted, rtol=relative,
                                    atol=relative * np.max(wanted))
