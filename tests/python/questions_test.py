@@ -186,6 +186,17 @@ class QuestionsTest(unittest.TestCase):
         self.assert_close(self.mesh.distance(3, 99),
                           self.mesh.distances(3)[99])
 
+    def test_curves_tell_what_was_added(self):
+        vertices, faces = meshes.grid(4)
+        mesh = self.make(vertices, faces)
+        # Along a side, and back to its beginning: three vertices between, twice.
+        curve = mesh.curve([0, 4], closed=True)
+        self.assertEqual((curve.added, len(curve.points)), (6, 9))
+        self.assert_close(curve.length, 2)
+        self.assertRegex(repr(curve), "9 points, 6 of them added, length 2")
+        # Neighbours need nothing between them.
+        self.assertEqual(mesh.curve([0, 1, 2]).added, 0)
+
     def test_many_pairs(self):
         # Enough for landmarks, which bound what a search opens.
         pairs = np.random.default_rng(4).integers(0, self.mesh.n_vertices,

@@ -1,7 +1,12 @@
 #include "client/cli/commands/question.h"
 
+#include <cmath>
+#include <optional>
+#include <variant>
+
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/mesh_argument.h"
+#include "client/cli/commands/outputs.h"
 #include "client/cli/commands/stopwatch.h"
 #include "client/cli/terminal/exit_code.h"
 #include "client/output/atomic_file.h"
@@ -62,6 +67,33 @@ absl::StatusOr<WrittenPlaces> Prepare(const QuestionArguments& arguments) {
   return places;
 }
 
+double LengthOf(const Curve& curve, const MeshArrays& mesh) {
+  double length = 0;
+  for (size_t i = 1; i < curve.points.size(); ++i) {
+    const Point a = PositionOf(curve.points[i - 1], mesh);
+    const Point b = PositionOf(curve.points[i], mesh);
+    length += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  }
+  return length;
+}
+
+// Measures the curves, for which it reads the mesh.
+absl::Status MeasureCurves(const Session& session, Question* question) {
+  std::optional<MeshArrays> mesh;
+  for (size_t i = 0; i < question->sources.size(); ++i) {
+    const auto* curve = std::get_if<Curve>(&question->sources[i].place);
+    if (curve == nullptr) continue;
+    if (!mesh.has_value()) {
+      absl::StatusOr<MeshArrays> read =
+          session.client.ReadMesh(question->mesh_digest, session.call);
+      if (!read.ok()) return read.status();
+      mesh = *std::move(read);
+    }
+    question->curve_lengths[i] = LengthOf(*curve, *mesh);
+  }
+  return absl::OkStatus();
+}
+
 // The question about the mesh with this digest. Reads the mesh if a place has
 // to be looked for.
 absl::StatusOr<Question> FindPlaces(const Session& session,
@@ -93,6 +125,10 @@ absl::Status AskQuestion(
   return AskAboutMesh(session, arguments.mesh, [&](const std::string& digest) {
     absl::StatusOr<Question> question = FindPlaces(session, *places, digest);
     if (!question.ok()) return question.status();
+    if (absl::Status status = MeasureCurves(session, &*question);
+        !status.ok()) {
+      return status;
+    }
     absl::Status status = PrepareMesh(session, digest, arguments.algorithm,
                                       arguments.approximation);
     return status.ok() ? answer(*question) : status;

@@ -5,6 +5,7 @@
 #define GEODESIC_CLIENT_CLI_COMMANDS_QUESTION_H_
 
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,8 @@ struct Question {
   // In the order in which the server numbers them.
   std::vector<Source> sources;
   std::vector<SurfacePoint> targets;
+  // Of each source that is a curve, by its number, in the mesh's unit.
+  std::map<size_t, double> curve_lengths = {};
 };
 
 // Reads the lists of --sources and --targets, checks that the outputs can be
