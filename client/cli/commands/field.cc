@@ -41,6 +41,27 @@ struct FieldArguments : QuestionArguments {
 // What --stop-at-targets means without a count.
 constexpr int64_t kAllTargets = 0x7fffffffffffffff;
 
+// Refuses to leave out of all files what was asked for beside distances.
+void CheckQuantities(const FieldArguments& arguments) {
+  using enum OutputFormat;
+  const auto check = [&](bool is_asked, const char* option, bool png_holds) {
+    const auto holds = [png_holds](const OutputArgument& output) {
+      return output.format == kNpz || output.format == kCsv ||
+             output.format == kPly || output.format == kVtk ||
+             (png_holds && output.format == kPng);
+    };
+    if (!is_asked || arguments.outputs.empty() ||
+        std::ranges::any_of(arguments.outputs, holds)) {
+      return;
+    }
+    Refuse(option, absl::StrCat("no -o FILE holds that: write .npz, .csv, .ply",
+                                png_holds ? ", .vtk or .png" : " or .vtk"));
+  };
+  check(arguments.nearest_sources, "--nearest-sources", true);
+  check(arguments.gradients, "--gradients", false);
+  check(arguments.certified_errors, "--certified-errors", false);
+}
+
 void Check(const CLI::App& app, const FieldArguments& arguments) {
   const TargetArguments& targets = arguments.targets;
   if (arguments.stop_at_targets.has_value() && targets.points.empty() &&
@@ -70,7 +91,7 @@ void Check(const CLI::App& app, const FieldArguments& arguments) {
            "is for distances that are sent when all are known: leave it out "
            "with --progressive, --nearest-sources and --gradients");
   }
-  if (!arguments.progressive) return;
+  if (!arguments.progressive) return CheckQuantities(arguments);
   if (arguments.nearest_sources || arguments.gradients ||
       arguments.certified_errors) {
     Refuse("--progressive",
