@@ -26,6 +26,11 @@ class GeodesicError(Exception):
     retry_after: Optional[float] = None
 
 
+class GeodesicWarning(UserWarning):
+    """An answer that is right, and surely not what was wanted: a source on no
+    face, a target that cannot be reached, fewer samples than asked for."""
+
+
 class InvalidArgument(GeodesicError, ValueError):
     """A malformed mesh, a place that the mesh does not have, a bad option."""
 

@@ -1,6 +1,7 @@
 """Paths, isolines, matrices and the other questions, from their definitions."""
 
 import unittest
+import warnings
 
 import meshes
 import numpy as np
@@ -186,6 +187,57 @@ class QuestionsTest(unittest.TestCase):
         self.assert_close(self.mesh.distance(3, 99),
                           self.mesh.distances(3)[99])
 
+    def test_a_source_on_no_face_is_told(self):
+        vertices, faces = meshes.octahedron()
+        mesh = self.make(np.concatenate([vertices, [[9, 9, 9]]]), faces)
+        ask = {
+            "distances": lambda: mesh.distances([0, 6]),
+            "nearest": lambda: mesh.nearest(6, [0, 1]),
+            "progressive": lambda: list(mesh.progressive(6)),
+            "matrix": lambda: mesh.matrix([6], [0]),
+            "isolines": lambda: mesh.isolines([0, 6], levels=[0.5]),
+            "samples": lambda: mesh.samples(2, 6),
+        }
+        for name, question in ask.items():
+            with self.subTest(name), self.assertWarnsRegex(
+                    geodesic.GeodesicWarning, "vertex 6 is on no face") as caught:
+                question()
+            # It is told of the line that asked.
+            self.assertEqual(caught.filename, __file__)
+        # All vertices, which nobody named; and meshes without such vertices.
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            mesh.matrix(targets=[0])
+            mesh.distances(0)
+            self.mesh.distances(0)
+
+    def test_why_a_target_is_not_reached(self):
+        # Two squares side by side that share no vertex, a third far away, and a
+        # vertex of no face.
+        square, faces = meshes.grid(1)
+        moved = [square + [x, 0, 0] for x in (0, 1, 5)]
+        mesh = self.make(np.concatenate(moved + [[[7, 7, 7]]]),
+                         np.concatenate([faces, faces + 4, faces + 8]))
+        for sources, target, radius, why in (
+                (0, 4, None, r"another component of the mesh; it touches others "
+                             r"at 2 points, where vertices lie twice \(4 and 1"),
+                ([0, 12], geodesic.FacePoint(4, (1, 0, 0)), None,
+                 "another component of the mesh$"),
+                (0, 12, None, "vertex 12 is on no face"),
+                (0, 3, 0.5, "farther than the radius, 0.5"),
+                (12, 3, None, "vertex 12, the source, is on no face")):
+            with self.assertWarnsRegex(geodesic.GeodesicWarning,
+                                       "cannot be reached: .*" + why):
+                path = mesh.path(sources, target, radius=radius)
+            self.assertRegex(path.unreached, why)
+            self.assertEqual(path.distance, np.inf)
+        self.assertIsNone(mesh.path(0, 3).unreached)
+        with self.assertWarnsRegex(geodesic.GeodesicWarning, "lie twice"):
+            self.assertEqual(mesh.distance(0, 4), np.inf)
+        with self.assertRaisesRegex(geodesic.InvalidArgument,
+                                    "from places.0. to the next: it lies in"):
+            mesh.curve([0, 9])
+
     def test_curves_tell_what_was_added(self):
         vertices, faces = meshes.grid(4)
         mesh = self.make(vertices, faces)
@@ -196,6 +248,14 @@ class QuestionsTest(unittest.TestCase):
         self.assertRegex(repr(curve), "9 points, 6 of them added, length 2")
         # Neighbours need nothing between them.
         self.assertEqual(mesh.curve([0, 1, 2]).added, 0)
+
+    def test_fewer_samples_than_asked_for_are_told(self):
+        vertices, faces = meshes.octahedron()
+        mesh = self.make(vertices, faces)
+        with self.assertWarnsRegex(geodesic.GeodesicWarning,
+                                   "100 samples were asked for and 5 are there"):
+            found, _ = mesh.samples(100, 0)
+        self.assertEqual(sorted(found), [1, 2, 3, 4, 5])
 
     def test_many_pairs(self):
         # Enough for landmarks, which bound what a search opens.

@@ -15,6 +15,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
+#include "client/cli/commands/notes.h"
 #include "client/cli/commands/outputs.h"
 #include "client/cli/commands/question.h"
 #include "client/cli/commands/report.h"
@@ -171,7 +172,7 @@ FieldQuery ToQuery(const FieldArguments& arguments, const Question& question) {
 
 // The largest of the finite distances, and how many are finite.
 struct FieldExtremes {
-  // 0 if no vertex is reached.
+  // These are 0 if no vertex is reached.
   double largest = 0;
   uint64_t farthest_vertex = 0;
   uint64_t reached = 0;
@@ -420,17 +421,21 @@ Json ToJson(const FieldStatistics& statistics) {
           {"solve_seconds", statistics.solve_seconds}};
 }
 
-Report ReportOf(const FieldArguments& arguments, const Question& question,
-                const Field& field, const FieldExtremes& extremes) {
+Report ReportOf(const FieldArguments& arguments, const Session& session,
+                const Question& question, const Field& field,
+                const FieldExtremes& extremes) {
   const bool is_limited =
       arguments.radius.has_value() || arguments.stop_at_targets.has_value();
   const uint64_t missing = field.vertex_count - extremes.reached;
   Report report;
-  report.facts = {{"origin", std::string(FieldOriginName(field.origin))},
-                  {"vertices", GroupedNumber(field.vertex_count)},
-                  {"largest distance",
-                   absl::StrCat(ShortNumber(extremes.largest), " at vertex ",
-                                extremes.farthest_vertex)}};
+  report.facts = {
+      {"origin", std::string(FieldOriginName(field.origin))},
+      {"vertices", GroupedNumber(field.vertex_count)},
+      {"largest distance",
+       extremes.reached == 0
+           ? "none"
+           : absl::StrCat(ShortNumber(extremes.largest), " at vertex ",
+                          extremes.farthest_vertex)}};
   if (missing != 0) {
     report.facts.push_back({is_limited ? "not reached" : "unreachable",
                             absl::StrCat(GroupedNumber(missing), " vertices")});
@@ -440,13 +445,22 @@ Report ReportOf(const FieldArguments& arguments, const Question& question,
         {field.certified_error.has_value() ? "certified up to" : "exact up to",
          ShortNumber(field.settled_radius)});
   }
+  const std::vector<std::string> reasons =
+      WhyUnreached(session, question.mesh_digest, question.sources,
+                   question.targets, field.target_distances,
+                   arguments.stop_at_targets.has_value()
+                       ? "the search ended before it came there"
+                       : BeyondRadius(arguments.radius));
   Json targets = Json::array();
   for (size_t i = 0; i < field.target_distances.size(); ++i) {
     const double distance = field.target_distances[i];
-    report.facts.push_back({absl::StrCat("to ", PointText(question.targets[i])),
-                            TextOf(distance, NumberTypeOf(arguments.float32))});
+    report.facts.push_back(
+        {absl::StrCat("to ", PointText(question.targets[i])),
+         absl::StrCat(TextOf(distance, NumberTypeOf(arguments.float32)),
+                      reasons[i].empty() ? "" : ": ", reasons[i])});
     Json target = PointToJson(question.targets[i]);
     target["distance"] = distance;
+    target["unreached"] = reasons[i].empty() ? Json() : Json(reasons[i]);
     targets.push_back(std::move(target));
   }
   if (!field.approximation.has_value()) {
@@ -457,14 +471,17 @@ Report ReportOf(const FieldArguments& arguments, const Question& question,
                       GroupedNumber(field.statistics.windows_propagated),
                       " propagated")});
   }
-  report.json = {{"origin", std::string(FieldOriginName(field.origin))},
-                 {"vertices", field.vertex_count},
-                 {"unreachable_vertices", missing},
-                 {"largest_distance", extremes.largest},
-                 {"farthest_vertex", extremes.farthest_vertex},
-                 {"settled_radius", field.settled_radius},
-                 {"targets", targets},
-                 {"statistics", ToJson(field.statistics)}};
+  report.json = {
+      {"origin", std::string(FieldOriginName(field.origin))},
+      {"vertices", field.vertex_count},
+      {"unreachable_vertices", missing},
+      {"largest_distance",
+       extremes.reached == 0 ? Json() : Json(extremes.largest)},
+      {"farthest_vertex",
+       extremes.reached == 0 ? Json() : Json(extremes.farthest_vertex)},
+      {"settled_radius", field.settled_radius},
+      {"targets", targets},
+      {"statistics", ToJson(field.statistics)}};
   return report;
 }
 
@@ -502,9 +519,12 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
     files = WriteFieldOutputs(session, arguments, question, info, *field);
   }
   // If the rows went to the terminal, nothing else does.
-  if (arguments.progressive && outputs.empty()) return absl::OkStatus();
+  if (arguments.progressive && outputs.empty()) {
+    PrintNotes(session, question.notes);
+    return absl::OkStatus();
+  }
   return PrintReport(session, question, info, seconds, files,
-                     ReportOf(arguments, question, *field, extremes));
+                     ReportOf(arguments, session, question, *field, extremes));
 }
 
 }  // namespace

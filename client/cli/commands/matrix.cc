@@ -9,6 +9,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
+#include "client/cli/commands/notes.h"
 #include "client/cli/commands/outputs.h"
 #include "client/cli/commands/question.h"
 #include "client/cli/commands/report.h"
@@ -157,7 +158,10 @@ absl::Status Answer(const QuestionArguments& arguments, const Session& session,
   absl::StatusOr<std::vector<WrittenFile>> files = destination.Commit();
   if (!files.ok()) return files.status();
   // If the rows went to the terminal, nothing else does.
-  if (!session.json && files->empty()) return absl::OkStatus();
+  if (!session.json && files->empty()) {
+    PrintNotes(session, question.notes);
+    return absl::OkStatus();
+  }
 
   const MatrixSummary& summary = destination.summary();
   Report report = {
@@ -166,11 +170,13 @@ absl::Status Answer(const QuestionArguments& arguments, const Session& session,
                               GroupedNumber(summary.shape.columns),
                               " columns")},
                 {"finite values", GroupedNumber(summary.finite)},
-                {"largest distance", ShortNumber(summary.largest)}},
+                {"largest distance",
+                 summary.finite == 0 ? "none" : ShortNumber(summary.largest)}},
       .json = {{"rows", summary.shape.rows},
                {"columns", summary.shape.columns},
                {"finite_values", summary.finite},
-               {"largest_distance", summary.largest}}};
+               {"largest_distance",
+                summary.finite == 0 ? Json() : Json(summary.largest)}}};
   if (files->empty()) report.json["matrix"] = destination.rows();
   return PrintReport(session, question, *info, seconds, files, report);
 }

@@ -6,6 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/mesh_argument.h"
+#include "client/cli/commands/notes.h"
 #include "client/cli/commands/outputs.h"
 #include "client/cli/commands/stopwatch.h"
 #include "client/cli/terminal/exit_code.h"
@@ -129,6 +130,10 @@ absl::Status AskQuestion(
         !status.ok()) {
       return status;
     }
+    absl::StatusOr<std::vector<std::string>> notes =
+        NotesOnSources(session, digest, question->sources);
+    if (!notes.ok()) return notes.status();
+    question->notes = *std::move(notes);
     absl::Status status = PrepareMesh(session, digest, arguments.algorithm,
                                       arguments.approximation);
     return status.ok() ? answer(*question) : status;

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "absl/strings/str_cat.h"
+#include "client/cli/commands/notes.h"
 #include "client/output/atomic_file.h"
 #include "client/output/place_text.h"
 
@@ -49,6 +50,13 @@ std::optional<Fact> CurveFact(const Question& question) {
                    ShortNumber(sum)));
 }
 
+std::vector<std::string> AllNotes(const Question& question,
+                                  const Report& report) {
+  std::vector<std::string> notes = question.notes;
+  notes.insert(notes.end(), report.notes.begin(), report.notes.end());
+  return notes;
+}
+
 // Null stands for what has no bound, or is not certified.
 void AddAnswer(const Question& question, const AnswerInfo& info,
                double call_seconds, const std::vector<WrittenFile>& files,
@@ -69,6 +77,7 @@ void AddAnswer(const Question& question, const AnswerInfo& info,
                    {"call_seconds", call_seconds},
                    {"server_version", info.server_version}});
   json.update(report.json);
+  json["notes"] = AllNotes(question, report);
   json["outputs"] = FilesJson(files);
 }
 
@@ -108,6 +117,9 @@ std::vector<Fact> AllFacts(const Question& question, const AnswerInfo& info,
                                                : file.output.path,
                                            " (", ByteCount(file.bytes), ")")});
   }
+  for (const std::string& note : AllNotes(question, report)) {
+    facts.emplace_back("note", note);
+  }
   return facts;
 }
 
@@ -146,6 +158,7 @@ absl::Status PrintReport(const Session& session, const Question& question,
     AddAnswer(question, info, call_seconds, *files, report, *session.json);
     return absl::OkStatus();
   }
+  if (session.quiet) PrintNotes(session, AllNotes(question, report));
   if (session.quiet && !files->empty()) return absl::OkStatus();
   // Nothing else goes where an answer went.
   const bool is_taken = std::ranges::any_of(*files, [](const auto& file) {
