@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "absl/strings/str_cat.h"
+#include "client/output/number_text.h"
 
 namespace geodesic::client {
 namespace {
@@ -26,6 +27,14 @@ void AppendAs(std::span<const double> values, std::endian order,
 }
 
 }  // namespace
+
+std::string TextOf(double value, NumberType type) {
+  if (IsInteger(type)) return NumberText(static_cast<int64_t>(value));
+  if (type == NumberType::kFloat32) {
+    return NumberText(static_cast<float>(value));
+  }
+  return NumberText(value);
+}
 
 void AppendNumbers(std::span<const double> values, NumberType type,
                    std::string* bytes, std::endian order) {
@@ -60,6 +69,12 @@ void AppendNumbers(std::span<const double> values, NumberType type,
 std::string_view NumpyName(NumberType type) {
   constexpr std::array kNames = {"<f8", "<f4", "<i8", "<i4"};
   return kNames.at(static_cast<size_t>(type));
+}
+
+std::string_view PlyName(NumberType type) {
+  return IsInteger(type)                ? "int"
+         : type == NumberType::kFloat32 ? "float"
+                                        : "double";
 }
 
 std::string NpyHeader(std::string_view type, std::span<const uint64_t> shape,

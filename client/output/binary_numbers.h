@@ -16,6 +16,13 @@ namespace geodesic::client {
 
 enum class NumberType { kFloat64, kFloat32, kInt64, kInt32 };
 
+inline bool IsInteger(NumberType type) {
+  return type == NumberType::kInt64 || type == NumberType::kInt32;
+}
+
+// The fewest digits that give the value, converted to `type`, again.
+std::string TextOf(double value, NumberType type);
+
 // Appends the values, converted to `type`.
 // REQUIRES: they are in its range if it is an integer type.
 void AppendNumbers(std::span<const double> values, NumberType type,
@@ -27,6 +34,10 @@ void AppendNumbers(std::span<const double> values, NumberType type,
 
 // NumPy's name of the type: "<f8", "<f4", "<i8" or "<i4".
 std::string_view NumpyName(NumberType type);
+
+// What .ply and legacy .vtk call the type: "double", "float" or "int".
+// REQUIRES: not kInt64, which .ply lacks.
+std::string_view PlyName(NumberType type);
 
 // The part of a file before the values. `type` is NumPy's name. The size is a
 // multiple of 64 bytes and at least `least_size`. A `mark` stands behind the

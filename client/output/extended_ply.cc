@@ -172,7 +172,7 @@ class HeaderReader {
   void AddColumns() {
     for (const Column& column : columns_) {
       for (const std::string& name : column.names()) {
-        lines_.push_back("property " + std::string(column.ply_type()) + " " +
+        lines_.push_back("property " + std::string(column.stored_name()) + " " +
                          name + std::string(end_of_line_));
       }
     }
@@ -266,8 +266,7 @@ class TextRows {
     if (!words.empty()) return false;
     for (const Column& column : columns_) {
       for (const double value : ValuesOf(column, row)) {
-        add(column.is_integer() ? NumberText(static_cast<int64_t>(value))
-                                : NumberText(value));
+        add(TextOf(value, column.type));
       }
     }
     extended_->append(line.ends_with("\r\n") ? "\r\n" : "\n");
@@ -295,10 +294,8 @@ class BinaryRows {
       if (element.properties.empty()) break;
       if (!element.is_vertex) continue;
       for (const Column& column : columns_) {
-        AppendNumbers(
-            ValuesOf(column, row),
-            column.is_integer() ? NumberType::kInt32 : NumberType::kFloat64,
-            extended_, order_);
+        AppendNumbers(ValuesOf(column, row), column.stored_type(), extended_,
+                      order_);
       }
     }
     return true;

@@ -25,14 +25,8 @@ void WriteCsv(std::span<const Column> columns, AtomicFile* file) {
     line.Number(vertex);
     for (const Column& column : columns) {
       for (size_t i = 0; i < column.components; ++i) {
-        const double value = column.values[vertex * column.components + i];
-        if (column.is_integer()) {
-          line.Number(static_cast<int64_t>(value));
-        } else if (column.type == NumberType::kFloat32) {
-          line.Number(static_cast<float>(value));
-        } else {
-          line.Number(value);
-        }
+        line.Text(
+            TextOf(column.values[vertex * column.components + i], column.type));
       }
     }
     file->Append(line.End());
@@ -48,7 +42,7 @@ void WritePly(const MeshArrays& mesh, std::span<const Column> columns,
       "\nproperty double x\nproperty double y\nproperty double z\n");
   for (const Column& column : columns) {
     for (const std::string& name : column.names()) {
-      header.append("property ").append(column.ply_type());
+      header.append("property ").append(column.stored_name());
       header.append(" ").append(name).append("\n");
     }
   }
@@ -63,10 +57,8 @@ void WritePly(const MeshArrays& mesh, std::span<const Column> columns,
     AppendNumbers(mesh.positions[vertex], NumberType::kFloat64, &row);
     for (const Column& column : columns) {
       for (size_t i = 0; i < column.components; ++i) {
-        AppendNumbers(
-            {&column.values[vertex * column.components + i], 1},
-            column.is_integer() ? NumberType::kInt32 : NumberType::kFloat64,
-            &row);
+        AppendNumbers({&column.values[vertex * column.components + i], 1},
+                      column.stored_type(), &row);
       }
     }
     file->Append(row);
@@ -103,16 +95,13 @@ void WriteVtk(const MeshArrays& mesh, std::span<const Column> columns,
   }
   file->Append(absl::StrCat("\nPOINT_DATA ", mesh.positions.size()));
   for (const Column& column : columns) {
-    const char* type = column.is_integer() ? "int" : "double";
+    const std::string type(column.stored_name());
     file->Append(
         column.components == 1
             ? absl::StrCat("\nSCALARS ", column.name, " ", type,
                            " 1\nLOOKUP_TABLE default\n")
             : absl::StrCat("\nVECTORS ", column.name, " ", type, "\n"));
-    AppendNumbers(
-        column.values,
-        column.is_integer() ? NumberType::kInt32 : NumberType::kFloat64, file,
-        std::endian::big);
+    AppendNumbers(column.values, column.stored_type(), file, std::endian::big);
   }
   file->Append("\n");
 }

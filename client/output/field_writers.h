@@ -37,16 +37,17 @@ struct Column {
   size_t components = 1;  // or 3, a vector
   NumberType type = NumberType::kFloat64;
 
-  bool is_integer() const {
-    return type == NumberType::kInt64 || type == NumberType::kInt32;
-  }
+  bool is_integer() const { return IsInteger(type); }
   // "gradient_x", "gradient_y" and "gradient_z", or the name as it is.
   std::vector<std::string> names() const {
     if (components == 1) return {name};
     return {name + "_x", name + "_y", name + "_z"};
   }
-  // What .ply calls the type of its values.
-  std::string_view ply_type() const { return is_integer() ? "int" : "double"; }
+  // The type of its values in .ply and .vtk, and what these call it.
+  NumberType stored_type() const {
+    return is_integer() ? NumberType::kInt32 : type;
+  }
+  std::string_view stored_name() const { return PlyName(stored_type()); }
   size_t count() const { return values.size() / components; }
   // NumPy's shape: (count), or (count, components).
   std::vector<uint64_t> shape() const {
@@ -63,14 +64,15 @@ void WriteNpy(const Column& column, AtomicFile* file,
 // vector is three columns: gradient_x, gradient_y, gradient_z.
 void WriteCsv(std::span<const Column> columns, AtomicFile* file);
 
-// Binary PLY. Vertices have x, y, z and the columns, as double or int, with
-// vectors as in .csv. Then come the faces.
+// Binary PLY. Vertices have x, y, z as double and the columns, each as double,
+// float or int, with vectors as in .csv. Then come the faces.
 // REQUIRES: a value per vertex; fewer than 2^31 vertices. Likewise for
 // WriteVtk.
 void WritePly(const MeshArrays& mesh, std::span<const Column> columns,
               AtomicFile* file, const std::string& mark = "");
 
-// Legacy VTK polydata with the columns as point scalars and vectors. It is
+// Legacy VTK polydata with the columns as point scalars and vectors, of these
+// types too. It is
 // binary, which in that format means big endian.
 void WriteVtk(const MeshArrays& mesh, std::span<const Column> columns,
               AtomicFile* file, const std::string& mark = "");

@@ -49,7 +49,7 @@ void VisitIndices(const Line& line, size_t first, Visit visit) {
 
 Json AttributeJson(const Attribute& attribute, double value) {
   if (!std::isfinite(value)) return nullptr;
-  if (!attribute.is_integer) return value;
+  if (!IsInteger(attribute.type)) return value;
   if (value < 0) return nullptr;
   return static_cast<int64_t>(value);
 }
@@ -86,7 +86,7 @@ void WriteObj(const Lines& lines, AtomicFile* file) {
     std::string text = "#";
     for (size_t i = 0; i < lines.attributes.size(); ++i) {
       absl::StrAppend(&text, " ", lines.attributes[i].name, " ",
-                      NumberText(line.values[i]));
+                      TextOf(line.values[i], lines.attributes[i].type));
     }
     absl::StrAppend(&text, "\ng line_", number, "\n");
     for (const Point& point : line.polyline.positions) {
@@ -96,10 +96,12 @@ void WriteObj(const Lines& lines, AtomicFile* file) {
     if (PointCount(line) == 1) {
       absl::StrAppend(&text, "p ", first, "\n");
     } else {
-      text.append("l");
-      VisitIndices(line, first,
-                   [&text](size_t i) { absl::StrAppend(&text, " ", i); });
-      text.append("\n");
+      // Widely used readers keep the first piece of a longer statement alone.
+      size_t previous = 0;
+      VisitIndices(line, first, [&text, &previous](size_t i) {
+        if (previous != 0) absl::StrAppend(&text, "l ", previous, " ", i, "\n");
+        previous = i;
+      });
     }
     first += PointCount(line);
     file->Append(text);
@@ -115,9 +117,8 @@ void WritePly(const Lines& lines, AtomicFile* file) {
       totals.pieces,
       "\nproperty int vertex1\nproperty int vertex2\nproperty int line\n");
   for (const Attribute& attribute : lines.attributes) {
-    absl::StrAppend(&text, "property ",
-                    attribute.is_integer ? "int " : "double ", attribute.name,
-                    "\n");
+    absl::StrAppend(&text, "property ", std::string(PlyName(attribute.type)),
+                    " ", attribute.name, "\n");
   }
   file->Append(text + "end_header\n");
   for (const Line& line : lines.lines) {
@@ -136,10 +137,7 @@ void WritePly(const Lines& lines, AtomicFile* file) {
                                             static_cast<double>(number)};
         AppendNumbers(edge, NumberType::kInt32, &rows);
         for (size_t i = 0; i < lines.attributes.size(); ++i) {
-          AppendNumbers({&line.values[i], 1},
-                        lines.attributes[i].is_integer ? NumberType::kInt32
-                                                       : NumberType::kFloat64,
-                        &rows);
+          AppendNumbers({&line.values[i], 1}, lines.attributes[i].type, &rows);
         }
       }
       previous = vertex;
@@ -176,12 +174,16 @@ void WriteVtk(const Lines& lines, AtomicFile* file) {
   }
   file->Append(absl::StrCat("\nCELL_DATA ", totals.lines));
   for (size_t i = 0; i < lines.attributes.size(); ++i) {
-    file->Append(absl::StrCat("\nSCALARS ", lines.attributes[i].name,
-                              " double 1\nLOOKUP_TABLE default\n"));
+    // Integers, too, are double here.
+    const NumberType type = IsInteger(lines.attributes[i].type)
+                                ? NumberType::kFloat64
+                                : lines.attributes[i].type;
+    file->Append(absl::StrCat("\nSCALARS ", lines.attributes[i].name, " ",
+                              std::string(PlyName(type)),
+                              " 1\nLOOKUP_TABLE default\n"));
     for (const Line& line : lines.lines) {
       if (PointCount(line) == 0) continue;
-      AppendNumbers({&line.values[i], 1}, NumberType::kFloat64, file,
-                    std::endian::big);
+      AppendNumbers({&line.values[i], 1}, type, file, std::endian::big);
     }
   }
   file->Append("\n");
@@ -204,11 +206,7 @@ void WriteCsv(const Lines& lines, AtomicFile* file) {
       }
       row.Text(PointText(line.polyline.points[i]));
       for (size_t a = 0; a < lines.attributes.size(); ++a) {
-        if (lines.attributes[a].is_integer) {
-          row.Number(static_cast<int64_t>(line.values[a]));
-        } else {
-          row.Number(line.values[a]);
-        }
+        row.Text(TextOf(line.values[a], lines.attributes[a].type));
       }
       file->Append(row.End());
     });

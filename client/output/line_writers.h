@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "client/output/atomic_file.h"
+#include "client/output/binary_numbers.h"
 #include "client/output/output_format.h"
 #include "geodesic_client/questions.h"
 
@@ -27,7 +28,7 @@ struct Line {
 struct Attribute {
   std::string name;
   // A negative integer means that the line has no value.
-  bool is_integer = false;
+  NumberType type = NumberType::kFloat64;
 };
 
 struct Lines {
@@ -37,7 +38,8 @@ struct Lines {
 
 // Writes lines in one of kLineFormats except .png. Only .csv and .json contain
 // lines without points.
-// .obj: Wavefront OBJ. A line is a group, its points and an l statement.
+// .obj: Wavefront OBJ. A line is a group, its points and an l statement for
+//   each piece between two of them.
 // .ply: binary. Vertices have x, y, z; edges have vertex1, vertex2, line (the
 //   line's number) and the attributes.
 // .vtk: legacy polydata, binary: LINES, with the attributes as cell scalars.

@@ -131,7 +131,7 @@ class PlainMatrixWriter final : public MatrixWriter {
 
   absl::Status Append(const MatrixRow& row) override {
     if (format_ == OutputFormat::kCsv) {
-      file_.Append(CsvRow(places_, row));
+      file_.Append(CsvRow(places_, row, type_));
     } else {
       AppendNumbers(row.values, type_, &file_);
     }
@@ -221,7 +221,8 @@ std::string MatrixCsvHeader(const std::string& mark) {
   return absl::StrCat("source,target,", DistanceName("distance", mark), "\n");
 }
 
-std::string CsvRow(const MatrixPlaces& places, const MatrixRow& row) {
+std::string CsvRow(const MatrixPlaces& places, const MatrixRow& row,
+                   NumberType type) {
   const std::string source = SourceText(places.sources.at(row.row));
   std::string text;
   CsvLine line;
@@ -229,7 +230,7 @@ std::string CsvRow(const MatrixPlaces& places, const MatrixRow& row) {
     const std::string target = column < places.targets.size()
                                    ? PointText(places.targets[column])
                                    : NumberText(column);
-    text.append(line.Text(source).Text(target).Number(value).End());
+    text.append(line.Text(source).Text(target).Text(TextOf(value, type)).End());
   });
   return text;
 }

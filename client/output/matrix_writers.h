@@ -26,9 +26,10 @@ struct MatrixPlaces {
 // The line above them.
 std::string MatrixCsvHeader(const std::string& mark);
 
-// A line for each value of the row. It names source and target as the command
-// line does.
-std::string CsvRow(const MatrixPlaces& places, const MatrixRow& row);
+// A line for each value of the row, with the digits of `type`. It names source
+// and target as the command line does.
+std::string CsvRow(const MatrixPlaces& places, const MatrixRow& row,
+                   NumberType type);
 
 // Nothing appears under the file's name before Commit. Not thread-safe.
 class MatrixWriter {
@@ -52,7 +53,7 @@ class MatrixWriter {
 //   indices, indptr, shape, format. Of dense rows the finite values are kept.
 //   While it grows, data and indices wait in files without a name beside it.
 // .csv: "source,target,distance", a line for each value, as CsvRow has it.
-// `type` is that of the values in .npy and .npz, a float type. A `mark`
+// `type` is that of the values, a float type. A `mark`
 // (approximation_mark.h) is in the header of .npy, in the member "approximate"
 // or "within_tolerance" of .npz and in the column's name of .csv. Errors: those
 // of opening files for writing, naming the path.

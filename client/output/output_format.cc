@@ -8,6 +8,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
+#include "client/output/place_text.h"
 
 namespace geodesic::client {
 
@@ -73,15 +74,21 @@ bool IsPipeOrDevice(const std::string& path) {
 }
 
 absl::Status CheckWritable(const std::string& path,
-                           std::span<const std::string> inputs) {
+                           std::span<const std::string> inputs,
+                           std::string_view way_out) {
   if (path == kStandardOutput) return absl::OkStatus();
+  std::error_code error;
+  // A terminal is read and written.
+  const bool is_file = std::filesystem::is_regular_file(path, error);
   for (const std::string& input : inputs) {
-    std::error_code error;
-    if (!std::filesystem::equivalent(path, input, error)) continue;
+    const std::string_view read =
+        input == kStandardInput ? "/dev/stdin" : std::string_view(input);
+    if (!is_file || !std::filesystem::equivalent(path, read, error)) continue;
     return absl::InvalidArgumentError(
         absl::StrCat("cannot write ", path,
                      ": it is read by this command, and the answer would "
-                     "replace it; write to another file"));
+                     "replace it; ",
+                     std::string(way_out)));
   }
   if (IsPipeOrDevice(path)) {
     return access(path.c_str(), W_OK) == 0

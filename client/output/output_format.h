@@ -69,11 +69,14 @@ bool IsCompressed(std::string_view path);
 absl::StatusOr<OutputFormat> OutputFormatFromPath(
     std::string_view path, std::span<const OutputFormat> formats);
 
-// Errors: the path's folder does not exist or cannot be written to; the file is
-// one of `inputs`, which the answer would replace. Standard output is taken for
-// writable. To be called before a long computation.
+// Errors: the path's folder does not exist or cannot be written to; the file
+// itself, by whatever name or link, is one of `inputs` ("-" is standard input),
+// which the answer would replace: then the message ends with `way_out`.
+// Standard output is taken for writable. To be called before a long
+// computation.
 absl::Status CheckWritable(const std::string& path,
-                           std::span<const std::string> inputs);
+                           std::span<const std::string> inputs,
+                           std::string_view way_out = "write to another file");
 
 }  // namespace geodesic::client
 

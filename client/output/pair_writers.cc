@@ -24,13 +24,13 @@ std::string Header(NumberType type, uint64_t count, const std::string& mark) {
 }  // namespace
 
 std::string CsvPairs(std::span<const PointPair> pairs,
-                     std::span<const double> distances) {
+                     std::span<const double> distances, NumberType type) {
   std::string text;
   CsvLine line;
   for (size_t i = 0; i < pairs.size(); ++i) {
     text.append(line.Text(PointText(pairs[i].source))
                     .Text(PointText(pairs[i].target))
-                    .Number(distances[i])
+                    .Text(TextOf(distances[i], type))
                     .End());
   }
   return text;
@@ -50,7 +50,7 @@ absl::StatusOr<PairWriter> PairWriter::Create(const std::string& path,
 absl::Status PairWriter::Append(std::span<const PointPair> pairs,
                                 std::span<const double> distances) {
   if (format_ == OutputFormat::kCsv) {
-    file_.Append(CsvPairs(pairs, distances));
+    file_.Append(CsvPairs(pairs, distances, type_));
   } else {
     AppendNumbers(distances, type_, &file_);
   }

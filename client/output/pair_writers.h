@@ -17,16 +17,17 @@
 namespace geodesic::client {
 
 // A line for each pair, "source,target,distance"; places are as the command
-// line has them. REQUIRES: as many distances as pairs.
+// line has them, distances have the digits of `type`. REQUIRES: as many
+// distances as pairs.
 std::string CsvPairs(std::span<const PointPair> pairs,
-                     std::span<const double> distances);
+                     std::span<const double> distances, NumberType type);
 
 // Writes .csv, lines as above with a header, or .npy, an array of one
 // dimension. Nothing appears under the file's name before Commit. Not
 // thread-safe.
 class PairWriter {
  public:
-  // `type` is that of the values in .npy. `mark`: as CreateMatrixWriter.
+  // `type` is that of the values, a float type. `mark`: as CreateMatrixWriter.
   // Errors: those of opening files for writing, naming the path.
   static absl::StatusOr<PairWriter> Create(const std::string& path,
                                            OutputFormat format, NumberType type,

@@ -117,10 +117,21 @@ absl::Status MeshAssembler::Consume(const v1::ReadMeshResponse& message) {
     return Append("faces", message.faces().indices(),
                   message.faces().first_face(), face_count_, &mesh_.triangles);
   }
+  if (message.has_joined()) {
+    return Append("joined vertices", message.joined().pairs(),
+                  message.joined().first_pair(), vertex_count_, &mesh_.joined);
+  }
   return absl::OkStatus();  // A part that a later server may add.
 }
 
 absl::StatusOr<MeshArrays> MeshAssembler::Finish() && {
+  for (const auto& [vertex, into] : mesh_.joined) {
+    if (vertex >= vertex_count_ || into >= vertex_count_) {
+      return absl::DataLossError(
+          absl::StrCat("the server sent vertex ", vertex, " joined into ", into,
+                       " of ", vertex_count_));
+    }
+  }
   if (!has_header_ || mesh_.positions.size() != vertex_count_ ||
       mesh_.triangles.size() != face_count_) {
     return absl::DataLossError(

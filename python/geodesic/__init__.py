@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any, Dict
 
 from . import _core
 from .approximate import Approximate
-from .errors import (Cancelled, DeadlineExceeded, GeodesicError, InternalError,
-                     InvalidArgument, MeshWarning, NotAllowed, NotFound, ResourceExhausted,
-                     Unavailable)
+from .errors import (Cancelled, DeadlineExceeded, GeodesicError, GeodesicWarning,
+                     InternalError, InvalidArgument, NotAllowed, NotFound,
+                     ResourceExhausted, Unavailable)
 from .mesh import Mesh
 from .places import Curve, EdgePoint, FacePoint, Places
 from .results import Field, Isoline, LogMap, Path
@@ -27,8 +27,8 @@ __version__: str = _core.VERSION
 
 __all__ = [
     "Approximate", "Cancelled", "Curve", "DeadlineExceeded", "EdgePoint", "FacePoint", "Field",
-    "GeodesicError", "InternalError", "InvalidArgument", "Isoline", "LogMap",
-    "Mesh", "MeshWarning", "NotAllowed", "NotFound", "Path", "Places", "ResourceExhausted",
+    "GeodesicError", "GeodesicWarning", "InternalError", "InvalidArgument", "Isoline", "LogMap",
+    "Mesh", "NotAllowed", "NotFound", "Path", "Places", "ResourceExhausted",
     "Unavailable", "algorithms", "connect"
 ]
 

@@ -139,6 +139,10 @@ class Backend(Protocol):
     def reading(self) -> Reading:
         """What was joined: see geodesic.digest."""
 
+    def isolated(self) -> Optional[np.ndarray]:
+        """Which vertices no face has, bool (V,); None if there are none."""
+        ...
+
     def digest(self) -> str: ...
 
     def where(self) -> str: ...

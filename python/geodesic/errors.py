@@ -26,9 +26,11 @@ class GeodesicError(Exception):
     retry_after: Optional[float] = None
 
 
-class MeshWarning(UserWarning):
+class GeodesicWarning(UserWarning):
     """What was joined, left out or guessed when a mesh was made, or looks as if
-    it should have been joined."""
+    it should have been joined; and an answer that is right, and surely not what
+    was wanted: a source on no face, a target that cannot be reached, fewer
+    samples than asked for."""
 
 
 class InvalidArgument(GeodesicError, ValueError):

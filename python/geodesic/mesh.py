@@ -6,7 +6,6 @@ import functools
 import math
 import os
 import pathlib
-import warnings
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -18,11 +17,12 @@ from .arguments import to_array, to_count, to_real
 from .asynchronous import AsyncMesh
 from .backend import Backend, Options
 from .digest import Reading
-from .errors import InvalidArgument, MeshWarning, naming
+from .errors import InvalidArgument, naming
 from .local import LocalBackend
-from .places import (Curve, FacePoint, Places, Source, SurfacePoint,
+from .places import (Curve, FacePoint, Places, Source, Sources, SurfacePoint,
                      to_numbers, to_places, to_sources)
 from .progress import ProgressOption, reporting
+from .reach import faces_and_joins, warn, warn_of_isolated, why_unreached
 from .results import Field, Isoline, LogMap, Path
 from .surface import FaceFinder, PointFinder
 
@@ -91,13 +91,14 @@ class Mesh:
 
     Distances are exact up to rounding (relative error below 1e-10): they are
     lengths of shortest paths across the faces, not along the edges. They are
-    +inf where no path leads. Numbers of vertices and faces start from 0 and are
+    +inf where no path leads; a source of no face reaches nothing else, which a
+    GeodesicWarning tells. Numbers of vertices and faces start from 0 and are
     those of your arrays; lengths have the unit of your vertices.
 
     Any triangles will do: boundaries, holes, several pieces, isolated vertices,
     faces without area, edges of three faces, faces turned either way. A face that
     names a vertex twice is left out of the surface and keeps its number. What was
-    joined, left out or guessed is told by a MeshWarning, and by info()["notes"].
+    joined, left out or guessed is told by a GeodesicWarning, and by info()["notes"].
 
     A source or target is a vertex number, an EdgePoint or a FacePoint; many of
     them are a list, an array of vertex numbers or a mask of the vertices. A
@@ -166,7 +167,7 @@ class Mesh:
     def _tell(self) -> "Mesh":
         """Itself; warns whoever made it of what was joined, left out or guessed."""
         for note in self._backend.notes():
-            warnings.warn(note, MeshWarning, stacklevel=3)
+            warn(note)
         return self
 
     @classmethod
@@ -255,7 +256,7 @@ class Mesh:
 
     # Questions.
 
-    def distances(self, source: OneOrManySources = 0, *,
+    def distances(self, source: OneOrManySources, *,
                   targets: Optional[OneOrManyPlaces] = None,
                   radius: Optional[float] = None,
                   offsets: Optional[ArrayLike] = None,
@@ -286,7 +287,7 @@ class Mesh:
                 len(points) if stops else None, False, False, False, options)
         return field.distances if targets is None else field.target_distances
 
-    def field(self, source: OneOrManySources = 0, *, labels: bool = False,
+    def field(self, source: OneOrManySources, *, labels: bool = False,
               gradients: bool = False, certified_errors: bool = False,
               targets: Optional[OneOrManyPlaces] = None,
               stop_after_targets: Optional[int] = None,
@@ -351,7 +352,7 @@ class Mesh:
         assert labels is not None
         return labels
 
-    def gradients(self, source: OneOrManySources = 0, **options: Any,
+    def gradients(self, source: OneOrManySources, **options: Any,
                   ) -> NDArray[np.float64]:
         """The unit vector in which the distance grows at every vertex, (V, 3).
         Options as in field()."""
@@ -359,7 +360,7 @@ class Mesh:
         assert gradients is not None
         return gradients
 
-    def progressive(self, source: OneOrManySources = 0, *,
+    def progressive(self, source: OneOrManySources, *,
                     interval: float = 0.1, radius: Optional[float] = None,
                     offsets: Optional[ArrayLike] = None,
                     algorithm: Optional[str] = None,
@@ -388,8 +389,14 @@ class Mesh:
                  tolerance: float = 0) -> float:
         """The distance between two places, by a search that is directed at the
         second: a small part of a field's cost. A tolerance as in pairs()."""
-        return float(self.pairs([source], [target], tolerance=tolerance,
-                                threads=1)[0])
+        distance = float(self.pairs([source], [target], tolerance=tolerance,
+                                    threads=1)[0])
+        if distance == math.inf:
+            why = self._why_unreached(
+                to_sources(source, None, self.n_vertices),
+                self._places(target, "targets"), math.inf)
+            warn(f"the target cannot be reached: {why}")
+        return distance
 
     def pairs(self, sources: Union[OneOrManyPlaces, Sequence[Sequence[int]]],
               targets: Optional[OneOrManyPlaces] = None, *,
@@ -458,22 +465,40 @@ class Mesh:
               algorithm: Optional[str] = None, threads: Optional[int] = 1,
               progress: ProgressOption = None) -> List[Path]:
         """Shortest paths from the nearest source to each target, by one search
-        that ends with the last of them."""
+        that ends with the last of them. Path.unreached says why one has no
+        points; of the first such one a GeodesicWarning tells."""
         points, sources = self._places(targets, "targets"), self._sources(
             source, offsets)
         if len(points) == 0:
             return []
         with reporting(progress, "vertices") as report:
-            answers = self._backend.paths(
+            paths = self._paths(
                 sources, points, _radius(radius),
                 Options(algorithm, _threads(threads),
                         report).exact_alone("paths are"))
+        for i, path in enumerate(paths):
+            if path.unreached is not None:
+                warn(f"targets[{i}] cannot be reached: {path.unreached}")
+                break
+        return paths
+
+    def _paths(self, sources: Sources, targets: Places, radius: float,
+               options: Options) -> List[Path]:
         return [
-            Path(self, a.places, a.points, a.distance, a.length, a.source)
-            for a in answers
+            Path(self, a.places, a.points, a.distance, a.length, a.source,
+                 functools.partial(self._why_unreached, sources,
+                                   targets[i:i + 1], radius))
+            for i, a in enumerate(
+                self._backend.paths(sources, targets, radius, options))
         ]
 
-    def isolines(self, source: OneOrManySources = 0, *,
+    def _why_unreached(self, sources: Sources, target: Places,
+                       radius: float) -> str:
+        return why_unreached(
+            self.vertices, faces_and_joins(self.faces, self._backend.reading()),
+            sources, target, radius)
+
+    def isolines(self, source: OneOrManySources, *,
                  levels: Optional[ArrayLike] = None,
                  count: Optional[int] = None,
                  offsets: Optional[ArrayLike] = None,
@@ -546,9 +571,11 @@ class Mesh:
                                   ) from None
         if dtype not in (np.float64, np.float32):
             raise InvalidArgument(f"dtype is {dtype}, not float64 or float32")
-        if sources is None:
-            sources = np.arange(self.n_vertices)
-        rows = self._sources(sources, offsets)
+        if sources is None:  # nobody named those of no face
+            rows = to_sources(np.arange(self.n_vertices), offsets,
+                              self.n_vertices)
+        else:
+            rows = self._sources(sources, offsets)
         points = None if targets is None else self._places(targets, "targets")
         if points is not None and len(points) == 0:
             raise InvalidArgument("there is no target")
@@ -618,7 +645,7 @@ class Mesh:
             return self._backend.nearest(rows, points, k, _radius(radius),
                                          options)
 
-    def samples(self, count: int, source: OneOrManySources = 0, *,
+    def samples(self, count: int, source: OneOrManySources, *,
                 algorithm: Optional[str] = None, tolerance: float = 0,
                 threads: Optional[int] = 1,
                 progress: ProgressOption = None,
@@ -628,16 +655,22 @@ class Mesh:
 
         Returns:
             (vertices, distances), each (count,); the distances fall, and the
-            first on a piece without a source is +inf.
+            first on a piece without a source is +inf. Fewer, with a
+            GeodesicWarning, where every vertex of a face is at distance 0.
         """
         count = to_count(count, "count")
         with reporting(progress, "vertices") as report:
-            return self._backend.samples(
+            vertices, distances = self._backend.samples(
                 self._sources(source, None), count,
                 Options(algorithm, _threads(threads), report,
                         tolerance).exact_alone("samples are"))
+        if len(vertices) < count:
+            warn(f"{count} samples were asked for and {len(vertices)} are there: "
+                 "then every vertex of a face is a source or a sample, or in the "
+                 "same place as one")
+        return vertices, distances
 
-    def log_map(self, source: SurfacePoint = 0, *,
+    def log_map(self, source: SurfacePoint, *,
                 radius: Optional[float] = None,
                 algorithm: Optional[str] = None, threads: Optional[int] = 1,
                 progress: ProgressOption = None) -> LogMap:
@@ -674,7 +707,7 @@ class Mesh:
 
     def curve(self, places: OneOrManyPlaces, *, closed: bool = False) -> Curve:
         """A curve through places that need not share faces: shortest paths from
-        each to the next.
+        each to the next. Curve.length and Curve.added tell what came of them.
 
             d = mesh.distances(mesh.curve([0, 99, 7]))
             d = mesh.distances(mesh.curve(mesh.nearest_point(drawn_in_space)))
@@ -685,13 +718,16 @@ class Mesh:
         if closed:
             stops.append(stops[0])
         points: List[SurfacePoint] = stops[:1]
+        length = 0.0
         for i, (start, end) in enumerate(zip(stops, stops[1:])):
-            path = self.path(start, end)
-            if len(path) == 0:
-                raise InvalidArgument(
-                    f"no path leads from places[{i}] to the next")
+            [path] = self._paths(self._sources(start, None),
+                                 self._places(end, "places"), math.inf, Options())
+            if path.unreached is not None:
+                raise InvalidArgument(f"no path leads from places[{i}] to the "
+                                      f"next: {path.unreached}")
             points += path.places[1:]
-        return Curve(points)
+            length += path.length
+        return Curve(points, length, len(points) - len(stops))
 
     def positions(self, places: OneOrManyPlaces) -> NDArray[np.float64]:
         """Where places lie in space, (N, 3).
@@ -736,8 +772,14 @@ class Mesh:
     def _point_finder(self) -> PointFinder:
         return PointFinder(self.vertices, self.faces)
 
+    @functools.cached_property
+    def _isolated(self) -> Optional[NDArray[np.bool_]]:
+        return self._backend.isolated()
+
     def _sources(self, source, offsets):
-        return to_sources(source, offsets, self.n_vertices)
+        sources = to_sources(source, offsets, self.n_vertices)
+        warn_of_isolated(sources, self._isolated)
+        return sources
 
     def _places(self, places, name):
         return to_places(() if places is None else places, name,

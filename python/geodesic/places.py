@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import numbers
-from typing import Any, List, Sequence, Tuple, Union
+from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -54,9 +54,20 @@ class Curve:
     Attributes:
         points: places of which any two that follow each other share a face.
             ``mesh.curve(...)`` makes such points of places that do not.
+        length: in the mesh's unit, where ``mesh.curve(...)`` made it.
+        added: how many points, and so how many straight pieces, it put between
+            those that were named.
     """
 
     points: Sequence[SurfacePoint]
+    length: Optional[float] = dataclasses.field(default=None, compare=False)
+    added: int = dataclasses.field(default=0, compare=False)
+
+    def __repr__(self) -> str:
+        if self.length is None:
+            return f"Curve(points={self.points!r})"
+        return (f"<geodesic.Curve: {len(self.points)} points, {self.added} of "
+                f"them added, length {self.length:.9g}>")
 
 
 Source = Union[SurfacePoint, Curve]

@@ -21,12 +21,15 @@ def plot(mesh: "Mesh", values: Optional[ArrayLike] = None, *,
     """Draws the mesh, coloured by a value per vertex.
 
     Args:
-        values: (V,), such as distances; what is not finite is grey.
+        values: (V,), such as distances; what is not finite is grey. Integers and
+            bools are labels: each has one colour, a point that of the nearest
+            corner of its face, without a mean; negative ones are grey.
         lines: Paths and Isolines to draw on it.
         view: which way to look: "xy" along the z axis, likewise "xz", "yz"; a
             "-" in front looks from the other side (matplotlib).
         file: write a picture there instead of showing it, or a page if it ends
-            in .html.
+            in .html, which shows no labels.
+        cmap: of values that are no labels.
         backend: "pyvista", "matplotlib" or "page", which a notebook shows and
             which has no lines; otherwise the first of the two installed.
 
@@ -34,7 +37,9 @@ def plot(mesh: "Mesh", values: Optional[ArrayLike] = None, *,
         PyVista's plotter, matplotlib's axes or a Page.
     """
     if values is not None:
-        values = to_array(values, "values", np.float64)
+        values = to_array(values, "values")
+        if values.dtype.kind not in "iub":
+            values = to_array(values, "values", np.float64)
         if values.shape != (mesh.n_vertices,):
             raise InvalidArgument(
                 f"values have shape {values.shape}; one per vertex is "
@@ -66,6 +71,10 @@ def _as_page(mesh, values, lines, file, title):
     if len(lines):
         raise InvalidArgument("a page shows no lines: leave them out, or draw "
                               "with backend='matplotlib'")
+    if _are_labels(values):
+        raise InvalidArgument(
+            "a page blends values between vertices, which labels (integers) must "
+            "not be: draw with backend='matplotlib', or give floats")
     shown = page(mesh, np.zeros(mesh.n_vertices) if values is None else values,
                  title)
     if file is not None:
@@ -73,12 +82,66 @@ def _as_page(mesh, values, lines, file, title):
     return shown
 
 
+# Labels that a legend has room for.
+_MOST_IN_LEGEND = 20
+_GREY = 0.7
+
+
+def _are_labels(values):
+    return values is not None and values.dtype.kind in "iub"
+
+
+def _colours_of(labels):
+    """RGB, (N, 3): hues a golden section apart, so that the next numbers are
+    unlike; in three strengths. Grey for negative ones."""
+    steps = np.asarray(labels, np.float64)[:, None]
+    hues = steps * 0.6180339887498949 + np.array([0, 1 / 3, 2 / 3])
+    # One channel after the other is full, as around a wheel.
+    wheel = np.clip(np.abs(hues % 1 * 6 - 3) - 1, 0, 1)
+    colours = (0.95 - 0.12 * (steps % 3)) * (0.25 + 0.75 * wheel)
+    return np.where(steps < 0, _GREY, colours)
+
+
+def _legend_of(labels):
+    """(text, colour) of each label; none of too many."""
+    there = np.unique(labels)
+    if len(there) > _MOST_IN_LEGEND:
+        return []
+    return list(zip(map(str, there.tolist()), _colours_of(there)))
+
+
+def _cells(mesh, labels):
+    """Triangles that have one label each, and which. A face whose corners have
+    several is cut from its middle to those of its sides."""
+    corners, of_corners = mesh.vertices[mesh.faces], labels[mesh.faces]
+    mixed = np.any(of_corners != of_corners[:, :1], axis=1)
+    cut, middle = corners[mixed], corners[mixed].mean(axis=1)
+    triangles, of_triangles = [corners[~mixed]], [of_corners[~mixed, 0]]
+    for i in range(3):
+        for other in (i - 1, i - 2):
+            half = (cut[:, i] + cut[:, other]) / 2
+            triangles.append(np.stack([cut[:, i], half, middle], axis=1))
+            of_triangles.append(of_corners[mixed, i])
+    return np.concatenate(triangles), np.concatenate(of_triangles)
+
+
 def _with_pyvista(pyvista, mesh, values, lines, file, title, cmap):
-    faces = np.column_stack([np.full(mesh.n_faces, 3), mesh.faces])
-    surface = pyvista.PolyData(np.array(mesh.vertices), faces.reshape(-1))
     plotter = pyvista.Plotter(off_screen=file is not None)
+    points, triangles = np.array(mesh.vertices), mesh.faces
+    if _are_labels(values):
+        corners, labels = _cells(mesh, values)
+        points = corners.reshape(-1, 3)
+        triangles = np.arange(len(points)).reshape(-1, 3)
+    faces = np.column_stack([np.full(len(triangles), 3), triangles])
+    surface = pyvista.PolyData(points, faces.reshape(-1))
     if values is None:
         plotter.add_mesh(surface)
+    elif _are_labels(values):
+        # A colour for each face; there are three times as many points.
+        plotter.add_mesh(surface, scalars=_colours_of(labels), rgb=True)
+        legend = _legend_of(values)
+        if legend:
+            plotter.add_legend([[text, tuple(colour)] for text, colour in legend])
     else:
         colours = np.where(np.isfinite(values), values, np.nan)
         plotter.add_mesh(surface, scalars=colours, cmap=cmap,
@@ -112,6 +175,7 @@ def _with_matplotlib(mesh, values, lines, view, file, title, cmap):
     from matplotlib.collections import PolyCollection
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
+    from matplotlib.patches import Patch
 
     axes_of = {"xy": (0, 1, 2, 1), "xz": (0, 2, 1, -1), "yz": (1, 2, 0, 1)}
     plane = view.lstrip("-")
@@ -125,19 +189,29 @@ def _with_matplotlib(mesh, values, lines, view, file, title, cmap):
         """As (right, up, towards the viewer)."""
         return points[..., [right, up, depth]] * [side, 1, side * towards]
 
-    corners = seen(mesh.vertices)[mesh.faces]
+    corners = mesh.vertices[mesh.faces]
+    if _are_labels(values):
+        corners, labels = _cells(mesh, values)
+    corners = seen(corners)
     normals = np.cross(corners[:, 1] - corners[:, 0],
                        corners[:, 2] - corners[:, 0])
     lengths = np.linalg.norm(normals, axis=1)
     light = np.abs(normals[:, 2]) / np.where(lengths > 0, lengths, 1)
-    colours = np.full((mesh.n_faces, 3), 0.7)
+    colours = np.full((len(corners), 3), _GREY)
     if file is None:
         from matplotlib import pyplot
         figure, axes = pyplot.subplots(figsize=(8, 6))
     else:  # needs no display, and leaves pyplot's as it is
         figure = Figure(figsize=(8, 6))
         axes = figure.subplots()
-    if values is not None:
+    if _are_labels(values):
+        colours = _colours_of(labels)
+        legend = [Patch(color=colour, label=text)
+                  for text, colour in _legend_of(values)]
+        if legend:
+            axes.legend(handles=legend, loc="center left",
+                        bbox_to_anchor=(1, 0.5))
+    elif values is not None:
         of_faces = values[mesh.faces].mean(axis=1)
         shown = np.isfinite(of_faces)
         if shown.any():

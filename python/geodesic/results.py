@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Tuple
 
 import numpy as np
 
@@ -110,14 +110,21 @@ class Path(_Polyline):
         length: the distance less the source's offset.
         source: the number of the source where the path starts; None if the
             target cannot be reached.
+        unreached: why not, in words; None if it is reached.
     """
 
     def __init__(self, mesh: "Mesh", places: Places, points: np.ndarray,
-                 distance: float, length: float, source: int) -> None:
+                 distance: float, length: float, source: int,
+                 why: Callable[[], str]) -> None:
         super().__init__(mesh, places, points)
+        self._why = why
         self.distance = distance
         self.length = length
         self.source: Optional[int] = source if len(points) else None
+
+    @functools.cached_property
+    def unreached(self) -> Optional[str]:
+        return None if len(self) else self._why()
 
     def __repr__(self) -> str:
         return f"<geodesic.Path: {len(self)} points, length {self.length:.9g}>"

@@ -120,6 +120,25 @@ TEST_F(CommandLineTest, ProgressiveFieldsAreDistancesInCsv) {
   }
 }
 
+TEST_F(CommandLineTest, FloatsGoToNoFileOfDoubles) {
+  EXPECT_THAT(
+      Refused({"field", "m", "-s", "1", "--float32", "-o", "a.f64"}),
+      HasSubstr("--float32: a.f64 holds numbers of 64 bits: write .f32"));
+  Accepted({"field", "m", "-s", "1", "--float32", "-o", "a.f32"});
+}
+
+TEST_F(CommandLineTest, WhatIsAskedForHasAFileThatHoldsIt) {
+  for (const char* quantity :
+       {"--nearest-sources", "--gradients", "--certified-errors"}) {
+    EXPECT_THAT(Refused({"field", "m", "-s", "1", quantity, "-o", "a.npy"}),
+                HasSubstr("no -o FILE holds that"))
+        << quantity;
+    Accepted({"field", "m", "-s", "1", quantity, "-o", "a.npy", "-o", "a.vtk"});
+  }
+  Accepted({"field", "m", "-s", "1", "--nearest-sources", "-o", "a.png"});
+  Refused({"field", "m", "-s", "1", "--gradients", "-o", "a.png"});
+}
+
 TEST_F(CommandLineTest, StandardInputIsReadOnce) {
   for (const char* question : {"field", "path", "matrix", "nearest"}) {
     for (const char* other : {"--targets", "--sources"}) {

@@ -102,6 +102,23 @@ TEST(ExtendedPlyTest, TextKeepsItsNumbersAsTheyAreWritten) {
                faces));
 }
 
+TEST(ExtendedPlyTest, FloatsStayFloats) {
+  const std::vector<Column> columns = {
+      {.name = "d", .values = {0.1}, .type = NumberType::kFloat32}};
+  const auto header = [](const std::string& format, const std::string& more) {
+    return "ply\nformat " + format + " 1.0\n" +
+           (more.empty() ? "" : UnitComment()) +
+           "element vertex 1\nproperty uchar red\n" + more + "end_header\n";
+  };
+  constexpr char kLine[] = "property float d\n";
+  EXPECT_THAT(ExtendedPly(header("ascii", "") + "7\n", columns),
+              Optional(header("ascii", kLine) + "7 0.1\n"));
+  // 0.1F is 0x3dcccccd.
+  EXPECT_THAT(
+      ExtendedPly(header("binary_big_endian", "") + "7", columns),
+      Optional(header("binary_big_endian", kLine) + "7\x3d\xcc\xcc\xcd"));
+}
+
 TEST(ExtendedPlyTest, LinesOfWindowsStayWhatTheyAre) {
   EXPECT_THAT(
       ExtendedPly("ply\r\nformat ascii 1.0\r\nelement vertex 1\r\n"

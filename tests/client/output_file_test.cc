@@ -57,6 +57,36 @@ TEST(CheckWritableTest, FindsOutEarly) {
   EXPECT_FALSE(CheckWritable(folder / "./read.npy", inputs).ok());
 }
 
+TEST(CheckWritableTest, KnowsAnInputByWhateverLink) {
+  TemporaryFolder folder;
+  const std::string inputs[] = {folder / "read.ply"};
+  WriteFile(inputs[0], "");
+  WriteFile(folder / "other.ply", "");
+  std::filesystem::create_symlink(inputs[0], folder / "soft.ply");
+  std::filesystem::create_hard_link(inputs[0], folder / "hard.ply");
+  for (const char* name : {"soft.ply", "hard.ply"}) {
+    const absl::Status status = CheckWritable(folder / name, inputs, "go away");
+    EXPECT_THAT(std::string(status.message()),
+                HasSubstr("would replace it; go away"))
+        << name;
+  }
+  EXPECT_TRUE(CheckWritable(folder / "other.ply", inputs).ok());
+}
+
+TEST(CheckWritableTest, KnowsWhatStandardInputReads) {
+  TemporaryFolder folder;
+  WriteFile(folder / "list.csv", "1\n");
+  const int before = dup(STDIN_FILENO);
+  const int list = open((folder / "list.csv").c_str(), O_RDONLY);
+  dup2(list, STDIN_FILENO);
+  const std::string inputs[] = {"-"};
+  EXPECT_FALSE(CheckWritable(folder / "list.csv", inputs).ok());
+  EXPECT_TRUE(CheckWritable(folder / "other.csv", inputs).ok());
+  dup2(before, STDIN_FILENO);
+  close(list);
+  close(before);
+}
+
 TEST(AtomicFileTest, AppearsAtCommit) {
   TemporaryFolder folder;
   const std::string path = folder / "out.bin";

@@ -28,6 +28,7 @@ TEST(ExitCodeTest, FollowsFromTheStatus) {
   EXPECT_EQ(ExitCodeOf(absl::InternalError("")), ExitCode::kRefused);
   EXPECT_EQ(ExitCodeOf(absl::DeadlineExceededError("")), ExitCode::kTimeout);
   EXPECT_EQ(ExitCodeOf(Interrupted()), ExitCode::kInterrupted);
+  EXPECT_EQ(ExitCodeOf(NoPath("")), ExitCode::kNoPath);
 }
 
 TEST(ExitCodeTest, LocalFilesAreTheirOwnCase) {

@@ -15,6 +15,7 @@
 #include "client/output/field_writers.h"
 #include "client/output/line_writers.h"
 #include "client/output/matrix_writers.h"
+#include "client/output/pair_writers.h"
 #include "client/output/viewer_page.h"
 #include "tests/client/temporary_folder.h"
 
@@ -248,6 +249,38 @@ TEST(FieldWritersTest, FloatsAreHalfAsLong) {
       "vertex,geodesic_distance\n0,0\n1,0.1\n2,0.33333334\n3,inf\n");
 }
 
+// Coordinates stay doubles, integers ints.
+TEST(FieldWritersTest, PlyAndVtkHoldFloats) {
+  std::vector<Column> columns = AllColumns();
+  columns[0].type = columns[2].type = NumberType::kFloat32;
+  const std::string ply =
+      Written([&](AtomicFile* file) { WritePly(Square(), columns, file); });
+  const std::string properties =
+      "property double z\n"
+      "property float geodesic_distance\n"
+      "property int nearest_source\n"
+      "property float gradient_x\n"
+      "property float gradient_y\n"
+      "property float gradient_z\n";
+  EXPECT_NE(ply.find(properties), std::string::npos);
+  constexpr size_t kRow = 3 * 8 + 4 + 4 + 3 * 4;
+  const size_t vertex = ply.find("end_header\n") + 11 + kRow;  // number 1
+  ASSERT_EQ(ply.size(), vertex + 3 * kRow + 2 * 13);
+  EXPECT_EQ(At<float>(ply, vertex + 24), 0.1F);
+  EXPECT_EQ(At<int32_t>(ply, vertex + 28), 1);
+  EXPECT_EQ(At<float>(ply, vertex + 32), 1.0F);
+
+  const std::string vtk =
+      Written([&](AtomicFile* file) { WriteVtk(Square(), columns, file); });
+  const std::string scalars =
+      "SCALARS geodesic_distance float 1\nLOOKUP_TABLE default\n";
+  const size_t values = vtk.find(scalars) + scalars.size();
+  // 0.1F is 0x3dcccccd.
+  EXPECT_EQ(vtk.substr(values + 4, 4), "\x3d\xcc\xcc\xcd");
+  EXPECT_EQ(vtk.substr(values + 16, 24), "\nSCALARS nearest_source ");
+  EXPECT_NE(vtk.find("\nVECTORS gradient float\n"), std::string::npos);
+}
+
 TEST(FieldWritersTest, CsvOfAllColumns) {
   EXPECT_EQ(Written([](AtomicFile* file) { WriteCsv(AllColumns(), file); }),
             "vertex,geodesic_distance,nearest_source,gradient_x,gradient_y,"
@@ -262,7 +295,7 @@ using nlohmann::json;
 
 // A path of three points, one that was not found, and a triangle that closes.
 Lines Sample() {
-  Lines lines = {.attributes = {{"source", true}, {"length"}}};
+  Lines lines = {.attributes = {{"source", NumberType::kInt32}, {"length"}}};
   lines.lines.push_back(
       {.polyline = {.points = {VertexPoint{4}, EdgePoint{1, 2, 0.5},
                                FacePoint{3, {0.25, 0.25, 0.5}}},
@@ -281,16 +314,33 @@ std::string WrittenAs(OutputFormat format, const Lines& lines = Sample()) {
   return Written([&](AtomicFile* file) { WriteLines(lines, format, file); });
 }
 
+// Two points in each l statement: some programs keep no more of it.
 TEST(LineWritersTest, Obj) {
   EXPECT_EQ(WrittenAs(OutputFormat::kObj),
             "# source 7 length 3\n"
             "g line_0\n"
             "v 0 0 0\nv 1 0 0\nv 1 2 0\n"
-            "l 1 2 3\n"
+            "l 1 2\nl 2 3\n"
             "# source 2 length 0.5\n"
             "g line_2\n"
             "v 0 0 1\nv 1 0 1\nv 0 1 1\n"
-            "l 4 5 6 4\n");
+            "l 4 5\nl 5 6\nl 6 4\n");
+}
+
+TEST(LineWritersTest, HoldFloats) {
+  Lines lines = Sample();
+  lines.attributes[1].type = NumberType::kFloat32;
+  lines.lines[0].values[1] = 0.1;
+  const std::string ply = WrittenAs(OutputFormat::kPly, lines);
+  EXPECT_NE(ply.find("property float length\nend_header\n"), std::string::npos);
+  // An edge is four ints and the length; the first is the fifth last.
+  EXPECT_EQ(At<float>(ply, ply.size() - 4 * 20 - 4), 0.1F);
+  const std::string vtk = WrittenAs(OutputFormat::kVtk, lines);
+  const std::string scalars = "SCALARS length float 1\nLOOKUP_TABLE default\n";
+  EXPECT_EQ(vtk.substr(vtk.find(scalars) + scalars.size(), 4),
+            "\x3d\xcc\xcc\xcd");
+  EXPECT_EQ(WrittenAs(OutputFormat::kObj, lines).substr(0, 23),
+            "# source 7 length 0.1\ng");
 }
 
 TEST(LineWritersTest, Csv) {
@@ -513,6 +563,16 @@ TEST_F(MatrixWritersTest, NothingIsLeftWithoutCommit) {
     writer_.reset();
     EXPECT_EQ(folder_.count(), 0);
   }
+}
+
+TEST(CsvTest, FloatsHaveTheirFewestDigits) {
+  // As they come from the server: rounded to floats.
+  const std::vector<double> values = {0.1F};
+  EXPECT_EQ(CsvRow({.sources = {{VertexPoint{1}}}}, {.values = values},
+                   NumberType::kFloat32),
+            "1,0,0.1\n");
+  const std::vector<PointPair> pairs = {{VertexPoint{1}, VertexPoint{2}}};
+  EXPECT_EQ(CsvPairs(pairs, values, NumberType::kFloat32), "1,2,0.1\n");
 }
 
 TEST(CreateMatrixWriterTest, NamesThePathItCannotWrite) {

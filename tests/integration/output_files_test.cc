@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 
 #include "tests/integration/planar_grid_test.h"
 
@@ -173,8 +174,9 @@ TEST_F(OutputFilesTest, PlyThatCannotBeKeptIsNotWrittenOver) {
       "property list uchar int vertex_indices\rend_header\r"
       "0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r";
   WriteFile(folder_ / "mac.ply", old_mac);
-  const ProcessResult over = Geodesic({"field", folder_ / "mac.ply", "--source",
-                                       "0", "-o", folder_ / "mac.ply"});
+  const ProcessResult over =
+      Geodesic({"field", folder_ / "mac.ply", "--source", "0", "--in-place",
+                "-o", folder_ / "mac.ply"});
   EXPECT_EQ(over.exit_code, 3) << over.err;
   EXPECT_THAT(over.err, HasSubstr("write to another file"));
   EXPECT_EQ(FileBytes(folder_ / "mac.ply"), old_mac);
@@ -183,6 +185,29 @@ TEST_F(OutputFilesTest, PlyThatCannotBeKeptIsNotWrittenOver) {
                 folder_ / "plain.ply", "--quiet"});
   EXPECT_EQ(beside.exit_code, 0) << beside.err;
   EXPECT_THAT(beside.err, HasSubstr("cannot be kept"));
+}
+
+TEST_F(OutputFilesTest, PlyIsAddedToInPlaceIfToldSo) {
+  const std::string ply = folder_ / "d.ply";
+  std::filesystem::create_symlink(ply, folder_ / "link.ply");
+  std::filesystem::create_hard_link(ply, folder_ / "hard.ply");
+  const std::string before = FileBytes(ply);
+  for (const std::string question : {"field", "logmap"}) {
+    for (const char* name : {"d.ply", "link.ply", "hard.ply"}) {
+      EXPECT_THAT(Refusal({question, ply, "-s", "40", "-o", folder_ / name}, 3),
+                  AllOf(HasSubstr("it is read by this command"),
+                        HasSubstr("--in-place")))
+          << question << name;
+      EXPECT_EQ(FileBytes(ply), before);
+    }
+  }
+  const ProcessResult added = Geodesic(
+      {"logmap", ply, "-s", "40", "-o", folder_ / "link.ply", "--in-place"});
+  EXPECT_EQ(added.exit_code, 0) << added.err;
+  EXPECT_THAT(FileBytes(ply),
+              HasSubstr("property double geodesic_distance\n"
+                        "property double u\nproperty double v\n"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link.ply"));
 }
 
 TEST_F(OutputFilesTest, WhatACommandReadsIsNotWrittenOver) {

@@ -289,7 +289,7 @@ TEST_F(LineQuestionsTest, PathIsStraight) {
   const json features = json::parse(FileBytes(folder_ / "p.json"))["features"];
   EXPECT_EQ(features[0]["geometry"]["coordinates"], path["positions"]);
   EXPECT_EQ(features[0]["properties"]["points"], path["points"]);
-  EXPECT_THAT(FileBytes(folder_ / "p.obj"), HasSubstr("\nl 1 2 "));
+  EXPECT_THAT(FileBytes(folder_ / "p.obj"), HasSubstr("\nl 1 2\n"));
   EXPECT_THAT(Geodesic({"path", grid_, "-s", "0", "-t", "79"}).out,
               StartsWith("target  source"));
 }

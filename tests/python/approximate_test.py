@@ -104,7 +104,7 @@ class ApproximateTest(unittest.TestCase):
                                        algorithm="svg"),
                     lambda: mesh.path(0, 9, algorithm="svg"),
                     lambda: mesh.isolines(0, algorithm="svg"),
-                    lambda: mesh.samples(3, algorithm="svg"),
+                    lambda: mesh.samples(3, 0, algorithm="svg"),
                     lambda: mesh.log_map(0, algorithm="svg"),
                     lambda: list(mesh.progressive(0, algorithm="svg")),
                     lambda: mesh.distances(0, algorithm="svg",

@@ -54,6 +54,11 @@ class AsynchronousTest(unittest.IsolatedAsyncioTestCase):
             await mesh.aio.distances(6)
         with self.assertRaises(AttributeError):
             mesh.aio.vertices
+        with self.assertRaisesRegex(TypeError, "source"):
+            await mesh.aio.distances()
+        with self.assertRaisesRegex(TypeError, "source"):
+            async for _ in mesh.aio.progressive():
+                pass
 
 
 if __name__ == "__main__":

@@ -60,7 +60,7 @@ mesh.distances(0)
 os.kill(int(sys.argv[2]), signal.SIGKILL)
 for ask in (lambda: mesh.distances(0), lambda: mesh.path(0, 99),
             lambda: mesh.distance(0, 99), lambda: mesh.matrix([0], [1]),
-            lambda: mesh.samples(3), lambda: list(mesh.progressive(0)),
+            lambda: mesh.samples(3, 0), lambda: list(mesh.progressive(0)),
             mesh.info, service.version):
     try:
         ask()

@@ -52,6 +52,33 @@ class PlottingTest(unittest.TestCase):
             self.assertTrue(black.size)
             self.assertEqual(black.max() == len(drawn.get_paths()) - 1, is_last)
 
+    def test_labels_have_a_colour_each_and_no_mean(self):
+        # Corner 0 of both faces has a label of its own: a third of the area.
+        mesh = geodesic.Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]],
+                             [[0, 1, 2], [0, 2, 3]])
+        axes = mesh.plot(np.array([7, 3, 3, 3], np.int32), backend="matplotlib")
+        [drawn] = axes.collections
+        areas = {}
+        for path, colour in zip(drawn.get_paths(), drawn.get_facecolor()):
+            (ax, ay), (bx, by), (cx, cy) = path.vertices[:3]
+            area = abs((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / 2
+            areas[tuple(colour)] = areas.get(tuple(colour), 0) + area
+        np.testing.assert_allclose(sorted(areas.values()), [1 / 3, 2 / 3])
+        # A legend, and no bar.
+        self.assertEqual(axes.figure.axes, [axes])
+        legend = axes.get_legend()
+        self.assertEqual([text.get_text() for text in legend.get_texts()],
+                         ["3", "7"])
+        self.assertEqual({patch.get_facecolor() for patch in
+                          legend.get_patches()}, set(areas))
+        # Twenty-one are too many for a legend.
+        many = geodesic.Mesh(*meshes.grid(4))
+        axes = many.plot(np.arange(25) % 21, backend="matplotlib")
+        self.assertIsNone(axes.get_legend())
+        # Floats are a quantity.
+        axes = mesh.plot([7.0, 3, 3, 3], backend="matplotlib")
+        self.assertEqual(len(axes.figure.axes), 2)
+
     def test_pyvista(self):
         # A stand-in of its shape: Debian does not have PyVista.
         plotter = mock.Mock()
@@ -67,6 +94,17 @@ class PlottingTest(unittest.TestCase):
         np.testing.assert_array_equal(faces.reshape(-1, 4)[:, 1:], mesh.faces)
         plotter.add_lines.assert_called_once()
         plotter.show.assert_called_once()
+        plotter.reset_mock()
+        with mock.patch.dict(sys.modules, pyvista=pyvista):
+            mesh.plot(mesh.labels([0, 1]))
+        # One colour a face, and two colours in all.
+        colours = plotter.add_mesh.call_args.kwargs["scalars"]
+        points, faces = pyvista.PolyData.call_args.args
+        self.assertEqual((len(colours), len(points)),
+                         (len(faces) // 4, 3 * len(colours)))
+        self.assertEqual(len(np.unique(colours, axis=0)), 2)
+        [entries] = plotter.add_legend.call_args.args
+        self.assertEqual([text for text, _ in entries], ["0", "1"])
 
     def test_page(self):
         mesh = geodesic.Mesh(*meshes.sphere(2))
@@ -96,6 +134,8 @@ class PlottingTest(unittest.TestCase):
             mesh.plot(d, lines=[mesh.path(0, 1)], backend="page")
         with self.assertRaisesRegex(geodesic.InvalidArgument, "0 or more"):
             mesh.plot(d - 1, backend="page")
+        with self.assertRaisesRegex(geodesic.InvalidArgument, "labels"):
+            mesh.plot(mesh.labels([0, 1]), backend="page")
 
 
 if __name__ == "__main__":

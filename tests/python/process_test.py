@@ -78,7 +78,7 @@ class ProcessTest(unittest.TestCase):
         for ask in (lambda: mesh.distances(0, algorithm="ch",
                                            progress=progress),
                     lambda: mesh.matrix(threads=2, progress=progress),
-                    lambda: mesh.samples(1000, progress=progress)):
+                    lambda: mesh.samples(1000, 0, progress=progress)):
             with self.assertRaises(Enough):
                 ask()
 

@@ -1,6 +1,7 @@
 """Paths, isolines, matrices and the other questions, from their definitions."""
 
 import unittest
+import warnings
 
 import meshes
 import numpy as np
@@ -33,6 +34,15 @@ class QuestionsTest(unittest.TestCase):
         np.testing.assert_array_equal(field.distances, [0, 1, np.inf, 1])
         np.testing.assert_array_equal(field.target_distances, [np.inf, 1])
         np.testing.assert_array_equal(field.labels, [0, 0, -1, 0])
+
+    def test_nothing_is_measured_from_a_source_that_nobody_named(self):
+        for ask in (self.mesh.distances, self.mesh.field, self.mesh.labels,
+                    self.mesh.gradients, self.mesh.progressive,
+                    self.mesh.isolines, self.mesh.log_map, self.mesh.path,
+                    self.mesh.paths, self.mesh.nearest, self.mesh.distance,
+                    lambda: self.mesh.samples(5), self.mesh.pairs):
+            with self.assertRaisesRegex(TypeError, "source"):
+                ask()
 
     def assert_close(self, got, wanted, relative=tolerances.EXACT):
         np.testing.assert_allclose(got, wanted, rtol=relative,
@@ -176,6 +186,76 @@ class QuestionsTest(unittest.TestCase):
             self.assert_close(self.mesh.pairs(asked, threads=2), wanted)
         self.assert_close(self.mesh.distance(3, 99),
                           self.mesh.distances(3)[99])
+
+    def test_a_source_on_no_face_is_told(self):
+        vertices, faces = meshes.octahedron()
+        mesh = self.make(np.concatenate([vertices, [[9, 9, 9]]]), faces)
+        ask = {
+            "distances": lambda: mesh.distances([0, 6]),
+            "nearest": lambda: mesh.nearest(6, [0, 1]),
+            "progressive": lambda: list(mesh.progressive(6)),
+            "matrix": lambda: mesh.matrix([6], [0]),
+            "isolines": lambda: mesh.isolines([0, 6], levels=[0.5]),
+            "samples": lambda: mesh.samples(2, 6),
+        }
+        for name, question in ask.items():
+            with self.subTest(name), self.assertWarnsRegex(
+                    geodesic.GeodesicWarning, "vertex 6 is on no face") as caught:
+                question()
+            # It is told of the line that asked.
+            self.assertEqual(caught.filename, __file__)
+        # All vertices, which nobody named; and meshes without such vertices.
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            mesh.matrix(targets=[0])
+            mesh.distances(0)
+            self.mesh.distances(0)
+
+    def test_why_a_target_is_not_reached(self):
+        # Two squares side by side that share no vertex, a third far away, and a
+        # vertex of no face.
+        square, faces = meshes.grid(1)
+        moved = [square + [x, 0, 0] for x in (0, 1, 5)]
+        mesh = self.make(np.concatenate(moved + [[[7, 7, 7]]]),
+                         np.concatenate([faces, faces + 4, faces + 8]))
+        for sources, target, radius, why in (
+                (0, 4, None, r"another component of the mesh; it touches others "
+                             r"at 2 points, where vertices lie twice \(4 and 1"),
+                ([0, 12], geodesic.FacePoint(4, (1, 0, 0)), None,
+                 "another component of the mesh$"),
+                (0, 12, None, "vertex 12 is on no face"),
+                (0, 3, 0.5, "farther than the radius, 0.5"),
+                (12, 3, None, "vertex 12, the source, is on no face")):
+            with self.assertWarnsRegex(geodesic.GeodesicWarning,
+                                       "cannot be reached: .*" + why):
+                path = mesh.path(sources, target, radius=radius)
+            self.assertRegex(path.unreached, why)
+            self.assertEqual(path.distance, np.inf)
+        self.assertIsNone(mesh.path(0, 3).unreached)
+        with self.assertWarnsRegex(geodesic.GeodesicWarning, "lie twice"):
+            self.assertEqual(mesh.distance(0, 4), np.inf)
+        with self.assertRaisesRegex(geodesic.InvalidArgument,
+                                    "from places.0. to the next: it lies in"):
+            mesh.curve([0, 9])
+
+    def test_curves_tell_what_was_added(self):
+        vertices, faces = meshes.grid(4)
+        mesh = self.make(vertices, faces)
+        # Along a side, and back to its beginning: three vertices between, twice.
+        curve = mesh.curve([0, 4], closed=True)
+        self.assertEqual((curve.added, len(curve.points)), (6, 9))
+        self.assert_close(curve.length, 2)
+        self.assertRegex(repr(curve), "9 points, 6 of them added, length 2")
+        # Neighbours need nothing between them.
+        self.assertEqual(mesh.curve([0, 1, 2]).added, 0)
+
+    def test_fewer_samples_than_asked_for_are_told(self):
+        vertices, faces = meshes.octahedron()
+        mesh = self.make(vertices, faces)
+        with self.assertWarnsRegex(geodesic.GeodesicWarning,
+                                   "100 samples were asked for and 5 are there"):
+            found, _ = mesh.samples(100, 0)
+        self.assertEqual(sorted(found), [1, 2, 3, 4, 5])
 
     def test_many_pairs(self):
         # Enough for landmarks, which bound what a search opens.

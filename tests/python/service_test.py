@@ -113,7 +113,7 @@ class ServiceTest(ServedTest):
                     lambda mesh: mesh.isolines(8, levels=[0.5],
                                                tolerance=1e-2)[0].points,
                     lambda mesh: mesh.log_map(300).coordinates,
-                    lambda mesh: mesh.samples(4)[0]):
+                    lambda mesh: mesh.samples(4, 0)[0]):
             np.testing.assert_array_equal(ask(there), ask(here))
 
     def test_threads_are_few_however_many_ask(self):
@@ -263,7 +263,7 @@ class ServiceTest(ServedTest):
 
         for ask in (lambda: mesh.distances(0, algorithm="ch",
                                            progress=progress),
-                    lambda: mesh.samples(9, algorithm="ch", progress=progress)):
+                    lambda: mesh.samples(9, 0, algorithm="ch", progress=progress)):
             with self.assertRaises(Enough):
                 ask()
 

@@ -273,6 +273,14 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
   if (question->may_have_tolerance) AddTolerance(app, &question->tolerance);
   AddPriority(app, &question->priority);
   AddOutputs(app, output_help, formats, &question->outputs);
+  if (question->adds_to_ply) {
+    AddFlag(
+        app,
+        {"--in-place",
+         "Let -o write over MESH, a .ply file, which keeps all it holds and "
+         "gets the answer beside it"},
+        &question->in_place);
+  }
   app->callback([app, question, check = std::move(check)] {
     CheckPlaces(*question);
     CheckOutputs(*app, question->outputs);
@@ -369,8 +377,13 @@ void AddOutputs(CLI::App* app, const std::string& help,
 }
 
 std::vector<std::string> OtherInputs(const CLI::App& app) {
-  std::vector<std::string> inputs =
-      app.get_parent()->get_option("--token-file")->results();
+  std::vector<std::string> inputs;
+  for (const char* name :
+       {"--token-file", "--tls-ca", "--tls-cert", "--tls-key"}) {
+    const std::vector<std::string> files =
+        app.get_parent()->get_option(name)->results();
+    inputs.insert(inputs.end(), files.begin(), files.end());
+  }
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& text : option->results()) {
       const std::vector<std::string> files = FilesOfNames(text);
@@ -412,8 +425,8 @@ void AddRadius(CLI::App* app, const std::string& help,
 void AddFloat32(CLI::App* app, bool* float32) {
   AddFlag(app,
           {"--float32",
-           "Transfer 4-byte floats instead of 8-byte doubles; NumPy files then "
-           "hold floats too"},
+           "Transfer and write 4-byte floats instead of 8-byte doubles (not "
+           "to .f64)"},
           float32);
 }
 

@@ -77,9 +77,11 @@ struct QuestionArguments {
   // Whether a tolerance may be named. DEFAULT: exact answers alone.
   bool may_have_tolerance = false;
   double tolerance = 0;
-  // Whether .ply of a .ply is that mesh with the answer added, which may take
-  // its place. DEFAULT: outputs replace no file that is read.
+  // Whether .ply of a .ply is that mesh with the answer added.
   bool adds_to_ply = false;
+  // Whether that may take the mesh's place. DEFAULT: outputs replace no file
+  // that is read.
+  bool in_place = false;
   Priority priority = Priority::kInteractive;
   std::vector<OutputArgument> outputs;
   std::vector<std::string> other_inputs;  // OtherInputs
@@ -173,7 +175,8 @@ void AddTargets(CLI::App* app, Need need, const std::string& help,
 
 // Adds --algorithm, --tolerance where the question may have one, --priority and
 // -o, whose help is `output_help` followed by
-// the endings of `formats`. After parsing it refuses a question that lacks
+// the endings of `formats`; and --in-place where an answer can be added to
+// MESH. After parsing it refuses a question that lacks
 // places, reads standard input twice or writes two answers to standard output,
 // and then calls `check` if there is one.
 void AddQuestion(CLI::App* app, const std::string& output_help,
@@ -198,7 +201,7 @@ void AddOutputs(CLI::App* app, const std::string& help,
                 std::span<const OutputFormat> formats,
                 std::vector<OutputArgument>* outputs);
 // What the arguments have the command read beside its mesh and lists: files in
-// which names of places are looked up, and the token's.
+// which names of places are looked up, the token's and those of TLS.
 std::vector<std::string> OtherInputs(const CLI::App& app);
 
 // Refuses two answers for one file or for standard output. To be called in

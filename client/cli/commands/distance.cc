@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "absl/strings/cord.h"
@@ -17,6 +18,7 @@
 #include "client/cli/arguments/pair_list.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/mesh_argument.h"
+#include "client/cli/commands/notes.h"
 #include "client/cli/commands/outputs.h"
 #include "client/cli/commands/question.h"
 #include "client/cli/commands/report.h"
@@ -123,8 +125,7 @@ class Destination {
     for (const OutputArgument& output : arguments_.outputs) {
       if (!HoldsDistances(output.format)) continue;
       absl::StatusOr<PairWriter> writer = PairWriter::Create(
-          output.path, output.format, NumberTypeOf(arguments_.float32),
-          arguments_.mark());
+          output.path, output.format, type(), arguments_.mark());
       if (!writer.ok()) return FileError(writer.status());
       writers_.push_back(*std::move(writer));
     }
@@ -143,7 +144,8 @@ class Destination {
     if (arguments_.pair.has_value()) pair_ = pairs[0];
     if (keeps()) kept_.insert(kept_.end(), distances.begin(), distances.end());
     // Whoever reads may wait for them before asking more.
-    if (is_text()) session_.out << CsvPairs(pairs, distances) << std::flush;
+    if (is_text())
+      session_.out << CsvPairs(pairs, distances, type()) << std::flush;
     if (!session_.out) return OutputFailed();
     for (PairWriter& writer : writers_) {
       absl::Status status = writer.Append(pairs, distances);
@@ -159,7 +161,14 @@ class Destination {
          .values = {static_cast<double>(count_ - 1), distance}});
   }
 
+  // Without any path no file of paths appears.
   absl::StatusOr<std::vector<WrittenFile>> Commit() {
+    std::vector<OutputArgument> outputs = arguments_.outputs;
+    if (LacksPaths()) {
+      std::erase_if(outputs, [](const OutputArgument& output) {
+        return !HoldsDistances(output.format);
+      });
+    }
     size_t next = 0;
     const auto write = [&](const OutputArgument& output,
                            const MeshArrays&) -> absl::StatusOr<uint64_t> {
@@ -172,7 +181,7 @@ class Destination {
       if (!size.ok()) return FileError(size.status());
       return size;
     };
-    return WriteOutputs(session_, arguments_.outputs, /*info=*/{},
+    return WriteOutputs(session_, outputs, /*info=*/{},
                         /*with_mesh=*/{}, write);
   }
 
@@ -180,7 +189,8 @@ class Destination {
     Report report = {
         .facts = {{"pairs", GroupedNumber(count_)},
                   {"finite distances", GroupedNumber(finite_)},
-                  {"largest distance", ShortNumber(largest_)},
+                  {"largest distance",
+                   finite_ == 0 ? "none" : ShortNumber(largest_)},
                   {"found by",
                    absl::StrCat(GroupedNumber(summary.searched), " searches; ",
                                 GroupedNumber(summary.from_fields),
@@ -189,7 +199,7 @@ class Destination {
                                 " from the cache")}},
         .json = {{"pairs", count_},
                  {"finite_distances", finite_},
-                 {"largest_distance", largest_},
+                 {"largest_distance", finite_ == 0 ? Json() : Json(largest_)},
                  {"pairs_searched", summary.searched},
                  {"pairs_from_fields", summary.from_fields},
                  {"pairs_from_cache", summary.from_cache}}};
@@ -198,14 +208,28 @@ class Destination {
       report.facts.clear();
       report.header = {"source", "target", name};
       report.rows = {{PointText(pair_.source), PointText(pair_.target),
-                      NumberText(kept_[0])}};
+                      TextOf(kept_[0], type())}};
       report.json["source"] = PointToJson(pair_.source);
       report.json["target"] = PointToJson(pair_.target);
       report.json[name] = kept_[0];
+      const std::string reason = WhyUnreached(summary);
+      report.json["unreached"] = reason.empty() ? Json() : Json(reason);
+      if (!reason.empty()) {
+        report.notes.push_back(absl::StrCat(
+            "no path leads to ", PointText(pair_.target), ": ", reason));
+      }
     } else if (keeps()) {
       report.json[name + "s"] = kept_;
     }
     return report;
+  }
+
+  // Whether paths were asked for, and none was found.
+  bool LacksPaths() const {
+    return has_paths() &&
+           std::ranges::all_of(lines_.lines, [](const Line& line) {
+             return line.polyline.points.empty();
+           });
   }
 
   uint64_t count() const { return count_; }
@@ -217,6 +241,17 @@ class Destination {
   }
 
  private:
+  // Of the only pair, if there is no path; otherwise empty.
+  std::string WhyUnreached(const PairSummary& summary) const {
+    Source source;
+    std::visit([&source](const auto& place) { source.place = place; },
+               pair_.source);
+    return client::WhyUnreached(session_, summary.info.mesh_digest,
+                                {&source, 1}, {&pair_.target, 1},
+                                {&kept_[0], 1}, BeyondRadius(std::nullopt))[0];
+  }
+
+  NumberType type() const { return NumberTypeOf(arguments_.float32); }
   // Whether the distances are kept for the report.
   bool keeps() const {
     return arguments_.pair.has_value() ||
@@ -228,7 +263,8 @@ class Destination {
   std::vector<PairWriter> writers_;
   PointPair pair_;  // the only one, if it is not a list
   std::vector<double> kept_;
-  Lines lines_ = {.attributes = {{"pair", true}, {"distance"}}};
+  Lines lines_ = {
+      .attributes = {{"pair", NumberType::kInt32}, {"distance", type()}}};
   uint64_t count_ = 0;
   uint64_t finite_ = 0;
   double largest_ = 0;
@@ -420,13 +456,15 @@ absl::Status Run(const DistanceArguments& arguments, const Session& session) {
   absl::StatusOr<std::vector<WrittenFile>> files = destination.Commit();
   if (!files.ok()) return files.status();
   if (destination.is_text()) {
-    for (const std::string& note : run.summary().info.mesh_notes) {
-      session.err << "note: " << note << '\n';
-    }
+    PrintNotes(session, run.summary().info.mesh_notes);
     return absl::OkStatus();
   }
-  return PrintReport(session, {}, run.summary().info, seconds, files,
-                     destination.ReportOf(run.summary()));
+  status = PrintReport(session, {}, run.summary().info, seconds, files,
+                       destination.ReportOf(run.summary()));
+  if (status.ok() && destination.LacksPaths()) {
+    return NoPath("no path leads from source to target, so there is no file");
+  }
+  return status;
 }
 
 }  // namespace

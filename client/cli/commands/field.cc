@@ -15,6 +15,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
+#include "client/cli/commands/notes.h"
 #include "client/cli/commands/outputs.h"
 #include "client/cli/commands/question.h"
 #include "client/cli/commands/report.h"
@@ -41,6 +42,27 @@ struct FieldArguments : QuestionArguments {
 // What --stop-at-targets means without a count.
 constexpr int64_t kAllTargets = 0x7fffffffffffffff;
 
+// Refuses to leave out of all files what was asked for beside distances.
+void CheckQuantities(const FieldArguments& arguments) {
+  using enum OutputFormat;
+  const auto check = [&](bool is_asked, const char* option, bool png_holds) {
+    const auto holds = [png_holds](const OutputArgument& output) {
+      return output.format == kNpz || output.format == kCsv ||
+             output.format == kPly || output.format == kVtk ||
+             (png_holds && output.format == kPng);
+    };
+    if (!is_asked || arguments.outputs.empty() ||
+        std::ranges::any_of(arguments.outputs, holds)) {
+      return;
+    }
+    Refuse(option, absl::StrCat("no -o FILE holds that: write .npz, .csv, .ply",
+                                png_holds ? ", .vtk or .png" : " or .vtk"));
+  };
+  check(arguments.nearest_sources, "--nearest-sources", true);
+  check(arguments.gradients, "--gradients", false);
+  check(arguments.certified_errors, "--certified-errors", false);
+}
+
 void Check(const CLI::App& app, const FieldArguments& arguments) {
   const TargetArguments& targets = arguments.targets;
   if (arguments.stop_at_targets.has_value() && targets.points.empty() &&
@@ -58,6 +80,10 @@ void Check(const CLI::App& app, const FieldArguments& arguments) {
                                                     : "within a tolerance",
                  "; write .npy"));
     }
+    if (arguments.float32 && output.format == OutputFormat::kF64) {
+      Refuse("--float32",
+             output.path + " holds numbers of 64 bits: write .f32");
+    }
   }
   if (arguments.tolerance != 0 &&
       (arguments.progressive || arguments.nearest_sources ||
@@ -66,7 +92,7 @@ void Check(const CLI::App& app, const FieldArguments& arguments) {
            "is for distances that are sent when all are known: leave it out "
            "with --progressive, --nearest-sources and --gradients");
   }
-  if (!arguments.progressive) return;
+  if (!arguments.progressive) return CheckQuantities(arguments);
   if (arguments.nearest_sources || arguments.gradients ||
       arguments.certified_errors) {
     Refuse("--progressive",
@@ -146,7 +172,7 @@ FieldQuery ToQuery(const FieldArguments& arguments, const Question& question) {
 
 // The largest of the finite distances, and how many are finite.
 struct FieldExtremes {
-  // 0 if no vertex is reached.
+  // These are 0 if no vertex is reached.
   double largest = 0;
   uint64_t farthest_vertex = 0;
   uint64_t reached = 0;
@@ -355,7 +381,7 @@ absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
 // Ends the call when nothing more can be written.
 absl::StatusOr<Field> StreamRows(const Session& session,
                                  const FieldQuery& query,
-                                 const std::vector<OutputArgument>& outputs,
+                                 const FieldArguments& arguments,
                                  Stopwatch* watch, FieldExtremes* extremes,
                                  std::vector<WrittenFile>* written) {
   // The user can request a stop, and so does a failed write.
@@ -365,14 +391,15 @@ absl::StatusOr<Field> StreamRows(const Session& session,
   CallOptions call = session.call;
   call.stop = stop.get_token();
 
-  Rows rows(session, outputs);
+  Rows rows(session, arguments.outputs);
   rows.Write(absl::StrCat("vertex,", kDistanceColumn, "\n"));
   if (!rows.Flush()) stop.request_stop();
   CsvLine line;
+  const NumberType type = NumberTypeOf(arguments.float32);
   const auto on_settled = [&](std::span<const SettledVertex> settled) {
     for (const SettledVertex& vertex : settled) {
       extremes->Add(vertex.vertex, vertex.distance);
-      line.Number(vertex.vertex).Number(vertex.distance);
+      line.Number(vertex.vertex).Text(TextOf(vertex.distance, type));
       rows.Write(line.End());
     }
     if (!rows.Flush()) stop.request_stop();
@@ -394,17 +421,21 @@ Json ToJson(const FieldStatistics& statistics) {
           {"solve_seconds", statistics.solve_seconds}};
 }
 
-Report ReportOf(const FieldArguments& arguments, const Question& question,
-                const Field& field, const FieldExtremes& extremes) {
+Report ReportOf(const FieldArguments& arguments, const Session& session,
+                const Question& question, const Field& field,
+                const FieldExtremes& extremes) {
   const bool is_limited =
       arguments.radius.has_value() || arguments.stop_at_targets.has_value();
   const uint64_t missing = field.vertex_count - extremes.reached;
   Report report;
-  report.facts = {{"origin", std::string(FieldOriginName(field.origin))},
-                  {"vertices", GroupedNumber(field.vertex_count)},
-                  {"largest distance",
-                   absl::StrCat(ShortNumber(extremes.largest), " at vertex ",
-                                extremes.farthest_vertex)}};
+  report.facts = {
+      {"origin", std::string(FieldOriginName(field.origin))},
+      {"vertices", GroupedNumber(field.vertex_count)},
+      {"largest distance",
+       extremes.reached == 0
+           ? "none"
+           : absl::StrCat(ShortNumber(extremes.largest), " at vertex ",
+                          extremes.farthest_vertex)}};
   if (missing != 0) {
     report.facts.push_back({is_limited ? "not reached" : "unreachable",
                             absl::StrCat(GroupedNumber(missing), " vertices")});
@@ -414,13 +445,22 @@ Report ReportOf(const FieldArguments& arguments, const Question& question,
         {field.certified_error.has_value() ? "certified up to" : "exact up to",
          ShortNumber(field.settled_radius)});
   }
+  const std::vector<std::string> reasons =
+      WhyUnreached(session, question.mesh_digest, question.sources,
+                   question.targets, field.target_distances,
+                   arguments.stop_at_targets.has_value()
+                       ? "the search ended before it came there"
+                       : BeyondRadius(arguments.radius));
   Json targets = Json::array();
   for (size_t i = 0; i < field.target_distances.size(); ++i) {
     const double distance = field.target_distances[i];
-    report.facts.push_back({absl::StrCat("to ", PointText(question.targets[i])),
-                            NumberText(distance)});
+    report.facts.push_back(
+        {absl::StrCat("to ", PointText(question.targets[i])),
+         absl::StrCat(TextOf(distance, NumberTypeOf(arguments.float32)),
+                      reasons[i].empty() ? "" : ": ", reasons[i])});
     Json target = PointToJson(question.targets[i]);
     target["distance"] = distance;
+    target["unreached"] = reasons[i].empty() ? Json() : Json(reasons[i]);
     targets.push_back(std::move(target));
   }
   if (!field.approximation.has_value()) {
@@ -431,14 +471,17 @@ Report ReportOf(const FieldArguments& arguments, const Question& question,
                       GroupedNumber(field.statistics.windows_propagated),
                       " propagated")});
   }
-  report.json = {{"origin", std::string(FieldOriginName(field.origin))},
-                 {"vertices", field.vertex_count},
-                 {"unreachable_vertices", missing},
-                 {"largest_distance", extremes.largest},
-                 {"farthest_vertex", extremes.farthest_vertex},
-                 {"settled_radius", field.settled_radius},
-                 {"targets", targets},
-                 {"statistics", ToJson(field.statistics)}};
+  report.json = {
+      {"origin", std::string(FieldOriginName(field.origin))},
+      {"vertices", field.vertex_count},
+      {"unreachable_vertices", missing},
+      {"largest_distance",
+       extremes.reached == 0 ? Json() : Json(extremes.largest)},
+      {"farthest_vertex",
+       extremes.reached == 0 ? Json() : Json(extremes.farthest_vertex)},
+      {"settled_radius", field.settled_radius},
+      {"targets", targets},
+      {"statistics", ToJson(field.statistics)}};
   return report;
 }
 
@@ -451,7 +494,7 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
   absl::StatusOr<std::vector<WrittenFile>> files = std::vector<WrittenFile>();
   absl::StatusOr<Field> field =
       arguments.progressive
-          ? StreamRows(session, query, outputs, &watch, &extremes, &*files)
+          ? StreamRows(session, query, arguments, &watch, &extremes, &*files)
           : session.client.ComputeField(query, session.call,
                                         watch.OnSolve(query.tolerance == 0));
   if (!field.ok()) return field.status();
@@ -477,9 +520,12 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
     files = WriteFieldOutputs(session, arguments, question, info, *field);
   }
   // If the rows went to the terminal, nothing else does.
-  if (arguments.progressive && outputs.empty()) return absl::OkStatus();
+  if (arguments.progressive && outputs.empty()) {
+    PrintNotes(session, question.notes);
+    return absl::OkStatus();
+  }
   return PrintReport(session, question, info, seconds, files,
-                     ReportOf(arguments, question, *field, extremes));
+                     ReportOf(arguments, session, question, *field, extremes));
 }
 
 }  // namespace

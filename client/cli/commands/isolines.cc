@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/commands/outputs.h"
 #include "client/cli/commands/question.h"
@@ -75,12 +76,15 @@ Lines LinesOf(const IsolineAnswer& answer, const std::string& mark) {
 }
 
 // `count` levels that cut the range of distances into equal parts.
-absl::StatusOr<std::vector<double>> SpreadLevels(const Field& field,
+absl::StatusOr<std::vector<double>> SpreadLevels(const Question& question,
+                                                 const Field& field,
                                                  uint64_t count) {
   const double largest = LargestFinite(field.distances);
   if (!(largest > 0)) {
-    return absl::InvalidArgumentError(
-        "no vertex is farther than 0 from the sources: there are no isolines");
+    return absl::InvalidArgumentError(absl::StrCat(
+        "no vertex is farther than 0 from the sources: there are no isolines",
+        question.notes.empty() ? "" : "; ",
+        absl::StrJoin(question.notes, "; ")));
   }
   std::vector<double> levels;
   for (uint64_t i = 1; i <= count; ++i) {
@@ -169,7 +173,7 @@ absl::Status Answer(const IsolinesArguments& arguments, const Session& session,
   if (arguments.count.has_value()) {
     if (absl::Status status = need_field(); !status.ok()) return status;
     absl::StatusOr<std::vector<double>> spread =
-        SpreadLevels(*field, *arguments.count);
+        SpreadLevels(question, *field, *arguments.count);
     if (!spread.ok()) return spread.status();
     query.levels = *std::move(spread);
   }

@@ -76,10 +76,11 @@ Report ReportOf(const Source& source, const LogMap& map) {
                 {"mapped", absl::StrCat(GroupedNumber(mapped), " of ",
                                         GroupedNumber(map.coordinates.size()),
                                         " vertices")},
-                {"largest distance", ShortNumber(largest)}},
+                {"largest distance",
+                 mapped == 0 ? "none" : ShortNumber(largest)}},
       .json = {{"vertices", map.coordinates.size()},
                {"mapped_vertices", mapped},
-               {"largest_distance", largest},
+               {"largest_distance", mapped == 0 ? Json() : Json(largest)},
                {"zero_direction", map.zero_direction}}};
 }
 

@@ -9,6 +9,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
+#include "client/cli/commands/notes.h"
 #include "client/cli/commands/outputs.h"
 #include "client/cli/commands/question.h"
 #include "client/cli/commands/report.h"
@@ -50,14 +51,15 @@ class Destination {
               const QuestionArguments& arguments)
       : session_(session),
         outputs_(arguments.outputs),
+        type_(NumberTypeOf(arguments.float32)),
         mark_(arguments.mark()),
         places_{question.sources, question.targets} {}
 
   // Errors: those of opening files.
-  absl::Status Open(NumberType type) {
+  absl::Status Open() {
     for (const OutputArgument& output : outputs_) {
       absl::StatusOr<std::unique_ptr<MatrixWriter>> writer =
-          CreateMatrixWriter(output.path, output.format, type, places_, mark_);
+          CreateMatrixWriter(output.path, output.format, type_, places_, mark_);
       if (!writer.ok()) return FileError(writer.status());
       writers_.push_back(*std::move(writer));
     }
@@ -105,7 +107,7 @@ class Destination {
       ++summary_.finite;
       summary_.largest = std::max(summary_.largest, value);
     }
-    if (is_text()) session_.out << CsvRow(places_, row);
+    if (is_text()) session_.out << CsvRow(places_, row, type_);
     if (!session_.out) return OutputFailed();
     if (writers_.empty() && session_.json) {
       rows_.push_back({{"columns", std::vector<uint32_t>(row.columns.begin(),
@@ -122,6 +124,7 @@ class Destination {
 
   const Session& session_;
   const std::vector<OutputArgument>& outputs_;
+  const NumberType type_;
   const std::string mark_;
   const MatrixPlaces places_;
   std::vector<std::unique_ptr<MatrixWriter>> writers_;
@@ -143,7 +146,7 @@ bool IsSparse(const QuestionArguments& arguments) {
 absl::Status Answer(const QuestionArguments& arguments, const Session& session,
                     const Question& question) {
   Destination destination(session, question, arguments);
-  absl::Status opened = destination.Open(NumberTypeOf(arguments.float32));
+  absl::Status opened = destination.Open();
   if (!opened.ok()) return opened;
   Stopwatch watch(session);
   auto query = MakeQuery<MatrixQuery>(arguments, question);
@@ -155,7 +158,10 @@ absl::Status Answer(const QuestionArguments& arguments, const Session& session,
   absl::StatusOr<std::vector<WrittenFile>> files = destination.Commit();
   if (!files.ok()) return files.status();
   // If the rows went to the terminal, nothing else does.
-  if (!session.json && files->empty()) return absl::OkStatus();
+  if (!session.json && files->empty()) {
+    PrintNotes(session, question.notes);
+    return absl::OkStatus();
+  }
 
   const MatrixSummary& summary = destination.summary();
   Report report = {
@@ -164,11 +170,13 @@ absl::Status Answer(const QuestionArguments& arguments, const Session& session,
                               GroupedNumber(summary.shape.columns),
                               " columns")},
                 {"finite values", GroupedNumber(summary.finite)},
-                {"largest distance", ShortNumber(summary.largest)}},
+                {"largest distance",
+                 summary.finite == 0 ? "none" : ShortNumber(summary.largest)}},
       .json = {{"rows", summary.shape.rows},
                {"columns", summary.shape.columns},
                {"finite_values", summary.finite},
-               {"largest_distance", summary.largest}}};
+               {"largest_distance",
+                summary.finite == 0 ? Json() : Json(summary.largest)}}};
   if (files->empty()) report.json["matrix"] = destination.rows();
   return PrintReport(session, question, *info, seconds, files, report);
 }

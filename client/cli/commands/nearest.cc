@@ -1,5 +1,6 @@
 // nearest: the nearest members of a set.
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,8 +79,10 @@ void WriteCsv(const Question& question, const NearestAnswer& answer,
   });
 }
 
-Report ReportOf(const Question& question, const NearestAnswer& answer,
-                const std::string& name) {
+Report ReportOf(const NearestArguments& arguments, const Question& question,
+                const NearestAnswer& answer, const std::string& name) {
+  const uint64_t count = arguments.count;
+  const bool is_limited = arguments.radius.has_value();
   Report report = {.header = {"source", "rank", "target", name}};
   VisitFound(answer, [&](size_t source, size_t rank, const NearestTarget& t) {
     report.rows.push_back(
@@ -87,6 +90,20 @@ Report ReportOf(const Question& question, const NearestAnswer& answer,
          PointText(question.targets[t.target]), NumberText(t.distance)});
   });
   report.json["found"] = FoundJson(question, answer, name);
+  if (count > question.targets.size()) {
+    report.notes.push_back(absl::StrCat(
+        GroupedNumber(count), " nearest targets were asked for, and there are ",
+        GroupedNumber(question.targets.size())));
+  }
+  const uint64_t most = std::min<uint64_t>(count, question.targets.size());
+  const auto fewer = std::ranges::count_if(
+      answer.found, [most](const auto& found) { return found.size() < most; });
+  if (fewer != 0) {
+    report.notes.push_back(absl::StrCat(
+        GroupedNumber(fewer), fewer == 1 ? " source has" : " sources have",
+        " fewer than ", GroupedNumber(most), " targets: no path leads to more",
+        is_limited ? ", or none within the radius" : ""));
+  }
   return report;
 }
 
@@ -112,7 +129,7 @@ absl::Status Answer(const NearestArguments& arguments, const Session& session,
   return PrintReport(
       session, question, answer->info, seconds,
       WriteOutputs(session, arguments.outputs, answer->info, {}, write),
-      ReportOf(question, *answer, name));
+      ReportOf(arguments, question, *answer, name));
 }
 
 }  // namespace

@@ -14,9 +14,7 @@
 #include "client/output/extended_ply.h"
 
 namespace geodesic::client {
-namespace {
 
-// Where a point lies in space.
 Point PositionOf(const SurfacePoint& point, const MeshArrays& mesh) {
   std::vector<std::pair<double, uint64_t>> corners;  // weights and vertices
   if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
@@ -38,8 +36,6 @@ Point PositionOf(const SurfacePoint& point, const MeshArrays& mesh) {
   }
   return sum;
 }
-
-}  // namespace
 
 absl::StatusOr<MeshArrays> FetchMesh(const Session& session,
                                      const AnswerInfo& info) {

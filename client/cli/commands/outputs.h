@@ -25,6 +25,9 @@ namespace geodesic::client {
 absl::StatusOr<MeshArrays> FetchMesh(const Session& session,
                                      const AnswerInfo& info);
 
+// Where a point lies in space. One that the mesh does not have lies anywhere.
+Point PositionOf(const SurfacePoint& point, const MeshArrays& mesh);
+
 struct WrittenFile {
   OutputArgument output;
   uint64_t bytes = 0;

@@ -1,15 +1,18 @@
 // path: shortest paths to points.
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/command.h"
+#include "client/cli/commands/notes.h"
 #include "client/cli/commands/outputs.h"
 #include "client/cli/commands/question.h"
 #include "client/cli/commands/report.h"
 #include "client/cli/commands/stopwatch.h"
+#include "client/cli/terminal/exit_code.h"
 #include "client/output/line_writers.h"
 #include "client/output/number_text.h"
 #include "client/output/place_text.h"
@@ -28,9 +31,10 @@ void AddOptions(CLI::App* app, QuestionArguments* arguments) {
 }
 
 Lines LinesOf(const PathAnswer& answer) {
-  Lines lines = {
-      .attributes = {
-          {"target", true}, {"source", true}, {"distance"}, {"length"}}};
+  Lines lines = {.attributes = {{"target", NumberType::kInt32},
+                                {"source", NumberType::kInt32},
+                                {"distance"},
+                                {"length"}}};
   for (size_t target = 0; target < answer.paths.size(); ++target) {
     const GeodesicPath& path = answer.paths[target];
     lines.lines.push_back(
@@ -54,7 +58,26 @@ PictureContent ContentOf(const Question& question, const PathAnswer& answer,
   return content;
 }
 
-Report ReportOf(const Question& question, const PathAnswer& answer) {
+// NoPath if there is a reason why a target is not reached.
+absl::Status AllReached(const Question& question,
+                        const std::vector<std::string>& reasons) {
+  const auto has_one = [](const std::string& reason) {
+    return !reason.empty();
+  };
+  const auto first = std::ranges::find_if(reasons, has_one);
+  if (first == reasons.end()) return absl::OkStatus();
+  const auto others = std::count_if(first + 1, reasons.end(), has_one);
+  const size_t target = first - reasons.begin();
+  return NoPath(absl::StrCat(
+      "no path leads to ", PointText(question.targets[target]), ": ", *first,
+      others == 0
+          ? ""
+          : absl::StrCat("; nor to ", others,
+                         others == 1 ? " other target" : " other targets")));
+}
+
+Report ReportOf(const Question& question, const PathAnswer& answer,
+                const std::vector<std::string>& reasons) {
   Report report = {
       .header = {"target", "source", "distance", "length", "points"}};
   Json paths = Json::array();
@@ -70,13 +93,16 @@ Report ReportOf(const Question& question, const PathAnswer& answer) {
     for (const SurfacePoint& point : path.line.points) {
       points.push_back(PointToJson(point));
     }
-    paths.push_back({{"target", PointToJson(question.targets[target])},
-                     {"source", path.source.has_value() ? Json(*path.source)
-                                                        : Json(nullptr)},
-                     {"distance", path.distance},
-                     {"length", path.length},
-                     {"points", std::move(points)},
-                     {"positions", path.line.positions}});
+    paths.push_back(
+        {{"target", PointToJson(question.targets[target])},
+         {"source",
+          path.source.has_value() ? Json(*path.source) : Json(nullptr)},
+         {"distance", path.distance},
+         {"length", path.length},
+         {"unreached",
+          reasons[target].empty() ? Json(nullptr) : Json(reasons[target])},
+         {"points", std::move(points)},
+         {"positions", path.line.positions}});
   }
   report.json["paths"] = std::move(paths);
   return report;
@@ -95,6 +121,15 @@ absl::Status Answer(const QuestionArguments& arguments, const Session& session,
     }
   }
   const double seconds = watch.seconds();
+  std::vector<double> distances;
+  for (const GeodesicPath& path : answer->paths) {
+    distances.push_back(path.distance);
+  }
+  const std::vector<std::string> reasons =
+      WhyUnreached(session, question.mesh_digest, question.sources,
+                   question.targets, distances, BeyondRadius(arguments.radius));
+  const bool has_paths =
+      std::ranges::any_of(reasons, [](const auto& r) { return r.empty(); });
   const Lines lines = LinesOf(*answer);
   const auto write = [&](const OutputArgument& output,
                          const MeshArrays& mesh) -> absl::StatusOr<uint64_t> {
@@ -106,10 +141,15 @@ absl::Status Answer(const QuestionArguments& arguments, const Session& session,
       WriteLines(lines, output.format, file);
     });
   };
-  return PrintReport(session, question, answer->info, seconds,
-                     WriteOutputs(session, arguments.outputs, answer->info,
-                                  {OutputFormat::kPng}, write),
-                     ReportOf(question, *answer));
+  // Without any path there is nothing to write.
+  const std::vector<OutputArgument> outputs =
+      has_paths ? arguments.outputs : std::vector<OutputArgument>();
+  absl::Status status = PrintReport(
+      session, question, answer->info, seconds,
+      WriteOutputs(session, outputs, answer->info, {OutputFormat::kPng}, write),
+      ReportOf(question, *answer, reasons));
+  status.Update(AllReached(question, reasons));
+  return status;
 }
 
 }  // namespace

@@ -1,7 +1,13 @@
 #include "client/cli/commands/question.h"
 
+#include <cmath>
+#include <optional>
+#include <variant>
+
 #include "absl/strings/str_cat.h"
 #include "client/cli/commands/mesh_argument.h"
+#include "client/cli/commands/notes.h"
+#include "client/cli/commands/outputs.h"
 #include "client/cli/commands/stopwatch.h"
 #include "client/cli/terminal/exit_code.h"
 #include "client/output/atomic_file.h"
@@ -39,13 +45,17 @@ absl::StatusOr<WrittenPlaces> Prepare(const QuestionArguments& arguments) {
   std::vector<std::string> inputs = arguments.other_inputs;
   inputs.insert(inputs.end(), sources.files.begin(), sources.files.end());
   inputs.insert(inputs.end(), targets.files.begin(), targets.files.end());
-  std::vector<std::string> inputs_and_mesh = inputs;
-  inputs_and_mesh.push_back(arguments.mesh.text);
   for (const OutputArgument& output : arguments.outputs) {
     const bool keeps_mesh =
         arguments.adds_to_ply && output.format == OutputFormat::kPly;
-    absl::Status status =
-        CheckWritable(output.path, keeps_mesh ? inputs : inputs_and_mesh);
+    absl::Status status = CheckWritable(output.path, inputs);
+    if (status.ok() && !(keeps_mesh && arguments.in_place)) {
+      status = CheckWritable(
+          output.path, {&arguments.mesh.text, 1},
+          keeps_mesh && IsPlyFile(arguments.mesh)
+              ? "write to another file, or --in-place to add to this one"
+              : "write to another file");
+    }
     if (!status.ok()) return FileError(status);
   }
   WrittenPlaces places = {.sources = sources.points, .targets = targets.points};
@@ -56,6 +66,35 @@ absl::StatusOr<WrittenPlaces> Prepare(const QuestionArguments& arguments) {
   status.Update(AppendLists(targets.files, ReadPoints, &places.targets));
   if (!status.ok()) return status;
   return places;
+}
+
+double LengthOf(const Curve& curve, const MeshArrays& mesh) {
+  double length = 0;
+  for (size_t i = 1; i < curve.points.size(); ++i) {
+    const Point a = PositionOf(curve.points[i - 1], mesh);
+    const Point b = PositionOf(curve.points[i], mesh);
+    length += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  }
+  return length;
+}
+
+// Measures the curves, for which it reads the mesh. Where only a sibling of the
+// server has that, which the question fetches, they have no length.
+absl::Status MeasureCurves(const Session& session, Question* question) {
+  std::optional<MeshArrays> mesh;
+  for (size_t i = 0; i < question->sources.size(); ++i) {
+    const auto* curve = std::get_if<Curve>(&question->sources[i].place);
+    if (curve == nullptr) continue;
+    if (!mesh.has_value()) {
+      absl::StatusOr<MeshArrays> read =
+          session.client.ReadMesh(question->mesh_digest, session.call);
+      if (absl::IsNotFound(read.status())) return absl::OkStatus();
+      if (!read.ok()) return read.status();
+      mesh = *std::move(read);
+    }
+    question->curve_lengths[i] = LengthOf(*curve, *mesh);
+  }
+  return absl::OkStatus();
 }
 
 // The question about the mesh with this digest. Reads the mesh if a place has
@@ -89,6 +128,14 @@ absl::Status AskQuestion(
   return AskAboutMesh(session, arguments.mesh, [&](const std::string& digest) {
     absl::StatusOr<Question> question = FindPlaces(session, *places, digest);
     if (!question.ok()) return question.status();
+    if (absl::Status status = MeasureCurves(session, &*question);
+        !status.ok()) {
+      return status;
+    }
+    absl::StatusOr<std::vector<std::string>> notes =
+        NotesOnSources(session, digest, question->sources);
+    if (!notes.ok()) return notes.status();
+    question->notes = *std::move(notes);
     absl::Status status = PrepareMesh(session, digest, arguments.algorithm,
                                       arguments.approximation);
     return status.ok() ? answer(*question) : status;

@@ -5,6 +5,7 @@
 #define GEODESIC_CLIENT_CLI_COMMANDS_QUESTION_H_
 
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,14 +30,18 @@ struct Question {
   // In the order in which the server numbers them.
   std::vector<Source> sources;
   std::vector<SurfacePoint> targets;
+  // Of each source that is a curve, by its number, in the mesh's unit.
+  std::map<size_t, double> curve_lengths = {};
+  // What to say of the sources beside the answer.
+  std::vector<std::string> notes = {};
 };
 
 // Reads the lists of --sources and --targets, checks that the outputs can be
 // written, makes the mesh resident, finds the places on it that are written by
 // what they are near to, prepares it for an approximate algorithm, and calls
-// `answer`. If the server has evicted the mesh meanwhile, it uploads the mesh
-// and asks once more. Errors: FileErrors, those of AskAboutMesh, PlaceFinder
-// and `answer`.
+// `answer`, with notes on the sources (notes.h). If the server has evicted the
+// mesh meanwhile, it uploads the mesh and asks once more. Errors: FileErrors,
+// those of AskAboutMesh, PlaceFinder and `answer`.
 absl::Status AskQuestion(
     const Session& session, const QuestionArguments& arguments,
     const std::function<absl::Status(const Question&)>& answer);

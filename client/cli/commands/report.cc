@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <variant>
 
 #include "absl/strings/str_cat.h"
+#include "client/cli/commands/notes.h"
 #include "client/output/atomic_file.h"
 #include "client/output/place_text.h"
 
@@ -21,10 +23,38 @@ Json FilesJson(const std::vector<WrittenFile>& files) {
   return outputs;
 }
 
-Json SourcesJson(const std::vector<Source>& sources) {
+Json SourcesJson(const Question& question) {
   Json list = Json::array();
-  for (const Source& source : sources) list.push_back(SourceToJson(source));
+  for (const Source& source : question.sources) {
+    list.push_back(SourceToJson(source));
+  }
+  for (const auto& [number, length] : question.curve_lengths) {
+    list[number]["length"] = length;
+  }
   return list;
+}
+
+// What the curves among the sources are in all.
+std::optional<Fact> CurveFact(const Question& question) {
+  if (question.curve_lengths.empty()) return std::nullopt;
+  size_t points = 0;
+  double sum = 0;
+  for (const auto& [number, length] : question.curve_lengths) {
+    points += std::get<Curve>(question.sources[number].place).points.size();
+    sum += length;
+  }
+  const size_t count = question.curve_lengths.size();
+  return Fact(
+      count == 1 ? "curve" : absl::StrCat(GroupedNumber(count), " curves"),
+      absl::StrCat(GroupedNumber(points), " points, length ",
+                   ShortNumber(sum)));
+}
+
+std::vector<std::string> AllNotes(const Question& question,
+                                  const Report& report) {
+  std::vector<std::string> notes = question.notes;
+  notes.insert(notes.end(), report.notes.begin(), report.notes.end());
+  return notes;
 }
 
 // Null stands for what has no bound, or is not certified.
@@ -35,7 +65,7 @@ void AddAnswer(const Question& question, const AnswerInfo& info,
           {"notes", info.mesh_notes},
           {"algorithm", info.algorithm}};
   if (!question.sources.empty()) {
-    json["sources"] = SourcesJson(question.sources);
+    json["sources"] = SourcesJson(question);
   }
   json["approximate"] = info.approximation.has_value();
   if (info.approximation.has_value()) {
@@ -49,6 +79,7 @@ void AddAnswer(const Question& question, const AnswerInfo& info,
                    {"call_seconds", call_seconds},
                    {"server_version", info.server_version}});
   json.update(report.json);
+  json["notes"] = AllNotes(question, report);
   json["outputs"] = FilesJson(files);
 }
 
@@ -64,7 +95,8 @@ std::optional<Fact> Inexactness(const AnswerInfo& info) {
 }
 
 // The facts of all answers, with those of `report` among them.
-std::vector<Fact> AllFacts(const AnswerInfo& info, double call_seconds,
+std::vector<Fact> AllFacts(const Question& question, const AnswerInfo& info,
+                           double call_seconds,
                            const std::vector<WrittenFile>& files,
                            const Report& report) {
   std::vector<Fact> facts = {{"mesh", info.mesh_digest}};
@@ -76,6 +108,7 @@ std::vector<Fact> AllFacts(const AnswerInfo& info, double call_seconds,
     facts.back().second = AlgorithmText(info.algorithm, *info.approximation);
   }
   if (const auto inexact = Inexactness(info)) facts.push_back(*inexact);
+  if (const auto curve = CurveFact(question)) facts.push_back(*curve);
   facts.insert(facts.end(), report.facts.begin(), report.facts.end());
   // Rows of a matrix are computed at the same time.
   facts.push_back({"solver", absl::StrCat(Seconds(info.compute_seconds),
@@ -88,6 +121,9 @@ std::vector<Fact> AllFacts(const AnswerInfo& info, double call_seconds,
                                                ? "standard output"
                                                : file.output.path,
                                            " (", ByteCount(file.bytes), ")")});
+  }
+  for (const std::string& note : AllNotes(question, report)) {
+    facts.emplace_back("note", note);
   }
   return facts;
 }
@@ -127,6 +163,7 @@ absl::Status PrintReport(const Session& session, const Question& question,
     AddAnswer(question, info, call_seconds, *files, report, *session.json);
     return absl::OkStatus();
   }
+  if (session.quiet) PrintNotes(session, AllNotes(question, report));
   if (session.quiet && !files->empty()) return absl::OkStatus();
   // Nothing else goes where an answer went.
   const bool is_taken = std::ranges::any_of(*files, [](const auto& file) {
@@ -137,8 +174,9 @@ absl::Status PrintReport(const Session& session, const Question& question,
     PrintTable(report.header, report.rows, &out);
     if (!session.quiet) out << '\n';
   }
-  PrintFacts(session.quiet ? OwnFacts(info, report)
-                           : AllFacts(info, call_seconds, *files, report),
+  PrintFacts(session.quiet
+                 ? OwnFacts(info, report)
+                 : AllFacts(question, info, call_seconds, *files, report),
              &out);
   return absl::OkStatus();
 }

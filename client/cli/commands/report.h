@@ -22,13 +22,16 @@ struct Report {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
   std::vector<Fact> facts;
+  // What the user should know of the answer, beside those of the question.
+  std::vector<std::string> notes = {};
   // Members for the object that --json prints.
   Json json = Json::object();
 };
 
-// Prints the table, the facts of `report` and those of all answers, or one JSON
-// object. With --quiet it prints only the table and the report's own facts, and
-// nothing if the answer went to files. It prints nothing if the files could not
+// Prints the table, the facts of `report`, those of all answers and the notes,
+// or one JSON object. With --quiet it prints only the table and the report's
+// own facts, and nothing if the answer went to files; the notes go to standard
+// error then. It prints nothing if the files could not
 // be written, and to standard error if one of them is standard output.
 // Errors: that of `files`.
 absl::Status PrintReport(const Session& session, const Question& question,

@@ -87,12 +87,19 @@ void WritePly(const std::vector<PlacedSample>& samples, const std::string& mark,
 }
 
 Report ReportOf(const Session& session, const SampleAnswer& answer,
-                const std::vector<PlacedSample>& samples,
+                uint64_t asked, const std::vector<PlacedSample>& samples,
                 const std::string& name) {
   Report report = {.header = {"vertex", name}};
   for (const FarthestSample& sample : answer.samples) {
     report.rows.push_back(
         {NumberText(sample.vertex), NumberText(sample.distance)});
+  }
+  if (answer.samples.size() < asked) {
+    report.notes.push_back(absl::StrCat(
+        GroupedNumber(asked), " samples were asked for and ",
+        GroupedNumber(answer.samples.size()),
+        " are there: then every vertex of a face is a source or a sample, or "
+        "in the same place as one"));
   }
   if (session.json) report.json["samples"] = SamplesJson(samples, name);
   return report;
@@ -133,7 +140,7 @@ absl::Status Answer(const SampleArguments& arguments, const Session& session,
   return PrintReport(
       session, question, answer->info, seconds,
       WriteOutputs(session, arguments.outputs, answer->info, {}, write),
-      ReportOf(session, *answer, samples, name));
+      ReportOf(session, *answer, arguments.count, samples, name));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ namespace {
 constexpr char kFilePayload[] = "geodesic.client/file-error";
 constexpr char kNoServerPayload[] = "geodesic.client/no-server";
 constexpr char kNoneRunsPayload[] = "geodesic.client/none-runs";
+constexpr char kNoPathPayload[] = "geodesic.client/no-path";
 constexpr char kInterruptedPayload[] = "geodesic.client/interrupted";
 
 // Whether gRPC gave up before a server answered.
@@ -51,6 +52,7 @@ std::string_view ExitCodeHelp() {
          "  5    the server refused: malformed mesh, unknown mesh, a limit, "
          "...\n"
          "  6    the time given by --timeout is over\n"
+         "  7    geodesic path: no path leads to a target\n"
          "  130  interrupted\n";
 }
 
@@ -80,6 +82,12 @@ absl::Status NoneRuns(std::string_view message) {
   return status;
 }
 
+absl::Status NoPath(std::string_view message) {
+  absl::Status status = absl::NotFoundError(std::string(message));
+  status.SetPayload(kNoPathPayload, absl::Cord());
+  return status;
+}
+
 ExitCode ExitCodeOf(const absl::Status& status) {
   if (status.GetPayload(kFilePayload).has_value()) return ExitCode::kFile;
   if (status.GetPayload(kInterruptedPayload).has_value()) {
@@ -88,6 +96,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
   if (status.GetPayload(kNoServerPayload).has_value()) {
     return ExitCode::kUnreachable;
   }
+  if (status.GetPayload(kNoPathPayload).has_value()) return ExitCode::kNoPath;
   if (status.GetPayload(kNoneRunsPayload).has_value()) {
     return ExitCode::kNoneRuns;
   }

@@ -18,6 +18,7 @@ enum class ExitCode {
   kUnreachable = 4,
   kRefused = 5,
   kTimeout = 6,
+  kNoPath = 7,
   kInterrupted = 130,
 };
 
@@ -35,6 +36,10 @@ absl::Status Interrupted();
 // Marks an error of starting a server: there is none to reach, and the message
 // says why.
 absl::Status NoServer(absl::Status status);
+
+// The status of a command whose answer is that no path leads to what it was
+// asked for: `message` says to what, and why.
+absl::Status NoPath(std::string_view message);
 
 // What `geodesic server status` says when no server runs.
 absl::Status NoneRuns(std::string_view message);

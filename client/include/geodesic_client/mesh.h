@@ -25,6 +25,9 @@ using Triangle = std::array<uint32_t, 3>;
 struct MeshArrays {
   std::vector<Point> positions;
   std::vector<Triangle> triangles;
+  // Vertices that repeat others, each with the one whose place it takes; no
+  // triangle names them. Of meshes that a server has read; uploads take none.
+  std::vector<std::array<uint32_t, 2>> joined = {};
 };
 
 // The name that every server gives this mesh: 64 lower-case hexadecimal digits

@@ -1,0 +1,333 @@
+#include "geodesic/join_seams.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/mesh.h"
+#include "geodesic/mesh_summary.h"
+#include "geodesic/read_mesh.h"
+#include "geodesic/settled_vertices.h"
+#include "geodesic/solve.h"
+#include "tests/support/checkpoints.h"
+#include "tests/support/planar_meshes.h"
+#include "tests/support/polyhedra.h"
+
+namespace geodesic {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Of side 2.
+TriangleSoup Cube() { return test::Triangulate(test::Box(2, 2, 2)); }
+
+TriangleSoup Joined(TriangleSoup soup, const Welding& welding = {}) {
+  const absl::Status status = JoinSeams(welding, soup);
+  EXPECT_TRUE(status.ok()) << status;
+  return soup;
+}
+
+// Every corner a vertex of its own, as in an STL file.
+TriangleSoup TakenApart(const TriangleSoup& soup) {
+  TriangleSoup apart;
+  for (const Triangle& corners : soup.triangles) {
+    const auto next = static_cast<uint32_t>(apart.positions.size());
+    for (const uint32_t v : corners) apart.positions.push_back(soup.positions[v]);
+    apart.triangles.push_back({next, next + 1, next + 2});
+  }
+  return apart;
+}
+
+// A sphere by meridians, of which the last repeats the first, as for textures:
+// its places are computed anew, so they differ by rounding.
+template <typename Number>
+TriangleSoup SlitSphere(int around, int rows) {
+  TriangleSoup soup;
+  const auto pi = static_cast<Number>(std::numbers::pi);
+  for (int row = 0; row <= rows; ++row) {
+    for (int column = 0; column <= around; ++column) {
+      const Number theta = pi * static_cast<Number>(row) / rows;
+      const Number phi = 2 * pi * static_cast<Number>(column) / around;
+      soup.positions.push_back({std::sin(theta) * std::cos(phi),
+                                std::sin(theta) * std::sin(phi),
+                                std::cos(theta)});
+    }
+  }
+  const auto at = [&](int row, int column) {
+    return static_cast<uint32_t>(row * (around + 1) + column);
+  };
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < around; ++column) {
+      const uint32_t a = at(row, column), b = at(row + 1, column),
+                     c = at(row + 1, column + 1), d = at(row, column + 1);
+      if (row + 1 < rows) soup.triangles.push_back({a, b, c});
+      if (row > 0) soup.triangles.push_back({a, c, d});
+    }
+  }
+  return soup;
+}
+
+MeshSummary SummaryOf(TriangleSoup soup) {
+  const auto mesh = Mesh::Build(std::move(soup));
+  EXPECT_TRUE(mesh.ok()) << mesh.status();
+  return Summarize(**mesh);
+}
+
+TEST(JoinSeamsTest, ASquareInTwoPieces) {
+  // Vertices 3 and 4 repeat 1 and 2.
+  const TriangleSoup soup = Joined(
+      {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0},
+                     {1, 1, 0}},
+       .triangles = {{0, 1, 2}, {4, 3, 5}}});
+  EXPECT_THAT(soup.triangles,
+              ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 5}));
+  EXPECT_THAT(soup.reading.joined,
+              ElementsAre(JoinedVertex{3, 1}, JoinedVertex{4, 2}));
+  EXPECT_EQ(soup.reading.seam_edges, 1u);
+  EXPECT_THAT(soup.positions, SizeIs(6));
+}
+
+TEST(JoinSeamsTest, ACubeInTwelvePiecesIsClosed) {
+  const TriangleSoup soup = Joined(TakenApart(Cube()));
+  // Twelve edges of the cube, and a diagonal on each of its sides.
+  EXPECT_EQ(soup.reading.seam_edges, 18u);
+  const MeshSummary summary = SummaryOf(soup);
+  EXPECT_EQ(summary.boundary_edges, 0u);
+  EXPECT_EQ(summary.genus, 0);
+  EXPECT_EQ(summary.joined_vertices, 36u - 8u);
+  EXPECT_EQ(summary.isolated_vertices, 0u);
+  EXPECT_THAT(Notes(summary), ElementsAre("joined 18 seam edges"));
+}
+
+TEST(JoinSeamsTest, ASlitWhoseSidesWereComputedTwiceIsClosed) {
+  for (const bool is_single : {false, true}) {
+    TriangleSoup soup =
+        is_single ? SlitSphere<float>(24, 12) : SlitSphere<double>(24, 12);
+    EXPECT_NE(soup.positions[25 + 24], soup.positions[25]);
+    soup = Joined(std::move(soup));
+    // Ten edges between eleven rows, and two at the poles, where each column
+    // has a vertex: those meet along their edges.
+    const MeshSummary summary = SummaryOf(soup);
+    EXPECT_EQ(summary.boundary_edges, 0u) << is_single;
+    EXPECT_EQ(summary.genus, 0) << is_single;
+    EXPECT_EQ(summary.close_edges, 0u) << is_single;
+  }
+}
+
+TEST(JoinSeamsTest, ASlitIsClosedWhateverDigitsAreWritten) {
+  for (const char* const format : {"%.4f", "%.6f", "%g", "%.9g", "%.17g"}) {
+    TriangleSoup soup = SlitSphere<float>(24, 12);
+    for (Point& p : soup.positions) {
+      for (double& x : p) {
+        char text[64];
+        // Away from 0, so that digits are rounded apart.
+        std::snprintf(text, sizeof(text), format, x * 12.3456789 + 0.7654321);
+        x = std::stod(text);
+      }
+    }
+    EXPECT_EQ(SummaryOf(Joined(std::move(soup))).boundary_edges, 0u) << format;
+  }
+}
+
+TEST(JoinSeamsTest, MoreThanRoundingIsToldAndNotJoined) {
+  // Two squares of side 1 with a gap of 0.001.
+  const TriangleSoup apart = {
+      .positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                    {1.001, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1.001, 1, 0}},
+      .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
+  EXPECT_THAT(Joined(apart).reading.joined, IsEmpty());
+  const MeshSummary summary = SummaryOf(apart);
+  EXPECT_EQ(summary.close_edges, 2u);
+  EXPECT_NEAR(summary.close_edge_distance, 0.001, 1e-12);
+  EXPECT_THAT(Notes(summary),
+              ElementsAre("2 boundary edges lie within 0.001 of others and are "
+                          "not joined; --weld 0.001 (weld) joins them"));
+  const Welding within = {Welding::Kind::kWithin, 0.001000001};
+  const TriangleSoup joined = Joined(apart, within);
+  EXPECT_THAT(joined.reading.joined,
+              ElementsAre(JoinedVertex{4, 1}, JoinedVertex{7, 2}));
+  EXPECT_THAT(Notes(SummaryOf(joined)), ElementsAre("joined 1 seam edge"));
+  EXPECT_THAT(Joined(apart, {Welding::Kind::kWithin, 0.0009}).reading.joined,
+              IsEmpty());
+}
+
+TEST(JoinSeamsTest, NothingIsJoinedIfNotWanted) {
+  const TriangleSoup apart = TakenApart(Cube());
+  EXPECT_TRUE(Joined(apart, {.kind = Welding::Kind::kNone}).reading.is_plain());
+}
+
+TEST(JoinSeamsTest, WhatTouchesInAPointOrCrossesStaysApart) {
+  // Two triangles that touch in a point, and one that crosses the first.
+  const TriangleSoup soup = Joined(
+      {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                     {0, 0, 0}, {-1, 0, 0}, {0, -1, 0},
+                     {0.2, 0.2, -1}, {0.2, 0.2, 1}, {0.3, 0.1, 0}},
+       .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
+  EXPECT_TRUE(soup.reading.is_plain());
+}
+
+TEST(JoinSeamsTest, AnyNumberOfSheetsMeetsInASeam) {
+  // Three triangles over the edge from (0, 0, 0) to (0, 0, 1), one of them
+  // turned the other way.
+  const TriangleSoup soup = Joined(
+      {.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {0, 0, 1},
+                     {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {-1, 0, 0}},
+       .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
+  EXPECT_EQ(soup.reading.seam_edges, 1u);
+  EXPECT_EQ(SummaryOf(soup).non_manifold_edges, 1u);
+}
+
+TEST(JoinSeamsTest, AFaceKeepsItsSides) {
+  // A needle whose long sides are as good as equal: no seam.
+  const TriangleSoup needle = {
+      .positions = {{0, 0, 0}, {1, 0, 0}, {1, 1e-9, 0}},
+      .triangles = {{0, 1, 2}}};
+  for (const Welding& welding :
+       {Welding(), Welding{Welding::Kind::kWithin, 0.1}}) {
+    EXPECT_TRUE(Joined(needle, welding).reading.is_plain());
+  }
+}
+
+TEST(JoinSeamsTest, ClosedMeshesAndPlainBoundariesAreLeftAlone) {
+  EXPECT_TRUE(Joined(Cube()).reading.is_plain());
+  EXPECT_TRUE(
+      Joined(test::MakeGrid({.columns = 9, .rows = 7})).reading.is_plain());
+}
+
+TEST(JoinSeamsTest, ASoupThatIsRefusedLaterIsLeftAlone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(Joined({.positions = {{0, 0, 0}}, .triangles = {{0, 1, 7}}})
+                  .reading.is_plain());
+  EXPECT_TRUE(Joined({.positions = {{nan, 0, 0}, {0, 1, 0}, {1, 0, 0}},
+                      .triangles = {{0, 1, 2}}})
+                  .reading.is_plain());
+}
+
+TEST(JoinSeamsTest, ADistanceIsANumberFromZero) {
+  TriangleSoup soup = Cube();
+  for (const double distance : {-1.0, kInfinity, std::nan("")}) {
+    EXPECT_TRUE(absl::IsInvalidArgument(
+        JoinSeams({Welding::Kind::kWithin, distance}, soup)));
+  }
+}
+
+TEST(JoinSeamsTest, StopsWhenTold) {
+  // So many edges in one place that each is compared with each other.
+  TriangleSoup soup;
+  for (uint32_t i = 0; i < 4000; ++i) {
+    const double x = 1e-9 * i;
+    soup.positions.insert(soup.positions.end(),
+                          {{x, 0, 0}, {x, 1, 0}, {0, 0, 1.0 + i}});
+    soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  test::RecordingCheckpoint checkpoint(3);
+  EXPECT_TRUE(absl::IsCancelled(
+      JoinSeams({Welding::Kind::kWithin, 1e-12}, soup, checkpoint)));
+}
+
+// Answers under the file's numbers: a cube of side 2 in twelve pieces.
+class JoinedAnswers : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    TriangleSoup apart = TakenApart(Cube());
+    whole_ = *Mesh::Build(Cube());
+    corners_ = Cube().triangles;
+    mesh_ = *Mesh::Build(Joined(std::move(apart)));
+  }
+
+  // The vertex of the whole cube at vertex v of the pieces.
+  uint32_t InWhole(uint32_t v) const { return corners_[v / 3][v % 3]; }
+
+  std::shared_ptr<const Mesh> whole_;
+  std::shared_ptr<const Mesh> mesh_;
+  std::vector<Triangle> corners_;
+};
+
+TEST_F(JoinedAnswers, FieldsAreThoseOfTheWholeFromEachRepeat) {
+  for (uint32_t source = 0; source < mesh_->vertex_count(); ++source) {
+    const auto field = Solve(*mesh_, {.sources = {{VertexPoint{source}}},
+                                      .targets = {VertexPoint{35}}});
+    const auto expected =
+        Solve(*whole_, {.sources = {{VertexPoint{InWhole(source)}}}});
+    ASSERT_TRUE(field.ok() && expected.ok());
+    for (uint32_t v = 0; v < mesh_->vertex_count(); ++v) {
+      EXPECT_NEAR(field->distances[v], expected->distances[InWhole(v)], 1e-14);
+    }
+    EXPECT_EQ(field->target_distances[0], field->distances[35]);
+  }
+}
+
+TEST_F(JoinedAnswers, EachVertexSettlesOnce) {
+  class Collector final : public Checkpoint {
+   public:
+    explicit Collector(const Mesh& mesh) : settled_(mesh) {}
+    absl::Status Poll(const Progress& progress) override {
+      for (const SettledVertex& v : settled_.Collect(progress)) {
+        found.push_back(v.vertex);
+      }
+      return absl::OkStatus();
+    }
+    std::vector<uint32_t> found;
+
+   private:
+    SettledVertices settled_;
+  };
+  Collector collector(*mesh_);
+  ASSERT_TRUE(
+      Solve(*mesh_, Query{.sources = {{VertexPoint{7}}}}, {}, collector).ok());
+  std::sort(collector.found.begin(), collector.found.end());
+  std::vector<uint32_t> all(mesh_->vertex_count());
+  for (uint32_t v = 0; v < all.size(); ++v) all[v] = v;
+  EXPECT_EQ(collector.found, all);
+}
+
+TEST(LeftOutFacesTest, KeepTheirNumbersAndTakeNoPart) {
+  // A unit square; face 1 names vertex 2 twice.
+  const auto mesh = Mesh::Build(
+      {.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+       .triangles = {{0, 1, 2}, {2, 2, 3}, {0, 2, 3}}});
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  EXPECT_EQ((*mesh)->face_count(), 3u);
+  EXPECT_TRUE((*mesh)->IsLeftOut(1));
+  EXPECT_EQ((*mesh)->triangle(2), (Triangle{0, 2, 3}));
+  const MeshSummary summary = Summarize(**mesh);
+  EXPECT_EQ(summary.left_out_faces, 1u);
+  EXPECT_EQ(summary.boundary_edges, 4u);
+  EXPECT_EQ(summary.genus, 0);
+  EXPECT_THAT(Notes(summary),
+              ElementsAre("left out 1 face, where a vertex is named twice"));
+  const auto field = Solve(**mesh, {.sources = {{VertexPoint{1}}},
+                                    .targets = {FacePoint{2, {0, 0, 1}}}});
+  ASSERT_TRUE(field.ok()) << field.status();
+  EXPECT_NEAR(field->distances[3], std::numbers::sqrt2, 1e-15);
+  const auto refused =
+      Solve(**mesh, {.sources = {{FacePoint{1, {0.5, 0.25, 0.25}}}}});
+  EXPECT_EQ(refused.status().message(),
+            "sources[0].face.face 1 names a vertex twice, so that it is no part "
+            "of the surface");
+}
+
+TEST(LeftOutFacesTest, SomeFaceIsLeft) {
+  EXPECT_TRUE(absl::IsInvalidArgument(
+      Mesh::Build({.positions = {{0, 0, 0}, {1, 0, 0}},
+                   .triangles = {{0, 0, 1}, {1, 0, 1}}})
+          .status()));
+}
+
+}  // namespace
+}  // namespace geodesic
