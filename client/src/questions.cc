@@ -87,6 +87,7 @@ absl::StatusOr<IsolineAnswer> Client::ComputeIsolines(
   auto request = MakeRequest<v1::ComputeIsolinesRequest>(query);
   if (!request.ok()) return request.status();
   request->mutable_levels()->Add(query.levels.begin(), query.levels.end());
+  if (query.chord_error != 0) request->set_chord_error(query.chord_error);
 
   IsolineAnswer answer;
   PolylineAssembler assembler;

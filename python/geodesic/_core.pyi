@@ -109,8 +109,8 @@ class Progression:
 def paths(query: Query, radius: float, threads: int, progress: _Progress,
           ) -> List[Tuple[Places, NDArray[np.float64], float, float, int]]:
     """Places, points, distance, length and source of each target's path."""
-def isolines(query: Query, levels: List[float], threads: int,
-             progress: _Progress) -> List[
+def isolines(query: Query, levels: List[float], chord_error: float,
+             threads: int, progress: _Progress) -> List[
                  Tuple[float, bool, Places, NDArray[np.float64]]]: ...
 def samples(query: Query, count: int, threads: int, progress: _Progress,
             ) -> Tuple[NDArray[np.int64], NDArray[np.float64]]: ...

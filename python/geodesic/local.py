@@ -196,9 +196,9 @@ class LocalBackend:
         ]
 
     def isolines(self, sources: Sources, levels: List[float],
-                 options: Options) -> List[IsolineAnswer]:
+                 chord_error: float, options: Options) -> List[IsolineAnswer]:
         found = _core.isolines(self._query(sources, None, options), levels,
-                               options.threads, options.progress)
+                               chord_error, options.threads, options.progress)
         return [
             IsolineAnswer(level, closed, _places(places), points)
             for level, closed, places, points in found

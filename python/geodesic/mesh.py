@@ -501,6 +501,7 @@ class Mesh:
     def isolines(self, source: OneOrManySources, *,
                  levels: Optional[ArrayLike] = None,
                  count: Optional[int] = None,
+                 chord_error: Optional[float] = None,
                  offsets: Optional[ArrayLike] = None,
                  algorithm: Optional[str] = None, tolerance: float = 0,
                  threads: Optional[int] = 1,
@@ -511,6 +512,9 @@ class Mesh:
             levels: the distances, > 0.
             count: instead of levels: so many, 10 if neither is given, evenly
                 spread up to the largest distance.
+            chord_error: no chord between two points is farther from the line
+                than this, > 0; +inf: points on edges alone, but for lines
+                inside a face. None: a thousandth of each level.
 
         Returns:
             In order of level. A level may have many lines.
@@ -532,8 +536,14 @@ class Mesh:
             raise InvalidArgument("levels and count are given; they say the same "
                                   "thing")
         wanted = to_array(levels, "levels", np.float64).reshape(-1).tolist()
+        error = 0.0
+        if chord_error is not None:
+            error = to_real(chord_error, "chord_error")
+            if not error > 0:
+                raise InvalidArgument(f"chord_error is {error}, which is not > 0")
         with reporting(progress, "vertices") as options.progress:
-            answers = self._backend.isolines(sources, wanted, options)
+            answers = self._backend.isolines(sources, wanted, error,
+                                             options)
         return [
             Isoline(self, a.places, a.points, a.level, a.closed)
             for a in answers

@@ -478,11 +478,12 @@ class RemoteBackend:
         return answers
 
     def isolines(self, sources: Sources, levels: List[float],
-                 options: Options) -> List[IsolineAnswer]:
+                 chord_error: float, options: Options) -> List[IsolineAnswer]:
         request = path_service_pb2.ComputeIsolinesRequest(
             mesh_digest=self.digest(),
             sources=source_messages(sources),
             levels=levels,
+            chord_error=chord_error,
             algorithm=_algorithm(options),
             **_accuracy(options))
         answers = []

@@ -136,7 +136,8 @@ class Isoline(_Polyline):
     Attributes:
         level: the distance.
         closed: whether the last point leads back to the first.
-        points: float64 (P, 3), in space; each lies on an edge or at a vertex.
+        points: float64 (P, 3), in space: where the line crosses edges, and
+            between these inside faces, as ``chord_error`` asks for.
         places, faces, barycentric: the same as places, and in faces.
     """
 

@@ -18,10 +18,11 @@ namespace py = pybind11;
 
 // (level, is_closed, places, positions) of each.
 py::list Isolines(const QueryHandle& question, std::vector<double> levels,
-                  uint32_t threads, py::object progress) {
+                  double chord_error, uint32_t threads, py::object progress) {
   Watch watch(std::move(progress));
   std::vector<Isoline> isolines = watch.Run([&] {
-    return ComputeIsolines(question.mesh(), question.query, std::move(levels),
+    return ComputeIsolines(question.mesh(), question.query,
+                           {std::move(levels), chord_error},
                            {.threads = threads}, watch);
   });
   py::list result;

@@ -110,7 +110,7 @@ void CheckIsolines(const Scene& scene, Query query, const DistanceField& field,
   query.targets.clear();
   NoCheckpoint checkpoint;
   const absl::StatusOr<std::vector<Isoline>> lines = ComputeIsolines(
-      *scene.mesh, test::Valid(*scene.mesh, query), {level}, {}, checkpoint);
+      *scene.mesh, test::Valid(*scene.mesh, query), {{level}}, {}, checkpoint);
   if (!report.Check(lines.ok(), "isolines are drawn", lines.status(), ", ",
                     Name(query))) {
     return;

@@ -458,6 +458,12 @@ absl::StatusOr<double> ParseLevel(std::string_view text) {
       [](double level) { return level > 0 && std::isfinite(level); });
 }
 
+absl::StatusOr<double> ParseChordError(std::string_view text) {
+  return ParseIf<double>(
+      text, "a chord error: a length above 0, in the unit of the mesh, or inf",
+      [](double error) { return error > 0; });
+}
+
 absl::StatusOr<double> ParseTimeout(std::string_view text) {
   return ParseIf<double>(text, "a time: a number of seconds above 0",
                          [](double seconds) { return seconds > 0; });

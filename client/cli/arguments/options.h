@@ -132,6 +132,8 @@ CLI::Option* AddValue(CLI::App* app, const OptionText& text, Parse parse,
 //
 // A distance that is finite and above 0.
 absl::StatusOr<double> ParseLevel(std::string_view text);
+// A length above 0; "inf" is allowed.
+absl::StatusOr<double> ParseChordError(std::string_view text);
 // Seconds, above 0; "inf" is allowed.
 absl::StatusOr<double> ParseTimeout(std::string_view text);
 // "HOST:PORT", "[IPV6]:PORT", or "unix:/PATH".

@@ -23,6 +23,7 @@ struct IsolinesArguments : QuestionArguments {
   std::vector<double> levels;
   // Given instead of levels.
   std::optional<uint64_t> count;
+  std::optional<double> chord_error;
 };
 
 void AddOptions(CLI::App* app, IsolinesArguments* arguments) {
@@ -41,6 +42,13 @@ void AddOptions(CLI::App* app, IsolinesArguments* arguments) {
             "the largest",
             "N"},
            ParseCount, &arguments->count);
+  AddValue(app,
+           {"--chord-error",
+            "Let no chord be farther from its line than this; inf: points on "
+            "edges alone, but for lines inside a face. Default: a thousandth "
+            "of each distance",
+            "LENGTH"},
+           ParseChordError, &arguments->chord_error);
   const auto check = [arguments] {
     if (arguments->levels.empty() != arguments->count.has_value()) {
       Refuse("--level",
@@ -170,6 +178,7 @@ absl::Status Answer(const IsolinesArguments& arguments, const Session& session,
   };
   auto query = MakeQuery<IsolineQuery>(arguments, question);
   query.levels = arguments.levels;
+  query.chord_error = arguments.chord_error.value_or(0);
   if (arguments.count.has_value()) {
     if (absl::Status status = need_field(); !status.ok()) return status;
     absl::StatusOr<std::vector<double>> spread =

@@ -69,6 +69,10 @@ struct IsolineQuery {
   std::vector<double> levels;
   std::string algorithm = {};
   double tolerance = 0;
+  // No chord between two points of a line is farther from the isoline than
+  // this, in the unit of the mesh. +infinity: crossings of edges alone, but for
+  // lines that stay inside a face. DEFAULT: 0, a thousandth of each level.
+  double chord_error = 0;
   Priority priority = Priority::kInteractive;
 };
 
@@ -77,9 +81,8 @@ struct Isoline {
   // Whether the last point leads back to the first; open ones end at a
   // boundary.
   bool is_closed = false;
-  // The line's points are exact crossings of edges, or within the tolerance of
-  // the query. Between them the isoline
-  // consists of circular arcs, which the polyline cuts short.
+  // The line's points are exact crossings of edges, and points inside faces as
+  // chord_error asks for; or within the tolerance of the query.
   Polyline line;
 };
 

@@ -100,13 +100,15 @@ absl::StatusOr<bool> PathStream::FillPart(v1::ComputePathsResponse& message) {
 absl::StatusOr<IsolineStream::Work> IsolineStream::MakeWork() {
   absl::Status status = CheckLevels(request().levels(), engine().limits());
   if (!status.ok()) return status;
-  return [levels = std::vector<double>(request().levels().begin(),
-                                       request().levels().end())](
+  IsolineOptions isolines{
+      .levels = {request().levels().begin(), request().levels().end()},
+      .chord_error = request().chord_error()};
+  return [isolines = std::move(isolines)](
              const Mesh& mesh, const ValidQuery& query,
              const SolveOptions& options, Checkpoint& checkpoint,
              ByteReservation& memory) -> absl::StatusOr<std::vector<Isoline>> {
     absl::StatusOr<std::vector<Isoline>> found =
-        geodesic::ComputeIsolines(mesh, query, levels, options, checkpoint);
+        geodesic::ComputeIsolines(mesh, query, isolines, options, checkpoint);
     if (!found.ok()) return found;
     absl::Status room = memory.GrowTo(BytesOf(*found));
     if (!room.ok()) return room;

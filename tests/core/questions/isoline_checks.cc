@@ -31,6 +31,7 @@ class IsolineCheck {
   IsolineCheck(const NamedMesh& named, const Mesh& mesh, const Query& query,
                const std::vector<double>& levels, double slack)
       : name_(named.name),
+        soup_(named.soup),
         mesh_(mesh),
         query_(query),
         slack_(slack),
@@ -53,6 +54,24 @@ class IsolineCheck {
             << name_ << " at " << Name(points[i]);
         ASSERT_EQ(isoline.positions[p], PositionOf(points[i], mesh_));
       }
+    }
+  }
+
+  void ExpectChords() const {
+    std::vector<SurfacePoint> middles;
+    std::vector<double> levels;
+    for (const Isoline& isoline : isolines_) {
+      const std::vector<SurfacePoint>& points = isoline.points;
+      for (size_t p = 0; p + 1 < points.size() + isoline.is_closed; ++p) {
+        middles.push_back(MiddleOf(points[p], points[(p + 1) % points.size()]));
+        levels.push_back(isoline.level);
+      }
+    }
+    const std::vector<double> distances =
+        DistancesOrFail(mesh_, query_, middles);
+    for (size_t i = 0; i < middles.size(); ++i) {
+      EXPECT_NEAR(distances[i], levels[i], Within(1.0001e-3, levels[i]))
+          << name_ << " at " << Name(middles[i]);
     }
   }
 
@@ -148,6 +167,23 @@ class IsolineCheck {
   }
 
  private:
+  // Of two points that share a face.
+  SurfacePoint MiddleOf(const SurfacePoint& a, const SurfacePoint& b) const {
+    for (const Place& at_a : PlacesOf(soup_, a)) {
+      for (const Place& at_b : PlacesOf(soup_, b)) {
+        if (at_a.face != at_b.face) continue;
+        FacePoint middle{.face = at_a.face};
+        for (int i = 0; i < 3; ++i) {
+          middle.weights[i] =
+              static_cast<double>((at_a.weights[i] + at_b.weights[i]) / 2);
+        }
+        return middle;
+      }
+    }
+    ADD_FAILURE() << name_ << ": " << Name(a) << " and " << Name(b);
+    return a;
+  }
+
   // How far distances may be from a level, for exact isolines this part of it.
   double Within(double part, double level) const {
     return std::max(part, query_.tolerance) * level + slack_;
@@ -158,11 +194,13 @@ class IsolineCheck {
     if (std::holds_alternative<EdgePoint>(point)) {
       return FacesAt(mesh_, point).size() != 2;
     }
+    if (std::holds_alternative<FacePoint>(point)) return false;
     const uint32_t vertex = std::get<VertexPoint>(point).vertex;
     return mesh_.IsBoundary(vertex) || mesh_.IsNonManifold(vertex);
   }
 
   const std::string name_;
+  const TriangleSoup& soup_;
   const Mesh& mesh_;
   const Query& query_;
   const double slack_;
@@ -172,9 +210,11 @@ class IsolineCheck {
 }  // namespace
 
 std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
-                                    const std::vector<double>& levels) {
+                                    const std::vector<double>& levels,
+                                    double chord_error) {
   NoCheckpoint checkpoint;
-  return ComputeIsolines(mesh, Valid(mesh, query), levels, {}, checkpoint)
+  return ComputeIsolines(mesh, Valid(mesh, query), {levels, chord_error}, {},
+                         checkpoint)
       .value();
 }
 
@@ -184,6 +224,7 @@ void ExpectIsolines(const NamedMesh& named, const Query& query,
   const auto mesh = BuildOrFail(named);
   const IsolineCheck check(named, *mesh, query, levels, slack);
   check.ExpectPointsAtLevel();
+  check.ExpectChords();
   check.ExpectCurves();
   check.ExpectSeparation(levels, samples);
 }

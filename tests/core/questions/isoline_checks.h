@@ -13,11 +13,12 @@ namespace geodesic::test {
 
 // Throws, which fails the test, where there is no answer.
 std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
-                                    const std::vector<double>& levels);
+                                    const std::vector<double>& levels,
+                                    double chord_error = 0);
 
 // Computes the isolines of all levels and expects that
-//   - every point lies on an edge or at a vertex, at its level, where positions
-//     say;
+//   - every point lies at its level, where positions say;
+//   - no middle of a chord is farther from the level than a thousandth of it;
 //   - points that follow each other differ, share a face and come once a level;
 //   - open isolines end at the boundary or where more than two faces meet;
 //   - along every edge, the points that are nearer than the level are told from

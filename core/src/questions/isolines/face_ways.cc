@@ -2,24 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
+
+#include "surface/surface_location.h"
+#include "tolerances.h"
 
 namespace geodesic {
 namespace {
 
-constexpr Way kNowhere{{0, -1}, {}};
-
-// The place on the edge that a way reaches first.
-double NearestOf(const Way& way) {
-  const auto& [interval, origin] = way;
-  if (!origin.is_segment) {
-    return std::clamp(origin.x, interval.begin, interval.end);
-  }
-  return origin.x > 0 ? interval.begin : interval.end;
+PlanePoint Turned(const PlanePoint& direction) {  // left, by a right angle
+  return {-direction.y, direction.x};
 }
 
 }  // namespace
+
+HalfPlane LeftOf(const PlanePoint& place, const PlanePoint& along) {
+  const double length = std::hypot(along.x, along.y);
+  const PlanePoint normal =
+      Turned(PlanePoint{along.x / length, along.y / length});
+  return {normal, Dot(normal, place)};
+}
+
+bool FaceWay::LeadsTo(const PlanePoint& place, double outside) const {
+  return std::ranges::all_of(Bounds(), [&](const HalfPlane& bound) {
+    return bound.Depth(place) >= -outside;
+  });
+}
+
+double FaceWay::DistanceTo(const PlanePoint& place) const {
+  return sigma + (is_segment ? Dot(from, place) : Norm(place - from));
+}
 
 FaceWays::FaceWays(const Mesh& mesh, uint32_t face)
     : mesh_(mesh), first_(mesh.FirstSide(face)) {
@@ -27,137 +38,115 @@ FaceWays::FaceWays(const Mesh& mesh, uint32_t face)
   corners_ = {{{0, 0}, {frame.length, 0}, {frame.apex_x, frame.apex_y}}};
   directions_ = {
       {{1, 0}, {frame.right_x, frame.right_y}, {-frame.left_x, -frame.left_y}}};
+  for (uint32_t side = 0; side < 3; ++side) {
+    sides_[side] = LeftOf(corners_[side], directions_[side]);
+    size_ = std::max(size_, mesh.frame(first_ + side).length);
+  }
 }
 
-PlanePoint FaceWays::InFrameOfSide(uint32_t side,
-                                   const PlanePoint& point) const {
-  const PlanePoint from_corner = point - corners_[side];
-  return {Dot(directions_[side], from_corner),
-          Cross(directions_[side], from_corner)};
+double FaceWays::height() const {
+  return corners_[1].x * corners_[2].y / size_;
+}
+
+PlanePoint FaceWays::OnSide(uint32_t side, double along) const {
+  return FromFrameOfSide(side, {along, 0});
 }
 
 PlanePoint FaceWays::FromFrameOfSide(uint32_t side,
                                      const PlanePoint& point) const {
-  const auto& [ux, uy] = directions_[side];
-  return {corners_[side].x + point.x * ux - point.y * uy,
-          corners_[side].y + point.x * uy + point.y * ux};
+  const PlanePoint turned = Product(directions_[side], point);
+  return {corners_[side].x + turned.x, corners_[side].y + turned.y};
 }
 
-void FaceWays::AddThrough(HalfEdge h, const Way& way) {
+FacePoint FaceWays::PointAt(const PlanePoint& place) const {
+  FacePoint point{.face = mesh_.FaceOf(first_)};
+  double sum = 0;
+  for (uint32_t corner = 0; corner < 3; ++corner) {
+    const HalfPlane& opposite = sides_[(corner + 1) % 3];
+    const double height = opposite.Depth(corners_[corner]);
+    point.weights[corner] =
+        std::max(opposite.Depth(place) / std::max(height, kLeastHeight),
+                 10 * kLeastWeight);
+    sum += point.weights[corner];
+  }
+  for (double& weight : point.weights) weight /= sum;
+  return point;
+}
+
+void FaceWays::AddPoint(const PlanePoint& from, double sigma) {
+  for (const FaceWay& way : ways_) {
+    // Windows that abut end and begin at one place.
+    if (!way.is_segment && way.bound_count == 0 &&
+        way.sigma <= sigma * (1 + kAgreed) &&
+        Norm(way.from - from) <= kRoundedPlace) {
+      return;
+    }
+  }
+  ways_.push_back({.from = from, .sigma = sigma, .label = sigma});
+}
+
+void FaceWays::AddThrough(HalfEdge h, const Way& way,
+                          const std::array<double, 2>& at_ends) {
   const uint32_t entry = h % 3;
-  const MixedOrigin& origin = way.origin;
+  const auto& [interval, origin] = way;
   FaceWay added{.is_segment = origin.is_segment,
                 .sigma = origin.sigma,
-                .entry = entry,
-                .on_side = {kNowhere, kNowhere, kNowhere}};
+                .label = way.Label()};
   if (origin.is_segment) {
-    const auto& [ux, uy] = directions_[entry];
-    added.from = {origin.x * ux - origin.depth * uy,
-                  origin.x * uy + origin.depth * ux};
+    added.from = Product(directions_[entry], {origin.x, origin.depth});
     added.sigma -= Dot(added.from, corners_[entry]);
   } else {
     added.from = FromFrameOfSide(entry, {origin.x, -origin.depth});
   }
-  added.on_side[entry] = way;
-  for (const HalfEdge side : {Next(h), Prev(h)}) {
-    const std::optional<Way> on = GoOnTo(side, mesh_, h, way);
-    if (!on.has_value()) continue;
-    added.on_side[side % 3] = Mirror(*on, mesh_.frame(side).length);
+  const double length = mesh_.frame(h).length;
+  for (const bool is_end : {false, true}) {
+    const double at = is_end ? interval.end : interval.begin;
+    const PlanePoint ray = {origin.is_segment ? origin.x : at - origin.x,
+                            origin.depth};
+    const double sign = is_end ? 1 : -1;
+    added.AddBound(
+        LeftOf(OnSide(entry, at),
+               Product(directions_[entry], {sign * ray.x, sign * ray.y})));
+    // Another end of the edge is reached by this way, or by a better one.
+    const double sigma = origin.PathTo(at);
+    const double to_corner = is_end ? length - at : at;
+    if (at_ends[is_end ? 1 : 0] + to_corner <= sigma * (1 + kDominance)) {
+      continue;
+    }
+    AddPoint(OnSide(entry, at), sigma);
   }
   ways_.push_back(added);
 }
 
-void FaceWays::AddWithin(const PlanePoint& from, double sigma) {
-  FaceWay added{.from = from, .sigma = sigma};
-  for (uint32_t side = 0; side < 3; ++side) {
-    const PlanePoint at = InFrameOfSide(side, from);
-    added.on_side[side] = {{0, mesh_.frame(first_ + side).length},
-                           {at.x, std::max(at.y, kLeastHeight), sigma}};
-  }
-  ways_.push_back(added);
+void FaceWays::AddCorner(uint32_t corner, double sigma) {
+  if (std::isfinite(sigma)) AddPoint(corners_[corner], sigma);
+}
+
+void FaceWays::AddWithin(const FacePoint& point, double sigma) {
+  has_sources_ = true;
+  AddPoint(InFrame(mesh_, point, first_), sigma);
 }
 
 void FaceWays::AddWithin(const CurveSegment& segment, double sigma) {
-  FaceWay added{.is_segment = true, .sigma = sigma};
-  for (uint32_t side = 0; side < 3; ++side) {
-    added.on_side[side] =
-        GoFromSegment(first_ + side, mesh_, segment, sigma).value_or(kNowhere);
+  const PlanePoint begin = InFrame(mesh_, segment.begin(), first_);
+  const PlanePoint end = InFrame(mesh_, segment.end(), first_);
+  const PlanePoint along = end - begin;
+  const double length = Norm(along);
+  if (!(length > 0)) return;
+  has_sources_ = true;
+  for (const double sign : {1.0, -1.0}) {
+    const PlanePoint normal =
+        Turned({sign * along.x / length, sign * along.y / length});
+    FaceWay strip{.from = normal,
+                  .is_segment = true,
+                  .sigma = sigma - Dot(normal, begin),
+                  .label = sigma};
+    strip.AddBound({normal, Dot(normal, begin)});
+    const PlanePoint unit = {along.x / length, along.y / length};
+    strip.AddBound({unit, Dot(unit, begin)});
+    strip.AddBound({{-unit.x, -unit.y}, -Dot(unit, end)});
+    ways_.push_back(strip);
   }
-  ways_.push_back(added);
-}
-
-void FaceWays::JoinRegions(double level, FaceRegions& regions) const {
-  std::vector<std::pair<const FaceWay*, size_t>> in_regions;  // way, arc
-  for (const FaceWay& way : ways_) {
-    std::optional<size_t> first_arc;
-    for (uint32_t side = 0; side < 3; ++side) {
-      const auto& [interval, origin] = way.on_side[side];
-      if (!(interval.width() > 0)) continue;
-      if (!IsNearer(way.on_side[side].Label(), level)) continue;
-      const double nearest = NearestOf(way.on_side[side]);
-      const std::optional<size_t> arc =
-          regions.ArcAt(side + nearest / mesh_.frame(first_ + side).length);
-      if (!arc.has_value()) continue;
-      if (!first_arc.has_value()) {
-        first_arc = arc;
-        in_regions.emplace_back(&way, *arc);
-      }
-      regions.Join(*first_arc, *arc);
-    }
-  }
-  for (size_t i = 0; i < in_regions.size(); ++i) {
-    for (size_t j = 0; j < i; ++j) {
-      const auto& [a, arc_of_a] = in_regions[i];
-      const auto& [b, arc_of_b] = in_regions[j];
-      if (!regions.AreJoined(arc_of_a, arc_of_b) && Meet(*a, *b, level)) {
-        regions.Join(arc_of_a, arc_of_b);
-      }
-    }
-  }
-}
-
-std::optional<PlanePoint> FaceWays::MeetingPoint(const FaceWay& a,
-                                                 const FaceWay& b) const {
-  if (a.is_segment && b.is_segment) return std::nullopt;
-  if (a.is_segment) return MeetingPoint(b, a);
-  // What is left between a's pseudo-source and b's, or b's rays there.
-  PlanePoint towards_b;
-  double left;
-  if (b.is_segment) {
-    if (b.entry == kWithin) return std::nullopt;
-    towards_b = {-b.from.x, -b.from.y};
-    left = Dot(b.from, a.from);
-  } else {
-    towards_b = b.from - a.from;
-    left = std::hypot(towards_b.x, towards_b.y);
-    if (!(left > 0)) return std::nullopt;
-    towards_b = {towards_b.x / left, towards_b.y / left};
-  }
-  const double from_a = (left + b.sigma - a.sigma) / 2;
-  if (!(from_a >= 0 && (b.is_segment || from_a <= left))) return std::nullopt;
-  return PlanePoint{a.from.x + towards_b.x * from_a,
-                    a.from.y + towards_b.y * from_a};
-}
-
-bool FaceWays::Meet(const FaceWay& a, const FaceWay& b, double level) const {
-  const std::optional<PlanePoint> middle = MeetingPoint(a, b);
-  if (!middle.has_value()) return false;
-  const FaceWay& point = a.is_segment ? b : a;
-  const PlanePoint way = *middle - point.from;
-  const double distance = point.sigma + std::hypot(way.x, way.y);
-  return IsNearer(distance, level) && Sees(a, *middle) && Sees(b, *middle);
-}
-
-bool FaceWays::Sees(const FaceWay& way, const PlanePoint& point) const {
-  for (uint32_t side = 0; side < 3; ++side) {
-    const PlanePoint at = InFrameOfSide(side, point);
-    if (at.y < 0) return false;
-    if (side != way.entry) continue;
-    const auto& [interval, origin] = way.on_side[side];
-    const double through = CrossingTo(origin, at);
-    if (through < interval.begin || through > interval.end) return false;
-  }
-  return true;
 }
 
 }  // namespace geodesic

@@ -1,67 +1,103 @@
-// Ways into one face, in its plane: which parts of its perimeter hang together
-// inside of it.
+// Ways into one face, in its plane: distance inside of it is the least of
+// theirs.
 
 #ifndef GEODESIC_QUESTIONS_ISOLINES_FACE_WAYS_H_
 #define GEODESIC_QUESTIONS_ISOLINES_FACE_WAYS_H_
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "geodesic/mesh.h"
-#include "questions/isolines/face_regions.h"
+#include "geodesic/surface_point.h"
 #include "questions/isolines/way.h"
-#include "surface/surface_location.h"
+#include "surface/plane_point.h"
 
 namespace geodesic {
 
-// What each way covers of the face below a level is convex: a disc (of a curve,
-// a half-plane), cut by its rays' cone (or strip) and by the face. So it joins
-// whatever it touches of the perimeter. Two such parts that do not meet on the
-// perimeter first meet, as the level grows, on a line that runs along rays of
-// both: elsewhere inside the face distance has no saddle.
+// The side of a straight line on which Dot(normal, p) >= offset.
+struct HalfPlane {
+  PlanePoint normal;  // a unit vector
+  double offset = 0;
+
+  // How far inside a place lies.
+  double Depth(const PlanePoint& place) const {
+    return Dot(normal, place) - offset;
+  }
+};
+
+// The half-plane to the left of a line through `place`. `along`: its direction,
+// of any length above 0.
+HalfPlane LeftOf(const PlanePoint& place, const PlanePoint& along);
+
+// The straight ways from one pseudo-source, or from a segment, to what lies
+// within its bounds.
+struct FaceWay {
+  // The unfolded pseudo-source; or of a segment the unit vector in which its
+  // rays run.
+  PlanePoint from;
+  bool is_segment = false;
+  double sigma = 0;  // of a segment: the distance that its rays give (0, 0)
+  double label = 0;  // a lower bound in the face
+  std::array<HalfPlane, 3> bounds = {};
+  uint32_t bound_count = 0;
+
+  std::span<const HalfPlane> Bounds() const {
+    return std::span(bounds).first(bound_count);
+  }
+  void AddBound(const HalfPlane& bound) { bounds[bound_count++] = bound; }
+  // Whether the ways lead to a place, which may be this far outside.
+  bool LeadsTo(const PlanePoint& place, double outside) const;
+  // Whether or not they lead there.
+  double DistanceTo(const PlanePoint& place) const;
+};
+
+// A window is followed by the discs around the ends of its interval: what it
+// does not see is reached around these. So distance is continuous in the whole
+// face, whatever gaps rounding leaves between windows, and each way's part of
+// the face below a level is convex.
 class FaceWays {
  public:
   FaceWays(const Mesh& mesh, uint32_t face);
 
-  // A way into the face through its half-edge h.
-  void AddThrough(HalfEdge h, const Way& way);
-  // Straight from a point of the face, in the frame of its first half-edge.
-  void AddWithin(const PlanePoint& from, double sigma);
-  // From a segment of a curve in the face.
+  // A way into the face through its half-edge h. `at_ends`: the distances of
+  // the half-edge's ends.
+  void AddThrough(HalfEdge h, const Way& way,
+                  const std::array<double, 2>& at_ends);
+  // Straight from a corner, unless its distance is infinite.
+  void AddCorner(uint32_t corner, double sigma);
+  // Straight from a source in the face: from a point, or from a segment of a
+  // curve, whose ends are points of their own.
+  void AddWithin(const FacePoint& point, double sigma);
   void AddWithin(const CurveSegment& segment, double sigma);
 
-  // Joins the regions that hang together below `level`.
-  void JoinRegions(double level, FaceRegions& regions) const;
+  const std::vector<FaceWay>& ways() const { return ways_; }
+  bool has_sources() const { return has_sources_; }
+  const std::array<PlanePoint, 3>& corners() const { return corners_; }
+  // What lies inside of each side.
+  const std::array<HalfPlane, 3>& sides() const { return sides_; }
+  // The longest side.
+  double size() const { return size_; }
+  // Over that.
+  double height() const;
+  // The place of the perimeter, as a side and the distance along it.
+  PlanePoint OnSide(uint32_t side, double along) const;
+  // The place, or where rounding has put it outside, one beside it; never on an
+  // edge.
+  FacePoint PointAt(const PlanePoint& place) const;
 
  private:
-  static constexpr uint32_t kWithin = 3;
-
-  struct FaceWay {
-    // In the plane of the face: the unfolded pseudo-source; or of a segment
-    // whose rays enter the face, the unit vector in which they run.
-    PlanePoint from;
-    bool is_segment = false;
-    double sigma = 0;  // of a segment: the distance that its rays give (0, 0)
-    uint32_t entry = kWithin;  // side through which it enters, or kWithin
-    // On each side, along it; an empty interval where the way does not lead.
-    std::array<Way, 3> on_side = {};
-  };
-
-  bool Sees(const FaceWay& way, const PlanePoint& point) const;
-  // Where two ways of the same length run against each other; none if nowhere,
-  // and not looked for between segments, whose strips end in points' discs.
-  std::optional<PlanePoint> MeetingPoint(const FaceWay& a,
-                                         const FaceWay& b) const;
-  bool Meet(const FaceWay& a, const FaceWay& b, double level) const;
-  PlanePoint InFrameOfSide(uint32_t side, const PlanePoint& point) const;
   PlanePoint FromFrameOfSide(uint32_t side, const PlanePoint& point) const;
+  void AddPoint(const PlanePoint& from, double sigma);
 
   const Mesh& mesh_;
   const HalfEdge first_;
   std::array<PlanePoint, 3> corners_;
   std::array<PlanePoint, 3> directions_;  // of the sides, unit vectors
+  std::array<HalfPlane, 3> sides_;
+  double size_ = 0;
+  bool has_sources_ = false;
   std::vector<FaceWay> ways_;
 };
 

@@ -5,20 +5,29 @@
 namespace geodesic {
 namespace {
 
-// No point around the face of h is farther than this, given a window on h: the
-// ends of h are at most as far as through the window and along h, and so on
-// around the face. What vertex distances tell later is never more (beside
-// rounding), so no face counts as crossed of which windows were not kept.
-double FarthestAround(const Mesh& mesh, HalfEdge h, const MixedWindow& window) {
+// No point of the face of h is farther than this, given a window on h: the ends
+// of h are at most as far as through the window and along h, and so on around
+// the face and from there inside. What vertex distances tell later is never
+// more (beside rounding), so no face counts as crossed of which windows were
+// not kept.
+double FarthestIn(const Mesh& mesh, HalfEdge h, const MixedWindow& window) {
   const double length = mesh.frame(h).length;
   const double from = window.begin_distance + window.interval.begin;
   const double to = window.end_distance + (length - window.interval.end);
-  return std::max({(from + to + length) / 2, from + mesh.frame(Prev(h)).length,
-                   to + mesh.frame(Next(h)).length}) *
+  return (std::max({(from + to + length) / 2, from + mesh.frame(Prev(h)).length,
+                    to + mesh.frame(Next(h)).length}) +
+          InradiusOf(mesh, h)) *
          (1 + 8 * kAtLevel);
 }
 
 }  // namespace
+
+double InradiusOf(const Mesh& mesh, HalfEdge h) {
+  const HalfEdgeFrame& frame = mesh.frame(h);
+  return frame.length * frame.apex_y /
+         (frame.length + mesh.frame(Next(h)).length +
+          mesh.frame(Prev(h)).length);
+}
 
 IsolineBand::IsolineBand(const Mesh& mesh, std::span<const double> levels)
     : mesh_(mesh),
@@ -28,7 +37,7 @@ IsolineBand::IsolineBand(const Mesh& mesh, std::span<const double> levels)
 
 void IsolineBand::OnWindow(HalfEdge h, const MixedWindow& window, uint32_t) {
   const auto level = std::ranges::upper_bound(levels_, window.Label());
-  if (level == levels_.end() || *level > FarthestAround(mesh_, h, window)) {
+  if (level == levels_.end() || *level > FarthestIn(mesh_, h, window)) {
     return;
   }
   const uint32_t face = mesh_.FaceOf(h);

@@ -14,6 +14,9 @@
 
 namespace geodesic {
 
+// Of the face of h: nothing inside is farther from its perimeter.
+double InradiusOf(const Mesh& mesh, HalfEdge h);
+
 // Keeps the windows that enter faces which a level may cross: a window itself
 // bounds the distances in its face from both sides, so windows more than about
 // a face away from every level are never kept. Those of a face are dropped once

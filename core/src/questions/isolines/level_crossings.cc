@@ -1,0 +1,486 @@
+#include "questions/isolines/level_crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <variant>
+
+#include "absl/strings/str_cat.h"
+#include "geodesic/field_path.h"
+#include "questions/isolines/arc_sampler.h"
+#include "surface/surface_location.h"
+#include "tolerances.h"
+
+namespace geodesic {
+namespace {
+
+// In all faces and levels together: 320 MB of them.
+constexpr uint64_t kMostSamples = 10'000'000;
+
+// An isoline leaves a face so near to one of its crossings, as a part of the
+// face: where it all but touches the edge, rounding moves it by the root of
+// kAtLevel.
+constexpr double kNearCrossing = 1e-5;
+
+// A face that is no higher has hardly a plane, and no room for arcs.
+constexpr double kFlatFace = 1e-9;
+
+}  // namespace
+
+LevelCrossings::LevelCrossings(const Mesh& mesh,
+                               std::span<const Anchor> anchors,
+                               std::span<const double> levels,
+                               const Accuracy& accuracy, IsolineBand& band)
+    : mesh_(mesh),
+      levels_(levels),
+      accuracy_(accuracy),
+      band_(band),
+      segments_(levels.size()),
+      loops_(levels.size()) {
+  for (const Anchor& anchor : anchors) {
+    const double sigma = std::ldexp(anchor.offset, -mesh.scale_exponent());
+    if (anchor.is_segment) {
+      for (const CurveSegment& segment : SegmentsOf(mesh, anchor)) {
+        within_[segment.face()].segments.push_back({segment, sigma});
+      }
+    } else if (!std::holds_alternative<VertexPoint>(anchor.begin)) {
+      for (const FacePoint& point : FacesAround(mesh, anchor.begin)) {
+        within_[point.face].points.push_back({point, sigma});
+      }
+    }
+  }
+}
+
+absl::Status LevelCrossings::Work(uint64_t amount, const Poll& poll) {
+  constexpr uint64_t kBetweenPolls = 4096;
+  const uint64_t before = work_ / kBetweenPolls;
+  work_ += amount;
+  return work_ / kBetweenPolls != before ? poll() : absl::OkStatus();
+}
+
+absl::Status LevelCrossings::Settle(std::span<const double> distances,
+                                    double settled, const Poll& poll) {
+  absl::Status status;
+  std::erase_if(band_.faces(), [&](uint32_t face) {
+    if (!status.ok()) return false;
+    const HalfEdge first = mesh_.FirstSide(face);
+    for (HalfEdge h = first; h < first + 3; ++h) {
+      if (!(Farthest(h, distances) <= settled)) return false;
+    }
+    status = DealWith(face, distances, poll);
+    return true;
+  });
+  return status;
+}
+
+absl::Status LevelCrossings::Finish(std::span<const double> distances,
+                                    const Poll& poll) {
+  for (uint32_t face = 0; face < mesh_.face_count(); ++face) {
+    if (mesh_.IsLeftOut(face) || band_.IsClosed(face)) continue;
+    // What crosses a face comes from one of its corners, from a source in it
+    // or through it.
+    const auto& [a, b, c] = mesh_.triangle(face);
+    if (std::min({distances[a], distances[b], distances[c]}) >=
+            levels_.back() &&
+        !band_.HasWindows(face) && !within_.contains(face)) {
+      continue;
+    }
+    if (absl::Status status = DealWith(face, distances, poll); !status.ok()) {
+      return status;
+    }
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<std::vector<Isoline>> LevelCrossings::Isolines(
+    std::span<const double> file_levels, const Poll& poll) {
+  // The crossings in order of levels, of edges and along these; the place of
+  // each among those of its level.
+  std::vector<uint32_t> in_order(crossings_.size());
+  std::iota(in_order.begin(), in_order.end(), 0u);
+  std::ranges::sort(in_order, {}, [&](uint32_t c) {
+    const auto& [level, edge, x] = crossings_[c];
+    return std::tuple(level, edge, x);
+  });
+  std::vector<uint32_t> place(crossings_.size());
+  std::vector<Isoline> isolines;
+  uint32_t begin = 0;
+  for (uint32_t level = 0; level < levels_.size(); ++level) {
+    uint32_t end = begin;
+    for (; end < in_order.size() && crossings_[in_order[end]].level == level;
+         ++end) {
+      place[in_order[end]] = end - begin;
+    }
+    std::vector<Segment> segments = segments_[level];
+    for (Segment& segment : segments) {
+      segment.from = place[segment.from];
+      segment.to = place[segment.to];
+    }
+    absl::Status status = AddIsolines(
+        file_levels[level], std::span(in_order).subspan(begin, end - begin),
+        segments, poll, isolines);
+    // Faces come in any order.
+    std::ranges::stable_sort(loops_[level], {}, &Loop::face);
+    for (const auto& [face, first, count] : loops_[level]) {
+      if (!status.ok()) return status;
+      std::vector<SurfacePoint> points;
+      for (uint32_t i = first; i < first + count; ++i) {
+        points.push_back(Canonicalize(samples_[i], mesh_));
+      }
+      AddIsoline(file_levels[level], std::move(points), true, isolines);
+      status = Work(count, poll);
+    }
+    if (!status.ok()) return status;
+    begin = end;
+  }
+  return isolines;
+}
+
+uint64_t LevelCrossings::bytes() const {
+  uint64_t bytes = crossings_.capacity() * sizeof(Crossing) +
+                   edges_.capacity() * sizeof(std::pair<HalfEdge, Range>) +
+                   samples_.capacity() * sizeof(FacePoint) + isoline_bytes_;
+  for (const auto& segments : segments_) {
+    bytes += segments.capacity() * sizeof(Segment);
+  }
+  for (const auto& loops : loops_) bytes += loops.capacity() * sizeof(Loop);
+  return bytes;
+}
+
+double LevelCrossings::Farthest(HalfEdge h,
+                                std::span<const double> distances) const {
+  // An end at the level counts as beyond it, whatever rounding says.
+  return (distances[mesh_.From(h)] + distances[mesh_.To(h)] +
+          mesh_.frame(h).length) /
+         2 * (1 + 4 * kAtLevel);
+}
+
+LevelCrossings::Range LevelCrossings::LevelsOn(
+    HalfEdge h, std::span<const double> distances) const {
+  // Unknown distances lie above the last level.
+  const double from = std::min(distances[mesh_.From(h)], levels_.back());
+  const double to = std::min(distances[mesh_.To(h)], levels_.back());
+  const double nearest = (from + to - mesh_.frame(h).length) / 2;
+  const auto begin =
+      std::ranges::lower_bound(levels_, nearest * (1 - kDominance));
+  const auto end = std::ranges::upper_bound(levels_, Farthest(h, distances));
+  return {static_cast<size_t>(begin - levels_.begin()),
+          static_cast<size_t>(std::max(begin, end) - levels_.begin())};
+}
+
+LevelCrossings::Range LevelCrossings::LevelsIn(
+    uint32_t face, std::span<const double> distances) const {
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+  const HalfEdge first = mesh_.FirstSide(face);
+  for (HalfEdge h = first; h < first + 3; ++h) {
+    nearest = std::min(nearest, distances[mesh_.From(h)]);
+    farthest = std::max(farthest, Farthest(h, distances));
+  }
+  if (const auto found = within_.find(face); found != within_.end()) {
+    for (const auto& [point, sigma] : found->second.points) {
+      nearest = std::min(nearest, sigma);
+    }
+    for (const auto& [segment, sigma] : found->second.segments) {
+      nearest = std::min(nearest, sigma);
+    }
+  }
+  farthest += InradiusOf(mesh_, first);
+  const auto begin = std::ranges::upper_bound(levels_, nearest);
+  const auto end = std::ranges::lower_bound(levels_, farthest);
+  return {static_cast<size_t>(begin - levels_.begin()),
+          static_cast<size_t>(std::max(begin, end) - levels_.begin())};
+}
+
+LevelCrossings::Range LevelCrossings::CrossingsOf(
+    HalfEdge h, std::span<const double> distances) {
+  const auto [low, high] = std::minmax({mesh_.From(h), mesh_.To(h)});
+  const std::vector<HalfEdge> sides = SidesOf(mesh_, low, high);
+  const HalfEdge edge = *std::ranges::min_element(sides);
+  const auto [known, is_new] = edges_.try_emplace(edge);
+  if (!is_new) return known->second;
+  Range& range = known->second;
+  range.begin = range.end = crossings_.size();
+  const auto [begin, end] = LevelsOn(h, distances);
+  if (begin == end) return range;
+  const std::vector<Way> ways = WaysTo(sides, low, distances);
+  for (size_t level = begin; level < end; ++level) {
+    for (const double x :
+         CrossingsOfEdge(levels_[level], mesh_.frame(h).length, distances[low],
+                         distances[high], ways)) {
+      crossings_.push_back({static_cast<uint32_t>(level), edge, x});
+    }
+  }
+  range.end = crossings_.size();
+  return range;
+}
+
+std::vector<Way> LevelCrossings::WaysTo(
+    std::span<const HalfEdge> sides, uint32_t from,
+    std::span<const double> distances) const {
+  std::vector<Way> ways;
+  for (const HalfEdge h : sides) {
+    const HalfEdgeFrame& frame = mesh_.frame(h);
+    const bool is_forward = mesh_.From(h) == from;
+    const auto add = [&](const Way& way) {
+      ways.push_back(is_forward ? way : Mirror(way, frame.length));
+    };
+    band_.ForEach(h, add);
+    const double apex = distances[mesh_.Apex(h)];
+    if (apex < levels_.back()) {
+      add({{0, frame.length}, {frame.apex_x, frame.apex_y, apex}});
+    }
+    if (const auto found = within_.find(mesh_.FaceOf(h));
+        found != within_.end()) {
+      for (const auto& [point, sigma] : found->second.points) {
+        const PlanePoint at = InFrame(mesh_, point, h);
+        add({{0, frame.length}, {at.x, std::max(at.y, kLeastHeight), sigma}});
+      }
+      for (const auto& [segment, sigma] : found->second.segments) {
+        const auto way = GoFromSegment(h, mesh_, segment, sigma);
+        if (way.has_value()) add(*way);
+      }
+    }
+    if (sides.size() > 1) continue;
+    // No window leaves through a boundary.
+    for (const HalfEdge entry : {Next(h), Prev(h)}) {
+      band_.ForEach(entry, [&](const Way& way) {
+        const std::optional<Way> on = GoOnTo(h, mesh_, entry, way);
+        if (on.has_value()) add(Mirror(*on, frame.length));
+      });
+    }
+  }
+  return ways;
+}
+
+FaceWays LevelCrossings::WaysInto(uint32_t face,
+                                  std::span<const double> distances) const {
+  FaceWays ways(mesh_, face);
+  const HalfEdge first = mesh_.FirstSide(face);
+  for (HalfEdge h = first; h < first + 3; ++h) {
+    ways.AddCorner(h % 3, distances[mesh_.From(h)]);
+  }
+  for (HalfEdge h = first; h < first + 3; ++h) {
+    band_.ForEach(h, [&](const Way& way) {
+      ways.AddThrough(h, way,
+                      {distances[mesh_.From(h)], distances[mesh_.To(h)]});
+    });
+  }
+  if (const auto found = within_.find(face); found != within_.end()) {
+    for (const auto& [point, sigma] : found->second.points) {
+      ways.AddWithin(point, sigma);
+    }
+    for (const auto& [segment, sigma] : found->second.segments) {
+      ways.AddWithin(segment, sigma);
+    }
+  }
+  return ways;
+}
+
+absl::Status LevelCrossings::DealWith(uint32_t face,
+                                      std::span<const double> distances,
+                                      const Poll& poll) {
+  std::array<Range, 3> ranges;
+  auto [begin, end] = LevelsIn(face, distances);
+  if (begin == end) {
+    begin = std::numeric_limits<size_t>::max();
+    end = 0;
+  }
+  for (uint32_t side = 0; side < 3; ++side) {
+    ranges[side] = CrossingsOf(mesh_.FirstSide(face) + side, distances);
+    const Range& range = ranges[side];
+    if (range.begin == range.end) continue;
+    begin = std::min<size_t>(begin, crossings_[range.begin].level);
+    end = std::max<size_t>(end, crossings_[range.end - 1].level + 1);
+  }
+  if (begin < end) {
+    const FaceWays ways = WaysInto(face, distances);
+    for (size_t level = begin; level < end; ++level) {
+      auto [entries, exits] = Perimeter(
+          ways, face, static_cast<uint32_t>(level), ranges, distances);
+      absl::Status status =
+          DrawLevel(ways, face, static_cast<uint32_t>(level),
+                    std::move(entries), std::move(exits), poll);
+      if (!status.ok()) return status;
+    }
+  }
+  band_.Close(face);
+  return Work(64, poll);
+}
+
+LevelCrossings::Range LevelCrossings::AtLevel(const Range& range,
+                                              uint32_t level) const {
+  const auto all =
+      std::span(crossings_).subspan(range.begin, range.end - range.begin);
+  const auto first = std::partition_point(
+      all.begin(), all.end(),
+      [level](const Crossing& crossing) { return crossing.level < level; });
+  const auto last = std::partition_point(
+      first, all.end(),
+      [level](const Crossing& crossing) { return crossing.level == level; });
+  return {range.begin + static_cast<size_t>(first - all.begin()),
+          range.begin + static_cast<size_t>(last - all.begin())};
+}
+
+std::array<std::vector<LevelCrossings::Place>, 2> LevelCrossings::Perimeter(
+    const FaceWays& ways, uint32_t face, uint32_t level,
+    const std::array<Range, 3>& ranges,
+    std::span<const double> distances) const {
+  std::array<std::vector<Place>, 2> places;
+  // Going round anticlockwise: what is nearer lies on the left of an isoline
+  // that enters where it ends.
+  bool is_nearer = IsNearer(distances[mesh_.triangle(face)[0]], levels_[level]);
+  for (uint32_t side = 0; side < 3; ++side) {
+    const HalfEdge h = mesh_.FirstSide(face) + side;
+    const auto [begin, end] = AtLevel(ranges[side], level);
+    const bool is_forward = mesh_.From(h) < mesh_.To(h);
+    for (size_t i = 0; i < end - begin; ++i) {
+      const size_t c = is_forward ? begin + i : end - 1 - i;
+      const double x = crossings_[c].x;
+      places[is_nearer ? 0 : 1].push_back(
+          {ways.OnSide(side, is_forward ? x : mesh_.frame(h).length - x),
+           static_cast<uint32_t>(c)});
+      is_nearer = !is_nearer;
+    }
+  }
+  return places;
+}
+
+void LevelCrossings::Join(uint32_t level, const Place& entry, Place& exit,
+                          uint32_t first_sample) {
+  exit.is_taken = true;
+  segments_[level].push_back(
+      {entry.crossing, exit.crossing, first_sample,
+       static_cast<uint32_t>(samples_.size()) - first_sample});
+}
+
+absl::Status LevelCrossings::DrawLevel(const FaceWays& ways, uint32_t face,
+                                       uint32_t level,
+                                       std::vector<Place> entries,
+                                       std::vector<Place> exits,
+                                       const Poll& poll) {
+  const double at_level = levels_[level];
+  const double chord_error =
+      accuracy_.chord_error * (accuracy_.is_relative ? at_level : 1);
+  const LevelTracer::Step step = [&](uint64_t amount) {
+    return Work(amount, poll);
+  };
+  const ArcSampler::Emit emit = [&](const PlanePoint& place) {
+    if (samples_.size() == kMostSamples) {
+      return InvalidField(
+          "chord_error",
+          absl::StrCat(
+              "chord_error asks for more than ", kMostSamples,
+              " points inside faces: name a larger one, or fewer levels"));
+    }
+    samples_.push_back(ways.PointAt(place));
+    return Work(1, poll);
+  };
+  const ArcSampler sampler(chord_error, emit);
+  const auto next_sample = [&] {
+    return static_cast<uint32_t>(samples_.size());
+  };
+  const auto nearest_exit = [&](const PlanePoint& place) {
+    return std::ranges::min_element(exits, {}, [&](const Place& exit) {
+      return exit.is_taken ? std::numeric_limits<double>::infinity()
+                           : Norm(exit.place - place);
+    });
+  };
+
+  absl::Status status = step(64);
+  if (ways.height() > kFlatFace * ways.size()) {
+    LevelTracer tracer(ways, at_level, step);
+    const double near =
+        kNearCrossing * ways.size() + 2 * accuracy_.share * at_level;
+    for (Place& entry : entries) {
+      absl::StatusOr<LevelTracer::Trace> trace = tracer.TraceFrom(entry.place);
+      if (!trace.ok()) return trace.status();
+      if (!trace->exit.has_value()) continue;
+      const auto exit = nearest_exit(*trace->exit);
+      if (exit == exits.end() || exit->is_taken ||
+          Norm(exit->place - *trace->exit) > near) {
+        continue;
+      }
+      const uint32_t first_sample = next_sample();
+      status.Update(sampler.Between(trace->arcs));
+      Join(level, entry, *exit, first_sample);
+      entry.is_taken = true;
+    }
+    absl::StatusOr<std::vector<std::vector<FrontArc>>> loops = tracer.Loops();
+    if (!loops.ok()) return loops.status();
+    for (const std::vector<FrontArc>& loop : *loops) {
+      const uint32_t first_sample = next_sample();
+      status.Update(sampler.Around(loop));
+      loops_[level].push_back(
+          {face, first_sample, next_sample() - first_sample});
+    }
+  }
+  // Where rounding decides.
+  for (const Place& entry : entries) {
+    if (entry.is_taken) continue;
+    const auto exit = nearest_exit(entry.place);
+    if (exit == exits.end() || exit->is_taken) break;
+    Join(level, entry, *exit, next_sample());
+  }
+  return status;
+}
+
+void LevelCrossings::AddIsoline(double level, std::vector<SurfacePoint> points,
+                                bool is_closed,
+                                std::vector<Isoline>& isolines) {
+  while (is_closed && points.size() > 1 && points.back() == points.front()) {
+    points.pop_back();
+  }
+  if (points.size() < 2) return;
+  isoline_bytes_ += points.size() * (sizeof(SurfacePoint) + sizeof(Point));
+  std::vector<Point> positions;
+  positions.reserve(points.size());
+  for (const SurfacePoint& point : points) {
+    positions.push_back(PositionOf(point, mesh_));
+  }
+  isolines.push_back(
+      {level, std::move(points), std::move(positions), is_closed});
+}
+
+absl::Status LevelCrossings::AddIsolines(double level,
+                                         std::span<const uint32_t> of_level,
+                                         std::span<const Segment> segments,
+                                         const Poll& poll,
+                                         std::vector<Isoline>& isolines) {
+  const auto count = static_cast<uint32_t>(of_level.size());
+  for (const Chain& chain : ChainsOf(count, segments)) {
+    std::vector<SurfacePoint> points;
+    // An isoline through a vertex crosses several edges there.
+    const auto add = [&](const SurfacePoint& point) {
+      if (points.empty() || points.back() != point) points.push_back(point);
+    };
+    for (size_t i = 0; i < chain.crossings.size(); ++i) {
+      add(PointAt(crossings_[of_level[chain.crossings[i]]]));
+      if (i == chain.links.size()) continue;
+      const auto [number, is_forward] = chain.links[i];
+      const Segment& segment = segments[number];
+      for (uint32_t k = 0; k < segment.sample_count; ++k) {
+        const uint32_t sample = is_forward ? k : segment.sample_count - 1 - k;
+        add(Canonicalize(samples_[segment.first_sample + sample], mesh_));
+      }
+    }
+    const size_t point_count = points.size();
+    AddIsoline(level, std::move(points), chain.is_closed, isolines);
+    if (absl::Status status = Work(point_count, poll); !status.ok()) {
+      return status;
+    }
+  }
+  return absl::OkStatus();
+}
+
+SurfacePoint LevelCrossings::PointAt(const Crossing& crossing) const {
+  const auto& [level, edge, x] = crossing;
+  const auto [low, high] = std::minmax({mesh_.From(edge), mesh_.To(edge)});
+  return Canonicalize(
+      EdgePoint{low, high, std::min(x / mesh_.frame(edge).length, 1.0)}, mesh_);
+}
+
+}  // namespace geodesic
