@@ -68,18 +68,12 @@ py::dict Statistics(const Field& self) {
                   "solve_seconds"_a = statistics.solve_seconds);
 }
 
-// Calls a question about a traced field without the interpreter's lock.
-template <typename Question>
-auto AskOf(const Field& self, Question question) {
-  auto answer = [&] {
-    const py::gil_scoped_release unlocked;
-    return question(self.question.mesh(), self.question.query, self.field);
-  }();
-  return ValueOrThrow(std::move(answer));
-}
-
 py::array_t<uint32_t> NearestSourcesOf(const Field& self) {
-  std::vector<uint32_t> labels = AskOf(self, NearestSources);
+  Watch watch{py::none()};
+  std::vector<uint32_t> labels = watch.Run([&] {
+    return NearestSources(self.question.mesh(), self.question.query, self.field,
+                          watch);
+  });
   for (uint32_t& label : labels) {
     if (label != kNoSource) label = self.numbers[label];
   }
@@ -87,7 +81,11 @@ py::array_t<uint32_t> NearestSourcesOf(const Field& self) {
 }
 
 py::array_t<double> GradientsOf(const Field& self) {
-  return ToArray(AskOf(self, Gradients));
+  Watch watch{py::none()};
+  return ToArray(watch.Run([&] {
+    return Gradients(self.question.mesh(), self.question.query, self.field,
+                     watch);
+  }));
 }
 
 // 0 everywhere if the field is exact.
@@ -98,9 +96,10 @@ py::array_t<float> CertifiedErrorsOf(const Field& self) {
 }
 
 py::tuple LogMapOf(const Field& self, double radius) {
-  LogMap map = AskOf(self, [radius](const Mesh& mesh, const ValidQuery& query,
-                                    const DistanceField& field) {
-    return ComputeLogMap(mesh, query, field, radius);
+  Watch watch{py::none()};
+  LogMap map = watch.Run([&] {
+    return ComputeLogMap(self.question.mesh(), self.question.query, self.field,
+                         radius, watch);
   });
   return py::make_tuple(ToArray(std::move(map.coordinates)),
                         map.zero_direction);

@@ -18,6 +18,21 @@ namespace {
 namespace py = pybind11;
 using PathList = std::vector<GeodesicPath>;
 
+// Says how many of the paths there are while one is traced.
+class OfPaths final : public Checkpoint {
+ public:
+  OfPaths(size_t traced, size_t all, Watch& watch)
+      : traced_(traced), all_(all), watch_(watch) {}
+
+  absl::Status Poll(const Progress&) override {
+    return watch_.Report(traced_, all_);
+  }
+
+ private:
+  const size_t traced_, all_;
+  Watch& watch_;
+};
+
 // To few targets by a search for each, otherwise from one field; then `watch`
 // is told how many paths there are.
 absl::StatusOr<PathList> FindPaths(const QueryHandle& question, double radius,
@@ -40,10 +55,9 @@ absl::StatusOr<PathList> FindPaths(const QueryHandle& question, double radius,
   if (!tracer.ok()) return tracer.status();
   PathList paths;
   for (uint32_t target = 0; target < targets; ++target) {
-    if (absl::Status status = watch.Report(target, targets); !status.ok()) {
-      return status;
-    }
-    absl::StatusOr<GeodesicPath> path = tracer->ToTarget(target);
+    OfPaths checkpoint(target, targets, watch);
+    if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
+    absl::StatusOr<GeodesicPath> path = tracer->ToTarget(target, checkpoint);
     if (!path.ok()) return path.status();
     paths.push_back(*std::move(path));
   }

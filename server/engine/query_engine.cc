@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "server/engine/fields/path_work.h"
+
 namespace geodesic::server {
 namespace {
 
@@ -89,6 +91,7 @@ absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
       .answer_memory = std::make_shared<ByteReservation>(*std::move(memory))};
   SoloJob solo{.priority = SolvePriority(request.requester.is_batch),
                .client = request.requester.client,
+               .account = std::move(request.requester.account),
                .deadline = request.deadline,
                .planned_bytes = PlannedSolverBytes(*call.mesh->mesh, *query),
                .done = std::move(request.done),
@@ -106,6 +109,27 @@ absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
   if (!job.ok()) return job.status();
   call.job = *std::move(job);
   return call;
+}
+
+absl::StatusOr<std::shared_ptr<RowPipeline>> QueryEngine::TracePaths(
+    const FieldCall& call, const FieldAnswer& answer, TimePoint deadline,
+    const Requester& requester, std::function<void()> on_row) {
+  const auto work = std::make_shared<PathWork>(call, answer);
+  auto rows = std::make_shared<RowPipeline>(
+      solo_jobs_, scheduler_,
+      RowJobs{.client = requester.client,
+              .account = requester.account,
+              .is_continuation = true,
+              .priority = work->rows() == 1 ? SolvePriority(requester.is_batch)
+                                            : RowPriority(requester.is_batch),
+              .deadline = deadline},
+      work->rows(),
+      [work](uint64_t row, Checkpoint& checkpoint, ByteReservation memory) {
+        return work->Answer(row, checkpoint, std::move(memory));
+      },
+      std::move(on_row));
+  if (absl::Status status = rows->Start(); !status.ok()) return status;
+  return rows;
 }
 
 EngineCounters QueryEngine::counters() const {

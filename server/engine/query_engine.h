@@ -28,6 +28,7 @@
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/fields/field_files.h"
+#include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/solo_job.h"
 #include "server/engine/jobs/start_function.h"
@@ -140,6 +141,17 @@ class QueryEngine {
   // Errors: as FieldEngine::Compute.
   absl::StatusOr<QuestionCall> StartQuestion(QuestionRequest request);
   void Cancel(const QuestionCall& call) { solo_jobs_.Cancel(call.job); }
+
+  // Traces the paths to the targets of `call` in jobs of their own, as they are
+  // taken: the rows hold some paths each, in order of target. For `on_row` see
+  // RowPipeline. The question has been admitted: it takes no other place in the
+  // queue, and goes on while the server drains.
+  // REQUIRES: the call's extras have paths, and `answer` is its answer, which
+  // was not searched for.
+  // Errors: UNAVAILABLE after Scheduler::StopAll.
+  absl::StatusOr<std::shared_ptr<RowPipeline>> TracePaths(
+      const FieldCall& call, const FieldAnswer& answer, TimePoint deadline,
+      const Requester& requester, std::function<void()> on_row);
 
   const Limits& limits() const { return limits_; }
   EngineCounters counters() const;

@@ -290,6 +290,74 @@ TEST_F(SharedJobsTest, WhatItHeldIsGoneWhenTheEndIsTold) {
   EXPECT_EQ(used, 0);
 }
 
+// An account that is counted as long as somebody holds it.
+class AccountTest : public SharedJobsTest {
+ protected:
+  // Asks for "x"; returns who holds the client's account.
+  std::weak_ptr<const void> Ask(std::optional<Jobs::Ticket>& ticket,
+                                TimePoint deadline = kNoDeadline) {
+    const auto account = std::make_shared<int>(0);
+    ticket = *jobs_.Join(
+        "x",
+        {.done = [this, held = std::weak_ptr<const void>(account)](
+                     const auto&) { was_held_.push_back(!held.expired()); },
+         .deadline = deadline,
+         .account = account},
+        JobPriority::kSolve, [&] {
+          return SharedWork<int, std::string>{
+              .run = [this](JobCheckpoint& checkpoint)
+                  -> absl::StatusOr<std::optional<int>> {
+                return run_(checkpoint);
+              }};
+        });
+    return account;
+  }
+
+  std::vector<bool> was_held_;  // when clients heard of the end
+};
+
+TEST_F(AccountTest, IsFreeWhenTheClientHearsOfTheEnd) {
+  std::optional<Jobs::Ticket> ticket;
+  Ask(ticket);
+  executor_.RunAll();
+  EXPECT_THAT(was_held_, ElementsAre(false));
+}
+
+TEST_F(AccountTest, OfTheLastWhoLeavesIsHeldUntilTheWorkEnds) {
+  std::optional<Jobs::Ticket> a, b;
+  const auto of_a = Ask(a), of_b = Ask(b);
+  run_ = [&](JobCheckpoint& checkpoint) -> absl::StatusOr<std::optional<int>> {
+    jobs_.Leave(*a);
+    EXPECT_TRUE(of_a.expired()) << "the work goes on for another";
+    jobs_.Leave(*b);
+    EXPECT_FALSE(of_b.expired());
+    return checkpoint.Poll({});
+  };
+  executor_.RunAll();
+  EXPECT_TRUE(of_b.expired());
+}
+
+TEST_F(AccountTest, OfTheLastWhoIsLateIsHeldUntilTheWorkEnds) {
+  std::optional<Jobs::Ticket> ticket;
+  const auto account = Ask(ticket, clock_.Now() + milliseconds(1));
+  run_ = [&](JobCheckpoint& checkpoint) -> absl::StatusOr<std::optional<int>> {
+    clock_.Advance(milliseconds(1));
+    absl::Status status = checkpoint.Poll({});
+    EXPECT_TRUE(absl::IsDeadlineExceeded(status));
+    EXPECT_FALSE(account.expired());
+    return status;
+  };
+  executor_.RunAll();
+  EXPECT_TRUE(account.expired());
+}
+
+TEST_F(AccountTest, IsFreeAtOnceWhereNothingRuns) {
+  std::optional<Jobs::Ticket> ticket;
+  const auto account = Ask(ticket);
+  jobs_.Leave(*ticket);
+  EXPECT_TRUE(account.expired());
+}
+
 TEST_F(SharedJobsTest, StoppingTellsThoseWhoWait) {
   run_ = [&](JobCheckpoint& checkpoint) -> absl::StatusOr<std::optional<int>> {
     scheduler_.StopAll();

@@ -5,9 +5,12 @@
 #include <spdlog/logger.h>
 #include <spdlog/sinks/null_sink.h>
 
+#include <chrono>
+#include <future>
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -37,6 +40,12 @@ class AccessTest : public test::RpcTest {
   // scopes, and the token "root" of an administrator.
   void StartWith(const std::string& scopes, const std::string& quota = "{}",
                  bool held = false, ServerOptions options = SmallServer()) {
+    NameTokens(scopes, quota, options);
+    Start(options, held);
+  }
+
+  void NameTokens(const std::string& scopes, const std::string& quota,
+                  ServerOptions& options) {
     options.token_file = folder_ / "tokens.json";
     geodesic::test::WriteFile(
         options.token_file,
@@ -45,7 +54,6 @@ class AccessTest : public test::RpcTest {
                      R"(}, {"name": "root", "sha256": ")", Sha256Hex("root"),
                      R"(", "scopes": ["admin"]}], "quotas": {"ci": )", quota,
                      "}}"));
-    Start(options, held);
   }
 
   absl::Status Call(const std::string& method, const test::Metadata& metadata) {
@@ -125,6 +133,36 @@ TEST_F(AccessTest, AQuotaOfJobsCountsStreamsUnderWay) {
 
   solver_.LetGo();
   EXPECT_TRUE(first->End().ok());
+}
+
+// Or a client of one job could take all threads, by leaving each time.
+TEST_F(AccessTest, AQuotaOfJobsCountsThemUntilTheyHaveStopped) {
+  ServerOptions options = SmallServer();
+  NameTokens(R"(["read", "upload"])", R"({"jobs": 1})", options);
+  std::promise<void> begun, let_go;
+  bool is_first = true;
+  RpcTest::StartWith(options,
+                     [&, waits = let_go.get_future().share()](
+                         const Mesh& mesh, const ValidQuery& query,
+                         const SolveOptions& solve_options)
+                         -> absl::StatusOr<std::unique_ptr<Computation>> {
+                       // Deaf, as no solver should be.
+                       if (std::exchange(is_first, false)) begun.set_value();
+                       waits.wait();
+                       return StartComputation(mesh, query, solve_options);
+                     });
+  const std::string digest = Upload(test::Tetrahedron(), "sesame");
+  const auto first = Open(FieldRequest(digest, 0), "sesame");
+  begun.get_future().wait();
+  first->context.TryCancel();
+  EXPECT_EQ(first->End().error_code(), grpc::StatusCode::CANCELLED);
+  // Whether the server has heard of it yet or not, the solver runs.
+  ExpectQuotaExceeded(Open(FieldRequest(digest, 1), "sesame")->End());
+
+  let_go.set_value();
+  ASSERT_TRUE(
+      server_->engine().scheduler().WaitIdle(std::chrono::seconds(120)));
+  EXPECT_TRUE(Open(FieldRequest(digest, 1), "sesame")->End().ok());
 }
 
 using FairnessTest = AccessTest;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/valid_query.h"
@@ -21,7 +22,12 @@ inline constexpr uint32_t kNoSource = 0xffffffffu;
 // nearest. O(V).
 // REQUIRES: the field is the query's, on this mesh.
 // Errors: INVALID_ARGUMENT: a field without trace, or of another size;
-// INTERNAL: the trace leads in circles (a defect). Thread-safe.
+// INTERNAL: the trace leads in circles (a defect); the checkpoint's.
+// Thread-safe.
+absl::StatusOr<std::vector<uint32_t>> NearestSources(const Mesh& mesh,
+                                                     const ValidQuery& query,
+                                                     const DistanceField& field,
+                                                     Checkpoint& checkpoint);
 absl::StatusOr<std::vector<uint32_t>> NearestSources(
     const Mesh& mesh, const ValidQuery& query, const DistanceField& field);
 
@@ -29,6 +35,10 @@ absl::StatusOr<std::vector<uint32_t>> NearestSources(
 // vertex. It is the gradient of the distance there, in the plane of the path's
 // last face. The zero vector at sources and where no path arrives. O(V).
 // Errors: as NearestSources. Thread-safe.
+absl::StatusOr<std::vector<Point>> Gradients(const Mesh& mesh,
+                                             const ValidQuery& query,
+                                             const DistanceField& field,
+                                             Checkpoint& checkpoint);
 absl::StatusOr<std::vector<Point>> Gradients(const Mesh& mesh,
                                              const ValidQuery& query,
                                              const DistanceField& field);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/valid_query.h"
@@ -31,12 +32,16 @@ struct LogMap {
 };
 
 // Maps the vertices up to `radius`; `field` may reach further. O(V + edges
-// crossed by the paths up to `radius`).
+// crossed by the paths up to `radius` + faces around the source). Polls the
+// checkpoint at least every few thousand of these.
 // REQUIRES: the field is the query's, on this mesh.
 // Errors: INVALID_ARGUMENT: a field without trace, or of another size;
 // a radius that is negative or NaN; not exactly one source point, or one around
 // which the surface is not an oriented disk or half-disk; INTERNAL: the trace
-// does not lead back to the source (a defect). Thread-safe.
+// does not lead back to the source (a defect); the checkpoint's. Thread-safe.
+absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const ValidQuery& query,
+                                     const DistanceField& field, double radius,
+                                     Checkpoint& checkpoint);
 absl::StatusOr<LogMap> ComputeLogMap(
     const Mesh& mesh, const ValidQuery& query, const DistanceField& field,
     double radius = std::numeric_limits<double>::infinity());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
@@ -35,6 +36,7 @@ struct GeodesicPath {
 };
 
 class TracedField;
+struct PathEnd;
 
 // Traces any number of paths of one field. Thread-safe.
 //
@@ -53,16 +55,25 @@ class PathTracer {
   ~PathTracer();
 
   // The path to a vertex, or to target number `target` of the query. O(edges
-  // crossed).
+  // crossed + faces at those of several). Polls the checkpoint at least every
+  // few thousand of these.
   // Errors: INVALID_ARGUMENT: vertex or target out of range; INTERNAL: the
-  // trace does not lead back to a source (a defect).
+  // trace does not lead back to a source (a defect); the checkpoint's.
+  absl::StatusOr<GeodesicPath> ToVertex(uint32_t vertex,
+                                        Checkpoint& checkpoint) const;
+  absl::StatusOr<GeodesicPath> ToTarget(uint32_t target,
+                                        Checkpoint& checkpoint) const;
   absl::StatusOr<GeodesicPath> ToVertex(uint32_t vertex) const;
   absl::StatusOr<GeodesicPath> ToTarget(uint32_t target) const;
 
  private:
-  explicit PathTracer(std::unique_ptr<const TracedField> field);
+  PathTracer(std::unique_ptr<const TracedField> field,
+             const Progress& progress);
+  absl::StatusOr<GeodesicPath> Trace(const PathEnd& end, double distance,
+                                     Checkpoint& checkpoint) const;
 
   std::unique_ptr<const TracedField> field_;
+  Progress progress_;  // of the field: all of it is there
 };
 
 }  // namespace geodesic

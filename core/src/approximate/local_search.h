@@ -17,6 +17,7 @@
 #include "solver/queues/queue.h"
 #include "solver/rules/front.h"
 #include "solver/windows/window.h"
+#include "solver/work_meter.h"
 #include "surface/anchors.h"
 
 namespace geodesic {
@@ -93,13 +94,16 @@ class LocalSearch {
   // Propagates what the queue gives next. Returns how many steps that were: 0
   // if nothing is left.
   uint64_t Step() {
+    uint64_t steps = 0;
+    const uint64_t created = rule_.created();
     if constexpr (kTogether) {
       PopTogether(queue_, rule_.most_together(), together_);
+      for (const uint32_t id : together_) steps += StepsOf(mesh_, id);
       rule_.Propagate(together_);
-      return together_.size();
     } else {
       const uint32_t id = queue_.Pop();
       if (id == kNothing) return 0;
+      steps = StepsOf(mesh_, id);
       if (id & kVertexEvent) {
         const uint32_t v = id & ~kVertexEvent;
         DirectSink sink(front_, rule_);
@@ -107,8 +111,8 @@ class LocalSearch {
       } else {
         rule_.Propagate(id);
       }
-      return 1;
     }
+    return std::max(steps, rule_.created() - created);
   }
 
   // To the distance of the vertex that is the last wanted so far. Distances

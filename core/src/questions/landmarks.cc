@@ -160,7 +160,7 @@ Landmarks::Place Landmarks::PlaceOf(const SurfacePoint& point,
     narrow(rows_[vertex->vertex].steps, 0);
     return place;
   }
-  const FacePoint in_face = FacesAround(mesh, point)[0];
+  const FacePoint in_face = FirstFaceAround(mesh, point);
   for (uint32_t corner = 0; corner < 3; ++corner) {
     narrow(rows_[mesh.triangle(in_face.face)[corner]].steps,
            DistanceToCorner(mesh, in_face, corner) / step_);

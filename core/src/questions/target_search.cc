@@ -21,6 +21,7 @@
 #include "solver/rules/front.h"
 #include "solver/rules/list_rule.h"
 #include "solver/start_computation.h"
+#include "solver/work_meter.h"
 #include "surface/anchors.h"
 #include "surface/surface_location.h"
 #include "tolerances.h"
@@ -116,7 +117,7 @@ class TargetSearch::Impl {
         PathTracer::Create(mesh_, query, field);
     if (!tracer.ok()) return tracer.status();
     for (uint32_t t = 0; t < found.distances.size(); ++t) {
-      absl::StatusOr<GeodesicPath> path = tracer->ToTarget(t);
+      absl::StatusOr<GeodesicPath> path = tracer->ToTarget(t, checkpoint);
       if (!path.ok()) return path.status();
       found.paths.push_back(*std::move(path));
     }
@@ -151,7 +152,8 @@ class TargetSearch::Impl {
     found.distances.push_back(ToFileUnit(mesh_, Found()));
     if (IsWithin()) found.certified_error = query->tolerance;
     if (query->trace) {
-      absl::StatusOr<GeodesicPath> path = Trace(query, found.distances.back());
+      absl::StatusOr<GeodesicPath> path =
+          Trace(query, found.distances.back(), checkpoint);
       // The way back may be lost among what a search has left out.
       if (absl::IsInternal(path.status())) {
         absl::StatusOr<TargetDistances> whole = RunAfter(query, checkpoint);
@@ -237,7 +239,7 @@ class TargetSearch::Impl {
     if (const auto* at = std::get_if<VertexPoint>(&place)) {
       return front_.goal().Bound(at->vertex);
     }
-    const FacePoint in_face = FacesAround(mesh_, place)[0];
+    const FacePoint in_face = FirstFaceAround(mesh_, place);
     double bound = 0;
     for (uint32_t corner = 0; corner < 3; ++corner) {
       const uint32_t v = mesh_.triangle(in_face.face)[corner];
@@ -360,12 +362,15 @@ class TargetSearch::Impl {
       if (GivesWay()) break;
       PopTogether(queue_, rule_.most_together(), together_);
       if (together_.empty()) break;
+      uint64_t events = 0;
       for (const uint32_t id : together_) {
         statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
+        events += StepsOf(mesh_, id);
       }
+      const uint64_t created = rule_.created();
       const uint64_t windows = rule_.Propagate(together_);
       statistics_.windows_propagated += windows;
-      steps += std::max<uint64_t>(together_.size(), windows);
+      steps += std::max({events, windows, rule_.created() - created});
       statistics_.peak_wavefront =
           std::max(statistics_.peak_wavefront, rule_.pending());
     }
@@ -384,7 +389,8 @@ class TargetSearch::Impl {
   }
 
   // `distance`: that of the target, in the unit of the file.
-  absl::StatusOr<GeodesicPath> Trace(const ValidQuery& query, double distance) {
+  absl::StatusOr<GeodesicPath> Trace(const ValidQuery& query, double distance,
+                                     Checkpoint& checkpoint) {
     const Arrival arrival =
         front_.targets().ArrivalAt(0, front_.distances(), front_.arrivals());
     const double scaled = Distance();
@@ -395,7 +401,9 @@ class TargetSearch::Impl {
                              .targets = {&scaled, 1},
                              .vertex_arrivals = front_.arrivals(),
                              .target_arrivals = {&arrival, 1}});
-    return TracePath(field, field.Target(0), distance);
+    const auto poll = [&] { return Poll(checkpoint); };
+    WorkMeter meter(poll);
+    return TracePath(field, field.Target(0), distance, meter);
   }
 
   absl::Status Poll(Checkpoint& checkpoint) {

@@ -72,12 +72,11 @@ std::optional<CurveSegment::Beam> CurveSegment::BeamAcross(HalfEdge h) const {
 
 std::vector<CurveSegment> SegmentsOf(const Mesh& mesh, const Anchor& anchor) {
   std::vector<CurveSegment> segments;
-  const std::vector<FacePoint> ends = FacesAround(mesh, anchor.end);
-  for (const FacePoint& begin : FacesAround(mesh, anchor.begin)) {
-    const auto end = std::ranges::find(ends, begin.face, &FacePoint::face);
-    if (end == ends.end()) continue;
-    segments.emplace_back(mesh, begin, *end);
-  }
+  VisitSharedFaces(mesh, anchor.begin, anchor.end,
+                   [&](const FacePoint& begin, const FacePoint& end) {
+                     segments.emplace_back(mesh, begin, end);
+                     return false;
+                   });
   return segments;
 }
 

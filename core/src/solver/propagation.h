@@ -30,6 +30,7 @@
 #include "solver/rules/edge_relaxation.h"
 #include "solver/rules/front.h"
 #include "solver/windows/window_observer.h"
+#include "solver/work_meter.h"
 #include "surface/anchors.h"
 
 namespace geodesic {
@@ -281,8 +282,8 @@ class Propagation final : public Computation {
                  std::min(radius, ToFileUnit(mesh(), SettledRadius())));
   }
 
-  // Propagates what the queue gives next. Returns how many events or windows
-  // that were, whichever are more: 0 if nothing is left.
+  // Propagates what the queue gives next. Returns how many steps that were: 0
+  // if nothing is left.
   uint64_t Take() {
     uint64_t taken = 0;
     if constexpr (kTogether) {
@@ -304,23 +305,28 @@ class Propagation final : public Computation {
       ++statistics_.pseudo_source_events;
       const uint32_t v = id & ~kVertexEvent;
       DirectSink sink(front_, rule_);
-      if (front_.TakeEvent(v)) front_.Expand(v, sink);
-      return 1;
+      if (!front_.TakeEvent(v)) return 1;
+      front_.Expand(v, sink);
+      return StepsOf(mesh(), id);
     }
+    const uint64_t created = rule_.created();
     const uint64_t windows = rule_.Propagate(id);
     statistics_.windows_propagated += windows;
-    return std::max<uint64_t>(1, windows);
+    return std::max({uint64_t{1}, windows, rule_.created() - created});
   }
 
   // All whose order the queue knows already.
   uint64_t StepTogether() {
     PopTogether(queue_, rule_.most_together(), together_);
+    uint64_t steps = 0;
     for (const uint32_t id : together_) {
       statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
+      steps += StepsOf(mesh(), id);
     }
+    const uint64_t created = rule_.created();
     const uint64_t windows = rule_.Propagate(together_);
     statistics_.windows_propagated += windows;
-    return std::max<uint64_t>(together_.size(), windows);
+    return std::max({steps, windows, rule_.created() - created});
   }
 
   absl::Status Poll(Checkpoint& checkpoint) {

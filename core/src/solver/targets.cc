@@ -15,7 +15,7 @@ Targets::Targets(const Mesh& mesh, std::span<const SurfacePoint> targets)
     }
     // For a point on an edge any face will do: whatever leads to the point from
     // another one is a window into this.
-    target.point = FacesAround(mesh, targets[t])[0];
+    target.point = FirstFaceAround(mesh, targets[t]);
     uint32_t& first =
         first_in_slot_.try_emplace(mesh.FirstSide(target.point.face) / 3, kNone)
             .first->second;

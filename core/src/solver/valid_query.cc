@@ -54,14 +54,8 @@ absl::Status MakeCanonical(double& offset, const Mesh& mesh,
 
 bool ShareAFace(const Mesh& mesh, const SurfacePoint& a,
                 const SurfacePoint& b) {
-  const std::vector<FacePoint> around_b = FacesAround(mesh, b);
-  for (const FacePoint& in_a : FacesAround(mesh, a)) {
-    if (std::ranges::find(around_b, in_a.face, &FacePoint::face) !=
-        around_b.end()) {
-      return true;
-    }
-  }
-  return false;
+  return VisitSharedFaces(
+      mesh, a, b, [](const FacePoint&, const FacePoint&) { return true; });
 }
 
 absl::Status MakeCanonical(Curve& curve, const Mesh& mesh,

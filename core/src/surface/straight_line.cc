@@ -12,7 +12,7 @@ SpacePoint InSpace(const Mesh& mesh, const SurfacePoint& point) {
   if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
     return {.vertex = vertex->vertex};
   }
-  const FacePoint within = FacesAround(mesh, point)[0];
+  const FacePoint within = FirstFaceAround(mesh, point);
   const Triangle& corners = mesh.triangle(within.face);
   const auto nearest =
       std::ranges::max_element(within.weights) - within.weights.begin();

@@ -7,32 +7,41 @@ namespace geodesic {
 
 std::vector<HalfEdge> SidesOf(const Mesh& mesh, uint32_t from, uint32_t to) {
   std::vector<HalfEdge> sides;
-  for (HalfEdge h : mesh.Outgoing(from)) {
-    if (mesh.To(h) == to) sides.push_back(h);
-    if (mesh.Apex(h) == to) sides.push_back(Prev(h));
-  }
+  VisitSides(mesh, from, to, [&](HalfEdge h) {
+    sides.push_back(h);
+    return false;
+  });
   return sides;
 }
 
 std::vector<FacePoint> FacesAround(const Mesh& mesh,
                                    const SurfacePoint& point) {
   std::vector<FacePoint> faces;
-  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
-    for (HalfEdge h : mesh.Outgoing(vertex->vertex)) {
-      faces.push_back({.face = mesh.FaceOf(h)});
-      faces.back().weights[h % 3] = 1;
-    }
-  } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
-    for (HalfEdge h : SidesOf(mesh, edge->from, edge->to)) {
-      const bool forward = mesh.From(h) == edge->from;
-      faces.push_back({.face = mesh.FaceOf(h)});
-      faces.back().weights[h % 3] = forward ? 1 - edge->t : edge->t;
-      faces.back().weights[Next(h) % 3] = forward ? edge->t : 1 - edge->t;
-    }
-  } else {
-    faces.push_back(std::get<FacePoint>(point));
-  }
+  VisitFacesAround(mesh, point, [&](const FacePoint& at) {
+    faces.push_back(at);
+    return false;
+  });
   return faces;
+}
+
+FacePoint FirstFaceAround(const Mesh& mesh, const SurfacePoint& point) {
+  FacePoint first;
+  VisitFacesAround(mesh, point, [&](const FacePoint& at) {
+    first = at;
+    return true;
+  });
+  return first;
+}
+
+size_t MostFacesAround(const Mesh& mesh, const SurfacePoint& point) {
+  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
+    return mesh.Outgoing(vertex->vertex).size();
+  }
+  if (const auto* edge = std::get_if<EdgePoint>(&point)) {
+    return std::min(mesh.Outgoing(edge->from).size(),
+                    mesh.Outgoing(edge->to).size());
+  }
+  return 1;
 }
 
 std::optional<FacePoint> WithinFace(const Mesh& mesh, const SurfacePoint& point,

@@ -42,8 +42,9 @@ absl::Status CheckPoint(const EdgePoint& point, const Mesh& mesh,
     return InvalidField(t,
                         absl::StrCat(t, " ", point.t, " is not within [0, 1]"));
   }
-  if (SidesOf(mesh, mesh.JoinedInto(point.from), mesh.JoinedInto(point.to))
-          .empty()) {
+  const auto is_there = [](HalfEdge) { return true; };
+  if (!VisitSides(mesh, mesh.JoinedInto(point.from),
+                  mesh.JoinedInto(point.to), is_there)) {
     return InvalidField(
         edge, absl::StrCat(edge, ": the mesh has no edge between vertices ",
                            point.from, " and ", point.to,

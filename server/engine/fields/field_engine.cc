@@ -137,25 +137,29 @@ uint64_t DerivedBytes(const FieldExtras& extras, uint64_t vertices) {
 // Log maps end at `radius`. O(V), plus the edges that the paths of a log map
 // cross.
 // REQUIRES: `field` was solved for `query`, with a trace; extras.NeedTrace().
-// Errors: INVALID_ARGUMENT for a log map around a vertex that allows none.
+// Errors: INVALID_ARGUMENT for a log map around a vertex that allows none; the
+// checkpoint's.
 absl::StatusOr<std::shared_ptr<const DerivedQuantities>> Derive(
     const MeshHandle& mesh, const ValidQuery& query, const FieldHandle& field,
-    const FieldExtras& extras, double radius, ByteReservation memory) {
+    const FieldExtras& extras, double radius, ByteReservation memory,
+    Checkpoint& checkpoint) {
   auto derived = std::make_shared<DerivedQuantities>();
   derived->memory = std::move(memory);
   derived->mesh = mesh;
   derived->field = field;
   absl::Status status;
   if (extras.nearest_sources) {
-    status = Assign(NearestSources(*mesh->mesh, query, *field),
+    status = Assign(NearestSources(*mesh->mesh, query, *field, checkpoint),
                     derived->nearest_sources);
   }
   if (status.ok() && extras.gradients) {
-    status = Assign(Gradients(*mesh->mesh, query, *field), derived->gradients);
+    status = Assign(Gradients(*mesh->mesh, query, *field, checkpoint),
+                    derived->gradients);
   }
   if (status.ok() && extras.log_map) {
-    status = Assign(ComputeLogMap(*mesh->mesh, query, *field, radius),
-                    derived->log_map);
+    status =
+        Assign(ComputeLogMap(*mesh->mesh, query, *field, radius, checkpoint),
+               derived->log_map);
     if (absl::IsInvalidArgument(status))
       status = WithFieldPath(status, "source");
   }
@@ -281,7 +285,8 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
           [observer = std::move(observer)](const Progress& progress) {
             observer->OnProgress(progress);
           },
-      .deadline = request.deadline};
+      .deadline = request.deadline,
+      .account = request.requester.account};
   const JobPriority priority = SolvePriority(request.requester.is_batch);
   absl::StatusOr<FieldJobs::Ticket> ticket =
       jobs_.Join(key, std::move(waiter), priority, [&] {
@@ -385,7 +390,7 @@ absl::StatusOr<FieldAnswer> FieldEngine::Answer(FieldJob& job,
   answer.field = std::move(found->field);
   if (key.extras.NeedTrace()) {
     auto derived = Derive(job.mesh, found->key.query, answer.field, key.extras,
-                          key.reach.radius, std::move(job.derived));
+                          key.reach.radius, std::move(job.derived), checkpoint);
     if (!derived.ok()) return derived.status();
     answer.derived = *std::move(derived);
   }

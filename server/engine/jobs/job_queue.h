@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <list>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stop_token>
@@ -37,6 +38,8 @@ struct Requester {
   std::string client;
   // Whether interactive requests may go first.
   bool is_batch = false;
+  // What its quota counts for the request: see Waiter. May be null.
+  std::shared_ptr<const void> account = {};
 };
 
 // The most urgent first.

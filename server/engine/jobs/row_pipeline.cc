@@ -15,10 +15,14 @@ RowPipeline::RowPipeline(SoloJobs& jobs, Scheduler& scheduler, RowJobs plan,
       on_row_(std::move(on_row)) {}
 
 absl::Status RowPipeline::Start() {
-  absl::StatusOr<Scheduler::Place> place = scheduler_.HoldPlace(plan_.client);
-  if (!place.ok()) return place.status();
+  Scheduler::Place place;
+  if (!plan_.is_continuation) {
+    absl::StatusOr<Scheduler::Place> held = scheduler_.HoldPlace(plan_.client);
+    if (!held.ok()) return held.status();
+    place = *std::move(held);
+  }
   std::lock_guard lock(mutex_);
-  place_ = *std::move(place);
+  place_ = std::move(place);
   return SubmitNext();
 }
 
@@ -28,6 +32,7 @@ absl::Status RowPipeline::SubmitNext() {
   absl::StatusOr<SoloJobs::Call> call = jobs_.Start(
       {.priority = plan_.priority,
        .client = plan_.client,
+       .account = plan_.account,
        .is_continuation = true,
        .deadline = plan_.deadline,
        .planned_bytes = plan_.planned_bytes,
@@ -57,7 +62,12 @@ void RowPipeline::GoOn() {
   if (next_row_ < rows_ && next_row_ <= next_take_ + scheduler_.max_running()) {
     failure_ = SubmitNext();
   }
-  if (!failure_.ok() || (next_row_ == rows_ && !is_waiting_)) place_.reset();
+  if (!failure_.ok() || (next_row_ == rows_ && !is_waiting_)) Release();
+}
+
+void RowPipeline::Release() {
+  place_.reset();
+  plan_.account.reset();
 }
 
 void RowPipeline::Begin() {
@@ -79,7 +89,7 @@ void RowPipeline::Finish(uint64_t row, const JobReport& report,
       finished_.emplace(row, std::move(result));
     } else if (failure_.ok()) {
       failure_ = report.status;
-      place_.reset();
+      Release();
     }
     on_row = on_row_;
     // on_row_ holds the reader, which holds the pipeline: break that cycle.
@@ -111,7 +121,7 @@ void RowPipeline::Cancel() {
   {
     std::lock_guard lock(mutex_);
     if (failure_.ok()) failure_ = absl::CancelledError("nobody waits");
-    place_.reset();
+    Release();
     running.swap(running_);
     finished.swap(finished_);
     on_row.swap(on_row_);

@@ -44,6 +44,11 @@ using RowFunction = std::function<absl::StatusOr<MatrixRow>(
 // What the jobs of all rows have in common.
 struct RowJobs {
   std::string client;  // see Requester
+  // See Waiter. Held until the last row begins, and by the jobs of rows.
+  std::shared_ptr<const void> account = {};
+  // Whether the rows go on with a question that was admitted before: they take
+  // no place in the queue.
+  bool is_continuation = false;
   JobPriority priority = JobPriority::kRow;
   TimePoint deadline = kNoDeadline;
   // For one row: its solver's memory and its own; see SoloJob.
@@ -64,7 +69,8 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
               RowFunction function, std::function<void()> on_row);
 
   // Call once. Holds a place in the queue until the last row begins, because
-  // the reader may pause and then take many rows at once.
+  // the reader may pause and then take many rows at once; a continuation needs
+  // none.
   // Errors: as Scheduler::HoldPlace and SoloJobs::Start.
   absl::Status Start();
 
@@ -88,10 +94,12 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   absl::Status SubmitNext();
   // Submits the next row when it is due.
   void GoOn();
+  // No more rows will be submitted.
+  void Release();
 
   SoloJobs& jobs_;
   Scheduler& scheduler_;
-  const RowJobs plan_;
+  RowJobs plan_;  // constant, but for the account, which mutex_ guards
   const uint64_t rows_;
   const RowFunction function_;
 

@@ -9,7 +9,8 @@
 //
 // The first client starts the job, others join it. Each may leave or miss its
 // own deadline. When no client is left, the job is dropped, or stops at its
-// next poll. A job that must not be joined gets a key of its own.
+// next poll; until then it counts as the last one's. A job that must not be
+// joined gets a key of its own.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_SHARED_JOBS_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_SHARED_JOBS_H_
@@ -50,6 +51,9 @@ struct Waiter {
   // Each call replaces the one before. May be empty.
   std::function<void(const Progress&)> progress;
   TimePoint deadline = kNoDeadline;
+  // Held while the client waits and, of the last one that does, until the work
+  // has really ended. Dropped before `done` is called with a result.
+  std::shared_ptr<const void> account = {};
 };
 
 template <typename Result, typename Shared = std::monostate>
@@ -144,6 +148,7 @@ class SharedJobs {
       left = ticket.entry->waiters.extract(ticket.number);
       if (left.empty() || !ticket.entry->waiters.empty()) return;
       Close(*ticket.entry);
+      Keep(*ticket.entry, left.mapped().account);
     }
     scheduler_.Cancel(ticket.entry->job);
   }
@@ -164,6 +169,15 @@ class SharedJobs {
   using Waiters = std::map<uint64_t, Waiter<Result>>;
   using Work = SharedWork<Result, Shared>;
 
+  // What the job's callbacks share. Its work is freed before any waiter hears
+  // of the end, the rest with the job.
+  struct Held {
+    Work work;
+    bool goes_on = false;
+    // Of the last client, which has left. Guarded by mutex_ until the job ends.
+    std::shared_ptr<const void> account = {};
+  };
+
   struct Entry final : public JobWaiters {
     Entry(SharedJobs& j, Key k) : jobs(j), key(std::move(k)) {}
 
@@ -180,18 +194,13 @@ class SharedJobs {
     Scheduler::JobId job = 0;
     std::shared_ptr<Shared> shared;
     Waiters waiters;
+    std::weak_ptr<Held> held;
   };
 
   // REQUIRES: mutex_ held.
   absl::Status Submit(const std::shared_ptr<Entry>& entry, JobPriority priority,
                       Work work) {
     entry->shared = std::move(work.shared);
-    // The job's callbacks share the work. It is freed before any waiter hears
-    // of the end.
-    struct Held {
-      Work work;
-      bool goes_on = false;
-    };
     auto held = std::make_shared<Held>(Held{std::move(work)});
     Job job{.priority = priority,
             .client = held->work.client,
@@ -218,6 +227,7 @@ class SharedJobs {
     };
     absl::StatusOr<Scheduler::JobId> id = scheduler_.Submit(std::move(job));
     if (id.ok()) entry->job = *id;
+    entry->held = held;
     return id.status();
   }
 
@@ -247,8 +257,14 @@ class SharedJobs {
       }
       is_abandoned = entry.waiters.empty();
       if (is_abandoned) Close(entry);
+      if (is_abandoned && !expired.empty()) {
+        Keep(entry, expired.back().account);
+      }
     }
-    for (const Waiter<Result>& waiter : expired) waiter.done(late);
+    for (Waiter<Result>& waiter : expired) {
+      waiter.account.reset();
+      waiter.done(late);
+    }
     if (!is_abandoned) return absl::OkStatus();
     return expired.empty() ? absl::CancelledError("nobody waits for the answer")
                            : late;
@@ -274,7 +290,16 @@ class SharedJobs {
       waiters.swap(entry.waiters);
       Close(entry);
     }
-    for (const auto& [number, waiter] : waiters) waiter.done(result);
+    for (auto& [number, waiter] : waiters) {
+      waiter.account.reset();
+      waiter.done(result);
+    }
+  }
+
+  // Nobody waits any longer: keeps the last one's account as long as the job.
+  // REQUIRES: mutex_ held.
+  static void Keep(const Entry& entry, std::shared_ptr<const void>& account) {
+    if (const auto held = entry.held.lock()) held->account = std::move(account);
   }
 
   // REQUIRES: mutex_ held.

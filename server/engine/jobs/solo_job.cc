@@ -24,7 +24,8 @@ absl::StatusOr<SoloJobs::Call> SoloJobs::Start(SoloJob job) {
             done(report.ok() ? *report : JobReport{.status = report.status()});
           },
       .progress = std::move(job.progress),
-      .deadline = job.deadline};
+      .deadline = job.deadline,
+      .account = std::move(job.account)};
   auto memory = std::make_shared<Memory>();
   return jobs_.Join(next_key_++, std::move(waiter), job.priority, [&] {
     return SharedWork<JobReport>{

@@ -31,8 +31,9 @@ struct JobReport {
 
 struct SoloJob {
   JobPriority priority = JobPriority::kSolve;
-  std::string client;            // see Requester
-  bool is_continuation = false;  // see Job
+  std::string client;                        // see Requester
+  std::shared_ptr<const void> account = {};  // see Waiter
+  bool is_continuation = false;              // see Job
   TimePoint deadline = kNoDeadline;
   // Memory taken from the solver budget before the work begins: for the solver,
   // and for the answer. The work is given the latter.

@@ -106,6 +106,7 @@ absl::StatusOr<MatrixCall> MatrixEngine::Compute(MatrixRequest request,
     call.algorithm = work->query.OfSource(0, *work->mesh->mesh)->algorithm;
   }
   RowJobs plan{.client = request.requester.client,
+               .account = std::move(request.requester.account),
                .priority = RowPriority(request.requester.is_batch),
                .deadline = request.deadline,
                .planned_bytes = work->PlannedBytes(),

@@ -34,6 +34,7 @@ absl::StatusOr<DecimationJobs::Ticket> DecimationEngine::Decimate(
   absl::Status fits = solver_memory_->CheckCapacity(planned);
   if (fits.ok()) fits = meshes_.decimations().CheckCapacity(max_faces);
   if (!fits.ok()) return fits;
+  waiter.account = requester.account;
   return jobs_.Join(key, std::move(waiter), SolvePriority(requester.is_batch),
                     [&] {
                       return WorkInMemory<DecimationHandle>(

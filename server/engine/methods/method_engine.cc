@@ -41,6 +41,7 @@ absl::StatusOr<MethodJobs::Ticket> MethodEngine::Prepare(
   const uint64_t planned = PlannedBytes(*mesh->mesh, method);
   absl::Status fits = solver_memory_->CheckCapacity(planned);
   if (!fits.ok()) return fits;
+  waiter.account = requester.account;
   return jobs_.Join({mesh->digest, method}, std::move(waiter),
                     SolvePriority(requester.is_batch), [&] {
                       return WorkInMemory<Prepared>(

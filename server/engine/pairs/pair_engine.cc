@@ -149,6 +149,7 @@ absl::StatusOr<PairCall> PairEngine::Compute(PairRequest request,
   call.work = work;
   const bool is_batch = request.requester.is_batch;
   RowJobs plan{.client = request.requester.client,
+               .account = std::move(request.requester.account),
                // What takes one job is answered at once, like any question.
                .priority = work->rows.size() == 1 ? SolvePriority(is_batch)
                                                   : RowPriority(is_batch),

@@ -157,7 +157,7 @@ class AnswerStream : public Call<ResponseType> {
     question.deadline = CallDeadline(context_);
     const absl::StatusOr<bool> is_batch = IsBatch(request().priority());
     if (!is_batch.ok()) return is_batch.status();
-    question.requester = {.client = entry_->client(), .is_batch = *is_batch};
+    question.requester = requester(*is_batch);
     const absl::StatusOr<AlgorithmChoice> choice = ChoiceOf(request());
     if (!choice.ok()) return choice.status();
     if constexpr (requires { request().tolerance(); }) {
@@ -200,6 +200,12 @@ class AnswerStream : public Call<ResponseType> {
   }
 
   RequestLog::Entry& entry() { return *entry_; }
+  // The caller, for the engine. Before the call has ended.
+  Requester requester(bool is_batch = false) {
+    return {.client = entry_->client(),
+            .is_batch = is_batch,
+            .account = entry_->job()};
+  }
   const std::string& version() const { return service_.capabilities.version(); }
   // For Ask. An Ask that is about to succeed may change it.
   Request& request() { return *request_; }
@@ -257,12 +263,12 @@ class AnswerStream : public Call<ResponseType> {
     return absl::OkStatus();
   }
 
-  // Waits for what `start` begins, then asks again. `start` gets a function to
-  // call at the end, with the status and whatever must be pinned meanwhile, and
-  // returns what ends the wait; nothing if it has ended.
+  // Waits for what `start` begins, then asks again. `start` gets the caller and
+  // a function to call at the end, with the status and whatever must be pinned
+  // meanwhile, and returns what ends the wait; nothing if it has ended.
   template <typename Start>
   void AskAfter(Start start) {
-    std::string client;
+    Requester caller;
     {
       std::lock_guard lock(mutex_);
       is_asking_ = false;
@@ -270,12 +276,13 @@ class AnswerStream : public Call<ResponseType> {
         this->EndCancelled();
         return;
       }
-      client = entry_->client();
+      caller = requester();
     }
     absl::StatusOr<std::function<void()>> leave =
-        start(client, [self = this->Shared(this)](absl::Status status) {
-          self->OnAwaited(std::move(status));
-        });
+        start(std::exchange(caller, {}),
+              [self = this->Shared(this)](absl::Status status) {
+                self->OnAwaited(std::move(status));
+              });
     {
       std::lock_guard lock(mutex_);
       if (!leave.ok()) this->End(leave.status());
@@ -289,7 +296,7 @@ class AnswerStream : public Call<ResponseType> {
   }
 
   void AwaitMesh() {
-    AskAfter([this](const std::string& client,
+    AskAfter([this](const Requester& caller,
                     auto done) -> absl::StatusOr<std::function<void()>> {
       MeshLibrary& meshes = service_.engine.meshes();
       // The mesh is pinned while the engine is asked.
@@ -298,7 +305,7 @@ class AnswerStream : public Call<ResponseType> {
           [done](const absl::StatusOr<MeshHandle>& mesh) {
             done(mesh.status());
           },
-          client);
+          caller.client);
       if (!ticket.ok()) return ticket.status();
       if (ticket->entry == nullptr) return std::function<void()>();
       return [&meshes, ticket = *ticket] { meshes.Leave(ticket); };
@@ -307,7 +314,7 @@ class AnswerStream : public Call<ResponseType> {
 
   // `unprepared`: a copy, since method_ changes when it is prepared.
   void AwaitMethod(MethodHandle unprepared) {
-    AskAfter([&](const std::string& client,
+    AskAfter([&](const Requester& caller,
                  auto done) -> absl::StatusOr<std::function<void()>> {
       MethodEngine& methods = service_.engine.methods();
       absl::StatusOr<MethodJobs::Ticket> ticket =
@@ -319,7 +326,7 @@ class AnswerStream : public Call<ResponseType> {
                                  done(prepared.status());
                                },
                            .progress = nullptr},
-                          {.client = client});
+                          caller);
       if (!ticket.ok()) return ticket.status();
       return [&methods, ticket = *ticket] { methods.Leave(ticket); };
     });

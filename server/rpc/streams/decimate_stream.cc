@@ -19,7 +19,7 @@ absl::Status DecimateStream::Ask() {
                    const absl::StatusOr<DecimationHandle>& made) {
                  self->Update([&] { self->made_ = made; });
                }},
-          {.client = entry().client()});
+          requester());
   if (ticket.ok()) ticket_ = *std::move(ticket);
   return ticket.status();
 }

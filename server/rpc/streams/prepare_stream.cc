@@ -58,7 +58,7 @@ absl::Status PrepareStream::Ask() {
            [self = Shared(this)](const Progress& progress) {
              self->Update([&] { self->progress_ = ToProto(progress); });
            }},
-      {.client = entry().client(), .is_batch = *is_batch});
+      requester(*is_batch));
   if (ticket.ok()) ticket_ = *std::move(ticket);
   return ticket.status();
 }

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -57,32 +58,47 @@ absl::Status PathStream::Translate(FieldRequest& question) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<GeodesicPath> PathStream::TraceNext() {
-  const DerivedQuantities& derived = *answer().derived;
-  const uint64_t number = next_item_++;
-  if (!derived.paths.has_value()) return derived.found_paths[number];
-  const TargetReader::Target target = targets_.Next(call(), answer());
-  // The field may reach further than was asked.
-  if (target.distance > call().reach.radius) {
-    constexpr double kUnreached = std::numeric_limits<double>::infinity();
-    return GeodesicPath{.distance = kUnreached, .length = kUnreached};
-  }
-  return target.is_own ? derived.paths->ToTarget(target.number)
-                       : derived.paths->ToVertex(target.number);
+void PathStream::Cancel() {
+  FieldQuestionStream::Cancel();
+  std::shared_ptr<RowPipeline> rows;
+  Update([&] { rows = std::move(rows_); });
+  if (rows != nullptr) rows->Cancel();
 }
 
-absl::StatusOr<bool> PathStream::FillPart(v1::ComputePathsResponse& message) {
+std::optional<absl::StatusOr<GeodesicPath>> PathStream::TakeNext() {
+  const DerivedQuantities& derived = *answer().derived;
+  if (!derived.paths.has_value()) return derived.found_paths[next_item_];
+  if (rows_ == nullptr) {
+    auto rows =
+        engine().TracePaths(call(), answer(), deadline(), requester(is_batch()),
+                            [self = Shared(this)] { self->Update([] {}); });
+    if (!rows.ok()) return rows.status();
+    rows_ = *std::move(rows);
+  }
+  if (next_in_row_ == row_.paths.size()) {
+    std::optional<absl::StatusOr<MatrixRow>> row = rows_->Take();
+    if (!row.has_value()) return std::nullopt;
+    if (!row->ok()) return row->status();
+    row_ = **std::move(row);
+    next_in_row_ = 0;
+  }
+  return std::move(row_.paths[next_in_row_++]);
+}
+
+absl::StatusOr<NextMessage> PathStream::FillPart(
+    v1::ComputePathsResponse& message) {
   if (next_item_ > 0 && next_point_ < path_.points.size()) {
     // Sends the next piece of the same path.
     next_point_ = SetPiece(path_.points, path_.positions, next_point_,
                            *message.mutable_path()->mutable_piece());
-    return true;
+    return NextMessage::kSend;
   }
-  if (next_item_ == call().query->targets.size()) return false;
-  const uint64_t target = next_item_;
-  absl::StatusOr<GeodesicPath> path = TraceNext();
-  if (!path.ok()) return path.status();
-  path_ = *std::move(path);
+  if (next_item_ == call().query->targets.size()) return NextMessage::kSendLast;
+  std::optional<absl::StatusOr<GeodesicPath>> path = TakeNext();
+  if (!path.has_value()) return NextMessage::kWait;
+  if (!path->ok()) return path->status();
+  path_ = **std::move(path);
+  const uint64_t target = next_item_++;
   v1::GeodesicPath& proto = *message.mutable_path();
   proto.set_target(target);
   proto.set_length(path_.length);
@@ -94,7 +110,7 @@ absl::StatusOr<bool> PathStream::FillPart(v1::ComputePathsResponse& message) {
   next_point_ =
       SetPiece(path_.points, path_.positions, 0, *proto.mutable_piece());
   entry().add_bytes(path_.points.size() * sizeof(Point));
-  return true;
+  return NextMessage::kSend;
 }
 
 absl::StatusOr<IsolineStream::Work> IsolineStream::MakeWork() {
@@ -116,9 +132,9 @@ absl::StatusOr<IsolineStream::Work> IsolineStream::MakeWork() {
   };
 }
 
-absl::StatusOr<bool> IsolineStream::FillPart(
+absl::StatusOr<NextMessage> IsolineStream::FillPart(
     v1::ComputeIsolinesResponse& message) {
-  if (next_item_ == result().size()) return false;
+  if (next_item_ == result().size()) return NextMessage::kSendLast;
   const Isoline& isoline = result()[next_item_];
   v1::Isoline& proto = *message.mutable_isoline();
   proto.set_number(next_item_);
@@ -131,7 +147,7 @@ absl::StatusOr<bool> IsolineStream::FillPart(
     ++next_item_;
     next_point_ = 0;
   }
-  return true;
+  return NextMessage::kSend;
 }
 
 absl::Status LogMapStream::Translate(FieldRequest& question) {
@@ -146,17 +162,17 @@ absl::Status LogMapStream::Translate(FieldRequest& question) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<bool> LogMapStream::FillPart(
+absl::StatusOr<NextMessage> LogMapStream::FillPart(
     v1::ComputeLogMapResponse& message) {
   const LogMap& map = answer().derived->log_map;
   if (!std::exchange(has_frame_, true)) {
     SetPoint(map.zero_direction,
              *message.mutable_frame()->mutable_zero_direction());
-    return true;
+    return NextMessage::kSend;
   }
   const uint64_t end = std::min<uint64_t>(next_item_ + kVerticesPerChunk,
                                           map.coordinates.size());
-  if (next_item_ == end) return false;
+  if (next_item_ == end) return NextMessage::kSendLast;
   v1::LogMapChunk& chunk = *message.mutable_chunk();
   chunk.set_offset(next_item_);
   values_.clear();
@@ -166,7 +182,7 @@ absl::StatusOr<bool> LogMapStream::FillPart(
   }
   SetValues(values_, value_type_, *chunk.mutable_coordinates());
   entry().add_bytes(chunk.coordinates().size());
-  return true;
+  return NextMessage::kSend;
 }
 
 absl::StatusOr<SampleStream::Work> SampleStream::MakeWork() {
@@ -190,11 +206,11 @@ absl::StatusOr<SampleStream::Work> SampleStream::MakeWork() {
   };
 }
 
-absl::StatusOr<bool> SampleStream::FillPart(
+absl::StatusOr<NextMessage> SampleStream::FillPart(
     v1::SampleFarthestPointsResponse& message) {
   const uint64_t end =
       std::min<uint64_t>(next_item_ + kSamplesPerChunk, result().size());
-  if (next_item_ == end) return false;
+  if (next_item_ == end) return NextMessage::kSendLast;
   v1::SampleChunk& chunk = *message.mutable_samples();
   chunk.clear_samples();
   for (; next_item_ < end; ++next_item_) {
@@ -203,7 +219,7 @@ absl::StatusOr<bool> SampleStream::FillPart(
     proto.set_vertex(sample.vertex);
     proto.set_distance(sample.distance);
   }
-  return true;
+  return NextMessage::kSend;
 }
 
 }  // namespace geodesic::server

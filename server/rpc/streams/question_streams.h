@@ -3,6 +3,7 @@
 #ifndef GEODESIC_SERVER_RPC_STREAMS_QUESTION_STREAMS_H_
 #define GEODESIC_SERVER_RPC_STREAMS_QUESTION_STREAMS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "geodesic/sampling.h"
 #include "geodesic/v1/field_service.pb.h"
 #include "geodesic/v1/path_service.pb.h"
+#include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/meshes/mesh_store.h"
 #include "server/rpc/calls/answer_stream.h"
 #include "server/rpc/messages/translation.h"
@@ -38,9 +40,10 @@ class QuestionStream : public AnswerStream<Request, Response> {
   using AnswerStream<Request, Response>::AnswerStream;
 
  protected:
-  // Fills the next part of the answer; false when there is none left. Called
-  // under the stream's lock, after SetFinished.
-  virtual absl::StatusOr<bool> FillPart(Response& message) = 0;
+  // Fills the next part of the answer; kSendLast when there is none left.
+  // Called under the stream's lock, after SetFinished. Makes messages of what
+  // is there, and computes nothing: it runs on a thread of gRPC.
+  virtual absl::StatusOr<NextMessage> FillPart(Response& message) = 0;
 
   // For Ask:
   void SetSubject(MeshHandle mesh, Algorithm algorithm, double tolerance) {
@@ -79,9 +82,8 @@ class QuestionStream : public AnswerStream<Request, Response> {
       return NextMessage::kSend;
     }
     if (!status_->ok()) return *status_;
-    absl::StatusOr<bool> has_part = FillPart(message);
-    if (!has_part.ok()) return has_part.status();
-    if (*has_part) return NextMessage::kSend;
+    absl::StatusOr<NextMessage> part = FillPart(message);
+    if (!part.ok() || *part != NextMessage::kSendLast) return part;
     *message.mutable_trailer() = MakeTrailer(
         cost_.seconds, cost_.windows_propagated, next_item_, tolerance_);
     return NextMessage::kSendLast;
@@ -128,8 +130,12 @@ class FieldQuestionStream : public QuestionStream<Request, Response>,
 
   // Constant once Ask has succeeded.
   const FieldCall& call() const { return *call_; }
+  TimePoint deadline() const { return deadline_; }
+  bool is_batch() const { return is_batch_; }
   // For FillPart.
   const FieldAnswer& answer() const { return answer_; }
+
+  void Cancel() override { this->engine().fields().Cancel(*call_); }
 
  private:
   absl::Status Ask() final {
@@ -144,13 +150,15 @@ class FieldQuestionStream : public QuestionStream<Request, Response>,
         this->engine().fields().Compute(question, this->Shared(this));
     if (!call.ok()) return call.status();
     call_ = *std::move(call);
+    deadline_ = question.deadline;
+    is_batch_ = question.requester.is_batch;
     this->SetSubject(call_->mesh, call_->query->algorithm, /*tolerance=*/0);
     return absl::OkStatus();
   }
 
-  void Cancel() final { this->engine().fields().Cancel(*call_); }
-
   std::optional<FieldCall> call_;
+  TimePoint deadline_ = kNoDeadline;
+  bool is_batch_ = false;
   FieldAnswer answer_;  // guarded by the stream's lock
 };
 
@@ -219,13 +227,17 @@ class PathStream final : public FieldQuestionStream<v1::ComputePathsRequest,
 
  private:
   absl::Status Translate(FieldRequest& question) override;
-  absl::StatusOr<bool> FillPart(v1::ComputePathsResponse& message) override;
-  // The path to the next target, traced if it was not searched for. O(edges
-  // crossed).
-  absl::StatusOr<GeodesicPath> TraceNext();
+  void Cancel() override;
+  absl::StatusOr<NextMessage> FillPart(
+      v1::ComputePathsResponse& message) override;
+  // The path to the next target, if it is there: those that were not searched
+  // for are traced in jobs, which it starts.
+  std::optional<absl::StatusOr<GeodesicPath>> TakeNext();
 
   // Guarded by the stream's lock:
-  TargetReader targets_;  // unless paths were searched for
+  std::shared_ptr<RowPipeline> rows_;  // unless paths were searched for
+  MatrixRow row_;                      // whose paths are being sent
+  size_t next_in_row_ = 0;
   // The path that is being sent, and how many of its points were.
   GeodesicPath path_;
   uint64_t next_point_ = 0;
@@ -241,7 +253,8 @@ class IsolineStream final
 
  private:
   absl::StatusOr<Work> MakeWork() override;
-  absl::StatusOr<bool> FillPart(v1::ComputeIsolinesResponse& message) override;
+  absl::StatusOr<NextMessage> FillPart(
+      v1::ComputeIsolinesResponse& message) override;
 
   uint64_t next_point_ = 0;  // of the isoline; guarded by the stream's lock
 };
@@ -255,7 +268,8 @@ class LogMapStream final
 
  private:
   absl::Status Translate(FieldRequest& question) override;
-  absl::StatusOr<bool> FillPart(v1::ComputeLogMapResponse& message) override;
+  absl::StatusOr<NextMessage> FillPart(
+      v1::ComputeLogMapResponse& message) override;
 
   // Set by Translate, then constant:
   v1::ValueType value_type_ = v1::VALUE_TYPE_FLOAT64;
@@ -275,7 +289,7 @@ class SampleStream final
 
  private:
   absl::StatusOr<Work> MakeWork() override;
-  absl::StatusOr<bool> FillPart(
+  absl::StatusOr<NextMessage> FillPart(
       v1::SampleFarthestPointsResponse& message) override;
 };
 

@@ -27,7 +27,7 @@ struct Place {
     if (const auto* at = std::get_if<VertexPoint>(&point)) {
       return At(at->vertex);
     }
-    return {.point = FacesAround(mesh, point)[0]};
+    return {.point = FirstFaceAround(mesh, point)};
   }
 
   bool is_vertex() const { return vertex != kNoVertex; }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "mesh/scaled_difference.h"
 #include "questions/paths/straight_piece.h"
 #include "solver/windows/window.h"
+#include "solver/work_meter.h"
 #include "surface/surface_location.h"
 #include "tolerances.h"
 
@@ -83,11 +86,12 @@ PlanePoint Quotient(const PlanePoint& to, const PlanePoint& from) {
 class Walker {
  public:
   Walker(const TracedField& field, const PathEnd& end, std::vector<Fork>& forks,
-         double nearness)
+         WorkMeter& meter, double nearness)
       : field_(field),
         mesh_(field.mesh()),
         end_(end),
         forks_(forks),
+        meter_(meter),
         relative_nearness_(nearness),
         last_(end.point) {}
 
@@ -106,33 +110,72 @@ class Walker {
     return forks_[passed_forks_++].taken;
   }
 
-  // The face beyond h to go on in; nothing at a boundary, nor at an edge of
-  // several that was crossed before: no shortest path crosses an edge twice.
-  std::optional<FaceBeyond> Beyond(HalfEdge h) {
+  // The face beyond h to go on in along `line`; nothing at a boundary, nor at
+  // an edge of several that was crossed before: no shortest path crosses an
+  // edge twice. O(faces at the edge).
+  std::optional<FaceBeyond> Beyond(HalfEdge h, const BackLine& line) {
     if (const HalfEdge twin = mesh_.Twin(h); twin != kNoHalfEdge) {
       return FaceBeyond{twin, false};
+    }
+    const std::span<const HalfEdge> all = mesh_.HalfEdgesAt(h);
+    if (all.empty() || !crossed_irregular_.insert(all[0]).second) {
+      return std::nullopt;
     }
     // Into a face that is given twice it is the same way, but to a place within
     // it; nor does a path go from one of the two into the other, but to a place
     // on the edge between them.
     const bool is_behind_end = crossed_.size() > 1;
+    std::unordered_set<uint32_t> apexes;
+    if (is_behind_end) apexes.insert(mesh_.Apex(h));
     std::vector<FaceBeyond> faces;
     mesh_.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
-      const auto has_its_apex = [&](const FaceBeyond& face) {
-        return mesh_.Apex(face.half_edge) == mesh_.Apex(other);
-      };
-      const bool is_known =
-          (is_behind_end && mesh_.Apex(other) == mesh_.Apex(h)) ||
-          std::ranges::any_of(faces, has_its_apex);
+      if (!meter_.Do()) return;
+      const FaceBeyond face{other, is_mirrored};
+      const bool is_known = !apexes.insert(mesh_.Apex(other)).second;
       if (is_known && !MayStartWithin(mesh_.FaceOf(other))) return;
-      faces.push_back({other, is_mirrored});
+      if (LeadsOn(other, Enter(face, line, mesh_.frame(h).length))) {
+        faces.push_back(face);
+      }
     });
     if (faces.empty()) return std::nullopt;
     if (faces.size() == 1) return faces[0];
-    const std::pair edge = std::minmax({mesh_.From(h), mesh_.To(h)});
-    if (std::ranges::find(forked_, edge) != forked_.end()) return std::nullopt;
-    forked_.push_back(edge);
     return faces[Choose(static_cast<uint32_t>(faces.size()))];
+  }
+
+  // Whether a walk that enters the face of h along a line ends there, or comes
+  // out on another side and is not astray: few do of very many at an edge.
+  bool LeadsOn(HalfEdge h, const BackLine& line) const {
+    if (!mesh_.HasNonManifoldEdges()) return true;
+    const PlanePoint apex = ApexOf(mesh_.frame(h));
+    if (StartWithin(end_.arrival.pseudo_source, h, line.end).has_value() ||
+        PassesAt(mesh_.Apex(h), apex, line)) {
+      return true;
+    }
+    if (IsAstray(h, line)) return false;
+    if (RunsInto(apex, line)) return true;
+    const bool goes_right = GoesRight(h, line);
+    const HalfEdge exit = goes_right ? Next(h) : Prev(h);
+    if (mesh_.IsBoundaryEdge(exit)) return false;
+    const BackLine there = Through(h, goes_right, line);
+    const PlanePoint crossing{CrossingOf(there.end, there.way), 0};
+    return !IsFarther(mesh_.From(exit), {0, 0}, there, crossing) &&
+           !IsFarther(mesh_.To(exit), {mesh_.frame(exit).length, 0}, there,
+                      crossing);
+  }
+
+  // Whether a line that enters the face of h leaves it on the right. No window
+  // has crossed a side without length.
+  bool GoesRight(HalfEdge h, const BackLine& line) const {
+    if (!(mesh_.frame(Next(h)).length > 0)) return false;
+    return !(mesh_.frame(Prev(h)).length > 0) ||
+           Cross(line.way, ApexOf(mesh_.frame(h)) - line.end) > 0;
+  }
+
+  // From the frame of h into that of the side on which it leaves the face.
+  BackLine Through(HalfEdge h, bool goes_right, const BackLine& line) const {
+    const HalfEdgeFrame& frame = mesh_.frame(h);
+    return goes_right ? IntoRight(line, frame)
+                      : IntoLeft(line, frame, mesh_.frame(Prev(h)).length);
   }
 
   // Whether the pseudo-source may lie in a face, elsewhere than at its corners.
@@ -216,29 +259,31 @@ class Walker {
       piece_.points.push_back(VertexPoint{pseudo_source});
       return true;
     }
-    const SurfacePoint anchored =
-        from_vertex ? last_ : field_.AnchorOf(pseudo_source).begin;
+    const SurfacePoint anchored = from_vertex
+                                      ? SurfacePoint(VertexPoint{pseudo_source})
+                                      : field_.AnchorOf(pseudo_source).begin;
     if (anchored == last_ && !from_vertex &&
         !field_.AnchorOf(pseudo_source).is_segment) {
       return true;
     }
-    for (const FacePoint& around : FacesAround(mesh_, anchored)) {
-      const HalfEdge h = mesh_.FirstSide(around.face);
-      const std::optional<FacePoint> end =
-          WithinFace(mesh_, last_, around.face);
-      if (!end.has_value()) continue;
-      const PlanePoint place = InFrame(mesh_, *end, h);
-      const std::optional<SurfacePoint> start =
-          StartWithin(pseudo_source, h, place);
-      if (!start.has_value()) continue;
-      if (*start == last_) return true;
-      StartAt(
-          pseudo_source, h,
-          InFrame(mesh_, *WithinFace(mesh_, *start, around.face), h) - place);
-      GoTo(*start, around.face);
-      return true;
-    }
-    return false;
+    const SurfacePoint end = last_;
+    bool arrives = false;
+    VisitSharedFaces(
+        mesh_, anchored, end, [&](const FacePoint&, const FacePoint& at) {
+          const HalfEdge h = mesh_.FirstSide(at.face);
+          const PlanePoint place = InFrame(mesh_, at, h);
+          const std::optional<SurfacePoint> start =
+              StartWithin(pseudo_source, h, place);
+          if (!start.has_value()) return !meter_.Do();
+          arrives = true;
+          if (*start == end) return true;
+          StartAt(
+              pseudo_source, h,
+              InFrame(mesh_, *WithinFace(mesh_, *start, at.face), h) - place);
+          GoTo(*start, at.face);
+          return true;
+        });
+    return arrives;
   }
 
   // The piece that enters its last face through an edge.
@@ -262,12 +307,12 @@ class Walker {
     }
     HalfEdge h = entry;
     // A shortest path enters a face once at most.
-    for (uint32_t faces = 0; faces < mesh_.face_count(); ++faces) {
+    for (uint32_t faces = 0; faces < mesh_.face_count() && meter_.Do();
+         ++faces) {
       crossed_.push_back({h, line, is_mirrored_});
-      const std::optional<FaceBeyond> face = Beyond(h);
+      const std::optional<FaceBeyond> face = Beyond(h, line);
       if (!face.has_value()) return false;
       const HalfEdge beyond = face->half_edge;
-      const HalfEdgeFrame& frame = mesh_.frame(beyond);
       line = Enter(*face, line, mesh_.frame(h).length);
       is_mirrored_ ^= face->is_mirrored;
       if (const std::optional<SurfacePoint> start =
@@ -281,18 +326,16 @@ class Walker {
         GoTo(*start, face_there);
         return true;
       }
-      const PlanePoint apex{frame.apex_x, frame.apex_y};
+      const PlanePoint apex = ApexOf(mesh_.frame(beyond));
       if (PassesThrough(mesh_.Apex(beyond), apex, line, beyond)) return true;
       if (IsAstray(beyond, line)) return false;
-      // No window has crossed a side without length.
-      const double left_length = mesh_.frame(Prev(beyond)).length;
-      bool goes_right = mesh_.frame(Next(beyond)).length > 0;
-      if (goes_right && left_length > 0) {
-        goes_right = Cross(line.way, apex - line.end) > 0;
-        if (RunsInto(apex, line) && Choose(2) == 1) goes_right = !goes_right;
+      bool goes_right = GoesRight(beyond, line);
+      if (mesh_.frame(Next(beyond)).length > 0 &&
+          mesh_.frame(Prev(beyond)).length > 0 && RunsInto(apex, line) &&
+          Choose(2) == 1) {
+        goes_right = !goes_right;
       }
-      line = goes_right ? IntoRight(line, frame)
-                        : IntoLeft(line, frame, left_length);
+      line = Through(beyond, goes_right, line);
       h = goes_right ? Next(beyond) : Prev(beyond);
     }
     return false;
@@ -306,16 +349,20 @@ class Walker {
     const HalfEdgeFrame& frame = mesh_.frame(beyond);
     const PlanePoint crossing{
         CrossingOf(Opposite(line.end), Opposite(line.way)), 0};
+    return IsFarther(mesh_.From(beyond), {0, 0}, line, crossing) ||
+           IsFarther(mesh_.To(beyond), {frame.length, 0}, line, crossing) ||
+           IsFarther(mesh_.Apex(beyond), ApexOf(frame), line, crossing);
+  }
+
+  // Whether a vertex is farther than a path would be there that came along the
+  // line as far as `crossing`.
+  bool IsFarther(uint32_t v, const PlanePoint& at, const BackLine& line,
+                 const PlanePoint& crossing) const {
     const double left = end_.distance - Norm(line.end - crossing);
     const double slack = kAstray * end_.distance + kRoundedPlace;
-    const auto is_farther = [&](uint32_t v, const PlanePoint& at) {
-      const double distance = field_.VertexDistance(v);
-      return std::isfinite(distance) &&
-             distance > left + Norm(at - crossing) + slack;
-    };
-    return is_farther(mesh_.From(beyond), {0, 0}) ||
-           is_farther(mesh_.To(beyond), {frame.length, 0}) ||
-           is_farther(mesh_.Apex(beyond), ApexOf(frame));
+    const double distance = field_.VertexDistance(v);
+    return std::isfinite(distance) &&
+           distance > left + Norm(at - crossing) + slack;
   }
 
   // Whether the line passes a place as near as rounding.
@@ -323,19 +370,24 @@ class Walker {
     return std::abs(Cross(line.way, at - line.end)) <=
            nearness_ * Norm(line.way);
   }
-  // Ends the piece at `vertex`, which lies at `at`, if the path passes there.
-  bool PassesThrough(uint32_t vertex, const PlanePoint& at,
-                     const BackLine& line, HalfEdge h) {
+  // Whether the path passes at `vertex`, which lies at `at`.
+  bool PassesAt(uint32_t vertex, const PlanePoint& at,
+                const BackLine& line) const {
     const double distance = field_.VertexDistance(vertex);
     // Nearer than the end, or the way back would lead in circles.
     if (!(distance < end_.distance) || Coincide(mesh_, end_.point, vertex)) {
       return false;
     }
     const PlanePoint way = at - line.end;
-    if (Dot(way, line.way) <= 0 || !RunsInto(at, line) ||
-        Exceeds(distance + Norm(way), end_.distance + field_.rounding())) {
-      return false;
-    }
+    return Dot(way, line.way) > 0 && RunsInto(at, line) &&
+           !Exceeds(distance + Norm(way), end_.distance + field_.rounding());
+  }
+
+  // Ends the piece at `vertex` if the path passes there.
+  bool PassesThrough(uint32_t vertex, const PlanePoint& at,
+                     const BackLine& line, HalfEdge h) {
+    if (!PassesAt(vertex, at, line)) return false;
+    const PlanePoint way = at - line.end;
     StartAt(vertex, h, way);
     GoOverEdges(Quotient(way, line.way));
     GoTo(VertexPoint{vertex}, mesh_.FaceOf(h));
@@ -346,8 +398,9 @@ class Walker {
   const Mesh& mesh_;
   const PathEnd& end_;
   std::vector<Fork>& forks_;
+  WorkMeter& meter_;
   size_t passed_forks_ = 0;
-  std::vector<std::pair<uint32_t, uint32_t>> forked_;  // edges, by their ends
+  std::unordered_set<HalfEdge> crossed_irregular_;  // the first at each edge
   const double relative_nearness_;
   SurfacePoint last_;
   double nearness_ = 0;  // to a vertex at which the path passes it
@@ -361,8 +414,8 @@ class Walker {
 std::optional<StraightPiece> WalkBack(const TracedField& field,
                                       const PathEnd& end,
                                       std::vector<Fork>& forks,
-                                      double nearness) {
-  return Walker(field, end, forks, nearness).Walk();
+                                      WorkMeter& meter, double nearness) {
+  return Walker(field, end, forks, meter, nearness).Walk();
 }
 
 bool Coincide(const Mesh& mesh, const SurfacePoint& point, uint32_t vertex) {

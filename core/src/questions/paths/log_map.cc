@@ -10,11 +10,13 @@
 #include <variant>
 #include <vector>
 
+#include "absl/container/flat_hash_map.h"
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic/field_path.h"
 #include "questions/paths/straight_piece.h"
 #include "questions/paths/traced_field.h"
+#include "solver/work_meter.h"
 #include "surface/straight_line.h"
 
 namespace geodesic {
@@ -57,12 +59,12 @@ class Compass {
               "source edge (", edge->from, ", ", edge->to,
               "): the surface around it is not one oriented disk"));
         }
-        compass.sectors_.push_back({h, mesh.From(h) == edge->from ? 0 : kPi});
+        compass.Add({h, mesh.From(h) == edge->from ? 0 : kPi});
       }
       compass.zero_direction_ = DirectionBetween(mesh, edge->from, edge->to);
     } else {
       const HalfEdge first = mesh.FirstSide(std::get<FacePoint>(point).face);
-      compass.sectors_.push_back({first, 0});
+      compass.Add({first, 0});
       compass.zero_direction_ = DirectionInSpace(mesh, first, {1, 0});
     }
     return compass;
@@ -74,26 +76,22 @@ class Compass {
   // The angle of a direction in the frame of h, whose face lies around the
   // point.
   double AngleOf(HalfEdge h, const PlanePoint& direction) const {
-    for (const auto& [half_edge, begin] : sectors_) {
-      if (half_edge / 3 != h / 3) continue;
-      const double from_first =
-          AngleInFace(mesh_, h) + std::atan2(direction.y, direction.x);
-      const double within =
-          std::remainder(from_first - AngleInFace(mesh_, half_edge), 2 * kPi);
-      return (begin + within) * scale_;
+    const auto sector = sectors_.find(h / 3);
+    if (sector == sectors_.end()) {
+      return std::numeric_limits<double>::quiet_NaN();
     }
-    return std::numeric_limits<double>::quiet_NaN();
+    const auto& [half_edge, begin] = sector->second;
+    const double from_first =
+        AngleInFace(mesh_, h) + std::atan2(direction.y, direction.x);
+    const double within =
+        std::remainder(from_first - AngleInFace(mesh_, half_edge), 2 * kPi);
+    return (begin + within) * scale_;
   }
   // The angle of the edge to vertex v. REQUIRES: the point is a vertex.
   double AngleTowards(uint32_t v) const {
-    for (const auto& [half_edge, begin] : sectors_) {
-      const HalfEdgeFrame& frame = mesh_.frame(half_edge);
-      if (mesh_.To(half_edge) == v) return begin * scale_;
-      if (mesh_.Apex(half_edge) == v) {
-        return (begin + std::atan2(frame.left_y, frame.left_x)) * scale_;
-      }
-    }
-    return std::numeric_limits<double>::quiet_NaN();
+    const auto spoke = spokes_.find(v);
+    return spoke == spokes_.end() ? std::numeric_limits<double>::quiet_NaN()
+                                  : spoke->second * scale_;
   }
 
  private:
@@ -103,6 +101,10 @@ class Compass {
   };
 
   explicit Compass(const Mesh& mesh) : mesh_(mesh) {}
+
+  void Add(const Sector& sector) {
+    sectors_.emplace(sector.half_edge / 3, sector);
+  }
 
   absl::Status GoAround(uint32_t vertex) {
     const std::span<const HalfEdge> outgoing = mesh_.Outgoing(vertex);
@@ -117,27 +119,41 @@ class Compass {
     for (const HalfEdge h : outgoing) {
       if (mesh_.Twin(h) == kNoHalfEdge) first = h;
     }
+    std::vector<Sector> sectors;
     double angle = 0, zero_angle = 0;
     HalfEdge h = first;
     do {
       if (h == outgoing[0]) zero_angle = angle;
-      sectors_.push_back({h, angle});
-      angle += std::atan2(mesh_.frame(h).left_y, mesh_.frame(h).left_x);
+      sectors.push_back({h, angle});
+      angle += AngleAt(h);
       h = mesh_.Twin(Prev(h));
     } while (h != kNoHalfEdge && h != first);
-    if (sectors_.size() < outgoing.size()) {
+    if (sectors.size() < outgoing.size()) {
       return absl::InvalidArgumentError(
           absl::StrCat("source vertex ", vertex,
                        ": the surface around it is not one oriented disk or "
                        "half-disk"));
     }
-    for (Sector& sector : sectors_) sector.begin -= zero_angle;
+    for (Sector& sector : sectors) {
+      sector.begin -= zero_angle;
+      Add(sector);
+      spokes_.emplace(mesh_.To(sector.half_edge), sector.begin);
+      spokes_.emplace(mesh_.Apex(sector.half_edge),
+                      sector.begin + AngleAt(sector.half_edge));
+    }
     if (h == first) scale_ = 2 * kPi / angle;
     return absl::OkStatus();
   }
 
+  // Of the face's corner at the start of h.
+  double AngleAt(HalfEdge h) const {
+    return std::atan2(mesh_.frame(h).left_y, mesh_.frame(h).left_x);
+  }
+
   const Mesh& mesh_;
-  std::vector<Sector> sectors_;
+  absl::flat_hash_map<uint32_t, Sector> sectors_;  // by h / 3 of their faces
+  // Of a vertex, where its edges begin, by their other ends.
+  absl::flat_hash_map<uint32_t, double> spokes_;
   Point zero_direction_{};
   double scale_ = 1;
 };
@@ -145,9 +161,10 @@ class Compass {
 // The angles at which the shortest paths leave the source.
 class Departures {
  public:
-  Departures(const TracedField& field, const Compass& compass)
+  Departures(const TracedField& field, const Compass& compass, WorkMeter& meter)
       : field_(field),
         compass_(compass),
+        meter_(meter),
         source_(field.AnchorOf(field.mesh().vertex_count()).begin),
         angles_(field.mesh().vertex_count()) {}
 
@@ -162,7 +179,7 @@ class Departures {
       }
       passed.push_back(at);
       const absl::StatusOr<StraightPiece> piece =
-          FollowBack(field_, field_.Vertex(at));
+          FollowBack(field_, field_.Vertex(at), meter_);
       if (!piece.ok()) return piece.status();
       if (IsSource(piece->start)) {
         angle = AngleAt(*piece, at);
@@ -196,6 +213,7 @@ class Departures {
 
   const TracedField& field_;
   const Compass& compass_;
+  WorkMeter& meter_;
   const SurfacePoint source_;
   std::vector<std::optional<double>> angles_;
 };
@@ -203,8 +221,8 @@ class Departures {
 }  // namespace
 
 absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const ValidQuery& query,
-                                     const DistanceField& field,
-                                     double radius) {
+                                     const DistanceField& field, double radius,
+                                     Checkpoint& checkpoint) {
   if (!(radius >= 0)) {
     return InvalidField(
         "radius", absl::StrCat("radius ", radius, " is not a number >= 0"));
@@ -221,8 +239,12 @@ absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const ValidQuery& query,
   if (!compass.ok()) return compass.status();
   LogMap map{.zero_direction = compass->zero_direction()};
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  Departures departures(*traced, *compass);
+  const auto poll = [&] { return checkpoint.Poll(ProgressOf(field)); };
+  WorkMeter meter(poll);
+  Departures departures(*traced, *compass, meter);
+  map.coordinates.reserve(mesh.vertex_count());
   for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (!meter.Do()) return meter.status();
     const double distance = field.distances[v] - sources[0].offset;
     map.coordinates.push_back({kNaN, kNaN});
     if (mesh.Outgoing(v).empty()) continue;
@@ -236,6 +258,13 @@ absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const ValidQuery& query,
   }
   mesh.SpreadToJoined(map.coordinates);
   return map;
+}
+
+absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const ValidQuery& query,
+                                     const DistanceField& field,
+                                     double radius) {
+  NoCheckpoint checkpoint;
+  return ComputeLogMap(mesh, query, field, radius, checkpoint);
 }
 
 }  // namespace geodesic

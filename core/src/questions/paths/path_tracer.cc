@@ -23,7 +23,7 @@ absl::Status OutOfRange(const char* name, uint32_t number, const char* owner,
 }  // namespace
 
 absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
-                                       double distance) {
+                                       double distance, WorkMeter& meter) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (end.arrival.pseudo_source == kNoPseudoSource) {
     return GeodesicPath{.distance = kInfinity, .length = kInfinity};
@@ -32,7 +32,7 @@ absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
   path.points.push_back(end.point);
   // From one vertex to a nearer one: no vertex comes twice.
   for (uint32_t pieces = 0; pieces <= field.mesh().vertex_count(); ++pieces) {
-    absl::StatusOr<StraightPiece> piece = FollowBack(field, end);
+    absl::StatusOr<StraightPiece> piece = FollowBack(field, end, meter);
     if (!piece.ok()) return piece.status();
     path.points.insert(path.points.end(), piece->points.begin(),
                        piece->points.end());
@@ -44,7 +44,9 @@ absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
     path.source = anchor.source;
     path.length = std::max(distance - anchor.offset, 0.0);
     std::ranges::reverse(path.points);
+    path.positions.reserve(path.points.size());
     for (const SurfacePoint& point : path.points) {
+      if (!meter.Do()) return meter.status();
       path.positions.push_back(PositionOf(point, field.mesh()));
     }
     return path;
@@ -52,8 +54,9 @@ absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
   return absl::InternalError("the trace leads in circles");
 }
 
-PathTracer::PathTracer(std::unique_ptr<const TracedField> field)
-    : field_(std::move(field)) {}
+PathTracer::PathTracer(std::unique_ptr<const TracedField> field,
+                       const Progress& progress)
+    : field_(std::move(field)), progress_(progress) {}
 PathTracer::PathTracer(PathTracer&&) noexcept = default;
 PathTracer& PathTracer::operator=(PathTracer&&) noexcept = default;
 PathTracer::~PathTracer() = default;
@@ -63,25 +66,46 @@ absl::StatusOr<PathTracer> PathTracer::Create(const Mesh& mesh,
                                               const DistanceField& field) {
   absl::StatusOr<TracedField> traced = TracedField::Create(mesh, query, field);
   if (!traced.ok()) return traced.status();
-  return PathTracer(std::make_unique<TracedField>(*std::move(traced)));
+  return PathTracer(std::make_unique<TracedField>(*std::move(traced)),
+                    ProgressOf(field));
 }
 
-absl::StatusOr<GeodesicPath> PathTracer::ToVertex(uint32_t vertex) const {
+absl::StatusOr<GeodesicPath> PathTracer::ToVertex(
+    uint32_t vertex, Checkpoint& checkpoint) const {
   const uint32_t count = field_->mesh().vertex_count();
   if (vertex >= count) {
     return OutOfRange("vertex", vertex, "mesh", count, "vertices");
   }
-  return TracePath(*field_, field_->Vertex(vertex),
-                   field_->distances().vertices[vertex]);
+  return Trace(field_->Vertex(vertex), field_->distances().vertices[vertex],
+               checkpoint);
 }
 
-absl::StatusOr<GeodesicPath> PathTracer::ToTarget(uint32_t target) const {
+absl::StatusOr<GeodesicPath> PathTracer::ToTarget(
+    uint32_t target, Checkpoint& checkpoint) const {
   const size_t count = field_->targets().size();
   if (target >= count) {
     return OutOfRange("target", target, "query", count, "targets");
   }
-  return TracePath(*field_, field_->Target(target),
-                   field_->distances().targets[target]);
+  return Trace(field_->Target(target), field_->distances().targets[target],
+               checkpoint);
+}
+
+absl::StatusOr<GeodesicPath> PathTracer::ToVertex(uint32_t vertex) const {
+  NoCheckpoint checkpoint;
+  return ToVertex(vertex, checkpoint);
+}
+
+absl::StatusOr<GeodesicPath> PathTracer::ToTarget(uint32_t target) const {
+  NoCheckpoint checkpoint;
+  return ToTarget(target, checkpoint);
+}
+
+absl::StatusOr<GeodesicPath> PathTracer::Trace(const PathEnd& end,
+                                               double distance,
+                                               Checkpoint& checkpoint) const {
+  const auto poll = [&] { return checkpoint.Poll(progress_); };
+  WorkMeter meter(poll);
+  return TracePath(*field_, end, distance, meter);
 }
 
 }  // namespace geodesic

@@ -6,13 +6,14 @@
 #include "absl/status/statusor.h"
 #include "geodesic/path.h"
 #include "questions/paths/traced_field.h"
+#include "solver/work_meter.h"
 
 namespace geodesic {
 
-// `distance`: the field's at `end`, in the unit of the file. O(edges crossed).
-// Errors: INTERNAL: the trace does not lead back.
+// `distance`: the field's at `end`, in the unit of the file. Cost as
+// FollowBack. Errors: INTERNAL: the trace does not lead back; the meter's.
 absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
-                                       double distance);
+                                       double distance, WorkMeter& meter);
 
 }  // namespace geodesic
 

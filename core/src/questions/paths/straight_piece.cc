@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <set>
+#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -23,15 +23,18 @@ struct Joined {
   size_t from;
 };
 
-// The vertices that edges without length join to `vertex`, itself the first.
-std::vector<Joined> JoinedTo(const Mesh& mesh, uint32_t vertex) {
+// The vertices that edges without length join to `vertex`, itself the first;
+// not all if the meter says stop.
+std::vector<Joined> JoinedTo(const Mesh& mesh, uint32_t vertex,
+                             WorkMeter& meter) {
   std::vector<Joined> joined = {{vertex, 0}};
-  std::set<uint32_t> known = {vertex};
+  std::unordered_set<uint32_t> known = {vertex};
   for (size_t i = 0; i < joined.size(); ++i) {
     const auto reach = [&](uint32_t v, double length) {
       if (length == 0 && known.insert(v).second) joined.push_back({v, i});
     };
     for (const HalfEdge h : mesh.Outgoing(joined[i].vertex)) {
+      if (!meter.Do()) return joined;
       reach(mesh.To(h), mesh.frame(h).length);
       reach(mesh.Apex(h), mesh.frame(Prev(h)).length);
     }
@@ -52,12 +55,12 @@ double Misses(const TracedField& field, const PathEnd& end,
 // Whether a piece leads away from its end: of vertices joined without length
 // one has to.
 bool LeadsAway(const TracedField& field, const PathEnd& end,
-               const StraightPiece& piece) {
+               const StraightPiece& piece, WorkMeter& meter) {
   if (!field.IsVertex(piece.start) ||
       !Coincide(field.mesh(), end.point, piece.start)) {
     return true;
   }
-  const std::vector<Joined> joined = JoinedTo(field.mesh(), piece.start);
+  const std::vector<Joined> joined = JoinedTo(field.mesh(), piece.start, meter);
   const uint32_t at = std::get<VertexPoint>(end.point).vertex;
   return std::ranges::find(joined, at, &Joined::vertex) == joined.end();
 }
@@ -75,25 +78,30 @@ bool MayPrecede(const TracedField& field, uint32_t vertex, const PathEnd& end) {
 // Calls take(piece) for what walks from `end` in all the ways there are arrive
 // by, until it returns true.
 template <typename Take>
-bool WalkEveryWay(const TracedField& field, const PathEnd& end, Take take) {
+bool WalkEveryWay(const TracedField& field, const PathEnd& end,
+                  WorkMeter& meter, Take take) {
   // No more are tried. Walks that go astray end soon (back_walk.cc), so that
   // few are needed.
   constexpr size_t kMostWalks = 1024;
   for (const double nearness : {kPassedVertex, kPassedNarrowly}) {
     // Walks that take the first way nearly everywhere come before others.
     std::deque<std::vector<Fork>> untried = {{}};
-    for (size_t walks = 0; walks < kMostWalks && !untried.empty(); ++walks) {
+    for (size_t walks = 0;
+         walks < kMostWalks && !untried.empty() && meter.status().ok();
+         ++walks) {
       std::vector<Fork> forks = std::move(untried.front());
       untried.pop_front();
       size_t next = forks.size();
       std::optional<StraightPiece> piece =
-          WalkBack(field, end, forks, nearness);
-      if (piece.has_value() && LeadsAway(field, end, *piece) && take(*piece)) {
+          WalkBack(field, end, forks, meter, nearness);
+      if (piece.has_value() && LeadsAway(field, end, *piece, meter) &&
+          take(*piece)) {
         return true;
       }
       for (; next < forks.size() && untried.size() < kMostWalks; ++next) {
         std::vector<Fork> other(forks.begin(), forks.begin() + next + 1);
-        for (uint32_t way = 1; way < forks[next].ways; ++way) {
+        for (uint32_t way = 1;
+             way < forks[next].ways && untried.size() < kMostWalks; ++way) {
           other.back().taken = way;
           untried.push_back(other);
         }
@@ -105,9 +113,9 @@ bool WalkEveryWay(const TracedField& field, const PathEnd& end, Take take) {
 
 // As long as distances say.
 std::optional<StraightPiece> WalkSoundly(const TracedField& field,
-                                         const PathEnd& end) {
+                                         const PathEnd& end, WorkMeter& meter) {
   std::optional<StraightPiece> found;
-  WalkEveryWay(field, end, [&](StraightPiece& piece) {
+  WalkEveryWay(field, end, meter, [&](StraightPiece& piece) {
     if (!(Misses(field, end, piece) <=
           kAsLong * end.distance + field.rounding())) {
       return false;
@@ -122,9 +130,10 @@ std::optional<StraightPiece> WalkSoundly(const TracedField& field,
 // short that rounding has bent it: by all walks, however long, and straight
 // from the pseudo-source that the trace names and from the corners around.
 template <typename Take>
-void TryEverything(const TracedField& field, const PathEnd& end, Take take) {
+void TryEverything(const TracedField& field, const PathEnd& end,
+                   WorkMeter& meter, Take take) {
   const Mesh& mesh = field.mesh();
-  WalkEveryWay(field, end, [&](StraightPiece& piece) {
+  WalkEveryWay(field, end, meter, [&](StraightPiece& piece) {
     take(piece);
     return false;
   });
@@ -132,7 +141,7 @@ void TryEverything(const TracedField& field, const PathEnd& end, Take take) {
     PathEnd straight = end;
     straight.arrival = {.pseudo_source = pseudo_source};
     std::vector<Fork> forks;
-    if (auto piece = WalkBack(field, straight, forks)) take(*piece);
+    if (auto piece = WalkBack(field, straight, forks, meter)) take(*piece);
   };
   // Between vertices it takes an edge to be there.
   const uint32_t named = end.arrival.pseudo_source;
@@ -140,11 +149,12 @@ void TryEverything(const TracedField& field, const PathEnd& end, Take take) {
       !field.IsVertex(named)) {
     go_straight(named);
   }
-  for (const FacePoint& around : FacesAround(mesh, end.point)) {
+  VisitFacesAround(mesh, end.point, [&](const FacePoint& around) {
     for (const uint32_t corner : mesh.triangle(around.face)) {
       if (MayPrecede(field, corner, end)) go_straight(corner);
     }
-  }
+    return !meter.Do();
+  });
 }
 
 // The way from the first of `joined` to number `i`.
@@ -162,17 +172,17 @@ std::vector<SurfacePoint> WayBetween(const std::vector<Joined>& joined,
 // to it without length: the one whose length is nearest to what distances say.
 // Nothing if all miss that by more than rounding.
 std::optional<StraightPiece> FindNearest(const TracedField& field,
-                                         const PathEnd& end) {
+                                         const PathEnd& end, WorkMeter& meter) {
   std::optional<StraightPiece> nearest;
   double least = kAsLong * end.distance + kRoundedPlace + field.rounding();
   const auto* vertex = std::get_if<VertexPoint>(&end.point);
   const std::vector<Joined> joined =
-      vertex != nullptr ? JoinedTo(field.mesh(), vertex->vertex)
+      vertex != nullptr ? JoinedTo(field.mesh(), vertex->vertex, meter)
                         : std::vector<Joined>(1);
-  for (size_t i = 0; i < joined.size(); ++i) {
+  for (size_t i = 0; i < joined.size() && meter.status().ok(); ++i) {
     const PathEnd from =
         vertex != nullptr ? field.Vertex(joined[i].vertex) : end;
-    TryEverything(field, from, [&](StraightPiece& piece) {
+    TryEverything(field, from, meter, [&](StraightPiece& piece) {
       if (field.IsVertex(piece.start) && !MayPrecede(field, piece.start, end)) {
         return;
       }
@@ -190,12 +200,14 @@ std::optional<StraightPiece> FindNearest(const TracedField& field,
 }  // namespace
 
 absl::StatusOr<StraightPiece> FollowBack(const TracedField& field,
-                                         const PathEnd& end) {
+                                         const PathEnd& end, WorkMeter& meter) {
   if (end.arrival.pseudo_source == kNoPseudoSource) {
     return absl::InternalError("the trace leads to where no path arrives");
   }
-  if (auto piece = WalkSoundly(field, end)) return *std::move(piece);
-  if (auto piece = FindNearest(field, end)) return *std::move(piece);
+  std::optional<StraightPiece> piece = WalkSoundly(field, end, meter);
+  if (!piece.has_value()) piece = FindNearest(field, end, meter);
+  if (!meter.status().ok()) return meter.status();
+  if (piece.has_value()) return *std::move(piece);
   return absl::InternalError(
       absl::StrCat("the trace does not lead back to pseudo-source ",
                    end.arrival.pseudo_source, " through half-edge ",

@@ -18,6 +18,7 @@
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
 #include "questions/paths/traced_field.h"
+#include "solver/work_meter.h"
 #include "surface/surface_location.h"
 #include "tolerances.h"
 
@@ -38,10 +39,11 @@ struct StraightPiece {
   PlanePoint direction;
 };
 
-// The last straight piece of a shortest path to `end`. O(edges crossed).
-// Errors: INTERNAL: the trace does not lead back.
+// The last straight piece of a shortest path to `end`. O(edges crossed + faces
+// at those of several).
+// Errors: INTERNAL: the trace does not lead back; the meter's.
 absl::StatusOr<StraightPiece> FollowBack(const TracedField& field,
-                                         const PathEnd& end);
+                                         const PathEnd& end, WorkMeter& meter);
 
 // Where a walk may go on in several ways: how many there are, and which of them
 // it takes.
@@ -53,12 +55,13 @@ struct Fork {
 // that it may not pass through, and where an edge has several faces beyond, it
 // takes the ways that `forks` names, then the first of each, which it adds. It
 // is led through vertices that it passes no farther than `nearness`, a fraction
-// of its reach, if that makes it no longer. Nothing if it does not arrive. What
-// is found need not be as long as the distances of its ends say, if this is not
-// the way that the path came. O(edges crossed).
+// of its reach, if that makes it no longer. Nothing if it does not arrive, or
+// the meter says stop. What is found need not be as long as the distances of
+// its ends say, if this is not the way that the path came. O(edges crossed).
 std::optional<StraightPiece> WalkBack(const TracedField& field,
                                       const PathEnd& end,
                                       std::vector<Fork>& forks,
+                                      WorkMeter& meter,
                                       double nearness = kPassedVertex);
 
 // Whether a point is a vertex at the place of another.

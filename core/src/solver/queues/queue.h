@@ -54,8 +54,10 @@ void PopTogether(Queue& queue, size_t most, std::vector<uint32_t>& ids) {
   } while (ids.size() < most && queue.Upcoming(1) != kNothing);
 }
 
-// Events or windows between two polls, whichever are more: a millisecond of
-// work at the most, but where there are very many at one half-edge.
+// Steps between two polls: events and the faces around their vertices, windows
+// that were propagated or that were made of these, whichever are most: one may
+// lead into very many faces. A millisecond of work at the most, but where there
+// are very many at one half-edge.
 inline constexpr uint64_t kWorkBetweenPolls = 2048;
 
 // Anchors that are entered between two polls. Each may pass all windows of a

@@ -350,12 +350,19 @@ class Front {
       return;
     }
     Sight sight(*this, number, sink);
+    // An edge may have very many faces: not again for each of them.
+    const auto* on_edge = std::get_if<EdgePoint>(&anchor.begin);
+    const auto is_end = [&](uint32_t v) {
+      return on_edge != nullptr && (v == on_edge->from || v == on_edge->to);
+    };
+    bool knows_ends = false;
     for (const FacePoint& point : FacesAround(mesh_, anchor.begin)) {
       const Arrival straight{.pseudo_source = number};
       for (uint32_t corner = 0; corner < 3; ++corner) {
         const HalfEdge h = mesh_.FirstSide(point.face) + corner;
         const double to_corner = DistanceToCorner(mesh_, point, corner);
-        if (to_corner <= kNearVertex * LongestEdgeAt(mesh_.From(h))) {
+        if (!(knows_ends && is_end(mesh_.From(h))) &&
+            to_corner <= kNearVertex * LongestEdgeAt(mesh_.From(h))) {
           states_[mesh_.From(h)] |= kSource;
         }
         Relax(mesh_.From(h), sigma + to_corner, straight);
@@ -374,6 +381,7 @@ class Front {
       targets_.OfferWithin(point.face, number, [&](const PlanePoint& to) {
         return sigma + std::hypot(to.x - from.x, to.y - from.y);
       });
+      knows_ends = true;
     }
   }
 

@@ -59,10 +59,10 @@ class ListRule {
   // The most half-edges and vertices that are propagated together: fewer where
   // so many windows wait at each half-edge that it would take long.
   size_t most_together() const {
-    if (pending_ <= kMostWindowsTogether) return kMostTogether;
+    if (pending_ <= kMostWindowsTogether) return most_in_round_;
     const size_t half_edges = queues_.size() - free_.size();
     return std::clamp<size_t>(kMostWindowsTogether * half_edges / pending_, 1,
-                              kMostTogether);
+                              most_in_round_);
   }
 
   ListRule(Front& front, uint32_t threads)

@@ -1,0 +1,134 @@
+#include "tests/support/every_question.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "absl/status/statusor.h"
+#include "geodesic/algorithm.h"
+#include "geodesic/approximate/method.h"
+#include "geodesic/approximate/prepare.h"
+#include "geodesic/field_quantities.h"
+#include "geodesic/isolines.h"
+#include "geodesic/landmarks.h"
+#include "geodesic/log_map.h"
+#include "geodesic/path.h"
+#include "geodesic/sampling.h"
+#include "geodesic/solve.h"
+#include "geodesic/target_search.h"
+#include "tests/support/queries.h"
+
+namespace geodesic::test {
+namespace {
+
+Query From(uint32_t source, bool trace) {
+  return {.sources = {{VertexPoint{source}}}, .trace = trace};
+}
+
+// A question about a field with its trace.
+template <typename Ask>
+AnyQuestion OfField(std::string name, Ask ask) {
+  return {std::move(name),
+          [ask](const Mesh& mesh, uint32_t source, Checkpoint& checkpoint) {
+            const ValidQuery query = Valid(mesh, From(source, /*trace=*/true));
+            const DistanceField field =
+                Solve(mesh, From(source, /*trace=*/true)).value();
+            absl::Status status = checkpoint.Poll({});
+            if (!status.ok()) return status;
+            return ask(mesh, query, field, checkpoint);
+          }};
+}
+
+absl::Status TraceSome(const Mesh& mesh, const ValidQuery& query,
+                       const DistanceField& field, Checkpoint& checkpoint) {
+  constexpr uint32_t kPaths = 8;
+  const PathTracer tracer = PathTracer::Create(mesh, query, field).value();
+  const uint32_t count = mesh.vertex_count();
+  for (uint32_t i = 1; i <= std::min(kPaths, count); ++i) {
+    const uint32_t v = count - 1 - (count - 1) / kPaths * (i - 1);
+    absl::Status status = tracer.ToVertex(v, checkpoint).status();
+    if (!status.ok()) return status;
+  }
+  return absl::OkStatus();
+}
+
+absl::Status Search(const Mesh& mesh, uint32_t source, Checkpoint& checkpoint) {
+  Query query = From(source, /*trace=*/true);
+  query.targets = {VertexPoint{mesh.vertex_count() - 1}};
+  TargetSearch search(mesh);
+  return search.Run(Valid(mesh, query), nullptr, checkpoint).status();
+}
+
+absl::Status Approximate(const Mesh& mesh, uint32_t source,
+                         const MethodChoice& choice, Checkpoint& checkpoint) {
+  auto method = PrepareMethod(mesh, choice, 1, checkpoint);
+  if (!method.ok()) return method.status();
+  return (*method)
+      ->Distances(Valid(mesh, From(source, /*trace=*/false)), checkpoint)
+      .status();
+}
+
+}  // namespace
+
+std::vector<AnyQuestion> EveryQuestion(bool algorithms) {
+  std::vector<AnyQuestion> all;
+  for (const AlgorithmInfo& info : kAlgorithms) {
+    const Algorithm algorithm = info.algorithm;
+    if (!algorithms && algorithm != kDefaultAlgorithm) continue;
+    all.push_back({"field by " + std::string(AlgorithmName(algorithm)),
+                   [algorithm](const Mesh& mesh, uint32_t source,
+                               Checkpoint& checkpoint) {
+                     Query query = From(source, /*trace=*/true);
+                     query.algorithm = algorithm;
+                     return Solve(mesh, query, {}, checkpoint).status();
+                   }});
+  }
+  all.push_back(OfField("paths", TraceSome));
+  all.push_back(OfField("log map", [](const auto& mesh, const auto& query,
+                                      const auto& field, auto& checkpoint) {
+    constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+    return ComputeLogMap(mesh, query, field, kNoLimit, checkpoint).status();
+  }));
+  all.push_back(OfField("gradients", [](const auto& mesh, const auto& query,
+                                        const auto& field, auto& checkpoint) {
+    return Gradients(mesh, query, field, checkpoint).status();
+  }));
+  all.push_back(
+      OfField("nearest sources", [](const auto& mesh, const auto& query,
+                                    const auto& field, auto& checkpoint) {
+        return NearestSources(mesh, query, field, checkpoint).status();
+      }));
+  all.push_back({"search", Search});
+  all.push_back({"isolines",
+                 [](const Mesh& mesh, uint32_t source, Checkpoint& checkpoint) {
+                   std::vector<double> levels;
+                   for (int i = 1; i < 20; ++i) levels.push_back(0.1 * i);
+                   return ComputeIsolines(mesh,
+                                          Valid(mesh, From(source, false)),
+                                          levels, {}, checkpoint)
+                       .status();
+                 }});
+  all.push_back({"samples",
+                 [](const Mesh& mesh, uint32_t source, Checkpoint& checkpoint) {
+                   return SampleFarthestPoints(mesh,
+                                               Valid(mesh, From(source, false)),
+                                               4, {}, checkpoint)
+                       .status();
+                 }});
+  all.push_back(
+      {"landmarks", [](const Mesh& mesh, uint32_t, Checkpoint& checkpoint) {
+         return MakeLandmarks(mesh, 2, {}, checkpoint).status();
+       }});
+  for (const ApproximateMethodInfo& info : kApproximateMethods) {
+    all.push_back({std::string(info.name),
+                   [method = info.method](const Mesh& mesh, uint32_t source,
+                                          Checkpoint& checkpoint) {
+                     return Approximate(mesh, source, {.method = method},
+                                        checkpoint);
+                   }});
+  }
+  return all;
+}
+
+}  // namespace geodesic::test
