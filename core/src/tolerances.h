@@ -267,6 +267,12 @@ inline constexpr double kNotDelaunay = 1e-9;
 // distance of its target by this fraction.
 inline constexpr double kArcRounding = 2e-7;
 
+// Of polygons before they are triangles, in a unit in which their largest
+// coordinate is 1 to 2: a corner no farther than this from a line lies on it,
+// and what is no longer has no direction. Some dozen roundings of coordinates,
+// as turning a drawing in space leaves them.
+inline constexpr double kStraightCorner = 1e-14;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_

@@ -15,8 +15,8 @@
 //      order, unused vertices included; STL, which has no indices, and glTF,
 //      which repeats vertices, are welded by exact coordinates in order of
 //      first appearance;
-//   4. turns a polygon with k corners into k - 2 triangles fanned from its
-//      first corner;
+//   4. turns a polygon with k corners into k - 2 triangles that cover it once,
+//      and counts those that cross themselves (see triangle_soup.h);
 //   5. returns only finite coordinates and indices within range.
 //
 // Error messages number the file's faces and vertices from 0, where a face is a
@@ -65,7 +65,9 @@ struct ReadLimits {
   Checkpoint* checkpoint = nullptr;
 };
 
-// Reads a whole file. Thread-safe; linear in the size of `bytes`.
+// Reads a whole file. Thread-safe; linear in the size of `bytes`, but
+// O(n log n) for a polygon of n corners that is not convex, and O(n^2) for
+// contrived ones.
 // Errors: INVALID_ARGUMENT for a malformed file, naming the line (text) or the
 // byte offset (binary) and the element; RESOURCE_EXHAUSTED when a limit is
 // passed, naming it; whatever the checkpoint returns. A file without faces is

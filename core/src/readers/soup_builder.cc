@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/checkpoint.h"
+#include "polygons/cut_polygons.h"
 
 namespace geodesic {
 namespace {
@@ -36,6 +37,9 @@ bool SoupBuilder::ReserveTriangles(uint64_t count) {
 
 absl::StatusOr<TriangleSoup> SoupBuilder::Take() && {
   if (!error_.ok()) return std::move(error_);
+  if (absl::Status s = CutPolygons(is_joined_, checkpoint_, soup_); !s.ok()) {
+    return s;
+  }
   return std::move(soup_);
 }
 
