@@ -26,25 +26,21 @@ struct Neighbours {
   uint32_t next;
 };
 
-double TurnAt(const FlatPolygon& polygon,
-              const std::vector<Neighbours>& neighbours, uint32_t corner) {
-  const Flat at = polygon.At(corner);
-  return Turn(at - polygon.At(neighbours[corner].previous),
-              polygon.At(neighbours[corner].next) - at);
-}
-
-// The order in which ears are cut: those without an area last, then by the
-// length of the cut; ties by vertices, which stay the same whatever corner the
-// polygon begins with.
+// The order in which ears are cut: by the length of the cut; ties by vertices,
+// which stay the same whatever corner the polygon begins with.
 struct ShortestFirst {
-  auto Key(uint32_t corner) const {
-    const auto [previous, next] = (*neighbours)[corner];
-    return std::tuple(TurnAt(*polygon, *neighbours, corner) == 0,
-                      polygon->SquaredDistance(previous, next),
-                      polygon->vertex(corner), polygon->vertex(previous),
-                      polygon->vertex(next), corner);
+  bool operator()(uint32_t a, uint32_t b) const {
+    const auto [a_previous, a_next] = (*neighbours)[a];
+    const auto [b_previous, b_next] = (*neighbours)[b];
+    const double a_cut = polygon->SquaredDistance(a_previous, a_next);
+    const double b_cut = polygon->SquaredDistance(b_previous, b_next);
+    if (a_cut != b_cut) return a_cut < b_cut;
+    const auto key = [this](uint32_t corner, uint32_t previous, uint32_t next) {
+      return std::tuple(polygon->vertex(corner), polygon->vertex(previous),
+                        polygon->vertex(next), corner);
+    };
+    return key(a, a_previous, a_next) < key(b, b_previous, b_next);
   }
-  bool operator()(uint32_t a, uint32_t b) const { return Key(a) < Key(b); }
 
   const FlatPolygon* polygon;
   const std::vector<Neighbours>* neighbours;
@@ -59,7 +55,8 @@ class EarCutter {
         neighbours_(polygon.size()),
         is_cut_(polygon.size()),
         tree_(polygon, pace),
-        ears_(ShortestFirst{&polygon, &neighbours_}) {}
+        ears_(ShortestFirst{&polygon, &neighbours_}),
+        flat_ears_(ShortestFirst{&polygon, &neighbours_}) {}
 
   // Cuts all but two corners.
   bool Run() {
@@ -72,7 +69,7 @@ class EarCutter {
     while (left_ > 2) {
       // What was no ear may have become one where the polygon touches itself.
       const uint32_t before = left_;
-      if (!CollectEars() || !CutCollected() || left_ == before) return false;
+      if (!Collect() || !CutCollected() || left_ == before) return false;
     }
     return true;
   }
@@ -88,27 +85,39 @@ class EarCutter {
   }
 
  private:
-  // All corners that may be ears, by their angle.
-  bool CollectEars() {
+  // Finds all corners that may be ears, by their angle.
+  bool Collect() {
     for (uint32_t corner = 0; corner < polygon_.size(); ++corner) {
-      if (!is_cut_[corner]) Collect(corner);
+      if (!is_cut_[corner]) Add(corner);
       if (!pace_.Goes()) return false;
     }
     return true;
   }
 
-  void Collect(uint32_t corner) {
-    if (TurnAt(polygon_, neighbours_, corner) >= 0) ears_.insert(corner);
+  double TurnAt(uint32_t corner) const {
+    const auto [previous, next] = neighbours_[corner];
+    const Flat at = polygon_.At(corner);
+    return Turn(at - polygon_.At(previous), polygon_.At(next) - at);
   }
 
+  void Add(uint32_t corner) {
+    const double turn = TurnAt(corner);
+    if (turn >= 0) (turn > 0 ? ears_ : flat_ears_).insert(corner);
+  }
+  void Remove(uint32_t corner) {
+    const double turn = TurnAt(corner);
+    if (turn >= 0) (turn > 0 ? ears_ : flat_ears_).erase(corner);
+  }
+
+  // Those without an area last: others may take their corners up.
   bool CutCollected() {
-    while (left_ > 2 && !ears_.empty()) {
-      const uint32_t corner = *ears_.begin();
-      ears_.erase(ears_.begin());
+    while (left_ > 2 && !(ears_.empty() && flat_ears_.empty())) {
       if (!pace_.Goes()) return false;
-      if (TurnAt(polygon_, neighbours_, corner) > 0 && IsBlocked(corner)) {
-        continue;
-      }
+      const bool is_flat = ears_.empty();
+      auto& ears = is_flat ? flat_ears_ : ears_;
+      const uint32_t corner = *ears.begin();
+      ears.erase(ears.begin());
+      if (!is_flat && IsBlocked(corner)) continue;
       if (!Cut(corner)) return false;
     }
     return true;
@@ -116,15 +125,15 @@ class EarCutter {
 
   bool Cut(uint32_t corner) {
     const auto [previous, next] = neighbours_[corner];
-    ears_.erase(previous);
-    ears_.erase(next);
+    Remove(previous);
+    Remove(next);
     neighbours_[previous].next = next;
     neighbours_[next].previous = previous;
     is_cut_[corner] = true;
     --left_;
     if (left_ == 2) return true;
-    Collect(previous);
-    Collect(next);
+    Add(previous);
+    Add(next);
     if (left_ >= tree_.size() / 2) return true;
     std::vector<uint32_t> corners = tree_.Take();
     std::erase_if(corners, [this](uint32_t c) { return is_cut_[c]; });
@@ -171,7 +180,9 @@ class EarCutter {
   std::vector<Neighbours> neighbours_;
   std::vector<bool> is_cut_;
   CornerTree tree_;
+  // Corners that may be ears; those whose triangles have no area are.
   absl::btree_set<uint32_t, ShortestFirst> ears_;
+  absl::btree_set<uint32_t, ShortestFirst> flat_ears_;
 };
 
 }  // namespace

@@ -13,8 +13,7 @@ namespace {
 
 template <typename... Parts>
 absl::Status Refusal(size_t polygon, const Parts&... parts) {
-  return absl::InvalidArgumentError(
-      absl::StrCat("face ", polygon, parts...));
+  return absl::InvalidArgumentError(absl::StrCat("face ", polygon, parts...));
 }
 
 }  // namespace
