@@ -126,7 +126,7 @@ class Mesh:
                 .vtk, .vtp, .glb, .gltf, or .gz of these);
                 or a mesh of trimesh, meshio or PyVista.
             faces: integers (F, 3), the vertices of each triangle; polygons of
-                files and other libraries' meshes become fans of triangles.
+                files and other libraries' meshes become triangles inside them.
 
         Raises:
             InvalidArgument: naming the first offender: a wrong shape or type, a

@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "geodesic/mesh_summary.h"
+#include "geodesic/polygons.h"
 #include "geodesic/read_mesh.h"
 #include "geodesic/surface_point.h"
 #include "places.h"
@@ -22,6 +24,7 @@ namespace {
 
 namespace py = pybind11;
 using DoubleArray = py::array_t<double, py::array::c_style>;
+using IntegerArray = py::array_t<int64_t, py::array::c_style>;
 
 // More than the largest mesh takes in any format.
 constexpr uint64_t kMostGzipBytes = uint64_t{1} << 40;
@@ -31,6 +34,21 @@ MeshHandle BuildMesh(const DoubleArray& vertices, const py::array& faces) {
   Watch watch{py::none()};
   return MeshHandle(
       watch.Run([&] { return Mesh::Build(std::move(soup), watch); }));
+}
+
+py::tuple Triangulate(const DoubleArray& vertices, const IntegerArray& corners,
+                      const IntegerArray& sizes) {
+  std::vector<Point> positions = ToPoints(vertices);
+  const auto all = [](const IntegerArray& numbers) {
+    return std::span(numbers.data(), static_cast<size_t>(numbers.size()));
+  };
+  Watch watch{py::none()};
+  TriangleSoup soup = watch.Run([&] {
+    return TriangulatePolygons(std::move(positions), all(corners), all(sizes),
+                               &watch);
+  });
+  return py::make_tuple(ToArray(std::move(soup.triangles)),
+                        soup.crossing_polygons, soup.first_crossing_polygon);
 }
 
 std::string FormatOf(const std::string& path) {
@@ -142,6 +160,7 @@ void BindMesh(py::module_& module) {
       .def("triangles", &Triangles)
       .def("facts", &Facts);
   module.def("mesh_format", &FormatOf);
+  module.def("triangulate", &Triangulate);
   py::class_<QueryHandle>(module, "Query").def(py::init(&MakeQuery));
 }
 

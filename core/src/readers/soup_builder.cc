@@ -43,13 +43,18 @@ absl::StatusOr<TriangleSoup> SoupBuilder::Take() && {
   return std::move(soup_);
 }
 
+bool SoupBuilder::Poll() {
+  if (checkpoint_ == nullptr) return true;
+  const absl::Status status = checkpoint_->Poll({});
+  return status.ok() || Refuse(status);
+}
+
 bool SoupBuilder::Pause(uint64_t count, Limit& limit) {
   if (count >= limit.most) return RefuseMore(limit);
   limit.next = limit.most;
   if (checkpoint_ == nullptr) return true;
   limit.next = std::min(limit.most, count + kBetweenPauses);
-  const absl::Status status = checkpoint_->Poll({});
-  return status.ok() || Refuse(status);
+  return Poll();
 }
 
 bool SoupBuilder::RefuseMore(const Limit& limit) {

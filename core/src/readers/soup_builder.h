@@ -63,6 +63,9 @@ class SoupBuilder {
     return true;
   }
 
+  // For work that adds nothing: asks the limits' checkpoint.
+  bool Poll();
+
   // Refuses the file. Always false.
   bool Refuse(absl::Status error) {
     error_ = std::move(error);
@@ -71,8 +74,9 @@ class SoupBuilder {
 
   uint64_t vertices() const { return soup_.positions.size(); }
 
-  // REQUIRES: corners name vertices, unless the file was refused. Errors: what Refuse was given; RESOURCE_EXHAUSTED naming the limit that was
-  // passed; what the limits' checkpoint said.
+  // REQUIRES: corners name vertices, unless the file was refused. Errors: what
+  // Refuse was given; RESOURCE_EXHAUSTED naming the limit that was passed; what
+  // the limits' checkpoint said.
   absl::StatusOr<TriangleSoup> Take() &&;
 
  private:
