@@ -287,6 +287,12 @@ inline constexpr double kMostWelded = 1.0 / 2;
 // and of the mean length of all, are told: they were perhaps meant to be one.
 inline constexpr double kSuspicious = 1.0 / 8;
 
+// Of polygons before they are triangles, in a unit in which their largest
+// coordinate is 1 to 2: a corner no farther than this from a line lies on it,
+// and what is no longer has no direction. Some dozen roundings of coordinates,
+// as turning a drawing in space leaves them.
+inline constexpr double kStraightCorner = 1e-14;
+
 }  // namespace geodesic
 
 #endif  // GEODESIC_TOLERANCES_H_

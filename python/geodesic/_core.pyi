@@ -18,6 +18,12 @@ def mesh_format(path: bytes) -> str:
     """That a file's ending names: "obj", "ply"... Raises InvalidArgument, which
     names the endings that are known."""
 
+def triangulate(vertices: NDArray[np.float64], corners: NDArray[np.int64],
+                sizes: NDArray[np.int64]) -> Tuple[NDArray[np.uint32], int, int]:
+    """Polygons as triangles (N, 3), as files' are (geodesic/polygons.h): polygon
+    i has sizes[i] of the `corners`. Then how many cross themselves, and the
+    number of the first. Raises InvalidArgument naming the first bad face."""
+
 class Places:
     """The arrays of geodesic.places.Places."""
     def __init__(self, kinds: NDArray[np.uint8], numbers: NDArray[np.uint32],

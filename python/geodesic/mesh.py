@@ -132,7 +132,7 @@ class Mesh:
                 .vtk, .vtp, .glb, .gltf, or .gz of these);
                 or a mesh of trimesh, meshio or PyVista.
             faces: integers (F, 3), the vertices of each triangle; polygons of
-                files and other libraries' meshes become fans of triangles.
+                files and other libraries' meshes become triangles inside them.
 
             weld: how edges are joined at which faces are kept apart, as programs
                 do where a texture, a normal or a colour changes: True joins

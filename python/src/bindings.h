@@ -8,7 +8,7 @@
 
 namespace geodesic::python {
 
-void BindMesh(pybind11::module_& module);     // Mesh, Query
+void BindMesh(pybind11::module_& module);     // Mesh, Query, polygons
 void BindField(pybind11::module_& module);    // Computation, Field
 void BindMethods(pybind11::module_& module);  // approximate ones
 void BindPaths(pybind11::module_& module);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "bindings.h"
 #include "geodesic/join_seams.h"
 #include "geodesic/mesh_summary.h"
+#include "geodesic/polygons.h"
 #include "geodesic/read_mesh.h"
 #include "geodesic/surface_point.h"
 #include "places.h"
@@ -27,6 +29,7 @@ namespace {
 
 namespace py = pybind11;
 using DoubleArray = py::array_t<double, py::array::c_style>;
+using IntegerArray = py::array_t<int64_t, py::array::c_style>;
 
 // More than the largest mesh takes in any format.
 constexpr uint64_t kMostGzipBytes = uint64_t{1} << 40;
@@ -82,6 +85,21 @@ py::tuple ReadingOf(const MeshHandle& self) {
       ToArray(std::move(joined)),
       std::array<uint64_t, 3>{reading.seam_edges, reading.crossing_polygons,
                               reading.first_crossing_polygon});
+}
+
+py::tuple Triangulate(const DoubleArray& vertices, const IntegerArray& corners,
+                      const IntegerArray& sizes) {
+  std::vector<Point> positions = ToPoints(vertices);
+  const auto all = [](const IntegerArray& numbers) {
+    return std::span(numbers.data(), static_cast<size_t>(numbers.size()));
+  };
+  Watch watch{py::none()};
+  TriangleSoup soup = watch.Run([&] {
+    return TriangulatePolygons(std::move(positions), all(corners), all(sizes),
+                               &watch);
+  });
+  return py::make_tuple(ToArray(std::move(soup.triangles)),
+                        soup.reading.crossing_polygons, soup.reading.first_crossing_polygon);
 }
 
 std::string FormatOf(const std::string& path) {
@@ -209,6 +227,7 @@ void BindMesh(py::module_& module) {
       .def("triangles", &Triangles)
       .def("facts", &Facts);
   module.def("mesh_format", &FormatOf);
+  module.def("triangulate", &Triangulate);
   py::class_<QueryHandle>(module, "Query").def(py::init(&MakeQuery));
 }
 

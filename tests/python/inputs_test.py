@@ -187,13 +187,19 @@ class InputsTest(Refusing):
         line = types.SimpleNamespace(type="line", data=[[0, 1]])
         self.assert_same(
             geodesic.Mesh(
-                types.SimpleNamespace(points=self.vertices,
-                                      cells=[line, block])))
-        self.assert_same(
-            geodesic.Mesh(
-                types.SimpleNamespace(points=self.vertices,
-                                      cells=[("line", [[0, 1]]),
-                                             ("triangle", self.faces)])))
+                types.SimpleNamespace(points=self.vertices, cells=[block])))
+        for cells in ([line, block],
+                      [("line", [[0, 1]]), ("triangle", self.faces)]):
+            with self.assertWarnsRegex(UserWarning,
+                                       "type line are left out") as told:
+                mesh = geodesic.Mesh(
+                    types.SimpleNamespace(points=self.vertices, cells=cells))
+            self.assertEqual(told.filename, __file__)
+            self.assert_same(mesh)
+        self.assert_refused(
+            "no triangles, only cells of type line and vertex", geodesic.Mesh,
+            types.SimpleNamespace(points=self.vertices,
+                                  cells=[line, ("vertex", [[0]])]))
         for cells in ([self.faces.tolist()], [("triangle",)]):
             self.assert_refused(
                 "cells[0] is of type", geodesic.Mesh,
@@ -216,6 +222,81 @@ class InputsTest(Refusing):
             types.SimpleNamespace(points=square[:, :2], cells=[quads]))
         np.testing.assert_array_equal(mesh.faces, wanted)
         np.testing.assert_array_equal(mesh.vertices, square)
+
+    def test_polygons_are_cut_inside_themselves(self):
+        # An L of area 3: from corner 0 to corner 3 straight lines stay inside
+        # by way of corner 2.
+        ell = np.array([[2, 0, 0], [2, 1, 0], [1, 1, 0], [1, 2, 0], [0, 2, 0],
+                        [0, 0, 0.0]])
+        for first in range(6):
+            corners = np.roll(np.arange(6), first)
+            for faces in ({"faces": np.append(6, corners)},
+                          {"cells": [("polygon", [corners.tolist()])]}):
+                mesh = geodesic.Mesh(types.SimpleNamespace(points=ell, **faces))
+                self.assertEqual(mesh.n_faces, 4)
+                self.assertAlmostEqual(mesh.distances(0)[3], 1 + 2**0.5, 12)
+        # Polygons of several sizes.
+        for faces in (
+                {"faces": np.array([6, 0, 1, 2, 3, 4, 5, 3, 5, 1, 0])},
+                {"cells": [("polygon", [[0, 1, 2, 3, 4, 5], [5, 1, 0]])]}):
+            mesh = geodesic.Mesh(types.SimpleNamespace(points=ell, **faces))
+            self.assertEqual(mesh.n_faces, 5)
+            np.testing.assert_array_equal(mesh.faces[4], [5, 1, 0])
+
+    def test_polygons_that_cross_themselves_are_told(self):
+        square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.0]])
+        tie = [0, 2, 1, 3]
+        for faces in ({"faces": np.array([3, 0, 1, 2, 4] + tie)},
+                      {"cells": [("triangle", [[0, 1, 2]]), ("quad", [tie])]}):
+            with self.assertWarnsRegex(UserWarning, "first of them face 1:"
+                                       ) as told:
+                geodesic.Mesh(types.SimpleNamespace(points=square, **faces))
+            self.assertEqual(told.filename, __file__)
+
+    def test_bad_polygons_are_named(self):
+        square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.0]])
+        for faces in ({"faces": np.array([3, 0, 1, 2, 4, 0, 1, 2, 4])},
+                      {"cells": [("triangle", [[0, 1, 2]]),
+                                 ("quad", [[0, 1, 2, 4]])]}):
+            self.assert_refused("face 1 names vertex 4, but there are 4",
+                                geodesic.Mesh,
+                                types.SimpleNamespace(points=square, **faces))
+        self.assert_refused(
+            "faces are of type float64", geodesic.Mesh,
+            types.SimpleNamespace(points=square,
+                                  faces=np.array([4, 0, 1, 2, 3.0])))
+
+    def test_strips_of_pyvista(self):
+        # Two strips over a row of squares, behind a face.
+        points = np.array([[x, y, 0.0] for x in range(4) for y in range(2)])
+        none = np.empty(0, int)
+        strips = np.array([5, 0, 1, 2, 3, 4, 4, 4, 5, 6, 7])
+        wanted = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 5, 6], [6, 5, 7]]
+        for faces, first in ((none, []), (np.array([3, 3, 5, 4]), [[3, 5, 4]])):
+            mesh = geodesic.Mesh(
+                types.SimpleNamespace(points=points, faces=faces, strips=strips,
+                                      lines=none, verts=none))
+            np.testing.assert_array_equal(mesh.faces, first + wanted)
+        self.assert_refused(
+            "strips[6] says that a strip has 4 corners, and 3 numbers",
+            geodesic.Mesh,
+            types.SimpleNamespace(points=points, faces=none,
+                                  strips=strips[:-1]))
+
+    def test_other_things_of_pyvista_and_vtk(self):
+        none = np.empty(0, int)
+        self.assert_refused(
+            "has lines and verts, but no faces", geodesic.Mesh,
+            types.SimpleNamespace(points=self.vertices, faces=none, strips=none,
+                                  lines=np.array([2, 0, 1]),
+                                  verts=np.array([1, 0])))
+        self.assert_refused(
+            "give its surface, .extract_surface()", geodesic.Mesh,
+            types.SimpleNamespace(points=self.vertices,
+                                  cells=np.array([4, 0, 1, 2, 3]),
+                                  extract_surface=None))
+        self.assert_refused("pyvista.wrap", geodesic.Mesh,
+                            types.SimpleNamespace(GetPoints=None))
 
     def test_refused_meshes(self):
         v, f = self.vertices, self.faces

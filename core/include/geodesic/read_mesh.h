@@ -17,8 +17,8 @@
 //      with equal coordinates whose faces hang together by their edges (with
 //      Welding::kNone each corner is a vertex); those of parts that touch only
 //      there come last;
-//   4. turns a polygon with k corners into k - 2 triangles fanned from its
-//      first corner;
+//   4. turns a polygon with k corners into k - 2 triangles that cover it once,
+//      and counts those that cross themselves (see triangle_soup.h);
 //   5. returns only finite coordinates and indices within range;
 //   6. joins boundary edges that lie on each other (join_seams.h) and says so
 //      (TriangleSoup::reading).
@@ -72,7 +72,9 @@ struct ReadLimits {
   Welding welding = {};
 };
 
-// Reads a whole file. Thread-safe; linear in the size of `bytes`.
+// Reads a whole file. Thread-safe; linear in the size of `bytes`, but
+// O(n log n) for a polygon of n corners that is not convex, and O(n^2) for
+// contrived ones.
 // Errors: INVALID_ARGUMENT for a malformed file, naming the line (text) or the
 // byte offset (binary) and the element; RESOURCE_EXHAUSTED when a limit is
 // passed, naming it; those of Validate(welding); whatever the checkpoint

@@ -32,8 +32,10 @@ struct Reading {
   std::vector<JoinedVertex> joined;
   // Edges along which faces meet that the file keeps apart.
   uint64_t seam_edges = 0;
-  // Polygons that cross themselves, so that their triangles lie over each
-  // other, and the number of the first among the file's faces.
+  // Polygons that cross themselves, or turn back so that they have no inside:
+  // these are fans from their first corners, which cover other places or some
+  // of them twice. And the number of the first of them among the polygons of
+  // the file, triangles included, from 0.
   uint64_t crossing_polygons = 0;
   uint64_t first_crossing_polygon = 0;
 
@@ -42,8 +44,12 @@ struct Reading {
 };
 
 // Vertices keep the order of the file. The k - 2 triangles of a polygon with k
-// corners stand in the polygon's place, fanned from its first corner. Nothing
-// is checked beyond what the reader promises (see read_mesh.h).
+// corners stand in the polygon's place and cover it once, turned as it is: if
+// it is convex fanned from its first corner, else cut along short diagonals,
+// the same whichever corner comes first. What bends in space is looked at along
+// the sum of its triangles' normals. A corner that a polygon names twice in a
+// row makes a triangle that names it twice. Nothing is checked beyond what the
+// reader promises (see read_mesh.h).
 struct TriangleSoup {
   std::vector<Point> positions;
   std::vector<Triangle> triangles;

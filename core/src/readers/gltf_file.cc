@@ -123,9 +123,10 @@ double RealAt(const char* bytes, bool is_normalized) {
   return value;
 }
 
-// Only the look is touched by these.
-bool LeavesShapeAlone(std::string_view extension) {
-  return extension == "KHR_mesh_quantization" ||  // read
+// Whether it is read, or touches the look only.
+bool IsKnown(std::string_view extension) {
+  return extension == "KHR_mesh_quantization" ||
+         extension == "EXT_mesh_gpu_instancing" ||
          extension.starts_with("KHR_materials_") ||
          extension.starts_with("KHR_texture_") ||
          extension.starts_with("KHR_lights_") ||
@@ -235,7 +236,7 @@ absl::Status GltfFile::ReadScene(std::string_view text, uint64_t offset) {
       needed != nullptr && needed->is_array()) {
     for (const Json& name : *needed) {
       const auto* const extension = name.get_ptr<const std::string*>();
-      if (extension != nullptr && LeavesShapeAlone(*extension)) continue;
+      if (extension != nullptr && IsKnown(*extension)) continue;
       return Invalid("the file needs ",
                      extension == nullptr ? "an extension without a name"
                                           : Printable(*extension),
@@ -348,7 +349,9 @@ absl::StatusOr<GltfNumbers> GltfFile::Accessor(uint64_t index,
   numbers.component_type_ = static_cast<int>(component);
   numbers.item_bytes_ = BytesOf(component);
   const uint64_t item_bytes =
-      static_cast<uint64_t>(numbers.item_bytes_) * (is_index ? 1 : 3);
+      static_cast<uint64_t>(numbers.item_bytes_) * (is_index         ? 1
+                                                    : type == "VEC3" ? 3
+                                                                     : 4);
   if (numbers.stride_ == 0) numbers.stride_ = item_bytes;
   const uint64_t offset = GltfNumber(*accessor, "byteOffset", 0);
   numbers.count_ = GltfNumber(*accessor, "count", kNoGltfNumber);

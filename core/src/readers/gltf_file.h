@@ -53,9 +53,9 @@ class GltfFile {
 
   const Json& scene() const { return scene_; }
 
-  // The numbers of accessor `index`, which must be of `type` ("VEC3"), and of
-  // unsigned integers if that is "SCALAR". Errors: INVALID_ARGUMENT naming the
-  // accessor.
+  // The numbers of accessor `index`, which must be of `type`: "VEC3", "VEC4",
+  // or "SCALAR", and then of unsigned integers. Errors: INVALID_ARGUMENT naming
+  // the accessor.
   absl::StatusOr<GltfNumbers> Accessor(uint64_t index,
                                        std::string_view type) const;
 

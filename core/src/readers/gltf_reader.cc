@@ -1,9 +1,9 @@
 // glTF 2.0 (".glb", ".gltf"): the triangles of a scene, in its coordinates.
 //
 // The vertices of each node follow those of the nodes before, in the order of
-// the accessors that its primitives name first. Skins and morphs are left as
-// they were modelled.
+// the accessors that its primitives name first. Animations go unread.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -72,12 +72,29 @@ std::optional<std::array<double, kCount>> Numbers(
   return missing;
 }
 
+// Scales, then turns by a quaternion of length 1, then shifts.
+Placement PlacementOf(const std::array<double, 3>& shift,
+                      const std::array<double, 4>& turn,
+                      const std::array<double, 3>& scale) {
+  const auto [x, y, z, w] = turn;
+  Placement placement;
+  placement.columns = {
+      {{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
+       {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
+       {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)},
+       shift}};
+  for (int column = 0; column < 3; ++column) {
+    for (double& entry : placement.columns[column]) entry *= scale[column];
+  }
+  return placement;
+}
+
 // Where a node puts what is in it; empty if it is malformed.
 std::optional<Placement> PlacementOf(const Json& node) {
-  Placement placement;
   if (GltfMember(node, "matrix") != nullptr) {
     const auto matrix = Numbers<16>(node, "matrix", {});
     if (!matrix.has_value()) return std::nullopt;
+    Placement placement;
     for (int column = 0; column < 4; ++column) {
       for (int row = 0; row < 3; ++row) {
         placement.columns[column][row] = (*matrix)[4 * column + row];
@@ -91,16 +108,7 @@ std::optional<Placement> PlacementOf(const Json& node) {
   if (!shift.has_value() || !turn.has_value() || !scale.has_value()) {
     return std::nullopt;
   }
-  const auto [x, y, z, w] = *turn;
-  placement.columns = {
-      {{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
-       {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
-       {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)},
-       *shift}};
-  for (int column = 0; column < 3; ++column) {
-    for (double& entry : placement.columns[column]) entry *= (*scale)[column];
-  }
-  return placement;
+  return PlacementOf(*shift, *turn, *scale);
 }
 
 // Its methods return whether to go on, as SoupBuilder's do.
@@ -187,9 +195,86 @@ class GltfReader {
       if (found == nullptr) {
         return Refuse("node ", index, " has a mesh that is not there");
       }
-      if (!ReadMesh(mesh, *found, placement)) return false;
+      if (GltfMember(node, "skin") != nullptr) {
+        return Refuse("node ", index, " has a skin, which is not read: ",
+                      "apply its pose, or save the mesh without");
+      }
+      if (IsMorphed(GltfMember(node, "weights") != nullptr ? node : *found)) {
+        return Refuse("node ", index, " has a mesh whose morph targets have ",
+                      "weights, which are not read: apply them first");
+      }
+      if (!ReadInstances(index, node, mesh, *found, placement)) return false;
     }
     return Push(absl::StrCat("node ", index), node, "children", placement);
+  }
+
+  // Whether its morph targets change the mesh.
+  static bool IsMorphed(const Json& node_or_mesh) {
+    const Json* const weights = GltfMember(node_or_mesh, "weights");
+    return weights != nullptr &&
+           !std::all_of(weights->begin(), weights->end(),
+                        [](const Json& weight) { return weight == 0; });
+  }
+
+  // The mesh of a node once, or where EXT_mesh_gpu_instancing puts it.
+  bool ReadInstances(uint64_t index, const Json& node, uint64_t mesh_index,
+                     const Json& mesh, const Placement& placement) {
+    const Json* const extensions = GltfMember(node, "extensions");
+    const Json* const instancing =
+        extensions == nullptr
+            ? nullptr
+            : GltfMember(*extensions, "EXT_mesh_gpu_instancing");
+    if (instancing == nullptr) return ReadMesh(mesh_index, mesh, placement);
+    const Json* const attributes = GltfMember(*instancing, "attributes");
+    std::array<std::optional<GltfNumbers>, 3> parts;
+    std::optional<uint64_t> count;
+    for (int i = 0; i < 3; ++i) {
+      constexpr std::array<const char*, 3> kNames = {"TRANSLATION", "ROTATION",
+                                                     "SCALE"};
+      if (attributes == nullptr ||
+          GltfMember(*attributes, kNames[i]) == nullptr) {
+        continue;
+      }
+      const absl::StatusOr<GltfNumbers> found =
+          file_.Accessor(GltfNumber(*attributes, kNames[i], kNoGltfNumber),
+                         i == 1 ? "VEC4" : "VEC3");
+      if (!found.ok()) {
+        return Refuse("node ", index,
+                      ": instances: ", found.status().message());
+      }
+      if (count.value_or(found->count()) != found->count()) {
+        return Refuse("node ", index, ": its instances have ", *count, " and ",
+                      found->count(), " places");
+      }
+      count = found->count();
+      parts[i] = *found;
+    }
+    if (!count.has_value()) {
+      return Refuse("node ", index, ": its instances have no TRANSLATION, ",
+                    "ROTATION or SCALE");
+    }
+    for (uint64_t instance = 0; instance < *count; ++instance) {
+      std::array<double, 3> shift = {0, 0, 0};
+      std::array<double, 4> turn = {0, 0, 0, 1};
+      std::array<double, 3> scale = {1, 1, 1};
+      const auto take = [instance](const std::optional<GltfNumbers>& numbers,
+                                   auto& values) {
+        if (!numbers.has_value()) return;
+        for (size_t k = 0; k < values.size(); ++k) {
+          values[k] = numbers->Real(instance, static_cast<int>(k));
+        }
+      };
+      take(parts[0], shift);
+      take(parts[1], turn);
+      take(parts[2], scale);
+      // A mesh may be long to read, and add nothing.
+      if (!builder_.Poll() ||
+          !ReadMesh(mesh_index, mesh,
+                    placement.After(PlacementOf(shift, turn, scale)))) {
+        return false;
+      }
+    }
+    return true;
   }
 
   bool ReadMesh(uint64_t index, const Json& mesh, const Placement& placement) {

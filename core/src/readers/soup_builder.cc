@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/checkpoint.h"
+#include "polygons/cut_polygons.h"
 
 namespace geodesic {
 namespace {
@@ -36,7 +37,16 @@ bool SoupBuilder::ReserveTriangles(uint64_t count) {
 
 absl::StatusOr<TriangleSoup> SoupBuilder::Take() && {
   if (!error_.ok()) return std::move(error_);
+  if (absl::Status s = CutPolygons(is_joined_, checkpoint_, soup_); !s.ok()) {
+    return s;
+  }
   return std::move(soup_);
+}
+
+bool SoupBuilder::Poll() {
+  if (checkpoint_ == nullptr) return true;
+  const absl::Status status = checkpoint_->Poll({});
+  return status.ok() || Refuse(status);
 }
 
 bool SoupBuilder::Pause(uint64_t count, Limit& limit) {
@@ -44,8 +54,7 @@ bool SoupBuilder::Pause(uint64_t count, Limit& limit) {
   limit.next = limit.most;
   if (checkpoint_ == nullptr) return true;
   limit.next = std::min(limit.most, count + kBetweenPauses);
-  const absl::Status status = checkpoint_->Poll({});
-  return status.ok() || Refuse(status);
+  return Poll();
 }
 
 bool SoupBuilder::RefuseMore(const Limit& limit) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -13,8 +14,9 @@
 
 namespace geodesic {
 
-// Polygons arrive corner by corner, so that no polygon is ever held beside its
-// triangles, however many corners it claims.
+// Polygons arrive corner by corner and are held as fans, so that none is ever
+// held beside its triangles, however many corners it claims. At the end, when
+// all vertices are known, they are cut.
 //
 // Calls return whether to go on. After the first false the file is refused, and
 // Take says why.
@@ -36,6 +38,12 @@ class SoupBuilder {
     return true;
   }
 
+  // Takes all vertices at once. REQUIRES: there are none yet, and no more than
+  // the limit.
+  void SetVertices(std::vector<Point> positions) {
+    soup_.positions = std::move(positions);
+  }
+
   // Starts a polygon; its corners follow. One with fewer than three corners
   // adds no triangle: that is for the caller to refuse.
   void BeginFace() { corners_ = 0; }
@@ -45,6 +53,7 @@ class SoupBuilder {
           !Pause(soup_.triangles.size(), triangles_)) {
         return false;
       }
+      if (corners_ > 2) Join();
       soup_.triangles.push_back({first_, previous_, vertex});
     } else if (corners_ == 0) {
       first_ = vertex;
@@ -54,6 +63,9 @@ class SoupBuilder {
     return true;
   }
 
+  // For work that adds nothing: asks the limits' checkpoint.
+  bool Poll();
+
   // Refuses the file. Always false.
   bool Refuse(absl::Status error) {
     error_ = std::move(error);
@@ -62,8 +74,9 @@ class SoupBuilder {
 
   uint64_t vertices() const { return soup_.positions.size(); }
 
-  // Errors: what Refuse was given; RESOURCE_EXHAUSTED naming the limit that was
-  // passed; what the limits' checkpoint said.
+  // REQUIRES: corners name vertices, unless the file was refused. Errors: what
+  // Refuse was given; RESOURCE_EXHAUSTED naming the limit that was passed; what
+  // the limits' checkpoint said.
   absl::StatusOr<TriangleSoup> Take() &&;
 
  private:
@@ -77,12 +90,19 @@ class SoupBuilder {
   // Asks whether more than `count` may be added.
   bool Pause(uint64_t count, Limit& limit);
   bool RefuseMore(const Limit& limit);
+  // Says that the next triangle belongs to the polygon of the last.
+  void Join() {
+    is_joined_.resize(soup_.triangles.size());
+    is_joined_.push_back(true);
+  }
 
   Limit vertices_;
   Limit triangles_;
   Checkpoint* const checkpoint_;
   absl::Status error_;
   TriangleSoup soup_;
+  // See CutPolygons.
+  std::vector<bool> is_joined_;
   // Of the polygon at hand.
   uint64_t corners_ = 0;
   uint32_t first_ = 0;

@@ -47,11 +47,14 @@ uint64_t LastFactor(const UploadHeader& header) {
                                              : kLastFactor;
 }
 
-// Half of the bytes is for vertices and half for triangles. An array that grows
-// takes twice its content while it is moved.
+// An array that grows takes twice its content while it is moved, so half of the
+// bytes is for vertices, and a little less than half for triangles: with each
+// goes a bit that says of which polygon it is. Polygons are cut when nothing
+// grows any more: a polygon of all triangles then has half of the bytes
+// and more, 26 for each of its corners (kCuttingBytes).
 ReadLimits LimitsWithin(uint64_t bytes) {
   return {.max_vertices = bytes / (4 * sizeof(Point)),
-          .max_triangles = bytes / (4 * sizeof(Triangle))};
+          .max_triangles = bytes / (4 * sizeof(Triangle) + 4)};
 }
 
 absl::Status CheckArraysHeader(const UploadHeader& header,

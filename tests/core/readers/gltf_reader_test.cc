@@ -121,6 +121,81 @@ TEST(GltfReaderTest, AMeshMayStandInSeveralPlaces) {
   EXPECT_EQ(soup.reading.seam_edges, 3u);
 }
 
+// A triangle with its right angle at 0, and these instances of it.
+std::string Instanced(const std::string& attributes) {
+  ByteWriter buffer;
+  buffer.Put<float>(0, 0, 0, 1, 0, 0, 0, 1, 0);
+  buffer.Put<float>(0, 0, 0, 10, 0, 0);                 // translations
+  buffer.Put<int16_t>(0, 0, 0, 32767, 0, 0, 32767, 0);  // half a turn about z
+  buffer.Put<float>(1, 1, 1, 2, 3, 1);                  // scales
+  return Glb(absl::StrCat(R"({"asset": {"version": "2.0"},
+    "extensionsRequired": ["EXT_mesh_gpu_instancing"],
+    "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0, "translation": [0, 0, 5],
+      "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {)",
+                          attributes, R"(}}}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [
+      {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+      {"bufferView": 1, "componentType": 5126, "count": 2, "type": "VEC3"},
+      {"bufferView": 2, "componentType": 5122, "count": 2, "type": "VEC4",
+       "normalized": true},
+      {"bufferView": 3, "componentType": 5126, "count": 2, "type": "VEC3"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36},
+      {"buffer": 0, "byteOffset": 36, "byteLength": 24},
+      {"buffer": 0, "byteOffset": 60, "byteLength": 16},
+      {"buffer": 0, "byteOffset": 76, "byteLength": 24}],
+    "buffers": [{"byteLength": 100}]})"),
+             buffer.bytes());
+}
+
+TEST(GltfReaderTest, InstancesStandWhereTheirNodePutsThem) {
+  const Point at0 = {0, 0, 5}, x1 = {1, 0, 5}, y1 = {0, 1, 5};
+  // The second is scaled to 2 by 3, turned by half, shifted by 10, and then
+  // raised by the node as both are.
+  EXPECT_THAT(ExpectRead(Read(Instanced(
+                             R"("TRANSLATION": 1, "ROTATION": 2, "SCALE": 3)")))
+                  .positions,
+              ElementsAre(at0, x1, y1, Point{10, 0, 5}, Point{8, 0, 5},
+                          Point{10, -3, 5}));
+  const TriangleSoup soup =
+      ExpectRead(Read(Instanced(R"("TRANSLATION": 1, "_ID": 9)")));
+  EXPECT_THAT(soup.positions, ElementsAre(at0, x1, y1, Point{10, 0, 5},
+                                          Point{11, 0, 5}, Point{10, 1, 5}));
+  EXPECT_THAT(soup.triangles,
+              ElementsAre(Triangle{0, 1, 2}, Triangle{3, 4, 5}));
+}
+
+TEST(GltfReaderTest, BadInstancesAreNamed) {
+  EXPECT_THAT(Read(Instanced(R"("_ID": 1)")),
+              IsInvalidWith("node 0: its instances have no TRANSLATION"));
+  EXPECT_THAT(Read(Instanced(R"("TRANSLATION": 0, "SCALE": 3)")),
+              IsInvalidWith("node 0: its instances have 3 and 2 places"));
+  EXPECT_THAT(Read(Instanced(R"("ROTATION": 1)")),
+              IsInvalidWith("node 0: instances: accessor 1 is not of type "
+                            "VEC4"));
+  EXPECT_THAT(Read(Instanced(R"("TRANSLATION": 7)")),
+              IsInvalidWith("node 0: instances: there is no accessor 7"));
+}
+
+TEST(GltfReaderTest, SkinsAndMorphsAreNotLeftOutSilently) {
+  EXPECT_THAT(Read(Square("{\"mesh\": 0}", "{\"mesh\": 0, \"skin\": 0}")),
+              IsInvalidWith("node 0 has a skin, which is not read"));
+  EXPECT_THAT(
+      Read(Square("{\"mesh\": 0}", "{\"mesh\": 0, \"weights\": [0, 0.5]}")),
+      IsInvalidWith("node 0 has a mesh whose morph targets have weights"));
+  EXPECT_THAT(
+      Read(Square("[{\"primitives\"", "[{\"weights\": [1], \"primitives\"")),
+      IsInvalidWith("node 0 has a mesh whose morph targets have weights"));
+  // The node's count, if there are any.
+  std::string scene = kSquare;
+  absl::StrReplaceAll(
+      {{"[{\"primitives\"", "[{\"weights\": [1], \"primitives\""},
+       {"{\"mesh\": 0}", "{\"mesh\": 0, \"weights\": [0]}"}},
+      &scene);
+  EXPECT_THAT(ExpectRead(Read(Glb(scene, SquareBytes()))).triangles, SizeIs(2));
+}
+
 TEST(GltfReaderTest, StripsAndFansBecomeTriangles) {
   const std::string mode = R"("indices": 1})";
   EXPECT_THAT(

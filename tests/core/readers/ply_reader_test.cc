@@ -218,9 +218,10 @@ TEST(PlyAsciiTest, TakesPropertiesOfAnyTypeInAnyOrder) {
       "0 3 0 1 2 0\n2 0.5 nan 5 3 2 1 0 1 255\n"));
   EXPECT_THAT(soup.positions, ElementsAre(Point{1, 2, 0.1}, Point{3, 4, 0.2},
                                           Point{0, 0, 0}, Point{1, 1, 0}));
+  // From corner 1 the second polygon goes to corner 0 and back.
   EXPECT_THAT(soup.triangles,
-              ElementsAre(Triangle{0, 1, 2}, Triangle{3, 2, 1},
-                          Triangle{3, 1, 0}, Triangle{3, 0, 1}));
+              ElementsAre(Triangle{0, 1, 2}, Triangle{1, 3, 1},
+                          Triangle{3, 2, 1}, Triangle{1, 0, 1}));
 }
 
 TEST(PlyAsciiTest, MessagesNameLineAndElement) {

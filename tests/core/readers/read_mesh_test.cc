@@ -16,6 +16,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "absl/strings/str_cat.h"
 #include "absl/strings/str_replace.h"
 #include "tests/core/readers/byte_writer.h"
 #include "tests/core/readers/soup_checks.h"
@@ -297,8 +298,8 @@ std::vector<Sample> SameMesh() {
   return samples;
 }
 
-// Vertices that no face uses among them; polygons are fanned from their first
-// corner.
+// Vertices that no face uses among them; polygons on a line, as all but one
+// place are here, are fanned from their first corner.
 TEST(ReadMeshTest, KeepsDoublesAndTheOrderOfTheFile) {
   for (const Sample& sample : SameMesh()) {
     SCOPED_TRACE(sample.name);
@@ -310,6 +311,77 @@ TEST(ReadMeshTest, KeepsDoublesAndTheOrderOfTheFile) {
         soup.triangles,
         ElementsAre(Triangle{1, 0, 2}, Triangle{1, 2, 3}, Triangle{0, 2, 3}));
   }
+}
+
+// An L of area 3 as one polygon, which begins at `first`. A fan from most
+// corners would have an area of 4 or lie outside.
+std::vector<Sample> Ells(int first) {
+  const std::vector<Point> points = {{2, 0, 0}, {2, 1, 0}, {1, 1, 0},
+                                     {1, 2, 0}, {0, 2, 0}, {0, 0, 0}};
+  std::string places, obj, stl, corners;
+  VtpPiece piece{.points = points, .polygons = {{}}};
+  for (int i = 0; i < 6; ++i) {
+    const auto text = [](const Point& p) {
+      return absl::StrCat(p[0], " ", p[1], " ", p[2], "\n");
+    };
+    const int corner = (first + i) % 6;
+    absl::StrAppend(&places, text(points[i]));
+    absl::StrAppend(&obj, "v ", text(points[i]));
+    absl::StrAppend(&stl, "vertex ", text(points[corner]));
+    absl::StrAppend(&corners, " ", corner);
+    piece.polygons[0].push_back(corner);
+  }
+  std::string obj_face = "f";
+  for (const int64_t corner : piece.polygons[0]) {
+    absl::StrAppend(&obj_face, " ", corner + 1);
+  }
+  return {
+      // A face may come before its vertices.
+      {"Obj", MeshFormat::kObj, obj_face + "\n" + obj},
+      {"Off", MeshFormat::kOff, "OFF\n6 1 0\n" + places + "6" + corners},
+      {"Ply", MeshFormat::kPly,
+       "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\n"
+       "property float y\nproperty float z\nelement face 1\n"
+       "property list uchar int vertex_indices\nend_header\n" +
+           places + "6" + corners},
+      {"Stl", MeshFormat::kStl,
+       "solid\nfacet\nouter loop\n" + stl + "endloop\nendfacet\nendsolid\n"},
+      {"Vtk", MeshFormat::kVtk,
+       "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\n"
+       "POINTS 6 float\n" +
+           places + "POLYGONS 1 7\n6" + corners + "\n"},
+      {"Vtp", MeshFormat::kVtp, VtpWriter({}).Write({piece})},
+  };
+}
+
+TEST(ReadMeshTest, PolygonsAreCutInsideThemselves) {
+  for (int first = 0; first < 6; ++first) {
+    for (const Sample& sample : Ells(first)) {
+      SCOPED_TRACE(absl::StrCat(sample.name, " from ", first));
+      const TriangleSoup soup =
+          ExpectRead(ReadMesh(sample.bytes, sample.format));
+      ASSERT_EQ(soup.triangles.size(), 4);
+      double area = 0;
+      for (const auto& [a, b, c] : soup.triangles) {
+        const auto& [p, q, r] =
+            std::tie(soup.positions[a], soup.positions[b], soup.positions[c]);
+        const double twice =
+            (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+        EXPECT_GT(twice, 0);
+        area += twice / 2;
+      }
+      EXPECT_EQ(area, 3);
+      EXPECT_EQ(soup.reading.crossing_polygons, 0);
+    }
+  }
+}
+
+TEST(ReadMeshTest, CrossingPolygonsAreCounted) {
+  const TriangleSoup soup = ExpectRead(
+      ReadMesh("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 3 4\nf 1 2 3 4\n",
+               MeshFormat::kObj));
+  EXPECT_EQ(soup.reading.crossing_polygons, 1);
+  EXPECT_EQ(soup.reading.first_crossing_polygon, 1);
 }
 
 TEST(ReadMeshTest, AFileWithoutFacesIsNoError) {
