@@ -22,7 +22,7 @@ using std::chrono::seconds;
 using ::testing::HasSubstr;
 
 TEST(ExitCodeTest, FollowsFromTheStatus) {
-  EXPECT_EQ(ExitCodeOf(absl::UnavailableError("")), ExitCode::kUnreachable);
+  EXPECT_EQ(ExitCodeOf(absl::UnavailableError("")), ExitCode::kNoServer);
   EXPECT_EQ(ExitCodeOf(absl::InvalidArgumentError("")), ExitCode::kRefused);
   EXPECT_EQ(ExitCodeOf(absl::NotFoundError("")), ExitCode::kRefused);
   EXPECT_EQ(ExitCodeOf(absl::InternalError("")), ExitCode::kRefused);
@@ -39,7 +39,7 @@ TEST(ExitCodeTest, LocalFilesAreTheirOwnCase) {
 // A server, or a proxy, may end a call when it stops.
 TEST(ExitCodeTest, AServersCancellationIsNoInterruption) {
   const absl::Status status = absl::CancelledError("going down");
-  EXPECT_EQ(ExitCodeOf(status), ExitCode::kUnreachable);
+  EXPECT_EQ(ExitCodeOf(status), ExitCode::kNoServer);
   EXPECT_EQ(Explain(status, "host:1"),
             "the server at host:1 ended the call: going down; try again in a "
             "moment");

@@ -182,7 +182,7 @@ TEST_F(OwnServerTest, OneKilledInTheMiddleIsReported) {
   ASSERT_TRUE(field.AwaitError("solving"));
   ASSERT_EQ(kill(Status()["pid"].get<pid_t>(), SIGKILL), 0);
   const ProcessResult result = field.Wait();
-  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_EQ(result.exit_code, 7);
   EXPECT_THAT(result.err, AllOf(HasSubstr("ended in the middle"),
                                 HasSubstr("run the command again")));
 }
@@ -213,7 +213,7 @@ TEST_F(OwnServerTest, OneThatIsStoppedIsNotWaitedForWithoutBound) {
   const auto process = Status()["pid"].get<pid_t>();
   ASSERT_EQ(kill(process, SIGSTOP), 0);
   const ProcessResult unanswered = Run({"--timeout", "1", "meshes"});
-  EXPECT_EQ(unanswered.exit_code, 4) << unanswered.err;
+  EXPECT_EQ(unanswered.exit_code, 7) << unanswered.err;
   EXPECT_THAT(unanswered.err, HasSubstr("does not answer"));
 
   sockaddr_un address = {.sun_family = AF_UNIX};
@@ -393,7 +393,7 @@ TEST_F(OwnServerTest, SharedServersSettingsAreNotTaken) {
 TEST_F(OwnServerTest, AServerThatDoesNotStartIsHeard) {
   const Variable threads("GEODESICD_THREADS", "many");
   const ProcessResult result = Run({"meshes"});
-  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_EQ(result.exit_code, 7);
   EXPECT_THAT(result.err,
               AllOf(HasSubstr("does not start: it ended with exit code 2"),
                     HasSubstr("many"), HasSubstr(FileOf(".log"))));
@@ -406,7 +406,7 @@ TEST_F(OwnServerTest, IsFoundInThePathOrMissed) {
   {
     const Variable path("PATH", alone);
     const ProcessResult missed = RunProgram({alone + "/geodesic", "meshes"});
-    EXPECT_EQ(missed.exit_code, 4);
+    EXPECT_EQ(missed.exit_code, 7);
     EXPECT_THAT(missed.err, AllOf(HasSubstr(alone + "/geodesicd"),
                                   HasSubstr("--server HOST:PORT")));
   }
@@ -422,7 +422,7 @@ TEST_F(OwnServerTest, OneOfAnotherVersionIsRefused) {
                       fs::path(GEODESICD_BINARY).parent_path().string());
   const ProcessResult other =
       RunProgram({GEODESIC_OF_ANOTHER_VERSION, "meshes"});
-  EXPECT_EQ(other.exit_code, 4);
+  EXPECT_EQ(other.exit_code, 7);
   EXPECT_THAT(other.err, AllOf(HasSubstr("this is geodesic 0.0.0, but the "
                                          "geodesicd found has version"),
                                HasSubstr("name a server with --server")));

@@ -89,7 +89,7 @@ TEST_F(UnreachedTest, APathThatIsNotThereHasACodeAndNoFile) {
                                       "-t",   target, "-o", file};
     words.insert(words.end(), more.begin(), more.end());
     const ProcessResult result = Geodesic(words);
-    EXPECT_EQ(result.exit_code, 7);
+    EXPECT_EQ(result.exit_code, 4);
     EXPECT_THAT(result.out, HasSubstr("not reached"));
     EXPECT_THAT(result.err,
                 HasSubstr("no path leads to " + target + ": " + why));
@@ -100,7 +100,7 @@ TEST_F(UnreachedTest, APathThatIsNotThereHasACodeAndNoFile) {
       {"path", mesh_, "-s", "0", "-t", "3", "-t", "9", "-t", "12", "-o", file},
       7);
   EXPECT_TRUE(std::filesystem::exists(file));
-  EXPECT_EQ(some["error"]["exit_code"], 7);
+  EXPECT_EQ(some["error"]["exit_code"], 4);
   EXPECT_THAT(some["error"]["message"].get<std::string>(),
               AllOf(HasSubstr("no path leads to 9"),
                     HasSubstr("nor to 1 other target")));
@@ -120,7 +120,7 @@ TEST_F(UnreachedTest, ADistanceMayBeInfiniteAndSaysWhy) {
   EXPECT_TRUE(
       GeodesicJson({"distance", mesh_, "0", "3"})["unreached"].is_null());
   const std::string file = folder_ / "p.obj";
-  EXPECT_EQ(Geodesic({"distance", mesh_, "0", "5", "-o", file}).exit_code, 7);
+  EXPECT_EQ(Geodesic({"distance", mesh_, "0", "5", "-o", file}).exit_code, 4);
   EXPECT_FALSE(std::filesystem::exists(file));
 
   const std::vector<std::string> field = {"field", mesh_, "-s", "0",

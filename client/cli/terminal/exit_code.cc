@@ -48,11 +48,11 @@ std::string_view ExitCodeHelp() {
          "  1    geodesic server status: no server runs\n"
          "  2    the command line is wrong\n"
          "  3    a file on this machine cannot be read or written\n"
-         "  4    no server can be reached, or it is shutting down\n"
+         "  4    no path leads to what was asked for\n"
          "  5    the server refused: malformed mesh, unknown mesh, a limit, "
          "...\n"
          "  6    the time given by --timeout is over\n"
-         "  7    geodesic path: no path leads to a target\n"
+         "  7    no server can be reached, or it is shutting down\n"
          "  130  interrupted\n";
 }
 
@@ -94,7 +94,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     return ExitCode::kInterrupted;
   }
   if (status.GetPayload(kNoServerPayload).has_value()) {
-    return ExitCode::kUnreachable;
+    return ExitCode::kNoServer;
   }
   if (status.GetPayload(kNoPathPayload).has_value()) return ExitCode::kNoPath;
   if (status.GetPayload(kNoneRunsPayload).has_value()) {
@@ -103,7 +103,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
   switch (status.code()) {
     case absl::StatusCode::kUnavailable:
     case absl::StatusCode::kCancelled:
-      return ExitCode::kUnreachable;
+      return ExitCode::kNoServer;
     case absl::StatusCode::kDeadlineExceeded:
       return ExitCode::kTimeout;
     default:
@@ -115,7 +115,7 @@ std::string Explain(const absl::Status& status, std::string_view server) {
   const std::string at(server);
   const std::string message(status.message());
   switch (ExitCodeOf(status)) {
-    case ExitCode::kUnreachable:
+    case ExitCode::kNoServer:
       if (status.GetPayload(kNoServerPayload).has_value()) return message;
       if (absl::IsCancelled(status)) {
         return absl::StrCat("the server at ", at, " ended the call: ", message,

@@ -15,10 +15,10 @@ enum class ExitCode {
   kNoneRuns = 1,
   kUsage = 2,
   kFile = 3,
-  kUnreachable = 4,
+  kNoPath = 4,
   kRefused = 5,
   kTimeout = 6,
-  kNoPath = 7,
+  kNoServer = 7,
   kInterrupted = 130,
 };
 
