@@ -19,7 +19,12 @@ export interface PointerActions {
   setTurning(enabled: boolean): void;
 }
 
-export function listenToPointer(canvas: HTMLCanvasElement, actions: PointerActions): void {
+export interface PointerListener {
+  /** Ends a drag that draws or moves something, without more; whether there is one. */
+  cancel(): boolean;
+}
+
+export function listenToPointer(canvas: HTMLCanvasElement, actions: PointerActions): PointerListener {
   let down: { x: number; y: number; moved: boolean; draws: boolean; grabs: boolean; id: number } | undefined;
   let pointers = 0;
 
@@ -79,12 +84,22 @@ export function listenToPointer(canvas: HTMLCanvasElement, actions: PointerActio
     },
     { capture: true, passive: false },
   );
+  return {
+    cancel: () => {
+      if (!down?.draws && !down?.grabs) return false;
+      down = undefined;
+      actions.setTurning(true);
+      return true;
+    },
+  };
 }
 
 /** Whether a key is meant for a field of the panel, or for the browser. */
 export function isMeantForField(event: KeyboardEvent): boolean {
-  if (event.ctrlKey || event.metaKey || event.altKey) return true;
+  if (event.altKey) return true;
   const target = event.target as HTMLElement;
+  // Fields that are typed into undo by themselves.
+  if (event.ctrlKey || event.metaKey) return !/^[zy]$/i.test(event.key) || target.matches("input[type=number], input[type=password]");
   if (target.matches("input:is([type=radio], [type=checkbox], [type=range])")) return event.key.startsWith("Arrow");
   // Enter presses buttons, and opens what can be folded.
   if (target.matches("button, summary, a")) return event.key === "Enter";
