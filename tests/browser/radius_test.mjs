@@ -5,8 +5,8 @@ import { test } from "node:test";
 
 import { openPage } from "./browser.mjs";
 import { temporaryFolder } from "./folder.mjs";
-import { startServerOn } from "./server.mjs";
-import { browser, SPHERE } from "./setup.mjs";
+import { startServerOn, until } from "./server.mjs";
+import { browser, sphere, SPHERE } from "./setup.mjs";
 
 test("all is all, and a number that number, after a reload and a restart", async (t) => {
   const data = temporaryFolder(t);
@@ -47,5 +47,23 @@ test("all is all, and a number that number, after a reload and a restart", async
     assert.equal(await viewer.text("#figures dt"), "farthest");
     assert.equal(await viewer.text("#figures dd"), farthest);
   }
+  assert.deepEqual(viewer.errors, []);
+});
+
+test("the address has the radius where a long drag of the slider ended", async (t) => {
+  const viewer = await sphere(t);
+  await viewer.click(0, 0);
+  await viewer.solved();
+  // Chromium drops all changes of the address after some two hundred in ten seconds.
+  const shown = await viewer.page.evaluate(() => {
+    const slider = document.getElementById("radius");
+    for (let i = 0; i < 500; i++) {
+      slider.value = String(900 - i);
+      slider.dispatchEvent(new Event("input"));
+    }
+    return document.getElementById("radius-value").textContent;
+  });
+  const named = () => viewer.page.evaluate(() => Number(location.hash.match(/radius=([\d.]+)/)?.[1]).toPrecision(4));
+  await until(async () => Number(await named()) === Number(shown));
   assert.deepEqual(viewer.errors, []);
 });

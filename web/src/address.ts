@@ -10,6 +10,9 @@ const TOKEN_KEY = "geodesic.token";
 
 /** What can stand in the header that shows it. */
 const TOKEN = /^[!-~]{1,4096}$/;
+/** Browsers drop changes of the address that come more often than some twenty times a second. */
+const PAUSE_MS = 100;
+
 const DIGEST = /^[0-9a-f]{64}$/;
 
 export class Address {
@@ -21,6 +24,9 @@ export class Address {
   private radius: string | null = null;
   /** The mesh that `show` was last called with. */
   private shown: string | undefined;
+  /** What will be written when there was none for long enough. */
+  private wanted: string | undefined;
+  private pause: ReturnType<typeof setTimeout> | undefined;
 
   /** `wrong` is told what is wrong with it, in words. */
   constructor(private readonly wrong: (problem: string) => void) {
@@ -29,6 +35,7 @@ export class Address {
 
   /** Takes over what the address says now; whether nothing is wrong with it. */
   read(): boolean {
+    this.wanted = undefined;
     const parts = new URLSearchParams(location.hash.slice(1));
     const mesh = parts.get("mesh") ?? "";
     const token = parts.get("token");
@@ -81,11 +88,23 @@ export class Address {
     // As a curve of two places is written.
     for (const { from, target } of [...paths, ...awaitedPaths]) parts.append("path", sourceText({ curve: [from, target] }));
     if (radius !== undefined) parts.set("radius", String(radius));
-    const before = new URLSearchParams(location.hash.slice(1)).get("mesh");
     // The browser's Back leads to the mesh before, with all that was asked about it.
-    const isAnother = this.shown !== undefined && this.shown !== mesh.digest && before !== mesh.digest;
+    if (this.shown !== undefined && this.shown !== mesh.digest) {
+      this.write();
+      const { hash } = location;
+      if (new URLSearchParams(hash.slice(1)).get("mesh") !== mesh.digest) history.pushState(null, "", hash);
+    }
     this.shown = mesh.digest;
-    if (isAnother) history.pushState(null, "", `#${parts}`);
-    else history.replaceState(null, "", `#${parts}`);
+    this.wanted = `#${parts}`;
+    if (this.pause === undefined) this.write();
+  }
+
+  private write(): void {
+    const { wanted } = this;
+    clearTimeout(this.pause);
+    this.pause = this.wanted = undefined;
+    if (wanted === undefined || wanted === location.hash) return;
+    history.replaceState(null, "", wanted);
+    this.pause = setTimeout(() => this.write(), PAUSE_MS);
   }
 }

@@ -115,6 +115,7 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
       const place = pick(at)?.place;
       if (place) explorer.moveSource(grabbed, place, drag);
     },
+    dropped: () => explorer.dropSource(),
     draw: (at) => {
       if (sketch.length && Math.hypot(at.x - lastDrawn.x, at.y - lastDrawn.y) < CURVE_PIXELS) return;
       const hit = pick(at);

@@ -222,6 +222,11 @@ export class Explorer {
     this.dragged.ask((signal) => this.follow(mesh, signal));
   }
 
+  /** The source is where it was dragged to, whether its field has come or not. */
+  dropSource(): void {
+    this.events.changed();
+  }
+
   /** Asks for the field again, as after a change of radius or method. */
   async askField(): Promise<void> {
     const { mesh } = this;

@@ -12,6 +12,8 @@ export interface PointerActions {
   /** Whether a drag that begins here moves what is there. */
   grabs(at: { x: number; y: number }): boolean;
   drag(at: { x: number; y: number }): void;
+  /** The drag has ended. */
+  dropped(): void;
   draw(at: { x: number; y: number }): void;
   drawn(): void;
   /** Turns of the wheel while Alt is held. */
@@ -63,10 +65,11 @@ export function listenToPointer(canvas: HTMLCanvasElement, actions: PointerActio
   const up = (event: PointerEvent) => {
     pointers = Math.max(pointers - 1, 0);
     if (!down || event.pointerId !== down.id) return;
-    const { moved, draws } = down;
+    const { moved, draws, grabs } = down;
     down = undefined;
     actions.setTurning(true);
     if (draws && moved) actions.drawn();
+    else if (grabs && moved) actions.dropped();
     else if (!moved && event.type === "pointerup") {
       actions.click({ x: event.clientX, y: event.clientY, shift: event.shiftKey });
     }
