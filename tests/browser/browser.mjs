@@ -11,6 +11,8 @@ export function launch(drawing = DRAWS) {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: ["--no-sandbox", ...drawing],
+    // As users have it: changes of the address that come too often are dropped.
+    ignoreDefaultArgs: ["--disable-ipc-flooding-protection"],
   });
 }
 

@@ -40,6 +40,8 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
   let sketch: { place: Place; point: Vector3 }[] = [];
   let lastDrawn = { x: 0, y: 0 };
   let grabbed = -1;
+  /** The drag that moves a source, told apart from others. */
+  let drag = {};
   let cursor: ScreenPoint | undefined;
   const aim = new Aim();
   // What there was when the place under the cursor was looked for.
@@ -87,7 +89,7 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     if (explorer.sources.length === 1 && panel.tool === "source") panel.choose("path");
   };
 
-  listenToPointer(canvas, {
+  const pointer = listenToPointer(canvas, {
     move: (at) => {
       aim.hide();
       moveTo(at, at.since);
@@ -101,12 +103,19 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
       aim.hide();
       click(at, at.shift);
     },
-    drawsCurve: (alt) => explorer.mesh !== undefined && (alt || panel.tool === "curve"),
-    grabs: (at) => (grabbed = sourceAt(at)) >= 0,
+    drawsCurve: (alt) => {
+      sketch = [];
+      return explorer.mesh !== undefined && (alt || panel.tool === "curve");
+    },
+    grabs: (at) => {
+      drag = {};
+      return (grabbed = sourceAt(at)) >= 0;
+    },
     drag: (at) => {
       const place = pick(at)?.place;
-      if (place) explorer.moveSource(grabbed, place);
+      if (place) explorer.moveSource(grabbed, place, drag);
     },
+    dropped: () => explorer.dropSource(),
     draw: (at) => {
       if (sketch.length && Math.hypot(at.x - lastDrawn.x, at.y - lastDrawn.y) < CURVE_PIXELS) return;
       const hit = pick(at);
@@ -131,6 +140,21 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     if (aim.point) click(aim.point, shift);
     else moveAim(0, 0);
   };
+  // Ends the drag or the curve under way, or else what the next click would do.
+  const stop = () => {
+    if (pointer.cancel()) {
+      sketch = [];
+      explorer.drawSketch([]);
+      explorer.cancel(drag);
+      return;
+    }
+    if (aim.point) {
+      aim.hide();
+      cursor = undefined;
+      explorer.hover(undefined, 0);
+    }
+    if (panel.tool === "curve") panel.chooseNext();
+  };
   const keys: Record<string, () => void> = {
     ArrowLeft: () => scene.turn(TURN_RADIANS, 0, 1),
     ArrowRight: () => scene.turn(-TURN_RADIANS, 0, 1),
@@ -138,8 +162,8 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     ArrowDown: () => scene.turn(0, -TURN_RADIANS, 1),
     "+": () => scene.turn(0, 0, 1 / ZOOM),
     "-": () => scene.turn(0, 0, ZOOM),
-    Backspace: () => explorer.undo(),
-    Escape: () => panel.clear(),
+    Backspace: () => explorer.removeLast(),
+    Escape: stop,
     s: () => panel.choose("source"),
     p: () => panel.choose("path"),
     c: () => panel.choose("curve"),
@@ -148,18 +172,22 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     l: () => scene.lookAtAll(),
     "?": () => panel.help(),
     Enter: () => clickAim(false),
-  };
-  const keysWithShift: Record<string, () => void> = {
-    ArrowLeft: () => moveAim(-1, 0),
-    ArrowRight: () => moveAim(1, 0),
-    ArrowUp: () => moveAim(0, -1),
-    ArrowDown: () => moveAim(0, 1),
-    Enter: () => clickAim(true),
+    "Shift+ArrowLeft": () => moveAim(-1, 0),
+    "Shift+ArrowRight": () => moveAim(1, 0),
+    "Shift+ArrowUp": () => moveAim(0, -1),
+    "Shift+ArrowDown": () => moveAim(0, 1),
+    "Shift+Enter": () => clickAim(true),
+    "Control+z": () => panel.undo(),
+    "Control+Shift+z": () => panel.redo(),
+    "Control+y": () => panel.redo(),
   };
   document.addEventListener("keydown", (event) => {
     if (isMeantForField(event) || document.querySelector("dialog[open]")) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const action = (event.shiftKey ? keysWithShift[key] : undefined) ?? keys[key];
+    const hasControl = event.ctrlKey || event.metaKey;
+    const held = (hasControl ? "Control+" : "") + (event.shiftKey ? "Shift+" : "");
+    // Signs such as ? need Shift on some keyboards.
+    const action = keys[held + key] ?? (hasControl ? undefined : keys[key]);
     if (!action) return;
     event.preventDefault();
     action();

@@ -3,9 +3,11 @@
 
 import { Vector3 } from "three";
 import { Algorithm } from "../generated/geodesic/v1/query_pb";
-import { CELL_COLORS } from "./scene/colormap";
-import { Dots, type Dot } from "./scene/dots";
+import { History } from "./history";
+import { areSame, isNothing, keptPath, NOTHING, type KeptPath, type PathEnds, type Placed, type Sample } from "./placed";
+import { CursorPath } from "./scene/cursor_path";
 import { FieldView } from "./scene/field_view";
+import { CURVE_COLOR, Marks, onScreen } from "./scene/marks";
 import { PathLine } from "./scene/path_line";
 import type { Scene } from "./scene/scene";
 import type { Connection } from "./service/connection";
@@ -21,32 +23,17 @@ import {
   askSamples,
   type FieldQuestion,
   type FieldSummary,
-  type SurfacePath,
 } from "./service/questions";
 import { differenceOf, type Difference } from "./surface/difference";
 import { PREVIEW_TOLERANCE, takesPreview } from "./surface/preview";
 import type { SurfaceMesh } from "./surface/mesh";
 import type { Place, Source } from "./surface/place";
 
-const LIVE_COLOR = 0xffffff;
-const KEPT_COLOR = 0xff8c42;
-const CURVE_COLOR = 0x8fd3ff;
-const WHITE = [1, 1, 1];
-const SAMPLE_FILL = [0.55, 0.83, 1];
-const KEPT_FILL = [1, 0.55, 0.26];
-
-/** A path request that takes longer gives way to a newer cursor. */
-const PATH_PATIENCE_MS = 250;
-
 /** The exact field is asked for when what comes first has been swept over, or so much later. */
 const LONGEST_SWEEP_MS = 1500;
 
 /** Fields are worth waiting for, even if the source has moved on. */
 const FIELD_PATIENCE_MS = 2000;
-
-export interface KeptPath extends SurfacePath {
-  target: Place;
-}
 
 export interface ExplorerEvents {
   /** Sources, field, paths or samples are others now. */
@@ -55,6 +42,8 @@ export interface ExplorerEvents {
   value(distance: number | undefined, exact: boolean): void;
   /** A question failed; `again` asks it anew, if it still matters by then. */
   failed(error: unknown, again: () => void): void;
+  /** What was asked for has no answer, or another one: why, in words. */
+  told(what: string): void;
   /** The server has lost the mesh: whether it has it again. */
   lost(mesh: SurfaceMesh): Promise<boolean>;
 }
@@ -63,30 +52,29 @@ export class Explorer {
   mesh: SurfaceMesh | undefined;
   field: FieldView | undefined;
   summary: FieldSummary | undefined;
-  samples: { vertex: number; distance: number }[] = [];
   algorithm = Algorithm.UNSPECIFIED;
-  /** In the unit of the file. */
-  radius: number | undefined;
-  readonly sources: Source[] = [];
-  readonly paths: KeptPath[] = [];
+  /** The algorithm whose field the difference is from. */
+  against = Algorithm.UNSPECIFIED;
+  /** Whose distances the field has, or will have. */
+  fieldSources: readonly Source[] = [];
+  /** Whether cells are wanted where there are several sources. */
+  wantsCells = false;
+  /** Paths that an address named and that have not come. */
+  awaitedPaths: readonly PathEnds[] = [];
 
+  private placed = NOTHING;
+  private readonly history = new History<Placed>();
   /** Up to where distances are there, or on their way. */
   private reach = Infinity;
-  /** Whose distances the field has, or will have. */
-  private fieldSources: readonly Source[] = [];
-  private readonly live: PathLine;
+  private readonly live: CursorPath;
   private readonly sketch: PathLine;
-  private readonly lines = new Map<object, PathLine>();
-  private readonly dots: Dots;
-  private readonly sampleDots: Dots;
-  private readonly underCursor = new NewestOnly(PATH_PATIENCE_MS);
+  private readonly marks: Marks;
   private readonly dragged = new NewestOnly(FIELD_PATIENCE_MS);
   private fieldQuestion = new AbortController();
+  /** Of what is asked about the mesh, whatever the sources. */
+  private meshQuestions = new AbortController();
   private waiting = false;
   private swept: (() => void) | undefined;
-  private cursor: Place | undefined;
-  private since = 0; // when the cursor came there
-  private livePath: KeptPath | undefined;
   private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
 
   constructor(
@@ -94,11 +82,17 @@ export class Explorer {
     private readonly connection: Connection,
     private readonly events: ExplorerEvents,
   ) {
-    this.live = new PathLine(LIVE_COLOR, 3, scene.resolution);
-    this.dots = new Dots(15, scene);
-    this.sampleDots = new Dots(10, scene);
+    this.live = new CursorPath(scene, {
+      ask: (mesh, target, signal) => {
+        const question = { ...this.question(mesh), radius: undefined };
+        return this.answerTo(mesh, () => askPath(this.connection, question, target, signal));
+      },
+      value: (distance) => events.value(distance, true),
+      failed: (error, again) => this.report(error, again),
+    });
     this.sketch = new PathLine(CURVE_COLOR, 3, scene.resolution);
-    scene.overlay.add(this.live, this.sketch, this.sampleDots, this.dots);
+    scene.overlay.add(this.sketch);
+    this.marks = new Marks(scene);
     scene.onFrame = (now) => {
       const moved = this.field?.advance(now, this.still.matches) ?? false;
       if (this.field?.hasSwept) this.swept?.();
@@ -110,6 +104,35 @@ export class Explorer {
     scene.isBusy = () => this.waiting || (this.summary !== undefined && this.field?.hasArrived === false);
   }
 
+  get sources(): readonly Source[] {
+    return this.placed.sources;
+  }
+
+  get paths(): readonly KeptPath[] {
+    return this.placed.paths;
+  }
+
+  get samples(): readonly Sample[] {
+    return this.placed.samples;
+  }
+
+  /** In the unit of the file; nothing for all. */
+  get radius(): number | undefined {
+    return this.placed.radius;
+  }
+
+  get isEmpty(): boolean {
+    return isNothing(this.placed);
+  }
+
+  get canUndo(): boolean {
+    return this.history.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return this.history.canRedo;
+  }
+
   /** Whether an exact field is on its way. */
   get isWaiting(): boolean {
     return this.waiting;
@@ -117,25 +140,27 @@ export class Explorer {
 
   /** The field of the sources as they are, once it is there and exact. */
   get exactField(): FieldView | undefined {
-    const { sources, fieldSources } = this;
-    const isTheirs = sources.length === fieldSources.length && sources.every((source, i) => source === fieldSources[i]);
-    return this.summary && isTheirs ? this.field : undefined;
+    return this.summary && areSame(this.sources, this.fieldSources) ? this.field : undefined;
   }
 
+  /** Shows a mesh. What was placed on it stays if it is the one that is shown. */
   show(mesh: SurfaceMesh): void {
-    this.clear();
+    const kept = mesh.digest === this.mesh?.digest ? this.placed : undefined;
+    this.meshQuestions.abort();
+    this.meshQuestions = new AbortController();
     this.mesh?.dispose();
     this.mesh = mesh;
-    this.setRadius(undefined);
-    this.bareSurface(mesh);
+    if (!kept) this.history.clear();
+    this.placed = NOTHING;
+    this.awaitedPaths = [];
+    this.takeFieldAway();
+    this.showRadius(mesh);
     this.scene.show(mesh);
-    // The first line or dot that a browser draws may take it some tenths of a second.
-    this.live.setPoints(new Float32Array([-2, 0, 0, 2, 0, 0]));
-    this.dots.setDots([{ point: [0, 0, 0], fill: WHITE }]);
+    this.live.warmUp();
+    this.marks.warmUp();
     this.scene.draw();
-    this.live.setPoints(new Float32Array());
-    this.dots.setDots([]);
-    this.scene.redraw();
+    this.live.hide();
+    void this.put(kept ?? NOTHING);
   }
 
   /** Draws these faces while the picture changes; without them, all. */
@@ -149,52 +174,57 @@ export class Explorer {
 
   /** Takes everything off the mesh. */
   clear(): void {
-    this.fieldQuestion.abort();
-    this.underCursor.stop();
-    this.dragged.stop();
-    this.sources.length = 0;
-    this.dropPaths();
-    for (const line of this.lines.values()) this.removeLine(line);
-    this.lines.clear();
-    this.field = undefined;
-    this.summary = undefined;
-    this.reach = Infinity;
-    this.waiting = false;
-    this.samples = [];
-    this.live.setPoints(new Float32Array());
-    this.livePath = undefined;
-    if (this.mesh) this.bareSurface(this.mesh);
-    this.drawDots();
-    this.events.value(undefined, false);
-    this.events.changed();
-    this.scene.redrawSurface();
+    if (!this.isEmpty) void this.change(NOTHING);
   }
 
-  /** Resolves when the field is there, or could not be had. */
-  async setSources(sources: readonly Source[]): Promise<void> {
-    this.dropPaths();
-    this.sources.splice(0, this.sources.length, ...sources);
-    this.samples = [];
-    this.drawCurves();
-    this.drawDots();
-    if (sources.length) await this.askField();
-    else this.clear();
+  /** Resolves when the field is there, or could not be had. Paths stay. */
+  setSources(sources: readonly Source[]): Promise<void> {
+    return this.change({ ...this.placed, sources, samples: [] });
   }
 
-  /** Puts a source elsewhere while it is dragged; the field follows. */
-  moveSource(number: number, place: Place): void {
+  /** Goes back to what there was before the last change. */
+  undo(): void {
+    this.goTo(this.history.undo(this.placed));
+  }
+
+  redo(): void {
+    this.goTo(this.history.redo(this.placed));
+  }
+
+  /** Goes back to where a gesture began, if it was the last change. */
+  cancel(gesture: object): void {
+    this.goTo(this.history.cancel(gesture));
+  }
+
+  /**
+   * What an address asks takes the place of what there is; its paths come one by
+   * one. It can be undone if `isChange`: if the mesh was shown before.
+   */
+  async ask(sources: readonly Source[], paths: readonly PathEnds[], radius: number | undefined, isChange: boolean): Promise<void> {
+    const placed = { ...NOTHING, sources, radius };
+    this.awaitedPaths = paths;
+    void (isChange ? this.change(placed) : this.put(placed));
+    await this.fetchPaths(this.meshQuestions.signal);
+  }
+
+  /** Puts a source elsewhere while it is dragged by one gesture; the field follows. */
+  moveSource(number: number, place: Place, gesture: object): void {
     const { mesh } = this;
     if (!mesh) return;
+    this.history.record(this.placed, gesture);
     this.fieldQuestion.abort();
     this.fieldQuestion = new AbortController();
     this.waiting = false;
     this.hideLive();
-    this.dropPaths();
-    this.samples = [];
-    this.sources[number] = place;
-    this.drawDots();
+    this.placed = { ...this.placed, sources: this.sources.map((source, i) => (i === number ? place : source)), samples: [] };
+    this.drawMarks();
     this.scene.redraw();
     this.dragged.ask((signal) => this.follow(mesh, signal));
+  }
+
+  /** The source is where it was dragged to, whether its field has come or not. */
+  dropSource(): void {
+    this.events.changed();
   }
 
   /** Asks for the field again, as after a change of radius or method. */
@@ -206,7 +236,7 @@ export class Explorer {
     this.hideLive();
     const abort = (this.fieldQuestion = new AbortController());
     const wasBare = !this.field;
-    const field = this.beginField(mesh, [...this.sources]);
+    const field = this.beginField(mesh, this.sources);
     document.documentElement.dataset.sweep = "";
     this.summary = undefined;
     this.waiting = true;
@@ -217,13 +247,14 @@ export class Explorer {
     try {
       // Not both at once: they would share the server's processors.
       if (takesPreview(mesh, question)) await this.preview(mesh, question, field, abort.signal);
-      const summary = await this.ask(mesh, () => askField(this.connection, question, (part) => {
+      const summary = await this.answerTo(mesh, () => askField(this.connection, question, (part) => {
         field.add(part.vertices, part.distances);
         if (!field.isPreview) this.scene.redrawSurface();
       }, abort.signal));
       if (abort.signal.aborted) return;
-      this.answer(summary);
+      this.answer(summary, question);
       field.finish();
+      if (this.showsCells) void this.paintCells(mesh, field);
     } catch (error) {
       this.report(error, () => {
         if (abort === this.fieldQuestion) void this.askField();
@@ -262,23 +293,34 @@ export class Explorer {
     if (this.swept === swept) this.swept = undefined;
   }
 
-  /** Shows cells by colour, or distances again. */
-  async showCells(shown: boolean): Promise<void> {
+  /** Whether the cells of several sources are shown, or on their way. */
+  get showsCells(): boolean {
+    return this.wantsCells && this.sources.length > 1;
+  }
+
+  /** Shows cells by colour, also of the sources that come, or distances again. */
+  showCells(wanted: boolean): void {
     const { mesh, field } = this;
+    this.wantsCells = wanted;
     if (!mesh || !field) return;
+    if (this.showsCells) {
+      void this.paintCells(mesh, field);
+    } else {
+      field.paintDistances();
+      this.repainted();
+    }
+  }
+
+  private async paintCells(mesh: SurfaceMesh, field: FieldView): Promise<void> {
     try {
-      if (shown) {
-        const { signal } = this.fieldQuestion;
-        const cells = await this.ask(mesh, () => askCells(
-          this.connection, this.question(mesh), mesh.vertexCount, signal));
-        if (field !== this.field) return;
-        field.paintCells(cells);
-      } else {
-        field.paintDistances();
-      }
+      const { signal } = this.fieldQuestion;
+      const cells = await this.answerTo(mesh, () => askCells(
+        this.connection, this.question(mesh), mesh.vertexCount, signal));
+      if (field !== this.field || !this.showsCells) return;
+      field.paintCells(cells);
       this.repainted();
     } catch (error) {
-      this.reportAbout(mesh, error, () => this.showCells(shown));
+      this.reportAbout(mesh, error, () => this.paintCells(mesh, field));
     }
   }
 
@@ -294,10 +336,12 @@ export class Explorer {
       const { field } = this;
       const question = { ...this.question(mesh), algorithm };
       const { signal } = this.fieldQuestion;
-      const { distances } = await this.ask(mesh, () => askDistances(
+      const { distances } = await this.answerTo(mesh, () => askDistances(
         this.connection, question, mesh.vertexCount, signal));
       if (!field || field !== this.field) return undefined;
       const difference = differenceOf(field.distances, distances);
+      this.wantsCells = false;
+      this.against = algorithm;
       field.paintDifference(difference);
       this.repainted();
       return difference;
@@ -309,8 +353,8 @@ export class Explorer {
 
   /** Leads the path to `place`; `since` is when the cursor came there. */
   hover(place: Extract<Place, { kind: "face" }> | undefined, since: number): void {
-    this.cursor = place;
-    if (!place || !this.field || !this.mesh) {
+    const { mesh } = this;
+    if (!place || !this.field || !mesh) {
       this.hideLive();
       return;
     }
@@ -322,41 +366,35 @@ export class Explorer {
       this.events.value(Infinity, true);
       return;
     }
-    this.since = since;
-    this.askUnderCursor();
+    this.live.lead(mesh, place, since);
   }
 
   /** Keeps the path to `place`. */
   async keepPath(place: Place): Promise<void> {
     const { mesh } = this;
     if (!mesh || !this.sources.length) return;
-    const { signal } = this.fieldQuestion;
+    const question = this.question(mesh);
+    const { signal } = this.meshQuestions;
     try {
-      const path = this.livePath?.target === place
-        ? this.livePath
-        : await this.ask(mesh, () => askPath(this.connection, this.question(mesh), place, signal));
+      const path = await this.answerTo(mesh, () => askPath(this.connection, question, place, signal));
+      if (mesh !== this.mesh) return;
+      if (!path) this.events.told("No path leads there.");
       // The second click of two leads from the source to itself.
-      if (path && path.length > 0 && mesh === this.mesh) this.addPath({ ...path, target: place });
+      else if (path.length > 0) void this.change(this.withPath(keptPath(path, question.sources, place)));
     } catch (error) {
       this.reportAbout(mesh, error, () => this.keepPath(place));
     }
   }
 
   removePath(path: KeptPath): void {
-    const line = this.lines.get(path);
-    if (line) this.removeLine(line);
-    this.lines.delete(path);
-    this.paths.splice(this.paths.indexOf(path), 1);
-    this.drawDots();
-    this.events.changed();
-    this.scene.redraw();
+    void this.change({ ...this.placed, paths: this.paths.filter((kept) => kept !== path) });
   }
 
   /** Takes the last path away, or else the last source. */
-  undo(): void {
+  removeLast(): void {
     const path = this.paths.at(-1);
     if (path) this.removePath(path);
-    else void this.setSources(this.sources.slice(0, -1));
+    else if (this.sources.length) void this.setSources(this.sources.slice(0, -1));
   }
 
   /** A curve while it is drawn: points on the screen's scale. */
@@ -371,8 +409,8 @@ export class Explorer {
     this.drawSketch([]);
     if (!mesh || places.length < 2) return;
     try {
-      const { signal } = new AbortController();
-      const curve = await this.ask(mesh, () => askCurve(this.connection, mesh.digest, places, signal));
+      const { signal } = this.meshQuestions;
+      const curve = await this.answerTo(mesh, () => askCurve(this.connection, mesh.digest, places, signal));
       if (mesh !== this.mesh) return;
       await this.setSources([...(alone ? [] : this.sources), { curve: curve.places }]);
     } catch (error) {
@@ -385,23 +423,81 @@ export class Explorer {
     if (!mesh || !this.sources.length) return;
     const { signal } = this.fieldQuestion;
     try {
-      this.samples = await this.ask(mesh, () => askSamples(this.connection, this.question(mesh), count, signal));
-      this.drawDots();
-      this.events.changed();
-      this.scene.redraw();
+      const samples = await this.answerTo(mesh, () => askSamples(this.connection, this.question(mesh), count, signal));
+      void this.change({ ...this.placed, samples });
     } catch (error) {
       this.reportAbout(mesh, error, () => this.sample(count));
     }
   }
 
-  /** Shows distances up to here only; asks for what is not there. */
+  /** Shows distances up to here only; asks for what is not there. Changes in a row are undone as one. */
   setRadius(radius: number | undefined): void {
-    this.radius = radius;
-    if (!this.mesh) return;
-    this.scene.material.uniforms.radius.value = radius === undefined ? 1e10 : radius / this.mesh.radius;
-    this.scene.redrawSurface();
+    if (radius !== this.radius) void this.change({ ...this.placed, radius }, "radius");
+  }
+
+  // Puts this in the place of what there is, which can be gone back to.
+  private change(placed: Placed, gesture?: unknown): Promise<void> {
+    this.history.record(this.placed, gesture);
+    return this.put(placed);
+  }
+
+  private goTo(placed: Placed | undefined): void {
+    if (placed) void this.put(placed);
+  }
+
+  // Asks for the field if it is another one.
+  private async put(placed: Placed): Promise<void> {
+    const { sources, radius, field } = this;
+    this.placed = placed;
+    if (this.mesh) this.showRadius(this.mesh);
+    if (!placed.sources.length) this.takeFieldAway();
+    this.drawMarks();
+    if (placed.sources.length && (!areSame(sources, placed.sources) || (placed.radius ?? Infinity) > this.reach)) {
+      return this.askField();
+    }
     this.events.changed();
-    if ((radius ?? Infinity) > this.reach) void this.askField();
+    if (radius === placed.radius && field === this.field) this.scene.redraw();
+    else this.scene.redrawSurface();
+  }
+
+  private takeFieldAway(): void {
+    this.fieldQuestion.abort();
+    this.dragged.stop();
+    this.hideLive();
+    this.field = undefined;
+    this.fieldSources = [];
+    this.summary = undefined;
+    this.reach = Infinity;
+    this.waiting = false;
+    if (this.mesh) new FieldView(this.mesh, this.scene.material, new Vector3(), true);
+  }
+
+  private showRadius(mesh: SurfaceMesh): void {
+    const { radius } = this;
+    this.scene.material.uniforms.radius.value = radius === undefined ? 1e10 : radius / mesh.radius;
+  }
+
+  private withPath(path: KeptPath): Placed {
+    return { ...this.placed, paths: [...this.paths, path] };
+  }
+
+  // The paths that an address named are no change of what it asked.
+  private async fetchPaths(signal: AbortSignal): Promise<void> {
+    const { mesh } = this;
+    if (!mesh) return;
+    try {
+      for (let next = this.awaitedPaths[0]; next && !signal.aborted; next = this.awaitedPaths[0]) {
+        const { from, target } = next;
+        const question = { digest: mesh.digest, sources: [from], algorithm: this.algorithm };
+        const path = await this.answerTo(mesh, () => askPath(this.connection, question, target, signal));
+        if (next !== this.awaitedPaths[0]) continue;
+        this.awaitedPaths = this.awaitedPaths.slice(1);
+        if (path) await this.put(this.withPath(keptPath(path, [from], target)));
+        else this.events.told("The address names a path between places that nothing connects.");
+      }
+    } catch (error) {
+      this.reportAbout(mesh, error, () => this.fetchPaths(signal));
+    }
   }
 
   private async moveToVertices(mesh: SurfaceMesh): Promise<void> {
@@ -410,17 +506,18 @@ export class Explorer {
       return source;
     });
     if (places.every((place) => place.kind === "vertex")) return;
+    this.events.told("Sources are at the nearest vertices now: approximate algorithms measure between vertices.");
     await this.setSources(places.map((place) => ({ kind: "vertex", vertex: mesh.nearestCorner(place) })));
   }
 
   private repainted(): void {
-    this.drawDots();
+    this.drawMarks();
     this.events.changed();
     this.scene.redrawSurface();
   }
 
   private question(mesh: SurfaceMesh): FieldQuestion {
-    return { digest: mesh.digest, sources: [...this.sources], algorithm: this.algorithm, radius: this.radius };
+    return { digest: mesh.digest, sources: this.sources, algorithm: this.algorithm, radius: this.radius };
   }
 
   // The question about a field that takes the place of the one there is.
@@ -429,23 +526,26 @@ export class Explorer {
     return this.question(mesh);
   }
 
-  private answer(summary: FieldSummary): void {
-    this.summary = summary;
-    this.reach = summary.settledRadius;
+  // Of a field that the server has further than the question the rest does not come.
+  private answer(summary: FieldSummary, { radius }: FieldQuestion): void {
+    this.reach = Math.min(summary.settledRadius, radius ?? Infinity);
+    this.summary = { ...summary, settledRadius: this.reach };
   }
 
   // Shows the field of the sources as they are, all at once.
   private async follow(mesh: SurfaceMesh, signal: AbortSignal): Promise<void> {
-    const sources = [...this.sources];
+    const { sources } = this;
     try {
       const question = this.newQuestion(mesh);
-      const { distances, summary } = await this.ask(mesh, () => askDistances(
+      const { distances, summary } = await this.answerTo(mesh, () => askDistances(
         this.connection, question, mesh.vertexCount, signal));
       if (mesh !== this.mesh || signal.aborted) return;
-      this.beginField(mesh, sources).setAll(distances);
-      this.answer(summary);
+      const field = this.beginField(mesh, sources);
+      field.setAll(distances);
+      this.answer(summary, question);
       this.events.changed();
       this.scene.redrawSurface();
+      if (this.showsCells) await this.paintCells(mesh, field);
     } catch (error) {
       this.reportAbout(mesh, error, () => this.askField());
     }
@@ -454,120 +554,35 @@ export class Explorer {
   private beginField(mesh: SurfaceMesh, sources: readonly Source[]): FieldView {
     const [first] = sources;
     const place = "curve" in first ? first.curve[0] : first;
-    const [reference] = this.onScreen(mesh, [place]);
+    const reference = onScreen(mesh, place);
     const allPoints = sources.every((source) => !("curve" in source));
     this.fieldSources = sources;
     return (this.field = new FieldView(mesh, this.scene.material, reference, allPoints));
   }
 
-  // Asks for the path under the cursor and draws it.
-  private async lead(mesh: SurfaceMesh, target: Place, since: number, signal: AbortSignal): Promise<void> {
-    try {
-      const question = { ...this.question(mesh), radius: undefined };
-      const path = await this.ask(mesh, () => askPath(this.connection, question, target, signal));
-      if (mesh !== this.mesh || !this.cursor || signal.aborted) return;
-      this.livePath = path && { ...path, target };
-      this.live.setPoints(path ? mesh.toScreen(path.positions) : new Float32Array());
-      this.events.value(path?.distance ?? Infinity, true);
-      this.scene.draw();
-      performance.measure("path under the cursor", { start: since, end: performance.now() });
-    } catch (error) {
-      this.report(error, this.askUnderCursor);
-    }
-  }
-
-  private readonly askUnderCursor = (): void => {
-    const { mesh, cursor, since } = this;
-    if (mesh && cursor && this.field) this.underCursor.ask((signal) => this.lead(mesh, cursor, since, signal));
-  };
-
   private hideLive(): void {
-    this.underCursor.stop();
+    this.live.hide();
     this.events.value(undefined, false);
-    if (!this.live.visible) return;
-    this.live.setPoints(new Float32Array());
-    this.livePath = undefined;
-    this.scene.redraw();
   }
 
-  private addPath(path: KeptPath): void {
-    this.paths.push(path);
-    this.addLine(path, KEPT_COLOR, path.positions);
-    this.drawDots();
-    this.events.changed();
-    this.scene.redraw();
-  }
-
-  private addLine(owner: object, color: number, positions: Float64Array): void {
-    if (!this.mesh) return;
-    const line = new PathLine(color, 3, this.scene.resolution);
-    line.setPoints(this.mesh.toScreen(positions));
-    this.lines.set(owner, line);
-    this.scene.overlay.add(line);
-  }
-
-  private removeLine(line: PathLine): void {
-    this.scene.overlay.remove(line);
-    line.dispose();
-  }
-
-  private dropPaths(): void {
-    for (const path of [...this.paths]) this.removePath(path);
-  }
-
-  private drawCurves(): void {
-    const { mesh } = this;
-    if (!mesh) return;
-    for (const [owner, line] of this.lines) {
-      this.removeLine(line);
-      this.lines.delete(owner);
-    }
-    for (const source of this.sources) {
-      if (!("curve" in source)) continue;
-      const positions = new Float64Array(source.curve.flatMap((place) => mesh.positionOf(place)));
-      this.addLine(source, CURVE_COLOR, positions);
-    }
-  }
-
-  private drawDots(): void {
-    const { mesh } = this;
-    if (!mesh) return;
-    const dots: Dot[] = [];
-    this.sources.forEach((source, i) => {
-      if ("curve" in source) return;
-      const cell = CELL_COLORS[i % CELL_COLORS.length].map((byte) => byte / 255);
-      dots.push({ point: this.onScreen(mesh, [source])[0].toArray(), fill: this.field?.painted === "cells" ? cell : WHITE });
-    });
-    for (const path of this.paths) {
-      dots.push({ point: this.onScreen(mesh, [path.target])[0].toArray(), fill: KEPT_FILL });
-    }
-    this.dots.setDots(dots);
-    const samples = this.samples.map(({ vertex }): Place => ({ kind: "vertex", vertex }));
-    this.sampleDots.setDots(this.onScreen(mesh, samples).map((p) => ({ point: p.toArray(), fill: SAMPLE_FILL })));
+  private drawMarks(): void {
+    if (this.mesh) this.marks.show(this.mesh, this.placed, this.field?.painted === "cells");
   }
 
   /** Where the sources are on the screen's scale; nothing for curves. */
   sourcesOnScreen(): (Vector3 | undefined)[] {
     const { mesh } = this;
-    return this.sources.map((source) => (mesh && !("curve" in source) ? this.onScreen(mesh, [source])[0] : undefined));
+    return this.sources.map((source) => (mesh && !("curve" in source) ? onScreen(mesh, source) : undefined));
   }
 
   /** Where kept paths end, on the screen's scale, and how long they are. */
   pathEnds(): { point: Vector3; length: number }[] {
     const { mesh } = this;
     if (!mesh) return [];
-    return this.paths.map(({ target, length }) => ({ point: this.onScreen(mesh, [target])[0], length }));
+    return this.paths.map(({ target, length }) => ({ point: onScreen(mesh, target), length }));
   }
 
-  private onScreen(mesh: SurfaceMesh, places: readonly Place[]): Vector3[] {
-    return places.map((place) => new Vector3(...mesh.toScreen(new Float64Array(mesh.positionOf(place)))));
-  }
-
-  private bareSurface(mesh: SurfaceMesh): void {
-    new FieldView(mesh, this.scene.material, new Vector3(), true);
-  }
-
-  private ask<T>(mesh: SurfaceMesh, question: () => Promise<T>): Promise<T> {
+  private answerTo<T>(mesh: SurfaceMesh, question: () => Promise<T>): Promise<T> {
     return askRestoring(question, () => this.events.lost(mesh));
   }
 

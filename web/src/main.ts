@@ -29,6 +29,7 @@ const explorer: Explorer = new Explorer(scene, connection, {
   },
   value: (distance, exact) => panel.value(distance, exact),
   failed: (error, again) => recovery.handle(error, again),
+  told: (what) => notice.hint(what),
   lost: (mesh) => chooser.restore(mesh.digest),
 });
 const labels = new PathLabels(explorer, scene, (point) => canvas.isSeen(point));
@@ -39,17 +40,17 @@ scene.onSurface = () => {
   canvas.changed();
 };
 const panel = new Panel(explorer, scene, connection, notice, theme, labels);
-const askAsAddressed = (mesh: SurfaceMesh) => {
-  const { sources, radius } = address.questionOn(mesh);
-  explorer.setRadius(radius);
-  void explorer.setSources(sources);
+const askAsAddressed = (mesh: SurfaceMesh, isChange: boolean) => {
+  const { sources, paths, radius } = address.questionOn(mesh);
+  void explorer.ask(sources, paths, radius, isChange);
   panel.chooseNext();
 };
 const open = (mesh: SurfaceMesh) => {
+  const isAgain = explorer.mesh?.digest === mesh.digest;
   explorer.show(mesh);
   canvas.show(mesh);
   panel.show(mesh);
-  askAsAddressed(mesh);
+  if (!isAgain) askAsAddressed(mesh, false);
 };
 const chooser = new MeshChooser(connection, notice, recovery, scene.coarseFaces, open, (mesh, indices) => explorer.showCoarse(mesh, indices));
 const canvas = wireCanvas(scene, explorer, panel);
@@ -67,7 +68,7 @@ addEventListener("hashchange", () => {
   if (address.token !== token) recovery.goOnWith(address.token);
   const { mesh } = explorer;
   if (!isGood) return;
-  if (mesh && mesh.digest === address.mesh) askAsAddressed(mesh);
+  if (mesh && mesh.digest === address.mesh) askAsAddressed(mesh, true);
   else if (address.mesh) chooser.openDigest(address.mesh);
 });
 

@@ -12,6 +12,8 @@ export interface PointerActions {
   /** Whether a drag that begins here moves what is there. */
   grabs(at: { x: number; y: number }): boolean;
   drag(at: { x: number; y: number }): void;
+  /** The drag has ended. */
+  dropped(): void;
   draw(at: { x: number; y: number }): void;
   drawn(): void;
   /** Turns of the wheel while Alt is held. */
@@ -19,7 +21,12 @@ export interface PointerActions {
   setTurning(enabled: boolean): void;
 }
 
-export function listenToPointer(canvas: HTMLCanvasElement, actions: PointerActions): void {
+export interface PointerListener {
+  /** Ends a drag that draws or moves something, without more; whether there is one. */
+  cancel(): boolean;
+}
+
+export function listenToPointer(canvas: HTMLCanvasElement, actions: PointerActions): PointerListener {
   let down: { x: number; y: number; moved: boolean; draws: boolean; grabs: boolean; id: number } | undefined;
   let pointers = 0;
 
@@ -58,10 +65,11 @@ export function listenToPointer(canvas: HTMLCanvasElement, actions: PointerActio
   const up = (event: PointerEvent) => {
     pointers = Math.max(pointers - 1, 0);
     if (!down || event.pointerId !== down.id) return;
-    const { moved, draws } = down;
+    const { moved, draws, grabs } = down;
     down = undefined;
     actions.setTurning(true);
     if (draws && moved) actions.drawn();
+    else if (grabs && moved) actions.dropped();
     else if (!moved && event.type === "pointerup") {
       actions.click({ x: event.clientX, y: event.clientY, shift: event.shiftKey });
     }
@@ -79,12 +87,22 @@ export function listenToPointer(canvas: HTMLCanvasElement, actions: PointerActio
     },
     { capture: true, passive: false },
   );
+  return {
+    cancel: () => {
+      if (!down?.draws && !down?.grabs) return false;
+      down = undefined;
+      actions.setTurning(true);
+      return true;
+    },
+  };
 }
 
 /** Whether a key is meant for a field of the panel, or for the browser. */
 export function isMeantForField(event: KeyboardEvent): boolean {
-  if (event.ctrlKey || event.metaKey || event.altKey) return true;
+  if (event.altKey) return true;
   const target = event.target as HTMLElement;
+  // Fields that are typed into undo by themselves.
+  if (event.ctrlKey || event.metaKey) return !/^[zy]$/i.test(event.key) || target.matches("input[type=number], input[type=password]");
   if (target.matches("input:is([type=radio], [type=checkbox], [type=range])")) return event.key.startsWith("Arrow");
   // Enter presses buttons, and opens what can be folded.
   if (target.matches("button, summary, a")) return event.key === "Enter";

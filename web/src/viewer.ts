@@ -69,6 +69,7 @@ function show(): void {
     drawsCurve: () => false,
     grabs: () => false,
     drag: () => undefined,
+    dropped: () => undefined,
     draw: () => undefined,
     drawn: () => undefined,
     wheel: () => undefined,

@@ -4,21 +4,32 @@ import { countText } from "./format";
 import { byId, onClick } from "./elements";
 import type { Notice } from "./notice";
 import type { Recovery } from "./recovery";
-import type { Connection } from "../service/connection";
+import { joiningWords, Seams } from "./seams";
+import { about, type Connection } from "../service/connection";
 import { DRAWN_WHOLE } from "../scene/detail";
 import { askRestoring } from "../service/ask_restoring";
 import { decimateMesh } from "../service/decimate_mesh";
 import { readMesh } from "../service/read_mesh";
-import { formatOf, uploadMesh } from "../service/upload";
+import { formatOf, uploadMesh, type Joining } from "../service/upload";
 import { SurfaceMesh } from "../surface/mesh";
+
+/** A file that was opened here, and how it was read. */
+interface Opened {
+  file: File;
+  joining: Joining;
+}
+
+/** As files are read at first. */
+const WITHIN_ROUNDING: Joining = { keepSeams: false };
 
 export class MeshChooser {
   private readonly input = byId<HTMLInputElement>("file");
   private readonly select = byId<HTMLSelectElement>("meshes");
   /** Files that were opened here, by the digest of their mesh. */
-  private readonly files = new Map<string, File>();
+  private readonly files = new Map<string, Opened>();
   /** Those of them that are on their way again. */
   private readonly restored = new Map<string, Promise<void>>();
+  private readonly seams = new Seams((joining) => this.readAnew(joining));
   private shown = "";
   private opening = new AbortController();
   private restoring = new AbortController();
@@ -56,19 +67,19 @@ export class MeshChooser {
    * it. It is sent once for all questions that miss the mesh at the same time.
    */
   async restore(digest: string): Promise<boolean> {
-    const file = this.files.get(digest);
-    if (!file) return false;
-    const restored = this.restored.get(digest) ?? this.sendAgain(digest, file).finally(() => this.restored.delete(digest));
+    const opened = this.files.get(digest);
+    if (!opened) return false;
+    const restored = this.restored.get(digest) ?? this.sendAgain(digest, opened).finally(() => this.restored.delete(digest));
     this.restored.set(digest, restored);
     await restored;
     return true;
   }
 
-  private async sendAgain(digest: string, file: File): Promise<void> {
+  private async sendAgain(digest: string, opened: Opened): Promise<void> {
     this.restoring = new AbortController();
-    const sent = await this.upload(file, this.restoring.signal);
+    const sent = await this.upload(opened, this.restoring.signal);
     this.notice.done();
-    if (sent !== digest) throw new Error(`The server has lost this mesh, and ${file.name} holds another one by now.`);
+    if (sent !== digest) throw new Error(`The server has lost this mesh, and ${opened.file.name} holds another one by now.`);
   }
 
   private openFiles(files: FileList | null): void {
@@ -77,15 +88,33 @@ export class MeshChooser {
     void this.recovery.attempt(async () => {
       // A file that is no mesh leaves alone what is being opened.
       formatOf(file.name);
-      this.open(async (signal) => {
-        this.notice.clear();
-        const digest = await this.upload(file, signal);
-        this.files.set(digest, file);
-        await this.read(digest, signal);
+      this.openFile({ file, joining: WITHIN_ROUNDING }, () => {
         if (others.length) this.notice.hint(`One mesh at a time is shown: ${file.name}.`);
-        // A list that fails is asked for again by itself: the mesh is shown by now.
-        void this.recovery.attempt(() => this.list());
-      }, file.name);
+      });
+    });
+  }
+
+  private openFile(opened: Opened, shown: (before: string) => void): void {
+    this.open(async (signal) => {
+      this.notice.clear();
+      const digest = await this.upload(opened, signal);
+      this.files.set(digest, opened);
+      const before = this.shown;
+      await this.read(digest, signal);
+      shown(before);
+      // A list that fails is asked for again by itself: the mesh is shown by now.
+      void this.recovery.attempt(() => this.list());
+    }, opened.file.name);
+  }
+
+  // Sends the file of the mesh that is shown, to be joined in another way.
+  private readAnew(joining: Joining): void {
+    const opened = this.files.get(this.shown);
+    if (!opened) return;
+    this.openFile({ ...opened, joining }, (before) => {
+      this.notice.hint(before === this.shown
+        ? "It is the same mesh: this joins no other edges."
+        : "This is another mesh. Back, in the browser, shows the one before with its sources and paths.", 8000);
     });
   }
 
@@ -106,15 +135,21 @@ export class MeshChooser {
       if (faceCount <= DRAWN_WHOLE) return;
       coarse = decimateMesh(this.connection, digest, this.coarseFaces, signal).catch(() => undefined);
     };
-    const arrays = await readMesh(this.connection, digest, counted, show, signal);
+    const [arrays, { mesh: described }] = await Promise.all([
+      readMesh(this.connection, digest, counted, show, signal),
+      this.connection.meshes.getMesh({ digest }, about(digest, signal)),
+    ]);
     this.notice.busy("Preparing the picture");
     // The line above is on the screen before the work begins.
     await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
     const mesh = new SurfaceMesh(arrays, digest, this.nameOf(digest));
+    const opened = this.files.get(digest);
+    mesh.isFile = opened !== undefined && !joiningWords(opened.joining);
     mesh.awaitsCoarse = coarse !== undefined;
     this.restoring.abort();
     this.notice.clear();
     this.opened(mesh);
+    this.seams.show(described?.notes ?? [], opened?.joining);
     void coarse?.then((indices) => this.decimated(mesh, indices));
     if (!mesh.hasArea) this.notice.error(`${mesh.name}: no face has an area, so there is nothing to see.`);
     byId("welcome").hidden = true;
@@ -124,7 +159,9 @@ export class MeshChooser {
   async list(): Promise<void> {
     const { meshes } = await this.connection.meshes.listMeshes({ pageSize: 1000 });
     const choices = meshes.map((mesh) => {
-      return { digest: mesh.digest, text: `${this.nameOf(mesh.digest)} (${countText(Number(mesh.faceCount), "face")})` };
+      const opened = this.files.get(mesh.digest);
+      const notes = [countText(Number(mesh.faceCount), "face"), opened ? joiningWords(opened.joining) : ""].filter(Boolean);
+      return { digest: mesh.digest, text: `${this.nameOf(mesh.digest)} (${notes.join(", ")})` };
     });
     this.select.replaceChildren(
       new Option(choices.length ? "on the server…" : "no mesh yet", ""),
@@ -142,14 +179,14 @@ export class MeshChooser {
   }
 
   private nameOf(digest: string): string {
-    return this.files.get(digest)?.name ?? digest.slice(0, 8);
+    return this.files.get(digest)?.file.name ?? digest.slice(0, 8);
   }
 
-  private upload(file: File, signal: AbortSignal): Promise<string> {
+  private upload({ file, joining }: Opened, signal: AbortSignal): Promise<string> {
     const show = (share: number) =>
       this.notice.busy(share < 1 ? `Sending ${file.name}` : `The server reads ${file.name}`, share < 1 ? share : undefined);
     show(0);
-    return uploadMesh(this.connection, file, show, signal);
+    return uploadMesh(this.connection, file, joining, show, signal);
   }
 
   private listenToDrops(stage: HTMLElement): void {

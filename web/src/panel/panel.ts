@@ -1,11 +1,11 @@
 // The panel beside the picture: shows what is asked and answered, and passes on
 // what the user chooses.
 
-import type { AlgorithmCapability } from "../../generated/geodesic/v1/capabilities_service_pb";
-import type { Algorithm } from "../../generated/geodesic/v1/query_pb";
 import type { Explorer } from "../explorer";
 import { byId, onClick } from "./elements";
 import { countText, formatCount, formatNumber } from "./format";
+import { Legend } from "./legend";
+import { Methods } from "./methods";
 import type { Notice } from "./notice";
 import type { PathLabels } from "./path_labels";
 import { SavePanel } from "./save_panel";
@@ -14,11 +14,13 @@ import type { Theme } from "./theme";
 import type { Scene } from "../scene/scene";
 import type { Connection } from "../service/connection";
 import type { SurfaceMesh } from "../surface/mesh";
+import { placeWords } from "../surface/place_words";
 import { PREVIEW_WORDS } from "../surface/preview";
 
 export type Tool = "source" | "path" | "curve";
 
 const RADIUS_STEPS = 1000;
+const NO_FIELD = "There is no field yet: click a point of the surface.";
 
 export class Panel {
   private readonly scale = new ScaleBar(byId("scale"));
@@ -26,38 +28,45 @@ export class Panel {
   private readonly radius = byId<HTMLInputElement>("radius");
   private readonly isolines = byId<HTMLInputElement>("isolines");
   private readonly cells = byId<HTMLInputElement>("cells");
-  private readonly algorithm = byId<HTMLSelectElement>("algorithm");
-  private readonly against = byId<HTMLSelectElement>("against");
+  private readonly undoButton = byId<HTMLButtonElement>("undo");
+  private readonly redoButton = byId<HTMLButtonElement>("redo");
+  private readonly clearButton = byId<HTMLButtonElement>("clear");
+  private readonly methods: Methods;
+  private readonly legend: Legend;
   private readonly save: SavePanel;
-  private approximate = new Set<Algorithm>();
 
   constructor(
     private readonly explorer: Explorer,
     private readonly scene: Scene,
     private readonly connection: Connection,
-    notice: Notice,
+    private readonly notice: Notice,
     private readonly theme: Theme,
     labels: PathLabels,
   ) {
-    this.save = new SavePanel(explorer, scene, notice, labels, () => this.algorithmName());
+    this.methods = new Methods((algorithm) => {
+      explorer.algorithm = algorithm;
+      void explorer.askField();
+    });
+    this.legend = new Legend(explorer, scene, this.methods);
+    this.save = new SavePanel(explorer, scene, notice, labels, this.legend, () => this.algorithmName());
     onClick("theme", () => theme.toggle());
     onClick("help", () => this.help());
+    onClick("undo", () => this.undo());
+    onClick("redo", () => this.redo());
     onClick("clear", () => this.clear());
     onClick("sample", () => {
       const count = byId<HTMLInputElement>("sample-count");
-      if (count.reportValidity()) void explorer.sample(count.valueAsNumber);
+      if (!count.reportValidity()) return;
+      if (explorer.sources.length) void explorer.sample(count.valueAsNumber);
+      else notice.hint(NO_FIELD);
     });
     onClick("compare", () => void this.compare());
     this.isolines.addEventListener("change", () => this.showIsolines());
-    this.cells.addEventListener("change", () => void explorer.showCells(this.cells.checked));
+    this.cells.addEventListener("change", () => explorer.showCells(this.cells.checked));
     this.radius.addEventListener("input", () => {
       const share = this.radius.valueAsNumber / RADIUS_STEPS;
       const widest = this.widestRadius();
       this.setRadius(share < 1 && widest > 0 ? share * widest : Infinity);
-    });
-    this.algorithm.addEventListener("change", () => {
-      explorer.algorithm = Number(this.algorithm.value);
-      void explorer.askField();
     });
     for (const input of this.tools()) input.addEventListener("change", () => this.update());
   }
@@ -72,13 +81,8 @@ export class Panel {
   }
 
   async showCapabilities(): Promise<void> {
-    const { algorithms, approximateAlgorithms } = await this.connection.capabilities.getCapabilities({});
-    this.algorithm.replaceChildren(new Option("the server's choice", "0"), ...algorithms.map(choice));
-    this.against.replaceChildren(choices("exact", algorithms), choices("approximate", approximateAlgorithms));
-    this.approximate = new Set(approximateAlgorithms.map(({ algorithm }) => algorithm));
-    const interesting = approximateAlgorithms[0] ?? algorithms[1];
-    if (interesting) this.against.value = String(interesting.algorithm);
-    byId("compare-row").hidden = algorithms.length + approximateAlgorithms.length < 2;
+    this.methods.show(await this.connection.capabilities.getCapabilities({}));
+    this.legend.update();
   }
 
   show(mesh: SurfaceMesh): void {
@@ -99,7 +103,10 @@ export class Panel {
     byId("source-count").textContent = countText(sources.length, "source");
     byId("next-step").textContent = this.nextStep();
     byId("cells-choice").hidden = sources.length < 2;
-    this.cells.checked = field?.painted === "cells";
+    this.cells.checked = this.explorer.showsCells;
+    this.undoButton.disabled = !this.explorer.canUndo;
+    this.redoButton.disabled = !this.explorer.canRedo;
+    this.clearButton.disabled = this.explorer.isEmpty;
     if (field?.painted !== "difference") byId("difference").replaceChildren();
     this.scale.show(field?.scaleEnd ?? 0);
     const figures: [string, string][] = [];
@@ -117,15 +124,17 @@ export class Panel {
     byId("paths").replaceChildren(
       ...paths.map((path) => {
         const item = term("li", formatNumber(path.length, 10));
+        const ends = term("small", `from ${placeWords(path.from)} to ${placeWords(path.target)}`);
         const remove = document.createElement("button");
         remove.textContent = "×";
         remove.setAttribute("aria-label", "Remove this path");
         remove.addEventListener("click", () => this.explorer.removePath(path));
-        item.append(remove);
+        item.append(remove, ends);
         return item;
       }),
     );
     this.showRadius();
+    this.legend.update();
     this.save.update();
   }
 
@@ -154,8 +163,17 @@ export class Panel {
 
   clear(): void {
     this.explorer.clear();
-    this.explorer.setRadius(undefined);
     this.choose("source");
+  }
+
+  undo(): void {
+    this.explorer.undo();
+    this.chooseNext();
+  }
+
+  redo(): void {
+    this.explorer.redo();
+    this.chooseNext();
   }
 
   toggleIsolines(): void {
@@ -172,9 +190,13 @@ export class Panel {
   }
 
   private async compare(): Promise<void> {
-    const algorithm = Number(this.against.value);
+    if (!this.explorer.exactField) {
+      this.notice.hint(this.explorer.isWaiting ? "The exact field is still on its way." : NO_FIELD);
+      return;
+    }
+    const algorithm = this.methods.against;
     byId("difference").replaceChildren(term("dt", "Comparing…"));
-    const difference = await this.explorer.compare(algorithm, this.approximate.has(algorithm));
+    const difference = await this.explorer.compare(algorithm, this.methods.isApproximate(algorithm));
     if (!difference) {
       byId("difference").replaceChildren();
       return;
@@ -187,6 +209,7 @@ export class Panel {
 
   private showIsolines(): void {
     this.scene.material.uniforms.showLines.value = this.isolines.checked;
+    this.legend.update();
     this.scene.redrawSurface();
   }
 
@@ -223,26 +246,13 @@ export class Panel {
 
   /** As the command spells it; nothing for the server's choice. */
   private algorithmName(): string | undefined {
-    return this.explorer.algorithm === 0 ? undefined : this.algorithm.selectedOptions[0].text;
+    const { algorithm } = this.explorer;
+    return algorithm === 0 ? undefined : this.methods.nameOf(algorithm);
   }
 
   private tools(): HTMLInputElement[] {
     return [...document.querySelectorAll<HTMLInputElement>('input[name="tool"]')];
   }
-}
-
-function choices(label: string, offered: AlgorithmCapability[]): HTMLOptGroupElement {
-  const group = document.createElement("optgroup");
-  group.label = label;
-  group.hidden = offered.length === 0;
-  group.append(...offered.map(choice));
-  return group;
-}
-
-function choice({ algorithm, name, summary }: AlgorithmCapability): HTMLOptionElement {
-  const option = new Option(name, String(algorithm));
-  option.title = summary;
-  return option;
 }
 
 /** What the largest distance is of, where those up to `radius` are known. */

@@ -2,6 +2,7 @@
 
 import type { Explorer } from "../explorer";
 import { byId, onClick } from "./elements";
+import type { Legend } from "./legend";
 import type { Notice } from "./notice";
 import type { PathLabels } from "./path_labels";
 import { download, stem } from "../save/download";
@@ -20,6 +21,7 @@ export class SavePanel {
     private readonly scene: Scene,
     private readonly notice: Notice,
     private readonly labels: PathLabels,
+    private readonly legend: Legend,
     private readonly algorithmName: () => string | undefined,
   ) {
     onClick("save-picture", () => void this.savePicture());
@@ -40,7 +42,7 @@ export class SavePanel {
 
   private async savePicture(): Promise<void> {
     const { mesh, field } = this.explorer;
-    if (mesh) download(`${stem(mesh.name)}.png`, await drawPicture(this.scene, field, this.labels));
+    if (mesh) download(`${stem(mesh.name)}.png`, await drawPicture(this.scene, field, this.labels, this.legend));
   }
 
   private saveField(ending: string, write: (distances: Float64Array) => BlobPart[]): void {
@@ -80,18 +82,17 @@ export class SavePanel {
     );
   }
 
-  /** What is asked; nothing while there is no source. */
+  /** What is asked; nothing while there is neither a source nor a path. */
   private question(): AskedQuestion | undefined {
     const { mesh, sources, radius, paths } = this.explorer;
-    if (!mesh || !sources.length) return undefined;
-    const isFile = mesh.name.includes(".");
+    if (!mesh || (!sources.length && !paths.length)) return undefined;
     return {
-      mesh: isFile ? mesh.name : mesh.digest,
-      server: isFile ? undefined : `${location.hostname}:PORT`,
+      mesh: mesh.isFile ? mesh.name : mesh.digest,
+      server: mesh.isFile ? undefined : `${location.hostname}:PORT`,
       sources,
       radius,
       algorithm: this.algorithmName(),
-      targets: paths.map((path) => path.target),
+      paths,
     };
   }
 }

@@ -1,17 +1,17 @@
-// The picture as it is on the screen, with its scale and the lengths of paths.
+// The picture as it is on the screen, with its scale, the lengths of paths, and what it shows.
 
 import { cssColor } from "../scene/colormap";
+import type { Legend } from "../panel/legend";
 import type { PathLabels } from "../panel/path_labels";
 import type { FieldView } from "../scene/field_view";
 import { scaleLabels } from "../scene/isoline_scale";
 import type { Scene } from "../scene/scene";
-import { PREVIEW_WORDS } from "../surface/preview";
 
-export function drawPicture(scene: Scene, field: FieldView | undefined, labels: PathLabels): Promise<Blob> {
+export function drawPicture(scene: Scene, field: FieldView | undefined, labels: PathLabels, legend: Legend): Promise<Blob> {
   const picture = scene.takePicture();
   const context = picture.getContext("2d");
   if (context && field && field.scaleEnd > 0) drawScale(context, field, picture.height);
-  if (context) labels.drawOn(context, scene.pixelRatio.value);
+  for (const text of [labels, legend]) if (context) text.drawOn(context, scene.pixelRatio.value);
   return new Promise((resolve, reject) =>
     picture.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The picture could not be made."))), "image/png"),
   );
@@ -31,5 +31,4 @@ function drawScale(context: CanvasRenderingContext2D, field: FieldView, height: 
     const y = bar.top + bar.height * (1 - at / field.scaleEnd);
     context.fillText(text, bar.left + bar.width + 8 * unit, y);
   }
-  if (field.isPreview) context.fillText(PREVIEW_WORDS, bar.left, bar.top + bar.height + 20 * unit);
 }

@@ -1,6 +1,7 @@
 // The question on the screen, for the command `geodesic` and for Python.
 
-import { commandText, pythonText, sourceText, type Place, type Source } from "../surface/place";
+import type { PathEnds } from "../placed";
+import { commandText, pythonText, sourceText, type Source } from "../surface/place";
 
 export interface AskedQuestion {
   /** The mesh's file or digest. */
@@ -11,8 +12,8 @@ export interface AskedQuestion {
   radius?: number;
   /** As the command spells it; nothing for the server's choice. */
   algorithm?: string;
-  /** Ends of the paths that were kept. */
-  targets: readonly Place[];
+  /** The paths that were kept. */
+  paths: readonly PathEnds[];
 }
 
 export function commandLines(question: AskedQuestion): string {
@@ -23,11 +24,16 @@ export function commandLines(question: AskedQuestion): string {
   const mesh = quoted(question.mesh);
   const method = question.algorithm ? [`--algorithm ${question.algorithm}`] : [];
   const radius = question.radius === undefined ? [] : [`--radius ${question.radius}`];
-  const lines = [[geodesic, "field", mesh, ...from, ...radius, ...method, "-o field.npy"]];
-  if (question.targets.length) {
-    const to = question.targets.map((target) => `--target ${commandText(target)}`);
-    lines.push([geodesic, "path", mesh, ...from, ...to, ...method, "-o paths.obj"]);
+  const lines = from.length ? [[geodesic, "field", mesh, ...from, ...radius, ...method, "-o field.npy"]] : [];
+  // One command for each source that paths start at.
+  const targets = new Map<string, string[]>();
+  for (const { from, target } of question.paths) {
+    const source = `--source ${commandText(from)}`;
+    targets.set(source, [...(targets.get(source) ?? []), `--target ${commandText(target)}`]);
   }
+  [...targets].forEach(([source, to], i) => {
+    lines.push([geodesic, "path", mesh, source, ...to, ...method, `-o paths${i ? `-${i + 1}` : ""}.obj`]);
+  });
   return lines.map((words) => words.join(" ")).join("\n");
 }
 
@@ -44,9 +50,9 @@ export function pythonLines(question: AskedQuestion): string {
     question.server
       ? `mesh = geodesic.connect(${JSON.stringify(question.server)}).open(${JSON.stringify(question.mesh)})`
       : `mesh = geodesic.Mesh(${JSON.stringify(question.mesh)})`,
-    `d = mesh.distances(${from}${radius}${method})`,
   ];
-  const paths = question.targets.map((target) => `mesh.path(${from}, ${pythonText(target)}${method})`);
+  if (sources.length) lines.push(`d = mesh.distances(${from}${radius}${method})`);
+  const paths = question.paths.map(({ from, target }) => `mesh.path(${pythonText(from)}, ${pythonText(target)}${method})`);
   if (paths.length === 1) lines.push(`path = ${paths[0]}`);
   if (paths.length > 1) lines.push("paths = [", ...paths.map((path) => `    ${path},`), "]");
   return lines.join("\n");

@@ -15,9 +15,10 @@ export class FieldView {
   /** Of each vertex, in the unit of the file; +infinity where none is known. */
   readonly distances: Float64Array;
   painted: "distances" | "cells" | "difference" = "distances";
+  /** From another field, once it was painted. */
+  difference: Difference | undefined;
   /** The greatest finite distance. */
   largest = 0;
-  private largestDifference = 0;
   private readonly drawn: Float32Array;
   private readonly attribute: BufferAttribute;
   private preview: Float64Array | undefined;
@@ -144,10 +145,12 @@ export class FieldView {
   }
 
   /** Colours each vertex by how far the field is from another one there. */
-  paintDifference({ shares, largest }: Difference): void {
-    this.largestDifference = largest;
-    const colors = new Uint8Array(3 * shares.length);
+  paintDifference(difference: Difference): void {
+    this.difference = difference;
+    const { shares } = difference;
+    const colors = new Uint8Array(3 * shares.length).fill(128);
     for (let v = 0; v < shares.length; v++) {
+      if (Number.isNaN(shares[v])) continue;
       const entry = 4 * Math.round(shares[v] * (COLORMAP_SIZE - 1));
       colors.set(COLORMAP.subarray(entry, entry + 3), 3 * v);
     }
@@ -192,7 +195,7 @@ export class FieldView {
 
   /** What the last colour stands for; 0 where colours stand for no number. */
   get scaleEnd(): number {
-    return { distances: this.largest, cells: 0, difference: this.largestDifference }[this.painted];
+    return { distances: this.largest, cells: 0, difference: this.difference?.largest ?? 0 }[this.painted];
   }
 
   private setScale(): void {

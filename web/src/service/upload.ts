@@ -14,6 +14,7 @@ import {
   CreateMeshRequestSchema,
   CreateMeshResponseSchema,
   MeshService,
+  UploadHeaderSchema,
   type CreateMeshRequest,
 } from "../../generated/geodesic/v1/mesh_service_pb";
 import type { Connection } from "./connection";
@@ -41,22 +42,36 @@ export function formatOf(name: string): MeshFormat {
   return format;
 }
 
+/** Which boundary edges the server joins when it reads a file. */
+export interface Joining {
+  /** None. */
+  keepSeams: boolean;
+  /** Those whose ends are so near, in the unit of the file; within the file's rounding if it is not set. */
+  weldDistance?: number;
+}
+
 /** The digest of the file's mesh. `progress` gets shares from 0 to 1. */
 export async function uploadMesh(
   connection: Connection,
   file: File,
+  joining: Joining,
   progress: (share: number) => void,
   signal: AbortSignal,
 ): Promise<string> {
-  const format = formatOf(file.name);
+  const reading = { format: formatOf(file.name), ...joining };
   const data = new Uint8Array(await file.arrayBuffer());
-  const known = await knownMesh(connection, format, data, signal);
-  return known ?? send(connection, format, data, progress, signal);
+  const known = await knownMesh(connection, reading, data, signal);
+  return known ?? send(connection, reading, data, progress, signal);
+}
+
+/** How a file is to be read. */
+interface Reading extends Joining {
+  format: MeshFormat;
 }
 
 async function knownMesh(
   connection: Connection,
-  format: MeshFormat,
+  reading: Reading,
   data: Uint8Array<ArrayBuffer>,
   signal: AbortSignal,
 ): Promise<string | undefined> {
@@ -64,7 +79,7 @@ async function knownMesh(
   if (!globalThis.crypto?.subtle) return undefined;
   const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", data));
   const sha256 = Array.from(hash, (byte) => byte.toString(16).padStart(2, "0")).join("");
-  const answer = await connection.meshes.findMissingMeshes({ files: [{ format, sha256 }] }, { signal });
+  const answer = await connection.meshes.findMissingMeshes({ files: [{ ...reading, sha256 }] }, { signal });
   return answer.knownFiles[0]?.meshDigest;
 }
 
@@ -72,23 +87,23 @@ async function knownMesh(
 // all messages go as the frames of one XMLHttpRequest.
 async function send(
   connection: Connection,
-  format: MeshFormat,
+  reading: Reading,
   data: Uint8Array<ArrayBuffer>,
   progress: (share: number) => void,
   signal: AbortSignal,
 ): Promise<string> {
-  const body = new Blob([...frames(format, data)] as BlobPart[], { type: "application/grpc-web+proto" });
+  const body = new Blob([...frames(reading, data)] as BlobPart[], { type: "application/grpc-web+proto" });
   const answer = await post(connection, body, progress, signal);
   const message = readAnswer(answer);
   return fromBinary(CreateMeshResponseSchema, message).mesh?.digest ?? "";
 }
 
-function* frames(format: MeshFormat, data: Uint8Array): Generator<Uint8Array> {
+function* frames(reading: Reading, data: Uint8Array): Generator<Uint8Array> {
   const frame = (part: CreateMeshRequest["part"]) =>
     encodeEnvelope(0, toBinary(CreateMeshRequestSchema, create(CreateMeshRequestSchema, { part })));
   yield frame({
     case: "header",
-    value: { $typeName: "geodesic.v1.UploadHeader", format, sizeBytes: BigInt(data.length), vertexCount: 0n, faceCount: 0n, expectedDigest: "" },
+    value: create(UploadHeaderSchema, { ...reading, sizeBytes: BigInt(data.length) }),
   });
   for (let offset = 0; offset < data.length; offset += CHUNK_BYTES) {
     const chunk = data.subarray(offset, offset + CHUNK_BYTES);

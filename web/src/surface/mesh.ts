@@ -27,6 +27,8 @@ export class SurfaceMesh {
   coarse: BufferGeometry | undefined;
   /** What the view shows at first: vertices of faces, on the screen's scale. */
   readonly framed: Float32Array;
+  /** Whether the file of its name, read as any, is this mesh. */
+  isFile = false;
   /** Whether a coarse list is on its way. */
   awaitsCoarse = false;
   readonly center: Vector;
