@@ -127,9 +127,9 @@ absl::Status MeshAssembler::Consume(const v1::ReadMeshResponse& message) {
 absl::StatusOr<MeshArrays> MeshAssembler::Finish() && {
   for (const auto& [vertex, into] : mesh_.joined) {
     if (vertex >= vertex_count_ || into >= vertex_count_) {
-      return absl::DataLossError(
-          absl::StrCat("the server sent vertex ", vertex, " joined into ", into,
-                       " of ", vertex_count_));
+      return absl::DataLossError(absl::StrCat("the server sent vertex ", vertex,
+                                              " joined into ", into, " of ",
+                                              vertex_count_));
     }
   }
   if (!has_header_ || mesh_.positions.size() != vertex_count_ ||

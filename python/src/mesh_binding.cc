@@ -99,15 +99,16 @@ py::tuple Triangulate(const DoubleArray& vertices, const IntegerArray& corners,
                                &watch);
   });
   return py::make_tuple(ToArray(std::move(soup.triangles)),
-                        soup.reading.crossing_polygons, soup.reading.first_crossing_polygon);
+                        soup.reading.crossing_polygons,
+                        soup.reading.first_crossing_polygon);
 }
 
 std::string FormatOf(const std::string& path) {
   return std::string(MeshFormatName(ValueOrThrow(MeshFormatFromPath(path))));
 }
 
-MeshHandle ReadFile(const py::bytes& bytes, const std::string& name,
-                    bool joins, std::optional<double> distance) {
+MeshHandle ReadFile(const py::bytes& bytes, const std::string& name, bool joins,
+                    std::optional<double> distance) {
   const MeshFormat format = ValueOrThrow(MeshFormatFromPath(name));
   const std::string_view text = bytes;
   Watch watch{py::none()};

@@ -193,7 +193,8 @@ void AddReading(CLI::App* app, MeshArgument* mesh) {
                }
                mesh->welding.distance = distance;
              },
-             "Join boundary edges whose ends lie within this distance (default: "
+             "Join boundary edges whose ends lie within this distance "
+             "(default: "
              "within the rounding of the file's numbers)")
           ->type_name("DISTANCE");
   app->add_flag("--no-weld", mesh->welding.keep_seams,

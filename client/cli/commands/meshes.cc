@@ -68,10 +68,10 @@ std::vector<Fact> FactsOf(const MeshInfo& mesh) {
       {"saddle vertices", GroupedNumber(mesh.saddle_vertex_count)},
       {"degenerate faces", GroupedNumber(mesh.degenerate_face_count)},
       {"left out faces", GroupedNumber(mesh.left_out_face_count)},
-      {"seams", absl::StrCat(GroupedNumber(mesh.seam_edge_count),
-                             " edges joined, ",
-                             GroupedNumber(mesh.joined_vertex_count),
-                             " vertices repeated")},
+      {"seams",
+       absl::StrCat(GroupedNumber(mesh.seam_edge_count), " edges joined, ",
+                    GroupedNumber(mesh.joined_vertex_count),
+                    " vertices repeated")},
       {"bounding box",
        absl::StrCat(ShortNumbers(mesh.bounding_box_min), "  to  ",
                     ShortNumbers(mesh.bounding_box_max))},
@@ -170,9 +170,8 @@ absl::Status Upload(const UploadArguments& arguments, const Session& session) {
   const bool is_one = arguments.files.size() == 1;
   if (session.json && !is_one) (*session.json)["uploads"] = Json::array();
   for (const std::string& file : arguments.files) {
-    absl::StatusOr<UploadOutcome> outcome =
-        UploadMesh(session, {file, arguments.reading.format,
-                             arguments.reading.welding});
+    absl::StatusOr<UploadOutcome> outcome = UploadMesh(
+        session, {file, arguments.reading.format, arguments.reading.welding});
     if (!outcome.ok()) {
       if (session.json) (*session.json)["error"]["file"] = file;
       return outcome.status();

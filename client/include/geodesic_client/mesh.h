@@ -112,8 +112,8 @@ struct MeshInfo {
   uint64_t joined_vertex_count = 0;
   // Faces that name a vertex twice, which are no part of the surface.
   uint64_t left_out_face_count = 0;
-  // Boundary edges that lie close to others and were not joined, and the distance
-  // that joins them.
+  // Boundary edges that lie close to others and were not joined, and the
+  // distance that joins them.
   uint64_t close_edge_count = 0;
   double close_edge_distance = 0;
 };

@@ -2,7 +2,8 @@
 // programs repeat vertices where a texture, a normal or a colour changes.
 //
 //   absl::Status status = JoinSeams({}, soup);   // what lies on each other
-//   status = JoinSeams({.kind = Welding::Kind::kWithin, .distance = 1e-3}, soup);
+//   status = JoinSeams({.kind = Welding::Kind::kWithin, .distance = 1e-3},
+//   soup);
 //
 // Boundary edges alone are joined, by both their ends: parts that touch in a
 // point or cross stay apart.

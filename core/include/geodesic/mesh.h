@@ -12,8 +12,8 @@
 //
 // Guarantees:
 //   1. vertex and face numbers are the caller's; nothing is renumbered or
-//      duplicated. A face that names a vertex twice keeps its number and is left
-//      out of the surface; a vertex that was joined into another one
+//      duplicated. A face that names a vertex twice keeps its number and is
+//      left out of the surface; a vertex that was joined into another one
 //      (join_seams.h) has no face, and its answers are the other's;
 //   2. boundaries, holes, several components, isolated vertices, vertices where
 //      surfaces touch, edges of three faces or more, faces that disagree in

@@ -14,9 +14,9 @@ uint64_t Mixed(uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// Whether a vertex may be at the boundary. Where the faces around it close, each
-// neighbour follows in one and precedes in another, and what they add up to is
-// 0. Elsewhere it is not, but for one chance in 2^64.
+// Whether a vertex may be at the boundary. Where the faces around it close,
+// each neighbour follows in one and precedes in another, and what they add up
+// to is 0. Elsewhere it is not, but for one chance in 2^64.
 std::vector<bool> MayBeAtBoundary(const TriangleSoup& soup) {
   std::vector<uint64_t> balance(soup.positions.size(), 0);
   for (const Triangle& corners : soup.triangles) {

@@ -25,9 +25,9 @@ struct BoundaryEdges {
   std::vector<VertexPair> around;
 };
 
-// Faces that name a vertex twice are passed over. O(V + F), and O(B log B) for B
-// edges between vertices at the boundary.
-// REQUIRES: the triangles name vertices of the soup.
+// Faces that name a vertex twice are passed over. O(V + F), and O(B log B) for
+// B edges between vertices at the boundary. REQUIRES: the triangles name
+// vertices of the soup.
 BoundaryEdges FindBoundaryEdges(const TriangleSoup& soup);
 
 }  // namespace geodesic

@@ -90,10 +90,10 @@ void CloseEdges::Compare(uint32_t edge, uint32_t other,
   const auto at = [&](uint32_t v) -> const Point& { return positions_[v]; };
   const auto& [a, b] = edges_[edge];
   const auto& [c, d] = edges_[other];
-  const double straight = std::max(Distance(at(a), at(c)),
-                                   Distance(at(b), at(d)));
-  const double turned = std::max(Distance(at(a), at(d)),
-                                 Distance(at(b), at(c)));
+  const double straight =
+      std::max(Distance(at(a), at(c)), Distance(at(b), at(d)));
+  const double turned =
+      std::max(Distance(at(a), at(d)), Distance(at(b), at(c)));
   const double distance = std::min(straight, turned);
   const double length =
       std::min(Distance(at(a), at(b)), Distance(at(c), at(d)));

@@ -40,13 +40,14 @@ class Coordinates {
     if (largest_ == 0) return 0;
     const bool is_decimal = digits_ <= std::numeric_limits<double>::digits10;
     const bool few = digits_ <= std::numeric_limits<float>::max_digits10;
-    const double computed = kComputedTwice * extent *
-                            (is_single || are_floats_ || few ? kFloat : kDouble);
+    const double computed =
+        kComputedTwice * extent *
+        (is_single || are_floats_ || few ? kFloat : kDouble);
     const double written =
         are_floats_ ? largest_ * kFloat
         : is_decimal
-            ? std::pow(10.0, std::max(-decimals_, FirstDigit(largest_) + 1 -
-                                                      digits_))
+            ? std::pow(10.0,
+                       std::max(-decimals_, FirstDigit(largest_) + 1 - digits_))
             : largest_ * kDouble;
     return kWrittenTwice * std::max(computed, written);
   }
@@ -64,8 +65,7 @@ class Coordinates {
         std::to_chars(text.data(), text.data() + text.size(), std::abs(x),
                       std::chars_format::scientific)
             .ptr;
-    const char* const exponent =
-        std::find<const char*>(text.data(), end, 'e');
+    const char* const exponent = std::find<const char*>(text.data(), end, 'e');
     // Without the point.
     const int digits =
         std::max(static_cast<int>(exponent - text.data()) - 1, 1);
@@ -102,8 +102,7 @@ class Seams {
     first_at.reserve(boundary_.edges.size());
     for (uint32_t i = 0; i < boundary_.edges.size(); ++i) {
       const auto& [low, high] = boundary_.edges[i];
-      std::array<Point, 2> ends = {soup_.positions[low],
-                                   soup_.positions[high]};
+      std::array<Point, 2> ends = {soup_.positions[low], soup_.positions[high]};
       const bool is_turned = ends[1] < ends[0];
       if (is_turned) std::swap(ends[0], ends[1]);
       const auto [entry, is_new] = first_at.try_emplace(ends, i);
@@ -193,9 +192,9 @@ class Seams {
   }
 
   bool AreNeighbours(uint32_t a, uint32_t b) const {
-    return a != b && std::ranges::binary_search(
-                         boundary_.around,
-                         VertexPair{std::min(a, b), std::max(a, b)});
+    return a != b &&
+           std::ranges::binary_search(
+               boundary_.around, VertexPair{std::min(a, b), std::max(a, b)});
   }
 
   TriangleSoup& soup_;
@@ -234,10 +233,9 @@ absl::Status JoinSeams(const Welding& welding, TriangleSoup& soup,
   if (seams.is_closed()) return absl::OkStatus();
   absl::Status status = seams.JoinEqual();
   if (!status.ok()) return status;
-  const Closeness closeness =
-      welding.kind == Welding::Kind::kWithin
-          ? Closeness{welding.distance, kMostWelded}
-          : Closeness{seams.Rounding(), kMostRounded};
+  const Closeness closeness = welding.kind == Welding::Kind::kWithin
+                                  ? Closeness{welding.distance, kMostWelded}
+                                  : Closeness{seams.Rounding(), kMostRounded};
   if (closeness.distance > 0) status = seams.JoinClose(closeness);
   if (status.ok()) seams.Finish();
   return status;

@@ -81,9 +81,9 @@ absl::Status CheckJoined(const TriangleSoup& soup) {
     const auto& [vertex, into] = joined[i];
     if (vertex >= soup.positions.size() || into >= vertex ||
         (i > 0 && joined[i - 1].vertex >= vertex)) {
-      return absl::InvalidArgumentError(absl::StrCat(
-          "joined vertex ", i, " (", vertex, " into ", into,
-          ") is out of order or out of range"));
+      return absl::InvalidArgumentError(
+          absl::StrCat("joined vertex ", i, " (", vertex, " into ", into,
+                       ") is out of order or out of range"));
     }
   }
   return absl::OkStatus();
@@ -227,10 +227,9 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
   std::shared_ptr<Mesh> mesh(new Mesh(std::move(soup)));
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
-  Connectivity connectivity =
-      FindConnectivity({std::span(mesh->triangles_)
-                            .first(mesh->half_edge_count() / 3),
-                        mesh->outgoing_begin_, mesh->outgoing_});
+  Connectivity connectivity = FindConnectivity(
+      {std::span(mesh->triangles_).first(mesh->half_edge_count() / 3),
+       mesh->outgoing_begin_, mesh->outgoing_});
   mesh->irregular_begin_ = std::move(connectivity.irregular_begin);
   mesh->irregular_half_edges_ = std::move(connectivity.irregular_half_edges);
   mesh->irregular_begin_.shrink_to_fit();
@@ -311,10 +310,9 @@ Mesh::Mesh(TriangleSoup soup)
   half_edge_count_ = 3 * static_cast<uint32_t>(faces_.size());
   if (std::ranges::any_of(soup.triangles, RepeatsVertex)) {
     // What is left out has the last slots, which hold no half-edge.
-    const auto left_out =
-        std::stable_partition(faces_.begin(), faces_.end(), [&](uint32_t face) {
-          return !RepeatsVertex(soup.triangles[face]);
-        });
+    const auto left_out = std::stable_partition(
+        faces_.begin(), faces_.end(),
+        [&](uint32_t face) { return !RepeatsVertex(soup.triangles[face]); });
     half_edge_count_ = 3 * static_cast<uint32_t>(left_out - faces_.begin());
   }
   triangles_.reserve(faces_.size());
@@ -330,8 +328,8 @@ Mesh::Mesh(TriangleSoup soup)
 }
 
 uint32_t Mesh::JoinedInto(uint32_t v) const {
-  const auto found = std::ranges::lower_bound(reading_.joined, v, {},
-                                              &JoinedVertex::vertex);
+  const auto found =
+      std::ranges::lower_bound(reading_.joined, v, {}, &JoinedVertex::vertex);
   return found != reading_.joined.end() && found->vertex == v ? found->into : v;
 }
 
@@ -394,8 +392,8 @@ absl::Status Mesh::BuildFrames(std::span<const Exit> exits, ConeAngles& angles,
 
 void Mesh::BuildOutgoing(const TriangleSoup& soup) {
   outgoing_begin_.assign(soup.positions.size() + 1, 0);
-  for (const Triangle& corners : std::span(triangles_).first(
-           half_edge_count() / 3)) {
+  for (const Triangle& corners :
+       std::span(triangles_).first(half_edge_count() / 3)) {
     for (const uint32_t v : corners) ++outgoing_begin_[v + 1];
   }
   std::partial_sum(outgoing_begin_.begin(), outgoing_begin_.end(),

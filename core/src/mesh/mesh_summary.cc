@@ -194,10 +194,10 @@ void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
     length += std::ldexp(mesh.frame(h).length, mesh.scale_exponent());
   }
   if (edges.empty()) return;
-  CloseEdges grid(mesh.positions(), edges,
-                  {.distance = kSuspicious * length /
-                               static_cast<double>(edges.size()),
-                   .part = kSuspicious});
+  CloseEdges grid(
+      mesh.positions(), edges,
+      {.distance = kSuspicious * length / static_cast<double>(edges.size()),
+       .part = kSuspicious});
   NoCheckpoint checkpoint;
   std::vector<ClosePair> pairs;
   for (uint32_t i = 0; i < edges.size(); ++i) {
@@ -254,11 +254,12 @@ MeshSummary Summarize(const Mesh& mesh) {
   summary.boundary_loops = CountBoundaryLoops(mesh, survey.boundary(), fans);
   if (summary.is_orientable && summary.non_manifold_edges == 0) {
     // Euler's formula for the surface with touching fans pulled apart.
-    summary.genus = (2 * static_cast<int64_t>(survey.pieces_through_edges()) -
-                     static_cast<int64_t>(summary.boundary_loops +
-                                          fans.count() + mesh.half_edge_count() / 3) +
-                     static_cast<int64_t>(summary.edges)) /
-                    2;
+    summary.genus =
+        (2 * static_cast<int64_t>(survey.pieces_through_edges()) -
+         static_cast<int64_t>(summary.boundary_loops + fans.count() +
+                              mesh.half_edge_count() / 3) +
+         static_cast<int64_t>(summary.edges)) /
+        2;
   }
 
   const auto [low, high] = BoxAround(mesh.positions());

@@ -50,8 +50,8 @@ void SplitTouching(TriangleSoup& soup) {
   const auto vertices = static_cast<uint32_t>(soup.positions.size());
   // The other ends of edges at a vertex, each with the number of its corner.
   std::vector<std::pair<uint32_t, uint32_t>> spokes;
-  // By corner, what it is to name; written at the end, since spokes are named by
-  // the vertices as they were.
+  // By corner, what it is to name; written at the end, since spokes are named
+  // by the vertices as they were.
   std::vector<std::pair<Corner, uint32_t>> renamed;
   for (uint32_t v = 0; v < vertices; ++v) {
     const uint32_t begin = by_vertex.begin[v];
@@ -69,8 +69,7 @@ void SplitTouching(TriangleSoup& soup) {
       if (spokes[i].first != spokes[i - 1].first) continue;
       fans.Join(spokes[i].second, spokes[i - 1].second);
       // Once an edge, from its lower end.
-      const bool is_second =
-          i == 1 || spokes[i - 2].first != spokes[i].first;
+      const bool is_second = i == 1 || spokes[i - 2].first != spokes[i].first;
       soup.reading.seam_edges += is_second && v < spokes[i].first;
     }
     if (count == 0 || fans.count() == 1) continue;

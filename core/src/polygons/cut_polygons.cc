@@ -196,7 +196,8 @@ absl::Status CutPolygons(const std::vector<bool>& is_joined,
         cutter.Cut(std::span(soup.triangles).subspan(begin, end - begin));
     if (!pace.status().ok()) return pace.status();
     if (is_cut) continue;
-    if (soup.reading.crossing_polygons == 0) soup.reading.first_crossing_polygon = polygon;
+    if (soup.reading.crossing_polygons == 0)
+      soup.reading.first_crossing_polygon = polygon;
     ++soup.reading.crossing_polygons;
   }
   return absl::OkStatus();

@@ -43,8 +43,8 @@ absl::Status CheckPoint(const EdgePoint& point, const Mesh& mesh,
                         absl::StrCat(t, " ", point.t, " is not within [0, 1]"));
   }
   const auto is_there = [](HalfEdge) { return true; };
-  if (!VisitSides(mesh, mesh.JoinedInto(point.from),
-                  mesh.JoinedInto(point.to), is_there)) {
+  if (!VisitSides(mesh, mesh.JoinedInto(point.from), mesh.JoinedInto(point.to),
+                  is_there)) {
     return InvalidField(
         edge, absl::StrCat(edge, ": the mesh has no edge between vertices ",
                            point.from, " and ", point.to,
@@ -98,9 +98,8 @@ SurfacePoint Canonical(const EdgePoint& point, const Mesh& mesh) {
                             mesh.JoinedInto(point.to), point.t};
   // Turned round first: 1 - t may round to 1.
   const EdgePoint turned =
-      joined.from < joined.to
-          ? joined
-          : EdgePoint{joined.to, joined.from, 1 - joined.t};
+      joined.from < joined.to ? joined
+                              : EdgePoint{joined.to, joined.from, 1 - joined.t};
   if (turned.t <= kLeastWeight) return VertexPoint{turned.from};
   if (turned.t == 1) return VertexPoint{turned.to};
   return turned;

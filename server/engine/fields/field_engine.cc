@@ -264,9 +264,9 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
       .mesh = mesh,
       .key = key,
       .method = request.method,
-      .settled_log =
-          key.extras.settled_order ? std::make_shared<SettledLog>(mesh->mesh)
-                                   : nullptr,
+      .settled_log = key.extras.settled_order
+                         ? std::make_shared<SettledLog>(mesh->mesh)
+                         : nullptr,
       .solver_bytes = PlannedSolverBytes(*mesh->mesh, key.field.query)});
   if (!is_kept && MayBeSearched(key)) {
     SearchMeans means = searches_.MeansFor(mesh, key.field.query->algorithm);

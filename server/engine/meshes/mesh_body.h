@@ -16,8 +16,8 @@
 
 namespace geodesic::server {
 
-// How many bytes that of a plain mesh has, and how many that of `mesh` has: more
-// where vertices were joined.
+// How many bytes that of a plain mesh has, and how many that of `mesh` has:
+// more where vertices were joined.
 uint64_t MeshBodyBytes(uint64_t vertices, uint64_t faces);
 uint64_t MeshBodyBytes(const Mesh& mesh);
 // Whether a mesh of these counts can have a body of that size.

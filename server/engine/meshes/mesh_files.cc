@@ -144,9 +144,9 @@ std::vector<MeshDescription> MeshFiles::List(const std::string& after,
 
 absl::Status MeshFiles::Admit(uint64_t vertices, uint64_t faces) {
   // Metadata of the largest size.
-  const std::string metadata =
-      Encode(MeshSummary(), FileKey{.format = UploadFormat::kVtp,
-                                     .sha256 = std::string(64, '0')});
+  const std::string metadata = Encode(
+      MeshSummary(),
+      FileKey{.format = UploadFormat::kVtp, .sha256 = std::string(64, '0')});
   return blobs_->Admit(MeshBodyBytes(vertices, faces), metadata.size());
 }
 

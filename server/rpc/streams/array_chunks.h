@@ -1,4 +1,5 @@
-// Arrays of points, triangles or joined vertices in chunks of bytes, as they lie in memory.
+// Arrays of points, triangles or joined vertices in chunks of bytes, as they
+// lie in memory.
 
 #ifndef GEODESIC_SERVER_RPC_STREAMS_ARRAY_CHUNKS_H_
 #define GEODESIC_SERVER_RPC_STREAMS_ARRAY_CHUNKS_H_

@@ -47,7 +47,8 @@ TriangleSoup TakenApart(const TriangleSoup& soup) {
   TriangleSoup apart;
   for (const Triangle& corners : soup.triangles) {
     const auto next = static_cast<uint32_t>(apart.positions.size());
-    for (const uint32_t v : corners) apart.positions.push_back(soup.positions[v]);
+    for (const uint32_t v : corners)
+      apart.positions.push_back(soup.positions[v]);
     apart.triangles.push_back({next, next + 1, next + 2});
   }
   return apart;
@@ -91,8 +92,8 @@ MeshSummary SummaryOf(TriangleSoup soup) {
 TEST(JoinSeamsTest, ASquareInTwoPieces) {
   // Vertices 3 and 4 repeat 1 and 2.
   const TriangleSoup soup = Joined(
-      {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0},
-                     {1, 1, 0}},
+      {.positions =
+           {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
        .triangles = {{0, 1, 2}, {4, 3, 5}}});
   EXPECT_THAT(soup.triangles,
               ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 5}));
@@ -147,8 +148,14 @@ TEST(JoinSeamsTest, ASlitIsClosedWhateverDigitsAreWritten) {
 TEST(JoinSeamsTest, MoreThanRoundingIsToldAndNotJoined) {
   // Two squares of side 1 with a gap of 0.001.
   const TriangleSoup apart = {
-      .positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                    {1.001, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1.001, 1, 0}},
+      .positions = {{0, 0, 0},
+                    {1, 0, 0},
+                    {1, 1, 0},
+                    {0, 1, 0},
+                    {1.001, 0, 0},
+                    {2, 0, 0},
+                    {2, 1, 0},
+                    {1.001, 1, 0}},
       .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
   EXPECT_THAT(Joined(apart).reading.joined, IsEmpty());
   const MeshSummary summary = SummaryOf(apart);
@@ -173,21 +180,34 @@ TEST(JoinSeamsTest, NothingIsJoinedIfNotWanted) {
 
 TEST(JoinSeamsTest, WhatTouchesInAPointOrCrossesStaysApart) {
   // Two triangles that touch in a point, and one that crosses the first.
-  const TriangleSoup soup = Joined(
-      {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
-                     {0, 0, 0}, {-1, 0, 0}, {0, -1, 0},
-                     {0.2, 0.2, -1}, {0.2, 0.2, 1}, {0.3, 0.1, 0}},
-       .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
+  const TriangleSoup soup =
+      Joined({.positions = {{0, 0, 0},
+                            {1, 0, 0},
+                            {0, 1, 0},
+                            {0, 0, 0},
+                            {-1, 0, 0},
+                            {0, -1, 0},
+                            {0.2, 0.2, -1},
+                            {0.2, 0.2, 1},
+                            {0.3, 0.1, 0}},
+              .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
   EXPECT_TRUE(soup.reading.is_plain());
 }
 
 TEST(JoinSeamsTest, AnyNumberOfSheetsMeetsInASeam) {
   // Three triangles over the edge from (0, 0, 0) to (0, 0, 1), one of them
   // turned the other way.
-  const TriangleSoup soup = Joined(
-      {.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, 0}, {0, 0, 1},
-                     {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {-1, 0, 0}},
-       .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
+  const TriangleSoup soup =
+      Joined({.positions = {{0, 0, 0},
+                            {0, 0, 1},
+                            {1, 0, 0},
+                            {0, 0, 0},
+                            {0, 0, 1},
+                            {0, 1, 0},
+                            {0, 0, 1},
+                            {0, 0, 0},
+                            {-1, 0, 0}},
+              .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
   EXPECT_EQ(soup.reading.seam_edges, 1u);
   EXPECT_EQ(SummaryOf(soup).non_manifold_edges, 1u);
 }
@@ -298,9 +318,9 @@ TEST_F(JoinedAnswers, EachVertexSettlesOnce) {
 
 TEST(LeftOutFacesTest, KeepTheirNumbersAndTakeNoPart) {
   // A unit square; face 1 names vertex 2 twice.
-  const auto mesh = Mesh::Build(
-      {.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
-       .triangles = {{0, 1, 2}, {2, 2, 3}, {0, 2, 3}}});
+  const auto mesh =
+      Mesh::Build({.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                   .triangles = {{0, 1, 2}, {2, 2, 3}, {0, 2, 3}}});
   ASSERT_TRUE(mesh.ok()) << mesh.status();
   EXPECT_EQ((*mesh)->face_count(), 3u);
   EXPECT_TRUE((*mesh)->IsLeftOut(1));
@@ -317,16 +337,17 @@ TEST(LeftOutFacesTest, KeepTheirNumbersAndTakeNoPart) {
   EXPECT_NEAR(field->distances[3], std::numbers::sqrt2, 1e-15);
   const auto refused =
       Solve(**mesh, {.sources = {{FacePoint{1, {0.5, 0.25, 0.25}}}}});
-  EXPECT_EQ(refused.status().message(),
-            "sources[0].face.face 1 names a vertex twice, so that it is no part "
-            "of the surface");
+  EXPECT_EQ(
+      refused.status().message(),
+      "sources[0].face.face 1 names a vertex twice, so that it is no part "
+      "of the surface");
 }
 
 TEST(LeftOutFacesTest, SomeFaceIsLeft) {
-  EXPECT_TRUE(absl::IsInvalidArgument(
-      Mesh::Build({.positions = {{0, 0, 0}, {1, 0, 0}},
-                   .triangles = {{0, 0, 1}, {1, 0, 1}}})
-          .status()));
+  EXPECT_TRUE(
+      absl::IsInvalidArgument(Mesh::Build({.positions = {{0, 0, 0}, {1, 0, 0}},
+                                           .triangles = {{0, 0, 1}, {1, 0, 1}}})
+                                  .status()));
 }
 
 }  // namespace

@@ -326,7 +326,8 @@ TEST(CutPolygonsTest, RandomCrossingsAreTold) {
     }
     const Drawing drawing = Outline(std::move(places));
     const TriangleSoup soup = Cut(PlacedIn({}, drawing), drawing.corners);
-    ASSERT_EQ(soup.reading.crossing_polygons, test::SidesMeet(drawing)) << round;
+    ASSERT_EQ(soup.reading.crossing_polygons, test::SidesMeet(drawing))
+        << round;
     crossing += static_cast<int>(soup.reading.crossing_polygons);
   }
   EXPECT_GT(crossing, 100);

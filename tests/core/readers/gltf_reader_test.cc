@@ -101,10 +101,10 @@ TEST(GltfReaderTest, NodesPlaceWhatIsInThem) {
                                                 100,0,0,1]},
                    {"mesh": 0, "rotation": [0, 0, 1, 0], "scale": [2, 1, 1],
                     "translation": [10, 20, 30]}])")));
-  EXPECT_THAT(soup.positions,
-              ElementsAre(Point{110, 20, 30}, Point{108, 20, 30},
-                          Point{108, 19, 30}, Point{110, 20, 30},
-                          Point{110, 19, 30}, Point{108, 19, 30}));
+  EXPECT_THAT(
+      soup.positions,
+      ElementsAre(Point{110, 20, 30}, Point{108, 20, 30}, Point{108, 19, 30},
+                  Point{110, 20, 30}, Point{110, 19, 30}, Point{108, 19, 30}));
 }
 
 TEST(GltfReaderTest, AMeshMayStandInSeveralPlaces) {

@@ -1,0 +1,168 @@
+// Meshes whose faces are kept apart where they belong together, through the
+// server, the client library and the command.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "geodesic_client/client.h"
+#include "tests/integration/meshes.h"
+#include "tests/integration/running_server.h"
+
+namespace geodesic::client {
+namespace {
+
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+// A cube of side 2 whose sides share no vertex, 0 to 3 at the bottom, 4 to 7
+// at the top.
+constexpr char kBox[] =
+    "v 0 0 0\nv 0 2 0\nv 2 2 0\nv 2 0 0\n"
+    "v 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n"
+    "v 0 0 0\nv 2 0 0\nv 2 0 2\nv 0 0 2\n"
+    "v 2 0 0\nv 2 2 0\nv 2 2 2\nv 2 0 2\n"
+    "v 2 2 0\nv 0 2 0\nv 0 2 2\nv 2 2 2\n"
+    "v 0 2 0\nv 0 0 0\nv 0 0 2\nv 0 2 2\n"
+    "f 1 2 3 4\nf 5 6 7 8\nf 9 10 11 12\nf 13 14 15 16\nf 17 18 19 20\n"
+    "f 21 22 23 24\n";
+constexpr char kJoined[] = "joined 12 seam edges";
+
+class SeamsTest : public IntegrationTest {
+ protected:
+  void SetUp() override { WriteFile(box_, kBox); }
+
+  const std::string box_ = folder_ / "box.obj";
+  Client client_{server_.address()};
+};
+
+TEST_F(SeamsTest, AreJoinedAndTold) {
+  const auto upload = client_.UploadFile(box_);
+  ASSERT_TRUE(upload.ok()) << upload.status();
+  EXPECT_EQ(upload->mesh.vertex_count, 24);
+  EXPECT_EQ(upload->mesh.boundary_edge_count, 0);
+  EXPECT_EQ(upload->mesh.isolated_vertex_count, 0);
+  EXPECT_EQ(upload->mesh.seam_edge_count, 12);
+  EXPECT_EQ(upload->mesh.joined_vertex_count, 16);
+  EXPECT_THAT(upload->mesh.notes, ElementsAre(kJoined));
+  const auto field = client_.ComputeField(
+      {.mesh_digest = upload->mesh.digest, .sources = {{VertexPoint{0}}}});
+  ASSERT_TRUE(field.ok()) << field.status();
+  EXPECT_THAT(field->mesh_notes, ElementsAre(kJoined));
+  // 4, 11 and 22 lie above 0, a side away; 6, 14 and 19 opposite.
+  for (const int v : {4, 11, 22}) EXPECT_EQ(field->distances[v], 2);
+  for (const int v : {6, 14, 19}) {
+    EXPECT_NEAR(field->distances[v], 2 * std::sqrt(5.0), 1e-15) << v;
+  }
+  for (const int v : {0, 8, 21}) EXPECT_EQ(field->distances[v], 0);
+  const auto mesh = client_.ReadMesh(upload->mesh.digest);
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  EXPECT_EQ(mesh->joined.size(), 16);
+}
+
+TEST_F(SeamsTest, EachVertexSettlesOnceInAStreamedField) {
+  const auto upload = client_.UploadFile(box_);
+  ASSERT_TRUE(upload.ok()) << upload.status();
+  std::vector<int> times(24);
+  const auto field = client_.StreamField(
+      {.mesh_digest = upload->mesh.digest, .sources = {{VertexPoint{21}}}},
+      [&](std::span<const SettledVertex> settled) {
+        for (const SettledVertex& v : settled) ++times[v.vertex];
+      });
+  ASSERT_TRUE(field.ok()) << field.status();
+  EXPECT_THAT(times, ::testing::Each(1));
+}
+
+TEST_F(SeamsTest, WeldingIsPartOfTheQuestionAndOfTheMesh) {
+  const auto usual = client_.UploadFile(box_);
+  const auto apart =
+      client_.UploadFile(box_, MeshFormat::kObj, {.keep_seams = true});
+  const auto within =
+      client_.UploadFile(box_, MeshFormat::kObj, {.distance = 0.1});
+  ASSERT_TRUE(usual.ok() && apart.ok() && within.ok());
+  EXPECT_EQ(apart->mesh.component_count, 6);
+  EXPECT_THAT(apart->mesh.notes,
+              ElementsAre(HasSubstr("24 boundary edges lie within 0 of")));
+  EXPECT_NE(apart->mesh.digest, usual->mesh.digest);
+  // The same was joined.
+  EXPECT_EQ(within->mesh.digest, usual->mesh.digest);
+  EXPECT_EQ(*client_.FindFile(box_, MeshFormat::kObj), usual->mesh.digest);
+  EXPECT_EQ(*client_.FindFile(box_, MeshFormat::kObj, {.keep_seams = true}),
+            apart->mesh.digest);
+  const auto wrong =
+      client_.UploadFile(box_, MeshFormat::kObj, {.distance = -1.0});
+  EXPECT_TRUE(absl::IsInvalidArgument(wrong.status())) << wrong.status();
+  EXPECT_THAT(std::string(wrong.status().message()),
+              HasSubstr("weld_distance"));
+}
+
+TEST_F(SeamsTest, TheCommandTellsOfThem) {
+  EXPECT_THAT(Geodesic({"info", box_}).out, HasSubstr(kJoined));
+  EXPECT_THAT(json::parse(Geodesic({"--json", "info", box_}).out)["notes"],
+              ElementsAre(kJoined));
+  const ProcessResult field = Geodesic({"field", box_, "-s", "4"});
+  EXPECT_THAT(field.out, HasSubstr(kJoined));
+  const json distance =
+      json::parse(Geodesic({"--json", "distance", box_, "4", "0"}).out);
+  EXPECT_THAT(distance["notes"], ElementsAre(kJoined));
+  EXPECT_EQ(distance["distance"], 2);
+  const json apart = json::parse(
+      Geodesic({"--json", "distance", box_, "4", "0", "--no-weld"}).out);
+  EXPECT_TRUE(apart["distance"].is_null());
+  EXPECT_EQ(Geodesic({"info", box_, "--weld", "1", "--no-weld"}).exit_code, 2);
+}
+
+TEST_F(SeamsTest, PathsLeadAcrossThem) {
+  const json path = json::parse(
+      Geodesic({"--json", "path", box_, "-s", "0", "-t", "19"}).out);
+  EXPECT_NEAR(path["paths"][0]["length"], 2 * std::sqrt(5.0), 1e-14);
+}
+
+TEST_F(SeamsTest, PolygonsThatCrossThemselvesAreTold) {
+  WriteFile(folder_ / "bow.obj",
+            "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n");
+  EXPECT_THAT(Geodesic({"info", folder_ / "bow.obj"}).out,
+              HasSubstr("the first is face 0 of the file"));
+}
+
+// An L of area 3: round the notch it is 1 + sqrt 2 from its end 0 to the
+// notch's other side 3, whichever corner the face begins with.
+TEST_F(SeamsTest, ConcavePolygonsAreCutInside) {
+  const std::string vertices =
+      "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n";
+  for (int first = 0; first < 6; ++first) {
+    std::string face = "f";
+    for (int i = 0; i < 6; ++i) {
+      face += ' ';
+      face += std::to_string((first + i) % 6 + 1);
+    }
+    const std::string file = folder_ / ("l" + std::to_string(first) + ".obj");
+    WriteFile(file, vertices + face + "\n");
+    const json answer =
+        json::parse(Geodesic({"--json", "distance", file, "2", "4"}).out);
+    EXPECT_NEAR(answer["distance"], 2, 1e-15) << first;
+    EXPECT_THAT(answer["notes"], IsEmpty());
+  }
+}
+
+TEST_F(SeamsTest, FacesThatNameAVertexTwiceAreLeftOutAndTold) {
+  WriteFile(folder_ / "twice.off",
+            "OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+            "3 0 1 2\n3 2 2 3\n3 0 2 3\n");
+  const std::string file = folder_ / "twice.off";
+  const json answer = json::parse(
+      Geodesic({"--json", "distance", file, "1", "face:2@0,0,1"}).out);
+  EXPECT_NEAR(answer["distance"], std::sqrt(2.0), 1e-15);
+  EXPECT_THAT(answer["notes"],
+              ElementsAre("left out 1 face, where a vertex is named twice"));
+  EXPECT_THAT(Geodesic({"distance", file, "0", "face:1@1,0,0"}).err,
+              HasSubstr("names a vertex twice"));
+}
+
+}  // namespace
+}  // namespace geodesic::client
