@@ -521,6 +521,7 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
   }
   // If the rows went to the terminal, nothing else does.
   if (arguments.progressive && outputs.empty()) {
+    PrintNotes(session, info.mesh_notes);
     PrintNotes(session, question.notes);
     return absl::OkStatus();
   }

@@ -159,6 +159,7 @@ absl::Status Answer(const QuestionArguments& arguments, const Session& session,
   if (!files.ok()) return files.status();
   // If the rows went to the terminal, nothing else does.
   if (!session.json && files->empty()) {
+    PrintNotes(session, info->mesh_notes);
     PrintNotes(session, question.notes);
     return absl::OkStatus();
   }

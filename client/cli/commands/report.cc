@@ -51,8 +51,10 @@ std::optional<Fact> CurveFact(const Question& question) {
 }
 
 std::vector<std::string> AllNotes(const Question& question,
+                                  const AnswerInfo& info,
                                   const Report& report) {
-  std::vector<std::string> notes = question.notes;
+  std::vector<std::string> notes = info.mesh_notes;
+  notes.insert(notes.end(), question.notes.begin(), question.notes.end());
   notes.insert(notes.end(), report.notes.begin(), report.notes.end());
   return notes;
 }
@@ -61,9 +63,7 @@ std::vector<std::string> AllNotes(const Question& question,
 void AddAnswer(const Question& question, const AnswerInfo& info,
                double call_seconds, const std::vector<WrittenFile>& files,
                const Report& report, Json& json) {
-  json = {{"mesh", info.mesh_digest},
-          {"notes", info.mesh_notes},
-          {"algorithm", info.algorithm}};
+  json = {{"mesh", info.mesh_digest}, {"algorithm", info.algorithm}};
   if (!question.sources.empty()) {
     json["sources"] = SourcesJson(question);
   }
@@ -79,7 +79,7 @@ void AddAnswer(const Question& question, const AnswerInfo& info,
                    {"call_seconds", call_seconds},
                    {"server_version", info.server_version}});
   json.update(report.json);
-  json["notes"] = AllNotes(question, report);
+  json["notes"] = AllNotes(question, info, report);
   json["outputs"] = FilesJson(files);
 }
 
@@ -99,11 +99,8 @@ std::vector<Fact> AllFacts(const Question& question, const AnswerInfo& info,
                            double call_seconds,
                            const std::vector<WrittenFile>& files,
                            const Report& report) {
-  std::vector<Fact> facts = {{"mesh", info.mesh_digest}};
-  for (const std::string& note : info.mesh_notes) {
-    facts.push_back({"note", note});
-  }
-  facts.push_back({"algorithm", info.algorithm});
+  std::vector<Fact> facts = {{"mesh", info.mesh_digest},
+                             {"algorithm", info.algorithm}};
   if (info.approximation.has_value()) {
     facts.back().second = AlgorithmText(info.algorithm, *info.approximation);
   }
@@ -122,7 +119,7 @@ std::vector<Fact> AllFacts(const Question& question, const AnswerInfo& info,
                                                : file.output.path,
                                            " (", ByteCount(file.bytes), ")")});
   }
-  for (const std::string& note : AllNotes(question, report)) {
+  for (const std::string& note : AllNotes(question, info, report)) {
     facts.emplace_back("note", note);
   }
   return facts;
@@ -163,7 +160,7 @@ absl::Status PrintReport(const Session& session, const Question& question,
     AddAnswer(question, info, call_seconds, *files, report, *session.json);
     return absl::OkStatus();
   }
-  if (session.quiet) PrintNotes(session, AllNotes(question, report));
+  if (session.quiet) PrintNotes(session, AllNotes(question, info, report));
   if (session.quiet && !files->empty()) return absl::OkStatus();
   // Nothing else goes where an answer went.
   const bool is_taken = std::ranges::any_of(*files, [](const auto& file) {
