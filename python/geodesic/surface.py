@@ -9,19 +9,26 @@ import numpy as np
 from .places import FacePoint, Places
 
 
+def _in_surface(faces: np.ndarray) -> np.ndarray:
+    """The numbers of the faces that name three vertices; others are left out."""
+    a, b, c = faces.T
+    return np.flatnonzero((a != b) & (b != c) & (c != a))
+
+
 class FaceFinder:
     """Faces by their edges. O(F log F) once."""
 
     def __init__(self, faces: np.ndarray) -> None:
         self._faces = faces
-        count = len(faces)
+        self._numbers = _in_surface(faces)
+        faces = faces[self._numbers]
         first = faces.reshape(-1).astype(np.uint64)
         second = faces[:, [1, 2, 0]].reshape(-1).astype(np.uint64)
         keys = (np.minimum(first, second) << np.uint64(32)) | np.maximum(
             first, second)
         order = np.argsort(keys, kind="stable")
         self._keys = keys[order]
-        self._face_of_key = np.repeat(np.arange(count), 3)[order]
+        self._face_of_key = np.repeat(self._numbers, 3)[order]
 
     def _corners(self, places: Places, i: int) -> set:
         """The vertices of the lowest element that holds place i."""
@@ -36,8 +43,8 @@ class FaceFinder:
         """The first face that has all these vertices, -1 if there is none."""
         if len(corners) == 1:
             [vertex] = corners
-            holds = np.any(self._faces == vertex, axis=1)
-            return int(np.argmax(holds)) if holds.any() else -1
+            holds = np.any(self._faces[self._numbers] == vertex, axis=1)
+            return int(self._numbers[np.argmax(holds)]) if holds.any() else -1
         low, high = sorted(corners)[:2]
         key = np.uint64(low << 32 | high)
         at = np.searchsorted(self._keys, key)
@@ -169,7 +176,8 @@ class PointFinder:
         self._vertices = np.ldexp(vertices, -self._exponent)
         self._faces = faces
         corners = self._vertices[faces]
-        order = _along_curve(corners.mean(axis=1))
+        numbers = _in_surface(faces)
+        order = numbers[_along_curve(corners[numbers].mean(axis=1))]
         # The last group is filled up with its last face.
         groups = np.resize(order, (-(-len(order) // _GROUP), _GROUP))
         groups.reshape(-1)[len(order):] = order[-1]
