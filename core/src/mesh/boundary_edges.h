@@ -3,10 +3,11 @@
 #ifndef GEODESIC_MESH_BOUNDARY_EDGES_H_
 #define GEODESIC_MESH_BOUNDARY_EDGES_H_
 
-#include <compare>
 #include <cstdint>
 #include <vector>
 
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
 #include "geodesic/triangle_soup.h"
 
 namespace geodesic {
@@ -14,21 +15,31 @@ namespace geodesic {
 struct VertexPair {
   uint32_t low = 0;
   uint32_t high = 0;  // above `low`
-
-  friend auto operator<=>(const VertexPair&, const VertexPair&) = default;
 };
 
-struct BoundaryEdges {
-  // Edges of one face, in order.
-  std::vector<VertexPair> edges;
-  // Edges between two ends of these, those among them; in order.
-  std::vector<VertexPair> around;
-};
+class BoundaryEdges {
+ public:
+  // Faces that name a vertex twice are passed over. O(V + F), times the
+  // logarithm of the most edges at a vertex. Tells the checkpoint of its bytes
+  // before it takes them: 12 for a vertex, and 12 for a side of a face at the
+  // boundary. REQUIRES: the triangles name vertices of the soup. Errors:
+  // whatever `checkpoint` returns.
+  static absl::StatusOr<BoundaryEdges> Find(const TriangleSoup& soup,
+                                            Checkpoint& checkpoint);
 
-// Faces that name a vertex twice are passed over. O(V + F), and O(B log B) for
-// B edges between vertices at the boundary. REQUIRES: the triangles name
-// vertices of the soup.
-BoundaryEdges FindBoundaryEdges(const TriangleSoup& soup);
+  // In order.
+  const std::vector<VertexPair>& edges() const { return edges_; }
+
+  // Whether an edge joins two vertices at the boundary.
+  bool AreNeighbours(uint32_t a, uint32_t b) const;
+
+ private:
+  std::vector<VertexPair> edges_;
+  // Of edges between vertices at the boundary, the high ends of those whose low
+  // end is v, in order: highs_[begin_[v]] up to highs_[begin_[v + 1]].
+  std::vector<uint32_t> begin_;
+  std::vector<uint32_t> highs_;
+};
 
 }  // namespace geodesic
 

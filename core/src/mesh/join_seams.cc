@@ -86,56 +86,65 @@ class Coordinates {
 // The seams of a soup.
 class Seams {
  public:
-  Seams(TriangleSoup& soup, Checkpoint& checkpoint)
+  // REQUIRES: `boundary` has edges.
+  Seams(TriangleSoup& soup, const BoundaryEdges& boundary,
+        Checkpoint& checkpoint)
       : soup_(soup),
+        boundary_(boundary),
         checkpoint_(checkpoint),
-        boundary_(FindBoundaryEdges(soup)),
-        vertices_(static_cast<uint32_t>(
-            boundary_.edges.empty() ? 0 : soup.positions.size())),
-        edges_(static_cast<uint32_t>(boundary_.edges.size())) {}
-
-  bool is_closed() const { return boundary_.edges.empty(); }
+        vertices_(static_cast<uint32_t>(soup.positions.size())),
+        edges_(static_cast<uint32_t>(boundary.edges().size())) {}
 
   // Joins edges whose ends are equal.
   absl::Status JoinEqual() {
-    absl::flat_hash_map<std::array<Point, 2>, uint32_t> first_at;
-    first_at.reserve(boundary_.edges.size());
-    for (uint32_t i = 0; i < boundary_.edges.size(); ++i) {
-      const auto& [low, high] = boundary_.edges[i];
-      std::array<Point, 2> ends = {soup_.positions[low], soup_.positions[high]};
-      const bool is_turned = ends[1] < ends[0];
-      if (is_turned) std::swap(ends[0], ends[1]);
-      const auto [entry, is_new] = first_at.try_emplace(ends, i);
-      if (!is_new) {
-        const auto& other = boundary_.edges[entry->second];
-        const bool other_is_turned =
-            soup_.positions[other.high] < soup_.positions[other.low];
-        Join(i, entry->second, is_turned != other_is_turned);
-      }
-      if (i % kBetweenPolls == 0) {
-        absl::Status status = checkpoint_.Poll({});
-        if (!status.ok()) return status;
-      }
+    // The number of each place, and the first edge between two of them.
+    absl::flat_hash_map<Point, uint32_t> places;
+    absl::flat_hash_map<std::pair<uint32_t, uint32_t>, uint32_t> firsts;
+    const auto place_of = [&](uint32_t v) {
+      return places
+          .try_emplace(soup_.positions[v], static_cast<uint32_t>(places.size()))
+          .first->second;
+    };
+    for (uint32_t i = 0; i < edge_count(); ++i) {
+      if (absl::Status status = Poll(i); !status.ok()) return status;
+      const auto& [low, high] = boundary_.edges()[i];
+      const uint32_t from = place_of(low), to = place_of(high);
+      const auto [first, is_new] = firsts.try_emplace(std::minmax(from, to), i);
+      if (is_new) continue;
+      Join(i, first->second,
+           from != place_of(boundary_.edges()[first->second].low));
     }
     return absl::OkStatus();
   }
 
   // Joins what is left to edges whose ends are close.
   absl::Status JoinClose(const Closeness& closeness) {
-    std::vector<bool> is_joined(boundary_.edges.size());
-    for (uint32_t i = 0; i < boundary_.edges.size(); ++i) {
-      const uint32_t first = edges_.Find(i);
-      if (first != i) is_joined[i] = is_joined[first] = true;
+    // One of each set, and whether it is alone.
+    std::vector<VertexPair> edges;
+    std::vector<uint32_t> numbers;
+    std::vector<bool> is_joined(edge_count());
+    for (uint32_t i = 0; i < edge_count(); ++i) {
+      if (edges_.Find(i) != i) {
+        is_joined[edges_.Find(i)] = true;
+        continue;
+      }
+      edges.push_back(boundary_.edges()[i]);
+      numbers.push_back(i);
     }
-    CloseEdges grid(soup_.positions, boundary_.edges, closeness);
+    if (std::ranges::all_of(numbers,
+                            [&](uint32_t i) { return is_joined[i]; })) {
+      return absl::OkStatus();
+    }
+    CloseEdges grid(soup_.positions, edges, closeness);
     std::vector<ClosePair> pairs;
-    for (uint32_t i = 0; i < boundary_.edges.size(); ++i) {
-      if (is_joined[i]) continue;
+    for (uint32_t i = 0; i < edges.size(); ++i) {
+      if (absl::Status status = Poll(i); !status.ok()) return status;
+      if (is_joined[numbers[i]]) continue;
       pairs.clear();
       absl::Status status = grid.Find(i, checkpoint_, pairs);
       if (!status.ok()) return status;
       for (const ClosePair& pair : pairs) {
-        Join(pair.first, pair.second, pair.is_turned);
+        Join(numbers[pair.first], numbers[pair.second], pair.is_turned);
       }
     }
     return absl::OkStatus();
@@ -144,7 +153,7 @@ class Seams {
   // How far apart the ends of edges may be that are one.
   double Rounding() const {
     Coordinates coordinates;
-    for (const auto& [low, high] : boundary_.edges) {
+    for (const auto& [low, high] : boundary_.edges()) {
       coordinates.Add(soup_.positions[low]);
       coordinates.Add(soup_.positions[high]);
     }
@@ -160,10 +169,13 @@ class Seams {
 
   // Writes what was joined into the soup.
   void Finish() {
-    std::vector<uint32_t> sizes(boundary_.edges.size(), 0);
-    for (uint32_t i = 0; i < sizes.size(); ++i) ++sizes[edges_.Find(i)];
-    soup_.reading.seam_edges +=
-        std::ranges::count_if(sizes, [](uint32_t size) { return size > 1; });
+    std::vector<bool> is_joined(edge_count());
+    for (uint32_t i = 0; i < edge_count(); ++i) {
+      const uint32_t first = edges_.Find(i);
+      if (first == i || is_joined[first]) continue;
+      is_joined[first] = true;
+      ++soup_.reading.seam_edges;
+    }
     if (vertices_.count() == soup_.positions.size()) return;
     for (uint32_t v = 0; v < soup_.positions.size(); ++v) {
       if (const uint32_t into = vertices_.Find(v); into != v) {
@@ -176,14 +188,23 @@ class Seams {
   }
 
  private:
-  static constexpr uint32_t kBetweenPolls = 1 << 16;
+  static constexpr uint32_t kBetweenPolls = 1 << 14;
+
+  uint32_t edge_count() const {
+    return static_cast<uint32_t>(boundary_.edges().size());
+  }
+
+  absl::Status Poll(uint32_t i) const {
+    return i % kBetweenPolls == 0 ? checkpoint_.Poll({}) : absl::OkStatus();
+  }
 
   void Join(uint32_t a, uint32_t b, bool is_turned) {
-    VertexPair from = boundary_.edges[a];
-    const VertexPair& to = boundary_.edges[b];
+    VertexPair from = boundary_.edges()[a];
+    const VertexPair& to = boundary_.edges()[b];
     if (is_turned) std::swap(from.low, from.high);
     // A face would lose a side.
-    if (AreNeighbours(from.low, to.low) || AreNeighbours(from.high, to.high)) {
+    if (boundary_.AreNeighbours(from.low, to.low) ||
+        boundary_.AreNeighbours(from.high, to.high)) {
       return;
     }
     vertices_.Join(from.low, to.low);
@@ -191,18 +212,18 @@ class Seams {
     edges_.Join(a, b);
   }
 
-  bool AreNeighbours(uint32_t a, uint32_t b) const {
-    return a != b &&
-           std::ranges::binary_search(
-               boundary_.around, VertexPair{std::min(a, b), std::max(a, b)});
-  }
-
   TriangleSoup& soup_;
+  const BoundaryEdges& boundary_;
   Checkpoint& checkpoint_;
-  const BoundaryEdges boundary_;
   DisjointSets vertices_;
   DisjointSets edges_;  // those that are joined
 };
+
+// At the most, with what BoundaryEdges holds: the sets and what was joined; the
+// sets, the places, the edges between these, and the grid, in tables that are
+// at least 7/16 full.
+constexpr uint64_t kBytesAVertex = 4 + 4 + sizeof(JoinedVertex);
+constexpr uint64_t kBytesAnEdge = 24 + 4 + 2 * (32 + 16) + 16 + 2 * 40;
 
 bool NamesItsVertices(const TriangleSoup& soup) {
   return std::ranges::all_of(soup.triangles, [&](const Triangle& corners) {
@@ -229,9 +250,16 @@ absl::Status JoinSeams(const Welding& welding, TriangleSoup& soup,
   if (welding.kind == Welding::Kind::kNone || !NamesItsVertices(soup)) {
     return absl::OkStatus();
   }
-  Seams seams(soup, checkpoint);
-  if (seams.is_closed()) return absl::OkStatus();
-  absl::Status status = seams.JoinEqual();
+  const absl::StatusOr<BoundaryEdges> boundary =
+      BoundaryEdges::Find(soup, checkpoint);
+  if (!boundary.ok()) return boundary.status();
+  if (boundary->edges().empty()) return absl::OkStatus();
+  absl::Status status = checkpoint.Poll(
+      {.solver_bytes = soup.positions.size() * kBytesAVertex +
+                       boundary->edges().size() * kBytesAnEdge});
+  if (!status.ok()) return status;
+  Seams seams(soup, *boundary, checkpoint);
+  status = seams.JoinEqual();
   if (!status.ok()) return status;
   const Closeness closeness = welding.kind == Welding::Kind::kWithin
                                   ? Closeness{welding.distance, kMostWelded}

@@ -130,6 +130,27 @@ uint64_t SoupBytes(const TriangleSoup& soup) {
          soup.reading.joined.capacity() * sizeof(JoinedVertex);
 }
 
+// Takes the memory that joining edges needs beside the soup.
+class JoiningCheckpoint final : public Checkpoint {
+ public:
+  JoiningCheckpoint(Checkpoint& next, ByteReservation& memory)
+      : next_(next), memory_(memory), held_(memory.bytes()) {}
+
+  absl::Status Poll(const Progress& progress) override {
+    if (progress.solver_bytes > 0) {
+      absl::Status status = memory_.GrowTo(
+          std::max(memory_.bytes(), held_ + progress.solver_bytes));
+      if (!status.ok()) return status;
+    }
+    return next_.Poll({});
+  }
+
+ private:
+  Checkpoint& next_;
+  ByteReservation& memory_;
+  const uint64_t held_;
+};
+
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<MeshUpload>> MeshUpload::Start(
@@ -251,14 +272,15 @@ absl::StatusOr<bool> MeshUpload::Parse(Checkpoint& checkpoint) {
       .max_vertices = std::min(limits_.max_vertices, core_limits.max_vertices),
       .max_triangles = std::min(limits_.max_faces, core_limits.max_triangles)};
   const ReadLimits within = LimitsWithin(SoupBound());
+  JoiningCheckpoint joining(checkpoint, reservation_);
   absl::StatusOr<TriangleSoup> soup =
       header_.format == UploadFormat::kArrays
-          ? ParseArrays(checkpoint)
+          ? ParseArrays(joining)
           : ParseFile({.max_vertices =
                            std::min(own.max_vertices, within.max_vertices),
                        .max_triangles =
                            std::min(own.max_triangles, within.max_triangles),
-                       .checkpoint = &checkpoint,
+                       .checkpoint = &joining,
                        .welding = header_.welding});
   if (absl::IsResourceExhausted(soup.status()) &&
       soup_factor_ < LastFactor(header_) &&
