@@ -185,6 +185,8 @@ TEST_F(WrongArgumentsTest, CountsAndLevels) {
        {"", "'0' is not a level", "a distance above 0", kUsage}},
       {{"isolines", grid_, "-s", "0", "-l", "nan"},
        {"", "'nan' is not a level", "a distance above 0", kUsage}},
+      {{"isolines", grid_, "-s", "0", "-l", "1", "--chord-error", "0"},
+       {"", "'0' is not a chord error", "a length above 0", kUsage}},
       {{"isolines", grid_, "-s", "0"}, {"", "--level", "--count", kUsage}},
       {{"isolines", grid_, "-s", "0", "-l", "1", "-n", "2"},
        {"", "--level", "--count", kUsage}},

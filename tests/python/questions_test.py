@@ -109,6 +109,23 @@ class QuestionsTest(unittest.TestCase):
         self.assert_close(sorted({line.level for line in by_count}),
                           largest * np.arange(1, 5) / 5)
 
+    def test_isolines_within_a_chord_error(self):
+        # A circle inside a face, at sixty degrees a chord and at far less.
+        mesh = geodesic.Mesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        source = geodesic.FacePoint(0, (0.5, 0.25, 0.25))
+        perimeters = []
+        for error in (0.1, 1e-6):
+            [line] = mesh.isolines(source, levels=[0.5], chord_error=error)
+            self.assertTrue(line.closed)
+            pieces = line.points - np.roll(line.points, 1, axis=0)
+            perimeters.append(np.linalg.norm(pieces, axis=1).sum())
+        self.assertLess(perimeters[0], 0.99 * np.pi)
+        self.assertAlmostEqual(perimeters[1], np.pi, delta=1e-5)
+        for error in (0, -1, np.nan):
+            with self.assertRaisesRegex(geodesic.InvalidArgument,
+                                        "chord_error"):
+                mesh.isolines(source, levels=[0.5], chord_error=error)
+
     def test_matrix(self):
         targets = [7, 400, geodesic.FacePoint(77, (0.2, 0.3, 0.5))]
         sources = [3, geodesic.EdgePoint(0, 1, 0.5), 600]

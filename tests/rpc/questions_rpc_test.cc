@@ -106,7 +106,9 @@ TEST_F(QuestionsRpcTest, WrongArgumentsAreNamed) {
   ExpectFaults(Isolines(), {{"levels: 0", "levels[1]"},
                             {"levels: -1", "levels[1]"},
                             {"levels: inf", "levels[1]"},
-                            {"levels: nan", "levels[1]"}});
+                            {"levels: nan", "levels[1]"},
+                            {"chord_error: -1", "chord_error"},
+                            {"chord_error: nan", "chord_error"}});
   ExpectFaults(LogMap(), {{"source { vertex: 1000 }", "source.vertex"},
                           {"source { face { weights: [0.5, -0.5, 1] } }",
                            "source.face.weights[1]"},
