@@ -102,11 +102,13 @@ std::vector<AnyQuestion> EveryQuestion(bool algorithms) {
   all.push_back({"search", Search});
   all.push_back({"isolines",
                  [](const Mesh& mesh, uint32_t source, Checkpoint& checkpoint) {
-                   std::vector<double> levels;
-                   for (int i = 1; i < 20; ++i) levels.push_back(0.1 * i);
+                   IsolineOptions isolines;
+                   for (int i = 1; i < 20; ++i) {
+                     isolines.levels.push_back(0.1 * i);
+                   }
                    return ComputeIsolines(mesh,
                                           Valid(mesh, From(source, false)),
-                                          levels, {}, checkpoint)
+                                          isolines, {}, checkpoint)
                        .status();
                  }});
   all.push_back({"samples",
