@@ -144,7 +144,7 @@ void RegisterUpload(const std::string& file, int rounds) {
     const TriangleSoup soup = ReadMesh(BytesOf(file), format).value();
     for (auto _ : state) {
       benchmark::DoNotOptimize(
-          server::MeshDigest(soup.positions, soup.triangles));
+          server::MeshDigest(soup));
     }
   });
   add("build", [file, format](State& state) {

@@ -105,7 +105,7 @@ class DurableEngineTest : public EngineActions {
     return data_dir() + "/meshes/" + digest + ".mesh";
   }
   static std::string DigestOf(const TriangleSoup& soup) {
-    return MeshDigest(soup.positions, soup.triangles);
+    return MeshDigest(soup);
   }
 
   Limits limits_ = {.max_concurrent_jobs = 1,

@@ -131,7 +131,7 @@ void CheckCancelling(const Scene& scene, const Query& query,
                      const std::vector<double>& full, Random& random,
                      Report& report) {
   const std::unique_ptr<Computation> computation = Start(scene, query);
-  Watcher watcher(random.Below(4));
+  Watcher watcher(*scene.mesh, random.Below(4));
   const absl::Status status = computation->Advance({}, watcher);
   report.Check(absl::IsCancelled(status) || status.ok(), "cancelling cancels",
                status);
@@ -140,7 +140,7 @@ void CheckCancelling(const Scene& scene, const Query& query,
   report.Check(field.settled_radius >= watcher.radius(),
                "what was settled stays so after a cancel", watcher.radius(),
                " told, ", field.settled_radius, " given, ", Name(query));
-  Watcher onward(std::numeric_limits<uint64_t>::max());
+  Watcher onward(*scene.mesh, std::numeric_limits<uint64_t>::max());
   const absl::Status rest = computation->Advance({}, onward);
   report.Check(rest.ok(), "a cancelled computation goes on", rest);
   CheckLimited("cancelled and gone on = full", query, computation->Field(),
@@ -150,7 +150,7 @@ void CheckCancelling(const Scene& scene, const Query& query,
 void CheckSettling(const Scene& scene, const Query& query,
                    const std::vector<double>& full, Report& report) {
   const std::unique_ptr<Computation> computation = Start(scene, query);
-  Watcher watcher(std::numeric_limits<uint64_t>::max());
+  Watcher watcher(*scene.mesh, std::numeric_limits<uint64_t>::max());
   const absl::Status status = computation->Advance({}, watcher);
   report.Check(status.ok(), "advancing succeeds", status);
   report.Check(watcher.is_monotone(), "the settled radius grows", Name(query));
