@@ -143,8 +143,7 @@ void RegisterUpload(const std::string& file, int rounds) {
   add("digest", [file, format](State& state) {
     const TriangleSoup soup = ReadMesh(BytesOf(file), format).value();
     for (auto _ : state) {
-      benchmark::DoNotOptimize(
-          server::MeshDigest(soup));
+      benchmark::DoNotOptimize(server::MeshDigest(soup));
     }
   });
   add("build", [file, format](State& state) {
