@@ -239,7 +239,9 @@ TriangleUnfolding::Prepare(const Mesh& mesh,
                            const TriangleUnfoldingOptions& options,
                            Checkpoint& checkpoint) {
   if (absl::Status status = Check(options); !status.ok()) return status;
-  const uint32_t first = mesh.From(0);
+  uint32_t face = 0;
+  while (mesh.IsLeftOut(face)) ++face;
+  const uint32_t first = mesh.triangle(face)[0];
   const absl::StatusOr<ValidQuery> query =
       ValidQuery::Make({.sources = {{VertexPoint{first}}}}, mesh);
   if (!query.ok()) return query.status();

