@@ -27,6 +27,12 @@ namespace {
 
 using Json = nlohmann::json;
 
+// How many times as many vertices a mesh may have as its file has room for:
+// accessors may lie over each other.
+constexpr uint64_t kMostRepeats = 64;
+constexpr uint64_t kVertexBytes = 3 * sizeof(float);
+constexpr uint64_t kFewVertices = uint64_t{1} << 16;
+
 enum Mode : uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
 
 // x -> columns[0] x[0] + columns[1] x[1] + columns[2] x[2] + columns[3].
@@ -114,8 +120,12 @@ std::optional<Placement> PlacementOf(const Json& node) {
 // Its methods return whether to go on, as SoupBuilder's do.
 class GltfReader {
  public:
-  GltfReader(const GltfFile& file, const ReadLimits& limits)
-      : file_(file), builder_(limits) {}
+  GltfReader(const GltfFile& file, uint64_t file_bytes,
+             const ReadLimits& limits)
+      : file_(file),
+        most_of_mesh_(kMostRepeats * (file_bytes / kVertexBytes) +
+                      kFewVertices),
+        builder_(limits) {}
 
   absl::StatusOr<TriangleSoup> Read() {
     const Json* const nodes = GltfMember(file_.scene(), "nodes");
@@ -282,6 +292,7 @@ class GltfReader {
     if (primitives == nullptr || !primitives->is_array()) return true;
     // Parts of a mesh often share their vertices.
     std::map<uint64_t, Vertices> vertices;
+    mesh_begin_ = builder_.vertices();
     for (const Json& primitive : *primitives) {
       const uint64_t mode = GltfNumber(primitive, "mode", kTriangles);
       if (mode < kTriangles) continue;  // points and lines
@@ -311,6 +322,10 @@ class GltfReader {
     const absl::StatusOr<GltfNumbers> points = file_.Accessor(accessor, "VEC3");
     if (!points.ok()) return RefuseMesh(mesh, points.status());
     vertices = {.first = builder_.vertices(), .count = points->count()};
+    if (vertices.first - mesh_begin_ + vertices.count > most_of_mesh_) {
+      return Refuse("mesh ", mesh, " repeats its vertices more than ",
+                    kMostRepeats, " times");
+    }
     for (uint64_t i = 0; i < points->count(); ++i) {
       const Point point = placement.Move(
           {points->Real(i, 0), points->Real(i, 1), points->Real(i, 2)});
@@ -368,7 +383,9 @@ class GltfReader {
   }
 
   const GltfFile& file_;
+  const uint64_t most_of_mesh_;  // vertices
   SoupBuilder builder_;
+  uint64_t mesh_begin_ = 0;      // the first vertex of the mesh at hand
   std::vector<bool> is_placed_;  // by node
   std::vector<Visit> to_visit_;
 };
@@ -379,7 +396,7 @@ absl::StatusOr<TriangleSoup> ReadGltf(std::string_view bytes,
                                       const ReadLimits& limits) {
   const absl::StatusOr<GltfFile> file = GltfFile::Open(bytes);
   if (!file.ok()) return file.status();
-  return GltfReader(*file, limits).Read();
+  return GltfReader(*file, bytes.size(), limits).Read();
 }
 
 }  // namespace geodesic

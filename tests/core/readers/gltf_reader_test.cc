@@ -197,18 +197,19 @@ TEST(GltfReaderTest, SkinsAndMorphsAreNotLeftOutSilently) {
 }
 
 TEST(GltfReaderTest, StripsAndFansBecomeTriangles) {
+  const auto read_apart = [](const std::string& bytes) {
+    return ExpectRead(ReadMesh(bytes, MeshFormat::kGltf,
+                               {.welding = {.kind = Welding::Kind::kNone}}));
+  };
   const std::string mode = R"("indices": 1})";
-  EXPECT_THAT(
-      ExpectRead(Read(Square(mode, R"("indices": 1, "mode": 5})"))).triangles,
-      ElementsAre(Triangle{0, 1, 2}, Triangle{1, 3, 2}, Triangle{2, 3, 5},
-                  Triangle{3, 4, 5}));
-  EXPECT_THAT(
-      ExpectRead(Read(Square(mode, R"("indices": 1, "mode": 6})"))).triangles,
-      ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}, Triangle{0, 3, 5},
-                  Triangle{0, 5, 4}));
-  EXPECT_THAT(
-      ExpectRead(Read(Square(mode, R"("indices": 1, "mode": 1})"))).triangles,
-      SizeIs(0));
+  EXPECT_THAT(read_apart(Square(mode, R"("indices": 1, "mode": 5})")).triangles,
+              ElementsAre(Triangle{0, 1, 2}, Triangle{1, 3, 2},
+                          Triangle{2, 3, 5}, Triangle{3, 4, 5}));
+  EXPECT_THAT(read_apart(Square(mode, R"("indices": 1, "mode": 6})")).triangles,
+              ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3},
+                          Triangle{0, 3, 5}, Triangle{0, 5, 4}));
+  EXPECT_THAT(read_apart(Square(mode, R"("indices": 1, "mode": 1})")).triangles,
+              SizeIs(0));
 }
 
 TEST(GltfReaderTest, QuantizedCoordinatesAreRead) {
@@ -306,29 +307,35 @@ TEST(GltfReaderTest, ScenesAreBounded) {
   EXPECT_THAT(Read(wide + "]"), IsInvalidWith("more than 262144 values"));
 }
 
-// Each primitive with an accessor of its own, all of the same six vertices.
-std::string ManyPrimitives(int count) {
+// Each primitive with an accessor of its own, all of the same vertices.
+std::string ManyPrimitives(int count, uint32_t vertices) {
   std::string accessors, primitives;
   for (int i = 0; i < count; ++i) {
     absl::StrAppend(&accessors, i == 0 ? "" : ",",
-                    R"({"bufferView": 0, "componentType": 5126, "count": 6,
-                        "type": "VEC3"})");
+                    R"({"bufferView": 0, "componentType": 5126, "count": )",
+                    vertices, R"(, "type": "VEC3"})");
     absl::StrAppend(&primitives, i == 0 ? "" : ",",
                     R"({"attributes": {"POSITION": )", i, "}}");
   }
-  return Glb(absl::StrCat(
-                 R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
+  ByteWriter buffer;
+  for (uint32_t v = 0; v < vertices; ++v) {
+    buffer.Put<float>(static_cast<float>(v), static_cast<float>(v % 3), 0);
+  }
+  return Glb(
+      absl::StrCat(
+          R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
                      "nodes": [{"mesh": 0}], "meshes": [{"primitives": [)",
-                 primitives, R"(]}], "accessors": [)", accessors,
-                 R"(], "bufferViews": [{"buffer": 0, "byteLength": 72}],
-                     "buffers": [{"byteLength": 84}]})"),
-             SquareBytes());
+          primitives, R"(]}], "accessors": [)", accessors,
+          R"(], "bufferViews": [{"buffer": 0, "byteLength": )", 12 * vertices,
+          R"(}], "buffers": [{"byteLength": )", 12 * vertices, "}]}"),
+      buffer.bytes());
 }
 
 TEST(GltfReaderTest, RepeatedVerticesAreBounded) {
-  EXPECT_THAT(ExpectRead(Read(ManyPrimitives(100))).triangles, SizeIs(200));
-  EXPECT_THAT(Read(ManyPrimitives(12'000)),
-              IsInvalidWith("repeats its vertices"));
+  EXPECT_THAT(ExpectRead(Read(ManyPrimitives(100, 6))).triangles, SizeIs(200));
+  // 100 times what the file has.
+  EXPECT_THAT(Read(ManyPrimitives(100, 60'000)),
+              IsInvalidWith("mesh 0 repeats its vertices more than 64 times"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -119,7 +120,13 @@ void CheckRow(Row row) {
     return;
   }
   ASSERT_TRUE(soup.ok()) << soup.status();
-  EXPECT_EQ(soup->positions.size(), row.vertices);
+  // Parts of an STL file that touch in a point have vertices of their own
+  // there.
+  EXPECT_EQ(
+      *format == MeshFormat::kStl
+          ? std::set(soup->positions.begin(), soup->positions.end()).size()
+          : soup->positions.size(),
+      row.vertices);
   EXPECT_EQ(soup->triangles.size(), row.faces);
 }
 
