@@ -99,7 +99,7 @@ TEST_F(ErrorTest, NoServer) {
   // A port nobody listens on: this test's server has just left it.
   server_.Terminate();
   ASSERT_EQ(server_.Wait(), 0);
-  ExpectFailure({"meshes"}, 4, "UNAVAILABLE", "start one with geodesicd");
+  ExpectFailure({"meshes"}, 7, "UNAVAILABLE", "start one with geodesicd");
 }
 
 }  // namespace

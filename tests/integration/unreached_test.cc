@@ -16,8 +16,8 @@ namespace {
 
 using nlohmann::json;
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::Not;
 
 // Three squares of vertices 0 to 3, 4 to 7 and 8 to 11. The second lies beside
@@ -39,6 +39,16 @@ class UnreachedTest : public IntegrationTest {
     }
     mesh.positions.push_back({7, 7, 7});
     WriteFile(mesh_, OffText(mesh));
+  }
+
+  // As they are: the edge that two of them share would be joined.
+  ProcessResult Geodesic(std::vector<std::string> arguments) {
+    arguments.push_back("--no-weld");
+    return IntegrationTest::Geodesic(arguments);
+  }
+  json GeodesicJson(std::vector<std::string> arguments, int exit_code = 0) {
+    arguments.push_back("--no-weld");
+    return IntegrationTest::GeodesicJson(arguments, exit_code);
   }
 
   const std::string mesh_ = folder_ / "mesh.off";
@@ -72,7 +82,8 @@ TEST_F(UnreachedTest, ASourceOnNoFaceIsTold) {
     EXPECT_EQ(result.exit_code, 0) << words[0];
     EXPECT_THAT(result.err, HasSubstr(kNoFace)) << words[0];
   }
-  EXPECT_THAT(GeodesicJson({"field", mesh_, "-s", "0"})["notes"], IsEmpty());
+  EXPECT_THAT(GeodesicJson({"field", mesh_, "-s", "0"})["notes"],
+              ElementsAre(HasSubstr("boundary edges lie within 0")));
   EXPECT_THAT(Geodesic({"isolines", mesh_, "-s", "12", "-n", "3"}).err,
               HasSubstr(kNoFace));
 }
@@ -151,10 +162,11 @@ TEST_F(UnreachedTest, FewerThanWereAskedForAreTold) {
               HasSubstr("100 samples were asked for and 11 are there"));
   const json answer = GeodesicJson(sample);
   EXPECT_EQ(answer["samples"].size(), 11);
-  EXPECT_EQ(answer["notes"].size(), 1);
+  // And the edge that is not joined.
+  EXPECT_EQ(answer["notes"].size(), 2);
   const json nearest = GeodesicJson(
       {"nearest", mesh_, "-s", "0", "-t", "1", "-t", "9", "-k", "3"});
-  ASSERT_EQ(nearest["notes"].size(), 2);
+  ASSERT_EQ(nearest["notes"].size(), 3);
   EXPECT_THAT(nearest["notes"][0].get<std::string>(),
               HasSubstr("3 nearest targets were asked for, and there are 2"));
   EXPECT_THAT(nearest["notes"][1].get<std::string>(),

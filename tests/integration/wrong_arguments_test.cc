@@ -50,6 +50,7 @@ struct WrongText {
 
 constexpr int kUsage = 2;
 constexpr int kFile = 3;
+constexpr int kNoPath = 4;
 constexpr int kRefused = 5;
 
 class WrongArgumentsTest : public PlanarGridTest {
@@ -259,7 +260,7 @@ TEST_F(WrongArgumentsTest, SourceOnAnIsolatedVertex) {
   EXPECT_EQ(field["farthest_vertex"], 81);
   EXPECT_EQ(field["largest_distance"], 0.5);
   const json paths =
-      GeodesicJson({"path", path, "-s", "81", "-t", "0"})["paths"];
+      GeodesicJson({"path", path, "-s", "81", "-t", "0"}, kNoPath)["paths"];
   EXPECT_TRUE(paths[0]["distance"].is_null());
   EXPECT_EQ(GeodesicJson({"isolines", path, "-s", "81", "-l",
                           "1"})["levels"][0]["lines"],

@@ -53,9 +53,9 @@ std::optional<Fact> CurveFact(const Question& question) {
 std::vector<std::string> AllNotes(const Question& question,
                                   const AnswerInfo& info,
                                   const Report& report) {
-  std::vector<std::string> notes = info.mesh_notes;
-  notes.insert(notes.end(), question.notes.begin(), question.notes.end());
+  std::vector<std::string> notes = question.notes;
   notes.insert(notes.end(), report.notes.begin(), report.notes.end());
+  notes.insert(notes.end(), info.mesh_notes.begin(), info.mesh_notes.end());
   return notes;
 }
 

@@ -47,7 +47,8 @@ absl::Status Validate(const Welding& welding);
 // (twice, where a distance is given), so no face collapses by itself. Does
 // nothing to a soup whose triangles name vertices that are not there.
 // O(V + F), and O(B log B) with B boundary edges of which few are close to each
-// other; reads each boundary edge's surroundings only.
+// other; reads each boundary edge's surroundings only. Tells the checkpoint of
+// its bytes and the soup's (Progress::solver_bytes) before it takes them.
 // Errors: those of Validate; whatever `checkpoint` returns.
 absl::Status JoinSeams(const Welding& welding, TriangleSoup& soup,
                        Checkpoint& checkpoint);

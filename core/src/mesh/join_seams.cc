@@ -226,6 +226,25 @@ class Seams {
 constexpr uint64_t kBytesAVertex = 4 + 4 + sizeof(JoinedVertex);
 constexpr uint64_t kBytesAnEdge = 24 + 4 + 2 * (32 + 16) + 16 + 2 * 40;
 
+// Tells of a soup's bytes, too, where it tells of bytes.
+class WithSoup final : public Checkpoint {
+ public:
+  WithSoup(const TriangleSoup& soup, Checkpoint& next)
+      : bytes_(soup.positions.size() * sizeof(Point) +
+               soup.triangles.size() * sizeof(Triangle)),
+        next_(next) {}
+
+  absl::Status Poll(const Progress& progress) override {
+    Progress all = progress;
+    if (all.solver_bytes > 0) all.solver_bytes += bytes_;
+    return next_.Poll(all);
+  }
+
+ private:
+  const uint64_t bytes_;
+  Checkpoint& next_;
+};
+
 bool NamesItsVertices(const TriangleSoup& soup) {
   return std::ranges::all_of(soup.triangles, [&](const Triangle& corners) {
     return std::ranges::max(corners) < soup.positions.size();
@@ -246,11 +265,12 @@ absl::Status Validate(const Welding& welding) {
 }
 
 absl::Status JoinSeams(const Welding& welding, TriangleSoup& soup,
-                       Checkpoint& checkpoint) {
+                       Checkpoint& asked) {
   if (absl::Status status = Validate(welding); !status.ok()) return status;
   if (welding.kind == Welding::Kind::kNone || !NamesItsVertices(soup)) {
     return absl::OkStatus();
   }
+  WithSoup checkpoint(soup, asked);
   const absl::StatusOr<BoundaryEdges> boundary =
       BoundaryEdges::Find(soup, checkpoint);
   if (!boundary.ok()) return boundary.status();

@@ -37,13 +37,13 @@ absl::StatusOr<MatrixRow> PathWork::Answer(uint64_t row, Checkpoint& checkpoint,
     // The field may reach further than was asked.
     if (target.distance > call_.reach.radius) {
       result.paths.push_back({.distance = kUnreached, .length = kUnreached});
-      continue;
+    } else {
+      absl::StatusOr<GeodesicPath> path =
+          target.is_own ? tracer.ToTarget(target.number, checkpoint)
+                        : tracer.ToVertex(target.number, checkpoint);
+      if (!path.ok()) return path.status();
+      result.paths.push_back(*std::move(path));
     }
-    absl::StatusOr<GeodesicPath> path =
-        target.is_own ? tracer.ToTarget(target.number, checkpoint)
-                      : tracer.ToVertex(target.number, checkpoint);
-    if (!path.ok()) return path.status();
-    result.paths.push_back(*std::move(path));
     absl::Status room = result.memory.GrowTo(BytesOf(result.paths));
     if (!room.ok()) return room;
   }

@@ -133,13 +133,14 @@ uint64_t SoupBytes(const TriangleSoup& soup) {
 // Takes the memory that joining edges needs beside the soup.
 class JoiningCheckpoint final : public Checkpoint {
  public:
-  JoiningCheckpoint(Checkpoint& next, ByteReservation& memory)
-      : next_(next), memory_(memory), held_(memory.bytes()) {}
+  // `file`: the bytes that are read.
+  JoiningCheckpoint(Checkpoint& next, uint64_t file, ByteReservation& memory)
+      : next_(next), file_(file), memory_(memory) {}
 
   absl::Status Poll(const Progress& progress) override {
     if (progress.solver_bytes > 0) {
       absl::Status status = memory_.GrowTo(
-          std::max(memory_.bytes(), held_ + progress.solver_bytes));
+          std::max(memory_.bytes(), file_ + progress.solver_bytes));
       if (!status.ok()) return status;
     }
     return next_.Poll({});
@@ -147,8 +148,8 @@ class JoiningCheckpoint final : public Checkpoint {
 
  private:
   Checkpoint& next_;
+  const uint64_t file_;
   ByteReservation& memory_;
-  const uint64_t held_;
 };
 
 }  // namespace
@@ -272,7 +273,7 @@ absl::StatusOr<bool> MeshUpload::Parse(Checkpoint& checkpoint) {
       .max_vertices = std::min(limits_.max_vertices, core_limits.max_vertices),
       .max_triangles = std::min(limits_.max_faces, core_limits.max_triangles)};
   const ReadLimits within = LimitsWithin(SoupBound());
-  JoiningCheckpoint joining(checkpoint, reservation_);
+  JoiningCheckpoint joining(checkpoint, bytes_.capacity(), reservation_);
   absl::StatusOr<TriangleSoup> soup =
       header_.format == UploadFormat::kArrays
           ? ParseArrays(joining)

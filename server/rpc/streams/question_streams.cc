@@ -116,6 +116,11 @@ absl::StatusOr<NextMessage> PathStream::FillPart(
 absl::StatusOr<IsolineStream::Work> IsolineStream::MakeWork() {
   absl::Status status = CheckLevels(request().levels(), engine().limits());
   if (!status.ok()) return status;
+  if (!(request().chord_error() >= 0)) {
+    return InvalidField("chord_error",
+                        absl::StrCat("chord_error is ", request().chord_error(),
+                                     "; it must be a number >= 0"));
+  }
   IsolineOptions isolines{
       .levels = {request().levels().begin(), request().levels().end()},
       .chord_error = request().chord_error()};

@@ -137,7 +137,8 @@ class Walker {
         faces.push_back(face);
       }
     });
-    if (faces.empty()) return std::nullopt;
+    // Where it was told to stop not all are there, of which one was chosen.
+    if (faces.empty() || !meter_.status().ok()) return std::nullopt;
     if (faces.size() == 1) return faces[0];
     return faces[Choose(static_cast<uint32_t>(faces.size()))];
   }
