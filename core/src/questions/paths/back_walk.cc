@@ -127,31 +127,39 @@ class Walker {
     const bool is_behind_end = crossed_.size() > 1;
     std::unordered_set<uint32_t> apexes;
     if (is_behind_end) apexes.insert(mesh_.Apex(h));
-    std::vector<FaceBeyond> faces;
+    // First those in which the walk may end: those behind may be very many, all
+    // as good.
+    std::vector<FaceBeyond> faces, others;
     mesh_.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
       if (!meter_.Do()) return;
       const FaceBeyond face{other, is_mirrored};
       const bool is_known = !apexes.insert(mesh_.Apex(other)).second;
       if (is_known && !MayStartWithin(mesh_.FaceOf(other))) return;
-      if (LeadsOn(other, Enter(face, line, mesh_.frame(h).length))) {
+      const BackLine there = Enter(face, line, mesh_.frame(h).length);
+      if (MayEndIn(other, there)) {
         faces.push_back(face);
+      } else if (LeadsOn(other, there)) {
+        others.push_back(face);
       }
     });
+    faces.insert(faces.end(), others.begin(), others.end());
     // Where it was told to stop not all are there, of which one was chosen.
     if (faces.empty() || !meter_.status().ok()) return std::nullopt;
     if (faces.size() == 1) return faces[0];
     return faces[Choose(static_cast<uint32_t>(faces.size()))];
   }
 
-  // Whether a walk that enters the face of h along a line ends there, or comes
-  // out on another side and is not astray: few do of very many at an edge.
+  // Whether a walk that enters the face of h along a line may end there.
+  bool MayEndIn(HalfEdge h, const BackLine& line) const {
+    return StartWithin(end_.arrival.pseudo_source, h, line.end).has_value() ||
+           PassesAt(mesh_.Apex(h), ApexOf(mesh_.frame(h)), line);
+  }
+
+  // Whether one that does not comes out on another side and is not astray: few
+  // do of very many at an edge.
   bool LeadsOn(HalfEdge h, const BackLine& line) const {
     if (!mesh_.HasNonManifoldEdges()) return true;
     const PlanePoint apex = ApexOf(mesh_.frame(h));
-    if (StartWithin(end_.arrival.pseudo_source, h, line.end).has_value() ||
-        PassesAt(mesh_.Apex(h), apex, line)) {
-      return true;
-    }
     if (IsAstray(h, line)) return false;
     if (RunsInto(apex, line)) return true;
     const bool goes_right = GoesRight(h, line);
