@@ -82,7 +82,77 @@ void FaceWays::AddPoint(const PlanePoint& from, double sigma) {
       return;
     }
   }
-  ways_.push_back({.from = from, .sigma = sigma, .label = sigma});
+  Add({.from = from, .sigma = sigma, .label = sigma});
+}
+
+void FaceWays::Add(FaceWay way) {
+  for (const PlanePoint& corner : corners_) {
+    way.farthest = std::max(way.farthest, way.DistanceTo(corner));
+  }
+  ways_.push_back(way);
+}
+
+bool FaceWays::IsCovered(const FaceWay& disc) const {
+  // Windows that begin and end there: the one that leads farthest to the left,
+  // and the one that leads farthest to the right.
+  std::optional<PlanePoint> begin, end;
+  // Where windows change over is known as well as their rays differ.
+  const double same = kSameRay * size_;
+  for (const FaceWay& way : ways_) {
+    const double distance = way.DistanceTo(disc.from);
+    if (way.bound_count == 0) {
+      if (distance < disc.sigma * (1 - kDominance)) return true;
+      continue;
+    }
+    if (distance > disc.sigma * (1 + kAlongEdge) ||
+        !way.LeadsTo(disc.from, same)) {
+      continue;
+    }
+    const HalfPlane& left = way.bounds[0];
+    const HalfPlane& right = way.bounds[1];
+    const bool begins = left.Depth(disc.from) <= same;
+    const bool ends = right.Depth(disc.from) <= same;
+    if (!begins && !ends) return true;
+    if (begins && !ends &&
+        (!begin.has_value() || Cross(*begin, left.normal) > 0)) {
+      begin = left.normal;
+    }
+    if (ends && !begins &&
+        (!end.has_value() || Cross(*end, right.normal) < 0)) {
+      end = right.normal;
+    }
+  }
+  return begin.has_value() && end.has_value() &&
+         Cross(*end, *begin) <= kSameRay;
+}
+
+std::optional<DirectionCone> FaceWays::DirectionsAt(
+    double level, const Neighbourhood& there) const {
+  DirectionCone cone;
+  for (const FaceWay& way : ways_) {
+    if (way.bound_count == 0 || !way.MayHaveFront(level)) continue;
+    if (std::ranges::any_of(way.Bounds(), [&](const HalfPlane& bound) {
+          return std::max(bound.Depth(there.begin), bound.Depth(there.end)) <
+                 -there.distance;
+        })) {
+      continue;
+    }
+    const PlanePoint& begin = way.bounds[0].normal;
+    const PlanePoint& end = way.bounds[1].normal;
+    if (!cone.Add(Turned(begin)) || !cone.Add({end.y, -end.x})) {
+      return std::nullopt;
+    }
+  }
+  for (const FaceWay& way : ways_) {
+    if (way.bound_count > 0 || !way.MayHaveFront(level) || IsCovered(way)) {
+      continue;
+    }
+    for (const PlanePoint& corner : corners_) {
+      const PlanePoint ray = corner - way.from;
+      if (Norm(ray) > kRoundedPlace && !cone.Add(ray)) return std::nullopt;
+    }
+  }
+  return cone;
 }
 
 void FaceWays::AddThrough(HalfEdge h, const Way& way,
@@ -115,7 +185,7 @@ void FaceWays::AddThrough(HalfEdge h, const Way& way,
     }
     AddPoint(OnSide(entry, at), sigma);
   }
-  ways_.push_back(added);
+  Add(added);
 }
 
 void FaceWays::AddCorner(uint32_t corner, double sigma) {
@@ -145,7 +215,7 @@ void FaceWays::AddWithin(const CurveSegment& segment, double sigma) {
     const PlanePoint unit = {along.x / length, along.y / length};
     strip.AddBound({unit, Dot(unit, begin)});
     strip.AddBound({{-unit.x, -unit.y}, -Dot(unit, end)});
-    ways_.push_back(strip);
+    Add(strip);
   }
 }
 

@@ -6,11 +6,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
+#include "questions/isolines/direction_cone.h"
 #include "questions/isolines/way.h"
 #include "surface/plane_point.h"
 
@@ -39,7 +41,9 @@ struct FaceWay {
   PlanePoint from;
   bool is_segment = false;
   double sigma = 0;  // of a segment: the distance that its rays give (0, 0)
-  double label = 0;  // a lower bound in the face
+  // Bounds on what is reached in the face.
+  double label = 0;
+  double farthest = 0;
   std::array<HalfPlane, 3> bounds = {};
   uint32_t bound_count = 0;
 
@@ -49,6 +53,10 @@ struct FaceWay {
   void AddBound(const HalfPlane& bound) { bounds[bound_count++] = bound; }
   // Whether the ways lead to a place, which may be this far outside.
   bool LeadsTo(const PlanePoint& place, double outside) const;
+  // Whether a front of this level runs through the face.
+  bool MayHaveFront(double level) const {
+    return IsNearer(label, level) && farthest > level;
+  }
   // Whether or not they lead there.
   double DistanceTo(const PlanePoint& place) const;
 };
@@ -73,6 +81,18 @@ class FaceWays {
   void AddWithin(const CurveSegment& segment, double sigma);
 
   const std::vector<FaceWay>& ways() const { return ways_; }
+  // What lies no farther from a segment than this.
+  struct Neighbourhood {
+    PlanePoint begin;
+    PlanePoint end;
+    double distance = 0;
+  };
+  // In which directions distance grows along the isolines of a level, where
+  // they run there; none if these are not known to lie within a half turn. If
+  // they do, no isoline is closed in the face. Discs around places that windows
+  // pass on both sides are not on the isolines.
+  std::optional<DirectionCone> DirectionsAt(double level,
+                                            const Neighbourhood& there) const;
   bool has_sources() const { return has_sources_; }
   const std::array<PlanePoint, 3>& corners() const { return corners_; }
   // What lies inside of each side.
@@ -90,6 +110,9 @@ class FaceWays {
  private:
   PlanePoint FromFrameOfSide(uint32_t side, const PlanePoint& point) const;
   void AddPoint(const PlanePoint& from, double sigma);
+  void Add(FaceWay way);
+  // Whether other ways lead all around the source of a disc, no farther.
+  bool IsCovered(const FaceWay& disc) const;
 
   const Mesh& mesh_;
   const HalfEdge first_;

@@ -38,6 +38,11 @@ class Front {
     return is_straight() ? run : run * reach_;
   }
 
+  // Whether both are circles and the other holds this one.
+  bool IsWithin(const Front& other) const {
+    return !is_straight() && !other.is_straight() &&
+           Norm(way_->from - other.way_->from) + reach_ <= other.reach_;
+  }
   // How far it goes on within a half-plane; kNoEnd if it does not leave that,
   // or by no more than `shallow` (a straight line: within `size`).
   double RunWithin(const HalfPlane& half_plane, double from, double shallow,

@@ -256,9 +256,8 @@ std::vector<Way> LevelCrossings::WaysTo(
   return ways;
 }
 
-FaceWays LevelCrossings::WaysInto(uint32_t face,
-                                  std::span<const double> distances) const {
-  FaceWays ways(mesh_, face);
+void LevelCrossings::AddWays(uint32_t face, std::span<const double> distances,
+                             FaceWays& ways) const {
   const HalfEdge first = mesh_.FirstSide(face);
   for (HalfEdge h = first; h < first + 3; ++h) {
     ways.AddCorner(h % 3, distances[mesh_.From(h)]);
@@ -277,7 +276,6 @@ FaceWays LevelCrossings::WaysInto(uint32_t face,
       ways.AddWithin(segment, sigma);
     }
   }
-  return ways;
 }
 
 absl::Status LevelCrossings::DealWith(uint32_t face,
@@ -297,10 +295,17 @@ absl::Status LevelCrossings::DealWith(uint32_t face,
     end = std::max<size_t>(end, crossings_[range.end - 1].level + 1);
   }
   if (begin < end) {
-    const FaceWays ways = WaysInto(face, distances);
+    FaceWays ways(mesh_, face);
+    const bool has_sources = within_.contains(face);
     for (size_t level = begin; level < end; ++level) {
       auto [entries, exits] = Perimeter(
           ways, face, static_cast<uint32_t>(level), ranges, distances);
+      // What is nearer comes over the perimeter or starts inside.
+      if (entries.empty() && exits.empty() && !has_sources &&
+          !IsNearer(distances[mesh_.triangle(face)[0]], levels_[level])) {
+        continue;
+      }
+      if (ways.ways().empty()) AddWays(face, distances, ways);
       absl::Status status =
           DrawLevel(ways, face, static_cast<uint32_t>(level),
                     std::move(entries), std::move(exits), poll);
@@ -357,14 +362,31 @@ void LevelCrossings::Join(uint32_t level, const Place& entry, Place& exit,
        static_cast<uint32_t>(samples_.size()) - first_sample});
 }
 
+bool LevelCrossings::IsChordEnough(const FaceWays& ways, uint32_t level,
+                                   const DirectionCone& directions,
+                                   const Place& entry,
+                                   const Place& exit) const {
+  const PlanePoint chord = exit.place - entry.place;
+  double distance = ways.size();
+  std::optional<DirectionCone> there = directions;
+  while (distance > ChordError(level)) {
+    // What does not lead there does not count.
+    const double farthest = there->FarthestFrom(chord);
+    if (farthest > distance / 2 && farthest > ChordError(level)) return false;
+    distance = farthest;
+    there =
+        ways.DirectionsAt(levels_[level], {entry.place, exit.place, distance});
+    if (!there.has_value()) return false;
+  }
+  return true;
+}
+
 absl::Status LevelCrossings::DrawLevel(const FaceWays& ways, uint32_t face,
                                        uint32_t level,
                                        std::vector<Place> entries,
                                        std::vector<Place> exits,
                                        const Poll& poll) {
   const double at_level = levels_[level];
-  const double chord_error =
-      accuracy_.chord_error * (accuracy_.is_relative ? at_level : 1);
   const LevelTracer::Step step = [&](uint64_t amount) {
     return Work(amount, poll);
   };
@@ -379,7 +401,7 @@ absl::Status LevelCrossings::DrawLevel(const FaceWays& ways, uint32_t face,
     samples_.push_back(ways.PointAt(place));
     return Work(1, poll);
   };
-  const ArcSampler sampler(chord_error, emit);
+  const ArcSampler sampler(ChordError(level), emit);
   const auto next_sample = [&] {
     return static_cast<uint32_t>(samples_.size());
   };
@@ -391,7 +413,18 @@ absl::Status LevelCrossings::DrawLevel(const FaceWays& ways, uint32_t face,
   };
 
   absl::Status status = step(64);
-  if (ways.height() > kFlatFace * ways.size()) {
+  std::optional<DirectionCone> directions;
+  if (!ways.has_sources()) {
+    directions = ways.DirectionsAt(at_level, {{}, {}, ways.size()});
+  }
+  const bool may_have_loops = !directions.has_value();
+  if (!may_have_loops && entries.size() == 1 && exits.size() == 1 &&
+      IsChordEnough(ways, level, *directions, entries[0], exits[0])) {
+    Join(level, entries[0], exits[0], next_sample());
+    return status;
+  }
+  if ((may_have_loops || !entries.empty()) &&
+      ways.height() > kFlatFace * ways.size()) {
     LevelTracer tracer(ways, at_level, step);
     const double near =
         kNearCrossing * ways.size() + 2 * accuracy_.share * at_level;
@@ -409,9 +442,13 @@ absl::Status LevelCrossings::DrawLevel(const FaceWays& ways, uint32_t face,
       Join(level, entry, *exit, first_sample);
       entry.is_taken = true;
     }
-    absl::StatusOr<std::vector<std::vector<FrontArc>>> loops = tracer.Loops();
-    if (!loops.ok()) return loops.status();
-    for (const std::vector<FrontArc>& loop : *loops) {
+    std::vector<std::vector<FrontArc>> loops;
+    if (may_have_loops) {
+      absl::StatusOr<std::vector<std::vector<FrontArc>>> found = tracer.Loops();
+      if (!found.ok()) return found.status();
+      loops = *std::move(found);
+    }
+    for (const std::vector<FrontArc>& loop : loops) {
       const uint32_t first_sample = next_sample();
       status.Update(sampler.Around(loop));
       loops_[level].push_back(

@@ -110,7 +110,8 @@ class LevelCrossings {
   // from its end `from`.
   std::vector<Way> WaysTo(std::span<const HalfEdge> sides, uint32_t from,
                           std::span<const double> distances) const;
-  FaceWays WaysInto(uint32_t face, std::span<const double> distances) const;
+  void AddWays(uint32_t face, std::span<const double> distances,
+               FaceWays& ways) const;
 
   absl::Status DealWith(uint32_t face, std::span<const double> distances,
                         const Poll& poll);
@@ -122,9 +123,17 @@ class LevelCrossings {
       const FaceWays& ways, uint32_t face, uint32_t level,
       const std::array<Range, 3>& ranges,
       std::span<const double> distances) const;
+  // Whether a chord is known to be near enough to the only isoline in a face.
+  // `directions`: of all ways that may have a front there.
+  bool IsChordEnough(const FaceWays& ways, uint32_t level,
+                     const DirectionCone& directions, const Place& entry,
+                     const Place& exit) const;
   absl::Status DrawLevel(const FaceWays& ways, uint32_t face, uint32_t level,
                          std::vector<Place> entries, std::vector<Place> exits,
                          const Poll& poll);
+  double ChordError(uint32_t level) const {
+    return accuracy_.chord_error * (accuracy_.is_relative ? levels_[level] : 1);
+  }
   void Join(uint32_t level, const Place& entry, Place& exit,
             uint32_t first_sample);
 

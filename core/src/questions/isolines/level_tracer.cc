@@ -18,6 +18,15 @@ constexpr double kPassing = 4;
 
 }  // namespace
 
+double FrontArc::Height() const {
+  if (front.is_straight()) return 0;
+  if (run > Front::kFullCircle / 2) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double sine = std::sin(run / 4);
+  return 2 * front.radius() * sine * sine;
+}
+
 LevelTracer::LevelTracer(const FaceWays& ways, double level, const Step& step)
     : ways_(ways),
       level_(level),
@@ -39,9 +48,17 @@ LevelTracer::Stretch LevelTracer::NextStretch(const Front& front, double from) {
     if (run < stretch.run) stretch = {run, false};
   }
   if (!std::isfinite(stretch.run)) return {};
+  const FrontArc arc{front, from, stretch.run};
+  const PlanePoint begin = arc.From(), end = arc.To();
+  const double height = arc.Height();
   for (const Front& other : fronts_) {
     if (!(stretch.run > 0)) break;
-    if (&other.way() == &front.way()) continue;
+    if (&other.way() == &front.way() || other.IsWithin(front) ||
+        std::ranges::any_of(other.way().Bounds(), [&](const HalfPlane& bound) {
+          return std::max(bound.Depth(begin), bound.Depth(end)) < -height;
+        })) {
+      continue;
+    }
     parts_.clear();
     front.AddCovered(other.way(), from, stretch.run, shallow_, parts_);
     for (const Interval& part : parts_) {
@@ -75,9 +92,13 @@ absl::StatusOr<std::optional<FrontArc>> LevelTracer::GoOn(
       longest = length;
       best = FrontArc{front, begin, stretch.run};
       leaves_face = stretch.leaves_face;
-    } else if (!best.has_value()) {
-      leaves_face = leaves_face || stretch.leaves_face;
     }
+  }
+  if (!best.has_value()) {
+    leaves_face =
+        std::ranges::any_of(ways_.sides(), [&](const HalfPlane& side) {
+          return side.Depth(place) <= kPassing * shallow_;
+        });
   }
   return best;
 }
@@ -110,11 +131,7 @@ bool LevelTracer::MayHaveLoops() const {
   // Two convex parts enclose nothing.
   size_t crossing = 0;
   for (const Front& front : fronts_) {
-    double farthest = 0;
-    for (const PlanePoint& corner : ways_.corners()) {
-      farthest = std::max(farthest, front.way().DistanceTo(corner));
-    }
-    if (farthest > level_) {
+    if (front.way().farthest > level_) {
       ++crossing;
     } else if (front.way().bound_count == 0) {
       return false;  // it covers the whole face

@@ -25,6 +25,8 @@ struct FrontArc {
 
   PlanePoint From() const { return front.At(begin); }
   PlanePoint To() const { return front.At(begin + run); }
+  // Over its chord; of more than half a circle infinite.
+  double Height() const;
 };
 
 // Below the level each way covers a convex part of the face, which its front
