@@ -58,6 +58,8 @@ class Mesh:
         and into which (J, 2); seam edges, crossing polygons, the first one."""
     def reading(self) -> Tuple[NDArray[np.uint32], List[int]]:
         """What restore() takes."""
+    def isolated(self, vertices: NDArray[np.int64]) -> NDArray[np.bool_]:
+        """Which of these are on no face (N,); not those that are out of range."""
     def notes(self) -> List[str]:
         """What was joined, left out or guessed, and what looks as if it should
         have been joined."""

@@ -139,8 +139,8 @@ class Backend(Protocol):
     def reading(self) -> Reading:
         """What was joined: see geodesic.digest."""
 
-    def isolated(self) -> Optional[np.ndarray]:
-        """Which vertices no face has, bool (V,); None if there are none."""
+    def isolated(self, vertices: np.ndarray) -> np.ndarray:
+        """Which of the vertices no face has, bool (N,)."""
         ...
 
     def digest(self) -> str: ...

@@ -16,7 +16,6 @@ from .backend import FieldAnswer, IsolineAnswer, Options, PathAnswer
 from .digest import Reading, mesh_digest
 from .errors import InvalidArgument
 from .places import Places, Sources, empty
-from .reach import faces_and_joins, isolated_vertices
 
 _ALL_TARGETS = 2**64 - 1
 _NO_SOURCE = 2**32 - 1
@@ -59,9 +58,8 @@ class LocalBackend:
     def facts(self) -> Dict[str, Any]:
         return self._mesh.facts()
 
-    def isolated(self) -> Optional[np.ndarray]:
-        return isolated_vertices(faces_and_joins(self.faces(), self.reading()),
-                                 self.vertex_count)
+    def isolated(self, vertices: np.ndarray) -> np.ndarray:
+        return self._mesh.isolated(vertices.astype(np.int64))
 
     def digest(self) -> str:
         return mesh_digest(self.vertices(), self.faces(), self.reading())

@@ -782,13 +782,9 @@ class Mesh:
     def _point_finder(self) -> PointFinder:
         return PointFinder(self.vertices, self.faces)
 
-    @functools.cached_property
-    def _isolated(self) -> Optional[NDArray[np.bool_]]:
-        return self._backend.isolated()
-
     def _sources(self, source, offsets):
         sources = to_sources(source, offsets, self.n_vertices)
-        warn_of_isolated(sources, self._isolated)
+        warn_of_isolated(sources, self._backend.isolated)
         return sources
 
     def _places(self, places, name):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from typing import Optional
+from typing import Callable, Optional
 
 import numpy as np
 
@@ -40,14 +40,15 @@ def warn(message: str) -> None:
     warnings.warn(message, GeodesicWarning, stacklevel=level)
 
 
-def warn_of_isolated(sources: Sources, isolated: Optional[np.ndarray]) -> None:
+def warn_of_isolated(sources: Sources,
+                     isolated: Callable[[np.ndarray], np.ndarray]) -> None:
     """Says which sources are vertices of no face."""
-    if isolated is None:
-        return
     places = sources.places
     numbers = places.numbers[places.kinds == 0, 0]
-    numbers = np.unique(numbers[numbers < len(isolated)])
-    found = numbers[isolated[numbers]]
+    numbers = np.unique(numbers)
+    if numbers.size == 0:
+        return
+    found = numbers[isolated(numbers)]
     if found.size:
         named = ", ".join(map(str, found[:_MOST_NAMED].tolist()))
         if found.size > _MOST_NAMED:

@@ -21,7 +21,6 @@ from .errors import (InternalError, InvalidArgument, NotFound,
                      ResourceExhausted, Unavailable)
 from .local import LocalBackend
 from .places import Places, Sources
-from .reach import faces_and_joins, isolated_vertices
 from .v1 import (capabilities_service_pb2, capabilities_service_pb2_grpc,
                  field_service_pb2, field_service_pb2_grpc, matrix_service_pb2,
                  matrix_service_pb2_grpc, mesh_pb2, mesh_service_pb2,
@@ -288,17 +287,10 @@ class RemoteBackend:
     def faces(self) -> np.ndarray:
         return self._read()[1]
 
-    def isolated(self) -> Optional[np.ndarray]:
-        # The service knows whether there are any, unless a sibling alone has the
-        # mesh, which the question will fetch.
-        try:
-            if (self._arrays is None and
-                    self._described().isolated_vertex_count == 0):
-                return None
-        except NotFound:
-            return None
-        return isolated_vertices(faces_and_joins(self.faces(), self.reading()),
-                                 self.vertex_count)
+    def isolated(self, vertices: np.ndarray) -> np.ndarray:
+        if self._mesh.isolated_vertex_count == 0:
+            return np.zeros(len(vertices), bool)
+        return self._here.isolated(vertices)
 
     def positions(self, places: Places) -> np.ndarray:
         return self._here.positions(places)

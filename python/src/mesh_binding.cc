@@ -157,6 +157,20 @@ std::vector<std::string> NotesOf(const MeshHandle& self) {
   return Notes(SummarizeReading(*self.mesh));
 }
 
+// Which of the vertices are on no face; false for numbers out of range.
+py::array_t<bool> Isolated(const MeshHandle& self,
+                           const IntegerArray& vertices) {
+  const Mesh& mesh = *self.mesh;
+  py::array_t<bool> isolated(vertices.size());
+  for (py::ssize_t i = 0; i < vertices.size(); ++i) {
+    const int64_t v = vertices.data()[i];
+    isolated.mutable_data()[i] =
+        v >= 0 && v < mesh.vertex_count() &&
+        mesh.Outgoing(mesh.JoinedInto(static_cast<uint32_t>(v))).empty();
+  }
+  return isolated;
+}
+
 py::dict Facts(const MeshHandle& self) {
   MeshSummary summary;
   {
@@ -217,6 +231,7 @@ void BindMesh(py::module_& module) {
       .def_static("restore", &RestoreMesh)
       .def("reading", &ReadingOf)
       .def("notes", &NotesOf)
+      .def("isolated", &Isolated)
       .def_property_readonly("positions", &Positions)
       .def("positions_of", &PositionsOf)
       .def_property_readonly(

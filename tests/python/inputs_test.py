@@ -63,7 +63,7 @@ class RefusedQuestionsTest(Refusing):
         vertices, faces = meshes.octahedron()
         mesh = self.make(vertices, faces)
         for name in ("samples", "threads", "k"):
-            ask = {"samples": mesh.samples,
+            ask = {"samples": lambda n: mesh.samples(n, 0),
                    "threads": lambda n: mesh.distances(0, threads=n),
                    "k": lambda n: mesh.nearest(0, [1], n)}[name]
             shown = {"samples": "count"}.get(name, name)
@@ -318,8 +318,8 @@ class InputsTest(Refusing):
                             np.array([[0, 1, 2], [2**32, 1, 2]]))
         self.assert_refused("face 0 names vertex 6", geodesic.Mesh, v,
                             np.array([[0, 1, 6]]))
-        self.assert_refused("face 1", geodesic.Mesh, v,
-                            np.array([[0, 1, 2], [3, 3, 4]]))
+        self.assert_refused("names a vertex twice", geodesic.Mesh, v,
+                            np.array([[0, 0, 2], [3, 3, 4]]))
         self.assert_refused("vertex 2", geodesic.Mesh,
                             np.where(np.arange(6)[:, None] == 2, np.nan, v), f)
         self.assert_refused("no face", geodesic.Mesh, v, f[:0])

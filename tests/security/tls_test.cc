@@ -142,7 +142,7 @@ TEST_F(TlsTest, TheCommandSpeaksTls) {
   const ProcessResult bad =
       RunProgram({GEODESIC_BINARY, "--server", server.address(), "--tls-ca",
                   stranger.path(), "meshes"});
-  EXPECT_EQ(bad.exit_code, 4);
+  EXPECT_EQ(bad.exit_code, 7);
   EXPECT_THAT(bad.err, HasSubstr("--tls-ca"));
 }
 
@@ -166,7 +166,7 @@ TEST_F(TlsTest, TheCommandSaysWhyThereIsNoConnection) {
     command.insert(command.end(), wrong.flags.begin(), wrong.flags.end());
     command.push_back("meshes");
     const ProcessResult result = RunProgram(command);
-    EXPECT_EQ(result.exit_code, 4) << wrong.hint;
+    EXPECT_EQ(result.exit_code, 7) << wrong.hint;
     EXPECT_THAT(result.err, HasSubstr(wrong.hint));
   }
   const Authority clients(folder_, "clients");
