@@ -268,9 +268,9 @@ inline constexpr double kNotDelaunay = 1e-9;
 inline constexpr double kArcRounding = 2e-7;
 
 // Two places that were computed in two ways, such as the ends of a circle, and
-// are the same differ by some roundings of the mesh's extent: 4 (sin 2 pi is
-// 1.5 roundings of the radius in single precision).
-inline constexpr double kComputedTwice = 4;
+// are the same differ by this many roundings of the mesh's extent: sin 2 pi is
+// 1.5 roundings of the radius in single precision.
+inline constexpr double kComputedTwice = 1;
 
 // Two equal places differ by one unit of the last digit along an axis, where
 // they were rounded to either side of it; the rest is for the difference's own

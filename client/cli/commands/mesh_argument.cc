@@ -108,6 +108,11 @@ absl::Status AskAboutMesh(
     const Session& session, const MeshArgument& mesh,
     const std::function<absl::Status(const std::string& digest)>& ask) {
   if (!IsFile(mesh.text)) {
+    if (mesh.welding.keep_seams || mesh.welding.distance.has_value()) {
+      return FileError(absl::InvalidArgumentError(absl::StrCat(
+          "--weld and --no-weld say how a file is read, and ", mesh.text,
+          " is no file: its edges are joined already or not")));
+    }
     absl::StatusOr<std::string> digest = CompleteDigest(session, mesh.text);
     return digest.ok() ? ask(*digest) : digest.status();
   }

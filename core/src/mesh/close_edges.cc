@@ -50,7 +50,7 @@ CloseEdges::CloseEdges(std::span<const Point> positions,
 }
 
 absl::Status CloseEdges::Find(uint32_t edge, Checkpoint& checkpoint,
-                              std::vector<ClosePair>& pairs) {
+                              std::vector<ClosePair>& pairs, uint32_t most) {
   const Point cube = CubeOf(Middle(edges_[edge]));
   for (int step = 0; step < 27; ++step) {
     // + 0.0: -0 and 0 are one number.
@@ -64,7 +64,9 @@ absl::Status CloseEdges::Find(uint32_t edge, Checkpoint& checkpoint,
         absl::Status status = checkpoint.Poll({});
         if (!status.ok()) return status;
       }
-      if (other != edge) Compare(edge, other, pairs);
+      if (other == edge) continue;
+      if (most-- == 0) return absl::OkStatus();
+      Compare(edge, other, pairs);
     }
   }
   return absl::OkStatus();

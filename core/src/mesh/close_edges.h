@@ -4,6 +4,7 @@
 #define GEODESIC_MESH_CLOSE_EDGES_H_
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -36,11 +37,12 @@ class CloseEdges {
   CloseEdges(std::span<const Point> positions,
              std::span<const VertexPair> edges, const Closeness& closeness);
 
-  // Appends the pairs of `edge` and another one. O(27 + edges in the cubes
-  // around it).
-  // Errors: whatever `checkpoint` returns.
+  // Appends the pairs of `edge` and another one, among the `most` edges that
+  // are looked at first. O(27 + edges in the cubes around it). Errors: whatever
+  // `checkpoint` returns.
   absl::Status Find(uint32_t edge, Checkpoint& checkpoint,
-                    std::vector<ClosePair>& pairs);
+                    std::vector<ClosePair>& pairs,
+                    uint32_t most = std::numeric_limits<uint32_t>::max());
 
  private:
   Point Middle(const VertexPair& edge) const;

@@ -26,8 +26,10 @@ class Coordinates {
   void Add(const Point& point) {
     for (const double x : point) {
       if (x == 0) continue;
-      are_floats_ = are_floats_ && static_cast<float>(x) == x;
+      ++count_;
       largest_ = std::max(largest_, std::abs(x));
+      float_error_ =
+          std::max(float_error_, std::abs(x - static_cast<float>(x)));
       AddDigits(x);
     }
   }
@@ -35,27 +37,43 @@ class Coordinates {
   // How far apart places may be that are one: along an axis, by what computing
   // them in a mesh of this extent and writing them down adds.
   double Rounding(double extent, bool is_single) const {
-    constexpr double kFloat = std::numeric_limits<float>::epsilon();
-    constexpr double kDouble = std::numeric_limits<double>::epsilon();
-    if (largest_ == 0) return 0;
-    const bool is_decimal = digits_ <= std::numeric_limits<double>::digits10;
-    const bool few = digits_ <= std::numeric_limits<float>::max_digits10;
-    const double computed =
-        kComputedTwice * extent *
-        (is_single || are_floats_ || few ? kFloat : kDouble);
-    double written = largest_ * (are_floats_ ? kFloat : kDouble);
-    if (!are_floats_ && is_decimal) {
-      written = std::pow(
-          10.0, std::max(-decimals_, FirstDigit(largest_) + 1 - digits_));
-      // So few digits were chosen, and not rounded.
-      if (written > kMostDecimalRounding * extent) written = 0;
-    }
-    return kWrittenTwice * std::max(computed, written);
+    if (count_ == 0) return 0;
+    const double unit = DecimalUnit(extent);
+    const bool are_floats = float_error_ <= kWrittenTwice * unit / 2;
+    const double epsilon = is_single || are_floats
+                               ? std::numeric_limits<float>::epsilon()
+                               : std::numeric_limits<double>::epsilon();
+    return kWrittenTwice * std::max({kComputedTwice * extent * epsilon,
+                                     largest_ * epsilon, unit});
   }
 
  private:
-  static int FirstDigit(double x) {
-    return static_cast<int>(std::floor(std::log10(x)));
+  // Digits of a double that differ from those of its neighbours.
+  static constexpr int kAllDigits = std::numeric_limits<double>::digits10;
+  static constexpr int kMostDecimals = 40;
+
+  // A unit of the last digit, if the numbers were rounded to decimal ones: then
+  // most of them have as many digits, or as many behind the point, as any. 0
+  // where such digits were chosen, or the numbers are binary.
+  double DecimalUnit(double extent) const {
+    const auto last_used = [](const auto& counts) {
+      return static_cast<int>(std::find_if(counts.rbegin(), counts.rend(),
+                                           [](auto n) { return n > 0; }) -
+                              counts.rbegin());
+    };
+    const int digits = kAllDigits + 2 - last_used(by_digits_);
+    const int decimals = kMostDecimals - last_used(by_decimals_);
+    double unit = 0;
+    if (digits > kAllDigits) {
+      return 0;
+    }
+    if (2 * by_decimals_[decimals] >= count_) {
+      unit = std::pow(10.0, -decimals);
+    } else if (2 * by_digits_[digits] >= count_) {
+      const double first = std::floor(std::log10(largest_));
+      unit = std::pow(10.0, first + 1 - digits);
+    }
+    return unit <= kMostDecimalRounding * extent ? unit : 0;
   }
 
   // Of the shortest decimal number that reads as x: the one that a text has
@@ -73,15 +91,16 @@ class Coordinates {
     int power = 0;
     // from_chars knows no plus.
     std::from_chars(exponent + (exponent[1] == '+' ? 2 : 1), end, power);
-    digits_ = std::max(digits_, digits);
-    decimals_ = std::max(decimals_, digits - 1 - power);
+    ++by_digits_[std::min(digits, kAllDigits + 2)];
+    ++by_decimals_[std::clamp(digits - 1 - power, 0, kMostDecimals)];
   }
 
-  bool are_floats_ = true;
+  uint64_t count_ = 0;  // that are not 0
   double largest_ = 0;
-  // The most significant digits, and the most behind the point.
-  int digits_ = 0;
-  int decimals_ = 0;
+  double float_error_ = 0;  // of the one that single precision holds worst
+  // How many have so many significant digits, and so many behind the point.
+  std::array<uint64_t, kAllDigits + 3> by_digits_{};
+  std::array<uint64_t, kMostDecimals + 1> by_decimals_{};
 };
 
 // The seams of a soup.

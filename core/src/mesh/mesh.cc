@@ -124,10 +124,10 @@ absl::Status CheckSoup(const TriangleSoup& soup) {
   }
   if (absl::Status status = CheckJoined(soup); !status.ok()) return status;
   if (std::ranges::all_of(soup.triangles, RepeatsVertex)) {
-    return absl::InvalidArgumentError(
-        absl::StrCat("each of the mesh's ", faces,
-                     " faces names a vertex twice: there is no surface to "
-                     "measure on"));
+    return absl::InvalidArgumentError(absl::StrCat(
+        "each of the mesh's ", faces,
+        " faces names a vertex twice, as joined: there is no surface to "
+        "measure on"));
   }
   return absl::OkStatus();
 }

@@ -182,6 +182,9 @@ double RoundedUp(double x) {
   return std::ceil(x / unit) * unit;
 }
 
+// Where more edges lie together than this, some that are close may go untold.
+constexpr uint32_t kMostCompared = 64;
+
 // Counts boundary edges that were perhaps meant to be joined.
 void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
                      MeshSummary& summary) {
@@ -202,7 +205,7 @@ void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
   std::vector<ClosePair> pairs;
   for (uint32_t i = 0; i < edges.size(); ++i) {
     pairs.clear();
-    (void)grid.Find(i, checkpoint, pairs);
+    (void)grid.Find(i, checkpoint, pairs, kMostCompared);
     // The sides of one face are no seam.
     std::erase_if(pairs, [&](const ClosePair& pair) {
       return mesh.FaceOf(boundary[pair.first]) ==
@@ -285,14 +288,15 @@ std::vector<std::string> Notes(const MeshSummary& summary) {
   }
   if (summary.left_out_faces > 0) {
     notes.push_back(absl::StrCat("left out ",
-                                 counted(summary.left_out_faces, "face"),
+                                 counted(summary.left_out_faces, "triangle"),
                                  ", where a vertex is named twice"));
   }
   if (summary.crossing_polygons > 0) {
     notes.push_back(absl::StrCat(
         "cut ", counted(summary.crossing_polygons, "polygon"),
-        " that cross themselves into triangles that lie over each other; the "
-        "first is face ",
+        summary.crossing_polygons == 1 ? " that crosses itself"
+                                       : " that cross themselves",
+        " into triangles that lie over each other; the first is face ",
         summary.first_crossing_polygon, " of the file"));
   }
   if (summary.close_edges > 0) {

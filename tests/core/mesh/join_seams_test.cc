@@ -173,6 +173,31 @@ TEST(JoinSeamsTest, MoreThanRoundingIsToldAndNotJoined) {
               IsEmpty());
 }
 
+// What somebody has chosen is no rounding, however few its digits.
+TEST(JoinSeamsTest, ChosenGapsStayOpen) {
+  for (const double gap : {0.2, 0.1, 0.01, 1e-3, 1e-5, 1e-9, 4e-9}) {
+    const TriangleSoup sheets = {.positions = {{0, 0, 0},
+                                               {1, 0, 0},
+                                               {0, 1, 0},
+                                               {0, 0, gap},
+                                               {1, 0, gap},
+                                               {0, 1, gap}},
+                                 .triangles = {{0, 1, 2}, {3, 4, 5}}};
+    EXPECT_TRUE(Joined(sheets).reading.is_plain()) << gap;
+    // A slit from the middle of a square's side to near the other one.
+    const TriangleSoup slit = {
+        .positions = {{0, 0, 0},
+                      {10, 0, 0},
+                      {10, 10, 0},
+                      {5 + gap, 10, 0},
+                      {5, 1, 0},
+                      {5 - gap, 10, 0},
+                      {0, 10, 0}},
+        .triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {4, 5, 6}, {0, 4, 6}}};
+    EXPECT_TRUE(Joined(slit).reading.is_plain()) << gap;
+  }
+}
+
 TEST(JoinSeamsTest, NothingIsJoinedIfNotWanted) {
   const TriangleSoup apart = TakenApart(Cube());
   EXPECT_TRUE(Joined(apart, {.kind = Welding::Kind::kNone}).reading.is_plain());
@@ -329,8 +354,9 @@ TEST(LeftOutFacesTest, KeepTheirNumbersAndTakeNoPart) {
   EXPECT_EQ(summary.left_out_faces, 1u);
   EXPECT_EQ(summary.boundary_edges, 4u);
   EXPECT_EQ(summary.genus, 0);
-  EXPECT_THAT(Notes(summary),
-              ElementsAre("left out 1 face, where a vertex is named twice"));
+  EXPECT_THAT(
+      Notes(summary),
+      ElementsAre("left out 1 triangle, where a vertex is named twice"));
   const auto field = Solve(**mesh, {.sources = {{VertexPoint{1}}},
                                     .targets = {FacePoint{2, {0, 0, 1}}}});
   ASSERT_TRUE(field.ok()) << field.status();
