@@ -122,6 +122,15 @@ bool FaceWays::IsCovered(const FaceWay& disc) const {
       end = right.normal;
     }
   }
+  // All of the face may lie on their side of a ray.
+  for (const std::optional<PlanePoint>& inside : {begin, end}) {
+    if (inside.has_value() &&
+        std::ranges::all_of(corners_, [&](const PlanePoint& corner) {
+          return Dot(*inside, corner - disc.from) >= -same;
+        })) {
+      return true;
+    }
+  }
   return begin.has_value() && end.has_value() &&
          Cross(*end, *begin) <= kSameRay;
 }
