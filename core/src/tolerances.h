@@ -278,8 +278,8 @@ inline constexpr double kComputedTwice = 1;
 inline constexpr double kWrittenTwice = 1.01;
 
 // Programs that round to decimal numbers leave a unit of the last digit that is
-// a smaller part of the mesh than this. A unit that is larger is a distance that
-// somebody has chosen.
+// a smaller part of the mesh than this. A unit that is larger is a distance
+// that somebody has chosen.
 inline constexpr double kMostDecimalRounding = 1e-5;
 
 // Boundary edges are one only if their ends are closer than this part of them

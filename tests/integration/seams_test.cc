@@ -158,8 +158,9 @@ TEST_F(SeamsTest, FacesThatNameAVertexTwiceAreLeftOutAndTold) {
   const json answer = json::parse(
       Geodesic({"--json", "distance", file, "1", "face:2@0,0,1"}).out);
   EXPECT_NEAR(answer["distance"], std::sqrt(2.0), 1e-15);
-  EXPECT_THAT(answer["notes"],
-              ElementsAre("left out 1 triangle, where a vertex is named twice"));
+  EXPECT_THAT(
+      answer["notes"],
+      ElementsAre("left out 1 triangle, where a vertex is named twice"));
   EXPECT_THAT(Geodesic({"distance", file, "0", "face:1@1,0,0"}).err,
               HasSubstr("names a vertex twice"));
 }
