@@ -131,13 +131,15 @@ TEST(JoinSeamsTest, ASlitWhoseSidesWereComputedTwiceIsClosed) {
 }
 
 TEST(JoinSeamsTest, ASlitIsClosedWhateverDigitsAreWritten) {
-  for (const char* const format : {"%.4f", "%.6f", "%g", "%.9g"}) {
+  for (const char* const format :
+       {"%.4f", "%.6f", "%g", "%.9g", "%.12f", "%.17g"}) {
     TriangleSoup soup = SlitSphere<float>(24, 12);
     for (Point& p : soup.positions) {
       for (double& x : p) {
         char text[64];
         // Away from 0, so that digits are rounded apart.
-        std::snprintf(text, sizeof(text), format, x * 12.3456789 + 0.7654321);
+        const auto moved = static_cast<float>(x) * 12.3456789f + 0.7654321f;
+        std::snprintf(text, sizeof(text), format, static_cast<double>(moved));
         x = std::stod(text);
       }
     }
