@@ -290,7 +290,7 @@ inline constexpr double kMostWelded = 1.0 / 2;
 
 // Boundary edges that lie as close to each other as this part of their length,
 // and of the mean length of all, are told: they were perhaps meant to be one.
-inline constexpr double kSuspicious = 1.0 / 8;
+inline constexpr double kSuspicious = 1.0 / 50;
 
 // Of polygons before they are triangles, in a unit in which their largest
 // coordinate is 1 to 2: a corner no farther than this from a line lies on it,

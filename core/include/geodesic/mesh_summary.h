@@ -48,7 +48,7 @@ struct MeshSummary {
   uint64_t crossing_polygons = 0;
   uint64_t first_crossing_polygon = 0;
   // Boundary edges that lie close to another one, end by end, and were not
-  // joined: closer than an eighth of its length, and of the mean length of
+  // joined: closer than a fiftieth of its length, and of the mean length of
   // boundary edges. And the distance within which each of them lies, in the
   // unit of the file.
   uint64_t close_edges = 0;

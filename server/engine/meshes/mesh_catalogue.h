@@ -37,6 +37,7 @@ struct UploadHeader {
   uint64_t face_count = 0;
   // If not empty, a mesh with another digest is refused.
   std::string expected_digest;
+  // Arrays are joined within a distance only.
   Welding welding;
 };
 

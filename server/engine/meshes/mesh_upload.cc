@@ -318,8 +318,11 @@ absl::StatusOr<TriangleSoup> MeshUpload::ParseArrays(
     std::memcpy(soup.triangles.data(), bytes_.data() + position_bytes,
                 soup.triangles.size() * sizeof(Triangle));
   }
-  absl::Status status = JoinSeams(header_.welding, soup, checkpoint);
-  if (!status.ok()) return status;
+  // Whoever sends arrays may have joined them already.
+  if (header_.welding.kind == Welding::Kind::kWithin) {
+    absl::Status status = JoinSeams(header_.welding, soup, checkpoint);
+    if (!status.ok()) return status;
+  }
   return soup;
 }
 
