@@ -109,7 +109,7 @@ TEST_F(UnreachedTest, APathThatIsNotThereHasACodeAndNoFile) {
   // What is there is written.
   const json some = GeodesicJson(
       {"path", mesh_, "-s", "0", "-t", "3", "-t", "9", "-t", "12", "-o", file},
-      7);
+      4);
   EXPECT_TRUE(std::filesystem::exists(file));
   EXPECT_EQ(some["error"]["exit_code"], 4);
   EXPECT_THAT(some["error"]["message"].get<std::string>(),
