@@ -388,7 +388,7 @@ class UnfinishedTest(FolderTest, unittest.TestCase):
 
         def parts():
             yield b"begun, "
-            batches.plan_answers(self.folder, "distances", {})
+            batches.plan_answers(self.folder, "distances", {"source": 0})
             yield b"done"
 
         shards.write_file(self.folder / "shard.npy", parts())
@@ -398,7 +398,7 @@ class UnfinishedTest(FolderTest, unittest.TestCase):
     def test_a_new_run_removes_those_that_nobody_writes_to(self):
         self.folder.mkdir()
         abandon(self.folder / ".unfinished-shard.npy-0")
-        batches.plan_answers(self.folder, "distances", {})
+        batches.plan_answers(self.folder, "distances", {"source": 0})
         self.assertEqual([path.name for path in self.folder.iterdir()],
                          ["manifest.json"])
 

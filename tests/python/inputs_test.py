@@ -102,7 +102,7 @@ class RefusedQuestionsTest(Refusing):
         self.assert_refused("dtype is 'x'", mesh.matrix, 0, dtype="x")
         self.assert_refused("dtype is int64", mesh.matrix, 0, dtype=int)
         self.assert_refused("progress is 3", mesh.distances, 0, progress=3)
-        self.assert_refused("progress is 'x'", mesh.samples, 1, progress="x")
+        self.assert_refused("progress is 'x'", mesh.samples, 1, 0, progress="x")
         self.assert_refused("algorithm is 3", mesh.distances, 0, algorithm=3)
         self.assert_refused("sources cannot be", mesh.distances,
                             [0, np.arange(2)])
