@@ -104,7 +104,7 @@ absl::Status CheckWritable(const std::string& path,
         absl::StrCat("cannot write ", path, " into the folder ",
                      folder.string(), ", which must exist and allow it"));
   }
-  if (std::error_code error; std::filesystem::is_directory(path, error)) {
+  if (std::filesystem::is_directory(path, error)) {
     return absl::InvalidArgumentError(
         absl::StrCat("cannot write ", path, ": it is a folder"));
   }

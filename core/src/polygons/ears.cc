@@ -143,7 +143,8 @@ class EarCutter {
   // Whether a side of the polygon is inside the triangle of this corner. There
   // it has an end in the triangle, since it crosses no other side.
   bool IsBlocked(uint32_t tip) const {
-    const auto [previous, next] = neighbours_[tip];
+    const uint32_t previous = neighbours_[tip].previous;
+    const uint32_t next = neighbours_[tip].next;
     const std::array<Flat, 3> triangle = {polygon_.At(previous),
                                           polygon_.At(tip), polygon_.At(next)};
     return tree_.Any(triangle, [&](uint32_t corner) {

@@ -29,8 +29,7 @@ constexpr double kLandmarkSteps = 4;
 }  // namespace
 
 BackwardBounds::BackwardBounds(const Mesh& mesh)
-    : mesh_(mesh),
-      queue_(*TuningFor(mesh, kOptions)),
+    : queue_(*TuningFor(mesh, kOptions)),
       front_(mesh, Query{}, queue_, nullptr, Goal(mesh),
              WithinTolerance(kTolerance)),
       rule_(front_) {}

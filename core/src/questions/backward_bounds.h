@@ -74,7 +74,6 @@ class BackwardBounds {
 
   using MergingFront = Front<FwpBuckets, Origin, Goal, WithinTolerance>;
 
-  const Mesh& mesh_;
   FwpBuckets queue_;
   MergingFront front_;
   MergingRule<MergingFront> rule_;

@@ -294,7 +294,10 @@ TEST(IsolineArcs, NeverCrossACurveAcrossAGrid) {
     for (const std::array<double, 4>& ends :
          {std::array{2.6, 0.0, 4.3, 6.0}, std::array{0.0, 2.3, 7.0, 2.9},
           std::array{3.0, 0.0, 3.0, 6.0}}) {
-      const auto& [x, y, to_x, to_y] = ends;
+      const double x = ends[0];
+      const double y = ends[1];
+      const double to_x = ends[2];
+      const double to_y = ends[3];
       for (const double level : levels) {
         for (const Isoline& line :
              Draw(grid, {{{{x, y}, {to_x, to_y}}}}, level, {.open = 2})) {
