@@ -54,8 +54,9 @@ test("Esc ends what is under way, and takes nothing away", async (t) => {
 test("sources, curves, paths and the radius are undone and done again, one by one", async (t) => {
   const viewer = await sphere(t);
   const { page } = viewer;
-  // The address tells all that is asked. The browser's own word of it may lag behind.
-  const address = () => page.evaluate(() => location.href);
+  // The address tells all that is asked. The browser's own word of it may lag behind, and the
+  // page writes it once in 100 ms at the most: such a timer, set after its own, ends after it.
+  const address = () => page.evaluate(() => new Promise((done) => setTimeout(() => done(location.href), 100)));
   const addresses = [await address()];
   const step = async (what) => {
     await what();
