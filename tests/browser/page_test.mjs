@@ -46,6 +46,8 @@ test("a dropped file is sent once, and shown", async (t) => {
 test("a click sends a front over the surface, up to yellow", async (t) => {
   const viewer = await sphere(t);
   const [near, far] = [await viewer.at(0.05, 0), await viewer.at(0.7, 0)];
+  // A frame that was asked for by then would come at the browser's own time.
+  await viewer.settled();
   // From here on the page's clock, and with it the front, goes on when told.
   await viewer.page.clock.install();
   await viewer.page.clock.pauseAt(Date.now() + 60_000);
