@@ -99,13 +99,14 @@ bool FaceWays::IsCovered(const FaceWay& disc) const {
   // Where windows change over is known as well as their rays differ.
   const double same = kSameRay * size_;
   for (const FaceWay& way : ways_) {
-    const double distance = way.DistanceTo(disc.from);
     if (way.bound_count == 0) {
-      if (distance < disc.sigma * (1 - kDominance)) return true;
+      if (way.DistanceTo(disc.from) < disc.sigma * (1 - kDominance)) {
+        return true;
+      }
       continue;
     }
-    if (distance > disc.sigma * (1 + kAlongEdge) ||
-        !way.LeadsTo(disc.from, same)) {
+    if (!way.LeadsTo(disc.from, same) ||
+        way.DistanceTo(disc.from) > disc.sigma * (1 + kAlongEdge)) {
       continue;
     }
     const HalfPlane& left = way.bounds[0];
@@ -135,8 +136,15 @@ bool FaceWays::IsCovered(const FaceWay& disc) const {
          Cross(*end, *begin) <= kSameRay;
 }
 
+bool FaceWays::IsKnownToBeCovered(size_t disc) {
+  covers_.resize(ways_.size());
+  std::optional<bool>& cover = covers_[disc];
+  if (!cover.has_value()) cover = IsCovered(ways_[disc]);
+  return *cover;
+}
+
 std::optional<DirectionCone> FaceWays::DirectionsAt(
-    double level, const Neighbourhood& there) const {
+    double level, const Neighbourhood& there) {
   DirectionCone cone;
   for (const FaceWay& way : ways_) {
     if (way.bound_count == 0 || !way.MayHaveFront(level)) continue;
@@ -152,8 +160,10 @@ std::optional<DirectionCone> FaceWays::DirectionsAt(
       return std::nullopt;
     }
   }
-  for (const FaceWay& way : ways_) {
-    if (way.bound_count > 0 || !way.MayHaveFront(level) || IsCovered(way)) {
+  for (size_t i = 0; i < ways_.size(); ++i) {
+    const FaceWay& way = ways_[i];
+    if (way.bound_count > 0 || !way.MayHaveFront(level) ||
+        IsKnownToBeCovered(i)) {
       continue;
     }
     for (const PlanePoint& corner : corners_) {
@@ -210,7 +220,7 @@ void FaceWays::AddWithin(const CurveSegment& segment, double sigma) {
   const PlanePoint begin = InFrame(mesh_, segment.begin(), first_);
   const PlanePoint end = InFrame(mesh_, segment.end(), first_);
   const PlanePoint along = end - begin;
-  const double length = Norm(along);
+  const double length = std::hypot(along.x, along.y);
   if (!(length > 0)) return;
   has_sources_ = true;
   for (const double sign : {1.0, -1.0}) {

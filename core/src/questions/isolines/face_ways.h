@@ -5,6 +5,7 @@
 #define GEODESIC_QUESTIONS_ISOLINES_FACE_WAYS_H_
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -92,7 +93,7 @@ class FaceWays {
   // they do, no isoline is closed in the face. Discs around places that windows
   // pass on both sides are not on the isolines.
   std::optional<DirectionCone> DirectionsAt(double level,
-                                            const Neighbourhood& there) const;
+                                            const Neighbourhood& there);
   bool has_sources() const { return has_sources_; }
   const std::array<PlanePoint, 3>& corners() const { return corners_; }
   // What lies inside of each side.
@@ -113,6 +114,9 @@ class FaceWays {
   void Add(FaceWay way);
   // Whether other ways lead all around the source of a disc, no farther.
   bool IsCovered(const FaceWay& disc) const;
+  // The same by its number among the ways, found once: called when all are
+  // added.
+  bool IsKnownToBeCovered(size_t disc);
 
   const Mesh& mesh_;
   const HalfEdge first_;
@@ -122,6 +126,7 @@ class FaceWays {
   double size_ = 0;
   bool has_sources_ = false;
   std::vector<FaceWay> ways_;
+  std::vector<std::optional<bool>> covers_;
 };
 
 }  // namespace geodesic

@@ -197,15 +197,15 @@ LevelCrossings::Range LevelCrossings::LevelsIn(
 
 LevelCrossings::Range LevelCrossings::CrossingsOf(
     HalfEdge h, std::span<const double> distances) {
+  const auto [begin, end] = LevelsOn(h, distances);
+  if (begin == end) return {};
   const auto [low, high] = std::minmax({mesh_.From(h), mesh_.To(h)});
   const std::vector<HalfEdge> sides = SidesOf(mesh_, low, high);
   const HalfEdge edge = *std::ranges::min_element(sides);
   const auto [known, is_new] = edges_.try_emplace(edge);
   if (!is_new) return known->second;
   Range& range = known->second;
-  range.begin = range.end = crossings_.size();
-  const auto [begin, end] = LevelsOn(h, distances);
-  if (begin == end) return range;
+  range.begin = crossings_.size();
   const std::vector<Way> ways = WaysTo(sides, low, distances);
   for (size_t level = begin; level < end; ++level) {
     for (const double x :
@@ -362,7 +362,7 @@ void LevelCrossings::Join(uint32_t level, const Place& entry, Place& exit,
        static_cast<uint32_t>(samples_.size()) - first_sample});
 }
 
-bool LevelCrossings::IsChordEnough(const FaceWays& ways, uint32_t level,
+bool LevelCrossings::IsChordEnough(FaceWays& ways, uint32_t level,
                                    const DirectionCone& directions,
                                    const Place& entry,
                                    const Place& exit) const {
@@ -381,7 +381,7 @@ bool LevelCrossings::IsChordEnough(const FaceWays& ways, uint32_t level,
   return true;
 }
 
-absl::Status LevelCrossings::DrawLevel(const FaceWays& ways, uint32_t face,
+absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
                                        uint32_t level,
                                        std::vector<Place> entries,
                                        std::vector<Place> exits,

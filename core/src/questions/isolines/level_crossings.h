@@ -125,10 +125,10 @@ class LevelCrossings {
       std::span<const double> distances) const;
   // Whether a chord is known to be near enough to the only isoline in a face.
   // `directions`: of all ways that may have a front there.
-  bool IsChordEnough(const FaceWays& ways, uint32_t level,
+  bool IsChordEnough(FaceWays& ways, uint32_t level,
                      const DirectionCone& directions, const Place& entry,
                      const Place& exit) const;
-  absl::Status DrawLevel(const FaceWays& ways, uint32_t face, uint32_t level,
+  absl::Status DrawLevel(FaceWays& ways, uint32_t face, uint32_t level,
                          std::vector<Place> entries, std::vector<Place> exits,
                          const Poll& poll);
   double ChordError(uint32_t level) const {
