@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -73,7 +74,18 @@ bool WriteLine(const std::string& path, const std::string& line) {
   return static_cast<bool>(file << line << '\n' << std::flush);
 }
 
+// As many descriptors as this process may have: where gRPC finds none for a
+// connection, it takes none any more. The soft limit of most systems is 1,024,
+// for programs that call select().
+void RaiseDescriptorLimit() {
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
+
 int Run(const ServerOptions& options) {
+  RaiseDescriptorLimit();
   // Blocked before any thread starts, so every thread inherits it.
   const sigset_t watched = WatchedSignals();
   pthread_sigmask(SIG_BLOCK, &watched, nullptr);

@@ -91,6 +91,9 @@ void BoundConnections(const ServerOptions& options,
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 120 * kSecond);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20 * kSecond);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
+  // A client that waits may ask every few seconds whether the server is there.
+  builder.AddChannelArgument(
+      GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 5 * kSecond);
   // The bytes a client may send on a stream that is not read, however fast the
   // connection is. While the stream is read, a whole message may come.
   builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
@@ -135,9 +138,13 @@ Server::Server(const ServerOptions& options,
            .patience = options.receive_patience,
            .memory_bytes = options.request_memory_bytes}),
       service_context_{
-          engine_, log_, intake_, peers_,
+          engine_,
+          log_,
+          intake_,
+          peers_,
           MakeCapabilities(options.limits, options.max_message_bytes,
-                           std::string(ServerVersion()))},
+                           std::string(ServerVersion())),
+          options.send_patience},
       services_(MakeServices(service_context_)) {
   engine_.scheduler().ObserveJobs(
       clock_, [this](const JobTimes& times) { metrics_.JobEnded(times); });

@@ -37,6 +37,8 @@ void AddNetwork(CLI::App& app, ServerOptions& options) {
            kMillion, "Requests at once on one connection; more wait");
   AddSeconds(app, "--receive-seconds", options.receive_patience, 1,
              "How long a message of a request may take to come in");
+  AddSeconds(app, "--send-seconds", options.send_patience, 1,
+             "How long a client may take nothing of its answer");
   AddBytes(app, "--max-message-bytes", options.max_message_bytes,
            "Largest gRPC message taken from a client", kMaxMessageBytes);
 }

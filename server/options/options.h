@@ -67,6 +67,8 @@ struct ServerOptions {
   uint64_t max_connection_streams = 256;
   // How long a message may take to come in.
   std::chrono::seconds receive_patience{60};
+  // How long a client may take nothing of its answer.
+  std::chrono::seconds send_patience{120};
   // Memory of messages that are still coming in.
   uint64_t receive_memory_bytes = uint64_t{256} << 20;
   // Memory of decoded requests and of the questions made from them.

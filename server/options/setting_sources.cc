@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <istream>
 #include <memory>
 
@@ -52,10 +53,30 @@ class FileBelowEnvironment final : public CLI::ConfigBase {
   const CLI::App& app_;
 };
 
+// CLI11 would wait for a pipe, and read a device, for ever. Of what is not
+// there it says so itself.
+std::string CheckPlainFile(const std::string& path) {
+  // Far more than all settings take.
+  constexpr uintmax_t kMostBytes = 4 << 20;
+  std::error_code error;
+  const auto kind = std::filesystem::status(path, error).type();
+  if (kind == std::filesystem::file_type::not_found ||
+      kind == std::filesystem::file_type::none) {
+    return "";
+  }
+  if (kind != std::filesystem::file_type::regular) {
+    return absl::StrCat(path, " is no plain file: write the settings to one");
+  }
+  return std::filesystem::file_size(path, error) <= kMostBytes
+             ? ""
+             : absl::StrCat(path, " is larger than 4 MiB: it has no settings");
+}
+
 }  // namespace
 
 void AddFile(CLI::App& app) {
   app.set_config("--config", "", "Read settings from this TOML or INI file")
+      ->check(&CheckPlainFile)
       ->type_name("FILE");
   app.config_formatter(std::make_shared<FileBelowEnvironment>(app));
 }

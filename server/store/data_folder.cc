@@ -94,12 +94,14 @@ Quarantine::Contents Quarantine::Count() const {
 absl::StatusOr<DataFolder> DataFolder::Open(const std::string& path) {
   absl::StatusOr<FileDescriptor> folder = OpenFolder(AT_FDCWD, path);
   if (!folder.ok()) return Unusable(folder.status());
-  // Opened for reading: a disk with a file open for writing cannot be made
-  // read-only.
+  // The folder is locked, and a file in it: a file may be replaced, and some
+  // network disks lock no folders. Opened for reading: a disk with a file open
+  // for writing cannot be made read-only.
   absl::StatusOr<FileDescriptor> lock =
       OpenToRead(folder->get(), "lock", path + "/lock", O_CREAT);
   if (!lock.ok()) return Unusable(lock.status());
-  if (flock(lock->get(), LOCK_EX | LOCK_NB) != 0) {
+  if (flock(lock->get(), LOCK_EX | LOCK_NB) != 0 ||
+      (flock(folder->get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)) {
     return absl::UnavailableError(
         absl::StrCat("--data-dir ", path, " is in use", Owner(lock->get()),
                      "; each server needs a folder of its own"));

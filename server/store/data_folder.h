@@ -44,12 +44,12 @@ class Quarantine {
   std::mutex mutex_;  // held while files come and go
 };
 
-// Holds the folder's lock; the kernel releases it when the process dies.
+// Holds the folder's locks; the kernel releases them when the process dies.
 class DataFolder {
  public:
   // Makes the folder if there is none, readable by this user alone; its parents
   // must exist.
-  // Errors: UNAVAILABLE naming the process that holds the lock, or why the
+  // Errors: UNAVAILABLE naming the process that holds a lock, or why the
   // folder cannot be made or opened.
   static absl::StatusOr<DataFolder> Open(const std::string& path);
 

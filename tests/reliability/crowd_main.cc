@@ -61,7 +61,8 @@ constexpr std::chrono::milliseconds kMemoryInterval{100};
 
 WatchedServer::Options ServerOptions(const Options& options) {
   WatchedServer::Options server = options.server;
-  const size_t requests = options.readers + options.uploads + 100;
+  // One client has three quarters of them.
+  const size_t requests = (options.readers + options.uploads + 100) * 4 / 3;
   // Each upload has a message that comes slowly.
   constexpr size_t kMessageMib = 4;
   server.flags = {"--max-requests", std::to_string(requests),

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -157,6 +158,17 @@ TEST_F(OptionsTest, TheFileMayComeFromTheEnvironment) {
   EXPECT_EQ(Parse({}).options.limits.max_sources, 17);
 }
 
+TEST_F(OptionsTest, AFileOfSettingsIsAPlainOne) {
+  const std::string pipe = config_ + ".pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {pipe, std::string("/dev/zero")}) {
+    ExpectUsageError({"--config", path}, path + " is no plain file");
+    SetVariable("GEODESICD_CONFIG", path);
+    ExpectUsageError({}, path + " is no plain file");
+  }
+  std::filesystem::remove(pipe);
+}
+
 TEST_F(OptionsTest, HelpExplainsEveryFlag) {
   EXPECT_EQ(Parse({"--help"}).exit_code, 0);
   for (const char* flag : {"--listen",          "--port-file",
@@ -174,7 +186,8 @@ TEST_F(OptionsTest, HelpExplainsEveryFlag) {
                            "--insecure-listen", "--token-file",
                            "--metrics-listen",  "--channelz",
                            "--receive-memory",  "--request-memory",
-                           "--receive-seconds", "--max-connection-streams"}) {
+                           "--receive-seconds", "--max-connection-streams",
+                           "--send-seconds"}) {
     EXPECT_THAT(out_, HasSubstr(flag));
   }
   EXPECT_THAT(out_, AllOf(HasSubstr("GEODESICD_MAX_UPLOAD_BYTES"),

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <string>
 
 #include "tests/support/temporary_folder.h"
@@ -40,6 +41,9 @@ TEST_F(DataFolderTest, HasOneOwnerAtATime) {
     EXPECT_THAT(std::string(second.message()),
                 HasSubstr("in use by process " + std::to_string(getpid())));
     EXPECT_THAT(std::string(second.message()), HasSubstr(path_));
+    // Nor if the file of the lock is replaced.
+    ASSERT_TRUE(std::filesystem::remove(path_ + "/lock"));
+    EXPECT_TRUE(absl::IsUnavailable(DataFolder::Open(path_).status()));
   }
   EXPECT_TRUE(DataFolder::Open(path_).ok());
 }

@@ -89,7 +89,7 @@ class AnswerStream : public Call<ResponseType> {
   void OnWriteDone(bool ok) final {
     std::lock_guard lock(mutex_);
     writing_ = false;
-    entry_->add_write_time(std::chrono::steady_clock::now() - write_begin_);
+    this->OnTaken();
     if (!ok) {
       // The stream is broken; OnCancel tells the engine.
       this->End(absl::CancelledError("the client is gone"));
@@ -394,8 +394,7 @@ class AnswerStream : public Call<ResponseType> {
       this->End(next.status());
     } else if (*next == NextMessage::kSend) {
       writing_ = true;
-      write_begin_ = std::chrono::steady_clock::now();
-      this->StartWrite(&message_);
+      this->Write(&message_);
     } else if (*next == NextMessage::kSendLast) {
       this->End(absl::OkStatus(), &message_);
     }
@@ -409,8 +408,7 @@ class AnswerStream : public Call<ResponseType> {
   bool has_asked_siblings_ = false;
   std::function<void()> leave_;  // ends a wait for the mesh or for a method
   bool cancelled_ = false;
-  bool writing_ = false;   // a message is on its way
-  TimePoint write_begin_;  // when it was started
+  bool writing_ = false;  // a message is on its way
   Response message_;
 
   // Set by Receive; Ask's while it runs:

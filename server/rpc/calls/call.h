@@ -2,9 +2,10 @@
 // the other, ends it once and logs it.
 //
 // A caller without the right, or beyond a quota, is refused before anything of
-// the request is received. gRPC and the engine call from different threads, so
-// everything happens under one lock. gRPC holds the object until OnDone, the
-// engine as long as it may call; the last one destroys it.
+// the request is received; one who takes nothing of the answer is cut off. gRPC
+// and the engine call from different threads, so everything happens under one
+// lock. gRPC holds the object until OnDone, the engine as long as it may call;
+// the last one destroys it.
 
 #ifndef GEODESIC_SERVER_RPC_CALLS_CALL_H_
 #define GEODESIC_SERVER_RPC_CALLS_CALL_H_
@@ -26,6 +27,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "absl/strings/str_cat.h"
 #include "geodesic/v1/capabilities_service.pb.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/query_engine.h"
@@ -42,6 +44,8 @@ struct ServiceContext {
   Intake& intake;
   const Peers& peers;
   v1::GetCapabilitiesResponse capabilities;
+  // How long a client may take nothing of its answer.
+  std::chrono::milliseconds send_patience;
 };
 
 // Why a read may fail. gRPC itself refuses a message that is too large and
@@ -49,6 +53,20 @@ struct ServiceContext {
 inline constexpr char kNoMessage[] =
     "no message came: the client sent none, is gone, or sent one larger than "
     "--max-message-bytes, which gRPC refused";
+
+// The error of a call whose client took nothing of the answer.
+inline absl::Status NotTakenError(std::chrono::milliseconds patience) {
+  return absl::DeadlineExceededError(absl::StrCat(
+      "the client took nothing of the answer for ", patience.count() / 1000,
+      " s (the server's --send-seconds)"));
+}
+
+// A client whose deadline comes cancels its call, and the server may hear of
+// that first: gRPC rounds deadlines up on the wire, and the call took some time
+// to come. What is cancelled so near to its deadline, by parts of the time that
+// it had and in all, had no more time.
+inline constexpr int kNearDeadline = 50;
+inline constexpr std::chrono::milliseconds kOnTheWay{100};
 
 template <typename ResponseType>
 class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
@@ -117,6 +135,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
     std::lock_guard lock(mutex_);
     entry_.reset();
     bytes_.Clear();
+    taking_watch_.reset();
     // The lock is released before `self`, which may be the last reference.
     self = std::move(self_);
   }
@@ -171,11 +190,24 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
     return memory;
   }
 
+  // Sends a message; OnWriteDone says when gRPC has taken it.
+  void Write(const Response* message) {
+    AwaitTaking();
+    this->StartWrite(message);
+  }
+
+  // What Write sent is taken.
+  void OnTaken() {
+    entry_->add_write_time(Clock::now() - taking_since_);
+    is_taking_ = false;
+  }
+
   // Ends the call unless it has ended. If OK, sends this last message first.
   void End(absl::Status status, const Response* message = nullptr) {
     if (finished_) return;
     finished_ = true;
     arrival_.reset();
+    AwaitTaking();
     grpc::Status end = entry_->End(std::move(status));
     if (message != nullptr) {
       this->StartWriteAndFinish(message, grpc::WriteOptions(), std::move(end));
@@ -185,9 +217,14 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   }
 
   void EndCancelled() {
-    End(absl::CancelledError(
-        is_receiving_ ? kNoMessage
-                      : "the call was cancelled or its deadline came"));
+    const auto deadline = context_.deadline();
+    const auto near = (deadline - begin_) / kNearDeadline + kOnTheWay;
+    if (deadline - std::chrono::system_clock::now() <= near) {
+      End(absl::DeadlineExceededError("the call's deadline came"));
+    } else {
+      End(absl::CancelledError(is_receiving_ ? kNoMessage
+                                             : "the call was cancelled"));
+    }
   }
 
   const ServiceContext& service_;
@@ -199,8 +236,45 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   bool finished_ = false;                   // Finish was called
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void LeaveIntake() {
     if (!peer_.by_door) service_.intake.Leave(*this);
+  }
+
+  // From now on something waits to be taken.
+  void AwaitTaking() {
+    if (!is_taking_) taking_since_ = Clock::now();
+    is_taking_ = true;
+    if (!taking_watch_.has_value()) WatchTaking(service_.send_patience);
+  }
+
+  // One alarm for all messages of a call: most are taken at once.
+  void WatchTaking(Clock::duration patience) {
+    taking_watch_.emplace();
+    taking_watch_->Set(std::chrono::system_clock::now() + patience,
+                       [self = self_](bool has_passed) {
+                         if (has_passed) self->OnTakingWatch();
+                       });
+  }
+
+  void OnTakingWatch() {
+    std::lock_guard lock(mutex_);
+    if (self_ == nullptr) return;
+    if (!is_taking_) {
+      taking_watch_.reset();
+      return;
+    }
+    const auto left = taking_since_ + service_.send_patience - Clock::now();
+    if (left > Clock::duration(0)) {
+      WatchTaking(left);
+      return;
+    }
+    const absl::Status status = NotTakenError(service_.send_patience);
+    End(status);
+    entry_->set_status(status);
+    // What was written stays before the end of the call, and is not taken.
+    context_.TryCancel();
   }
 
   void OnLate(uint64_t read) {
@@ -210,12 +284,17 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   }
 
   const Peer peer_;
+  const std::chrono::system_clock::time_point begin_ =
+      std::chrono::system_clock::now();
 
   // Guarded by mutex_:
   std::shared_ptr<Call> self_;          // what gRPC holds
   std::optional<grpc::Alarm> arrival_;  // of the message that is waited for
   uint64_t reads_ = 0;                  // that are done
-  bool is_receiving_ = false;           // a read is under way
+  bool is_taking_ = false;  // something was sent that is not taken yet
+  Clock::time_point taking_since_;
+  std::optional<grpc::Alarm> taking_watch_;
+  bool is_receiving_ = false;  // a read is under way
   grpc::ByteBuffer bytes_;
 };
 

@@ -22,6 +22,15 @@ std::string Named(const char* name, const std::string& value) {
   return value.empty() ? "" : absl::StrCat(" ", name, "=", value);
 }
 
+// What one client may have of what others leave: all if that is little.
+size_t ShareOf(size_t requests) { return (3 * requests + 3) / 4; }
+
+absl::Status TooManyRequests(const std::string& message) {
+  return WithReason(
+      WithRetryAfter(absl::ResourceExhaustedError(message), kRetryDelay),
+      reason::kTooManyRequests);
+}
+
 // Adds the request id to the trailers. When the server is full, also says when
 // gRPC's own retries may come, or that they may not.
 void AddTrailers(const std::string& request_id, const absl::Status& status,
@@ -98,19 +107,32 @@ absl::Status RequestLog::Entry::Admit() {
 
 absl::Status RequestLog::Entry::AdmitStream() {
   if (absl::Status status = Admit(); !status.ok()) return status;
-  if (log_.active() > log_.max_active_) {
-    return WithReason(
-        WithRetryAfter(absl::ResourceExhaustedError(absl::StrCat(
-                           "the server has ", log_.max_active_,
-                           " requests in hand and takes no more; try again "
-                           "later")),
-                       kRetryDelay),
-        reason::kTooManyRequests);
-  }
+  if (absl::Status status = TakeShare(); !status.ok()) return status;
   absl::StatusOr<std::shared_ptr<Quotas::Job>> job =
       log_.quotas_.TakeJob(caller_);
   if (job.ok()) job_ = *std::move(job);
   return job.status();
+}
+
+absl::Status RequestLog::Entry::TakeShare() {
+  const std::string client = this->client();
+  std::lock_guard lock(log_.mutex_);
+  if (log_.active_ > log_.max_active_) {
+    return TooManyRequests(absl::StrCat("the server has ", log_.max_active_,
+                                        " requests in hand and takes no more; "
+                                        "try again later"));
+  }
+  size_t& streams = log_.streams_[client];
+  const size_t left_by_others = log_.max_active_ - (log_.active_ - 1 - streams);
+  if (streams + 1 > ShareOf(left_by_others)) {
+    return TooManyRequests(absl::StrCat(
+        client, " has ", streams,
+        " requests in hand, three quarters of what others leave of the "
+        "server's --max-requests; try again when some have ended"));
+  }
+  ++streams;
+  counted_as_ = client;
+  return absl::OkStatus();
 }
 
 std::string RequestLog::Entry::client() const {
@@ -149,6 +171,10 @@ RequestLog::Entry::~Entry() {
                                   absl::CHexEscape(status_.message()), "\""));
   // Notifies under the lock: a waiter may destroy the log as soon as it wakes.
   std::lock_guard lock(log_.mutex_);
+  if (const auto it = log_.streams_.find(counted_as_);
+      it != log_.streams_.end() && --it->second == 0) {
+    log_.streams_.erase(it);
+  }
   if (--log_.active_ == 0) {
     log_.idle_since_ = std::chrono::steady_clock::now();
     log_.idle_.notify_all();

@@ -10,6 +10,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <stop_token>
@@ -53,7 +54,8 @@ class RequestLog {
     // Admit, and whether there is room for one more stream. A stream holds a
     // message or two, so the number of streams bounds their memory.
     // Errors: as Admit; RESOURCE_EXHAUSTED with a retry hint when the server
-    // or the caller has too many requests that have not ended.
+    // or the caller has too many requests that have not ended. Of what other
+    // callers leave, one may have three quarters, so that no one can take all.
     absl::Status AdmitStream();
 
     // What the request is about, e.g. the start of a digest.
@@ -72,8 +74,14 @@ class RequestLog {
 
     // Ends the request; returns the status for gRPC. Call once, before Finish.
     grpc::Status End(absl::Status status);
+    // What the log says in place of the status of End, which the client did not
+    // take.
+    void set_status(absl::Status status) { status_ = std::move(status); }
 
    private:
+    // Counts this stream as its client's. Errors: as AdmitStream.
+    absl::Status TakeShare();
+
     RequestLog& log_;
     const std::string_view method_;
     grpc::CallbackServerContext& context_;
@@ -83,6 +91,7 @@ class RequestLog {
     const std::string trace_parent_;
     Caller caller_;
     std::shared_ptr<Quotas::Job> job_;
+    std::string counted_as_;  // a client's name; empty: not counted
     std::string subject_;
     absl::Status status_;
     uint64_t bytes_ = 0;
@@ -117,6 +126,7 @@ class RequestLog {
   std::condition_variable_any idle_;
   // Guarded by mutex_:
   size_t active_ = 0;
+  std::map<std::string, size_t> streams_;  // by clients' names
   std::chrono::steady_clock::time_point idle_since_ =
       std::chrono::steady_clock::now();
 };
