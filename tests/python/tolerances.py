@@ -6,5 +6,5 @@ EXACT = 1e-10
 # about as often as the solver does.
 ORACLE = 1e-9
 # Relative to the mesh's extent, of coordinates and weights that were computed
-# from a rounded t in [0, 1] (docs/algorithm.md).
+# from a rounded t in [0, 1].
 COORDINATES = 1e-9
